@@ -1,0 +1,32 @@
+#pragma once
+
+#include <unordered_map>
+
+#include "ir/expr.hpp"
+
+namespace gaussgen::ir {
+
+/// Derivative along a direction: Σ ∂f/∂s ṡ over the symbols s that have a seed ṡ. Every node is differentiated once.
+/// The total time derivative is the direction {q: q̇, t: 1}, a partial derivative is {s: 1}.
+class Directional {
+ public:
+  explicit Directional(Graph& graph) : graph_(graph) {}
+
+  void seed(SymbolId symbol, Expr rate);
+  Expr operator()(Expr function);
+
+ private:
+  NodeId derivative(NodeId id);
+  NodeId of_node(NodeId id);
+  NodeId of_function(const Node& node);
+  NodeId known(NodeId id) const { return memo_.at(id.index); }
+
+  Graph& graph_;
+  std::unordered_map<std::uint32_t, NodeId> seeds_;
+  std::unordered_map<std::uint32_t, NodeId> memo_;
+};
+
+/// ∂f/∂s
+Expr partial(Expr function, SymbolId symbol);
+
+}  // namespace gaussgen::ir

@@ -1,0 +1,89 @@
+// Function calls: exact special values, and signs pulled out of odd and even functions.
+
+#include <utility>
+
+#include "ir/content.hpp"
+#include "ir/graph.hpp"
+
+namespace gaussgen::ir {
+
+std::string_view name_of(Function function) {
+  switch (function) {
+    case Function::sin: return "sin";
+    case Function::cos: return "cos";
+    case Function::tan: return "tan";
+    case Function::asin: return "asin";
+    case Function::acos: return "acos";
+    case Function::atan: return "atan";
+    case Function::atan2: return "atan2";
+    case Function::exp: return "exp";
+    case Function::log: return "log";
+    case Function::sinh: return "sinh";
+    case Function::cosh: return "cosh";
+    case Function::tanh: return "tanh";
+    case Function::less: return "less";
+    case Function::not_finite: return "not_finite";
+    case Function::any: return "any";
+    case Function::select: return "select";
+  }
+  return "?";
+}
+
+bool is_boolean(Function function) {
+  return function == Function::less || function == Function::not_finite || function == Function::any;
+}
+
+namespace {
+
+enum class Parity { none, odd, even };
+
+Parity parity(Function function) {
+  switch (function) {
+    case Function::sin:
+    case Function::tan:
+    case Function::asin:
+    case Function::atan:
+    case Function::sinh:
+    case Function::tanh: return Parity::odd;
+    case Function::cos:
+    case Function::cosh: return Parity::even;
+    default: return Parity::none;
+  }
+}
+
+bool has_negative_sign(const Node& node) {
+  if (node.kind == Kind::constant) return node.value < 0;
+  return node.kind == Kind::sum && signed_content(node) < 0;
+}
+
+/// f(0) where it is rational; log and acos have theirs at 1.
+bool exact_value(Function function, const Rational& at, Rational& value) {
+  const bool at_one = function == Function::log || function == Function::acos;
+  if (at != (at_one ? 1 : 0)) return false;
+  if (function == Function::atan2 || function >= Function::less) return false;
+  value = function == Function::cos || function == Function::exp || function == Function::cosh ? 1 : 0;
+  return true;
+}
+
+}  // namespace
+
+NodeId Graph::call(Function function, std::vector<NodeId> arguments) {
+  if (function == Function::select && arguments[1] == arguments[2]) return arguments[1];
+  if (arguments.size() == 1) {
+    const Node& argument = (*this)[arguments[0]];
+    Rational value = 0;
+    if (argument.kind == Kind::constant && exact_value(function, argument.value, value)) return constant(value);
+    const Parity kind = parity(function);
+    if (kind != Parity::none && has_negative_sign(argument)) {
+      const NodeId mirrored = call(function, {scale(-1, arguments[0])});
+      return kind == Parity::odd ? scale(-1, mirrored) : mirrored;
+    }
+  }
+  Node node;
+  node.kind = Kind::function;
+  node.function = function;
+  node.children = std::move(arguments);
+  return intern(std::move(node));
+}
+
+}  // namespace gaussgen::ir

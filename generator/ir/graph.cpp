@@ -1,0 +1,106 @@
+#include "ir/graph.hpp"
+
+#include <utility>
+
+#include "support/assert.hpp"
+
+namespace gaussgen::ir {
+
+namespace {
+
+constexpr std::size_t k_mix = 0x9E3779B97F4A7C15U;
+
+std::size_t mix(std::size_t seed, std::size_t value) { return (seed ^ (value + k_mix + (seed << 6U) + (seed >> 2U))) * k_mix; }
+
+// Child ids enter the hash, so its value depends on creation order; it is used for look-up only.
+std::size_t hash_of(const Node& node) {
+  std::size_t seed = static_cast<std::size_t>(node.kind);
+  seed = mix(seed, static_cast<std::size_t>(node.function));
+  seed = mix(seed, node.symbol.index);
+  seed = mix(seed, support::hash(node.value));
+  for (const NodeId child : node.children) seed = mix(seed, child.index);
+  for (const Rational& coefficient : node.coefficients) seed = mix(seed, support::hash(coefficient));
+  return mix(seed, std::hash<std::string>{}(node.name));
+}
+
+bool same(const Node& a, const Node& b) {
+  return a.kind == b.kind && a.function == b.function && a.symbol == b.symbol && a.value == b.value &&
+         a.children == b.children && a.coefficients == b.coefficients && a.name == b.name;
+}
+
+bool is_many_term_sum(const Node& node) {
+  return node.kind == Kind::sum && node.children.size() + (node.value == 0 ? 0U : 1U) > 1;
+}
+
+// Only a sum can be flattened into its users, and only then would its additions be done again by each of them.
+bool can_be_flattened(const Graph& graph, NodeId id) {
+  const Node& node = graph[id];
+  if (is_many_term_sum(node)) return true;
+  if (node.kind == Kind::sum) return can_be_flattened(graph, node.children[0]);
+  if (node.kind != Kind::product) return false;
+  for (const NodeId factor : node.children) {
+    if (is_many_term_sum(graph[factor])) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+SymbolId Graph::declare(SymbolClass symbol_class, std::string name) {
+  symbols_.push_back({symbol_class, std::move(name)});
+  return SymbolId{static_cast<std::uint32_t>(symbols_.size() - 1)};
+}
+
+NodeId Graph::intern(Node node) {
+  const std::size_t hash = hash_of(node);
+  const auto [first, last] = index_.equal_range(hash);
+  for (auto it = first; it != last; ++it) {
+    if (same(nodes_[it->second.index], node)) return it->second;
+  }
+  const NodeId id{static_cast<std::uint32_t>(nodes_.size())};
+  nodes_.push_back(std::move(node));
+  index_.emplace(hash, id);
+  return id;
+}
+
+NodeId Graph::constant(const Rational& value) {
+  Node node;
+  node.kind = Kind::constant;
+  node.value = value;
+  return intern(std::move(node));
+}
+
+NodeId Graph::use(SymbolId id) {
+  GAUSS_ASSERT(id.index < symbols_.size(), "symbol={} of {}", id.index, symbols_.size());
+  Node node;
+  node.kind = Kind::symbol;
+  node.symbol = id;
+  return intern(std::move(node));
+}
+
+NodeId Graph::named(NodeId id, const std::string& name) {
+  const Node& node = (*this)[id];
+  if (node.kind == Kind::constant || node.kind == Kind::symbol || node.kind == Kind::named) return id;
+  if (!can_be_flattened(*this, id)) {
+    labels_.emplace(id.index, name);
+    return id;
+  }
+  Node wrapper;
+  wrapper.kind = Kind::named;
+  wrapper.children = {id};
+  wrapper.name = name;
+  return intern(std::move(wrapper));
+}
+
+const std::string& Graph::label(NodeId id) const {
+  static const std::string k_none;
+  const auto it = labels_.find(id.index);
+  return it == labels_.end() ? k_none : it->second;
+}
+
+bool Graph::is_constant(NodeId id, int value) const {
+  const Node& node = (*this)[id];
+  return node.kind == Kind::constant && node.value == value;
+}
+
+}  // namespace gaussgen::ir

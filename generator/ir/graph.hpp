@@ -1,0 +1,71 @@
+#pragma once
+// Hash-consed, canonically ordered expression graph: everything that is assembled, solved and emitted lives here.
+//
+// Invariants (checked by verify.hpp):
+//  - a sum has no constant or sum among its children, no zero coefficient, children in canonical order, and is
+//    neither a lone child with coefficient 1 nor a bare constant;
+//  - a product has at least two factors, no constant, no product, no one-term sum, like bases merged; a sum among its
+//    factors is primitive (coprime integer coefficients, leading one positive), the rest moved into a coefficient;
+//  - the order is built from declaration order and structure, never from addresses or creation order.
+
+#include <deque>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "ir/node.hpp"
+
+namespace gaussgen::ir {
+
+/// coefficient * node
+struct Term {
+  Rational coefficient;
+  NodeId node;
+};
+
+class Graph {
+ public:
+  SymbolId declare(SymbolClass symbol_class, std::string name);
+  const Symbol& symbol(SymbolId id) const { return symbols_[id.index]; }
+  std::size_t symbol_count() const { return symbols_.size(); }
+
+  NodeId constant(const Rational& value);
+  NodeId use(SymbolId id);
+  NodeId sum(const std::vector<NodeId>& terms);
+  NodeId product(const std::vector<NodeId>& factors);
+  /// constant + Σ coefficient * node
+  NodeId linear(const Rational& constant, const std::vector<Term>& terms);
+  NodeId scale(const Rational& factor, NodeId node);
+  NodeId power(NodeId base, const Rational& exponent);
+  NodeId call(Function function, std::vector<NodeId> arguments);
+
+  /// `node` under a name that appears in emitted code. A sum (or anything that holds one) becomes opaque: later
+  /// simplification does not flatten it, so it is computed once. A monomial only gets the label, since taking it
+  /// apart costs nothing and lets factors cancel.
+  NodeId named(NodeId node, const std::string& name);
+
+  const Node& operator[](NodeId id) const { return nodes_[id.index]; }
+  std::size_t size() const { return nodes_.size(); }
+
+  /// Label given by `named` to a monomial; empty if none.
+  const std::string& label(NodeId id) const;
+
+  /// Canonical order: <0, 0, >0. Independent of the order in which nodes were created.
+  int compare(NodeId a, NodeId b) const;
+
+  bool is_constant(NodeId id, int value) const;
+  bool is_zero(NodeId id) const { return is_constant(id, 0); }
+  bool is_one(NodeId id) const { return is_constant(id, 1); }
+
+
+ private:
+  NodeId intern(Node node);
+  NodeId finish_sum(const Rational& constant, std::vector<Term> terms);
+
+  std::vector<Symbol> symbols_;
+  std::deque<Node> nodes_;  // references to nodes stay valid while the graph grows
+  std::unordered_multimap<std::size_t, NodeId> index_;
+  std::unordered_map<std::uint32_t, std::string> labels_;
+};
+
+}  // namespace gaussgen::ir

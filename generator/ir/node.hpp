@@ -1,0 +1,81 @@
+#pragma once
+// What a node of the expression graph is.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "support/rational.hpp"
+
+namespace gaussgen::ir {
+
+using support::Rational;
+
+/// Index of a node in its Graph. Equal ids mean equal expressions (hash-consing).
+struct NodeId {
+  std::uint32_t index = 0;
+  friend bool operator==(NodeId a, NodeId b) { return a.index == b.index; }
+  friend bool operator!=(NodeId a, NodeId b) { return a.index != b.index; }
+};
+
+/// Index of a declared symbol in its Graph.
+struct SymbolId {
+  std::uint32_t index = 0;
+  friend bool operator==(SymbolId a, SymbolId b) { return a.index == b.index; }
+};
+
+/// What a symbol stands for. The order of this list is the order of factors in printed products.
+enum class SymbolClass : std::uint8_t {
+  pi,
+  epsilon,       ///< rounding unit of the scalar type of the run
+  parameter,     ///< plain run-time constant
+  time,
+  configuration, ///< q: free coordinates and quaternion components
+  held,          ///< x^i, replaced by c^i(t) before anything is emitted
+  speed,         ///< u: rates of free coordinates and angular velocity components
+  held_rate,     ///< dx^i/dt, likewise replaced
+  acceleration,  ///< du/dt where a caller supplies it (compulsion, residuals)
+  held_acceleration,
+  input,
+  opaque,        ///< a value bound later, such as an entry of an inverse on the paper's route
+};
+
+struct Symbol {
+  SymbolClass symbol_class;
+  std::string name;
+};
+
+enum class Kind : std::uint8_t {
+  constant,  ///< value
+  symbol,
+  sum,       ///< value + Σ coefficients[i] * children[i]
+  product,   ///< Π children[i]
+  power,     ///< children[0] ^ value, value rational, neither 0 nor 1
+  function,
+  named,     ///< children[0] under a name: opaque to simplification, so that shared parts stay shared
+};
+
+enum class Function : std::uint8_t {
+  sin, cos, tan, asin, acos, atan, atan2, exp, log, sinh, cosh, tanh,
+  // Boolean values; they reach only `any` and `select`.
+  less,        ///< a < b
+  not_finite,  ///< some argument is infinite or not a number
+  any,         ///< logical or
+  select,      ///< condition ? a : b
+};
+
+std::string_view name_of(Function function);
+bool is_boolean(Function function);
+
+struct Node {
+  Kind kind = Kind::constant;
+  Function function = Function::sin;
+  SymbolId symbol;
+  Rational value = 0;
+  std::vector<NodeId> children;
+  std::vector<Rational> coefficients;  ///< kind sum, parallel to children
+  std::string name;                    ///< kind named
+};
+
+}  // namespace gaussgen::ir

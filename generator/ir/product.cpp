@@ -1,0 +1,169 @@
+// Products and powers: coefficients out, like bases merged, sums primitive, canonical order.
+
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+
+#include "ir/content.hpp"
+#include "ir/graph.hpp"
+#include "support/assert.hpp"
+
+namespace gaussgen::ir {
+
+namespace {
+
+struct Factor {
+  NodeId base;
+  Rational exponent;
+};
+
+/// Collects factors as base^exponent with one rational coefficient outside.
+class FactorCollector {
+ public:
+  explicit FactorCollector(Graph& graph) : graph_(graph) {}
+
+  void multiply(NodeId id) {
+    const Node& node = graph_[id];
+    if (node.kind == Kind::constant) {
+      coefficient_ = coefficient_ * node.value;
+    } else if (node.kind == Kind::product) {
+      for (const NodeId child : node.children) multiply(child);
+    } else if (node.kind == Kind::sum && node.value == 0 && node.children.size() == 1) {
+      coefficient_ = coefficient_ * node.coefficients[0];
+      multiply(node.children[0]);
+    } else if (node.kind == Kind::sum) {
+      const Rational content = signed_content(node);
+      coefficient_ = coefficient_ * content;
+      merge(graph_.scale(1 / content, id), 1);
+    } else if (node.kind == Kind::power) {
+      merge(node.children[0], node.value);
+    } else {
+      merge(id, 1);
+    }
+  }
+
+  const Rational& coefficient() const { return coefficient_; }
+  const std::vector<Factor>& factors() const { return factors_; }
+
+ private:
+  void merge(NodeId base, const Rational& exponent) {
+    const auto [place, is_new] = position_.emplace(base.index, factors_.size());
+    if (is_new) {
+      factors_.push_back({base, exponent});
+    } else {
+      Rational& sum = factors_[place->second].exponent;
+      sum = sum + exponent;
+    }
+  }
+
+  Graph& graph_;
+  Rational coefficient_ = 1;
+  std::vector<Factor> factors_;
+  std::unordered_map<std::uint32_t, std::size_t> position_;
+};
+
+bool can_be_factor(const Node& node) {
+  switch (node.kind) {
+    case Kind::constant:
+    case Kind::product: return false;
+    case Kind::sum: return signed_content(node) == 1;
+    default: return true;
+  }
+}
+
+}  // namespace
+
+Rational signed_content(const Node& sum) {
+  Rational content = sum.value;
+  int signs = sum.value < 0 ? -1 : (sum.value > 0 ? 1 : 0);
+  for (const Rational& coefficient : sum.coefficients) {
+    // gcd of fractions: gcd of the numerators over lcm of the denominators
+    content = content == 0 ? cln::abs(coefficient)
+                           : Rational(cln::gcd(cln::numerator(content), cln::numerator(coefficient))) /
+                                 cln::lcm(cln::denominator(content), cln::denominator(coefficient));
+    signs += coefficient < 0 ? -1 : 1;
+  }
+  const Rational& leading = sum.value == 0 ? sum.coefficients[0] : sum.value;
+  const bool negative = signs < 0 || (signs == 0 && leading < 0);
+  return negative ? Rational(-cln::abs(content)) : cln::abs(content);
+}
+
+NodeId Graph::product(const std::vector<NodeId>& nodes) {
+  FactorCollector collector(*this);
+  for (const NodeId node : nodes) collector.multiply(node);
+  if (collector.coefficient() == 0) return constant(0);
+
+  // x^(1/2) x^(1/2) is x again, which may itself be a product or a sum: then collect once more.
+  std::vector<NodeId> factors;
+  bool settled = true;
+  for (const Factor& factor : collector.factors()) {
+    if (factor.exponent == 0) continue;
+    const NodeId node = power(factor.base, factor.exponent);
+    settled = settled && can_be_factor((*this)[node]);
+    factors.push_back(node);
+  }
+  if (!settled) {
+    factors.push_back(constant(collector.coefficient()));
+    return product(factors);
+  }
+  if (factors.empty()) return constant(collector.coefficient());
+  if (factors.size() == 1) return scale(collector.coefficient(), factors[0]);
+  std::sort(factors.begin(), factors.end(), [this](NodeId a, NodeId b) { return compare(a, b) < 0; });
+  Node node;
+  node.kind = Kind::product;
+  node.children = std::move(factors);
+  return scale(collector.coefficient(), intern(std::move(node)));
+}
+
+namespace {
+
+Rational integer_power(const Rational& base, int exponent) {
+  GAUSS_ASSERT(base != 0 || exponent > 0, "0^{}", exponent);
+  return exponent < 0 ? Rational(1 / cln::expt_pos(base, -exponent)) : cln::expt_pos(base, exponent);
+}
+
+/// base^exponent where it is rational again, such as 4^(1/2).
+std::optional<Rational> exact_power(const Rational& base, const Rational& exponent) {
+  const int top = cln::cl_I_to_int(cln::numerator(exponent));
+  if (support::is_integer(exponent)) return integer_power(base, top);
+  Rational root = 0;
+  if (base < 0 || !cln::rootp(base, cln::cl_I_to_int(cln::denominator(exponent)), &root)) return std::nullopt;
+  return integer_power(root, top);
+}
+
+}  // namespace
+
+NodeId Graph::power(NodeId base, const Rational& exponent) {
+  if (exponent == 0) return constant(1);
+  if (exponent == 1) return base;
+  const Node& node = (*this)[base];
+  const bool is_whole = support::is_integer(exponent);
+  if (node.kind == Kind::constant) {
+    // 0^-1 stays as it is: the value is not finite at run time, and status says so.
+    const bool is_pole = node.value == 0 && exponent < 0;
+    if (const auto exact = is_pole ? std::nullopt : exact_power(node.value, exponent)) return constant(*exact);
+  }
+  if (node.kind == Kind::power && (is_whole || support::is_integer(1 / node.value))) {
+    return power(node.children[0], node.value * exponent);
+  }
+  if (is_whole && node.kind == Kind::product) {
+    std::vector<NodeId> factors;
+    for (const NodeId child : node.children) factors.push_back(power(child, exponent));
+    return product(factors);
+  }
+  if (is_whole && node.kind == Kind::sum) {
+    const bool is_monomial = node.value == 0 && node.children.size() == 1;
+    const Rational content = is_monomial ? node.coefficients[0] : signed_content(node);
+    if (content != 1) {
+      const NodeId primitive = scale(1 / content, base);
+      return scale(integer_power(content, support::to_int(exponent)), power(primitive, exponent));
+    }
+  }
+  Node result;
+  result.kind = Kind::power;
+  result.value = exponent;
+  result.children = {base};
+  return intern(std::move(result));
+}
+
+}  // namespace gaussgen::ir

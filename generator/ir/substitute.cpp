@@ -1,0 +1,46 @@
+#include "ir/substitute.hpp"
+
+#include "ir/traverse.hpp"
+
+namespace gaussgen::ir {
+
+void Substitution::replace(SymbolId symbol, Expr by) {
+  replacements_.emplace(symbol.index, by.id());
+  memo_.clear();
+}
+
+Expr Substitution::operator()(Expr expression) {
+  const auto is_known = [this](NodeId id) { return memo_.count(id.index) != 0; };
+  for (const NodeId id : post_order(graph_, {expression.id()}, is_known)) {
+    if (!is_known(id)) memo_.emplace(id.index, rebuilt(id));
+  }
+  return {graph_, memo_.at(expression.id().index)};
+}
+
+NodeId Substitution::rebuilt(NodeId id) {
+  const Node& node = graph_[id];
+  if (node.kind == Kind::constant) return id;
+  if (node.kind == Kind::symbol) {
+    const auto found = replacements_.find(node.symbol.index);
+    return found == replacements_.end() ? id : found->second;
+  }
+  std::vector<NodeId> children;
+  for (const NodeId child : node.children) children.push_back(memo_.at(child.index));
+  if (children == node.children) return id;
+  const std::string label = graph_.label(id);
+  const auto relabelled = [&](NodeId result) { return label.empty() ? result : graph_.named(result, label); };
+  switch (node.kind) {
+    case Kind::sum: {
+      std::vector<Term> terms;
+      for (std::size_t i = 0; i < children.size(); ++i) terms.push_back({node.coefficients[i], children[i]});
+      return relabelled(graph_.linear(node.value, terms));
+    }
+    case Kind::product: return relabelled(graph_.product(children));
+    case Kind::power: return relabelled(graph_.power(children[0], node.value));
+    case Kind::function: return relabelled(graph_.call(node.function, children));
+    case Kind::named: return graph_.named(children[0], node.name);
+    default: return id;
+  }
+}
+
+}  // namespace gaussgen::ir

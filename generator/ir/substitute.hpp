@@ -1,0 +1,25 @@
+#pragma once
+
+#include <unordered_map>
+
+#include "ir/expr.hpp"
+
+namespace gaussgen::ir {
+
+/// Replaces symbols by expressions and simplifies again on the way up. Names survive.
+class Substitution {
+ public:
+  explicit Substitution(Graph& graph) : graph_(graph) {}
+
+  void replace(SymbolId symbol, Expr by);
+  Expr operator()(Expr expression);
+
+ private:
+  NodeId rebuilt(NodeId id);
+
+  Graph& graph_;
+  std::unordered_map<std::uint32_t, NodeId> replacements_;
+  std::unordered_map<std::uint32_t, NodeId> memo_;
+};
+
+}  // namespace gaussgen::ir

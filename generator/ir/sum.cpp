@@ -1,0 +1,99 @@
+// Sums: flattening, like terms, sin² + cos² = 1, canonical order.
+
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+
+#include "ir/graph.hpp"
+#include "ir/pythagoras.hpp"
+
+namespace gaussgen::ir {
+
+namespace {
+
+/// Merges like terms while it flattens nested sums.
+class TermCollector {
+ public:
+  explicit TermCollector(const Graph& graph) : graph_(graph) {}
+
+  void add(const Rational& factor, NodeId id) {
+    const Node& node = graph_[id];
+    if (node.kind == Kind::constant) {
+      constant_ = constant_ + factor * node.value;
+    } else if (node.kind == Kind::sum) {
+      constant_ = constant_ + factor * node.value;
+      for (std::size_t i = 0; i < node.children.size(); ++i) add_term(factor * node.coefficients[i], node.children[i]);
+    } else {
+      add_term(factor, id);
+    }
+  }
+
+  const Rational& constant() const { return constant_; }
+
+  std::vector<Term> terms() const {
+    std::vector<Term> kept;
+    for (const Term& term : terms_) {
+      if (term.coefficient != 0) kept.push_back(term);
+    }
+    return kept;
+  }
+
+ private:
+  void add_term(const Rational& coefficient, NodeId node) {
+    const auto [place, is_new] = position_.emplace(node.index, terms_.size());
+    if (is_new) {
+      terms_.push_back({coefficient, node});
+    } else {
+      Rational& sum = terms_[place->second].coefficient;
+      sum = sum + coefficient;
+    }
+  }
+
+  const Graph& graph_;
+  Rational constant_ = 0;
+  std::vector<Term> terms_;
+  std::unordered_map<std::uint32_t, std::size_t> position_;
+};
+
+}  // namespace
+
+NodeId Graph::sum(const std::vector<NodeId>& nodes) {
+  std::vector<Term> terms;
+  terms.reserve(nodes.size());
+  for (const NodeId node : nodes) terms.push_back({1, node});
+  return linear(0, terms);
+}
+
+NodeId Graph::linear(const Rational& constant, const std::vector<Term>& terms) {
+  TermCollector collector(*this);
+  for (const Term& term : terms) collector.add(term.coefficient, term.node);
+  Rational total = collector.constant() + constant;
+  std::vector<Term> collected = collector.terms();
+  // Each use of the identity removes a term or turns a constant into one, so this ends.
+  while (const std::optional<Replacement> found = find_pythagorean_pair(*this, total, collected)) {
+    TermCollector again(*this);
+    again.add(1, this->constant(found->constant));
+    for (const Term& term : found->terms) again.add(term.coefficient, term.node);
+    total = again.constant();
+    collected = again.terms();
+  }
+  return finish_sum(total, std::move(collected));
+}
+
+NodeId Graph::finish_sum(const Rational& constant_term, std::vector<Term> terms) {
+  if (terms.empty()) return constant(constant_term);
+  if (terms.size() == 1 && constant_term == 0 && terms[0].coefficient == 1) return terms[0].node;
+  std::sort(terms.begin(), terms.end(), [this](const Term& a, const Term& b) { return compare(a.node, b.node) < 0; });
+  Node node;
+  node.kind = Kind::sum;
+  node.value = constant_term;
+  for (const Term& term : terms) {
+    node.children.push_back(term.node);
+    node.coefficients.push_back(term.coefficient);
+  }
+  return intern(std::move(node));
+}
+
+NodeId Graph::scale(const Rational& factor, NodeId node) { return linear(0, {{factor, node}}); }
+
+}  // namespace gaussgen::ir

@@ -1,0 +1,33 @@
+#pragma once
+// Expressions of a model file as the user wrote them, with byte spans.
+
+#include <string>
+#include <vector>
+
+#include "support/rational.hpp"
+#include "support/source.hpp"
+
+namespace gaussgen::model {
+
+enum class AstKind {
+  number,      ///< exact: "0.1" is 1/10
+  symbol,      ///< a declared name, `t`, or `pi`
+  negate,      ///< -a
+  sum,         ///< a + b + …; a subtracted term is a `negate` child
+  product,     ///< a * b * …; a divisor is a `reciprocal` child
+  reciprocal,  ///< 1 / a
+  power,       ///< a ^ e, e an integer or rational constant expression
+  call,        ///< f(a, …); `dot(a)` is the total time derivative
+};
+
+/// One node. Sums and products are n-ary, so that the depth is the nesting of brackets and never the
+/// length of the text; the parser bounds it.
+struct Ast {
+  AstKind kind = AstKind::number;
+  support::Span span;
+  support::Rational number = 0;  ///< kind number
+  std::string name;              ///< kind symbol: the name; kind call: the function
+  std::vector<Ast> children;
+};
+
+}  // namespace gaussgen::model

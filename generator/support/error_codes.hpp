@@ -1,0 +1,75 @@
+#pragma once
+// Every finding about a model file has a code that stays the same from version to version.
+
+#include <string>
+
+namespace gaussgen::support {
+
+struct ErrorCode {
+  const char* id;
+  const char* meaning;
+  operator std::string() const { return id; }
+};
+
+namespace code {
+
+// The file and its YAML.
+inline constexpr ErrorCode k_encoding{"E001", "the file is not UTF-8 text"};
+inline constexpr ErrorCode k_forbidden_character{"E002", "an invisible or control character"};
+inline constexpr ErrorCode k_file_too_large{"E003", "the file is too large or too deeply nested"};
+inline constexpr ErrorCode k_yaml_syntax{"E004", "the text is not valid YAML"};
+inline constexpr ErrorCode k_tab_indentation{"E005", "a tab where YAML wants spaces"};
+inline constexpr ErrorCode k_duplicate_key{"E006", "a key appears twice in one map"};
+inline constexpr ErrorCode k_yaml_feature{"E007", "anchors, aliases and tags are not part of the format"};
+inline constexpr ErrorCode k_several_documents{"E008", "more than one document in the file"};
+inline constexpr ErrorCode k_empty_file{"E009", "there is nothing in the file"};
+
+// Keys and the kinds of their values.
+inline constexpr ErrorCode k_unknown_key{"E010", "a key that the format does not know"};
+inline constexpr ErrorCode k_missing_key{"E011", "a key that must be there is not"};
+inline constexpr ErrorCode k_wrong_kind{"E012", "a map, a list or a single value in the wrong place"};
+inline constexpr ErrorCode k_wrong_count{"E013", "a list of the wrong length"};
+inline constexpr ErrorCode k_format_version{"E014", "a format version that this program does not read"};
+inline constexpr ErrorCode k_unknown_word{"E015", "a word outside a fixed list of choices"};
+inline constexpr ErrorCode k_conflicting_keys{"E016", "keys that exclude each other"};
+
+// Names.
+inline constexpr ErrorCode k_invalid_name{"E020", "not a valid name"};
+inline constexpr ErrorCode k_reserved_name{"E021", "a name with a fixed meaning in expressions"};
+inline constexpr ErrorCode k_name_clash{"E022", "one name for two things"};
+inline constexpr ErrorCode k_rate_clash{"E023", "a name that equals the derived name of a rate"};
+inline constexpr ErrorCode k_wrong_reference{"E024", "a name that refers to nothing, or to the wrong kind of thing"};
+
+// Expressions.
+inline constexpr ErrorCode k_unexpected_character{"E030", "a character that expressions do not know"};
+inline constexpr ErrorCode k_unknown_name{"E031", "a name that is not declared"};
+inline constexpr ErrorCode k_malformed_number{"E032", "a number that cannot be read"};
+inline constexpr ErrorCode k_expression_syntax{"E033", "an operand or an operator is missing"};
+inline constexpr ErrorCode k_unbalanced_brackets{"E034", "a bracket without its partner"};
+inline constexpr ErrorCode k_implicit_product{"E035", "two operands without an operator between them"};
+inline constexpr ErrorCode k_function_call{"E036", "an unknown function, or a wrong number of arguments"};
+inline constexpr ErrorCode k_exponent{"E037", "an exponent that is not a small constant"};
+inline constexpr ErrorCode k_expression_limit{"E038", "an expression that is too long, too deep or has too large numbers"};
+inline constexpr ErrorCode k_empty_expression{"E039", "an expression is missing"};
+
+// What is allowed where.
+inline constexpr ErrorCode k_not_allowed_here{"E040", "a symbol that may not appear at this place"};
+inline constexpr ErrorCode k_dot_not_allowed{"E041", "dot(...) where no velocity may appear"};
+inline constexpr ErrorCode k_cyclic_parameters{"E042", "parameters that are defined by each other"};
+
+// Mechanics.
+inline constexpr ErrorCode k_no_bodies{"E050", "a model without bodies"};
+inline constexpr ErrorCode k_nothing_moves{"E051", "a model without coordinates"};
+inline constexpr ErrorCode k_no_inertia{"E052", "a speed that moves no body"};
+inline constexpr ErrorCode k_undefined_value{"E053", "an expression without a real value"};
+inline constexpr ErrorCode k_not_finite{"E054", "a value that overflows or is not a number"};
+inline constexpr ErrorCode k_negative_inertia{"E055", "a negative mass or moment of inertia"};
+inline constexpr ErrorCode k_inertia_without_attitude{"E056", "inertia without orientation, or the other way round"};
+inline constexpr ErrorCode k_asymmetric_inertia{"E057", "an inertia matrix that is not symmetric"};
+inline constexpr ErrorCode k_no_velocity{"E058", "a velocity constraint without a free speed"};
+inline constexpr ErrorCode k_dependent_speeds{"E059", "a choice of dependent speeds that cannot be"};
+
+inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate that moves no body"};
+
+}  // namespace code
+}  // namespace gaussgen::support

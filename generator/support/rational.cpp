@@ -1,0 +1,53 @@
+#include "support/rational.hpp"
+
+#include <cln/float.h>
+#include <cln/integer_io.h>
+#include <cln/rational_io.h>
+
+#include <climits>
+#include <functional>
+
+#include "support/assert.hpp"
+
+namespace gaussgen::support {
+
+namespace {
+
+std::string decimal(const Integer& value) {
+  // print_integer takes the base explicitly: CLN's default printer flags are global and mutable.
+  std::string digits;
+  Integer rest = cln::abs(value);
+  constexpr int k_chunk = 1'000'000'000;
+  while (rest >= k_chunk) {
+    const cln::cl_I_div_t split = cln::floor2(rest, k_chunk);
+    const std::string part = std::to_string(cln::cl_I_to_int(split.remainder));
+    digits.insert(0, std::string(9 - part.size(), '0') + part);
+    rest = split.quotient;
+  }
+  digits.insert(0, std::to_string(cln::cl_I_to_int(rest)));
+  return cln::minusp(value) ? "-" + digits : digits;
+}
+
+}  // namespace
+
+bool is_integer(const Rational& value) { return cln::denominator(value) == 1; }
+
+int to_int(const Rational& value) {
+  GAUSS_ASSERT(is_integer(value) && cln::abs(value) <= INT_MAX, "value={}", to_text(value));
+  return cln::cl_I_to_int(cln::numerator(value));
+}
+
+double to_double(const Rational& value) { return cln::double_approx(value); }
+
+std::string to_text(const Rational& value) {
+  const std::string top = decimal(cln::numerator(value));
+  return is_integer(value) ? top : top + "/" + decimal(cln::denominator(value));
+}
+
+std::size_t hash(const Rational& value) {
+  const Integer top = cln::numerator(value);
+  if (is_integer(value) && cln::abs(top) < INT_MAX) return static_cast<std::size_t>(cln::cl_I_to_int(top)) * 0x9E3779B97F4A7C15U;
+  return std::hash<std::string>{}(to_text(value));
+}
+
+}  // namespace gaussgen::support
