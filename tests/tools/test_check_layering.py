@@ -152,7 +152,7 @@ class Table(unittest.TestCase):
                 self.assertNotIn(folder, check_layering.allowed(target))
 
     def test_the_documentation_states_the_same_arrows(self):
-        rows = re.findall(r"^\| `(\w+)/?`.* \| ([^|]*) \|$", (ROOT / "docs/architecture.md").read_text("utf-8"), re.M)
+        rows = re.findall(r"^\| `(\w+)/?` \|[^|]*\|([^|]*)\|$", (ROOT / "docs/architecture.md").read_text("utf-8"), re.M)
         stated = {folder: sorted(re.findall(r"\w+", arrows)) for folder, arrows in rows}
         self.assertEqual(stated, {folder: sorted(arrows) for folder, arrows in check_layering.ARROWS.items()})
 
