@@ -1,11 +1,13 @@
 #include "support/rational.hpp"
 
+#include <cln/exception.h>
 #include <cln/float.h>
 #include <cln/integer_io.h>
 #include <cln/rational_io.h>
 
 #include <climits>
 #include <functional>
+#include <limits>
 
 #include "support/assert.hpp"
 
@@ -37,7 +39,17 @@ int to_int(const Rational& value) {
   return cln::cl_I_to_int(cln::numerator(value));
 }
 
-double to_double(const Rational& value) { return cln::double_approx(value); }
+double to_double(const Rational& value) {
+  // CLN throws where IEEE arithmetic would give infinity or zero.
+  try {
+    return cln::double_approx(value);
+  } catch (const cln::floating_point_underflow_exception&) {
+    return 0.0;
+  } catch (const cln::floating_point_overflow_exception&) {
+    constexpr double k_infinity = std::numeric_limits<double>::infinity();
+    return cln::minusp(value) ? -k_infinity : k_infinity;
+  }
+}
 
 std::string to_text(const Rational& value) {
   const std::string top = decimal(cln::numerator(value));

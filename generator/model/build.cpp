@@ -1,0 +1,64 @@
+#include "model/build.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+#include "model/checks.hpp"
+#include "model/fields.hpp"
+#include "model/names.hpp"
+#include "model/sections.hpp"
+#include "spec/reader.hpp"
+
+namespace gaussgen::model {
+
+namespace {
+
+std::string base_name(const std::string& path) {
+  const std::size_t slash = path.find_last_of("/\\");
+  return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+/// FNV-1a, 64 bits.
+std::string content_hash(std::string_view text) {
+  std::uint64_t hash = 0xCBF29CE484222325U;
+  for (const char c : text) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 0x100000001B3U;
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+void read_sections(const spec::Node& root, Reading& reading) {
+  read_header(root, reading);
+  read_parameters(root, reading);
+  read_inputs(root, reading);
+  read_coordinates(root, reading);
+  read_orientations(root, reading);
+  check_rate_names(reading);
+  read_bodies(root, reading);
+  read_constraints(root, reading);
+  read_forces(root, reading);
+  read_elimination(root, reading);
+  read_outputs(root, reading);
+}
+
+}  // namespace
+
+std::optional<Model> build_model(const support::Source& source, support::Diagnostics& diagnostics) {
+  Reading reading{source, diagnostics, {}, {}, false};
+  reading.model.file = base_name(source.name());
+  reading.model.content_hash = content_hash(source.text());
+  reading.model.symbols["t"] = {SymbolKind::time, 0};
+  reading.model.symbols["pi"] = {SymbolKind::pi, 0};
+
+  const auto root = spec::read_yaml(source, diagnostics);
+  if (!root || !expect_map(*root, root->span, "a model file", reading)) return std::nullopt;
+  read_sections(*root, reading);
+  check_model(*root, reading);
+  if (diagnostics.has_errors()) return std::nullopt;
+  return std::move(reading.model);
+}
+
+}  // namespace gaussgen::model

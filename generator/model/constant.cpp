@@ -1,0 +1,73 @@
+#include "model/constant.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/assert.hpp"
+
+namespace gaussgen::model {
+
+using support::Rational;
+
+namespace {
+
+std::optional<Rational> power(const Rational& base, const Rational& exponent) {
+  if (!support::is_integer(exponent)) return std::nullopt;
+  const int n = support::to_int(exponent);
+  if (n < 0 && cln::zerop(base)) return std::nullopt;
+  return cln::expt(base, n);
+}
+
+std::optional<Rational> folded(const Ast& ast) {
+  Rational value = ast.kind == AstKind::sum ? 0 : 1;
+  for (const Ast& child : ast.children) {
+    const auto part = exact_value(child);
+    if (!part) return std::nullopt;
+    value = ast.kind == AstKind::sum ? value + *part : value * *part;
+  }
+  return value;
+}
+
+double bits(const Rational& value) {
+  return static_cast<double>(cln::integer_length(cln::numerator(value)) + cln::integer_length(cln::denominator(value)));
+}
+
+}  // namespace
+
+std::optional<Rational> exact_value(const Ast& ast) {
+  switch (ast.kind) {
+    case AstKind::number: return ast.number;
+    case AstKind::sum:
+    case AstKind::product: return folded(ast);
+    case AstKind::negate:
+      if (const auto value = exact_value(ast.children[0])) return -*value;
+      return std::nullopt;
+    case AstKind::reciprocal: {
+      const auto value = exact_value(ast.children[0]);
+      if (!value || cln::zerop(*value)) return std::nullopt;
+      return cln::recip(*value);
+    }
+    case AstKind::power: {
+      const auto base = exact_value(ast.children[0]);
+      const auto exponent = exact_value(ast.children[1]);
+      if (!base || !exponent) return std::nullopt;
+      return power(*base, *exponent);
+    }
+    case AstKind::symbol:
+    case AstKind::call: return std::nullopt;
+  }
+  support::fail(__FILE__, __LINE__, "kind", "kind={}", static_cast<int>(ast.kind));
+}
+
+double growth(const Ast& ast) {
+  if (ast.kind == AstKind::number) return bits(ast.number);
+  if (ast.kind == AstKind::symbol) return 1;
+  if (ast.kind == AstKind::power) {
+    return growth(ast.children[0]) * std::max(1.0, std::abs(support::to_double(ast.children[1].number)));
+  }
+  double sum = 1;
+  for (const Ast& child : ast.children) sum += growth(child);
+  return sum;
+}
+
+}  // namespace gaussgen::model

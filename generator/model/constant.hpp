@@ -1,0 +1,20 @@
+#pragma once
+// Exact values of expressions that hold numbers only.
+
+#include <optional>
+
+#include "model/ast.hpp"
+
+namespace gaussgen::model {
+
+/// The value when the expression is made of numbers and + - * / ^ alone and is rational; nothing
+/// otherwise, and nothing for 1/0. The expression must have passed `growth`.
+std::optional<support::Rational> exact_value(const Ast& ast);
+
+inline constexpr double k_largest_growth = 1 << 20;
+
+/// An upper estimate, in bits, of what exact arithmetic makes of the numbers in the expression:
+/// ((9^64)^64)^64 is short to write.
+double growth(const Ast& ast);
+
+}  // namespace gaussgen::model

@@ -1,0 +1,96 @@
+// Which symbols may stand where: the comments of model.hpp, enforced.
+
+#include <fmt/format.h>
+
+#include "model/checks.hpp"
+#include "model/expressions.hpp"
+#include "model/functions.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+
+namespace {
+
+const char* kind_name(SymbolKind kind) {
+  switch (kind) {
+    case SymbolKind::time: return "the time";
+    case SymbolKind::pi: return "the number";
+    case SymbolKind::parameter: return "the parameter";
+    case SymbolKind::input: return "the input";
+    case SymbolKind::coordinate: return "the coordinate";
+    case SymbolKind::quaternion_component: return "the quaternion component";
+    case SymbolKind::angular_velocity: return "the angular velocity";
+  }
+  return "the symbol";
+}
+
+bool allows(const Place& place, SymbolKind kind) {
+  switch (kind) {
+    case SymbolKind::pi: return true;
+    case SymbolKind::time: return place.time;
+    case SymbolKind::parameter: return place.parameters;
+    case SymbolKind::input: return place.inputs;
+    case SymbolKind::coordinate:
+    case SymbolKind::quaternion_component: return place.coordinates;
+    case SymbolKind::angular_velocity: return place.speeds;
+  }
+  return false;
+}
+
+class DomainCheck {
+ public:
+  explicit DomainCheck(Reading& reading) : reading_(reading) {
+    for (const auto& symbol : reading.model.symbols) names_.push_back(symbol.first);
+  }
+
+  void check(const Ast& ast, const Place& place) {
+    if (ast.kind == AstKind::symbol) return check_symbol(ast, place);
+    const bool is_dot = ast.kind == AstKind::call && ast.name == k_dot;
+    if (is_dot && !place.speeds) {
+      reading_.diagnostics.error(code::k_dot_not_allowed, ast.span, fmt::format("dot(...) may not appear in {}: {}", place.name, place.why), place.hint);
+      return;
+    }
+    for (const Ast& child : ast.children) check(child, is_dot ? inside_dot() : place);
+  }
+
+ private:
+  void check_symbol(const Ast& ast, const Place& place) {
+    if (is_broken(ast)) return;
+    const auto symbol = reading_.model.symbols.find(ast.name);
+    if (symbol == reading_.model.symbols.end()) return report_unknown(ast);
+    if (allows(place, symbol->second.kind)) return;
+    reading_.diagnostics.error(code::k_not_allowed_here, ast.span,
+                               fmt::format("{} '{}' may not appear in {}: {}", kind_name(symbol->second.kind), ast.name, place.name, place.why), place.hint);
+  }
+
+  void report_unknown(const Ast& ast) {
+    // A reserved name that was declared is reported at its declaration.
+    if (reading_.names_incomplete || is_reserved(ast.name)) return;
+    reading_.diagnostics.error(code::k_unknown_name, ast.span, fmt::format("unknown name '{}'", ast.name), hint_for(ast.name));
+  }
+
+  std::string hint_for(const std::string& name) const {
+    constexpr std::size_t k_suffix = 4;
+    const bool rate = name.size() > k_suffix && name.compare(name.size() - k_suffix, k_suffix, "_dot") == 0;
+    if (rate && reading_.model.symbols.count(name.substr(0, name.size() - k_suffix)) > 0) {
+      return fmt::format("write dot({}) for the rate", name.substr(0, name.size() - k_suffix));
+    }
+    const std::string near = support::did_you_mean(name, names_);
+    return near.empty() ? "declare it under 'parameters', 'inputs' or 'coordinates'" : near;
+  }
+
+  Reading& reading_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace
+
+void check_domains(Reading& reading) {
+  DomainCheck domains(reading);
+  for_each_expression(reading.model, [&](const Ast& ast, const Place& place) { domains.check(ast, place); });
+}
+
+}  // namespace gaussgen::model

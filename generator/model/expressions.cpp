@@ -1,0 +1,79 @@
+#include "model/expressions.hpp"
+
+namespace gaussgen::model {
+
+namespace {
+
+using Visit = std::function<void(const Ast&, const Place&)>;
+
+constexpr Place k_parameter{"the value of a parameter", "parameters stay constant during a motion", "use numbers, pi and other parameters"};
+constexpr Place k_input{"the default of an input", "it is a plain number", "use numbers and pi", false};
+constexpr Place k_held{"'held_at'", "a held coordinate follows a given law of time", "use parameters and t", true, true};
+constexpr Place k_initial{"an initial value", "it is known before the motion starts", "use numbers and parameters"};
+constexpr Place k_mass{"the mass of a body", "masses stay constant", "use numbers and parameters"};
+constexpr Place k_inertia{"the inertia of a body", "it is constant in axes that turn with the body", "use numbers and parameters"};
+constexpr Place k_position{"a position", "a place does not depend on speeds or on inputs", "use coordinates, parameters and t", true, true, true};
+constexpr Place k_angle{"an angle", "an attitude does not depend on speeds or on inputs", "use coordinates, parameters and t", true, true, true};
+constexpr Place k_velocity{"a constraint", "a constraint holds whatever the inputs are", "use a parameter, or put the input into a force", true, true, true, true};
+constexpr Place k_field{"a uniform field", "the field is the same everywhere", "use parameters and t, or a potential or generalized force", true, true};
+constexpr Place k_potential{"a potential", "a potential depends on places and time alone", "write a 'generalized' force instead", true, true, true};
+constexpr Place k_generalized{"a generalized force", "", "", true, true, true, true, true};
+constexpr Place k_dot{"dot(...)", "it is the rate of something that depends on coordinates and time; accelerations and rates of inputs are not available",
+                      "use coordinates, parameters and t inside dot(...)", true, true, true};
+
+template <class List>
+void visit_all(const List& list, const Place& place, const Visit& visit) {
+  for (const Ast& ast : list) visit(ast, place);
+}
+
+void visit_optional(const std::optional<Ast>& ast, const Place& place, const Visit& visit) {
+  if (ast) visit(*ast, place);
+}
+
+void visit_motion(const Model& model, const Visit& visit) {
+  for (const Coordinate& coordinate : model.coordinates) {
+    visit_optional(coordinate.held_at, k_held, visit);
+    visit(coordinate.initial, k_initial);
+    visit_optional(coordinate.initial_rate, k_initial, visit);
+    visit_optional(coordinate.rate_guess, k_initial, visit);
+  }
+  for (const Orientation& orientation : model.orientations) {
+    visit_all(orientation.initial, k_initial, visit);
+    for (const auto& ast : orientation.initial_angular_velocity) visit_optional(ast, k_initial, visit);
+  }
+}
+
+void visit_bodies(const Model& model, const Visit& visit) {
+  for (const Body& body : model.bodies) {
+    visit(body.mass, k_mass);
+    visit_all(body.position, k_position, visit);
+    if (body.inertia) visit_all(body.inertia->entries, k_inertia, visit);
+    if (const auto* euler = std::get_if<EulerAngles>(&body.orientation)) visit_all(euler->angles, k_angle, visit);
+  }
+}
+
+void visit_force(const Force& force, const Visit& visit) {
+  if (const auto* uniform = std::get_if<UniformField>(&force.law)) visit_all(uniform->field, k_field, visit);
+  if (const auto* potential = std::get_if<Potential>(&force.law)) visit(potential->energy, k_potential);
+  if (const auto* generalized = std::get_if<GeneralizedForce>(&force.law)) {
+    for (const auto& component : generalized->components) visit(component.second, k_generalized);
+  }
+}
+
+}  // namespace
+
+const Place& inside_dot() { return k_dot; }
+
+void for_each_expression(const Model& model, const Visit& visit) {
+  for (const Parameter& parameter : model.parameters) visit(parameter.value, k_parameter);
+  for (const Input& input : model.inputs) visit(input.value, k_input);
+  visit_motion(model, visit);
+  visit_bodies(model, visit);
+  for (const VelocityConstraint& constraint : model.constraints) {
+    visit(constraint.velocity, k_velocity);
+    if (constraint.point) visit_all(*constraint.point, k_position, visit);
+  }
+  for (const Force& force : model.forces) visit_force(force, visit);
+}
+
+}  // namespace gaussgen::model

@@ -1,0 +1,28 @@
+#pragma once
+// Every expression of a model with the place at which it stands. Private to the folder.
+
+#include <functional>
+
+#include "model/model.hpp"
+
+namespace gaussgen::model {
+
+/// What a place allows besides numbers and `pi`, and what to tell a user who wants more.
+struct Place {
+  const char* name;  ///< "the mass of a body"
+  const char* why;   ///< the reason for the limits
+  const char* hint;
+  bool parameters = true;
+  bool time = false;
+  bool coordinates = false;  ///< quaternion components too
+  bool speeds = false;       ///< dot(...) and angular velocities
+  bool inputs = false;
+};
+
+/// The inside of dot(...).
+const Place& inside_dot();
+
+/// In the order of the model's members.
+void for_each_expression(const Model& model, const std::function<void(const Ast&, const Place&)>& visit);
+
+}  // namespace gaussgen::model

@@ -1,0 +1,130 @@
+#include "model/fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/parser.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+using spec::Node;
+using spec::NodeKind;
+using support::Span;
+
+namespace {
+
+/// Where to point for a value of the wrong kind: at the value, or at its key when there is none.
+Span place_of(const Node& node, Span owner) {
+  if (node.kind == NodeKind::empty) return owner;
+  return node.kind == NodeKind::scalar ? node.span : Span{node.span.begin, node.span.begin + 1};
+}
+
+bool expect(NodeKind kind, const char* wanted, const Node& node, Span owner, const std::string& where, Reading& reading) {
+  if (node.kind == kind) return true;
+  reading.diagnostics.error(code::k_wrong_kind, place_of(node, owner),
+                            fmt::format("{} must be {}, and here is {}", where, wanted, kind_text(node)));
+  return false;
+}
+
+}  // namespace
+
+Ast broken_expression() {
+  Ast ast;
+  ast.kind = AstKind::symbol;
+  return ast;
+}
+
+bool is_broken(const Ast& ast) { return ast.kind == AstKind::symbol && ast.name.empty(); }
+
+std::string kind_text(const Node& node) {
+  switch (node.kind) {
+    case NodeKind::empty: return "nothing";
+    case NodeKind::scalar: return "a single value";
+    case NodeKind::sequence: return "a list";
+    case NodeKind::map: return "a map";
+  }
+  return "nothing";
+}
+
+bool expect_map(const Node& node, Span owner, const std::string& where, Reading& reading) {
+  return expect(NodeKind::map, "a map of 'key: value'", node, owner, where, reading);
+}
+
+bool expect_list(const Node& node, Span owner, const std::string& where, Reading& reading) {
+  return expect(NodeKind::sequence, "a list [...]", node, owner, where, reading);
+}
+
+bool expect_scalar(const Node& node, Span owner, const std::string& where, Reading& reading) {
+  return expect(NodeKind::scalar, "a single value", node, owner, where, reading);
+}
+
+bool expect_length(const Node& list, std::size_t length, const std::string& where, Reading& reading) {
+  if (list.items.size() == length) return true;
+  reading.diagnostics.error(code::k_wrong_count, list.span,
+                            fmt::format("{} needs {} entries, and here are {}", where, length, list.items.size()),
+                            list.flow ? "an entry with a comma of its own needs quotes" : "");
+  return false;
+}
+
+void check_keys(const Node& map, const std::string& where, const std::vector<std::string>& allowed, Reading& reading) {
+  for (const spec::Entry& entry : map.entries) {
+    const std::string& key = entry.key.text;
+    if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
+    const std::string near = support::did_you_mean(key, allowed);
+    reading.diagnostics.error(code::k_unknown_key, entry.key.span, fmt::format("{} has no key '{}'", where, key),
+                              near + (near.empty() ? "" : " ") + "allowed here: " + support::joined(allowed));
+  }
+}
+
+const Node* required(const Node& map, const std::string& key, Span owner, const std::string& where, Reading& reading) {
+  const Node* node = spec::find(map, key);
+  if (node == nullptr) reading.diagnostics.error(code::k_missing_key, owner, fmt::format("{} needs the key '{}'", where, key));
+  return node;
+}
+
+std::string text_field(const Node& map, const std::string& key, Reading& reading) {
+  for (const spec::Entry& entry : map.entries) {
+    if (entry.key.text != key || entry.value.kind == NodeKind::empty) continue;
+    if (expect_scalar(entry.value, entry.key.span, "'" + key + "'", reading)) return entry.value.scalar.text;
+  }
+  return {};
+}
+
+Ast read_expression(const Node& node, Span owner, Reading& reading) {
+  if (node.kind == NodeKind::empty) {
+    reading.diagnostics.error(code::k_empty_expression, owner, "an expression is missing here");
+    return broken_expression();
+  }
+  if (!expect(NodeKind::scalar, "an expression", node, owner, "this", reading)) return broken_expression();
+  auto ast = parse_expression(node.scalar, reading.diagnostics);
+  return ast ? std::move(*ast) : broken_expression();
+}
+
+std::optional<Ast> expression_field(const Node& map, const std::string& key, Reading& reading) {
+  for (const spec::Entry& entry : map.entries) {
+    if (entry.key.text == key) return read_expression(entry.value, entry.key.span, reading);
+  }
+  return std::nullopt;
+}
+
+std::array<Ast, 3> read_vector(const Node& node, Span owner, const std::string& where, Reading& reading) {
+  std::array<Ast, 3> vector;
+  vector.fill(broken_expression());
+  if (!expect_list(node, owner, where, reading) || !expect_length(node, vector.size(), where, reading)) return vector;
+  for (std::size_t i = 0; i < vector.size(); ++i) vector[i] = read_expression(node.items[i], node.span, reading);
+  return vector;
+}
+
+Ast number(int value) {
+  Ast ast;
+  ast.number = value;
+  return ast;
+}
+
+Name name_of(const spec::LocatedText& text) { return {text.text, text.span}; }
+
+}  // namespace gaussgen::model

@@ -1,0 +1,57 @@
+#pragma once
+// Reading the values of one map of the file. Every function reports what is wrong and returns something
+// with which reading can go on.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "model/reading.hpp"
+
+namespace gaussgen::model {
+
+/// "a map", "a list", "a single value", "nothing".
+std::string kind_text(const spec::Node& node);
+
+/// `where` names the map in messages: "body 'ball'".
+bool expect_map(const spec::Node& node, support::Span owner, const std::string& where, Reading& reading);
+bool expect_list(const spec::Node& node, support::Span owner, const std::string& where, Reading& reading);
+bool expect_length(const spec::Node& list, std::size_t length, const std::string& where, Reading& reading);
+
+void check_keys(const spec::Node& map, const std::string& where, const std::vector<std::string>& allowed, Reading& reading);
+
+/// The value at `key`; a missing one is reported at `owner`.
+const spec::Node* required(const spec::Node& map, const std::string& key, support::Span owner, const std::string& where, Reading& reading);
+
+/// The text at `key`; empty when the key is absent.
+std::string text_field(const spec::Node& map, const std::string& key, Reading& reading);
+
+/// A scalar that is a name or a word; `where` completes "… must be a single word".
+bool expect_scalar(const spec::Node& node, support::Span owner, const std::string& where, Reading& reading);
+
+Ast read_expression(const spec::Node& node, support::Span owner, Reading& reading);
+
+/// The expression at `key`; nothing when the key is absent.
+std::optional<Ast> expression_field(const spec::Node& map, const std::string& key, Reading& reading);
+
+/// Three components.
+std::array<Ast, 3> read_vector(const spec::Node& node, support::Span owner, const std::string& where, Reading& reading);
+
+Ast number(int value);
+
+Name name_of(const spec::LocatedText& text);
+
+/// A section of the file: each entry goes to `read(entry)`. An absent or empty section is fine.
+template <class Read>
+void read_section(const spec::Node& root, const std::string& key, Reading& reading, Read read) {
+  for (const spec::Entry& entry : root.entries) {
+    if (entry.key.text != key || entry.value.kind == spec::NodeKind::empty) continue;
+    if (!expect_map(entry.value, entry.key.span, "'" + key + "'", reading)) {
+      reading.names_incomplete = true;
+      continue;
+    }
+    for (const spec::Entry& item : entry.value.entries) read(item);
+  }
+}
+
+}  // namespace gaussgen::model

@@ -1,0 +1,25 @@
+#pragma once
+// The functions that an expression may call.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gaussgen::model {
+
+inline constexpr const char* k_dot = "dot";  ///< the total time derivative, a call of one argument
+
+struct Function {
+  const char* name;
+  std::size_t arguments;
+};
+
+/// nullptr for anything else; `dot` is among them.
+const Function* find_function(std::string_view name);
+
+std::vector<std::string> function_names();
+
+/// Names that expressions already give a meaning: functions, `t`, `pi`, and `I`, which is an imaginary unit elsewhere.
+bool is_reserved(std::string_view name);
+
+}  // namespace gaussgen::model

@@ -1,0 +1,128 @@
+#include "model/lexer.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "model/character_name.hpp"
+#include "model/number.hpp"
+#include "support/error_codes.hpp"
+#include "support/utf8.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+std::optional<TokenKind> sign(char c) {
+  switch (c) {
+    case '+': return TokenKind::plus;
+    case '-': return TokenKind::minus;
+    case '*': return TokenKind::times;
+    case '/': return TokenKind::divide;
+    case '^': return TokenKind::power;
+    case '(': return TokenKind::open;
+    case ')': return TokenKind::close;
+    case ',': return TokenKind::comma;
+    default: return std::nullopt;
+  }
+}
+
+class Lexer {
+ public:
+  Lexer(const spec::LocatedText& text, support::Diagnostics& diagnostics) : text_(text), diagnostics_(diagnostics) {}
+
+  std::optional<std::vector<Token>> run() {
+    while (skip_blanks()) {
+      if (tokens_.size() >= k_most_tokens) return too_many();
+      if (!next()) return std::nullopt;
+    }
+    tokens_.push_back({TokenKind::end, at_, at_, {}, 0});
+    return std::move(tokens_);
+  }
+
+ private:
+  char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.text.size() ? text_.text[at_ + ahead] : '\0'; }
+
+  bool skip_blanks() {
+    while (at_ < text_.text.size() && is_blank(peek())) ++at_;
+    return at_ < text_.text.size();
+  }
+
+  bool next() {
+    const char c = peek();
+    if (is_digit(c) || (c == '.' && is_digit(peek(1)))) return number();
+    if (is_letter(c)) return name();
+    if (c == '*' && peek(1) == '*') return refuse(code::k_unexpected_character, 2, "'**' is not an operator", "write ^ for a power");
+    if (const auto kind = sign(c)) {
+      push(*kind, 1);
+      return true;
+    }
+    return unexpected();
+  }
+
+  bool number() {
+    NumberScan scan = scan_number(std::string_view(text_.text).substr(at_));
+    if (!scan.problem.empty()) return refuse(code::k_malformed_number, scan.size, scan.problem, scan.hint);
+    push(TokenKind::number, scan.size);
+    tokens_.back().number = std::move(scan.value);
+    return true;
+  }
+
+  bool name() {
+    std::size_t size = 1;
+    while (is_letter(peek(size)) || is_digit(peek(size)) || peek(size) == '_') ++size;
+    std::string text = text_.text.substr(at_, size);
+    push(TokenKind::name, size);
+    tokens_.back().name = std::move(text);
+    return true;
+  }
+
+  void push(TokenKind kind, std::size_t size) {
+    tokens_.push_back({kind, at_, at_ + size, {}, 0});
+    at_ += size;
+  }
+
+  bool unexpected() {
+    if (peek() == '.' && is_letter(peek(1))) {
+      return refuse(code::k_malformed_number, 2, "values that are infinite or not a number are not accepted", "");
+    }
+    const support::CodePoint point = support::code_point_at(text_.text, at_);
+    const CharacterAdvice advice = advise(point.value);
+    return refuse(code::k_unexpected_character, point.size, advice.name + " does not belong in an expression", advice.hint);
+  }
+
+  bool refuse(const support::ErrorCode& code, std::size_t size, std::string message, std::string hint) {
+    diagnostics_.error(code, text_.span_of(at_, at_ + size), std::move(message), std::move(hint));
+    return false;
+  }
+
+  std::optional<std::vector<Token>> too_many() {
+    refuse(code::k_expression_limit, 1, fmt::format("the expression has more than {} parts", k_most_tokens), "split it with parameters");
+    return std::nullopt;
+  }
+
+  const spec::LocatedText& text_;
+  support::Diagnostics& diagnostics_;
+  std::vector<Token> tokens_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+std::optional<std::vector<Token>> tokenize(const spec::LocatedText& text, support::Diagnostics& diagnostics) {
+  if (text.text.size() > k_longest_expression) {
+    diagnostics.error(code::k_expression_limit, text.span_of(0, 1),
+                      fmt::format("the expression has {} bytes; the limit is {}", text.text.size(), k_longest_expression),
+                      "split it with parameters");
+    return std::nullopt;
+  }
+  return Lexer(text, diagnostics).run();
+}
+
+}  // namespace gaussgen::model

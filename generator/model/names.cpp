@@ -1,0 +1,73 @@
+#include "model/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/functions.hpp"
+#include "support/error_codes.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+
+namespace {
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_name_character(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; }
+
+/// Empty when the name is valid.
+std::string fault_of(const std::string& name) {
+  if (name.empty()) return "it is empty";
+  if (!std::all_of(name.begin(), name.end(), is_name_character)) return "a name has ASCII letters, digits and '_' only";
+  if (!is_letter(name.front())) return "a name begins with a letter";
+  if (name.size() > k_longest_name) return fmt::format("a name has at most {} characters", k_longest_name);
+  if (name.back() == '_') return "a name does not end with '_'";
+  if (name.find("__") != std::string::npos) return "a name has no '__' in it";
+  return {};
+}
+
+bool moves(SymbolKind kind) {
+  return kind == SymbolKind::coordinate || kind == SymbolKind::quaternion_component || kind == SymbolKind::angular_velocity;
+}
+
+}  // namespace
+
+bool check_name(const Name& name, const std::string& what, Reading& reading) {
+  const std::string fault = fault_of(name.text);
+  if (fault.empty()) return true;
+  reading.diagnostics.error(code::k_invalid_name, name.span, fmt::format("'{}' is not a valid name for {}", name.text, what), fault);
+  return false;
+}
+
+void declare(const Name& name, SymbolKind kind, std::size_t index, const std::string& what, Reading& reading) {
+  const bool valid = check_name(name, what, reading);
+  if (valid && is_reserved(name.text)) {
+    reading.diagnostics.error(code::k_reserved_name, name.span,
+                              fmt::format("'{}' has a fixed meaning and cannot name {}", name.text, what),
+                              name.text == "I" ? "write I1 or J for a moment of inertia" : "choose another name, such as " + name.text + "1");
+    return;
+  }
+  const auto [place, is_new] = reading.declared.emplace(name.text, Declared{name.span, what});
+  if (is_new) {
+    reading.model.symbols[name.text] = {kind, index};
+    return;
+  }
+  reading.diagnostics.error(code::k_name_clash, name.span,
+                            fmt::format("'{}' already names {} in line {}", name.text, place->second.what, reading.line(place->second.span)),
+                            "parameters, inputs, coordinates and components of orientations share their names; rename one");
+}
+
+void check_rate_names(Reading& reading) {
+  for (const auto& [name, symbol] : reading.model.symbols) {
+    if (!moves(symbol.kind)) continue;
+    const auto clash = reading.declared.find(name + "_dot");
+    if (clash == reading.declared.end()) continue;
+    const Declared& owner = reading.declared.at(name);
+    reading.diagnostics.error(code::k_rate_clash, clash->second.span,
+                              fmt::format("'{}' is the name of the rate of '{}' of line {}", clash->first, name, reading.line(owner.span)),
+                              fmt::format("rename it; in expressions the rate is written dot({})", name));
+  }
+}
+
+}  // namespace gaussgen::model

@@ -1,0 +1,110 @@
+#include "model/number.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "model/lexer.hpp"
+
+namespace gaussgen::model {
+
+using support::Integer;
+using support::Rational;
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::size_t digits_at(std::string_view text, std::size_t at) {
+  std::size_t end = at;
+  while (end < text.size() && is_digit(text[end])) ++end;
+  return end - at;
+}
+
+char at(std::string_view text, std::size_t i) { return i < text.size() ? text[i] : '\0'; }
+
+struct Parts {
+  std::string digits;        // of the mantissa, without the point
+  std::size_t fraction = 0;  // how many of them follow the point
+  std::string exponent;      // with its sign
+  std::size_t size = 0;
+};
+
+Parts split(std::string_view text) {
+  Parts parts;
+  std::size_t i = digits_at(text, 0);
+  parts.digits = text.substr(0, i);
+  if (at(text, i) == '.') {
+    parts.fraction = digits_at(text, i + 1);
+    parts.digits += text.substr(i + 1, parts.fraction);
+    i += 1 + parts.fraction;
+  }
+  if (at(text, i) == 'e' || at(text, i) == 'E') {
+    const std::size_t sign = at(text, i + 1) == '+' || at(text, i + 1) == '-' ? 1 : 0;
+    const std::size_t length = digits_at(text, i + 1 + sign);
+    if (length > 0) {
+      parts.exponent = text.substr(i + 1, sign + length);
+      i += 1 + sign + length;
+    }
+  }
+  parts.size = i;
+  return parts;
+}
+
+Integer integer_of(std::string_view digits) {
+  Integer value = 0;
+  for (const char c : digits) value = value * 10 + (c - '0');
+  return value;
+}
+
+/// Clamped just above the limit, so that a long row of digits cannot overflow.
+int small_exponent(const std::string& text) {
+  int value = 0;
+  for (const char c : text) {
+    if (is_digit(c) && value <= k_largest_decimal_exponent) value = value * 10 + (c - '0');
+  }
+  return !text.empty() && text[0] == '-' ? -value : value;
+}
+
+Rational scaled(const Integer& mantissa, int exponent) {
+  if (exponent == 0) return mantissa;
+  if (exponent > 0) return mantissa * cln::expt_pos(Integer(10), exponent);
+  return mantissa / cln::expt_pos(Integer(10), -exponent);
+}
+
+NumberScan refused(std::size_t size, std::string problem, std::string hint) {
+  NumberScan scan;
+  scan.size = size;
+  scan.problem = std::move(problem);
+  scan.hint = std::move(hint);
+  return scan;
+}
+
+}  // namespace
+
+NumberScan scan_number(std::string_view text) {
+  if (text[0] == '0' && (at(text, 1) == 'x' || at(text, 1) == 'X')) {
+    return refused(2, "numbers are decimal; '0x' has no meaning here", "write the value in decimal digits");
+  }
+  const Parts parts = split(text);
+  if (at(text, parts.size) == '.') {
+    return refused(parts.size + 1, "a number with two decimal points", "");
+  }
+  if (at(text, parts.size) == '_') {
+    return refused(parts.size + 1, "digits cannot be grouped by '_'", "write them without a separator");
+  }
+  if (parts.digits.size() > k_most_digits) {
+    return refused(parts.size, fmt::format("a number with {} digits; the limit is {}", parts.digits.size(), k_most_digits), "");
+  }
+  const int exponent = small_exponent(parts.exponent);
+  if (exponent > k_largest_decimal_exponent || exponent < -k_largest_decimal_exponent) {
+    return refused(parts.size, fmt::format("a decimal exponent beyond {}", k_largest_decimal_exponent),
+                   "choose units in which the numbers are of moderate size");
+  }
+  NumberScan scan;
+  scan.size = parts.size;
+  scan.value = scaled(integer_of(parts.digits), exponent - static_cast<int>(parts.fraction));
+  return scan;
+}
+
+}  // namespace gaussgen::model

@@ -1,0 +1,278 @@
+#include "model/parser.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "model/constant.hpp"
+#include "model/functions.hpp"
+#include "model/lexer.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+
+namespace {
+
+constexpr double k_largest_exponent_growth = 1 << 14;  // before its exact value is formed
+
+/// Thrown and caught in this file only: the first error ends the expression.
+struct Abandoned {};
+
+/// Recursive descent:
+///   sum     = product { (+|-) product }
+///   product = unary { (*|/) unary }
+///   unary   = { +|- } power
+///   power   = primary [ ^ unary ]
+///   primary = number | name | name ( sum { , sum } ) | ( sum )
+class Parser {
+ public:
+  Parser(const spec::LocatedText& text, std::vector<Token> tokens, support::Diagnostics& diagnostics)
+      : text_(text), tokens_(std::move(tokens)), diagnostics_(diagnostics) {}
+
+  Ast run() {
+    if (token().kind == TokenKind::end) {
+      diagnostics_.error(code::k_empty_expression, text_.span, "an expression is missing here");
+      throw Abandoned{};
+    }
+    Ast ast = sum();
+    if (token().kind != TokenKind::end) refuse_rest();
+    if (growth(ast) > k_largest_growth) {
+      refuse(code::k_expression_limit, ast.span, "the numbers in this expression grow too large",
+             "nested powers multiply their exponents; choose smaller ones");
+    }
+    return ast;
+  }
+
+ private:
+  /// Counts one level of brackets, signs or exponents for as long as it lives.
+  class Level {
+   public:
+    explicit Level(Parser& parser) : parser_(parser) {
+      if (++parser_.depth_ > k_deepest_expression) {
+        parser_.refuse(code::k_expression_limit, parser_.span_of(parser_.token()),
+                       fmt::format("the expression is nested more than {} deep", k_deepest_expression),
+                       "name a part of it as a parameter, or write out fewer brackets");
+      }
+    }
+    Level(const Level&) = delete;
+    Level& operator=(const Level&) = delete;
+    ~Level() { --parser_.depth_; }
+
+   private:
+    Parser& parser_;
+  };
+
+  const Token& token() const { return tokens_[next_]; }
+  Token take() { return tokens_[next_++]; }
+  bool accept(TokenKind kind) { return token().kind == kind ? (++next_, true) : false; }
+  support::Span span_of(const Token& token) const { return text_.span_of(token.begin, token.end); }
+
+  /// From the token with index `first` to the last one taken.
+  support::Span span_since(std::size_t first) const {
+    return {span_of(tokens_[first]).begin, span_of(tokens_[next_ - 1]).end};
+  }
+
+  [[noreturn]] void refuse(const support::ErrorCode& code, support::Span span, std::string message, std::string hint) {
+    diagnostics_.error(code, span, std::move(message), std::move(hint));
+    throw Abandoned{};
+  }
+
+  static Ast node(AstKind kind, support::Span span, std::vector<Ast> children = {}) {
+    Ast ast;
+    ast.kind = kind;
+    ast.span = span;
+    ast.children = std::move(children);
+    return ast;
+  }
+
+  Ast sum() { return chain(AstKind::sum, TokenKind::plus, TokenKind::minus, AstKind::negate); }
+  Ast product() { return chain(AstKind::product, TokenKind::times, TokenKind::divide, AstKind::reciprocal); }
+  Ast operand(AstKind chain_kind) { return chain_kind == AstKind::sum ? product() : unary(); }
+
+  /// a + b - c as one node of three children, the last one wrapped; so too for * and /.
+  Ast chain(AstKind kind, TokenKind plain, TokenKind inverse, AstKind wrapper) {
+    const std::size_t first = next_;
+    Ast head = operand(kind);
+    if (token().kind != plain && token().kind != inverse) return head;
+    Ast result = node(kind, head.span);
+    result.children.push_back(std::move(head));
+    while (token().kind == plain || token().kind == inverse) {
+      const std::size_t sign = next_;
+      const bool wrap = take().kind == inverse;
+      Ast child = operand(kind);
+      if (wrap) {
+        const support::Span span = span_since(sign);
+        std::vector<Ast> inner;
+        inner.push_back(std::move(child));
+        child = node(wrapper, span, std::move(inner));
+      }
+      result.children.push_back(std::move(child));
+    }
+    result.span = span_since(first);
+    return result;
+  }
+
+  Ast unary() {
+    const std::size_t first = next_;
+    if (accept(TokenKind::plus)) {
+      const Level level(*this);
+      return unary();
+    }
+    if (!accept(TokenKind::minus)) return power();
+    const Level level(*this);
+    std::vector<Ast> inner;
+    inner.push_back(unary());
+    return node(AstKind::negate, span_since(first), std::move(inner));
+  }
+
+  Ast power() {
+    const std::size_t first = next_;
+    Ast base = primary();
+    if (!accept(TokenKind::power)) return base;
+    const Level level(*this);
+    Ast exponent = fold_exponent(unary());
+    std::vector<Ast> children;
+    children.push_back(std::move(base));
+    children.push_back(std::move(exponent));
+    return node(AstKind::power, span_since(first), std::move(children));
+  }
+
+  Ast fold_exponent(const Ast& exponent) {
+    if (growth(exponent) > k_largest_exponent_growth) {
+      refuse(code::k_exponent, exponent.span, "this exponent is too large", "");
+    }
+    const auto value = exact_value(exponent);
+    if (!value) {
+      refuse(code::k_exponent, exponent.span, "an exponent must be a constant integer or fraction",
+             "write exp(b*log(a)) for a^b with a variable b");
+    }
+    const bool small = cln::abs(cln::numerator(*value)) <= k_largest_power && cln::denominator(*value) <= k_largest_power;
+    if (!small) {
+      refuse(code::k_exponent, exponent.span, fmt::format("the exponent {} is too large", support::to_text(*value)),
+             fmt::format("numerator and denominator may be up to {}", k_largest_power));
+    }
+    Ast folded = node(AstKind::number, exponent.span);
+    folded.number = *value;
+    return folded;
+  }
+
+  Ast primary() {
+    switch (token().kind) {
+      case TokenKind::number: {
+        Ast ast = node(AstKind::number, span_of(token()));
+        ast.number = take().number;
+        return ast;
+      }
+      case TokenKind::name: return name();
+      case TokenKind::open: return bracket();
+      default: refuse_operand();
+    }
+  }
+
+  Ast bracket() {
+    const std::size_t first = next_;
+    const Level level(*this);
+    ++next_;
+    Ast inner = sum();
+    close(first);
+    inner.span = span_since(first);
+    return inner;
+  }
+
+  Ast name() {
+    const std::size_t first = next_;
+    const std::string text = take().name;
+    const bool called = token().kind == TokenKind::open;
+    const Function* function = find_function(text);
+    if (function != nullptr && !called) {
+      refuse(code::k_function_call, span_of(tokens_[first]), fmt::format("the function '{}' needs its argument in brackets", text),
+             fmt::format("write {}(...)", text));
+    }
+    if (called) return call(first, text, function);
+    Ast ast = node(AstKind::symbol, span_of(tokens_[first]));
+    ast.name = text;
+    return ast;
+  }
+
+  Ast call(std::size_t first, const std::string& text, const Function* function) {
+    if (function == nullptr) {
+      const std::string hint = support::did_you_mean(text, function_names());
+      refuse(code::k_function_call, span_of(tokens_[first]), fmt::format("'{}' is not a function", text),
+             hint.empty() ? fmt::format("for a product write {}*(...)", text) : hint);
+    }
+    const Level level(*this);
+    const std::size_t bracket = next_++;
+    Ast ast = node(AstKind::call, {});
+    ast.name = text;
+    if (token().kind != TokenKind::close) {
+      ast.children.push_back(sum());
+      while (accept(TokenKind::comma)) ast.children.push_back(sum());
+    }
+    close(bracket);
+    ast.span = span_since(first);
+    if (ast.children.size() != function->arguments) {
+      refuse(code::k_function_call, ast.span,
+             fmt::format("'{}' takes {} argument{}, not {}", text, function->arguments, function->arguments == 1 ? "" : "s", ast.children.size()),
+             text == "atan2" ? "atan2(y, x)" : "");
+    }
+    return ast;
+  }
+
+  void close(std::size_t bracket) {
+    if (accept(TokenKind::close)) return;
+    if (token().kind != TokenKind::end) refuse_rest();
+    refuse(code::k_unbalanced_brackets, span_of(tokens_[bracket]), "this bracket is never closed",
+           "add ')'; an expression that YAML may cut, such as one with ' #' or ': ', needs quotes");
+  }
+
+  [[noreturn]] void refuse_operand() {
+    const support::Span span = span_of(token());
+    const TokenKind kind = token().kind;
+    if (kind == TokenKind::end) {
+      refuse(code::k_expression_syntax, span, "the expression stops where an operand should follow", "");
+    }
+    if (kind == TokenKind::close && next_ > 0 && tokens_[next_ - 1].kind == TokenKind::open) {
+      refuse(code::k_expression_syntax, span, "there is nothing between these brackets", "");
+    }
+    refuse(code::k_expression_syntax, span, fmt::format("an operand should stand before '{}'", text_.text.substr(token().begin, token().end - token().begin)), "");
+  }
+
+  /// A complete operand stands before the current token, which cannot follow one.
+  [[noreturn]] void refuse_rest() {
+    const support::Span span = span_of(token());
+    if (token().kind == TokenKind::close) {
+      refuse(code::k_unbalanced_brackets, span, "this bracket closes nothing", "");
+    }
+    if (token().kind == TokenKind::comma) {
+      refuse(code::k_expression_syntax, span, "a comma outside the arguments of a function", "the decimal sign is a point: 1.5");
+    }
+    const bool after_number = next_ > 0 && tokens_[next_ - 1].kind == TokenKind::number;
+    const bool unit_like = after_number && token().kind == TokenKind::name;
+    refuse(code::k_implicit_product, span, "an operator is missing before this",
+           unit_like ? fmt::format("write * for a product; a unit goes into 'unit: {}'", token().name) : "write * for a product");
+  }
+
+  const spec::LocatedText& text_;
+  std::vector<Token> tokens_;
+  support::Diagnostics& diagnostics_;
+  std::size_t next_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+std::optional<Ast> parse_expression(const spec::LocatedText& text, support::Diagnostics& diagnostics) {
+  auto tokens = tokenize(text, diagnostics);
+  if (!tokens) return std::nullopt;
+  try {
+    return Parser(text, std::move(*tokens), diagnostics).run();
+  } catch (const Abandoned&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace gaussgen::model

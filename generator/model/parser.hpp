@@ -1,0 +1,19 @@
+#pragma once
+// An expression of a model file to an Ast.
+
+#include <optional>
+
+#include "model/ast.hpp"
+#include "spec/node.hpp"
+#include "support/diagnostics.hpp"
+
+namespace gaussgen::model {
+
+inline constexpr int k_deepest_expression = 64;
+inline constexpr int k_largest_power = 64;
+
+/// Knows the grammar and the functions, not the names of the model. Reports the first error only: what
+/// follows one is guesswork. An exponent is folded to one number.
+std::optional<Ast> parse_expression(const spec::LocatedText& text, support::Diagnostics& diagnostics);
+
+}  // namespace gaussgen::model

@@ -1,0 +1,72 @@
+// gauss, name, about, outputs, and the keys of the file.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/fields.hpp"
+#include "model/names.hpp"
+#include "model/sections.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+
+namespace {
+
+const std::vector<std::string> k_sections = {"gauss",  "name",      "about",       "parameters", "inputs",      "coordinates", "orientations",
+                                             "bodies", "particles", "constraints", "forces",     "elimination", "outputs"};
+const std::vector<std::string> k_outputs = {"rhs",       "reactions",   "reaction_forces", "energy",       "compulsion",
+                                            "residuals", "mass_matrix", "project",         "initial_state"};
+
+constexpr support::Span k_top{0, 0};
+
+void read_version(const spec::Node& root, Reading& reading) {
+  const spec::Node* version = required(root, "gauss", k_top, "a model file", reading);
+  if (version == nullptr || !expect_scalar(*version, k_top, "'gauss'", reading)) return;
+  if (version->scalar.text == "1") return;
+  reading.diagnostics.error(code::k_format_version, version->span,
+                            fmt::format("this program does not read format version '{}'", version->scalar.text), "write 'gauss: 1'");
+}
+
+void read_name(const spec::Node& root, Reading& reading) {
+  const spec::Node* name = required(root, "name", k_top, "a model file", reading);
+  if (name == nullptr || !expect_scalar(*name, k_top, "'name'", reading)) return;
+  reading.model.name = name_of(name->scalar);
+  check_name(reading.model.name, "a model", reading);
+}
+
+void read_output(const spec::Node& item, support::Span owner, Reading& reading) {
+  if (!expect_scalar(item, owner, "an output", reading)) return;
+  const Name name = name_of(item.scalar);
+  if (std::find(k_outputs.begin(), k_outputs.end(), name.text) == k_outputs.end()) {
+    const std::string near = support::did_you_mean(name.text, k_outputs);
+    reading.diagnostics.error(code::k_unknown_word, name.span, fmt::format("there is no output '{}'", name.text),
+                              near.empty() ? "known outputs: " + support::joined(k_outputs) : near);
+    return;
+  }
+  reading.model.outputs.push_back(name);
+}
+
+}  // namespace
+
+void read_header(const spec::Node& root, Reading& reading) {
+  const std::size_t errors_before = reading.diagnostics.all().size();
+  check_keys(root, "a model file", k_sections, reading);
+  // An unknown section may be a declaring one with a slip in its name.
+  if (reading.diagnostics.all().size() != errors_before) reading.names_incomplete = true;
+  read_version(root, reading);
+  read_name(root, reading);
+  reading.model.about = text_field(root, "about", reading);
+}
+
+void read_outputs(const spec::Node& root, Reading& reading) {
+  const spec::Node* outputs = spec::find(root, "outputs");
+  if (outputs == nullptr || outputs->kind == spec::NodeKind::empty) return;
+  if (!expect_list(*outputs, outputs->span, "'outputs'", reading)) return;
+  for (const spec::Node& item : outputs->items) read_output(item, outputs->span, reading);
+}
+
+}  // namespace gaussgen::model

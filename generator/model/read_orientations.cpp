@@ -1,0 +1,103 @@
+// orientations: unit quaternions with their angular velocities.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/fields.hpp"
+#include "model/names.hpp"
+#include "model/sections.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+using spec::Entry;
+using spec::Node;
+using spec::NodeKind;
+using support::Span;
+
+namespace {
+
+const std::vector<std::string> k_keys = {"quaternion", "angular_velocity", "frame", "initial", "initial_angular_velocity", "about"};
+
+/// Reads a list of names into `names` and declares them.
+template <std::size_t N>
+void read_names(const Entry& owner, const std::string& key, std::array<Name, N>& names, SymbolKind kind, const std::string& what, Reading& reading) {
+  const std::string where = fmt::format("'{}' of orientation '{}'", key, owner.key.text);
+  const Node* list = required(owner.value, key, owner.key.span, fmt::format("orientation '{}'", owner.key.text), reading);
+  const bool usable = list != nullptr && expect_list(*list, owner.key.span, where, reading) && expect_length(*list, N, where, reading);
+  if (!usable) {
+    reading.names_incomplete = true;
+    return;
+  }
+  const std::size_t first = N * reading.model.orientations.size();
+  for (std::size_t i = 0; i < N; ++i) {
+    if (!expect_scalar(list->items[i], list->span, "a component", reading)) continue;
+    names[i] = name_of(list->items[i].scalar);
+    declare(names[i], kind, first + i, what, reading);
+  }
+}
+
+Frame read_frame(const Node& map, Reading& reading) {
+  const Node* node = spec::find(map, "frame");
+  if (node == nullptr || !expect_scalar(*node, map.span, "'frame'", reading)) return Frame::body;
+  const std::string& word = node->scalar.text;
+  if (word != "space" && word != "body") {
+    const std::string near = support::did_you_mean(word, {"space", "body"});
+    reading.diagnostics.error(code::k_unknown_word, node->span, fmt::format("there is no frame '{}'", word),
+                              near.empty() ? "the frame is 'space' or 'body'" : near);
+  }
+  return word == "space" ? Frame::space : Frame::body;
+}
+
+void read_initial(const Node& map, Orientation& orientation, Reading& reading) {
+  orientation.initial = {number(1), number(0), number(0), number(0)};
+  const Node* list = spec::find(map, "initial");
+  if (list == nullptr) return;
+  const std::string where = "the initial quaternion";
+  if (!expect_list(*list, map.span, where, reading) || !expect_length(*list, 4, where, reading)) return;
+  for (std::size_t i = 0; i < 4; ++i) orientation.initial[i] = read_expression(list->items[i], list->span, reading);
+}
+
+void read_velocity_by_name(const Node& map, Orientation& orientation, Reading& reading) {
+  std::vector<std::string> names;
+  for (const Name& name : orientation.angular_velocity) names.push_back(name.text);
+  check_keys(map, "'initial_angular_velocity'", names, reading);
+  for (std::size_t i = 0; i < names.size(); ++i) orientation.initial_angular_velocity[i] = expression_field(map, names[i], reading);
+}
+
+void read_initial_velocity(const Node& map, Orientation& orientation, Reading& reading) {
+  const Node* node = spec::find(map, "initial_angular_velocity");
+  if (node == nullptr) return;
+  if (node->kind == NodeKind::map) return read_velocity_by_name(*node, orientation, reading);
+  const std::array<Ast, 3> values = read_vector(*node, map.span, "'initial_angular_velocity'", reading);
+  for (std::size_t i = 0; i < values.size(); ++i) orientation.initial_angular_velocity[i] = values[i];
+}
+
+void read_orientation(const Entry& entry, Reading& reading) {
+  Orientation orientation;
+  orientation.name = name_of(entry.key);
+  check_name(orientation.name, "an orientation", reading);
+  if (expect_map(entry.value, entry.key.span, fmt::format("orientation '{}'", entry.key.text), reading)) {
+    check_keys(entry.value, fmt::format("orientation '{}'", entry.key.text), k_keys, reading);
+    read_names(entry, "quaternion", orientation.quaternion, SymbolKind::quaternion_component, "the quaternion component", reading);
+    read_names(entry, "angular_velocity", orientation.angular_velocity, SymbolKind::angular_velocity, "the angular velocity", reading);
+    orientation.about = text_field(entry.value, "about", reading);
+    orientation.frame = read_frame(entry.value, reading);
+    read_initial(entry.value, orientation, reading);
+    read_initial_velocity(entry.value, orientation, reading);
+  } else {
+    reading.names_incomplete = true;
+  }
+  reading.model.orientations.push_back(std::move(orientation));
+}
+
+}  // namespace
+
+void read_orientations(const Node& root, Reading& reading) {
+  read_section(root, "orientations", reading, [&](const Entry& entry) { read_orientation(entry, reading); });
+}
+
+}  // namespace gaussgen::model

@@ -1,0 +1,20 @@
+#pragma once
+// One reader for each section of a model file; they fill Reading::model in this order, because later
+// ones refer to names of earlier ones. Private to the folder.
+
+#include "model/reading.hpp"
+
+namespace gaussgen::model {
+
+void read_header(const spec::Node& root, Reading& reading);
+void read_parameters(const spec::Node& root, Reading& reading);
+void read_inputs(const spec::Node& root, Reading& reading);
+void read_coordinates(const spec::Node& root, Reading& reading);
+void read_orientations(const spec::Node& root, Reading& reading);
+void read_bodies(const spec::Node& root, Reading& reading);
+void read_constraints(const spec::Node& root, Reading& reading);
+void read_forces(const spec::Node& root, Reading& reading);
+void read_elimination(const spec::Node& root, Reading& reading);
+void read_outputs(const spec::Node& root, Reading& reading);
+
+}  // namespace gaussgen::model

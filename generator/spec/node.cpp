@@ -1,0 +1,31 @@
+#include "spec/node.hpp"
+
+#include <algorithm>
+
+namespace gaussgen::spec {
+
+support::Span LocatedText::span_of(std::size_t begin, std::size_t end) const {
+  if (begin >= origin.size()) {
+    const std::uint32_t after = origin.empty() ? span.begin : origin.back() + 1;
+    return {after, after};
+  }
+  const std::size_t last = std::min(std::max(end, begin + 1), origin.size()) - 1;
+  return {origin[begin], origin[last] + 1};
+}
+
+LocatedText located(std::string text, std::uint32_t begin) {
+  LocatedText result;
+  for (std::size_t i = 0; i < text.size(); ++i) result.origin.push_back(begin + static_cast<std::uint32_t>(i));
+  result.span = {begin, begin + static_cast<std::uint32_t>(text.size())};
+  result.text = std::move(text);
+  return result;
+}
+
+const Node* find(const Node& map, const std::string& key) {
+  for (const Entry& entry : map.entries) {
+    if (entry.key.text == key) return &entry.value;
+  }
+  return nullptr;
+}
+
+}  // namespace gaussgen::spec

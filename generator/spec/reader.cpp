@@ -1,0 +1,54 @@
+#include "spec/reader.hpp"
+
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <locale>
+#include <sstream>
+#include <utility>
+
+#include "spec/syntax_error.hpp"
+#include "spec/text_check.hpp"
+#include "spec/tree_builder.hpp"
+#include "support/error_codes.hpp"
+
+namespace gaussgen::spec {
+
+namespace code = support::code;
+
+namespace {
+
+/// Every document, so that a second one is noticed. False when the text could not be read to its end.
+bool run_parser(const support::Source& source, TreeBuilder& builder, support::Diagnostics& diagnostics) {
+  const std::size_t mark = byte_order_mark(source.text());
+  std::istringstream stream{std::string(source.text().substr(mark))};
+  stream.imbue(std::locale::classic());
+  try {
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(builder)) {
+    }
+    return true;
+  } catch (const Stop&) {
+    return false;
+  } catch (const YAML::Exception& error) {
+    const auto at = static_cast<std::uint32_t>((error.mark.pos < 0 ? 0 : error.mark.pos) + static_cast<int>(mark));
+    report_syntax_error(source, at, error.msg, diagnostics);
+    return false;
+  }
+}
+
+}  // namespace
+
+std::optional<Node> read_yaml(const support::Source& source, support::Diagnostics& diagnostics) {
+  if (!check_text(source, diagnostics)) return std::nullopt;
+  TreeBuilder builder(source, diagnostics);
+  if (!run_parser(source, builder, diagnostics)) return std::nullopt;
+  std::optional<Node> root = builder.take_root();
+  if (!root || root->kind == NodeKind::empty) {
+    diagnostics.error(code::k_empty_file, {0, 0}, "the file is empty", "begin with 'gauss: 1' and 'name: ...'");
+    return std::nullopt;
+  }
+  return root;
+}
+
+}  // namespace gaussgen::spec

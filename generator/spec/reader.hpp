@@ -1,0 +1,17 @@
+#pragma once
+// A model text to its raw tree. The only folder that sees yaml-cpp.
+
+#include <optional>
+
+#include "spec/node.hpp"
+#include "support/diagnostics.hpp"
+
+namespace gaussgen::spec {
+
+inline constexpr int k_deepest_nesting = 32;
+inline constexpr int k_most_nodes = 200'000;
+
+/// Stricter than YAML: one document, no repeated keys, no anchors, aliases or tags.
+std::optional<Node> read_yaml(const support::Source& source, support::Diagnostics& diagnostics);
+
+}  // namespace gaussgen::spec

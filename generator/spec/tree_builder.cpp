@@ -1,0 +1,207 @@
+#include "spec/tree_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+#include "spec/reader.hpp"
+#include "spec/rejoin.hpp"
+#include "spec/text_check.hpp"
+#include "support/error_codes.hpp"
+#include "support/utf8.hpp"
+
+namespace gaussgen::spec {
+
+namespace code = support::code;
+using support::Span;
+
+namespace {
+
+// What yaml-cpp reports as the tag of a scalar that has none: plain, and quoted or block.
+const char* const k_plain_tag = "?";
+const char* const k_quoted_tag = "!";
+
+bool is_explicit_tag(const std::string& tag, bool quoted) {
+  return !tag.empty() && tag != k_plain_tag && !(tag == k_quoted_tag && quoted);
+}
+
+}  // namespace
+
+TreeBuilder::TreeBuilder(const support::Source& source, support::Diagnostics& diagnostics)
+    : source_(source), diagnostics_(diagnostics), skipped_(static_cast<std::uint32_t>(byte_order_mark(source.text()))) {}
+
+std::uint32_t TreeBuilder::offset(const YAML::Mark& mark) const {
+  return static_cast<std::uint32_t>(mark.pos < 0 ? 0 : mark.pos) + skipped_;
+}
+
+bool TreeBuilder::expects_key() const {
+  return !open_.empty() && open_.back().node.kind == NodeKind::map && !open_.back().key && !open_.back().bad_key;
+}
+
+void TreeBuilder::OnDocumentStart(const YAML::Mark& mark) {
+  if (++documents_ == 1) return;
+  const std::uint32_t at = offset(mark);
+  diagnostics_.error(code::k_several_documents, {at, at + 3}, "a second document begins here; a file holds one model",
+                     "put each model in a file of its own");
+  throw Stop{};
+}
+
+void TreeBuilder::count_node(Span span) {
+  if (++nodes_ <= k_most_nodes) return;
+  diagnostics_.error(code::k_file_too_large, span, fmt::format("the file has more than {} values", k_most_nodes));
+  throw Stop{};
+}
+
+void TreeBuilder::refuse_extras(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
+  const std::uint32_t at = offset(mark);
+  const std::string_view text = source_.text();
+  const bool quoted = style_at(text, at, true) != ScalarStyle::plain;
+  // The mark is behind the anchor or the tag: its sign is the nearest one before.
+  const auto report = [&](char sign, const char* message) {
+    const std::size_t found = text.substr(0, at).rfind(sign);
+    const auto begin = static_cast<std::uint32_t>(found == std::string_view::npos ? at : found);
+    diagnostics_.error(code::k_yaml_feature, {begin, std::max(begin + 1, at)}, message,
+                       fmt::format("write the value itself; a text that begins with '{}' needs quotes", sign));
+  };
+  if (anchor != 0) report('&', "anchors (&name) are not part of the model format");
+  if (is_explicit_tag(tag, quoted)) report('!', "tags (!name) are not part of the model format");
+}
+
+void TreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
+  refuse_extras(mark, {}, anchor);
+  Node node;
+  node.span = {offset(mark), offset(mark)};
+  if (expects_key()) return refuse_key(node.span);
+  add(std::move(node));
+}
+
+void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t) {
+  const std::uint32_t at = offset(mark);
+  diagnostics_.error(code::k_yaml_feature, {at, at + 1}, "aliases (*name) are not part of the model format",
+                     "write the value itself; a text that begins with '*' needs quotes");
+  Node node;
+  node.span = {at, at};
+  if (expects_key()) return refuse_key(node.span);
+  add(std::move(node));
+}
+
+void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) {
+  refuse_extras(mark, tag, anchor);
+  const std::uint32_t at = offset(mark);
+  const ScalarStyle style = style_at(source_.text(), at, tag == k_quoted_tag);
+  if ((style == ScalarStyle::single_quoted || style == ScalarStyle::double_quoted) &&
+      !quote_is_closed(source_.text(), at, style)) {
+    diagnostics_.error(code::k_yaml_syntax, {at, at + 1}, "this quote is never closed");
+    throw Stop{};
+  }
+  Node node;
+  node.kind = NodeKind::scalar;
+  node.plain = style == ScalarStyle::plain;
+  node.flow = !open_.empty() && open_.back().node.flow;
+  node.scalar = align(value, source_.text(), at, style);
+  node.span = node.scalar.span;
+  count_node(node.span);
+  for (std::size_t i = 0; i < value.size();) {
+    const support::CodePoint point = support::code_point_at(value, i);
+    if (support::is_control(point.value) || support::is_invisible(point.value)) {
+      diagnostics_.error(code::k_forbidden_character, node.scalar.span_of(i, i + 1),
+                         fmt::format("an escape for U+{:04X}, which may not appear in a model file", static_cast<std::uint32_t>(point.value)));
+    }
+    i += point.size;
+  }
+  if (expects_key()) {
+    open_.back().key = std::move(node.scalar);
+  } else {
+    add(std::move(node));
+  }
+}
+
+void TreeBuilder::OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                                  YAML::EmitterStyle::value style) {
+  refuse_extras(mark, tag, anchor);
+  open(mark, NodeKind::sequence, style);
+}
+
+void TreeBuilder::OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                             YAML::EmitterStyle::value style) {
+  refuse_extras(mark, tag, anchor);
+  open(mark, NodeKind::map, style);
+}
+
+void TreeBuilder::open(const YAML::Mark& mark, NodeKind kind, YAML::EmitterStyle::value style) {
+  const std::uint32_t at = offset(mark);
+  count_node({at, at + 1});
+  if (open_.size() >= static_cast<std::size_t>(k_deepest_nesting)) {
+    diagnostics_.error(code::k_file_too_large, {at, at + 1}, fmt::format("lists and maps are nested more than {} deep", k_deepest_nesting));
+    throw Stop{};
+  }
+  if (expects_key()) {
+    diagnostics_.error(code::k_yaml_syntax, {at, at + 1}, "a key must be a single word, not a list or a map",
+                       "quote a text that begins with '[' or '{'");
+    throw Stop{};
+  }
+  Open level;
+  level.node.kind = kind;
+  level.node.span = {at, at + 1};
+  level.node.flow = style == YAML::EmitterStyle::Flow;
+  open_.push_back(std::move(level));
+}
+
+void TreeBuilder::refuse_key(Span span) {
+  diagnostics_.error(code::k_yaml_syntax, span, "a key is missing here", "each line of a map reads 'key: value'");
+  open_.back().bad_key = true;
+}
+
+void TreeBuilder::OnSequenceEnd() {
+  if (open_.back().node.flow) rejoin_items(open_.back().node.items);
+  close();
+}
+
+void TreeBuilder::OnMapEnd() {
+  if (open_.back().node.flow) rejoin_entries(open_.back().node.entries);
+  drop_repeated_keys(open_.back().node.entries);
+  close();
+}
+
+void TreeBuilder::drop_repeated_keys(std::vector<Entry>& entries) {
+  std::map<std::string, Span> first;
+  std::vector<Entry> kept;
+  for (Entry& entry : entries) {
+    const auto [place, is_new] = first.emplace(entry.key.text, entry.key.span);
+    if (is_new) {
+      kept.push_back(std::move(entry));
+    } else {
+      diagnostics_.error(code::k_duplicate_key, entry.key.span,
+                         fmt::format("the key '{}' is already in line {}", entry.key.text, source_.position(place->second.begin).line),
+                         "remove one of the two or rename it");
+    }
+  }
+  entries = std::move(kept);
+}
+
+void TreeBuilder::close() {
+  Node node = std::move(open_.back().node);
+  open_.pop_back();
+  if (!node.items.empty()) node.span.end = node.items.back().span.end;
+  if (!node.entries.empty()) node.span.end = std::max(node.entries.back().value.span.end, node.entries.back().key.span.end);
+  add(std::move(node));
+}
+
+void TreeBuilder::add(Node node) {
+  if (open_.empty()) {
+    root_ = std::move(node);
+    return;
+  }
+  Open& parent = open_.back();
+  if (parent.node.kind == NodeKind::sequence) {
+    parent.node.items.push_back(std::move(node));
+  } else if (parent.bad_key) {
+    parent.bad_key = false;
+  } else {
+    parent.node.entries.push_back({std::move(*parent.key), std::move(node)});
+    parent.key.reset();
+  }
+}
+
+}  // namespace gaussgen::spec

@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "support/diagnostics.hpp"
+#include "support/utf8.hpp"
+
+namespace gaussgen::support {
+
+namespace {
+
+constexpr int k_widest_line = 160;
+constexpr int k_columns_before_caret = 60;
+
+/// One character as shown, with the terminal columns it takes and the byte it came from.
+struct Cell {
+  std::string shown;
+  int width = 1;
+  std::uint32_t offset = 0;
+};
+
+/// Nothing that a terminal would obey or hide, and a tab is one column wide.
+Cell cell_at(std::string_view text, std::uint32_t offset, const CodePoint& point) {
+  const bool break_or_tab = point.value == '\t' || point.value == '\n' || point.value == '\r';
+  if (break_or_tab) return {" ", 1, offset};
+  if (!point.valid || is_control(point.value) || is_invisible(point.value)) return {"\xEF\xBF\xBD", 1, offset};
+  return {std::string(text.substr(offset, point.size)), display_width(point.value), offset};
+}
+
+std::vector<Cell> cells_of(std::string_view text) {
+  std::vector<Cell> cells;
+  for (std::uint32_t i = 0; i < text.size();) {
+    const CodePoint point = code_point_at(text, i);
+    cells.push_back(cell_at(text, i, point));
+    i += point.size;
+  }
+  return cells;
+}
+
+std::string harmless(std::string_view text) {
+  std::string shown;
+  for (const Cell& cell : cells_of(text)) shown += cell.shown;
+  return shown;
+}
+
+int width_of(const std::vector<Cell>& cells) {
+  int width = 0;
+  for (const Cell& cell : cells) width += cell.width;
+  return width;
+}
+
+/// Cuts a long line to a window around byte `begin`; an ellipsis stands for what is left out.
+std::vector<Cell> window(std::vector<Cell> cells, std::uint32_t begin) {
+  if (width_of(cells) <= k_widest_line) return cells;
+  const auto caret = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.offset >= begin; });
+  const auto room = std::min<std::ptrdiff_t>(caret - cells.begin(), k_columns_before_caret);
+  auto first = caret - room;
+  // Near the end of the line the window shows what precedes instead of empty space.
+  if (cells.end() - first < k_widest_line) first = cells.end() - std::min<std::ptrdiff_t>(cells.end() - cells.begin(), k_widest_line);
+  auto last = first;
+  for (int width = 0; last != cells.end() && width + last->width <= k_widest_line; ++last) width += last->width;
+  std::vector<Cell> cut(first, last);
+  if (first != cells.begin()) cut.insert(cut.begin(), {"...", 3, first->offset});
+  if (last != cells.end()) cut.push_back({"...", 3, last->offset});
+  return cut;
+}
+
+struct Snippet {
+  std::string line;
+  std::string caret;
+};
+
+/// `begin` and `end` are byte offsets inside the line.
+Snippet snippet(std::string_view line, std::uint32_t begin, std::uint32_t end) {
+  Snippet result;
+  bool marked = false;
+  for (const Cell& cell : window(cells_of(line), begin)) {
+    const bool inside = cell.offset >= begin && cell.offset < end && cell.shown != "...";
+    const auto width = static_cast<std::size_t>(cell.width);
+    result.line += cell.shown;
+    if (inside && width > 0) {
+      result.caret += marked ? std::string(width, '~') : "^" + std::string(width - 1, '~');
+      marked = true;
+    } else if (!marked && cell.offset < begin) {
+      result.caret += std::string(width, ' ');
+    } else if (!marked && cell.shown == "...") {
+      result.caret += "   ";
+    }
+  }
+  if (!marked) result.caret += "^";
+  while (!result.line.empty() && result.line.back() == ' ') result.line.pop_back();
+  return result;
+}
+
+std::string render_one(const Diagnostic& finding, const Source& source) {
+  const Position at = source.position(finding.span.begin);
+  const std::string_view line = source.line_at(finding.span.begin);
+  const auto line_start = static_cast<std::uint32_t>(line.data() - source.text().data());
+  const auto limit = static_cast<std::uint32_t>(line.size());
+  const std::uint32_t begin = std::min(finding.span.begin - line_start, limit);
+  const std::uint32_t end = std::min(std::max(finding.span.end, finding.span.begin) - line_start, limit);
+  const Snippet shown = snippet(line, begin, end);
+
+  const std::string number = std::to_string(at.line);
+  const std::string margin(number.size(), ' ');
+  std::string text = fmt::format("{}:{}:{}: {}[{}]: {}\n", harmless(source.name()), at.line, at.column,
+                                 finding.severity == Severity::error ? "error" : "warning", finding.code,
+                                 harmless(finding.message));
+  text += fmt::format(" {} | {}\n {} | {}\n", number, shown.line, margin, shown.caret);
+  if (!finding.hint.empty()) text += fmt::format(" {} = hint: {}\n", margin, harmless(finding.hint));
+  return text;
+}
+
+}  // namespace
+
+std::string render(const Diagnostics& diagnostics, const Source& source) {
+  std::vector<Diagnostic> sorted = diagnostics.all();
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
+  std::string text;
+  for (const Diagnostic& finding : sorted) text += render_one(finding, source);
+  return text;
+}
+
+}  // namespace gaussgen::support
