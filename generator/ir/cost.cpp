@@ -12,16 +12,33 @@ int multiplications_of_power(int exponent) {
   return count;
 }
 
+/// 1/x, 1/x^2, 1/sqrt(x): computed by a division. Other exponents go to `pow`, for which a sign costs nothing.
+bool is_reciprocal(const Node& node) {
+  return node.kind == Kind::power && node.value < 0 && cln::denominator(node.value) <= 2;
+}
+
 class Counter {
  public:
-  Counter(const Graph& graph, const std::vector<char>& counted) : graph_(graph), counted_(counted) {}
+  Counter(const Graph& graph, const NodeSet& counted) : graph_(graph), counted_(counted) {}
+
+  /// A reciprocal divides inside a product; used anywhere else it is a division of its own.
+  void mark_uses(const std::vector<NodeId>& order, const std::vector<NodeId>& roots) {
+    for (const NodeId root : roots) stands_alone_.insert(root);
+    for (const NodeId id : order) {
+      if (graph_[id].kind == Kind::product) continue;
+      for (const NodeId child : graph_[id].children) stands_alone_.insert(child);
+    }
+  }
 
   void add(NodeId id) {
     const Node& node = graph_[id];
     switch (node.kind) {
       case Kind::sum: add_sum(node); break;
       case Kind::product: add_product(node); break;
-      case Kind::power: add_power(node); break;
+      case Kind::power:
+        add_power(node);
+        if (is_reciprocal(node) && stands_alone_.contains(id)) ++count.divisions;
+        break;
       case Kind::function: add_function(node); break;
       default: break;
     }
@@ -30,10 +47,11 @@ class Counter {
   OperationCount count;
 
  private:
+  // A coefficient of a reciprocal is its numerator: 2/x is one division.
   void add_sum(const Node& node) {
     count.additions += static_cast<int>(node.children.size()) - (node.value == 0 ? 1 : 0);
-    for (const Rational& coefficient : node.coefficients) {
-      if (cln::abs(coefficient) != 1) ++count.multiplications;
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      if (cln::abs(node.coefficients[i]) != 1 && !has_free_numerator(node.children[i])) ++count.multiplications;
     }
   }
 
@@ -41,14 +59,19 @@ class Counter {
   void add_product(const Node& node) {
     int top = 0;
     int bottom = 0;
-    for (const NodeId child : node.children) (is_reciprocal(child) ? bottom : top) += 1;
+    for (const NodeId child : node.children) (divides(child) ? bottom : top) += 1;
     count.multiplications += (top > 0 ? top - 1 : 0) + (bottom > 0 ? bottom - 1 : 0);
-    if (bottom > 0 && top > 0) ++count.divisions;
+    if (bottom > 0) ++count.divisions;
   }
 
-  bool is_reciprocal(NodeId id) const {
-    const Node& node = graph_[id];
-    return node.kind == Kind::power && node.value < 0 && counted_[id.index] != 0;
+  bool divides(NodeId id) const { return is_reciprocal(graph_[id]) && counted_.contains(id); }
+
+  bool has_free_numerator(NodeId id) const {
+    if (graph_[id].kind != Kind::product) return divides(id);
+    for (const NodeId child : graph_[id].children) {
+      if (!divides(child)) return false;
+    }
+    return true;
   }
 
   void add_power(const Node& node) {
@@ -71,18 +94,22 @@ class Counter {
   }
 
   const Graph& graph_;
-  const std::vector<char>& counted_;
+  const NodeSet& counted_;
+  NodeSet stands_alone_;
 };
 
 }  // namespace
 
 OperationCount count_operations(const Graph& graph, const std::vector<NodeId>& roots, bool with_preparation) {
   const std::vector<NodeId> order = post_order(graph, roots);
-  std::vector<char> counted = depends_on(graph, order, varies);
-  if (with_preparation) std::fill(counted.begin(), counted.end(), 1);
+  NodeSet counted = depends_on(graph, order, varies);
+  if (with_preparation) {
+    for (const NodeId id : order) counted.insert(id);
+  }
   Counter counter(graph, counted);
+  counter.mark_uses(order, roots);
   for (const NodeId id : order) {
-    if (counted[id.index] != 0) counter.add(id);
+    if (counted.contains(id)) counter.add(id);
   }
   return counter.count;
 }

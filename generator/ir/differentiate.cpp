@@ -6,7 +6,7 @@
 namespace gaussgen::ir {
 
 void Directional::seed(SymbolId symbol, Expr rate) {
-  seeds_.emplace(symbol.index, rate.id());
+  seeds_.insert_or_assign(symbol.index, rate.id());
   memo_.clear();
 }
 
@@ -55,8 +55,9 @@ NodeId Directional::of_node(NodeId id) {
 }
 
 NodeId Directional::of_function(const Node& node) {
+  // A condition is constant on either side of its switch; the choice itself is differentiated branch by branch.
+  if (is_boolean(node.function)) return graph_.constant(0);
   const NodeId x = node.children[0];
-  const NodeId one = graph_.constant(1);
   const auto times_inner = [&](NodeId outer) { return graph_.product({outer, known(x)}); };
   const auto one_plus = [&](int sign, NodeId a) { return graph_.linear(1, {{sign, a}}); };
   bool all_zero = true;
@@ -86,7 +87,7 @@ NodeId Directional::of_function(const Node& node) {
     }
     case Function::select:
       return graph_.call(Function::select, {node.children[0], known(node.children[1]), known(node.children[2])});
-    default: GAUSS_ASSERT(false, "no derivative of {}", name_of(node.function)); return one;
+    default: GAUSS_ASSERT(false, "no derivative of {}", name_of(node.function)); return x;
   }
 }
 

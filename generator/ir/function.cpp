@@ -33,10 +33,6 @@ bool is_boolean(Function function) {
   return function == Function::less || function == Function::not_finite || function == Function::any;
 }
 
-namespace {
-
-enum class Parity { none, odd, even };
-
 Parity parity(Function function) {
   switch (function) {
     case Function::sin:
@@ -50,6 +46,8 @@ Parity parity(Function function) {
     default: return Parity::none;
   }
 }
+
+namespace {
 
 bool has_negative_sign(const Node& node) {
   if (node.kind == Kind::constant) return node.value < 0;

@@ -57,10 +57,10 @@ class Graph {
   bool is_zero(NodeId id) const { return is_constant(id, 0); }
   bool is_one(NodeId id) const { return is_constant(id, 1); }
 
-
  private:
   NodeId intern(Node node);
-  NodeId finish_sum(const Rational& constant, std::vector<Term> terms);
+  /// `terms` without repetitions and in canonical order.
+  NodeId finish_sum(const Rational& constant, const std::vector<Term>& terms);
 
   std::vector<Symbol> symbols_;
   std::deque<Node> nodes_;  // references to nodes stay valid while the graph grows

@@ -68,6 +68,10 @@ enum class Function : std::uint8_t {
 std::string_view name_of(Function function);
 bool is_boolean(Function function);
 
+/// Of a function of one argument: f(-x) = -f(x), f(-x) = f(x), or neither.
+enum class Parity { none, odd, even };
+Parity parity(Function function);
+
 struct Node {
   Kind kind = Kind::constant;
   Function function = Function::sin;

@@ -89,17 +89,18 @@ Rational signed_content(const Node& sum) {
 }
 
 NodeId Graph::product(const std::vector<NodeId>& nodes) {
+  const auto base_of = [this](NodeId id) { return (*this)[id].kind == Kind::power ? (*this)[id].children[0] : id; };
   FactorCollector collector(*this);
   for (const NodeId node : nodes) collector.multiply(node);
   if (collector.coefficient() == 0) return constant(0);
 
-  // x^(1/2) x^(1/2) is x again, which may itself be a product or a sum: then collect once more.
+  // x^(1/2) x^(1/2) is x again, which may itself be a product, a sum or a power: then collect once more.
   std::vector<NodeId> factors;
   bool settled = true;
   for (const Factor& factor : collector.factors()) {
     if (factor.exponent == 0) continue;
     const NodeId node = power(factor.base, factor.exponent);
-    settled = settled && can_be_factor((*this)[node]);
+    settled = settled && base_of(node) == factor.base && can_be_factor((*this)[node]);
     factors.push_back(node);
   }
   if (!settled) {

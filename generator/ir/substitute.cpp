@@ -5,7 +5,7 @@
 namespace gaussgen::ir {
 
 void Substitution::replace(SymbolId symbol, Expr by) {
-  replacements_.emplace(symbol.index, by.id());
+  replacements_.insert_or_assign(symbol.index, by.id());
   memo_.clear();
 }
 

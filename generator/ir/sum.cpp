@@ -68,22 +68,26 @@ NodeId Graph::linear(const Rational& constant, const std::vector<Term>& terms) {
   TermCollector collector(*this);
   for (const Term& term : terms) collector.add(term.coefficient, term.node);
   Rational total = collector.constant() + constant;
-  std::vector<Term> collected = collector.terms();
-  // Each use of the identity removes a term or turns a constant into one, so this ends.
+  // In canonical order, so that the pair which is found does not depend on the order of the arguments.
+  const auto sorted = [this](std::vector<Term> list) {
+    std::sort(list.begin(), list.end(), [this](const Term& a, const Term& b) { return compare(a.node, b.node) < 0; });
+    return list;
+  };
+  std::vector<Term> collected = sorted(collector.terms());
+  // Each use of the identity leaves fewer products if everything were multiplied out, so this ends.
   while (const std::optional<Replacement> found = find_pythagorean_pair(*this, total, collected)) {
     TermCollector again(*this);
     again.add(1, this->constant(found->constant));
     for (const Term& term : found->terms) again.add(term.coefficient, term.node);
     total = again.constant();
-    collected = again.terms();
+    collected = sorted(again.terms());
   }
-  return finish_sum(total, std::move(collected));
+  return finish_sum(total, collected);
 }
 
-NodeId Graph::finish_sum(const Rational& constant_term, std::vector<Term> terms) {
+NodeId Graph::finish_sum(const Rational& constant_term, const std::vector<Term>& terms) {
   if (terms.empty()) return constant(constant_term);
   if (terms.size() == 1 && constant_term == 0 && terms[0].coefficient == 1) return terms[0].node;
-  std::sort(terms.begin(), terms.end(), [this](const Term& a, const Term& b) { return compare(a.node, b.node) < 0; });
   Node node;
   node.kind = Kind::sum;
   node.value = constant_term;

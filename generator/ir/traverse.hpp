@@ -4,31 +4,32 @@
 #include <vector>
 
 #include "ir/graph.hpp"
+#include "ir/node_table.hpp"
 
 namespace gaussgen::ir {
 
 /// All nodes below `roots` (roots included), each once, children before parents, in an order that depends on structure
-/// only. With `stop(node)` true the children of a node are not visited.
+/// only. With `stop(node)` true the children of a node are not visited. The cost follows the nodes visited.
 template <class Stop>
 std::vector<NodeId> post_order(const Graph& graph, const std::vector<NodeId>& roots, Stop stop) {
-  enum : char { unseen, open, done };
-  std::vector<char> state(graph.size(), unseen);
+  enum class Mark : char { unseen, open, done };
+  NodeTable<Mark> marks;
   std::vector<NodeId> order;
   std::vector<NodeId> stack(roots.rbegin(), roots.rend());
   while (!stack.empty()) {
     const NodeId id = stack.back();
-    char& mark = state[id.index];
-    if (mark == unseen) {
-      mark = open;
+    Mark& mark = marks[id];
+    if (mark == Mark::unseen) {
+      mark = Mark::open;
       if (stop(id)) continue;
       const std::vector<NodeId>& children = graph[id].children;
       for (auto it = children.rbegin(); it != children.rend(); ++it) {
-        if (state[it->index] == unseen) stack.push_back(*it);
+        if (!marks.contains(*it)) stack.push_back(*it);
       }
     } else {
       stack.pop_back();
-      if (mark == open) {
-        mark = done;
+      if (mark == Mark::open) {
+        mark = Mark::done;
         order.push_back(id);
       }
     }
@@ -40,16 +41,15 @@ inline std::vector<NodeId> post_order(const Graph& graph, const std::vector<Node
   return post_order(graph, roots, [](NodeId) { return false; });
 }
 
-/// For every node of `order` (children first): does it depend on a symbol for which `is_variable` holds?
+/// Those nodes of `order` (children first) that depend on a symbol for which `is_variable` holds.
 template <class IsVariable>
-std::vector<char> depends_on(const Graph& graph, const std::vector<NodeId>& order, IsVariable is_variable) {
-  std::vector<char> depends(graph.size(), 0);
+NodeSet depends_on(const Graph& graph, const std::vector<NodeId>& order, IsVariable is_variable) {
+  NodeSet depends;
   for (const NodeId id : order) {
     const Node& node = graph[id];
-    if (node.kind == Kind::symbol) depends[id.index] = is_variable(graph.symbol(node.symbol)) ? 1 : 0;
-    for (const NodeId child : node.children) {
-      if (depends[child.index] != 0) depends[id.index] = 1;
-    }
+    bool found = node.kind == Kind::symbol && is_variable(graph.symbol(node.symbol));
+    for (const NodeId child : node.children) found = found || depends.contains(child);
+    if (found) depends.insert(id);
   }
   return depends;
 }

@@ -16,7 +16,8 @@ class Verifier {
     const Node& node = graph_[id];
     if (node.kind == Kind::sum) check_sum(id, node);
     if (node.kind == Kind::product) check_product(id, node);
-    if (node.kind == Kind::power && (node.value == 0 || node.value == 1)) report(id, "trivial exponent");
+    if (node.kind == Kind::power) check_power(id, node);
+    if (node.kind == Kind::function) check_function(id, node);
   }
 
   std::vector<std::string> found;
@@ -49,6 +50,28 @@ class Verifier {
       if (factor.kind == Kind::product || factor.kind == Kind::constant) report(id, "nested product or constant");
       if (factor.kind == Kind::sum && signed_content(factor) != 1) report(id, "sum with content as a factor");
     }
+    // Like bases stand side by side in canonical order.
+    for (std::size_t i = 1; i < node.children.size(); ++i) {
+      if (base_of(node.children[i - 1]) == base_of(node.children[i])) report(id, "like bases not merged");
+    }
+  }
+
+  NodeId base_of(NodeId id) const { return graph_[id].kind == Kind::power ? graph_[id].children[0] : id; }
+
+  void check_power(NodeId id, const Node& node) {
+    if (node.value == 0 || node.value == 1) report(id, "trivial exponent");
+    if (!support::is_integer(node.value)) return;
+    const Node& base = graph_[node.children[0]];
+    if (base.kind == Kind::product || base.kind == Kind::power) report(id, "whole power not distributed");
+    if (base.kind == Kind::sum && signed_content(base) != 1) report(id, "whole power of a sum with content");
+    if (base.kind == Kind::constant && (base.value != 0 || node.value > 0)) report(id, "whole power of a constant");
+  }
+
+  void check_function(NodeId id, const Node& node) {
+    const Node& argument = graph_[node.children[0]];
+    const bool is_negative = argument.kind == Kind::constant ? argument.value < 0
+                                                             : argument.kind == Kind::sum && signed_content(argument) < 0;
+    if (is_negative && parity(node.function) != Parity::none) report(id, "sign inside an odd or even function");
   }
 
   const Graph& graph_;
