@@ -1,0 +1,135 @@
+#include "kinematics/expressions.hpp"
+
+#include <map>
+
+#include "support/assert.hpp"
+
+namespace gaussgen::kinematics {
+
+using ir::Expr;
+using ir::Function;
+using model::Ast;
+using model::AstKind;
+using support::Rational;
+
+Expressions::Expressions(const model::Model& model, const Symbols& symbols, ir::Graph& graph)
+    : model_(model), symbols_(symbols), graph_(graph), time_derivative_(graph) {
+  seed_rates();
+}
+
+void Expressions::seed_rates() {
+  for (const Symbols::Place& place : symbols_.coordinates) {
+    if (place.is_held) {
+      const HeldCoordinate& held = symbols_.held[HeldIndex{place.index}];
+      time_derivative_.seed(held.symbol, symbol(held.rate));
+    } else {
+      configuration_rates_.push_back(symbol(symbols_.speeds[FreeIndex{place.index}].symbol));
+    }
+  }
+  for (std::size_t i = 0; i < model_.orientations.size(); ++i) quaternion_rates(i);
+  for (const ConfigurationIndex i : configuration_rates_.indices()) {
+    time_derivative_.seed(symbols_.configuration[i].symbol, configuration_rates_[i]);
+  }
+  time_derivative_.seed(symbols_.time, number(1));
+}
+
+// ė = ½ (0, ω) ∘ e with ω in space, ė = ½ e ∘ (0, ω) with ω in the body (Wittenburg, Dynamics of Multibody Systems, 2.2).
+void Expressions::quaternion_rates(std::size_t orientation) {
+  const ConfigurationIndex first = symbols_.first_quaternion_component[orientation];
+  const auto e = [&](std::size_t i) { return symbol(symbols_.configuration[ConfigurationIndex{first.value + i}].symbol); };
+  const auto u = [&](std::size_t i) {
+    return symbol(symbols_.speeds[FreeIndex{symbols_.first_angular_velocity[orientation].value + i}].symbol);
+  };
+  const ir::Vector3 vector{e(1), e(2), e(3)};
+  const ir::Vector3 omega{u(0), u(1), u(2)};
+  const Rational half = Rational(1) / 2;
+  configuration_rates_.push_back(-half * (vector[0] * omega[0] + vector[1] * omega[1] + vector[2] * omega[2]));
+  const bool in_space = model_.orientations[orientation].frame == model::Frame::space;
+  const ir::Vector3 turn = in_space ? cross(omega, vector) : cross(vector, omega);
+  for (std::size_t i = 0; i < 3; ++i) configuration_rates_.push_back(half * (e(0) * omega[i] + turn[i]));
+}
+
+Expr Expressions::operator()(const Ast& ast) {
+  std::vector<Expr> children;
+  if (ast.kind != AstKind::power) {
+    for (const Ast& child : ast.children) children.push_back((*this)(child));
+  }
+  switch (ast.kind) {
+    case AstKind::number: return number(ast.number);
+    case AstKind::symbol: return resolved(ast.name);
+    case AstKind::negate: return -children[0];
+    case AstKind::reciprocal: return ir::pow(children[0], -1);
+    case AstKind::power: return ir::pow((*this)(ast.children[0]), constant_value(ast.children[1]));
+    case AstKind::call: return call(ast);
+    case AstKind::sum:
+    case AstKind::product: {
+      std::vector<ir::NodeId> ids;
+      for (const Expr& child : children) ids.push_back(child.id());
+      return {graph_, ast.kind == AstKind::sum ? graph_.sum(ids) : graph_.product(ids)};
+    }
+  }
+  return number(0);
+}
+
+ir::Vector3 Expressions::operator()(const std::array<Ast, 3>& vector) {
+  return {(*this)(vector[0]), (*this)(vector[1]), (*this)(vector[2])};
+}
+
+Expr Expressions::resolved(const std::string& name) {
+  const model::SymbolRef ref = model_.resolve(name);
+  switch (ref.kind) {
+    case model::SymbolKind::time: return symbol(symbols_.time);
+    case model::SymbolKind::pi: return symbol(symbols_.pi);
+    case model::SymbolKind::parameter: return symbol(symbols_.parameters[ref.index]);
+    case model::SymbolKind::input: return symbol(symbols_.inputs[ref.index]);
+    case model::SymbolKind::coordinate: {
+      const Symbols::Place& place = symbols_.coordinates[ref.index];
+      return symbol(place.is_held ? symbols_.held[HeldIndex{place.index}].symbol
+                                  : symbols_.configuration[ConfigurationIndex{place.index}].symbol);
+    }
+    case model::SymbolKind::quaternion_component: {
+      const ConfigurationIndex first = symbols_.first_quaternion_component[ref.index / 4];
+      return symbol(symbols_.configuration[ConfigurationIndex{first.value + ref.index % 4}].symbol);
+    }
+    case model::SymbolKind::angular_velocity: {
+      const FreeIndex first = symbols_.first_angular_velocity[ref.index / 3];
+      return symbol(symbols_.speeds[FreeIndex{first.value + ref.index % 3}].symbol);
+    }
+  }
+  return number(0);
+}
+
+Expr Expressions::call(const Ast& ast) {
+  if (ast.name == "dot") return rate((*this)(ast.children[0]));
+  if (ast.name == "sqrt") return ir::pow((*this)(ast.children[0]), Rational(1) / 2);
+  static const std::map<std::string, Function> k_functions{
+      {"sin", Function::sin},   {"cos", Function::cos},   {"tan", Function::tan},     {"asin", Function::asin},
+      {"acos", Function::acos}, {"atan", Function::atan}, {"atan2", Function::atan2}, {"exp", Function::exp},
+      {"log", Function::log},   {"sinh", Function::sinh}, {"cosh", Function::cosh},   {"tanh", Function::tanh}};
+  const auto found = k_functions.find(ast.name);
+  GAUSS_ASSERT(found != k_functions.end(), "function={}", ast.name);
+  std::vector<ir::NodeId> arguments;
+  for (const Ast& child : ast.children) arguments.push_back((*this)(child).id());
+  return {graph_, graph_.call(found->second, arguments)};
+}
+
+Rational constant_value(const Ast& ast) {
+  switch (ast.kind) {
+    case AstKind::number: return ast.number;
+    case AstKind::negate: return -constant_value(ast.children[0]);
+    case AstKind::reciprocal: return 1 / constant_value(ast.children[0]);
+    case AstKind::sum: {
+      Rational sum = 0;
+      for (const Ast& child : ast.children) sum = sum + constant_value(child);
+      return sum;
+    }
+    case AstKind::product: {
+      Rational product = 1;
+      for (const Ast& child : ast.children) product = product * constant_value(child);
+      return product;
+    }
+    default: GAUSS_ASSERT(false, "not a constant: {}", ast.name); return 0;
+  }
+}
+
+}  // namespace gaussgen::kinematics

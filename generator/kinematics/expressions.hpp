@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ir/differentiate.hpp"
+#include "ir/vector3.hpp"
+#include "kinematics/symbols.hpp"
+
+namespace gaussgen::kinematics {
+
+/// Turns the user's expressions into nodes. They never pass through GiNaC, whose order and signs change from run to run
+/// (docs/decisions/0001).
+class Expressions {
+ public:
+  Expressions(const model::Model& model, const Symbols& symbols, ir::Graph& graph);
+
+  ir::Expr operator()(const model::Ast& ast);
+  ir::Vector3 operator()(const std::array<model::Ast, 3>& vector);
+
+  /// Total time derivative along the motion with accelerations left out: d/dt of a position expression is its velocity,
+  /// of a velocity expression its part that holds no acceleration (theory, section 4: h, Θ, η).
+  ir::Expr rate(ir::Expr expression) { return time_derivative_(expression); }
+  ir::Vector3 rate(const ir::Vector3& v) { return {rate(v[0]), rate(v[1]), rate(v[2])}; }
+
+  /// q̇ as functions of q and u.
+  const support::Indexed<ConfigurationIndex, ir::Expr>& configuration_rates() const { return configuration_rates_; }
+
+  ir::Expr number(const support::Rational& value) const { return {graph_, graph_.constant(value)}; }
+  ir::Expr symbol(ir::SymbolId id) const { return {graph_, graph_.use(id)}; }
+
+ private:
+  ir::Expr resolved(const std::string& name);
+  ir::Expr call(const model::Ast& ast);
+  void seed_rates();
+  void quaternion_rates(std::size_t orientation);
+
+  const model::Model& model_;
+  const Symbols& symbols_;
+  ir::Graph& graph_;
+  support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates_;
+  ir::Directional time_derivative_;
+};
+
+/// The rational value of a constant expression, such as an exponent.
+support::Rational constant_value(const model::Ast& ast);
+
+}  // namespace gaussgen::kinematics

@@ -1,0 +1,162 @@
+#include "kinematics/kinematics.hpp"
+
+#include "ir/contract.hpp"
+#include "kinematics/hold.hpp"
+
+namespace gaussgen::kinematics {
+
+using ir::Expr;
+using ir::Vector3;
+using model::Frame;
+using support::Indexed;
+
+namespace {
+
+class Builder {
+ public:
+  Builder(const model::Model& model, ir::Graph& graph, Expressions& expressions, const Symbols& symbols)
+      : model_(model), graph_(graph), expressions_(expressions), symbols_(symbols) {
+    for (std::size_t i = 0; i < symbols.full_count(); ++i) {
+      along_rate_.emplace_back(graph);
+      along_rate_.back().seed(symbols.rate(FullIndex{i}), number(1));
+    }
+  }
+
+  Kinematics run() {
+    Kinematics result{symbols_,
+                      {},
+                      {},
+                      expressions_.configuration_rates(),
+                      number(0),
+                      {symbols_.full_count(), number(0)},
+                      {symbols_.full_count(), number(0)},
+                      {}};
+    for (const model::Body& body : model_.bodies) result.bodies.push_back(body_motion(body));
+    for (const model::VelocityConstraint& constraint : model_.constraints) {
+      result.constraints.push_back(constraint_row(constraint));
+    }
+    for (const model::Force& force : model_.forces) std::visit([&](const auto& law) { apply(law, result); }, force.law);
+    return result;
+  }
+
+ private:
+  Expr number(int value) const { return expressions_.number(value); }
+
+  Expr partial(Expr function, FullIndex i) { return along_rate_[i.value](function); }
+
+  /// ∂v/∂ẏ^A for all A
+  Indexed<FullIndex, Vector3> jacobian(const Vector3& v) {
+    Indexed<FullIndex, Vector3> columns;
+    for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) {
+      columns.push_back({partial(v[0], i), partial(v[1], i), partial(v[2], i)});
+    }
+    return columns;
+  }
+
+  BodyMotion body_motion(const model::Body& body) {
+    const Vector3 position = expressions_(body.position);
+    const Vector3 velocity = expressions_.rate(position);
+    const Vector3 zero = ir::zero3(graph_);
+    BodyMotion motion{body.name.text, expressions_(body.mass), position, velocity, jacobian(velocity),
+                      expressions_.rate(velocity), zero, false, false, {zero, zero, zero},
+                      {{zero, zero, zero}, zero, Frame::space}, {}, zero};
+    if (body.inertia) add_rotation(body, motion);
+    return motion;
+  }
+
+  // An isotropic tensor has the same components in every frame, so ω may stay in the frame where it is simplest; any
+  // other tensor is constant in body axes only.
+  void add_rotation(const model::Body& body, BodyMotion& motion) {
+    motion.is_rigid = true;
+    motion.is_isotropic = body.inertia->shape == model::Inertia::Shape::isotropic;
+    motion.inertia = inertia_matrix(*body.inertia);
+    motion.rotation = rotation_of(model_, body, symbols_, motion.is_isotropic ? preferred_frame(body) : Frame::body,
+                                  expressions_);
+    motion.W = jacobian(motion.rotation.omega);
+    motion.eta = expressions_.rate(motion.rotation.omega);
+  }
+
+  Frame preferred_frame(const model::Body& body) const {
+    const auto* quaternion = std::get_if<model::QuaternionOrientation>(&body.orientation);
+    return quaternion != nullptr ? model_.orientations[quaternion->index].frame : Frame::space;
+  }
+
+  ir::Matrix3 inertia_matrix(const model::Inertia& inertia) {
+    const auto entry = [&](std::size_t i) { return expressions_(inertia.entries[i]); };
+    const Expr zero = number(0);
+    switch (inertia.shape) {
+      case model::Inertia::Shape::isotropic:
+        return {Vector3{entry(0), zero, zero}, Vector3{zero, entry(0), zero}, Vector3{zero, zero, entry(0)}};
+      case model::Inertia::Shape::diagonal:
+        return {Vector3{entry(0), zero, zero}, Vector3{zero, entry(1), zero}, Vector3{zero, zero, entry(2)}};
+      default:
+        return {Vector3{entry(0), entry(3), entry(4)}, Vector3{entry(3), entry(1), entry(5)},
+                Vector3{entry(4), entry(5), entry(2)}};
+    }
+  }
+
+  ConstraintRow constraint_row(const model::VelocityConstraint& constraint) {
+    ConstraintRow row{constraint.name.text, expressions_(constraint.velocity), {}, number(0), {}, true};
+    for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) {
+      row.beta.push_back(partial(row.phi, i));
+    }
+    for (const FullIndex i : row.beta.indices()) {
+      for (const FullIndex j : row.beta.indices()) row.is_linear = row.is_linear && partial(row.beta[i], j).is_zero();
+    }
+    row.beta_drift = expressions_.rate(row.phi);
+    if (constraint.point) row.point = expressions_(*constraint.point);
+    return row;
+  }
+
+  // Q_A = m field·J_A and V = -m field·r (theory section 6)
+  void apply(const model::UniformField& law, Kinematics& result) {
+    const Vector3 field = expressions_(law.field);
+    for (BodyMotion& body : result.bodies) {
+      body.force = body.force + body.mass * field;
+      result.potential -= body.mass * dot(field, body.position);
+      for (const FullIndex i : body.J.indices()) result.field_force[i] += body.mass * dot(field, body.J[i]);
+    }
+  }
+
+  // Q_A = -∂(dV/dt)/∂ẏ^A, which is -∂V/∂y^A for a coordinate and the right moment for an angular velocity.
+  void apply(const model::Potential& law, Kinematics& result) {
+    const Expr energy = expressions_(law.energy);
+    const Expr power = expressions_.rate(energy);
+    result.potential += energy;
+    for (const FullIndex i : result.other_force.indices()) result.other_force[i] -= partial(power, i);
+  }
+
+  void apply(const model::GeneralizedForce& law, Kinematics& result) {
+    for (const auto& [name, value] : law.components) result.other_force[component(name.text)] += expressions_(value);
+  }
+
+  FullIndex component(const std::string& name) const {
+    const model::SymbolRef ref = model_.resolve(name);
+    if (ref.kind == model::SymbolKind::angular_velocity) {
+      return FullIndex{symbols_.first_angular_velocity[ref.index / 3].value + ref.index % 3};
+    }
+    const Symbols::Place& place = symbols_.coordinates[ref.index];
+    return place.is_held ? symbols_.full(HeldIndex{place.index}) : symbols_.full(FreeIndex{place.index});
+  }
+
+  const model::Model& model_;
+  ir::Graph& graph_;
+  Expressions& expressions_;
+  const Symbols& symbols_;
+  std::vector<ir::Directional> along_rate_;
+};
+
+}  // namespace
+
+Vector3 BodyMotion::inertia_times(const Vector3& a) const {
+  return is_isotropic ? inertia[0][0] * a : ir::multiply(inertia, a);
+}
+
+Kinematics build_kinematics(const model::Model& model, ir::Graph& graph, Expressions& expressions,
+                            const Symbols& symbols) {
+  Kinematics result = Builder(model, graph, expressions, symbols).run();
+  hold_coordinates(model, expressions, graph, result);
+  return result;
+}
+
+}  // namespace gaussgen::kinematics

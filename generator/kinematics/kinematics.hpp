@@ -1,0 +1,56 @@
+#pragma once
+// Velocities, Jacobians, velocity-squared accelerations and constraint rows over ALL y (theory, section 4), on the graph.
+
+#include <optional>
+
+#include "kinematics/expressions.hpp"
+#include "kinematics/rotation.hpp"
+
+namespace gaussgen::kinematics {
+
+/// One body's contribution: v = J_A ẏ^A + (terms of time), dv/dt = J_A ÿ^A + h; likewise ω with W_A and η.
+struct BodyMotion {
+  std::string name;
+  ir::Expr mass;
+  ir::Vector3 position;                          ///< m, space
+  ir::Vector3 velocity;                          ///< m/s, space
+  support::Indexed<FullIndex, ir::Vector3> J;    ///< ∂v/∂ẏ^A
+  ir::Vector3 h;                                 ///< m/s², space
+  ir::Vector3 force;                             ///< N, active force at the mass centre, space
+
+  bool is_rigid = false;  ///< the members below are meaningful for rigid bodies only
+  bool is_isotropic = false;
+  ir::Matrix3 inertia;                           ///< kg m², about the mass centre, in the frame of ω
+  Rotation rotation;
+  support::Indexed<FullIndex, ir::Vector3> W;    ///< ∂ω/∂ẏ^A, in the frame of ω
+  ir::Vector3 eta;                               ///< 1/s²
+
+  /// I a, where an isotropic tensor is a factor in every frame.
+  ir::Vector3 inertia_times(const ir::Vector3& a) const;
+};
+
+/// φ_μ with β_μA = ∂φ_μ/∂ẏ^A and φ̇_μ = β_μA ÿ^A + Θ_μ (Vujičić (3.1), theory section 3).
+struct ConstraintRow {
+  std::string name;
+  ir::Expr phi;
+  support::Indexed<FullIndex, ir::Expr> beta;
+  ir::Expr beta_drift;
+  std::optional<ir::Vector3> point;  ///< where the reaction acts, space
+  bool is_linear = true;             ///< in the velocities
+};
+
+struct Kinematics {
+  Symbols symbols;
+  support::Indexed<BodyIndex, BodyMotion> bodies;
+  support::Indexed<ConstraintIndex, ConstraintRow> constraints;
+  support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates;
+  ir::Expr potential;                                 ///< J; gravity (uniform fields) included
+  support::Indexed<FullIndex, ir::Expr> field_force;  ///< Q_A of uniform fields
+  support::Indexed<FullIndex, ir::Expr> other_force;  ///< Q_A of potentials and generalized forces, not spread on bodies
+  support::Indexed<HeldIndex, ir::Expr> held_acceleration;  ///< c̈^i
+};
+
+/// Builds everything with x^i free, then puts x^i = c^i(t) in (theory section 3: derivatives first, x = c afterwards).
+Kinematics build_kinematics(const model::Model& model, ir::Graph& graph, Expressions& expressions, const Symbols& symbols);
+
+}  // namespace gaussgen::kinematics

@@ -1,0 +1,86 @@
+#include "kinematics/symbols.hpp"
+
+namespace gaussgen::kinematics {
+
+namespace {
+
+std::string rate_unit(const std::string& unit) { return unit.empty() ? unit : unit + "/s"; }
+
+class Declaration {
+ public:
+  Declaration(const model::Model& model, ir::Graph& graph) : model_(model), graph_(graph) {}
+
+  Symbols run() {
+    using ir::SymbolClass;
+    symbols_.pi = graph_.declare(SymbolClass::pi, "pi");
+    symbols_.epsilon = graph_.declare(SymbolClass::epsilon, "epsilon");
+    for (const model::Parameter& parameter : model_.parameters) {
+      symbols_.parameters.push_back(graph_.declare(SymbolClass::parameter, parameter.name.text));
+    }
+    symbols_.time = graph_.declare(SymbolClass::time, "t");
+    for (std::size_t i = 0; i < model_.coordinates.size(); ++i) declare_coordinate(i);
+    for (const model::Orientation& orientation : model_.orientations) declare_orientation(orientation);
+    for (const model::Input& input : model_.inputs) {
+      symbols_.inputs.push_back(graph_.declare(SymbolClass::input, input.name.text));
+    }
+    return std::move(symbols_);
+  }
+
+ private:
+  void declare_coordinate(std::size_t index) {
+    using ir::SymbolClass;
+    const model::Coordinate& coordinate = model_.coordinates[index];
+    const std::string& name = coordinate.name.text;
+    if (coordinate.held_at) {
+      symbols_.coordinates.push_back({true, symbols_.held.size()});
+      symbols_.held.push_back({graph_.declare(SymbolClass::held, name),
+                               graph_.declare(SymbolClass::held_rate, name + "_dot"),
+                               graph_.declare(SymbolClass::held_acceleration, name + "_ddot"), index, name});
+      return;
+    }
+    symbols_.coordinates.push_back({false, symbols_.speeds.size()});
+    symbols_.configuration.push_back(
+        {graph_.declare(SymbolClass::configuration, name), name, coordinate.unit, coordinate.about});
+    declare_speed(name + "_dot", name + "_ddot", name, rate_unit(coordinate.unit), "rate of " + name);
+  }
+
+  void declare_speed(const std::string& name, const std::string& acceleration, const std::string& label,
+                     const std::string& unit, const std::string& about) {
+    using ir::SymbolClass;
+    symbols_.speeds.push_back({graph_.declare(SymbolClass::speed, name),
+                               graph_.declare(SymbolClass::acceleration, acceleration), name, acceleration, label, unit,
+                               about});
+  }
+
+  void declare_orientation(const model::Orientation& orientation) {
+    symbols_.first_quaternion_component.push_back(ConfigurationIndex{symbols_.configuration.size()});
+    for (const model::Name& name : orientation.quaternion) {
+      symbols_.configuration.push_back({graph_.declare(ir::SymbolClass::configuration, name.text), name.text, "1",
+                                        "unit quaternion " + orientation.name.text + ", body to space"});
+    }
+    symbols_.first_angular_velocity.push_back(FreeIndex{symbols_.speeds.size()});
+    const std::string frame = orientation.frame == model::Frame::space ? "space" : "body";
+    for (const model::Name& name : orientation.angular_velocity) {
+      declare_speed(name.text, name.text + "_dot", name.text, "rad/s",
+                    "angular velocity of " + orientation.name.text + ", " + frame + " frame");
+    }
+  }
+
+  const model::Model& model_;
+  ir::Graph& graph_;
+  Symbols symbols_;
+};
+
+}  // namespace
+
+ir::SymbolId Symbols::rate(FullIndex i) const {
+  return i.value < free_count() ? speeds[FreeIndex{i.value}].symbol : held[HeldIndex{i.value - free_count()}].rate;
+}
+
+const std::string& Symbols::label(FullIndex i) const {
+  return i.value < free_count() ? speeds[FreeIndex{i.value}].label : held[HeldIndex{i.value - free_count()}].name;
+}
+
+Symbols declare_symbols(const model::Model& model, ir::Graph& graph) { return Declaration(model, graph).run(); }
+
+}  // namespace gaussgen::kinematics

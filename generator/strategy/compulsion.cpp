@@ -1,0 +1,67 @@
+#include "strategy/compulsion.hpp"
+
+#include <algorithm>
+
+#include "strategy/inner.hpp"
+#include "strategy/metric.hpp"
+#include "strategy/reactions.hpp"
+
+namespace gaussgen::strategy {
+
+using ir::Expr;
+using ir::Vector3;
+using kinematics::BodyMotion;
+
+namespace {
+
+Vector3 combination(const support::Indexed<kinematics::FullIndex, Vector3>& columns, const Vector& z) {
+  Vector3 sum = ir::zero3(z[0].graph());
+  for (std::size_t i = 0; i < z.size(); ++i) sum = sum + z[i] * columns[kinematics::FullIndex{i}];
+  return sum;
+}
+
+// n·I^-1 n with I^-1 from parameters alone, so that it costs one preparation.
+Expr square_in_inverse_inertia(const BodyMotion& body, const Vector3& n, Steps& steps) {
+  if (body.is_isotropic) return dot(n, n) * pow(body.inertia[0][0], -1);
+  Matrix inertia;
+  for (const Vector3& row : body.inertia) inertia.push_back({row[0], row[1], row[2]});
+  const Ldl ldl(inertia, {"x", "y", "z"}, "I_" + body.name, steps);
+  const Vector solved = ldl.solve({n[0], n[1], n[2]}, "turn_" + body.name, steps);
+  return dot(n, {solved[0], solved[1], solved[2]});
+}
+
+Vector3 named(Steps& steps, const Vector3& v, const std::string& name) {
+  return {steps.name(v[0], name + "_x"), steps.name(v[1], name + "_y"), steps.name(v[2], name + "_z")};
+}
+
+}  // namespace
+
+Expr compulsion(const Dynamics& dynamics, const Vector& candidate, Steps& steps) {
+  const kinematics::Kinematics& kinematics = *dynamics.kinematics;
+  ir::Graph& graph = kinematics.potential.graph();
+  const Vector& spread = kinematics.other_force.values();
+  const bool has_spread = std::any_of(spread.begin(), spread.end(), [](Expr e) { return !e.is_zero(); });
+  Vector z(spread.size(), Expr(graph, graph.constant(0)));
+  if (has_spread) {
+    const FullMetric metric(dynamics, steps);
+    steps.begin("generalized forces, raised: G z = Q");
+    z = metric.solve(spread, "z", steps);
+  }
+  Expr twice(graph, graph.constant(0));
+  for (const BodyMotion& body : kinematics.bodies) {
+    steps.begin("deviation of " + body.name + " from free motion, m a - F and d(I omega)/dt - M (theory, section 6)");
+    const BodyAcceleration a = acceleration_of(body, dynamics, candidate);
+    const Vector3 free_force = body.force + body.mass * combination(body.J, z);
+    const Vector3 deviation = named(steps, body.mass * a.linear - free_force, "deviation_" + body.name);
+    twice += dot(deviation, deviation) * pow(body.mass, -1);
+    if (!body.is_rigid) continue;
+    const Vector3& omega = body.rotation.omega;
+    Vector3 torque = body.inertia_times(a.angular) - body.inertia_times(combination(body.W, z));
+    if (!body.is_isotropic) torque = torque + cross(omega, body.inertia_times(omega));
+    torque = named(steps, torque, "torque_" + body.name);
+    twice += square_in_inverse_inertia(body, torque, steps);
+  }
+  return support::Rational(1) / 2 * twice;
+}
+
+}  // namespace gaussgen::strategy

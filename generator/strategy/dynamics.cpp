@@ -1,0 +1,73 @@
+#include "strategy/dynamics.hpp"
+
+namespace gaussgen::strategy {
+
+using ir::Expr;
+using kinematics::ConstraintIndex;
+using kinematics::FreeIndex;
+using kinematics::FullIndex;
+using kinematics::HeldIndex;
+
+namespace {
+
+void add_metric(const kinematics::Symbols& symbols, Dynamics& result, Steps& steps) {
+  steps.begin("metric g_ab (1.10); held coordinates enter only through f");
+  for (const FreeIndex i : symbols.speeds.indices()) {
+    Vector row;
+    for (const FreeIndex j : symbols.speeds.indices()) {
+      const Expr entry = result.covariant->G[symbols.full(i)][symbols.full(j)];
+      row.push_back(j.value <= i.value ? steps.name(entry, "G_" + result.labels[j.value] + "_" + result.labels[i.value]) : entry);
+    }
+    result.g.push_back(row);
+  }
+}
+
+void add_force(const kinematics::Kinematics& kinematics, Dynamics& result, Steps& steps) {
+  const kinematics::Symbols& symbols = kinematics.symbols;
+  steps.begin("f = Q - bias: active forces less the velocity-squared part of A (theory, section 4)");
+  for (const FreeIndex i : symbols.speeds.indices()) {
+    const FullIndex a = symbols.full(i);
+    const Expr bias = steps.name(result.covariant->bias[a], "bias_" + result.labels[i.value]);
+    Expr f = result.covariant->Q[a] - bias;
+    for (const HeldIndex j : symbols.held.indices()) {
+      f -= result.covariant->G[a][symbols.full(j)] * kinematics.held_acceleration[j];
+    }
+    result.f.push_back(steps.name(f, "f_" + result.labels[i.value]));
+  }
+}
+
+void add_rows(const kinematics::Kinematics& kinematics, Dynamics& result, Steps& steps) {
+  const kinematics::Symbols& symbols = kinematics.symbols;
+  if (kinematics.constraints.size() > 0) {
+    steps.begin("constraint rows, differentiated once: beta du/dt + drift = 0 (theory, section 3)");
+  }
+  for (const ConstraintIndex mu : kinematics.constraints.indices()) {
+    const kinematics::ConstraintRow& row = kinematics.constraints[mu];
+    result.constraints.push_back(row.name);
+    Vector b;
+    for (const FreeIndex i : symbols.speeds.indices()) {
+      b.push_back(steps.name(row.beta[symbols.full(i)], "beta_" + row.name + "_" + result.labels[i.value]));
+    }
+    Expr drift = row.beta_drift;
+    for (const HeldIndex j : symbols.held.indices()) {
+      drift += row.beta[symbols.full(j)] * kinematics.held_acceleration[j];
+    }
+    result.b.push_back(b);
+    result.b_drift.push_back(steps.name(drift, "drift_" + row.name));
+  }
+}
+
+}  // namespace
+
+Dynamics build_dynamics(const kinematics::Kinematics& kinematics, const kinematics::Covariant& covariant, Steps& steps) {
+  Dynamics result;
+  result.kinematics = &kinematics;
+  result.covariant = &covariant;
+  for (const kinematics::Speed& speed : kinematics.symbols.speeds) result.labels.push_back(speed.label);
+  add_metric(kinematics.symbols, result, steps);
+  add_force(kinematics, result, steps);
+  add_rows(kinematics, result, steps);
+  return result;
+}
+
+}  // namespace gaussgen::strategy

@@ -1,0 +1,26 @@
+#pragma once
+// The linear problem that Gauss's principle leaves for the free accelerations (theory, sections 3 and 4).
+
+#include "kinematics/covariant.hpp"
+#include "strategy/ldl.hpp"
+
+namespace gaussgen::strategy {
+
+/// minimise Z over a:  g a = f + bᵀ λ,  b a + b_drift = 0.
+struct Dynamics {
+  const kinematics::Kinematics* kinematics = nullptr;
+  const kinematics::Covariant* covariant = nullptr;
+  std::vector<std::string> labels;       ///< of free speeds
+  std::vector<std::string> constraints;  ///< names
+  Matrix g;                              ///< n×n
+  Vector f;                              ///< Q_α - bias_α - g_αi c̈^i
+  Matrix b;                              ///< l×n, b_μα = β_μα
+  Vector b_drift;                        ///< Θ_μ + β_μi c̈^i
+
+  std::size_t n() const { return labels.size(); }
+  std::size_t l() const { return constraints.size(); }
+};
+
+Dynamics build_dynamics(const kinematics::Kinematics& kinematics, const kinematics::Covariant& covariant, Steps& steps);
+
+}  // namespace gaussgen::strategy

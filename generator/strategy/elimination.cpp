@@ -1,0 +1,129 @@
+#include "strategy/elimination.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "ir/cost.hpp"
+#include "ir/traverse.hpp"
+
+namespace gaussgen::strategy {
+
+using ir::Expr;
+
+namespace {
+
+/// How sure it is that a pivot cannot vanish; smaller is better.
+enum class Safety { number, parameter_monomial, parameters, unknown };
+
+Safety safety(Expr pivot) {
+  const ir::Graph& graph = pivot.graph();
+  const ir::Node& node = graph[pivot.id()];
+  if (pivot.is_zero()) return Safety::unknown;
+  if (node.kind == ir::Kind::constant) return Safety::number;
+  const std::vector<ir::NodeId> order = ir::post_order(graph, {pivot.id()});
+  if (ir::depends_on(graph, order, ir::varies).contains(pivot.id())) return Safety::unknown;
+  const bool has_sum = std::any_of(order.begin(), order.end(), [&](ir::NodeId id) {
+    return graph[id].kind == ir::Kind::sum && (graph[id].children.size() > 1 || graph[id].value != 0);
+  });
+  return has_sum ? Safety::parameters : Safety::parameter_monomial;
+}
+
+struct Pivot {
+  Safety safety = Safety::unknown;
+  int operations = 0;
+  std::size_t entries = 0;  ///< in its row: few entries mean little fill
+  std::size_t row = 0;
+  std::size_t column = 0;
+
+  friend bool operator<(const Pivot& a, const Pivot& b) {
+    return std::tie(a.safety, a.entries, a.operations, a.row, a.column) <
+           std::tie(b.safety, b.entries, b.operations, b.row, b.column);
+  }
+};
+
+class GaussJordan {
+ public:
+  GaussJordan(const Dynamics& dynamics, const std::vector<std::size_t>& allowed)
+      : b_(dynamics.b), drift_(dynamics.b_drift), row_used_(dynamics.l(), 0), column_allowed_(dynamics.n(), 0) {
+    for (std::size_t j = 0; j < dynamics.n(); ++j) {
+      column_allowed_[j] = allowed.empty() || std::find(allowed.begin(), allowed.end(), j) != allowed.end() ? 1 : 0;
+    }
+  }
+
+  bool run(Elimination& result) {
+    for (std::size_t step = 0; step < b_.size(); ++step) {
+      const Pivot pivot = best_pivot();
+      if (pivot.safety == Safety::unknown) return false;
+      row_used_[pivot.row] = 1;
+      column_allowed_[pivot.column] = 0;
+      result.dependent.push_back(pivot.column);
+      result.rows.push_back(pivot.row);
+      clear_column(pivot);
+    }
+    return true;
+  }
+
+  Expr entry(std::size_t row, std::size_t column) const { return b_[row][column]; }
+  Expr drift(std::size_t row) const { return drift_[row]; }
+
+ private:
+  Pivot best_pivot() const {
+    Pivot best;
+    for (std::size_t i = 0; i < b_.size(); ++i) {
+      if (row_used_[i] != 0) continue;
+      const auto entries =
+          static_cast<std::size_t>(std::count_if(b_[i].begin(), b_[i].end(), [](Expr e) { return !e.is_zero(); }));
+      for (std::size_t j = 0; j < b_[i].size(); ++j) {
+        if (column_allowed_[j] == 0) continue;
+        const Expr e = b_[i][j];
+        const Pivot candidate{safety(e), ir::count_operations(e.graph(), {e.id()}, true).total(), entries, i, j};
+        if (candidate.safety != Safety::unknown && candidate < best) best = candidate;
+      }
+    }
+    return best;
+  }
+
+  // Gauss-Jordan: the pivot row is scaled to 1, and the column vanishes from every other row.
+  void clear_column(const Pivot& pivot) {
+    const Expr reciprocal = pow(b_[pivot.row][pivot.column], -1);
+    for (Expr& e : b_[pivot.row]) e = e * reciprocal;
+    drift_[pivot.row] = drift_[pivot.row] * reciprocal;
+    for (std::size_t i = 0; i < b_.size(); ++i) {
+      const Expr factor = b_[i][pivot.column];
+      if (i == pivot.row || factor.is_zero()) continue;
+      for (std::size_t j = 0; j < b_[i].size(); ++j) b_[i][j] = b_[i][j] - factor * b_[pivot.row][j];
+      drift_[i] = drift_[i] - factor * drift_[pivot.row];
+    }
+  }
+
+  Matrix b_;
+  Vector drift_;
+  std::vector<char> row_used_;
+  std::vector<char> column_allowed_;
+};
+
+}  // namespace
+
+std::optional<Elimination> eliminate(const Dynamics& dynamics, const std::vector<std::size_t>& allowed, Steps& steps) {
+  GaussJordan elimination(dynamics, allowed);
+  Elimination result;
+  if (!elimination.run(result)) return std::nullopt;
+  for (std::size_t j = 0; j < dynamics.n(); ++j) {
+    if (std::find(result.dependent.begin(), result.dependent.end(), j) == result.dependent.end()) {
+      result.independent.push_back(j);
+    }
+  }
+  steps.begin("dependent accelerations: a_m = c_m_p a_p + drift_m, c = -b^-1 b_p (3.6)");
+  for (std::size_t i = 0; i < result.dependent.size(); ++i) {
+    const std::string label = dynamics.labels[result.dependent[i]];
+    Vector row;
+    for (const std::size_t p : result.independent) {
+      row.push_back(steps.name(-elimination.entry(result.rows[i], p), "c_" + label + "_" + dynamics.labels[p]));
+    }
+    result.c_dep.push_back(row);
+    result.drift.push_back(steps.name(-elimination.drift(result.rows[i]), "c_drift_" + label));
+  }
+  return result;
+}
+
+}  // namespace gaussgen::strategy

@@ -1,0 +1,97 @@
+#include "strategy/ldl.hpp"
+
+#include "support/assert.hpp"
+
+namespace gaussgen::strategy {
+
+using ir::Expr;
+
+namespace {
+
+std::size_t sparsest_row(const Matrix& rest, const std::vector<char>& done) {
+  std::size_t best = rest.size();
+  std::size_t best_count = 0;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (done[i] != 0) continue;
+    std::size_t count = 0;
+    for (std::size_t j = 0; j < rest.size(); ++j) count += done[j] == 0 && !rest[i][j].is_zero() ? 1U : 0U;
+    if (best == rest.size() || count < best_count) {
+      best = i;
+      best_count = count;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, Steps& steps)
+    : graph_(matrix[0][0].graph()), labels_(labels), prefix_(prefix) {
+  const std::size_t n = matrix.size();
+  const Expr zero(graph_, graph_.constant(0));
+  d_.assign(n, zero);
+  l_.assign(n, Vector(n, zero));
+  for (std::size_t i = 0; i < n; ++i) diagonal_.push_back(matrix[i][i]);
+  Matrix rest = matrix;
+  std::vector<char> done(n, 0);
+  for (std::size_t step = 0; step < n; ++step) {
+    const std::size_t pivot = sparsest_row(rest, done);
+    order_.push_back(pivot);
+    done[pivot] = 1;
+    eliminate(pivot, rest, done, steps);
+  }
+}
+
+void Ldl::eliminate(std::size_t pivot, Matrix& rest, const std::vector<char>& done, Steps& steps) {
+  d_[pivot] = steps.name(rest[pivot][pivot], prefix_ + "_d_" + labels_[pivot]);
+  const Expr reciprocal = pow(d_[pivot], -1);
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (done[i] != 0 || rest[i][pivot].is_zero()) continue;
+    l_[i][pivot] = steps.name(rest[i][pivot] * reciprocal, prefix_ + "_l_" + labels_[i] + "_" + labels_[pivot]);
+  }
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (done[i] != 0 || l_[i][pivot].is_zero()) continue;
+    for (std::size_t j = 0; j <= i; ++j) {
+      if (done[j] != 0 || l_[j][pivot].is_zero()) continue;
+      rest[i][j] = rest[i][j] - l_[i][pivot] * rest[j][pivot];
+      rest[j][i] = rest[i][j];
+    }
+  }
+}
+
+Vector Ldl::solve(const Vector& right_hand_side, const std::string& name, Steps& steps) const {
+  GAUSS_ASSERT(right_hand_side.size() == d_.size(), "{} against {}", right_hand_side.size(), d_.size());
+  Vector x = right_hand_side;
+  for (std::size_t step = 0; step < order_.size(); ++step) {
+    const std::size_t i = order_[step];
+    x[i] = steps.name(x[i], name + "_y_" + labels_[i]);
+    for (std::size_t later = step + 1; later < order_.size(); ++later) {
+      const std::size_t j = order_[later];
+      if (!l_[j][i].is_zero()) x[j] = x[j] - l_[j][i] * x[i];
+    }
+  }
+  for (std::size_t step = order_.size(); step-- > 0;) {
+    const std::size_t i = order_[step];
+    Expr value = x[i] * pow(d_[i], -1);
+    for (std::size_t later = step + 1; later < order_.size(); ++later) {
+      const std::size_t j = order_[later];
+      if (!l_[j][i].is_zero()) value = value - l_[j][i] * x[j];
+    }
+    x[i] = steps.name(value, name + "_" + labels_[i]);
+  }
+  return x;
+}
+
+Expr Ldl::breakdown(Expr epsilon) const {
+  std::vector<ir::NodeId> conditions;
+  // Rounding alone perturbs a pivot by about n eps of its diagonal entry (Higham, Accuracy and Stability, 10.1).
+  const Expr tolerance = support::Rational(4 * static_cast<int>(d_.size())) * epsilon;
+  for (std::size_t i = 0; i < d_.size(); ++i) {
+    if (d_[i] == diagonal_[i]) continue;
+    conditions.push_back(graph_.call(ir::Function::less, {d_[i].id(), (tolerance * diagonal_[i]).id()}));
+  }
+  if (conditions.empty()) return {graph_, graph_.constant(0)};
+  return {graph_, conditions.size() == 1 ? conditions[0] : graph_.call(ir::Function::any, conditions)};
+}
+
+}  // namespace gaussgen::strategy

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ir/expr.hpp"
+#include "strategy/steps.hpp"
+
+namespace gaussgen::strategy {
+
+using Vector = std::vector<ir::Expr>;
+using Matrix = std::vector<Vector>;  ///< rows
+
+/// Unrolled L D Lᵀ of a symmetric positive definite matrix (Golub & Van Loan, Matrix Computations, 4.1). Rows are taken in
+/// an order that keeps L sparse: next is always the one with the fewest entries left; every order is stable.
+class Ldl {
+ public:
+  /// `labels` name rows; entries appear as <prefix>_d_<row> and <prefix>_l_<row>_<column>.
+  Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, Steps& steps);
+
+  /// x with matrix x = right_hand_side; unknowns appear as <name>_<row>.
+  Vector solve(const Vector& right_hand_side, const std::string& name, Steps& steps) const;
+
+  /// Boolean: some pivot has lost all its digits against its diagonal entry, so the matrix is singular as far as the scalar
+  /// type can tell. Pivots that are diagonal entries themselves cannot cancel and are not compared.
+  ir::Expr breakdown(ir::Expr epsilon) const;
+
+ private:
+  void eliminate(std::size_t pivot, Matrix& rest, const std::vector<char>& done, Steps& steps);
+
+  ir::Graph& graph_;
+  std::vector<std::string> labels_;
+  std::string prefix_;
+  std::vector<std::size_t> order_;
+  Vector diagonal_;
+  Vector d_;
+  Matrix l_;
+};
+
+}  // namespace gaussgen::strategy

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "strategy/dynamics.hpp"
+
+namespace gaussgen::strategy {
+
+/// A state (configuration, then speeds) and the conditions under which it cannot be trusted.
+struct ProjectedState {
+  Vector configuration;
+  Vector speeds;
+  ir::Expr singular_mass_matrix;
+  ir::Expr dependent_constraints;
+};
+
+/// Quaternions to unit length, then the smallest change of the speeds in the mass metric that satisfies φ = 0:
+/// δu = -g^-1 bᵀ (b g^-1 bᵀ)^-1 φ. Exact for constraints linear in the velocities, one Newton step for others.
+ProjectedState project(const Dynamics& dynamics, ir::Expr epsilon, Steps& steps);
+
+/// The model's initial state over parameters. Rates that the model does not give are found from the constraints by the same
+/// projection restricted to them, starting from their guesses.
+ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics, kinematics::Expressions& expressions,
+                             ir::Expr epsilon, Steps& steps);
+
+}  // namespace gaussgen::strategy

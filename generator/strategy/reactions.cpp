@@ -1,0 +1,139 @@
+#include "strategy/reactions.hpp"
+
+#include "strategy/inner.hpp"
+#include "strategy/metric.hpp"
+
+namespace gaussgen::strategy {
+
+using ir::Expr;
+using ir::Vector3;
+using kinematics::BodyMotion;
+using kinematics::ConstraintIndex;
+using kinematics::FreeIndex;
+using kinematics::FullIndex;
+using kinematics::HeldIndex;
+
+Vector held_reactions(const Dynamics& dynamics, const Solution& solution, Steps& steps) {
+  const kinematics::Kinematics& kinematics = *dynamics.kinematics;
+  const kinematics::Covariant& covariant = *dynamics.covariant;
+  const kinematics::Symbols& symbols = kinematics.symbols;
+  Vector reactions;
+  if (symbols.held.size() > 0) steps.begin("reactions of held coordinates: R_j = A_j - Q_j - lambda_m beta_m_j (theory, section 4)");
+  for (const HeldIndex j : symbols.held.indices()) {
+    const FullIndex row = symbols.full(j);
+    Expr R = covariant.bias[row] - covariant.Q[row];
+    for (const FreeIndex a : symbols.speeds.indices()) {
+      R += covariant.G[row][symbols.full(a)] * solution.accelerations[a.value];
+    }
+    for (const HeldIndex k : symbols.held.indices()) {
+      R += covariant.G[row][symbols.full(k)] * kinematics.held_acceleration[k];
+    }
+    for (const ConstraintIndex mu : kinematics.constraints.indices()) {
+      R -= solution.multipliers[mu.value] * kinematics.constraints[mu].beta[row];
+    }
+    reactions.push_back(steps.name(R, "R_" + symbols.held[j].name));
+  }
+  return reactions;
+}
+
+Matrix generalized_reactions(const Dynamics& dynamics, const Solution& solution, Steps&) {
+  Matrix result;
+  for (std::size_t mu = 0; mu < dynamics.l(); ++mu) {
+    Vector row;
+    for (const Expr b : dynamics.b[mu]) row.push_back(solution.multipliers[mu] * b);
+    result.push_back(row);
+  }
+  return result;
+}
+
+namespace {
+
+/// Everything about one constraint that its wrenches need.
+struct Source {
+  std::string name;
+  Expr size;  ///< λ_μ or R_j
+  Vector components;
+  const std::optional<Vector3>* point = nullptr;
+};
+
+std::vector<Source> sources(const Dynamics& dynamics, const Solution& solution, const Vector& held) {
+  const kinematics::Kinematics& kinematics = *dynamics.kinematics;
+  const kinematics::Symbols& symbols = kinematics.symbols;
+  std::vector<Source> all;
+  for (const ConstraintIndex mu : kinematics.constraints.indices()) {
+    const kinematics::ConstraintRow& row = kinematics.constraints[mu];
+    all.push_back({row.name, solution.multipliers[mu.value], row.beta.values(), &row.point});
+  }
+  ir::Graph& graph = kinematics.potential.graph();
+  for (const HeldIndex j : symbols.held.indices()) {
+    Vector unit(symbols.full_count(), Expr(graph, graph.constant(0)));
+    unit[symbols.full(j).value] = Expr(graph, graph.constant(1));
+    all.push_back({symbols.held[j].name, held[j.value], unit, nullptr});
+  }
+  return all;
+}
+
+bool is_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
+
+Vector3 combination(const support::Indexed<FullIndex, Vector3>& columns, const Vector& z) {
+  ir::Graph& graph = z[0].graph();
+  Vector3 sum = ir::zero3(graph);
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vector row;
+    for (const Vector3& column : columns) row.push_back(column[i]);
+    sum[i] = inner(graph, row, z);
+  }
+  return sum;
+}
+
+Vector3 in_space(const BodyMotion& body, const Vector3& v) {
+  return body.rotation.frame == model::Frame::space ? v : ir::multiply(body.rotation.matrix, v);
+}
+
+Vector3 named(Steps& steps, const Vector3& v, const std::string& name) {
+  return {steps.name(v[0], name + "_x"), steps.name(v[1], name + "_y"), steps.name(v[2], name + "_z")};
+}
+
+ReactionWrench wrench_on(const BodyMotion& body, const Source& source, const Vector& z, Steps& steps) {
+  const std::string suffix = source.name + "_" + body.name;
+  ReactionWrench wrench{source.name, body.name, ir::zero3(source.size.graph()), {}, false};
+  wrench.force = named(steps, (body.mass * source.size) * combination(body.J, z), "force_" + suffix);
+  if (!body.is_rigid) return wrench;
+  Vector3 moment = source.size * in_space(body, body.inertia_times(combination(body.W, z)));
+  if (source.point != nullptr && source.point->has_value()) {
+    // M_P = M_G + (r_G - r_P) × F
+    moment = moment + cross(body.position - **source.point, wrench.force);
+    wrench.about_point = true;
+  }
+  wrench.moment = named(steps, moment, "moment_" + suffix);
+  return wrench;
+}
+
+}  // namespace
+
+std::vector<ReactionWrench> reaction_wrenches(const Dynamics& dynamics, const Solution& solution, const Vector& held,
+                                              Steps& steps) {
+  const FullMetric metric(dynamics, steps);
+  std::vector<ReactionWrench> wrenches;
+  for (const Source& source : sources(dynamics, solution, held)) {
+    steps.begin("direction of " + source.name + " in the metric: G z = its covariant components");
+    const Vector z = metric.solve(source.components, "z_" + source.name, steps);
+    steps.begin("force and moment of " + source.name + ": m J z and I W z, times its reaction");
+    for (const BodyMotion& body : dynamics.kinematics->bodies) {
+      ReactionWrench wrench = wrench_on(body, source, z, steps);
+      if (!is_zero(wrench.force) || (wrench.moment && !is_zero(*wrench.moment))) wrenches.push_back(std::move(wrench));
+    }
+  }
+  return wrenches;
+}
+
+BodyAcceleration acceleration_of(const BodyMotion& body, const Dynamics& dynamics, const Vector& free) {
+  const kinematics::Kinematics& kinematics = *dynamics.kinematics;
+  Vector all = free;
+  all.insert(all.end(), kinematics.held_acceleration.begin(), kinematics.held_acceleration.end());
+  BodyAcceleration result{combination(body.J, all) + body.h, body.eta};
+  if (body.is_rigid) result.angular = combination(body.W, all) + body.eta;
+  return result;
+}
+
+}  // namespace gaussgen::strategy

@@ -1,0 +1,37 @@
+#pragma once
+// What was computed, in words: groups of named values that the emitter prints together under one comment.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ir/expr.hpp"
+
+namespace gaussgen::strategy {
+
+struct Step {
+  std::string comment;
+  std::vector<std::pair<ir::NodeId, std::string>> values;
+};
+
+/// Collects steps in the order of the computation.
+class Steps {
+ public:
+  void begin(std::string comment) { steps_.push_back({std::move(comment), {}}); }
+
+  /// Gives `value` its physical name in the current step and returns it as later steps shall use it.
+  ir::Expr name(ir::Expr value, const std::string& name) {
+    const ir::Expr result = value.named(name);
+    if (steps_.empty()) begin("");
+    steps_.back().values.emplace_back(result.id(), name);
+    return result;
+  }
+
+  const std::vector<Step>& all() const { return steps_; }
+  void append(const std::vector<Step>& steps) { steps_.insert(steps_.end(), steps.begin(), steps.end()); }
+
+ private:
+  std::vector<Step> steps_;
+};
+
+}  // namespace gaussgen::strategy
