@@ -47,7 +47,7 @@ void read_sections(const spec::Node& root, Reading& reading) {
 }  // namespace
 
 std::optional<Model> build_model(const support::Source& source, support::Diagnostics& diagnostics) {
-  Reading reading{source, diagnostics, {}, {}, false};
+  Reading reading{source, diagnostics, {}, {}, {}, {}, false};
   reading.model.file = base_name(source.name());
   reading.model.content_hash = content_hash(source.text());
   reading.model.symbols["t"] = {SymbolKind::time, 0};
@@ -56,7 +56,7 @@ std::optional<Model> build_model(const support::Source& source, support::Diagnos
   const auto root = spec::read_yaml(source, diagnostics);
   if (!root || !expect_map(*root, root->span, "a model file", reading)) return std::nullopt;
   read_sections(*root, reading);
-  check_model(*root, reading);
+  check_model(reading);
   if (diagnostics.has_errors()) return std::nullopt;
   return std::move(reading.model);
 }

@@ -2,9 +2,12 @@
 
 namespace gaussgen::model {
 
-void check_model(const spec::Node&, Reading& reading) {
+void check_model(Reading& reading) {
+  check_references(reading);
   check_domains(reading);
   order_parameters(reading);
+  check_values(reading);
+  check_topology(reading);
 }
 
 }  // namespace gaussgen::model

@@ -6,12 +6,21 @@
 namespace gaussgen::model {
 
 /// All of the below, in an order in which no finding follows from an earlier one.
-void check_model(const spec::Node& root, Reading& reading);
+void check_model(Reading& reading);
 
 /// Names resolve, and every expression uses only what is allowed at its place.
 void check_domains(Reading& reading);
 
 /// No cycles; parameters in dependency order; `is_formula`.
 void order_parameters(Reading& reading);
+
+/// Names outside expressions: components of generalized forces, dependent speeds.
+void check_references(Reading& reading);
+
+/// Divisions by zero, values that are not finite, negative masses. Wants ordered parameters.
+void check_values(Reading& reading);
+
+/// There are bodies, they move, and every speed and constraint has something to act on.
+void check_topology(Reading& reading);
 
 }  // namespace gaussgen::model

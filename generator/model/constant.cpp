@@ -32,6 +32,45 @@ double bits(const Rational& value) {
   return static_cast<double>(cln::integer_length(cln::numerator(value)) + cln::integer_length(cln::denominator(value)));
 }
 
+struct Size {
+  double bits = 0;
+  bool constant = true;
+};
+
+Size size_of(const Ast& ast);
+
+/// Constant terms are added up; terms that hold a symbol stay side by side.
+Size size_of_sum(const Ast& ast) {
+  Size size;
+  double largest = 0;
+  for (const Ast& child : ast.children) {
+    const Size part = size_of(child);
+    if (part.constant) size.bits += part.bits;
+    if (!part.constant) largest = std::max(largest, part.bits);
+    size.constant = size.constant && part.constant;
+  }
+  size.bits += largest;
+  return size;
+}
+
+Size size_of(const Ast& ast) {
+  if (ast.kind == AstKind::number) return {bits(ast.number), true};
+  if (ast.kind == AstKind::symbol) return {1, false};
+  if (ast.kind == AstKind::sum) return size_of_sum(ast);
+  if (ast.kind == AstKind::power) {
+    const Size base = size_of(ast.children[0]);
+    return {base.bits * std::max(1.0, std::abs(support::to_double(ast.children[1].number))), base.constant};
+  }
+  Size size;
+  size.constant = ast.kind != AstKind::call;
+  for (const Ast& child : ast.children) {
+    const Size part = size_of(child);
+    size.bits += part.bits;
+    size.constant = size.constant && part.constant;
+  }
+  return size;
+}
+
 }  // namespace
 
 std::optional<Rational> exact_value(const Ast& ast) {
@@ -59,15 +98,6 @@ std::optional<Rational> exact_value(const Ast& ast) {
   support::fail(__FILE__, __LINE__, "kind", "kind={}", static_cast<int>(ast.kind));
 }
 
-double growth(const Ast& ast) {
-  if (ast.kind == AstKind::number) return bits(ast.number);
-  if (ast.kind == AstKind::symbol) return 1;
-  if (ast.kind == AstKind::power) {
-    return growth(ast.children[0]) * std::max(1.0, std::abs(support::to_double(ast.children[1].number)));
-  }
-  double sum = 1;
-  for (const Ast& child : ast.children) sum += growth(child);
-  return sum;
-}
+double growth(const Ast& ast) { return size_of(ast).bits; }
 
 }  // namespace gaussgen::model

@@ -11,7 +11,7 @@ namespace gaussgen::model {
 /// otherwise, and nothing for 1/0. The expression must have passed `growth`.
 std::optional<support::Rational> exact_value(const Ast& ast);
 
-inline constexpr double k_largest_growth = 1 << 20;
+inline constexpr double k_largest_growth = 1 << 16;
 
 /// An upper estimate, in bits, of what exact arithmetic makes of the numbers in the expression:
 /// ((9^64)^64)^64 is short to write.

@@ -14,6 +14,8 @@ namespace code = support::code;
 
 namespace {
 
+constexpr int k_most_suggestions = 50;
+
 const char* kind_name(SymbolKind kind) {
   switch (kind) {
     case SymbolKind::time: return "the time";
@@ -68,22 +70,24 @@ class DomainCheck {
 
   void report_unknown(const Ast& ast) {
     // A reserved name that was declared is reported at its declaration.
-    if (reading_.names_incomplete || is_reserved(ast.name)) return;
+    if (reading_.incomplete || is_reserved(ast.name)) return;
     reading_.diagnostics.error(code::k_unknown_name, ast.span, fmt::format("unknown name '{}'", ast.name), hint_for(ast.name));
   }
 
-  std::string hint_for(const std::string& name) const {
+  std::string hint_for(const std::string& name) {
     constexpr std::size_t k_suffix = 4;
     const bool rate = name.size() > k_suffix && name.compare(name.size() - k_suffix, k_suffix, "_dot") == 0;
     if (rate && reading_.model.symbols.count(name.substr(0, name.size() - k_suffix)) > 0) {
       return fmt::format("write dot({}) for the rate", name.substr(0, name.size() - k_suffix));
     }
-    const std::string near = support::did_you_mean(name, names_);
+    // A file full of unknown names gets no suggestions after the first ones: each costs a search.
+    const std::string near = ++unknown_ <= k_most_suggestions ? support::did_you_mean(name, names_) : std::string();
     return near.empty() ? "declare it under 'parameters', 'inputs' or 'coordinates'" : near;
   }
 
   Reading& reading_;
   std::vector<std::string> names_;
+  int unknown_ = 0;
 };
 
 }  // namespace

@@ -62,6 +62,8 @@ void visit_force(const Force& force, const Visit& visit) {
 
 }  // namespace
 
+const Place& parameter_place() { return k_parameter; }
+
 const Place& inside_dot() { return k_dot; }
 
 void for_each_expression(const Model& model, const Visit& visit) {

@@ -19,6 +19,9 @@ struct Place {
   bool inputs = false;
 };
 
+/// The value of a parameter.
+const Place& parameter_place();
+
 /// The inside of dot(...).
 const Place& inside_dot();
 

@@ -47,7 +47,7 @@ void read_section(const spec::Node& root, const std::string& key, Reading& readi
   for (const spec::Entry& entry : root.entries) {
     if (entry.key.text != key || entry.value.kind == spec::NodeKind::empty) continue;
     if (!expect_map(entry.value, entry.key.span, "'" + key + "'", reading)) {
-      reading.names_incomplete = true;
+      reading.incomplete = true;
       continue;
     }
     for (const spec::Entry& item : entry.value.entries) read(item);

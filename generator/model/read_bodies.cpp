@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "model/fields.hpp"
 #include "model/inertia.hpp"
 #include "model/names.hpp"
@@ -46,22 +44,17 @@ EulerAngles read_euler(const Node& map, support::Span owner, Reading& reading) {
   return euler;
 }
 
-std::vector<std::string> orientation_names(const Reading& reading) {
-  std::vector<std::string> names;
-  for (const Orientation& orientation : reading.model.orientations) names.push_back(orientation.name.text);
-  return names;
-}
-
 QuaternionOrientation find_orientation(const Node& scalar, Reading& reading) {
-  const std::vector<std::string> names = orientation_names(reading);
-  const auto found = std::find(names.begin(), names.end(), scalar.scalar.text);
-  if (found != names.end()) return {static_cast<std::size_t>(found - names.begin())};
-  if (!reading.names_incomplete) {
+  const auto found = reading.orientations.find(scalar.scalar.text);
+  if (found != reading.orientations.end()) return {found->second};
+  if (!reading.incomplete) {
+    std::vector<std::string> names;
+    for (const auto& orientation : reading.orientations) names.push_back(orientation.first);
     const std::string near = support::did_you_mean(scalar.scalar.text, names);
     reading.diagnostics.error(code::k_wrong_reference, scalar.span, fmt::format("there is no orientation '{}'", scalar.scalar.text),
                               near.empty() ? "declare it under 'orientations', or write {euler: zxz, angles: [...]}" : near);
   }
-  return {};
+  return {k_no_orientation};
 }
 
 void read_orientation(const Entry& entry, Body& body, Reading& reading) {
@@ -70,7 +63,7 @@ void read_orientation(const Entry& entry, Body& body, Reading& reading) {
   } else if (expect_scalar(entry.value, entry.key.span, "'orientation'", reading)) {
     body.orientation = find_orientation(entry.value, reading);
   } else {
-    body.orientation = QuaternionOrientation{};
+    body.orientation = QuaternionOrientation{k_no_orientation};
   }
 }
 
@@ -103,12 +96,10 @@ void read_rotation(const Entry& entry, Body& body, Reading& reading) {
 }
 
 void check_unique(const Name& name, Reading& reading) {
-  for (const Body& other : reading.model.bodies) {
-    if (other.name.text != name.text) continue;
-    reading.diagnostics.error(code::k_name_clash, name.span, fmt::format("'{}' already names the body in line {}", name.text, reading.line(other.name.span)),
-                              "bodies and particles share their names; rename one");
-    return;
-  }
+  const auto [place, is_new] = reading.bodies.emplace(name.text, name.span);
+  if (is_new) return;
+  reading.diagnostics.error(code::k_name_clash, name.span, fmt::format("'{}' already names the body in line {}", name.text, reading.line(place->second)),
+                            "bodies and particles share their names; rename one");
 }
 
 void read_body(const Entry& entry, bool is_particle, Reading& reading) {

@@ -17,12 +17,13 @@ namespace {
 
 /// Reactions of held coordinates and of constraints are reported side by side, by name.
 void check_label(const Name& name, Reading& reading) {
-  for (const Coordinate& coordinate : reading.model.coordinates) {
-    if (!coordinate.held_at || coordinate.name.text != name.text) continue;
-    reading.diagnostics.error(code::k_name_clash, name.span,
-                              fmt::format("'{}' already names the held coordinate in line {}", name.text, reading.line(coordinate.name.span)),
-                              "both would label a reaction; rename the constraint");
-  }
+  const auto symbol = reading.model.symbols.find(name.text);
+  if (symbol == reading.model.symbols.end() || symbol->second.kind != SymbolKind::coordinate) return;
+  const Coordinate& coordinate = reading.model.coordinates[symbol->second.index];
+  if (!coordinate.held_at) return;
+  reading.diagnostics.error(code::k_name_clash, name.span,
+                            fmt::format("'{}' already names the held coordinate in line {}", name.text, reading.line(coordinate.name.span)),
+                            "both would label a reaction; rename the constraint");
 }
 
 void read_constraint(const Entry& entry, Reading& reading) {

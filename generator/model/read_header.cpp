@@ -56,7 +56,7 @@ void read_header(const spec::Node& root, Reading& reading) {
   const std::size_t errors_before = reading.diagnostics.all().size();
   check_keys(root, "a model file", k_sections, reading);
   // An unknown section may be a declaring one with a slip in its name.
-  if (reading.diagnostics.all().size() != errors_before) reading.names_incomplete = true;
+  if (reading.diagnostics.all().size() != errors_before) reading.incomplete = true;
   read_version(root, reading);
   read_name(root, reading);
   reading.model.about = text_field(root, "about", reading);

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "model/fields.hpp"
 #include "model/names.hpp"
 #include "model/sections.hpp"
@@ -29,7 +27,7 @@ void read_names(const Entry& owner, const std::string& key, std::array<Name, N>&
   const Node* list = required(owner.value, key, owner.key.span, fmt::format("orientation '{}'", owner.key.text), reading);
   const bool usable = list != nullptr && expect_list(*list, owner.key.span, where, reading) && expect_length(*list, N, where, reading);
   if (!usable) {
-    reading.names_incomplete = true;
+    reading.incomplete = true;
     return;
   }
   const std::size_t first = N * reading.model.orientations.size();
@@ -80,6 +78,7 @@ void read_orientation(const Entry& entry, Reading& reading) {
   Orientation orientation;
   orientation.name = name_of(entry.key);
   check_name(orientation.name, "an orientation", reading);
+  reading.orientations.emplace(entry.key.text, reading.model.orientations.size());
   if (expect_map(entry.value, entry.key.span, fmt::format("orientation '{}'", entry.key.text), reading)) {
     check_keys(entry.value, fmt::format("orientation '{}'", entry.key.text), k_keys, reading);
     read_names(entry, "quaternion", orientation.quaternion, SymbolKind::quaternion_component, "the quaternion component", reading);
@@ -89,7 +88,7 @@ void read_orientation(const Entry& entry, Reading& reading) {
     read_initial(entry.value, orientation, reading);
     read_initial_velocity(entry.value, orientation, reading);
   } else {
-    reading.names_incomplete = true;
+    reading.incomplete = true;
   }
   reading.model.orientations.push_back(std::move(orientation));
 }

@@ -20,11 +20,16 @@ struct Reading {
   support::Diagnostics& diagnostics;
   Model model;
   std::map<std::string, Declared> declared;
-  /// A section that declares names could not be read: an unknown name may be one of its own.
-  bool names_incomplete = false;
+  std::map<std::string, support::Span> bodies;           ///< particles too
+  std::map<std::string, std::size_t> orientations;
+  /// A section could not be read: what seems to be missing may stand in it.
+  bool incomplete = false;
 
-  std::uint32_t line(support::Span span) const { return source.position(span.begin).line; }
+  std::uint32_t line(support::Span span) const { return source.line(span.begin); }
 };
+
+/// Index of an orientation that was named but not found.
+inline constexpr std::size_t k_no_orientation = static_cast<std::size_t>(-1);
 
 /// Stands for an expression that was reported already; later checks pass over it. No model that is
 /// handed on holds one.

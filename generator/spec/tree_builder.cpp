@@ -173,7 +173,7 @@ void TreeBuilder::drop_repeated_keys(std::vector<Entry>& entries) {
       kept.push_back(std::move(entry));
     } else {
       diagnostics_.error(code::k_duplicate_key, entry.key.span,
-                         fmt::format("the key '{}' is already in line {}", entry.key.text, source_.position(place->second.begin).line),
+                         fmt::format("the key '{}' is already in line {}", entry.key.text, source_.line(place->second.begin)),
                          "remove one of the two or rename it");
     }
   }

@@ -11,6 +11,7 @@ namespace gaussgen::support {
 
 namespace {
 
+constexpr std::size_t k_most_findings = 100;
 constexpr int k_widest_line = 160;
 constexpr int k_columns_before_caret = 60;
 
@@ -120,7 +121,9 @@ std::string render(const Diagnostics& diagnostics, const Source& source) {
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
   std::string text;
-  for (const Diagnostic& finding : sorted) text += render_one(finding, source);
+  const std::size_t shown = std::min(sorted.size(), k_most_findings);
+  for (std::size_t i = 0; i < shown; ++i) text += render_one(sorted[i], source);
+  if (shown < sorted.size()) text += fmt::format("... and {} more findings\n", sorted.size() - shown);
   return text;
 }
 

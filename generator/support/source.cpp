@@ -18,18 +18,20 @@ std::string_view Source::text(Span span) const {
   return std::string_view(text_).substr(begin, end > begin ? end - begin : 0);
 }
 
+std::uint32_t Source::line(std::uint32_t offset) const {
+  return static_cast<std::uint32_t>(std::upper_bound(line_starts_.begin(), line_starts_.end(), offset) - line_starts_.begin());
+}
+
 Position Source::position(std::uint32_t offset) const {
-  const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
-  const auto line = static_cast<std::uint32_t>(next - line_starts_.begin());
-  const std::uint32_t start = *(next - 1);
-  const std::string_view before = text({start, offset});
+  const std::uint32_t number = line(offset);
+  const std::string_view before = text({line_starts_[number - 1], offset});
   // Continuation bytes of UTF-8 (10xxxxxx) do not start a column.
   const auto column = std::count_if(before.begin(), before.end(), [](char c) { return (c & 0xC0) != 0x80; });
-  return {line, static_cast<std::uint32_t>(column) + 1};
+  return {number, static_cast<std::uint32_t>(column) + 1};
 }
 
 std::string_view Source::line_at(std::uint32_t offset) const {
-  const std::uint32_t start = line_starts_[position(offset).line - 1];
+  const std::uint32_t start = line_starts_[line(offset) - 1];
   std::string_view line = std::string_view(text_).substr(std::min<std::size_t>(start, text_.size()));
   line = line.substr(0, line.find('\n'));
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);

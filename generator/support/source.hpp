@@ -31,6 +31,9 @@ class Source {
 
   Position position(std::uint32_t offset) const;
 
+  /// Cheaper than `position` where a line is very long.
+  std::uint32_t line(std::uint32_t offset) const;
+
   /// The line that holds `offset`, without its line break.
   std::string_view line_at(std::uint32_t offset) const;
 

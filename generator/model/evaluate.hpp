@@ -1,0 +1,17 @@
+#pragma once
+// Values in double of expressions without motion: only to refuse models that cannot start. Private to the folder.
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "model/ast.hpp"
+
+namespace gaussgen::model {
+
+using Values = std::map<std::string, double>;
+
+/// Nothing when a symbol is not among `values`; infinities and NaN come back as such.
+std::optional<double> value_of(const Ast& ast, const Values& values);
+
+}  // namespace gaussgen::model

@@ -1,0 +1,73 @@
+// Names that stand for a speed outside expressions.
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "model/checks.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+
+namespace {
+
+bool is_speed(SymbolKind kind) { return kind == SymbolKind::coordinate || kind == SymbolKind::angular_velocity; }
+
+bool check_speed(const Name& name, const std::string& what, Reading& reading) {
+  const auto symbol = reading.model.symbols.find(name.text);
+  if (symbol != reading.model.symbols.end() && is_speed(symbol->second.kind)) return true;
+  if (symbol == reading.model.symbols.end() && reading.incomplete) return false;
+  std::vector<std::string> candidates;
+  for (const auto& [candidate, reference] : reading.model.symbols) {
+    if (is_speed(reference.kind)) candidates.push_back(candidate);
+  }
+  const std::string near = support::did_you_mean(name.text, candidates);
+  reading.diagnostics.error(code::k_wrong_reference, name.span,
+                            fmt::format("'{}' is not a coordinate or an angular velocity component, which {} needs", name.text, what),
+                            near.empty() ? "use a name from 'coordinates', or an angular velocity from 'orientations'" : near);
+  return false;
+}
+
+bool is_held(const std::string& name, const Model& model) {
+  const SymbolRef symbol = model.resolve(name);
+  return symbol.kind == SymbolKind::coordinate && model.coordinates[symbol.index].held_at.has_value();
+}
+
+void check_dependent(Reading& reading) {
+  std::set<std::string> seen;
+  for (const Name& name : reading.model.dependent) {
+    if (!check_speed(name, "'dependent'", reading)) continue;
+    if (is_held(name.text, reading.model)) {
+      reading.diagnostics.error(code::k_dependent_speeds, name.span, fmt::format("'{}' is held: its speed is given, no constraint determines it", name.text),
+                                "name a free coordinate");
+    } else if (!seen.insert(name.text).second) {
+      reading.diagnostics.error(code::k_dependent_speeds, name.span, fmt::format("'{}' is named twice", name.text), "remove one");
+    }
+  }
+}
+
+void check_dependent_count(Reading& reading) {
+  const auto& dependent = reading.model.dependent;
+  const std::size_t constraints = reading.model.constraints.size();
+  if (dependent.empty() || dependent.size() == constraints || reading.incomplete) return;
+  reading.diagnostics.error(code::k_dependent_speeds, {dependent.front().span.begin, dependent.back().span.end},
+                            fmt::format("{} dependent speeds for {} constraints", dependent.size(), constraints),
+                            "each constraint determines one speed; without 'elimination' the choice is made for you");
+}
+
+}  // namespace
+
+void check_references(Reading& reading) {
+  for (const Force& force : reading.model.forces) {
+    const auto* generalized = std::get_if<GeneralizedForce>(&force.law);
+    if (generalized == nullptr) continue;
+    for (const auto& component : generalized->components) check_speed(component.first, "'generalized'", reading);
+  }
+  check_dependent(reading);
+  check_dependent_count(reading);
+}
+
+}  // namespace gaussgen::model

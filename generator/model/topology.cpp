@@ -1,0 +1,121 @@
+// What moves what: bodies exist, every free speed moves one, every constraint limits a speed.
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "model/checks.hpp"
+#include "model/functions.hpp"
+#include "support/error_codes.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+
+namespace {
+
+constexpr support::Span k_top{0, 0};
+
+/// Which coordinates and orientations the attitudes and positions of bodies depend on.
+struct Uses {
+  std::set<std::size_t> coordinates;
+  std::set<std::size_t> orientations;
+  bool unsure = false;  ///< something in a body was reported already, so nothing can be called unused
+};
+
+void collect(const Ast& ast, const Model& model, Uses& uses) {
+  for (const Ast& child : ast.children) collect(child, model, uses);
+  if (ast.kind != AstKind::symbol) return;
+  const auto symbol = model.symbols.find(ast.name);
+  if (symbol == model.symbols.end()) {
+    uses.unsure = true;
+  } else if (symbol->second.kind == SymbolKind::coordinate) {
+    uses.coordinates.insert(symbol->second.index);
+  } else if (symbol->second.kind == SymbolKind::quaternion_component) {
+    uses.orientations.insert(symbol->second.index / 4);
+  }
+}
+
+Uses uses_of(const Model& model) {
+  Uses uses;
+  for (const Body& body : model.bodies) {
+    for (const Ast& component : body.position) collect(component, model, uses);
+    if (const auto* euler = std::get_if<EulerAngles>(&body.orientation)) {
+      for (const Ast& angle : euler->angles) collect(angle, model, uses);
+    } else if (const auto* quaternion = std::get_if<QuaternionOrientation>(&body.orientation)) {
+      if (quaternion->index == k_no_orientation) uses.unsure = true;
+      uses.orientations.insert(quaternion->index);
+    }
+  }
+  return uses;
+}
+
+/// False for a name that was refused because it clashes: its uses mean the other owner of the name.
+bool owns_name(const Model& model, std::size_t coordinate) {
+  const auto symbol = model.symbols.find(model.coordinates[coordinate].name.text);
+  return symbol != model.symbols.end() && symbol->second.kind == SymbolKind::coordinate && symbol->second.index == coordinate;
+}
+
+void check_used(Reading& reading) {
+  const Model& model = reading.model;
+  const Uses uses = uses_of(model);
+  if (uses.unsure) return;
+  for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
+    const Coordinate& coordinate = model.coordinates[i];
+    if (uses.coordinates.count(i) > 0 || !owns_name(model, i)) continue;
+    if (coordinate.held_at) {
+      reading.diagnostics.warning(code::k_idle_held_coordinate, coordinate.name.span,
+                                  fmt::format("no body depends on the held coordinate '{}'", coordinate.name.text), "its reaction does no more than balance forces and constraints");
+    } else {
+      reading.diagnostics.error(code::k_no_inertia, coordinate.name.span, fmt::format("nothing gives the coordinate '{}' inertia: no body depends on it", coordinate.name.text),
+                                "use it in a position or in an angle, or remove it");
+    }
+  }
+  for (std::size_t i = 0; i < model.orientations.size(); ++i) {
+    if (uses.orientations.count(i) > 0) continue;
+    const Name& name = model.orientations[i].name;
+    reading.diagnostics.error(code::k_no_inertia, name.span, fmt::format("nothing gives the orientation '{}' inertia: no body has it", name.text),
+                              "name it as the orientation of a body, or remove it");
+  }
+}
+
+/// Whether a free speed, or a name that is reported already, is in the expression.
+bool has_free_speed(const Ast& ast, bool inside_dot, const Model& model) {
+  if (ast.kind == AstKind::symbol) {
+    const auto symbol = model.symbols.find(ast.name);
+    if (symbol == model.symbols.end() || symbol->second.kind == SymbolKind::angular_velocity) return true;
+    if (!inside_dot) return false;
+    if (symbol->second.kind == SymbolKind::quaternion_component) return true;
+    return symbol->second.kind == SymbolKind::coordinate && !model.coordinates[symbol->second.index].held_at;
+  }
+  const bool inside = inside_dot || (ast.kind == AstKind::call && ast.name == k_dot);
+  for (const Ast& child : ast.children) {
+    if (has_free_speed(child, inside, model)) return true;
+  }
+  return false;
+}
+
+void check_velocities(Reading& reading) {
+  for (const VelocityConstraint& constraint : reading.model.constraints) {
+    if (has_free_speed(constraint.velocity, false, reading.model)) continue;
+    reading.diagnostics.error(code::k_no_velocity, constraint.velocity.span, fmt::format("no free speed appears in the constraint '{}'", constraint.name.text),
+                              "write rates as dot(x); a coordinate with a given value is declared with 'held_at'");
+  }
+}
+
+}  // namespace
+
+void check_topology(Reading& reading) {
+  const Model& model = reading.model;
+  const bool nothing_moves = model.coordinates.empty() && model.orientations.empty();
+  if (model.bodies.empty() && !reading.incomplete) {
+    reading.diagnostics.error(code::k_no_bodies, k_top, "the model has no bodies", "add 'bodies:' or 'particles:'");
+  }
+  if (nothing_moves && !reading.incomplete) {
+    reading.diagnostics.error(code::k_nothing_moves, k_top, "the model has no coordinates, so nothing can move", "add 'coordinates:' or 'orientations:'");
+  }
+  if (!model.bodies.empty() && !reading.incomplete) check_used(reading);
+  check_velocities(reading);
+}
+
+}  // namespace gaussgen::model

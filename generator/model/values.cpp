@@ -1,0 +1,78 @@
+// The values that are known before the motion starts: finite, and masses not negative.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "model/checks.hpp"
+#include "model/constant_check.hpp"
+#include "model/evaluate.hpp"
+#include "model/expressions.hpp"
+#include "support/error_codes.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+
+namespace {
+
+/// Nothing when it is unknown or not finite; the latter is reported.
+std::optional<double> checked_value(const Ast& ast, const Values& values, Reading& reading) {
+  const auto value = value_of(ast, values);
+  if (!value || std::isfinite(*value)) return value;
+  reading.diagnostics.error(code::k_not_finite, ast.span, fmt::format("with the given parameters this is {}", std::isnan(*value) ? "not a real number" : "infinite"));
+  return std::nullopt;
+}
+
+Values parameter_values(Reading& reading) {
+  Values values{{"pi", std::acos(-1.0)}};
+  for (const Parameter& parameter : reading.model.parameters) {
+    if (!check_constants(parameter.value, reading)) continue;
+    if (const auto value = checked_value(parameter.value, values, reading)) values[parameter.name.text] = *value;
+  }
+  return values;
+}
+
+void check_expressions(const Values& values, Reading& reading) {
+  for_each_expression(reading.model, [&](const Ast& ast, const Place& place) {
+    if (&place == &parameter_place() || !check_constants(ast, reading)) return;
+    const bool known_at_start = !place.time && !place.coordinates;
+    if (known_at_start) checked_value(ast, values, reading);
+  });
+}
+
+void refuse_negative(const Ast& ast, const std::string& what, const Values& values, Reading& reading) {
+  const auto value = value_of(ast, values);
+  if (!value || !(*value < 0)) return;
+  reading.diagnostics.error(code::k_negative_inertia, ast.span, fmt::format("{} is negative: {}", what, *value), "check the signs of the parameters in it");
+}
+
+void check_inertia(const Body& body, const Values& values, Reading& reading) {
+  refuse_negative(body.mass, fmt::format("the mass of '{}'", body.name.text), values, reading);
+  if (!body.inertia) return;
+  const std::size_t moments = body.inertia->shape == Inertia::Shape::isotropic ? 1 : 3;
+  for (std::size_t i = 0; i < moments; ++i) {
+    refuse_negative(body.inertia->entries[i], fmt::format("a moment of inertia of '{}'", body.name.text), values, reading);
+  }
+}
+
+void check_quaternion(const Orientation& orientation, const Values& values, Reading& reading) {
+  for (const Ast& component : orientation.initial) {
+    const auto value = value_of(component, values);
+    if (!value || *value != 0.0) return;
+  }
+  const support::Span span{orientation.initial[0].span.begin, orientation.initial[3].span.end};
+  reading.diagnostics.error(code::k_undefined_value, span, fmt::format("the initial quaternion of '{}' has length zero", orientation.name.text),
+                            "[1, 0, 0, 0] is no rotation");
+}
+
+}  // namespace
+
+void check_values(Reading& reading) {
+  const Values values = parameter_values(reading);
+  check_expressions(values, reading);
+  for (const Body& body : reading.model.bodies) check_inertia(body, values, reading);
+  for (const Orientation& orientation : reading.model.orientations) check_quaternion(orientation, values, reading);
+}
+
+}  // namespace gaussgen::model
