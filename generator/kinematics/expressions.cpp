@@ -12,8 +12,8 @@ using model::Ast;
 using model::AstKind;
 using support::Rational;
 
-Expressions::Expressions(const model::Model& model, const Symbols& symbols, ir::Graph& graph)
-    : model_(model), symbols_(symbols), graph_(graph), time_derivative_(graph) {
+Expressions::Expressions(const model::Model& model, const Symbols& symbols, ir::Graph& graph, bool fold)
+    : model_(model), symbols_(symbols), graph_(graph), fold_(fold), time_derivative_(graph) {
   seed_rates();
 }
 
@@ -80,7 +80,8 @@ Expr Expressions::resolved(const std::string& name) {
   switch (ref.kind) {
     case model::SymbolKind::time: return symbol(symbols_.time);
     case model::SymbolKind::pi: return symbol(symbols_.pi);
-    case model::SymbolKind::parameter: return symbol(symbols_.parameters[ref.index]);
+    case model::SymbolKind::parameter:
+      return fold_ ? (*this)(model_.parameters[ref.index].value) : symbol(symbols_.parameters[ref.index]);
     case model::SymbolKind::input: return symbol(symbols_.inputs[ref.index]);
     case model::SymbolKind::coordinate: {
       const Symbols::Place& place = symbols_.coordinates[ref.index];

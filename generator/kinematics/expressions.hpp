@@ -10,7 +10,8 @@ namespace gaussgen::kinematics {
 /// (docs/decisions/0001).
 class Expressions {
  public:
-  Expressions(const model::Model& model, const Symbols& symbols, ir::Graph& graph);
+  /// With `fold`, parameters are replaced by their numbers.
+  Expressions(const model::Model& model, const Symbols& symbols, ir::Graph& graph, bool fold = false);
 
   ir::Expr operator()(const model::Ast& ast);
   ir::Vector3 operator()(const std::array<model::Ast, 3>& vector);
@@ -35,6 +36,7 @@ class Expressions {
   const model::Model& model_;
   const Symbols& symbols_;
   ir::Graph& graph_;
+  bool fold_;
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates_;
   ir::Directional time_derivative_;
 };

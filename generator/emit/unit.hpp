@@ -1,0 +1,123 @@
+#pragma once
+// What the emitter is given: names, tables and expressions, no mechanics. The pipeline fills it.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ir/graph.hpp"
+
+namespace gaussgen::emit {
+
+using ir::NodeId;
+using ir::SymbolId;
+
+/// A quantity that a user of the header sees by name.
+struct Entry {
+  SymbolId symbol;
+  std::string name;   ///< as in the model; the emitter mangles keywords and macros
+  std::string unit;   ///< may be empty
+  std::string about;  ///< may be empty, free text
+};
+
+struct ParameterEntry {
+  Entry entry;
+  NodeId value;             ///< plain: a constant expression; formula: over other parameters
+  bool is_formula = false;  ///< then not a member of Parameters but computed by `prepare` as a named value
+};
+
+struct InputEntry {
+  Entry entry;
+  NodeId value;  ///< default
+};
+
+/// x^i = c^i(t): documentation only, since it is substituted.
+struct HeldEntry {
+  std::string name;
+  std::string unit;
+  std::string about;
+  std::string held_at;  ///< text of the model
+};
+
+/// One member of a result struct. `shape` is {} for a scalar, {n} for S name[n], {n, m} for S name[n][m].
+struct Field {
+  std::string name;
+  std::string about;  ///< meaning, unit, frame, sign
+  std::vector<int> shape;
+  std::vector<NodeId> values;  ///< row-major, as many as the shape says
+};
+
+/// A named group of fields, such as everything about one constraint; `name` empty: members of the result struct itself.
+struct Group {
+  std::string name;
+  std::string type_name;  ///< of the nested struct, PascalCase
+  std::string about;
+  std::vector<Field> fields;
+};
+
+/// Temporaries that are printed together under one comment. Nodes that the function does not need are left out, and so
+/// is a section without any.
+struct Section {
+  std::string comment;  ///< what it is, the equation, the model line; may have several lines
+  std::vector<std::pair<NodeId, std::string>> nodes;  ///< in order of printing, with the physical name wanted
+};
+
+/// Conditions that make the result of a function untrustworthy: boolean nodes; absent ones are constant 0.
+struct StatusNodes {
+  NodeId singular_mass_matrix;
+  NodeId dependent_constraints;
+  NodeId not_finite;
+};
+
+enum class Target {
+  derivative,  ///< fills Derivative<S>: configuration rates, then accelerations
+  state,       ///< fills State<S>: configuration, then speeds (initial_state, project)
+  result,      ///< fills the struct `result_type`
+};
+
+/// One emitted function.
+struct Artefact {
+  std::string name;   ///< rhs, reactions, rhs_and_reactions, energy, …
+  std::string about;  ///< comment above the function, several lines allowed
+  bool takes_time = true;
+  bool takes_state = true;
+  bool takes_inputs = true;
+  bool extends_preparation = true;  ///< false (initial_state): parameter-only values stay inside the function
+  bool takes_accelerations = false;  ///< an extra `const Derivative<S>&`: candidate accelerations
+  Target target = Target::result;
+  std::vector<NodeId> derivative;    ///< target derivative (also beside groups, for rhs_and_reactions): n_q + n_v values
+  std::vector<NodeId> state;         ///< target state: n_q + n_v values
+  std::string result_type;           ///< struct name, such as Reactions; several artefacts may fill the same struct
+  std::vector<Group> groups;
+  std::vector<Section> sections;
+  StatusNodes status;
+};
+
+struct Provenance {
+  std::string tool_version;
+  std::string model_file;  ///< base name
+  std::string model_hash;
+  std::string command;     ///< the options that matter, without paths
+  std::string strategy;    ///< one sentence: how the accelerations are found, and why that is safe
+  std::vector<std::string> notes;
+};
+
+struct Unit {
+  std::string model_name;
+  std::string about;
+  std::string name_space;  ///< such as gauss::sphere_in_cylinder
+  Provenance provenance;
+  std::vector<ParameterEntry> parameters;
+  std::vector<InputEntry> inputs;
+  std::vector<Entry> configuration;  ///< n_q
+  std::vector<Entry> speeds;         ///< n_v; names as emitted: chi_dot, wx
+  std::vector<Entry> accelerations;  ///< n_v; names as emitted: chi_ddot, wx_dot
+  std::vector<std::string> configuration_rates;  ///< n_q, names in Derivative: chi_dot, e0_dot
+  std::vector<HeldEntry> held;
+  std::vector<Artefact> artefacts;
+  SymbolId time;
+  SymbolId epsilon;  ///< rounding unit of S
+  bool folded = false;  ///< parameters are numbers already; Parameters<S> is empty
+};
+
+}  // namespace gaussgen::emit

@@ -1,0 +1,40 @@
+#include "mechanics.hpp"
+
+namespace gaussgen {
+
+namespace {
+
+std::vector<std::size_t> allowed_dependent(const Mechanics& mechanics) {
+  std::vector<std::size_t> allowed;
+  for (const model::Name& name : mechanics.model.dependent) {
+    for (const auto i : mechanics.symbols.speeds.indices()) {
+      if (mechanics.symbols.speeds[i].label == name.text) allowed.push_back(i.value);
+    }
+  }
+  return allowed;
+}
+
+strategy::Solution solved(const Mechanics& mechanics, const MechanicsOptions& options, strategy::Steps& steps) {
+  const strategy::Dynamics& dynamics = mechanics.dynamics;
+  if (dynamics.l() == 0) return strategy::solve_unconstrained(dynamics, mechanics.epsilon(), steps);
+  if (!options.force_multipliers) {
+    if (const auto elimination = strategy::eliminate(dynamics, allowed_dependent(mechanics), steps)) {
+      return strategy::solve_by_elimination(dynamics, *elimination, mechanics.epsilon(), steps);
+    }
+  }
+  return strategy::solve_with_multipliers(dynamics, mechanics.epsilon(), steps);
+}
+
+}  // namespace
+
+Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& options)
+    : model(checked_model),
+      symbols(kinematics::declare_symbols(model, graph)),
+      expressions(model, symbols, graph, options.fold),
+      kinematics(kinematics::build_kinematics(model, graph, expressions, symbols)),
+      covariant(kinematics::build_covariant(kinematics, graph)),
+      dynamics(strategy::build_dynamics(kinematics, covariant, steps)),
+      solution(solved(*this, options, steps)),
+      held_reactions(strategy::held_reactions(dynamics, solution, steps)) {}
+
+}  // namespace gaussgen
