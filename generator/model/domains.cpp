@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <string>
+#include <vector>
+
 #include "model/checks.hpp"
 #include "model/expressions.hpp"
 #include "model/functions.hpp"
@@ -42,10 +46,23 @@ bool allows(const Place& place, SymbolKind kind) {
   return false;
 }
 
+struct Unknown {
+  support::Span first;
+  int uses = 0;
+};
+
 class DomainCheck {
  public:
   explicit DomainCheck(Reading& reading) : reading_(reading) {
     for (const auto& symbol : reading.model.symbols) names_.push_back(symbol.first);
+  }
+
+  /// Each unknown name once, however often it is used.
+  void report_unknown() {
+    for (const auto& [name, unknown] : unknown_) {
+      const std::string more = unknown.uses == 1 ? "" : fmt::format(", used {} times", unknown.uses);
+      reading_.diagnostics.error(code::k_unknown_name, unknown.first, fmt::format("unknown name '{}'{}", name, more), hint_for(name));
+    }
   }
 
   void check(const Ast& ast, const Place& place) {
@@ -62,16 +79,18 @@ class DomainCheck {
   void check_symbol(const Ast& ast, const Place& place) {
     if (is_broken(ast)) return;
     const auto symbol = reading_.model.symbols.find(ast.name);
-    if (symbol == reading_.model.symbols.end()) return report_unknown(ast);
+    if (symbol == reading_.model.symbols.end()) return note_unknown(ast);
     if (allows(place, symbol->second.kind)) return;
     reading_.diagnostics.error(code::k_not_allowed_here, ast.span,
                                fmt::format("{} '{}' may not appear in {}: {}", kind_name(symbol->second.kind), ast.name, place.name, place.why), place.hint);
   }
 
-  void report_unknown(const Ast& ast) {
+  void note_unknown(const Ast& ast) {
     // A reserved name that was declared is reported at its declaration.
     if (reading_.incomplete || is_reserved(ast.name)) return;
-    reading_.diagnostics.error(code::k_unknown_name, ast.span, fmt::format("unknown name '{}'", ast.name), hint_for(ast.name));
+    const auto [unknown, is_new] = unknown_.emplace(ast.name, Unknown{ast.span, 0});
+    ++unknown->second.uses;
+    if (!is_new && ast.span.begin < unknown->second.first.begin) unknown->second.first = ast.span;
   }
 
   std::string hint_for(const std::string& name) {
@@ -81,13 +100,14 @@ class DomainCheck {
       return fmt::format("write dot({}) for the rate", name.substr(0, name.size() - k_suffix));
     }
     // A file full of unknown names gets no suggestions after the first ones: each costs a search.
-    const std::string near = ++unknown_ <= k_most_suggestions ? support::did_you_mean(name, names_) : std::string();
+    const std::string near = ++searches_ <= k_most_suggestions ? support::did_you_mean(name, names_) : std::string();
     return near.empty() ? "declare it under 'parameters', 'inputs' or 'coordinates'" : near;
   }
 
   Reading& reading_;
   std::vector<std::string> names_;
-  int unknown_ = 0;
+  std::map<std::string, Unknown> unknown_;
+  int searches_ = 0;
 };
 
 }  // namespace
@@ -95,6 +115,7 @@ class DomainCheck {
 void check_domains(Reading& reading) {
   DomainCheck domains(reading);
   for_each_expression(reading.model, [&](const Ast& ast, const Place& place) { domains.check(ast, place); });
+  domains.report_unknown();
 }
 
 }  // namespace gaussgen::model

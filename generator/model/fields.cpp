@@ -23,6 +23,11 @@ Span place_of(const Node& node, Span owner) {
   return node.kind == NodeKind::scalar ? node.span : Span{node.span.begin, node.span.begin + 1};
 }
 
+/// An unknown key near `key` is reported already, with `key` as the suggestion.
+bool has_misspelt(const Node& map, const std::string& key) {
+  return std::any_of(map.entries.begin(), map.entries.end(), [&](const spec::Entry& entry) { return support::closest(entry.key.text, {key}) == key; });
+}
+
 bool expect(NodeKind kind, const char* wanted, const Node& node, Span owner, const std::string& where, Reading& reading) {
   if (node.kind == kind) return true;
   reading.diagnostics.error(code::k_wrong_kind, place_of(node, owner),
@@ -66,7 +71,7 @@ bool expect_length(const Node& list, std::size_t length, const std::string& wher
   if (list.items.size() == length) return true;
   reading.diagnostics.error(code::k_wrong_count, list.span,
                             fmt::format("{} needs {} entries, and here are {}", where, length, list.items.size()),
-                            list.flow ? "an entry with a comma of its own needs quotes" : "");
+                            list.flow && list.items.size() > length ? "a comma separates entries; the decimal sign is a point" : "");
   return false;
 }
 
@@ -82,7 +87,7 @@ void check_keys(const Node& map, const std::string& where, const std::vector<std
 
 const Node* required(const Node& map, const std::string& key, Span owner, const std::string& where, Reading& reading) {
   const Node* node = spec::find(map, key);
-  if (node == nullptr) reading.diagnostics.error(code::k_missing_key, owner, fmt::format("{} needs the key '{}'", where, key));
+  if (node == nullptr && !has_misspelt(map, key)) reading.diagnostics.error(code::k_missing_key, owner, fmt::format("{} needs the key '{}'", where, key));
   return node;
 }
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
+#include "model/character_name.hpp"
 #include "model/functions.hpp"
 #include "support/error_codes.hpp"
+#include "support/utf8.hpp"
 
 namespace gaussgen::model {
 
@@ -19,6 +21,10 @@ bool is_name_character(char c) { return is_letter(c) || (c >= '0' && c <= '9') |
 /// Empty when the name is valid.
 std::string fault_of(const std::string& name) {
   if (name.empty()) return "it is empty";
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const support::CodePoint point = support::code_point_at(name, i);
+    if (point.value >= 0x80) return advise(point.value).hint;
+  }
   if (!std::all_of(name.begin(), name.end(), is_name_character)) return "a name has ASCII letters, digits and '_' only";
   if (!is_letter(name.front())) return "a name begins with a letter";
   if (name.size() > k_longest_name) return fmt::format("a name has at most {} characters", k_longest_name);
@@ -33,18 +39,18 @@ bool moves(SymbolKind kind) {
 
 }  // namespace
 
-bool check_name(const Name& name, const std::string& what, Reading& reading) {
+bool check_name(const Name& name, Reading& reading) {
   const std::string fault = fault_of(name.text);
   if (fault.empty()) return true;
-  reading.diagnostics.error(code::k_invalid_name, name.span, fmt::format("'{}' is not a valid name for {}", name.text, what), fault);
+  reading.diagnostics.error(code::k_invalid_name, name.span, fmt::format("'{}' is not a valid name", name.text), fault);
   return false;
 }
 
 void declare(const Name& name, SymbolKind kind, std::size_t index, const std::string& what, Reading& reading) {
-  const bool valid = check_name(name, what, reading);
+  const bool valid = check_name(name, reading);
   if (valid && is_reserved(name.text)) {
     reading.diagnostics.error(code::k_reserved_name, name.span,
-                              fmt::format("'{}' has a fixed meaning and cannot name {}", name.text, what),
+                              fmt::format("'{}' has a fixed meaning in expressions and cannot be declared", name.text),
                               name.text == "I" ? "write I1 or J for a moment of inertia" : "choose another name, such as " + name.text + "1");
     return;
   }

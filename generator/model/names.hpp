@@ -7,10 +7,10 @@ namespace gaussgen::model {
 
 inline constexpr std::size_t k_longest_name = 64;
 
-/// A name of a body, a force, …: pattern only. `what` is "the body".
-bool check_name(const Name& name, const std::string& what, Reading& reading);
+/// A name of a body, a force, …: pattern only.
+bool check_name(const Name& name, Reading& reading);
 
-/// A symbol of expressions. A faulty name is entered too, so that its uses raise no second error.
+/// A symbol of expressions; `what` is "the parameter". A faulty name is entered too, so that its uses raise no second error.
 void declare(const Name& name, SymbolKind kind, std::size_t index, const std::string& what, Reading& reading);
 
 /// Names that the emitted code derives, such as chi_dot from the coordinate chi, must be free.

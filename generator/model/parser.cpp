@@ -251,7 +251,8 @@ class Parser {
       refuse(code::k_expression_syntax, span, "a comma outside the arguments of a function", "the decimal sign is a point: 1.5");
     }
     const bool after_number = next_ > 0 && tokens_[next_ - 1].kind == TokenKind::number;
-    const bool unit_like = after_number && token().kind == TokenKind::name;
+    const bool apart = next_ > 0 && tokens_[next_ - 1].end < token().begin;
+    const bool unit_like = after_number && apart && token().kind == TokenKind::name;
     refuse(code::k_implicit_product, span, "an operator is missing before this",
            unit_like ? fmt::format("write * for a product; a unit goes into 'unit: {}'", token().name) : "write * for a product");
   }

@@ -109,7 +109,7 @@ void read_body(const Entry& entry, bool is_particle, Reading& reading) {
   body.name = name_of(entry.key);
   body.mass = broken_expression();
   body.position.fill(broken_expression());
-  check_name(body.name, "a " + what, reading);
+  check_name(body.name, reading);
   check_unique(body.name, reading);
   if (expect_map(entry.value, entry.key.span, where, reading)) {
     check_keys(entry.value, where, is_particle ? k_particle_keys : k_body_keys, reading);

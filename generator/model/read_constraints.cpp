@@ -31,7 +31,7 @@ void read_constraint(const Entry& entry, Reading& reading) {
   VelocityConstraint constraint;
   constraint.name = name_of(entry.key);
   constraint.velocity = broken_expression();
-  check_name(constraint.name, "a constraint", reading);
+  check_name(constraint.name, reading);
   check_label(constraint.name, reading);
   if (expect_map(entry.value, entry.key.span, where, reading)) {
     check_keys(entry.value, where, {"velocity", "point", "about"}, reading);

@@ -53,7 +53,7 @@ void read_force(const Entry& entry, Reading& reading) {
   const std::string where = fmt::format("force '{}'", entry.key.text);
   Force force;
   force.name = name_of(entry.key);
-  check_name(force.name, "a force", reading);
+  check_name(force.name, reading);
   if (expect_map(entry.value, entry.key.span, where, reading)) {
     const std::size_t findings = reading.diagnostics.all().size();
     check_keys(entry.value, where, k_keys, reading);

@@ -77,7 +77,7 @@ void read_initial_velocity(const Node& map, Orientation& orientation, Reading& r
 void read_orientation(const Entry& entry, Reading& reading) {
   Orientation orientation;
   orientation.name = name_of(entry.key);
-  check_name(orientation.name, "an orientation", reading);
+  check_name(orientation.name, reading);
   reading.orientations.emplace(entry.key.text, reading.model.orientations.size());
   if (expect_map(entry.value, entry.key.span, fmt::format("orientation '{}'", entry.key.text), reading)) {
     check_keys(entry.value, fmt::format("orientation '{}'", entry.key.text), k_keys, reading);

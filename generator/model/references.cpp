@@ -54,7 +54,7 @@ void check_dependent_count(Reading& reading) {
   const std::size_t constraints = reading.model.constraints.size();
   if (dependent.empty() || dependent.size() == constraints || reading.incomplete) return;
   reading.diagnostics.error(code::k_dependent_speeds, {dependent.front().span.begin, dependent.back().span.end},
-                            fmt::format("{} dependent speeds for {} constraints", dependent.size(), constraints),
+                            fmt::format("the number of dependent speeds is {}, that of constraints {}", dependent.size(), constraints),
                             "each constraint determines one speed; without 'elimination' the choice is made for you");
 }
 

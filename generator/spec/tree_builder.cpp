@@ -78,6 +78,7 @@ void TreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
 
 void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t) {
   const std::uint32_t at = offset(mark);
+  has_aliases_ = true;
   diagnostics_.error(code::k_yaml_feature, {at, at + 1}, "aliases (*name) are not part of the model format",
                      "write the value itself; a text that begins with '*' needs quotes");
   Node node;

@@ -24,6 +24,9 @@ class TreeBuilder final : public YAML::EventHandler {
   /// The tree of the only document; empty when the text held nothing.
   std::optional<Node> take_root() { return std::move(root_); }
 
+  /// A tree with aliases has holes: reading on would report what stands behind them as missing.
+  bool has_aliases() const { return has_aliases_; }
+
   void OnDocumentStart(const YAML::Mark& mark) override;
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override;
@@ -60,6 +63,7 @@ class TreeBuilder final : public YAML::EventHandler {
   std::vector<Open> open_;
   int nodes_ = 0;
   int documents_ = 0;
+  bool has_aliases_ = false;
 };
 
 }  // namespace gaussgen::spec

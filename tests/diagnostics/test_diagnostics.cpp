@@ -1,0 +1,93 @@
+// Model files and the exact text that a user sees for them. GAUSS_UPDATE=1 rewrites the texts; read the
+// difference before committing it.
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "catch_shim.hpp"
+#include "model/build.hpp"
+#include "support/error_codes.hpp"
+
+namespace fs = std::filesystem;
+using namespace gaussgen;
+
+namespace {
+
+const fs::path k_folder = fs::path(GAUSS_SOURCE_DIR) / "tests" / "diagnostics";
+
+std::string read(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+std::string rendered(const fs::path& path) {
+  const support::Source source("tests/diagnostics/" + path.filename().string(), read(path));
+  support::Diagnostics diagnostics;
+  const bool built = model::build_model(source, diagnostics).has_value();
+  CHECK(built == !diagnostics.has_errors());
+  return support::render(diagnostics, source);
+}
+
+std::vector<fs::path> cases() {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(k_folder)) {
+    if (entry.path().extension() == ".yaml") found.push_back(entry.path());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+fs::path expectation_of(fs::path model) { return model.replace_extension(".txt"); }
+
+bool updating() { return std::getenv("GAUSS_UPDATE") != nullptr; }
+
+}  // namespace
+
+TEST_CASE("every faulty model is reported with exactly the expected text") {
+  REQUIRE(cases().size() >= 50);
+  for (const fs::path& path : cases()) {
+    INFO(path.filename().string());
+    const std::string text = rendered(path);
+    CHECK_FALSE(text.empty());
+    if (updating()) {
+      std::ofstream(expectation_of(path), std::ios::binary) << text;
+    } else {
+      CHECK(text == read(expectation_of(path)));
+    }
+  }
+}
+
+TEST_CASE("a file is named after a code that it raises") {
+  for (const fs::path& path : cases()) {
+    INFO(path.filename().string());
+    std::string code = path.filename().string().substr(0, 4);
+    code[0] = static_cast<char>(code[0] - 'a' + 'A');
+    CHECK(rendered(path).find("[" + code + "]") != std::string::npos);
+  }
+}
+
+TEST_CASE("every code has a case") {
+  std::set<std::string> seen;
+  for (const fs::path& path : cases()) seen.insert(path.filename().string().substr(1, 3));
+  for (const support::ErrorCode& code : support::k_all_codes) {
+    INFO(code.id << ": " << code.meaning);
+    CHECK(seen.count(std::string(code.id).substr(1)) == 1);
+  }
+}
+
+TEST_CASE("no expected text is left without its model") {
+  for (const auto& entry : fs::directory_iterator(k_folder)) {
+    if (entry.path().extension() != ".txt" || entry.path().filename() == "CMakeLists.txt") continue;
+    INFO(entry.path().filename().string());
+    fs::path model = entry.path();
+    CHECK(fs::exists(model.replace_extension(".yaml")));
+  }
+}

@@ -1,0 +1,145 @@
+#include "building.hpp"
+#include "catch_shim.hpp"
+#include "support/assert.hpp"
+
+using namespace gaussgen;
+using test::Built;
+using test::with;
+
+namespace {
+
+const std::string k_orientation = "orientations: {o: {quaternion: [a, b, c, d], angular_velocity: [wx, wy, wz]}}\n";
+
+/// A body on x with the inertia and the orientation that a test gives.
+Built body(const std::string& rest) { return Built(test::k_header + test::k_x + k_orientation + "bodies: {ball: {mass: 1, position: [x, 0, 0], " + rest + "}}\n"); }
+
+std::string names(const std::string& parameter) { return Built(with("parameters: {" + parameter + ": 1}\n")).codes(); }
+
+}  // namespace
+
+TEST_CASE("a coordinate may be a bare key") {
+  CHECK(Built(test::k_header + "coordinates:\n  x:\n" + test::k_particle).codes().empty());
+}
+
+TEST_CASE("a free coordinate starts at zero, its rate is open") {
+  const Built built(with(""));
+  REQUIRE(built.model);
+  CHECK(test::show(built.model->coordinates[0].initial) == "0");
+  CHECK_FALSE(built.model->coordinates[0].initial_rate);
+  CHECK_FALSE(built.model->coordinates[0].held_at);
+}
+
+TEST_CASE("the hash is FNV-1a of the bytes and the file is a base name") {
+  const Built built(with(""), "some/folder/pendulum.yaml");
+  REQUIRE(built.model);
+  CHECK(built.model->file == "pendulum.yaml");
+  CHECK(built.model->content_hash.size() == 16);
+  CHECK(built.model->content_hash != Built(with("\n"), "pendulum.yaml").model->content_hash);
+  CHECK(Built(with(""), "<stdin>").model->file == "<stdin>");
+}
+
+TEST_CASE("an orientation defaults to the body frame and no rotation") {
+  const Built built = body("inertia: 1, orientation: o");
+  REQUIRE(built.model);
+  const model::Orientation& orientation = built.model->orientations[0];
+  CHECK(orientation.frame == model::Frame::body);
+  CHECK(test::show(orientation.initial[0]) == "1");
+  CHECK(test::show(orientation.initial[3]) == "0");
+  CHECK_FALSE(orientation.initial_angular_velocity[0]);
+  CHECK(built.model->resolve("d").kind == model::SymbolKind::quaternion_component);
+  CHECK(built.model->resolve("d").index == 3);
+  CHECK(built.model->resolve("wz").index == 2);
+}
+
+TEST_CASE("inertia is one number, three, or a symmetric matrix") {
+  CHECK(body("inertia: 2, orientation: o").model->bodies[0].inertia->shape == model::Inertia::Shape::isotropic);
+  CHECK(body("inertia: [1, 2, 3], orientation: o").model->bodies[0].inertia->shape == model::Inertia::Shape::diagonal);
+  const Built full = body("inertia: [[1, 4, 5], [4, 2, 6], [5, 6, 3]], orientation: o");
+  REQUIRE(full.model);
+  for (std::size_t i = 0; i < 6; ++i) CHECK(test::show(full.model->bodies[0].inertia->entries[i]) == std::to_string(i + 1));
+}
+
+TEST_CASE("mirrored entries of an inertia matrix may differ in blanks but not in meaning") {
+  CHECK(body("inertia: [[1, 2*3, 0], [2 * 3, 1, 0], [0, 0, 1]], orientation: o").codes().empty());
+  CHECK(body("inertia: [[1, 2*3, 0], [6, 1, 0], [0, 0, 1]], orientation: o").codes() == "E057");
+}
+
+TEST_CASE("Euler sequences have three letters without equal neighbours") {
+  for (const char* good : {"zxz", "xyz", "zyx", "xyx"}) {
+    CHECK(Built(test::k_header + test::k_x + "bodies: {b: {mass: 1, inertia: 1, position: [0, 0, 0], orientation: {euler: " + good + ", angles: [x, 0, 0]}}}\n").codes().empty());
+  }
+  for (const char* bad : {"xxy", "zzz", "xy", "xyzx", "abc", "ZXZ"}) {
+    CHECK(Built(test::k_header + test::k_x + "bodies: {b: {mass: 1, inertia: 1, position: [0, 0, 0], orientation: {euler: " + bad + ", angles: [x, 0, 0]}}}\n").codes() == "E015");
+  }
+}
+
+TEST_CASE("bodies and particles come in the order of the file") {
+  const Built built(test::k_header + test::k_x + "particles: {p: {mass: 1, position: [x, 0, 0]}}\nbodies: {b: {mass: 1, position: [x, 0, 0]}}\n");
+  REQUIRE(built.model);
+  CHECK(built.model->bodies[0].name.text == "p");
+  CHECK(built.model->bodies[1].name.text == "b");
+}
+
+TEST_CASE("names follow one pattern") {
+  CHECK(names("m1_a").empty());
+  CHECK(names("class").empty());
+  CHECK(names("a" + std::string(63, 'b')).empty());
+  CHECK(names("a" + std::string(64, 'b')) == "E020");
+  CHECK(names("_a") == "E020");
+  CHECK(names("a_") == "E020");
+  CHECK(names("a__b") == "E020");
+  CHECK(names("1a") == "E020");
+  CHECK(names("a-b") == "E020");
+  for (const char* reserved : {"t", "pi", "I", "dot", "sin", "atan2"}) CHECK(names(reserved) == "E021");
+}
+
+TEST_CASE("all symbols share one namespace, with the names of rates") {
+  CHECK(names("x") == "E022");
+  CHECK(names("x_dot") == "E023");
+  CHECK(body("inertia: 1, orientation: o, about: fine").codes().empty());
+  CHECK(Built(test::k_header + "inputs: {a: 1}\n" + test::k_x + k_orientation + "bodies: {b: {mass: 1, inertia: 1, position: [x, 0, 0], orientation: o}}\n").codes() == "E022");
+}
+
+TEST_CASE("a body, a force and a parameter may share a name") {
+  CHECK(Built(with("parameters: {p: 1}\nforces: {p: {uniform: [0, 0, -p]}}\n")).codes().empty());
+}
+
+TEST_CASE("all findings of a file come at once") {
+  CHECK(Built(test::k_header + "coordinates: {x: {units: m}}\nparticles: {p: {mass: , position: [x, y, 0]}}\nforces: {f: {uniform: [1, 2]}}\n").codes() ==
+        "E010 E039 E013 E031");
+}
+
+TEST_CASE("a slip in the name of a key is one finding") {
+  CHECK(Built(test::k_header + test::k_x + "particles: {p: {masss: 1, position: [x, 0, 0]}}\n").codes() == "E010");
+}
+
+TEST_CASE("a faulty body does not make its coordinates idle") {
+  CHECK(Built(test::k_header + test::k_x + "particles: {p: {mass: 1, position: [y, 0, 0]}}\n").codes() == "E031");
+  CHECK(Built(test::k_header + test::k_x + "particles: {p: {mass: 1}}\n").codes() == "E011");
+}
+
+TEST_CASE("dependent speeds are free, different and one for each constraint") {
+  const std::string constraints = "coordinates: {x: {}, y: {}, h: {held_at: 0}}\nparticles: {p: {mass: 1, position: [x, y, h]}}\nconstraints: {c: {velocity: dot(x)}}\n";
+  const auto dependent = [&](const std::string& list) { return Built(test::k_header + constraints + "elimination: {dependent: " + list + "}\n").codes(); };
+  CHECK(dependent("[x]").empty());
+  CHECK(dependent("[h]") == "E059");
+  CHECK(dependent("[x, y]") == "E059");
+  CHECK(dependent("[x, x]") == "E059 E059");
+  CHECK(dependent("[z]") == "E024");
+}
+
+TEST_CASE("outputs are names of a list") {
+  CHECK(Built(with("outputs: [energy, reactions]\n")).model->outputs.size() == 2);
+  CHECK(Built(with("outputs: [energie]\n")).codes() == "E015");
+  CHECK(Built(with("outputs: energy\n")).codes() == "E012");
+}
+
+TEST_CASE("a warning does not stop the model") {
+  const Built built(test::k_header + "coordinates: {x: {}, h: {held_at: 1}}\n" + test::k_particle);
+  CHECK(built.codes() == "W050");
+  CHECK(built.model);
+}
+
+TEST_CASE("an undeclared symbol is an internal error for later stages") {
+  CHECK_THROWS_AS(Built(with("")).model->resolve("nope"), support::InternalError);
+}
