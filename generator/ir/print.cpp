@@ -9,8 +9,10 @@ enum Precedence { k_sum = 1, k_product = 2, k_power = 3, k_atom = 4 };
 class Printer {
  public:
   explicit Printer(const Graph& graph) : graph_(graph) {}
+  Printer(const Graph& graph, int budget) : graph_(graph), budget_(budget), is_limited_(true) {}
 
   std::string text(NodeId id, int outer) const {
+    if (is_limited_ && --budget_ < 0) return "...";
     const Node& node = graph_[id];
     switch (node.kind) {
       case Kind::constant: return number(node.value, outer);
@@ -65,10 +67,14 @@ class Printer {
   }
 
   const Graph& graph_;
+  mutable int budget_ = 0;  ///< nodes that may still be printed
+  bool is_limited_ = false;
 };
 
 }  // namespace
 
 std::string print(const Graph& graph, NodeId id) { return Printer(graph).text(id, 0); }
+
+std::string print_brief(const Graph& graph, NodeId id, int nodes) { return Printer(graph, nodes).text(id, 0); }
 
 }  // namespace gaussgen::ir
