@@ -39,6 +39,12 @@ struct HeldEntry {
   std::string held_at;  ///< text of the model
 };
 
+/// φ_μ by name: for the table of constraints and n_constraints.
+struct ConstraintEntry {
+  std::string name;
+  std::string about;
+};
+
 /// One member of a result struct. `shape` is {} for a scalar, {n} for S name[n], {n, m} for S name[n][m].
 struct Field {
   std::string name;
@@ -114,6 +120,7 @@ struct Unit {
   std::vector<Entry> accelerations;  ///< n_v; names as emitted: chi_ddot, wx_dot
   std::vector<std::string> configuration_rates;  ///< n_q, names in Derivative: chi_dot, e0_dot
   std::vector<HeldEntry> held;
+  std::vector<ConstraintEntry> constraints;
   std::vector<Artefact> artefacts;
   SymbolId time;
   SymbolId epsilon;  ///< rounding unit of S

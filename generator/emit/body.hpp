@@ -1,0 +1,41 @@
+#pragma once
+// The statements of one emitted function.
+
+#include <string>
+#include <vector>
+
+#include "emit/cpp_tree.hpp"
+#include "emit/expression.hpp"
+#include "passes/program.hpp"
+
+namespace gaussgen::emit {
+
+/// Names the temporaries of a program and prints their definitions.
+class Body {
+ public:
+  /// `scope`: of the whole function, which may have several programs.
+  Body(const passes::Writing& writing, const UnitNames& names, NameScope& scope);
+
+  void define(const passes::Program& program);
+  /// `const Bool name = condition;`, or nothing for what cannot happen; returns what to pass on.
+  cpp::Expression define_condition(NodeId id, const std::string& name);
+
+  cpp::Expression value(NodeId id) const { return writer_.value(id); }
+  void add(cpp::Statement statement) { statements_.push_back(std::move(statement)); }
+  void blank_line();
+
+  std::vector<cpp::Statement> take() { return std::move(statements_); }
+
+ private:
+  void define(const passes::Assignment& assignment);
+  std::string name_for(NodeId id, const std::string& wanted);
+
+  const passes::Writing& writing_;
+  const UnitNames& names_;
+  ExpressionWriter writer_;
+  NameScope& scope_;
+  std::unordered_map<std::uint32_t, bool> is_anonymous_;
+  std::vector<cpp::Statement> statements_;
+};
+
+}  // namespace gaussgen::emit

@@ -1,0 +1,151 @@
+#pragma once
+// The C++ that is emitted, as a tree. Text with punctuation is put together by the printer only.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace gaussgen::emit::cpp {
+
+struct Expression {
+  enum class Kind {
+    atom,      ///< text: a name, a member access, a literal
+    negation,  ///< -operands[0]
+    sum,       ///< Σ operands; a negation among them is a subtraction
+    product,   ///< Π operands
+    quotient,  ///< operands[0] / operands[1]
+    call,      ///< text(operands...)
+  };
+  Kind kind = Kind::atom;
+  std::string text;
+  std::vector<Expression> operands;
+};
+
+inline Expression atom(std::string text) { return {Expression::Kind::atom, std::move(text), {}}; }
+inline Expression call(std::string callee, std::vector<Expression> arguments) {
+  return {Expression::Kind::call, std::move(callee), std::move(arguments)};
+}
+inline Expression quotient(Expression top, Expression bottom) {
+  return {Expression::Kind::quotient, {}, {std::move(top), std::move(bottom)}};
+}
+
+/// Cancels a double minus.
+Expression negated(Expression operand);
+/// A lone operand stands for itself.
+Expression product(std::vector<Expression> factors);
+Expression sum(std::vector<Expression> terms);
+
+/// `type name = value;`
+struct Definition {
+  std::string type;
+  std::string name;
+  Expression value;
+};
+
+/// `type name, name;`
+struct Declaration {
+  std::string type;
+  std::vector<std::string> names;
+};
+
+/// `using name = type;`
+struct Alias {
+  std::string name;
+  std::string type;
+};
+
+struct Assignment {
+  Expression target;
+  Expression value;
+};
+
+struct Evaluation {
+  Expression expression;
+};
+
+struct Return {
+  Expression value;
+};
+
+struct BlankLine {};
+
+/// One line comment per line of text.
+struct Comment {
+  std::string text;
+};
+
+using Statement = std::variant<Definition, Declaration, Alias, Assignment, Evaluation, Return, BlankLine, Comment>;
+
+struct Argument {
+  std::string type;
+  std::string name;
+  bool is_used = true;
+};
+
+struct Function {
+  std::string comment;
+  bool is_template = true;  ///< over `class S`
+  bool is_member = false;   ///< printed on one line, without template head
+  std::string prefix;       ///< GAUSS_FUNCTION
+  std::string type;
+  std::string name;
+  std::vector<Argument> arguments;
+  std::string suffix;  ///< const noexcept
+  std::vector<Statement> body;
+};
+
+struct Struct;
+
+/// `type name[2][3] = value;  ///< comment`
+struct Member {
+  std::string type;
+  std::string name;
+  std::vector<std::string> shape;
+  std::optional<Expression> value;
+  std::string comment;
+};
+
+struct Struct {
+  std::string comment;
+  bool is_template = true;
+  std::string name;
+  std::vector<Struct> nested;  ///< each followed by a member of its type
+  std::vector<Member> members;
+  std::vector<Function> functions;
+  std::string instance;  ///< of a nested struct: the member that has its type
+};
+
+/// `inline constexpr type name = value;`
+struct Constant {
+  std::string type;
+  std::string name;
+  Expression value;
+  std::string comment;
+};
+
+/// `inline constexpr type name[] = {{…}, …};`
+struct Table {
+  std::string comment;
+  std::string type;
+  std::string name;
+  std::vector<std::vector<Expression>> rows;
+  bool is_template = false;  ///< over `class S`
+};
+
+/// Lines that are printed as they are: preprocessor directives and the embedded prelude.
+struct Verbatim {
+  std::string text;
+};
+
+using Item = std::variant<Comment, BlankLine, Verbatim, Constant, Table, Struct, Function>;
+
+struct File {
+  std::vector<Item> before;  ///< the namespace
+  std::string name_space;
+  std::vector<Item> items;
+  std::vector<Item> after;
+};
+
+}  // namespace gaussgen::emit::cpp

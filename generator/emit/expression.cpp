@@ -1,0 +1,164 @@
+#include "emit/expression.hpp"
+
+#include <algorithm>
+
+#include "emit/literal.hpp"
+#include "ir/content.hpp"
+#include "ir/print.hpp"
+#include "support/assert.hpp"
+
+namespace gaussgen::emit {
+
+using cpp::Expression;
+using ir::Kind;
+using ir::Node;
+using ir::Rational;
+using passes::PowerForm;
+
+const std::string* ExpressionWriter::bound(NodeId id) const {
+  const auto it = bound_.find(id.index);
+  return it == bound_.end() ? nullptr : &it->second;
+}
+
+Expression ExpressionWriter::value(NodeId id) const {
+  if (const std::string* name = bound(id)) return cpp::atom(*name);
+  return definition(id);
+}
+
+Expression ExpressionWriter::definition(NodeId id) const {
+  const Node& node = writing_.graph()[id];
+  switch (node.kind) {
+    case Kind::constant: return literal(node.value);
+    case Kind::symbol: return symbol(node);
+    case Kind::named: return value(node.children[0]);
+    case Kind::function: return function(node);
+    case Kind::sum: return sum(node);
+    case Kind::power: return power(id);
+    case Kind::product: return scaled(1, id);
+  }
+  return {};
+}
+
+Expression ExpressionWriter::symbol(const Node& node) const {
+  const std::string text = names_.of_symbol(node.symbol);
+  GAUSS_ASSERT(!text.empty(), "symbol={} has no place in emitted code", writing_.graph().symbol(node.symbol).name);
+  return cpp::atom(text);
+}
+
+Expression ExpressionWriter::condition(NodeId id) const {
+  const Node& node = writing_.graph()[id];
+  return node.kind == Kind::constant ? cpp::atom(node.value == 0 ? "Bool(false)" : "Bool(true)") : value(id);
+}
+
+Expression ExpressionWriter::function(const Node& node) const {
+  std::vector<Expression> arguments;
+  for (const NodeId child : node.children) {
+    const bool is_condition =
+        node.function == ir::Function::any || (node.function == ir::Function::select && arguments.empty());
+    arguments.push_back(is_condition ? condition(child) : value(child));
+  }
+  return cpp::call("Math<S>::" + std::string(ir::name_of(node.function)), std::move(arguments));
+}
+
+Expression ExpressionWriter::power(NodeId id) const {
+  const PowerForm& form = writing_.power_form(id);
+  const Rational& exponent = writing_.graph()[id].value;
+  switch (form.kind) {
+    case PowerForm::Kind::square_root: return cpp::call("Math<S>::sqrt", {value(form.operands[0])});
+    case PowerForm::Kind::general: return cpp::call("Math<S>::pow", {value(form.operands[0]), literal(exponent)});
+    default: return scaled(1, id);
+  }
+}
+
+void ExpressionWriter::multiply(Fraction& fraction, NodeId factor) const {
+  const Node& node = writing_.graph()[factor];
+  if (bound(factor) == nullptr && node.kind == Kind::product) {
+    for (const NodeId child : node.children) multiply(fraction, child);
+    return;
+  }
+  if (bound(factor) == nullptr && node.kind == Kind::power) {
+    const PowerForm& form = writing_.power_form(factor);
+    if (form.kind == PowerForm::Kind::reciprocal) return fraction.bottom.push_back(value(form.operands[0]));
+    if (form.kind == PowerForm::Kind::factors) {
+      for (const NodeId operand : form.operands) multiply(fraction, operand);
+      return;
+    }
+  }
+  fraction.top.push_back(value(factor));
+}
+
+Expression ExpressionWriter::scaled(const Rational& factor, NodeId id) const {
+  Fraction fraction;
+  const Node& node = writing_.graph()[id];
+  if (bound(id) != nullptr) {
+    fraction.top.push_back(value(id));
+  } else if (node.kind == Kind::product) {
+    for (const NodeId child : node.children) multiply(fraction, child);
+  } else if (node.kind == Kind::power) {
+    multiply(fraction, id);
+  } else {
+    fraction.top.push_back(value(id));
+  }
+  if (factor != 1 && fraction.top.empty() && !is_single_literal(factor)) {
+    fraction.top.push_back(literal(cln::numerator(factor)));
+    fraction.bottom.insert(fraction.bottom.begin(), literal(cln::denominator(factor)));
+  } else if (factor != 1 || fraction.top.empty()) {
+    fraction.top.insert(fraction.top.begin(), literal(factor));
+  }
+  Expression top = cpp::product(std::move(fraction.top));
+  return fraction.bottom.empty() ? top : cpp::quotient(std::move(top), cpp::product(std::move(fraction.bottom)));
+}
+
+namespace {
+
+struct Item {
+  Rational coefficient;
+  const NodeId* node;  ///< null for the constant
+};
+
+std::vector<Item> items_of(const Node& sum) {
+  std::vector<Item> items;
+  if (sum.value != 0) items.push_back({sum.value, nullptr});
+  for (std::size_t i = 0; i < sum.children.size(); ++i) items.push_back({sum.coefficients[i], &sum.children[i]});
+  return items;
+}
+
+int multiplications(const std::vector<Item>& items, const Rational& divisor) {
+  int count = 0;
+  for (const Item& item : items) {
+    const Rational rest = cln::abs(item.coefficient / divisor);
+    if (item.node != nullptr && rest != 1) count += is_single_literal(rest) ? 1 : 2;
+  }
+  return count;
+}
+
+// Pulled out where that saves a multiplication: a/2 + b/2 is 0.5 (a + b), but 1 + 2 x stays.
+Rational common_factor(const Node& sum, const std::vector<Item>& items) {
+  Rational content = cln::abs(ir::signed_content(sum));
+  const bool all_negative = std::all_of(items.begin(), items.end(), [](const Item& item) { return item.coefficient < 0; });
+  const int inside = multiplications(items, content) + (is_single_literal(content) ? 1 : 2);
+  if (items.size() == 1 || inside >= multiplications(items, 1)) content = 1;
+  return all_negative ? Rational(-content) : content;
+}
+
+}  // namespace
+
+Expression ExpressionWriter::sum(const Node& node) const {
+  std::vector<Item> items = items_of(node);
+  const Rational factor = common_factor(node, items);
+  const auto positive = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.coefficient / factor > 0; });
+  if (positive != items.end()) std::rotate(items.begin(), positive, positive + 1);
+  std::vector<Expression> terms;
+  for (const Item& item : items) {
+    const Rational coefficient = item.coefficient / factor;
+    const Rational size = cln::abs(coefficient);
+    Expression term = item.node == nullptr ? literal(size) : scaled(size, *item.node);
+    terms.push_back(coefficient < 0 ? cpp::negated(std::move(term)) : std::move(term));
+  }
+  Expression result = cpp::sum(std::move(terms));
+  const Rational size = cln::abs(factor);
+  if (size != 1) result = cpp::product({literal(size), std::move(result)});
+  return factor < 0 ? cpp::negated(std::move(result)) : result;
+}
+
+}  // namespace gaussgen::emit

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "emit/cpp_tree.hpp"
+#include "emit/plan.hpp"
+
+namespace gaussgen::emit {
+
+/// `Prepared<S> prepare(const Parameters<S>&)`.
+cpp::Function prepare_function(Plan& plan);
+
+/// One function of the unit.
+cpp::Function artefact_function(Plan& plan, const Task& task);
+
+}  // namespace gaussgen::emit

@@ -1,0 +1,86 @@
+#include "emit/header.hpp"
+
+#include "emit/cpp_printer.hpp"
+#include "emit/functions.hpp"
+#include "emit/identifiers.hpp"
+#include "emit/provenance.hpp"
+#include "emit/structs.hpp"
+#include "emit/tables.hpp"
+
+namespace gaussgen::emit {
+
+namespace {
+
+// gauss::linux -> gauss::linux_; the names of ours are reserved inside gauss only as a whole word.
+std::string safe_name_space(const std::string& text) {
+  std::string result;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find("::", begin), text.size());
+    const std::string part = text.substr(begin, end - begin);
+    result += (result.empty() ? "" : "::") + (part == "gauss" && begin == 0 ? part : mangled(part));
+    begin = end + 2;
+  }
+  return result;
+}
+
+std::string guard_name(const std::string& name_space) {
+  std::string guard = "GAUSS_MODEL_";
+  for (const char c : name_space) {
+    if (c >= 'a' && c <= 'z') {
+      guard += static_cast<char>(c - 'a' + 'A');
+    } else if (c != ':' || guard.back() != '_') {
+      guard += c == ':' ? '_' : c;
+    }
+  }
+  return guard + "_HPP";
+}
+
+class HeaderBuilder {
+ public:
+  explicit HeaderBuilder(Plan& plan) : plan_(plan) { file_.name_space = safe_name_space(plan.unit.name_space); }
+
+  cpp::File build() {
+    const std::string guard = guard_name(file_.name_space);
+    file_.before = {cpp::Comment{provenance_text(plan_)}, cpp::BlankLine{},
+                    cpp::Verbatim{"#ifndef " + guard + "\n#define " + guard + "\n\n"},
+                    cpp::Verbatim{std::string(prelude())}, cpp::BlankLine{}};
+    // A model outside of namespace gauss still needs Math, Status and their like.
+    const bool is_inside = file_.name_space.rfind("gauss::", 0) == 0;
+    file_.items.emplace_back(cpp::BlankLine{});
+    if (!is_inside) add(cpp::Verbatim{"using namespace ::gauss;\n"});
+    add_all(sizes(plan_));
+    for (cpp::Struct& type : types()) add(std::move(type));
+    add(prepare_function(plan_));
+    for (const Task& task : plan_.tasks) add(artefact_function(plan_, task));
+    add_all(introspection_tables(plan_));
+    file_.after = {cpp::BlankLine{}, cpp::Verbatim{"#endif  // " + guard + "\n"}};
+    return std::move(file_);
+  }
+
+ private:
+  void add(cpp::Item item) { add_all({std::move(item)}); }
+
+  void add_all(std::vector<cpp::Item> items) {
+    for (cpp::Item& item : items) file_.items.push_back(std::move(item));
+    file_.items.emplace_back(cpp::BlankLine{});
+  }
+
+  std::vector<cpp::Struct> types() {
+    std::vector<cpp::Struct> result{parameters_struct(plan_), inputs_struct(plan_), prepared_struct(plan_),
+                                    state_struct(plan_), derivative_struct(plan_)};
+    for (cpp::Struct& type : plan_.result_types.structs()) result.push_back(std::move(type));
+    return result;
+  }
+
+  Plan& plan_;
+  cpp::File file_;
+};
+
+}  // namespace
+
+std::string emit_header(const ir::Graph& graph, const Unit& unit) {
+  Plan plan(graph, unit);
+  return cpp::print(HeaderBuilder(plan).build());
+}
+
+}  // namespace gaussgen::emit

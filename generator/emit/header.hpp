@@ -1,0 +1,17 @@
+#pragma once
+// A Unit as the text of one standalone C++ header.
+
+#include <string>
+#include <string_view>
+
+#include "emit/unit.hpp"
+
+namespace gaussgen::emit {
+
+/// Same unit, same bytes.
+std::string emit_header(const ir::Graph& graph, const Unit& unit);
+
+/// The text of src/gauss/math.hpp, which every header carries.
+std::string_view prelude();
+
+}  // namespace gaussgen::emit

@@ -1,0 +1,74 @@
+#include "emit/identifiers.hpp"
+
+#include <cctype>
+#include <unordered_set>
+
+namespace gaussgen::emit {
+
+namespace {
+
+using NameSet = std::unordered_set<std::string_view>;
+
+// C++20, so that a header that works with C++17 goes on working, and C keywords that some compilers keep.
+const NameSet k_keywords = {
+    "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch", "char",
+    "char16_t", "char32_t", "char8_t", "class", "co_await", "co_return", "co_yield", "compl", "concept", "const",
+    "const_cast", "consteval", "constexpr", "constinit", "continue", "decltype", "default", "delete", "do", "double",
+    "dynamic_cast", "else", "enum", "explicit", "export", "extern", "false", "final", "float", "for", "friend", "goto",
+    "if", "import", "inline", "int", "long", "module", "mutable", "namespace", "new", "noexcept", "not", "not_eq",
+    "nullptr", "operator", "or", "or_eq", "override", "private", "protected", "public", "register", "reinterpret_cast",
+    "requires", "restrict", "return", "short", "signed", "sizeof", "static", "static_assert", "static_cast", "struct",
+    "switch", "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "typeof",
+    "union", "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq"};
+
+// Macros of the C and C++ standard libraries, of Unix and of Windows, function-like ones too: accessors are called.
+const NameSet k_macros = {
+    "BUFSIZ", "CHAR_BIT", "CHAR_MAX", "CHAR_MIN", "CLOCKS_PER_SEC", "DBL_DIG", "DBL_EPSILON", "DBL_MAX", "DBL_MIN",
+    "DOMAIN", "EDOM", "EOF", "ERANGE", "ERROR", "EXIT_FAILURE", "EXIT_SUCCESS", "FALSE", "FLT_EPSILON", "FLT_MAX",
+    "FLT_MIN", "FP_FAST_FMA", "FP_INFINITE", "FP_NAN", "FP_NORMAL", "FP_SUBNORMAL", "FP_ZERO", "HUGE", "HUGE_VAL",
+    "HUGE_VALF", "HUGE_VALL", "I", "IN", "INFINITY", "INT_MAX", "INT_MIN", "LDBL_EPSILON", "LONG_MAX", "LONG_MIN",
+    "MAXFLOAT", "MB_CUR_MAX", "M_1_PI", "M_2_PI", "M_2_SQRTPI", "M_E", "M_LN10", "M_LN2", "M_LOG10E", "M_LOG2E", "M_PI",
+    "M_PI_2", "M_PI_4", "M_SQRT1_2", "M_SQRT2", "NAN", "NDEBUG", "NULL", "OPTIONAL", "OUT", "OVERFLOW", "PLOSS",
+    "RAND_MAX", "SING", "TLOSS", "TRUE", "UINT_MAX", "UNDERFLOW", "WIN32", "X_TLOSS", "_Complex_I", "_Imaginary_I",
+    "_A", "_B", "_C", "_L", "_N", "_P", "_S", "_U", "_X", "alloca", "assert", "cdecl", "complex", "errno", "far", "fpclassify", "huge",
+    "i386", "imaginary", "interface", "isfinite", "isgreater", "isinf", "isless", "isnan", "isnormal", "isunordered",
+    "linux", "major", "makedev", "math_errhandling", "max", "min", "minor", "near", "noreturn", "offsetof", "pascal",
+    "setjmp", "signbit", "small", "stderr", "stdin", "stdout", "sun", "unix", "va_arg", "va_end", "va_start", "vax"};
+
+// Template parameter, types, arguments, tables and members of emitted code, and what it reaches by these names.
+const NameSet k_own_names = {
+    "Bool", "Derivative", "Inputs", "Math", "Parameters", "Prepared", "Quantity", "S", "State", "Status", "StatusOf",
+    "accelerations", "constraint_table", "coordinate_table", "derivative", "gauss", "initial_state", "input_members",
+    "input_table", "inputs", "n_constraints", "n_inputs", "n_parameters", "n_q", "n_v", "name_of_model", "out",
+    "parameter_members", "parameter_table", "parameters", "prepare", "prepared", "from", "speed_table", "state", "status", "std",
+    "t", "values"};
+
+}  // namespace
+
+bool is_reserved(std::string_view name) {
+  return k_keywords.count(name) != 0 || k_macros.count(name) != 0 || k_own_names.count(name) != 0;
+}
+
+std::string mangled(const std::string& name) {
+  std::string result;
+  for (const char c : name) {
+    const bool is_letter = std::isalnum(static_cast<unsigned char>(c)) != 0 && static_cast<unsigned char>(c) < 128;
+    const char kept = is_letter ? c : '_';
+    // Two underscores in a row, and one in front, belong to the compiler.
+    if (kept != '_' || (!result.empty() && result.back() != '_')) result += kept;
+  }
+  if (result.empty() || std::isdigit(static_cast<unsigned char>(result[0])) != 0) result.insert(0, "v");
+  return is_reserved(result) ? result + "_" : result;
+}
+
+std::string snake_case(const std::string& type_name) {
+  std::string result;
+  for (const char c : type_name) {
+    const bool is_upper = c >= 'A' && c <= 'Z';
+    if (is_upper && !result.empty()) result += '_';
+    result += is_upper ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return result;
+}
+
+}  // namespace gaussgen::emit

@@ -1,0 +1,90 @@
+#include "emit/natural.hpp"
+
+namespace gaussgen::emit {
+
+using ir::Kind;
+using ir::Node;
+using ir::NodeId;
+using ir::Rational;
+
+namespace {
+
+constexpr std::size_t k_longest = 26;
+constexpr std::size_t k_most_factors = 3;
+
+class Namer {
+ public:
+  Namer(const ir::Graph& graph, const std::function<std::string(NodeId)>& name_of) : graph_(graph), name_of_(name_of) {}
+
+  std::string composed(NodeId id) const {
+    const Node& node = graph_[id];
+    switch (node.kind) {
+      case Kind::function: return of_function(node);
+      case Kind::power: return of_power(node);
+      case Kind::sum: return of_sum(node);
+      case Kind::product: return of_product(node);
+      case Kind::named: return node.name;
+      default: return {};
+    }
+  }
+
+ private:
+  std::string operand(NodeId id) const {
+    const std::string name = name_of_(id);
+    return name.empty() ? composed(id) : name;
+  }
+
+  static std::string joined(const std::string& a, const std::string& between, const std::string& b) {
+    return a.empty() || b.empty() ? std::string() : a + between + b;
+  }
+
+  std::string of_function(const Node& node) const {
+    if (node.children.size() != 1 || node.function >= ir::Function::less) return {};
+    return joined(std::string(ir::name_of(node.function)), "_", operand(node.children[0]));
+  }
+
+  std::string of_power(const Node& node) const {
+    const std::string base = operand(node.children[0]);
+    if (node.value == Rational(1) / 2) return joined("sqrt", "_", base);
+    if (node.value == -1) return joined("inv", "_", base);
+    if (node.value < 2 || node.value > 9 || !support::is_integer(node.value)) return {};
+    return joined(base, "_", support::to_text(node.value));
+  }
+
+  std::string of_sum(const Node& node) const {
+    if (node.value != 0 || node.children.size() != 2) return {};
+    const Rational product = node.coefficients[0] * node.coefficients[1];
+    if (cln::abs(node.coefficients[0]) != 1 || cln::abs(product) != 1) return {};
+    const std::string first = operand(node.children[0]);
+    const std::string second = operand(node.children[1]);
+    if (product == 1) return joined(first, "_plus_", second);
+    return node.coefficients[0] == 1 ? joined(first, "_minus_", second) : joined(second, "_minus_", first);
+  }
+
+  std::string of_product(const Node& node) const {
+    if (node.children.size() > k_most_factors) return {};
+    std::string top;
+    std::string bottom;
+    for (const NodeId child : node.children) {
+      const Node& factor = graph_[child];
+      const bool is_reciprocal = factor.kind == Kind::power && factor.value == -1;
+      const std::string name = operand(is_reciprocal ? factor.children[0] : child);
+      if (name.empty()) return {};
+      std::string& place = is_reciprocal ? bottom : top;
+      place += (place.empty() ? "" : "_") + name;
+    }
+    return bottom.empty() ? top : joined(top, "_over_", bottom);
+  }
+
+  const ir::Graph& graph_;
+  const std::function<std::string(NodeId)>& name_of_;
+};
+
+}  // namespace
+
+std::string natural_name(const ir::Graph& graph, NodeId id, const std::function<std::string(NodeId)>& name_of) {
+  const std::string name = Namer(graph, name_of).composed(id);
+  return name.size() <= k_longest ? name : std::string();
+}
+
+}  // namespace gaussgen::emit

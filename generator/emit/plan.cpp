@@ -1,0 +1,142 @@
+#include "emit/plan.hpp"
+
+#include <unordered_set>
+
+#include "emit/natural.hpp"
+#include "emit/text.hpp"
+#include "ir/traverse.hpp"
+#include "passes/prepare.hpp"
+#include "support/assert.hpp"
+
+namespace gaussgen::emit {
+
+namespace {
+
+using IdSet = std::unordered_set<std::uint32_t>;
+
+std::vector<NodeId> outputs_of(const Artefact& artefact) {
+  std::vector<NodeId> outputs = artefact.derivative;
+  outputs.insert(outputs.end(), artefact.state.begin(), artefact.state.end());
+  for (const Group& group : artefact.groups) {
+    for (const Field& field : group.fields) outputs.insert(outputs.end(), field.values.begin(), field.values.end());
+  }
+  const StatusNodes& status = artefact.status;
+  outputs.insert(outputs.end(), {status.singular_mass_matrix, status.dependent_constraints, status.not_finite});
+  return outputs;
+}
+
+std::unordered_map<std::uint32_t, std::string> wanted_names(const Unit& unit) {
+  std::unordered_map<std::uint32_t, std::string> names;
+  for (const Artefact& artefact : unit.artefacts) {
+    for (const Section& section : artefact.sections) {
+      for (const auto& [node, name] : section.nodes) names.emplace(node.index, name);
+    }
+  }
+  return names;
+}
+
+IdSet reached_from(const ir::Graph& graph, const std::vector<NodeId>& roots) {
+  IdSet reached;
+  for (const NodeId id : ir::post_order(graph, roots)) reached.insert(id.index);
+  return reached;
+}
+
+/// What runs once needs no preparation of its own.
+bool runs_once(const Artefact& artefact) {
+  return !artefact.takes_state && !artefact.takes_time && !artefact.takes_inputs;
+}
+
+class Planner {
+ public:
+  explicit Planner(Plan& plan) : plan_(plan), split_(plan.graph, wanted_names(plan.unit)) {
+    for (std::size_t i = 0; i < plan.unit.parameters.size(); ++i) {
+      position_.emplace(plan.unit.parameters[i].entry.symbol.index, i);
+    }
+  }
+
+  void run() {
+    for (const Artefact& artefact : plan_.unit.artefacts) {
+      plan_.tasks.push_back({&artefact, runs_once(artefact) ? as_it_is(artefact) : over_prepared(artefact)});
+    }
+    // Plain parameters in the order of the model, formulas after what they need, then the rest as it came up.
+    IdSet used;
+    for (const passes::PreparedValue& value : split_.values()) used.insert(value.symbol.index);
+    for (const ParameterEntry& parameter : plan_.unit.parameters) {
+      if (!parameter.is_formula && used.count(parameter.entry.symbol.index) != 0) add_parameter(parameter);
+    }
+    for (const passes::PreparedValue& value : split_.values()) add_formulas_in(value.value);
+    for (const passes::PreparedValue& value : split_.values()) {
+      if (position_.count(value.symbol.index) == 0) add_term(value);
+    }
+  }
+
+ private:
+  passes::Request as_it_is(const Artefact& artefact) {
+    passes::Request request{outputs_of(artefact), {}};
+    for (const Section& section : artefact.sections) request.sections.push_back({section.comment, section.nodes});
+    for (const NodeId output : request.outputs) split_.touch(output);
+    return request;
+  }
+
+  passes::Request over_prepared(const Artefact& artefact) {
+    passes::Request request{outputs_of(artefact), {}};
+    const IdSet needed = reached_from(plan_.graph, request.outputs);
+    for (NodeId& output : request.outputs) output = split_(output);
+    for (const Section& section : artefact.sections) {
+      passes::Section rewritten{section.comment, {}};
+      for (const auto& [node, name] : section.nodes) {
+        const bool is_needed = needed.count(node.index) != 0 && split_.varies(node);
+        if (is_needed) rewritten.nodes.emplace_back(split_(node), name);
+      }
+      request.sections.push_back(std::move(rewritten));
+    }
+    return request;
+  }
+
+  void add_parameter(const ParameterEntry& parameter) {
+    const Entry& entry = parameter.entry;
+    if (!added_.insert(entry.symbol.index).second) return;
+    const NodeId value = parameter.is_formula ? parameter.value : plan_.graph.use(entry.symbol);
+    plan_.prepared.push_back({entry.symbol, plan_.names.of(entry), entry.about, value, !parameter.is_formula, parameter.is_formula});
+  }
+
+  // Formulas do not depend on themselves (the model is checked), so this ends.
+  void add_formulas_in(NodeId root) {
+    for (const NodeId id : ir::post_order(plan_.graph, {root})) {
+      const ir::Node& node = plan_.graph[id];
+      if (node.kind != ir::Kind::symbol) continue;
+      const auto place = position_.find(node.symbol.index);
+      if (place == position_.end() || added_.count(node.symbol.index) != 0) continue;
+      const ParameterEntry& parameter = plan_.unit.parameters[place->second];
+      if (!parameter.is_formula) continue;
+      add_formulas_in(parameter.value);
+      add_parameter(parameter);
+    }
+  }
+
+  void add_term(const passes::PreparedValue& value) {
+    const auto name_of = [this](NodeId id) -> std::string {
+      const ir::Node& node = plan_.graph[id];
+      return node.kind == ir::Kind::symbol ? plan_.graph.symbol(node.symbol).name : std::string();
+    };
+    std::string wanted = value.name.empty() ? natural_name(plan_.graph, value.value, name_of) : value.name;
+    NameScope& scope = plan_.names.scope();
+    const std::string name = wanted.empty() ? scope.allocate_anonymous("c") : scope.allocate(wanted);
+    plan_.names.bind(value.symbol, name);
+    plan_.prepared.push_back({value.symbol, name, {}, value.value, false, false});
+  }
+
+  Plan& plan_;
+  passes::PreparationSplit split_;
+  std::unordered_map<std::uint32_t, std::size_t> position_;  ///< of a symbol among the parameters
+  IdSet added_;
+};
+
+}  // namespace
+
+Plan::Plan(const ir::Graph& original, const Unit& described)
+    : graph(original), unit(described), names(graph, unit), result_types(unit) {
+  Planner(*this).run();
+}
+
+}  // namespace gaussgen::emit

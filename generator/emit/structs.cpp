@@ -1,0 +1,102 @@
+#include "emit/structs.hpp"
+
+#include "emit/cpp_printer.hpp"
+#include "emit/expression.hpp"
+#include "emit/literal.hpp"
+#include "emit/text.hpp"
+
+namespace gaussgen::emit {
+
+namespace {
+
+std::string described(const std::string& unit, const std::string& about) {
+  return comment_text((unit.empty() ? "" : "[" + unit + "] ") + about);
+}
+
+/// A default value, with its decimal form where it is written as a quotient.
+cpp::Member member_with_default(Plan& plan, const Entry& entry, NodeId value) {
+  const passes::Writing writing(plan.graph, {value});
+  const ExpressionWriter writer(writing, plan.names);
+  std::string comment = described(entry.unit, entry.about);
+  const ir::Node& node = plan.graph[value];
+  if (node.kind == ir::Kind::constant && !is_single_literal(node.value)) {
+    comment = decimal_text(node.value) + (comment.empty() ? "" : " ") + comment;
+  }
+  return {"S", plan.names.of(entry), {}, writer.value(value), comment};
+}
+
+void add_accessors(cpp::Struct& type, const std::vector<std::string>& names) {
+  for (const bool is_const : {false, true}) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      cpp::Function accessor;
+      accessor.prefix = "GAUSS_FUNCTION";
+      accessor.type = is_const ? "const S&" : "S&";
+      accessor.name = names[i];
+      accessor.suffix = is_const ? "const noexcept" : "noexcept";
+      accessor.body = {cpp::Return{cpp::atom("values[" + std::to_string(i) + "]")}};
+      type.functions.push_back(std::move(accessor));
+    }
+  }
+}
+
+}  // namespace
+
+cpp::Struct parameters_struct(Plan& plan) {
+  cpp::Struct type;
+  type.comment = "Constants of a run, with the values of the model as defaults.";
+  type.name = "Parameters";
+  for (const ParameterEntry& parameter : plan.unit.parameters) {
+    if (!parameter.is_formula) type.members.push_back(member_with_default(plan, parameter.entry, parameter.value));
+  }
+  return type;
+}
+
+cpp::Struct inputs_struct(Plan& plan) {
+  cpp::Struct type;
+  type.comment = "What a caller supplies at each call.";
+  type.name = "Inputs";
+  for (const InputEntry& input : plan.unit.inputs) type.members.push_back(member_with_default(plan, input.entry, input.value));
+  return type;
+}
+
+cpp::Struct prepared_struct(Plan& plan) {
+  cpp::Struct type;
+  type.comment = "Parameters as the functions read them, and what follows from them alone; made by prepare().";
+  type.name = "Prepared";
+  for (const PreparedMember& member : plan.prepared) {
+    std::string comment = comment_text(member.about);
+    if (!member.is_plain && !member.is_formula) {
+      const passes::Writing writing(plan.graph, {member.value});
+      comment = cpp::print(ExpressionWriter(writing, plan.names).value(member.value));
+      if (comment.size() > 60) comment.clear();
+    }
+    type.members.push_back({"S", member.name, {}, std::nullopt, comment});
+  }
+  return type;
+}
+
+cpp::Struct state_struct(const Plan& plan) {
+  cpp::Struct type;
+  type.comment = "Coordinates, then speeds: an array for integrators, with access by name.";
+  type.name = "State";
+  type.members.push_back({"S", "values", {"n_q + n_v"}, std::nullopt, {}});
+  std::vector<std::string> names;
+  for (const Entry& entry : plan.unit.configuration) names.push_back(plan.names.of(entry));
+  for (const Entry& entry : plan.unit.speeds) names.push_back(plan.names.of(entry));
+  add_accessors(type, names);
+  return type;
+}
+
+cpp::Struct derivative_struct(const Plan& plan) {
+  cpp::Struct type;
+  type.comment = "The rate of a State, in the same order: rates of the coordinates, then accelerations.";
+  type.name = "Derivative";
+  type.members.push_back({"S", "values", {"n_q + n_v"}, std::nullopt, {}});
+  std::vector<std::string> names;
+  for (const std::string& rate : plan.unit.configuration_rates) names.push_back(plan.names.of(rate));
+  for (const Entry& entry : plan.unit.accelerations) names.push_back(plan.names.of(entry));
+  add_accessors(type, names);
+  return type;
+}
+
+}  // namespace gaussgen::emit

@@ -1,0 +1,167 @@
+#include "passes/prepare.hpp"
+
+#include <utility>
+
+#include "ir/print.hpp"
+#include "ir/traverse.hpp"
+
+namespace gaussgen::passes {
+
+using ir::Kind;
+using ir::Node;
+using ir::Rational;
+using ir::SymbolClass;
+using ir::Term;
+
+namespace {
+
+bool is_symbol(const Graph& graph, NodeId id, SymbolClass symbol_class) {
+  return graph[id].kind == Kind::symbol && graph.symbol(graph[id].symbol).symbol_class == symbol_class;
+}
+
+// Rational numbers are written in place, and the rounding unit costs nothing.
+bool stays_in_place(const Graph& graph, NodeId id) {
+  return graph[id].kind == Kind::constant || is_symbol(graph, id, SymbolClass::epsilon);
+}
+
+bool is_short(const Rational& coefficient) { return support::is_integer(coefficient); }
+
+}  // namespace
+
+PreparationSplit::PreparationSplit(Graph& graph, std::unordered_map<std::uint32_t, std::string> names)
+    : graph_(graph), names_(std::move(names)) {}
+
+NodeId PreparationSplit::operator()(NodeId root) {
+  for (const NodeId id : ir::post_order(graph_, {root}, [this](NodeId node) { return memo_.count(node.index) != 0; })) {
+    if (memo_.count(id.index) == 0) memo_.emplace(id.index, varies(id) ? rebuilt(id) : id);
+  }
+  const NodeId result = known(root);
+  return varies(root) || stays_in_place(graph_, root) ? result : prepared(root);
+}
+
+bool PreparationSplit::varies(NodeId id) {
+  const auto found = varies_.find(id.index);
+  if (found != varies_.end()) return found->second;
+  const Node& node = graph_[id];
+  // Conditions have a type of their own, so they are not prepared, only what they compare.
+  bool result = node.kind == Kind::function && ir::is_boolean(node.function);
+  result = result || (node.kind == Kind::symbol && ir::varies(graph_.symbol(node.symbol)));
+  for (const NodeId child : node.children) result = result || varies(child);
+  varies_.emplace(id.index, result);
+  return result;
+}
+
+NodeId PreparationSplit::prepared(NodeId id) {
+  if (const auto found = prepared_.find(id.index); found != prepared_.end()) return found->second;
+  if (stays_in_place(graph_, id)) return id;
+  const Node& node = graph_[id];
+  const bool is_parameter = is_symbol(graph_, id, SymbolClass::parameter);
+  const std::string name = name_of(id);
+  const SymbolId symbol = is_parameter ? node.symbol : graph_.declare(SymbolClass::parameter, name);
+  values_.push_back({symbol, id, name});
+  const NodeId use = graph_.use(symbol);
+  prepared_.emplace(id.index, use);
+  varies_.emplace(use.index, false);
+  return use;
+}
+
+std::string PreparationSplit::name_of(NodeId id) const {
+  if (const auto wanted = names_.find(id.index); wanted != names_.end()) return wanted->second;
+  const Node& node = graph_[id];
+  if (node.kind == Kind::named) return node.name;
+  return node.kind == Kind::symbol ? graph_.symbol(node.symbol).name : graph_.label(id);
+}
+
+// Called for nodes that vary, after their children.
+NodeId PreparationSplit::rebuilt(NodeId id) {
+  const Node node = graph_[id];
+  std::vector<NodeId> children;
+  switch (node.kind) {
+    case Kind::sum: return relabelled(id, rebuilt_sum(id));
+    case Kind::product: return relabelled(id, rebuilt_product(id));
+    case Kind::power: return relabelled(id, graph_.power(known(node.children[0]), node.value));
+    case Kind::named: return graph_.named(known(node.children[0]), node.name);
+    case Kind::function:
+      for (const NodeId child : node.children) children.push_back(varies(child) ? known(child) : prepared(child));
+      return relabelled(id, graph_.call(node.function, children));
+    default: return id;
+  }
+}
+
+NodeId PreparationSplit::relabelled(NodeId old, NodeId replacement) {
+  const std::string label = graph_.label(old);
+  return label.empty() ? replacement : graph_.named(replacement, label);
+}
+
+NodeId PreparationSplit::rebuilt_sum(NodeId id) {
+  const Node node = graph_[id];
+  std::vector<Term> constant;
+  std::vector<Term> result;
+  for (std::size_t i = 0; i < node.children.size(); ++i) {
+    if (varies(node.children[i])) {
+      result.push_back({1, rebuilt_term(node.coefficients[i], node.children[i])});
+    } else {
+      constant.push_back({node.coefficients[i], node.children[i]});
+    }
+  }
+  if (constant.empty()) return graph_.linear(node.value, result);
+  // A lone parameter keeps its whole factor outside: 2 m + x needs m only.
+  if (constant.size() == 1 && node.value == 0 && is_short(constant[0].coefficient)) {
+    result.push_back({constant[0].coefficient, prepared(constant[0].node)});
+  } else {
+    result.push_back({1, prepared(graph_.linear(node.value, constant))});
+  }
+  return graph_.linear(0, result);
+}
+
+PreparationSplit::Parts PreparationSplit::split_factors(NodeId product) {
+  Parts parts;
+  const Node node = graph_[product];
+  for (const NodeId child : node.children) (varies(child) ? parts.varying : parts.constant).push_back(child);
+  return parts;
+}
+
+NodeId PreparationSplit::rebuilt_term(const Rational& coefficient, NodeId node) {
+  if (is_short(coefficient) || graph_[node].kind != Kind::product) return graph_.scale(coefficient, known(node));
+  const Parts parts = split_factors(node);
+  if (parts.constant.empty()) return graph_.scale(coefficient, known(node));
+  std::vector<NodeId> factors{prepared(graph_.scale(coefficient, graph_.product(parts.constant)))};
+  for (const NodeId factor : parts.varying) factors.push_back(known(factor));
+  return graph_.product(factors);
+}
+
+NodeId PreparationSplit::rebuilt_product(NodeId id) {
+  const Parts parts = split_factors(id);
+  std::vector<NodeId> factors;
+  if (!parts.constant.empty()) factors.push_back(prepared(graph_.product(parts.constant)));
+  for (const NodeId factor : parts.varying) factors.push_back(known(factor));
+  return graph_.product(factors);
+}
+
+void PreparationSplit::touch(NodeId root) {
+  for (const NodeId id : ir::post_order(graph_, {root})) {
+    if (is_symbol(graph_, id, SymbolClass::parameter)) prepared(id);
+  }
+}
+
+std::vector<std::string> violations(const Graph& graph, const PreparationSplit& split, const std::vector<NodeId>& roots) {
+  std::vector<std::string> found;
+  for (const PreparedValue& value : split.values()) {
+    const std::vector<NodeId> order = ir::post_order(graph, {value.value});
+    if (ir::depends_on(graph, order, ir::varies).contains(value.value)) {
+      found.push_back("prepared value that varies: " + ir::print(graph, value.value));
+    }
+  }
+  const std::vector<NodeId> order = ir::post_order(graph, roots);
+  const ir::NodeSet varying = ir::depends_on(graph, order, ir::varies);
+  for (const NodeId id : order) {
+    const Node& node = graph[id];
+    const bool is_condition = node.kind == Kind::function && node.function >= ir::Function::less;
+    if (!varying.contains(id) && !node.children.empty() && !is_condition) {
+      found.push_back("left unprepared: " + ir::print(graph, id));
+    }
+  }
+  return found;
+}
+
+}  // namespace gaussgen::passes

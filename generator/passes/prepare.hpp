@@ -1,0 +1,69 @@
+#pragma once
+// What depends on parameters and constants alone is computed once, by `prepare` (architecture, decision 9).
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "ir/graph.hpp"
+
+namespace gaussgen::passes {
+
+using ir::Graph;
+using ir::NodeId;
+using ir::SymbolId;
+
+/// A value that `prepare` computes and the functions read.
+struct PreparedValue {
+  SymbolId symbol;   ///< a parameter itself, or a new symbol that stands for `value`
+  NodeId value;      ///< over parameters
+  std::string name;  ///< wanted; empty for an anonymous term
+};
+
+/// Splits expressions into what `prepare` computes and the rest. Maximal parts are taken, also partial products and
+/// partial sums: m r x becomes (m r) x. Parts that differ by a rational factor share a value if the factor is whole.
+class PreparationSplit {
+ public:
+  /// `names`: names wanted for nodes, by NodeId::index; they also hold for what becomes a prepared value.
+  PreparationSplit(Graph& graph, std::unordered_map<std::uint32_t, std::string> names);
+
+  /// The same expression over prepared values and what varies.
+  NodeId operator()(NodeId root);
+
+  /// False for what depends on parameters and constants alone.
+  bool varies(NodeId id);
+
+  /// Makes the parameters in `root` prepared values and leaves the rest as it is: for what is computed once anyway.
+  void touch(NodeId root);
+
+  /// In order of first use.
+  const std::vector<PreparedValue>& values() const { return values_; }
+
+ private:
+  struct Parts {
+    std::vector<NodeId> constant;
+    std::vector<NodeId> varying;
+  };
+
+  NodeId prepared(NodeId id);
+  NodeId rebuilt(NodeId id);
+  NodeId rebuilt_sum(NodeId id);
+  NodeId rebuilt_term(const ir::Rational& coefficient, NodeId node);
+  NodeId rebuilt_product(NodeId id);
+  NodeId known(NodeId id) const { return memo_.at(id.index); }
+  std::string name_of(NodeId id) const;
+  Parts split_factors(NodeId product);
+  NodeId relabelled(NodeId old, NodeId replacement);
+
+  Graph& graph_;
+  std::unordered_map<std::uint32_t, std::string> names_;
+  std::unordered_map<std::uint32_t, bool> varies_;
+  std::unordered_map<std::uint32_t, NodeId> memo_;
+  std::unordered_map<std::uint32_t, NodeId> prepared_;  ///< node over parameters -> the symbol that stands for it
+  std::vector<PreparedValue> values_;
+};
+
+/// What varies among the prepared values, and what could have been prepared in the roots. Empty when sound.
+std::vector<std::string> violations(const Graph& graph, const PreparationSplit& split, const std::vector<NodeId>& roots);
+
+}  // namespace gaussgen::passes

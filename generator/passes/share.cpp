@@ -1,0 +1,104 @@
+#include "passes/share.hpp"
+
+namespace gaussgen::passes {
+
+using ir::Function;
+using ir::Kind;
+using ir::Node;
+
+namespace {
+
+/// Operands in one expression; beyond that a reader gets lost.
+constexpr int k_longest_expression = 24;
+
+bool is_function_value(const Node& node) { return node.kind == Kind::function && node.function < Function::less; }
+
+class Sharer {
+ public:
+  Sharer(const Writing& writing, const Request& request) : writing_(writing), graph_(writing.graph()) {
+    collect_names(request);
+    find_pairs();
+    count_uses(request);
+    limit_length();
+  }
+
+  Sharing result;
+
+ private:
+  void want(NodeId id, const std::string& name) {
+    if (!is_trivial(graph_, id)) result.names.emplace(id.index, name);
+  }
+
+  void collect_names(const Request& request) {
+    for (const Section& section : request.sections) {
+      for (const auto& [node, name] : section.nodes) want(node, name);
+    }
+    for (const NodeId id : writing_.order()) {
+      if (graph_[id].kind == Kind::named) want(id, graph_[id].name);
+      if (!graph_.label(id).empty()) want(id, graph_.label(id));
+    }
+  }
+
+  void find_pairs() {
+    std::unordered_map<std::uint32_t, NodeId> sines;
+    for (const NodeId id : writing_.order()) {
+      if (is_call(id, Function::sin)) sines.emplace(graph_[id].children[0].index, id);
+    }
+    for (const NodeId id : writing_.order()) {
+      if (!is_call(id, Function::cos)) continue;
+      const auto sine = sines.find(graph_[id].children[0].index);
+      if (sine == sines.end()) continue;
+      result.cosine_of.emplace(sine->second.index, id);
+      result.sine_of.emplace(id.index, sine->second);
+    }
+  }
+
+  bool is_call(NodeId id, Function function) const {
+    return graph_[id].kind == Kind::function && graph_[id].function == function;
+  }
+
+  // Users come before what they use, so the number of uses of a node is final when its turn comes.
+  void count_uses(const Request& request) {
+    std::unordered_map<std::uint32_t, int> uses;
+    for (const NodeId id : request.outputs) ++uses[id.index];
+    const std::vector<NodeId>& order = writing_.order();
+    for (auto it = order.rbegin(); it != order.rend(); ++it) {
+      const bool trivial = is_trivial(graph_, *it);
+      const bool wanted = result.names.count(it->index) != 0 || is_function_value(graph_[*it]);
+      if (!trivial && (wanted || uses[it->index] > 1)) result.temporaries.insert(it->index);
+      if (result.sine_of.count(it->index) != 0) continue;  // its argument is counted with the sine
+      for (const NodeId operand : writing_.operands(*it)) uses[operand.index] += trivial ? uses[it->index] : 1;
+    }
+  }
+
+  void limit_length() {
+    std::unordered_map<std::uint32_t, int> length;
+    for (const NodeId id : writing_.order()) {
+      int total = 0;
+      for (const NodeId operand : writing_.operands(id)) total += length[operand.index];
+      const bool is_long = total > k_longest_expression && !is_trivial(graph_, id);
+      if (is_long) result.temporaries.insert(id.index);
+      length[id.index] = result.is_temporary(id) || total == 0 ? 1 : total;
+    }
+  }
+
+  const Writing& writing_;
+  const Graph& graph_;
+};
+
+}  // namespace
+
+bool is_trivial(const Graph& graph, NodeId id) {
+  const Node& node = graph[id];
+  if (node.kind == Kind::constant || node.kind == Kind::symbol) return true;
+  return node.kind == Kind::sum && node.value == 0 && node.children.size() == 1 && node.coefficients[0] == -1;
+}
+
+std::string Sharing::name(NodeId id) const {
+  const auto it = names.find(id.index);
+  return it == names.end() ? std::string() : it->second;
+}
+
+Sharing share(const Writing& writing, const Request& request) { return Sharer(writing, request).result; }
+
+}  // namespace gaussgen::passes

@@ -1,0 +1,29 @@
+#pragma once
+// Which nodes become temporaries.
+
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "passes/program.hpp"
+
+namespace gaussgen::passes {
+
+struct Sharing {
+  std::unordered_set<std::uint32_t> temporaries;
+  std::unordered_map<std::uint32_t, NodeId> cosine_of;  ///< sine -> cosine of the same argument, both temporaries
+  std::unordered_map<std::uint32_t, NodeId> sine_of;    ///< the other way round
+  std::unordered_map<std::uint32_t, std::string> names; ///< wanted by a section, a label or a named node
+
+  bool is_temporary(NodeId id) const { return temporaries.count(id.index) != 0; }
+  std::string name(NodeId id) const;
+};
+
+/// Temporaries are: what is used more than once and costs an operation, what has a name, every value of a function such
+/// as sin, and what would make one expression too long to read.
+Sharing share(const Writing& writing, const Request& request);
+
+/// Constants, symbols and negation cost nothing and are written in place.
+bool is_trivial(const Graph& graph, NodeId id);
+
+}  // namespace gaussgen::passes

@@ -1,0 +1,55 @@
+#pragma once
+// How a node is written in code, so that sharing counts what will really be computed: x^5 is x * x4, not a power.
+
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "ir/graph.hpp"
+
+namespace gaussgen::passes {
+
+using ir::Graph;
+using ir::NodeId;
+
+struct PowerForm {
+  enum class Kind {
+    factors,      ///< product of the operands
+    reciprocal,   ///< 1 / operand
+    square_root,  ///< of the operand
+    general,      ///< pow(operand, exponent)
+  };
+  Kind kind = Kind::general;
+  std::vector<NodeId> operands;
+};
+
+/// The nodes below some roots as they will be written. Powers that occur only in the writing of others (x^2 for x^3) are
+/// added to the graph.
+class Writing {
+ public:
+  Writing(Graph& graph, const std::vector<NodeId>& roots);
+
+  const Graph& graph() const { return graph_; }
+
+  /// What the written form of a node mentions, with repetitions.
+  const std::vector<NodeId>& operands(NodeId id) const;
+  const PowerForm& power_form(NodeId power) const { return forms_.at(power.index); }
+
+  /// Every node once, operands first; depends on structure only.
+  const std::vector<NodeId>& order() const { return order_; }
+  bool contains(NodeId id) const { return reached_.count(id.index) != 0; }
+
+ private:
+  void walk(const std::vector<NodeId>& roots);
+  void decompose(NodeId id);
+  PowerForm form_of(NodeId power);
+  PowerForm integer_power(NodeId base, int exponent);
+
+  Graph& graph_;
+  std::unordered_set<std::uint32_t> inverted_;  ///< bases x whose 1/x is wanted anyway
+  std::unordered_map<std::uint32_t, PowerForm> forms_;
+  std::unordered_set<std::uint32_t> reached_;
+  std::vector<NodeId> order_;
+};
+
+}  // namespace gaussgen::passes

@@ -1,0 +1,191 @@
+// gauss::Math: the functions, selections and constants that emitted models need from their scalar type S.
+// SPDX-License-Identifier: MIT-0
+//
+// Works as it is for float, double, long double and for any type with arithmetic, comparison and functions that are
+// found by argument-dependent lookup (Boost.Multiprecision, dual numbers). Others specialise Math: gauss/scalar/ has
+// __float128 and SIMD batches.
+#ifndef GAUSS_MATH_HPP
+#define GAUSS_MATH_HPP
+
+#define GAUSS_MATH_VERSION 1
+
+// Conditions on values that are not finite, and the order of sums, are part of the results.
+#if defined(__FAST_MATH__) && !defined(GAUSS_ALLOW_FAST_MATH)
+#error "Emitted models need exact floating-point semantics: compile without -ffast-math, or define GAUSS_ALLOW_FAST_MATH."
+#endif
+
+#include <cmath>
+#include <limits>
+
+#if defined(__CUDACC__)
+#define GAUSS_FUNCTION inline __host__ __device__
+#else
+#define GAUSS_FUNCTION inline
+#endif
+
+namespace gauss {
+
+/// How a computation went. Results are to be trusted with `ok` only.
+enum class Status { ok, singular_mass_matrix, dependent_constraints, not_finite };
+
+constexpr const char* name(Status status) noexcept {
+  return status == Status::ok                      ? "ok"
+         : status == Status::singular_mass_matrix  ? "singular mass matrix"
+         : status == Status::dependent_constraints ? "dependent constraints"
+                                                   : "not finite";
+}
+
+/// An entry of the tables that describe a model.
+struct Quantity {
+  const char* name;
+  const char* unit;
+  const char* about;
+};
+
+// Functions by argument-dependent lookup, outside of Math, whose members would hide them.
+namespace adl {
+#define GAUSS_BY_LOOKUP(f)                 \
+  template <class S>                       \
+  GAUSS_FUNCTION S call_##f(const S& x) {  \
+    return f(x);                           \
+  }
+GAUSS_BY_LOOKUP(sin)
+GAUSS_BY_LOOKUP(cos)
+GAUSS_BY_LOOKUP(tan)
+GAUSS_BY_LOOKUP(asin)
+GAUSS_BY_LOOKUP(acos)
+GAUSS_BY_LOOKUP(atan)
+GAUSS_BY_LOOKUP(exp)
+GAUSS_BY_LOOKUP(log)
+GAUSS_BY_LOOKUP(sinh)
+GAUSS_BY_LOOKUP(cosh)
+GAUSS_BY_LOOKUP(tanh)
+GAUSS_BY_LOOKUP(sqrt)
+#undef GAUSS_BY_LOOKUP
+template <class S>
+GAUSS_FUNCTION S call_atan2(const S& y, const S& x) {
+  return atan2(y, x);
+}
+template <class S>
+GAUSS_FUNCTION S call_pow(const S& x, const S& y) {
+  return pow(x, y);
+}
+}  // namespace adl
+
+/// Comparison and selection for types whose conditions are bool.
+template <class S>
+struct ScalarLogic {
+  using Bool = bool;
+  using Status = gauss::Status;
+
+  GAUSS_FUNCTION static Bool less(const S& a, const S& b) { return a < b; }
+  GAUSS_FUNCTION static S select(Bool condition, const S& a, const S& b) { return condition ? a : b; }
+
+  template <class... Rest>
+  GAUSS_FUNCTION static Bool any(Bool first, Rest... rest) {
+    return (first || ... || rest);
+  }
+
+  /// x - x is 0 for finite x only.
+  template <class... Rest>
+  GAUSS_FUNCTION static Bool not_finite(const S& first, const Rest&... rest) {
+    return !(((first - first) + ... + (rest - rest)) == S(0));
+  }
+
+  /// The first condition that holds.
+  GAUSS_FUNCTION static Status status(Bool singular_mass_matrix, Bool dependent_constraints, Bool not_finite) {
+    return singular_mass_matrix    ? Status::singular_mass_matrix
+           : dependent_constraints ? Status::dependent_constraints
+           : not_finite            ? Status::not_finite
+                                   : Status::ok;
+  }
+
+  GAUSS_FUNCTION static S epsilon() { return std::numeric_limits<S>::epsilon(); }
+  /// A number that needs more digits than double has, as hi + mid + lo.
+  GAUSS_FUNCTION static S constant(double hi, double mid, double lo) {
+    return (static_cast<S>(lo) + static_cast<S>(mid)) + static_cast<S>(hi);
+  }
+};
+
+/// To be specialised for types that need it.
+template <class S>
+struct Math : ScalarLogic<S> {
+  GAUSS_FUNCTION static S sin(const S& x) { return adl::call_sin(x); }
+  GAUSS_FUNCTION static S cos(const S& x) { return adl::call_cos(x); }
+  GAUSS_FUNCTION static S tan(const S& x) { return adl::call_tan(x); }
+  GAUSS_FUNCTION static S asin(const S& x) { return adl::call_asin(x); }
+  GAUSS_FUNCTION static S acos(const S& x) { return adl::call_acos(x); }
+  GAUSS_FUNCTION static S atan(const S& x) { return adl::call_atan(x); }
+  GAUSS_FUNCTION static S atan2(const S& y, const S& x) { return adl::call_atan2(y, x); }
+  GAUSS_FUNCTION static S exp(const S& x) { return adl::call_exp(x); }
+  GAUSS_FUNCTION static S log(const S& x) { return adl::call_log(x); }
+  GAUSS_FUNCTION static S sinh(const S& x) { return adl::call_sinh(x); }
+  GAUSS_FUNCTION static S cosh(const S& x) { return adl::call_cosh(x); }
+  GAUSS_FUNCTION static S tanh(const S& x) { return adl::call_tanh(x); }
+  GAUSS_FUNCTION static S sqrt(const S& x) { return adl::call_sqrt(x); }
+  GAUSS_FUNCTION static S pow(const S& x, const S& y) { return adl::call_pow(x, y); }
+  GAUSS_FUNCTION static void sincos(const S& x, S& sine, S& cosine) {
+    sine = sin(x);
+    cosine = cos(x);
+  }
+  GAUSS_FUNCTION static S pi() { return acos(S(-1)); }
+};
+
+/// float, double and long double.
+template <class S>
+struct StandardMath : ScalarLogic<S> {
+  GAUSS_FUNCTION static S sin(S x) noexcept { return std::sin(x); }
+  GAUSS_FUNCTION static S cos(S x) noexcept { return std::cos(x); }
+  GAUSS_FUNCTION static S tan(S x) noexcept { return std::tan(x); }
+  GAUSS_FUNCTION static S asin(S x) noexcept { return std::asin(x); }
+  GAUSS_FUNCTION static S acos(S x) noexcept { return std::acos(x); }
+  GAUSS_FUNCTION static S atan(S x) noexcept { return std::atan(x); }
+  GAUSS_FUNCTION static S atan2(S y, S x) noexcept { return std::atan2(y, x); }
+  GAUSS_FUNCTION static S exp(S x) noexcept { return std::exp(x); }
+  GAUSS_FUNCTION static S log(S x) noexcept { return std::log(x); }
+  GAUSS_FUNCTION static S sinh(S x) noexcept { return std::sinh(x); }
+  GAUSS_FUNCTION static S cosh(S x) noexcept { return std::cosh(x); }
+  GAUSS_FUNCTION static S tanh(S x) noexcept { return std::tanh(x); }
+  GAUSS_FUNCTION static S sqrt(S x) noexcept { return std::sqrt(x); }
+  GAUSS_FUNCTION static S pow(S x, S y) noexcept { return std::pow(x, y); }
+  GAUSS_FUNCTION static void sincos(S x, S& sine, S& cosine) noexcept {
+    sine = std::sin(x);
+    cosine = std::cos(x);
+  }
+  GAUSS_FUNCTION static S pi() noexcept { return static_cast<S>(3.14159265358979323846264338327950288L); }
+};
+
+// One call for both where the C library offers it; compilers do not always find the pair by themselves.
+#if defined(__GLIBC__) && defined(_GNU_SOURCE)
+#define GAUSS_SINCOS(S, function) \
+  GAUSS_FUNCTION static void sincos(S x, S& sine, S& cosine) noexcept { function(x, &sine, &cosine); }
+#else
+#define GAUSS_SINCOS(S, function)
+#endif
+
+template <>
+struct Math<float> : StandardMath<float> {
+  GAUSS_SINCOS(float, ::sincosf)
+};
+
+template <>
+struct Math<double> : StandardMath<double> {
+  GAUSS_SINCOS(double, ::sincos)
+};
+
+template <>
+struct Math<long double> : StandardMath<long double> {
+  GAUSS_SINCOS(long double, ::sincosl)
+};
+
+#undef GAUSS_SINCOS
+
+/// An enumeration for scalars, a mask per condition for batches.
+template <class S>
+using StatusOf = typename Math<S>::Status;
+
+}  // namespace gauss
+
+#elif GAUSS_MATH_VERSION != 1
+#error "Two versions of the gauss prelude meet in one file: generate all models with the same gauss-gen."
+#endif  // GAUSS_MATH_HPP
