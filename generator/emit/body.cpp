@@ -55,16 +55,14 @@ std::string Body::name_for(NodeId id, const std::string& wanted) {
   if (!wanted.empty()) return scope_.allocate(wanted);
   const ir::Graph& graph = writing_.graph();
   const auto name_of = [&](NodeId operand) -> std::string {
-    if (const std::string* bound = writer_.bound(operand)) return is_anonymous_.count(operand.index) != 0 ? "" : *bound;
+    if (const std::string* bound = writer_.bound(operand)) return *bound;
     const ir::Node& node = graph[operand];
     if (node.kind != ir::Kind::symbol) return {};
     const std::string text = names_.of_symbol(node.symbol);
     return text.find(':') == std::string::npos ? text : graph.symbol(node.symbol).name;
   };
   const std::string natural = natural_name(graph, id, name_of);
-  if (!natural.empty()) return scope_.allocate(natural);
-  is_anonymous_[id.index] = true;
-  return scope_.allocate_anonymous("t");
+  return natural.empty() ? scope_.allocate_anonymous("t") : scope_.allocate(natural);
 }
 
 }  // namespace gaussgen::emit

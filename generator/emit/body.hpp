@@ -34,7 +34,6 @@ class Body {
   const UnitNames& names_;
   ExpressionWriter writer_;
   NameScope& scope_;
-  std::unordered_map<std::uint32_t, bool> is_anonymous_;
   std::vector<cpp::Statement> statements_;
 };
 

@@ -107,7 +107,7 @@ class Printer {
     comment_lines(function.comment, "///", 0);
     if (function.is_template) out += "template <class S>\n";
     std::string line = head(function);
-    const std::size_t column = std::min<std::size_t>(line.size(), 40);
+    const std::size_t column = std::min(line.size(), k_line_length / 2);
     for (std::size_t i = 0; i < function.arguments.size(); ++i) {
       const bool is_last = i + 1 == function.arguments.size();
       const std::string argument = text_of(function.arguments[i]) + (is_last ? ")" : ", ");

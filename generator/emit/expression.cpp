@@ -78,13 +78,21 @@ void ExpressionWriter::multiply(Fraction& fraction, NodeId factor) const {
   }
   if (bound(factor) == nullptr && node.kind == Kind::power) {
     const PowerForm& form = writing_.power_form(factor);
-    if (form.kind == PowerForm::Kind::reciprocal) return fraction.bottom.push_back(value(form.operands[0]));
+    if (form.kind == PowerForm::Kind::reciprocal) return divide(fraction, form.operands[0]);
     if (form.kind == PowerForm::Kind::factors) {
       for (const NodeId operand : form.operands) multiply(fraction, operand);
       return;
     }
   }
   fraction.top.push_back(value(factor));
+}
+
+// a / (b c c) and not a / (b (c c)).
+void ExpressionWriter::divide(Fraction& fraction, NodeId divisor) const {
+  Fraction inner;
+  multiply(inner, divisor);
+  fraction.bottom.insert(fraction.bottom.end(), inner.top.begin(), inner.top.end());
+  fraction.top.insert(fraction.top.end(), inner.bottom.begin(), inner.bottom.end());
 }
 
 Expression ExpressionWriter::scaled(const Rational& factor, NodeId id) const {

@@ -38,6 +38,7 @@ class ExpressionWriter {
   /// factor * node, factor positive
   cpp::Expression scaled(const ir::Rational& factor, NodeId node) const;
   void multiply(Fraction& fraction, NodeId factor) const;
+  void divide(Fraction& fraction, NodeId divisor) const;
 
   const passes::Writing& writing_;
   const UnitNames& names_;

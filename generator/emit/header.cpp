@@ -28,11 +28,11 @@ std::string guard_name(const std::string& name_space) {
   for (const char c : name_space) {
     if (c >= 'a' && c <= 'z') {
       guard += static_cast<char>(c - 'a' + 'A');
-    } else if (c != ':' || guard.back() != '_') {
-      guard += c == ':' ? '_' : c;
+    } else if (const char kept = c == ':' ? '_' : c; kept != '_' || guard.back() != '_') {
+      guard += kept;
     }
   }
-  return guard + "_HPP";
+  return guard + (guard.back() == '_' ? "HPP" : "_HPP");
 }
 
 class HeaderBuilder {

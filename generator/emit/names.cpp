@@ -42,7 +42,9 @@ UnitNames::UnitNames(const ir::Graph& graph, const Unit& unit) {
 
 // A configuration rate is often a speed as well (chi_dot), and then has the same text.
 void UnitNames::add(const std::string& name) {
-  if (texts_.count(name) == 0) texts_.emplace(name, scope_.allocate(name));
+  if (texts_.count(name) != 0) return;
+  const bool is_free = scope_.is_free(mangled(name));
+  texts_.emplace(name, scope_.allocate(is_free ? name : name + "_"));
 }
 
 void UnitNames::add(const Entry& entry) {

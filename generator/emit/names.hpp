@@ -18,6 +18,8 @@ class NameScope {
   /// t1, t2, …
   std::string allocate_anonymous(const std::string& prefix);
   void reserve(const std::string& name) { taken_.insert(name); }
+  void release(const std::string& name) { taken_.erase(name); }
+  bool is_free(const std::string& name) const { return taken_.count(name) == 0; }
 
  private:
   std::set<std::string> taken_;

@@ -29,9 +29,20 @@ class Namer {
   }
 
  private:
+  // A trailing underscore keeps a word from being a keyword; inside a longer name it is not needed.
   std::string operand(NodeId id) const {
-    const std::string name = name_of_(id);
-    return name.empty() ? composed(id) : name;
+    std::string name = name_of_(id);
+    if (name.empty()) return composed(id);
+    while (name.back() == '_') name.pop_back();
+    return name;
+  }
+
+  /// t1 says nothing inside of a longer name, except as the argument of a function.
+  std::string speaking(NodeId id) const {
+    std::string name = operand(id);
+    const bool is_numbered = name.size() > 1 && (name[0] == 't' || name[0] == 'c') &&
+                             name.find_first_not_of("0123456789", 1) == std::string::npos;
+    return is_numbered ? std::string() : name;
   }
 
   static std::string joined(const std::string& a, const std::string& between, const std::string& b) {
@@ -39,26 +50,40 @@ class Namer {
   }
 
   std::string of_function(const Node& node) const {
-    if (node.children.size() != 1 || node.function >= ir::Function::less) return {};
-    return joined(std::string(ir::name_of(node.function)), "_", operand(node.children[0]));
+    if (node.function >= ir::Function::less) return {};
+    std::string name(ir::name_of(node.function));
+    for (const NodeId child : node.children) name = joined(name, "_", operand(child));
+    return name;
   }
 
   std::string of_power(const Node& node) const {
-    const std::string base = operand(node.children[0]);
+    const std::string base = speaking(node.children[0]);
     if (node.value == Rational(1) / 2) return joined("sqrt", "_", base);
-    if (node.value == -1) return joined("inv", "_", base);
-    if (node.value < 2 || node.value > 9 || !support::is_integer(node.value)) return {};
-    return joined(base, "_", support::to_text(node.value));
+    if (node.value < 0) return joined("inv", "_", whole_power(base, -node.value));
+    return whole_power(base, node.value);
+  }
+
+  static std::string whole_power(const std::string& base, const Rational& exponent) {
+    if (exponent == 1) return base;
+    if (exponent > 9 || !support::is_integer(exponent)) return {};
+    return joined(base, "_", support::to_text(exponent));
   }
 
   std::string of_sum(const Node& node) const {
+    if (node.value == 0 && node.children.size() == 1) return of_multiple(node.coefficients[0], node.children[0]);
     if (node.value != 0 || node.children.size() != 2) return {};
     const Rational product = node.coefficients[0] * node.coefficients[1];
     if (cln::abs(node.coefficients[0]) != 1 || cln::abs(product) != 1) return {};
-    const std::string first = operand(node.children[0]);
-    const std::string second = operand(node.children[1]);
+    const std::string first = speaking(node.children[0]);
+    const std::string second = speaking(node.children[1]);
     if (product == 1) return joined(first, "_plus_", second);
     return node.coefficients[0] == 1 ? joined(first, "_minus_", second) : joined(second, "_minus_", first);
+  }
+
+  std::string of_multiple(const Rational& factor, NodeId id) const {
+    if (factor == 2) return joined("two", "_", speaking(id));
+    if (factor == Rational(1) / 2) return joined("half", "_", speaking(id));
+    return {};
   }
 
   std::string of_product(const Node& node) const {
@@ -67,12 +92,14 @@ class Namer {
     std::string bottom;
     for (const NodeId child : node.children) {
       const Node& factor = graph_[child];
-      const bool is_reciprocal = factor.kind == Kind::power && factor.value == -1;
-      const std::string name = operand(is_reciprocal ? factor.children[0] : child);
+      const bool is_reciprocal = factor.kind == Kind::power && factor.value < 0;
+      const std::string name =
+          is_reciprocal ? whole_power(speaking(factor.children[0]), -factor.value) : speaking(child);
       if (name.empty()) return {};
       std::string& place = is_reciprocal ? bottom : top;
       place += (place.empty() ? "" : "_") + name;
     }
+    if (top.empty()) return joined("inv", "_", bottom);
     return bottom.empty() ? top : joined(top, "_over_", bottom);
   }
 

@@ -72,14 +72,14 @@ class Planner {
 
  private:
   passes::Request as_it_is(const Artefact& artefact) {
-    passes::Request request{outputs_of(artefact), {}};
+    passes::Request request{outputs_of(artefact), {}, {}};
     for (const Section& section : artefact.sections) request.sections.push_back({section.comment, section.nodes});
     for (const NodeId output : request.outputs) split_.touch(output);
     return request;
   }
 
   passes::Request over_prepared(const Artefact& artefact) {
-    passes::Request request{outputs_of(artefact), {}};
+    passes::Request request{outputs_of(artefact), {}, {}};
     const IdSet needed = reached_from(plan_.graph, request.outputs);
     for (NodeId& output : request.outputs) output = split_(output);
     for (const Section& section : artefact.sections) {

@@ -1,5 +1,7 @@
 #include "emit/provenance.hpp"
 
+#include <algorithm>
+
 #include "emit/text.hpp"
 #include "ir/cost.hpp"
 
@@ -21,15 +23,20 @@ std::vector<std::string> row(const Entry& entry) {
 }
 
 std::string quantities(const Unit& unit) {
-  Rows coordinates, held, parameters, inputs;
+  Rows coordinates, speeds, held, parameters, inputs;
   for (const Entry& entry : unit.configuration) coordinates.push_back(row(entry));
+  // Rates of coordinates explain themselves.
+  for (const Entry& entry : unit.speeds) {
+    const std::vector<std::string>& rates = unit.configuration_rates;
+    if (std::find(rates.begin(), rates.end(), entry.name) == rates.end()) speeds.push_back(row(entry));
+  }
   for (const HeldEntry& entry : unit.held) {
     held.push_back({comment_text(entry.name) + " = " + comment_text(entry.held_at), comment_text(entry.unit),
                     comment_text(entry.about)});
   }
   for (const ParameterEntry& parameter : unit.parameters) parameters.push_back(row(parameter.entry));
   for (const InputEntry& input : unit.inputs) inputs.push_back(row(input.entry));
-  return table("Coordinates", coordinates) + table("Held coordinates, replaced by their values", held) +
+  return table("Coordinates", coordinates) + table("Speeds that are not rates of coordinates", speeds) + table("Held coordinates, replaced by their values", held) +
          table("Parameters", parameters) + table("Inputs", inputs);
 }
 

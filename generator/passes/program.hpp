@@ -20,6 +20,8 @@ struct Section {
 struct Request {
   std::vector<NodeId> outputs;
   std::vector<Section> sections;
+  /// Names for nodes that become temporaries anyway, such as results that are also tested.
+  std::vector<std::pair<NodeId, std::string>> suggestions;
 };
 
 /// One temporary, or a sine and a cosine of one argument that are computed together.

@@ -24,7 +24,7 @@ class Scheduler {
         if (sharing_.is_temporary(node)) place(node);
       }
     }
-    open("Terms used below");
+    open("Shared terms");
     for (const NodeId output : request.outputs) place(output);
     close();
     program_.outputs = request.outputs;

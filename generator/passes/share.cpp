@@ -29,10 +29,17 @@ class Sharer {
     if (!is_trivial(graph_, id)) result.names.emplace(id.index, name);
   }
 
+  // Functions and powers have a name in themselves: sin_theta, x_2.
+  void suggest(NodeId id, const std::string& name) {
+    const Kind kind = graph_[id].kind;
+    if (kind == Kind::sum || kind == Kind::product) result.suggestions.emplace(id.index, name);
+  }
+
   void collect_names(const Request& request) {
     for (const Section& section : request.sections) {
       for (const auto& [node, name] : section.nodes) want(node, name);
     }
+    for (const auto& [node, name] : request.suggestions) suggest(node, name);
     for (const NodeId id : writing_.order()) {
       if (graph_[id].kind == Kind::named) want(id, graph_[id].name);
       if (!graph_.label(id).empty()) want(id, graph_.label(id));
@@ -63,7 +70,9 @@ class Sharer {
     for (const NodeId id : request.outputs) ++uses[id.index];
     const std::vector<NodeId>& order = writing_.order();
     for (auto it = order.rbegin(); it != order.rend(); ++it) {
-      const bool trivial = is_trivial(graph_, *it);
+      // A result of the form -x that is also used elsewhere reads better by its name.
+      const bool is_result = result.suggestions.count(it->index) != 0 && uses[it->index] > 1;
+      const bool trivial = is_trivial(graph_, *it) && !is_result;
       const bool wanted = result.names.count(it->index) != 0 || is_function_value(graph_[*it]);
       if (!trivial && (wanted || uses[it->index] > 1)) result.temporaries.insert(it->index);
       if (result.sine_of.count(it->index) != 0) continue;  // its argument is counted with the sine
@@ -95,8 +104,9 @@ bool is_trivial(const Graph& graph, NodeId id) {
 }
 
 std::string Sharing::name(NodeId id) const {
-  const auto it = names.find(id.index);
-  return it == names.end() ? std::string() : it->second;
+  if (const auto it = names.find(id.index); it != names.end()) return it->second;
+  const auto it = suggestions.find(id.index);
+  return it == suggestions.end() ? std::string() : it->second;
 }
 
 Sharing share(const Writing& writing, const Request& request) { return Sharer(writing, request).result; }

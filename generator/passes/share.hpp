@@ -13,7 +13,8 @@ struct Sharing {
   std::unordered_set<std::uint32_t> temporaries;
   std::unordered_map<std::uint32_t, NodeId> cosine_of;  ///< sine -> cosine of the same argument, both temporaries
   std::unordered_map<std::uint32_t, NodeId> sine_of;    ///< the other way round
-  std::unordered_map<std::uint32_t, std::string> names; ///< wanted by a section, a label or a named node
+  std::unordered_map<std::uint32_t, std::string> names;  ///< wanted by a section, a label or a named node
+  std::unordered_map<std::uint32_t, std::string> suggestions;
 
   bool is_temporary(NodeId id) const { return temporaries.count(id.index) != 0; }
   std::string name(NodeId id) const;

@@ -5,14 +5,28 @@
 
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 
 #include "gauss/math.hpp"
 
 namespace gauss::integrate {
 
+namespace detail {
+
+// Found through the namespace of State. A model that was generated without `project` is left as it is.
+template <class Scalar, class State, class Prepared>
+auto project_if_any(int, const Scalar& t, const Prepared& prepared, State& state)
+    -> decltype(project(t, state, prepared, state)) {
+  return project(t, state, prepared, state);
+}
+
+template <class Scalar, class State, class Prepared>
+StatusOf<Scalar> project_if_any(long, const Scalar&, const Prepared&, State&) {
+  return StatusOf<Scalar>{};
+}
+
+}  // namespace detail
+
 /// `Source` is the model's Inputs, or a function (t, state) -> Inputs, such as a controller.
-/// The functions of the model are found through the namespace of its State.
 template <class StateType, class DerivativeType, class Prepared, class Source>
 class BoundModel {
  public:
@@ -32,23 +46,20 @@ class BoundModel {
     }
   }
 
-  /// Back onto the constraints. A model that was generated without `project` is left as it is.
-  Status projection(const Scalar& t, State& state) const { return projection_if_any(0, t, state); }
+  /// Back onto the constraints.
+  Status projection(const Scalar& t, State& state) const { return detail::project_if_any(0, t, prepared_, state); }
 
  private:
-  template <class S>
-  auto projection_if_any(int, const S& t, State& state) const -> decltype(project(t, state, prepared_(), state)) {
-    return project(t, state, prepared_, state);
-  }
-  template <class S>
-  Status projection_if_any(long, const S&, State&) const {
-    return Status{};
-  }
-
   Prepared prepared_;
   Source source_;
 };
 
+/// bind_model<ball::State, ball::Derivative>(ball::prepare(parameters), inputs)
+template <template <class> class State, template <class> class Derivative, template <class> class Prepared, class S, class Source>
+BoundModel<State<S>, Derivative<S>, Prepared<S>, Source> bind_model(const Prepared<S>& prepared, const Source& source) {
+  return {prepared, source};
+}
+
 }  // namespace gauss::integrate
 
-#endif
+#endif  // GAUSS_INTEGRATE_BOUND_MODEL_HPP

@@ -1,0 +1,81 @@
+// Boost.Odeint steps an emitted model.
+// SPDX-License-Identifier: MIT
+#ifndef GAUSS_INTEGRATE_ODEINT_HPP
+#define GAUSS_INTEGRATE_ODEINT_HPP
+
+#include <algorithm>
+#include <array>
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <cmath>
+#include <limits>
+
+#include "gauss/integrate/bound_model.hpp"
+
+namespace gauss::integrate {
+
+/// A system in Odeint's sense over std::array. Odeint copies systems: hand it std::ref(system).
+template <class Model>
+class OdeintSystem {
+ public:
+  using Scalar = typename Model::Scalar;
+  using Array = std::array<Scalar, Model::size>;
+
+  explicit OdeintSystem(const Model& model) : model_(model) {}
+
+  void operator()(const Array& x, Array& dxdt, const Scalar& t) {
+    typename Model::State state;
+    typename Model::Derivative derivative;
+    std::copy(x.begin(), x.end(), state.values);
+    const typename Model::Status status = model_.derivative(t, state, derivative);
+    std::copy_n(derivative.values, Model::size, dxdt.begin());
+    ++calls_;
+    if (trouble_ == typename Model::Status{}) trouble_ = status;
+  }
+
+  /// The first status other than ok since the last forget_trouble(): Odeint has no way to return it.
+  typename Model::Status trouble() const { return trouble_; }
+  void forget_trouble() { trouble_ = typename Model::Status{}; }
+  long calls() const { return calls_; }
+
+ private:
+  const Model& model_;
+  typename Model::Status trouble_{};
+  long calls_ = 0;
+};
+
+/// Error of a step in units of what is allowed: largest over the components, each relative to its own scale. Odeint's own checker
+/// adds one absolute tolerance for all of them, which suits neither a speed of 100 rad/s nor a quaternion, and its maximum
+/// loses a NaN.
+template <class Scalar, std::size_t n>
+class ScaledError {
+ public:
+  using Array = std::array<Scalar, n>;
+
+  /// `scale` outlives the stepper, and may change between steps.
+  ScaledError(Scalar tolerance, const Array& scale) : tolerance_(tolerance), scale_(&scale) {}
+
+  template <class Algebra>
+  Scalar error(Algebra&, const Array&, const Array&, const Array& error, Scalar) const {
+    Scalar largest = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Scalar relative = std::abs(error[i]) / (tolerance_ * (*scale_)[i]);
+      if (!(relative <= std::numeric_limits<Scalar>::max())) return std::numeric_limits<Scalar>::max();
+      largest = std::max(largest, relative);
+    }
+    return largest;
+  }
+
+ private:
+  Scalar tolerance_;
+  const Array* scale_;
+};
+
+/// Order 8, with a step that follows the estimate of order 7 (Fehlberg 1968). No dense output.
+template <class Scalar, std::size_t n>
+using Fehlberg78 = boost::numeric::odeint::controlled_runge_kutta<
+    boost::numeric::odeint::runge_kutta_fehlberg78<std::array<Scalar, n>, Scalar>, ScaledError<Scalar, n>>;
+
+}  // namespace gauss::integrate
+
+#endif  // GAUSS_INTEGRATE_ODEINT_HPP

@@ -1,0 +1,37 @@
+#pragma once
+// __float128 (GCC, libquadmath): link with -lquadmath. Include before or after emitted headers.
+// SPDX-License-Identifier: MIT-0
+
+#include <quadmath.h>
+
+#include "gauss/math.hpp"
+
+namespace gauss {
+
+template <>
+struct Math<__float128> : ScalarLogic<__float128> {
+  using S = __float128;
+
+  static S sin(S x) noexcept { return sinq(x); }
+  static S cos(S x) noexcept { return cosq(x); }
+  static S tan(S x) noexcept { return tanq(x); }
+  static S asin(S x) noexcept { return asinq(x); }
+  static S acos(S x) noexcept { return acosq(x); }
+  static S atan(S x) noexcept { return atanq(x); }
+  static S atan2(S y, S x) noexcept { return atan2q(y, x); }
+  static S exp(S x) noexcept { return expq(x); }
+  static S log(S x) noexcept { return logq(x); }
+  static S sinh(S x) noexcept { return sinhq(x); }
+  static S cosh(S x) noexcept { return coshq(x); }
+  static S tanh(S x) noexcept { return tanhq(x); }
+  static S sqrt(S x) noexcept { return sqrtq(x); }
+  static S pow(S x, S y) noexcept { return powq(x, y); }
+  static void sincos(S x, S& sine, S& cosine) noexcept { sincosq(x, &sine, &cosine); }
+
+  // Without the literal suffix Q, which -std=c++17 does not know: hi + lo, exact to the last bit.
+  static S pi() noexcept { return S(3.14159265358979323846264338327950288L) + S(8.6718101301237810247970440260433519687e-35L); }
+  // numeric_limits knows nothing of __float128 under -std=c++17.
+  static S epsilon() noexcept { return S(1.0 / 4503599627370496.0) / S(1152921504606846976.0); }  // 2^-112
+};
+
+}  // namespace gauss

@@ -1,0 +1,76 @@
+#pragma once
+// xsimd::batch: one state per lane. Conditions are masks, so lanes never disturb each other.
+// SPDX-License-Identifier: MIT-0
+
+#include <xsimd/xsimd.hpp>
+
+#include "gauss/math.hpp"
+
+namespace gauss {
+
+/// The conditions of all lanes.
+template <class Mask>
+struct BatchStatus {
+  Mask singular_mass_matrix = Mask(false);
+  Mask dependent_constraints = Mask(false);
+  Mask not_finite = Mask(false);
+
+  /// Lanes whose results are not to be trusted.
+  Mask bad() const noexcept { return singular_mass_matrix || dependent_constraints || not_finite; }
+  bool any() const noexcept { return xsimd::any(bad()); }
+
+  /// Of one lane, as a scalar computation would have it.
+  Status lane(std::size_t i) const noexcept {
+    return singular_mass_matrix.get(i)    ? Status::singular_mass_matrix
+           : dependent_constraints.get(i) ? Status::dependent_constraints
+           : not_finite.get(i)            ? Status::not_finite
+                                          : Status::ok;
+  }
+};
+
+template <class T, class Arch>
+struct Math<xsimd::batch<T, Arch>> {
+  using S = xsimd::batch<T, Arch>;
+  using Bool = typename S::batch_bool_type;
+  using Status = BatchStatus<Bool>;
+
+  static S sin(const S& x) noexcept { return xsimd::sin(x); }
+  static S cos(const S& x) noexcept { return xsimd::cos(x); }
+  static S tan(const S& x) noexcept { return xsimd::tan(x); }
+  static S asin(const S& x) noexcept { return xsimd::asin(x); }
+  static S acos(const S& x) noexcept { return xsimd::acos(x); }
+  static S atan(const S& x) noexcept { return xsimd::atan(x); }
+  static S atan2(const S& y, const S& x) noexcept { return xsimd::atan2(y, x); }
+  static S exp(const S& x) noexcept { return xsimd::exp(x); }
+  static S log(const S& x) noexcept { return xsimd::log(x); }
+  static S sinh(const S& x) noexcept { return xsimd::sinh(x); }
+  static S cosh(const S& x) noexcept { return xsimd::cosh(x); }
+  static S tanh(const S& x) noexcept { return xsimd::tanh(x); }
+  static S sqrt(const S& x) noexcept { return xsimd::sqrt(x); }
+  static S pow(const S& x, const S& y) noexcept { return xsimd::pow(x, y); }
+  static void sincos(const S& x, S& sine, S& cosine) noexcept {
+    const auto pair = xsimd::sincos(x);
+    sine = pair.first;
+    cosine = pair.second;
+  }
+
+  static Bool less(const S& a, const S& b) noexcept { return a < b; }
+  static S select(const Bool& condition, const S& a, const S& b) noexcept { return xsimd::select(condition, a, b); }
+  template <class... Rest>
+  static Bool any(const Bool& first, const Rest&... rest) noexcept {
+    return (first || ... || rest);
+  }
+  template <class... Rest>
+  static Bool not_finite(const S& first, const Rest&... rest) noexcept {
+    return !(((first - first) + ... + (rest - rest)) == S(T(0)));
+  }
+  static Status status(const Bool& singular_mass_matrix, const Bool& dependent_constraints, const Bool& not_finite) noexcept {
+    return {singular_mass_matrix, dependent_constraints, not_finite};
+  }
+
+  static S epsilon() noexcept { return S(std::numeric_limits<T>::epsilon()); }
+  static S pi() noexcept { return S(Math<T>::pi()); }
+  static S constant(double hi, double mid, double lo) noexcept { return S(Math<T>::constant(hi, mid, lo)); }
+};
+
+}  // namespace gauss

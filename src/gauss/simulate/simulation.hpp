@@ -1,0 +1,182 @@
+// Integration in time with projection: every accepted state satisfies the constraints.
+// SPDX-License-Identifier: MIT
+#ifndef GAUSS_SIMULATE_SIMULATION_HPP
+#define GAUSS_SIMULATE_SIMULATION_HPP
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "gauss/integrate/odeint.hpp"
+
+namespace gauss::simulate {
+
+enum class Outcome {
+  running,
+  model_failed,    ///< the model's status at the state reached is not ok
+  step_too_small,  ///< the model's status or the error asks for steps below rounding of the time
+  too_many_steps,
+};
+
+constexpr const char* name(Outcome outcome) noexcept {
+  return outcome == Outcome::running          ? "running"
+         : outcome == Outcome::model_failed   ? "model failed"
+         : outcome == Outcome::step_too_small ? "step too small"
+                                              : "too many steps";
+}
+
+template <class Scalar>
+struct Settings {
+  Scalar tolerance = Scalar(1e-12);  ///< error of one step, relative to the scale of each component
+  Scalar smallest_scale = 1;         ///< the scale is the largest size so far, but no less than this, in the component's unit
+  Scalar first_step = 0;             ///< 0: chosen from the rates at the start
+  long most_steps = 10'000'000;
+  bool project = true;
+};
+
+template <class Status>
+struct Report {
+  Outcome outcome = Outcome::running;
+  Status status{};    ///< the model's last one that was not ok; ok if there was none
+  long steps = 0;     ///< accepted
+  long rejected = 0;  ///< by the estimate of the error, or by a status other than ok
+  long calls = 0;     ///< of rhs
+};
+
+/// Time is the start plus the steps taken, and each requested time is set exactly when it is reached, so that rounding does
+/// not add up over the samples.
+template <class Model>
+class Simulation {
+ public:
+  using Scalar = typename Model::Scalar;
+  using State = typename Model::State;
+  using Status = typename Model::Status;
+
+  Simulation(const Model& model, const State& start, const Scalar& start_time = 0, const Settings<Scalar>& settings = {})
+      : model_(model), settings_(settings), system_(model_), t_(start_time), step_(settings.first_step) {
+    std::copy_n(start.values, Model::size, x_.begin());
+    scale_.fill(settings_.smallest_scale);
+    grow_scale();
+  }
+
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// Integrates to `end`, where the last step is shortened to arrive. False: it did not get there, see report().
+  bool advance_to(const Scalar& end) {
+    return advance_to(end, [](const Scalar&, const State&, const State&) {});
+  }
+
+  /// After each accepted step `on_step(t, before, after)` sees the state before and after projection.
+  template <class OnStep>
+  bool advance_to(const Scalar& end, OnStep&& on_step) {
+    while (t_ < end && report_.outcome == Outcome::running) {
+      if (report_.steps >= settings_.most_steps) {
+        report_.outcome = Outcome::too_many_steps;
+      } else {
+        step_towards(end, on_step);
+      }
+    }
+    report_.calls = system_.calls();
+    return report_.outcome == Outcome::running;
+  }
+
+  const Scalar& time() const { return t_; }
+  State state() const { return as_state(x_); }
+  const Report<Status>& report() const { return report_; }
+
+ private:
+  using System = integrate::OdeintSystem<Model>;
+  using Array = typename System::Array;
+
+  static State as_state(const Array& x) {
+    State state;
+    std::copy(x.begin(), x.end(), state.values);
+    return state;
+  }
+
+  template <class OnStep>
+  void step_towards(const Scalar& end, OnStep&& on_step) {
+    Array rates;
+    system_.forget_trouble();
+    system_(x_, rates, t_);
+    if (system_.trouble() != Status{}) {
+      report_.outcome = Outcome::model_failed;
+      report_.status = system_.trouble();
+      return;
+    }
+    if (step_ <= Scalar(0)) step_ = first_step(rates);
+    while (report_.outcome == Outcome::running) {
+      // The controller's step is kept for afterwards when this one is cut off to arrive at `end`.
+      const Scalar wanted = step_;
+      const bool arrives = t_ + wanted >= end;
+      const Scalar dt = arrives ? end - t_ : wanted;
+      State before{}, after{};
+      if (!attempt(rates, dt, before, after)) {
+        reject(dt);
+        continue;
+      }
+      if (arrives) step_ = std::max(step_, wanted);
+      t_ = arrives ? end : t_ + dt;
+      std::copy_n(after.values, Model::size, x_.begin());
+      grow_scale();
+      ++report_.steps;
+      on_step(t_, before, after);
+      return;
+    }
+  }
+
+  /// One trial step and its projection; sets step_ to what comes next.
+  bool attempt(const Array& rates, const Scalar& dt, State& before, State& after) {
+    Array trial;
+    Scalar time = t_;
+    step_ = dt;
+    const bool is_accurate =
+        stepper_.try_step(std::ref(system_), x_, rates, time, trial, step_) == boost::numeric::odeint::success;
+    before = as_state(trial);
+    after = before;
+    Status status = system_.trouble();
+    if (is_accurate && status == Status{} && settings_.project) status = model_.projection(time, after);
+    if (status == Status{}) return is_accurate;
+    // A shorter step may stay on this side of the trouble.
+    report_.status = status;
+    step_ = std::min(step_, dt / 5);
+    return false;
+  }
+
+  void reject(const Scalar& dt) {
+    ++report_.rejected;
+    system_.forget_trouble();
+    const Scalar rounding = std::numeric_limits<Scalar>::epsilon() * std::max(Scalar(1), std::abs(t_));
+    if (dt <= 4 * rounding || !(step_ > 0)) report_.outcome = Outcome::step_too_small;
+  }
+
+  void grow_scale() {
+    for (std::size_t i = 0; i < Model::size; ++i) scale_[i] = std::max(scale_[i], std::abs(x_[i]));
+  }
+
+  // The time in which the fastest component changes by a part of its scale that an error of order 8 resolves.
+  Scalar first_step(const Array& rates) const {
+    Scalar fastest = 0;
+    for (std::size_t i = 0; i < Model::size; ++i) fastest = std::max(fastest, std::abs(rates[i]) / scale_[i]);
+    const Scalar part = std::pow(settings_.tolerance, Scalar(1) / 8);
+    return fastest > 0 ? part / fastest : part;
+  }
+
+  Model model_;
+  Settings<Scalar> settings_;
+  System system_;
+  Scalar t_;
+  Scalar step_;
+  Array x_{};
+  Array scale_{};
+  integrate::Fehlberg78<Scalar, Model::size> stepper_{
+      integrate::ScaledError<Scalar, Model::size>(settings_.tolerance, scale_)};
+  Report<Status> report_;
+};
+
+}  // namespace gauss::simulate
+
+#endif  // GAUSS_SIMULATE_SIMULATION_HPP
