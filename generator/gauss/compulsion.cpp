@@ -26,6 +26,7 @@ Row<HeldIndex> dual_coefficients(const Row<FullIndex>& v, const Row<FreeIndex>& 
   return result;
 }
 
+/// With a double underscore, which no name of a model has.
 template <class Index>
 Row<Index> variables(const std::string& prefix, const std::vector<Index>& indices, const Chart& chart) {
   Row<Index> result;
@@ -76,9 +77,9 @@ InvariantAccelerations invariant_accelerations(const Connection& connection, con
 Compulsion compulsion(const InvariantAccelerations& invariant, const Metric& metric, const Chart& chart) {
   const ex half = symbolic::number(support::Rational(1) / 2);
   Compulsion result;
-  result.a_q_up = variables("a_up_", chart.free(), chart);
-  result.a_x = variables("a_", chart.held(), chart);
-  result.R_x = variables("R_", chart.held(), chart);
+  result.a_q_up = variables("a__up_", chart.free(), chart);
+  result.a_x = variables("a__", chart.held(), chart);
+  result.R_x = variables("R__", chart.held(), chart);
   const Row<FreeIndex> along = difference(result.a_q_up, invariant.Q_q_up);
   const Row<HeldIndex> across = difference(result.a_x, invariant.F_x);
   result.Z = half * (square(along, metric.G_qq) + square(difference(across, result.R_x), metric.E_xx_up));

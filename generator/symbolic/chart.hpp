@@ -85,6 +85,7 @@ class Chart {
   void declare_coordinates(const model::Model& model);
   void declare_orientation(const model::Orientation& orientation);
 
+  std::map<std::string, GiNaC::realsymbol> symbols_;  // first: the others are declared in it
   support::Indexed<FreeIndex, std::string> free_;
   support::Indexed<FullIndex, ChartCoordinate> all_;
   GiNaC::realsymbol time_;
@@ -92,7 +93,6 @@ class Chart {
   GiNaC::exmap attitude_origin_;
   GiNaC::exmap rest_;
   Scope scope_;
-  std::map<std::string, GiNaC::realsymbol> symbols_;
   std::map<std::string, ex> formulas_;
 };
 

@@ -1,0 +1,83 @@
+// A derivation as Markdown, as LaTeX, and as plain text.
+
+#include "lower/derivation.hpp"
+#include "lower/latex_name.hpp"
+
+namespace gaussgen::lower {
+
+namespace {
+
+/// Characters of LaTeX source after which a long sum goes on in the next line: roughly one printed line.
+constexpr std::size_t k_line = 150;
+
+/// left = first terms \\ &\quad further terms …
+std::string aligned(const Formula& formula) {
+  std::string body = formula.left.empty() ? "&" : formula.left + " &= ";
+  std::size_t length = body.size();
+  bool is_broken = false;
+  for (const std::string& term : formula.right) {
+    if (length > 20 && length + term.size() > k_line) {
+      body += " \\\\\n&\\quad ";
+      length = 0;
+      is_broken = true;
+    }
+    body += term;
+    length += term.size();
+  }
+  if (formula.left.empty()) body += " = 0";
+  if (!is_broken) {
+    const std::size_t mark = body.find('&');
+    return body.erase(mark, 1);
+  }
+  return "\\begin{aligned}\n" + body + "\n\\end{aligned}";
+}
+
+std::string heading(const Section& section) {
+  return section.title + (section.equation.empty() ? "" : " " + section.equation);
+}
+
+}  // namespace
+
+std::string as_markdown(const Derivation& derivation) {
+  std::string text = "# " + markdown_text(derivation.title) + "\n";
+  if (!derivation.about.empty()) text += "\n" + markdown_text(derivation.about) + "\n";
+  for (const Section& section : derivation.sections) {
+    text += "\n## " + heading(section) + "\n\n" + section.words + "\n";
+    for (const std::string& formula : section.general) text += "\n$$\n" + formula + "\n$$\n";
+    if (!section.items.empty()) text += "\n";
+    for (const Item& item : section.items) text += "- $" + item.symbol + "$: " + markdown_text(item.about) + "\n";
+    for (const Formula& formula : section.formulas) text += "\n$$\n" + aligned(formula) + "\n$$\n";
+  }
+  return text;
+}
+
+std::string as_latex(const Derivation& derivation) {
+  std::string text =
+      "\\documentclass[a4paper]{article}\n\\usepackage[T1]{fontenc}\n\\usepackage[utf8]{inputenc}\n"
+      "\\usepackage[margin=2cm]{geometry}\n\\usepackage{amsmath}\n\\allowdisplaybreaks\n\n\\title{" +
+      latex_text(derivation.title) + "}\n\\author{}\n\\date{}\n\n\\begin{document}\n\\maketitle\n";
+  if (!derivation.about.empty()) text += "\n" + latex_text(derivation.about) + "\n";
+  for (const Section& section : derivation.sections) {
+    text += "\n\\section*{" + heading(section) + "}\n\n" + section.words + "\n";
+    for (const std::string& formula : section.general) text += "\\[\n" + formula + "\n\\]\n";
+    if (!section.items.empty()) {
+      text += "\\begin{itemize}\n";
+      for (const Item& item : section.items) text += "  \\item $" + item.symbol + "$: " + latex_text(item.about) + "\n";
+      text += "\\end{itemize}\n";
+    }
+    for (const Formula& formula : section.formulas) text += "\\[\n" + aligned(formula) + "\n\\]\n";
+  }
+  return text + "\n\\end{document}\n";
+}
+
+std::string as_plain_text(const Derivation& derivation) {
+  std::string text = derivation.title + "\n";
+  for (const Section& section : derivation.sections) {
+    text += "\n" + heading(section) + "\n";
+    for (const Item& item : section.items) text += "  " + item.plain + ": " + item.about + "\n";
+    for (const Formula& formula : section.formulas) text += "  " + formula.plain + "\n";
+  }
+  return text;
+}
+
+}  // namespace gaussgen::lower

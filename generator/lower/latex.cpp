@@ -1,0 +1,164 @@
+// Our own printer over the graph: its text depends on the canonical order alone.
+
+#include "lower/latex.hpp"
+
+#include "lower/latex_name.hpp"
+
+namespace gaussgen::lower {
+
+using ir::Kind;
+using ir::Node;
+using ir::NodeId;
+using support::Rational;
+
+namespace {
+
+enum Precedence { k_sum = 1, k_product = 2, k_power = 3, k_atom = 4 };
+
+class LatexPrinter {
+ public:
+  LatexPrinter(const ir::Graph& graph, const std::function<std::string(ir::SymbolId)>& name)
+      : graph_(graph), name_(name) {}
+
+  std::string text(NodeId id, int outer) const {
+    const Node& node = graph_[id];
+    switch (node.kind) {
+      case Kind::constant: return bracketed(number(node.value), node.value < 0 ? k_sum : k_atom, outer);
+      case Kind::symbol: return symbol(node, outer);
+      case Kind::named: return latex_name(node.name);
+      case Kind::sum: return sum(node, outer);
+      case Kind::product: return bracketed(scaled(1, id), k_product, outer);
+      case Kind::power: return power(node, id, outer);
+      case Kind::function: return call(node, "");
+    }
+    return "?";
+  }
+
+  /// Terms of a sum, each after the first with its sign in front.
+  std::vector<std::string> terms(const Node& node) const {
+    std::vector<std::string> result;
+    if (node.value != 0) result.push_back(number(node.value));
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      const bool is_negative = node.coefficients[i] < 0;
+      const char* sign = result.empty() ? (is_negative ? "-" : "") : (is_negative ? " - " : " + ");
+      result.push_back(sign + scaled(cln::abs(node.coefficients[i]), node.children[i]));
+    }
+    return result;
+  }
+
+ private:
+  static std::string bracketed(const std::string& inner, int own, int outer) {
+    return own < outer ? "\\left(" + inner + "\\right)" : inner;
+  }
+
+  static std::string fraction(const std::string& top, const std::string& bottom) {
+    return bottom.empty() ? top : "\\frac{" + top + "}{" + bottom + "}";
+  }
+
+  static std::string number(const Rational& value) {
+    const std::string size = fraction(support::to_text(cln::numerator(cln::abs(value))),
+                                      support::is_integer(value) ? "" : support::to_text(cln::denominator(value)));
+    return (value < 0 ? "-" : "") + size;
+  }
+
+  /// A name with an accent or an index of its own is bracketed before it gets an exponent.
+  std::string symbol(const Node& node, int outer) const {
+    const std::string name = name_(node.symbol);
+    const bool is_plain = name.find('^') == std::string::npos;
+    return bracketed(name, is_plain ? k_atom : k_power, outer);
+  }
+
+  std::string sum(const Node& node, int outer) const {
+    const bool is_monomial = node.value == 0 && node.children.size() == 1;
+    std::string result;
+    for (const std::string& term : terms(node)) result += term;
+    const bool is_negative = is_monomial && node.coefficients[0] < 0;
+    return bracketed(result, is_monomial && !is_negative ? k_product : k_sum, outer);
+  }
+
+  /// coefficient * node with negative powers below a fraction line; coefficient > 0.
+  std::string scaled(const Rational& coefficient, NodeId id) const {
+    const Node& node = graph_[id];
+    std::vector<NodeId> above;
+    std::vector<NodeId> below;
+    for (const NodeId factor : node.kind == Kind::product ? node.children : std::vector<NodeId>{id}) {
+      const bool is_divisor = graph_[factor].kind == Kind::power && graph_[factor].value < 0;
+      (is_divisor ? below : above).push_back(factor);
+    }
+    const Rational top = cln::numerator(coefficient);
+    const Rational bottom = cln::denominator(coefficient);
+    return fraction(product(top, above, false), below.empty() && bottom == 1 ? "" : product(bottom, below, true));
+  }
+
+  std::string product(const Rational& coefficient, const std::vector<NodeId>& factors, bool inverted) const {
+    std::string result = coefficient == 1 && !factors.empty() ? "" : support::to_text(coefficient);
+    // A lone sum fills its place above or below the line without brackets.
+    const bool is_alone = result.empty() && factors.size() == 1 && inverted;
+    for (const NodeId factor : factors) {
+      result += (result.empty() ? "" : "\\,") + (inverted ? reciprocal(factor, is_alone) : text(factor, k_product));
+    }
+    return result;
+  }
+
+  std::string reciprocal(NodeId id, bool is_alone) const {
+    const Node& node = graph_[id];
+    if (node.value == -1) return text(node.children[0], is_alone ? 0 : k_product);
+    return raised(node.children[0], -node.value);
+  }
+
+  std::string raised(NodeId base, const Rational& exponent) const {
+    if (exponent == 1) return text(base, k_product);
+    if (exponent == Rational(1) / 2) return "\\sqrt{" + text(base, 0) + "}";
+    const Node& node = graph_[base];
+    const std::string superscript = "^{" + number(exponent) + "}";
+    if (node.kind == Kind::function && node.function != ir::Function::exp) return call(node, superscript);
+    return text(base, k_atom) + superscript;
+  }
+
+  std::string power(const Node& node, NodeId id, int outer) const {
+    if (node.value < 0) return bracketed(scaled(1, id), k_product, outer);
+    return bracketed(raised(node.children[0], node.value), k_power, outer);
+  }
+
+  std::string call(const Node& node, const std::string& superscript) const {
+    std::string arguments;
+    for (const NodeId child : node.children) arguments += (arguments.empty() ? "" : ", ") + text(child, 0);
+    const bool is_bare = node.children.size() == 1 && graph_[node.children[0]].kind == Kind::symbol;
+    return function_name(node.function) + superscript +
+           (is_bare ? "{" + arguments + "}" : "\\left(" + arguments + "\\right)");
+  }
+
+  static std::string function_name(ir::Function function) {
+    switch (function) {
+      case ir::Function::asin: return "\\arcsin";
+      case ir::Function::acos: return "\\arccos";
+      case ir::Function::atan: return "\\arctan";
+      case ir::Function::log: return "\\ln";
+      case ir::Function::sin:
+      case ir::Function::cos:
+      case ir::Function::tan:
+      case ir::Function::exp:
+      case ir::Function::sinh:
+      case ir::Function::cosh:
+      case ir::Function::tanh: return "\\" + std::string(name_of(function));
+      default: return "\\operatorname{" + std::string(name_of(function)) + "}";
+    }
+  }
+
+  const ir::Graph& graph_;
+  const std::function<std::string(ir::SymbolId)>& name_;
+};
+
+}  // namespace
+
+std::string latex(const ir::Graph& graph, NodeId id, const std::function<std::string(ir::SymbolId)>& name) {
+  return LatexPrinter(graph, name).text(id, 0);
+}
+
+std::vector<std::string> latex_terms(const ir::Graph& graph, NodeId id,
+                                     const std::function<std::string(ir::SymbolId)>& name) {
+  const LatexPrinter printer(graph, name);
+  return graph[id].kind == Kind::sum ? printer.terms(graph[id]) : std::vector<std::string>{printer.text(id, 0)};
+}
+
+}  // namespace gaussgen::lower

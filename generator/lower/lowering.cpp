@@ -1,0 +1,74 @@
+#include "lower/lowering.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "support/assert.hpp"
+#include "symbolic/rational.hpp"
+
+namespace gaussgen::lower {
+
+using GiNaC::ex;
+using ir::NodeId;
+
+namespace {
+
+ir::Function function_named(const std::string& name) {
+  for (const ir::Function function :
+       {ir::Function::sin, ir::Function::cos, ir::Function::tan, ir::Function::asin, ir::Function::acos,
+        ir::Function::atan, ir::Function::atan2, ir::Function::exp, ir::Function::log, ir::Function::sinh,
+        ir::Function::cosh, ir::Function::tanh}) {
+    if (ir::name_of(function) == name) return function;
+  }
+  GAUSS_ASSERT(false, "GiNaC function {}", name);
+  return ir::Function::sin;
+}
+
+}  // namespace
+
+NodeId Lowering::operator()(const ex& expression) {
+  if (const auto known = memo_.find(expression); known != memo_.end()) return known->second;
+  const NodeId node = lowered(expression);
+  memo_.emplace(expression, node);
+  return node;
+}
+
+std::vector<NodeId> Lowering::operands(const ex& expression) {
+  std::vector<NodeId> nodes;
+  nodes.reserve(expression.nops());
+  for (const ex& operand : expression) nodes.push_back((*this)(operand));
+  return nodes;
+}
+
+NodeId Lowering::lowered(const ex& expression) {
+  if (GiNaC::is_a<GiNaC::numeric>(expression)) {
+    return graph_.constant(symbolic::rational(GiNaC::ex_to<GiNaC::numeric>(expression)));
+  }
+  if (GiNaC::is_a<GiNaC::symbol>(expression)) return resolve_(GiNaC::ex_to<GiNaC::symbol>(expression));
+  if (expression.is_equal(GiNaC::Pi)) return graph_.use(pi_);
+  if (GiNaC::is_a<GiNaC::add>(expression)) return sum(expression);
+  if (GiNaC::is_a<GiNaC::mul>(expression)) return graph_.product(operands(expression));
+  if (GiNaC::is_a<GiNaC::power>(expression)) return power(expression);
+  GAUSS_ASSERT(GiNaC::is_a<GiNaC::function>(expression), "an expression of class {}",
+               GiNaC::ex_to<GiNaC::basic>(expression).class_name());
+  return call(expression);
+}
+
+NodeId Lowering::sum(const ex& expression) {
+  std::vector<NodeId> terms = operands(expression);
+  // The graph looks for sin² + cos² from the first term on: in GiNaC's order the pair found could differ.
+  std::sort(terms.begin(), terms.end(), [this](NodeId a, NodeId b) { return graph_.compare(a, b) < 0; });
+  return graph_.sum(terms);
+}
+
+NodeId Lowering::power(const ex& expression) {
+  const ex& exponent = expression.op(1);
+  GAUSS_ASSERT(GiNaC::is_a<GiNaC::numeric>(exponent), "a power with a variable exponent");
+  return graph_.power((*this)(expression.op(0)), symbolic::rational(GiNaC::ex_to<GiNaC::numeric>(exponent)));
+}
+
+NodeId Lowering::call(const ex& expression) {
+  return graph_.call(function_named(GiNaC::ex_to<GiNaC::function>(expression).get_name()), operands(expression));
+}
+
+}  // namespace gaussgen::lower
