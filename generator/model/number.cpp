@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <utility>
 
 #include "model/lexer.hpp"
@@ -68,8 +69,8 @@ int small_exponent(const std::string& text) {
 
 Rational scaled(const Integer& mantissa, int exponent) {
   if (exponent == 0) return mantissa;
-  if (exponent > 0) return mantissa * cln::expt_pos(Integer(10), exponent);
-  return mantissa / cln::expt_pos(Integer(10), -exponent);
+  const Integer power = cln::expt_pos(Integer(10), Integer(std::abs(exponent)));
+  return exponent > 0 ? Rational(mantissa * power) : mantissa / power;
 }
 
 NumberScan refused(std::size_t size, std::string problem, std::string hint) {

@@ -69,6 +69,9 @@ inline constexpr ErrorCode k_asymmetric_inertia{"E057", "an inertia matrix that 
 inline constexpr ErrorCode k_no_velocity{"E058", "a velocity constraint without a free speed"};
 inline constexpr ErrorCode k_dependent_speeds{"E059", "a choice of dependent speeds that cannot be"};
 
+// What this program cannot do with a correct model.
+inline constexpr ErrorCode k_no_paper_route{"E060", "the paper's route does not take the model"};
+
 inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate that moves no body"};
 
 }  // namespace code

@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t k_most_findings = 100;
 constexpr int k_widest_line = 160;
 constexpr int k_columns_before_caret = 60;
+constexpr std::uint32_t k_bytes_around = 4096;
 
 /// One character as shown, with the terminal columns it takes and the byte it came from.
 struct Cell {
@@ -68,13 +69,30 @@ std::vector<Cell> window(std::vector<Cell> cells, std::uint32_t begin) {
   return cut;
 }
 
+/// The bytes of a line that can come into the window, so that a line of megabytes costs no more than another.
+struct Piece {
+  std::string_view text;
+  std::uint32_t offset = 0;
+};
+
+Piece piece_around(std::string_view line, std::uint32_t begin) {
+  const auto is_continuation = [&](std::uint32_t i) { return i < line.size() && (line[i] & 0xC0) == 0x80; };
+  std::uint32_t first = begin > k_bytes_around ? begin - k_bytes_around : 0;
+  while (is_continuation(first)) ++first;
+  return {line.substr(first, 2 * k_bytes_around), first};
+}
+
 struct Snippet {
   std::string line;
   std::string caret;
 };
 
 /// `begin` and `end` are byte offsets inside the line.
-Snippet snippet(std::string_view line, std::uint32_t begin, std::uint32_t end) {
+Snippet snippet(std::string_view whole, std::uint32_t begin, std::uint32_t end) {
+  const Piece piece = piece_around(whole, begin);
+  const std::string_view line = piece.text;
+  begin -= piece.offset;
+  end -= piece.offset;
   Snippet result;
   bool marked = false;
   for (const Cell& cell : window(cells_of(line), begin)) {

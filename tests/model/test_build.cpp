@@ -17,6 +17,66 @@ std::string names(const std::string& parameter) { return Built(with("parameters:
 
 }  // namespace
 
+TEST_CASE("a model is read as it is written") {
+  const Built ball(R"(
+gauss: 1
+name: ball
+about: A ball inside a cylinder
+parameters:
+  m: {value: 0.5, unit: kg, about: mass}
+  J: {value: 2/5*m*r^2, unit: kg*m^2}
+  r: 0.1
+  R: 0.6
+coordinates:
+  rho: {unit: m, held_at: R - r, about: distance}
+  chi: {unit: rad, initial: 1/2, initial_rate: 4}
+  psi: {initial_rate_guess: 3}
+bodies:
+  ball: {mass: m, inertia: J, position: [rho*cos(chi), rho*sin(chi), 0], orientation: {euler: zxz, angles: [psi, 0, 0]}}
+constraints:
+  rolling: {velocity: (R - r)*dot(chi) + r*dot(psi), point: [R*cos(chi), R*sin(chi), 0], about: no slip}
+forces:
+  gravity: {uniform: [0, 0, -9.81]}
+  motor: {generalized: {chi: -dot(chi), rho: 1}}
+  spring: {potential: m*chi^2/2}
+)");
+  INFO(support::render(ball.diagnostics, ball.source));
+  REQUIRE(ball.model);
+  const model::Model& m = *ball.model;
+  CHECK(m.about == "A ball inside a cylinder");
+  CHECK(m.parameters[0].unit == "kg");
+  CHECK(m.parameters[3].name.text == "R");
+  CHECK(test::show(m.parameters[2].value) == "(* 2 (/ 5) m (^ r 2))");
+  CHECK(test::show(*m.coordinates[0].held_at) == "(+ R (- r))");
+  CHECK(test::show(m.coordinates[1].initial) == "(* 1 (/ 2))");
+  CHECK(test::show(*m.coordinates[1].initial_rate) == "4");
+  CHECK(test::show(*m.coordinates[2].rate_guess) == "3");
+  CHECK(test::show(m.bodies[0].position[1]) == "(* rho (sin chi))");
+  CHECK(std::get<model::EulerAngles>(m.bodies[0].orientation).sequence == "zxz");
+  CHECK(test::show(m.constraints[0].velocity) == "(+ (* (+ R (- r)) (dot chi)) (* r (dot psi)))");
+  CHECK(m.constraints[0].about == "no slip");
+  CHECK(test::show((*m.constraints[0].point)[2]) == "0");
+  CHECK(test::show(std::get<model::UniformField>(m.forces[0].law).field[2]) == "(- 981/100)");
+  CHECK(std::get<model::GeneralizedForce>(m.forces[1].law).components[1].first.text == "rho");
+  CHECK(test::show(std::get<model::Potential>(m.forces[2].law).energy) == "(* m (^ chi 2) (/ 2))");
+}
+
+TEST_CASE("initial angular velocities are a list, or a map that leaves some open") {
+  const auto orientation = [](const std::string& initial) {
+    return Built(test::k_header + "orientations: {o: {quaternion: [a, b, c, d], angular_velocity: [u, v, w], frame: space, initial_angular_velocity: " + initial +
+                 "}}\nbodies: {b: {mass: 1, inertia: 1, position: [0, 0, 0], orientation: o}}\n");
+  };
+  const Built list = orientation("[1, 2, 3]");
+  const Built map = orientation("{v: 2}");
+  REQUIRE(list.model);
+  REQUIRE(map.model);
+  CHECK(list.model->orientations[0].frame == model::Frame::space);
+  CHECK(test::show(*list.model->orientations[0].initial_angular_velocity[2]) == "3");
+  CHECK_FALSE(map.model->orientations[0].initial_angular_velocity[0]);
+  CHECK(test::show(*map.model->orientations[0].initial_angular_velocity[1]) == "2");
+  CHECK(orientation("{x: 2}").codes() == "E010");
+}
+
 TEST_CASE("a coordinate may be a bare key") {
   CHECK(Built(test::k_header + "coordinates:\n  x:\n" + test::k_particle).codes().empty());
 }
