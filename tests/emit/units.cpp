@@ -1,6 +1,7 @@
 #include "units.hpp"
 
 #include <cln/integer.h>
+#include <cln/integer_io.h>
 
 #include "unit_builder.hpp"
 
@@ -208,7 +209,8 @@ Sample zoo() {
   numbers.result_type = "Numbers";
   const Rational huge = cln::expt_pos(cln::cl_I(10), 30) + 1;
   const Rational tiny = 1 / huge;
-  const Rational long_decimal = Rational("3141592653589793238462643383279502884197/1000000000000000000000000000000000000000");
+  const cln::cl_I digits = "3141592653589793238462643383279502884197169399375105820974944";  // π
+  const Rational long_decimal = Rational(digits) / cln::expt_pos(cln::cl_I(10), 60);
   numbers.groups = {{"", "", "", {build.field("value", "", {build.number(ratio(1, 10)), build.number(huge), build.number(tiny),
                                                            build.number(long_decimal), build.number(ratio(-3, 8)),
                                                            build.number(cln::expt_pos(cln::cl_I(10), 12))}, {6})}}};

@@ -28,10 +28,9 @@ struct Math<__float128> : ScalarLogic<__float128> {
   static S pow(S x, S y) noexcept { return powq(x, y); }
   static void sincos(S x, S& sine, S& cosine) noexcept { sincosq(x, &sine, &cosine); }
 
-  // Without the literal suffix Q, which -std=c++17 does not know: hi + lo, exact to the last bit.
-  static S pi() noexcept { return S(3.14159265358979323846264338327950288L) + S(8.6718101301237810247970440260433519687e-35L); }
-  // numeric_limits knows nothing of __float128 under -std=c++17.
-  static S epsilon() noexcept { return S(1.0 / 4503599627370496.0) / S(1152921504606846976.0); }  // 2^-112
+  // -std=c++17 knows neither the suffix Q nor numeric_limits of this type, so: three doubles, and 2^-112.
+  static S pi() noexcept { return constant(3.141592653589793, 1.2246467991473532e-16, -2.9947698097183397e-33); }
+  static S epsilon() noexcept { return S(1.9259299443872359e-34); }
 };
 
 }  // namespace gauss

@@ -1,0 +1,77 @@
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+#include "catch_shim.hpp"
+#include "formulas.hpp"
+
+using gausstest::largest_error;
+
+// Errors are in units of eps (|a| + |b| + 1); a formula off by a term is off by 1e6 units and more.
+constexpr double k_bound = 64;
+
+TEST_CASE("emitted code in float agrees with formulas written by hand") { CHECK(largest_error<float>() < k_bound); }
+TEST_CASE("emitted code in double agrees with formulas written by hand") { CHECK(largest_error<double>() < k_bound); }
+TEST_CASE("emitted code in long double agrees with formulas written by hand, to its own digits") {
+  CHECK(largest_error<long double>() < k_bound);
+}
+
+TEST_CASE("the state is an array of coordinates and speeds, and names are views of it") {
+  gauss::springs::State<double> state{};
+  state.y_dot() = 7;
+  CHECK(state.values[3] == 7);
+  static_assert(gauss::springs::n_q == 2 && gauss::springs::n_v == 2 && gauss::springs::n_constraints == 0);
+  static_assert(std::is_trivially_copyable_v<gauss::springs::State<double>>);
+  static_assert(sizeof(gauss::springs::State<double>) == 4 * sizeof(double));
+}
+
+TEST_CASE("values that are not finite are reported") {
+  namespace model = gauss::pendulum;
+  const auto prepared = model::prepare(model::Parameters<double>{});
+  model::Derivative<double> derivative{};
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {infinity, -infinity, std::nan("")}) {
+    const model::State<double> state{{0.1, 0.2}};
+    model::Inputs<double> inputs;
+    inputs.torque = bad;
+    CHECK(model::rhs(0.0, state, inputs, prepared, derivative) == gauss::Status::not_finite);
+  }
+  CHECK(model::rhs(0.0, {{0.1, 0.2}}, {}, prepared, derivative) == gauss::Status::ok);
+}
+
+TEST_CASE("finite values of any size are not reported") {
+  using M = gauss::Math<double>;
+  const double largest = std::numeric_limits<double>::max();
+  CHECK_FALSE(M::not_finite(largest, -largest, largest, 0.0, std::numeric_limits<double>::denorm_min()));
+  CHECK(M::not_finite(1.0, 2.0, std::nan("")));
+}
+
+TEST_CASE("a vanishing mass is reported as a singular mass matrix") {
+  namespace model = gauss::springs;
+  model::Parameters<double> parameters;
+  parameters.m2 = 0;
+  model::Derivative<double> derivative{};
+  CHECK(model::rhs(0.0, {{1, 2, 3, 4}}, {}, model::prepare(parameters), derivative) == gauss::Status::singular_mass_matrix);
+  CHECK(std::strcmp(name(gauss::Status::singular_mass_matrix), "singular mass matrix") == 0);
+}
+
+TEST_CASE("formulas follow the parameters that they depend on") {
+  namespace model = gauss::springs;
+  model::Parameters<double> parameters;
+  parameters.a = 2;
+  CHECK(model::prepare(parameters).k3 == Approx(10));
+}
+
+TEST_CASE("tables describe the model to drivers that do not know it") {
+  namespace model = gauss::linux_;
+  CHECK(std::strcmp(model::name_of_model, "linux") == 0);
+  CHECK(std::strcmp(model::parameter_table[0].name, "I") == 0);
+  CHECK(std::strcmp(model::parameter_table[0].about, "first\n#error second\\\nint x = \"\xE2\x80\xAE; ?\?/") == 0);
+  CHECK(model::parameter_table[model::n_parameters].name == nullptr);
+  model::Parameters<double> parameters;
+  parameters.*model::parameter_members<double>[0] = 42;
+  CHECK(parameters.I_ == 42);
+  CHECK(model::parameter_members<double>[model::n_parameters] == nullptr);
+  CHECK(model::input_members<double>[1] == &model::Inputs<double>::prepared_);
+}
