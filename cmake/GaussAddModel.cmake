@@ -1,0 +1,66 @@
+# gauss_add_model(TARGET <target> MODEL <file.yaml>
+#                 [OUTPUTS <function> ...] [FOLD] [NAMESPACE <name>] [ROUTE paper])
+#
+# Generates <name>.hpp from a model when <target> is built, and puts it on the include path of the target:
+# #include "<name>.hpp", where <name> is the name that the model file gives. The options are those of gauss-gen.
+
+# The `name:` of a model file, which is the name of its header; the name of the file where that cannot be seen.
+function(_gauss_model_name model result)
+  get_filename_component(name ${model} NAME_WE)
+  file(STRINGS ${model} lines REGEX "^name:")
+  if(lines)
+    list(GET lines 0 line)
+    string(REGEX REPLACE "^name:[ \t\"']*([A-Za-z0-9_]+).*$" "\\1" name "${line}")
+  endif()
+  set(${result} ${name} PARENT_SCOPE)
+endfunction()
+
+function(gauss_add_model)
+  cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD" "TARGET;MODEL;NAMESPACE;ROUTE" "OUTPUTS")
+  if(ARG_UNPARSED_ARGUMENTS OR NOT ARG_TARGET OR NOT ARG_MODEL)
+    message(FATAL_ERROR "gauss_add_model: TARGET and MODEL are needed; not understood: '${ARG_UNPARSED_ARGUMENTS}'")
+  endif()
+  if(NOT TARGET ${ARG_TARGET})
+    message(FATAL_ERROR "gauss_add_model: no target '${ARG_TARGET}'; call it after add_executable or add_library")
+  endif()
+  get_filename_component(model ${ARG_MODEL} ABSOLUTE)
+  _gauss_model_name(${model} name)
+
+  set(options)
+  if(ARG_FOLD)
+    list(APPEND options --fold)
+  endif()
+  if(ARG_NAMESPACE)
+    list(APPEND options --namespace ${ARG_NAMESPACE})
+  endif()
+  if(ARG_ROUTE)
+    list(APPEND options --route ${ARG_ROUTE})
+  endif()
+  if(ARG_OUTPUTS)
+    list(JOIN ARG_OUTPUTS "," outputs)
+    list(APPEND options --outputs ${outputs})
+  endif()
+
+  # A folder per target, so that two targets may generate the same model with different options.
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/gauss/${ARG_TARGET})
+  file(MAKE_DIRECTORY ${folder})
+  set(header ${folder}/${name}.hpp)
+  # gauss-gen leaves an unchanged header alone, so that nothing is compiled again; the stamp says that it was run. No
+  # depfile: a model is one file, and a depfile would name the header, where build tools want the stamp.
+  add_custom_command(
+    OUTPUT ${header}.stamp
+    BYPRODUCTS ${header}
+    COMMAND gauss::gauss-gen ${model} -o ${folder} ${options}
+    COMMAND ${CMAKE_COMMAND} -E touch ${header}.stamp
+    DEPENDS ${model} gauss::gauss-gen
+    COMMENT "Generating ${name}.hpp"
+    VERBATIM)
+
+  set(visibility PRIVATE)
+  get_target_property(type ${ARG_TARGET} TYPE)
+  if(type STREQUAL "INTERFACE_LIBRARY")
+    set(visibility INTERFACE)
+  endif()
+  target_sources(${ARG_TARGET} PRIVATE ${header}.stamp)
+  target_include_directories(${ARG_TARGET} ${visibility} ${folder})
+endfunction()
