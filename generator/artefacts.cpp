@@ -313,7 +313,7 @@ Artefact initial_state(Mechanics& mechanics) {
                           mechanics);
   Steps steps;
   const auto state = strategy::initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions,
-                                             mechanics.epsilon(), steps);
+                                             mechanics.expressions.number(0), mechanics.epsilon(), steps);
   builder.artefact().takes_time = false;
   builder.artefact().takes_state = false;
   builder.artefact().extends_preparation = false;

@@ -35,9 +35,10 @@ struct Pivot {
   std::size_t row = 0;
   std::size_t column = 0;
 
+  // Among equals the coordinate declared last becomes dependent, so that the first ones stay independent.
   friend bool operator<(const Pivot& a, const Pivot& b) {
-    return std::tie(a.safety, a.entries, a.operations, a.row, a.column) <
-           std::tie(b.safety, b.entries, b.operations, b.row, b.column);
+    return std::tie(a.safety, a.entries, a.operations, a.row, b.column) <
+           std::tie(b.safety, b.entries, b.operations, b.row, a.column);
   }
 };
 

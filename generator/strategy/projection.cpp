@@ -197,7 +197,7 @@ Given given_state(const model::Model& model, kinematics::Expressions& expression
 }  // namespace
 
 ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics, kinematics::Expressions& expressions,
-                             Expr epsilon, Steps& steps) {
+                             Expr time, Expr epsilon, Steps& steps) {
   ir::Graph& graph = epsilon.graph();
   const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
   Given given = given_state(model, expressions);
@@ -207,7 +207,7 @@ ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics
   const int count = dynamics.l() == 0 ? 0 : (all_linear(dynamics) ? 1 : 8);
   for (int step = 0; step < count; ++step) {
     ir::Substitution put_in(graph);
-    put_in.replace(symbols.time, expressions.number(0));
+    put_in.replace(symbols.time, time);
     for (const ConfigurationIndex i : symbols.configuration.indices()) {
       put_in.replace(symbols.configuration[i].symbol, given.configuration[i.value]);
     }

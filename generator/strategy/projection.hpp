@@ -16,9 +16,9 @@ struct ProjectedState {
 /// δu = -g^-1 bᵀ (b g^-1 bᵀ)^-1 φ. Exact for constraints linear in the velocities, one Newton step for others.
 ProjectedState project(const Dynamics& dynamics, ir::Expr epsilon, Steps& steps);
 
-/// The model's initial state over parameters. Rates that the model does not give are found from the constraints by the same
+/// The model's initial state at `time` over parameters. Rates that the model does not give are found from the constraints by the same
 /// projection restricted to them, starting from their guesses.
 ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics, kinematics::Expressions& expressions,
-                             ir::Expr epsilon, Steps& steps);
+                             ir::Expr time, ir::Expr epsilon, Steps& steps);
 
 }  // namespace gaussgen::strategy

@@ -49,7 +49,8 @@ inline constexpr ErrorCode k_unbalanced_brackets{"E034", "a bracket without its 
 inline constexpr ErrorCode k_implicit_product{"E035", "two operands without an operator between them"};
 inline constexpr ErrorCode k_function_call{"E036", "an unknown function, or a wrong number of arguments"};
 inline constexpr ErrorCode k_exponent{"E037", "an exponent that is not a small constant"};
-inline constexpr ErrorCode k_expression_limit{"E038", "an expression that is too long, too deep or has too large numbers"};
+inline constexpr ErrorCode k_expression_limit{"E038",
+                                              "an expression that is too long, too deep or has too large numbers"};
 inline constexpr ErrorCode k_empty_expression{"E039", "an expression is missing"};
 
 // What is allowed where.
@@ -78,21 +79,51 @@ inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate tha
 
 /// The table of the documentation and of the tests.
 inline constexpr ErrorCode k_all_codes[] = {
-    code::k_encoding, code::k_forbidden_character, code::k_file_too_large,
-    code::k_yaml_syntax, code::k_tab_indentation, code::k_duplicate_key,
-    code::k_yaml_feature, code::k_several_documents, code::k_empty_file,
-    code::k_unknown_key, code::k_missing_key, code::k_wrong_kind,
-    code::k_wrong_count, code::k_format_version, code::k_unknown_word,
-    code::k_conflicting_keys, code::k_invalid_name, code::k_reserved_name,
-    code::k_name_clash, code::k_rate_clash, code::k_wrong_reference,
-    code::k_unexpected_character, code::k_unknown_name, code::k_malformed_number,
-    code::k_expression_syntax, code::k_unbalanced_brackets, code::k_implicit_product,
-    code::k_function_call, code::k_exponent, code::k_expression_limit,
-    code::k_empty_expression, code::k_not_allowed_here, code::k_dot_not_allowed,
-    code::k_cyclic_parameters, code::k_no_bodies, code::k_nothing_moves,
-    code::k_no_inertia, code::k_undefined_value, code::k_not_finite,
-    code::k_negative_inertia, code::k_inertia_without_attitude, code::k_asymmetric_inertia,
-    code::k_no_velocity, code::k_dependent_speeds, code::k_idle_held_coordinate,
+    code::k_encoding,
+    code::k_forbidden_character,
+    code::k_file_too_large,
+    code::k_yaml_syntax,
+    code::k_tab_indentation,
+    code::k_duplicate_key,
+    code::k_yaml_feature,
+    code::k_several_documents,
+    code::k_empty_file,
+    code::k_unknown_key,
+    code::k_missing_key,
+    code::k_wrong_kind,
+    code::k_wrong_count,
+    code::k_format_version,
+    code::k_unknown_word,
+    code::k_conflicting_keys,
+    code::k_invalid_name,
+    code::k_reserved_name,
+    code::k_name_clash,
+    code::k_rate_clash,
+    code::k_wrong_reference,
+    code::k_unexpected_character,
+    code::k_unknown_name,
+    code::k_malformed_number,
+    code::k_expression_syntax,
+    code::k_unbalanced_brackets,
+    code::k_implicit_product,
+    code::k_function_call,
+    code::k_exponent,
+    code::k_expression_limit,
+    code::k_empty_expression,
+    code::k_not_allowed_here,
+    code::k_dot_not_allowed,
+    code::k_cyclic_parameters,
+    code::k_no_bodies,
+    code::k_nothing_moves,
+    code::k_no_inertia,
+    code::k_undefined_value,
+    code::k_not_finite,
+    code::k_negative_inertia,
+    code::k_inertia_without_attitude,
+    code::k_asymmetric_inertia,
+    code::k_no_velocity,
+    code::k_dependent_speeds,
+    code::k_idle_held_coordinate,
 };
 
 }  // namespace gaussgen::support

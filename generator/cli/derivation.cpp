@@ -1,0 +1,25 @@
+#include "cli/commands.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/files.hpp"
+#include "model/build.hpp"
+#include "paper.hpp"
+
+namespace gaussgen::cli {
+
+int derive(const Options& options) {
+  const support::Source source = read_source(options.model);
+  support::Diagnostics diagnostics;
+  const auto model = model::build_model(source, diagnostics);
+  std::string text;
+  if (model) text = derivation_text(*model, options.format == Format::latex, diagnostics);
+  const int code = report(diagnostics, source);
+  if (code != k_ok) return code;
+  if (options.output.empty() || options.output == "-") {
+    write_standard_output(text);
+  } else {
+    write_file(options.output, text);
+  }
+  return k_ok;
+}
+
+}  // namespace gaussgen::cli

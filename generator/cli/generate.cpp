@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "cli/commands.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/files.hpp"
+#include "model/build.hpp"
+
+namespace gaussgen::cli {
+
+namespace {
+
+std::string header_path(const Options& options, const std::string& model_name) {
+  const std::string file = model_name + ".hpp";
+  if (options.output.empty()) return file;
+  return options.output.back() == '/' ? options.output + file : options.output + "/" + file;
+}
+
+/// Make's syntax: blanks, # and $ in names are escaped.
+std::string for_make(const std::string& path) {
+  std::string result;
+  for (const char c : path) {
+    if (c == ' ' || c == '#' || c == '\\') result += '\\';
+    if (c == '$') result += '$';
+    result += c;
+  }
+  return result;
+}
+
+void print_timings(const std::vector<StageTime>& times) {
+  double total = 0;
+  for (const StageTime& time : times) {
+    std::cerr << fmt::format("{:<12} {:>9.3f} ms  {}\n", time.stage, time.milliseconds, time.size);
+    total += time.milliseconds;
+  }
+  std::cerr << fmt::format("{:<12} {:>9.3f} ms\n", "total", total);
+}
+
+/// Only the model's own text is needed for these two, so no derivation is made.
+int check_or_list(const Options& options, const support::Source& source) {
+  support::Diagnostics diagnostics;
+  const auto model = model::build_model(source, diagnostics);
+  const int code = report(diagnostics, source);
+  if (!model || code != k_ok) return code;
+  if (options.list_outputs) write_standard_output(header_path(options, model->name.text) + "\n");
+  return k_ok;
+}
+
+}  // namespace
+
+int generate(const Options& options) {
+  const support::Source source = read_source(options.model);
+  if (options.list_outputs) return check_or_list(options, source);
+
+  std::string dumped;
+  const StageObserver observe = [&](const std::string& stage, const std::function<std::string()>& dump) {
+    if (std::find(options.dumps.begin(), options.dumps.end(), stage) == options.dumps.end()) return;
+    if (options.dumps.size() > 1) dumped += "=== " + stage + "\n";
+    dumped += dump();
+  };
+  support::Diagnostics diagnostics;
+  const auto result = compile(source, options.pipeline, diagnostics, observe);
+  const int code = report(diagnostics, source);
+  if (!result || code != k_ok) {
+    write_standard_output(dumped);
+    return code;
+  }
+  if (options.timings) print_timings(result->times);
+  if (!options.dumps.empty()) {
+    write_standard_output(dumped);
+    return k_ok;
+  }
+  if (options.check) {
+    write_standard_output(fmt::format("{}: ok\n", options.model));
+    return k_ok;
+  }
+  if (options.output == "-") {
+    write_standard_output(result->header);
+    return k_ok;
+  }
+  const std::string path = header_path(options, result->model_name);
+  write_file(path, result->header);
+  if (!options.depfile.empty()) write_file(options.depfile, for_make(path) + ": " + for_make(options.model) + "\n");
+  return k_ok;
+}
+
+}  // namespace gaussgen::cli

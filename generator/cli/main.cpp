@@ -1,0 +1,56 @@
+#include <clocale>
+#include <exception>
+#include <iostream>
+#include <locale>
+#include <new>
+
+#include "cli/commands.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/files.hpp"
+#include "cli/overrides.hpp"
+#include "support/assert.hpp"
+
+namespace gaussgen::cli {
+
+namespace {
+
+int run(const Options& options) {
+  switch (options.command) {
+    case Command::generate: return generate(options);
+    case Command::evaluate: return evaluate(options);
+    case Command::derivation: return derive(options);
+  }
+  return k_internal_error;
+}
+
+int fail(const std::string& what, int code) {
+  std::cerr << "gauss-gen: " << what << (what.empty() || what.back() != '\n' ? "\n" : "");
+  return code;
+}
+
+int guarded(const Options& options) {
+  try {
+    return run(options);
+  } catch (const FileError& error) {
+    return fail(error.what(), k_file_error);
+  } catch (const UsageError& error) {
+    return fail(error.what(), k_usage_error);
+  } catch (const std::bad_alloc&) {
+    return fail("the model is too large for the memory of this machine", k_too_large);
+  } catch (const std::exception& error) {
+    return fail(std::string("internal error, please report it with the model: ") + error.what(), k_internal_error);
+  }
+}
+
+}  // namespace
+
+}  // namespace gaussgen::cli
+
+int main(int argc, char** argv) {
+  // A comma locale changes what GiNaC prints and what yaml-cpp reads; the classic one is the same everywhere.
+  std::setlocale(LC_ALL, "C");
+  std::locale::global(std::locale::classic());
+  int exit_code = 0;
+  const auto options = gaussgen::cli::parse_options(argc, argv, exit_code);
+  return options ? gaussgen::cli::guarded(*options) : exit_code;
+}

@@ -1,0 +1,126 @@
+#include "cli/overrides.hpp"
+
+#include <fmt/format.h>
+
+#include "model/parser.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::cli {
+
+namespace {
+
+void refuse_other_symbols(const std::string& option, const model::Ast& ast, const model::Model& model) {
+  if (ast.kind == model::AstKind::symbol) {
+    const auto symbol = model.symbols.find(ast.name);
+    const bool is_known = symbol != model.symbols.end() && (symbol->second.kind == model::SymbolKind::parameter ||
+                                                            symbol->second.kind == model::SymbolKind::pi);
+    if (!is_known) throw UsageError(fmt::format("{}: '{}' is not a parameter of the model", option, ast.name));
+  }
+  if (ast.kind == model::AstKind::call && ast.name == "dot") throw UsageError(option + ": dot(...) has no meaning in a value");
+  for (const model::Ast& child : ast.children) refuse_other_symbols(option, child, model);
+}
+
+/// "dot(chi)" → "chi_dot"; anything else unchanged.
+std::string without_dot(const std::string& name) {
+  const bool is_dot = name.rfind("dot(", 0) == 0 && name.back() == ')';
+  return is_dot ? name.substr(4, name.size() - 5) + "_dot" : name;
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+bool has_symbol(const model::Ast& ast) {
+  if (ast.kind == model::AstKind::symbol && ast.name != "pi") return true;
+  for (const model::Ast& child : ast.children) {
+    if (has_symbol(child)) return true;
+  }
+  return false;
+}
+
+class Override {
+ public:
+  Override(std::string name, model::Ast value, model::Model& model)
+      : name_(std::move(name)), value_(std::move(value)), model_(model) {}
+
+  void apply() {
+    if (set_rate()) return;
+    const auto symbol = model_.symbols.find(name_);
+    if (symbol == model_.symbols.end()) throw UsageError(unknown());
+    set(symbol->second);
+  }
+
+ private:
+  bool set_rate() {
+    for (model::Coordinate& coordinate : model_.coordinates) {
+      if (coordinate.name.text + "_dot" != name_) continue;
+      if (coordinate.held_at) throw UsageError(held());
+      coordinate.initial_rate = value_;
+      return true;
+    }
+    return false;
+  }
+
+  void set(const model::SymbolRef& ref) {
+    switch (ref.kind) {
+      case model::SymbolKind::parameter:
+        // A formula here could close a circle with the formulas of the model.
+        if (has_symbol(value_)) throw UsageError(fmt::format("--set: give parameter '{}' a number", name_));
+        model_.parameters[ref.index].value = value_;
+        model_.parameters[ref.index].is_formula = false;
+        return;
+      case model::SymbolKind::input: model_.inputs[ref.index].value = value_; return;
+      case model::SymbolKind::coordinate:
+        if (model_.coordinates[ref.index].held_at) throw UsageError(held());
+        model_.coordinates[ref.index].initial = value_;
+        return;
+      case model::SymbolKind::quaternion_component:
+        model_.orientations[ref.index / 4].initial[ref.index % 4] = value_;
+        return;
+      case model::SymbolKind::angular_velocity:
+        model_.orientations[ref.index / 3].initial_angular_velocity[ref.index % 3] = value_;
+        return;
+      default: throw UsageError(fmt::format("--set: '{}' cannot be set; for the time use --time", name_));
+    }
+  }
+
+  std::string held() const {
+    return fmt::format("--set: '{}' is held by the model; change the parameters in its held_at", name_);
+  }
+
+  std::string unknown() const {
+    std::vector<std::string> names;
+    for (const auto& symbol : model_.symbols) names.push_back(symbol.first);
+    for (const model::Coordinate& coordinate : model_.coordinates) names.push_back(coordinate.name.text + "_dot");
+    const std::string near = support::closest(name_, names);
+    return fmt::format("--set: the model has no '{}'{}", name_, near.empty() ? "" : ", did you mean '" + near + "'?");
+  }
+
+  std::string name_;
+  model::Ast value_;
+  model::Model& model_;
+};
+
+}  // namespace
+
+model::Ast parse_value(const std::string& option, const std::string& text, const model::Model& model) {
+  const support::Source source(option, text);
+  support::Diagnostics diagnostics;
+  const std::optional<model::Ast> ast = model::parse_expression(spec::located(text), diagnostics);
+  if (!ast || diagnostics.has_errors()) throw UsageError(support::render(diagnostics, source));
+  refuse_other_symbols(option, *ast, model);
+  return *ast;
+}
+
+void apply_override(const std::string& assignment, model::Model& model) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos) throw UsageError(fmt::format("--set: expected name=value, not '{}'", assignment));
+  const std::string name = trimmed(assignment.substr(0, equals));
+  if (name.empty()) throw UsageError(fmt::format("--set: a name is missing before '=' in '{}'", assignment));
+  model::Ast value = parse_value("--set " + name, assignment.substr(equals + 1), model);
+  Override(without_dot(name), std::move(value), model).apply();
+}
+
+}  // namespace gaussgen::cli

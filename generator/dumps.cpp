@@ -1,0 +1,113 @@
+#include "dumps.hpp"
+
+#include <fmt/format.h>
+
+#include "ir/cost.hpp"
+#include "ir/print.hpp"
+
+namespace gaussgen {
+
+namespace {
+
+using ir::Expr;
+using ir::Vector3;
+
+/// A named node prints as what it stands for, since its name is on the left already.
+std::string text(const ir::Graph& graph, ir::NodeId id) {
+  const ir::Node& node = graph[id];
+  return ir::print(graph, node.kind == ir::Kind::named ? node.children[0] : id);
+}
+
+std::string text(Expr expression) { return text(expression.graph(), expression.id()); }
+
+std::string text(const Vector3& v) { return fmt::format("[{}, {}, {}]", text(v[0]), text(v[1]), text(v[2])); }
+
+std::string line(const std::string& name, const std::string& value) { return fmt::format("  {} = {}\n", name, value); }
+
+bool is_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
+
+std::string dump_body(const kinematics::BodyMotion& body, const kinematics::Symbols& symbols) {
+  std::string result = fmt::format("body {}: dv/dt = J_A d2y^A/dt2 + h\n", body.name);
+  result += line("position", text(body.position)) + line("velocity", text(body.velocity));
+  for (const auto i : body.J.indices()) {
+    if (!is_zero(body.J[i])) result += line("J_" + symbols.label(i), text(body.J[i]));
+  }
+  result += line("h", text(body.h));
+  if (!body.is_rigid) return result;
+  const char* const frame = body.rotation.frame == model::Frame::space ? "space" : "body";
+  result += fmt::format("  in the {} frame:\n", frame) + line("omega", text(body.rotation.omega));
+  for (const auto i : body.W.indices()) {
+    if (!is_zero(body.W[i])) result += line("W_" + symbols.label(i), text(body.W[i]));
+  }
+  return result + line("eta", text(body.eta));
+}
+
+std::string dump_row(const kinematics::ConstraintRow& row, const kinematics::Symbols& symbols) {
+  std::string result = fmt::format("constraint {}: dphi/dt = beta_A d2y^A/dt2 + drift\n", row.name) + line("phi", text(row.phi));
+  for (const auto i : row.beta.indices()) {
+    if (!row.beta[i].is_zero()) result += line("beta_" + symbols.label(i), text(row.beta[i]));
+  }
+  return result + line("drift", text(row.beta_drift));
+}
+
+}  // namespace
+
+std::string dump_model(const model::Model& model, const support::Source& source) {
+  const auto written = [&](const model::Ast& ast) { return std::string(source.text(ast.span)); };
+  std::string result = fmt::format("model {}\n", model.name.text);
+  for (const model::Parameter& p : model.parameters) {
+    result += fmt::format("  parameter  {} = {}{}\n", p.name.text, written(p.value), p.unit.empty() ? "" : "  [" + p.unit + "]");
+  }
+  for (const model::Input& input : model.inputs) result += fmt::format("  input      {}\n", input.name.text);
+  for (const model::Coordinate& c : model.coordinates) {
+    result += fmt::format("  coordinate {}{}\n", c.name.text, c.held_at ? ", held at " + written(*c.held_at) : "");
+  }
+  for (const model::Orientation& o : model.orientations) {
+    result += fmt::format("  quaternion {}, angular velocity in the {} frame\n", o.name.text,
+                          o.frame == model::Frame::space ? "space" : "body");
+  }
+  for (const model::Body& body : model.bodies) {
+    result += fmt::format("  {} {}, mass {}\n", body.inertia ? "body      " : "particle  ", body.name.text, written(body.mass));
+  }
+  for (const model::VelocityConstraint& c : model.constraints) {
+    result += fmt::format("  constraint {}: {} = 0\n", c.name.text, written(c.velocity));
+  }
+  for (const model::Force& force : model.forces) result += fmt::format("  force      {}\n", force.name.text);
+  return result;
+}
+
+std::string dump_kinematics(const Mechanics& mechanics) {
+  std::string result;
+  for (const auto& body : mechanics.kinematics.bodies) result += dump_body(body, mechanics.symbols);
+  for (const auto& row : mechanics.kinematics.constraints) result += dump_row(row, mechanics.symbols);
+  return result;
+}
+
+std::string dump_strategy(const Mechanics& mechanics) {
+  std::string result = mechanics.solution.description + "\n";
+  for (const strategy::Step& step : mechanics.steps.all()) {
+    result += "\n# " + step.comment + "\n";
+    for (const auto& [node, name] : step.values) {
+      if (mechanics.graph.is_zero(node)) continue;
+      result += line(name, text(mechanics.graph, node));
+    }
+  }
+  return result;
+}
+
+std::string dump_artefacts(const Mechanics& mechanics, const emit::Unit& unit) {
+  std::string result;
+  for (const emit::Artefact& artefact : unit.artefacts) {
+    std::vector<ir::NodeId> roots = artefact.derivative;
+    roots.insert(roots.end(), artefact.state.begin(), artefact.state.end());
+    for (const emit::Group& group : artefact.groups) {
+      for (const emit::Field& field : group.fields) roots.insert(roots.end(), field.values.begin(), field.values.end());
+    }
+    const auto count = ir::count_operations(mechanics.graph, roots);
+    result += fmt::format("{:<18} {:>5} operations: {} + -, {} *, {} /, {} sqrt, {} functions\n", artefact.name, count.total(),
+                          count.additions, count.multiplications, count.divisions, count.square_roots, count.functions);
+  }
+  return result;
+}
+
+}  // namespace gaussgen

@@ -1,0 +1,33 @@
+#pragma once
+// A model at one state, in as many digits as wanted and without a compiler: `gauss-gen evaluate`.
+
+#include <string>
+#include <vector>
+
+#include "artefacts.hpp"
+#include "evaluate/evaluator.hpp"
+
+namespace gaussgen {
+
+/// One number of the report.
+struct EvaluatedValue {
+  std::string group;  ///< state, accelerations, multipliers, reactions, energy, residuals, compulsion
+  std::string name;
+  std::string unit;
+  std::string text;   ///< decimal, or why it is undefined
+  bool is_defined = true;
+};
+
+struct Evaluation {
+  std::vector<EvaluatedValue> values;
+  std::vector<std::string> warnings;  ///< singular mass matrix, dependent constraints, initial state that violates them
+};
+
+/// At the initial state of `mechanics.model` and time `time`, with `digits` decimal digits.
+Evaluation evaluate_model(Mechanics& mechanics, const support::Rational& time, int digits);
+
+/// Binds parameters and inputs to their values in the model.
+template <class T>
+void bind_parameters(Mechanics& mechanics, evaluate::Evaluator<T>& evaluator);
+
+}  // namespace gaussgen

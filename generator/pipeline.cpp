@@ -1,0 +1,74 @@
+#include "pipeline.hpp"
+
+#include <fmt/format.h>
+
+#include "dumps.hpp"
+#include "emit/header.hpp"
+#include "model/build.hpp"
+#include "paper.hpp"
+#include "unit.hpp"
+
+namespace gaussgen {
+
+namespace {
+
+/// Times stages and shows each to the observer.
+class Stages {
+ public:
+  explicit Stages(const StageObserver& observe) : observe_(observe), last_(Clock::now()) {}
+
+  void done(const std::string& stage, const std::string& size, const std::function<std::string()>& dump) {
+    const auto now = Clock::now();
+    times_.push_back({stage, std::chrono::duration<double, std::milli>(now - last_).count(), size});
+    if (observe_) observe_(stage, dump);
+    last_ = Clock::now();
+  }
+
+  std::vector<StageTime> times() && { return std::move(times_); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  const StageObserver& observe_;
+  Clock::time_point last_;
+  std::vector<StageTime> times_;
+};
+
+std::string nodes(const Mechanics& mechanics) { return fmt::format("{} nodes", mechanics.graph.size()); }
+
+}  // namespace
+
+const std::vector<std::string>& stage_names() {
+  static const std::vector<std::string> k_names{"model", "kinematics", "paper", "strategy", "artefacts", "header"};
+  return k_names;
+}
+
+std::optional<PipelineResult> compile(const support::Source& source, const PipelineOptions& options,
+                                      support::Diagnostics& diagnostics, const StageObserver& observe) {
+  Stages stages(observe);
+
+  const std::optional<model::Model> model = model::build_model(source, diagnostics);
+  if (!model) return std::nullopt;
+  stages.done("model", fmt::format("{} bytes", source.text().size()), [&] { return dump_model(*model, source); });
+
+  // The emitted route: theory section 4 on the graph.
+  Mechanics mechanics(*model, {options.fold, false});
+  stages.done("kinematics", nodes(mechanics), [&] { return dump_kinematics(mechanics); });
+
+  // The paper's route in GiNaC replaces the result where it is asked for; otherwise it is made for its dump only.
+  if (options.route == Route::paper && !take_paper_route(mechanics, diagnostics)) return std::nullopt;
+  stages.done("paper", nodes(mechanics), [&] { return dump_paper(*model); });
+  stages.done("strategy", nodes(mechanics), [&] { return dump_strategy(mechanics); });
+
+  const emit::Unit unit = build_unit(mechanics, source, options);
+  stages.done("artefacts", nodes(mechanics), [&] { return dump_artefacts(mechanics, unit); });
+
+  PipelineResult result;
+  result.model_name = model->name.text;
+  result.header = emit::emit_header(mechanics.graph, unit);
+  stages.done("header", fmt::format("{} bytes", result.header.size()), [&] { return result.header; });
+  result.times = std::move(stages).times();
+  return result;
+}
+
+}  // namespace gaussgen

@@ -1,0 +1,51 @@
+#pragma once
+// The whole compiler: model text in, C++ header out, a dump after every stage.
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "emit/unit.hpp"
+#include "mechanics.hpp"
+#include "support/diagnostics.hpp"
+
+namespace gaussgen {
+
+enum class Route {
+  emitted,  ///< theory section 4 on the graph
+  paper,    ///< Z, Γ, э, c, b^{μi} in GiNaC, lowered
+};
+
+struct PipelineOptions {
+  std::vector<std::string> outputs;  ///< empty: those of the model; if it names none, all
+  bool fold = false;
+  Route route = Route::emitted;
+  std::string name_space;            ///< empty: gauss::<model name>
+};
+
+/// One stage as `--timings` shows it.
+struct StageTime {
+  std::string stage;
+  double milliseconds = 0;
+  std::string size;  ///< what came out, such as "636 nodes"
+};
+
+/// Called after each stage with its name and a way to print its result.
+using StageObserver = std::function<void(const std::string& stage, const std::function<std::string()>& dump)>;
+
+struct PipelineResult {
+  std::string model_name;
+  std::string header;
+  std::vector<StageTime> times;
+};
+
+/// Nothing when the model has errors; they are in `diagnostics`.
+std::optional<PipelineResult> compile(const support::Source& source, const PipelineOptions& options,
+                                      support::Diagnostics& diagnostics, const StageObserver& observe);
+
+/// Stage names for `--dump`, in order.
+const std::vector<std::string>& stage_names();
+
+}  // namespace gaussgen

@@ -1,0 +1,148 @@
+#include "unit.hpp"
+
+#include <algorithm>
+
+#include "artefacts.hpp"
+#include "version.hpp"
+
+namespace gaussgen {
+
+namespace {
+
+using kinematics::ConfigurationIndex;
+using kinematics::FreeIndex;
+
+class UnitBuilder {
+ public:
+  UnitBuilder(Mechanics& mechanics, const support::Source& source, const PipelineOptions& options)
+      : mechanics_(mechanics), model_(mechanics.model), source_(source), options_(options) {}
+
+  emit::Unit run() {
+    unit_.model_name = model_.name.text;
+    unit_.about = model_.about;
+    unit_.name_space = options_.name_space.empty() ? "gauss::" + model_.name.text : options_.name_space;
+    unit_.time = mechanics_.symbols.time;
+    unit_.epsilon = mechanics_.symbols.epsilon;
+    unit_.folded = options_.fold;
+    add_parameters();
+    add_inputs();
+    add_state();
+    add_held();
+    add_artefacts();
+    add_provenance();
+    return std::move(unit_);
+  }
+
+ private:
+  void add_parameters() {
+    if (options_.fold) return;
+    for (std::size_t i = 0; i < model_.parameters.size(); ++i) {
+      const model::Parameter& parameter = model_.parameters[i];
+      unit_.parameters.push_back(
+          {{mechanics_.symbols.parameters[i], parameter.name.text, parameter.unit, parameter.about},
+           mechanics_.expressions(parameter.value).id(), parameter.is_formula});
+    }
+  }
+
+  void add_inputs() {
+    for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
+      const model::Input& input = model_.inputs[i];
+      unit_.inputs.push_back({{mechanics_.symbols.inputs[i], input.name.text, input.unit, input.about},
+                              mechanics_.expressions(input.value).id()});
+    }
+  }
+
+  void add_state() {
+    const kinematics::Symbols& symbols = mechanics_.symbols;
+    for (const ConfigurationIndex i : symbols.configuration.indices()) {
+      const auto& q = symbols.configuration[i];
+      unit_.configuration.push_back({q.symbol, q.name, q.unit, q.about});
+      unit_.configuration_rates.push_back(q.name + "_dot");
+    }
+    for (const FreeIndex i : symbols.speeds.indices()) {
+      const auto& u = symbols.speeds[i];
+      unit_.speeds.push_back({u.symbol, u.name, u.unit, u.about});
+      const std::string unit = u.unit.empty() ? "" : u.unit + "^2";
+      unit_.accelerations.push_back({u.acceleration, u.acceleration_name, unit, "rate of " + u.name});
+    }
+  }
+
+  void add_held() {
+    for (const auto& held : mechanics_.symbols.held) {
+      const model::Coordinate& coordinate = model_.coordinates[held.model_index];
+      unit_.held.push_back({held.name, coordinate.unit, coordinate.about,
+                            std::string(source_.text(coordinate.held_at->span))});
+    }
+  }
+
+  std::vector<std::string> outputs() const {
+    if (!options_.outputs.empty()) return options_.outputs;
+    std::vector<std::string> names;
+    for (const model::Name& name : model_.outputs) names.push_back(name.text);
+    if (names.empty()) {
+      for (const OutputKind& kind : output_kinds()) names.push_back(kind.name);
+    }
+    return names;
+  }
+
+  // In the order of output_kinds, whatever the order of the request: same functions, same bytes.
+  void add_artefacts() {
+    const std::vector<std::string> wanted = outputs();
+    for (const OutputKind& kind : output_kinds()) {
+      const bool is_wanted = kind.name == "rhs" || std::find(wanted.begin(), wanted.end(), kind.name) != wanted.end();
+      if (!is_wanted) continue;
+      for (emit::Artefact& artefact : build_artefact(kind.name, mechanics_)) unit_.artefacts.push_back(std::move(artefact));
+    }
+    for (emit::Artefact& artefact : unit_.artefacts) point_to_model_lines(artefact);
+  }
+
+  // A comment that names a constraint also says where the model states it.
+  void point_to_model_lines(emit::Artefact& artefact) const {
+    for (emit::Group& group : artefact.groups) {
+      for (const model::VelocityConstraint& constraint : model_.constraints) {
+        if (group.name == constraint.name.text) group.about += located(constraint.name.span);
+      }
+      for (const model::Coordinate& coordinate : model_.coordinates) {
+        if (coordinate.held_at && group.name == coordinate.name.text) group.about += located(coordinate.name.span);
+      }
+    }
+  }
+
+  std::string located(support::Span span) const {
+    return ", model line " + std::to_string(source_.position(span.begin).line);
+  }
+
+  void add_provenance() {
+    emit::Provenance& provenance = unit_.provenance;
+    provenance.tool_version = k_version;
+    provenance.model_file = model_.file;
+    provenance.model_hash = model_.content_hash;
+    provenance.command = "gauss-gen " + (model_.file == "<stdin>" ? std::string("-") : model_.file);
+    if (!options_.outputs.empty()) {
+      std::string list;
+      for (const OutputKind& kind : output_kinds()) {
+        if (std::find(options_.outputs.begin(), options_.outputs.end(), kind.name) == options_.outputs.end()) continue;
+        list += (list.empty() ? "" : ",") + kind.name;
+      }
+      provenance.command += " --outputs=" + list;
+    }
+    if (options_.fold) provenance.command += " --fold";
+    if (options_.route == Route::paper) provenance.command += " --route=paper";
+    if (!options_.name_space.empty()) provenance.command += " --namespace=" + options_.name_space;
+    provenance.strategy = mechanics_.solution.description;
+  }
+
+  Mechanics& mechanics_;
+  const model::Model& model_;
+  const support::Source& source_;
+  const PipelineOptions& options_;
+  emit::Unit unit_;
+};
+
+}  // namespace
+
+emit::Unit build_unit(Mechanics& mechanics, const support::Source& source, const PipelineOptions& options) {
+  return UnitBuilder(mechanics, source, options).run();
+}
+
+}  // namespace gaussgen
