@@ -43,9 +43,10 @@ constexpr Known k_known[] = {
     {0x3000, "ideographic space", "replace it by an ordinary space"},
 };
 
-constexpr const char* k_greek[] = {"alpha", "beta",  "gamma", "delta", "epsilon", "zeta", "eta",         "theta", "iota",
-                                   "kappa", "lambda", "mu",   "nu",    "xi",      "omicron", "pi",       "rho",   "final sigma",
-                                   "sigma", "tau",   "upsilon", "phi", "chi",     "psi",  "omega"};
+constexpr const char* k_greek[] = {"alpha",   "beta", "gamma", "delta",       "epsilon", "zeta", "eta",
+                                   "theta",   "iota", "kappa", "lambda",      "mu",      "nu",   "xi",
+                                   "omicron", "pi",   "rho",   "final sigma", "sigma",   "tau",  "upsilon",
+                                   "phi",     "chi",  "psi",   "omega"};
 constexpr char32_t k_first_small = 0x03B1;
 constexpr char32_t k_first_capital = 0x0391;
 
@@ -72,12 +73,14 @@ std::string utf8(char32_t value) {
 
 std::string label(char32_t value, const std::string& name) {
   const auto number = static_cast<std::uint32_t>(value);
-  return name.empty() ? fmt::format("'{}' (U+{:04X})", utf8(value), number) : fmt::format("'{}' (U+{:04X}, {})", utf8(value), number, name);
+  return name.empty() ? fmt::format("'{}' (U+{:04X})", utf8(value), number)
+                      : fmt::format("'{}' (U+{:04X}, {})", utf8(value), number, name);
 }
 
 CharacterAdvice greek(char32_t value, char32_t first, const char* size) {
   const std::string letter = k_greek[value - first];
-  return {label(value, fmt::format("Greek {} letter {}", size, letter)), fmt::format("spell the name in ASCII letters, such as {}", letter == "final sigma" ? "sigma" : letter)};
+  return {label(value, fmt::format("Greek {} letter {}", size, letter)),
+          fmt::format("spell the name in ASCII letters, such as {}", letter == "final sigma" ? "sigma" : letter)};
 }
 
 }  // namespace

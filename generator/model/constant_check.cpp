@@ -62,7 +62,8 @@ class ConstantCheck {
     if (!value.known()) return value;
     const bool lost = value.exact && !cln::zerop(*value.exact) && *value.approximate == 0.0;
     if (std::isfinite(*value.approximate) && !lost) return value;
-    return refuse(ast, code::k_not_finite, fmt::format("this number is too {} for the arithmetic of a computer", lost ? "small" : "large"));
+    return refuse(ast, code::k_not_finite,
+                  fmt::format("this number is too {} for the arithmetic of a computer", lost ? "small" : "large"));
   }
 
   static Constant negated(const Constant& part) {
@@ -77,26 +78,32 @@ class ConstantCheck {
   }
 
   Constant power(const Ast& ast, const Constant& base, const Rational& exponent) {
-    if (cln::minusp(exponent) && base.is_zero()) return refuse(ast, code::k_undefined_value, "a negative power of zero");
+    if (cln::minusp(exponent) && base.is_zero())
+      return refuse(ast, code::k_undefined_value, "a negative power of zero");
     if (!support::is_integer(exponent) && base.is_negative()) {
       return refuse(ast, code::k_undefined_value, "a fractional power of a negative number is not real");
     }
-    if (base.exact && support::is_integer(exponent)) return finite(ast, constant(cln::expt(*base.exact, support::to_int(exponent))));
-    return base.known() ? finite(ast, {std::nullopt, std::pow(*base.approximate, support::to_double(exponent))}) : Constant{};
+    if (base.exact && support::is_integer(exponent))
+      return finite(ast, constant(cln::expt(*base.exact, support::to_int(exponent))));
+    return base.known() ? finite(ast, {std::nullopt, std::pow(*base.approximate, support::to_double(exponent))})
+                        : Constant{};
   }
 
   Constant call(const Ast& ast, const std::vector<Constant>& parts) {
     const std::string& name = ast.name;
     const Constant& x = parts[0];
-    if (name == "log" && (x.is_negative() || x.is_zero())) return refuse(ast, code::k_undefined_value, "the logarithm of a number that is not positive");
-    if (name == "sqrt" && x.is_negative()) return refuse(ast, code::k_undefined_value, "the square root of a negative number is not real");
+    if (name == "log" && (x.is_negative() || x.is_zero()))
+      return refuse(ast, code::k_undefined_value, "the logarithm of a number that is not positive");
+    if (name == "sqrt" && x.is_negative())
+      return refuse(ast, code::k_undefined_value, "the square root of a negative number is not real");
     if ((name == "asin" || name == "acos") && x.exceeds_one()) {
       return refuse(ast, code::k_undefined_value, fmt::format("'{}' of a number beyond 1 is not real", name));
     }
     if (name == "tan" && x.known() && std::abs(std::cos(*x.approximate)) < k_rounding) {
       return refuse(ast, code::k_undefined_value, "the tangent has no value here");
     }
-    if (name == "atan2" && x.is_zero() && parts[1].is_zero()) return refuse(ast, code::k_undefined_value, "atan2(0, 0) has no value");
+    if (name == "atan2" && x.is_zero() && parts[1].is_zero())
+      return refuse(ast, code::k_undefined_value, "atan2(0, 0) has no value");
     const auto value = value_of(ast, {{"pi", std::acos(-1.0)}});
     return finite(ast, {std::nullopt, value});
   }

@@ -61,7 +61,8 @@ class DomainCheck {
   void report_unknown() {
     for (const auto& [name, unknown] : unknown_) {
       const std::string more = unknown.uses == 1 ? "" : fmt::format(", used {} times", unknown.uses);
-      reading_.diagnostics.error(code::k_unknown_name, unknown.first, fmt::format("unknown name '{}'{}", name, more), hint_for(name));
+      reading_.diagnostics.error(code::k_unknown_name, unknown.first, fmt::format("unknown name '{}'{}", name, more),
+                                 hint_for(name));
     }
   }
 
@@ -69,7 +70,8 @@ class DomainCheck {
     if (ast.kind == AstKind::symbol) return check_symbol(ast, place);
     const bool is_dot = ast.kind == AstKind::call && ast.name == k_dot;
     if (is_dot && !place.speeds) {
-      reading_.diagnostics.error(code::k_dot_not_allowed, ast.span, fmt::format("dot(...) may not appear in {}: {}", place.name, place.why), place.hint);
+      reading_.diagnostics.error(code::k_dot_not_allowed, ast.span,
+                                 fmt::format("dot(...) may not appear in {}: {}", place.name, place.why), place.hint);
       return;
     }
     for (const Ast& child : ast.children) check(child, is_dot ? inside_dot() : place);
@@ -82,7 +84,9 @@ class DomainCheck {
     if (symbol == reading_.model.symbols.end()) return note_unknown(ast);
     if (allows(place, symbol->second.kind)) return;
     reading_.diagnostics.error(code::k_not_allowed_here, ast.span,
-                               fmt::format("{} '{}' may not appear in {}: {}", kind_name(symbol->second.kind), ast.name, place.name, place.why), place.hint);
+                               fmt::format("{} '{}' may not appear in {}: {}", kind_name(symbol->second.kind), ast.name,
+                                           place.name, place.why),
+                               place.hint);
   }
 
   void note_unknown(const Ast& ast) {

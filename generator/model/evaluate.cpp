@@ -13,8 +13,9 @@ using UnaryFunction = double (*)(double);
 
 const std::map<std::string, UnaryFunction>& unary_functions() {
   static const std::map<std::string, UnaryFunction> functions = {
-      {"sin", std::sin},   {"cos", std::cos}, {"tan", std::tan}, {"asin", std::asin}, {"acos", std::acos}, {"atan", std::atan}, {"exp", std::exp},
-      {"log", std::log}, {"sqrt", std::sqrt}, {"sinh", std::sinh}, {"cosh", std::cosh}, {"tanh", std::tanh}};
+      {"sin", std::sin},   {"cos", std::cos},   {"tan", std::tan},   {"asin", std::asin},
+      {"acos", std::acos}, {"atan", std::atan}, {"exp", std::exp},   {"log", std::log},
+      {"sqrt", std::sqrt}, {"sinh", std::sinh}, {"cosh", std::cosh}, {"tanh", std::tanh}};
   return functions;
 }
 

@@ -6,20 +6,41 @@ namespace {
 
 using Visit = std::function<void(const Ast&, const Place&)>;
 
-constexpr Place k_parameter{"the value of a parameter", "parameters stay constant during a motion", "use numbers, pi and other parameters"};
+constexpr Place k_parameter{"the value of a parameter", "parameters stay constant during a motion",
+                            "use numbers, pi and other parameters"};
 constexpr Place k_input{"the default of an input", "it is a plain number", "use numbers and pi", false};
-constexpr Place k_held{"'held_at'", "a held coordinate follows a given law of time", "use parameters and t", true, true};
+constexpr Place k_held{"'held_at'", "a held coordinate follows a given law of time", "use parameters and t", true,
+                       true};
 constexpr Place k_initial{"an initial value", "it is known before the motion starts", "use numbers and parameters"};
 constexpr Place k_mass{"the mass of a body", "masses stay constant", "use numbers and parameters"};
-constexpr Place k_inertia{"the inertia of a body", "it is constant in axes that turn with the body", "use numbers and parameters"};
-constexpr Place k_position{"a position", "a place does not depend on speeds or on inputs", "use coordinates, parameters and t", true, true, true};
-constexpr Place k_angle{"an angle", "an attitude does not depend on speeds or on inputs", "use coordinates, parameters and t", true, true, true};
-constexpr Place k_velocity{"a constraint", "a constraint holds whatever the inputs are", "use a parameter, or put the input into a force", true, true, true, true};
-constexpr Place k_field{"a uniform field", "the field is the same everywhere", "use parameters and t, or a potential or generalized force", true, true};
-constexpr Place k_potential{"a potential", "a potential depends on places and time alone", "write a 'generalized' force instead", true, true, true};
+constexpr Place k_inertia{"the inertia of a body", "it is constant in axes that turn with the body",
+                          "use numbers and parameters"};
+constexpr Place k_position{
+    "a position", "a place does not depend on speeds or on inputs", "use coordinates, parameters and t", true, true,
+    true};
+constexpr Place k_angle{
+    "an angle", "an attitude does not depend on speeds or on inputs", "use coordinates, parameters and t", true, true,
+    true};
+constexpr Place k_velocity{"a constraint",
+                           "a constraint holds whatever the inputs are",
+                           "use a parameter, or put the input into a force",
+                           true,
+                           true,
+                           true,
+                           true};
+constexpr Place k_field{"a uniform field", "the field is the same everywhere",
+                        "use parameters and t, or a potential or generalized force", true, true};
+constexpr Place k_potential{
+    "a potential", "a potential depends on places and time alone", "write a 'generalized' force instead", true, true,
+    true};
 constexpr Place k_generalized{"a generalized force", "", "", true, true, true, true, true};
-constexpr Place k_dot{"dot(...)", "it is the rate of something that depends on coordinates and time; accelerations and rates of inputs are not available",
-                      "use coordinates, parameters and t inside dot(...)", true, true, true};
+constexpr Place k_dot{"dot(...)",
+                      "it is the rate of something that depends on coordinates and time; accelerations and rates of "
+                      "inputs are not available",
+                      "use coordinates, parameters and t inside dot(...)",
+                      true,
+                      true,
+                      true};
 
 template <class List>
 void visit_all(const List& list, const Place& place, const Visit& visit) {

@@ -23,12 +23,22 @@ Span place_of(const Node& node, Span owner) {
   return node.kind == NodeKind::scalar ? node.span : Span{node.span.begin, node.span.begin + 1};
 }
 
-/// An unknown key near `key` is reported already, with `key` as the suggestion.
-bool has_misspelt(const Node& map, const std::string& key) {
-  return std::any_of(map.entries.begin(), map.entries.end(), [&](const spec::Entry& entry) { return support::closest(entry.key.text, {key}) == key; });
+std::string hint_for_key(const Node& map, const spec::Entry& entry, const std::vector<std::string>& allowed) {
+  const std::string near = support::did_you_mean(entry.key.text, allowed);
+  // {about: of the centre, from the axis}: the second half arrives as a key without value.
+  const bool cut = near.empty() && map.flow && entry.value.kind == NodeKind::empty;
+  if (cut) return "the ',' before it ends a value in {...}: quote a text that has a comma";
+  return near + (near.empty() ? "" : " ") + "allowed here: " + support::joined(allowed);
 }
 
-bool expect(NodeKind kind, const char* wanted, const Node& node, Span owner, const std::string& where, Reading& reading) {
+/// An unknown key near `key` is reported already, with `key` as the suggestion.
+bool has_misspelt(const Node& map, const std::string& key) {
+  return std::any_of(map.entries.begin(), map.entries.end(),
+                     [&](const spec::Entry& entry) { return support::closest(entry.key.text, {key}) == key; });
+}
+
+bool expect(NodeKind kind, const char* wanted, const Node& node, Span owner, const std::string& where,
+            Reading& reading) {
   if (node.kind == kind) return true;
   reading.diagnostics.error(code::k_wrong_kind, place_of(node, owner),
                             fmt::format("{} must be {}, and here is {}", where, wanted, kind_text(node)));
@@ -69,9 +79,10 @@ bool expect_scalar(const Node& node, Span owner, const std::string& where, Readi
 
 bool expect_length(const Node& list, std::size_t length, const std::string& where, Reading& reading) {
   if (list.items.size() == length) return true;
-  reading.diagnostics.error(code::k_wrong_count, list.span,
-                            fmt::format("{} needs {} entries, and here are {}", where, length, list.items.size()),
-                            list.flow && list.items.size() > length ? "a comma separates entries; the decimal sign is a point" : "");
+  reading.diagnostics.error(
+      code::k_wrong_count, list.span,
+      fmt::format("{} needs {} entries, and here are {}", where, length, list.items.size()),
+      list.flow && list.items.size() > length ? "a comma separates entries; the decimal sign is a point" : "");
   return false;
 }
 
@@ -79,15 +90,15 @@ void check_keys(const Node& map, const std::string& where, const std::vector<std
   for (const spec::Entry& entry : map.entries) {
     const std::string& key = entry.key.text;
     if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
-    const std::string near = support::did_you_mean(key, allowed);
     reading.diagnostics.error(code::k_unknown_key, entry.key.span, fmt::format("{} has no key '{}'", where, key),
-                              near + (near.empty() ? "" : " ") + "allowed here: " + support::joined(allowed));
+                              hint_for_key(map, entry, allowed));
   }
 }
 
 const Node* required(const Node& map, const std::string& key, Span owner, const std::string& where, Reading& reading) {
   const Node* node = spec::find(map, key);
-  if (node == nullptr && !has_misspelt(map, key)) reading.diagnostics.error(code::k_missing_key, owner, fmt::format("{} needs the key '{}'", where, key));
+  if (node == nullptr && !has_misspelt(map, key))
+    reading.diagnostics.error(code::k_missing_key, owner, fmt::format("{} needs the key '{}'", where, key));
   return node;
 }
 

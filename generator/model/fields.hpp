@@ -18,10 +18,12 @@ bool expect_map(const spec::Node& node, support::Span owner, const std::string& 
 bool expect_list(const spec::Node& node, support::Span owner, const std::string& where, Reading& reading);
 bool expect_length(const spec::Node& list, std::size_t length, const std::string& where, Reading& reading);
 
-void check_keys(const spec::Node& map, const std::string& where, const std::vector<std::string>& allowed, Reading& reading);
+void check_keys(const spec::Node& map, const std::string& where, const std::vector<std::string>& allowed,
+                Reading& reading);
 
 /// The value at `key`; a missing one is reported at `owner`.
-const spec::Node* required(const spec::Node& map, const std::string& key, support::Span owner, const std::string& where, Reading& reading);
+const spec::Node* required(const spec::Node& map, const std::string& key, support::Span owner, const std::string& where,
+                           Reading& reading);
 
 /// The text at `key`; empty when the key is absent.
 std::string text_field(const spec::Node& map, const std::string& key, Reading& reading);

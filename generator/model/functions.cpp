@@ -8,14 +8,15 @@ namespace gaussgen::model {
 namespace {
 
 constexpr Function k_functions[] = {
-    {"sin", 1},  {"cos", 1},  {"tan", 1},  {"asin", 1}, {"acos", 1}, {"atan", 1}, {"atan2", 2},
-    {"exp", 1},  {"log", 1},  {"sqrt", 1}, {"sinh", 1}, {"cosh", 1}, {"tanh", 1}, {k_dot, 1},
+    {"sin", 1}, {"cos", 1}, {"tan", 1},  {"asin", 1}, {"acos", 1}, {"atan", 1}, {"atan2", 2},
+    {"exp", 1}, {"log", 1}, {"sqrt", 1}, {"sinh", 1}, {"cosh", 1}, {"tanh", 1}, {k_dot, 1},
 };
 
 }  // namespace
 
 const Function* find_function(std::string_view name) {
-  const auto* found = std::find_if(std::begin(k_functions), std::end(k_functions), [&](const Function& f) { return f.name == name; });
+  const auto* found =
+      std::find_if(std::begin(k_functions), std::end(k_functions), [&](const Function& f) { return f.name == name; });
   return found == std::end(k_functions) ? nullptr : found;
 }
 

@@ -23,9 +23,11 @@ void read_diagonal(const Node& list, Inertia& inertia, Reading& reading) {
 
 void check_mirrored(const Ast& upper, const Ast& lower, std::size_t row, std::size_t column, Reading& reading) {
   if (is_broken(upper) || is_broken(lower) || same_expression(upper, lower)) return;
-  reading.diagnostics.error(code::k_asymmetric_inertia, lower.span,
-                            fmt::format("the entry in row {}, column {} of the inertia matrix differs from the one in row {}, column {}", column + 1, row + 1, row + 1, column + 1),
-                            "an inertia matrix is symmetric: write the same expression in both places");
+  reading.diagnostics.error(
+      code::k_asymmetric_inertia, lower.span,
+      fmt::format("the entry in row {}, column {} of the inertia matrix differs from the one in row {}, column {}",
+                  column + 1, row + 1, row + 1, column + 1),
+      "an inertia matrix is symmetric: write the same expression in both places");
 }
 
 void read_matrix(const Node& list, Inertia& inertia, Reading& reading) {
@@ -33,7 +35,8 @@ void read_matrix(const Node& list, Inertia& inertia, Reading& reading) {
   constexpr std::size_t k_slot[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
   inertia.shape = Inertia::Shape::full;
   std::array<std::array<Ast, 3>, 3> rows;
-  for (std::size_t i = 0; i < 3; ++i) rows[i] = read_vector(list.items[i], list.span, "a row of the inertia matrix", reading);
+  for (std::size_t i = 0; i < 3; ++i)
+    rows[i] = read_vector(list.items[i], list.span, "a row of the inertia matrix", reading);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = i; j < 3; ++j) {
       if (j > i) check_mirrored(rows[i][j], rows[j][i], i, j, reading);
@@ -57,7 +60,8 @@ Inertia read_inertia(const spec::Entry& entry, Reading& reading) {
     return inertia;
   }
   if (!expect_length(node, 3, "'inertia'", reading)) return inertia;
-  const bool nested = std::any_of(node.items.begin(), node.items.end(), [](const Node& item) { return item.kind == NodeKind::sequence; });
+  const bool nested = std::any_of(node.items.begin(), node.items.end(),
+                                  [](const Node& item) { return item.kind == NodeKind::sequence; });
   if (nested) {
     read_matrix(node, inertia, reading);
   } else {

@@ -58,7 +58,8 @@ class Lexer {
     const char c = peek();
     if (is_digit(c) || (c == '.' && is_digit(peek(1)))) return number();
     if (is_letter(c)) return name();
-    if (c == '*' && peek(1) == '*') return refuse(code::k_unexpected_character, 2, "'**' is not an operator", "write ^ for a power");
+    if (c == '*' && peek(1) == '*')
+      return refuse(code::k_unexpected_character, 2, "'**' is not an operator", "write ^ for a power");
     if (const auto kind = sign(c)) {
       push(*kind, 1);
       return true;
@@ -94,7 +95,8 @@ class Lexer {
     }
     const support::CodePoint point = support::code_point_at(text_.text, at_);
     const CharacterAdvice advice = advise(point.value);
-    return refuse(code::k_unexpected_character, point.size, advice.name + " does not belong in an expression", advice.hint);
+    return refuse(code::k_unexpected_character, point.size, advice.name + " does not belong in an expression",
+                  advice.hint);
   }
 
   bool refuse(const support::ErrorCode& code, std::size_t size, std::string message, std::string hint) {
@@ -103,7 +105,8 @@ class Lexer {
   }
 
   std::optional<std::vector<Token>> too_many() {
-    refuse(code::k_expression_limit, 1, fmt::format("the expression has more than {} parts", k_most_tokens), "split it with parameters");
+    refuse(code::k_expression_limit, 1, fmt::format("the expression has more than {} parts", k_most_tokens),
+           "split it with parameters");
     return std::nullopt;
   }
 
@@ -117,9 +120,10 @@ class Lexer {
 
 std::optional<std::vector<Token>> tokenize(const spec::LocatedText& text, support::Diagnostics& diagnostics) {
   if (text.text.size() > k_longest_expression) {
-    diagnostics.error(code::k_expression_limit, text.span_of(0, 1),
-                      fmt::format("the expression has {} bytes; the limit is {}", text.text.size(), k_longest_expression),
-                      "split it with parameters");
+    diagnostics.error(
+        code::k_expression_limit, text.span_of(0, 1),
+        fmt::format("the expression has {} bytes; the limit is {}", text.text.size(), k_longest_expression),
+        "split it with parameters");
     return std::nullopt;
   }
   return Lexer(text, diagnostics).run();

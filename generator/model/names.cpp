@@ -34,7 +34,8 @@ std::string fault_of(const std::string& name) {
 }
 
 bool moves(SymbolKind kind) {
-  return kind == SymbolKind::coordinate || kind == SymbolKind::quaternion_component || kind == SymbolKind::angular_velocity;
+  return kind == SymbolKind::coordinate || kind == SymbolKind::quaternion_component ||
+         kind == SymbolKind::angular_velocity;
 }
 
 }  // namespace
@@ -49,9 +50,10 @@ bool check_name(const Name& name, Reading& reading) {
 void declare(const Name& name, SymbolKind kind, std::size_t index, const std::string& what, Reading& reading) {
   const bool valid = check_name(name, reading);
   if (valid && is_reserved(name.text)) {
-    reading.diagnostics.error(code::k_reserved_name, name.span,
-                              fmt::format("'{}' has a fixed meaning in expressions and cannot be declared", name.text),
-                              name.text == "I" ? "write I1 or J for a moment of inertia" : "choose another name, such as " + name.text + "1");
+    reading.diagnostics.error(
+        code::k_reserved_name, name.span,
+        fmt::format("'{}' has a fixed meaning in expressions and cannot be declared", name.text),
+        name.text == "I" ? "write I1 or J for a moment of inertia" : "choose another name, such as " + name.text + "1");
     return;
   }
   const auto [place, is_new] = reading.declared.emplace(name.text, Declared{name.span, what});
@@ -59,9 +61,10 @@ void declare(const Name& name, SymbolKind kind, std::size_t index, const std::st
     reading.model.symbols[name.text] = {kind, index};
     return;
   }
-  reading.diagnostics.error(code::k_name_clash, name.span,
-                            fmt::format("'{}' already names {} in line {}", name.text, place->second.what, reading.line(place->second.span)),
-                            "parameters, inputs, coordinates and components of orientations share their names; rename one");
+  reading.diagnostics.error(
+      code::k_name_clash, name.span,
+      fmt::format("'{}' already names {} in line {}", name.text, place->second.what, reading.line(place->second.span)),
+      "parameters, inputs, coordinates and components of orientations share their names; rename one");
 }
 
 void check_rate_names(Reading& reading) {
@@ -70,9 +73,10 @@ void check_rate_names(Reading& reading) {
     const auto clash = reading.declared.find(name + "_dot");
     if (clash == reading.declared.end()) continue;
     const Declared& owner = reading.declared.at(name);
-    reading.diagnostics.error(code::k_rate_clash, clash->second.span,
-                              fmt::format("'{}' is the name of the rate of '{}' of line {}", clash->first, name, reading.line(owner.span)),
-                              fmt::format("rename it; in expressions the rate is written dot({})", name));
+    reading.diagnostics.error(
+        code::k_rate_clash, clash->second.span,
+        fmt::format("'{}' is the name of the rate of '{}' of line {}", clash->first, name, reading.line(owner.span)),
+        fmt::format("rename it; in expressions the rate is written dot({})", name));
   }
 }
 

@@ -95,7 +95,8 @@ NumberScan scan_number(std::string_view text) {
     return refused(parts.size + 1, "digits cannot be grouped by '_'", "write them without a separator");
   }
   if (parts.digits.size() > k_most_digits) {
-    return refused(parts.size, fmt::format("a number with {} digits; the limit is {}", parts.digits.size(), k_most_digits), "");
+    return refused(parts.size,
+                   fmt::format("a number with {} digits; the limit is {}", parts.digits.size(), k_most_digits), "");
   }
   const int exponent = small_exponent(parts.exponent);
   if (exponent > k_largest_decimal_exponent || exponent < -k_largest_decimal_exponent) {

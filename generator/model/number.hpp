@@ -11,7 +11,7 @@ namespace gaussgen::model {
 struct NumberScan {
   std::size_t size = 0;  ///< bytes that belong to the literal, also when it is refused
   support::Rational value = 0;
-  std::string problem;   ///< empty when the literal is good
+  std::string problem;  ///< empty when the literal is good
   std::string hint;
 };
 

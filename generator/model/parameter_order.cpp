@@ -58,8 +58,10 @@ void report_cycle(const std::vector<std::size_t>& cycle, Reading& reading) {
   std::string path;
   for (const std::size_t i : cycle) path += parameters[i].name.text + " -> ";
   path += parameters[cycle.front()].name.text;
-  const std::string message = cycle.size() == 1 ? "the parameter is defined by itself" : "these parameters are defined by each other: " + path;
-  reading.diagnostics.error(code::k_cyclic_parameters, parameters[cycle.front()].name.span, message, "give one of them a value");
+  const std::string message =
+      cycle.size() == 1 ? "the parameter is defined by itself" : "these parameters are defined by each other: " + path;
+  reading.diagnostics.error(code::k_cyclic_parameters, parameters[cycle.front()].name.span, message,
+                            "give one of them a value");
 }
 
 /// Every parameter in `stuck` needs another of `stuck`: following the needs leads into a cycle.

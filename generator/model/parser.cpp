@@ -150,7 +150,8 @@ class Parser {
       refuse(code::k_exponent, exponent.span, "an exponent must be a constant integer or fraction",
              "write exp(b*log(a)) for a^b with a variable b");
     }
-    const bool small = cln::abs(cln::numerator(*value)) <= k_largest_power && cln::denominator(*value) <= k_largest_power;
+    const bool small =
+        cln::abs(cln::numerator(*value)) <= k_largest_power && cln::denominator(*value) <= k_largest_power;
     if (!small) {
       refuse(code::k_exponent, exponent.span, fmt::format("the exponent {} is too large", support::to_text(*value)),
              fmt::format("numerator and denominator may be up to {}", k_largest_power));
@@ -189,8 +190,8 @@ class Parser {
     const bool called = token().kind == TokenKind::open;
     const Function* function = find_function(text);
     if (function != nullptr && !called) {
-      refuse(code::k_function_call, span_of(tokens_[first]), fmt::format("the function '{}' needs its argument in brackets", text),
-             fmt::format("write {}(...)", text));
+      refuse(code::k_function_call, span_of(tokens_[first]),
+             fmt::format("the function '{}' needs its argument in brackets", text), fmt::format("write {}(...)", text));
     }
     if (called) return call(first, text, function);
     Ast ast = node(AstKind::symbol, span_of(tokens_[first]));
@@ -216,7 +217,8 @@ class Parser {
     ast.span = span_since(first);
     if (ast.children.size() != function->arguments) {
       refuse(code::k_function_call, ast.span,
-             fmt::format("'{}' takes {} argument{}, not {}", text, function->arguments, function->arguments == 1 ? "" : "s", ast.children.size()),
+             fmt::format("'{}' takes {} argument{}, not {}", text, function->arguments,
+                         function->arguments == 1 ? "" : "s", ast.children.size()),
              text == "atan2" ? "atan2(y, x)" : "");
     }
     return ast;
@@ -226,7 +228,7 @@ class Parser {
     if (accept(TokenKind::close)) return;
     if (token().kind != TokenKind::end) refuse_rest();
     refuse(code::k_unbalanced_brackets, span_of(tokens_[bracket]), "this bracket is never closed",
-           "add ')'; an expression that YAML may cut, such as one with ' #' or ': ', needs quotes");
+           "add ')'; an expression that YAML cuts at ',', ' #' or ': ' needs quotes");
   }
 
   [[noreturn]] void refuse_operand() {
@@ -238,7 +240,10 @@ class Parser {
     if (kind == TokenKind::close && next_ > 0 && tokens_[next_ - 1].kind == TokenKind::open) {
       refuse(code::k_expression_syntax, span, "there is nothing between these brackets", "");
     }
-    refuse(code::k_expression_syntax, span, fmt::format("an operand should stand before '{}'", text_.text.substr(token().begin, token().end - token().begin)), "");
+    refuse(code::k_expression_syntax, span,
+           fmt::format("an operand should stand before '{}'",
+                       text_.text.substr(token().begin, token().end - token().begin)),
+           "");
   }
 
   /// A complete operand stands before the current token, which cannot follow one.
@@ -248,13 +253,15 @@ class Parser {
       refuse(code::k_unbalanced_brackets, span, "this bracket closes nothing", "");
     }
     if (token().kind == TokenKind::comma) {
-      refuse(code::k_expression_syntax, span, "a comma outside the arguments of a function", "the decimal sign is a point: 1.5");
+      refuse(code::k_expression_syntax, span, "a comma outside the arguments of a function",
+             "the decimal sign is a point: 1.5");
     }
     const bool after_number = next_ > 0 && tokens_[next_ - 1].kind == TokenKind::number;
     const bool apart = next_ > 0 && tokens_[next_ - 1].end < token().begin;
     const bool unit_like = after_number && apart && token().kind == TokenKind::name;
     refuse(code::k_implicit_product, span, "an operator is missing before this",
-           unit_like ? fmt::format("write * for a product; a unit goes into 'unit: {}'", token().name) : "write * for a product");
+           unit_like ? fmt::format("write * for a product; a unit goes into 'unit: {}'", token().name)
+                     : "write * for a product");
   }
 
   const spec::LocatedText& text_;

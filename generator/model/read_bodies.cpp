@@ -35,7 +35,8 @@ EulerAngles read_euler(const Node& map, support::Span owner, Reading& reading) {
   if (sequence != nullptr && expect_scalar(*sequence, owner, "'euler'", reading)) {
     euler.sequence = sequence->scalar.text;
     if (!is_euler_sequence(euler.sequence)) {
-      reading.diagnostics.error(code::k_unknown_word, sequence->span, fmt::format("'{}' is not a sequence of axes", euler.sequence),
+      reading.diagnostics.error(code::k_unknown_word, sequence->span,
+                                fmt::format("'{}' is not a sequence of axes", euler.sequence),
                                 "three letters of x, y, z without equal neighbours, such as zxz or zyx");
     }
   }
@@ -51,8 +52,9 @@ QuaternionOrientation find_orientation(const Node& scalar, Reading& reading) {
     std::vector<std::string> names;
     for (const auto& orientation : reading.orientations) names.push_back(orientation.first);
     const std::string near = support::did_you_mean(scalar.scalar.text, names);
-    reading.diagnostics.error(code::k_wrong_reference, scalar.span, fmt::format("there is no orientation '{}'", scalar.scalar.text),
-                              near.empty() ? "declare it under 'orientations', or write {euler: zxz, angles: [...]}" : near);
+    reading.diagnostics.error(
+        code::k_wrong_reference, scalar.span, fmt::format("there is no orientation '{}'", scalar.scalar.text),
+        near.empty() ? "declare it under 'orientations', or write {euler: zxz, angles: [...]}" : near);
   }
   return {k_no_orientation};
 }
@@ -74,7 +76,8 @@ void check_attitude(const Entry& entry, Reading& reading) {
   if ((inertia == nullptr) == (orientation == nullptr)) return;
   const bool turning = orientation != nullptr;
   reading.diagnostics.error(code::k_inertia_without_attitude, entry.key.span,
-                            fmt::format("body '{}' has {}", entry.key.text, turning ? "an orientation but no inertia" : "inertia but no orientation"),
+                            fmt::format("body '{}' has {}", entry.key.text,
+                                        turning ? "an orientation but no inertia" : "inertia but no orientation"),
                             turning ? "add 'inertia', or list it under 'particles' without an orientation"
                                     : "add 'orientation', or list it under 'particles' without inertia");
 }
@@ -98,8 +101,10 @@ void read_rotation(const Entry& entry, Body& body, Reading& reading) {
 void check_unique(const Name& name, Reading& reading) {
   const auto [place, is_new] = reading.bodies.emplace(name.text, name.span);
   if (is_new) return;
-  reading.diagnostics.error(code::k_name_clash, name.span, fmt::format("'{}' already names the body in line {}", name.text, reading.line(place->second)),
-                            "bodies and particles share their names; rename one");
+  reading.diagnostics.error(
+      code::k_name_clash, name.span,
+      fmt::format("'{}' already names the body in line {}", name.text, reading.line(place->second)),
+      "bodies and particles share their names; rename one");
 }
 
 void read_body(const Entry& entry, bool is_particle, Reading& reading) {

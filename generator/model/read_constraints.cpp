@@ -21,9 +21,10 @@ void check_label(const Name& name, Reading& reading) {
   if (symbol == reading.model.symbols.end() || symbol->second.kind != SymbolKind::coordinate) return;
   const Coordinate& coordinate = reading.model.coordinates[symbol->second.index];
   if (!coordinate.held_at) return;
-  reading.diagnostics.error(code::k_name_clash, name.span,
-                            fmt::format("'{}' already names the held coordinate in line {}", name.text, reading.line(coordinate.name.span)),
-                            "both would label a reaction; rename the constraint");
+  reading.diagnostics.error(
+      code::k_name_clash, name.span,
+      fmt::format("'{}' already names the held coordinate in line {}", name.text, reading.line(coordinate.name.span)),
+      "both would label a reaction; rename the constraint");
 }
 
 void read_constraint(const Entry& entry, Reading& reading) {
@@ -57,7 +58,8 @@ void read_elimination(const Node& root, Reading& reading) {
   const Node* dependent = required(*elimination, "dependent", elimination->span, "'elimination'", reading);
   if (dependent == nullptr || !expect_list(*dependent, elimination->span, "'dependent'", reading)) return;
   for (const Node& item : dependent->items) {
-    if (expect_scalar(item, dependent->span, "a dependent speed", reading)) reading.model.dependent.push_back(name_of(item.scalar));
+    if (expect_scalar(item, dependent->span, "a dependent speed", reading))
+      reading.model.dependent.push_back(name_of(item.scalar));
   }
 }
 

@@ -30,7 +30,8 @@ void refuse_initial_values(const Node& map, Reading& reading) {
 void refuse_needless_guess(const Node& map, Reading& reading) {
   for (const Entry& entry : map.entries) {
     if (entry.key.text != "initial_rate_guess") continue;
-    reading.diagnostics.error(code::k_conflicting_keys, entry.key.span, "'initial_rate_guess' beside 'initial_rate', which determines the rate",
+    reading.diagnostics.error(code::k_conflicting_keys, entry.key.span,
+                              "'initial_rate_guess' beside 'initial_rate', which determines the rate",
                               "remove one of the two keys");
   }
 }

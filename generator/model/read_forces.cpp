@@ -20,13 +20,15 @@ GeneralizedForce read_components(const Entry& entry, Reading& reading) {
   GeneralizedForce force;
   if (!expect_map(entry.value, entry.key.span, "'generalized'", reading)) return force;
   for (const Entry& component : entry.value.entries) {
-    force.components.emplace_back(name_of(component.key), read_expression(component.value, component.key.span, reading));
+    force.components.emplace_back(name_of(component.key),
+                                  read_expression(component.value, component.key.span, reading));
   }
   return force;
 }
 
 void read_law(const Entry& entry, Force& force, Reading& reading) {
-  if (entry.key.text == "uniform") force.law = UniformField{read_vector(entry.value, entry.key.span, "'uniform'", reading)};
+  if (entry.key.text == "uniform")
+    force.law = UniformField{read_vector(entry.value, entry.key.span, "'uniform'", reading)};
   if (entry.key.text == "potential") force.law = Potential{read_expression(entry.value, entry.key.span, reading)};
   if (entry.key.text == "generalized") force.law = read_components(entry, reading);
 }

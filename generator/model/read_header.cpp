@@ -16,8 +16,9 @@ namespace code = support::code;
 
 namespace {
 
-const std::vector<std::string> k_sections = {"gauss",  "name",      "about",       "parameters", "inputs",      "coordinates", "orientations",
-                                             "bodies", "particles", "constraints", "forces",     "elimination", "outputs"};
+const std::vector<std::string> k_sections = {"gauss",       "name",         "about",  "parameters", "inputs",
+                                             "coordinates", "orientations", "bodies", "particles",  "constraints",
+                                             "forces",      "elimination",  "outputs"};
 const std::vector<std::string> k_outputs = {"rhs",       "reactions",   "reaction_forces", "energy",       "compulsion",
                                             "residuals", "mass_matrix", "project",         "initial_state"};
 
@@ -28,7 +29,8 @@ void read_version(const spec::Node& root, Reading& reading) {
   if (version == nullptr || !expect_scalar(*version, k_top, "'gauss'", reading)) return;
   if (version->scalar.text == "1") return;
   reading.diagnostics.error(code::k_format_version, version->span,
-                            fmt::format("this program does not read format version '{}'", version->scalar.text), "write 'gauss: 1'");
+                            fmt::format("this program does not read format version '{}'", version->scalar.text),
+                            "write 'gauss: 1'");
 }
 
 void read_name(const spec::Node& root, Reading& reading) {

@@ -18,14 +18,18 @@ using support::Span;
 
 namespace {
 
-const std::vector<std::string> k_keys = {"quaternion", "angular_velocity", "frame", "initial", "initial_angular_velocity", "about"};
+const std::vector<std::string> k_keys = {"quaternion", "angular_velocity",         "frame",
+                                         "initial",    "initial_angular_velocity", "about"};
 
 /// Reads a list of names into `names` and declares them.
 template <std::size_t N>
-void read_names(const Entry& owner, const std::string& key, std::array<Name, N>& names, SymbolKind kind, const std::string& what, Reading& reading) {
+void read_names(const Entry& owner, const std::string& key, std::array<Name, N>& names, SymbolKind kind,
+                const std::string& what, Reading& reading) {
   const std::string where = fmt::format("'{}' of orientation '{}'", key, owner.key.text);
-  const Node* list = required(owner.value, key, owner.key.span, fmt::format("orientation '{}'", owner.key.text), reading);
-  const bool usable = list != nullptr && expect_list(*list, owner.key.span, where, reading) && expect_length(*list, N, where, reading);
+  const Node* list =
+      required(owner.value, key, owner.key.span, fmt::format("orientation '{}'", owner.key.text), reading);
+  const bool usable =
+      list != nullptr && expect_list(*list, owner.key.span, where, reading) && expect_length(*list, N, where, reading);
   if (!usable) {
     reading.incomplete = true;
     return;
@@ -63,7 +67,8 @@ void read_velocity_by_name(const Node& map, Orientation& orientation, Reading& r
   std::vector<std::string> names;
   for (const Name& name : orientation.angular_velocity) names.push_back(name.text);
   check_keys(map, "'initial_angular_velocity'", names, reading);
-  for (std::size_t i = 0; i < names.size(); ++i) orientation.initial_angular_velocity[i] = expression_field(map, names[i], reading);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    orientation.initial_angular_velocity[i] = expression_field(map, names[i], reading);
 }
 
 void read_initial_velocity(const Node& map, Orientation& orientation, Reading& reading) {
@@ -81,8 +86,10 @@ void read_orientation(const Entry& entry, Reading& reading) {
   reading.orientations.emplace(entry.key.text, reading.model.orientations.size());
   if (expect_map(entry.value, entry.key.span, fmt::format("orientation '{}'", entry.key.text), reading)) {
     check_keys(entry.value, fmt::format("orientation '{}'", entry.key.text), k_keys, reading);
-    read_names(entry, "quaternion", orientation.quaternion, SymbolKind::quaternion_component, "the quaternion component", reading);
-    read_names(entry, "angular_velocity", orientation.angular_velocity, SymbolKind::angular_velocity, "the angular velocity", reading);
+    read_names(entry, "quaternion", orientation.quaternion, SymbolKind::quaternion_component,
+               "the quaternion component", reading);
+    read_names(entry, "angular_velocity", orientation.angular_velocity, SymbolKind::angular_velocity,
+               "the angular velocity", reading);
     orientation.about = text_field(entry.value, "about", reading);
     orientation.frame = read_frame(entry.value, reading);
     read_initial(entry.value, orientation, reading);

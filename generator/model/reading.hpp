@@ -20,7 +20,7 @@ struct Reading {
   support::Diagnostics& diagnostics;
   Model model;
   std::map<std::string, Declared> declared;
-  std::map<std::string, support::Span> bodies;           ///< particles too
+  std::map<std::string, support::Span> bodies;  ///< particles too
   std::map<std::string, std::size_t> orientations;
   /// A section could not be read: what seems to be missing may stand in it.
   bool incomplete = false;

@@ -25,9 +25,10 @@ bool check_speed(const Name& name, const std::string& what, Reading& reading) {
     if (is_speed(reference.kind)) candidates.push_back(candidate);
   }
   const std::string near = support::did_you_mean(name.text, candidates);
-  reading.diagnostics.error(code::k_wrong_reference, name.span,
-                            fmt::format("'{}' is not a coordinate or an angular velocity component, which {} needs", name.text, what),
-                            near.empty() ? "use a name from 'coordinates', or an angular velocity from 'orientations'" : near);
+  reading.diagnostics.error(
+      code::k_wrong_reference, name.span,
+      fmt::format("'{}' is not a coordinate or an angular velocity component, which {} needs", name.text, what),
+      near.empty() ? "use a name from 'coordinates', or an angular velocity from 'orientations'" : near);
   return false;
 }
 
@@ -41,10 +42,12 @@ void check_dependent(Reading& reading) {
   for (const Name& name : reading.model.dependent) {
     if (!check_speed(name, "'dependent'", reading)) continue;
     if (is_held(name.text, reading.model)) {
-      reading.diagnostics.error(code::k_dependent_speeds, name.span, fmt::format("'{}' is held: its speed is given, no constraint determines it", name.text),
+      reading.diagnostics.error(code::k_dependent_speeds, name.span,
+                                fmt::format("'{}' is held: its speed is given, no constraint determines it", name.text),
                                 "name a free coordinate");
     } else if (!seen.insert(name.text).second) {
-      reading.diagnostics.error(code::k_dependent_speeds, name.span, fmt::format("'{}' is named twice", name.text), "remove one");
+      reading.diagnostics.error(code::k_dependent_speeds, name.span, fmt::format("'{}' is named twice", name.text),
+                                "remove one");
     }
   }
 }
@@ -53,9 +56,10 @@ void check_dependent_count(Reading& reading) {
   const auto& dependent = reading.model.dependent;
   const std::size_t constraints = reading.model.constraints.size();
   if (dependent.empty() || dependent.size() == constraints || reading.incomplete) return;
-  reading.diagnostics.error(code::k_dependent_speeds, {dependent.front().span.begin, dependent.back().span.end},
-                            fmt::format("the number of dependent speeds is {}, that of constraints {}", dependent.size(), constraints),
-                            "each constraint determines one speed; without 'elimination' the choice is made for you");
+  reading.diagnostics.error(
+      code::k_dependent_speeds, {dependent.front().span.begin, dependent.back().span.end},
+      fmt::format("the number of dependent speeds is {}, that of constraints {}", dependent.size(), constraints),
+      "each constraint determines one speed; without 'elimination' the choice is made for you");
 }
 
 }  // namespace

@@ -53,7 +53,8 @@ Uses uses_of(const Model& model) {
 /// False for a name that was refused because it clashes: its uses mean the other owner of the name.
 bool owns_name(const Model& model, std::size_t coordinate) {
   const auto symbol = model.symbols.find(model.coordinates[coordinate].name.text);
-  return symbol != model.symbols.end() && symbol->second.kind == SymbolKind::coordinate && symbol->second.index == coordinate;
+  return symbol != model.symbols.end() && symbol->second.kind == SymbolKind::coordinate &&
+         symbol->second.index == coordinate;
 }
 
 void check_used(Reading& reading) {
@@ -65,16 +66,20 @@ void check_used(Reading& reading) {
     if (uses.coordinates.count(i) > 0 || !owns_name(model, i)) continue;
     if (coordinate.held_at) {
       reading.diagnostics.warning(code::k_idle_held_coordinate, coordinate.name.span,
-                                  fmt::format("no body depends on the held coordinate '{}'", coordinate.name.text), "its reaction does no more than balance forces and constraints");
+                                  fmt::format("no body depends on the held coordinate '{}'", coordinate.name.text),
+                                  "its reaction does no more than balance forces and constraints");
     } else {
-      reading.diagnostics.error(code::k_no_inertia, coordinate.name.span, fmt::format("nothing gives the coordinate '{}' inertia: no body depends on it", coordinate.name.text),
-                                "use it in a position or in an angle, or remove it");
+      reading.diagnostics.error(
+          code::k_no_inertia, coordinate.name.span,
+          fmt::format("nothing gives the coordinate '{}' inertia: no body depends on it", coordinate.name.text),
+          "use it in a position or in an angle, or remove it");
     }
   }
   for (std::size_t i = 0; i < model.orientations.size(); ++i) {
     if (uses.orientations.count(i) > 0) continue;
     const Name& name = model.orientations[i].name;
-    reading.diagnostics.error(code::k_no_inertia, name.span, fmt::format("nothing gives the orientation '{}' inertia: no body has it", name.text),
+    reading.diagnostics.error(code::k_no_inertia, name.span,
+                              fmt::format("nothing gives the orientation '{}' inertia: no body has it", name.text),
                               "name it as the orientation of a body, or remove it");
   }
 }
@@ -98,7 +103,8 @@ bool has_free_speed(const Ast& ast, bool inside_dot, const Model& model) {
 void check_velocities(Reading& reading) {
   for (const VelocityConstraint& constraint : reading.model.constraints) {
     if (has_free_speed(constraint.velocity, false, reading.model)) continue;
-    reading.diagnostics.error(code::k_no_velocity, constraint.velocity.span, fmt::format("no free speed appears in the constraint '{}'", constraint.name.text),
+    reading.diagnostics.error(code::k_no_velocity, constraint.velocity.span,
+                              fmt::format("no free speed appears in the constraint '{}'", constraint.name.text),
                               "write rates as dot(x); a coordinate with a given value is declared with 'held_at'");
   }
 }
@@ -112,7 +118,8 @@ void check_topology(Reading& reading) {
     reading.diagnostics.error(code::k_no_bodies, k_top, "the model has no bodies", "add 'bodies:' or 'particles:'");
   }
   if (nothing_moves && !reading.incomplete) {
-    reading.diagnostics.error(code::k_nothing_moves, k_top, "the model has no coordinates, so nothing can move", "add 'coordinates:' or 'orientations:'");
+    reading.diagnostics.error(code::k_nothing_moves, k_top, "the model has no coordinates, so nothing can move",
+                              "add 'coordinates:' or 'orientations:'");
   }
   if (!model.bodies.empty() && !reading.incomplete) check_used(reading);
   check_velocities(reading);

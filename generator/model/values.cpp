@@ -20,7 +20,9 @@ namespace {
 std::optional<double> checked_value(const Ast& ast, const Values& values, Reading& reading) {
   const auto value = value_of(ast, values);
   if (!value || std::isfinite(*value)) return value;
-  reading.diagnostics.error(code::k_not_finite, ast.span, fmt::format("with the given parameters this is {}", std::isnan(*value) ? "not a real number" : "infinite"));
+  reading.diagnostics.error(
+      code::k_not_finite, ast.span,
+      fmt::format("with the given parameters this is {}", std::isnan(*value) ? "not a real number" : "infinite"));
   return std::nullopt;
 }
 
@@ -44,7 +46,8 @@ void check_expressions(const Values& values, Reading& reading) {
 void refuse_negative(const Ast& ast, const std::string& what, const Values& values, Reading& reading) {
   const auto value = value_of(ast, values);
   if (!value || !(*value < 0)) return;
-  reading.diagnostics.error(code::k_negative_inertia, ast.span, fmt::format("{} is negative: {}", what, *value), "check the signs of the parameters in it");
+  reading.diagnostics.error(code::k_negative_inertia, ast.span, fmt::format("{} is negative: {}", what, *value),
+                            "check the signs of the parameters in it");
 }
 
 void check_inertia(const Body& body, const Values& values, Reading& reading) {
@@ -52,7 +55,8 @@ void check_inertia(const Body& body, const Values& values, Reading& reading) {
   if (!body.inertia) return;
   const std::size_t moments = body.inertia->shape == Inertia::Shape::isotropic ? 1 : 3;
   for (std::size_t i = 0; i < moments; ++i) {
-    refuse_negative(body.inertia->entries[i], fmt::format("a moment of inertia of '{}'", body.name.text), values, reading);
+    refuse_negative(body.inertia->entries[i], fmt::format("a moment of inertia of '{}'", body.name.text), values,
+                    reading);
   }
 }
 
@@ -62,7 +66,8 @@ void check_quaternion(const Orientation& orientation, const Values& values, Read
     if (!value || *value != 0.0) return;
   }
   const support::Span span{orientation.initial[0].span.begin, orientation.initial[3].span.end};
-  reading.diagnostics.error(code::k_undefined_value, span, fmt::format("the initial quaternion of '{}' has length zero", orientation.name.text),
+  reading.diagnostics.error(code::k_undefined_value, span,
+                            fmt::format("the initial quaternion of '{}' has length zero", orientation.name.text),
                             "[1, 0, 0, 0] is no rotation");
 }
 

@@ -31,11 +31,11 @@ struct Entry;
 struct Node {
   NodeKind kind = NodeKind::empty;
   support::Span span;
-  bool plain = false;         ///< a scalar without quotes, on which YAML's own signs act
-  bool flow = false;          ///< inside or itself [...] or {...}
+  bool plain = false;  ///< a scalar without quotes, on which YAML's own signs act
+  bool flow = false;   ///< inside or itself [...] or {...}
   LocatedText scalar;
-  std::vector<Node> items;    ///< of a sequence
-  std::vector<Entry> entries; ///< of a map, in the order of the file, keys unique
+  std::vector<Node> items;     ///< of a sequence
+  std::vector<Entry> entries;  ///< of a map, in the order of the file, keys unique
 };
 
 struct Entry {

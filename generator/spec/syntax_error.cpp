@@ -64,7 +64,8 @@ void report_syntax_error(const support::Source& source, std::uint32_t offset, co
                          support::Diagnostics& diagnostics) {
   const Span here{offset, offset + 1};
   if (const auto tab = tab_near(source, offset)) {
-    diagnostics.error(code::k_tab_indentation, {*tab, *tab + 1}, "a tab in the indentation", "YAML indents with spaces only");
+    diagnostics.error(code::k_tab_indentation, {*tab, *tab + 1}, "a tab in the indentation",
+                      "YAML indents with spaces only");
     return;
   }
   for (const Wording& wording : k_wordings) {
@@ -73,7 +74,8 @@ void report_syntax_error(const support::Source& source, std::uint32_t offset, co
     diagnostics.error(about_feature ? code::k_yaml_feature : code::k_yaml_syntax, here, wording.ours, wording.hint);
     return;
   }
-  diagnostics.error(code::k_yaml_syntax, here, "the text is not valid YAML (" + text + ")", "check indentation, brackets and quotes");
+  diagnostics.error(code::k_yaml_syntax, here, "the text is not valid YAML (" + text + ")",
+                    "check indentation, brackets and quotes");
 }
 
 }  // namespace gaussgen::spec

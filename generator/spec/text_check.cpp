@@ -35,8 +35,10 @@ bool check_characters(const support::Source& source, support::Diagnostics& diagn
     const support::CodePoint point = support::code_point_at(text, i);
     const support::Span span{offset32(i), offset32(i) + point.size};
     if (!point.valid) {
-      diagnostics.error(code::k_encoding, span, fmt::format("the byte 0x{:02X} is not part of UTF-8 text", static_cast<std::uint32_t>(point.value)),
-                        k_save_as_utf8);
+      diagnostics.error(
+          code::k_encoding, span,
+          fmt::format("the byte 0x{:02X} is not part of UTF-8 text", static_cast<std::uint32_t>(point.value)),
+          k_save_as_utf8);
       return false;
     }
     if (support::is_control(point.value) || support::is_invisible(point.value)) {
@@ -56,7 +58,8 @@ std::size_t byte_order_mark(std::string_view text) { return starts_with(text, "\
 bool check_text(const support::Source& source, support::Diagnostics& diagnostics) {
   const std::string_view text = source.text();
   if (text.size() > k_largest_file) {
-    diagnostics.error(code::k_file_too_large, {0, 0}, fmt::format("the file has {} bytes; the limit is {}", text.size(), k_largest_file),
+    diagnostics.error(code::k_file_too_large, {0, 0},
+                      fmt::format("the file has {} bytes; the limit is {}", text.size(), k_largest_file),
                       "a model file describes one mechanism; split it");
     return false;
   }

@@ -29,7 +29,9 @@ bool is_explicit_tag(const std::string& tag, bool quoted) {
 }  // namespace
 
 TreeBuilder::TreeBuilder(const support::Source& source, support::Diagnostics& diagnostics)
-    : source_(source), diagnostics_(diagnostics), skipped_(static_cast<std::uint32_t>(byte_order_mark(source.text()))) {}
+    : source_(source),
+      diagnostics_(diagnostics),
+      skipped_(static_cast<std::uint32_t>(byte_order_mark(source.text()))) {}
 
 std::uint32_t TreeBuilder::offset(const YAML::Mark& mark) const {
   return static_cast<std::uint32_t>(mark.pos < 0 ? 0 : mark.pos) + skipped_;
@@ -87,7 +89,8 @@ void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t) {
   add(std::move(node));
 }
 
-void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) {
+void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                           const std::string& value) {
   refuse_extras(mark, tag, anchor);
   const std::uint32_t at = offset(mark);
   const ScalarStyle style = style_at(source_.text(), at, tag == k_quoted_tag);
@@ -107,7 +110,8 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
     const support::CodePoint point = support::code_point_at(value, i);
     if (support::is_control(point.value) || support::is_invisible(point.value)) {
       diagnostics_.error(code::k_forbidden_character, node.scalar.span_of(i, i + 1),
-                         fmt::format("an escape for U+{:04X}, which may not appear in a model file", static_cast<std::uint32_t>(point.value)));
+                         fmt::format("an escape for U+{:04X}, which may not appear in a model file",
+                                     static_cast<std::uint32_t>(point.value)));
     }
     i += point.size;
   }
@@ -134,7 +138,8 @@ void TreeBuilder::open(const YAML::Mark& mark, NodeKind kind, YAML::EmitterStyle
   const std::uint32_t at = offset(mark);
   count_node({at, at + 1});
   if (open_.size() >= static_cast<std::size_t>(k_deepest_nesting)) {
-    diagnostics_.error(code::k_file_too_large, {at, at + 1}, fmt::format("lists and maps are nested more than {} deep", k_deepest_nesting));
+    diagnostics_.error(code::k_file_too_large, {at, at + 1},
+                       fmt::format("lists and maps are nested more than {} deep", k_deepest_nesting));
     throw Stop{};
   }
   if (expects_key()) {
@@ -173,9 +178,10 @@ void TreeBuilder::drop_repeated_keys(std::vector<Entry>& entries) {
     if (is_new) {
       kept.push_back(std::move(entry));
     } else {
-      diagnostics_.error(code::k_duplicate_key, entry.key.span,
-                         fmt::format("the key '{}' is already in line {}", entry.key.text, source_.line(place->second.begin)),
-                         "remove one of the two or rename it");
+      diagnostics_.error(
+          code::k_duplicate_key, entry.key.span,
+          fmt::format("the key '{}' is already in line {}", entry.key.text, source_.line(place->second.begin)),
+          "remove one of the two or rename it");
     }
   }
   entries = std::move(kept);
@@ -185,7 +191,8 @@ void TreeBuilder::close() {
   Node node = std::move(open_.back().node);
   open_.pop_back();
   if (!node.items.empty()) node.span.end = node.items.back().span.end;
-  if (!node.entries.empty()) node.span.end = std::max(node.entries.back().value.span.end, node.entries.back().key.span.end);
+  if (!node.entries.empty())
+    node.span.end = std::max(node.entries.back().value.span.end, node.entries.back().key.span.end);
   add(std::move(node));
 }
 

@@ -24,7 +24,7 @@ template <class... Args>
 }  // namespace gaussgen::support
 
 /// GAUSS_ASSERT(a < b, "a={} b={}", a, b): the message prints the operands.
-#define GAUSS_ASSERT(condition, ...)                                              \
-  do {                                                                            \
+#define GAUSS_ASSERT(condition, ...)                                                          \
+  do {                                                                                        \
     if (!(condition)) ::gaussgen::support::fail(__FILE__, __LINE__, #condition, __VA_ARGS__); \
   } while (false)

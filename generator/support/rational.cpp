@@ -58,7 +58,8 @@ std::string to_text(const Rational& value) {
 
 std::size_t hash(const Rational& value) {
   const Integer top = cln::numerator(value);
-  if (is_integer(value) && cln::abs(top) < INT_MAX) return static_cast<std::size_t>(cln::cl_I_to_int(top)) * 0x9E3779B97F4A7C15U;
+  if (is_integer(value) && cln::abs(top) < INT_MAX)
+    return static_cast<std::size_t>(cln::cl_I_to_int(top)) * 0x9E3779B97F4A7C15U;
   return std::hash<std::string>{}(to_text(value));
 }
 

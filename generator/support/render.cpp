@@ -60,7 +60,8 @@ std::vector<Cell> window(std::vector<Cell> cells, std::uint32_t begin) {
   const auto room = std::min<std::ptrdiff_t>(caret - cells.begin(), k_columns_before_caret);
   auto first = caret - room;
   // Near the end of the line the window shows what precedes instead of empty space.
-  if (cells.end() - first < k_widest_line) first = cells.end() - std::min<std::ptrdiff_t>(cells.end() - cells.begin(), k_widest_line);
+  if (cells.end() - first < k_widest_line)
+    first = cells.end() - std::min<std::ptrdiff_t>(cells.end() - cells.begin(), k_widest_line);
   auto last = first;
   for (int width = 0; last != cells.end() && width + last->width <= k_widest_line; ++last) width += last->width;
   std::vector<Cell> cut(first, last);
@@ -124,9 +125,9 @@ std::string render_one(const Diagnostic& finding, const Source& source) {
 
   const std::string number = std::to_string(at.line);
   const std::string margin(number.size(), ' ');
-  std::string text = fmt::format("{}:{}:{}: {}[{}]: {}\n", harmless(source.name()), at.line, at.column,
-                                 finding.severity == Severity::error ? "error" : "warning", finding.code,
-                                 harmless(finding.message));
+  std::string text =
+      fmt::format("{}:{}:{}: {}[{}]: {}\n", harmless(source.name()), at.line, at.column,
+                  finding.severity == Severity::error ? "error" : "warning", finding.code, harmless(finding.message));
   text += fmt::format(" {} | {}\n {} | {}\n", number, shown.line, margin, shown.caret);
   if (!finding.hint.empty()) text += fmt::format(" {} = hint: {}\n", margin, harmless(finding.hint));
   return text;

@@ -19,7 +19,8 @@ std::string_view Source::text(Span span) const {
 }
 
 std::uint32_t Source::line(std::uint32_t offset) const {
-  return static_cast<std::uint32_t>(std::upper_bound(line_starts_.begin(), line_starts_.end(), offset) - line_starts_.begin());
+  return static_cast<std::uint32_t>(std::upper_bound(line_starts_.begin(), line_starts_.end(), offset) -
+                                    line_starts_.begin());
 }
 
 Position Source::position(std::uint32_t offset) const {

@@ -53,7 +53,8 @@ struct Parsed {
   gaussgen::support::Diagnostics diagnostics;
   std::optional<gaussgen::model::Ast> ast;
 
-  explicit Parsed(const std::string& text) : ast(gaussgen::model::parse_expression(gaussgen::spec::located(text), diagnostics)) {}
+  explicit Parsed(const std::string& text)
+      : ast(gaussgen::model::parse_expression(gaussgen::spec::located(text), diagnostics)) {}
 
   /// The tree, or the code and the column of the only error.
   std::string result() const {

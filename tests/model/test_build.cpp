@@ -11,7 +11,10 @@ namespace {
 const std::string k_orientation = "orientations: {o: {quaternion: [a, b, c, d], angular_velocity: [wx, wy, wz]}}\n";
 
 /// A body on x with the inertia and the orientation that a test gives.
-Built body(const std::string& rest) { return Built(test::k_header + test::k_x + k_orientation + "bodies: {ball: {mass: 1, position: [x, 0, 0], " + rest + "}}\n"); }
+Built body(const std::string& rest) {
+  return Built(test::k_header + test::k_x + k_orientation + "bodies: {ball: {mass: 1, position: [x, 0, 0], " + rest +
+               "}}\n");
+}
 
 std::string names(const std::string& parameter) { return Built(with("parameters: {" + parameter + ": 1}\n")).codes(); }
 
@@ -63,8 +66,10 @@ forces:
 
 TEST_CASE("initial angular velocities are a list, or a map that leaves some open") {
   const auto orientation = [](const std::string& initial) {
-    return Built(test::k_header + "orientations: {o: {quaternion: [a, b, c, d], angular_velocity: [u, v, w], frame: space, initial_angular_velocity: " + initial +
-                 "}}\nbodies: {b: {mass: 1, inertia: 1, position: [0, 0, 0], orientation: o}}\n");
+    return Built(test::k_header +
+                 "orientations: {o: {quaternion: [a, b, c, d], angular_velocity: [u, v, w], frame: space, "
+                 "initial_angular_velocity: " +
+                 initial + "}}\nbodies: {b: {mass: 1, inertia: 1, position: [0, 0, 0], orientation: o}}\n");
   };
   const Built list = orientation("[1, 2, 3]");
   const Built map = orientation("{v: 2}");
@@ -116,7 +121,8 @@ TEST_CASE("inertia is one number, three, or a symmetric matrix") {
   CHECK(body("inertia: [1, 2, 3], orientation: o").model->bodies[0].inertia->shape == model::Inertia::Shape::diagonal);
   const Built full = body("inertia: [[1, 4, 5], [4, 2, 6], [5, 6, 3]], orientation: o");
   REQUIRE(full.model);
-  for (std::size_t i = 0; i < 6; ++i) CHECK(test::show(full.model->bodies[0].inertia->entries[i]) == std::to_string(i + 1));
+  for (std::size_t i = 0; i < 6; ++i)
+    CHECK(test::show(full.model->bodies[0].inertia->entries[i]) == std::to_string(i + 1));
 }
 
 TEST_CASE("mirrored entries of an inertia matrix may differ in blanks but not in meaning") {
@@ -126,15 +132,23 @@ TEST_CASE("mirrored entries of an inertia matrix may differ in blanks but not in
 
 TEST_CASE("Euler sequences have three letters without equal neighbours") {
   for (const char* good : {"zxz", "xyz", "zyx", "xyx"}) {
-    CHECK(Built(test::k_header + test::k_x + "bodies: {b: {mass: 1, inertia: 1, position: [0, 0, 0], orientation: {euler: " + good + ", angles: [x, 0, 0]}}}\n").codes().empty());
+    CHECK(Built(test::k_header + test::k_x +
+                "bodies: {b: {mass: 1, inertia: 1, position: [0, 0, 0], orientation: {euler: " + good +
+                ", angles: [x, 0, 0]}}}\n")
+              .codes()
+              .empty());
   }
   for (const char* bad : {"xxy", "zzz", "xy", "xyzx", "abc", "ZXZ"}) {
-    CHECK(Built(test::k_header + test::k_x + "bodies: {b: {mass: 1, inertia: 1, position: [0, 0, 0], orientation: {euler: " + bad + ", angles: [x, 0, 0]}}}\n").codes() == "E015");
+    CHECK(Built(test::k_header + test::k_x +
+                "bodies: {b: {mass: 1, inertia: 1, position: [0, 0, 0], orientation: {euler: " + bad +
+                ", angles: [x, 0, 0]}}}\n")
+              .codes() == "E015");
   }
 }
 
 TEST_CASE("bodies and particles come in the order of the file") {
-  const Built built(test::k_header + test::k_x + "particles: {p: {mass: 1, position: [x, 0, 0]}}\nbodies: {b: {mass: 1, position: [x, 0, 0]}}\n");
+  const Built built(test::k_header + test::k_x +
+                    "particles: {p: {mass: 1, position: [x, 0, 0]}}\nbodies: {b: {mass: 1, position: [x, 0, 0]}}\n");
   REQUIRE(built.model);
   CHECK(built.model->bodies[0].name.text == "p");
   CHECK(built.model->bodies[1].name.text == "b");
@@ -157,7 +171,9 @@ TEST_CASE("all symbols share one namespace, with the names of rates") {
   CHECK(names("x") == "E022");
   CHECK(names("x_dot") == "E023");
   CHECK(body("inertia: 1, orientation: o, about: fine").codes().empty());
-  CHECK(Built(test::k_header + "inputs: {a: 1}\n" + test::k_x + k_orientation + "bodies: {b: {mass: 1, inertia: 1, position: [x, 0, 0], orientation: o}}\n").codes() == "E022");
+  CHECK(Built(test::k_header + "inputs: {a: 1}\n" + test::k_x + k_orientation +
+              "bodies: {b: {mass: 1, inertia: 1, position: [x, 0, 0], orientation: o}}\n")
+            .codes() == "E022");
 }
 
 TEST_CASE("a body, a force and a parameter may share a name") {
@@ -165,8 +181,9 @@ TEST_CASE("a body, a force and a parameter may share a name") {
 }
 
 TEST_CASE("all findings of a file come at once") {
-  CHECK(Built(test::k_header + "coordinates: {x: {units: m}}\nparticles: {p: {mass: , position: [x, y, 0]}}\nforces: {f: {uniform: [1, 2]}}\n").codes() ==
-        "E010 E039 E013 E031");
+  CHECK(Built(test::k_header + "coordinates: {x: {units: m}}\nparticles: {p: {mass: , position: [x, y, 0]}}\nforces: "
+                               "{f: {uniform: [1, 2]}}\n")
+            .codes() == "E010 E039 E013 E031");
 }
 
 TEST_CASE("a slip in the name of a key is one finding") {
@@ -179,8 +196,12 @@ TEST_CASE("a faulty body does not make its coordinates idle") {
 }
 
 TEST_CASE("dependent speeds are free, different and one for each constraint") {
-  const std::string constraints = "coordinates: {x: {}, y: {}, h: {held_at: 0}}\nparticles: {p: {mass: 1, position: [x, y, h]}}\nconstraints: {c: {velocity: dot(x)}}\n";
-  const auto dependent = [&](const std::string& list) { return Built(test::k_header + constraints + "elimination: {dependent: " + list + "}\n").codes(); };
+  const std::string constraints =
+      "coordinates: {x: {}, y: {}, h: {held_at: 0}}\nparticles: {p: {mass: 1, position: [x, y, h]}}\nconstraints: {c: "
+      "{velocity: dot(x)}}\n";
+  const auto dependent = [&](const std::string& list) {
+    return Built(test::k_header + constraints + "elimination: {dependent: " + list + "}\n").codes();
+  };
   CHECK(dependent("[x]").empty());
   CHECK(dependent("[h]") == "E059");
   CHECK(dependent("[x, y]") == "E059");

@@ -6,7 +6,9 @@ using test::with;
 
 namespace {
 
-std::string codes_of_potential(const std::string& expression) { return Built(with("forces: {f: {potential: \"x*" + expression + "\"}}\n")).codes(); }
+std::string codes_of_potential(const std::string& expression) {
+  return Built(with("forces: {f: {potential: \"x*" + expression + "\"}}\n")).codes();
+}
 
 }  // namespace
 

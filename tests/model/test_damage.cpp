@@ -14,9 +14,31 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> k_pieces = {"(", ")", "[", "]", "{", "}", ",", ":", ": ", "\n", "  ", "\t", "#", " #", "'", "\"", "\\", "&a", "*a", "!t", "- ",
-                                           "? ", "| ", ">\n", "---\n", "...\n", "%", "^", "^64", "**", "/0", "1e308", "-", "+", ".", "_", "dot(", "sin(", "atan2(",
-                                           "t", "pi", "null", "~", "\xCE\xB8", "\xFF", "\xEF\xBB\xBF", "\r", "x_dot", "held_at: ", "<<: "};
+const std::vector<std::string> k_pieces = {"(",         ")",
+                                           "[",         "]",
+                                           "{",         "}",
+                                           ",",         ":",
+                                           ": ",        "\n",
+                                           "  ",        "\t",
+                                           "#",         " #",
+                                           "'",         "\"",
+                                           "\\",        "&a",
+                                           "*a",        "!t",
+                                           "- ",        "? ",
+                                           "| ",        ">\n",
+                                           "---\n",     "...\n",
+                                           "%",         "^",
+                                           "^64",       "**",
+                                           "/0",        "1e308",
+                                           "-",         "+",
+                                           ".",         "_",
+                                           "dot(",      "sin(",
+                                           "atan2(",    "t",
+                                           "pi",        "null",
+                                           "~",         "\xCE\xB8",
+                                           "\xFF",      "\xEF\xBB\xBF",
+                                           "\r",        "x_dot",
+                                           "held_at: ", "<<: "};
 
 std::vector<std::string> seeds() {
   std::vector<fs::path> paths;
@@ -47,7 +69,9 @@ class Damage {
       case 0: text.insert(at, k_pieces[below(k_pieces.size())]); break;
       case 1: text.erase(at, 1 + below(8)); break;
       case 2: text.insert(at, text.substr(below(text.size() + 1), below(40))); break;
-      default: text = text.substr(0, at) + k_pieces[below(k_pieces.size())] + text.substr(std::min(text.size(), at + 1)); break;
+      default:
+        text = text.substr(0, at) + k_pieces[below(k_pieces.size())] + text.substr(std::min(text.size(), at + 1));
+        break;
     }
   }
 

@@ -15,15 +15,28 @@ Built everything(const std::string& more) {
                more);
 }
 
-std::string constraint(const std::string& velocity) { return everything("constraints: {c: {velocity: " + velocity + "}}\n").codes(); }
-std::string potential(const std::string& energy) { return everything("forces: {f: {potential: " + energy + "}}\n").codes(); }
-std::string generalized(const std::string& force) { return everything("forces: {f: {generalized: {x: " + force + "}}}\n").codes(); }
-std::string field(const std::string& component) { return everything("forces: {f: {uniform: [" + component + ", 0, 0]}}\n").codes(); }
-std::string mass(const std::string& value) { return everything("particles: {p: {mass: " + value + ", position: [x, 0, 0]}}\n").codes(); }
-std::string position(const std::string& value) { return everything("particles: {p: {mass: 1, position: [" + value + ", 0, 0]}}\n").codes(); }
+std::string constraint(const std::string& velocity) {
+  return everything("constraints: {c: {velocity: " + velocity + "}}\n").codes();
+}
+std::string potential(const std::string& energy) {
+  return everything("forces: {f: {potential: " + energy + "}}\n").codes();
+}
+std::string generalized(const std::string& force) {
+  return everything("forces: {f: {generalized: {x: " + force + "}}}\n").codes();
+}
+std::string field(const std::string& component) {
+  return everything("forces: {f: {uniform: [" + component + ", 0, 0]}}\n").codes();
+}
+std::string mass(const std::string& value) {
+  return everything("particles: {p: {mass: " + value + ", position: [x, 0, 0]}}\n").codes();
+}
+std::string position(const std::string& value) {
+  return everything("particles: {p: {mass: 1, position: [" + value + ", 0, 0]}}\n").codes();
+}
 std::string held(const std::string& value) {
   return Built(test::k_header + "parameters: {k: 1}\ninputs: {u: 0}\ncoordinates: {x: {}, h: {held_at: " + value +
-               "}}\nparticles: {p: {mass: 1, position: [x, h, 0]}}\n").codes();
+               "}}\nparticles: {p: {mass: 1, position: [x, h, 0]}}\n")
+      .codes();
 }
 
 }  // namespace
@@ -87,8 +100,12 @@ TEST_CASE("an unknown name is reported once however often it is used") {
 }
 
 TEST_CASE("a section that cannot be read does not make its names unknown") {
-  CHECK(Built(test::k_header + "parameters: [k]\ncoordinates: {x: {}}\nparticles: {p: {mass: k, position: [x, 0, 0]}}\n").codes() == "E012");
-  CHECK(Built(test::k_header + "parametres: {k: 1}\ncoordinates: {x: {}}\nparticles: {p: {mass: k, position: [x, 0, 0]}}\n").codes() == "E010");
+  CHECK(
+      Built(test::k_header + "parameters: [k]\ncoordinates: {x: {}}\nparticles: {p: {mass: k, position: [x, 0, 0]}}\n")
+          .codes() == "E012");
+  CHECK(Built(test::k_header +
+              "parametres: {k: 1}\ncoordinates: {x: {}}\nparticles: {p: {mass: k, position: [x, 0, 0]}}\n")
+            .codes() == "E010");
 }
 
 TEST_CASE("a constraint without a free speed constrains nothing") {

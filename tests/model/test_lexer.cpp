@@ -57,12 +57,15 @@ TEST_CASE("two stars are refused with the power sign as the hint") {
 }
 
 TEST_CASE("other signs of programming languages are refused") {
-  for (const char* text : {"x = 1", "x == 1", "x < 1", "x ? 1", "{x}", "[x]", "x; y", "x % 2", "x'", "x!", "\"x\"", "x // y", "@x"}) {
+  for (const char* text :
+       {"x = 1", "x == 1", "x < 1", "x ? 1", "{x}", "[x]", "x; y", "x % 2", "x'", "x!", "\"x\"", "x // y", "@x"}) {
     INFO(text);
     CHECK_FALSE(test::Parsed(text).ast);
   }
 }
 
 TEST_CASE("names of C++ are ordinary names") {
-  for (const char* name : {"class", "int", "and", "new", "std", "gamma", "y0", "errno", "NAN", "nan", "inf", "abs", "E"}) CHECK(parsed(name) == name);
+  for (const char* name :
+       {"class", "int", "and", "new", "std", "gamma", "y0", "errno", "NAN", "nan", "inf", "abs", "E"})
+    CHECK(parsed(name) == name);
 }

@@ -22,7 +22,8 @@ TEST_CASE("parameters keep their order where nothing demands another") {
 }
 
 TEST_CASE("a formula comes after what it needs, and later ones stay behind") {
-  CHECK(names(Built(with("parameters: {J: 2*m*r, m: 1, r: 2, g: 9}\n"))) == std::vector<std::string>{"m", "r", "J", "g"});
+  CHECK(names(Built(with("parameters: {J: 2*m*r, m: 1, r: 2, g: 9}\n"))) ==
+        std::vector<std::string>{"m", "r", "J", "g"});
 }
 
 TEST_CASE("the symbol table follows the new order") {
@@ -57,12 +58,14 @@ TEST_CASE("a value that is not finite is reported once and not in what follows f
 }
 
 TEST_CASE("initial values are evaluated with the parameters") {
-  CHECK(Built(test::k_header + "parameters: {a: 0}\ncoordinates: {x: {initial: 1/a}}\n" + test::k_particle).codes() == "E054");
+  CHECK(Built(test::k_header + "parameters: {a: 0}\ncoordinates: {x: {initial: 1/a}}\n" + test::k_particle).codes() ==
+        "E054");
 }
 
 TEST_CASE("masses and moments of inertia may be zero but not negative") {
   CHECK(Built(test::k_header + test::k_x + "particles: {p: {mass: 0, position: [x, 0, 0]}}\n").codes().empty());
-  CHECK(Built(test::k_header + test::k_x + "parameters: {m: 2}\nparticles: {p: {mass: 1 - m, position: [x, 0, 0]}}\n").codes() == "E055");
+  CHECK(Built(test::k_header + test::k_x + "parameters: {m: 2}\nparticles: {p: {mass: 1 - m, position: [x, 0, 0]}}\n")
+            .codes() == "E055");
 }
 
 TEST_CASE("a number without a map is a parameter, and an input") {

@@ -12,11 +12,14 @@ struct Read {
   gaussgen::support::Diagnostics diagnostics;
   std::optional<gaussgen::spec::Node> root;
 
-  explicit Read(const std::string& text) : source("m.yaml", text), root(gaussgen::spec::read_yaml(source, diagnostics)) {}
+  explicit Read(const std::string& text)
+      : source("m.yaml", text), root(gaussgen::spec::read_yaml(source, diagnostics)) {}
 
   /// The code of the first finding, or an empty text.
   std::string code() const { return diagnostics.all().empty() ? "" : diagnostics.all()[0].code; }
-  gaussgen::support::Position place(std::size_t finding = 0) const { return source.position(diagnostics.all().at(finding).span.begin); }
+  gaussgen::support::Position place(std::size_t finding = 0) const {
+    return source.position(diagnostics.all().at(finding).span.begin);
+  }
 
   const gaussgen::spec::Node& at(const std::string& key) const {
     static const gaussgen::spec::Node nothing;

@@ -29,6 +29,14 @@ TEST_CASE("escapes in double quotes do not shift what follows") {
   CHECK(read.source.text(read.at("a").span) == "\"\\x41\\u00e9\\\"\\t nope\"");
 }
 
+TEST_CASE("a letter right behind an escape has its own place") {
+  for (const char* escape : {"\\x41", "\\u0041", "\\U00000041", "\\\"", "\\\\"}) {
+    const Read read("a: \"" + std::string(escape) + "nope\"\n");
+    INFO(escape);
+    CHECK(read.behind("a", "nope") == "nope");
+  }
+}
+
 TEST_CASE("a line joined by a backslash does not shift what follows") {
   const Read read("a: \"x + \\\n   nope\"\n");
   CHECK(read.at("a").scalar.text == "x + nope");

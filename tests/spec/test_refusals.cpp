@@ -11,7 +11,9 @@ TEST_CASE("a duplicate key is refused at its second place") {
   CHECK(read.diagnostics.all()[0].message.find("line 1") != std::string::npos);
 }
 
-TEST_CASE("the first of two equal keys is kept, so that reading can go on") { CHECK(Read("m: 1\nm: 3\n").at("m").scalar.text == "1"); }
+TEST_CASE("the first of two equal keys is kept, so that reading can go on") {
+  CHECK(Read("m: 1\nm: 3\n").at("m").scalar.text == "1");
+}
 
 TEST_CASE("an alias to what holds it ends with an error and not in a loop") {
   const Read read("a: &a [*a]\n");
@@ -55,7 +57,10 @@ TEST_CASE("too many values and too large files are refused") {
 }
 
 TEST_CASE("wide encodings are refused, with a mark and without") {
-  CHECK(Read(std::string("\xFF\xFE" "a\0:\0", 6)).code() == "E001");
+  CHECK(Read(std::string("\xFF\xFE"
+                         "a\0:\0",
+                         6))
+            .code() == "E001");
   CHECK(Read(std::string("\xFE\xFF\0a\0:", 6)).code() == "E001");
   CHECK(Read(std::string("a\0:\0 \0", 6)).code() == "E001");
   CHECK(Read(std::string("\0\0\xFE\xFF\0\0\0a", 8)).code() == "E001");

@@ -37,6 +37,7 @@ TEST_CASE("items that no joining balances stay as they are") {
   CHECK(Read("a: [f(x, y, 1]\n").at("a").items.size() == 3);
   CHECK(Read("a: [f(x, 'y)', 1]\n").at("a").items.size() == 3);
   CHECK(Read("a: [x), f(y]\n").at("a").items.size() == 2);
+  CHECK(Read("a: [f(x, y))(]\n").at("a").items.size() == 2);
 }
 
 TEST_CASE("a key with a value is never taken for an argument") {

@@ -81,7 +81,10 @@ TEST_CASE("the window of an error near the end of a long line ends with the line
 }
 
 TEST_CASE("nothing that a terminal obeys reaches the output") {
-  const std::string shown = rendered("a\x1B[31m\xE2\x80\xAE" "b", {0, 1}, "\x1B[0m");
+  const std::string shown = rendered(
+      "a\x1B[31m\xE2\x80\xAE"
+      "b",
+      {0, 1}, "\x1B[0m");
   CHECK(shown.find('\x1B') == std::string::npos);
   CHECK(shown.find("\xE2\x80\xAE") == std::string::npos);
 }

@@ -11,7 +11,9 @@ TEST_CASE("a slip of the pen finds its word") {
 
 TEST_CASE("swapped letters are one slip") { CHECK(closest("msas", {"mass", "moss"}) == "mass"); }
 
-TEST_CASE("another case of the same letters is the nearest of all") { CHECK(closest("theta", {"beta", "Theta"}) == "Theta"); }
+TEST_CASE("another case of the same letters is the nearest of all") {
+  CHECK(closest("theta", {"beta", "Theta"}) == "Theta");
+}
 
 TEST_CASE("a single letter is not taken for another one") {
   CHECK(closest("x", {"y", "z"}).empty());

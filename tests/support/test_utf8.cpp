@@ -43,7 +43,8 @@ TEST_CASE("tabs and line breaks are no control characters") {
 }
 
 TEST_CASE("bidirectional controls and zero-width characters are invisible") {
-  for (const char32_t value : {0x202AU, 0x202EU, 0x2066U, 0x2069U, 0x200BU, 0x200EU, 0xFEFFU}) CHECK(is_invisible(value));
+  for (const char32_t value : {0x202AU, 0x202EU, 0x2066U, 0x2069U, 0x200BU, 0x200EU, 0xFEFFU})
+    CHECK(is_invisible(value));
   CHECK_FALSE(is_invisible(' '));
   CHECK_FALSE(is_invisible(0x03B8));
 }
