@@ -80,20 +80,31 @@ NodeId Graph::use(SymbolId id) {
 
 NodeId Graph::named(NodeId id, const std::string& name) {
   const Node& node = (*this)[id];
-  if (node.kind == Kind::constant || node.kind == Kind::symbol || node.kind == Kind::named) return id;
+  switch (node.kind) {
+    case Kind::constant:
+    case Kind::symbol:
+    case Kind::function:  // sin_theta says more than the name of a matrix entry that happens to be sin(theta)
+    case Kind::named: return id;
+    default: break;
+  }
   if (!can_be_flattened(*this, id)) {
     labels_.emplace(id.index, name);
     return id;
   }
+  // One wrapper for one value: under two names it would not cancel against itself.
+  if (const auto known = wrappers_.find(id.index); known != wrappers_.end()) return known->second;
   Node wrapper;
   wrapper.kind = Kind::named;
   wrapper.children = {id};
   wrapper.name = name;
-  return intern(std::move(wrapper));
+  const NodeId result = intern(std::move(wrapper));
+  wrappers_.emplace(id.index, result);
+  return result;
 }
 
 const std::string& Graph::label(NodeId id) const {
   static const std::string k_none;
+  if ((*this)[id].kind == Kind::named) return (*this)[id].name;
   const auto it = labels_.find(id.index);
   return it == labels_.end() ? k_none : it->second;
 }

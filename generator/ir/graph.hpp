@@ -41,13 +41,13 @@ class Graph {
 
   /// `node` under a name that appears in emitted code. A sum (or anything that holds one) becomes opaque: later
   /// simplification does not flatten it, so it is computed once. A monomial only gets the label, since taking it
-  /// apart costs nothing and lets factors cancel.
+  /// apart costs nothing and lets factors cancel. The first name stays.
   NodeId named(NodeId node, const std::string& name);
 
   const Node& operator[](NodeId id) const { return nodes_[id.index]; }
   std::size_t size() const { return nodes_.size(); }
 
-  /// Label given by `named` to a monomial; empty if none.
+  /// The name that `named` gave, the first one when there were several; empty if none.
   const std::string& label(NodeId id) const;
 
   /// Canonical order: <0, 0, >0. Independent of the order in which nodes were created.
@@ -66,6 +66,7 @@ class Graph {
   std::deque<Node> nodes_;  // references to nodes stay valid while the graph grows
   std::unordered_multimap<std::size_t, NodeId> index_;
   std::unordered_map<std::uint32_t, std::string> labels_;
+  std::unordered_map<std::uint32_t, NodeId> wrappers_;  ///< value -> its named node
 };
 
 }  // namespace gaussgen::ir

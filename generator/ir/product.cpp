@@ -120,7 +120,8 @@ namespace {
 
 Rational integer_power(const Rational& base, int exponent) {
   GAUSS_ASSERT(base != 0 || exponent > 0, "0^{}", exponent);
-  return exponent < 0 ? Rational(1 / cln::expt_pos(base, -exponent)) : cln::expt_pos(base, exponent);
+  const Rational size = cln::expt_pos(base, cln::cl_I(exponent < 0 ? -exponent : exponent));
+  return exponent < 0 ? Rational(1 / size) : size;
 }
 
 /// base^exponent where it is rational again, such as 4^(1/2).
@@ -128,7 +129,7 @@ std::optional<Rational> exact_power(const Rational& base, const Rational& expone
   const int top = cln::cl_I_to_int(cln::numerator(exponent));
   if (support::is_integer(exponent)) return integer_power(base, top);
   Rational root = 0;
-  if (base < 0 || !cln::rootp(base, cln::cl_I_to_int(cln::denominator(exponent)), &root)) return std::nullopt;
+  if (base < 0 || !cln::rootp(base, cln::denominator(exponent), &root)) return std::nullopt;
   return integer_power(root, top);
 }
 

@@ -27,7 +27,7 @@ NodeId Substitution::rebuilt(NodeId id) {
   std::vector<NodeId> children;
   for (const NodeId child : node.children) children.push_back(memo_.at(child.index));
   if (children == node.children) return id;
-  const std::string label = graph_.label(id);
+  const std::string label = node.kind == Kind::named ? "" : graph_.label(id);
   const auto relabelled = [&](NodeId result) { return label.empty() ? result : graph_.named(result, label); };
   switch (node.kind) {
     case Kind::sum: {

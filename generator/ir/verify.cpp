@@ -68,6 +68,7 @@ class Verifier {
   }
 
   void check_function(NodeId id, const Node& node) {
+    if (node.children.empty()) return;
     const Node& argument = graph_[node.children[0]];
     const bool is_negative = argument.kind == Kind::constant ? argument.value < 0
                                                              : argument.kind == Kind::sum && signed_content(argument) < 0;

@@ -25,7 +25,7 @@ struct Fixture {
 
 const Rational k_half = Rational(1) / 2;
 
-Rational power_of_ten(int n) { return cln::expt_pos(cln::cl_I(10), n); }
+Rational power_of_ten(int n) { return cln::expt_pos(cln::cl_I(10), cln::cl_I(n)); }
 
 TEST_CASE_METHOD(Fixture, "fifty digits of the elementary functions are right", "[evaluate]") {
   CHECK(call(Function::sin, 1) == "0.84147098480789650665250232163029899962256306079837");

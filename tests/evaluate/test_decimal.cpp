@@ -14,7 +14,7 @@ std::string text(const Rational& value, int digits) {
   return to_decimal(Arithmetic<cln::cl_F>(60).number(value), digits);
 }
 
-Rational power_of_ten(int n) { return cln::expt_pos(cln::cl_I(10), n); }
+Rational power_of_ten(int n) { return cln::expt_pos(cln::cl_I(10), cln::cl_I(n)); }
 
 TEST_CASE("numbers are printed with the digits asked for", "[evaluate]") {
   CHECK(text(Rational(1) / 3, 5) == "0.33333");
