@@ -28,7 +28,10 @@ class Random {
   }
   int between(int low, int high) { return low + below(high - low + 1); }
   bool chance(int percent) { return below(100) < percent; }
-  Rational rational() { return Rational(between(-9, 9)) / between(1, 4); }
+  Rational rational() {
+    const Rational top = between(-9, 9);  // one after the other: compilers order the operands of "/" differently
+    return top / between(1, 4);
+  }
 
   template <class T>
   void shuffle(std::vector<T>& list) {

@@ -77,8 +77,9 @@ TEST_CASE("contract keeps the exact value and never costs more than the plain fo
     std::vector<RecipePtr> recipes;
     for (int i = 0; i < 6; ++i) recipes.push_back(random_recipe(random, 3));
     for (std::size_t i = 0; i < 6; i += 2) {
-      pairs.emplace_back(Expr(graph, build(*recipes[i], graph, symbols, random)),
-                         Expr(graph, build(*recipes[i + 1], graph, symbols, random)));
+      const Expr left(graph, build(*recipes[i], graph, symbols, random));
+      const Expr right(graph, build(*recipes[i + 1], graph, symbols, random));
+      pairs.emplace_back(left, right);
     }
     const Expr plain =
         pairs[0].first * pairs[0].second + pairs[1].first * pairs[1].second + pairs[2].first * pairs[2].second;
