@@ -59,13 +59,16 @@ class Planner {
       plan_.tasks.push_back({&artefact, runs_once(artefact) ? as_it_is(artefact) : over_prepared(artefact)});
     }
     // Plain parameters in the order of the model, formulas after what they need, then the rest as it came up.
+    std::vector<NodeId> roots;
+    for (const Task& task : plan_.tasks) roots.insert(roots.end(), task.request.outputs.begin(), task.request.outputs.end());
+    const std::vector<passes::PreparedValue> values = split_.values_in(roots);
     IdSet used;
-    for (const passes::PreparedValue& value : split_.values()) used.insert(value.symbol.index);
+    for (const passes::PreparedValue& value : values) used.insert(value.symbol.index);
     for (const ParameterEntry& parameter : plan_.unit.parameters) {
       if (!parameter.is_formula && used.count(parameter.entry.symbol.index) != 0) add_parameter(parameter);
     }
-    for (const passes::PreparedValue& value : split_.values()) add_formulas_in(value.value);
-    for (const passes::PreparedValue& value : split_.values()) {
+    for (const passes::PreparedValue& value : values) add_formulas_in(value.value);
+    for (const passes::PreparedValue& value : values) {
       if (position_.count(value.symbol.index) == 0) add_term(value);
     }
   }

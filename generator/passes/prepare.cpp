@@ -1,5 +1,8 @@
 #include "passes/prepare.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <unordered_set>
 #include <utility>
 
 #include "ir/print.hpp"
@@ -144,9 +147,21 @@ void PreparationSplit::touch(NodeId root) {
   }
 }
 
+// A product that is only part of a larger one was split as well, so some values may have no use in the end.
+std::vector<PreparedValue> PreparationSplit::values_in(const std::vector<NodeId>& roots) const {
+  std::unordered_set<std::uint32_t> used;
+  for (const NodeId id : ir::post_order(graph_, roots)) {
+    if (graph_[id].kind == Kind::symbol) used.insert(graph_[id].symbol.index);
+  }
+  std::vector<PreparedValue> values;
+  std::copy_if(values_.begin(), values_.end(), std::back_inserter(values),
+               [&](const PreparedValue& value) { return used.count(value.symbol.index) != 0; });
+  return values;
+}
+
 std::vector<std::string> violations(const Graph& graph, const PreparationSplit& split, const std::vector<NodeId>& roots) {
   std::vector<std::string> found;
-  for (const PreparedValue& value : split.values()) {
+  for (const PreparedValue& value : split.values_in(roots)) {
     const std::vector<NodeId> order = ir::post_order(graph, {value.value});
     if (ir::depends_on(graph, order, ir::varies).contains(value.value)) {
       found.push_back("prepared value that varies: " + ir::print(graph, value.value));

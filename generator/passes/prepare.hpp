@@ -36,8 +36,8 @@ class PreparationSplit {
   /// Makes the parameters in `root` prepared values and leaves the rest as it is: for what is computed once anyway.
   void touch(NodeId root);
 
-  /// In order of first use.
-  const std::vector<PreparedValue>& values() const { return values_; }
+  /// Those that `roots` (results of this split, or touched ones) use, in the order in which they came up.
+  std::vector<PreparedValue> values_in(const std::vector<NodeId>& roots) const;
 
  private:
   struct Parts {
@@ -63,7 +63,8 @@ class PreparationSplit {
   std::vector<PreparedValue> values_;
 };
 
-/// What varies among the prepared values, and what could have been prepared in the roots. Empty when sound.
+/// For results of the split: what varies among their prepared values, and what could have been prepared in them. Empty
+/// when sound.
 std::vector<std::string> violations(const Graph& graph, const PreparationSplit& split, const std::vector<NodeId>& roots);
 
 }  // namespace gaussgen::passes
