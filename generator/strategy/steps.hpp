@@ -23,7 +23,8 @@ class Steps {
   ir::Expr name(ir::Expr value, const std::string& name) {
     const ir::Expr result = value.named(name);
     if (steps_.empty()) begin("");
-    steps_.back().values.emplace_back(result.id(), name);
+    // What has another name already, or is as simple as sin(theta), keeps what it is called.
+    if (value.graph().label(result.id()) == name) steps_.back().values.emplace_back(result.id(), name);
     return result;
   }
 
