@@ -129,7 +129,7 @@ std::string Line::str() const {
     if (end < pieces_.size()) {
       std::size_t best = end;
       std::size_t start = width;
-      for (std::size_t i = end; i > first + 1 && start > k_line / 3; --i) {
+      for (std::size_t i = end; i > first + 1 && start > k_line / 4; --i) {
         if (pieces_[i].depth > 0 && pieces_[i].depth < pieces_[best].depth) best = i;
         start -= pieces_[i - 1].text.size();
       }

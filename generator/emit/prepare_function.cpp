@@ -31,6 +31,7 @@ class PrepareBuilder {
     for (const PreparedMember& member : plan_.prepared) {
       if (member.is_formula) compute_formula(member);
     }
+    blank_line();
     fill_members();
     return std::move(function_);
   }
@@ -38,6 +39,11 @@ class PrepareBuilder {
  private:
   void append(Body& body) {
     for (cpp::Statement& statement : body.take()) function_.body.push_back(std::move(statement));
+  }
+
+  void blank_line() {
+    const bool is_needed = !function_.body.empty() && !std::holds_alternative<cpp::BlankLine>(function_.body.back());
+    if (is_needed) function_.body.push_back(cpp::BlankLine{});
   }
 
   void read_parameters() {
@@ -51,7 +57,7 @@ class PrepareBuilder {
     }
     const bool reads = !function_.body.empty();
     function_.arguments = {{"const Parameters<S>&", "parameters", reads}};
-    if (reads) function_.body.push_back(cpp::BlankLine{});
+    blank_line();
   }
 
   // Formula by formula, since later ones use the names of earlier ones.
@@ -76,8 +82,7 @@ class PrepareBuilder {
     body.define(schedule(writing, share(writing, request), request));
     body.blank_line();
     append(body);
-    const bool is_apart = function_.body.empty() || std::holds_alternative<cpp::BlankLine>(function_.body.back());
-    if (!is_apart) function_.body.push_back(cpp::BlankLine{});
+    blank_line();
     body.add(cpp::Declaration{"Prepared<S>", {"prepared"}});
     for (const PreparedMember& member : plan_.prepared) {
       const bool is_local = member.is_formula || member.is_plain;

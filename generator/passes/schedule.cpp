@@ -21,7 +21,8 @@ class Scheduler {
     for (const Section& section : request.sections) {
       open(section.comment);
       for (const auto& [node, name] : section.nodes) {
-        if (sharing_.is_temporary(node)) place(node);
+        const NodeId target = unwrapped(writing_.graph(), node);
+        if (sharing_.is_temporary(target)) place(target);
       }
     }
     open("Shared terms");

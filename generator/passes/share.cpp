@@ -25,12 +25,14 @@ class Sharer {
   Sharing result;
 
  private:
-  void want(NodeId id, const std::string& name) {
+  void want(NodeId wanted, const std::string& name) {
+    const NodeId id = unwrapped(graph_, wanted);
     if (!is_trivial(graph_, id)) result.names.emplace(id.index, name);
   }
 
   // Functions and powers have a name in themselves: sin_theta, x_2.
-  void suggest(NodeId id, const std::string& name) {
+  void suggest(NodeId wanted, const std::string& name) {
+    const NodeId id = unwrapped(graph_, wanted);
     const Kind kind = graph_[id].kind;
     if (kind == Kind::sum || kind == Kind::product) result.suggestions.emplace(id.index, name);
   }
@@ -99,8 +101,13 @@ class Sharer {
 
 bool is_trivial(const Graph& graph, NodeId id) {
   const Node& node = graph[id];
-  if (node.kind == Kind::constant || node.kind == Kind::symbol) return true;
+  if (node.kind == Kind::constant || node.kind == Kind::symbol || node.kind == Kind::named) return true;
   return node.kind == Kind::sum && node.value == 0 && node.children.size() == 1 && node.coefficients[0] == -1;
+}
+
+NodeId unwrapped(const Graph& graph, NodeId id) {
+  while (graph[id].kind == Kind::named) id = graph[id].children[0];
+  return id;
 }
 
 std::string Sharing::name(NodeId id) const {

@@ -24,7 +24,11 @@ struct Sharing {
 /// as sin, and what would make one expression too long to read.
 Sharing share(const Writing& writing, const Request& request);
 
-/// Constants, symbols and negation cost nothing and are written in place.
+/// Constants, symbols and negation cost nothing and are written in place; so is a named node, whose name goes to what it
+/// names.
 bool is_trivial(const Graph& graph, NodeId id);
+
+/// What a named node names; any other node itself.
+NodeId unwrapped(const Graph& graph, NodeId id);
 
 }  // namespace gaussgen::passes
