@@ -19,16 +19,16 @@ ARROWS = {
     "model": ["spec", "support"],
     "symbolic": ["model"],
     "ir": ["support"],
-    "lower": ["symbolic", "ir"],
-    "kinematics": ["lower", "ir", "model"],
+    "kinematics": ["ir", "model"],
     "gauss": ["symbolic", "model"],
     "nonholonomic": ["gauss"],
+    "lower": ["nonholonomic", "symbolic", "ir"],
     "strategy": ["kinematics", "ir"],
     "passes": ["ir"],
     "evaluate": ["ir"],
     "analysis": ["strategy", "evaluate"],
     "emit": ["ir", "passes"],
-    "pipeline": ["analysis", "emit", "nonholonomic"],
+    "pipeline": ["analysis", "lower", "emit"],
     "cli": ["pipeline"],
 }
 
@@ -132,13 +132,18 @@ def check_generator(root):
                                              f"elsewhere; there are {len(ginac_elsewhere)}")
 
 
+def is_root_file(generator, path):
+    """In generator/ itself, as it is or as the template that CMake fills in (version.hpp.in)."""
+    return (generator / path).is_file() or (generator / (path + ".in")).is_file()
+
+
 def check_quoted(generator, path, folder, include):
     parts = include.path.split("/")
     if ".." in parts:
         yield Violation(path, include.line, "plain", f'"{include.path}": write it from generator/, as "folder/file.hpp"')
         return
     target = parts[0] if len(parts) > 1 else "pipeline"
-    if target == "pipeline" and not (generator / include.path).is_file():
+    if target == "pipeline" and not is_root_file(generator, include.path):
         yield Violation(path, include.line, "plain", f'"{include.path}": write it from generator/, as "folder/file.hpp"')
     elif target in ("ginac", "yaml-cpp"):
         yield Violation(path, include.line, "plain", f'"{include.path}": a library is included as <{include.path}>')
@@ -152,32 +157,46 @@ def check_cmake(root):
     generator = root / "generator"
     for path in sorted(generator.glob("*/CMakeLists.txt")):
         folder = path.parent.name
-        text = re.sub(r"#[^\n]*", lambda comment: " " * len(comment.group()), read(path))
-        linked = {folder}
-        for call in re.finditer(r"\bgauss_generator_library\s*\(([^)]*)\)", text):
-            words = [(word.group(), line_of(text, call.start(1) + word.start()))
-                     for word in re.finditer(r"\S+", call.group(1))]
-            if words and words[0][0] != folder:
-                yield Violation(path, words[0][1], "cmake", f"the library of {folder}/ is called {words[0][0]}")
-            section = ""
-            for word, line in words[1:]:
-                if word in ("SOURCES", "DEPENDS", "LIBRARIES"):
-                    section = word
-                elif section == "DEPENDS":
-                    linked |= allowed(word)
-                    if word not in allowed(folder):
-                        yield Violation(path, line, "arrow", f"{folder} may not depend on {word}")
-            yield from check_depends_suffice(generator, path, folder, linked)
+        text = without_comments(path)
+        yield from check_library(generator, path, folder, text)
         for name in re.finditer(r"\bgaussgen(?:_|::)(\w+)", text):
             if name.group(1) in ARROWS and name.group(1) not in allowed(folder):
                 yield Violation(path, line_of(text, name.start()), "arrow", f"{folder} may not link {name.group(1)}")
         for name in re.finditer(r"\byaml-cpp\b", text):
             if folder != YAML_FOLDER:
                 yield Violation(path, line_of(text, name.start()), "yaml-cpp", f"only {YAML_FOLDER}/ sees yaml-cpp")
+    # This one also looks for packages and lists the folders, so only its library is held against the table.
+    path = generator / "CMakeLists.txt"
+    if path.is_file():
+        yield from check_library(generator, path, "pipeline", without_comments(path))
+
+
+def without_comments(path):
+    return re.sub(r"#[^\n]*", lambda comment: " " * len(comment.group()), read(path))
+
+
+def check_library(generator, path, folder, text):
+    for call in re.finditer(r"\bgauss_generator_library\s*\(([^)]*)\)", text):
+        linked = {folder}
+        words = [(word.group(), line_of(text, call.start(1) + word.start()))
+                 for word in re.finditer(r"\S+", call.group(1))]
+        if words and words[0][0] != folder:
+            yield Violation(path, words[0][1], "cmake", f"the library of {folder}/ is called {words[0][0]}")
+        section = ""
+        for word, line in words[1:]:
+            if word in ("SOURCES", "DEPENDS", "LIBRARIES"):
+                section = word
+            elif section == "DEPENDS":
+                linked |= allowed(word)
+                if word not in allowed(folder):
+                    yield Violation(path, line, "arrow", f"{folder} may not depend on {word}")
+        yield from check_depends_suffice(generator, path, folder, linked)
 
 
 def check_depends_suffice(generator, cmake_file, folder, linked):
     for path in sources(cmake_file.parent):
+        if folder_in_generator(generator, path) != folder:
+            continue
         for include in includes(read(path)):
             if include.path is None or include.angled or "/" not in include.path:
                 continue

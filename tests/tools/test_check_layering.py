@@ -46,8 +46,8 @@ class Arrows(Checkout):
         self.assert_only()
 
     def test_the_emitted_route_never_sees_the_papers_route(self):
-        self.write("generator/strategy/solve.cpp", '#include "gauss/metric.hpp"\n')
-        self.assert_only(("generator/strategy/solve.cpp", 1, "arrow"))
+        self.write("generator/strategy/solve.cpp", '#include "gauss/metric.hpp"\n#include "lower/raise.hpp"\n')
+        self.assert_only(("generator/strategy/solve.cpp", 1, "arrow"), ("generator/strategy/solve.cpp", 2, "arrow"))
 
     def test_only_the_command_line_and_the_pipeline_see_all(self):
         self.write("generator/pipeline.hpp", "")
@@ -55,6 +55,13 @@ class Arrows(Checkout):
         self.write("generator/cli/main.cpp", '#include "pipeline.hpp"\n#include "emit/header.hpp"\n')
         self.write("generator/emit/header.cpp", '#include "pipeline.hpp"\n')
         self.assert_only(("generator/emit/header.cpp", 1, "arrow"))
+
+    def test_a_file_that_cmake_fills_in_counts_as_its_template(self):
+        self.write("generator/version.hpp.in", "")
+        self.write("generator/unit.cpp", '#include "version.hpp"\n#include "missing.hpp"\n')
+        self.write("generator/cli/options.cpp", '#include "version.hpp"\n')
+        self.write("generator/emit/header.cpp", '#include "version.hpp"\n')
+        self.assert_only(("generator/unit.cpp", 2, "plain"), ("generator/emit/header.cpp", 1, "arrow"))
 
     def test_an_unknown_folder_is_a_finding(self):
         self.write("generator/utils/all.hpp", "")
@@ -119,6 +126,13 @@ class CMake(Checkout):
         self.write("generator/lower/CMakeLists.txt", "gauss_generator_library(lower SOURCES lower.cpp DEPENDS ir)\n")
         self.write("generator/lower/lower.cpp", '#include "ir/dag.hpp"\n#include "model/ast.hpp"\n')
         self.assert_only(("generator/lower/lower.cpp", 2, "cmake"))
+
+    def test_the_library_of_the_files_in_generator_itself_is_held_too(self):
+        self.write("generator/CMakeLists.txt", "gauss_generator_library(pipeline SOURCES paper.cpp DEPENDS emit)\n")
+        self.write("generator/paper.cpp", '#include "lower/lowering.hpp"\n#include "emit/header.hpp"\n')
+        self.assert_only(("generator/paper.cpp", 1, "cmake"))
+        self.write("generator/CMakeLists.txt", "gauss_generator_library(pipeline SOURCES paper.cpp DEPENDS lower cli emit)\n")
+        self.assert_only(("generator/CMakeLists.txt", 1, "arrow"))
 
     def test_a_library_is_called_like_its_folder(self):
         self.write("generator/ir/CMakeLists.txt", "gauss_generator_library(dag SOURCES dag.cpp)\n")
