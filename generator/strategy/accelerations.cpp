@@ -1,5 +1,6 @@
 #include "strategy/accelerations.hpp"
 
+#include "ir/cost.hpp"
 #include "strategy/inner.hpp"
 
 namespace gaussgen::strategy {
@@ -73,8 +74,18 @@ Vector reduced_force(const Dynamics& dynamics, const Embedding& embed, const std
   return reduced;
 }
 
+// A_μ - Q_μ, over the dependent accelerations as values or written out, whichever is cheaper: written out, what cancels
+// identically vanishes (the sphere's tangential friction), where values would leave their rounding.
+Expr excess(const Dynamics& dynamics, std::size_t mu, const Vector& a, const Vector& written_out) {
+  ir::Graph& graph = dynamics.g[0][0].graph();
+  const Expr by_value = inner(graph, dynamics.g[mu], a) - dynamics.f[mu];
+  const Expr in_full = inner(graph, dynamics.g[mu], written_out) - dynamics.f[mu];
+  return ir::operations(graph, {in_full.id()}) < ir::operations(graph, {by_value.id()}) ? in_full : by_value;
+}
+
 // b_ρμ λ_ρ = A_μ - Q_μ for the dependent μ: the transposed system, eliminated with the same (safe) pivots.
-Vector multipliers_of(const Dynamics& dynamics, const Elimination& elimination, const Vector& a, Steps& steps) {
+Vector multipliers_of(const Dynamics& dynamics, const Elimination& elimination, const Vector& a, const Vector& written_out,
+                      Steps& steps) {
   ir::Graph& graph = dynamics.g[0][0].graph();
   const std::size_t l = dynamics.l();
   Matrix system;
@@ -85,7 +96,7 @@ Vector multipliers_of(const Dynamics& dynamics, const Elimination& elimination, 
     Vector row;
     for (std::size_t j = 0; j < l; ++j) row.push_back(dynamics.b[elimination.rows[j]][mu]);
     system.push_back(row);
-    residual.push_back(steps.name(inner(graph, dynamics.g[mu], a) - dynamics.f[mu], "excess_" + dynamics.labels[mu]));
+    residual.push_back(steps.name(excess(dynamics, mu, a, written_out), "excess_" + dynamics.labels[mu]));
   }
   for (std::size_t k = 0; k < l; ++k) {
     const Expr reciprocal = pow(system[k][k], -1);
@@ -134,6 +145,7 @@ Solution solve_by_elimination(const Dynamics& dynamics, const Elimination& elimi
   const Embedding embed = embedding(dynamics, elimination);
   const std::vector<std::string> labels = labels_of(dynamics, elimination.independent);
   Vector a = embed.d;
+  Vector written_out = embed.d;
   Expr breakdown = never;
   if (!labels.empty()) {
     const Matrix M = reduced_metric(dynamics, embed, labels, steps);
@@ -147,10 +159,12 @@ Solution solve_by_elimination(const Dynamics& dynamics, const Elimination& elimi
     steps.begin("dependent accelerations (3.6)");
     for (std::size_t i = 0; i < elimination.dependent.size(); ++i) {
       const std::size_t mu = elimination.dependent[i];
-      a[mu] = steps.name(inner(graph, elimination.c_dep[i], a_p) + elimination.drift[i], "a_" + dynamics.labels[mu]);
+      written_out[mu] = inner(graph, elimination.c_dep[i], a_p) + elimination.drift[i];
+      a[mu] = steps.name(written_out[mu], "a_" + dynamics.labels[mu]);
     }
+    for (std::size_t p = 0; p < labels.size(); ++p) written_out[elimination.independent[p]] = a_p[p];
   }
-  const Vector lambda = multipliers_of(dynamics, elimination, a, steps);
+  const Vector lambda = multipliers_of(dynamics, elimination, a, written_out, steps);
   return {a, lambda, breakdown, never,
           "elimination (3.6)-(3.7) with dependent speeds " + joined(labels_of(dynamics, elimination.dependent)) +
               "; safe because det b over them depends on parameters alone"};
