@@ -10,13 +10,13 @@ namespace sphere {
 using CylinderVector = std::array<double, 3>;
 
 struct Data {
-  double m = 0.5;        // kg
-  double r = 0.1;        // m, ball
-  double R = 0.6;        // m, cylinder
-  double g = 9.81;       // m/s^2
-  double chi_dot = 4;    // rad/s, at t = 0
-  double z_dot = 0.7;    // m/s, at t = 0; the centre starts at height 0
-  double omega_r = 2;    // rad/s, at t = 0
+  double m = 0.5;      // kg
+  double r = 0.1;      // m, ball
+  double R = 0.6;      // m, cylinder
+  double g = 9.81;     // m/s^2
+  double chi_dot = 4;  // rad/s, at t = 0
+  double z_dot = 0.7;  // m/s, at t = 0; the centre starts at height 0
+  double omega_r = 2;  // rad/s, at t = 0
 };
 
 struct Motion {

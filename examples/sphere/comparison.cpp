@@ -26,7 +26,8 @@ std::vector<Sample> closed_form_at(const std::vector<Sample>& samples, const Dat
   for (const Sample& sample : samples) {
     const Quaternion<long double> q = attitude.at(sample.t);
     exact.push_back({sample.t, motion.at(sample.t), {}});
-    std::transform(q.begin(), q.end(), exact.back().attitude.begin(), [](long double x) { return static_cast<double>(x); });
+    std::transform(q.begin(), q.end(), exact.back().attitude.begin(),
+                   [](long double x) { return static_cast<double>(x); });
   }
   return exact;
 }

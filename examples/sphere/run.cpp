@@ -55,7 +55,8 @@ class Laboratory {
   Run simulate(const Plan& plan) {
     State start;
     initial_state(prepared_, start);
-    const auto model = gauss::integrate::bind_model<Model::template State, Model::template Derivative>(prepared_, inputs_);
+    const auto model =
+        gauss::integrate::bind_model<Model::template State, Model::template Derivative>(prepared_, inputs_);
     gauss::simulate::Settings<double> settings;
     settings.tolerance = plan.tolerance;
     gauss::simulate::Simulation simulation(model, start, 0.0, settings);
@@ -154,7 +155,8 @@ Data data_of_models() {
   const euler::Parameters<double> parameters;
   euler::State<double> start;
   initial_state(prepare(parameters), start);
-  return {parameters.m, parameters.r, parameters.R, parameters.g, start.chi_dot(), start.zeta_dot(), parameters.omega_r_0};
+  return {parameters.m,    parameters.r,     parameters.R,        parameters.g,
+          start.chi_dot(), start.zeta_dot(), parameters.omega_r_0};
 }
 
 }  // namespace sphere

@@ -131,7 +131,8 @@ double largest_difference(const Vector& x, const Vector& y) {
 
 /// Either Euler model from the state given.
 template <template <class> class State, template <class> class Derivative, class Prepared, class Inputs>
-RollingSlip::Variant roll(const Prepared& prepared, const Inputs& inputs, const State<double>& start, double R, double r) {
+RollingSlip::Variant roll(const Prepared& prepared, const Inputs& inputs, const State<double>& start, double R,
+                          double r) {
   const auto model = gauss::integrate::bind_model<State, Derivative>(prepared, inputs);
   gauss::simulate::Simulation simulation(model, start);
   const double Omega = ClosedForm({1, r, R, 1, start.chi_dot(), 0, 0}).frequency();

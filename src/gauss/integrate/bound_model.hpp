@@ -55,7 +55,8 @@ class BoundModel {
 };
 
 /// bind_model<ball::State, ball::Derivative>(ball::prepare(parameters), inputs)
-template <template <class> class State, template <class> class Derivative, template <class> class Prepared, class S, class Source>
+template <template <class> class State, template <class> class Derivative, template <class> class Prepared, class S,
+          class Source>
 BoundModel<State<S>, Derivative<S>, Prepared<S>, Source> bind_model(const Prepared<S>& prepared, const Source& source) {
   return {prepared, source};
 }

@@ -76,6 +76,14 @@ template <class Scalar, std::size_t n>
 using Fehlberg78 = boost::numeric::odeint::controlled_runge_kutta<
     boost::numeric::odeint::runge_kutta_fehlberg78<std::array<Scalar, n>, Scalar>, ScaledError<Scalar, n>>;
 
+template <class Scalar, std::size_t n>
+Fehlberg78<Scalar, n> make_fehlberg78(const ScaledError<Scalar, n>& error) {
+  // The controller copies a stepper. A static one is zero, where a temporary would have its scratch space copied
+  // uninitialised, which compilers warn of.
+  static const typename Fehlberg78<Scalar, n>::stepper_type k_blank;
+  return {error, typename Fehlberg78<Scalar, n>::step_adjuster_type(), k_blank};
+}
+
 }  // namespace gauss::integrate
 
 #endif  // GAUSS_INTEGRATE_ODEINT_HPP

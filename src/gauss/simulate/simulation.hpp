@@ -30,8 +30,8 @@ constexpr const char* name(Outcome outcome) noexcept {
 template <class Scalar>
 struct Settings {
   Scalar tolerance = Scalar(1e-12);  ///< error of one step, relative to the scale of each component
-  Scalar smallest_scale = 1;         ///< the scale is the largest size so far, but no less than this, in the component's unit
-  Scalar first_step = 0;             ///< 0: chosen from the rates at the start
+  Scalar smallest_scale = 1;  ///< the scale is the largest size so far, but no less than this, in the component's unit
+  Scalar first_step = 0;      ///< 0: chosen from the rates at the start
   long most_steps = 10'000'000;
   bool project = true;
 };
@@ -54,7 +54,8 @@ class Simulation {
   using State = typename Model::State;
   using Status = typename Model::Status;
 
-  Simulation(const Model& model, const State& start, const Scalar& start_time = 0, const Settings<Scalar>& settings = {})
+  Simulation(const Model& model, const State& start, const Scalar& start_time = 0,
+             const Settings<Scalar>& settings = {})
       : model_(model), settings_(settings), system_(model_), t_(start_time), step_(settings.first_step) {
     std::copy_n(start.values, Model::size, x_.begin());
     scale_.fill(settings_.smallest_scale);
@@ -172,8 +173,8 @@ class Simulation {
   Scalar step_;
   Array x_{};
   Array scale_{};
-  integrate::Fehlberg78<Scalar, Model::size> stepper_{
-      integrate::ScaledError<Scalar, Model::size>(settings_.tolerance, scale_)};
+  integrate::Fehlberg78<Scalar, Model::size> stepper_ =
+      integrate::make_fehlberg78(integrate::ScaledError<Scalar, Model::size>(settings_.tolerance, scale_));
   Report<Status> report_;
 };
 

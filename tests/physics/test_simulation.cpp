@@ -1,0 +1,164 @@
+// The integration itself, on models written by hand that misbehave on purpose.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "catch_shim.hpp"
+#include "gauss/simulate/simulation.hpp"
+
+namespace {
+
+using gauss::Status;
+using gauss::simulate::Outcome;
+
+/// y' = rate(y), in the shape of an emitted model.
+namespace line {
+
+template <class S>
+struct State {
+  S values[1];
+};
+template <class S>
+struct Derivative {
+  S values[1];
+};
+struct Inputs {};
+
+template <class S>
+struct Prepared {
+  S rate = 1;
+  S growth = 0;
+  S wall = 1e300;        // the model fails beyond it
+  S hole = 1e300;        // rates beyond it are NaN, with status ok: a model that lies
+  S projected = -1e300;  // projection moves lower states up to here; NaN: it fails
+};
+
+template <class S>
+Status rhs(const S&, const State<S>& state, const Inputs&, const Prepared<S>& p, Derivative<S>& derivative) {
+  const S y = state.values[0];
+  derivative.values[0] = y > p.hole ? std::numeric_limits<S>::quiet_NaN() : p.rate + p.growth * y;
+  return y > p.wall ? Status::singular_mass_matrix : Status::ok;
+}
+
+template <class S>
+Status project(const S&, const State<S>& from, const Prepared<S>& p, State<S>& state) {
+  if (std::isnan(p.projected)) return Status::dependent_constraints;
+  state.values[0] = std::max(from.values[0], p.projected);
+  return Status::ok;
+}
+
+}  // namespace line
+
+using Prepared = line::Prepared<double>;
+using State = line::State<double>;
+
+auto model_with(const Prepared& prepared) {
+  return gauss::integrate::bind_model<line::State, line::Derivative>(prepared, line::Inputs{});
+}
+
+}  // namespace
+
+TEST_CASE("requested times are reached exactly, and the solution there is accurate") {
+  Prepared prepared;
+  prepared.rate = 0;
+  prepared.growth = -1;
+  gauss::simulate::Simulation simulation(model_with(prepared), State{{1.0}});
+  for (const double t : {0.1, 0.3, 0.30000001, 1.7, 5.0}) {
+    REQUIRE(simulation.advance_to(t));
+    CHECK(simulation.time() == t);
+    CHECK(simulation.state().values[0] == Approx(std::exp(-t)).epsilon(0).margin(1e-11));
+  }
+  CHECK(simulation.report().steps > 0);
+  CHECK(simulation.report().calls >= 13 * simulation.report().steps);
+  CHECK(simulation.report().status == Status::ok);
+}
+
+TEST_CASE("requested times far apart are reached exactly, too") {
+  gauss::simulate::Simulation simulation(model_with({}), State{{0.0}});
+  // More than twice the time before: the difference of the two is rounded.
+  for (double t = 1e-6; t < 1e6; t *= 3.3) {
+    REQUIRE(simulation.advance_to(t));
+    CHECK(simulation.time() == t);
+  }
+}
+
+TEST_CASE("a step cut short to reach a requested time does not shorten the steps after it") {
+  Prepared prepared;
+  prepared.rate = 0;
+  prepared.growth = -1;
+  gauss::simulate::Simulation undisturbed(model_with(prepared), State{{1.0}});
+  REQUIRE(undisturbed.advance_to(10));
+  gauss::simulate::Simulation disturbed(model_with(prepared), State{{1.0}});
+  for (int k = 1; k <= 10; ++k) {
+    REQUIRE(disturbed.advance_to(k - 1e-9));
+    REQUIRE(disturbed.advance_to(k));
+  }
+  CHECK(disturbed.report().steps <= undisturbed.report().steps + 2 * 10);
+}
+
+TEST_CASE("a status other than ok stops the simulation before the trouble, and is reported") {
+  Prepared prepared;
+  prepared.wall = 1;
+  gauss::simulate::Simulation simulation(model_with(prepared), State{{0.0}});
+  CHECK_FALSE(simulation.advance_to(2));
+  CHECK(simulation.time() <= 1.0);
+  CHECK(simulation.time() == Approx(1.0).margin(1e-9));
+  CHECK(simulation.state().values[0] <= 1.0);
+  CHECK(simulation.report().outcome == Outcome::step_too_small);
+  CHECK(simulation.report().status == Status::singular_mass_matrix);
+  CHECK(simulation.report().rejected > 0);
+  // It does not go on by itself.
+  CHECK_FALSE(simulation.advance_to(3));
+}
+
+TEST_CASE("a model that fails at the start is reported") {
+  Prepared prepared;
+  prepared.wall = -1;
+  gauss::simulate::Simulation simulation(model_with(prepared), State{{0.0}});
+  CHECK_FALSE(simulation.advance_to(2));
+  CHECK(simulation.report().outcome == Outcome::model_failed);
+  CHECK(simulation.report().status == Status::singular_mass_matrix);
+  CHECK(simulation.time() == 0);
+}
+
+TEST_CASE("a NaN is never accepted, whatever status comes with it") {
+  Prepared prepared;
+  prepared.hole = 1;
+  gauss::simulate::Simulation simulation(model_with(prepared), State{{0.0}});
+  CHECK_FALSE(simulation.advance_to(2));
+  CHECK(simulation.state().values[0] <= 1.0);
+  CHECK(simulation.report().outcome != Outcome::running);
+}
+
+TEST_CASE("every accepted step is projected, and the observer sees both states") {
+  Prepared prepared;
+  prepared.projected = 5;
+  gauss::simulate::Simulation simulation(model_with(prepared), State{{0.0}});
+  std::vector<double> before, after;
+  REQUIRE(simulation.advance_to(1, [&](double, const State& from, const State& to) {
+    before.push_back(from.values[0]);
+    after.push_back(to.values[0]);
+  }));
+  REQUIRE(static_cast<long>(after.size()) == simulation.report().steps);
+  CHECK(before.front() < 5);
+  CHECK(*std::min_element(after.begin(), after.end()) >= 5);
+}
+
+TEST_CASE("a projection that fails stops the simulation") {
+  Prepared prepared;
+  prepared.projected = std::numeric_limits<double>::quiet_NaN();
+  gauss::simulate::Simulation simulation(model_with(prepared), State{{0.0}});
+  CHECK_FALSE(simulation.advance_to(1));
+  CHECK(simulation.report().outcome == Outcome::step_too_small);
+  CHECK(simulation.report().status == Status::dependent_constraints);
+  CHECK(simulation.time() == 0);
+}
+
+TEST_CASE("inputs may be a function of time and state") {
+  const auto controller = [](double, const State&) { return line::Inputs{}; };
+  const auto model = gauss::integrate::bind_model<line::State, line::Derivative>(Prepared{}, controller);
+  gauss::simulate::Simulation simulation(model, State{{0.0}});
+  REQUIRE(simulation.advance_to(1));
+  CHECK(simulation.state().values[0] == Approx(1.0));
+}
