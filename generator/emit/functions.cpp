@@ -88,9 +88,14 @@ void return_status(Body& body, const ir::Graph& graph, const Task& task) {
   body.add(cpp::Return{cpp::call("Math<S>::status", std::move(conditions))});
 }
 
-/// Accelerations are results here unless they are given, so their names are free for temporaries.
+/// Rates that are no speeds, and accelerations unless they are given, are results: their names are free for temporaries.
 NameScope scope_for(const Plan& plan, const Artefact& artefact) {
   NameScope scope = plan.names.function_scope();
+  const std::vector<Entry>& speeds = plan.unit.speeds;
+  for (const std::string& rate : plan.unit.configuration_rates) {
+    const auto is_rate = [&](const Entry& speed) { return speed.name == rate; };
+    if (std::none_of(speeds.begin(), speeds.end(), is_rate)) scope.release(plan.names.of(rate));
+  }
   if (artefact.takes_accelerations) return scope;
   for (const Entry& entry : plan.unit.accelerations) scope.release(plan.names.of(entry));
   return scope;
