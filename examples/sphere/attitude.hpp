@@ -1,12 +1,19 @@
 #pragma once
 // How the ball is turned: quaternions, and the attitude that belongs to the closed form.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "closed_form.hpp"
 
 namespace sphere {
+
+/// The larger of two errors; NaN counts as infinite, where std::max may lose it.
+inline double worse(double a, double b) {
+  return std::isnan(a) || std::isnan(b) ? std::numeric_limits<double>::infinity() : std::max(a, b);
+}
 
 /// Unit quaternion, body to space, scalar first.
 template <class S>

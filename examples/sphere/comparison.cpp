@@ -25,7 +25,7 @@ std::vector<Sample> closed_form_at(const std::vector<Sample>& samples, const Dat
   std::vector<Sample> exact;
   for (const Sample& sample : samples) {
     const Quaternion<long double> q = attitude.at(sample.t);
-    exact.push_back({sample.t, motion.at(sample.t), {}});
+    exact.push_back({sample.t, motion.at(sample.t), {}, gauss::Status::ok});
     std::transform(q.begin(), q.end(), exact.back().attitude.begin(),
                    [](long double x) { return static_cast<double>(x); });
   }
@@ -52,7 +52,7 @@ double error_at(const Sample& sample, const Sample& exact, const std::vector<dou
   double largest = angle_between(exact.attitude, sample.attitude);
   for (std::size_t i = 0; i < scales.size(); ++i) {
     const Output& output = outputs()[i];
-    largest = std::max(largest, std::abs(output.of(sample.motion) - output.of(exact.motion)) / scales[i]);
+    largest = worse(largest, std::abs(output.of(sample.motion) - output.of(exact.motion)) / scales[i]);
   }
   return largest;
 }
@@ -65,9 +65,9 @@ Errors compare(const std::vector<Sample>& samples, const std::vector<Sample>& ex
     for (std::size_t i = 0; i < scales.size(); ++i) {
       const Output& output = outputs()[i];
       const double error = std::abs(output.of(samples[k].motion) - output.of(exact[k].motion)) / scales[i];
-      errors.outputs[i] = std::max(errors.outputs[i], error);
+      errors.outputs[i] = worse(errors.outputs[i], error);
     }
-    errors.attitude = std::max(errors.attitude, angle_between(exact[k].attitude, samples[k].attitude));
+    errors.attitude = worse(errors.attitude, angle_between(exact[k].attitude, samples[k].attitude));
   }
   errors.largest = std::max(errors.attitude, *std::max_element(errors.outputs.begin(), errors.outputs.end()));
   return errors;

@@ -20,6 +20,7 @@ struct Sample {
   double t = 0;
   Motion motion{};
   Quaternion<double> attitude{};
+  gauss::Status status = gauss::Status::ok;  ///< of the generated code
 };
 
 using SpaceVector = std::array<double, 3>;  // x, y, z
@@ -74,8 +75,8 @@ SpaceVector contact_force(const Forces& forces) {
 /// What the generated code says about a state.
 template <class State, class Inputs, class Prepared, class Forces>
 Sample observe(double t, const State& state, const Inputs& inputs, const Prepared& prepared, Forces& forces) {
-  reaction_forces(t, state, inputs, prepared, forces);
   Sample sample;
+  sample.status = reaction_forces(t, state, inputs, prepared, forces);
   sample.t = t;
   sample.attitude = attitude_of(state);
   sample.motion = {state.chi(),

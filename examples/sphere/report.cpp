@@ -11,8 +11,9 @@ namespace sphere {
 namespace {
 
 bool has_colour() {
-  static const bool k_has = isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
-  return k_has;
+  const char* terminal = std::getenv("TERM");
+  const bool is_dumb = terminal == nullptr || std::string(terminal) == "dumb";
+  return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr && !is_dumb;
 }
 
 std::string styled(const char* code, const std::string& text) {
@@ -189,7 +190,7 @@ bool print_verdict(const Result& euler, const Result& quaternion, const Slips& s
                           slips.rolling.printed.contact_speed_at_start > 0.1 && slips.rolling.printed.change > 1 &&
                           slips.rolling.corrected.change < 1e-9 &&
                           std::abs(slips.reaction.emitted - slips.reaction.corrected) < 1e-12;
-  std::printf("  %-58s %9s                     %s\n", "each slip fails as printed, and holds corrected", "",
+  std::printf("  %-58s %9s                   %s\n", "each slip fails as printed, and holds corrected", "",
               (slips_show ? good("met") : bad("MISSED")).c_str());
   const bool all = ran && slips_show && quaternion.errors.largest <= bars.quaternion &&
                    euler.errors.largest <= bars.euler && drift <= bars.drift;

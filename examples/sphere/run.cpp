@@ -88,14 +88,16 @@ class Laboratory {
   void sample(double t, const State& state) {
     typename Model::ReactionForces forces;
     run_.samples.push_back(observe(t, state, inputs_, prepared_, forces));
+    const gauss::Status status = run_.samples.back().status;
+    if (status != gauss::Status::ok) run_.trouble = std::string("reactions: ") + name(status);
     states_.push_back(state);
   }
 
   void grow(Drift& drift, double t, const State& state) const {
     typename Model::Residuals found;
     residuals(t, state, inputs_, prepared_, Derivative{}, found);
-    drift.quaternion = std::max(drift.quaternion, quaternion_drift(0, found));
-    for (const double phi : found.velocity) drift.velocity = std::max(drift.velocity, std::abs(phi));
+    drift.quaternion = worse(drift.quaternion, quaternion_drift(0, found));
+    for (const double phi : found.velocity) drift.velocity = worse(drift.velocity, std::abs(phi));
   }
 
   // Over the states of the run, so that no compiler can compute the answer in advance. The first batch warms up.

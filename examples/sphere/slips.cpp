@@ -125,7 +125,7 @@ Vector by_elimination(const Problem& problem, double sign) {
 
 double largest_difference(const Vector& x, const Vector& y) {
   double largest = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, std::abs(x[i] - y[i]));
+  for (std::size_t i = 0; i < x.size(); ++i) largest = worse(largest, std::abs(x[i] - y[i]));
   return largest;
 }
 
@@ -145,7 +145,7 @@ RollingSlip::Variant roll(const Prepared& prepared, const Inputs& inputs, const 
     Derivative<double> derivative;
     model.derivative(simulation.time(), state, derivative);
     constant_if_harmonic.push_back(derivative.zeta_ddot() + Omega * Omega * state.zeta());
-    result.contact_speed = std::max(result.contact_speed, contact_speed(state, R, r));
+    result.contact_speed = worse(result.contact_speed, contact_speed(state, R, r));
   }
   const auto ends = std::minmax_element(constant_if_harmonic.begin(), constant_if_harmonic.end());
   result.change = *ends.second - *ends.first;
