@@ -9,29 +9,15 @@ namespace sphere {
 
 namespace {
 
-// The names of one generated model, for the templates below. Functions need none: the namespace of their arguments is enough.
-struct EulerModel {
-  template <class S>
-  using Parameters = euler::Parameters<S>;
-  template <class S>
-  using Inputs = euler::Inputs<S>;
-  template <class S>
-  using State = euler::State<S>;
-  template <class S>
-  using Derivative = euler::Derivative<S>;
+// Generated models as types, for the template below, with the results that the demo asks for.
+GAUSS_MODEL(EulerFunctions, euler);
+struct EulerModel : EulerFunctions {
   using Residuals = euler::Residuals<double>;
   using ReactionForces = euler::ReactionForces<double>;
 };
 
-struct QuaternionModel {
-  template <class S>
-  using Parameters = quaternion::Parameters<S>;
-  template <class S>
-  using Inputs = quaternion::Inputs<S>;
-  template <class S>
-  using State = quaternion::State<S>;
-  template <class S>
-  using Derivative = quaternion::Derivative<S>;
+GAUSS_MODEL(QuaternionFunctions, quaternion);
+struct QuaternionModel : QuaternionFunctions {
   using Residuals = quaternion::Residuals<double>;
   using ReactionForces = quaternion::ReactionForces<double>;
 };
@@ -55,8 +41,7 @@ class Laboratory {
   Run simulate(const Plan& plan) {
     State start;
     initial_state(prepared_, start);
-    const auto model =
-        gauss::integrate::bind_model<Model::template State, Model::template Derivative>(prepared_, inputs_);
+    const auto model = gauss::integrate::bind_model<Model>(prepared_, inputs_);
     gauss::simulate::Settings<double> settings;
     settings.tolerance = plan.tolerance;
     gauss::simulate::Simulation simulation(model, start, 0.0, settings);
@@ -137,8 +122,7 @@ class Laboratory {
   }
 
   typename Model::template Inputs<double> inputs_{};
-  decltype(prepare(typename Model::template Parameters<double>{})) prepared_ =
-      prepare(typename Model::template Parameters<double>{});
+  typename Model::template Prepared<double> prepared_ = prepare(typename Model::template Parameters<double>{});
   Run run_;
   std::vector<State> states_;
 };

@@ -11,6 +11,9 @@ namespace sphere {
 
 namespace {
 
+GAUSS_MODEL(Corrected, euler);
+GAUSS_MODEL(Printed, as_printed);
+
 constexpr std::size_t n = euler::n_v;  // chi, zeta, phi, psi, theta
 constexpr std::size_t l = 2;
 constexpr std::array<std::size_t, l> k_dependent{3, 1};  // psi, zeta: those of the paper
@@ -130,10 +133,10 @@ double largest_difference(const Vector& x, const Vector& y) {
 }
 
 /// Either Euler model from the state given.
-template <template <class> class State, template <class> class Derivative, class Prepared, class Inputs>
-RollingSlip::Variant roll(const Prepared& prepared, const Inputs& inputs, const State<double>& start, double R,
+template <class Model, class State = typename Model::template State<double>>
+RollingSlip::Variant roll(const typename Model::template Prepared<double>& prepared, const State& start, double R,
                           double r) {
-  const auto model = gauss::integrate::bind_model<State, Derivative>(prepared, inputs);
+  const auto model = gauss::integrate::bind_model<Model>(prepared, typename Model::template Inputs<double>{});
   gauss::simulate::Simulation simulation(model, start);
   const double Omega = ClosedForm({1, r, R, 1, start.chi_dot(), 0, 0}).frequency();
   std::vector<double> constant_if_harmonic;
@@ -141,8 +144,8 @@ RollingSlip::Variant roll(const Prepared& prepared, const Inputs& inputs, const 
   constexpr int k_samples = 50;
   for (int k = 0; k <= k_samples; ++k) {
     if (!simulation.advance_to(RollingSlip::k_window * k / k_samples)) break;
-    const State<double> state = simulation.state();
-    Derivative<double> derivative;
+    const State state = simulation.state();
+    typename Model::template Derivative<double> derivative;
     model.derivative(simulation.time(), state, derivative);
     constant_if_harmonic.push_back(derivative.zeta_ddot() + Omega * Omega * state.zeta());
     result.contact_speed = worse(result.contact_speed, contact_speed(state, R, r));
@@ -169,8 +172,7 @@ RollingSlip rolling_along() {
   const auto prepared = as_printed::prepare(as_printed::Parameters<double>{});
   as_printed::State<double> start;
   initial_state(prepared, start);
-  return {roll<as_printed::State, as_printed::Derivative>(prepared, as_printed::Inputs<double>{}, start, p.R, p.r),
-          roll<euler::State, euler::Derivative>(prepare(p), euler::Inputs<double>{}, state_of_section_9(p), p.R, p.r)};
+  return {roll<Printed>(prepared, start, p.R, p.r), roll<Corrected>(prepare(p), state_of_section_9(p), p.R, p.r)};
 }
 
 ReactionSlip normal_reaction() {

@@ -8,10 +8,11 @@
 namespace physics {
 
 /// `check(sample, t, state)` at the time `t` of each sample.
-template <template <class> class State, template <class> class Derivative, class Prepared, class Inputs, class Check>
-void follow(const reference::Json& samples, const Prepared& prepared, const Inputs& inputs, const State<double>& start,
+template <class Model, class Check>
+void follow(const reference::Json& samples, const typename Model::template Prepared<double>& prepared,
+            const typename Model::template Inputs<double>& inputs, const typename Model::template State<double>& start,
             Check&& check) {
-  const auto model = gauss::integrate::bind_model<State, Derivative>(prepared, inputs);
+  const auto model = gauss::integrate::bind_model<Model>(prepared, inputs);
   gauss::simulate::Simulation simulation(model, start);
   for (const reference::Json& sample : samples) {
     const double t = reference::number(sample["t"]);

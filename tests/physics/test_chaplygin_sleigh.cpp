@@ -5,6 +5,8 @@
 namespace sleigh = gauss::chaplygin_sleigh;
 using physics::close_to;
 
+GAUSS_MODEL(Sleigh, sleigh);
+
 namespace {
 
 double forward_speed(const sleigh::State<double>& state) {
@@ -31,25 +33,25 @@ TEST_CASE("Chaplygin's sleigh turns around and runs forwards as its closed form 
   REQUIRE(start.theta_dot() == reference::number(initial["omega"]));
 
   const sleigh::Inputs<double> inputs;
-  physics::follow<sleigh::State, sleigh::Derivative>(
-      file["expected"]["samples"], prepared, inputs, start, [&](const auto& sample, double t, const auto& state) {
-        CHECK(forward_speed(state) == close_to(sample["u"]));
-        CHECK(state.theta_dot() == close_to(sample["omega"]));
-        CHECK(state.theta() == close_to(sample["theta"]));
-        CHECK(state.x() == close_to(sample["blade_xy"][0]));
-        CHECK(state.y() == close_to(sample["blade_xy"][1]));
+  physics::follow<Sleigh>(file["expected"]["samples"], prepared, inputs, start,
+                          [&](const auto& sample, double t, const auto& state) {
+                            CHECK(forward_speed(state) == close_to(sample["u"]));
+                            CHECK(state.theta_dot() == close_to(sample["omega"]));
+                            CHECK(state.theta() == close_to(sample["theta"]));
+                            CHECK(state.x() == close_to(sample["blade_xy"][0]));
+                            CHECK(state.y() == close_to(sample["blade_xy"][1]));
 
-        sleigh::Reactions<double> found;
-        REQUIRE(reactions(t, state, inputs, prepared, found) == gauss::Status::ok);
-        CHECK(found.blade.multiplier == close_to(sample["lateral_reaction"]));
+                            sleigh::Reactions<double> found;
+                            REQUIRE(reactions(t, state, inputs, prepared, found) == gauss::Status::ok);
+                            CHECK(found.blade.multiplier == close_to(sample["lateral_reaction"]));
 
-        sleigh::ReactionForces<double> forces;
-        REQUIRE(reaction_forces(t, state, inputs, prepared, forces) == gauss::Status::ok);
-        CHECK(forces.blade.force_on_sleigh[0] ==
-              Approx(-std::sin(state.theta()) * found.blade.multiplier).margin(1e-12));
-        CHECK(forces.blade.force_on_sleigh[1] ==
-              Approx(std::cos(state.theta()) * found.blade.multiplier).margin(1e-12));
-        // It acts at the blade, which is the point that the model states.
-        CHECK(forces.blade.moment_on_sleigh[2] == Approx(0).margin(1e-12));
-      });
+                            sleigh::ReactionForces<double> forces;
+                            REQUIRE(reaction_forces(t, state, inputs, prepared, forces) == gauss::Status::ok);
+                            CHECK(forces.blade.force_on_sleigh[0] ==
+                                  Approx(-std::sin(state.theta()) * found.blade.multiplier).margin(1e-12));
+                            CHECK(forces.blade.force_on_sleigh[1] ==
+                                  Approx(std::cos(state.theta()) * found.blade.multiplier).margin(1e-12));
+                            // It acts at the blade, which is the point that the model states.
+                            CHECK(forces.blade.moment_on_sleigh[2] == Approx(0).margin(1e-12));
+                          });
 }

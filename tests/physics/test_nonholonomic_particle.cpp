@@ -5,6 +5,8 @@
 namespace particle = gauss::nonholonomic_particle;
 using physics::close_to;
 
+GAUSS_MODEL(Particle, particle);
+
 TEST_CASE("a particle with z' = y x' follows its closed form, multiplier included") {
   const auto file = reference::read("nonholonomic_particle");
   const auto& initial = file["initial"];
@@ -21,18 +23,18 @@ TEST_CASE("a particle with z' = y x' follows its closed form, multiplier include
   REQUIRE(start.y_dot() == reference::number(initial["ydot"]));
 
   const particle::Inputs<double> inputs;
-  physics::follow<particle::State, particle::Derivative>(
-      file["expected"]["samples"], prepared, inputs, start, [&](const auto& sample, double t, const auto& state) {
-        CHECK(state.x() == close_to(sample["x"]));
-        CHECK(state.y() == close_to(sample["y"]));
-        CHECK(state.z() == close_to(sample["z"]));
+  physics::follow<Particle>(file["expected"]["samples"], prepared, inputs, start,
+                            [&](const auto& sample, double t, const auto& state) {
+                              CHECK(state.x() == close_to(sample["x"]));
+                              CHECK(state.y() == close_to(sample["y"]));
+                              CHECK(state.z() == close_to(sample["z"]));
 
-        particle::Reactions<double> found;
-        REQUIRE(reactions(t, state, inputs, prepared, found) == gauss::Status::ok);
-        CHECK(found.slope.multiplier == close_to(sample["lambda"]));
-        // (-y, 0, 1) lambda
-        CHECK(found.slope.generalized[0] == Approx(-state.y() * found.slope.multiplier));
-        CHECK(found.slope.generalized[1] == 0);
-        CHECK(found.slope.generalized[2] == Approx(found.slope.multiplier));
-      });
+                              particle::Reactions<double> found;
+                              REQUIRE(reactions(t, state, inputs, prepared, found) == gauss::Status::ok);
+                              CHECK(found.slope.multiplier == close_to(sample["lambda"]));
+                              // (-y, 0, 1) lambda
+                              CHECK(found.slope.generalized[0] == Approx(-state.y() * found.slope.multiplier));
+                              CHECK(found.slope.generalized[1] == 0);
+                              CHECK(found.slope.generalized[2] == Approx(found.slope.multiplier));
+                            });
 }

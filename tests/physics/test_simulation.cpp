@@ -23,6 +23,7 @@ template <class S>
 struct Derivative {
   S values[1];
 };
+template <class S>
 struct Inputs {};
 
 template <class S>
@@ -35,7 +36,7 @@ struct Prepared {
 };
 
 template <class S>
-Status rhs(const S&, const State<S>& state, const Inputs&, const Prepared<S>& p, Derivative<S>& derivative) {
+Status rhs(const S&, const State<S>& state, const Inputs<S>&, const Prepared<S>& p, Derivative<S>& derivative) {
   const S y = state.values[0];
   derivative.values[0] = y > p.hole ? std::numeric_limits<S>::quiet_NaN() : p.rate + p.growth * y;
   return y > p.wall ? Status::singular_mass_matrix : Status::ok;
@@ -50,11 +51,34 @@ Status project(const S&, const State<S>& from, const Prepared<S>& p, State<S>& s
 
 }  // namespace line
 
+struct Line {
+  static constexpr int n_q = 1, n_v = 0;
+  template <class S>
+  using Parameters = line::Prepared<S>;
+  template <class S>
+  using Prepared = line::Prepared<S>;
+  template <class S>
+  using Inputs = line::Inputs<S>;
+  template <class S>
+  using State = line::State<S>;
+  template <class S>
+  using Derivative = line::Derivative<S>;
+  template <class S>
+  static Prepared<S> prepare(const Parameters<S>& parameters) {
+    return parameters;
+  }
+  template <class S>
+  static Status rhs(const S& t, const State<S>& state, const Inputs<S>& inputs, const Prepared<S>& p,
+                    Derivative<S>& result) {
+    return line::rhs(t, state, inputs, p, result);
+  }
+};
+
 using Prepared = line::Prepared<double>;
 using State = line::State<double>;
 
 auto model_with(const Prepared& prepared) {
-  return gauss::integrate::bind_model<line::State, line::Derivative>(prepared, line::Inputs{});
+  return gauss::integrate::bind_model<Line>(prepared, line::Inputs<double>{});
 }
 
 }  // namespace
@@ -156,8 +180,8 @@ TEST_CASE("a projection that fails stops the simulation") {
 }
 
 TEST_CASE("inputs may be a function of time and state") {
-  const auto controller = [](double, const State&) { return line::Inputs{}; };
-  const auto model = gauss::integrate::bind_model<line::State, line::Derivative>(Prepared{}, controller);
+  const auto controller = [](double, const State&) { return line::Inputs<double>{}; };
+  const auto model = gauss::integrate::bind_model<Line>(Prepared{}, controller);
   gauss::simulate::Simulation simulation(model, State{{0.0}});
   REQUIRE(simulation.advance_to(1));
   CHECK(simulation.state().values[0] == Approx(1.0));

@@ -14,25 +14,15 @@ using reference::number;
 
 namespace {
 
-struct Euler {
-  using Parameters = euler::Parameters<double>;
-  using Inputs = euler::Inputs<double>;
-  template <class S>
-  using State = euler::State<S>;
-  template <class S>
-  using Derivative = euler::Derivative<S>;
+GAUSS_MODEL(EulerFunctions, euler);
+struct Euler : EulerFunctions {
   using Forces = euler::ReactionForces<double>;
   using Residuals = euler::Residuals<double>;
   using Energy = euler::Energy<double>;
 };
 
-struct UnitQuaternion {
-  using Parameters = quaternion::Parameters<double>;
-  using Inputs = quaternion::Inputs<double>;
-  template <class S>
-  using State = quaternion::State<S>;
-  template <class S>
-  using Derivative = quaternion::Derivative<S>;
+GAUSS_MODEL(QuaternionFunctions, quaternion);
+struct UnitQuaternion : QuaternionFunctions {
   using Forces = quaternion::ReactionForces<double>;
   using Residuals = quaternion::Residuals<double>;
   using Energy = quaternion::Energy<double>;
@@ -48,9 +38,10 @@ template <class Model>
 struct Ball {
   using State = typename Model::template State<double>;
   using Derivative = typename Model::template Derivative<double>;
+  using Parameters = typename Model::template Parameters<double>;
 
-  static typename Model::Parameters parameters() {
-    typename Model::Parameters p;
+  static Parameters parameters() {
+    Parameters p;
     p.m = number(file()["params"]["m"]);
     p.r = number(file()["params"]["r"]);
     p.R = number(file()["params"]["R"]);
@@ -70,9 +61,7 @@ struct Ball {
     return sphere::observe(t, state, inputs, prepared, forces);
   }
 
-  auto bound() const {
-    return gauss::integrate::bind_model<Model::template State, Model::template Derivative>(prepared, inputs);
-  }
+  auto bound() const { return gauss::integrate::bind_model<Model>(prepared, inputs); }
 
   double total_energy(double t, const State& state) const {
     typename Model::Energy result;
@@ -86,9 +75,9 @@ struct Ball {
     return result;
   }
 
-  typename Model::Parameters p = parameters();
-  decltype(prepare(typename Model::Parameters{})) prepared = prepare(p);
-  typename Model::Inputs inputs{};
+  Parameters p = parameters();
+  typename Model::template Prepared<double> prepared = prepare(p);
+  typename Model::template Inputs<double> inputs{};
 };
 
 double square_norm_less_1(const quaternion::State<double>& s) {
@@ -111,18 +100,17 @@ TEMPLATE_TEST_CASE("the ball starts as the closed form does", "", Euler, UnitQua
 
 TEMPLATE_TEST_CASE("the ball follows its closed form, all three reactions included", "", Euler, UnitQuaternion) {
   const Ball<TestType> ball;
-  physics::follow<TestType::template State, TestType::template Derivative>(
-      file()["expected"]["samples"], ball.prepared, ball.inputs, ball.start(),
-      [&](const auto& sample, double t, const auto& state) {
-        const sphere::Motion found = ball.observe(t, state).motion;
-        CHECK(found.chi == close_to(sample["chi"]));
-        CHECK(found.z == close_to(sample["z"]));
-        CHECK(found.z_dot == close_to(sample["vz"]));
-        CHECK(found.omega[0] == close_to(sample["omega_r"], 10));
-        CHECK(found.reaction[0] == close_to(sample["R1_normal"]));
-        CHECK(found.reaction[1] == close_to(sample["R2_friction_tangential"]));
-        CHECK(found.reaction[2] == close_to(sample["R3_friction_axial"]));
-      });
+  physics::follow<TestType>(file()["expected"]["samples"], ball.prepared, ball.inputs, ball.start(),
+                            [&](const auto& sample, double t, const auto& state) {
+                              const sphere::Motion found = ball.observe(t, state).motion;
+                              CHECK(found.chi == close_to(sample["chi"]));
+                              CHECK(found.z == close_to(sample["z"]));
+                              CHECK(found.z_dot == close_to(sample["vz"]));
+                              CHECK(found.omega[0] == close_to(sample["omega_r"], 10));
+                              CHECK(found.reaction[0] == close_to(sample["R1_normal"]));
+                              CHECK(found.reaction[1] == close_to(sample["R2_friction_tangential"]));
+                              CHECK(found.reaction[2] == close_to(sample["R3_friction_axial"]));
+                            });
 }
 
 TEMPLATE_TEST_CASE("the ball does not fall", "", Euler, UnitQuaternion) {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "gauss/math.hpp"
+#include "gauss/model_concept.hpp"
 
 namespace gauss::integrate {
 
@@ -54,10 +54,12 @@ class BoundModel {
   Source source_;
 };
 
-/// bind_model<ball::State, ball::Derivative>(ball::prepare(parameters), inputs)
-template <template <class> class State, template <class> class Derivative, template <class> class Prepared, class S,
-          class Source>
-BoundModel<State<S>, Derivative<S>, Prepared<S>, Source> bind_model(const Prepared<S>& prepared, const Source& source) {
+/// With `GAUSS_MODEL(Ball, gauss::ball)` of gauss/model_concept.hpp: bind_model<Ball>(Ball::prepare(parameters), inputs).
+template <class Model, class S = double, class Source>
+BoundModel<typename Model::template State<S>, typename Model::template Derivative<S>,
+           typename Model::template Prepared<S>, Source>
+bind_model(const typename Model::template Prepared<S>& prepared, const Source& source) {
+  static_assert(is_model<Model, S>, "a type made by GAUSS_MODEL is expected");
   return {prepared, source};
 }
 

@@ -100,7 +100,7 @@ class Simulation {
 
   template <class OnStep>
   void step_towards(const Scalar& end, OnStep&& on_step) {
-    Array rates;
+    Array rates{};
     system_.forget_trouble();
     system_(x_, rates, t_);
     if (system_.trouble() != Status{}) {
@@ -131,7 +131,7 @@ class Simulation {
 
   /// One trial step and its projection; sets step_ to what comes next.
   bool attempt(const Array& rates, const Scalar& dt, State& before, State& after) {
-    Array trial;
+    Array trial{};
     Scalar time = t_;
     step_ = dt;
     const bool is_accurate =
