@@ -6,7 +6,9 @@ namespace gaussgen::gauss {
 
 ex gibbs_appell(const std::vector<BodyMotion>& bodies, const Chart& chart) {
   const ex half = symbolic::number(support::Rational(1) / 2);
-  const auto settled = [&](const Vector3& v) { return symbolic::each(v, [&](const ex& f) { return chart.at_attitude(f); }); };
+  const auto settled = [&](const Vector3& v) {
+    return symbolic::each(v, [&](const ex& f) { return chart.at_attitude(f); });
+  };
   ex S = 0;
   for (const BodyMotion& body : bodies) {
     const Vector3 acceleration = settled(chart.rate_of(chart.rate_of(body.position)));

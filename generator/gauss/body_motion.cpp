@@ -14,7 +14,8 @@ Matrix3 inertia_matrix(const model::Inertia& inertia, const Chart& chart) {
     const ex J = entry(0);
     return {Vector3{J, 0, 0}, Vector3{0, J, 0}, Vector3{0, 0, J}};
   }
-  if (inertia.shape == Shape::diagonal) return {Vector3{entry(0), 0, 0}, Vector3{0, entry(1), 0}, Vector3{0, 0, entry(2)}};
+  if (inertia.shape == Shape::diagonal)
+    return {Vector3{entry(0), 0, 0}, Vector3{0, entry(1), 0}, Vector3{0, 0, entry(2)}};
   const ex xy = entry(3);
   const ex xz = entry(4);
   const ex yz = entry(5);

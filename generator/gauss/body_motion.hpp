@@ -22,9 +22,9 @@ struct BodyMotion {
   ex mass;
   Vector3 position;  ///< m, of the mass centre, in space
   bool is_rigid = false;
-  Vector3 omega;         ///< rad/s, in the axes of `inertia`
-  Matrix3 inertia;       ///< kg m², about the mass centre; in body axes unless isotropic
-  Vector3 omega_body;    ///< rad/s, in body axes
+  Vector3 omega;       ///< rad/s, in the axes of `inertia`
+  Matrix3 inertia;     ///< kg m², about the mass centre; in body axes unless isotropic
+  Vector3 omega_body;  ///< rad/s, in body axes
 };
 
 std::vector<BodyMotion> body_motions(const model::Model& model, const Chart& chart);

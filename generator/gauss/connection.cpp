@@ -69,7 +69,8 @@ Connection connection(const KineticForm& form, const Chart& chart, symbolic::Bin
   return result;
 }
 
-ex Gamma_q(const Connection& connection, const Metric& metric, const Chart& chart, FreeIndex a, FreeIndex b, FreeIndex c) {
+ex Gamma_q(const Connection& connection, const Metric& metric, const Chart& chart, FreeIndex a, FreeIndex b,
+           FreeIndex c) {
   ex sum = 0;
   for (const FreeIndex d : chart.free()) {
     sum += metric.g_up[a][d] * connection.gamma_first[chart.full(d)][chart.full(b)][chart.full(c)];
@@ -77,7 +78,8 @@ ex Gamma_q(const Connection& connection, const Metric& metric, const Chart& char
   return sum;
 }
 
-ex Gamma_y(const Connection& connection, const Metric& metric, const Chart& chart, FullIndex A, FullIndex B, FullIndex C) {
+ex Gamma_y(const Connection& connection, const Metric& metric, const Chart& chart, FullIndex A, FullIndex B,
+           FullIndex C) {
   ex sum = 0;
   for (const FullIndex D : chart.all()) sum += metric.G_up[A][D] * connection.gamma_first[D][B][C];
   return sum;

@@ -16,9 +16,11 @@ struct Connection {
 Connection connection(const KineticForm& form, const Chart& chart, symbolic::Bindings& bindings);
 
 /// Γ^α_βγ of the induced metric g_αβ.
-ex Gamma_q(const Connection& connection, const Metric& metric, const Chart& chart, FreeIndex a, FreeIndex b, FreeIndex c);
+ex Gamma_q(const Connection& connection, const Metric& metric, const Chart& chart, FreeIndex a, FreeIndex b,
+           FreeIndex c);
 
 /// Γ^A_BC of the full metric G.
-ex Gamma_y(const Connection& connection, const Metric& metric, const Chart& chart, FullIndex A, FullIndex B, FullIndex C);
+ex Gamma_y(const Connection& connection, const Metric& metric, const Chart& chart, FullIndex A, FullIndex B,
+           FullIndex C);
 
 }  // namespace gaussgen::gauss

@@ -21,7 +21,8 @@ Vector3 derivative(const Vector3& v, const GiNaC::realsymbol& by) {
 
 WeightedVelocity translation(const BodyMotion& body, const Chart& chart) {
   const ex& m = body.mass;
-  WeightedVelocity v{{}, derivative(body.position, chart.time()), {Vector3{m, 0, 0}, Vector3{0, m, 0}, Vector3{0, 0, m}}};
+  WeightedVelocity v{
+      {}, derivative(body.position, chart.time()), {Vector3{m, 0, 0}, Vector3{0, m, 0}, Vector3{0, 0, m}}};
   for (const FullIndex A : chart.all()) v.along.push_back(derivative(body.position, chart[A].y));
   return v;
 }

@@ -12,13 +12,14 @@ std::vector<std::string> labels(const std::vector<Index>& indices, const Chart& 
 }
 
 template <class Index>
-Table<Index, Index> inverse(const std::string& name, const Table<Index, Index>& table, const std::vector<Index>& indices,
-                            const Chart& chart, symbolic::Bindings& bindings) {
+Table<Index, Index> inverse(const std::string& name, const Table<Index, Index>& table,
+                            const std::vector<Index>& indices, const Chart& chart, symbolic::Bindings& bindings) {
   symbolic::Matrix matrix;
   for (const auto& row : table) matrix.push_back(row.values());
   const std::vector<std::string> names = labels(indices, chart);
   Table<Index, Index> result;
-  for (const std::vector<ex>& row : bindings.invert(name, names, names, matrix, true)) result.push_back(Row<Index>(row));
+  for (const std::vector<ex>& row : bindings.invert(name, names, names, matrix, true))
+    result.push_back(Row<Index>(row));
   return result;
 }
 

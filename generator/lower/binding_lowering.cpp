@@ -19,6 +19,39 @@ PaperLowering::PaperLowering(const PaperSystem& paper, ir::Graph& graph, const S
       lowering_(graph, symbols.ids.at("pi"), [this](const GiNaC::symbol& symbol) { return resolve(symbol); }) {
   collect_bindings();
   collect_motion();
+  if (style_.computed) settle_names();
+}
+
+// The graph gives a value the first name that it gets. GiNaC's order of terms must not decide which one that is, so
+// everything with a name is lowered here, in the order of the derivation, the held coordinates first.
+void PaperLowering::settle_names() {
+  const symbolic::Chart& chart = paper_.chart();
+  for (const symbolic::HeldIndex i : style_.hold ? chart.held() : std::vector<symbolic::HeldIndex>{}) {
+    for (const GiNaC::realsymbol& symbol : {chart[i].y, chart[i].rate, chart[i].acceleration}) lowering_(symbol);
+  }
+  std::vector<const Definition*> after_motion;
+  for (const symbolic::Binding& binding : paper_.system.bindings.all()) {
+    const auto* definition = std::get_if<Definition>(&binding);
+    if (definition == nullptr) {
+      lowering_(std::get<OpaqueInverse>(binding).entries[0][0]);
+    } else if (style_.solved && mentions_motion(definition->value)) {
+      after_motion.push_back(definition);
+    } else {
+      lowering_(definition->symbol);
+    }
+  }
+  if (style_.solved) {
+    for (const symbolic::FreeIndex a : paper_.partition.independent) lowering_(chart[a].acceleration);
+    for (const symbolic::FreeIndex a : paper_.partition.dependent) lowering_(chart[a].acceleration);
+  }
+  for (const Definition* definition : after_motion) lowering_(definition->symbol);
+}
+
+bool PaperLowering::mentions_motion(const GiNaC::ex& f) const {
+  for (const symbolic::FreeIndex a : paper_.chart().free()) {
+    if (f.has(paper_.chart()[a].acceleration)) return true;
+  }
+  return false;
 }
 
 void PaperLowering::collect_bindings() {
@@ -98,7 +131,8 @@ std::vector<std::vector<NodeId>> PaperLowering::factorised(const OpaqueInverse& 
     for (const GiNaC::ex& entry : row) lowered.emplace_back(graph_, lowering_(entry));
     matrix.push_back(std::move(lowered));
   }
-  const ExprMatrix entries = inverse.is_symmetric ? inverse_by_ldlt(matrix, names) : inverse_by_elimination(matrix, names);
+  const ExprMatrix entries =
+      inverse.is_symmetric ? inverse_by_ldlt(matrix, names) : inverse_by_elimination(matrix, names);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) result[i][j] = entries[i][j].id();
   }

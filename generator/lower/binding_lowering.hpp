@@ -21,7 +21,8 @@ struct LoweringStyle {
 
 class PaperLowering {
  public:
-  PaperLowering(const nonholonomic::PaperSystem& paper, ir::Graph& graph, const SymbolMap& symbols, LoweringStyle style);
+  PaperLowering(const nonholonomic::PaperSystem& paper, ir::Graph& graph, const SymbolMap& symbols,
+                LoweringStyle style);
   PaperLowering(const PaperLowering&) = delete;
   PaperLowering& operator=(const PaperLowering&) = delete;
 
@@ -45,6 +46,8 @@ class PaperLowering {
 
   void collect_bindings();
   void collect_motion();
+  void settle_names();
+  bool mentions_motion(const GiNaC::ex& f) const;
   ir::NodeId resolve(const GiNaC::symbol& symbol);
   ir::NodeId chart_symbol(const std::string& name);
   ir::NodeId inverse_entry(const InverseEntry& entry);

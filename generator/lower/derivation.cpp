@@ -21,21 +21,29 @@ constexpr std::size_t k_most_symbols = 60;
 
 class SystemSections {
  public:
-  SystemSections(const PaperSystem& paper, FormulaWriter& write) : system_(paper.system), chart_(paper.chart()), write_(write) {}
+  SystemSections(const PaperSystem& paper, FormulaWriter& write)
+      : system_(paper.system), chart_(paper.chart()), write_(write) {}
 
   Section metric_of_free() {
-    Section section{"Metric of the free coordinates", "(1.10)",
+    Section section{"Metric of the free coordinates",
+                    "(1.10)",
                     "Entries that are not shown vanish or follow by symmetry.",
                     {"g_{\\alpha\\beta} = \\sum_\\nu m_\\nu\\, \\frac{\\partial r_\\nu}{\\partial q^\\alpha} \\cdot "
-                     "\\frac{\\partial r_\\nu}{\\partial q^\\beta}"}, {}, {}};
+                     "\\frac{\\partial r_\\nu}{\\partial q^\\beta}"},
+                    {},
+                    {}};
     upper_triangle("g", system_.metric.G_qq, chart_.free(), section);
     return section;
   }
 
   Section metric_of_held() {
-    Section section{"Coupling and normal block", "(1.11)",
+    Section section{"Coupling and normal block",
+                    "(1.11)",
                     "The coupling of free and held coordinates, and the block of the held ones. The latter is not yet "
-                    "the metric of the dual vectors.", {}, {}, {}};
+                    "the metric of the dual vectors.",
+                    {},
+                    {},
+                    {}};
     for (const FreeIndex a : chart_.free()) {
       for (const HeldIndex i : chart_.held()) add({"g", {label(a), label(i)}, {}}, system_.metric.G_qx[a][i], section);
     }
@@ -44,10 +52,13 @@ class SystemSections {
   }
 
   Section dual_metric() {
-    Section section{"Metric of the dual vectors", "(1.12)",
+    Section section{"Metric of the dual vectors",
+                    "(1.12)",
                     "The Schur complement, written with a Cyrillic letter in the paper; its inverse is the block of "
                     "the inverse of the whole metric.",
-                    {"E_{ij} = G_{ij} - g_{i\\alpha}\\, g^{\\alpha\\beta}\\, g_{\\beta j}"}, {}, {}};
+                    {"E_{ij} = G_{ij} - g_{i\\alpha}\\, g^{\\alpha\\beta}\\, g_{\\beta j}"},
+                    {},
+                    {}};
     upper_triangle("E", system_.metric.E_xx, chart_.held(), section);
     for (const HeldIndex i : chart_.held()) {
       for (const HeldIndex j : chart_.held()) {
@@ -58,10 +69,13 @@ class SystemSections {
   }
 
   Section christoffel_symbols() {
-    Section section{"Christoffel symbols", "",
+    Section section{"Christoffel symbols",
+                    "",
                     "Those of the induced metric that do not vanish. For an angular velocity the coordinate is a "
                     "rotation about the present attitude, whose rate is that angular velocity.",
-                    {"\\Gamma^\\alpha{}_{\\beta\\gamma} = g^{\\alpha\\delta}\\, [\\beta\\gamma, \\delta]"}, {}, {}};
+                    {"\\Gamma^\\alpha{}_{\\beta\\gamma} = g^{\\alpha\\delta}\\, [\\beta\\gamma, \\delta]"},
+                    {},
+                    {}};
     for (const FreeIndex a : chart_.free()) {
       for (const FreeIndex b : chart_.free()) {
         for (const FreeIndex c : chart_.free()) {
@@ -80,24 +94,32 @@ class SystemSections {
   }
 
   Section accelerations() {
-    Section section{"Accelerations and active forces", "",
+    Section section{"Accelerations and active forces",
+                    "",
                     "Covariant components over all coordinates, held ones with $x^i$ free.",
-                    {"a^\\alpha = g^{\\alpha\\beta} A_\\beta, \\qquad Q^\\alpha = g^{\\alpha\\beta} Q_\\beta"}, {}, {}};
+                    {"a^\\alpha = g^{\\alpha\\beta} A_\\beta, \\qquad Q^\\alpha = g^{\\alpha\\beta} Q_\\beta"},
+                    {},
+                    {}};
     if (chart_.held_count() > 0) {
-      section.general.emplace_back("a_i = A_i - g_{i\\alpha}\\, g^{\\alpha\\beta} A_\\beta, \\qquad "
-                                   "F_i = Q_i - g_{i\\alpha}\\, g^{\\alpha\\beta} Q_\\beta");
+      section.general.emplace_back(
+          "a_i = A_i - g_{i\\alpha}\\, g^{\\alpha\\beta} A_\\beta, \\qquad "
+          "F_i = Q_i - g_{i\\alpha}\\, g^{\\alpha\\beta} Q_\\beta");
     }
-    for (const FullIndex A : chart_.all()) section.formulas.push_back(write_({"A", {label(A)}, {}}, system_.invariant.A[A]));
+    for (const FullIndex A : chart_.all())
+      section.formulas.push_back(write_({"A", {label(A)}, {}}, system_.invariant.A[A]));
     for (const FullIndex A : chart_.all()) section.formulas.push_back(write_({"Q", {label(A)}, {}}, system_.Q[A]));
     return section;
   }
 
   Section gauss_function() {
-    Section section{"Gauss's function", "(1.13)",
+    Section section{"Gauss's function",
+                    "(1.13)",
                     "It is least among all accelerations that the constraints admit; $R_i$ are the reactions of the "
                     "held coordinates.",
                     {"2Z = g_{\\alpha\\beta}\\,(a^\\alpha - Q^\\alpha)(a^\\beta - Q^\\beta) + "
-                     "E^{ij}\\,(a_i - F_i - R_i)(a_j - F_j - R_j)"}, {}, {}};
+                     "E^{ij}\\,(a_i - F_i - R_i)(a_j - F_j - R_j)"},
+                    {},
+                    {}};
     section.formulas.push_back(write_({"Z", {}, {}}, system_.compulsion.Z));
     return section;
   }
@@ -128,8 +150,8 @@ class SystemSections {
 };
 
 void add_user_items(const model::Model& model, const PaperSystem& paper, FormulaWriter& write, Derivation& derivation) {
-  Section section{"Coordinates", "", "Free coordinates $q^\\alpha$, then the held ones with their values $x^i = c^i$.",
-                  {}, {}, {}};
+  Section section{
+      "Coordinates", "", "Free coordinates $q^\\alpha$, then the held ones with their values $x^i = c^i$.", {}, {}, {}};
   for (const model::Coordinate& coordinate : model.coordinates) {
     const std::string unit = coordinate.unit.empty() ? "" : " [" + coordinate.unit + "]";
     const std::string held = coordinate.held_at ? " (held)" : "";

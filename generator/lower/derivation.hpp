@@ -20,7 +20,7 @@ struct Formula {
 struct Item {
   std::string symbol;  ///< LaTeX
   std::string plain;
-  std::string about;   ///< as the user wrote it, not escaped
+  std::string about;  ///< as the user wrote it, not escaped
 };
 
 struct Section {

@@ -93,7 +93,8 @@ class Elimination {
     ExprMatrix result;
     for (std::size_t column = 0; column < m_.size(); ++column) {
       std::vector<Expr> row;
-      for (std::size_t j = 0; j < m_.size(); ++j) row.push_back(right_[row_of_column_[column]][j].named(names_(column, j)));
+      for (std::size_t j = 0; j < m_.size(); ++j)
+        row.push_back(right_[row_of_column_[column]][j].named(names_(column, j)));
       result.push_back(std::move(row));
     }
     return result;

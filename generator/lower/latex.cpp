@@ -87,15 +87,18 @@ class LatexPrinter {
     }
     const Rational top = cln::numerator(coefficient);
     const Rational bottom = cln::denominator(coefficient);
-    return fraction(product(top, above, false), below.empty() && bottom == 1 ? "" : product(bottom, below, true));
+    const bool is_fraction = !below.empty() || bottom != 1;
+    return fraction(product(top, above, is_fraction, false), is_fraction ? product(bottom, below, true, true) : "");
   }
 
-  std::string product(const Rational& coefficient, const std::vector<NodeId>& factors, bool inverted) const {
+  std::string product(const Rational& coefficient, const std::vector<NodeId>& factors, bool in_fraction,
+                      bool is_inverted) const {
     std::string result = coefficient == 1 && !factors.empty() ? "" : support::to_text(coefficient);
     // A lone sum fills its place above or below the line without brackets.
-    const bool is_alone = result.empty() && factors.size() == 1 && inverted;
+    const bool is_alone = in_fraction && result.empty() && factors.size() == 1;
     for (const NodeId factor : factors) {
-      result += (result.empty() ? "" : "\\,") + (inverted ? reciprocal(factor, is_alone) : text(factor, k_product));
+      result += result.empty() ? "" : "\\,";
+      result += is_inverted ? reciprocal(factor, is_alone) : text(factor, is_alone ? 0 : k_product);
     }
     return result;
   }

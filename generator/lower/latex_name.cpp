@@ -9,9 +9,9 @@ namespace gaussgen::lower {
 namespace {
 
 constexpr std::array<std::string_view, 34> k_greek = {
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu",
-    "nu", "xi", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega",
-    "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi", "Psi", "Omega"};
+    "alpha", "beta",  "gamma",  "delta", "epsilon", "zeta",  "eta",     "theta", "iota", "kappa", "lambda", "mu",
+    "nu",    "xi",    "pi",     "rho",   "sigma",   "tau",   "upsilon", "phi",   "chi",  "psi",   "omega",  "Gamma",
+    "Delta", "Theta", "Lambda", "Xi",    "Pi",      "Sigma", "Upsilon", "Phi",   "Psi",  "Omega"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -65,8 +65,16 @@ std::string latex_text(const std::string& words) {
       case '>': return "\\textgreater{}";
       case '|': return "\\textbar{}";
       case '"': return "\\textquotedbl{}";
-      case '{': case '}': case '$': case '&': case '#': case '%': case '_': return std::string("\\") + c;
-      case '\n': case '\r': case '\t': return " ";
+      case '{':
+      case '}':
+      case '$':
+      case '&':
+      case '#':
+      case '%':
+      case '_': return std::string("\\") + c;
+      case '\n':
+      case '\r':
+      case '\t': return " ";
       default: return std::string(1, c);
     }
   });

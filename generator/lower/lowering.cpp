@@ -14,10 +14,9 @@ using ir::NodeId;
 namespace {
 
 ir::Function function_named(const std::string& name) {
-  for (const ir::Function function :
-       {ir::Function::sin, ir::Function::cos, ir::Function::tan, ir::Function::asin, ir::Function::acos,
-        ir::Function::atan, ir::Function::atan2, ir::Function::exp, ir::Function::log, ir::Function::sinh,
-        ir::Function::cosh, ir::Function::tanh}) {
+  for (const ir::Function function : {ir::Function::sin, ir::Function::cos, ir::Function::tan, ir::Function::asin,
+                                      ir::Function::acos, ir::Function::atan, ir::Function::atan2, ir::Function::exp,
+                                      ir::Function::log, ir::Function::sinh, ir::Function::cosh, ir::Function::tanh}) {
     if (ir::name_of(function) == name) return function;
   }
   GAUSS_ASSERT(false, "GiNaC function {}", name);

@@ -16,8 +16,7 @@ class Lowering {
   /// What a symbol is; asked once for each.
   using Resolve = std::function<ir::NodeId(const GiNaC::symbol&)>;
 
-  Lowering(ir::Graph& graph, ir::SymbolId pi, Resolve resolve)
-      : graph_(graph), pi_(pi), resolve_(std::move(resolve)) {}
+  Lowering(ir::Graph& graph, ir::SymbolId pi, Resolve resolve) : graph_(graph), pi_(pi), resolve_(std::move(resolve)) {}
 
   ir::NodeId operator()(const GiNaC::ex& expression);
 

@@ -61,7 +61,8 @@ void ReadingSymbols::declare_coordinate(const model::Coordinate& coordinate) {
   const bool is_held = coordinate.held_at.has_value();
   declare(is_held ? SymbolClass::held : SymbolClass::configuration, name, symbol);
   declare(is_held ? SymbolClass::held_rate : SymbolClass::speed, name + "_dot", "\\dot{" + symbol + "}");
-  declare(is_held ? SymbolClass::held_acceleration : SymbolClass::acceleration, name + "_ddot", "\\ddot{" + symbol + "}");
+  declare(is_held ? SymbolClass::held_acceleration : SymbolClass::acceleration, name + "_ddot",
+          "\\ddot{" + symbol + "}");
 }
 
 void ReadingSymbols::declare_orientation(const model::Orientation& orientation) {

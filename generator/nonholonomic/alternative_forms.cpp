@@ -8,8 +8,7 @@ namespace {
 
 class Multipliers {
  public:
-  Multipliers(const ConstraintRows& rows, gauss::System& system)
-      : rows_(rows), system_(system), chart_(*system.chart) {
+  Multipliers(const ConstraintRows& rows, gauss::System& system) : rows_(rows), system_(system), chart_(*system.chart) {
     for (const FreeIndex a : chart_.free()) {
       ex sum = system.connection.bias[chart_.full(a)] - system.Q[chart_.full(a)];
       for (const HeldIndex i : chart_.held()) sum += system.metric.G_qx[a][i] * chart_[i].acceleration;

@@ -18,10 +18,10 @@ using ConstraintIndex = support::Index<struct ConstraintTag>;
 
 struct ConstraintRows {
   std::vector<std::string> names;
-  Row<ConstraintIndex> phi;                 ///< φ_μ(y, ẏ, t) at θ = 0
-  Table<ConstraintIndex, FullIndex> beta;   ///< β_μA = ∂φ_μ/∂ẏ^A; its free part is b_μα
-  Row<ConstraintIndex> beta_drift;          ///< Θ_μ: φ̇_μ = β_μA ÿ^A + Θ_μ
-  Table<ConstraintIndex, HeldIndex> b_x;    ///< b_μ^i = (β_μj - β_μα g^αβ g_βj) э^ji (3.3)
+  Row<ConstraintIndex> phi;                ///< φ_μ(y, ẏ, t) at θ = 0
+  Table<ConstraintIndex, FullIndex> beta;  ///< β_μA = ∂φ_μ/∂ẏ^A; its free part is b_μα
+  Row<ConstraintIndex> beta_drift;         ///< Θ_μ: φ̇_μ = β_μA ÿ^A + Θ_μ
+  Table<ConstraintIndex, HeldIndex> b_x;   ///< b_μ^i = (β_μj - β_μα g^αβ g_βj) э^ji (3.3)
 
   std::size_t size() const { return names.size(); }
   std::vector<ConstraintIndex> indices() const { return phi.indices(); }

@@ -11,7 +11,7 @@ struct Elimination {
   Table<DependentIndex, ConstraintIndex> b_inv;   ///< (b^-1)^{μρ} of b_μρ: the dependent columns of β
   Table<DependentIndex, IndependentIndex> c_dep;  ///< c_p^μ = -(b^-1)^{μρ} b_ρp
   Table<DependentIndex, HeldIndex> b_x_up;        ///< b^{μi} = -(b^-1)^{μρ} b_ρ^i
-  Row<DependentIndex> drift;                      ///< q̈^μ = c_p^μ q̈^p + drift: -(b^-1)^{μρ} (β_ρi ẍ^i + Θ_ρ)
+  Row<DependentIndex> drift;  ///< q̈^μ = c_p^μ q̈^p + drift: -(b^-1)^{μρ} (β_ρi ẍ^i + Θ_ρ)
 };
 
 Elimination elimination(const ConstraintRows& rows, const Partition& partition, gauss::System& system);

@@ -74,8 +74,10 @@ double determinant(std::vector<std::vector<double>> m) {
   return product;
 }
 
-/// The choice with the largest |det b_μρ| at the initial state, speeds scaled by the mass metric.
-Choice best_at_start(const model::Model& model, const gauss::System& system, const ConstraintRows& rows) {
+/// The one of `candidates` with the largest |det b_μρ| at the initial state, speeds scaled by the mass metric; empty
+/// when all of them are singular there.
+Choice best_at_start(const std::vector<Choice>& candidates, const model::Model& model, const gauss::System& system,
+                     const ConstraintRows& rows) {
   const Chart& chart = *system.chart;
   const GiNaC::exmap state = initial_state(model, chart);
   support::Indexed<FreeIndex, std::vector<double>> columns;
@@ -89,7 +91,7 @@ Choice best_at_start(const model::Model& model, const gauss::System& system, con
   }
   Choice best;
   double largest = 0;
-  for (const Choice& choice : choices(chart.free_count(), rows.size())) {
+  for (const Choice& choice : candidates) {
     std::vector<std::vector<double>> matrix;
     for (const FreeIndex a : choice) matrix.push_back(columns[a]);
     // A tie goes to the first choice, whatever the last bits say.
@@ -130,13 +132,14 @@ std::optional<Partition> choose_partition(const model::Model& model, const gauss
   if (rows.size() > chart.free_count()) return std::nullopt;
   GiNaC::exset parameters;
   for (const model::Parameter& parameter : model.parameters) parameters.insert(chart.symbols().at(parameter.name.text));
-  if (const Choice choice = users_choice(model, chart); choice.size() == rows.size()) {
-    return complete(choice, is_safe(choice, rows, chart, parameters), chart);
-  }
-  for (const Choice& choice : choices(chart.free_count(), rows.size())) {
+  const Choice own = users_choice(model, chart);
+  const bool is_chosen = !own.empty() && own.size() == rows.size();
+  const std::vector<Choice> candidates =
+      is_chosen ? std::vector<Choice>{own} : choices(chart.free_count(), rows.size());
+  for (const Choice& choice : candidates) {
     if (is_safe(choice, rows, chart, parameters)) return complete(choice, true, chart);
   }
-  const Choice choice = best_at_start(model, system, rows);
+  const Choice choice = best_at_start(candidates, model, system, rows);
   if (choice.size() != rows.size()) return std::nullopt;
   return complete(choice, false, chart);
 }

@@ -17,8 +17,8 @@ struct Partition {
   bool is_safe = false;  ///< det b_μρ is shown never to vanish: triangular, constants and parameters on the diagonal
 };
 
-/// The user's choice, or a safe one, or the best conditioned at the initial state. Nothing when every choice is
-/// singular there (dependent constraints): the paper's elimination does not apply.
+/// The user's choice, or a safe one, or the best conditioned at the initial state. Nothing when every choice, or the
+/// user's, is singular there: the paper's elimination does not apply.
 std::optional<Partition> choose_partition(const model::Model& model, const gauss::System& system,
                                           const ConstraintRows& rows);
 

@@ -68,9 +68,9 @@ Matrix Bindings::invert_block(OpaqueInverse block) {
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
       const bool is_mirrored = block.is_symmetric && j < i;
-      block.entries[i][j] =
-          is_mirrored ? block.entries[j][i]
-                      : ex(GiNaC::realsymbol(block.name + "_" + block.rows[i] + "_" + block.columns[j]));
+      block.entries[i][j] = is_mirrored
+                                ? block.entries[j][i]
+                                : ex(GiNaC::realsymbol(block.name + "_" + block.rows[i] + "_" + block.columns[j]));
     }
   }
   all_.push_back(block);
@@ -78,7 +78,7 @@ Matrix Bindings::invert_block(OpaqueInverse block) {
 }
 
 Matrix Bindings::invert(const std::string& name, const std::vector<std::string>& rows,
-                              const std::vector<std::string>& columns, const Matrix& matrix, bool is_symmetric) {
+                        const std::vector<std::string>& columns, const Matrix& matrix, bool is_symmetric) {
   const std::size_t n = matrix.size();
   Matrix inverse(n, std::vector<ex>(n, ex(0)));
   for (const Block& block : blocks_of(matrix)) {

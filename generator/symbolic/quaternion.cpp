@@ -27,9 +27,10 @@ Vector3 angular_velocity(const Vector3& theta, const Vector3& theta_dot, model::
 
 Matrix3 rotation_matrix(const Quaternion& e) {
   const auto square = [](const ex& a) { return GiNaC::pow(a, 2); };
-  return {Vector3{1 - 2 * (square(e[2]) + square(e[3])), 2 * (e[1] * e[2] - e[0] * e[3]), 2 * (e[1] * e[3] + e[0] * e[2])},
-          Vector3{2 * (e[1] * e[2] + e[0] * e[3]), 1 - 2 * (square(e[1]) + square(e[3])), 2 * (e[2] * e[3] - e[0] * e[1])},
-          Vector3{2 * (e[1] * e[3] - e[0] * e[2]), 2 * (e[2] * e[3] + e[0] * e[1]), 1 - 2 * (square(e[1]) + square(e[2]))}};
+  return {
+      Vector3{1 - 2 * (square(e[2]) + square(e[3])), 2 * (e[1] * e[2] - e[0] * e[3]), 2 * (e[1] * e[3] + e[0] * e[2])},
+      Vector3{2 * (e[1] * e[2] + e[0] * e[3]), 1 - 2 * (square(e[1]) + square(e[3])), 2 * (e[2] * e[3] - e[0] * e[1])},
+      Vector3{2 * (e[1] * e[3] - e[0] * e[2]), 2 * (e[2] * e[3] + e[0] * e[1]), 1 - 2 * (square(e[1]) + square(e[2]))}};
 }
 
 }  // namespace gaussgen::symbolic

@@ -50,7 +50,8 @@ TEST_CASE("a_i from the dual basis equals э_ij (ẍ^j + G^jA bias_A)", "[gauss]
   }
 }
 
-TEST_CASE("without explicit time the bias is Γ of the full metric: a^α = q̈^α + Γ^α_βγ q̇^β q̇^γ with x at rest", "[gauss]") {
+TEST_CASE("without explicit time the bias is Γ of the full metric: a^α = q̈^α + Γ^α_βγ q̇^β q̇^γ with x at rest",
+          "[gauss]") {
   const Case c = case_of("skew_nonholonomic", 6);
   const auto paper = nonholonomic::build_paper_system(c.model);
   const gauss::System& system = paper->system;

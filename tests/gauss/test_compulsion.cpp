@@ -66,7 +66,8 @@ TEST_CASE("stationarity: the derivative of Z by a^α is A_α - Q_α, and by a_i 
     }
     // (1.16): with R_i = a_i - F_i in it, ∂Z/∂a_i vanishes.
     GiNaC::exmap reactions;
-    for (const HeldIndex i : chart.held()) reactions[system.compulsion.R_x[i]] = system.invariant.a_x[i] - system.invariant.F_x[i];
+    for (const HeldIndex i : chart.held())
+      reactions[system.compulsion.R_x[i]] = system.invariant.a_x[i] - system.invariant.F_x[i];
     for (const HeldIndex i : chart.held()) {
       const GiNaC::ex gradient = at_motion(system.compulsion.dZ_da_x[i], system.compulsion, system.invariant);
       CHECK(abs(number(gradient.subs(reactions))) < k_tolerance);

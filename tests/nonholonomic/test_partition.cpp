@@ -36,7 +36,8 @@ std::string knife_edge(const std::string& angle, const std::string& more = "") {
 
 }  // namespace
 
-TEST_CASE("the ball's dependent speeds are those of the paper, with a determinant that is a parameter", "[nonholonomic]") {
+TEST_CASE("the ball's dependent speeds are those of the paper, with a determinant that is a parameter",
+          "[nonholonomic]") {
   const auto euler = nonholonomic::build_paper_system(model_of_file("sphere_in_cylinder"));
   CHECK(dependent_of(*euler) == std::vector<std::string>{"zeta", "psi"});
   CHECK(euler->partition.is_safe);
@@ -57,6 +58,11 @@ TEST_CASE("the user's choice of dependent speeds is kept", "[nonholonomic]") {
   const std::string choice = "elimination: {dependent: [x]}\n";
   const auto paper = nonholonomic::build_paper_system(model_of_text(knife_edge("0.1", choice)));
   CHECK(dependent_of(*paper) == std::vector<std::string>{"x"});
+}
+
+TEST_CASE("a user's choice that cannot be eliminated is noticed", "[nonholonomic]") {
+  const std::string choice = "elimination: {dependent: [phi]}\n";
+  CHECK_FALSE(nonholonomic::build_paper_system(model_of_text(knife_edge("0.1", choice))).has_value());
 }
 
 TEST_CASE("dependent constraints are noticed", "[nonholonomic]") {

@@ -68,7 +68,8 @@ double distance(const Vec& a, const Vec& b) {
 
 }  // namespace
 
-TEST_CASE("printed (3.6): c = +b⁻¹b is 44 off the multiplier form, with the minus they agree", "[nonholonomic][slips]") {
+TEST_CASE("printed (3.6): c = +b⁻¹b is 44 off the multiplier form, with the minus they agree",
+          "[nonholonomic][slips]") {
   Case c;
   c.model = model_of_file("sphere_in_cylinder");
   c.values = state_of_section_9();

@@ -27,7 +27,8 @@ double largest(const Vec& a, const Vec& b) {
 
 }  // namespace
 
-TEST_CASE("multipliers and reactions are the gradient of Gauss's function that is left at its least value", "[nonholonomic]") {
+TEST_CASE("multipliers and reactions are the gradient of Gauss's function that is left at its least value",
+          "[nonholonomic]") {
   for (const BareModel& model : bare_models()) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
       const Case c = model.at(seed);
@@ -47,11 +48,13 @@ TEST_CASE("(3.8) gives R^i = э^ij R_j", "[nonholonomic]") {
     const auto paper = nonholonomic::build_paper_system(c.model);
     PaperNumbers number(c.model, *paper, c.values);
     INFO(model.name);
-    CHECK(largest(number(paper->R_x_up), raised(number(paper->system.metric.E_xx_up), number(paper->R_x))) < k_tolerance);
+    CHECK(largest(number(paper->R_x_up), raised(number(paper->system.metric.E_xx_up), number(paper->R_x))) <
+          k_tolerance);
   }
 }
 
-TEST_CASE("without b^{μi}, or with the block G_ij for э_ij, the reactions of the skew models are wrong", "[nonholonomic]") {
+TEST_CASE("without b^{μi}, or with the block G_ij for э_ij, the reactions of the skew models are wrong",
+          "[nonholonomic]") {
   const Case c = case_of("skew_nonholonomic", 7);
   const auto paper = nonholonomic::build_paper_system(c.model);
   PaperNumbers number(c.model, *paper, c.values);
@@ -92,7 +95,8 @@ TEST_CASE("(3.8) is ∂Z/∂a_i + b^{μi} ∂Z/∂a^μ = 0 with the reactions in
   for (const HeldIndex i : paper->chart().held()) {
     Real sum = at_reactions(system.compulsion.dZ_da_x[i]);
     for (const DependentIndex mu : paper->partition.dependent.indices()) {
-      sum += number(paper->elimination.b_x_up[mu][i]) * at_reactions(system.compulsion.dZ_da_q[paper->partition.dependent[mu]]);
+      sum += number(paper->elimination.b_x_up[mu][i]) *
+             at_reactions(system.compulsion.dZ_da_q[paper->partition.dependent[mu]]);
     }
     CHECK(abs(sum) < k_tolerance);
   }

@@ -60,7 +60,8 @@ TEST_CASE("the ball does not fall: the height is harmonic with Ω² = χ̇² J/(
   const Real h("1e-15");
   const Real third = (zeta_ddot(h) - zeta_ddot(-h)) / (2 * h);
   const Values& v = c.values;
-  const Real Omega_squared = v.at("chi_dot") * v.at("chi_dot") * v.at("J") / (v.at("J") + v.at("m") * v.at("r") * v.at("r"));
+  const Real Omega_squared =
+      v.at("chi_dot") * v.at("chi_dot") * v.at("J") / (v.at("J") + v.at("m") * v.at("r") * v.at("r"));
   CHECK(deviation(third, -Omega_squared * v.at("zeta_dot")) < 1e-12);
 }
 
@@ -82,7 +83,9 @@ TEST_CASE("the ball's equations in Euler angles are the paper's, with the correc
   const auto paper = nonholonomic::build_paper_system(c.model);
   PaperNumbers number(c.model, *paper, c.values);
   const Values& v = c.values;
-  const auto A = [&](const std::string& label) { return number(paper->system.invariant.A[paper->chart().find(label)]); };
+  const auto A = [&](const std::string& label) {
+    return number(paper->system.invariant.A[paper->chart().find(label)]);
+  };
   const Real u = v.at("psi") - v.at("chi");
   const Real lift = (A("zeta") + v.at("m") * v.at("g")) * v.at("r");
   CHECK(deviation(A("chi"), A("psi") * (v.at("R") - v.at("r")) / v.at("r")) < k_tolerance);

@@ -31,7 +31,8 @@ TEST_CASE("coordinates stand in the order free, angular velocities, held", "[sym
   CHECK(chart[symbolic::HeldIndex{0}].held_at.has_value());
 }
 
-TEST_CASE("the rotation chart turns with the angular velocity up to first order, in space and in the body", "[symbolic]") {
+TEST_CASE("the rotation chart turns with the angular velocity up to first order, in space and in the body",
+          "[symbolic]") {
   // 2 ė ē = ω in space, 2 ē ė = ω in the body, along θ(τ) = θ̇ τ, by series in τ.
   const GiNaC::realsymbol tau("tau");
   const Quaternion e{GiNaC::numeric(1, 5), GiNaC::numeric(2, 5), GiNaC::numeric(2, 5), GiNaC::numeric(4, 5)};

@@ -59,7 +59,8 @@ std::vector<Vec3> placed(const Body& body, const Vec3& centre, const Mat3& attit
 }
 
 Mat3 euler_matrix(const std::string& sequence, const Vec3& angles) {
-  return multiply(multiply(about(sequence[0], angles[0]), about(sequence[1], angles[1])), about(sequence[2], angles[2]));
+  return multiply(multiply(about(sequence[0], angles[0]), about(sequence[1], angles[1])),
+                  about(sequence[2], angles[2]));
 }
 
 Quaternion product(const Quaternion& a, const Quaternion& b) {
@@ -83,14 +84,16 @@ Quaternion exponential(const Vec3& theta) {
   const Real angle = sqrt(theta[0] * theta[0] + theta[1] * theta[1] + theta[2] * theta[2]);
   // Near 0 the quotient is its series: the steps of the difference quotients are 1e-12.
   const Real square = angle * angle;
-  const Real factor = angle < Real("1e-8") ? Real(Real(1) / 2 - square / 48 + square * square / 3840) : Real(sin(angle / 2) / angle);
+  const Real factor =
+      angle < Real("1e-8") ? Real(Real(1) / 2 - square / 48 + square * square / 3840) : Real(sin(angle / 2) / angle);
   return {cos(angle / 2), factor * theta[0], factor * theta[1], factor * theta[2]};
 }
 
 Vec3 angular_velocity(const Vec3& theta, const Vec3& theta_dot, const Quaternion& e, bool in_space) {
   const Real h("1e-12");
   const auto at = [&](const Real& tau) {
-    const Quaternion delta = exponential({theta[0] + tau * theta_dot[0], theta[1] + tau * theta_dot[1], theta[2] + tau * theta_dot[2]});
+    const Quaternion delta =
+        exponential({theta[0] + tau * theta_dot[0], theta[1] + tau * theta_dot[1], theta[2] + tau * theta_dot[2]});
     return in_space ? product(delta, e) : product(e, delta);
   };
   const Quaternion now = at(0), ahead = at(h), behind = at(-h);

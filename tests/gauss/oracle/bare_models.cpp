@@ -104,7 +104,8 @@ Case skew_chart(unsigned seed) {
   c.bare.mass = {v.at("m1"), v.at("m2")};
   c.bare.positions = [](const Vec& y, const Real&) {
     const Real a = y[0], b = y[1], cc = y[2], d = y[3], e = y[4], s = y[5];
-    return std::vector<Vec3>{{s + a / 2, b + s * a / 3, cc - s * s / 4}, {d + s / 3, e - a * s / 2 + d * d / 5, a + s + e / 2}};
+    return std::vector<Vec3>{{s + a / 2, b + s * a / 3, cc - s * s / 4},
+                             {d + s / 3, e - a * s / 2 + d * d / 5, a + s + e / 2}};
   };
   c.bare.potential = [k = v.at("k")](const Vec& y, const Real&) -> Real {
     return k / 2 * (pow(y[5] - y[3], 2) + pow(y[0] - y[4], 2));
@@ -208,7 +209,8 @@ orientations:
   attitude:
     quaternion: [e0, e1, e2, e3]
     angular_velocity: [wx, wy, wz]
-    frame: )") + (in_space ? "space" : "body") + R"(
+    frame: )") +
+         (in_space ? "space" : "body") + R"(
     initial: [1, 0, 0, 0]
 bodies:
   top:
@@ -256,7 +258,8 @@ Case free_body(unsigned seed, bool in_space) {
   const Real m = v.at("m"), l = v.at("l"), g = v.at("g");
   hold(c.bare, [=](const Real& t) -> Real { return l * t * t; });
   c.bare.field = {0, 0, -g};
-  const Body body = turned(triaxial_body(m, {v.at("A"), v.at("B"), v.at("C")}), {{{Real("0.6"), Real("0.8"), 0}, {Real("-0.8"), Real("0.6"), 0}, {0, 0, 1}}});
+  const Body body = turned(triaxial_body(m, {v.at("A"), v.at("B"), v.at("C")}),
+                           {{{Real("0.6"), Real("0.8"), 0}, {Real("-0.8"), Real("0.6"), 0}, {0, 0, 1}}});
   c.bare.mass = body.mass;
   const Quaternion e_0{v.at("e0"), v.at("e1"), v.at("e2"), v.at("e3")};
   const auto attitude = [=](const Vec3& theta) {

@@ -109,7 +109,8 @@ Motion minimise(const BareSystem& s, const Probe& p) {
   }
   const Vec solution = solve(matrix, right);
   Motion motion{Vec(solution.begin(), solution.begin() + static_cast<long>(n)),
-                Vec(solution.begin() + static_cast<long>(n), solution.end()), {}};
+                Vec(solution.begin() + static_cast<long>(n), solution.end()),
+                {}};
   Vec all = motion.accelerations;
   all.insert(all.end(), s.held_acceleration.begin(), s.held_acceleration.end());
   for (std::size_t i = n; i < N; ++i) {

@@ -16,10 +16,10 @@ struct BareSystem {
   Real t = 0;
   Vec mass;
   std::function<std::vector<Vec3>(const Vec& y, const Real& t)> positions;
-  Vec3 field{0, 0, 0};                                                          ///< gravity
-  std::function<Real(const Vec& y, const Real& t)> potential;                   ///< may be empty
-  Vec generalized;                                                              ///< further Q_A; may be empty
-  std::function<Vec(const Vec& y, const Vec& rate, const Real& t)> constraints; ///< φ_μ; may be empty
+  Vec3 field{0, 0, 0};                                                           ///< gravity
+  std::function<Real(const Vec& y, const Real& t)> potential;                    ///< may be empty
+  Vec generalized;                                                               ///< further Q_A; may be empty
+  std::function<Vec(const Vec& y, const Vec& rate, const Real& t)> constraints;  ///< φ_μ; may be empty
 };
 
 /// Z = ½ ÿᵀ G ÿ + linearᵀ ÿ + rest and φ̇ = β ÿ + drift, probed.

@@ -88,9 +88,8 @@ void add_formulas(const model::Model& model, Values& values) {
   ir::Graph graph;
   const lower::SymbolMap symbols = declare_symbols(model, graph);
   const symbolic::Chart chart(model);
-  lower::Lowering lower(graph, symbols.ids.at("pi"), [&](const GiNaC::symbol& symbol) {
-    return graph.use(symbols.ids.at(symbol.get_name()));
-  });
+  lower::Lowering lower(graph, symbols.ids.at("pi"),
+                        [&](const GiNaC::symbol& symbol) { return graph.use(symbols.ids.at(symbol.get_name())); });
   for (const model::Parameter& parameter : model.parameters) {
     if (parameter.is_formula) values[parameter.name.text] = evaluate(graph, lower(chart(parameter.value)), values);
   }
