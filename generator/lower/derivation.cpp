@@ -166,7 +166,10 @@ void add_user_items(const model::Model& model, const PaperSystem& paper, Formula
     }
   }
   for (const HeldIndex i : paper.chart().held()) {
-    section.formulas.push_back(write({latex_indices({paper.chart()[i].label}), {}, {}}, *paper.chart()[i].held_at));
+    const symbolic::ChartCoordinate& coordinate = paper.chart()[i];
+    Formula formula = write({latex_indices({coordinate.label}), {}, {}}, *coordinate.held_at);
+    formula.plain.replace(0, formula.plain.find(" = "), coordinate.label);
+    section.formulas.push_back(std::move(formula));
   }
   derivation.sections.push_back(std::move(section));
 }
