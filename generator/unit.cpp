@@ -28,6 +28,9 @@ class UnitBuilder {
     add_inputs();
     add_state();
     add_held();
+    for (const model::VelocityConstraint& constraint : model_.constraints) {
+      unit_.constraints.push_back({constraint.name.text, constraint.about});
+    }
     add_artefacts();
     add_provenance();
     return std::move(unit_);
