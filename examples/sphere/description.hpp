@@ -5,6 +5,7 @@
 
 #include "attitude.hpp"
 #include "closed_form.hpp"
+#include "gauss/model_concept.hpp"
 #include "rolling_along_as_printed.hpp"
 #include "sphere_in_cylinder.hpp"
 #include "sphere_in_cylinder_quaternion.hpp"
@@ -14,6 +15,10 @@ namespace sphere {
 namespace euler = gauss::sphere_in_cylinder;
 namespace quaternion = gauss::sphere_in_cylinder_quaternion;
 namespace as_printed = gauss::rolling_along_as_printed;
+
+GAUSS_MODEL(EulerModel, euler);
+GAUSS_MODEL(QuaternionModel, quaternion);
+GAUSS_MODEL(AsPrintedModel, as_printed);
 
 /// One instant of a motion.
 struct Sample {

@@ -9,15 +9,13 @@ namespace sphere {
 
 namespace {
 
-// Generated models as types, for the template below, with the results that the demo asks for.
-GAUSS_MODEL(EulerFunctions, euler);
-struct EulerModel : EulerFunctions {
+// The models, with the results that the demo asks for.
+struct Euler : EulerModel {
   using Residuals = euler::Residuals<double>;
   using ReactionForces = euler::ReactionForces<double>;
 };
 
-GAUSS_MODEL(QuaternionFunctions, quaternion);
-struct QuaternionModel : QuaternionFunctions {
+struct UnitQuaternion : QuaternionModel {
   using Residuals = quaternion::Residuals<double>;
   using ReactionForces = quaternion::ReactionForces<double>;
 };
@@ -129,8 +127,8 @@ class Laboratory {
 
 }  // namespace
 
-Run run_euler(const Plan& plan) { return Laboratory<EulerModel>().simulate(plan); }
-Run run_quaternion(const Plan& plan) { return Laboratory<QuaternionModel>().simulate(plan); }
+Run run_euler(const Plan& plan) { return Laboratory<Euler>().simulate(plan); }
+Run run_quaternion(const Plan& plan) { return Laboratory<UnitQuaternion>().simulate(plan); }
 
 Quaternion<long double> attitude_at_start() {
   const euler::Parameters<long double> parameters;

@@ -11,9 +11,6 @@ namespace sphere {
 
 namespace {
 
-GAUSS_MODEL(Corrected, euler);
-GAUSS_MODEL(Printed, as_printed);
-
 constexpr std::size_t n = euler::n_v;  // chi, zeta, phi, psi, theta
 constexpr std::size_t l = 2;
 constexpr std::array<std::size_t, l> k_dependent{3, 1};  // psi, zeta: those of the paper
@@ -172,7 +169,8 @@ RollingSlip rolling_along() {
   const auto prepared = as_printed::prepare(as_printed::Parameters<double>{});
   as_printed::State<double> start;
   initial_state(prepared, start);
-  return {roll<Printed>(prepared, start, p.R, p.r), roll<Corrected>(prepare(p), state_of_section_9(p), p.R, p.r)};
+  return {roll<AsPrintedModel>(prepared, start, p.R, p.r),
+          roll<EulerModel>(prepare(p), state_of_section_9(p), p.R, p.r)};
 }
 
 ReactionSlip normal_reaction() {

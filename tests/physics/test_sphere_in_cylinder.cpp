@@ -14,15 +14,13 @@ using reference::number;
 
 namespace {
 
-GAUSS_MODEL(EulerFunctions, euler);
-struct Euler : EulerFunctions {
+struct Euler : sphere::EulerModel {
   using Forces = euler::ReactionForces<double>;
   using Residuals = euler::Residuals<double>;
   using Energy = euler::Energy<double>;
 };
 
-GAUSS_MODEL(QuaternionFunctions, quaternion);
-struct UnitQuaternion : QuaternionFunctions {
+struct UnitQuaternion : sphere::QuaternionModel {
   using Forces = quaternion::ReactionForces<double>;
   using Residuals = quaternion::Residuals<double>;
   using Energy = quaternion::Energy<double>;
