@@ -1,9 +1,8 @@
 #include "evaluation.hpp"
 
-#include "evaluate/arithmetic_double.hpp"
-#include "evaluate/arithmetic_scale.hpp"
 #include "evaluate/decimal.hpp"
-#include "strategy/projection.hpp"
+#include "initial_check.hpp"
+#include "model_values.hpp"
 
 namespace gaussgen {
 
@@ -13,18 +12,13 @@ using ir::NodeId;
 
 namespace {
 
-/// Residuals above this many rounding units of the working precision are the user's, not ours.
-constexpr int k_residual_slack = 1000;
-
 class Report {
  public:
   Report(Mechanics& mechanics, const support::Rational& time, int digits)
-      : mechanics_(mechanics), digits_(digits), evaluator_(mechanics.graph, evaluate::Arithmetic<cl_F>(digits)) {
-    evaluator_.bind(mechanics.symbols.time, evaluator_.arithmetic().number(time));
-    bind_parameters(mechanics, evaluator_);
-  }
+      : mechanics_(mechanics), digits_(digits), value_of_(mechanics, time, digits) {}
 
   Evaluation run() {
+    warn_of_parameters();
     if (!set_state()) return std::move(result_);
     add_accelerations();
     add_reactions();
@@ -38,65 +32,71 @@ class Report {
 
  private:
   void add(const std::string& group, const std::string& name, const std::string& unit, NodeId node) {
-    const std::optional<cl_F> value = evaluator_(node);
+    const std::optional<cl_F> value = group == "residuals" ? value_of_.residual(node, digits_) : value_of_(node);
     if (value) {
       result_.values.push_back({group, name, unit, evaluate::to_decimal(*value, digits_), true});
       return;
     }
-    const auto trouble = evaluator_.trouble(node);
-    result_.values.push_back({group, name, unit, "undefined: " + trouble->reason + " in " + trouble->name, false});
+    const auto trouble = value_of_.trouble(node);
+    result_.values.push_back({group, name, unit, trouble->reason + " in " + trouble->name, false});
   }
 
-  bool bind(ir::SymbolId symbol, NodeId node) {
-    const std::optional<cl_F> value = evaluator_(node);
-    if (value) evaluator_.bind(symbol, *value);
-    return value.has_value();
+  // A model file with such values is refused; here they may have been set.
+  void warn_of_parameters() {
+    for (const model::Parameter& parameter : mechanics_.model.parameters) {
+      const NodeId node = mechanics_.expressions(parameter.value).id();
+      const auto trouble = value_of_.trouble(node);
+      if (trouble) result_.warnings.push_back("parameter " + parameter.name.text + " is undefined: " + trouble->reason);
+    }
+    for (const kinematics::BodyMotion& body : mechanics_.kinematics.bodies) {
+      const auto mass = value_of_(body.mass.id());
+      if (mass && cln::minusp(*mass)) result_.warnings.push_back("the mass of " + body.name + " is negative");
+    }
   }
 
-  // The initial state is found first and bound as numbers: everything else is evaluated at it.
   bool set_state() {
-    const kinematics::Symbols& symbols = mechanics_.symbols;
-    strategy::Steps steps;
-    const auto state = strategy::initial_state(mechanics_.model, mechanics_.dynamics, mechanics_.expressions,
-                                               mechanics_.expressions.symbol(symbols.time), mechanics_.epsilon(), steps);
-    std::vector<std::pair<ir::SymbolId, NodeId>> bindings;
-    for (const auto i : symbols.configuration.indices()) {
-      const auto& q = symbols.configuration[i];
-      add("state", q.name, q.unit, state.configuration[i.value].id());
-      bindings.emplace_back(q.symbol, state.configuration[i.value].id());
-    }
-    for (const auto i : symbols.speeds.indices()) {
-      const auto& u = symbols.speeds[i];
-      add("state", u.name, u.unit, state.speeds[i.value].id());
-      bindings.emplace_back(u.symbol, state.speeds[i.value].id());
-    }
-    bool all_defined = true;
-    for (const auto& [symbol, node] : bindings) all_defined = bind(symbol, node) && all_defined;
-    if (!all_defined) result_.warnings.push_back("the initial state is undefined");
-    return all_defined;
+    const std::vector<InitialValue> state = initial_values(mechanics_);
+    for (const InitialValue& value : state) add("state", value.name, value.unit, value.node);
+    const bool is_defined = bind_initial_values(state, value_of_);
+    if (!is_defined) result_.warnings.push_back("the initial state is undefined");
+    return is_defined;
   }
 
+  // Residuals at acceleration level and the compulsion are evaluated at these.
   void add_accelerations() {
+    std::vector<std::pair<ir::SymbolId, NodeId>> found;
     for (const auto i : mechanics_.symbols.speeds.indices()) {
       const auto& u = mechanics_.symbols.speeds[i];
       const NodeId node = mechanics_.solution.accelerations[i.value].id();
       add("accelerations", u.acceleration_name, u.unit.empty() ? "" : u.unit + "^2", node);
-      bind(u.acceleration, node);
+      found.emplace_back(u.acceleration, node);
     }
+    value_of_.bind(found);
   }
 
   void add_reactions() {
     for (std::size_t mu = 0; mu < mechanics_.dynamics.l(); ++mu) {
       add("multipliers", mechanics_.dynamics.constraints[mu], "", mechanics_.solution.multipliers[mu].id());
     }
-    for (const auto i : mechanics_.symbols.held.indices()) {
-      add("reactions", mechanics_.symbols.held[i].name, "", mechanics_.held_reactions[i.value].id());
+    for (const emit::Artefact& artefact : build_artefact("reactions", mechanics_)) {
+      if (artefact.name == "reactions") add_held_reactions(artefact);
     }
   }
 
-  static std::string suffix(const emit::Field& field, std::size_t index) {
+  void add_held_reactions(const emit::Artefact& artefact) {
+    for (const auto i : mechanics_.symbols.held.indices()) {
+      const emit::Field& field = artefact.groups.at(mechanics_.dynamics.l() + i.value).fields.front();
+      add("reactions", mechanics_.symbols.held[i].name, unit_in(field.about), field.values.front());
+    }
+  }
+
+  // Residuals at position level are norms of quaternions; the others go by constraint.
+  std::string suffix(const emit::Field& field, std::size_t index) const {
     static const char* const k_axes[] = {"x", "y", "z"};
     if (field.shape.empty()) return "";
+    if (field.name == "position") return "." + mechanics_.model.orientations.at(index).name.text;
+    if (field.name == "velocity" || field.name == "acceleration")
+      return "." + mechanics_.dynamics.constraints.at(index);
     if (field.shape[0] == 3 && field.values.size() == 3) return std::string(".") + k_axes[index];
     return "[" + std::to_string(index) + "]";
   }
@@ -116,44 +116,27 @@ class Report {
 
   /// "[N*m], space axes" → "N*m"
   static std::string unit_in(const std::string& about) {
+    const std::size_t begin = about.find('[');
     const std::size_t end = about.find(']');
-    return !about.empty() && about[0] == '[' && end != std::string::npos ? about.substr(1, end - 1) : "";
+    return begin < end && end != std::string::npos ? about.substr(begin + 1, end - begin - 1) : "";
   }
 
   void add_status() {
-    if (is_true(mechanics_.solution.singular_mass_matrix)) {
+    if (value_of_.is_true(mechanics_.solution.singular_mass_matrix)) {
       result_.warnings.push_back("the mass matrix is singular here: accelerations cannot be trusted");
     }
-    if (is_true(mechanics_.solution.dependent_constraints)) {
+    if (value_of_.is_true(mechanics_.solution.dependent_constraints)) {
       result_.warnings.push_back("constraints depend on each other here: multipliers are not unique");
     }
-    for (const auto& row : mechanics_.kinematics.constraints) check_residual(row);
-  }
-
-  bool is_true(Expr condition) {
-    const auto value = evaluator_(condition.id());
-    return value && evaluator_.arithmetic().is_true(*value);
-  }
-
-  // Compared with the terms that make the residual up: β_A u^A, so that units do not matter.
-  void check_residual(const kinematics::ConstraintRow& row) {
-    const auto phi = evaluator_(row.phi.id());
-    if (!phi) return;
-    cl_F scale = cln::abs(*phi);
-    for (const auto i : mechanics_.symbols.speeds.indices()) {
-      const auto b = evaluator_(row.beta[mechanics_.symbols.full(i)].id());
-      const auto u = evaluator_(mechanics_.graph.use(mechanics_.symbols.speeds[i].symbol));
-      if (b && u && cln::abs(*b * *u) > scale) scale = cln::abs(*b * *u);
+    for (const Violation& violation : violations(mechanics_, value_of_)) {
+      result_.warnings.push_back("the initial state violates constraint '" + violation.row->name + "' by " +
+                                 evaluate::to_decimal(violation.residual, 3));
     }
-    const auto& arithmetic = evaluator_.arithmetic();
-    if (cln::abs(*phi) <= arithmetic.epsilon() * arithmetic.number(support::Rational(k_residual_slack)) * scale) return;
-    result_.warnings.push_back("the initial state violates constraint '" + row.name +
-                               "' by " + evaluate::to_decimal(*phi, 3));
   }
 
   Mechanics& mechanics_;
   int digits_;
-  evaluate::Evaluator<cl_F> evaluator_;
+  ModelValues value_of_;
   Evaluation result_;
 };
 

@@ -14,7 +14,7 @@ struct EvaluatedValue {
   std::string group;  ///< state, accelerations, multipliers, reactions, energy, residuals, compulsion
   std::string name;
   std::string unit;
-  std::string text;   ///< decimal, or why it is undefined
+  std::string text;  ///< decimal, or why there is none
   bool is_defined = true;
 };
 

@@ -4,6 +4,7 @@
 
 #include "dumps.hpp"
 #include "emit/header.hpp"
+#include "initial_check.hpp"
 #include "model/build.hpp"
 #include "paper.hpp"
 #include "unit.hpp"
@@ -67,6 +68,10 @@ std::optional<PipelineResult> compile(const support::Source& source, const Pipel
   result.model_name = model->name.text;
   result.header = emit::emit_header(mechanics.graph, unit);
   stages.done("header", fmt::format("{} bytes", result.header.size()), [&] { return result.header; });
+
+  // Last, so that what it adds to the graph cannot change the header.
+  check_initial_state(mechanics, diagnostics);
+  stages.done("check", nodes(mechanics), [] { return std::string(); });
   result.times = std::move(stages).times();
   return result;
 }

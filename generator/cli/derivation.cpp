@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
+#include "cli/replacement.hpp"
 #include "model/build.hpp"
 #include "paper.hpp"
 
@@ -17,7 +18,7 @@ int derive(const Options& options) {
   if (options.output.empty() || options.output == "-") {
     write_standard_output(text);
   } else {
-    write_file(options.output, text);
+    Replacement(options.output, text).commit();
   }
   return k_ok;
 }

@@ -9,40 +9,50 @@
 #include "cli/files.hpp"
 #include "cli/overrides.hpp"
 #include "evaluation.hpp"
-#include "kinematics/expressions.hpp"
 #include "model/build.hpp"
 
 namespace gaussgen::cli {
 
 namespace {
 
-bool is_number(const model::Ast& ast) {
-  if (ast.kind == model::AstKind::symbol || ast.kind == model::AstKind::call || ast.kind == model::AstKind::power) return false;
-  return std::all_of(ast.children.begin(), ast.children.end(), is_number);
+/// Columns in front of the decimal point, so that the points of a table stand under each other.
+std::size_t whole_part(const std::string& number) { return std::min(number.find('.'), number.size()); }
+
+/// How wide the columns of the table are.
+struct Widths {
+  std::size_t name = 0;
+  std::size_t whole = 0;
+  std::size_t value = 0;
+};
+
+Widths widths_of(const std::vector<EvaluatedValue>& values) {
+  Widths widths;
+  for (const EvaluatedValue& value : values) {
+    widths.name = std::max(widths.name, value.name.size());
+    if (value.is_defined) widths.whole = std::max(widths.whole, whole_part(value.text));
+  }
+  for (const EvaluatedValue& value : values) {
+    if (value.is_defined)
+      widths.value = std::max(widths.value, widths.whole - whole_part(value.text) + value.text.size());
+  }
+  return widths;
 }
 
-support::Rational time_of(const Options& options, const model::Model& model) {
-  const model::Ast ast = parse_value("--time", options.time, model);
-  if (!is_number(ast)) throw UsageError("--time: expected a number, not '" + options.time + "'");
-  return kinematics::constant_value(ast);
+std::string line_of(const EvaluatedValue& value, const Widths& widths) {
+  if (!value.is_defined) return fmt::format("  {:<{}}  undefined: {}\n", value.name, widths.name, value.text);
+  const std::string number = std::string(widths.whole - whole_part(value.text), ' ') + value.text;
+  if (value.unit.empty()) return fmt::format("  {:<{}}  {}\n", value.name, widths.name, number);
+  return fmt::format("  {:<{}}  {:<{}}  {}\n", value.name, widths.name, number, widths.value, value.unit);
 }
 
 std::string table(const Evaluation& evaluation) {
-  std::size_t name_width = 0;
-  std::size_t value_width = 0;
-  for (const EvaluatedValue& value : evaluation.values) {
-    name_width = std::max(name_width, value.name.size());
-    if (value.is_defined) value_width = std::max(value_width, value.text.size());
-  }
+  const Widths widths = widths_of(evaluation.values);
   std::string text;
   std::string group;
   for (const EvaluatedValue& value : evaluation.values) {
-    if (value.group != group) {
-      text += (text.empty() ? "" : "\n") + value.group + "\n";
-      group = value.group;
-    }
-    text += fmt::format("  {:<{}}  {:>{}}{}\n", value.name, name_width, value.text, value_width,
-                        value.unit.empty() ? "" : "  " + value.unit);
+    if (value.group != group) text += (text.empty() ? "" : "\n") + value.group + "\n";
+    group = value.group;
+    text += line_of(value, widths);
   }
   return text;
 }
@@ -76,7 +86,7 @@ int evaluate(const Options& options) {
   const int code = report(diagnostics, source);
   if (!model || code != k_ok) return code;
   for (const std::string& assignment : options.overrides) apply_override(assignment, *model);
-  const support::Rational time = time_of(options, *model);
+  const support::Rational time = parse_time(options.time);
   Mechanics mechanics(*model, {});
   const Evaluation evaluation = evaluate_model(mechanics, time, options.digits);
   write_standard_output(options.format == Format::json ? json(evaluation, *model, options) : table(evaluation));

@@ -1,7 +1,6 @@
 #pragma once
-// Reading a model and writing results so that nobody ever sees half of one.
+// Models come in and text goes out.
 
-#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -15,12 +14,11 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Throws a FileError about `path`.
+[[noreturn]] void fail_on(const std::string& path, const std::string& what);
+
 /// The text of a model file, or of standard input for "-".
 support::Source read_source(const std::string& path);
-
-/// Writes beside the target and renames, so that a reader sees the old file or the whole new one. A file that already has
-/// this text is not touched: build systems then rebuild nothing.
-void write_file(const std::string& path, const std::string& text);
 
 void write_standard_output(const std::string& text);
 

@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
+#include "cli/replacement.hpp"
 #include "model/build.hpp"
 
 namespace gaussgen::cli {
@@ -14,7 +15,7 @@ namespace {
 
 std::string header_path(const Options& options, const std::string& model_name) {
   const std::string file = model_name + ".hpp";
-  if (options.output.empty()) return file;
+  if (options.output.empty() || options.output == "-") return options.output == "-" ? "-" : file;
   return options.output.back() == '/' ? options.output + file : options.output + "/" + file;
 }
 
@@ -36,6 +37,20 @@ void print_timings(const std::vector<StageTime>& times) {
     total += time.milliseconds;
   }
   std::cerr << fmt::format("{:<12} {:>9.3f} ms\n", "total", total);
+}
+
+std::string dependencies(const std::string& header, const std::string& model) {
+  return for_make(header) + ":" + (model == "-" ? "" : " " + for_make(model)) + "\n";
+}
+
+// Both are written before the first is put in place: a full disk leaves everything as it was.
+void write_files(const Options& options, const PipelineResult& result) {
+  const std::string path = header_path(options, result.model_name);
+  Replacement header(path, result.header);
+  if (options.depfile.empty()) return header.commit();
+  Replacement depfile(options.depfile, dependencies(path, options.model));
+  header.commit();
+  depfile.commit();
 }
 
 /// Only the model's own text is needed for these two, so no derivation is made.
@@ -80,9 +95,7 @@ int generate(const Options& options) {
     write_standard_output(result->header);
     return k_ok;
   }
-  const std::string path = header_path(options, result->model_name);
-  write_file(path, result->header);
-  if (!options.depfile.empty()) write_file(options.depfile, for_make(path) + ": " + for_make(options.model) + "\n");
+  write_files(options, *result);
   return k_ok;
 }
 

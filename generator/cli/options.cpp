@@ -1,25 +1,61 @@
 #include "cli/options.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
-#include <map>
+#include <iostream>
 
 #include "artefacts.hpp"
+#include "cli/arguments.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/help.hpp"
+#include "cli/usage_error.hpp"
+#include "support/suggest.hpp"
 #include "version.hpp"
 
 namespace gaussgen::cli {
 
 namespace {
 
-const char* const k_about =
-    "gauss-gen: equations of motion and constraint reactions as C++, by Gauss's principle.\n"
-    "\n"
-    "  gauss-gen model.yaml               write <name>.hpp into this folder\n"
-    "  gauss-gen evaluate model.yaml      accelerations, reactions, energy at the initial state, as numbers\n"
-    "  gauss-gen derivation model.yaml    Z, the metric, c, b and the final equations as formulas\n";
+constexpr int k_most_digits = 10000;
+[[noreturn]] void refuse(const std::string& option, const std::string& why) { throw UsageError(option + ": " + why); }
 
-const char* const k_exit_codes =
-    "Exit codes: 0 ok, 1 error in the model, 2 usage, 3 input or output, 4 too large, 70 internal error";
+/// One argument per flag, so that a list never takes the model for one of its words.
+CLI::Option* one_each(CLI::Option* option, const std::string& text) {
+  return option->option_text(text)->type_name(text)->allow_extra_args(false)->take_all();
+}
+
+void add_list(CLI::App& app, const std::string& name, std::vector<std::string>& target,
+              const std::vector<std::string>& choices, const std::string& text, const std::string& about) {
+  const auto take = [&target, choices, name](const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+      const std::string refusal = refusal_of_choice(word, choices);
+      if (!refusal.empty()) refuse(name, refusal);
+      target.push_back(word);
+    }
+  };
+  one_each(app.add_option_function<std::vector<std::string>>(name, take, wrapped(about + support::joined(choices))),
+           text)
+      ->delimiter(',');
+}
+
+template <class Choice>
+void add_choice(CLI::App& app, const std::string& name, Choice& target,
+                const std::vector<std::pair<std::string, Choice>>& choices, const std::string& text,
+                const std::string& about) {
+  const auto take = [&target, choices, name](const std::string& word) {
+    std::vector<std::string> words;
+    for (const auto& [choice, value] : choices) {
+      words.push_back(choice);
+      if (choice == word) target = value;
+    }
+    const std::string refusal = refusal_of_choice(word, words);
+    if (!refusal.empty()) refuse(name, refusal);
+  };
+  app.add_option_function<std::string>(name, take, about)->type_name(text);
+}
+
+void add_model(CLI::App& app, Options& options) { app.add_option("model", options.model); }
 
 std::vector<std::string> output_names() {
   std::vector<std::string> names;
@@ -27,85 +63,113 @@ std::vector<std::string> output_names() {
   return names;
 }
 
-void add_model(CLI::App& app, Options& options) {
-  app.add_option("model", options.model, "Model file; - for standard input")->type_name("FILE");
-}
-
 void add_generate(CLI::App& app, Options& options) {
   add_model(app, options);
-  app.add_option("-o,--output", options.output, "Folder for <name>.hpp, or - for standard output")->type_name("DIR");
-  app.add_flag("--check", options.check, "Only say whether the model is right");
-  app.add_flag("--list-outputs", options.list_outputs, "Say which files would be written, one per line");
-  app.add_option("--depfile", options.depfile, "Also write dependencies for make and Ninja")->type_name("FILE");
-  app.add_option("--namespace", options.pipeline.name_space, "C++ namespace instead of gauss::<name>")->type_name("NAME");
-  app.add_option("--outputs", options.pipeline.outputs, "Functions to emit, separated by commas; default: all")
-      ->delimiter(',')
-      ->type_name("LIST")
-      ->check(CLI::IsMember(output_names()));
-  app.add_flag("--fold", options.pipeline.fold, "Put the parameters in as numbers");
-  const std::map<std::string, Route> routes{{"emitted", Route::emitted}, {"paper", Route::paper}};
-  app.add_option("--route", options.pipeline.route, "emitted, or paper: Z, Gamma and (3.7)-(3.8) term by term")
-      ->transform(CLI::CheckedTransformer(routes, CLI::ignore_case).description(""))
-      ->type_name("ROUTE");
-  app.add_option("--dump", options.dumps, "Print a stage instead of writing: " + CLI::detail::join(stage_names(), ", "))
-      ->delimiter(',')
-      ->type_name("STAGE")
-      ->check(CLI::IsMember(stage_names()).description(""));
-  app.add_flag("--timings", options.timings, "Say what each stage took, on standard error");
+  app.add_option("-o,--output", options.output, "folder for <name>.hpp, or - for standard output")->type_name("DIR");
+  app.add_flag("--check", options.check, "write nothing, only say whether the model is right");
+  app.add_flag("--list-outputs", options.list_outputs, "write nothing, only say which header would be written");
+  app.add_option("--depfile", options.depfile, "also write what the header depends on, for make and Ninja")
+      ->type_name("FILE");
+  app.add_option("--namespace", options.pipeline.name_space, "C++ namespace instead of gauss::<name>")
+      ->type_name("NAME");
+  add_list(app, "--outputs", options.pipeline.outputs, output_names(), "LIST",
+           "functions to emit instead of all, with commas between: ");
+  app.add_flag("--fold", options.pipeline.fold, "put the parameters in as numbers");
+  add_choice<Route>(app, "--route", options.pipeline.route, {{"emitted", Route::emitted}, {"paper", Route::paper}},
+                    "ROUTE", wrapped("emitted (default), or paper: its Z, Gamma and (3.7)-(3.8), term by term"));
+  add_list(app, "--dump", options.dumps, stage_names(), "STAGE", "write nothing, print what comes out of a stage: ");
+  app.add_flag("--timings", options.timings, "say on standard error what each stage took");
 }
 
 void add_evaluate(CLI::App& app, Options& options) {
   add_model(app, options);
-  app.add_option("--set", options.overrides, "Change a parameter, coordinate or rate: m=2, chi=0.1, 'dot(chi)=2'")
-      ->type_name("NAME=VALUE")
-      ->take_all();
-  app.add_option("--time", options.time, "Time, default 0")->type_name("T");
-  app.add_option("--digits", options.digits, "Significant digits, default 17")->check(CLI::Range(1, 10000))->type_name("N");
-  const std::map<std::string, Format> formats{{"table", Format::table}, {"json", Format::json}};
-  app.add_option("--format", options.format, "table or json")
-      ->transform(CLI::CheckedTransformer(formats, CLI::ignore_case).description(""))
-      ->type_name("FORMAT");
+  one_each(app.add_option("--set", options.overrides,
+                          wrapped("change a parameter, an input, a coordinate or a rate, such as "
+                                  "m=2, chi=pi/4 or 'dot(chi)=2'; may be repeated")),
+           "NAME=VALUE");
+  app.add_option("--time", options.time, "time, default 0")->type_name("T");
+  app.add_option_function<int>(
+         "--digits",
+         [&options](int digits) {
+           if (digits < 1 || digits > k_most_digits)
+             refuse("--digits", fmt::format("a number from 1 to {} is needed", k_most_digits));
+           options.digits = digits;
+         },
+         "significant digits, default 17")
+      ->type_name("N");
+  add_choice<Format>(app, "--format", options.format, {{"table", Format::table}, {"json", Format::json}}, "FORMAT",
+                     "table (default) or json");
 }
 
 void add_derivation(CLI::App& app, Options& options) {
   add_model(app, options);
-  app.add_option("-o,--output", options.output, "File instead of standard output")->type_name("FILE");
-  const std::map<std::string, Format> formats{{"markdown", Format::markdown}, {"latex", Format::latex}};
-  app.add_option("--format", options.format, "markdown or latex")
-      ->transform(CLI::CheckedTransformer(formats, CLI::ignore_case).description(""))
-      ->type_name("FORMAT");
+  app.add_option("-o,--output", options.output, "file instead of standard output")->type_name("FILE");
+  add_choice<Format>(app, "--format", options.format, {{"markdown", Format::markdown}, {"latex", Format::latex}},
+                     "FORMAT", "markdown (default) or latex");
 }
 
-/// CLI11 has exit codes of its own; ours are documented.
-int finish(const CLI::App& app, const CLI::ParseError& error) {
-  return app.exit(error) == 0 ? k_ok : k_usage_error;
+// What stands before the name of a command belongs to generation, and would be forgotten.
+void refuse_mixture(const CLI::App& app, const CLI::App& command) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->count() == 0) continue;
+    if (!option->nonpositional()) throw UsageError("the model goes after '" + command.get_name() + "'");
+    refuse(option->get_name(), "does not go before '" + command.get_name() + "', which has options of its own");
+  }
+}
+
+void check(const CLI::App& app, const Options& options) {
+  if (options.model.empty()) throw UsageError("a model file is needed; - stands for standard input");
+  const CLI::Option* name_space = app.get_option("--namespace");
+  const std::string refusal = name_space->count() == 0 ? "" : refusal_of_namespace(options.pipeline.name_space);
+  if (!refusal.empty()) refuse("--namespace", refusal);
+  if (app.count("--depfile") != 0 && options.depfile.empty()) refuse("--depfile", "a file name is needed");
+  if (app.count("--depfile") != 0 && options.output == "-")
+    refuse("--depfile", "there is no file to depend on with -o -");
+}
+
+std::optional<Options> parse(CLI::App& app, int argc, const char* const* argv, int& exit_code) {
+  Options options;
+  app.set_version_flag("--version", std::string("gauss-gen ") + k_version, "print the version");
+  app.set_help_flag("-h,--help", "print this page");
+  write_help_by(app);
+  add_generate(app, options);
+  // Added after the help flag and the formatter, which they inherit; the footer of the page is for the program as a whole.
+  CLI::App* evaluate = app.add_subcommand("evaluate", k_about_evaluate)->footer("");
+  add_evaluate(*evaluate, options);
+  CLI::App* derivation = app.add_subcommand("derivation", k_about_derivation)->footer("");
+  add_derivation(*derivation, options);
+  app.require_subcommand(0, 1);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {  // --help, --version
+    exit_code = app.exit(request);
+    return std::nullopt;
+  }
+  for (const CLI::App* command : {evaluate, derivation}) {
+    if (command->parsed()) refuse_mixture(app, *command);
+  }
+  if (evaluate->parsed()) options.command = Command::evaluate;
+  if (derivation->parsed()) options.command = Command::derivation;
+  if (derivation->parsed() && options.format == Format::table) options.format = Format::markdown;
+  check(app, options);
+  return options;
 }
 
 }  // namespace
 
 std::optional<Options> parse_options(int argc, const char* const* argv, int& exit_code) {
-  Options options;
   CLI::App app(k_about, "gauss-gen");
-  app.footer(k_exit_codes);
-  app.set_version_flag("--version", std::string("gauss-gen ") + k_version);
-  app.option_defaults()->always_capture_default(false);
-  add_generate(app, options);
-  CLI::App* evaluate = app.add_subcommand("evaluate", "Numbers at the initial state, with as many digits as wanted");
-  add_evaluate(*evaluate, options);
-  CLI::App* derivation = app.add_subcommand("derivation", "The paper's objects and the final equations as formulas");
-  add_derivation(*derivation, options);
-  app.require_subcommand(0, 1);
+  std::string refusal;
   try {
-    app.parse(argc, argv);
-    if (*evaluate) options.command = Command::evaluate;
-    if (*derivation) options.command = Command::derivation;
-    if (options.model.empty()) throw CLI::RequiredError("a model file");
+    return parse(app, argc, argv, exit_code);
   } catch (const CLI::ParseError& error) {
-    exit_code = finish(app, error);
-    return std::nullopt;
+    refusal = error.what();
+  } catch (const UsageError& error) {
+    refusal = error.what();
   }
-  if (options.command == Command::derivation && options.format == Format::table) options.format = Format::markdown;
-  return options;
+  std::cerr << "gauss-gen: " << refusal << "\nRun gauss-gen --help for the options.\n";
+  exit_code = k_usage_error;
+  return std::nullopt;
 }
 
 }  // namespace gaussgen::cli

@@ -18,7 +18,7 @@ struct Options {
   PipelineOptions pipeline;
 
   // generate
-  std::string output;   ///< folder, "-" for standard output; empty: the working folder
+  std::string output;  ///< folder, "-" for standard output; empty: the working folder
   std::string depfile;
   std::vector<std::string> dumps;  ///< stages
   bool check = false;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "model/constant.hpp"
 #include "model/parser.hpp"
 #include "support/suggest.hpp"
 
@@ -16,14 +17,9 @@ void refuse_other_symbols(const std::string& option, const model::Ast& ast, cons
                                                             symbol->second.kind == model::SymbolKind::pi);
     if (!is_known) throw UsageError(fmt::format("{}: '{}' is not a parameter of the model", option, ast.name));
   }
-  if (ast.kind == model::AstKind::call && ast.name == "dot") throw UsageError(option + ": dot(...) has no meaning in a value");
+  if (ast.kind == model::AstKind::call && ast.name == "dot")
+    throw UsageError(option + ": dot(...) has no meaning in a value");
   for (const model::Ast& child : ast.children) refuse_other_symbols(option, child, model);
-}
-
-/// "dot(chi)" → "chi_dot"; anything else unchanged.
-std::string without_dot(const std::string& name) {
-  const bool is_dot = name.rfind("dot(", 0) == 0 && name.back() == ')';
-  return is_dot ? name.substr(4, name.size() - 5) + "_dot" : name;
 }
 
 std::string trimmed(const std::string& text) {
@@ -40,22 +36,41 @@ bool has_symbol(const model::Ast& ast) {
   return false;
 }
 
+model::Ast parsed(const std::string& option, const std::string& text) {
+  const support::Source source(option, text);
+  support::Diagnostics diagnostics;
+  const std::optional<model::Ast> ast = model::parse_expression(spec::located(text), diagnostics);
+  if (!ast || diagnostics.has_errors()) throw UsageError(support::render(diagnostics, source));
+  return *ast;
+}
+
 class Override {
  public:
   Override(std::string name, model::Ast value, model::Model& model)
       : name_(std::move(name)), value_(std::move(value)), model_(model) {}
 
   void apply() {
-    if (set_rate()) return;
+    const bool is_dot = name_.rfind("dot(", 0) == 0 && name_.back() == ')';
+    if (is_dot) return set_dot(trimmed(name_.substr(4, name_.size() - 5)));
+    if (set_rate(name_)) return;
     const auto symbol = model_.symbols.find(name_);
     if (symbol == model_.symbols.end()) throw UsageError(unknown());
     set(symbol->second);
   }
 
  private:
-  bool set_rate() {
+  void set_dot(const std::string& coordinate) {
+    if (set_rate(coordinate + "_dot")) return;
+    std::vector<std::string> names;
+    for (const model::Coordinate& candidate : model_.coordinates) names.push_back(candidate.name.text);
+    const std::string near = support::closest(coordinate, names);
+    throw UsageError(fmt::format("--set: the model has no coordinate '{}'{}", coordinate,
+                                 near.empty() ? "" : fmt::format(", did you mean 'dot({})'?", near)));
+  }
+
+  bool set_rate(const std::string& rate) {
     for (model::Coordinate& coordinate : model_.coordinates) {
-      if (coordinate.name.text + "_dot" != name_) continue;
+      if (coordinate.name.text + "_dot" != rate) continue;
       if (coordinate.held_at) throw UsageError(held());
       coordinate.initial_rate = value_;
       return true;
@@ -105,13 +120,10 @@ class Override {
 
 }  // namespace
 
-model::Ast parse_value(const std::string& option, const std::string& text, const model::Model& model) {
-  const support::Source source(option, text);
-  support::Diagnostics diagnostics;
-  const std::optional<model::Ast> ast = model::parse_expression(spec::located(text), diagnostics);
-  if (!ast || diagnostics.has_errors()) throw UsageError(support::render(diagnostics, source));
-  refuse_other_symbols(option, *ast, model);
-  return *ast;
+support::Rational parse_time(const std::string& text) {
+  const auto time = model::exact_value(parsed("--time", text));
+  if (!time) throw UsageError(fmt::format("--time: expected a number, not '{}'", text));
+  return *time;
 }
 
 void apply_override(const std::string& assignment, model::Model& model) {
@@ -119,8 +131,10 @@ void apply_override(const std::string& assignment, model::Model& model) {
   if (equals == std::string::npos) throw UsageError(fmt::format("--set: expected name=value, not '{}'", assignment));
   const std::string name = trimmed(assignment.substr(0, equals));
   if (name.empty()) throw UsageError(fmt::format("--set: a name is missing before '=' in '{}'", assignment));
-  model::Ast value = parse_value("--set " + name, assignment.substr(equals + 1), model);
-  Override(without_dot(name), std::move(value), model).apply();
+  const std::string option = "--set " + name;
+  model::Ast value = parsed(option, assignment.substr(equals + 1));
+  refuse_other_symbols(option, value, model);
+  Override(name, std::move(value), model).apply();
 }
 
 }  // namespace gaussgen::cli

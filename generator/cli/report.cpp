@@ -10,7 +10,8 @@ int report(const support::Diagnostics& diagnostics, const support::Source& sourc
   std::cerr << support::render(diagnostics, source);
   if (!diagnostics.has_errors()) return k_ok;
   for (const support::Diagnostic& diagnostic : diagnostics.all()) {
-    const bool is_limit = diagnostic.code == support::code::k_file_too_large.id || diagnostic.code == support::code::k_expression_limit.id;
+    const bool is_limit = diagnostic.code == support::code::k_file_too_large.id ||
+                          diagnostic.code == support::code::k_expression_limit.id;
     if (diagnostic.severity == support::Severity::error && !is_limit) return k_model_error;
   }
   return k_too_large;

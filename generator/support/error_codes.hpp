@@ -75,9 +75,14 @@ inline constexpr ErrorCode k_no_paper_route{"E060", "the paper's route does not 
 
 inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate that moves no body"};
 
+// The initial state, which is looked at when the equations are there.
+inline constexpr ErrorCode k_violating_start{"W051", "an initial state that violates a constraint"};
+inline constexpr ErrorCode k_undefined_start{"W052", "an initial state at which something has no value"};
+inline constexpr ErrorCode k_singular_start{"W053", "an initial state with a singular mass matrix"};
+
 }  // namespace code
 
-/// The table of the documentation and of the tests.
+/// What is found in the text of a model.
 inline constexpr ErrorCode k_all_codes[] = {
     code::k_encoding,
     code::k_forbidden_character,
@@ -124,6 +129,14 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_no_velocity,
     code::k_dependent_speeds,
     code::k_idle_held_coordinate,
+};
+
+/// What only the stages after it can find.
+inline constexpr ErrorCode k_stage_codes[] = {
+    code::k_no_paper_route,
+    code::k_violating_start,
+    code::k_undefined_start,
+    code::k_singular_start,
 };
 
 }  // namespace gaussgen::support

@@ -1,0 +1,55 @@
+#include "cli/arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "emit/identifiers.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::cli {
+
+namespace {
+
+constexpr std::size_t k_longest_namespace = 200;
+
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = text.find("::"); end != std::string::npos; end = text.find("::", begin)) {
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 2;
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
+}
+
+bool is_identifier(const std::string& text) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  return !text.empty() && is_letter(text[0]) &&
+         std::all_of(text.begin(), text.end(), [&](char c) { return is_letter(c) || is_digit(c); });
+}
+
+/// `gauss` is where headers live when nothing else is asked for; the other names of the emitter would hide its own.
+bool is_free(const std::string& name) { return name == "gauss" || emit::mangled(name) == name; }
+
+}  // namespace
+
+std::string refusal_of_choice(const std::string& word, const std::vector<std::string>& choices) {
+  if (std::find(choices.begin(), choices.end(), word) != choices.end()) return "";
+  const std::string near = support::did_you_mean(word, choices);
+  return fmt::format("there is no '{}'; {}", word, near.empty() ? "choose from " + support::joined(choices) : near);
+}
+
+std::string refusal_of_namespace(const std::string& text) {
+  if (text.size() > k_longest_namespace)
+    return fmt::format("a namespace of more than {} characters", k_longest_namespace);
+  for (const std::string& part : parts_of(text)) {
+    if (!is_identifier(part)) return fmt::format("'{}' is not a C++ namespace; write it as in acme::models", text);
+    if (!is_free(part)) return fmt::format("'{}' cannot be a namespace: the name is reserved", part);
+  }
+  return "";
+}
+
+}  // namespace gaussgen::cli

@@ -1,0 +1,15 @@
+#pragma once
+// Which words an option takes. A refusal is a sentence about the word, for the user; an empty one means that it is right.
+
+#include <string>
+#include <vector>
+
+namespace gaussgen::cli {
+
+/// One of `choices`; otherwise says which there are, or which one was meant.
+std::string refusal_of_choice(const std::string& word, const std::vector<std::string>& choices);
+
+/// A C++ namespace such as acme::models. It goes into code as it is, so nothing else may come in with it.
+std::string refusal_of_namespace(const std::string& text);
+
+}  // namespace gaussgen::cli

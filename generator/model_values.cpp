@@ -1,0 +1,95 @@
+#include "model_values.hpp"
+
+#include "evaluation.hpp"
+#include "strategy/projection.hpp"
+
+namespace gaussgen {
+
+using cln::cl_F;
+using evaluate::Arithmetic;
+using evaluate::Scaled;
+using support::Rational;
+
+namespace {
+
+/// Rounding of the finer run is smaller by this many orders.
+constexpr int k_more_digits = 20;
+
+int carried(int digits) { return 2 * digits + k_more_digits; }
+
+}  // namespace
+
+ModelValues::ModelValues(Mechanics& mechanics, const Rational& time, int digits)
+    : values_(mechanics.graph, Arithmetic<cl_F>(carried(digits) + k_more_digits)),
+      coarse_values_(mechanics.graph, Arithmetic<cl_F>(carried(digits))),
+      scales_(mechanics.graph, Arithmetic<Scaled<cl_F>>(values_.arithmetic())) {
+  bind(mechanics.symbols.time, number(time));
+  bind_parameters(mechanics, values_);
+  bind_parameters(mechanics, coarse_values_);
+  bind_parameters(mechanics, scales_);
+}
+
+std::optional<cl_F> ModelValues::operator()(ir::NodeId node) {
+  const std::optional<cl_F> fine = values_(node);
+  const std::optional<cl_F> coarse = coarse_values_(node);
+  if (!fine || !coarse) return fine;
+  const cl_F difference = cln::abs(*fine - number(*coarse));
+  const bool is_rounding = difference + difference > cln::abs(*fine);
+  return is_rounding ? number(Rational(0)) : *fine;
+}
+
+// A node without a first-order bound, such as sqrt(x) at 0, is taken as it is.
+std::optional<cl_F> ModelValues::residual(ir::NodeId node, int digits) {
+  const std::optional<cl_F> value = (*this)(node);
+  if (!value) return value;
+  const std::optional<Scaled<cl_F>> scaled = scales_(node);
+  const bool is_small = scaled && cln::abs(*value) <= number(cln::expt(Rational(10), -digits)) * scaled->scale;
+  return is_small ? number(Rational(0)) : *value;
+}
+
+bool ModelValues::is_true(ir::Expr condition) {
+  const std::optional<cl_F> value = values_(condition.id());
+  return value && values_.arithmetic().is_true(*value);
+}
+
+bool ModelValues::bind(const std::vector<std::pair<ir::SymbolId, ir::NodeId>>& nodes) {
+  std::vector<cl_F> found;
+  for (const auto& [symbol, node] : nodes) {
+    const std::optional<cl_F> value = (*this)(node);
+    if (!value) return false;
+    found.push_back(*value);
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) bind(nodes[i].first, found[i]);
+  return true;
+}
+
+void ModelValues::bind(ir::SymbolId symbol, const cl_F& value) {
+  values_.bind(symbol, value);
+  coarse_values_.bind(symbol, coarse_values_.arithmetic().number(value));
+  scales_.bind(symbol, scales_.arithmetic().input(value));
+}
+
+std::vector<InitialValue> initial_values(Mechanics& mechanics) {
+  const kinematics::Symbols& symbols = mechanics.symbols;
+  strategy::Steps steps;
+  const auto state = strategy::initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions,
+                                             mechanics.expressions.symbol(symbols.time), mechanics.epsilon(), steps);
+  std::vector<InitialValue> result;
+  for (const auto i : symbols.configuration.indices()) {
+    const auto& q = symbols.configuration[i];
+    result.push_back({q.symbol, q.name, q.unit, state.configuration[i.value].id()});
+  }
+  for (const auto i : symbols.speeds.indices()) {
+    const auto& u = symbols.speeds[i];
+    result.push_back({u.symbol, u.name, u.unit, state.speeds[i.value].id()});
+  }
+  return result;
+}
+
+bool bind_initial_values(const std::vector<InitialValue>& state, ModelValues& values) {
+  std::vector<std::pair<ir::SymbolId, ir::NodeId>> nodes;
+  for (const InitialValue& value : state) nodes.emplace_back(value.symbol, value.node);
+  return values.bind(nodes);
+}
+
+}  // namespace gaussgen

@@ -1,0 +1,57 @@
+#pragma once
+// Numbers of a model at one state, each with a bound on what rounding can have done to it.
+
+#include "evaluate/arithmetic_scale.hpp"
+#include "evaluate/evaluator.hpp"
+#include "mechanics.hpp"
+
+namespace gaussgen {
+
+/// Values at the model's initial state and a time, good to `digits` digits: twice as many are carried, since as many may cancel.
+///
+/// What is nothing but rounding is zero here. It is recognised by computing everything twice, with different precisions: true
+/// values agree, rounding does not. (The absolute sum S of arithmetic_scale.hpp cannot tell: through the solution of a linear
+/// system it grows into a bound that is larger than the value by hundreds of orders.)
+class ModelValues {
+ public:
+  ModelValues(Mechanics& mechanics, const support::Rational& time, int digits);
+
+  /// The value of a node; empty if it is undefined, see `trouble`.
+  std::optional<cln::cl_F> operator()(ir::NodeId node);
+
+  /// The same for a sum that ought to vanish, without divisions in it, so that S is sharp: zero below 10^-digits S.
+  std::optional<cln::cl_F> residual(ir::NodeId node, int digits);
+
+  std::optional<evaluate::Trouble> trouble(ir::NodeId node) { return values_.trouble(node); }
+  bool is_true(ir::Expr condition);
+
+  /// Gives symbols the values of nodes, all found before the first is given; false, and nothing given, if one is undefined.
+  bool bind(const std::vector<std::pair<ir::SymbolId, ir::NodeId>>& nodes);
+
+ private:
+  template <class Number>
+  cln::cl_F number(const Number& value) const {
+    return values_.arithmetic().number(value);
+  }
+  void bind(ir::SymbolId symbol, const cln::cl_F& value);
+
+  evaluate::Evaluator<cln::cl_F> values_;
+  evaluate::Evaluator<cln::cl_F> coarse_values_;
+  evaluate::Evaluator<evaluate::Scaled<cln::cl_F>> scales_;
+};
+
+/// What the initial state gives to one symbol of the configuration or of the speeds.
+struct InitialValue {
+  ir::SymbolId symbol;
+  std::string name;
+  std::string unit;
+  ir::NodeId node;
+};
+
+/// In the order of the state: configuration, then speeds.
+std::vector<InitialValue> initial_values(Mechanics& mechanics);
+
+/// The state as numbers, so that everything else is evaluated at it; false, and nothing bound, if part of it is undefined.
+bool bind_initial_values(const std::vector<InitialValue>& state, ModelValues& values);
+
+}  // namespace gaussgen
