@@ -75,7 +75,7 @@ class ArtefactBuilder {
 
  private:
   void add_sections(const std::vector<strategy::Step>& steps) {
-    for (const strategy::Step& step : steps) artefact_.sections.push_back({step.comment, step.values});
+    for (const strategy::Step& step : steps) artefact_.sections.push_back({step.comment, step.subject, step.values});
   }
 
   // An infinity or NaN anywhere in the inputs reaches an output, so outputs are enough to look at.

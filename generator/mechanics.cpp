@@ -25,6 +25,16 @@ strategy::Solution solved(const Mechanics& mechanics, const MechanicsOptions& op
   return strategy::solve_with_multipliers(dynamics, mechanics.epsilon(), steps);
 }
 
+// Rates of coordinates are speeds and need no name; those of quaternions are expressions.
+void name_quaternion_rates(Mechanics& mechanics) {
+  if (mechanics.symbols.first_quaternion_component.empty()) return;
+  mechanics.steps.begin("rates of the quaternions: half the product with (0, omega) (theory.md, section 5)");
+  for (const auto i : mechanics.symbols.configuration.indices()) {
+    ir::Expr& rate = mechanics.kinematics.configuration_rates[i];
+    rate = mechanics.steps.name(rate, mechanics.symbols.configuration[i].name + "_dot");
+  }
+}
+
 }  // namespace
 
 Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& options)
@@ -35,6 +45,8 @@ Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& 
       covariant(kinematics::build_covariant(kinematics, graph)),
       dynamics(strategy::build_dynamics(kinematics, covariant, steps)),
       solution(solved(*this, options, steps)),
-      held_reactions(strategy::held_reactions(dynamics, solution, steps)) {}
+      held_reactions(strategy::held_reactions(dynamics, solution, steps)) {
+  name_quaternion_rates(*this);
+}
 
 }  // namespace gaussgen

@@ -99,16 +99,20 @@ class UnitBuilder {
     for (emit::Artefact& artefact : unit_.artefacts) point_to_model_lines(artefact);
   }
 
-  // A comment that names a constraint also says where the model states it.
+  // A comment about an element of the model also says where the model states it.
   void point_to_model_lines(emit::Artefact& artefact) const {
-    for (emit::Group& group : artefact.groups) {
-      for (const model::VelocityConstraint& constraint : model_.constraints) {
-        if (group.name == constraint.name.text) group.about += located(constraint.name.span);
-      }
-      for (const model::Coordinate& coordinate : model_.coordinates) {
-        if (coordinate.held_at && group.name == coordinate.name.text) group.about += located(coordinate.name.span);
-      }
+    for (emit::Group& group : artefact.groups) group.about += line_of(group.name);
+    for (emit::Section& section : artefact.sections) section.comment += line_of(section.subject);
+  }
+
+  std::string line_of(const std::string& element) const {
+    for (const model::VelocityConstraint& constraint : model_.constraints) {
+      if (element == constraint.name.text) return located(constraint.name.span);
     }
+    for (const model::Coordinate& coordinate : model_.coordinates) {
+      if (coordinate.held_at && element == coordinate.name.text) return located(coordinate.name.span);
+    }
+    return "";
   }
 
   std::string located(support::Span span) const {

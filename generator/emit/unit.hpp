@@ -65,6 +65,7 @@ struct Group {
 /// is a section without any.
 struct Section {
   std::string comment;  ///< what it is, the equation, the model line; may have several lines
+  std::string subject;  ///< element of the model that it is about, resolved into `comment` by the pipeline; may be empty
   std::vector<std::pair<NodeId, std::string>> nodes;  ///< in order of printing, with the physical name wanted
 };
 

@@ -24,7 +24,7 @@ void add_metric(const kinematics::Symbols& symbols, Dynamics& result, Steps& ste
 
 void add_force(const kinematics::Kinematics& kinematics, Dynamics& result, Steps& steps) {
   const kinematics::Symbols& symbols = kinematics.symbols;
-  steps.begin("f = Q - bias: active forces less the velocity-squared part of A (theory, section 4)");
+  steps.begin("f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)");
   for (const FreeIndex i : symbols.speeds.indices()) {
     const FullIndex a = symbols.full(i);
     const Expr bias = steps.name(result.covariant->bias[a], "bias_" + result.labels[i.value]);
@@ -38,11 +38,9 @@ void add_force(const kinematics::Kinematics& kinematics, Dynamics& result, Steps
 
 void add_rows(const kinematics::Kinematics& kinematics, Dynamics& result, Steps& steps) {
   const kinematics::Symbols& symbols = kinematics.symbols;
-  if (kinematics.constraints.size() > 0) {
-    steps.begin("constraint rows, differentiated once: beta du/dt + drift = 0 (theory, section 3)");
-  }
   for (const ConstraintIndex mu : kinematics.constraints.indices()) {
     const kinematics::ConstraintRow& row = kinematics.constraints[mu];
+    steps.begin(row.name + ", differentiated once: beta du/dt + drift = 0 (theory.md, section 3)", row.name);
     result.constraints.push_back(row.name);
     Vector b;
     for (const FreeIndex i : symbols.speeds.indices()) {

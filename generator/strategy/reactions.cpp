@@ -18,8 +18,9 @@ Vector held_reactions(const Dynamics& dynamics, const Solution& solution, Steps&
   const kinematics::Covariant& covariant = *dynamics.covariant;
   const kinematics::Symbols& symbols = kinematics.symbols;
   Vector reactions;
-  if (symbols.held.size() > 0) steps.begin("reactions of held coordinates: R_j = A_j - Q_j - lambda_m beta_m_j (theory, section 4)");
   for (const HeldIndex j : symbols.held.indices()) {
+    const std::string& name = symbols.held[j].name;
+    steps.begin("reaction of " + name + ": R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4)", name);
     const FullIndex row = symbols.full(j);
     Expr R = covariant.bias[row] - covariant.Q[row];
     for (const FreeIndex a : symbols.speeds.indices()) {
@@ -31,7 +32,7 @@ Vector held_reactions(const Dynamics& dynamics, const Solution& solution, Steps&
     for (const ConstraintIndex mu : kinematics.constraints.indices()) {
       R -= solution.multipliers[mu.value] * kinematics.constraints[mu].beta[row];
     }
-    reactions.push_back(steps.name(R, "R_" + symbols.held[j].name));
+    reactions.push_back(steps.name(R, "R_" + name));
   }
   return reactions;
 }
@@ -94,12 +95,15 @@ Vector3 named(Steps& steps, const Vector3& v, const std::string& name) {
   return {steps.name(v[0], name + "_x"), steps.name(v[1], name + "_y"), steps.name(v[2], name + "_z")};
 }
 
-ReactionWrench wrench_on(const BodyMotion& body, const Source& source, const Vector& z, Steps& steps) {
+/// Nothing where the constraint cannot reach the body, whatever its size. (A reaction that happens to be zero is reported.)
+std::optional<ReactionWrench> wrench_on(const BodyMotion& body, const Source& source, const Vector& z, Steps& steps) {
   const std::string suffix = source.name + "_" + body.name;
-  ReactionWrench wrench{source.name, body.name, ir::zero3(source.size.graph()), {}, false};
-  wrench.force = named(steps, (body.mass * source.size) * combination(body.J, z), "force_" + suffix);
+  const Vector3 linear = combination(body.J, z);
+  const Vector3 angular = body.is_rigid ? combination(body.W, z) : ir::zero3(source.size.graph());
+  if (is_zero(linear) && is_zero(angular)) return std::nullopt;
+  ReactionWrench wrench{source.name, body.name, named(steps, (body.mass * source.size) * linear, "force_" + suffix), {}, false};
   if (!body.is_rigid) return wrench;
-  Vector3 moment = source.size * in_space(body, body.inertia_times(combination(body.W, z)));
+  Vector3 moment = source.size * in_space(body, body.inertia_times(angular));
   if (source.point != nullptr && source.point->has_value()) {
     // M_P = M_G + (r_G - r_P) × F
     moment = moment + cross(body.position - **source.point, wrench.force);
@@ -118,10 +122,9 @@ std::vector<ReactionWrench> reaction_wrenches(const Dynamics& dynamics, const So
   for (const Source& source : sources(dynamics, solution, held)) {
     steps.begin("direction of " + source.name + " in the metric: G z = its covariant components");
     const Vector z = metric.solve(source.components, "z_" + source.name, steps);
-    steps.begin("force and moment of " + source.name + ": m J z and I W z, times its reaction");
+    steps.begin("force and moment of " + source.name + ": m J z and I W z, times its reaction", source.name);
     for (const BodyMotion& body : dynamics.kinematics->bodies) {
-      ReactionWrench wrench = wrench_on(body, source, z, steps);
-      if (!is_zero(wrench.force) || (wrench.moment && !is_zero(*wrench.moment))) wrenches.push_back(std::move(wrench));
+      if (auto wrench = wrench_on(body, source, z, steps)) wrenches.push_back(std::move(*wrench));
     }
   }
   return wrenches;

@@ -11,13 +11,16 @@ namespace gaussgen::strategy {
 
 struct Step {
   std::string comment;
+  std::string subject;  ///< constraint or held coordinate that the step is about, so that its line can be named; may be empty
   std::vector<std::pair<ir::NodeId, std::string>> values;
 };
 
 /// Collects steps in the order of the computation.
 class Steps {
  public:
-  void begin(std::string comment) { steps_.push_back({std::move(comment), {}}); }
+  void begin(std::string comment, std::string subject = "") {
+    steps_.push_back({std::move(comment), std::move(subject), {}});
+  }
 
   /// Gives `value` its physical name in the current step and returns it as later steps shall use it.
   ir::Expr name(ir::Expr value, const std::string& name) {
