@@ -1,0 +1,69 @@
+#include "artefact_builder.hpp"
+
+#include <algorithm>
+
+namespace gaussgen {
+
+using emit::Artefact;
+using emit::Field;
+using emit::Group;
+using emit::NodeId;
+using ir::Expr;
+using strategy::Steps;
+
+std::vector<NodeId> ids(const strategy::Vector& values) {
+  std::vector<NodeId> result;
+  for (const Expr value : values) result.push_back(value.id());
+  return result;
+}
+
+std::vector<NodeId> ids(const ir::Vector3& v) { return {v[0].id(), v[1].id(), v[2].id()}; }
+
+ArtefactBuilder::ArtefactBuilder(std::string name, std::string about, Mechanics& mechanics) : mechanics_(mechanics) {
+  artefact_.name = std::move(name);
+  artefact_.about = std::move(about);
+  const NodeId never = mechanics.graph.constant(0);
+  artefact_.status = {never, never, never};
+}
+
+void ArtefactBuilder::result_type(const std::string& type) {
+  artefact_.target = emit::Target::result;
+  artefact_.result_type = type;
+}
+
+void ArtefactBuilder::fields(const std::string& name, const std::string& type, const std::string& about,
+                             std::vector<Field> fields) {
+  artefact_.groups.push_back(Group{name, type, about, std::move(fields)});
+}
+
+void ArtefactBuilder::with_solution_status() {
+  artefact_.status.singular_mass_matrix = mechanics_.solution.singular_mass_matrix.id();
+  artefact_.status.dependent_constraints = mechanics_.solution.dependent_constraints.id();
+}
+
+Artefact ArtefactBuilder::finish(const Steps& own) {
+  add_sections(mechanics_.steps.all());
+  add_sections(own.all());
+  artefact_.status.not_finite = not_finite();
+  return std::move(artefact_);
+}
+
+void ArtefactBuilder::add_sections(const std::vector<strategy::Step>& steps) {
+  for (const strategy::Step& step : steps) artefact_.sections.push_back({step.comment, step.subject, step.values});
+}
+
+// An infinity or NaN anywhere in the inputs reaches an output, so outputs are enough to look at.
+NodeId ArtefactBuilder::not_finite() const {
+  std::vector<NodeId> values = artefact_.derivative;
+  values.insert(values.end(), artefact_.state.begin(), artefact_.state.end());
+  for (const Group& group : artefact_.groups) {
+    for (const Field& field : group.fields) values.insert(values.end(), field.values.begin(), field.values.end());
+  }
+  ir::Graph& graph = mechanics_.graph;
+  values.erase(
+      std::remove_if(values.begin(), values.end(), [&](NodeId id) { return graph[id].kind == ir::Kind::constant; }),
+      values.end());
+  return values.empty() ? graph.constant(0) : graph.call(ir::Function::not_finite, values);
+}
+
+}  // namespace gaussgen

@@ -1,0 +1,52 @@
+#pragma once
+// What the builders of artefacts share.
+
+#include <string>
+#include <vector>
+
+#include "emit/unit.hpp"
+#include "mechanics.hpp"
+
+namespace gaussgen {
+
+std::vector<emit::NodeId> ids(const strategy::Vector& values);
+std::vector<emit::NodeId> ids(const ir::Vector3& v);
+
+/// Fills the parts that every artefact has.
+class ArtefactBuilder {
+ public:
+  ArtefactBuilder(std::string name, std::string about, Mechanics& mechanics);
+
+  emit::Artefact& artefact() { return artefact_; }
+
+  void result_type(const std::string& type);
+  void fields(const std::string& name, const std::string& type, const std::string& about, std::vector<emit::Field> fields);
+
+  /// The accelerations are not to be trusted when the mass matrix is singular or constraints depend on each other.
+  void with_solution_status();
+
+  /// Adds the steps of the solution, then `own` ones, and the test for finite results.
+  emit::Artefact finish(const strategy::Steps& own);
+
+ private:
+  void add_sections(const std::vector<strategy::Step>& steps);
+  emit::NodeId not_finite() const;
+
+  Mechanics& mechanics_;
+  emit::Artefact artefact_;
+};
+
+/// rhs, reactions, rhs_and_reactions, reaction_forces.
+emit::Artefact rhs_artefact(Mechanics& mechanics);
+std::vector<emit::Artefact> reactions_artefacts(Mechanics& mechanics);
+std::vector<emit::Artefact> reaction_forces_artefact(Mechanics& mechanics);
+
+/// What is known of a state, and states themselves.
+emit::Artefact energy_artefact(Mechanics& mechanics);
+std::vector<emit::Artefact> compulsion_artefact(Mechanics& mechanics);
+std::vector<emit::Artefact> residuals_artefact(Mechanics& mechanics);
+emit::Artefact mass_matrix_artefact(Mechanics& mechanics);
+emit::Artefact project_artefact(Mechanics& mechanics);
+emit::Artefact initial_state_artefact(Mechanics& mechanics);
+
+}  // namespace gaussgen

@@ -1,0 +1,127 @@
+#include "artefact_builder.hpp"
+
+#include <cctype>
+
+namespace gaussgen {
+
+using emit::Artefact;
+using emit::Field;
+using emit::Group;
+using emit::NodeId;
+using ir::Expr;
+using strategy::Steps;
+using strategy::Vector;
+
+namespace {
+
+std::string pascal(const std::string& name) {
+  std::string result;
+  bool upper = true;
+  for (const char c : name) {
+    if (c == '_') {
+      upper = true;
+    } else {
+      result += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+      upper = false;
+    }
+  }
+  return result;
+}
+
+std::vector<NodeId> derivative_of(const Mechanics& mechanics) {
+  std::vector<NodeId> values = ids(mechanics.kinematics.configuration_rates.values());
+  const std::vector<NodeId> accelerations = ids(mechanics.solution.accelerations);
+  values.insert(values.end(), accelerations.begin(), accelerations.end());
+  return values;
+}
+
+std::string quantity(const std::string& unit) { return unit.empty() ? "" : " [" + unit + "]"; }
+
+std::string generalized_unit(const std::string& coordinate_unit) {
+  if (coordinate_unit == "m") return "N";
+  return coordinate_unit == "rad" || coordinate_unit == "1" ? "N*m" : "";
+}
+
+void add_reaction_fields(ArtefactBuilder& builder, Mechanics& mechanics, Steps& steps) {
+  const auto generalized = strategy::generalized_reactions(mechanics.dynamics, mechanics.solution, steps);
+  builder.result_type("Reactions");
+  for (std::size_t mu = 0; mu < mechanics.dynamics.l(); ++mu) {
+    const std::string& name = mechanics.dynamics.constraints[mu];
+    std::vector<Field> fields;
+    fields.push_back({"multiplier", "lambda of (3.4): the constraint adds lambda * dphi/du to the equations of motion", {},
+                      {mechanics.solution.multipliers[mu].id()}});
+    fields.push_back({"generalized", "lambda * dphi/du for each speed, in the order of the state",
+                      {static_cast<int>(mechanics.dynamics.n())}, ids(generalized[mu])});
+    builder.fields(name, pascal(name) + "Reaction", "nonholonomic constraint " + name, std::move(fields));
+  }
+  for (const auto i : mechanics.symbols.held.indices()) {
+    const auto& held = mechanics.symbols.held[i];
+    const std::string unit = generalized_unit(mechanics.model.coordinates[held.model_index].unit);
+    builder.fields(held.name, pascal(held.name) + "Reaction", "held coordinate " + held.name,
+                   {{"generalized", "R of (3.8)" + quantity(unit) + ", positive along growing " + held.name, {},
+                     {mechanics.held_reactions[i.value].id()}}});
+  }
+}
+
+bool has_reactions(const Mechanics& mechanics) {
+  return mechanics.dynamics.l() + mechanics.symbols.held.size() > 0;
+}
+
+Artefact reactions(Mechanics& mechanics, bool with_rhs) {
+  ArtefactBuilder builder(with_rhs ? "rhs_and_reactions" : "reactions",
+                          with_rhs ? "Both at once, over one set of shared values."
+                                   : "Reaction of every constraint: multipliers (3.4) and generalized reactions (3.8).",
+                          mechanics);
+  Steps steps;
+  add_reaction_fields(builder, mechanics, steps);
+  if (with_rhs) builder.artefact().derivative = derivative_of(mechanics);
+  builder.with_solution_status();
+  return builder.finish(steps);
+}
+
+}  // namespace
+
+Artefact rhs_artefact(Mechanics& mechanics) {
+  ArtefactBuilder builder("rhs", "Time derivative of the state: rates of the configuration, then accelerations (3.7).", mechanics);
+  builder.artefact().target = emit::Target::derivative;
+  builder.artefact().derivative = derivative_of(mechanics);
+  builder.with_solution_status();
+  return builder.finish({});
+}
+
+std::vector<Artefact> reactions_artefacts(Mechanics& mechanics) {
+  std::vector<Artefact> result;
+  if (!has_reactions(mechanics)) return result;
+  result.push_back(reactions(mechanics, false));
+  result.push_back(reactions(mechanics, true));
+  return result;
+}
+
+std::vector<Artefact> reaction_forces_artefact(Mechanics& mechanics) {
+  if (!has_reactions(mechanics)) return {};
+  ArtefactBuilder builder("reaction_forces",
+                          "Reactions as Cartesian forces and moments that act ON the bodies, in space axes.\n"
+                          "A force acts at the mass centre together with the moment stated beside it.",
+                          mechanics);
+  Steps steps;
+  builder.result_type("ReactionForces");
+  builder.with_solution_status();
+  std::vector<Group>& groups = builder.artefact().groups;
+  for (const strategy::ReactionWrench& wrench :
+       strategy::reaction_wrenches(mechanics.dynamics, mechanics.solution, mechanics.held_reactions, steps)) {
+    if (groups.empty() || groups.back().name != wrench.constraint) {
+      builder.fields(wrench.constraint, pascal(wrench.constraint) + "Force", "reaction of " + wrench.constraint, {});
+    }
+    std::vector<Field>& fields = groups.back().fields;
+    fields.push_back({"force_on_" + wrench.body, "[N], space axes, on " + wrench.body, {3}, ids(wrench.force)});
+    if (!wrench.moment) continue;
+    const std::string about = wrench.about_point ? "the stated point of " + wrench.constraint : "the mass centre";
+    fields.push_back({"moment_on_" + wrench.body, "[N*m], space axes, on " + wrench.body + " about " + about, {3},
+                      ids(*wrench.moment)});
+  }
+  std::vector<Artefact> result;
+  if (!groups.empty()) result.push_back(builder.finish(steps));
+  return result;
+}
+
+}  // namespace gaussgen

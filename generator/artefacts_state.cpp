@@ -1,0 +1,156 @@
+#include "artefact_builder.hpp"
+
+#include <algorithm>
+
+#include "strategy/compulsion.hpp"
+#include "strategy/projection.hpp"
+
+namespace gaussgen {
+
+using emit::Artefact;
+using emit::Field;
+using emit::NodeId;
+using ir::Expr;
+using strategy::Steps;
+using strategy::Vector;
+
+namespace {
+
+Vector candidate_accelerations(const Mechanics& mechanics) {
+  Vector candidate;
+  for (const auto& speed : mechanics.symbols.speeds) candidate.push_back(mechanics.expressions.symbol(speed.acceleration));
+  return candidate;
+}
+
+bool has_massless_body(const Mechanics& mechanics) {
+  return std::any_of(mechanics.kinematics.bodies.begin(), mechanics.kinematics.bodies.end(), [](const auto& body) {
+    return body.mass.is_zero() || (body.is_rigid && (body.inertia[0][0].is_zero() || body.inertia[1][1].is_zero() ||
+                                                     body.inertia[2][2].is_zero()));
+  });
+}
+
+void add_norms(const Mechanics& mechanics, std::vector<Field>& fields) {
+  Vector norms;
+  for (const auto first : mechanics.symbols.first_quaternion_component) {
+    Expr norm = mechanics.expressions.number(-1);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto& q = mechanics.symbols.configuration[kinematics::ConfigurationIndex{first.value + i}];
+      norm += ir::pow(mechanics.expressions.symbol(q.symbol), 2);
+    }
+    norms.push_back(norm);
+  }
+  if (norms.empty()) return;
+  fields.push_back({"position", "squared norm of each quaternion, less 1", {static_cast<int>(norms.size())}, ids(norms)});
+}
+
+Artefact state_artefact(ArtefactBuilder& builder, const strategy::ProjectedState& state, const Steps& steps) {
+  Artefact& artefact = builder.artefact();
+  artefact.target = emit::Target::state;
+  artefact.takes_inputs = false;
+  artefact.state = ids(state.configuration);
+  const std::vector<NodeId> speeds = ids(state.speeds);
+  artefact.state.insert(artefact.state.end(), speeds.begin(), speeds.end());
+  artefact.status.singular_mass_matrix = state.singular_mass_matrix.id();
+  artefact.status.dependent_constraints = state.dependent_constraints.id();
+  return builder.finish(steps);
+}
+
+}  // namespace
+
+Artefact energy_artefact(Mechanics& mechanics) {
+  ArtefactBuilder builder("energy", "Kinetic energy, potential energy of uniform fields and potentials, and their sum.", mechanics);
+  Steps steps;
+  steps.begin("energies");
+  builder.result_type("Energy");
+  builder.artefact().takes_inputs = false;
+  const Expr kinetic = steps.name(mechanics.covariant.kinetic_energy, "kinetic_energy");
+  const Expr potential = steps.name(mechanics.kinematics.potential, "potential_energy");
+  builder.fields("", "", "", {{"kinetic", "[J]", {}, {kinetic.id()}},
+                              {"potential", "[J]", {}, {potential.id()}},
+                              {"total", "[J]", {}, {(kinetic + potential).id()}}});
+  return builder.finish(steps);
+}
+
+std::vector<Artefact> compulsion_artefact(Mechanics& mechanics) {
+  if (has_massless_body(mechanics)) return {};
+  ArtefactBuilder builder("compulsion",
+                          "Gauss's function Z_w (1.18) of candidate accelerations, as a complete square over the bodies:\n"
+                          "least, among all accelerations that the constraints allow, at those of rhs.",
+                          mechanics);
+  Steps steps;
+  builder.result_type("Compulsion");
+  builder.artefact().takes_accelerations = true;
+  const Expr Z = strategy::compulsion(mechanics.dynamics, candidate_accelerations(mechanics), steps);
+  builder.fields("", "", "", {{"Z", "[N^2/kg]", {}, {Z.id()}}});
+  std::vector<Artefact> result;
+  result.push_back(builder.finish(steps));
+  return result;
+}
+
+std::vector<Artefact> residuals_artefact(Mechanics& mechanics) {
+  ArtefactBuilder builder("residuals",
+                          "How far a state, and candidate accelerations, are from satisfying the constraints.\n"
+                          "Held coordinates satisfy theirs by construction.",
+                          mechanics);
+  std::vector<Field> fields;
+  add_norms(mechanics, fields);
+  const Vector candidate = candidate_accelerations(mechanics);
+  Vector velocity;
+  Vector acceleration;
+  for (std::size_t mu = 0; mu < mechanics.dynamics.l(); ++mu) {
+    velocity.push_back(mechanics.kinematics.constraints[kinematics::ConstraintIndex{mu}].phi);
+    Expr sum = mechanics.dynamics.b_drift[mu];
+    for (std::size_t a = 0; a < candidate.size(); ++a) sum += mechanics.dynamics.b[mu][a] * candidate[a];
+    acceleration.push_back(sum);
+  }
+  if (!velocity.empty()) {
+    const int l = static_cast<int>(velocity.size());
+    fields.push_back({"velocity", "phi of each nonholonomic constraint (3.1)", {l}, ids(velocity)});
+    fields.push_back({"acceleration", "dphi/dt of each nonholonomic constraint", {l}, ids(acceleration)});
+  }
+  if (fields.empty()) return {};
+  builder.result_type("Residuals");
+  builder.artefact().takes_accelerations = true;
+  builder.fields("", "", "", std::move(fields));
+  std::vector<Artefact> result;
+  result.push_back(builder.finish({}));
+  return result;
+}
+
+Artefact mass_matrix_artefact(Mechanics& mechanics) {
+  ArtefactBuilder builder("mass_matrix", "The metric g of the free speeds (1.10).", mechanics);
+  builder.result_type("MassMatrix");
+  builder.artefact().takes_inputs = false;
+  std::vector<NodeId> entries;
+  for (const Vector& row : mechanics.dynamics.g) {
+    for (const Expr entry : row) entries.push_back(entry.id());
+  }
+  const int n = static_cast<int>(mechanics.dynamics.n());
+  builder.fields("", "", "", {{"g", "symmetric, in the order of the speeds", {n, n}, entries}});
+  return builder.finish({});
+}
+
+Artefact project_artefact(Mechanics& mechanics) {
+  ArtefactBuilder builder("project",
+                          "The nearest state that satisfies the constraints: unit quaternions, then the smallest change of\n"
+                          "the speeds in the mass metric (one Newton step for constraints nonlinear in the velocities).",
+                          mechanics);
+  Steps steps;
+  const auto state = strategy::project(mechanics.dynamics, mechanics.epsilon(), steps);
+  return state_artefact(builder, state, steps);
+}
+
+Artefact initial_state_artefact(Mechanics& mechanics) {
+  ArtefactBuilder builder("initial_state",
+                          "The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints.",
+                          mechanics);
+  Steps steps;
+  const auto state = strategy::initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions,
+                                             mechanics.expressions.number(0), mechanics.epsilon(), steps);
+  builder.artefact().takes_time = false;
+  builder.artefact().takes_state = false;
+  builder.artefact().extends_preparation = false;
+  return state_artefact(builder, state, steps);
+}
+
+}  // namespace gaussgen
