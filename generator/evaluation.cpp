@@ -71,7 +71,8 @@ class Report {
       add("accelerations", u.acceleration_name, u.unit.empty() ? "" : u.unit + "^2", node);
       found.emplace_back(u.acceleration, node);
     }
-    value_of_.bind(found);
+    if (!value_of_.bind(found))
+      result_.warnings.push_back("accelerations are undefined here: the coordinates may be singular");
   }
 
   void add_reactions() {

@@ -31,9 +31,12 @@ class InitialCheck {
   void run() {
     const std::vector<InitialValue> state = initial_values(mechanics_);
     if (!bind_initial_values(state, values_)) return report_undefined_state(state);
-    for (std::size_t mu = 0; mu < model_.constraints.size(); ++mu) report_undefined_constraint(mu);
+    bool has_equations = true;
+    for (std::size_t mu = 0; mu < model_.constraints.size(); ++mu) {
+      has_equations = !report_undefined_constraint(mu) && has_equations;
+    }
     for (const Violation& violation : violations(mechanics_, values_)) report_violation(violation);
-    if (values_.is_true(mechanics_.solution.singular_mass_matrix)) report_singular();
+    if (has_equations) report_singular();
   }
 
  private:
@@ -48,13 +51,14 @@ class InitialCheck {
     }
   }
 
-  void report_undefined_constraint(std::size_t mu) {
+  bool report_undefined_constraint(std::size_t mu) {
     const auto trouble = values_.trouble(row(mu).phi.id());
-    if (!trouble) return;
+    if (!trouble) return false;
     diagnostics_.warning(
         support::code::k_undefined_start, model_.constraints[mu].velocity.span,
         fmt::format("constraint '{}' has no value at the initial state: {}", row(mu).name, trouble->reason),
         "start from another state");
+    return true;
   }
 
   void report_violation(const Violation& violation) {
@@ -64,11 +68,18 @@ class InitialCheck {
                          remedy(*violation.row));
   }
 
+  // A pivot that is zero from the start divides; one that cancels is flagged.
   void report_singular() {
-    diagnostics_.warning(support::code::k_singular_start, model_.name.span,
-                         "the mass matrix is singular at the initial state",
-                         "the coordinates do not describe every motion there; start elsewhere, or describe the "
-                         "attitude by a quaternion");
+    std::string reason;
+    if (values_.is_true(mechanics_.solution.singular_mass_matrix)) reason = "the mass matrix is singular";
+    for (const ir::Expr acceleration : mechanics_.solution.accelerations) {
+      const auto trouble = values_.trouble(acceleration.id());
+      if (trouble && reason.empty()) reason = trouble->reason + " in " + trouble->name;
+    }
+    if (reason.empty()) return;
+    diagnostics_.warning(
+        support::code::k_singular_start, model_.name.span, "there are no accelerations at the initial state: " + reason,
+        "where coordinates do not describe every motion, start elsewhere; a quaternion has no such places");
   }
 
   std::string remedy(const kinematics::ConstraintRow& row) {

@@ -78,7 +78,7 @@ inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate tha
 // The initial state, which is looked at when the equations are there.
 inline constexpr ErrorCode k_violating_start{"W051", "an initial state that violates a constraint"};
 inline constexpr ErrorCode k_undefined_start{"W052", "an initial state at which something has no value"};
-inline constexpr ErrorCode k_singular_start{"W053", "an initial state with a singular mass matrix"};
+inline constexpr ErrorCode k_singular_start{"W053", "an initial state without accelerations"};
 
 }  // namespace code
 

@@ -1,0 +1,33 @@
+"""gauss-gen derivation: the paper's objects as formulas."""
+
+import unittest
+
+from gauss_gen import MODELS, SKEW, SPHERE, Program
+
+
+class Derivation(Program):
+    def test_markdown_is_the_default(self):
+        self.assertEqual(self.ok("derivation", SPHERE), self.ok("derivation", SPHERE, "--format", "markdown"))
+        self.assertTrue(self.ok("derivation", SPHERE).startswith("# "))
+
+    def test_latex_is_a_whole_document(self):
+        text = self.ok("derivation", SPHERE, "--format", "latex")
+        self.assertTrue(text.lstrip().startswith(("\\documentclass", "%")))
+        self.assertTrue(text.rstrip().endswith("\\end{document}"))
+        self.assertEqual(text.count("{"), text.count("}"))
+        self.assertEqual(text.count("\\begin{"), text.count("\\end{"))
+
+    def test_every_model_has_one(self):
+        for model in sorted(MODELS.rglob("*.yaml")):
+            for form in ("markdown", "latex"):
+                self.assertGreater(len(self.ok("derivation", model, "--format", form)), 1000)
+
+    def test_it_can_be_written_to_a_file(self):
+        self.ok("derivation", SKEW, "-o", "a b/skew.md")
+        self.assertEqual((self.folder / "a b/skew.md").read_text(), self.ok("derivation", SKEW))
+        self.assertEqual(self.ok("derivation", SKEW, "-o", "-"), self.ok("derivation", SKEW))
+        self.assertEqual(self.files(), ["a b", "a b/skew.md"])
+
+
+if __name__ == "__main__":
+    unittest.main()

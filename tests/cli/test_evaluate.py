@@ -1,0 +1,167 @@
+"""gauss-gen evaluate: numbers at one state."""
+
+import json
+import re
+import unittest
+from fractions import Fraction
+
+from gauss_gen import MODELS, PARTICLE, SKATER, SKEW, SPHERE, Program
+
+GROUPS = ["state", "accelerations", "multipliers", "reactions", "reaction_forces", "energy", "residuals", "compulsion"]
+
+
+class Evaluate(Program):
+    def document(self, *arguments, **more):
+        return json.loads(self.ok("evaluate", "--format", "json", *arguments, **more))
+
+    def value(self, group, name, *arguments):
+        return Fraction(self.document(*arguments)[group][name]["value"])
+
+    def close(self, a, b, digits=15):
+        self.assertLessEqual(abs(Fraction(a) - Fraction(b)), abs(Fraction(b)) / 10**digits)
+
+
+class Table(Evaluate):
+    def test_it_shows_every_group_with_units(self):
+        text = self.ok("evaluate", SPHERE)
+        self.assertEqual([line for line in text.splitlines() if re.match(r"\w", line)], GROUPS)
+        self.assertRegex(text, r"(?m)^  rho +-4\.0000000000000000 +N$")
+        self.assertRegex(text, r"(?m)^  Z +21\.798578571428571 +N\^2/kg$")
+        self.assertRegex(text, r"(?m)^  velocity\.rolling_along +0$")
+        self.assertEqual(self.files(), [])
+
+    def test_decimal_points_stand_under_each_other(self):
+        for model in (SPHERE, SKEW, SKATER):
+            lines = self.ok("evaluate", model).splitlines()
+            self.assertEqual(len({match.start(1) for line in lines if (match := re.search(r"-?\d+(\.)\d+", line))}), 1)
+
+    def test_no_line_ends_with_a_blank(self):
+        self.assertNotRegex(self.ok("evaluate", SPHERE), r"(?m) $")
+
+    def test_zeros_up_to_rounding_are_zeros(self):
+        for model in sorted(MODELS.rglob("*.yaml")):
+            for digits in (1, 17, 50):
+                self.assertNotRegex(self.ok("evaluate", model, "--digits", digits), r"e-\d\d", (model, digits))
+
+    def test_a_value_that_is_small_but_not_rounding_is_shown(self):
+        self.assertRegex(self.ok("evaluate", SPHERE, "--set", "zeta=1e-250"), r"(?m)^  zeta +1\.0000000000000000e-250")
+        self.close(self.value("energy", "potential", SPHERE, "--set", "zeta=1e-250"), Fraction(4905, 10**253))
+
+
+class Json(Evaluate):
+    def test_the_keys_are_the_groups_and_values_are_text(self):
+        for model in sorted(MODELS.rglob("*.yaml")):
+            document = self.document(model)
+            self.assertEqual([key for key in document if key in GROUPS], [key for key in GROUPS if key in document])
+            self.assertEqual(set(document) - set(GROUPS), {"model", "digits", "time", "warnings"})
+            self.assertGreaterEqual(set(document), {"state", "accelerations", "energy", "compulsion"})
+            for group in set(document) & set(GROUPS):
+                for name, entry in document[group].items():
+                    self.assertRegex(entry["value"], r"^(0|-?\d+(\.\d+)?(e[-+]\d+)?)$", name)
+        self.assertEqual(self.document(SPHERE)["model"], "sphere_in_cylinder")
+        self.assertEqual(self.document(SPHERE)["energy"]["kinetic"], {"value": "1.5755000000000000", "unit": "J"})
+
+    def test_it_states_the_same_as_the_table(self):
+        table = self.ok("evaluate", SPHERE)
+        for group in GROUPS:
+            for name, entry in self.document(SPHERE)[group].items():
+                self.assertRegex(table, rf"(?m)^  {re.escape(name)} +{re.escape(entry['value'])}\b")
+
+    def test_what_has_no_value_says_why(self):
+        document = json.loads(self.run_it("evaluate", SKEW, "--set", "a=1/0", "--format=json").stdout)
+        self.assertEqual(set(document["state"]["a"]), {"undefined", "unit"})
+        self.assertIn("division by zero", document["state"]["a"]["undefined"])
+        self.assertEqual(document["warnings"], ["the initial state is undefined"])
+
+
+class Digits(Evaluate):
+    def test_there_are_as_many_as_asked_for_and_all_are_right(self):
+        for digits in (1, 2, 16, 17, 50, 200):
+            entry = self.document(SPHERE, "--digits", digits)["multipliers"]["rolling_along"]["value"]
+            self.assertEqual(len(entry.replace(".", "").lstrip("0-")), digits)
+            self.close(entry, Fraction("9.01") / 7, digits - 1)
+        self.assertEqual(self.document(SPHERE, "--digits", 200)["digits"], 200)
+
+    def test_more_digits_never_change_the_first_ones(self):
+        few, many = self.document(SKATER, "--digits", 20), self.document(SKATER, "--digits", 120)
+        for group in set(few) & set(GROUPS):
+            for name, entry in few[group].items():
+                self.close(entry["value"], many[group][name]["value"], 19)
+
+
+class Set(Evaluate):
+    def test_a_parameter(self):
+        self.close(self.value("reactions", "rho", SPHERE, "--set", "m=1"), -8)
+        self.close(self.value("reactions", "rho", SPHERE, "--set", " m = 2/4 * 3 "), -12)
+
+    def test_a_coordinate(self):
+        self.close(self.value("energy", "potential", SPHERE, "--set", "zeta=2"), Fraction("9.81"))
+
+    def test_a_rate_in_both_spellings(self):
+        for name in ("dot(chi)", "chi_dot", "dot( chi )"):
+            self.close(self.value("reactions", "rho", SPHERE, "--set", f"{name}=2"), -1)
+
+    def test_a_quaternion_component_and_an_angular_velocity(self):
+        document = self.document(SKATER, "--set", "e0=3", "--set", "e1=0", "--set", "e2=0", "--set", "e3=4", "--set", "q=7")
+        self.assertEqual([Fraction(document["state"][e]["value"]) for e in ("e0", "e3", "q")], [Fraction(3, 5), Fraction(4, 5), 7])
+
+    def test_an_input(self):
+        self.assertNotEqual(self.value("accelerations", "x_ddot", SKATER, "--set", "thrust=3"),
+                            self.value("accelerations", "x_ddot", SKATER))
+
+    def test_a_state_may_be_given_by_parameters(self):
+        self.close(self.value("state", "zeta", SPHERE, "--set", "zeta=2*R"), Fraction("1.2"))
+        self.close(self.value("state", "chi", SPHERE, "--set", "chi=pi/4"), "0.78539816339744831")
+
+    def test_the_last_of_two_counts(self):
+        self.close(self.value("state", "zeta", SPHERE, "--set", "zeta=2", "--set", "zeta=3"), 3)
+
+    def test_a_formula_parameter_may_be_replaced_by_a_number(self):
+        self.assertNotEqual(self.value("energy", "kinetic", SPHERE, "--set", "J=1"), self.value("energy", "kinetic", SPHERE))
+
+    def test_what_cannot_be_set_is_refused(self):
+        for assignment, answer in {
+                "mm=1": "did you mean 'm'?", "dot(chii)=1": "did you mean 'dot(chi)'?", "chi_dott=1": "did you mean 'chi_dot'?",
+                "rho=1": "'rho' is held by the model", "dot(rho)=1": "is held by the model", "m=2*R": "give parameter 'm' a number",
+                "J=m": "give parameter 'J' a number", "t=1": "use --time", "pi=3": "cannot be set", "chi=zeta": "not a parameter",
+                "chi=t": "not a parameter", "chi=dot(zeta)": "dot(...) has no meaning", "m": "expected name=value", "=1": "a name is missing",
+                "m=": "error[E039]", "m=1+": "error[E033]", "m=1 2": "error[E035]", "m=1e999": "error[E032]"}.items():
+            self.assertIn(answer, self.refused(2, "evaluate", SPHERE, "--set", assignment), assignment)
+
+    def test_a_value_that_a_model_may_not_have_is_warned_of(self):
+        for assignment, answer in {"m1=-1": "the mass of first is negative", "m1=1/0": "parameter m1 is undefined",
+                                   "m1=sqrt(-1)": "parameter m1 is undefined"}.items():
+            result = self.run_it("evaluate", SKEW, "--set", assignment)
+            self.assertEqual(result.returncode, 0)
+            self.assertIn(f"warning: {answer}", result.stderr)
+
+
+class Time(Evaluate):
+    def test_it_moves_what_is_held_in_time(self):
+        later = self.value("reactions", "s", SKEW, "--time", "1/3")
+        self.assertNotEqual(later, self.value("reactions", "s", SKEW))
+        self.close(later, self.value("reactions", "s", SKEW, "--time=2/6"))
+        self.assertEqual(self.document(SKEW, "--time", "1/3")["time"], "1/3")
+
+    def test_it_is_a_number(self):
+        for text in ("1/0", "k", "t", "sin(1)", "", "1 2", "now"):
+            self.assertIn("--time", self.refused(2, "evaluate", SKEW, "--time", text))
+
+
+class Warnings(Evaluate):
+    def test_a_violated_constraint_is_named_with_its_residual(self):
+        result = self.run_it("evaluate", SPHERE, "--set", "dot(psi)=1", "--set", "dot(theta)=0", "--format=json")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("warning: the initial state violates constraint 'rolling_around' by ", result.stderr)
+        self.assertEqual(len(json.loads(result.stdout)["warnings"]), 2)
+
+    def test_a_singular_chart_is_named(self):
+        result = self.run_it("evaluate", SPHERE, "--set", "theta=0", "--set", "dot(phi)=0")
+        self.assertIn("warning: accelerations are undefined here", result.stderr)
+
+    def test_a_model_from_standard_input_works(self):
+        self.assertIn("x_ddot", self.ok("evaluate", "-", stdin=PARTICLE))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,147 @@
+"""gauss-gen model.yaml: every option, and what it writes."""
+
+import unittest
+
+from gauss_gen import MODELS, PARTICLE, SKATER, SKEW, SPHERE, Program
+
+STAGES = {"model": "constraint rolling_around", "kinematics": "body ball: dv/dt", "paper": "rolling_around",
+          "strategy": "G_", "artefacts": "rhs", "header": "#ifndef"}
+
+
+class Output(Program):
+    def test_no_options_write_the_header_into_the_working_folder(self):
+        self.assertEqual(self.ok(SPHERE), "")
+        self.assertEqual(self.files(), ["sphere_in_cylinder.hpp"])
+        self.assertIn("namespace gauss::sphere_in_cylinder {", (self.folder / "sphere_in_cylinder.hpp").read_text())
+
+    def test_the_header_is_called_after_the_model_not_after_the_file(self):
+        self.ok(self.write("other file.yaml", PARTICLE))
+        self.assertIn("particle.hpp", self.files())
+
+    def test_a_folder_is_created_when_missing_blanks_and_all(self):
+        for folder in ("new", "a b/c d", "slash/", "./dot/../dot"):
+            self.ok(SKEW, "-o", folder)
+            self.assertTrue((self.folder / folder / "skew_chart.hpp").is_file(), folder)
+        self.ok(SKEW, "--output=equals")
+        self.assertTrue((self.folder / "equals/skew_chart.hpp").is_file())
+
+    def test_a_dash_writes_to_standard_output_and_no_file(self):
+        text = self.ok(SKEW, "-o", "-")
+        self.assertEqual(self.files(), [])
+        self.ok(SKEW)
+        self.assertEqual(text, (self.folder / "skew_chart.hpp").read_text())
+
+    def test_the_model_may_come_from_standard_input(self):
+        self.ok("-", stdin=PARTICLE)
+        self.assertEqual(self.files(), ["particle.hpp"])
+        self.assertIn("gauss-gen -\n", (self.folder / "particle.hpp").read_text())
+
+    def test_options_may_stand_before_and_after_the_model(self):
+        before = self.ok("--outputs", "rhs,energy", "-o", "-", SKEW)
+        self.assertEqual(before, self.ok(SKEW, "-o", "-", "--outputs", "rhs,energy"))
+
+    def test_a_header_says_nothing_of_the_folder_it_was_made_in(self):
+        here = self.ok(self.write("m.yaml", PARTICLE), "-o", "-")
+        self.assertEqual(here, self.ok("m.yaml", "-o", "-"))
+        self.assertNotIn(str(self.folder), here)
+
+    def test_every_file_may_be_read_by_others_as_the_umask_allows(self):
+        self.ok(SKEW)
+        self.assertEqual((self.folder / "skew_chart.hpp").stat().st_mode & 0o444, 0o444)
+
+
+class WritingNothing(Program):
+    def test_check_says_ok_and_writes_no_file(self):
+        for model in sorted(MODELS.rglob("*.yaml")):
+            self.assertEqual(self.ok(model, "--check"), f"{model}: ok\n")
+        self.assertEqual(self.files(), [])
+
+    def test_list_outputs_names_the_header_that_would_be_written(self):
+        self.assertEqual(self.ok(SKEW, "--list-outputs"), "skew_chart.hpp\n")
+        self.assertEqual(self.ok(SKEW, "--list-outputs", "-o", "a b"), "a b/skew_chart.hpp\n")
+        self.assertEqual(self.ok(SKEW, "--list-outputs", "-o", "a/"), "a/skew_chart.hpp\n")
+        self.assertEqual(self.ok(SKEW, "--list-outputs", "-o", "-"), "-\n")
+        self.assertEqual(self.files(), [])
+
+    def test_every_stage_can_be_printed_and_read(self):
+        for stage, part in STAGES.items():
+            text = self.ok(SPHERE, f"--dump={stage}")
+            self.assertIn(part, text)
+            self.assertGreater(text.count("\n"), 5, stage)
+            self.assertFalse([c for c in text if c < " " and c != "\n"], stage)
+        self.assertEqual(self.files(), [])
+
+    def test_stages_have_titles_when_there_are_several(self):
+        for arguments in (["--dump", "model,strategy"], ["--dump", "model", "--dump", "strategy"]):
+            text = self.ok(*arguments, SPHERE)
+            self.assertLess(text.index("=== model\n"), text.index("=== strategy\n"))
+
+    def test_a_dump_of_the_header_is_the_header(self):
+        self.assertEqual(self.ok(SKEW, "--dump=header"), self.ok(SKEW, "-o", "-"))
+
+    def test_timings_go_to_standard_error(self):
+        result = self.run_it(SPHERE, "--timings", "-o", "-")
+        self.assertEqual(result.stdout, self.ok(SPHERE, "-o", "-"))
+        lines = result.stderr.splitlines()
+        self.assertEqual([line.split()[0] for line in lines], [*STAGES, "check", "total"])
+        for line in lines:
+            self.assertRegex(line, r"^\w+ +\d+\.\d{3} ms")
+
+
+class Depfile(Program):
+    def test_it_names_the_header_and_the_model(self):
+        model = self.write("m.yaml", PARTICLE)
+        self.ok("m.yaml", "--depfile", "m.d")
+        self.assertEqual((self.folder / "m.d").read_text(), "particle.hpp: m.yaml\n")
+        self.ok(model, "-o", "out", "--depfile", "deep/m.d")
+        self.assertIn("out/particle.hpp: ", (self.folder / "deep/m.d").read_text())
+
+    def test_blanks_and_what_make_would_expand_are_escaped(self):
+        self.write("a #1 $x.yaml", PARTICLE)
+        self.ok("a #1 $x.yaml", "-o", "o p", "--depfile", "m.d")
+        self.assertEqual((self.folder / "m.d").read_text(), "o\\ p/particle.hpp: a\\ \\#1\\ $$x.yaml\n")
+
+    def test_standard_input_is_nothing_to_depend_on(self):
+        self.ok("-", "--depfile", "m.d", stdin=PARTICLE)
+        self.assertEqual((self.folder / "m.d").read_text(), "particle.hpp:\n")
+
+
+class Contents(Program):
+    def test_a_namespace_is_used_as_given(self):
+        for name in ("acme", "acme::models", "a1::b_2", "gauss::mine"):
+            self.assertIn(f"\nnamespace {name} {{\n", self.ok(SKEW, "-o", "-", "--namespace", name))
+
+    def test_the_outputs_are_those_that_were_asked_for(self):
+        text = self.ok(SPHERE, "-o", "-", "--outputs", "energy")
+        self.assertIn(" energy(", text)
+        self.assertIn(" rhs(", text)  # always there
+        for absent in (" reactions(", " project(", " mass_matrix("):
+            self.assertNotIn(absent, text)
+
+    def test_the_order_of_the_request_does_not_matter(self):
+        expected = self.ok(SPHERE, "-o", "-", "--outputs", "rhs,energy,residuals")
+        self.assertEqual(expected, self.ok(SPHERE, "-o", "-", "--outputs", "residuals,rhs,energy"))
+        self.assertEqual(expected, self.ok(SPHERE, "-o", "-", "--outputs", "energy", "--outputs=residuals,rhs"))
+        self.assertEqual(expected, self.ok(SPHERE, "-o", "-", "--outputs=energy,energy,residuals,rhs"))
+
+    def test_fold_puts_the_parameters_in(self):
+        plain, folded = self.ok(SKEW, "-o", "-"), self.ok(SKEW, "-o", "-", "--fold")
+        self.assertIn("n_parameters = 6;", plain)
+        self.assertNotIn("n_parameters = 6;", folded)
+        self.assertLess(len(folded), len(plain))
+
+    def test_the_papers_route_says_that_it_is_one(self):
+        text = self.ok(SPHERE, "-o", "-", "--route", "paper")
+        self.assertIn("--route=paper", text)
+        self.assertIn("the paper's route", text)
+        self.assertEqual(self.ok(SPHERE, "-o", "-", "--route", "emitted"), self.ok(SPHERE, "-o", "-"))
+
+    def test_the_command_in_the_header_makes_the_same_header(self):
+        options = ["--outputs", "energy,rhs", "--fold", "--namespace", "a::b"]
+        text = self.ok(SKATER, "-o", "-", *options)
+        command = next(line for line in text.splitlines() if "gauss-gen skater" in line).split("gauss-gen ")[1].split()
+        self.assertEqual(text, self.ok(*command, "-o", "-", cwd=SKATER.parent))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,155 @@
+"""Exit codes other than 0: 1 for the model, 2 for the command line, 3 for files, 4 for size; and nothing is ever written."""
+
+import os
+import pty
+import resource
+import signal
+import stat
+import subprocess
+import unittest
+
+from gauss_gen import BROKEN, PARTICLE, PROGRAM, SKEW, SOURCE, Program
+
+USAGE = {
+    "no model": [],
+    "two models": [SKEW, SKEW],
+    "an unknown option": [SKEW, "--bogus"],
+    "an unknown output": [SKEW, "--outputs", "rhs,energi"],
+    "an empty list": [SKEW, "--outputs="],
+    "an unknown route": [SKEW, "--route", "papr"],
+    "an unknown stage": [SKEW, "--dump", "modell"],
+    "a namespace with a blank": [SKEW, "--namespace", "a b"],
+    "a namespace that begins with a digit": [SKEW, "--namespace", "1x"],
+    "a namespace that ends early": [SKEW, "--namespace", "a::"],
+    "a namespace with code in it": [SKEW, "--namespace", 'a;system("x")'],
+    "a namespace with a line break": [SKEW, "--namespace", "a\n#include <x>"],
+    "an empty namespace": [SKEW, "--namespace", ""],
+    "a keyword as namespace": [SKEW, "--namespace", "acme::class"],
+    "a macro as namespace": [SKEW, "--namespace", "linux"],
+    "the standard library's namespace": [SKEW, "--namespace", "std"],
+    "a name of the compiler": [SKEW, "--namespace", "a__b"],
+    "another name of the compiler": [SKEW, "--namespace", "_a"],
+    "a dependency of standard output": [SKEW, "-o", "-", "--depfile", "m.d"],
+    "an option without its argument": [SKEW, "-o"],
+    "an option of evaluate": [SKEW, "--digits", "3"],
+    "an option before a command": ["--fold", "evaluate", SKEW],
+    "a model before a command": [SKEW, "evaluate", SKEW],
+    "evaluate without a model": ["evaluate"],
+    "no digits": ["evaluate", SKEW, "--digits", "0"],
+    "digits in words": ["evaluate", SKEW, "--digits", "many"],
+    "an unknown format": ["evaluate", SKEW, "--format", "xml"],
+    "the format of another command": ["derivation", SKEW, "--format", "json"],
+}
+
+
+class CommandLine(Program):
+    def test_what_cannot_be_meant_is_refused_with_2(self):
+        for what, arguments in USAGE.items():
+            with self.subTest(what):
+                self.assertRegex(self.refused(2, *arguments), r"(?s)^gauss-gen: .*\nRun gauss-gen --help for the options\.\n$")
+
+    def test_a_slip_of_the_pen_is_named(self):
+        self.assertIn("did you mean 'energy'?", self.refused(2, SKEW, "--outputs", "energi"))
+        self.assertIn("did you mean 'paper'?", self.refused(2, SKEW, "--route", "papr"))
+        self.assertIn("choose from model, kinematics, paper", self.refused(2, SKEW, "--dump", "nothing"))
+
+
+class Model(Program):
+    def test_an_error_stands_on_standard_error_with_its_place(self):
+        self.write("m.yaml", BROKEN)
+        for arguments in (["m.yaml"], ["m.yaml", "--check"], ["m.yaml", "--list-outputs"], ["evaluate", "m.yaml"],
+                          ["derivation", "m.yaml"], ["m.yaml", "--depfile", "m.d"], ["m.yaml", "-o", "new folder"]):
+            self.assertTrue(self.refused(1, *arguments).startswith("m.yaml:9:13: error[E031]: "), arguments)
+        self.assertTrue(self.refused(1, "-", stdin=BROKEN).startswith("<stdin>:9:13: error[E031]: "))
+
+    def test_all_errors_come_at_once(self):
+        text = BROKEN.replace("[x, y, 0]", "[x, yy, 0]").replace("unit: kg", "unti: kg")
+        self.assertEqual(self.refused(1, "-", stdin=text).count(": error[E"), 3)
+
+    def test_a_model_that_the_papers_route_does_not_take_is_an_error_of_the_model(self):
+        names = [f"x{i}" for i in range(13)]
+        text = PARTICLE.split("coordinates:")[0] + "coordinates:\n" + "".join(f"  {name}: {{unit: m}}\n" for name in names)
+        text += "particles:\n" + "".join(f"  p{name}: {{mass: m, position: [{name}, 0, 0]}}\n" for name in names)
+        self.assertEqual(self.ok("-", "--check", stdin=text), "-: ok\n")
+        for arguments in (["-", "--route=paper"], ["derivation", "-"]):
+            self.assertTrue(self.refused(1, *arguments, stdin=text).startswith("<stdin>:2:7: error[E060]: "))
+
+    def test_an_old_header_outlives_an_error(self):
+        old = self.write("particle.hpp", "old")
+        self.refused(1, "-", stdin=BROKEN)
+        self.assertEqual(old.read_text(), "old")
+
+    def test_no_faulty_model_is_an_internal_error(self):
+        for model in sorted((SOURCE / "tests/diagnostics").glob("*.yaml")):
+            for arguments in ([model], ["evaluate", model]):
+                result = self.run_it(*arguments)
+                self.assertIn(result.returncode, (1, 4) if model.name[0] == "e" else (0,), (model.name, result.stderr))
+                self.assertRegex(result.stderr, r":\d+:\d+: (error\[E|warning\[W)\d{3}\]: ")
+
+    def test_there_is_no_colour(self):
+        # On a terminal too: only text that a log can hold.
+        master, slave = pty.openpty()
+        self.write("m.yaml", BROKEN)
+        subprocess.run([PROGRAM, "m.yaml"], cwd=self.folder, stderr=slave, check=False, env={**os.environ, "TERM": "xterm-256color"})
+        os.close(slave)
+        shown = os.read(master, 65536)
+        os.close(master)
+        self.assertIn(b"error[E031]", shown)
+        self.assertNotIn(b"\x1b", shown)
+
+
+class Files(Program):
+    def test_what_cannot_be_read_is_refused_with_3(self):
+        self.write("secret.yaml", PARTICLE).chmod(0)
+        cases = ["nowhere.yaml", ".", "/dev/null/model.yaml"] + (["secret.yaml"] if os.geteuid() != 0 else [])
+        for model in cases:
+            for command in ([], ["evaluate"], ["derivation"]):
+                self.assertRegex(self.refused(3, *command, model), r"^gauss-gen: .*: \w")
+
+    def test_what_cannot_be_written_is_refused_with_3(self):
+        self.write("file", "")
+        (self.folder / "taken/skew_chart.hpp").mkdir(parents=True)
+        cases = [["-o", "file"], ["-o", "file/deeper"], ["-o", "/dev/null"], ["-o", "taken"], ["-o", "/proc/self/nowhere"],
+                 ["--depfile", "file/m.d"], ["--depfile", "taken"]]
+        if os.geteuid() != 0:
+            (self.folder / "locked").mkdir(mode=0o555)
+            cases.append(["-o", "locked"])
+        for arguments in cases:
+            self.assertRegex(self.refused(3, SKEW, *arguments), r"^gauss-gen: .*: \w")
+
+    def test_a_full_disk_is_an_error(self):
+        for arguments in ([SKEW, "-o", "-"], ["evaluate", SKEW], ["derivation", SKEW], [SKEW, "--dump=model"], [SKEW, "--check"]):
+            with open("/dev/full", "w", encoding="ascii") as full:
+                result = subprocess.run([PROGRAM, *map(str, arguments)], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+            self.assertEqual((result.returncode, result.stderr), (3, "gauss-gen: standard output: cannot be written\n"))
+        self.refused(3, "derivation", SKEW, "-o", "/dev/full")
+
+    def test_a_disk_that_fills_up_leaves_the_old_files(self):
+        def few_bytes():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000))
+
+        old = self.write("skew_chart.hpp", "old")
+        error = self.refused(3, SKEW, "--depfile", "m.d", preexec_fn=few_bytes)
+        self.assertIn("skew_chart.hpp: File too large", error)
+        self.assertEqual(old.read_text(), "old")
+
+    def test_a_device_stays_a_device(self):
+        self.ok("derivation", SKEW, "-o", "/dev/null")
+        self.assertTrue(stat.S_ISCHR(os.stat("/dev/null").st_mode))
+        self.assertEqual(self.ok("derivation", SKEW, "-o", "/dev/stdout"), self.ok("derivation", SKEW))
+
+
+class Size(Program):
+    def test_a_model_beyond_the_limits_is_refused_with_4(self):
+        self.assertIn("error[E003]", self.refused(4, "-", stdin=PARTICLE + "#" * (5 << 20)))
+        self.assertIn("error[E003]", self.refused(4, "/dev/zero"))
+        self.assertIn("error[E038]", self.refused(4, "-", stdin=PARTICLE.replace("[x,", "[" + "(" * 500 + "x" + ")" * 500 + ",")))
+
+    def test_an_error_beside_it_makes_it_1(self):
+        deep = BROKEN.replace("[x,", "[" + "(" * 500 + "x" + ")" * 500 + ",")
+        self.refused(1, "-", stdin=deep)
+
+
+if __name__ == "__main__":
+    unittest.main()
