@@ -1,5 +1,6 @@
 #include "paper.hpp"
 
+#include "ir/substitute.hpp"
 #include "lower/derivation.hpp"
 #include "lower/symbol_map.hpp"
 #include "support/error_codes.hpp"
@@ -8,11 +9,26 @@ namespace gaussgen {
 
 namespace {
 
-strategy::Vector expressions_of(ir::Graph& graph, const std::vector<ir::NodeId>& nodes) {
-  strategy::Vector result;
-  for (const ir::NodeId node : nodes) result.emplace_back(graph, node);
-  return result;
-}
+/// The route is derived with parameters as symbols; where they are folded, numbers are put in for them.
+class ParameterValues {
+ public:
+  ParameterValues(Mechanics& mechanics, bool fold) : graph_(mechanics.graph), put_in_(mechanics.graph) {
+    if (!fold) return;
+    for (std::size_t i = 0; i < mechanics.model.parameters.size(); ++i) {
+      put_in_.replace(mechanics.symbols.parameters[i], mechanics.expressions(mechanics.model.parameters[i].value));
+    }
+  }
+
+  strategy::Vector operator()(const std::vector<ir::NodeId>& nodes) {
+    strategy::Vector result;
+    for (const ir::NodeId node : nodes) result.push_back(put_in_(ir::Expr(graph_, node)));
+    return result;
+  }
+
+ private:
+  ir::Graph& graph_;
+  ir::Substitution put_in_;
+};
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -45,15 +61,16 @@ std::string dump_paper(const model::Model& model) {
   return derivation.obstacle.empty() ? lower::as_plain_text(derivation) : "no paper's route: " + derivation.obstacle + "\n";
 }
 
-bool take_paper_route(Mechanics& mechanics, support::Diagnostics& diagnostics) {
+bool take_paper_route(Mechanics& mechanics, bool fold, support::Diagnostics& diagnostics) {
   const lower::PaperRoute route = paper_route(mechanics);
   if (!route.obstacle.empty()) {
     report_obstacle(mechanics.model, route.obstacle, diagnostics);
     return false;
   }
-  mechanics.solution.accelerations = expressions_of(mechanics.graph, route.accelerations);
-  mechanics.solution.multipliers = expressions_of(mechanics.graph, route.lambda);
-  mechanics.held_reactions = expressions_of(mechanics.graph, route.R_x);
+  ParameterValues with_values(mechanics, fold);
+  mechanics.solution.accelerations = with_values(route.accelerations);
+  mechanics.solution.multipliers = with_values(route.lambda);
+  mechanics.held_reactions = with_values(route.R_x);
   mechanics.solution.description = "the paper's route: Z with Christoffel symbols of G, " +
       (route.dependent.empty() ? std::string("stationarity (1.15)")
                                : "elimination (3.6)-(3.8) with dependent speeds " + joined(route.dependent)) +

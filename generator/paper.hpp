@@ -13,8 +13,8 @@ namespace gaussgen {
 lower::PaperRoute paper_route(Mechanics& mechanics);
 
 /// Puts accelerations, multipliers and reactions of the paper's route in place of the emitted ones. False, with an error,
-/// when that route does not take the model.
-bool take_paper_route(Mechanics& mechanics, support::Diagnostics& diagnostics);
+/// when that route does not take the model. `fold` is that of `mechanics`.
+bool take_paper_route(Mechanics& mechanics, bool fold, support::Diagnostics& diagnostics);
 
 /// The paper's objects and equations with their formulas, as Markdown or as a LaTeX document; empty, with an error, when the
 /// paper's route does not take the model.

@@ -7,6 +7,7 @@
 #include "initial_check.hpp"
 #include "model/build.hpp"
 #include "paper.hpp"
+#include "structure_check.hpp"
 #include "unit.hpp"
 
 namespace gaussgen {
@@ -54,10 +55,12 @@ std::optional<PipelineResult> compile(const support::Source& source, const Pipel
 
   // The emitted route: theory section 4 on the graph.
   Mechanics mechanics(*model, {options.fold, false});
+  check_structure(mechanics, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
   stages.done("kinematics", nodes(mechanics), [&] { return dump_kinematics(mechanics); });
 
   // The paper's route in GiNaC replaces the result where it is asked for; otherwise it is made for its dump only.
-  if (options.route == Route::paper && !take_paper_route(mechanics, diagnostics)) return std::nullopt;
+  if (options.route == Route::paper && !take_paper_route(mechanics, options.fold, diagnostics)) return std::nullopt;
   stages.done("paper", nodes(mechanics), [&] { return dump_paper(*model); });
   stages.done("strategy", nodes(mechanics), [&] { return dump_strategy(mechanics); });
 

@@ -1,0 +1,46 @@
+"""What gauss-gen prints for every model, both routes, --fold and both derivations, as hashes that can be compared.
+
+$GAUSS_GEN is the program, $GAUSS_SOURCE_DIR the checkout.
+"""
+
+import hashlib
+import os
+import subprocess
+from pathlib import Path
+
+PROGRAM = os.environ["GAUSS_GEN"]
+MODELS = sorted((Path(os.environ["GAUSS_SOURCE_DIR"]) / "models").rglob("*.yaml"))
+
+COMMANDS = {
+    "emitted": ["{model}", "-o", "-"],
+    "folded": ["{model}", "-o", "-", "--fold"],
+    "paper": ["{model}", "-o", "-", "--route=paper"],
+    "folded paper": ["{model}", "-o", "-", "--route=paper", "--fold"],
+    "markdown": ["derivation", "{model}"],
+    "latex": ["derivation", "{model}", "--format=latex"],
+    "stages": ["{model}", "--dump=model,kinematics,paper,strategy,artefacts"],
+    "numbers": ["evaluate", "{model}", "--digits=40"],
+}
+
+
+def run(arguments, **more):
+    result = subprocess.run([PROGRAM, *arguments], capture_output=True, check=False, timeout=120, **more)
+    if result.returncode != 0 or result.stderr:
+        raise AssertionError(f"{arguments}: exit code {result.returncode}: {result.stderr.decode()}")
+    return hashlib.sha256(result.stdout).hexdigest()
+
+
+def cases(commands=tuple(COMMANDS)):
+    """Name and arguments of everything that must not change."""
+    for model in MODELS:
+        for command in commands:
+            form = COMMANDS[command]
+            yield f"{model.stem}, {command}", [part.format(model=model) for part in form]
+
+
+def hashes(*commands, **more):
+    return {name: run(arguments, **more) for name, arguments in cases(*commands)}
+
+
+def differences(expected, found):
+    return sorted(name for name in expected if expected[name] != found.get(name))
