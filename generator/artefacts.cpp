@@ -32,7 +32,7 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   if (name == "energy") return one(energy_artefact(mechanics));
   if (name == "compulsion") return compulsion_artefact(mechanics);
   if (name == "residuals") return residuals_artefact(mechanics);
-  if (name == "mass_matrix") return one(mass_matrix_artefact(mechanics));
+  if (name == "mass_matrix") return mass_matrix_artefact(mechanics);
   if (name == "project") return one(project_artefact(mechanics));
   if (name == "initial_state") return one(initial_state_artefact(mechanics));
   return {};

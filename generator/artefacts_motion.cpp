@@ -108,7 +108,8 @@ std::vector<Artefact> reaction_forces_artefact(Mechanics& mechanics) {
   builder.with_solution_status();
   std::vector<Group>& groups = builder.artefact().groups;
   for (const strategy::ReactionWrench& wrench :
-       strategy::reaction_wrenches(mechanics.dynamics, mechanics.solution, mechanics.held_reactions, steps)) {
+       strategy::reaction_wrenches(mechanics.dynamics, mechanics.solution, mechanics.held_reactions,
+                                   mechanics.epsilon(), steps)) {
     if (groups.empty() || groups.back().name != wrench.constraint) {
       builder.fields(wrench.constraint, pascal(wrench.constraint) + "Force", "reaction of " + wrench.constraint, {});
     }

@@ -80,7 +80,7 @@ std::vector<Artefact> compulsion_artefact(Mechanics& mechanics) {
   Steps steps;
   builder.result_type("Compulsion");
   builder.artefact().takes_accelerations = true;
-  const Expr Z = strategy::compulsion(mechanics.dynamics, candidate_accelerations(mechanics), steps);
+  const Expr Z = strategy::compulsion(mechanics.dynamics, candidate_accelerations(mechanics), mechanics.epsilon(), steps);
   builder.fields("", "", "", {{"Z", "[N^2/kg]", {}, {Z.id()}}});
   std::vector<Artefact> result;
   result.push_back(builder.finish(steps));
@@ -117,7 +117,8 @@ std::vector<Artefact> residuals_artefact(Mechanics& mechanics) {
   return result;
 }
 
-Artefact mass_matrix_artefact(Mechanics& mechanics) {
+std::vector<Artefact> mass_matrix_artefact(Mechanics& mechanics) {
+  if (mechanics.dynamics.n() == 0) return {};
   ArtefactBuilder builder("mass_matrix", "The metric g of the free speeds (1.10).", mechanics);
   builder.result_type("MassMatrix");
   builder.artefact().takes_inputs = false;
@@ -127,7 +128,9 @@ Artefact mass_matrix_artefact(Mechanics& mechanics) {
   }
   const int n = static_cast<int>(mechanics.dynamics.n());
   builder.fields("", "", "", {{"g", "symmetric, in the order of the speeds", {n, n}, entries}});
-  return builder.finish({});
+  std::vector<Artefact> result;
+  result.push_back(builder.finish({}));
+  return result;
 }
 
 Artefact project_artefact(Mechanics& mechanics) {

@@ -10,6 +10,7 @@
 #include "cli/overrides.hpp"
 #include "evaluation.hpp"
 #include "model/build.hpp"
+#include "structure_check.hpp"
 
 namespace gaussgen::cli {
 
@@ -88,6 +89,9 @@ int evaluate(const Options& options) {
   for (const std::string& assignment : options.overrides) apply_override(assignment, *model);
   const support::Rational time = parse_time(options.time);
   Mechanics mechanics(*model, {});
+  support::Diagnostics structure;
+  check_structure(mechanics, structure);
+  if (const int found = report(structure, source); found != k_ok) return found;
   const Evaluation evaluation = evaluate_model(mechanics, time, options.digits);
   write_standard_output(options.format == Format::json ? json(evaluation, *model, options) : table(evaluation));
   for (const std::string& warning : evaluation.warnings) std::cerr << "warning: " << warning << "\n";

@@ -131,12 +131,12 @@ std::string joined(const std::vector<std::string>& names) {
 Solution solve_unconstrained(const Dynamics& dynamics, Expr epsilon, Steps& steps) {
   ir::Graph& graph = epsilon.graph();
   const Expr never(graph, graph.constant(0));
-  if (dynamics.n() == 0) return {{}, {}, never, never, "no free coordinates: reactions are those of the held motion"};
+  if (dynamics.n() == 0) return {{}, {}, never, never, "no free coordinates: reactions are those of the held motion", {}, {}};
   steps.begin("g = L D L^T");
-  const Ldl ldl(dynamics.g, dynamics.labels, "g", steps);
+  const Ldl ldl(dynamics.g, dynamics.labels, "g", epsilon, steps);
   steps.begin("accelerations from dZ/da = 0 (1.15)");
-  return {ldl.solve(dynamics.f, "a", steps), {}, ldl.breakdown(epsilon), never,
-          "unrolled L D L^T of the metric; no nonholonomic constraints"};
+  return {ldl.solve(dynamics.f, "a", steps), {}, ldl.breakdown(), never,
+          "unrolled L D L^T of the metric; no nonholonomic constraints", ldl.vanishing(), {}};
 }
 
 Solution solve_by_elimination(const Dynamics& dynamics, const Elimination& elimination, Expr epsilon, Steps& steps) {
@@ -147,12 +147,14 @@ Solution solve_by_elimination(const Dynamics& dynamics, const Elimination& elimi
   Vector a = embed.d;
   Vector written_out = embed.d;
   Expr breakdown = never;
+  std::vector<std::string> undetermined;
   if (!labels.empty()) {
     const Matrix M = reduced_metric(dynamics, embed, labels, steps);
     const Vector F = reduced_force(dynamics, embed, labels, steps);
     steps.begin("C^T g C = L D L^T");
-    const Ldl ldl(M, labels, "M", steps);
-    breakdown = ldl.breakdown(epsilon);
+    const Ldl ldl(M, labels, "M", epsilon, steps);
+    breakdown = ldl.breakdown();
+    undetermined = ldl.vanishing();
     steps.begin("independent accelerations (3.7)");
     const Vector a_p = ldl.solve(F, "a", steps);
     for (std::size_t p = 0; p < labels.size(); ++p) a[elimination.independent[p]] = a_p[p];
@@ -167,13 +169,14 @@ Solution solve_by_elimination(const Dynamics& dynamics, const Elimination& elimi
   const Vector lambda = multipliers_of(dynamics, elimination, a, written_out, steps);
   return {a, lambda, breakdown, never,
           "elimination (3.6)-(3.7) with dependent speeds " + joined(labels_of(dynamics, elimination.dependent)) +
-              "; safe because det b over them depends on parameters alone"};
+              "; safe because det b over them depends on parameters alone",
+          undetermined, {}};
 }
 
 Solution solve_with_multipliers(const Dynamics& dynamics, Expr epsilon, Steps& steps) {
   ir::Graph& graph = epsilon.graph();
   steps.begin("g = L D L^T");
-  const Ldl ldl(dynamics.g, dynamics.labels, "g", steps);
+  const Ldl ldl(dynamics.g, dynamics.labels, "g", epsilon, steps);
   steps.begin("accelerations without the nonholonomic constraints");
   Vector a = ldl.solve(dynamics.f, "a_free", steps);
   steps.begin("what one unit of each multiplier adds: g^-1 b^T");
@@ -192,15 +195,16 @@ Solution solve_with_multipliers(const Dynamics& dynamics, Expr epsilon, Steps& s
     }
     defect.push_back(-(inner(graph, dynamics.b[i], a) + dynamics.b_drift[i]));
   }
-  const Ldl schur(S, dynamics.constraints, "S", steps);
+  const Ldl schur(S, dynamics.constraints, "S", epsilon, steps, Dependent::drop);
   const Vector lambda = schur.solve(defect, "lambda", steps);
   steps.begin("accelerations (3.4)");
   for (std::size_t j = 0; j < dynamics.n(); ++j) {
     for (std::size_t i = 0; i < dynamics.l(); ++i) a[j] += response[i][j] * lambda[i];
     a[j] = steps.name(a[j], "a_" + dynamics.labels[j]);
   }
-  return {a, lambda, ldl.breakdown(epsilon), schur.breakdown(epsilon),
-          "multiplier form (3.4): no choice of dependent speeds is provably safe in every configuration"};
+  return {a, lambda, ldl.breakdown(), schur.breakdown(),
+          "multiplier form (3.4): no choice of dependent speeds is provably safe in every configuration",
+          ldl.vanishing(), schur.vanishing()};
 }
 
 }  // namespace gaussgen::strategy

@@ -11,6 +11,8 @@ struct Solution {
   ir::Expr singular_mass_matrix;   ///< boolean
   ir::Expr dependent_constraints;  ///< boolean
   std::string description;         ///< which form, and why it is safe
+  std::vector<std::string> undetermined;  ///< speeds that nothing gives inertia, in any configuration
+  std::vector<std::string> redundant;     ///< constraints that follow from others, in every configuration
 };
 
 /// No nonholonomic constraints: g a = f (Vujičić (1.15)).

@@ -21,11 +21,11 @@ Vector3 combination(const support::Indexed<kinematics::FullIndex, Vector3>& colu
 }
 
 // n·I^-1 n with I^-1 from parameters alone, so that it costs one preparation.
-Expr square_in_inverse_inertia(const BodyMotion& body, const Vector3& n, Steps& steps) {
+Expr square_in_inverse_inertia(const BodyMotion& body, const Vector3& n, Expr epsilon, Steps& steps) {
   if (body.is_isotropic) return dot(n, n) * pow(body.inertia[0][0], -1);
   Matrix inertia;
   for (const Vector3& row : body.inertia) inertia.push_back({row[0], row[1], row[2]});
-  const Ldl ldl(inertia, {"x", "y", "z"}, "I_" + body.name, steps);
+  const Ldl ldl(inertia, {"x", "y", "z"}, "I_" + body.name, epsilon, steps);
   const Vector solved = ldl.solve({n[0], n[1], n[2]}, "turn_" + body.name, steps);
   return dot(n, {solved[0], solved[1], solved[2]});
 }
@@ -36,14 +36,14 @@ Vector3 named(Steps& steps, const Vector3& v, const std::string& name) {
 
 }  // namespace
 
-Expr compulsion(const Dynamics& dynamics, const Vector& candidate, Steps& steps) {
+Expr compulsion(const Dynamics& dynamics, const Vector& candidate, Expr epsilon, Steps& steps) {
   const kinematics::Kinematics& kinematics = *dynamics.kinematics;
   ir::Graph& graph = kinematics.potential.graph();
   const Vector& spread = kinematics.other_force.values();
   const bool has_spread = std::any_of(spread.begin(), spread.end(), [](Expr e) { return !e.is_zero(); });
   Vector z(spread.size(), Expr(graph, graph.constant(0)));
   if (has_spread) {
-    const FullMetric metric(dynamics, steps);
+    const FullMetric metric(dynamics, epsilon, steps);
     steps.begin("generalized forces, raised: G z = Q");
     z = metric.solve(spread, "z", steps);
   }
@@ -59,7 +59,7 @@ Expr compulsion(const Dynamics& dynamics, const Vector& candidate, Steps& steps)
     Vector3 torque = body.inertia_times(a.angular) - body.inertia_times(combination(body.W, z));
     if (!body.is_isotropic) torque = torque + cross(omega, body.inertia_times(omega));
     torque = named(steps, torque, "torque_" + body.name);
-    twice += square_in_inverse_inertia(body, torque, steps);
+    twice += square_in_inverse_inertia(body, torque, epsilon, steps);
   }
   return support::Rational(1) / 2 * twice;
 }

@@ -25,8 +25,9 @@ std::size_t sparsest_row(const Matrix& rest, const std::vector<char>& done) {
 
 }  // namespace
 
-Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, Steps& steps)
-    : graph_(matrix[0][0].graph()), labels_(labels), prefix_(prefix) {
+Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, Expr epsilon, Steps& steps,
+         Dependent dependent)
+    : graph_(epsilon.graph()), epsilon_(epsilon), dependent_(dependent), labels_(labels), prefix_(prefix) {
   const std::size_t n = matrix.size();
   const Expr zero(graph_, graph_.constant(0));
   d_.assign(n, zero);
@@ -44,10 +45,10 @@ Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std
 
 void Ldl::eliminate(std::size_t pivot, Matrix& rest, const std::vector<char>& done, Steps& steps) {
   d_[pivot] = steps.name(rest[pivot][pivot], prefix_ + "_d_" + labels_[pivot]);
-  const Expr reciprocal = pow(d_[pivot], -1);
+  const Expr inverse = reciprocal(pivot);
   for (std::size_t i = 0; i < rest.size(); ++i) {
     if (done[i] != 0 || rest[i][pivot].is_zero()) continue;
-    l_[i][pivot] = steps.name(rest[i][pivot] * reciprocal, prefix_ + "_l_" + labels_[i] + "_" + labels_[pivot]);
+    l_[i][pivot] = steps.name(rest[i][pivot] * inverse, prefix_ + "_l_" + labels_[i] + "_" + labels_[pivot]);
   }
   for (std::size_t i = 0; i < rest.size(); ++i) {
     if (done[i] != 0 || l_[i][pivot].is_zero()) continue;
@@ -72,7 +73,7 @@ Vector Ldl::solve(const Vector& right_hand_side, const std::string& name, Steps&
   }
   for (std::size_t step = order_.size(); step-- > 0;) {
     const std::size_t i = order_[step];
-    Expr value = x[i] * pow(d_[i], -1);
+    Expr value = x[i] * reciprocal(i);
     for (std::size_t later = step + 1; later < order_.size(); ++later) {
       const std::size_t j = order_[later];
       if (!l_[j][i].is_zero()) value = value - l_[j][i] * x[j];
@@ -82,16 +83,38 @@ Vector Ldl::solve(const Vector& right_hand_side, const std::string& name, Steps&
   return x;
 }
 
-Expr Ldl::breakdown(Expr epsilon) const {
+// Rounding alone perturbs a pivot by about n eps of its diagonal entry (Higham, Accuracy and Stability, 10.1).
+std::optional<Expr> Ldl::lost(std::size_t pivot) const {
+  if (d_[pivot] == diagonal_[pivot]) return std::nullopt;
+  const Expr tolerance = support::Rational(4 * static_cast<int>(d_.size())) * epsilon_ * diagonal_[pivot];
+  return Expr(graph_, graph_.call(ir::Function::less, {d_[pivot].id(), tolerance.id()}));
+}
+
+Expr Ldl::reciprocal(std::size_t pivot) const {
+  const Expr zero(graph_, graph_.constant(0));
+  if (d_[pivot].is_zero()) return zero;
+  const Expr inverse = pow(d_[pivot], -1);
+  const std::optional<Expr> is_lost = dependent_ == Dependent::drop ? lost(pivot) : std::nullopt;
+  if (!is_lost) return inverse;
+  return {graph_, graph_.call(ir::Function::select, {is_lost->id(), zero.id(), inverse.id()})};
+}
+
+Expr Ldl::breakdown() const {
   std::vector<ir::NodeId> conditions;
-  // Rounding alone perturbs a pivot by about n eps of its diagonal entry (Higham, Accuracy and Stability, 10.1).
-  const Expr tolerance = support::Rational(4 * static_cast<int>(d_.size())) * epsilon;
   for (std::size_t i = 0; i < d_.size(); ++i) {
-    if (d_[i] == diagonal_[i]) continue;
-    conditions.push_back(graph_.call(ir::Function::less, {d_[i].id(), (tolerance * diagonal_[i]).id()}));
+    if (d_[i].is_zero()) return {graph_, graph_.constant(1)};
+    if (const std::optional<Expr> is_lost = lost(i)) conditions.push_back(is_lost->id());
   }
   if (conditions.empty()) return {graph_, graph_.constant(0)};
   return {graph_, conditions.size() == 1 ? conditions[0] : graph_.call(ir::Function::any, conditions)};
+}
+
+std::vector<std::string> Ldl::vanishing() const {
+  std::vector<std::string> rows;
+  for (std::size_t i = 0; i < d_.size(); ++i) {
+    if (d_[i].is_zero()) rows.push_back(labels_[i]);
+  }
+  return rows;
 }
 
 }  // namespace gaussgen::strategy

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,24 +12,39 @@ namespace gaussgen::strategy {
 using Vector = std::vector<ir::Expr>;
 using Matrix = std::vector<Vector>;  ///< rows
 
+/// What to do with a pivot that has lost all its digits.
+enum class Dependent {
+  divide,  ///< as with any other: the result is not finite, and status says so
+  drop,    ///< its unknown becomes zero: a redundant row of constraints then leaves the accelerations right
+};
+
 /// Unrolled L D Lᵀ of a symmetric positive definite matrix (Golub & Van Loan, Matrix Computations, 4.1). Rows are taken in
 /// an order that keeps L sparse: next is always the one with the fewest entries left; every order is stable.
 class Ldl {
  public:
   /// `labels` name rows; entries appear as <prefix>_d_<row> and <prefix>_l_<row>_<column>.
-  Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, Steps& steps);
+  Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, ir::Expr epsilon, Steps& steps,
+      Dependent dependent = Dependent::divide);
 
   /// x with matrix x = right_hand_side; unknowns appear as <name>_<row>.
   Vector solve(const Vector& right_hand_side, const std::string& name, Steps& steps) const;
 
   /// Boolean: some pivot has lost all its digits against its diagonal entry, so the matrix is singular as far as the scalar
   /// type can tell. Pivots that are diagonal entries themselves cannot cancel and are not compared.
-  ir::Expr breakdown(ir::Expr epsilon) const;
+  ir::Expr breakdown() const;
+
+  /// Rows whose pivot vanishes identically: the matrix is singular in every configuration.
+  std::vector<std::string> vanishing() const;
 
  private:
   void eliminate(std::size_t pivot, Matrix& rest, const std::vector<char>& done, Steps& steps);
 
+  std::optional<ir::Expr> lost(std::size_t pivot) const;
+  ir::Expr reciprocal(std::size_t pivot) const;
+
   ir::Graph& graph_;
+  ir::Expr epsilon_;
+  Dependent dependent_;
   std::vector<std::string> labels_;
   std::string prefix_;
   std::vector<std::size_t> order_;

@@ -7,7 +7,8 @@ namespace gaussgen::strategy {
 /// G_AB over all y, factorised; its inverse raises indices in E_{n+k} (theory section 1).
 class FullMetric {
  public:
-  FullMetric(const Dynamics& dynamics, Steps& steps) : ldl_(begin(dynamics, steps), labels(dynamics), "G", steps) {}
+  FullMetric(const Dynamics& dynamics, ir::Expr epsilon, Steps& steps)
+      : ldl_(begin(dynamics, steps), labels(dynamics), "G", epsilon, steps) {}
 
   Vector solve(const Vector& covariant, const std::string& name, Steps& steps) const {
     return ldl_.solve(covariant, name, steps);

@@ -32,7 +32,7 @@ class VelocityProjection {
     const std::vector<std::size_t> rows = rows_that_move(problem);
     if (rows.empty() || moving_.empty()) return;
     steps.begin("smallest change of the speeds in the mass metric that satisfies the constraints");
-    const Ldl metric(restricted(problem.g), labels(), prefix + "g", steps);
+    const Ldl metric(restricted(problem.g), labels(), prefix + "g", epsilon_, steps);
     Matrix response;
     Matrix b;
     Vector defect;
@@ -43,7 +43,7 @@ class VelocityProjection {
       response.push_back(metric.solve(b.back(), prefix + "response_" + names.back(), steps));
       defect.push_back(-problem.phi[mu]);
     }
-    const Ldl schur(products(b, response), names, prefix + "S", steps);
+    const Ldl schur(products(b, response), names, prefix + "S", epsilon_, steps, Dependent::drop);
     const Vector size = schur.solve(defect, prefix + "impulse", steps);
     for (std::size_t j = 0; j < moving_.size(); ++j) {
       Vector column;
@@ -51,8 +51,8 @@ class VelocityProjection {
       Expr& speed = speeds[moving_[j]];
       speed = steps.name(speed + inner(graph(), column, size), prefix + dynamics_.labels[moving_[j]] + "_rate");
     }
-    singular_ = either(singular_, metric.breakdown(epsilon_));
-    dependent_ = either(dependent_, schur.breakdown(epsilon_));
+    singular_ = either(singular_, metric.breakdown());
+    dependent_ = either(dependent_, schur.breakdown());
   }
 
   Expr singular() const { return singular_; }

@@ -116,8 +116,8 @@ std::optional<ReactionWrench> wrench_on(const BodyMotion& body, const Source& so
 }  // namespace
 
 std::vector<ReactionWrench> reaction_wrenches(const Dynamics& dynamics, const Solution& solution, const Vector& held,
-                                              Steps& steps) {
-  const FullMetric metric(dynamics, steps);
+                                              Expr epsilon, Steps& steps) {
+  const FullMetric metric(dynamics, epsilon, steps);
   std::vector<ReactionWrench> wrenches;
   for (const Source& source : sources(dynamics, solution, held)) {
     steps.begin("direction of " + source.name + " in the metric: G z = its covariant components");

@@ -24,7 +24,7 @@ struct ReactionWrench {
 /// m_ν J_νA z^A and the moment I_ν W_νA z^A (m э_ν^i of theory section 1). For a body in full coordinates this is the force
 /// R ∂x/∂r itself; in fewer coordinates it is the part inside E_{n+k}, all that Z determines (theory section 4).
 std::vector<ReactionWrench> reaction_wrenches(const Dynamics& dynamics, const Solution& solution, const Vector& held,
-                                              Steps& steps);
+                                              ir::Expr epsilon, Steps& steps);
 
 /// Acceleration of a body's mass centre and of its rotation: J_A ÿ^A + h, W_A ÿ^A + η.
 struct BodyAcceleration {

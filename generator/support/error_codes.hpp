@@ -80,6 +80,9 @@ inline constexpr ErrorCode k_violating_start{"W051", "an initial state that viol
 inline constexpr ErrorCode k_undefined_start{"W052", "an initial state at which something has no value"};
 inline constexpr ErrorCode k_singular_start{"W053", "an initial state without accelerations"};
 
+// What the equations show about every configuration.
+inline constexpr ErrorCode k_redundant_constraint{"W054", "a constraint that follows from the others"};
+
 }  // namespace code
 
 /// What is found in the text of a model.

@@ -28,7 +28,7 @@ class Compulsion {
     gaussgen::strategy::Vector candidate;
     for (const auto& speed : mechanics.symbols.speeds) candidate.push_back(mechanics.expressions.symbol(speed.acceleration));
     gaussgen::strategy::Steps steps;
-    Z_ = gaussgen::strategy::compulsion(mechanics.dynamics, candidate, steps).id();
+    Z_ = gaussgen::strategy::compulsion(mechanics.dynamics, candidate, mechanics.epsilon(), steps).id();
     gaussgen::bind_parameters(mechanics, evaluator_);
   }
 
