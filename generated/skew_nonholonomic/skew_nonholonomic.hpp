@@ -30,7 +30,7 @@
 //   compulsion         12   20   0   0     0
 //   residuals          7    9    0   0     0
 //   mass_matrix        0    0    0   0     0
-//   project            14   20   3   0     0
+//   project            14   23   1   0     0
 //   initial_state      0    0    0   0     0
 
 #ifndef GAUSS_MODEL_GAUSS_SKEW_NONHOLONOMIC_HPP
@@ -309,11 +309,11 @@ struct Prepared {
   S half_inv_m1;      ///< S(0.5) / m1
   S half_inv_m2;      ///< S(0.5) / m2
   S g_l_q2_q1;
-  S inv_g_d_q2;
   S g_l_q3_q2;
   S c35;
-  S g_l_q3_q2_over_g_d_q3;
   S inv_G_q1_q1;      ///< S(1) / (S(229) / S(225) * m1 + S(21) / S(20) * m2)
+  S inv_g_d_q2;
+  S g_l_q3_q2_over_g_d_q3;
   S c36;
   S inv_g_d_q3;
   S g_d_q2;
@@ -515,11 +515,11 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_inv_m1 = S(0.5) / m1;
   prepared.half_inv_m2 = S(0.5) / m2;
   prepared.g_l_q2_q1 = g_l_q2_q1;
-  prepared.inv_g_d_q2 = inv_g_d_q2;
   prepared.g_l_q3_q2 = g_l_q3_q2;
   prepared.c35 = -S(1) / S(5) * m2 * inv_G_q1_q1;
-  prepared.g_l_q3_q2_over_g_d_q3 = inv_g_d_q3 * g_l_q3_q2;
   prepared.inv_G_q1_q1 = inv_G_q1_q1;
+  prepared.inv_g_d_q2 = inv_g_d_q2;
+  prepared.g_l_q3_q2_over_g_d_q3 = inv_g_d_q3 * g_l_q3_q2;
   prepared.c36 = -S(1) / S(5) * m2 * inv_G_q1_q1 * inv_g_d_q3;
   prepared.inv_g_d_q3 = inv_g_d_q3;
   prepared.g_d_q2 = g_d_q2;
@@ -1142,11 +1142,11 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
                                    State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
   const S g_l_q2_q1 = prepared.g_l_q2_q1;
-  const S inv_g_d_q2 = prepared.inv_g_d_q2;
   const S g_l_q3_q2 = prepared.g_l_q3_q2;
   const S c35 = prepared.c35;
-  const S g_l_q3_q2_over_g_d_q3 = prepared.g_l_q3_q2_over_g_d_q3;
   const S inv_G_q1_q1 = prepared.inv_G_q1_q1;
+  const S inv_g_d_q2 = prepared.inv_g_d_q2;
+  const S g_l_q3_q2_over_g_d_q3 = prepared.g_l_q3_q2_over_g_d_q3;
   const S c36 = prepared.c36;
   const S inv_g_d_q3 = prepared.inv_g_d_q3;
   const S g_d_q2 = prepared.g_d_q2;
@@ -1171,10 +1171,11 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
   const S S_d_blade = inv_g_d_q3 * beta_blade_q3 * response_blade_y_q3 - response_blade_q2
       + q2 * response_blade_q1;
   const S impulse_y_blade = q2_dot - q2 * q1_dot - q3_dot * beta_blade_q3;
-  const S inv_S_d_blade = S(1) / S_d_blade;
-  const S q1_rate = q1_dot + inv_S_d_blade * impulse_y_blade * response_blade_q1;
-  const S q2_rate = q2_dot + inv_S_d_blade * impulse_y_blade * response_blade_q2;
-  const S q3_rate = q3_dot + inv_g_d_q3 * inv_S_d_blade * impulse_y_blade * response_blade_y_q3;
+  const Bool t1 = Math<S>::less(S_d_blade, S(4) * Math<S>::epsilon() * S_d_blade);
+  const S t2 = Math<S>::select(t1, S(0), S(1) / S_d_blade);
+  const S q1_rate = q1_dot + impulse_y_blade * response_blade_q1 * t2;
+  const S q2_rate = q2_dot + impulse_y_blade * response_blade_q2 * t2;
+  const S q3_rate = q3_dot + inv_g_d_q3 * impulse_y_blade * response_blade_y_q3 * t2;
 
   state.q1() = q1;
   state.q2() = q2;
@@ -1184,9 +1185,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
   state.q3_dot() = q3_rate;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::less(g_d_q2, c37), Math<S>::less(g_d_q3, c38));
-  const Bool dependent_constraints = Math<S>::less(S_d_blade, S(4) * Math<S>::epsilon() * S_d_blade);
   const Bool not_finite = Math<S>::not_finite(q1, q2, q3, q1_rate, q2_rate, q3_rate);
-  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
+  return Math<S>::status(singular_mass_matrix, t1, not_finite);
 }
 
 /// The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints.

@@ -38,7 +38,7 @@
 //   compulsion         18   48  0  0     6
 //   residuals          14   32  0  0     4
 //   mass_matrix        0    1   0  0     1
-//   project            11   21  2  0     4
+//   project            11   27  2  0     4
 //   initial_state      0    0   0  0     0
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
@@ -266,34 +266,34 @@ struct Inputs {};
 /// Parameters as the functions read them, and what follows from them alone; made by prepare().
 template <class S>
 struct Prepared {
-  S m;                         ///< mass of the ball
-  S r;                         ///< radius of the ball
-  S R;                         ///< radius of the cylinder
-  S psi_0;                     ///< precession at t = 0
-  S theta_0;                   ///< nutation at t = 0
-  S phi_0;                     ///< spin at t = 0
-  S zeta_dot_0;                ///< rate of climb at t = 0
-  S omega_r_0;                 ///< angular velocity about the line to the contact at t = 0
-  S J;                         ///< moment of inertia of the ball about a diameter
-  S m_r_2;                     ///< m * r * r
-  S m_2_r_4;                   ///< m * m * r * r * r * r
-  S m_g;                       ///< m * g
-  S m_rho;                     ///< m * (R - r)
-  S z_rolling_around_psi;      ///< r / J
-  S rho_2;                     ///< (R - r) * (R - r)
-  S half_m;                    ///< S(0.5) * m
-  S half_J;                    ///< S(0.5) * J
-  S rho;                       ///< R - r
-  S half_inv_m;                ///< S(0.5) / m
-  S half_inv_J;                ///< S(0.5) / J
-  S r_minus_R;                 ///< r - R
-  S G_chi_chi;                 ///< m * (R - r) * (R - r)
-  S c1;                        ///< S(1) / (m * (S(1) / m + r * r / J) * (R - r))
-  S inv_m_S_d_rolling_around;  ///< S(1) / (m * (S(1) / m + r * r / J))
-  S c2;                        ///< r / (J * (S(1) / m + r * r / J))
-  S c3;                        ///< S(20) * Math<S>::epsilon() * J
-  S S_d_rolling_around;        ///< S(1) / m + r * r / J
-  S c4;                        ///< S(8) * Math<S>::epsilon() * (S(1) / m + r * r / J)
+  S m;                       ///< mass of the ball
+  S r;                       ///< radius of the ball
+  S R;                       ///< radius of the cylinder
+  S psi_0;                   ///< precession at t = 0
+  S theta_0;                 ///< nutation at t = 0
+  S phi_0;                   ///< spin at t = 0
+  S zeta_dot_0;              ///< rate of climb at t = 0
+  S omega_r_0;               ///< angular velocity about the line to the contact at t = 0
+  S J;                       ///< moment of inertia of the ball about a diameter
+  S m_r_2;                   ///< m * r * r
+  S m_2_r_4;                 ///< m * m * r * r * r * r
+  S m_g;                     ///< m * g
+  S m_rho;                   ///< m * (R - r)
+  S z_rolling_around_psi;    ///< r / J
+  S rho_2;                   ///< (R - r) * (R - r)
+  S half_m;                  ///< S(0.5) * m
+  S half_J;                  ///< S(0.5) * J
+  S rho;                     ///< R - r
+  S z_rolling_along_zeta;    ///< S(1) / m
+  S half_inv_m;              ///< S(0.5) / m
+  S half_inv_J;              ///< S(0.5) / J
+  S r_minus_R;               ///< r - R
+  S G_chi_chi;               ///< m * (R - r) * (R - r)
+  S S_d_rolling_around;      ///< S(1) / m + r * r / J
+  S c1;                      ///< S(8) * Math<S>::epsilon() * (S(1) / m + r * r / J)
+  S inv_S_d_rolling_around;  ///< S(1) / (S(1) / m + r * r / J)
+  S z_rolling_around_chi;    ///< S(1) / (m * (R - r))
+  S c2;                      ///< S(20) * Math<S>::epsilon() * J
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -435,7 +435,7 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S G_chi_chi = m * rho_2;
   const S S_d_rolling_around = r_2 * inv_J;
   const S S_d_rolling_around_2 = z_rolling_along_zeta + S_d_rolling_around;
-  const S inv_S_d_rolling_around = S(1) / S_d_rolling_around_2;
+  const S z_rolling_around_chi = z_rolling_along_zeta / rho;
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -456,16 +456,16 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_m = S(0.5) * m;
   prepared.half_J = S(0.5) * J;
   prepared.rho = rho;
+  prepared.z_rolling_along_zeta = z_rolling_along_zeta;
   prepared.half_inv_m = S(0.5) * z_rolling_along_zeta;
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r - R;
   prepared.G_chi_chi = G_chi_chi;
-  prepared.c1 = z_rolling_along_zeta * inv_S_d_rolling_around / rho;
-  prepared.inv_m_S_d_rolling_around = z_rolling_along_zeta * inv_S_d_rolling_around;
-  prepared.c2 = r * inv_J * inv_S_d_rolling_around;
-  prepared.c3 = S(20) * Math<S>::epsilon() * J;
   prepared.S_d_rolling_around = S_d_rolling_around_2;
-  prepared.c4 = S(8) * Math<S>::epsilon() * S_d_rolling_around_2;
+  prepared.c1 = S(8) * Math<S>::epsilon() * S_d_rolling_around_2;
+  prepared.inv_S_d_rolling_around = S(1) / S_d_rolling_around_2;
+  prepared.z_rolling_around_chi = z_rolling_around_chi;
+  prepared.c2 = S(20) * Math<S>::epsilon() * J;
   return prepared;
 }
 
@@ -1084,13 +1084,14 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
   using Bool = typename Math<S>::Bool;
   const S r = prepared.r;
   const S J = prepared.J;
+  const S z_rolling_around_psi = prepared.z_rolling_around_psi;
+  const S z_rolling_along_zeta = prepared.z_rolling_along_zeta;
   const S r_minus_R = prepared.r_minus_R;
-  const S c1 = prepared.c1;
-  const S inv_m_S_d_rolling_around = prepared.inv_m_S_d_rolling_around;
-  const S c2 = prepared.c2;
-  const S c3 = prepared.c3;
   const S S_d_rolling_around = prepared.S_d_rolling_around;
-  const S c4 = prepared.c4;
+  const S c1 = prepared.c1;
+  const S inv_S_d_rolling_around = prepared.inv_S_d_rolling_around;
+  const S z_rolling_around_chi = prepared.z_rolling_around_chi;
+  const S c2 = prepared.c2;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S phi = from.phi();
@@ -1112,17 +1113,19 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
   const S impulse_y_rolling_around = r_minus_R * chi_dot - r * phi_dot * cos_theta - r * psi_dot;
   const S impulse_y_rolling_along = -(zeta_dot + r * phi_dot * sin_theta * cos_chi_minus_psi
       + r * theta_dot * sin_chi_minus_psi);
-  const S chi_rate = chi_dot + c1 * impulse_y_rolling_around;
-  const S zeta_rate = zeta_dot + inv_m_S_d_rolling_around * impulse_y_rolling_along;
+  const Bool t1 = Math<S>::less(S_d_rolling_around, c1);
+  const S t2 = Math<S>::select(t1, S(0), inv_S_d_rolling_around);
+  const S chi_rate = chi_dot + z_rolling_around_chi * impulse_y_rolling_around * t2;
+  const S zeta_rate = zeta_dot + z_rolling_along_zeta * impulse_y_rolling_along * t2;
   const S inv_sin_theta = S(1) / sin_theta;
-  const S phi_rate = phi_dot + c2 * impulse_y_rolling_along * inv_sin_theta * cos_chi_minus_psi;
-  const S psi_rate = psi_dot - c2 * impulse_y_rolling_along * inv_sin_theta * cos_theta * cos_chi_minus_psi
-      + c2 * impulse_y_rolling_around;
-  const S theta_rate = theta_dot + c2 * impulse_y_rolling_along * sin_chi_minus_psi;
+  const S phi_rate = phi_dot + z_rolling_around_psi * impulse_y_rolling_along * inv_sin_theta
+      * cos_chi_minus_psi * t2;
+  const S psi_rate = psi_dot - z_rolling_around_psi * impulse_y_rolling_along * inv_sin_theta * cos_theta
+      * cos_chi_minus_psi * t2 + z_rolling_around_psi * impulse_y_rolling_around * t2;
+  const S theta_rate = theta_dot + z_rolling_around_psi * impulse_y_rolling_along * sin_chi_minus_psi * t2;
 
   // Shared terms
   const S G_d_psi = J * sin_theta * sin_theta;
-  const Bool t1 = Math<S>::less(S_d_rolling_around, c4);
 
   state.chi() = chi;
   state.zeta() = zeta;
@@ -1135,7 +1138,7 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
   state.psi_dot() = psi_rate;
   state.theta_dot() = theta_rate;
 
-  const Bool singular_mass_matrix = Math<S>::less(G_d_psi, c3);
+  const Bool singular_mass_matrix = Math<S>::less(G_d_psi, c2);
   const Bool dependent_constraints = Math<S>::any(t1, t1);
   const Bool not_finite = Math<S>::not_finite(chi, zeta, phi, psi, theta, chi_rate, zeta_rate, phi_rate,
       psi_rate, theta_rate);

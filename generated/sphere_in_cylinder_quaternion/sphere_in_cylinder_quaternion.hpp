@@ -44,7 +44,7 @@
 //   compulsion         8    23  0  0     2
 //   residuals          12   20  0  0     2
 //   mass_matrix        0    0   0  0     0
-//   project            11   16  4  1     2
+//   project            11   21  4  1     2
 //   initial_state      0    0   0  0     0
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_QUATERNION_HPP
@@ -271,32 +271,33 @@ struct Inputs {};
 /// Parameters as the functions read them, and what follows from them alone; made by prepare().
 template <class S>
 struct Prepared {
-  S m;                         ///< mass of the ball
-  S r;                         ///< radius of the ball
-  S R;                         ///< radius of the cylinder
-  S psi_0;                     ///< precession at t = 0
-  S theta_0;                   ///< nutation at t = 0
-  S phi_0;                     ///< spin at t = 0
-  S omega_r_0;                 ///< angular velocity about the line to the contact at t = 0
-  S J;                         ///< moment of inertia of the ball about a diameter
-  S m_r_2;                     ///< m * r * r
-  S m_2_r_4;                   ///< m * m * r * r * r * r
-  S m_g;                       ///< m * g
-  S m_rho;                     ///< m * (R - r)
-  S rho;                       ///< R - r
-  S rho_2;                     ///< (R - r) * (R - r)
-  S half_m;                    ///< S(0.5) * m
-  S half_J;                    ///< S(0.5) * J
-  S J_2;                       ///< J * J
-  S half_inv_m;                ///< S(0.5) / m
-  S half_inv_J;                ///< S(0.5) / J
-  S r_minus_R;                 ///< r - R
-  S G_chi_chi;                 ///< m * (R - r) * (R - r)
-  S c1;                        ///< S(1) / (m * (S(1) / m + r * r / J) * (R - r))
-  S inv_m_S_d_rolling_around;  ///< S(1) / (m * (S(1) / m + r * r / J))
-  S c2;                        ///< r / (J * (S(1) / m + r * r / J))
-  S S_d_rolling_around;        ///< S(1) / m + r * r / J
-  S c3;                        ///< S(8) * Math<S>::epsilon() * (S(1) / m + r * r / J)
+  S m;                       ///< mass of the ball
+  S r;                       ///< radius of the ball
+  S R;                       ///< radius of the cylinder
+  S psi_0;                   ///< precession at t = 0
+  S theta_0;                 ///< nutation at t = 0
+  S phi_0;                   ///< spin at t = 0
+  S omega_r_0;               ///< angular velocity about the line to the contact at t = 0
+  S J;                       ///< moment of inertia of the ball about a diameter
+  S m_r_2;                   ///< m * r * r
+  S m_2_r_4;                 ///< m * m * r * r * r * r
+  S m_g;                     ///< m * g
+  S m_rho;                   ///< m * (R - r)
+  S rho;                     ///< R - r
+  S rho_2;                   ///< (R - r) * (R - r)
+  S half_m;                  ///< S(0.5) * m
+  S half_J;                  ///< S(0.5) * J
+  S z_rolling_along_zeta;    ///< S(1) / m
+  S J_2;                     ///< J * J
+  S half_inv_m;              ///< S(0.5) / m
+  S half_inv_J;              ///< S(0.5) / J
+  S r_minus_R;               ///< r - R
+  S G_chi_chi;               ///< m * (R - r) * (R - r)
+  S S_d_rolling_around;      ///< S(1) / m + r * r / J
+  S c1;                      ///< S(8) * Math<S>::epsilon() * (S(1) / m + r * r / J)
+  S inv_S_d_rolling_around;  ///< S(1) / (S(1) / m + r * r / J)
+  S z_rolling_around_chi;    ///< S(1) / (m * (R - r))
+  S z_rolling_around_wz;     ///< r / J
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -441,7 +442,8 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S G_chi_chi = m * rho_2;
   const S S_d_rolling_around = r_2 * inv_J;
   const S S_d_rolling_around_2 = z_rolling_along_zeta + S_d_rolling_around;
-  const S inv_S_d_rolling_around = S(1) / S_d_rolling_around_2;
+  const S z_rolling_around_chi = z_rolling_along_zeta / rho;
+  const S z_rolling_around_wz = r * inv_J;
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -460,16 +462,17 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.rho_2 = rho_2;
   prepared.half_m = S(0.5) * m;
   prepared.half_J = S(0.5) * J;
+  prepared.z_rolling_along_zeta = z_rolling_along_zeta;
   prepared.J_2 = J * J;
   prepared.half_inv_m = S(0.5) * z_rolling_along_zeta;
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r - R;
   prepared.G_chi_chi = G_chi_chi;
-  prepared.c1 = z_rolling_along_zeta * inv_S_d_rolling_around / rho;
-  prepared.inv_m_S_d_rolling_around = z_rolling_along_zeta * inv_S_d_rolling_around;
-  prepared.c2 = r * inv_J * inv_S_d_rolling_around;
   prepared.S_d_rolling_around = S_d_rolling_around_2;
-  prepared.c3 = S(8) * Math<S>::epsilon() * S_d_rolling_around_2;
+  prepared.c1 = S(8) * Math<S>::epsilon() * S_d_rolling_around_2;
+  prepared.inv_S_d_rolling_around = S(1) / S_d_rolling_around_2;
+  prepared.z_rolling_around_chi = z_rolling_around_chi;
+  prepared.z_rolling_around_wz = z_rolling_around_wz;
   return prepared;
 }
 
@@ -982,12 +985,13 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
                                    State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
   const S r = prepared.r;
+  const S z_rolling_along_zeta = prepared.z_rolling_along_zeta;
   const S r_minus_R = prepared.r_minus_R;
-  const S c1 = prepared.c1;
-  const S inv_m_S_d_rolling_around = prepared.inv_m_S_d_rolling_around;
-  const S c2 = prepared.c2;
   const S S_d_rolling_around = prepared.S_d_rolling_around;
-  const S c3 = prepared.c3;
+  const S c1 = prepared.c1;
+  const S inv_S_d_rolling_around = prepared.inv_S_d_rolling_around;
+  const S z_rolling_around_chi = prepared.z_rolling_around_chi;
+  const S z_rolling_around_wz = prepared.z_rolling_around_wz;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S e0 = from.e0();
@@ -1010,18 +1014,19 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S impulse_y_rolling_around = r_minus_R * chi_dot - r * wz;
   const S impulse_y_rolling_along = -(zeta_dot + r * (wx * sin_chi - wy * cos_chi));
-  const S chi_rate = chi_dot + c1 * impulse_y_rolling_around;
-  const S zeta_rate = zeta_dot + inv_m_S_d_rolling_around * impulse_y_rolling_along;
-  const S wx_rate = wx + c2 * impulse_y_rolling_along * sin_chi;
-  const S wy_rate = wy - c2 * impulse_y_rolling_along * cos_chi;
-  const S wz_rate = wz + c2 * impulse_y_rolling_around;
+  const Bool t1 = Math<S>::less(S_d_rolling_around, c1);
+  const S t2 = Math<S>::select(t1, S(0), inv_S_d_rolling_around);
+  const S chi_rate = chi_dot + z_rolling_around_chi * impulse_y_rolling_around * t2;
+  const S zeta_rate = zeta_dot + z_rolling_along_zeta * impulse_y_rolling_along * t2;
+  const S wx_rate = wx + z_rolling_around_wz * impulse_y_rolling_along * sin_chi * t2;
+  const S wy_rate = wy - z_rolling_around_wz * impulse_y_rolling_along * cos_chi * t2;
+  const S wz_rate = wz + z_rolling_around_wz * impulse_y_rolling_around * t2;
 
   // Shared terms
   const S e0_2 = e0 * unit;
   const S e1_2 = e1 * unit;
   const S e2_2 = e2 * unit;
   const S e3_2 = e3 * unit;
-  const Bool t1 = Math<S>::less(S_d_rolling_around, c3);
 
   state.chi() = chi;
   state.zeta() = zeta;
