@@ -26,13 +26,16 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
     list.push_back(std::move(artefact));
     return list;
   };
+  // Without a free coordinate there is no state to look for; reactions of the held motion remain.
+  const bool has_state = mechanics.dynamics.n() > 0;
+  if (!has_state && (name == "rhs" || name == "mass_matrix" || name == "project" || name == "initial_state")) return {};
   if (name == "rhs") return one(rhs_artefact(mechanics));
   if (name == "reactions") return reactions_artefacts(mechanics);
   if (name == "reaction_forces") return reaction_forces_artefact(mechanics);
   if (name == "energy") return one(energy_artefact(mechanics));
   if (name == "compulsion") return compulsion_artefact(mechanics);
   if (name == "residuals") return residuals_artefact(mechanics);
-  if (name == "mass_matrix") return mass_matrix_artefact(mechanics);
+  if (name == "mass_matrix") return one(mass_matrix_artefact(mechanics));
   if (name == "project") return one(project_artefact(mechanics));
   if (name == "initial_state") return one(initial_state_artefact(mechanics));
   return {};

@@ -93,7 +93,7 @@ std::vector<Artefact> reactions_artefacts(Mechanics& mechanics) {
   std::vector<Artefact> result;
   if (!has_reactions(mechanics)) return result;
   result.push_back(reactions(mechanics, false));
-  result.push_back(reactions(mechanics, true));
+  if (mechanics.dynamics.n() > 0) result.push_back(reactions(mechanics, true));
   return result;
 }
 

@@ -117,8 +117,7 @@ std::vector<Artefact> residuals_artefact(Mechanics& mechanics) {
   return result;
 }
 
-std::vector<Artefact> mass_matrix_artefact(Mechanics& mechanics) {
-  if (mechanics.dynamics.n() == 0) return {};
+Artefact mass_matrix_artefact(Mechanics& mechanics) {
   ArtefactBuilder builder("mass_matrix", "The metric g of the free speeds (1.10).", mechanics);
   builder.result_type("MassMatrix");
   builder.artefact().takes_inputs = false;
@@ -128,9 +127,7 @@ std::vector<Artefact> mass_matrix_artefact(Mechanics& mechanics) {
   }
   const int n = static_cast<int>(mechanics.dynamics.n());
   builder.fields("", "", "", {{"g", "symmetric, in the order of the speeds", {n, n}, entries}});
-  std::vector<Artefact> result;
-  result.push_back(builder.finish({}));
-  return result;
+  return builder.finish({});
 }
 
 Artefact project_artefact(Mechanics& mechanics) {

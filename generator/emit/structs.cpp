@@ -39,6 +39,12 @@ void add_accessors(cpp::Struct& type, const std::vector<std::string>& names) {
   }
 }
 
+// An array has at least one element in C++, also when every coordinate is held.
+cpp::Member values_member(const Plan& plan) {
+  if (plan.unit.configuration.empty()) return {"S", "values", {"1"}, std::nullopt, "unused: no coordinate is free"};
+  return {"S", "values", {"n_q + n_v"}, std::nullopt, {}};
+}
+
 }  // namespace
 
 cpp::Struct parameters_struct(Plan& plan) {
@@ -79,7 +85,7 @@ cpp::Struct state_struct(const Plan& plan) {
   cpp::Struct type;
   type.comment = "Coordinates, then speeds: an array for integrators, with access by name.";
   type.name = "State";
-  type.members.push_back({"S", "values", {"n_q + n_v"}, std::nullopt, {}});
+  type.members.push_back(values_member(plan));
   std::vector<std::string> names;
   for (const Entry& entry : plan.unit.configuration) names.push_back(plan.names.of(entry));
   for (const Entry& entry : plan.unit.speeds) names.push_back(plan.names.of(entry));
@@ -91,7 +97,7 @@ cpp::Struct derivative_struct(const Plan& plan) {
   cpp::Struct type;
   type.comment = "The rate of a State, in the same order: rates of the coordinates, then accelerations.";
   type.name = "Derivative";
-  type.members.push_back({"S", "values", {"n_q + n_v"}, std::nullopt, {}});
+  type.members.push_back(values_member(plan));
   std::vector<std::string> names;
   for (const std::string& rate : plan.unit.configuration_rates) names.push_back(plan.names.of(rate));
   for (const Entry& entry : plan.unit.accelerations) names.push_back(plan.names.of(entry));
