@@ -1,0 +1,2 @@
+#define GAUSS_TEST_TYPE double
+#include "as_scalar.inc"

@@ -1,0 +1,56 @@
+// Numbers in place of parameters, and the paper's route term by term, change nothing but rounding.
+//
+// The bar: 1e-13 (size + sensitivity) as in test_scalars.cpp. The paper's route eliminates dependent speeds by a fixed
+// partition even where that is not safe everywhere, so it loses digits close to where its partition fails: 1e-10.
+
+#include <cstdio>
+
+#include "catch_shim.hpp"
+#include "samples.hpp"
+#include "variants.hpp"
+
+namespace {
+
+using headertest::Computed;
+using headertest::k_parts;
+using headertest::Wide;
+
+constexpr std::size_t k_states = 50;
+
+double largest_difference(const Computed& plain, const Computed& other, const headertest::Sensitivity& sensitivity) {
+  const auto samples = headertest::random_samples(plain, k_states, false);
+  REQUIRE(samples.size() == k_states);
+  const auto expected = plain.answers(samples);
+  const auto answers = other.answers(samples);
+  Wide worst = 0;
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    const auto sensitivities = sensitivity(samples[s]);
+    for (std::size_t p = 0; p < k_parts.size(); ++p) {
+      REQUIRE(answers[s].parts[p].size() == expected[s].parts[p].size());
+      const Wide scale = headertest::largest(expected[s].parts[p]) + sensitivities[p];
+      if (scale == 0) continue;
+      const Wide now = headertest::largest_difference(answers[s].parts[p], expected[s].parts[p]) / scale;
+      if (!(now <= worst)) worst = now;
+    }
+    CHECK(answers[s].statuses == expected[s].statuses);
+  }
+  return static_cast<double>(worst);
+}
+
+void agree(const char* variant, const std::vector<Computed>& others, double bar) {
+  const auto plain = headertest::plain_models<double>();
+  const auto sensitivities = headertest::sensitivities();
+  REQUIRE(others.size() == plain.size());
+  for (std::size_t m = 0; m < plain.size(); ++m) {
+    INFO(variant << ", " << plain[m].name);
+    const double worst = largest_difference(plain[m], others[m], sensitivities.at(m));
+    std::printf("%-8s %-32s %8.3g\n", variant, plain[m].name.c_str(), worst);
+    CHECK(worst <= bar);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("--fold gives the results of the parameters' default values") { agree("--fold", headertest::folded_models(), 1e-13); }
+
+TEST_CASE("--route=paper gives the results of the emitted route") { agree("paper", headertest::paper_models(), 1e-10); }
