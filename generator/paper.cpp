@@ -37,7 +37,8 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 void report_obstacle(const model::Model& model, const std::string& obstacle, support::Diagnostics& diagnostics) {
-  diagnostics.error(support::code::k_no_paper_route, model.name.span, "the paper's route does not take this model: " + obstacle,
+  diagnostics.error(support::code::k_no_paper_route, model.name.span,
+                    "the paper's route does not take this model: " + obstacle,
                     "the emitted route does: leave --route=paper away");
 }
 
@@ -58,7 +59,8 @@ std::string derivation_text(const model::Model& model, bool latex, support::Diag
 
 std::string dump_paper(const model::Model& model) {
   const lower::Derivation derivation = lower::derive(model);
-  return derivation.obstacle.empty() ? lower::as_plain_text(derivation) : "no paper's route: " + derivation.obstacle + "\n";
+  return derivation.obstacle.empty() ? lower::as_plain_text(derivation)
+                                     : "no paper's route: " + derivation.obstacle + "\n";
 }
 
 bool take_paper_route(Mechanics& mechanics, bool fold, support::Diagnostics& diagnostics) {
@@ -71,7 +73,8 @@ bool take_paper_route(Mechanics& mechanics, bool fold, support::Diagnostics& dia
   mechanics.solution.accelerations = with_values(route.accelerations);
   mechanics.solution.multipliers = with_values(route.lambda);
   mechanics.held_reactions = with_values(route.R_x);
-  mechanics.solution.description = "the paper's route: Z with Christoffel symbols of G, " +
+  mechanics.solution.description =
+      "the paper's route: Z with Christoffel symbols of G, " +
       (route.dependent.empty() ? std::string("stationarity (1.15)")
                                : "elimination (3.6)-(3.8) with dependent speeds " + joined(route.dependent)) +
       "; inverses by factorisation";
