@@ -97,19 +97,37 @@ std::vector<Artefact> reactions_artefacts(Mechanics& mechanics) {
   return result;
 }
 
-std::vector<Artefact> reaction_forces_artefact(Mechanics& mechanics) {
-  if (!has_reactions(mechanics)) return {};
-  ArtefactBuilder builder("reaction_forces",
-                          "Reactions as Cartesian forces and moments that act ON the bodies, in space axes.\n"
-                          "A force acts at the mass centre together with the moment stated beside it.",
-                          mechanics);
-  Steps steps;
-  builder.result_type("ReactionForces");
-  builder.with_solution_status();
+namespace {
+
+const char* const k_forces_about =
+    "Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the mass\n"
+    "centre together with the moment stated beside it. on_<body> is the sum over all constraints, by\n"
+    "Newton and Euler; potentials and generalized forces name no body, so they are in it as well.";
+
+std::string undetermined_note(const Mechanics& mechanics) {
+  std::string names;
+  for (const std::string& name :
+       strategy::undetermined_wrenches(mechanics.dynamics, mechanics.solution, mechanics.held_reactions)) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  if (names.empty()) return "";
+  return "\nNot stated one by one, as the bodies have fewer coordinates than freedoms: " + names + ".";
+}
+
+void add_sums(ArtefactBuilder& builder, Mechanics& mechanics, Steps& steps) {
+  for (const strategy::BodyReaction& reaction : strategy::body_reactions(mechanics.dynamics, mechanics.solution, steps)) {
+    std::vector<Field> fields{{"force", "[N], space axes", {3}, ids(reaction.force)}};
+    if (reaction.moment) {
+      fields.push_back({"moment", "[N*m], space axes, about the mass centre", {3}, ids(*reaction.moment)});
+    }
+    builder.fields("on_" + reaction.body, "On" + pascal(reaction.body), "all constraints on " + reaction.body, std::move(fields));
+  }
+}
+
+void add_single_forces(ArtefactBuilder& builder, Mechanics& mechanics, Steps& steps) {
   std::vector<Group>& groups = builder.artefact().groups;
   for (const strategy::ReactionWrench& wrench :
-       strategy::reaction_wrenches(mechanics.dynamics, mechanics.solution, mechanics.held_reactions,
-                                   mechanics.epsilon(), steps)) {
+       strategy::reaction_wrenches(mechanics.dynamics, mechanics.solution, mechanics.held_reactions, mechanics.epsilon(), steps)) {
     if (groups.empty() || groups.back().name != wrench.constraint) {
       builder.fields(wrench.constraint, pascal(wrench.constraint) + "Force", "reaction of " + wrench.constraint, {});
     }
@@ -120,8 +138,20 @@ std::vector<Artefact> reaction_forces_artefact(Mechanics& mechanics) {
     fields.push_back({"moment_on_" + wrench.body, "[N*m], space axes, on " + wrench.body + " about " + about, {3},
                       ids(*wrench.moment)});
   }
+}
+
+}  // namespace
+
+std::vector<Artefact> reaction_forces_artefact(Mechanics& mechanics) {
+  if (!has_reactions(mechanics)) return {};
+  ArtefactBuilder builder("reaction_forces", k_forces_about + undetermined_note(mechanics), mechanics);
+  Steps steps;
+  builder.result_type("ReactionForces");
+  builder.with_solution_status();
+  add_single_forces(builder, mechanics, steps);
+  add_sums(builder, mechanics, steps);
   std::vector<Artefact> result;
-  if (!groups.empty()) result.push_back(builder.finish(steps));
+  result.push_back(builder.finish(steps));
   return result;
 }
 

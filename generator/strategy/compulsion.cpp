@@ -1,10 +1,12 @@
 #include "strategy/compulsion.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "strategy/inner.hpp"
 #include "strategy/metric.hpp"
 #include "strategy/reactions.hpp"
+#include "strategy/release.hpp"
 
 namespace gaussgen::strategy {
 
@@ -30,6 +32,15 @@ Expr square_in_inverse_inertia(const BodyMotion& body, const Vector3& n, Expr ep
   return dot(n, {solved[0], solved[1], solved[2]});
 }
 
+// All of y, or only the free coordinates where held ones repeat each other and G has no inverse: then forces along held
+// coordinates stay out of Z, which changes its value by a constant and its minimum not at all.
+std::vector<std::size_t> spreading_coordinates(const Dynamics& dynamics) {
+  const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
+  std::vector<std::size_t> all(Release(dynamics).has_surplus() ? symbols.free_count() : symbols.full_count());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
 Vector3 named(Steps& steps, const Vector3& v, const std::string& name) {
   return {steps.name(v[0], name + "_x"), steps.name(v[1], name + "_y"), steps.name(v[2], name + "_z")};
 }
@@ -43,7 +54,7 @@ Expr compulsion(const Dynamics& dynamics, const Vector& candidate, Expr epsilon,
   const bool has_spread = std::any_of(spread.begin(), spread.end(), [](Expr e) { return !e.is_zero(); });
   Vector z(spread.size(), Expr(graph, graph.constant(0)));
   if (has_spread) {
-    const FullMetric metric(dynamics, epsilon, steps);
+    const Metric metric(dynamics, spreading_coordinates(dynamics), epsilon, steps);
     steps.begin("generalized forces, raised: G z = Q");
     z = metric.solve(spread, "z", steps);
   }

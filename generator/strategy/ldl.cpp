@@ -31,6 +31,7 @@ Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std
   const std::size_t n = matrix.size();
   const Expr zero(graph_, graph_.constant(0));
   d_.assign(n, zero);
+  is_original_.assign(n, 0);
   l_.assign(n, Vector(n, zero));
   for (std::size_t i = 0; i < n; ++i) diagonal_.push_back(matrix[i][i]);
   Matrix rest = matrix;
@@ -44,6 +45,7 @@ Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std
 }
 
 void Ldl::eliminate(std::size_t pivot, Matrix& rest, const std::vector<char>& done, Steps& steps) {
+  is_original_[pivot] = rest[pivot][pivot] == diagonal_[pivot] ? 1 : 0;
   d_[pivot] = steps.name(rest[pivot][pivot], prefix_ + "_d_" + labels_[pivot]);
   const Expr inverse = reciprocal(pivot);
   for (std::size_t i = 0; i < rest.size(); ++i) {
@@ -85,7 +87,7 @@ Vector Ldl::solve(const Vector& right_hand_side, const std::string& name, Steps&
 
 // Rounding alone perturbs a pivot by about n eps of its diagonal entry (Higham, Accuracy and Stability, 10.1).
 std::optional<Expr> Ldl::lost(std::size_t pivot) const {
-  if (d_[pivot] == diagonal_[pivot]) return std::nullopt;
+  if (is_original_[pivot] != 0) return std::nullopt;
   const Expr tolerance = support::Rational(4 * static_cast<int>(d_.size())) * epsilon_ * diagonal_[pivot];
   return Expr(graph_, graph_.call(ir::Function::less, {d_[pivot].id(), tolerance.id()}));
 }

@@ -49,6 +49,7 @@ class Ldl {
   std::string prefix_;
   std::vector<std::size_t> order_;
   Vector diagonal_;
+  std::vector<char> is_original_;  ///< the pivot is the diagonal entry itself
   Vector d_;
   Matrix l_;
 };

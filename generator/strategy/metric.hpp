@@ -4,31 +4,46 @@
 
 namespace gaussgen::strategy {
 
-/// G_AB over all y, factorised; its inverse raises indices in E_{n+k} (theory section 1).
-class FullMetric {
+/// G_AB over some of y, factorised; its inverse raises indices there (theory section 1).
+class Metric {
  public:
-  FullMetric(const Dynamics& dynamics, ir::Expr epsilon, Steps& steps)
-      : ldl_(begin(dynamics, steps), labels(dynamics), "G", epsilon, steps) {}
+  Metric(const Dynamics& dynamics, std::vector<std::size_t> coordinates, ir::Expr epsilon, Steps& steps)
+      : coordinates_(std::move(coordinates)),
+        count_(dynamics.kinematics->symbols.full_count()),
+        ldl_(begin(dynamics, steps), labels(dynamics), "G", epsilon, steps) {}
 
+  /// z with G z = covariant over the chosen coordinates, and 0 for the others.
   Vector solve(const Vector& covariant, const std::string& name, Steps& steps) const {
-    return ldl_.solve(covariant, name, steps);
+    Vector chosen;
+    for (const std::size_t i : coordinates_) chosen.push_back(covariant[i]);
+    const Vector solved = ldl_.solve(chosen, name, steps);
+    ir::Graph& graph = covariant[0].graph();
+    Vector result(count_, ir::Expr(graph, graph.constant(0)));
+    for (std::size_t i = 0; i < coordinates_.size(); ++i) result[coordinates_[i]] = solved[i];
+    return result;
   }
 
  private:
-  static Matrix begin(const Dynamics& dynamics, Steps& steps) {
-    steps.begin("full metric G_AB = L D L^T");
+  Matrix begin(const Dynamics& dynamics, Steps& steps) const {
+    steps.begin("metric G_AB of released coordinates = L D L^T");
     Matrix matrix;
-    for (const auto& row : dynamics.covariant->G) matrix.push_back(row.values());
+    for (const std::size_t i : coordinates_) {
+      matrix.emplace_back();
+      for (const std::size_t j : coordinates_) {
+        matrix.back().push_back(dynamics.covariant->G[kinematics::FullIndex{i}][kinematics::FullIndex{j}]);
+      }
+    }
     return matrix;
   }
 
-  static std::vector<std::string> labels(const Dynamics& dynamics) {
-    const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
+  std::vector<std::string> labels(const Dynamics& dynamics) const {
     std::vector<std::string> all;
-    for (const auto i : support::indices<kinematics::FullIndex>(symbols.full_count())) all.push_back(symbols.label(i));
+    for (const std::size_t i : coordinates_) all.push_back(dynamics.kinematics->symbols.label(kinematics::FullIndex{i}));
     return all;
   }
 
+  std::vector<std::size_t> coordinates_;
+  std::size_t count_;
   Ldl ldl_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "strategy/inner.hpp"
 #include "strategy/metric.hpp"
+#include "strategy/release.hpp"
 
 namespace gaussgen::strategy {
 
@@ -115,12 +116,26 @@ std::optional<ReactionWrench> wrench_on(const BodyMotion& body, const Source& so
 
 }  // namespace
 
+namespace {
+
+bool is_determined(const Source& source, const Release& release) {
+  for (std::size_t i = 0; i < source.components.size(); ++i) {
+    if (!source.components[i].is_zero() && !release.is_released(FullIndex{i})) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 std::vector<ReactionWrench> reaction_wrenches(const Dynamics& dynamics, const Solution& solution, const Vector& held,
                                               Expr epsilon, Steps& steps) {
-  const FullMetric metric(dynamics, epsilon, steps);
+  const Release release(dynamics);
   std::vector<ReactionWrench> wrenches;
+  if (release.released().empty()) return wrenches;
+  const Metric metric(dynamics, release.released(), epsilon, steps);
   for (const Source& source : sources(dynamics, solution, held)) {
-    steps.begin("direction of " + source.name + " in the metric: G z = its covariant components");
+    if (!is_determined(source, release)) continue;
+    steps.begin("direction z of " + source.name + " in the metric: G z = its covariant components");
     const Vector z = metric.solve(source.components, "z_" + source.name, steps);
     steps.begin("force and moment of " + source.name + ": m J z and I W z, times its reaction", source.name);
     for (const BodyMotion& body : dynamics.kinematics->bodies) {
@@ -128,6 +143,32 @@ std::vector<ReactionWrench> reaction_wrenches(const Dynamics& dynamics, const So
     }
   }
   return wrenches;
+}
+
+std::vector<std::string> undetermined_wrenches(const Dynamics& dynamics, const Solution& solution, const Vector& held) {
+  const Release release(dynamics);
+  std::vector<std::string> names;
+  for (const Source& source : sources(dynamics, solution, held)) {
+    if (!is_determined(source, release)) names.push_back(source.name);
+  }
+  return names;
+}
+
+std::vector<BodyReaction> body_reactions(const Dynamics& dynamics, const Solution& solution, Steps& steps) {
+  std::vector<BodyReaction> reactions;
+  for (const BodyMotion& body : dynamics.kinematics->bodies) {
+    steps.begin("all constraint forces on " + body.name + ": m a - F and d(I omega)/dt - M (theory.md, section 4)");
+    const BodyAcceleration a = acceleration_of(body, dynamics, solution.accelerations);
+    BodyReaction reaction{body.name, named(steps, body.mass * a.linear - body.force, "force_on_" + body.name), {}};
+    if (body.is_rigid) {
+      Vector3 moment = body.inertia_times(a.angular);
+      const Vector3& omega = body.rotation.omega;
+      if (!body.is_isotropic) moment = moment + cross(omega, body.inertia_times(omega));
+      reaction.moment = named(steps, in_space(body, moment), "moment_on_" + body.name);
+    }
+    reactions.push_back(std::move(reaction));
+  }
+  return reactions;
 }
 
 BodyAcceleration acceleration_of(const BodyMotion& body, const Dynamics& dynamics, const Vector& free) {

@@ -20,11 +20,24 @@ struct ReactionWrench {
   bool about_point = false;
 };
 
-/// Spreads each reaction over the bodies as the metric does: with z = G^-1 (covariant components), the force on body ν is
-/// m_ν J_νA z^A and the moment I_ν W_νA z^A (m э_ν^i of theory section 1). For a body in full coordinates this is the force
-/// R ∂x/∂r itself; in fewer coordinates it is the part inside E_{n+k}, all that Z determines (theory section 4).
+/// The force and moment of each constraint on each body that it reaches, for constraints over released coordinates
+/// (release.hpp): with z = G^-1 (covariant components) they are m_ν J_νA z^A and I_ν W_νA z^A, m э_ν^i of theory section 1,
+/// which there is R ∂x/∂r itself. Elsewhere Z does not determine them one by one; body_reactions has their sum.
 std::vector<ReactionWrench> reaction_wrenches(const Dynamics& dynamics, const Solution& solution, const Vector& held,
                                               ir::Expr epsilon, Steps& steps);
+
+/// Constraints that reaction_wrenches leaves out.
+std::vector<std::string> undetermined_wrenches(const Dynamics& dynamics, const Solution& solution, const Vector& held);
+
+/// All constraint forces on one body together, by Newton and Euler: m a - F and d(I ω)/dt - M, in space, the moment about the
+/// mass centre. Forces that the model gives as potentials or generalized forces are in it, since they name no body.
+struct BodyReaction {
+  std::string body;
+  ir::Vector3 force;
+  std::optional<ir::Vector3> moment;  ///< rigid bodies only
+};
+
+std::vector<BodyReaction> body_reactions(const Dynamics& dynamics, const Solution& solution, Steps& steps);
 
 /// Acceleration of a body's mass centre and of its rotation: J_A ÿ^A + h, W_A ÿ^A + η.
 struct BodyAcceleration {

@@ -61,7 +61,7 @@ emit::Field UnitBuilder::field(const std::string& name, const std::string& about
 
 void UnitBuilder::section(emit::Artefact& artefact, const std::string& comment,
                           const std::vector<std::pair<Expr, std::string>>& nodes) {
-  artefact.sections.push_back({comment, {}});
+  artefact.sections.push_back({comment, "", {}});
   for (const auto& [node, name] : nodes) artefact.sections.back().nodes.emplace_back(node.id(), name);
 }
 
