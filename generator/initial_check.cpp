@@ -82,13 +82,21 @@ class InitialCheck {
         "where coordinates do not describe every motion, start elsewhere; a quaternion has no such places");
   }
 
+  // An open rate is searched for by Newton's method where the constraint is nonlinear; from 0 it may have no way to go.
   std::string remedy(const kinematics::ConstraintRow& row) {
     std::vector<std::string> given;
     std::vector<std::string> open;
+    std::vector<std::string> stuck;
     const std::vector<bool> is_given = given_speeds();
     for (const auto i : mechanics_.symbols.speeds.indices()) {
       const auto b = values_(row.beta[mechanics_.symbols.full(i)].id());
-      if (b && !cln::zerop(*b)) (is_given[i.value] ? given : open).push_back(mechanics_.symbols.speeds[i].name);
+      const std::string& name = mechanics_.symbols.speeds[i].name;
+      if (b && !cln::zerop(*b)) (is_given[i.value] ? given : open).push_back(name);
+      const bool is_involved = !row.beta[mechanics_.symbols.full(i)].is_zero();
+      if (!row.is_linear && is_involved && !is_given[i.value]) stuck.push_back(name);
+    }
+    if (!stuck.empty()) {
+      return fmt::format("{} is open: give it an initial_rate_guess from which the search can start", joined(stuck));
     }
     if (!given.empty()) return fmt::format("leave {} open, and the constraint determines it", joined(given));
     if (!open.empty()) return fmt::format("no values of {} satisfy all constraints", joined(open));
