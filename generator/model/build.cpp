@@ -57,6 +57,7 @@ std::optional<Model> build_model(const support::Source& source, support::Diagnos
   if (!root || !expect_map(*root, root->span, "a model file", reading)) return std::nullopt;
   read_sections(*root, reading);
   check_model(reading);
+  check_units(reading);
   if (diagnostics.has_errors()) return std::nullopt;
   return std::move(reading.model);
 }

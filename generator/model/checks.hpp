@@ -23,4 +23,7 @@ void check_values(Reading& reading);
 /// There are bodies, they move, and every speed and constraint has something to act on.
 void check_topology(Reading& reading);
 
+/// Warns of units such as deg and mm, which look like a conversion that nobody makes.
+void check_units(Reading& reading);
+
 }  // namespace gaussgen::model

@@ -74,6 +74,7 @@ inline constexpr ErrorCode k_dependent_speeds{"E059", "a choice of dependent spe
 inline constexpr ErrorCode k_no_paper_route{"E060", "the paper's route does not take the model"};
 
 inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate that moves no body"};
+inline constexpr ErrorCode k_scaled_unit{"W055", "a unit that would need a conversion"};
 
 // The initial state, which is looked at when the equations are there.
 inline constexpr ErrorCode k_violating_start{"W051", "an initial state that violates a constraint"};
@@ -132,6 +133,7 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_no_velocity,
     code::k_dependent_speeds,
     code::k_idle_held_coordinate,
+    code::k_scaled_unit,
 };
 
 /// What only the stages after it can find.
