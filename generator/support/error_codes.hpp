@@ -142,6 +142,7 @@ inline constexpr ErrorCode k_stage_codes[] = {
     code::k_violating_start,
     code::k_undefined_start,
     code::k_singular_start,
+    code::k_redundant_constraint,
 };
 
 }  // namespace gaussgen::support
