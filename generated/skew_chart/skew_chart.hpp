@@ -28,7 +28,7 @@
 //   rhs                39   80   12  0     2
 //   reactions          54   105  12  0     2
 //   rhs_and_reactions  54   106  13  0     2
-//   reaction_forces    76   154  23  0     2
+//   reaction_forces    92   181  24  0     2
 //   energy             25   42   0   0     2
 //   compulsion         79   134  19  0     2
 //   mass_matrix        6    14   0   0     1
@@ -264,49 +264,43 @@ struct Prepared {
   S frequency;
   S amplitude_frequency;      ///< amplitude * frequency
   S c1;                       ///< S(2) / S(25) * m2
-  S c2;                       ///< S(1) / S(15) * m2
+  S m2_over_15;               ///< S(1) / S(15) * m2
   S amplitude_frequency_2;    ///< amplitude * frequency * frequency
   S m2_g;                     ///< m2 * g
-  S c3;                       ///< S(2) / S(9) * m1 * amplitude * frequency
-  S c4;                       ///< -S(1) / S(10) * m2
-  S c5;                       ///< S(1) / S(18) * m1
-  S c6;                       ///< S(0.25) * m2
-  S c7;                       ///< -S(2) / S(3) * m1 * amplitude * frequency
-  S c8;                       ///< S(1) / S(3) * m1 * amplitude * frequency * frequency
-  S c9;                       ///< S(1) / S(36) * m1
-  S c10;                      ///< -S(1) / S(9) * m1
-  S c11;                      ///< S(1) / S(5) * m2
-  S c12;                      ///< S(1) / S(25) * m2
-  S c13;                      ///< -S(1) / S(25) * m2 * m2
-  S c14;                      ///< -S(0.5) * m2 * g
+  S c2;                       ///< S(2) / S(9) * m1 * amplitude * frequency
+  S m2_over_10;               ///< S(1) / S(10) * m2
+  S m1_over_18;               ///< S(1) / S(18) * m1
+  S m2_over_4;                ///< S(0.25) * m2
+  S c3;                       ///< S(2) / S(3) * m1 * amplitude * frequency
+  S c4;                       ///< S(1) / S(3) * m1 * amplitude * frequency * frequency
+  S m1_over_36;               ///< S(1) / S(36) * m1
+  S m1_over_9;                ///< S(1) / S(9) * m1
+  S m2_over_5;                ///< S(1) / S(5) * m2
+  S m2_over_25;               ///< S(1) / S(25) * m2
+  S m2_2_over_25;             ///< S(1) / S(25) * m2 * m2
+  S c5;                       ///< -S(0.5) * m2 * g
   S half_m2;                  ///< S(0.5) * m2
   S G_e_e;                    ///< S(1.25) * m2
   S inv_m1;                   ///< S(1) / m1
-  S c15;                      ///< -S(0.5) * m1 * amplitude * frequency * frequency
-  S c16;                      ///< S(0.5) * m1 * amplitude * amplitude * frequency * frequency
+  S c6;                       ///< S(0.5) * m1 * amplitude * frequency * frequency
+  S c7;                       ///< S(0.5) * m1 * amplitude * amplitude * frequency * frequency
   S m1_g;                     ///< m1 * g
-  S c17;                      ///< S(25) * Math<S>::epsilon() * m2
+  S rounding_m2;              ///< S(25) * Math<S>::epsilon() * m2
   S half_m1_g;                ///< S(0.5) * m1 * g
   S amplitude_2_frequency_2;  ///< amplitude * amplitude * frequency * frequency
-  S c18;                      ///< S(1) / S(36) * m2
-  S c19;                      ///< S(1) / S(3) * m1
-  S c20;                      ///< -S(0.25) * m1
+  S m2_over_36;               ///< S(1) / S(36) * m2
+  S m1_over_3;                ///< S(1) / S(3) * m1
+  S m1_over_4;                ///< S(0.25) * m1
   S half_m1;                  ///< S(0.5) * m1
-  S c21;                      ///< S(1) / S(3) * m2
-  S c22;                      ///< S(1) / S(72) * m1
-  S c23;                      ///< S(1) / S(1800) * m2
-  S c24;                      ///< S(0.25) * m1 * g
+  S m2_over_3;                ///< S(1) / S(3) * m2
+  S m1_over_72;               ///< S(1) / S(72) * m1
+  S m2_over_1800;             ///< S(1) / S(1800) * m2
+  S m1_g_over_4;              ///< S(0.25) * m1 * g
   S half_m2_g;                ///< S(0.5) * m2 * g
   S half_k;                   ///< S(0.5) * k
-  S c25;                      ///< -S(0.5) * m1
-  S c26;                      ///< -S(1) / S(3) * m1
-  S c27;                      ///< -S(1) / S(3) * m2
-  S c28;                      ///< S(1) / S(10) * m2
-  S c29;                      ///< -S(0.5) * m2
   S half_inv_m1;              ///< S(0.5) / m1
   S half_inv_m2;              ///< S(0.5) / m2
-  S c30;                      ///< -S(1) / S(5) * m2
-  S c31;                      ///< S(2) / S(5) * m2
+  S c8;                       ///< S(2) / S(5) * m2
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -378,6 +372,14 @@ struct ReactionForces {
     S force_on_first[3];   ///< [N], space axes, on first
     S force_on_second[3];  ///< [N], space axes, on second
   } s;
+  /// all constraints on first
+  struct OnFirst {
+    S force[3];  ///< [N], space axes
+  } on_first;
+  /// all constraints on second
+  struct OnSecond {
+    S force[3];  ///< [N], space axes
+  } on_second;
 };
 
 template <class S>
@@ -425,49 +427,43 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.frequency = frequency;
   prepared.amplitude_frequency = amplitude * frequency;
   prepared.c1 = S(2) / S(25) * m2;
-  prepared.c2 = S(1) / S(15) * m2;
+  prepared.m2_over_15 = S(1) / S(15) * m2;
   prepared.amplitude_frequency_2 = amplitude * frequency_2;
   prepared.m2_g = m2_g;
-  prepared.c3 = S(2) / S(9) * m1_amplitude_frequency;
-  prepared.c4 = -S(1) / S(10) * m2;
-  prepared.c5 = S(1) / S(18) * m1;
-  prepared.c6 = S(0.25) * m2;
-  prepared.c7 = -S(2) / S(3) * m1_amplitude_frequency;
-  prepared.c8 = S(1) / S(3) * m1_amplitude_frequency_2;
-  prepared.c9 = S(1) / S(36) * m1;
-  prepared.c10 = -S(1) / S(9) * m1;
-  prepared.c11 = S(1) / S(5) * m2;
-  prepared.c12 = S(1) / S(25) * m2;
-  prepared.c13 = -S(1) / S(25) * m2 * m2;
-  prepared.c14 = -S(0.5) * m2_g;
+  prepared.c2 = S(2) / S(9) * m1_amplitude_frequency;
+  prepared.m2_over_10 = S(1) / S(10) * m2;
+  prepared.m1_over_18 = S(1) / S(18) * m1;
+  prepared.m2_over_4 = S(0.25) * m2;
+  prepared.c3 = S(2) / S(3) * m1_amplitude_frequency;
+  prepared.c4 = S(1) / S(3) * m1_amplitude_frequency_2;
+  prepared.m1_over_36 = S(1) / S(36) * m1;
+  prepared.m1_over_9 = S(1) / S(9) * m1;
+  prepared.m2_over_5 = S(1) / S(5) * m2;
+  prepared.m2_over_25 = S(1) / S(25) * m2;
+  prepared.m2_2_over_25 = S(1) / S(25) * m2 * m2;
+  prepared.c5 = -S(0.5) * m2_g;
   prepared.half_m2 = S(0.5) * m2;
   prepared.G_e_e = G_e_e;
   prepared.inv_m1 = inv_m1;
-  prepared.c15 = -S(0.5) * m1_amplitude_frequency_2;
-  prepared.c16 = S(0.5) * m1 * amplitude_2 * frequency_2;
+  prepared.c6 = S(0.5) * m1_amplitude_frequency_2;
+  prepared.c7 = S(0.5) * m1 * amplitude_2 * frequency_2;
   prepared.m1_g = m1_g;
-  prepared.c17 = S(25) * Math<S>::epsilon() * m2;
+  prepared.rounding_m2 = S(25) * Math<S>::epsilon() * m2;
   prepared.half_m1_g = S(0.5) * m1_g;
   prepared.amplitude_2_frequency_2 = amplitude_2 * frequency_2;
-  prepared.c18 = S(1) / S(36) * m2;
-  prepared.c19 = S(1) / S(3) * m1;
-  prepared.c20 = -S(0.25) * m1;
+  prepared.m2_over_36 = S(1) / S(36) * m2;
+  prepared.m1_over_3 = S(1) / S(3) * m1;
+  prepared.m1_over_4 = S(0.25) * m1;
   prepared.half_m1 = S(0.5) * m1;
-  prepared.c21 = S(1) / S(3) * m2;
-  prepared.c22 = S(1) / S(72) * m1;
-  prepared.c23 = S(1) / S(1800) * m2;
-  prepared.c24 = S(0.25) * m1_g;
+  prepared.m2_over_3 = S(1) / S(3) * m2;
+  prepared.m1_over_72 = S(1) / S(72) * m1;
+  prepared.m2_over_1800 = S(1) / S(1800) * m2;
+  prepared.m1_g_over_4 = S(0.25) * m1_g;
   prepared.half_m2_g = S(0.5) * m2_g;
   prepared.half_k = S(0.5) * k;
-  prepared.c25 = -S(0.5) * m1;
-  prepared.c26 = -S(1) / S(3) * m1;
-  prepared.c27 = -S(1) / S(3) * m2;
-  prepared.c28 = S(1) / S(10) * m2;
-  prepared.c29 = -S(0.5) * m2;
   prepared.half_inv_m1 = S(0.5) * inv_m1;
   prepared.half_inv_m2 = S(0.5) / m2;
-  prepared.c30 = -S(1) / S(5) * m2;
-  prepared.c31 = S(2) / S(5) * m2;
+  prepared.c8 = S(2) / S(5) * m2;
   return prepared;
 }
 
@@ -482,29 +478,31 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S& frequency = prepared.frequency;
   const S& amplitude_frequency = prepared.amplitude_frequency;
   const S& c1 = prepared.c1;
-  const S& c2 = prepared.c2;
+  const S& m2_over_15 = prepared.m2_over_15;
   const S& amplitude_frequency_2 = prepared.amplitude_frequency_2;
   const S& m2_g = prepared.m2_g;
+  const S& c2 = prepared.c2;
+  const S& m2_over_10 = prepared.m2_over_10;
+  const S& m1_over_18 = prepared.m1_over_18;
+  const S& m2_over_4 = prepared.m2_over_4;
   const S& c3 = prepared.c3;
   const S& c4 = prepared.c4;
+  const S& m1_over_36 = prepared.m1_over_36;
+  const S& m1_over_9 = prepared.m1_over_9;
+  const S& m2_over_5 = prepared.m2_over_5;
+  const S& m2_over_25 = prepared.m2_over_25;
+  const S& m2_2_over_25 = prepared.m2_2_over_25;
   const S& c5 = prepared.c5;
-  const S& c6 = prepared.c6;
-  const S& c7 = prepared.c7;
-  const S& c8 = prepared.c8;
-  const S& c9 = prepared.c9;
-  const S& c10 = prepared.c10;
-  const S& c11 = prepared.c11;
-  const S& c12 = prepared.c12;
-  const S& c13 = prepared.c13;
-  const S& c14 = prepared.c14;
   const S& half_m2 = prepared.half_m2;
   const S& G_e_e = prepared.G_e_e;
   const S& inv_m1 = prepared.inv_m1;
-  const S& c15 = prepared.c15;
-  const S& c16 = prepared.c16;
+  const S& c6 = prepared.c6;
+  const S& c7 = prepared.c7;
   const S& m1_g = prepared.m1_g;
-  const S& c17 = prepared.c17;
+  const S& rounding_m2 = prepared.rounding_m2;
   const S& a = state.a();
+  const S& b = state.b();
+  const S& c = state.c();
   const S& d = state.d();
   const S& e = state.e();
   const S& a_dot = state.a_dot();
@@ -520,33 +518,33 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   // metric g_ab (1.10); held coordinates enter only through f
   const S s = S(1) + amplitude * sin_frequency_t;
   const S s_2 = s * s;
-  const S G_a_a = c6 * (S(4) + s_2) + c9 * (S(9) + S(4) * s_2);
+  const S G_a_a = m2_over_4 * (S(4) + s_2) + m1_over_36 * (S(9) + S(4) * s_2);
   const S d_2 = d * d;
-  const S G_d_d = c12 * (S(25) + S(4) * d_2);
+  const S G_d_d = m2_over_25 * (S(25) + S(4) * d_2);
   const S G_a_e = half_m2 * (S(1) - s);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
   const S t1 = S(2) * d_dot * d_dot - S(5) * amplitude_frequency * a_dot * cos_frequency_t;
-  const S bias_a = c3 * a_dot * s * cos_frequency_t + c4 * s * t1;
+  const S bias_a = c2 * a_dot * s * cos_frequency_t - m2_over_10 * s * t1;
   const S k_a_minus_e = k * (a - e);
   const S Q_a = -(m2_g + k_a_minus_e);
   const S a_s = a * s;
-  const S G_a_s = c5 * (S(9) + S(2) * a_s) + c6 * (S(4) + a_s);
+  const S G_a_s = m1_over_18 * (S(9) + S(2) * a_s) + m2_over_4 * (S(4) + a_s);
   const S f_a = Q_a - bias_a + amplitude_frequency_2 * G_a_s * sin_frequency_t;
-  const S f_b = c7 * a_dot * cos_frequency_t + c8 * a * sin_frequency_t;
-  const S f_c = c15 * s * sin_frequency_t - m1_g + c16 * cos_frequency_t * cos_frequency_t;
+  const S f_b = c4 * a * sin_frequency_t - c3 * a_dot * cos_frequency_t;
+  const S f_c = c7 * cos_frequency_t * cos_frequency_t - m1_g - c6 * s * sin_frequency_t;
   const S bias_d = c1 * d * t1;
-  const S G_d_s = c2 * (S(5) - S(3) * a * d);
-  const S f_d = -k * (d - s) - bias_d + amplitude_frequency_2 * G_d_s * sin_frequency_t;
-  const S bias_e = c11 * t1;
-  const S Q_e = c14 + k_a_minus_e;
+  const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
+  const S f_d = amplitude_frequency_2 * G_d_s * sin_frequency_t - k * (d - s) - bias_d;
+  const S bias_e = m2_over_5 * t1;
+  const S Q_e = c5 + k_a_minus_e;
   const S G_e_s = half_m2 * (S(1) - a);
   const S f_e = Q_e - bias_e + amplitude_frequency_2 * G_e_s * sin_frequency_t;
 
   // g = L D L^T
-  const S g_d_a = G_a_a + c10 * s_2;
+  const S g_d_a = G_a_a - m1_over_9 * s_2;
   const S inv_g_d_a = S(1) / g_d_a;
-  const S g_d_d = G_d_d + c13 * d_2 * inv_g_d_a * s_2;
+  const S g_d_d = G_d_d - m2_2_over_25 * d_2 * inv_g_d_a * s_2;
   const S inv_g_d_d = S(1) / g_d_d;
   const S t2 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_d_a * s;
   const S g_l_e_d = S(1) / S(5) * inv_g_d_d * t2;
@@ -554,12 +552,13 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   // accelerations from dZ/da = 0 (1.15)
   const S a_y_a = f_a - S(1) / S(3) * f_b * s;
-  const S a_y_d = f_d + c11 * d * a_y_a * inv_g_d_a * s;
+  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_d_a * s;
   const S a_y_e = f_e - G_a_e * a_y_a * inv_g_d_a - a_y_d * g_l_e_d;
   const S inv_g_d_e = S(1) / g_d_e;
   const S a_e = a_y_e * inv_g_d_e;
   const S a_d = a_y_d * inv_g_d_d - a_y_e * inv_g_d_e * g_l_e_d;
-  const S a_a = c11 * d * a_d * inv_g_d_a * s - G_a_e * a_y_e * inv_g_d_a * inv_g_d_e + a_y_a * inv_g_d_a;
+  const S a_a = m2_over_5 * d * a_d * inv_g_d_a * s - G_a_e * a_y_e * inv_g_d_a * inv_g_d_e
+      + a_y_a * inv_g_d_a;
   const S a_b = inv_m1 * f_b - S(1) / S(3) * a_a * s;
   const S a_c = inv_m1 * f_c;
 
@@ -575,8 +574,9 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.e_ddot() = a_e;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::less(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
-      Math<S>::less(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::less(g_d_e, c17));
-  const Bool not_finite = Math<S>::not_finite(a_dot, b_dot, c_dot, d_dot, e_dot, a_a, a_b, a_c, a_d, a_e);
+      Math<S>::less(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::less(g_d_e, rounding_m2));
+  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_a, a_b,
+      a_c, a_d, a_e);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -591,37 +591,42 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S& frequency = prepared.frequency;
   const S& amplitude_frequency = prepared.amplitude_frequency;
   const S& c1 = prepared.c1;
-  const S& c2 = prepared.c2;
+  const S& m2_over_15 = prepared.m2_over_15;
   const S& amplitude_frequency_2 = prepared.amplitude_frequency_2;
   const S& m2_g = prepared.m2_g;
+  const S& c2 = prepared.c2;
+  const S& m2_over_10 = prepared.m2_over_10;
+  const S& m1_over_18 = prepared.m1_over_18;
+  const S& m2_over_4 = prepared.m2_over_4;
   const S& c3 = prepared.c3;
   const S& c4 = prepared.c4;
+  const S& m1_over_36 = prepared.m1_over_36;
+  const S& m1_over_9 = prepared.m1_over_9;
+  const S& m2_over_5 = prepared.m2_over_5;
+  const S& m2_over_25 = prepared.m2_over_25;
+  const S& m2_2_over_25 = prepared.m2_2_over_25;
   const S& c5 = prepared.c5;
-  const S& c6 = prepared.c6;
-  const S& c7 = prepared.c7;
-  const S& c8 = prepared.c8;
-  const S& c9 = prepared.c9;
-  const S& c10 = prepared.c10;
-  const S& c11 = prepared.c11;
-  const S& c12 = prepared.c12;
-  const S& c13 = prepared.c13;
-  const S& c14 = prepared.c14;
   const S& half_m2 = prepared.half_m2;
   const S& G_e_e = prepared.G_e_e;
   const S& inv_m1 = prepared.inv_m1;
-  const S& c15 = prepared.c15;
-  const S& c16 = prepared.c16;
+  const S& c6 = prepared.c6;
+  const S& c7 = prepared.c7;
   const S& m1_g = prepared.m1_g;
-  const S& c17 = prepared.c17;
+  const S& rounding_m2 = prepared.rounding_m2;
   const S& half_m1_g = prepared.half_m1_g;
   const S& amplitude_2_frequency_2 = prepared.amplitude_2_frequency_2;
-  const S& c18 = prepared.c18;
-  const S& c19 = prepared.c19;
+  const S& m2_over_36 = prepared.m2_over_36;
+  const S& m1_over_3 = prepared.m1_over_3;
   const S& a = state.a();
+  const S& b = state.b();
+  const S& c = state.c();
   const S& d = state.d();
   const S& e = state.e();
   const S& a_dot = state.a_dot();
+  const S& b_dot = state.b_dot();
+  const S& c_dot = state.c_dot();
   const S& d_dot = state.d_dot();
+  const S& e_dot = state.e_dot();
 
   // Sines and cosines
   S sin_frequency_t, cos_frequency_t;
@@ -630,35 +635,35 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   // metric g_ab (1.10); held coordinates enter only through f
   const S s = S(1) + amplitude * sin_frequency_t;
   const S s_2 = s * s;
-  const S G_a_a = c6 * (S(4) + s_2) + c9 * (S(9) + S(4) * s_2);
+  const S G_a_a = m2_over_4 * (S(4) + s_2) + m1_over_36 * (S(9) + S(4) * s_2);
   const S d_2 = d * d;
-  const S G_d_d = c12 * (S(25) + S(4) * d_2);
+  const S G_d_d = m2_over_25 * (S(25) + S(4) * d_2);
   const S G_a_e = half_m2 * (S(1) - s);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
   const S t1 = S(2) * d_dot * d_dot - S(5) * amplitude_frequency * a_dot * cos_frequency_t;
-  const S bias_a = c3 * a_dot * s * cos_frequency_t + c4 * s * t1;
+  const S bias_a = c2 * a_dot * s * cos_frequency_t - m2_over_10 * s * t1;
   const S k_a_minus_e = k * (a - e);
   const S Q_a = -(m2_g + k_a_minus_e);
   const S a_s = a * s;
-  const S G_a_s = c5 * (S(9) + S(2) * a_s) + c6 * (S(4) + a_s);
+  const S G_a_s = m1_over_18 * (S(9) + S(2) * a_s) + m2_over_4 * (S(4) + a_s);
   const S f_a = Q_a - bias_a + amplitude_frequency_2 * G_a_s * sin_frequency_t;
-  const S f_b = c7 * a_dot * cos_frequency_t + c8 * a * sin_frequency_t;
+  const S f_b = c4 * a * sin_frequency_t - c3 * a_dot * cos_frequency_t;
   const S cos_frequency_t_2 = cos_frequency_t * cos_frequency_t;
-  const S f_c = c15 * s * sin_frequency_t - m1_g + c16 * cos_frequency_t_2;
+  const S f_c = c7 * cos_frequency_t_2 - m1_g - c6 * s * sin_frequency_t;
   const S bias_d = c1 * d * t1;
   const S k_d_minus_s = k * (d - s);
-  const S G_d_s = c2 * (S(5) - S(3) * a * d);
-  const S f_d = -k_d_minus_s - bias_d + amplitude_frequency_2 * G_d_s * sin_frequency_t;
-  const S bias_e = c11 * t1;
-  const S Q_e = c14 + k_a_minus_e;
+  const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
+  const S f_d = amplitude_frequency_2 * G_d_s * sin_frequency_t - k_d_minus_s - bias_d;
+  const S bias_e = m2_over_5 * t1;
+  const S Q_e = c5 + k_a_minus_e;
   const S G_e_s = half_m2 * (S(1) - a);
   const S f_e = Q_e - bias_e + amplitude_frequency_2 * G_e_s * sin_frequency_t;
 
   // g = L D L^T
-  const S g_d_a = G_a_a + c10 * s_2;
+  const S g_d_a = G_a_a - m1_over_9 * s_2;
   const S inv_g_d_a = S(1) / g_d_a;
-  const S g_d_d = G_d_d + c13 * d_2 * inv_g_d_a * s_2;
+  const S g_d_d = G_d_d - m2_2_over_25 * d_2 * inv_g_d_a * s_2;
   const S inv_g_d_d = S(1) / g_d_d;
   const S t2 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_d_a * s;
   const S g_l_e_d = S(1) / S(5) * inv_g_d_d * t2;
@@ -666,28 +671,28 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   // accelerations from dZ/da = 0 (1.15)
   const S a_y_a = f_a - S(1) / S(3) * f_b * s;
-  const S a_y_d = f_d + c11 * d * a_y_a * inv_g_d_a * s;
+  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_d_a * s;
   const S a_y_e = f_e - G_a_e * a_y_a * inv_g_d_a - a_y_d * g_l_e_d;
   const S inv_g_d_e = S(1) / g_d_e;
   const S a_d = a_y_d * inv_g_d_d - a_y_e * inv_g_d_e * g_l_e_d;
-  const S a_a = c11 * d * a_d * inv_g_d_a * s - G_a_e * a_y_e * inv_g_d_a * inv_g_d_e + a_y_a * inv_g_d_a;
+  const S a_a = m2_over_5 * d * a_d * inv_g_d_a * s - G_a_e * a_y_e * inv_g_d_a * inv_g_d_e
+      + a_y_a * inv_g_d_a;
   const S a_b = inv_m1 * f_b - S(1) / S(3) * a_a * s;
 
   // reaction of s: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 16
   const S Q_s = k_d_minus_s - m2_g + half_m1_g * s;
-  const S bias_s = c4 * a * t1
-      + c9 * (S(8) * amplitude_frequency * a * a_dot * cos_frequency_t
-      + S(9) * amplitude_2_frequency_2 * s * cos_frequency_t_2);
+  const S bias_s = m1_over_36 * (S(8) * amplitude_frequency * a * a_dot * cos_frequency_t
+      + S(9) * amplitude_2_frequency_2 * s * cos_frequency_t_2) - m2_over_10 * a * t1;
   const S a_2 = a * a;
-  const S G_s_s = c9 * (S(36) + S(4) * a_2 + S(9) * s_2) + c18 * (S(40) + S(9) * a_2);
-  const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + c19 * a * a_b + G_a_s * a_a
-      + G_d_s * a_d + G_e_s * a_y_e * inv_g_d_e - S(0.5) * f_c * s;
+  const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
+  const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + m1_over_3 * a * a_b
+      + G_a_s * a_a + G_d_s * a_d + G_e_s * a_y_e * inv_g_d_e - S(0.5) * f_c * s;
 
   reactions.s.generalized = R_s;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::less(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
-      Math<S>::less(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::less(g_d_e, c17));
-  const Bool not_finite = Math<S>::not_finite(R_s);
+      Math<S>::less(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::less(g_d_e, rounding_m2));
+  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -703,33 +708,35 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S& frequency = prepared.frequency;
   const S& amplitude_frequency = prepared.amplitude_frequency;
   const S& c1 = prepared.c1;
-  const S& c2 = prepared.c2;
+  const S& m2_over_15 = prepared.m2_over_15;
   const S& amplitude_frequency_2 = prepared.amplitude_frequency_2;
   const S& m2_g = prepared.m2_g;
+  const S& c2 = prepared.c2;
+  const S& m2_over_10 = prepared.m2_over_10;
+  const S& m1_over_18 = prepared.m1_over_18;
+  const S& m2_over_4 = prepared.m2_over_4;
   const S& c3 = prepared.c3;
   const S& c4 = prepared.c4;
+  const S& m1_over_36 = prepared.m1_over_36;
+  const S& m1_over_9 = prepared.m1_over_9;
+  const S& m2_over_5 = prepared.m2_over_5;
+  const S& m2_over_25 = prepared.m2_over_25;
+  const S& m2_2_over_25 = prepared.m2_2_over_25;
   const S& c5 = prepared.c5;
-  const S& c6 = prepared.c6;
-  const S& c7 = prepared.c7;
-  const S& c8 = prepared.c8;
-  const S& c9 = prepared.c9;
-  const S& c10 = prepared.c10;
-  const S& c11 = prepared.c11;
-  const S& c12 = prepared.c12;
-  const S& c13 = prepared.c13;
-  const S& c14 = prepared.c14;
   const S& half_m2 = prepared.half_m2;
   const S& G_e_e = prepared.G_e_e;
   const S& inv_m1 = prepared.inv_m1;
-  const S& c15 = prepared.c15;
-  const S& c16 = prepared.c16;
+  const S& c6 = prepared.c6;
+  const S& c7 = prepared.c7;
   const S& m1_g = prepared.m1_g;
-  const S& c17 = prepared.c17;
+  const S& rounding_m2 = prepared.rounding_m2;
   const S& half_m1_g = prepared.half_m1_g;
   const S& amplitude_2_frequency_2 = prepared.amplitude_2_frequency_2;
-  const S& c18 = prepared.c18;
-  const S& c19 = prepared.c19;
+  const S& m2_over_36 = prepared.m2_over_36;
+  const S& m1_over_3 = prepared.m1_over_3;
   const S& a = state.a();
+  const S& b = state.b();
+  const S& c = state.c();
   const S& d = state.d();
   const S& e = state.e();
   const S& a_dot = state.a_dot();
@@ -745,35 +752,35 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   // metric g_ab (1.10); held coordinates enter only through f
   const S s = S(1) + amplitude * sin_frequency_t;
   const S s_2 = s * s;
-  const S G_a_a = c6 * (S(4) + s_2) + c9 * (S(9) + S(4) * s_2);
+  const S G_a_a = m2_over_4 * (S(4) + s_2) + m1_over_36 * (S(9) + S(4) * s_2);
   const S d_2 = d * d;
-  const S G_d_d = c12 * (S(25) + S(4) * d_2);
+  const S G_d_d = m2_over_25 * (S(25) + S(4) * d_2);
   const S G_a_e = half_m2 * (S(1) - s);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
   const S t1 = S(2) * d_dot * d_dot - S(5) * amplitude_frequency * a_dot * cos_frequency_t;
-  const S bias_a = c3 * a_dot * s * cos_frequency_t + c4 * s * t1;
+  const S bias_a = c2 * a_dot * s * cos_frequency_t - m2_over_10 * s * t1;
   const S k_a_minus_e = k * (a - e);
   const S Q_a = -(m2_g + k_a_minus_e);
   const S a_s = a * s;
-  const S G_a_s = c5 * (S(9) + S(2) * a_s) + c6 * (S(4) + a_s);
+  const S G_a_s = m1_over_18 * (S(9) + S(2) * a_s) + m2_over_4 * (S(4) + a_s);
   const S f_a = Q_a - bias_a + amplitude_frequency_2 * G_a_s * sin_frequency_t;
-  const S f_b = c7 * a_dot * cos_frequency_t + c8 * a * sin_frequency_t;
+  const S f_b = c4 * a * sin_frequency_t - c3 * a_dot * cos_frequency_t;
   const S cos_frequency_t_2 = cos_frequency_t * cos_frequency_t;
-  const S f_c = c15 * s * sin_frequency_t - m1_g + c16 * cos_frequency_t_2;
+  const S f_c = c7 * cos_frequency_t_2 - m1_g - c6 * s * sin_frequency_t;
   const S bias_d = c1 * d * t1;
   const S k_d_minus_s = k * (d - s);
-  const S G_d_s = c2 * (S(5) - S(3) * a * d);
-  const S f_d = -k_d_minus_s - bias_d + amplitude_frequency_2 * G_d_s * sin_frequency_t;
-  const S bias_e = c11 * t1;
-  const S Q_e = c14 + k_a_minus_e;
+  const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
+  const S f_d = amplitude_frequency_2 * G_d_s * sin_frequency_t - k_d_minus_s - bias_d;
+  const S bias_e = m2_over_5 * t1;
+  const S Q_e = c5 + k_a_minus_e;
   const S G_e_s = half_m2 * (S(1) - a);
   const S f_e = Q_e - bias_e + amplitude_frequency_2 * G_e_s * sin_frequency_t;
 
   // g = L D L^T
-  const S g_d_a = G_a_a + c10 * s_2;
+  const S g_d_a = G_a_a - m1_over_9 * s_2;
   const S inv_g_d_a = S(1) / g_d_a;
-  const S g_d_d = G_d_d + c13 * d_2 * inv_g_d_a * s_2;
+  const S g_d_d = G_d_d - m2_2_over_25 * d_2 * inv_g_d_a * s_2;
   const S inv_g_d_d = S(1) / g_d_d;
   const S t2 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_d_a * s;
   const S g_l_e_d = S(1) / S(5) * inv_g_d_d * t2;
@@ -781,24 +788,24 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   // accelerations from dZ/da = 0 (1.15)
   const S a_y_a = f_a - S(1) / S(3) * f_b * s;
-  const S a_y_d = f_d + c11 * d * a_y_a * inv_g_d_a * s;
+  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_d_a * s;
   const S a_y_e = f_e - G_a_e * a_y_a * inv_g_d_a - a_y_d * g_l_e_d;
   const S inv_g_d_e = S(1) / g_d_e;
   const S a_e = a_y_e * inv_g_d_e;
   const S a_d = a_y_d * inv_g_d_d - a_y_e * inv_g_d_e * g_l_e_d;
-  const S a_a = c11 * d * a_d * inv_g_d_a * s - G_a_e * a_y_e * inv_g_d_a * inv_g_d_e + a_y_a * inv_g_d_a;
+  const S a_a = m2_over_5 * d * a_d * inv_g_d_a * s - G_a_e * a_y_e * inv_g_d_a * inv_g_d_e
+      + a_y_a * inv_g_d_a;
   const S a_b = inv_m1 * f_b - S(1) / S(3) * a_a * s;
   const S a_c = inv_m1 * f_c;
 
   // reaction of s: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 16
   const S Q_s = k_d_minus_s - m2_g + half_m1_g * s;
-  const S bias_s = c4 * a * t1
-      + c9 * (S(8) * amplitude_frequency * a * a_dot * cos_frequency_t
-      + S(9) * amplitude_2_frequency_2 * s * cos_frequency_t_2);
+  const S bias_s = m1_over_36 * (S(8) * amplitude_frequency * a * a_dot * cos_frequency_t
+      + S(9) * amplitude_2_frequency_2 * s * cos_frequency_t_2) - m2_over_10 * a * t1;
   const S a_2 = a * a;
-  const S G_s_s = c9 * (S(36) + S(4) * a_2 + S(9) * s_2) + c18 * (S(40) + S(9) * a_2);
-  const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + c19 * a * a_b + G_a_s * a_a
-      + G_d_s * a_d + G_e_s * a_y_e * inv_g_d_e - S(0.5) * f_c * s;
+  const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
+  const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + m1_over_3 * a * a_b
+      + G_a_s * a_a + G_d_s * a_d + G_e_s * a_y_e * inv_g_d_e - S(0.5) * f_c * s;
 
   derivative.a_dot() = a_dot;
   derivative.b_dot() = b_dot;
@@ -813,14 +820,15 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   reactions.s.generalized = R_s;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::less(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
-      Math<S>::less(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::less(g_d_e, c17));
-  const Bool not_finite = Math<S>::not_finite(a_dot, b_dot, c_dot, d_dot, e_dot, a_a, a_b, a_c, a_d, a_e,
-      R_s);
+      Math<S>::less(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::less(g_d_e, rounding_m2));
+  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_a, a_b,
+      a_c, a_d, a_e, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
-/// Reactions as Cartesian forces and moments that act ON the bodies, in space axes.
-/// A force acts at the mass centre together with the moment stated beside it.
+/// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the mass
+/// centre together with the moment stated beside it. on_<body> is the sum over all constraints, by
+/// Newton and Euler; potentials and generalized forces name no body, so they are in it as well.
 template <class S>
 GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                            const Prepared<S>& prepared,
@@ -833,40 +841,45 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& frequency = prepared.frequency;
   const S& amplitude_frequency = prepared.amplitude_frequency;
   const S& c1 = prepared.c1;
-  const S& c2 = prepared.c2;
+  const S& m2_over_15 = prepared.m2_over_15;
   const S& amplitude_frequency_2 = prepared.amplitude_frequency_2;
   const S& m2_g = prepared.m2_g;
+  const S& c2 = prepared.c2;
+  const S& m2_over_10 = prepared.m2_over_10;
+  const S& m1_over_18 = prepared.m1_over_18;
+  const S& m2_over_4 = prepared.m2_over_4;
   const S& c3 = prepared.c3;
   const S& c4 = prepared.c4;
+  const S& m1_over_36 = prepared.m1_over_36;
+  const S& m1_over_9 = prepared.m1_over_9;
+  const S& m2_over_5 = prepared.m2_over_5;
+  const S& m2_over_25 = prepared.m2_over_25;
+  const S& m2_2_over_25 = prepared.m2_2_over_25;
   const S& c5 = prepared.c5;
-  const S& c6 = prepared.c6;
-  const S& c7 = prepared.c7;
-  const S& c8 = prepared.c8;
-  const S& c9 = prepared.c9;
-  const S& c10 = prepared.c10;
-  const S& c11 = prepared.c11;
-  const S& c12 = prepared.c12;
-  const S& c13 = prepared.c13;
-  const S& c14 = prepared.c14;
   const S& half_m2 = prepared.half_m2;
   const S& G_e_e = prepared.G_e_e;
   const S& inv_m1 = prepared.inv_m1;
-  const S& c15 = prepared.c15;
-  const S& c16 = prepared.c16;
+  const S& c6 = prepared.c6;
+  const S& c7 = prepared.c7;
   const S& m1_g = prepared.m1_g;
-  const S& c17 = prepared.c17;
+  const S& rounding_m2 = prepared.rounding_m2;
   const S& half_m1_g = prepared.half_m1_g;
   const S& amplitude_2_frequency_2 = prepared.amplitude_2_frequency_2;
-  const S& c18 = prepared.c18;
-  const S& c19 = prepared.c19;
-  const S& c20 = prepared.c20;
+  const S& m2_over_36 = prepared.m2_over_36;
+  const S& m1_over_3 = prepared.m1_over_3;
+  const S& m1_over_4 = prepared.m1_over_4;
   const S& half_m1 = prepared.half_m1;
-  const S& c21 = prepared.c21;
+  const S& m2_over_3 = prepared.m2_over_3;
   const S& a = state.a();
+  const S& b = state.b();
+  const S& c = state.c();
   const S& d = state.d();
   const S& e = state.e();
   const S& a_dot = state.a_dot();
+  const S& b_dot = state.b_dot();
+  const S& c_dot = state.c_dot();
   const S& d_dot = state.d_dot();
+  const S& e_dot = state.e_dot();
 
   // Sines and cosines
   S sin_frequency_t, cos_frequency_t;
@@ -875,85 +888,106 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   // metric g_ab (1.10); held coordinates enter only through f
   const S s = S(1) + amplitude * sin_frequency_t;
   const S s_2 = s * s;
-  const S G_a_a = c6 * (S(4) + s_2) + c9 * (S(9) + S(4) * s_2);
+  const S G_a_a = m2_over_4 * (S(4) + s_2) + m1_over_36 * (S(9) + S(4) * s_2);
   const S d_2 = d * d;
-  const S G_d_d = c12 * (S(25) + S(4) * d_2);
+  const S G_d_d = m2_over_25 * (S(25) + S(4) * d_2);
   const S G_a_e = half_m2 * (S(1) - s);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
-  const S t1 = S(2) * d_dot * d_dot - S(5) * amplitude_frequency * a_dot * cos_frequency_t;
-  const S bias_a = c3 * a_dot * s * cos_frequency_t + c4 * s * t1;
+  const S d_dot_2 = d_dot * d_dot;
+  const S t1 = amplitude_frequency * a_dot * cos_frequency_t;
+  const S t2 = S(2) * d_dot_2 - S(5) * t1;
+  const S bias_a = c2 * a_dot * s * cos_frequency_t - m2_over_10 * s * t2;
   const S k_a_minus_e = k * (a - e);
   const S Q_a = -(m2_g + k_a_minus_e);
   const S a_s = a * s;
-  const S G_a_s = c5 * (S(9) + S(2) * a_s) + c6 * (S(4) + a_s);
+  const S G_a_s = m1_over_18 * (S(9) + S(2) * a_s) + m2_over_4 * (S(4) + a_s);
   const S f_a = Q_a - bias_a + amplitude_frequency_2 * G_a_s * sin_frequency_t;
-  const S f_b = c7 * a_dot * cos_frequency_t + c8 * a * sin_frequency_t;
+  const S f_b = c4 * a * sin_frequency_t - c3 * a_dot * cos_frequency_t;
   const S cos_frequency_t_2 = cos_frequency_t * cos_frequency_t;
-  const S f_c = c15 * s * sin_frequency_t - m1_g + c16 * cos_frequency_t_2;
-  const S bias_d = c1 * d * t1;
+  const S f_c = c7 * cos_frequency_t_2 - m1_g - c6 * s * sin_frequency_t;
+  const S bias_d = c1 * d * t2;
   const S k_d_minus_s = k * (d - s);
-  const S G_d_s = c2 * (S(5) - S(3) * a * d);
-  const S f_d = -k_d_minus_s - bias_d + amplitude_frequency_2 * G_d_s * sin_frequency_t;
-  const S bias_e = c11 * t1;
-  const S Q_e = c14 + k_a_minus_e;
+  const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
+  const S f_d = amplitude_frequency_2 * G_d_s * sin_frequency_t - k_d_minus_s - bias_d;
+  const S bias_e = m2_over_5 * t2;
+  const S Q_e = c5 + k_a_minus_e;
   const S G_e_s = half_m2 * (S(1) - a);
   const S f_e = Q_e - bias_e + amplitude_frequency_2 * G_e_s * sin_frequency_t;
 
   // g = L D L^T
-  const S g_d_a = G_a_a + c10 * s_2;
+  const S g_d_a = G_a_a - m1_over_9 * s_2;
   const S inv_g_d_a = S(1) / g_d_a;
-  const S g_d_d = G_d_d + c13 * d_2 * inv_g_d_a * s_2;
+  const S g_d_d = G_d_d - m2_2_over_25 * d_2 * inv_g_d_a * s_2;
   const S inv_g_d_d = S(1) / g_d_d;
-  const S t2 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_d_a * s;
-  const S g_l_e_d = S(1) / S(5) * inv_g_d_d * t2;
-  const S g_d_e = G_e_e - G_a_e * G_a_e * inv_g_d_a - S(1) / S(5) * g_l_e_d * t2;
+  const S t3 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_d_a * s;
+  const S g_l_e_d = S(1) / S(5) * inv_g_d_d * t3;
+  const S g_d_e = G_e_e - G_a_e * G_a_e * inv_g_d_a - S(1) / S(5) * g_l_e_d * t3;
 
   // accelerations from dZ/da = 0 (1.15)
   const S a_y_a = f_a - S(1) / S(3) * f_b * s;
-  const S a_y_d = f_d + c11 * d * a_y_a * inv_g_d_a * s;
+  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_d_a * s;
   const S a_y_e = f_e - G_a_e * a_y_a * inv_g_d_a - a_y_d * g_l_e_d;
   const S inv_g_d_e = S(1) / g_d_e;
+  const S a_e = a_y_e * inv_g_d_e;
   const S a_d = a_y_d * inv_g_d_d - a_y_e * inv_g_d_e * g_l_e_d;
-  const S a_a = c11 * d * a_d * inv_g_d_a * s - G_a_e * a_y_e * inv_g_d_a * inv_g_d_e + a_y_a * inv_g_d_a;
-  const S a_b = inv_m1 * f_b - S(1) / S(3) * a_a * s;
+  const S a_a = m2_over_5 * d * a_d * inv_g_d_a * s - G_a_e * a_y_e * inv_g_d_a * inv_g_d_e
+      + a_y_a * inv_g_d_a;
+  const S a_a_s = a_a * s;
+  const S a_b = inv_m1 * f_b - S(1) / S(3) * a_a_s;
+  const S a_c = inv_m1 * f_c;
 
   // reaction of s: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 16
   const S Q_s = k_d_minus_s - m2_g + half_m1_g * s;
-  const S bias_s = c4 * a * t1
-      + c9 * (S(8) * amplitude_frequency * a * a_dot * cos_frequency_t
-      + S(9) * amplitude_2_frequency_2 * s * cos_frequency_t_2);
+  const S bias_s = m1_over_36 * (S(8) * amplitude_frequency * a * a_dot * cos_frequency_t
+      + S(9) * amplitude_2_frequency_2 * s * cos_frequency_t_2) - m2_over_10 * a * t2;
   const S a_2 = a * a;
-  const S G_s_s = c9 * (S(36) + S(4) * a_2 + S(9) * s_2) + c18 * (S(40) + S(9) * a_2);
-  const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + c19 * a * a_b + G_a_s * a_a
-      + G_d_s * a_d + G_e_s * a_y_e * inv_g_d_e - S(0.5) * f_c * s;
+  const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
+  const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + m1_over_3 * a * a_b
+      + G_a_s * a_a + G_d_s * a_d + G_e_s * a_y_e * inv_g_d_e - S(0.5) * f_c * s;
 
-  // full metric G_AB = L D L^T
-  const S t3 = S(9) * G_a_s - m1 * a * s;
-  const S G_l_s_a = S(1) / S(9) * inv_g_d_a * t3;
-  const S t4 = S(5) * G_d_s + m2 * d * G_l_s_a * s;
-  const S G_l_s_d = S(1) / S(5) * inv_g_d_d * t4;
-  const S t5 = S(5) * G_a_e * G_l_s_a - S(5) * G_e_s + G_l_s_d * t2;
-  const S G_l_s_e = -S(1) / S(5) * inv_g_d_e * t5;
-  const S G_d_s_2 = G_s_s + c10 * a_2 + c20 * s_2 - S(1) / S(9) * G_l_s_a * t3 - S(1) / S(5) * G_l_s_d * t4
-      + S(1) / S(5) * G_l_s_e * t5;
+  // metric G_AB of released coordinates = L D L^T
+  const S t4 = S(9) * G_a_s - m1 * a * s;
+  const S G_l_s_a = S(1) / S(9) * inv_g_d_a * t4;
+  const S t5 = S(5) * G_d_s + m2 * d * G_l_s_a * s;
+  const S G_l_s_d = S(1) / S(5) * inv_g_d_d * t5;
+  const S t6 = S(5) * G_a_e * G_l_s_a - S(5) * G_e_s + G_l_s_d * t3;
+  const S G_l_s_e = -S(1) / S(5) * inv_g_d_e * t6;
+  const S G_d_s_2 = G_s_s - m1_over_9 * a_2 - m1_over_4 * s_2 - S(1) / S(9) * G_l_s_a * t4
+      - S(1) / S(5) * G_l_s_d * t5 + S(1) / S(5) * G_l_s_e * t6;
 
-  // direction of s in the metric: G z = its covariant components
+  // direction z of s in the metric: G z = its covariant components
   const S z_s_s = S(1) / G_d_s_2;
   const S z_s_d = z_s_s * G_l_s_e * g_l_e_d - z_s_s * G_l_s_d;
-  const S z_s_a = c11 * d * inv_g_d_a * s * z_s_d + G_a_e * z_s_s * G_l_s_e * inv_g_d_a - z_s_s * G_l_s_a;
+  const S z_s_a = m2_over_5 * d * inv_g_d_a * s * z_s_d + G_a_e * z_s_s * G_l_s_e * inv_g_d_a
+      - z_s_s * G_l_s_a;
   const S a_over_G_d_s = a * z_s_s;
   const S s_z_s_a = s * z_s_a;
   const S z_s_b = -S(1) / S(3) * (a_over_G_d_s + s_z_s_a);
 
   // force and moment of s: m J z and I W z, times its reaction, model line 16
   const S force_s_first_x = half_m1 * R_s * (S(2) * z_s_s + z_s_a);
-  const S force_s_first_y = c19 * R_s * (S(3) * z_s_b + a_over_G_d_s + s_z_s_a);
-  const S force_s_second_x = c21 * R_s * (z_s_s + S(3) * z_s_d);
+  const S force_s_first_y = m1_over_3 * R_s * (S(3) * z_s_b + a_over_G_d_s + s_z_s_a);
+  const S force_s_second_x = m2_over_3 * R_s * (z_s_s + S(3) * z_s_d);
   const S G_l_s_e_over_G_d_s = z_s_s * G_l_s_e;
-  const S force_s_second_y = c4 * R_s
+  const S force_s_second_y = -m2_over_10 * R_s
       * (S(5) * a_over_G_d_s - S(4) * d * z_s_d + S(10) * G_l_s_e_over_G_d_s + S(5) * s_z_s_a);
   const S force_s_second_z = half_m2 * R_s * (S(2) * z_s_s + S(2) * z_s_a - G_l_s_e_over_G_d_s);
+
+  // all constraint forces on first: m a - F and d(I omega)/dt - M (theory.md, section 4)
+  const S t7 = amplitude_frequency_2 * sin_frequency_t;
+  const S force_on_first_x = half_m1 * (a_a - S(2) * t7);
+  const S t8 = amplitude_frequency_2 * a * sin_frequency_t;
+  const S force_on_first_y = m1_over_3 * (S(3) * a_b + S(2) * t1 - t8 + a_a_s);
+  const S force_on_first_z = m1_g + half_m1
+      * (amplitude_frequency_2 * s * sin_frequency_t + S(2) * a_c
+      - amplitude_2_frequency_2 * cos_frequency_t_2);
+
+  // all constraint forces on second: m a - F and d(I omega)/dt - M (theory.md, section 4)
+  const S force_on_second_x = m2_over_3 * (S(3) * a_d - t7);
+  const S force_on_second_y = m2_over_10 * (S(4) * d_dot_2 - S(10) * t1 + S(5) * t8 + S(4) * d * a_d
+      - S(5) * a_a_s + S(10) * a_e);
+  const S force_on_second_z = m2_g + half_m2 * (S(2) * a_a - S(2) * t7 + a_e);
 
   reaction_forces.s.force_on_first[0] = force_s_first_x;
   reaction_forces.s.force_on_first[1] = force_s_first_y;
@@ -961,11 +995,19 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.s.force_on_second[0] = force_s_second_x;
   reaction_forces.s.force_on_second[1] = force_s_second_y;
   reaction_forces.s.force_on_second[2] = force_s_second_z;
+  reaction_forces.on_first.force[0] = force_on_first_x;
+  reaction_forces.on_first.force[1] = force_on_first_y;
+  reaction_forces.on_first.force[2] = force_on_first_z;
+  reaction_forces.on_second.force[0] = force_on_second_x;
+  reaction_forces.on_second.force[1] = force_on_second_y;
+  reaction_forces.on_second.force[2] = force_on_second_z;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::less(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
-      Math<S>::less(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::less(g_d_e, c17));
-  const Bool not_finite = Math<S>::not_finite(force_s_first_x, force_s_first_y, force_s_second_x,
-      force_s_second_y, force_s_second_z);
+      Math<S>::less(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::less(g_d_e, rounding_m2));
+  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot,
+      force_s_first_x, force_s_first_y, force_s_second_x, force_s_second_y, force_s_second_z,
+      force_on_first_x, force_on_first_y, force_on_first_z, force_on_second_x, force_on_second_y,
+      force_on_second_z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -977,12 +1019,13 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   const S& amplitude = prepared.amplitude;
   const S& frequency = prepared.frequency;
   const S& amplitude_frequency = prepared.amplitude_frequency;
-  const S& c22 = prepared.c22;
-  const S& c23 = prepared.c23;
-  const S& c24 = prepared.c24;
+  const S& m1_over_72 = prepared.m1_over_72;
+  const S& m2_over_1800 = prepared.m2_over_1800;
+  const S& m1_g_over_4 = prepared.m1_g_over_4;
   const S& half_m2_g = prepared.half_m2_g;
   const S& half_k = prepared.half_k;
   const S& a = state.a();
+  const S& b = state.b();
   const S& c = state.c();
   const S& d = state.d();
   const S& e = state.e();
@@ -1007,11 +1050,11 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   const S t5 = S(2) * a_dot + e_dot + S(2) * s_dot;
   const S t6 = S(3) * d_dot + s_dot;
   const S t7 = S(10) * e_dot - S(5) * t2 + S(4) * d * d_dot - S(5) * a_dot_s;
-  const S kinetic_energy = c22 * (S(9) * t1 * t1 + S(4) * t3 * t3 + S(9) * t4 * t4)
-      + c23 * (S(225) * t5 * t5 + S(100) * t6 * t6 + S(9) * t7 * t7);
+  const S kinetic_energy = m1_over_72 * (S(9) * t1 * t1 + S(4) * t3 * t3 + S(9) * t4 * t4)
+      + m2_over_1800 * (S(225) * t5 * t5 + S(100) * t6 * t6 + S(9) * t7 * t7);
   const S a_minus_e = a - e;
   const S d_minus_s = d - s;
-  const S potential_energy = c24 * (S(4) * c - s * s) + half_m2_g * (S(2) * a + e + S(2) * s)
+  const S potential_energy = m1_g_over_4 * (S(4) * c - s * s) + half_m2_g * (S(2) * a + e + S(2) * s)
       + half_k * (a_minus_e * a_minus_e + d_minus_s * d_minus_s);
 
   // Shared terms
@@ -1021,7 +1064,8 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   energy.potential = potential_energy;
   energy.total = total;
 
-  const Bool not_finite = Math<S>::not_finite(kinetic_energy, potential_energy, total);
+  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot,
+      kinetic_energy, potential_energy, total);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
@@ -1038,38 +1082,38 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S& amplitude = prepared.amplitude;
   const S& frequency = prepared.frequency;
   const S& amplitude_frequency = prepared.amplitude_frequency;
-  const S& c2 = prepared.c2;
+  const S& m2_over_15 = prepared.m2_over_15;
   const S& amplitude_frequency_2 = prepared.amplitude_frequency_2;
   const S& m2_g = prepared.m2_g;
-  const S& c4 = prepared.c4;
-  const S& c5 = prepared.c5;
-  const S& c6 = prepared.c6;
-  const S& c9 = prepared.c9;
-  const S& c10 = prepared.c10;
-  const S& c11 = prepared.c11;
-  const S& c12 = prepared.c12;
-  const S& c13 = prepared.c13;
+  const S& m2_over_10 = prepared.m2_over_10;
+  const S& m1_over_18 = prepared.m1_over_18;
+  const S& m2_over_4 = prepared.m2_over_4;
+  const S& m1_over_36 = prepared.m1_over_36;
+  const S& m1_over_9 = prepared.m1_over_9;
+  const S& m2_over_5 = prepared.m2_over_5;
+  const S& m2_over_25 = prepared.m2_over_25;
+  const S& m2_2_over_25 = prepared.m2_2_over_25;
   const S& half_m2 = prepared.half_m2;
   const S& G_e_e = prepared.G_e_e;
   const S& m1_g = prepared.m1_g;
   const S& amplitude_2_frequency_2 = prepared.amplitude_2_frequency_2;
-  const S& c18 = prepared.c18;
-  const S& c19 = prepared.c19;
-  const S& c20 = prepared.c20;
+  const S& m2_over_36 = prepared.m2_over_36;
+  const S& m1_over_3 = prepared.m1_over_3;
+  const S& m1_over_4 = prepared.m1_over_4;
   const S& half_m1 = prepared.half_m1;
-  const S& c21 = prepared.c21;
-  const S& c25 = prepared.c25;
-  const S& c26 = prepared.c26;
-  const S& c27 = prepared.c27;
-  const S& c28 = prepared.c28;
-  const S& c29 = prepared.c29;
+  const S& m2_over_3 = prepared.m2_over_3;
   const S& half_inv_m1 = prepared.half_inv_m1;
   const S& half_inv_m2 = prepared.half_inv_m2;
   const S& a = state.a();
+  const S& b = state.b();
+  const S& c = state.c();
   const S& d = state.d();
   const S& e = state.e();
   const S& a_dot = state.a_dot();
+  const S& b_dot = state.b_dot();
+  const S& c_dot = state.c_dot();
   const S& d_dot = state.d_dot();
+  const S& e_dot = state.e_dot();
   const S& a_ddot = accelerations.a_ddot();
   const S& b_ddot = accelerations.b_ddot();
   const S& c_ddot = accelerations.c_ddot();
@@ -1083,26 +1127,26 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   // metric g_ab (1.10); held coordinates enter only through f
   const S s = S(1) + amplitude * sin_frequency_t;
   const S s_2 = s * s;
-  const S G_a_a = c6 * (S(4) + s_2) + c9 * (S(9) + S(4) * s_2);
+  const S G_a_a = m2_over_4 * (S(4) + s_2) + m1_over_36 * (S(9) + S(4) * s_2);
   const S d_2 = d * d;
-  const S G_d_d = c12 * (S(25) + S(4) * d_2);
+  const S G_d_d = m2_over_25 * (S(25) + S(4) * d_2);
   const S G_a_e = half_m2 * (S(1) - s);
 
   // g = L D L^T
-  const S g_d_a = G_a_a + c10 * s_2;
+  const S g_d_a = G_a_a - m1_over_9 * s_2;
   const S inv_g_d_a = S(1) / g_d_a;
-  const S g_d_d = G_d_d + c13 * d_2 * inv_g_d_a * s_2;
+  const S g_d_d = G_d_d - m2_2_over_25 * d_2 * inv_g_d_a * s_2;
   const S inv_g_d_d = S(1) / g_d_d;
   const S t1 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_d_a * s;
   const S g_l_e_d = S(1) / S(5) * inv_g_d_d * t1;
   const S g_d_e = G_e_e - G_a_e * G_a_e * inv_g_d_a - S(1) / S(5) * g_l_e_d * t1;
 
-  // full metric G_AB = L D L^T
+  // metric G_AB of released coordinates = L D L^T
   const S a_s = a * s;
-  const S G_a_s = c5 * (S(9) + S(2) * a_s) + c6 * (S(4) + a_s);
+  const S G_a_s = m1_over_18 * (S(9) + S(2) * a_s) + m2_over_4 * (S(4) + a_s);
   const S t2 = S(9) * G_a_s - m1 * a * s;
   const S G_l_s_a = S(1) / S(9) * inv_g_d_a * t2;
-  const S G_d_s = c2 * (S(5) - S(3) * a * d);
+  const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
   const S t3 = S(5) * G_d_s + m2 * d * G_l_s_a * s;
   const S G_l_s_d = S(1) / S(5) * inv_g_d_d * t3;
   const S inv_g_d_e = S(1) / g_d_e;
@@ -1110,45 +1154,45 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S t4 = S(5) * G_a_e * G_l_s_a - S(5) * G_e_s + G_l_s_d * t1;
   const S G_l_s_e = -S(1) / S(5) * inv_g_d_e * t4;
   const S a_2 = a * a;
-  const S G_s_s = c9 * (S(36) + S(4) * a_2 + S(9) * s_2) + c18 * (S(40) + S(9) * a_2);
-  const S G_d_s_2 = G_s_s + c10 * a_2 + c20 * s_2 - S(1) / S(9) * G_l_s_a * t2 - S(1) / S(5) * G_l_s_d * t3
-      + S(1) / S(5) * G_l_s_e * t4;
+  const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
+  const S G_d_s_2 = G_s_s - m1_over_9 * a_2 - m1_over_4 * s_2 - S(1) / S(9) * G_l_s_a * t2
+      - S(1) / S(5) * G_l_s_d * t3 + S(1) / S(5) * G_l_s_e * t4;
 
   // generalized forces, raised: G z = Q
   const S k_d_minus_s = k * (d - s);
   const S k_a_minus_e = k * (a - e);
-  const S z_y_d = c11 * d * inv_g_d_a * s * (-k_a_minus_e) - k_d_minus_s;
-  const S z_y_e = k_a_minus_e - G_a_e * inv_g_d_a * (-k_a_minus_e) - g_l_e_d * z_y_d;
-  const S z_y_s = k_d_minus_s - G_l_s_a * (-k_a_minus_e) - G_l_s_d * z_y_d - G_l_s_e * z_y_e;
+  const S z_y_d = -k_d_minus_s - m2_over_5 * d * inv_g_d_a * s * k_a_minus_e;
+  const S z_y_e = k_a_minus_e + G_a_e * inv_g_d_a * k_a_minus_e - g_l_e_d * z_y_d;
+  const S z_y_s = k_d_minus_s + G_l_s_a * k_a_minus_e - G_l_s_d * z_y_d - G_l_s_e * z_y_e;
   const S z_s_s = S(1) / G_d_s_2;
   const S z_s = z_s_s * z_y_s;
   const S z_e = inv_g_d_e * z_y_e - z_s_s * G_l_s_e * z_y_s;
   const S z_d = inv_g_d_d * z_y_d - z_s_s * G_l_s_d * z_y_s - g_l_e_d * z_e;
-  const S z_a = c11 * d * inv_g_d_a * s * z_d - G_a_e * inv_g_d_a * z_e - z_s_s * G_l_s_a * z_y_s
-      + inv_g_d_a * (-k_a_minus_e);
+  const S z_a = m2_over_5 * d * inv_g_d_a * s * z_d - G_a_e * inv_g_d_a * z_e - z_s_s * G_l_s_a * z_y_s
+      - inv_g_d_a * k_a_minus_e;
   const S a_z_y_s_over_G_d_s = a * z_s_s * z_y_s;
   const S s_z_a = s * z_a;
   const S z_b = -S(1) / S(3) * (a_z_y_s_over_G_d_s + s_z_a);
 
   // deviation of first from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
   const S t5 = amplitude_frequency_2 * sin_frequency_t;
-  const S deviation_first_x = half_m1 * (a_ddot - S(2) * t5) + c25 * (z_a + S(2) * z_s);
+  const S deviation_first_x = half_m1 * (a_ddot - S(2) * t5) - half_m1 * (z_a + S(2) * z_s);
   const S t6 = amplitude_frequency * a_dot * cos_frequency_t;
   const S t7 = amplitude_frequency_2 * a * sin_frequency_t;
   const S a_ddot_s = a_ddot * s;
-  const S deviation_first_y = c19 * (S(3) * b_ddot + S(2) * t6 - t7 + a_ddot_s)
-      + c26 * (S(3) * z_b + a_z_y_s_over_G_d_s + s_z_a);
+  const S deviation_first_y = m1_over_3 * (S(3) * b_ddot + S(2) * t6 - t7 + a_ddot_s)
+      - m1_over_3 * (S(3) * z_b + a_z_y_s_over_G_d_s + s_z_a);
   const S deviation_first_z = m1_g + half_m1
       * (S(2) * c_ddot + amplitude_frequency_2 * s * sin_frequency_t
       - amplitude_2_frequency_2 * cos_frequency_t * cos_frequency_t);
 
   // deviation of second from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
-  const S deviation_second_x = c21 * (S(3) * d_ddot - t5) + c27 * (S(3) * z_d + z_s);
-  const S deviation_second_y = c4 * (S(10) * z_e - S(5) * a_z_y_s_over_G_d_s + S(4) * d * z_d - S(5) * s_z_a)
-      + c28 * (S(4) * d_dot * d_dot + S(10) * e_ddot - S(10) * t6 + S(5) * t7 + S(4) * d * d_ddot
-      - S(5) * a_ddot_s);
+  const S deviation_second_x = m2_over_3 * (S(3) * d_ddot - t5) - m2_over_3 * (S(3) * z_d + z_s);
+  const S deviation_second_y = m2_over_10 * (S(4) * d_dot * d_dot + S(10) * e_ddot - S(10) * t6 + S(5) * t7
+      + S(4) * d * d_ddot - S(5) * a_ddot_s)
+      - m2_over_10 * (S(10) * z_e - S(5) * a_z_y_s_over_G_d_s + S(4) * d * z_d - S(5) * s_z_a);
   const S deviation_second_z = m2_g + half_m2 * (S(2) * a_ddot + e_ddot - S(2) * t5)
-      + c29 * (S(2) * z_a + z_e + S(2) * z_s);
+      - half_m2 * (S(2) * z_a + z_e + S(2) * z_s);
 
   // Shared terms
   const S Z = half_inv_m1 * (deviation_first_x * deviation_first_x + deviation_first_y * deviation_first_y
@@ -1158,7 +1202,8 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
 
   compulsion.Z = Z;
 
-  const Bool not_finite = Math<S>::not_finite(Z);
+  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_ddot,
+      b_ddot, c_ddot, d_ddot, e_ddot, Z);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
@@ -1170,15 +1215,24 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
   const S& m1 = prepared.m1;
   const S& amplitude = prepared.amplitude;
   const S& frequency = prepared.frequency;
-  const S& c6 = prepared.c6;
-  const S& c9 = prepared.c9;
-  const S& c12 = prepared.c12;
+  const S& m2_over_4 = prepared.m2_over_4;
+  const S& m1_over_36 = prepared.m1_over_36;
+  const S& m2_over_5 = prepared.m2_over_5;
+  const S& m2_over_25 = prepared.m2_over_25;
   const S& half_m2 = prepared.half_m2;
   const S& G_e_e = prepared.G_e_e;
-  const S& c19 = prepared.c19;
-  const S& c30 = prepared.c30;
-  const S& c31 = prepared.c31;
+  const S& m1_over_3 = prepared.m1_over_3;
+  const S& c8 = prepared.c8;
+  const S& a = state.a();
+  const S& b = state.b();
+  const S& c = state.c();
   const S& d = state.d();
+  const S& e = state.e();
+  const S& a_dot = state.a_dot();
+  const S& b_dot = state.b_dot();
+  const S& c_dot = state.c_dot();
+  const S& d_dot = state.d_dot();
+  const S& e_dot = state.e_dot();
 
   // Sines and cosines
   const S sin_frequency_t = Math<S>::sin(frequency * t);
@@ -1186,12 +1240,12 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
   // metric g_ab (1.10); held coordinates enter only through f
   const S s = S(1) + amplitude * sin_frequency_t;
   const S s_2 = s * s;
-  const S G_a_a = c6 * (S(4) + s_2) + c9 * (S(9) + S(4) * s_2);
-  const S G_a_b = c19 * s;
-  const S G_a_d = c30 * d * s;
-  const S G_d_d = c12 * (S(25) + S(4) * d * d);
+  const S G_a_a = m2_over_4 * (S(4) + s_2) + m1_over_36 * (S(9) + S(4) * s_2);
+  const S G_a_b = m1_over_3 * s;
+  const S G_a_d = -m2_over_5 * d * s;
+  const S G_d_d = m2_over_25 * (S(25) + S(4) * d * d);
   const S G_a_e = half_m2 * (S(1) - s);
-  const S G_d_e = c31 * d;
+  const S G_d_e = c8 * d;
 
   mass_matrix.g[0][0] = G_a_a;
   mass_matrix.g[0][1] = G_a_b;
@@ -1219,15 +1273,15 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
   mass_matrix.g[4][3] = G_d_e;
   mass_matrix.g[4][4] = G_e_e;
 
-  const Bool not_finite = Math<S>::not_finite(G_a_a, G_a_b, G_a_d, G_a_e, G_a_b, m1, m1, G_a_d, G_d_d, G_d_e,
-      G_a_e, G_d_e, G_e_e);
+  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, G_a_a,
+      G_a_b, G_a_d, G_a_e, m1, G_d_d, G_d_e, G_e_e);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
 /// The nearest state that satisfies the constraints: unit quaternions, then the smallest change of
 /// the speeds in the mass metric (one Newton step for constraints nonlinear in the velocities).
 template <class S>
-GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const Prepared<S>& /*prepared*/,
+GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepared<S>& /*prepared*/,
                                    State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
   const S a = from.a();
@@ -1252,7 +1306,7 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
   state.d_dot() = d_dot;
   state.e_dot() = e_dot;
 
-  const Bool not_finite = Math<S>::not_finite(a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot);
+  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 

@@ -21,17 +21,17 @@
 //   g   m/s^2
 //
 // Operations per call
-//                      + -  *    /   sqrt  functions
-//   rhs                20   29   6   0     0
-//   reactions          38   50   7   0     0
-//   rhs_and_reactions  38   50   8   0     0
-//   reaction_forces    124  211  32  0     0
-//   energy             14   25   0   0     0
-//   compulsion         12   20   0   0     0
-//   residuals          7    9    0   0     0
-//   mass_matrix        0    0    0   0     0
-//   project            14   23   1   0     0
-//   initial_state      0    0    0   0     0
+//                      + -  *   /  sqrt  functions
+//   rhs                20   29  6  0     0
+//   reactions          38   50  7  0     0
+//   rhs_and_reactions  38   50  8  0     0
+//   reaction_forces    27   41  6  0     0
+//   energy             14   25  0  0     0
+//   compulsion         12   20  0  0     0
+//   residuals          7    9   0  0     0
+//   mass_matrix        0    0   0  0     0
+//   project            14   18  3  0     0
+//   initial_state      0    0   0  0     0
 
 #ifndef GAUSS_MODEL_GAUSS_SKEW_NONHOLONOMIC_HPP
 #define GAUSS_MODEL_GAUSS_SKEW_NONHOLONOMIC_HPP
@@ -253,73 +253,48 @@ struct Inputs {};
 template <class S>
 struct Prepared {
   S m1;
-  S m2;
-  S G_q2_q2;          ///< S(401) / S(400) * m1 + S(1.25) * m2
-  S Q_q2;             ///< -(S(1) / S(20) * m1 * g + S(0.5) * m2 * g)
-  S G_q1_q2;          ///< S(2) / S(15) * m1 + S(3) / S(5) * m2
-  S m2_g;             ///< m2 * g
-  S G_q1_q1;          ///< S(229) / S(225) * m1 + S(21) / S(20) * m2
-  S c1;               ///< S(1) / S(10) * m1
-  S G_q3_q3;          ///< m1 + m2
-  S G_q1_q3;          ///< S(1) / S(5) * m2
-  S c2;               ///< -S(1) / S(20) * m1
-  S m1_g;             ///< m1 * g
-  S G_q2_q3;          ///< S(1) / S(20) * m1
-  S c3;               ///< S(1) / S(90) * m1
-  S c4;               ///< S(11) / S(10) * m2
-  S c5;               ///< S(1) / S(3) * m1
-  S c6;               ///< S(1.5) * m2
-  S c7;               ///< S(1) / S(60) * m2
-  S c8;               ///< S(2) / S(15) * m1
-  S c9;               ///< S(1) / S(80) * m1
-  S c10;              ///< -S(0.5) * m2
-  S c11;              ///< -S(0.25) * m1
-  S c12;              ///< S(1) / S(3) * m2
-  S c13;              ///< -S(0.25) * m1 * g
-  S c14;              ///< S(1) / S(36) * m1
-  S inv_G_d_q1;
-  S c15;
-  S inv_G_d_q2;
-  S c16;
-  S m2_over_G_q3_q3;  ///< m2 / (m1 + m2)
-  S c17;              ///< -S(1) / S(5) * m2 / (m1 + m2)
-  S m1_over_G_q3_q3;  ///< m1 / (m1 + m2)
-  S G_l_q2_q1;
-  S c18;              ///< -S(1) / S(20) * m1 / (m1 + m2)
-  S c19;              ///< S(0.0625) * m1
-  S c20;              ///< S(1) / S(36) * m2
-  S c21;
-  S c22;
-  S c23;
-  S inv_G_q3_q3;      ///< S(1) / (m1 + m2)
-  S c24;              ///< -S(0.5) * m1
-  S c25;              ///< -S(1) / S(15) * m1
-  S c26;              ///< -S(1) / S(15) * m2
-  S c27;              ///< -S(1) / S(10) * m2
-  S half_m1;          ///< S(0.5) * m1
-  S c28;              ///< S(1) / S(15) * m1
-  S c29;              ///< S(1) / S(15) * m2
-  S c30;              ///< S(1) / S(10) * m2
-  S half_m2;          ///< S(0.5) * m2
-  S c31;              ///< S(1) / S(7200) * m1
-  S c32;              ///< S(1) / S(40) * m2
-  S c33;              ///< S(1) / S(20) * m1 * g
-  S c34;              ///< S(1) / S(10) * m2 * g
-  S m1_2;             ///< m1 * m1
-  S half_inv_m1;      ///< S(0.5) / m1
-  S half_inv_m2;      ///< S(0.5) / m2
+  S G_q2_q2;           ///< S(401) / S(400) * m1 + S(1.25) * m2
+  S Q_q2;              ///< -(S(1) / S(20) * m1 * g + S(0.5) * m2 * g)
+  S G_q1_q2;           ///< S(2) / S(15) * m1 + S(3) / S(5) * m2
+  S m2_g;              ///< m2 * g
+  S G_q1_q1;           ///< S(229) / S(225) * m1 + S(21) / S(20) * m2
+  S m1_over_10;        ///< S(1) / S(10) * m1
+  S G_q3_q3;           ///< m1 + m2
+  S G_q1_q3;           ///< S(1) / S(5) * m2
+  S G_q2_q3;           ///< S(1) / S(20) * m1
+  S m1_g;              ///< m1 * g
+  S m1_over_90;        ///< S(1) / S(90) * m1
+  S c1;                ///< S(11) / S(10) * m2
+  S m1_over_3;         ///< S(1) / S(3) * m1
+  S c2;                ///< S(1.5) * m2
+  S m2_over_60;        ///< S(1) / S(60) * m2
+  S c3;                ///< S(2) / S(15) * m1
+  S m1_over_80;        ///< S(1) / S(80) * m1
+  S half_m2;           ///< S(0.5) * m2
+  S m1_over_4;         ///< S(0.25) * m1
+  S m2_over_3;         ///< S(1) / S(3) * m2
+  S m1_g_over_4;       ///< S(0.25) * m1 * g
+  S m1_over_15;        ///< S(1) / S(15) * m1
+  S m2_over_10;        ///< S(1) / S(10) * m2
+  S m1_over_7200;      ///< S(1) / S(7200) * m1
+  S m2_over_40;        ///< S(1) / S(40) * m2
+  S m1_g_over_20;      ///< S(1) / S(20) * m1 * g
+  S m2_g_over_10;      ///< S(1) / S(10) * m2 * g
+  S m1_2;              ///< m1 * m1
+  S half_inv_m1;       ///< S(0.5) / m1
+  S half_inv_m2;       ///< S(0.5) / m2
   S g_l_q2_q1;
-  S g_l_q3_q2;
-  S c35;
-  S inv_G_q1_q1;      ///< S(1) / (S(229) / S(225) * m1 + S(21) / S(20) * m2)
   S inv_g_d_q2;
+  S g_l_q3_q2;
+  S g_l_q3_q1;
   S g_l_q3_q2_over_g_d_q3;
-  S c36;
+  S inv_G_q1_q1;       ///< S(1) / (S(229) / S(225) * m1 + S(21) / S(20) * m2)
+  S c4;
   S inv_g_d_q3;
   S g_d_q2;
-  S c37;
+  S rounding_G_q2_q2;
   S g_d_q3;
-  S c38;              ///< S(12) * Math<S>::epsilon() * (m1 + m2)
+  S rounding_G_q3_q3;  ///< S(12) * Math<S>::epsilon() * (m1 + m2)
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -379,21 +354,14 @@ struct Reactions {
 
 template <class S>
 struct ReactionForces {
-  /// reaction of blade, model line 24
-  struct BladeForce {
-    S force_on_first[3];   ///< [N], space axes, on first
-    S force_on_second[3];  ///< [N], space axes, on second
-  } blade;
-  /// reaction of x1, model line 13
-  struct X1Force {
-    S force_on_first[3];   ///< [N], space axes, on first
-    S force_on_second[3];  ///< [N], space axes, on second
-  } x1;
-  /// reaction of x2, model line 14
-  struct X2Force {
-    S force_on_first[3];   ///< [N], space axes, on first
-    S force_on_second[3];  ///< [N], space axes, on second
-  } x2;
+  /// all constraints on first
+  struct OnFirst {
+    S force[3];  ///< [N], space axes
+  } on_first;
+  /// all constraints on second
+  struct OnSecond {
+    S force[3];  ///< [N], space axes
+  } on_second;
 };
 
 template <class S>
@@ -436,102 +404,66 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S G_q3_q3 = m1 + m2;
   const S G_q1_q3 = S(1) / S(5) * m2;
   const S G_q2_q3 = S(1) / S(20) * m1;
-  const S m2_2 = m2 * m2;
-  const S inv_G_q3_q3 = S(1) / G_q3_q3;
-  const S G_d_q1 = G_q1_q1 - S(1) / S(25) * m2_2 * inv_G_q3_q3;
-  const S inv_G_d_q1 = S(1) / G_d_q1;
-  const S c22 = S(100) * G_q1_q2 - m1 * m2 * inv_G_q3_q3;
-  const S c15 = inv_G_d_q1 * c22;
-  const S m1_2 = m1 * m1;
-  const S G_l_q2_q1 = S(1) / S(100) * c15;
-  const S G_d_q2 = G_q2_q2 - S(1) / S(400) * m1_2 * inv_G_q3_q3 - S(1) / S(100) * G_l_q2_q1 * c22;
-  const S inv_G_d_q2 = S(1) / G_d_q2;
-  const S m2_over_G_q3_q3 = m2 * inv_G_q3_q3;
-  const S m1_over_G_q3_q3 = m1 * inv_G_q3_q3;
   const S inv_G_q1_q1 = S(1) / G_q1_q1;
   const S g_l_q2_q1 = inv_G_q1_q1 * G_q1_q2;
   const S g_d_q2 = G_q2_q2 - inv_G_q1_q1 * G_q1_q2 * G_q1_q2;
   const S inv_g_d_q2 = S(1) / g_d_q2;
   const S t1 = m1 - S(4) * m2 * inv_G_q1_q1 * G_q1_q2;
   const S g_l_q3_q2 = S(1) / S(20) * inv_g_d_q2 * t1;
-  const S g_d_q3 = G_q3_q3 - S(1) / S(25) * m2_2 * inv_G_q1_q1 - S(1) / S(20) * g_l_q3_q2 * t1;
+  const S g_l_q3_q1 = S(1) / S(5) * m2 * inv_G_q1_q1;
+  const S g_d_q3 = G_q3_q3 - S(1) / S(25) * m2 * m2 * inv_G_q1_q1 - S(1) / S(20) * g_l_q3_q2 * t1;
   const S inv_g_d_q3 = S(1) / g_d_q3;
 
   Prepared<S> prepared;
   prepared.m1 = m1;
-  prepared.m2 = m2;
   prepared.G_q2_q2 = G_q2_q2;
   prepared.Q_q2 = Q_q2;
   prepared.G_q1_q2 = G_q1_q2;
   prepared.m2_g = m2_g;
   prepared.G_q1_q1 = G_q1_q1;
-  prepared.c1 = S(1) / S(10) * m1;
+  prepared.m1_over_10 = S(1) / S(10) * m1;
   prepared.G_q3_q3 = G_q3_q3;
   prepared.G_q1_q3 = G_q1_q3;
-  prepared.c2 = -S(1) / S(20) * m1;
-  prepared.m1_g = m1_g;
   prepared.G_q2_q3 = G_q2_q3;
-  prepared.c3 = S(1) / S(90) * m1;
-  prepared.c4 = S(11) / S(10) * m2;
-  prepared.c5 = S(1) / S(3) * m1;
-  prepared.c6 = S(1.5) * m2;
-  prepared.c7 = S(1) / S(60) * m2;
-  prepared.c8 = S(2) / S(15) * m1;
-  prepared.c9 = S(1) / S(80) * m1;
-  prepared.c10 = -S(0.5) * m2;
-  prepared.c11 = -S(0.25) * m1;
-  prepared.c12 = S(1) / S(3) * m2;
-  prepared.c13 = -S(0.25) * m1_g;
-  prepared.c14 = S(1) / S(36) * m1;
-  prepared.inv_G_d_q1 = inv_G_d_q1;
-  prepared.c15 = c15;
-  prepared.inv_G_d_q2 = inv_G_d_q2;
-  prepared.c16 = S(1) / S(100) * inv_G_d_q2;
-  prepared.m2_over_G_q3_q3 = m2_over_G_q3_q3;
-  prepared.c17 = -S(1) / S(5) * m2_over_G_q3_q3;
-  prepared.m1_over_G_q3_q3 = m1_over_G_q3_q3;
-  prepared.G_l_q2_q1 = G_l_q2_q1;
-  prepared.c18 = -S(1) / S(20) * m1_over_G_q3_q3;
-  prepared.c19 = S(0.0625) * m1;
-  prepared.c20 = S(1) / S(36) * m2;
-  prepared.c21 = S(1) / S(5) * inv_G_d_q1;
-  prepared.c22 = c22;
-  prepared.c23 = -S(1) / S(100) * inv_G_d_q2;
-  prepared.inv_G_q3_q3 = inv_G_q3_q3;
-  prepared.c24 = -S(0.5) * m1;
-  prepared.c25 = -S(1) / S(15) * m1;
-  prepared.c26 = -S(1) / S(15) * m2;
-  prepared.c27 = -S(1) / S(10) * m2;
-  prepared.half_m1 = S(0.5) * m1;
-  prepared.c28 = S(1) / S(15) * m1;
-  prepared.c29 = S(1) / S(15) * m2;
-  prepared.c30 = S(1) / S(10) * m2;
+  prepared.m1_g = m1_g;
+  prepared.m1_over_90 = S(1) / S(90) * m1;
+  prepared.c1 = S(11) / S(10) * m2;
+  prepared.m1_over_3 = S(1) / S(3) * m1;
+  prepared.c2 = S(1.5) * m2;
+  prepared.m2_over_60 = S(1) / S(60) * m2;
+  prepared.c3 = S(2) / S(15) * m1;
+  prepared.m1_over_80 = S(1) / S(80) * m1;
   prepared.half_m2 = S(0.5) * m2;
-  prepared.c31 = S(1) / S(7200) * m1;
-  prepared.c32 = S(1) / S(40) * m2;
-  prepared.c33 = S(1) / S(20) * m1_g;
-  prepared.c34 = S(1) / S(10) * m2_g;
-  prepared.m1_2 = m1_2;
+  prepared.m1_over_4 = S(0.25) * m1;
+  prepared.m2_over_3 = S(1) / S(3) * m2;
+  prepared.m1_g_over_4 = S(0.25) * m1_g;
+  prepared.m1_over_15 = S(1) / S(15) * m1;
+  prepared.m2_over_10 = S(1) / S(10) * m2;
+  prepared.m1_over_7200 = S(1) / S(7200) * m1;
+  prepared.m2_over_40 = S(1) / S(40) * m2;
+  prepared.m1_g_over_20 = S(1) / S(20) * m1_g;
+  prepared.m2_g_over_10 = S(1) / S(10) * m2_g;
+  prepared.m1_2 = m1 * m1;
   prepared.half_inv_m1 = S(0.5) / m1;
   prepared.half_inv_m2 = S(0.5) / m2;
   prepared.g_l_q2_q1 = g_l_q2_q1;
-  prepared.g_l_q3_q2 = g_l_q3_q2;
-  prepared.c35 = -S(1) / S(5) * m2 * inv_G_q1_q1;
-  prepared.inv_G_q1_q1 = inv_G_q1_q1;
   prepared.inv_g_d_q2 = inv_g_d_q2;
+  prepared.g_l_q3_q2 = g_l_q3_q2;
+  prepared.g_l_q3_q1 = g_l_q3_q1;
   prepared.g_l_q3_q2_over_g_d_q3 = inv_g_d_q3 * g_l_q3_q2;
-  prepared.c36 = -S(1) / S(5) * m2 * inv_G_q1_q1 * inv_g_d_q3;
+  prepared.inv_G_q1_q1 = inv_G_q1_q1;
+  prepared.c4 = S(1) / S(5) * m2 * inv_G_q1_q1 * inv_g_d_q3;
   prepared.inv_g_d_q3 = inv_g_d_q3;
   prepared.g_d_q2 = g_d_q2;
-  prepared.c37 = S(12) * Math<S>::epsilon() * G_q2_q2;
+  prepared.rounding_G_q2_q2 = S(12) * Math<S>::epsilon() * G_q2_q2;
   prepared.g_d_q3 = g_d_q3;
-  prepared.c38 = S(12) * Math<S>::epsilon() * G_q3_q3;
+  prepared.rounding_G_q3_q3 = S(12) * Math<S>::epsilon() * G_q3_q3;
   return prepared;
 }
 
 /// Time derivative of the state: rates of the configuration, then accelerations (3.7).
 template <class S>
-GAUSS_FUNCTION StatusOf<S> rhs(const S& /*t*/, const State<S>& state, const Inputs<S>& /*inputs*/,
+GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                const Prepared<S>& prepared, Derivative<S>& derivative) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m1 = prepared.m1;
@@ -540,13 +472,14 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& /*t*/, const State<S>& state, const Inpu
   const S& G_q1_q2 = prepared.G_q1_q2;
   const S& m2_g = prepared.m2_g;
   const S& G_q1_q1 = prepared.G_q1_q1;
-  const S& c1 = prepared.c1;
+  const S& m1_over_10 = prepared.m1_over_10;
   const S& G_q3_q3 = prepared.G_q3_q3;
   const S& G_q1_q3 = prepared.G_q1_q3;
-  const S& c2 = prepared.c2;
+  const S& G_q2_q3 = prepared.G_q2_q3;
   const S& m1_g = prepared.m1_g;
   const S& q1 = state.q1();
   const S& q2 = state.q2();
+  const S& q3 = state.q3();
   const S& q1_dot = state.q1_dot();
   const S& q2_dot = state.q2_dot();
   const S& q3_dot = state.q3_dot();
@@ -559,12 +492,12 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& /*t*/, const State<S>& state, const Inpu
   const S M_q1_q1 = G_q1_q1 + G_q1_q2 * q2 + q2 * (G_q1_q2 + G_q2_q2 * q2);
   const S M_q1_q3 = G_q1_q3 + G_q1_q2 * beta_blade_q3
       + S(1) / S(20) * q2 * (m1 + S(20) * G_q2_q2 * beta_blade_q3);
-  const S M_q3_q3 = G_q3_q3 + G_q2_q2 * beta_blade_q3 * beta_blade_q3 + c1 * beta_blade_q3;
+  const S M_q3_q3 = G_q3_q3 + G_q2_q2 * beta_blade_q3 * beta_blade_q3 + m1_over_10 * beta_blade_q3;
 
   // right-hand side of (3.7): C^T (f - g drift)
   const S t1 = Q_q2 - G_q2_q2 * drift_blade;
   const S F_q1 = q2 * t1 - m2_g - G_q1_q2 * drift_blade;
-  const S F_q3 = c2 * drift_blade - m1_g + beta_blade_q3 * t1;
+  const S F_q3 = beta_blade_q3 * t1 - m1_g - G_q2_q3 * drift_blade;
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
@@ -587,13 +520,13 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& /*t*/, const State<S>& state, const Inpu
   derivative.q3_ddot() = a_q3;
 
   const Bool singular_mass_matrix = Math<S>::less(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3);
-  const Bool not_finite = Math<S>::not_finite(q1_dot, q2_dot, q3_dot, a_q1, a_q2, a_q3);
+  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, a_q1, a_q2, a_q3);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
 /// Reaction of every constraint: multipliers (3.4) and generalized reactions (3.8).
 template <class S>
-GAUSS_FUNCTION StatusOf<S> reactions(const S& /*t*/, const State<S>& state, const Inputs<S>& /*inputs*/,
+GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                      const Prepared<S>& prepared, Reactions<S>& reactions) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m1 = prepared.m1;
@@ -602,25 +535,25 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& /*t*/, const State<S>& state, cons
   const S& G_q1_q2 = prepared.G_q1_q2;
   const S& m2_g = prepared.m2_g;
   const S& G_q1_q1 = prepared.G_q1_q1;
-  const S& c1 = prepared.c1;
+  const S& m1_over_10 = prepared.m1_over_10;
   const S& G_q3_q3 = prepared.G_q3_q3;
   const S& G_q1_q3 = prepared.G_q1_q3;
-  const S& c2 = prepared.c2;
-  const S& m1_g = prepared.m1_g;
   const S& G_q2_q3 = prepared.G_q2_q3;
+  const S& m1_g = prepared.m1_g;
+  const S& m1_over_90 = prepared.m1_over_90;
+  const S& c1 = prepared.c1;
+  const S& m1_over_3 = prepared.m1_over_3;
+  const S& c2 = prepared.c2;
+  const S& m2_over_60 = prepared.m2_over_60;
   const S& c3 = prepared.c3;
-  const S& c4 = prepared.c4;
-  const S& c5 = prepared.c5;
-  const S& c6 = prepared.c6;
-  const S& c7 = prepared.c7;
-  const S& c8 = prepared.c8;
-  const S& c9 = prepared.c9;
-  const S& c10 = prepared.c10;
-  const S& c11 = prepared.c11;
-  const S& c12 = prepared.c12;
-  const S& c13 = prepared.c13;
+  const S& m1_over_80 = prepared.m1_over_80;
+  const S& half_m2 = prepared.half_m2;
+  const S& m1_over_4 = prepared.m1_over_4;
+  const S& m2_over_3 = prepared.m2_over_3;
+  const S& m1_g_over_4 = prepared.m1_g_over_4;
   const S& q1 = state.q1();
   const S& q2 = state.q2();
+  const S& q3 = state.q3();
   const S& q1_dot = state.q1_dot();
   const S& q2_dot = state.q2_dot();
   const S& q3_dot = state.q3_dot();
@@ -633,12 +566,12 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& /*t*/, const State<S>& state, cons
   const S M_q1_q1 = G_q1_q1 + G_q1_q2 * q2 + q2 * (G_q1_q2 + G_q2_q2 * q2);
   const S M_q1_q3 = G_q1_q3 + G_q1_q2 * beta_blade_q3
       + S(1) / S(20) * q2 * (m1 + S(20) * G_q2_q2 * beta_blade_q3);
-  const S M_q3_q3 = G_q3_q3 + G_q2_q2 * beta_blade_q3 * beta_blade_q3 + c1 * beta_blade_q3;
+  const S M_q3_q3 = G_q3_q3 + G_q2_q2 * beta_blade_q3 * beta_blade_q3 + m1_over_10 * beta_blade_q3;
 
   // right-hand side of (3.7): C^T (f - g drift)
   const S t1 = Q_q2 - G_q2_q2 * drift_blade;
   const S F_q1 = q2 * t1 - m2_g - G_q1_q2 * drift_blade;
-  const S F_q3 = c2 * drift_blade - m1_g + beta_blade_q3 * t1;
+  const S F_q3 = beta_blade_q3 * t1 - m1_g - G_q2_q3 * drift_blade;
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
@@ -654,25 +587,25 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& /*t*/, const State<S>& state, cons
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * inv_M_d_q3 * a_y_q3;
-  const S blade_multiplier = -excess_q2;
+  const S lambda_blade = -excess_q2;
 
   // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 13
-  const S G_q1_x1 = c4 + c3 * (S(45) + S(4) * q1);
-  const S G_q2_x1 = c6 + c5 * q1;
+  const S G_q1_x1 = c1 + m1_over_90 * (S(45) + S(4) * q1);
+  const S G_q2_x1 = c2 + m1_over_3 * q1;
   const S R_x1 = m2_g - S(1) / S(5) * excess_q2 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2;
 
   // reaction of x2: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 14
-  const S G_q1_x2 = c8 + c7 * (S(4) - S(3) * q1);
-  const S G_q2_x2 = c9 * (S(80) - q2) + c10 * q1;
-  const S G_q3_x2 = c12 + c11 * q2;
-  const S R_x2 = S(7) / S(10) * excess_q2 + c13 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
+  const S G_q1_x2 = c3 + m2_over_60 * (S(4) - S(3) * q1);
+  const S G_q2_x2 = m1_over_80 * (S(80) - q2) - half_m2 * q1;
+  const S G_q3_x2 = m2_over_3 - m1_over_4 * q2;
+  const S R_x2 = S(7) / S(10) * excess_q2 - m1_g_over_4 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
       + G_q3_x2 * inv_M_d_q3 * a_y_q3;
 
   // Shared terms
   const S blade_generalized_0 = -q2 * excess_q2;
   const S blade_generalized_2 = -beta_blade_q3 * excess_q2;
 
-  reactions.blade.multiplier = blade_multiplier;
+  reactions.blade.multiplier = lambda_blade;
   reactions.blade.generalized[0] = blade_generalized_0;
   reactions.blade.generalized[1] = excess_q2;
   reactions.blade.generalized[2] = blade_generalized_2;
@@ -680,16 +613,16 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& /*t*/, const State<S>& state, cons
   reactions.x2.generalized = R_x2;
 
   const Bool singular_mass_matrix = Math<S>::less(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3);
-  const Bool not_finite = Math<S>::not_finite(blade_multiplier, blade_generalized_0, excess_q2,
-      blade_generalized_2, R_x1, R_x2);
+  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, lambda_blade,
+      blade_generalized_0, excess_q2, blade_generalized_2, R_x1, R_x2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
 /// Both at once, over one set of shared values.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& /*t*/, const State<S>& state,
-                                             const Inputs<S>& /*inputs*/, const Prepared<S>& prepared,
-                                             Derivative<S>& derivative, Reactions<S>& reactions) noexcept {
+GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
+                                             const Prepared<S>& prepared, Derivative<S>& derivative,
+                                             Reactions<S>& reactions) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m1 = prepared.m1;
   const S& G_q2_q2 = prepared.G_q2_q2;
@@ -697,25 +630,25 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& /*t*/, const State<S>& sta
   const S& G_q1_q2 = prepared.G_q1_q2;
   const S& m2_g = prepared.m2_g;
   const S& G_q1_q1 = prepared.G_q1_q1;
-  const S& c1 = prepared.c1;
+  const S& m1_over_10 = prepared.m1_over_10;
   const S& G_q3_q3 = prepared.G_q3_q3;
   const S& G_q1_q3 = prepared.G_q1_q3;
-  const S& c2 = prepared.c2;
-  const S& m1_g = prepared.m1_g;
   const S& G_q2_q3 = prepared.G_q2_q3;
+  const S& m1_g = prepared.m1_g;
+  const S& m1_over_90 = prepared.m1_over_90;
+  const S& c1 = prepared.c1;
+  const S& m1_over_3 = prepared.m1_over_3;
+  const S& c2 = prepared.c2;
+  const S& m2_over_60 = prepared.m2_over_60;
   const S& c3 = prepared.c3;
-  const S& c4 = prepared.c4;
-  const S& c5 = prepared.c5;
-  const S& c6 = prepared.c6;
-  const S& c7 = prepared.c7;
-  const S& c8 = prepared.c8;
-  const S& c9 = prepared.c9;
-  const S& c10 = prepared.c10;
-  const S& c11 = prepared.c11;
-  const S& c12 = prepared.c12;
-  const S& c13 = prepared.c13;
+  const S& m1_over_80 = prepared.m1_over_80;
+  const S& half_m2 = prepared.half_m2;
+  const S& m1_over_4 = prepared.m1_over_4;
+  const S& m2_over_3 = prepared.m2_over_3;
+  const S& m1_g_over_4 = prepared.m1_g_over_4;
   const S& q1 = state.q1();
   const S& q2 = state.q2();
+  const S& q3 = state.q3();
   const S& q1_dot = state.q1_dot();
   const S& q2_dot = state.q2_dot();
   const S& q3_dot = state.q3_dot();
@@ -728,12 +661,12 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& /*t*/, const State<S>& sta
   const S M_q1_q1 = G_q1_q1 + G_q1_q2 * q2 + q2 * (G_q1_q2 + G_q2_q2 * q2);
   const S M_q1_q3 = G_q1_q3 + G_q1_q2 * beta_blade_q3
       + S(1) / S(20) * q2 * (m1 + S(20) * G_q2_q2 * beta_blade_q3);
-  const S M_q3_q3 = G_q3_q3 + G_q2_q2 * beta_blade_q3 * beta_blade_q3 + c1 * beta_blade_q3;
+  const S M_q3_q3 = G_q3_q3 + G_q2_q2 * beta_blade_q3 * beta_blade_q3 + m1_over_10 * beta_blade_q3;
 
   // right-hand side of (3.7): C^T (f - g drift)
   const S t1 = Q_q2 - G_q2_q2 * drift_blade;
   const S F_q1 = q2 * t1 - m2_g - G_q1_q2 * drift_blade;
-  const S F_q3 = c2 * drift_blade - m1_g + beta_blade_q3 * t1;
+  const S F_q3 = beta_blade_q3 * t1 - m1_g - G_q2_q3 * drift_blade;
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
@@ -750,18 +683,18 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& /*t*/, const State<S>& sta
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * inv_M_d_q3 * a_y_q3;
-  const S blade_multiplier = -excess_q2;
+  const S lambda_blade = -excess_q2;
 
   // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 13
-  const S G_q1_x1 = c4 + c3 * (S(45) + S(4) * q1);
-  const S G_q2_x1 = c6 + c5 * q1;
+  const S G_q1_x1 = c1 + m1_over_90 * (S(45) + S(4) * q1);
+  const S G_q2_x1 = c2 + m1_over_3 * q1;
   const S R_x1 = m2_g - S(1) / S(5) * excess_q2 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2;
 
   // reaction of x2: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 14
-  const S G_q1_x2 = c8 + c7 * (S(4) - S(3) * q1);
-  const S G_q2_x2 = c9 * (S(80) - q2) + c10 * q1;
-  const S G_q3_x2 = c12 + c11 * q2;
-  const S R_x2 = S(7) / S(10) * excess_q2 + c13 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
+  const S G_q1_x2 = c3 + m2_over_60 * (S(4) - S(3) * q1);
+  const S G_q2_x2 = m1_over_80 * (S(80) - q2) - half_m2 * q1;
+  const S G_q3_x2 = m2_over_3 - m1_over_4 * q2;
+  const S R_x2 = S(7) / S(10) * excess_q2 - m1_g_over_4 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
       + G_q3_x2 * inv_M_d_q3 * a_y_q3;
 
   // Shared terms
@@ -774,7 +707,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& /*t*/, const State<S>& sta
   derivative.q1_ddot() = a_q1;
   derivative.q2_ddot() = a_q2;
   derivative.q3_ddot() = a_q3;
-  reactions.blade.multiplier = blade_multiplier;
+  reactions.blade.multiplier = lambda_blade;
   reactions.blade.generalized[0] = blade_generalized_0;
   reactions.blade.generalized[1] = excess_q2;
   reactions.blade.generalized[2] = blade_generalized_2;
@@ -782,88 +715,55 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& /*t*/, const State<S>& sta
   reactions.x2.generalized = R_x2;
 
   const Bool singular_mass_matrix = Math<S>::less(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3);
-  const Bool not_finite = Math<S>::not_finite(q1_dot, q2_dot, q3_dot, a_q1, a_q2, a_q3, blade_multiplier,
-      blade_generalized_0, excess_q2, blade_generalized_2, R_x1, R_x2);
+  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, a_q1, a_q2, a_q3,
+      lambda_blade, blade_generalized_0, excess_q2, blade_generalized_2, R_x1, R_x2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
-/// Reactions as Cartesian forces and moments that act ON the bodies, in space axes.
-/// A force acts at the mass centre together with the moment stated beside it.
+/// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the mass
+/// centre together with the moment stated beside it. on_<body> is the sum over all constraints, by
+/// Newton and Euler; potentials and generalized forces name no body, so they are in it as well.
+/// Not stated one by one, as the bodies have fewer coordinates than freedoms: blade, x1, x2.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& /*t*/, const State<S>& state,
-                                           const Inputs<S>& /*inputs*/, const Prepared<S>& prepared,
+GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
+                                           const Prepared<S>& prepared,
                                            ReactionForces<S>& reaction_forces) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m1 = prepared.m1;
-  const S& m2 = prepared.m2;
   const S& G_q2_q2 = prepared.G_q2_q2;
   const S& Q_q2 = prepared.Q_q2;
   const S& G_q1_q2 = prepared.G_q1_q2;
   const S& m2_g = prepared.m2_g;
   const S& G_q1_q1 = prepared.G_q1_q1;
-  const S& c1 = prepared.c1;
+  const S& m1_over_10 = prepared.m1_over_10;
   const S& G_q3_q3 = prepared.G_q3_q3;
   const S& G_q1_q3 = prepared.G_q1_q3;
-  const S& c2 = prepared.c2;
-  const S& m1_g = prepared.m1_g;
   const S& G_q2_q3 = prepared.G_q2_q3;
-  const S& c3 = prepared.c3;
-  const S& c4 = prepared.c4;
-  const S& c5 = prepared.c5;
-  const S& c6 = prepared.c6;
-  const S& c7 = prepared.c7;
-  const S& c8 = prepared.c8;
-  const S& c9 = prepared.c9;
-  const S& c10 = prepared.c10;
-  const S& c11 = prepared.c11;
-  const S& c12 = prepared.c12;
-  const S& c13 = prepared.c13;
-  const S& c14 = prepared.c14;
-  const S& inv_G_d_q1 = prepared.inv_G_d_q1;
-  const S& c15 = prepared.c15;
-  const S& inv_G_d_q2 = prepared.inv_G_d_q2;
-  const S& c16 = prepared.c16;
-  const S& m2_over_G_q3_q3 = prepared.m2_over_G_q3_q3;
-  const S& c17 = prepared.c17;
-  const S& m1_over_G_q3_q3 = prepared.m1_over_G_q3_q3;
-  const S& G_l_q2_q1 = prepared.G_l_q2_q1;
-  const S& c18 = prepared.c18;
-  const S& c19 = prepared.c19;
-  const S& c20 = prepared.c20;
-  const S& c21 = prepared.c21;
-  const S& c22 = prepared.c22;
-  const S& c23 = prepared.c23;
-  const S& inv_G_q3_q3 = prepared.inv_G_q3_q3;
-  const S& c24 = prepared.c24;
-  const S& c25 = prepared.c25;
-  const S& c26 = prepared.c26;
-  const S& c27 = prepared.c27;
-  const S& half_m1 = prepared.half_m1;
-  const S& c28 = prepared.c28;
-  const S& c29 = prepared.c29;
-  const S& c30 = prepared.c30;
+  const S& m1_g = prepared.m1_g;
   const S& half_m2 = prepared.half_m2;
+  const S& m1_over_15 = prepared.m1_over_15;
+  const S& m2_over_10 = prepared.m2_over_10;
   const S& q1 = state.q1();
   const S& q2 = state.q2();
+  const S& q3 = state.q3();
   const S& q1_dot = state.q1_dot();
   const S& q2_dot = state.q2_dot();
   const S& q3_dot = state.q3_dot();
 
   // blade, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 24
-  const S q1_2 = q1 * q1;
-  const S beta_blade_q3 = S(1) + q1_2;
+  const S beta_blade_q3 = S(1) + q1 * q1;
   const S drift_blade = S(2) * q1 * q1_dot * q3_dot + q1_dot * q2_dot;
 
   // reduced metric C^T g C of the independent accelerations
   const S M_q1_q1 = G_q1_q1 + G_q1_q2 * q2 + q2 * (G_q1_q2 + G_q2_q2 * q2);
   const S M_q1_q3 = G_q1_q3 + G_q1_q2 * beta_blade_q3
       + S(1) / S(20) * q2 * (m1 + S(20) * G_q2_q2 * beta_blade_q3);
-  const S M_q3_q3 = G_q3_q3 + G_q2_q2 * beta_blade_q3 * beta_blade_q3 + c1 * beta_blade_q3;
+  const S M_q3_q3 = G_q3_q3 + G_q2_q2 * beta_blade_q3 * beta_blade_q3 + m1_over_10 * beta_blade_q3;
 
   // right-hand side of (3.7): C^T (f - g drift)
   const S t1 = Q_q2 - G_q2_q2 * drift_blade;
   const S F_q1 = q2 * t1 - m2_g - G_q1_q2 * drift_blade;
-  const S F_q3 = c2 * drift_blade - m1_g + beta_blade_q3 * t1;
+  const S F_q3 = beta_blade_q3 * t1 - m1_g - G_q2_q3 * drift_blade;
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
@@ -872,142 +772,44 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& /*t*/, const State<S>& state
   // independent accelerations (3.7)
   const S a_y_q3 = F_q3 - F_q1 * inv_M_q1_q1 * M_q1_q3;
   const S inv_M_d_q3 = S(1) / M_d_q3;
+  const S a_q3 = inv_M_d_q3 * a_y_q3;
   const S a_q1 = F_q1 * inv_M_q1_q1 - inv_M_d_q3 * inv_M_q1_q1 * M_q1_q3 * a_y_q3;
 
   // dependent accelerations (3.6)
   const S a_q2 = drift_blade + q2 * a_q1 + inv_M_d_q3 * a_y_q3 * beta_blade_q3;
 
-  // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
-  const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * inv_M_d_q3 * a_y_q3;
+  // all constraint forces on first: m a - F and d(I omega)/dt - M (theory.md, section 4)
+  const S force_on_first_x = m1 * a_q1;
+  const S force_on_first_y = m1_over_15 * (S(2) * a_q1 + S(15) * a_q2);
+  const S force_on_first_z = m1_g + G_q2_q3 * (a_q2 + S(20) * a_q3);
 
-  // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 13
-  const S G_q1_x1 = c4 + c3 * (S(45) + S(4) * q1);
-  const S t2 = c5 * q1;
-  const S G_q2_x1 = c6 + t2;
-  const S R_x1 = m2_g - S(1) / S(5) * excess_q2 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2;
+  // all constraint forces on second: m a - F and d(I omega)/dt - M (theory.md, section 4)
+  const S force_on_second_x = G_q1_q3 * (a_q1 + S(5) * a_q3);
+  const S force_on_second_y = m2_over_10 * (a_q1 + S(10) * a_q2);
+  const S force_on_second_z = m2_g + half_m2 * (S(2) * a_q1 + a_q2);
 
-  // reaction of x2: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 14
-  const S G_q1_x2 = c8 + c7 * (S(4) - S(3) * q1);
-  const S t3 = c10 * q1;
-  const S G_q2_x2 = c9 * (S(80) - q2) + t3;
-  const S G_q3_x2 = c12 + c11 * q2;
-  const S R_x2 = S(7) / S(10) * excess_q2 + c13 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
-      + G_q3_x2 * inv_M_d_q3 * a_y_q3;
-
-  // full metric G_AB = L D L^T
-  const S t4 = S(5) * G_q1_x2 - m2_over_G_q3_q3 * G_q3_x2;
-  const S G_l_x2_q1 = c21 * t4;
-  const S t5 = S(100) * G_q2_x1 - c15 * G_q1_x1;
-  const S G_l_x1_q2 = c16 * t5;
-  const S t6 = S(5) * m1_over_G_q3_q3 * G_q3_x2 - S(100) * G_q2_x2 + c22 * G_l_x2_q1;
-  const S G_l_x2_q2 = c23 * t6;
-  const S G_x1_x1 = S(2) * m2 + c14 * (S(9) + S(4) * q1_2);
-  const S G_d_x1 = G_x1_x1 - inv_G_d_q1 * G_q1_x1 * G_q1_x1 - S(1) / S(100) * G_l_x1_q2 * t5;
-  const S inv_G_d_x1 = S(1) / G_d_x1;
-  const S G_x1_x2 = t2 + t3;
-  const S t7 = S(100) * G_l_x2_q1 * G_q1_x1 - S(100) * G_x1_x2 + G_l_x2_q2 * t5;
-  const S G_l_x2_x1 = -S(1) / S(100) * inv_G_d_x1 * t7;
-  const S G_x2_x2 = c19 * (S(16) + q2 * q2) + c20 * (S(4) + S(9) * q1_2);
-  const S G_d_x2 = S(1) / S(100) * (S(100) * G_x2_x2 - S(100) * inv_G_q3_q3 * G_q3_x2 * G_q3_x2
-      - S(20) * G_l_x2_q1 * t4 + G_l_x2_q2 * t6 + G_l_x2_x1 * t7);
-
-  // direction of blade in the metric: G z = its covariant components
-  const S z_blade_y_q1 = q2 + c17 * beta_blade_q3;
-  const S z_blade_y_q2 = c18 * beta_blade_q3 - S(1) - G_l_q2_q1 * z_blade_y_q1;
-  const S z_blade_y_x1 = -(S(1) / S(5) + inv_G_d_q1 * G_q1_x1 * z_blade_y_q1 + G_l_x1_q2 * z_blade_y_q2);
-  const S z_blade_y_x2 = S(7) / S(10) - inv_G_q3_q3 * G_q3_x2 * beta_blade_q3 - G_l_x2_q1 * z_blade_y_q1
-      - G_l_x2_q2 * z_blade_y_q2 - G_l_x2_x1 * z_blade_y_x1;
-  const S z_x2_x2 = S(1) / G_d_x2;
-  const S z_blade_x2 = z_x2_x2 * z_blade_y_x2;
-  const S z_blade_x1 = inv_G_d_x1 * z_blade_y_x1 - z_x2_x2 * G_l_x2_x1 * z_blade_y_x2;
-  const S z_blade_q2 = inv_G_d_q2 * z_blade_y_q2 - z_x2_x2 * G_l_x2_q2 * z_blade_y_x2
-      - G_l_x1_q2 * z_blade_x1;
-  const S z_blade_q1 = inv_G_d_q1 * z_blade_y_q1 - inv_G_d_q1 * G_q1_x1 * z_blade_x1 - G_l_q2_q1 * z_blade_q2
-      - z_x2_x2 * G_l_x2_q1 * z_blade_y_x2;
-  const S z_blade_q3 = c17 * z_blade_q1 + c18 * z_blade_q2 - inv_G_q3_q3 * z_x2_x2 * G_q3_x2 * z_blade_y_x2
-      + inv_G_q3_q3 * beta_blade_q3;
-
-  // force and moment of blade: m J z and I W z, times its reaction, model line 24
-  const S force_blade_first_x = c24 * excess_q2 * (S(2) * z_blade_q1 + z_blade_x1);
-  const S force_blade_first_y = c25 * excess_q2
-      * (S(2) * z_blade_q1 + S(15) * z_blade_q2 + S(5) * q1 * z_blade_x1 + S(15) * z_blade_x2);
-  const S force_blade_first_z = c2 * excess_q2
-      * (z_blade_q2 + S(20) * z_blade_q3 - S(5) * q2 * z_x2_x2 * z_blade_y_x2);
-  const S force_blade_second_x = c26 * excess_q2
-      * (S(3) * z_blade_q1 + S(15) * z_blade_q3 + S(5) * z_blade_x2);
-  const S force_blade_second_y = c27 * excess_q2
-      * (z_blade_q1 + S(10) * z_blade_q2 + S(10) * z_blade_x1 - S(5) * q1 * z_x2_x2 * z_blade_y_x2);
-  const S force_blade_second_z = c10 * excess_q2 * (S(2) * z_blade_q1 + z_blade_q2 + S(2) * z_blade_x1);
-
-  // direction of x1 in the metric: G z = its covariant components
-  const S z_x1_x1 = inv_G_d_x1 + z_x2_x2 * G_l_x2_x1 * G_l_x2_x1;
-  const S z_x1_q2 = z_x2_x2 * G_l_x2_q2 * G_l_x2_x1 - G_l_x1_q2 * z_x1_x1;
-  const S z_x1_q1 = z_x2_x2 * G_l_x2_q1 * G_l_x2_x1 - inv_G_d_q1 * G_q1_x1 * z_x1_x1 - G_l_q2_q1 * z_x1_q2;
-  const S z_x1_q3 = c17 * z_x1_q1 + c18 * z_x1_q2 + inv_G_q3_q3 * z_x2_x2 * G_l_x2_x1 * G_q3_x2;
-
-  // force and moment of x1: m J z and I W z, times its reaction, model line 13
-  const S force_x1_first_x = half_m1 * R_x1 * (S(2) * z_x1_q1 + z_x1_x1);
-  const S G_l_x2_x1_over_G_d_x2 = z_x2_x2 * G_l_x2_x1;
-  const S force_x1_first_y = c28 * R_x1
-      * (S(2) * z_x1_q1 + S(15) * z_x1_q2 + S(5) * q1 * z_x1_x1 - S(15) * G_l_x2_x1_over_G_d_x2);
-  const S force_x1_first_z = G_q2_q3 * R_x1 * (z_x1_q2 + S(20) * z_x1_q3 + S(5) * q2 * z_x2_x2 * G_l_x2_x1);
-  const S force_x1_second_x = c29 * R_x1 * (S(3) * z_x1_q1 + S(15) * z_x1_q3 - S(5) * G_l_x2_x1_over_G_d_x2);
-  const S q1_G_l_x2_x1_over_G_d_x2 = q1 * z_x2_x2 * G_l_x2_x1;
-  const S force_x1_second_y = c30 * R_x1
-      * (z_x1_q1 + S(10) * z_x1_q2 + S(10) * z_x1_x1 + S(5) * q1_G_l_x2_x1_over_G_d_x2);
-  const S force_x1_second_z = half_m2 * R_x1 * (S(2) * z_x1_q1 + z_x1_q2 + S(2) * z_x1_x1);
-
-  // direction of x2 in the metric: G z = its covariant components
-  const S z_x2_q2 = z_x2_x2 * G_l_x1_q2 * G_l_x2_x1 - z_x2_x2 * G_l_x2_q2;
-  const S z_x2_q1 = inv_G_d_q1 * z_x2_x2 * G_l_x2_x1 * G_q1_x1 - G_l_q2_q1 * z_x2_q2 - z_x2_x2 * G_l_x2_q1;
-  const S z_x2_q3 = c17 * z_x2_q1 + c18 * z_x2_q2 - inv_G_q3_q3 * z_x2_x2 * G_q3_x2;
-
-  // force and moment of x2: m J z and I W z, times its reaction, model line 14
-  const S force_x2_first_x = half_m1 * R_x2 * (S(2) * z_x2_q1 - G_l_x2_x1_over_G_d_x2);
-  const S force_x2_first_y = c28 * R_x2
-      * (S(15) * z_x2_x2 + S(2) * z_x2_q1 + S(15) * z_x2_q2 - S(5) * q1_G_l_x2_x1_over_G_d_x2);
-  const S force_x2_first_z = G_q2_q3 * R_x2 * (z_x2_q2 + S(20) * z_x2_q3 - S(5) * q2 * z_x2_x2);
-  const S force_x2_second_x = c29 * R_x2 * (S(5) * z_x2_x2 + S(3) * z_x2_q1 + S(15) * z_x2_q3);
-  const S force_x2_second_y = c30 * R_x2
-      * (z_x2_q1 + S(10) * z_x2_q2 - S(5) * q1 * z_x2_x2 - S(10) * G_l_x2_x1_over_G_d_x2);
-  const S force_x2_second_z = half_m2 * R_x2 * (S(2) * z_x2_q1 + z_x2_q2 - S(2) * G_l_x2_x1_over_G_d_x2);
-
-  reaction_forces.blade.force_on_first[0] = force_blade_first_x;
-  reaction_forces.blade.force_on_first[1] = force_blade_first_y;
-  reaction_forces.blade.force_on_first[2] = force_blade_first_z;
-  reaction_forces.blade.force_on_second[0] = force_blade_second_x;
-  reaction_forces.blade.force_on_second[1] = force_blade_second_y;
-  reaction_forces.blade.force_on_second[2] = force_blade_second_z;
-  reaction_forces.x1.force_on_first[0] = force_x1_first_x;
-  reaction_forces.x1.force_on_first[1] = force_x1_first_y;
-  reaction_forces.x1.force_on_first[2] = force_x1_first_z;
-  reaction_forces.x1.force_on_second[0] = force_x1_second_x;
-  reaction_forces.x1.force_on_second[1] = force_x1_second_y;
-  reaction_forces.x1.force_on_second[2] = force_x1_second_z;
-  reaction_forces.x2.force_on_first[0] = force_x2_first_x;
-  reaction_forces.x2.force_on_first[1] = force_x2_first_y;
-  reaction_forces.x2.force_on_first[2] = force_x2_first_z;
-  reaction_forces.x2.force_on_second[0] = force_x2_second_x;
-  reaction_forces.x2.force_on_second[1] = force_x2_second_y;
-  reaction_forces.x2.force_on_second[2] = force_x2_second_z;
+  reaction_forces.on_first.force[0] = force_on_first_x;
+  reaction_forces.on_first.force[1] = force_on_first_y;
+  reaction_forces.on_first.force[2] = force_on_first_z;
+  reaction_forces.on_second.force[0] = force_on_second_x;
+  reaction_forces.on_second.force[1] = force_on_second_y;
+  reaction_forces.on_second.force[2] = force_on_second_z;
 
   const Bool singular_mass_matrix = Math<S>::less(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3);
-  const Bool not_finite = Math<S>::not_finite(force_blade_first_x, force_blade_first_y, force_blade_first_z,
-      force_blade_second_x, force_blade_second_y, force_blade_second_z, force_x1_first_x, force_x1_first_y,
-      force_x1_first_z, force_x1_second_x, force_x1_second_y, force_x1_second_z, force_x2_first_x,
-      force_x2_first_y, force_x2_first_z, force_x2_second_x, force_x2_second_y, force_x2_second_z);
+  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, force_on_first_x,
+      force_on_first_y, force_on_first_z, force_on_second_x, force_on_second_y, force_on_second_z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
 /// Kinetic energy, potential energy of uniform fields and potentials, and their sum.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> energy(const S& /*t*/, const State<S>& state, const Prepared<S>& prepared,
+GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepared<S>& prepared,
                                   Energy<S>& energy) noexcept {
   using Bool = typename Math<S>::Bool;
-  const S& c31 = prepared.c31;
-  const S& c32 = prepared.c32;
-  const S& c33 = prepared.c33;
-  const S& c34 = prepared.c34;
+  const S& m1_over_7200 = prepared.m1_over_7200;
+  const S& m2_over_40 = prepared.m2_over_40;
+  const S& m1_g_over_20 = prepared.m1_g_over_20;
+  const S& m2_g_over_10 = prepared.m2_g_over_10;
   const S& q1 = state.q1();
   const S& q2 = state.q2();
   const S& q3 = state.q3();
@@ -1019,10 +821,11 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& /*t*/, const State<S>& state, const P
   const S q1_dot_2 = q1_dot * q1_dot;
   const S t1 = S(2) * q1_dot + S(15) * q2_dot;
   const S t2 = q2_dot + S(20) * q3_dot;
-  const S kinetic_energy = c31 * (S(3600) * q1_dot_2 + S(16) * t1 * t1 + S(9) * t2 * t2)
-      + c32 * (S(21) * q1_dot_2 + S(25) * q2_dot * q2_dot + S(20) * q3_dot * q3_dot + S(24) * q1_dot * q2_dot
-      + S(8) * q1_dot * q3_dot);
-  const S potential_energy = c33 * (q2 + S(20) * q3) + c34 * (S(4) + S(10) * q1 + S(5) * q2);
+  const S kinetic_energy = m1_over_7200 * (S(3600) * q1_dot_2 + S(16) * t1 * t1 + S(9) * t2 * t2)
+      + m2_over_40 * (S(21) * q1_dot_2 + S(25) * q2_dot * q2_dot + S(20) * q3_dot * q3_dot
+      + S(24) * q1_dot * q2_dot + S(8) * q1_dot * q3_dot);
+  const S potential_energy = m1_g_over_20 * (q2 + S(20) * q3)
+      + m2_g_over_10 * (S(4) + S(10) * q1 + S(5) * q2);
 
   // Shared terms
   const S total = kinetic_energy + potential_energy;
@@ -1031,38 +834,45 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& /*t*/, const State<S>& state, const P
   energy.potential = potential_energy;
   energy.total = total;
 
-  const Bool not_finite = Math<S>::not_finite(kinetic_energy, potential_energy, total);
+  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, kinetic_energy,
+      potential_energy, total);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
 /// Gauss's function Z_w (1.18) of candidate accelerations, as a complete square over the bodies:
 /// least, among all accelerations that the constraints allow, at those of rhs.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> compulsion(const S& /*t*/, const State<S>& /*state*/, const Inputs<S>& /*inputs*/,
+GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                       const Prepared<S>& prepared, const Derivative<S>& accelerations,
                                       Compulsion<S>& compulsion) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m2_g = prepared.m2_g;
   const S& G_q1_q3 = prepared.G_q1_q3;
-  const S& m1_g = prepared.m1_g;
   const S& G_q2_q3 = prepared.G_q2_q3;
-  const S& c28 = prepared.c28;
-  const S& c30 = prepared.c30;
+  const S& m1_g = prepared.m1_g;
   const S& half_m2 = prepared.half_m2;
+  const S& m1_over_15 = prepared.m1_over_15;
+  const S& m2_over_10 = prepared.m2_over_10;
   const S& m1_2 = prepared.m1_2;
   const S& half_inv_m1 = prepared.half_inv_m1;
   const S& half_inv_m2 = prepared.half_inv_m2;
+  const S& q1 = state.q1();
+  const S& q2 = state.q2();
+  const S& q3 = state.q3();
+  const S& q1_dot = state.q1_dot();
+  const S& q2_dot = state.q2_dot();
+  const S& q3_dot = state.q3_dot();
   const S& q1_ddot = accelerations.q1_ddot();
   const S& q2_ddot = accelerations.q2_ddot();
   const S& q3_ddot = accelerations.q3_ddot();
 
   // deviation of first from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
-  const S deviation_first_y = c28 * (S(2) * q1_ddot + S(15) * q2_ddot);
+  const S deviation_first_y = m1_over_15 * (S(2) * q1_ddot + S(15) * q2_ddot);
   const S deviation_first_z = m1_g + G_q2_q3 * (q2_ddot + S(20) * q3_ddot);
 
   // deviation of second from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
   const S deviation_second_x = G_q1_q3 * (q1_ddot + S(5) * q3_ddot);
-  const S deviation_second_y = c30 * (q1_ddot + S(10) * q2_ddot);
+  const S deviation_second_y = m2_over_10 * (q1_ddot + S(10) * q2_ddot);
   const S deviation_second_z = m2_g + half_m2 * (S(2) * q1_ddot + q2_ddot);
 
   // Shared terms
@@ -1073,19 +883,21 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& /*t*/, const State<S>& /*state*/,
 
   compulsion.Z = Z;
 
-  const Bool not_finite = Math<S>::not_finite(Z);
+  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, q1_ddot, q2_ddot,
+      q3_ddot, Z);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
 /// How far a state, and candidate accelerations, are from satisfying the constraints.
 /// Held coordinates satisfy theirs by construction.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> residuals(const S& /*t*/, const State<S>& state, const Inputs<S>& /*inputs*/,
+GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                      const Prepared<S>& /*prepared*/, const Derivative<S>& accelerations,
                                      Residuals<S>& residuals) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& q1 = state.q1();
   const S& q2 = state.q2();
+  const S& q3 = state.q3();
   const S& q1_dot = state.q1_dot();
   const S& q2_dot = state.q2_dot();
   const S& q3_dot = state.q3_dot();
@@ -1104,14 +916,15 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& /*t*/, const State<S>& state, cons
   residuals.velocity[0] = velocity_0;
   residuals.acceleration[0] = acceleration_0;
 
-  const Bool not_finite = Math<S>::not_finite(velocity_0, acceleration_0);
+  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, q1_ddot, q2_ddot,
+      q3_ddot, velocity_0, acceleration_0);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
 /// The metric g of the free speeds (1.10).
 template <class S>
-GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& /*t*/, const State<S>& /*state*/,
-                                       const Prepared<S>& prepared, MassMatrix<S>& mass_matrix) noexcept {
+GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const Prepared<S>& prepared,
+                                       MassMatrix<S>& mass_matrix) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& G_q2_q2 = prepared.G_q2_q2;
   const S& G_q1_q2 = prepared.G_q1_q2;
@@ -1119,6 +932,12 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& /*t*/, const State<S>& /*state*/
   const S& G_q3_q3 = prepared.G_q3_q3;
   const S& G_q1_q3 = prepared.G_q1_q3;
   const S& G_q2_q3 = prepared.G_q2_q3;
+  const S& q1 = state.q1();
+  const S& q2 = state.q2();
+  const S& q3 = state.q3();
+  const S& q1_dot = state.q1_dot();
+  const S& q2_dot = state.q2_dot();
+  const S& q3_dot = state.q3_dot();
 
   mass_matrix.g[0][0] = G_q1_q1;
   mass_matrix.g[0][1] = G_q1_q2;
@@ -1130,29 +949,29 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& /*t*/, const State<S>& /*state*/
   mass_matrix.g[2][1] = G_q2_q3;
   mass_matrix.g[2][2] = G_q3_q3;
 
-  const Bool not_finite = Math<S>::not_finite(G_q1_q1, G_q1_q2, G_q1_q3, G_q1_q2, G_q2_q2, G_q2_q3, G_q1_q3,
-      G_q2_q3, G_q3_q3);
+  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, G_q1_q1, G_q1_q2,
+      G_q1_q3, G_q2_q2, G_q2_q3, G_q3_q3);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
 /// The nearest state that satisfies the constraints: unit quaternions, then the smallest change of
 /// the speeds in the mass metric (one Newton step for constraints nonlinear in the velocities).
 template <class S>
-GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const Prepared<S>& prepared,
+GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepared<S>& prepared,
                                    State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
   const S g_l_q2_q1 = prepared.g_l_q2_q1;
-  const S g_l_q3_q2 = prepared.g_l_q3_q2;
-  const S c35 = prepared.c35;
-  const S inv_G_q1_q1 = prepared.inv_G_q1_q1;
   const S inv_g_d_q2 = prepared.inv_g_d_q2;
+  const S g_l_q3_q2 = prepared.g_l_q3_q2;
+  const S g_l_q3_q1 = prepared.g_l_q3_q1;
   const S g_l_q3_q2_over_g_d_q3 = prepared.g_l_q3_q2_over_g_d_q3;
-  const S c36 = prepared.c36;
+  const S inv_G_q1_q1 = prepared.inv_G_q1_q1;
+  const S c4 = prepared.c4;
   const S inv_g_d_q3 = prepared.inv_g_d_q3;
   const S g_d_q2 = prepared.g_d_q2;
-  const S c37 = prepared.c37;
+  const S rounding_G_q2_q2 = prepared.rounding_G_q2_q2;
   const S g_d_q3 = prepared.g_d_q3;
-  const S c38 = prepared.c38;
+  const S rounding_G_q3_q3 = prepared.rounding_G_q3_q3;
   const S q1 = from.q1();
   const S q2 = from.q2();
   const S q3 = from.q3();
@@ -1165,17 +984,16 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S response_blade_y_q2 = -(S(1) + g_l_q2_q1 * q2);
-  const S response_blade_y_q3 = beta_blade_q3 - g_l_q3_q2 * response_blade_y_q2 + c35 * q2;
+  const S response_blade_y_q3 = beta_blade_q3 - g_l_q3_q2 * response_blade_y_q2 - g_l_q3_q1 * q2;
   const S response_blade_q2 = inv_g_d_q2 * response_blade_y_q2 - g_l_q3_q2_over_g_d_q3 * response_blade_y_q3;
-  const S response_blade_q1 = inv_G_q1_q1 * q2 - g_l_q2_q1 * response_blade_q2 + c36 * response_blade_y_q3;
+  const S response_blade_q1 = inv_G_q1_q1 * q2 - g_l_q2_q1 * response_blade_q2 - c4 * response_blade_y_q3;
   const S S_d_blade = inv_g_d_q3 * beta_blade_q3 * response_blade_y_q3 - response_blade_q2
       + q2 * response_blade_q1;
   const S impulse_y_blade = q2_dot - q2 * q1_dot - q3_dot * beta_blade_q3;
-  const Bool t1 = Math<S>::less(S_d_blade, S(4) * Math<S>::epsilon() * S_d_blade);
-  const S t2 = Math<S>::select(t1, S(0), S(1) / S_d_blade);
-  const S q1_rate = q1_dot + impulse_y_blade * response_blade_q1 * t2;
-  const S q2_rate = q2_dot + impulse_y_blade * response_blade_q2 * t2;
-  const S q3_rate = q3_dot + inv_g_d_q3 * impulse_y_blade * response_blade_y_q3 * t2;
+  const S inv_S_d_blade = S(1) / S_d_blade;
+  const S q1_rate = q1_dot + inv_S_d_blade * impulse_y_blade * response_blade_q1;
+  const S q2_rate = q2_dot + inv_S_d_blade * impulse_y_blade * response_blade_q2;
+  const S q3_rate = q3_dot + inv_g_d_q3 * inv_S_d_blade * impulse_y_blade * response_blade_y_q3;
 
   state.q1() = q1;
   state.q2() = q2;
@@ -1184,9 +1002,11 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
   state.q2_dot() = q2_rate;
   state.q3_dot() = q3_rate;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::less(g_d_q2, c37), Math<S>::less(g_d_q3, c38));
-  const Bool not_finite = Math<S>::not_finite(q1, q2, q3, q1_rate, q2_rate, q3_rate);
-  return Math<S>::status(singular_mass_matrix, t1, not_finite);
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::less(g_d_q2, rounding_G_q2_q2),
+      Math<S>::less(g_d_q3, rounding_G_q3_q3));
+  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, q1_rate, q2_rate,
+      q3_rate);
+  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
 /// The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints.

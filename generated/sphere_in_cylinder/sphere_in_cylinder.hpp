@@ -33,12 +33,12 @@
 //   rhs                16   56  6  0     4
 //   reactions          16   61  5  0     4
 //   rhs_and_reactions  17   64  6  0     4
-//   reaction_forces    18   71  5  0     8
+//   reaction_forces    29   99  7  0     8
 //   energy             6    14  0  0     1
 //   compulsion         18   48  0  0     6
 //   residuals          14   32  0  0     4
 //   mass_matrix        0    1   0  0     1
-//   project            11   27  2  0     4
+//   project            11   21  2  0     4
 //   initial_state      0    0   0  0     0
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
@@ -266,34 +266,32 @@ struct Inputs {};
 /// Parameters as the functions read them, and what follows from them alone; made by prepare().
 template <class S>
 struct Prepared {
-  S m;                       ///< mass of the ball
-  S r;                       ///< radius of the ball
-  S R;                       ///< radius of the cylinder
-  S psi_0;                   ///< precession at t = 0
-  S theta_0;                 ///< nutation at t = 0
-  S phi_0;                   ///< spin at t = 0
-  S zeta_dot_0;              ///< rate of climb at t = 0
-  S omega_r_0;               ///< angular velocity about the line to the contact at t = 0
-  S J;                       ///< moment of inertia of the ball about a diameter
-  S m_r_2;                   ///< m * r * r
-  S m_2_r_4;                 ///< m * m * r * r * r * r
-  S m_g;                     ///< m * g
-  S m_rho;                   ///< m * (R - r)
-  S z_rolling_around_psi;    ///< r / J
-  S rho_2;                   ///< (R - r) * (R - r)
-  S half_m;                  ///< S(0.5) * m
-  S half_J;                  ///< S(0.5) * J
-  S rho;                     ///< R - r
-  S z_rolling_along_zeta;    ///< S(1) / m
-  S half_inv_m;              ///< S(0.5) / m
-  S half_inv_J;              ///< S(0.5) / J
-  S r_minus_R;               ///< r - R
-  S G_chi_chi;               ///< m * (R - r) * (R - r)
-  S S_d_rolling_around;      ///< S(1) / m + r * r / J
-  S c1;                      ///< S(8) * Math<S>::epsilon() * (S(1) / m + r * r / J)
-  S inv_S_d_rolling_around;  ///< S(1) / (S(1) / m + r * r / J)
-  S z_rolling_around_chi;    ///< S(1) / (m * (R - r))
-  S c2;                      ///< S(20) * Math<S>::epsilon() * J
+  S m;                         ///< mass of the ball
+  S r;                         ///< radius of the ball
+  S R;                         ///< radius of the cylinder
+  S psi_0;                     ///< precession at t = 0
+  S theta_0;                   ///< nutation at t = 0
+  S phi_0;                     ///< spin at t = 0
+  S zeta_dot_0;                ///< rate of climb at t = 0
+  S omega_r_0;                 ///< angular velocity about the line to the contact at t = 0
+  S J;                         ///< moment of inertia of the ball about a diameter
+  S m_r_2;                     ///< m * r * r
+  S m_2_r_4;                   ///< m * m * r * r * r * r
+  S m_g;                       ///< m * g
+  S m_rho;                     ///< m * (R - r)
+  S z_rolling_around_psi;      ///< r / J
+  S rho_2;                     ///< (R - r) * (R - r)
+  S half_m;                    ///< S(0.5) * m
+  S half_J;                    ///< S(0.5) * J
+  S rho;                       ///< R - r
+  S half_inv_m;                ///< S(0.5) / m
+  S half_inv_J;                ///< S(0.5) / J
+  S r_minus_R;                 ///< r - R
+  S G_chi_chi;                 ///< m * (R - r) * (R - r)
+  S c1;                        ///< S(1) / (m * (S(1) / m + r * r / J) * (R - r))
+  S inv_m_S_d_rolling_around;  ///< S(1) / (m * (S(1) / m + r * r / J))
+  S c2;                        ///< r / (J * (S(1) / m + r * r / J))
+  S rounding_J;                ///< S(20) * Math<S>::epsilon() * J
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -385,6 +383,11 @@ struct ReactionForces {
     S force_on_ball[3];   ///< [N], space axes, on ball
     S moment_on_ball[3];  ///< [N*m], space axes, on ball about the mass centre
   } rho;
+  /// all constraints on ball
+  struct OnBall {
+    S force[3];   ///< [N], space axes
+    S moment[3];  ///< [N*m], space axes, about the mass centre
+  } on_ball;
 };
 
 template <class S>
@@ -435,7 +438,7 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S G_chi_chi = m * rho_2;
   const S S_d_rolling_around = r_2 * inv_J;
   const S S_d_rolling_around_2 = z_rolling_along_zeta + S_d_rolling_around;
-  const S z_rolling_around_chi = z_rolling_along_zeta / rho;
+  const S inv_S_d_rolling_around = S(1) / S_d_rolling_around_2;
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -456,22 +459,20 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_m = S(0.5) * m;
   prepared.half_J = S(0.5) * J;
   prepared.rho = rho;
-  prepared.z_rolling_along_zeta = z_rolling_along_zeta;
   prepared.half_inv_m = S(0.5) * z_rolling_along_zeta;
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r - R;
   prepared.G_chi_chi = G_chi_chi;
-  prepared.S_d_rolling_around = S_d_rolling_around_2;
-  prepared.c1 = S(8) * Math<S>::epsilon() * S_d_rolling_around_2;
-  prepared.inv_S_d_rolling_around = S(1) / S_d_rolling_around_2;
-  prepared.z_rolling_around_chi = z_rolling_around_chi;
-  prepared.c2 = S(20) * Math<S>::epsilon() * J;
+  prepared.c1 = z_rolling_along_zeta * inv_S_d_rolling_around / rho;
+  prepared.inv_m_S_d_rolling_around = z_rolling_along_zeta * inv_S_d_rolling_around;
+  prepared.c2 = r * inv_J * inv_S_d_rolling_around;
+  prepared.rounding_J = S(20) * Math<S>::epsilon() * J;
   return prepared;
 }
 
 /// Time derivative of the state: rates of the configuration, then accelerations (3.7).
 template <class S>
-GAUSS_FUNCTION StatusOf<S> rhs(const S& /*t*/, const State<S>& state, const Inputs<S>& /*inputs*/,
+GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                const Prepared<S>& prepared, Derivative<S>& derivative) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
@@ -481,6 +482,8 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& /*t*/, const State<S>& state, const Inpu
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
   const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& phi = state.phi();
   const S& psi = state.psi();
   const S& theta = state.theta();
   const S& chi_dot = state.chi_dot();
@@ -552,14 +555,14 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& /*t*/, const State<S>& state, const Inpu
   derivative.theta_ddot() = a_theta;
 
   const Bool singular_mass_matrix = Math<S>::less(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta);
-  const Bool not_finite = Math<S>::not_finite(chi_dot, zeta_dot, phi_dot, psi_dot, theta_dot, a_zeta, a_phi,
-      a_psi, a_theta);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
+      psi_dot, theta_dot, a_zeta, a_phi, a_psi, a_theta);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
 /// Reaction of every constraint: multipliers (3.4) and generalized reactions (3.8).
 template <class S>
-GAUSS_FUNCTION StatusOf<S> reactions(const S& /*t*/, const State<S>& state, const Inputs<S>& /*inputs*/,
+GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                      const Prepared<S>& prepared, Reactions<S>& reactions) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
@@ -570,9 +573,12 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& /*t*/, const State<S>& state, cons
   const S& m_g = prepared.m_g;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& phi = state.phi();
   const S& psi = state.psi();
   const S& theta = state.theta();
   const S& chi_dot = state.chi_dot();
+  const S& zeta_dot = state.zeta_dot();
   const S& phi_dot = state.phi_dot();
   const S& psi_dot = state.psi_dot();
   const S& theta_dot = state.theta_dot();
@@ -646,16 +652,17 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& /*t*/, const State<S>& state, cons
   reactions.rho.generalized = rho_generalized;
 
   const Bool singular_mass_matrix = Math<S>::less(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta);
-  const Bool not_finite = Math<S>::not_finite(excess_zeta, excess_zeta, rolling_along_generalized_2,
-      rolling_along_generalized_4, rho_generalized);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
+      psi_dot, theta_dot, excess_zeta, rolling_along_generalized_2, rolling_along_generalized_4,
+      rho_generalized);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
 /// Both at once, over one set of shared values.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& /*t*/, const State<S>& state,
-                                             const Inputs<S>& /*inputs*/, const Prepared<S>& prepared,
-                                             Derivative<S>& derivative, Reactions<S>& reactions) noexcept {
+GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
+                                             const Prepared<S>& prepared, Derivative<S>& derivative,
+                                             Reactions<S>& reactions) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
   const S& r = prepared.r;
@@ -665,6 +672,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& /*t*/, const State<S>& sta
   const S& m_g = prepared.m_g;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& phi = state.phi();
   const S& psi = state.psi();
   const S& theta = state.theta();
   const S& chi_dot = state.chi_dot();
@@ -757,17 +766,18 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& /*t*/, const State<S>& sta
   reactions.rho.generalized = rho_generalized;
 
   const Bool singular_mass_matrix = Math<S>::less(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta);
-  const Bool not_finite = Math<S>::not_finite(chi_dot, zeta_dot, phi_dot, psi_dot, theta_dot, a_zeta, a_phi,
-      a_psi, a_theta, excess_zeta, excess_zeta, rolling_along_generalized_2, rolling_along_generalized_4,
-      rho_generalized);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
+      psi_dot, theta_dot, a_zeta, a_phi, a_psi, a_theta, excess_zeta, rolling_along_generalized_2,
+      rolling_along_generalized_4, rho_generalized);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
-/// Reactions as Cartesian forces and moments that act ON the bodies, in space axes.
-/// A force acts at the mass centre together with the moment stated beside it.
+/// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the mass
+/// centre together with the moment stated beside it. on_<body> is the sum over all constraints, by
+/// Newton and Euler; potentials and generalized forces name no body, so they are in it as well.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& /*t*/, const State<S>& state,
-                                           const Inputs<S>& /*inputs*/, const Prepared<S>& prepared,
+GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
+                                           const Prepared<S>& prepared,
                                            ReactionForces<S>& reaction_forces) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
@@ -779,9 +789,12 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& /*t*/, const State<S>& state
   const S& m_rho = prepared.m_rho;
   const S& z_rolling_around_psi = prepared.z_rolling_around_psi;
   const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& phi = state.phi();
   const S& psi = state.psi();
   const S& theta = state.theta();
   const S& chi_dot = state.chi_dot();
+  const S& zeta_dot = state.zeta_dot();
   const S& phi_dot = state.phi_dot();
   const S& psi_dot = state.psi_dot();
   const S& theta_dot = state.theta_dot();
@@ -806,6 +819,9 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& /*t*/, const State<S>& state
       - r * phi_dot * sin_theta * sin_chi_minus_psi * chi_dot_minus_psi_dot
       + r * theta_dot * cos_chi_minus_psi * chi_dot_minus_psi_dot;
 
+  // dependent accelerations: a_m = c_m_p a_p + drift_m, c = -b^-1 b_p (3.6)
+  const S c_drift_psi = phi_dot * theta_dot * sin_theta;
+
   // reduced metric C^T g C of the independent accelerations
   const S sin_theta_2 = sin_theta * sin_theta;
   const S G_d_psi = J * sin_theta_2;
@@ -835,6 +851,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& /*t*/, const State<S>& state
   // dependent accelerations (3.6)
   const S a_zeta = -(drift_rolling_along + r * inv_M_d_theta * a_y_theta * sin_chi_minus_psi
       + r * a_phi * sin_theta * cos_chi_minus_psi);
+  const S a_phi_cos_theta = a_phi * cos_theta;
+  const S a_psi = c_drift_psi - a_phi_cos_theta;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
@@ -849,8 +867,17 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& /*t*/, const State<S>& state
 
   // force and moment of rho: m J z and I W z, times its reaction, model line 21
   const S chi_dot_2 = chi_dot * chi_dot;
-  const S rho_force_on_ball_0 = -m_rho * chi_dot_2 * cos_chi;
-  const S rho_force_on_ball_1 = -m_rho * chi_dot_2 * sin_chi;
+  const S force_rho_ball_x = -m_rho * chi_dot_2 * cos_chi;
+  const S force_rho_ball_y = -m_rho * chi_dot_2 * sin_chi;
+
+  // all constraint forces on ball: m a - F and d(I omega)/dt - M (theory.md, section 4)
+  const S moment_on_ball_x = J * (phi_dot * psi_dot * sin_theta * cos_psi
+      + phi_dot * theta_dot * sin_psi * cos_theta - psi_dot * theta_dot * sin_psi
+      + inv_M_d_theta * a_y_theta * cos_psi + a_phi * sin_psi * sin_theta);
+  const S moment_on_ball_y = J * (phi_dot * psi_dot * sin_psi * sin_theta
+      - phi_dot * theta_dot * cos_psi * cos_theta + psi_dot * theta_dot * cos_psi
+      + inv_M_d_theta * a_y_theta * sin_psi - a_phi * sin_theta * cos_psi);
+  const S moment_on_ball_z = J * (a_psi - c_drift_psi + a_phi_cos_theta);
 
   reaction_forces.rolling_around.force_on_ball[0] = S(0);
   reaction_forces.rolling_around.force_on_ball[1] = S(0);
@@ -864,22 +891,29 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& /*t*/, const State<S>& state
   reaction_forces.rolling_along.moment_on_ball[0] = moment_rolling_along_ball_x;
   reaction_forces.rolling_along.moment_on_ball[1] = moment_rolling_along_ball_y;
   reaction_forces.rolling_along.moment_on_ball[2] = S(0);
-  reaction_forces.rho.force_on_ball[0] = rho_force_on_ball_0;
-  reaction_forces.rho.force_on_ball[1] = rho_force_on_ball_1;
+  reaction_forces.rho.force_on_ball[0] = force_rho_ball_x;
+  reaction_forces.rho.force_on_ball[1] = force_rho_ball_y;
   reaction_forces.rho.force_on_ball[2] = S(0);
   reaction_forces.rho.moment_on_ball[0] = S(0);
   reaction_forces.rho.moment_on_ball[1] = S(0);
   reaction_forces.rho.moment_on_ball[2] = S(0);
+  reaction_forces.on_ball.force[0] = force_rho_ball_x;
+  reaction_forces.on_ball.force[1] = force_rho_ball_y;
+  reaction_forces.on_ball.force[2] = excess_zeta;
+  reaction_forces.on_ball.moment[0] = moment_on_ball_x;
+  reaction_forces.on_ball.moment[1] = moment_on_ball_y;
+  reaction_forces.on_ball.moment[2] = moment_on_ball_z;
 
   const Bool singular_mass_matrix = Math<S>::less(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta);
-  const Bool not_finite = Math<S>::not_finite(excess_zeta, moment_rolling_along_ball_x,
-      moment_rolling_along_ball_y, rho_force_on_ball_0, rho_force_on_ball_1);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
+      psi_dot, theta_dot, excess_zeta, moment_rolling_along_ball_x, moment_rolling_along_ball_y,
+      force_rho_ball_x, force_rho_ball_y, moment_on_ball_x, moment_on_ball_y, moment_on_ball_z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
 /// Kinetic energy, potential energy of uniform fields and potentials, and their sum.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> energy(const S& /*t*/, const State<S>& state, const Prepared<S>& prepared,
+GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepared<S>& prepared,
                                   Energy<S>& energy) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& J = prepared.J;
@@ -887,7 +921,10 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& /*t*/, const State<S>& state, const P
   const S& rho_2 = prepared.rho_2;
   const S& half_m = prepared.half_m;
   const S& half_J = prepared.half_J;
+  const S& chi = state.chi();
   const S& zeta = state.zeta();
+  const S& phi = state.phi();
+  const S& psi = state.psi();
   const S& theta = state.theta();
   const S& chi_dot = state.chi_dot();
   const S& zeta_dot = state.zeta_dot();
@@ -911,14 +948,15 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& /*t*/, const State<S>& state, const P
   energy.potential = potential_energy;
   energy.total = total;
 
-  const Bool not_finite = Math<S>::not_finite(kinetic_energy, potential_energy, total);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
+      psi_dot, theta_dot, kinetic_energy, potential_energy, total);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
 /// Gauss's function Z_w (1.18) of candidate accelerations, as a complete square over the bodies:
 /// least, among all accelerations that the constraints allow, at those of rhs.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> compulsion(const S& /*t*/, const State<S>& state, const Inputs<S>& /*inputs*/,
+GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                       const Prepared<S>& prepared, const Derivative<S>& accelerations,
                                       Compulsion<S>& compulsion) noexcept {
   using Bool = typename Math<S>::Bool;
@@ -929,9 +967,12 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& /*t*/, const State<S>& state, con
   const S& half_inv_m = prepared.half_inv_m;
   const S& half_inv_J = prepared.half_inv_J;
   const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& phi = state.phi();
   const S& psi = state.psi();
   const S& theta = state.theta();
   const S& chi_dot = state.chi_dot();
+  const S& zeta_dot = state.zeta_dot();
   const S& phi_dot = state.phi_dot();
   const S& psi_dot = state.psi_dot();
   const S& theta_dot = state.theta_dot();
@@ -966,20 +1007,21 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& /*t*/, const State<S>& state, con
   const S chi_dot_2 = chi_dot * chi_dot;
   const S t1 = m * (rho * chi_dot_2 * cos_chi + rho * chi_ddot * sin_chi);
   const S t2 = m * (rho * chi_dot_2 * sin_chi - rho * chi_ddot * cos_chi);
-  const S Z = half_inv_m * (-t1 * (-t1) + -t2 * (-t2) + deviation_ball_z * deviation_ball_z)
+  const S Z = half_inv_m * (t1 * t1 + t2 * t2 + deviation_ball_z * deviation_ball_z)
       + half_inv_J * (torque_ball_x * torque_ball_x + torque_ball_y * torque_ball_y
       + torque_ball_z * torque_ball_z);
 
   compulsion.Z = Z;
 
-  const Bool not_finite = Math<S>::not_finite(Z);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
+      psi_dot, theta_dot, chi_ddot, zeta_ddot, phi_ddot, psi_ddot, theta_ddot, Z);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
 /// How far a state, and candidate accelerations, are from satisfying the constraints.
 /// Held coordinates satisfy theirs by construction.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> residuals(const S& /*t*/, const State<S>& state, const Inputs<S>& /*inputs*/,
+GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                      const Prepared<S>& prepared, const Derivative<S>& accelerations,
                                      Residuals<S>& residuals) noexcept {
   using Bool = typename Math<S>::Bool;
@@ -987,6 +1029,8 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& /*t*/, const State<S>& state, cons
   const S& rho = prepared.rho;
   const S& r_minus_R = prepared.r_minus_R;
   const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& phi = state.phi();
   const S& psi = state.psi();
   const S& theta = state.theta();
   const S& chi_dot = state.chi_dot();
@@ -1026,19 +1070,30 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& /*t*/, const State<S>& state, cons
   residuals.acceleration[0] = acceleration_0;
   residuals.acceleration[1] = acceleration_1;
 
-  const Bool not_finite = Math<S>::not_finite(velocity_0, velocity_1, acceleration_0, acceleration_1);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
+      psi_dot, theta_dot, chi_ddot, zeta_ddot, phi_ddot, psi_ddot, theta_ddot, velocity_0, velocity_1,
+      acceleration_0, acceleration_1);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
 /// The metric g of the free speeds (1.10).
 template <class S>
-GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& /*t*/, const State<S>& state, const Prepared<S>& prepared,
+GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const Prepared<S>& prepared,
                                        MassMatrix<S>& mass_matrix) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
   const S& J = prepared.J;
   const S& G_chi_chi = prepared.G_chi_chi;
+  const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& phi = state.phi();
+  const S& psi = state.psi();
   const S& theta = state.theta();
+  const S& chi_dot = state.chi_dot();
+  const S& zeta_dot = state.zeta_dot();
+  const S& phi_dot = state.phi_dot();
+  const S& psi_dot = state.psi_dot();
+  const S& theta_dot = state.theta_dot();
 
   // Sines and cosines
   const S cos_theta = Math<S>::cos(theta);
@@ -1072,26 +1127,24 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& /*t*/, const State<S>& state, co
   mass_matrix.g[4][3] = S(0);
   mass_matrix.g[4][4] = J;
 
-  const Bool not_finite = Math<S>::not_finite(G_chi_chi, m, J, G_phi_psi, G_phi_psi, J, J);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
+      psi_dot, theta_dot, G_chi_chi, m, J, G_phi_psi);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
 /// The nearest state that satisfies the constraints: unit quaternions, then the smallest change of
 /// the speeds in the mass metric (one Newton step for constraints nonlinear in the velocities).
 template <class S>
-GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const Prepared<S>& prepared,
+GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepared<S>& prepared,
                                    State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
   const S r = prepared.r;
   const S J = prepared.J;
-  const S z_rolling_around_psi = prepared.z_rolling_around_psi;
-  const S z_rolling_along_zeta = prepared.z_rolling_along_zeta;
   const S r_minus_R = prepared.r_minus_R;
-  const S S_d_rolling_around = prepared.S_d_rolling_around;
   const S c1 = prepared.c1;
-  const S inv_S_d_rolling_around = prepared.inv_S_d_rolling_around;
-  const S z_rolling_around_chi = prepared.z_rolling_around_chi;
+  const S inv_m_S_d_rolling_around = prepared.inv_m_S_d_rolling_around;
   const S c2 = prepared.c2;
+  const S rounding_J = prepared.rounding_J;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S phi = from.phi();
@@ -1113,16 +1166,13 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
   const S impulse_y_rolling_around = r_minus_R * chi_dot - r * phi_dot * cos_theta - r * psi_dot;
   const S impulse_y_rolling_along = -(zeta_dot + r * phi_dot * sin_theta * cos_chi_minus_psi
       + r * theta_dot * sin_chi_minus_psi);
-  const Bool t1 = Math<S>::less(S_d_rolling_around, c1);
-  const S t2 = Math<S>::select(t1, S(0), inv_S_d_rolling_around);
-  const S chi_rate = chi_dot + z_rolling_around_chi * impulse_y_rolling_around * t2;
-  const S zeta_rate = zeta_dot + z_rolling_along_zeta * impulse_y_rolling_along * t2;
+  const S chi_rate = chi_dot + c1 * impulse_y_rolling_around;
+  const S zeta_rate = zeta_dot + inv_m_S_d_rolling_around * impulse_y_rolling_along;
   const S inv_sin_theta = S(1) / sin_theta;
-  const S phi_rate = phi_dot + z_rolling_around_psi * impulse_y_rolling_along * inv_sin_theta
-      * cos_chi_minus_psi * t2;
-  const S psi_rate = psi_dot - z_rolling_around_psi * impulse_y_rolling_along * inv_sin_theta * cos_theta
-      * cos_chi_minus_psi * t2 + z_rolling_around_psi * impulse_y_rolling_around * t2;
-  const S theta_rate = theta_dot + z_rolling_around_psi * impulse_y_rolling_along * sin_chi_minus_psi * t2;
+  const S phi_rate = phi_dot + c2 * impulse_y_rolling_along * inv_sin_theta * cos_chi_minus_psi;
+  const S psi_rate = psi_dot - c2 * impulse_y_rolling_along * inv_sin_theta * cos_theta * cos_chi_minus_psi
+      + c2 * impulse_y_rolling_around;
+  const S theta_rate = theta_dot + c2 * impulse_y_rolling_along * sin_chi_minus_psi;
 
   // Shared terms
   const S G_d_psi = J * sin_theta * sin_theta;
@@ -1138,11 +1188,10 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
   state.psi_dot() = psi_rate;
   state.theta_dot() = theta_rate;
 
-  const Bool singular_mass_matrix = Math<S>::less(G_d_psi, c2);
-  const Bool dependent_constraints = Math<S>::any(t1, t1);
-  const Bool not_finite = Math<S>::not_finite(chi, zeta, phi, psi, theta, chi_rate, zeta_rate, phi_rate,
-      psi_rate, theta_rate);
-  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
+  const Bool singular_mass_matrix = Math<S>::less(G_d_psi, rounding_J);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
+      psi_dot, theta_dot, chi_rate, zeta_rate, phi_rate, psi_rate, theta_rate);
+  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
 /// The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints.
@@ -1170,7 +1219,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   const S impulse_y_rolling_around = S(4) * r - S(4) * R + r * inv_sin_theta_0 * cos_theta_0 * t1;
   const S impulse_y_rolling_along = r * cos_psi_0 * t1 - zeta_dot_0;
   const S psi_rate = inv_r * impulse_y_rolling_around;
-  const S theta_dot_2 = -inv_r * impulse_y_rolling_along / sin_psi_0;
+  const S theta_rate = -inv_r * impulse_y_rolling_along / sin_psi_0;
 
   // Shared terms
   const S phi_dot_2 = -inv_sin_theta_0 * t1;
@@ -1184,10 +1233,10 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.zeta_dot() = zeta_dot_0;
   state.phi_dot() = phi_dot_2;
   state.psi_dot() = psi_rate;
-  state.theta_dot() = theta_dot_2;
+  state.theta_dot() = theta_rate;
 
   const Bool not_finite = Math<S>::not_finite(phi_0, psi_0, theta_0, zeta_dot_0, phi_dot_2, psi_rate,
-      theta_dot_2);
+      theta_rate);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 

@@ -39,12 +39,12 @@
 //   rhs                17   53  6  0     2
 //   reactions          10   36  5  0     2
 //   rhs_and_reactions  18   60  6  0     2
-//   reaction_forces    14   45  5  0     2
+//   reaction_forces    14   47  6  0     2
 //   energy             5    11  0  0     0
 //   compulsion         8    23  0  0     2
 //   residuals          12   20  0  0     2
 //   mass_matrix        0    0   0  0     0
-//   project            11   21  4  1     2
+//   project            11   16  4  1     2
 //   initial_state      0    0   0  0     0
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_QUATERNION_HPP
@@ -271,33 +271,30 @@ struct Inputs {};
 /// Parameters as the functions read them, and what follows from them alone; made by prepare().
 template <class S>
 struct Prepared {
-  S m;                       ///< mass of the ball
-  S r;                       ///< radius of the ball
-  S R;                       ///< radius of the cylinder
-  S psi_0;                   ///< precession at t = 0
-  S theta_0;                 ///< nutation at t = 0
-  S phi_0;                   ///< spin at t = 0
-  S omega_r_0;               ///< angular velocity about the line to the contact at t = 0
-  S J;                       ///< moment of inertia of the ball about a diameter
-  S m_r_2;                   ///< m * r * r
-  S m_2_r_4;                 ///< m * m * r * r * r * r
-  S m_g;                     ///< m * g
-  S m_rho;                   ///< m * (R - r)
-  S rho;                     ///< R - r
-  S rho_2;                   ///< (R - r) * (R - r)
-  S half_m;                  ///< S(0.5) * m
-  S half_J;                  ///< S(0.5) * J
-  S z_rolling_along_zeta;    ///< S(1) / m
-  S J_2;                     ///< J * J
-  S half_inv_m;              ///< S(0.5) / m
-  S half_inv_J;              ///< S(0.5) / J
-  S r_minus_R;               ///< r - R
-  S G_chi_chi;               ///< m * (R - r) * (R - r)
-  S S_d_rolling_around;      ///< S(1) / m + r * r / J
-  S c1;                      ///< S(8) * Math<S>::epsilon() * (S(1) / m + r * r / J)
-  S inv_S_d_rolling_around;  ///< S(1) / (S(1) / m + r * r / J)
-  S z_rolling_around_chi;    ///< S(1) / (m * (R - r))
-  S z_rolling_around_wz;     ///< r / J
+  S m;                         ///< mass of the ball
+  S r;                         ///< radius of the ball
+  S R;                         ///< radius of the cylinder
+  S psi_0;                     ///< precession at t = 0
+  S theta_0;                   ///< nutation at t = 0
+  S phi_0;                     ///< spin at t = 0
+  S omega_r_0;                 ///< angular velocity about the line to the contact at t = 0
+  S J;                         ///< moment of inertia of the ball about a diameter
+  S m_r_2;                     ///< m * r * r
+  S m_2_r_4;                   ///< m * m * r * r * r * r
+  S m_g;                       ///< m * g
+  S m_rho;                     ///< m * (R - r)
+  S rho;                       ///< R - r
+  S rho_2;                     ///< (R - r) * (R - r)
+  S half_m;                    ///< S(0.5) * m
+  S half_J;                    ///< S(0.5) * J
+  S J_2;                       ///< J * J
+  S half_inv_m;                ///< S(0.5) / m
+  S half_inv_J;                ///< S(0.5) / J
+  S r_minus_R;                 ///< r - R
+  S G_chi_chi;                 ///< m * (R - r) * (R - r)
+  S c1;                        ///< S(1) / (m * (S(1) / m + r * r / J) * (R - r))
+  S inv_m_S_d_rolling_around;  ///< S(1) / (m * (S(1) / m + r * r / J))
+  S c2;                        ///< r / (J * (S(1) / m + r * r / J))
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -393,6 +390,11 @@ struct ReactionForces {
     S force_on_ball[3];   ///< [N], space axes, on ball
     S moment_on_ball[3];  ///< [N*m], space axes, on ball about the mass centre
   } rho;
+  /// all constraints on ball
+  struct OnBall {
+    S force[3];   ///< [N], space axes
+    S moment[3];  ///< [N*m], space axes, about the mass centre
+  } on_ball;
 };
 
 template <class S>
@@ -442,8 +444,7 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S G_chi_chi = m * rho_2;
   const S S_d_rolling_around = r_2 * inv_J;
   const S S_d_rolling_around_2 = z_rolling_along_zeta + S_d_rolling_around;
-  const S z_rolling_around_chi = z_rolling_along_zeta / rho;
-  const S z_rolling_around_wz = r * inv_J;
+  const S inv_S_d_rolling_around = S(1) / S_d_rolling_around_2;
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -462,23 +463,20 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.rho_2 = rho_2;
   prepared.half_m = S(0.5) * m;
   prepared.half_J = S(0.5) * J;
-  prepared.z_rolling_along_zeta = z_rolling_along_zeta;
   prepared.J_2 = J * J;
   prepared.half_inv_m = S(0.5) * z_rolling_along_zeta;
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r - R;
   prepared.G_chi_chi = G_chi_chi;
-  prepared.S_d_rolling_around = S_d_rolling_around_2;
-  prepared.c1 = S(8) * Math<S>::epsilon() * S_d_rolling_around_2;
-  prepared.inv_S_d_rolling_around = S(1) / S_d_rolling_around_2;
-  prepared.z_rolling_around_chi = z_rolling_around_chi;
-  prepared.z_rolling_around_wz = z_rolling_around_wz;
+  prepared.c1 = z_rolling_along_zeta * inv_S_d_rolling_around / rho;
+  prepared.inv_m_S_d_rolling_around = z_rolling_along_zeta * inv_S_d_rolling_around;
+  prepared.c2 = r * inv_J * inv_S_d_rolling_around;
   return prepared;
 }
 
 /// Time derivative of the state: rates of the configuration, then accelerations (3.7).
 template <class S>
-GAUSS_FUNCTION StatusOf<S> rhs(const S& /*t*/, const State<S>& state, const Inputs<S>& /*inputs*/,
+GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                const Prepared<S>& prepared, Derivative<S>& derivative) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
@@ -488,6 +486,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& /*t*/, const State<S>& state, const Inpu
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
   const S& chi = state.chi();
+  const S& zeta = state.zeta();
   const S& e0 = state.e0();
   const S& e1 = state.e1();
   const S& e2 = state.e2();
@@ -520,7 +519,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& /*t*/, const State<S>& state, const Inpu
   const S M_d_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
 
   // independent accelerations (3.7)
-  const S a_y_wy = -r * cos_chi * t1 + m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi;
+  const S a_y_wy = m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi - r * cos_chi * t1;
   const S inv_M_d_wy = S(1) / M_d_wy;
   const S a_wy = inv_M_d_wy * a_y_wy;
   const S a_wx = m_r_2 * inv_M_d_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
@@ -547,14 +546,14 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& /*t*/, const State<S>& state, const Inpu
   derivative.wz_dot() = S(0);
 
   const Bool singular_mass_matrix = Math<S>::less(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy);
-  const Bool not_finite = Math<S>::not_finite(chi_dot, zeta_dot, e0_dot, e1_dot, e2_dot, e3_dot, a_zeta,
-      a_wx, a_wy);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
+      e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
 /// Reaction of every constraint: multipliers (3.4) and generalized reactions (3.8).
 template <class S>
-GAUSS_FUNCTION StatusOf<S> reactions(const S& /*t*/, const State<S>& state, const Inputs<S>& /*inputs*/,
+GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                      const Prepared<S>& prepared, Reactions<S>& reactions) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
@@ -565,81 +564,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& /*t*/, const State<S>& state, cons
   const S& m_g = prepared.m_g;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
-  const S& chi_dot = state.chi_dot();
-  const S& wx = state.wx();
-  const S& wy = state.wy();
-
-  // Sines and cosines
-  S sin_chi, cos_chi;
-  Math<S>::sincos(chi, sin_chi, cos_chi);
-
-  // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 48
-  const S drift_rolling_along = r * (chi_dot * wx * cos_chi + chi_dot * wy * sin_chi);
-
-  // reduced metric C^T g C of the independent accelerations
-  const S sin_chi_2 = sin_chi * sin_chi;
-  const S M_wx_wx = J + m_r_2 * sin_chi_2;
-  const S cos_chi_2 = cos_chi * cos_chi;
-  const S M_wy_wy = J + m_r_2 * cos_chi_2;
-
-  // right-hand side of (3.7): C^T (f - g drift)
-  const S t1 = m_g - m * drift_rolling_along;
-  const S F_wx = r * sin_chi * t1;
-
-  // C^T g C = L D L^T
-  const S inv_M_wx_wx = S(1) / M_wx_wx;
-  const S M_d_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
-
-  // independent accelerations (3.7)
-  const S a_y_wy = -r * cos_chi * t1 + m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi;
-  const S inv_M_d_wy = S(1) / M_d_wy;
-  const S a_wx = m_r_2 * inv_M_d_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
-
-  // dependent accelerations (3.6)
-  const S a_zeta = r * inv_M_d_wy * a_y_wy * cos_chi - drift_rolling_along - r * a_wx * sin_chi;
-
-  // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
-  const S excess_zeta = m_g + m * a_zeta;
-
-  // Shared terms
-  const S rolling_along_generalized_2 = r * excess_zeta * sin_chi;
-  const S rolling_along_generalized_3 = -r * excess_zeta * cos_chi;
-  const S rho_generalized = -m_rho * chi_dot * chi_dot;
-
-  reactions.rolling_around.multiplier = S(0);
-  reactions.rolling_around.generalized[0] = S(0);
-  reactions.rolling_around.generalized[1] = S(0);
-  reactions.rolling_around.generalized[2] = S(0);
-  reactions.rolling_around.generalized[3] = S(0);
-  reactions.rolling_around.generalized[4] = S(0);
-  reactions.rolling_along.multiplier = excess_zeta;
-  reactions.rolling_along.generalized[0] = S(0);
-  reactions.rolling_along.generalized[1] = excess_zeta;
-  reactions.rolling_along.generalized[2] = rolling_along_generalized_2;
-  reactions.rolling_along.generalized[3] = rolling_along_generalized_3;
-  reactions.rolling_along.generalized[4] = S(0);
-  reactions.rho.generalized = rho_generalized;
-
-  const Bool singular_mass_matrix = Math<S>::less(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy);
-  const Bool not_finite = Math<S>::not_finite(excess_zeta, excess_zeta, rolling_along_generalized_2,
-      rolling_along_generalized_3, rho_generalized);
-  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
-}
-
-/// Both at once, over one set of shared values.
-template <class S>
-GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& /*t*/, const State<S>& state,
-                                             const Inputs<S>& /*inputs*/, const Prepared<S>& prepared,
-                                             Derivative<S>& derivative, Reactions<S>& reactions) noexcept {
-  using Bool = typename Math<S>::Bool;
-  const S& m = prepared.m;
-  const S& r = prepared.r;
-  const S& J = prepared.J;
-  const S& m_r_2 = prepared.m_r_2;
-  const S& m_2_r_4 = prepared.m_2_r_4;
-  const S& m_g = prepared.m_g;
-  const S& m_rho = prepared.m_rho;
-  const S& chi = state.chi();
+  const S& zeta = state.zeta();
   const S& e0 = state.e0();
   const S& e1 = state.e1();
   const S& e2 = state.e2();
@@ -672,7 +597,89 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& /*t*/, const State<S>& sta
   const S M_d_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
 
   // independent accelerations (3.7)
-  const S a_y_wy = -r * cos_chi * t1 + m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi;
+  const S a_y_wy = m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi - r * cos_chi * t1;
+  const S inv_M_d_wy = S(1) / M_d_wy;
+  const S a_wx = m_r_2 * inv_M_d_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
+
+  // dependent accelerations (3.6)
+  const S a_zeta = r * inv_M_d_wy * a_y_wy * cos_chi - drift_rolling_along - r * a_wx * sin_chi;
+
+  // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
+  const S excess_zeta = m_g + m * a_zeta;
+
+  // Shared terms
+  const S rolling_along_generalized_2 = r * excess_zeta * sin_chi;
+  const S rolling_along_generalized_3 = -r * excess_zeta * cos_chi;
+  const S rho_generalized = -m_rho * chi_dot * chi_dot;
+
+  reactions.rolling_around.multiplier = S(0);
+  reactions.rolling_around.generalized[0] = S(0);
+  reactions.rolling_around.generalized[1] = S(0);
+  reactions.rolling_around.generalized[2] = S(0);
+  reactions.rolling_around.generalized[3] = S(0);
+  reactions.rolling_around.generalized[4] = S(0);
+  reactions.rolling_along.multiplier = excess_zeta;
+  reactions.rolling_along.generalized[0] = S(0);
+  reactions.rolling_along.generalized[1] = excess_zeta;
+  reactions.rolling_along.generalized[2] = rolling_along_generalized_2;
+  reactions.rolling_along.generalized[3] = rolling_along_generalized_3;
+  reactions.rolling_along.generalized[4] = S(0);
+  reactions.rho.generalized = rho_generalized;
+
+  const Bool singular_mass_matrix = Math<S>::less(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
+      excess_zeta, rolling_along_generalized_2, rolling_along_generalized_3, rho_generalized);
+  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
+}
+
+/// Both at once, over one set of shared values.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
+                                             const Prepared<S>& prepared, Derivative<S>& derivative,
+                                             Reactions<S>& reactions) noexcept {
+  using Bool = typename Math<S>::Bool;
+  const S& m = prepared.m;
+  const S& r = prepared.r;
+  const S& J = prepared.J;
+  const S& m_r_2 = prepared.m_r_2;
+  const S& m_2_r_4 = prepared.m_2_r_4;
+  const S& m_g = prepared.m_g;
+  const S& m_rho = prepared.m_rho;
+  const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& e0 = state.e0();
+  const S& e1 = state.e1();
+  const S& e2 = state.e2();
+  const S& e3 = state.e3();
+  const S& chi_dot = state.chi_dot();
+  const S& zeta_dot = state.zeta_dot();
+  const S& wx = state.wx();
+  const S& wy = state.wy();
+  const S& wz = state.wz();
+
+  // Sines and cosines
+  S sin_chi, cos_chi;
+  Math<S>::sincos(chi, sin_chi, cos_chi);
+
+  // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 48
+  const S drift_rolling_along = r * (chi_dot * wx * cos_chi + chi_dot * wy * sin_chi);
+
+  // reduced metric C^T g C of the independent accelerations
+  const S sin_chi_2 = sin_chi * sin_chi;
+  const S M_wx_wx = J + m_r_2 * sin_chi_2;
+  const S cos_chi_2 = cos_chi * cos_chi;
+  const S M_wy_wy = J + m_r_2 * cos_chi_2;
+
+  // right-hand side of (3.7): C^T (f - g drift)
+  const S t1 = m_g - m * drift_rolling_along;
+  const S F_wx = r * sin_chi * t1;
+
+  // C^T g C = L D L^T
+  const S inv_M_wx_wx = S(1) / M_wx_wx;
+  const S M_d_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
+
+  // independent accelerations (3.7)
+  const S a_y_wy = m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi - r * cos_chi * t1;
   const S inv_M_d_wy = S(1) / M_d_wy;
   const S a_wy = inv_M_d_wy * a_y_wy;
   const S a_wx = m_r_2 * inv_M_d_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
@@ -720,17 +727,18 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& /*t*/, const State<S>& sta
   reactions.rho.generalized = rho_generalized;
 
   const Bool singular_mass_matrix = Math<S>::less(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy);
-  const Bool not_finite = Math<S>::not_finite(chi_dot, zeta_dot, e0_dot, e1_dot, e2_dot, e3_dot, a_zeta,
-      a_wx, a_wy, excess_zeta, excess_zeta, rolling_along_generalized_2, rolling_along_generalized_3,
-      rho_generalized);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
+      e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy, excess_zeta, rolling_along_generalized_2,
+      rolling_along_generalized_3, rho_generalized);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
-/// Reactions as Cartesian forces and moments that act ON the bodies, in space axes.
-/// A force acts at the mass centre together with the moment stated beside it.
+/// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the mass
+/// centre together with the moment stated beside it. on_<body> is the sum over all constraints, by
+/// Newton and Euler; potentials and generalized forces name no body, so they are in it as well.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& /*t*/, const State<S>& state,
-                                           const Inputs<S>& /*inputs*/, const Prepared<S>& prepared,
+GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
+                                           const Prepared<S>& prepared,
                                            ReactionForces<S>& reaction_forces) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
@@ -743,9 +751,16 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& /*t*/, const State<S>& state
   const S& m_rho = prepared.m_rho;
   const S& rho = prepared.rho;
   const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& e0 = state.e0();
+  const S& e1 = state.e1();
+  const S& e2 = state.e2();
+  const S& e3 = state.e3();
   const S& chi_dot = state.chi_dot();
+  const S& zeta_dot = state.zeta_dot();
   const S& wx = state.wx();
   const S& wy = state.wy();
+  const S& wz = state.wz();
 
   // Sines and cosines
   S sin_chi, cos_chi;
@@ -769,7 +784,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& /*t*/, const State<S>& state
   const S M_d_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
 
   // independent accelerations (3.7)
-  const S a_y_wy = -r * cos_chi * t1 + m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi;
+  const S a_y_wy = m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi - r * cos_chi * t1;
   const S inv_M_d_wy = S(1) / M_d_wy;
   const S a_wx = m_r_2 * inv_M_d_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
 
@@ -787,8 +802,12 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& /*t*/, const State<S>& state
 
   // force and moment of rho: m J z and I W z, times its reaction, model line 20
   const S chi_dot_2 = chi_dot * chi_dot;
-  const S rho_force_on_ball_0 = -m_rho * chi_dot_2 * cos_chi;
-  const S rho_force_on_ball_1 = -m_rho * chi_dot_2 * sin_chi;
+  const S force_rho_ball_x = -m_rho * chi_dot_2 * cos_chi;
+  const S force_rho_ball_y = -m_rho * chi_dot_2 * sin_chi;
+
+  // all constraint forces on ball: m a - F and d(I omega)/dt - M (theory.md, section 4)
+  const S moment_on_ball_x = J * a_wx;
+  const S moment_on_ball_y = J * inv_M_d_wy * a_y_wy;
 
   reaction_forces.rolling_around.force_on_ball[0] = S(0);
   reaction_forces.rolling_around.force_on_ball[1] = S(0);
@@ -802,29 +821,41 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& /*t*/, const State<S>& state
   reaction_forces.rolling_along.moment_on_ball[0] = moment_rolling_along_ball_x;
   reaction_forces.rolling_along.moment_on_ball[1] = moment_rolling_along_ball_y;
   reaction_forces.rolling_along.moment_on_ball[2] = S(0);
-  reaction_forces.rho.force_on_ball[0] = rho_force_on_ball_0;
-  reaction_forces.rho.force_on_ball[1] = rho_force_on_ball_1;
+  reaction_forces.rho.force_on_ball[0] = force_rho_ball_x;
+  reaction_forces.rho.force_on_ball[1] = force_rho_ball_y;
   reaction_forces.rho.force_on_ball[2] = S(0);
   reaction_forces.rho.moment_on_ball[0] = S(0);
   reaction_forces.rho.moment_on_ball[1] = S(0);
   reaction_forces.rho.moment_on_ball[2] = S(0);
+  reaction_forces.on_ball.force[0] = force_rho_ball_x;
+  reaction_forces.on_ball.force[1] = force_rho_ball_y;
+  reaction_forces.on_ball.force[2] = excess_zeta;
+  reaction_forces.on_ball.moment[0] = moment_on_ball_x;
+  reaction_forces.on_ball.moment[1] = moment_on_ball_y;
+  reaction_forces.on_ball.moment[2] = S(0);
 
   const Bool singular_mass_matrix = Math<S>::less(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy);
-  const Bool not_finite = Math<S>::not_finite(excess_zeta, moment_rolling_along_ball_x,
-      moment_rolling_along_ball_y, rho_force_on_ball_0, rho_force_on_ball_1);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
+      excess_zeta, moment_rolling_along_ball_x, moment_rolling_along_ball_y, force_rho_ball_x,
+      force_rho_ball_y, moment_on_ball_x, moment_on_ball_y);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
 /// Kinetic energy, potential energy of uniform fields and potentials, and their sum.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> energy(const S& /*t*/, const State<S>& state, const Prepared<S>& prepared,
+GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepared<S>& prepared,
                                   Energy<S>& energy) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m_g = prepared.m_g;
   const S& rho_2 = prepared.rho_2;
   const S& half_m = prepared.half_m;
   const S& half_J = prepared.half_J;
+  const S& chi = state.chi();
   const S& zeta = state.zeta();
+  const S& e0 = state.e0();
+  const S& e1 = state.e1();
+  const S& e2 = state.e2();
+  const S& e3 = state.e3();
   const S& chi_dot = state.chi_dot();
   const S& zeta_dot = state.zeta_dot();
   const S& wx = state.wx();
@@ -843,14 +874,15 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& /*t*/, const State<S>& state, const P
   energy.potential = potential_energy;
   energy.total = total;
 
-  const Bool not_finite = Math<S>::not_finite(kinetic_energy, potential_energy, total);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
+      kinetic_energy, potential_energy, total);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
 /// Gauss's function Z_w (1.18) of candidate accelerations, as a complete square over the bodies:
 /// least, among all accelerations that the constraints allow, at those of rhs.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> compulsion(const S& /*t*/, const State<S>& state, const Inputs<S>& /*inputs*/,
+GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                       const Prepared<S>& prepared, const Derivative<S>& accelerations,
                                       Compulsion<S>& compulsion) noexcept {
   using Bool = typename Math<S>::Bool;
@@ -861,7 +893,16 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& /*t*/, const State<S>& state, con
   const S& half_inv_m = prepared.half_inv_m;
   const S& half_inv_J = prepared.half_inv_J;
   const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& e0 = state.e0();
+  const S& e1 = state.e1();
+  const S& e2 = state.e2();
+  const S& e3 = state.e3();
   const S& chi_dot = state.chi_dot();
+  const S& zeta_dot = state.zeta_dot();
+  const S& wx = state.wx();
+  const S& wy = state.wy();
+  const S& wz = state.wz();
   const S& chi_ddot = accelerations.chi_ddot();
   const S& zeta_ddot = accelerations.zeta_ddot();
   const S& wx_dot = accelerations.wx_dot();
@@ -879,19 +920,20 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& /*t*/, const State<S>& state, con
   const S chi_dot_2 = chi_dot * chi_dot;
   const S t1 = m * (rho * chi_dot_2 * cos_chi + rho * chi_ddot * sin_chi);
   const S t2 = m * (rho * chi_dot_2 * sin_chi - rho * chi_ddot * cos_chi);
-  const S Z = half_inv_m * (-t1 * (-t1) + -t2 * (-t2) + deviation_ball_z * deviation_ball_z)
+  const S Z = half_inv_m * (t1 * t1 + t2 * t2 + deviation_ball_z * deviation_ball_z)
       + half_inv_J * (J_2 * wx_dot * wx_dot + J_2 * wy_dot * wy_dot + J_2 * wz_dot * wz_dot);
 
   compulsion.Z = Z;
 
-  const Bool not_finite = Math<S>::not_finite(Z);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
+      chi_ddot, zeta_ddot, wx_dot, wy_dot, wz_dot, Z);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
 /// How far a state, and candidate accelerations, are from satisfying the constraints.
 /// Held coordinates satisfy theirs by construction.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> residuals(const S& /*t*/, const State<S>& state, const Inputs<S>& /*inputs*/,
+GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                      const Prepared<S>& prepared, const Derivative<S>& accelerations,
                                      Residuals<S>& residuals) noexcept {
   using Bool = typename Math<S>::Bool;
@@ -899,6 +941,7 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& /*t*/, const State<S>& state, cons
   const S& rho = prepared.rho;
   const S& r_minus_R = prepared.r_minus_R;
   const S& chi = state.chi();
+  const S& zeta = state.zeta();
   const S& e0 = state.e0();
   const S& e1 = state.e1();
   const S& e2 = state.e2();
@@ -934,19 +977,31 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& /*t*/, const State<S>& state, cons
   residuals.acceleration[0] = acceleration_0;
   residuals.acceleration[1] = acceleration_1;
 
-  const Bool not_finite = Math<S>::not_finite(position_0, velocity_0, velocity_1, acceleration_0,
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
+      chi_ddot, zeta_ddot, wx_dot, wy_dot, wz_dot, position_0, velocity_0, velocity_1, acceleration_0,
       acceleration_1);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
 /// The metric g of the free speeds (1.10).
 template <class S>
-GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& /*t*/, const State<S>& /*state*/,
-                                       const Prepared<S>& prepared, MassMatrix<S>& mass_matrix) noexcept {
+GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const Prepared<S>& prepared,
+                                       MassMatrix<S>& mass_matrix) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
   const S& J = prepared.J;
   const S& G_chi_chi = prepared.G_chi_chi;
+  const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& e0 = state.e0();
+  const S& e1 = state.e1();
+  const S& e2 = state.e2();
+  const S& e3 = state.e3();
+  const S& chi_dot = state.chi_dot();
+  const S& zeta_dot = state.zeta_dot();
+  const S& wx = state.wx();
+  const S& wy = state.wy();
+  const S& wz = state.wz();
 
   mass_matrix.g[0][0] = G_chi_chi;
   mass_matrix.g[0][1] = S(0);
@@ -974,24 +1029,22 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& /*t*/, const State<S>& /*state*/
   mass_matrix.g[4][3] = S(0);
   mass_matrix.g[4][4] = J;
 
-  const Bool not_finite = Math<S>::not_finite(G_chi_chi, m, J, J, J);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
+      G_chi_chi, m, J);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
 /// The nearest state that satisfies the constraints: unit quaternions, then the smallest change of
 /// the speeds in the mass metric (one Newton step for constraints nonlinear in the velocities).
 template <class S>
-GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const Prepared<S>& prepared,
+GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepared<S>& prepared,
                                    State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
   const S r = prepared.r;
-  const S z_rolling_along_zeta = prepared.z_rolling_along_zeta;
   const S r_minus_R = prepared.r_minus_R;
-  const S S_d_rolling_around = prepared.S_d_rolling_around;
   const S c1 = prepared.c1;
-  const S inv_S_d_rolling_around = prepared.inv_S_d_rolling_around;
-  const S z_rolling_around_chi = prepared.z_rolling_around_chi;
-  const S z_rolling_around_wz = prepared.z_rolling_around_wz;
+  const S inv_m_S_d_rolling_around = prepared.inv_m_S_d_rolling_around;
+  const S c2 = prepared.c2;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S e0 = from.e0();
@@ -1014,13 +1067,11 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S impulse_y_rolling_around = r_minus_R * chi_dot - r * wz;
   const S impulse_y_rolling_along = -(zeta_dot + r * (wx * sin_chi - wy * cos_chi));
-  const Bool t1 = Math<S>::less(S_d_rolling_around, c1);
-  const S t2 = Math<S>::select(t1, S(0), inv_S_d_rolling_around);
-  const S chi_rate = chi_dot + z_rolling_around_chi * impulse_y_rolling_around * t2;
-  const S zeta_rate = zeta_dot + z_rolling_along_zeta * impulse_y_rolling_along * t2;
-  const S wx_rate = wx + z_rolling_around_wz * impulse_y_rolling_along * sin_chi * t2;
-  const S wy_rate = wy - z_rolling_around_wz * impulse_y_rolling_along * cos_chi * t2;
-  const S wz_rate = wz + z_rolling_around_wz * impulse_y_rolling_around * t2;
+  const S chi_rate = chi_dot + c1 * impulse_y_rolling_around;
+  const S zeta_rate = zeta_dot + inv_m_S_d_rolling_around * impulse_y_rolling_along;
+  const S wx_rate = wx + c2 * impulse_y_rolling_along * sin_chi;
+  const S wy_rate = wy - c2 * impulse_y_rolling_along * cos_chi;
+  const S wz_rate = wz + c2 * impulse_y_rolling_around;
 
   // Shared terms
   const S e0_2 = e0 * unit;
@@ -1040,10 +1091,9 @@ GAUSS_FUNCTION StatusOf<S> project(const S& /*t*/, const State<S>& from, const P
   state.wy() = wy_rate;
   state.wz() = wz_rate;
 
-  const Bool dependent_constraints = Math<S>::any(t1, t1);
-  const Bool not_finite = Math<S>::not_finite(chi, zeta, e0_2, e1_2, e2_2, e3_2, chi_rate, zeta_rate,
-      wx_rate, wy_rate, wz_rate);
-  return Math<S>::status(Bool(false), dependent_constraints, not_finite);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
+      e0_2, e1_2, e2_2, e3_2, chi_rate, zeta_rate, wx_rate, wy_rate, wz_rate);
+  return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
 /// The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints.

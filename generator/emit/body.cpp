@@ -15,7 +15,9 @@ Body::Body(const passes::Writing& writing, const UnitNames& names, NameScope& sc
     : writing_(writing), names_(names), writer_(writing, names), scope_(scope) {}
 
 void Body::blank_line() {
-  if (!statements_.empty() && !std::holds_alternative<cpp::BlankLine>(statements_.back())) add(cpp::BlankLine{});
+  if (!statements_.empty() && !std::holds_alternative<cpp::BlankLine>(statements_.back())) {
+    statements_.emplace_back(std::in_place_type<cpp::BlankLine>);
+  }
 }
 
 void Body::define(const passes::Program& program) {

@@ -70,6 +70,14 @@ Expression ExpressionWriter::power(NodeId id) const {
   }
 }
 
+namespace {
+
+bool is_negation(const Node& node) {
+  return node.kind == Kind::sum && node.value == 0 && node.children.size() == 1 && node.coefficients[0] == -1;
+}
+
+}  // namespace
+
 void ExpressionWriter::multiply(Fraction& fraction, NodeId factor) const {
   const Node& node = writing_.graph()[factor];
   if (bound(factor) == nullptr && node.kind == Kind::product) {
@@ -84,6 +92,12 @@ void ExpressionWriter::multiply(Fraction& fraction, NodeId factor) const {
       return;
     }
   }
+  if (bound(factor) == nullptr && node.kind == Kind::named) return multiply(fraction, node.children[0]);
+  // -x among factors: the sign goes in front of them all.
+  if (bound(factor) == nullptr && is_negation(node)) {
+    fraction.is_negative = !fraction.is_negative;
+    return multiply(fraction, node.children[0]);
+  }
   fraction.top.push_back(value(factor));
 }
 
@@ -93,28 +107,21 @@ void ExpressionWriter::divide(Fraction& fraction, NodeId divisor) const {
   multiply(inner, divisor);
   fraction.bottom.insert(fraction.bottom.end(), inner.top.begin(), inner.top.end());
   fraction.top.insert(fraction.top.end(), inner.bottom.begin(), inner.bottom.end());
+  fraction.is_negative = fraction.is_negative != inner.is_negative;
 }
 
 Expression ExpressionWriter::scaled(const Rational& factor, NodeId id) const {
   Fraction fraction;
-  const Node& node = writing_.graph()[id];
-  if (bound(id) != nullptr) {
-    fraction.top.push_back(value(id));
-  } else if (node.kind == Kind::product) {
-    for (const NodeId child : node.children) multiply(fraction, child);
-  } else if (node.kind == Kind::power) {
-    multiply(fraction, id);
-  } else {
-    fraction.top.push_back(value(id));
-  }
+  multiply(fraction, id);
   if (factor != 1 && fraction.top.empty() && !is_single_literal(factor)) {
     fraction.top.push_back(literal(cln::numerator(factor)));
     fraction.bottom.insert(fraction.bottom.begin(), literal(cln::denominator(factor)));
   } else if (factor != 1 || fraction.top.empty()) {
     fraction.top.insert(fraction.top.begin(), literal(factor));
   }
-  Expression top = cpp::product(std::move(fraction.top));
-  return fraction.bottom.empty() ? top : cpp::quotient(std::move(top), cpp::product(std::move(fraction.bottom)));
+  Expression result = cpp::product(std::move(fraction.top));
+  if (!fraction.bottom.empty()) result = cpp::quotient(std::move(result), cpp::product(std::move(fraction.bottom)));
+  return fraction.is_negative ? cpp::negated(std::move(result)) : result;
 }
 
 namespace {
@@ -152,10 +159,8 @@ Rational common_factor(const Node& sum, const std::vector<Item>& items) {
 }  // namespace
 
 Expression ExpressionWriter::sum(const Node& node) const {
-  std::vector<Item> items = items_of(node);
+  const std::vector<Item> items = items_of(node);
   const Rational factor = common_factor(node, items);
-  const auto positive = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.coefficient / factor > 0; });
-  if (positive != items.end()) std::rotate(items.begin(), positive, positive + 1);
   std::vector<Expression> terms;
   for (const Item& item : items) {
     const Rational coefficient = item.coefficient / factor;
@@ -163,10 +168,16 @@ Expression ExpressionWriter::sum(const Node& node) const {
     Expression term = item.node == nullptr ? literal(size) : scaled(size, *item.node);
     terms.push_back(coefficient < 0 ? cpp::negated(std::move(term)) : std::move(term));
   }
+  // -(-a + b) is a - b, and b comes first in -a + b.
+  const auto is_negation = [](const Expression& term) { return term.kind == Expression::Kind::negation; };
+  const bool is_negative = factor < 0 && std::none_of(terms.begin(), terms.end(), is_negation);
+  if (factor < 0 && !is_negative) std::transform(terms.begin(), terms.end(), terms.begin(), cpp::negated);
+  const auto positive = std::find_if_not(terms.begin(), terms.end(), is_negation);
+  if (positive != terms.end()) std::rotate(terms.begin(), positive, positive + 1);
   Expression result = cpp::sum(std::move(terms));
   const Rational size = cln::abs(factor);
   if (size != 1) result = cpp::product({literal(size), std::move(result)});
-  return factor < 0 ? cpp::negated(std::move(result)) : result;
+  return is_negative ? cpp::negated(std::move(result)) : result;
 }
 
 }  // namespace gaussgen::emit

@@ -27,6 +27,7 @@ class ExpressionWriter {
 
  private:
   struct Fraction {
+    bool is_negative = false;
     std::vector<cpp::Expression> top;
     std::vector<cpp::Expression> bottom;
   };

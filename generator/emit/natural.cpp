@@ -1,5 +1,7 @@
 #include "emit/natural.hpp"
 
+#include <algorithm>
+
 namespace gaussgen::emit {
 
 using ir::Kind;
@@ -80,9 +82,22 @@ class Namer {
     return node.coefficients[0] == 1 ? joined(first, "_minus_", second) : joined(second, "_minus_", first);
   }
 
+  bool is_epsilon(NodeId id) const {
+    const Node& node = graph_[id];
+    return node.kind == Kind::symbol && graph_.symbol(node.symbol).symbol_class == ir::SymbolClass::epsilon;
+  }
+
+  bool is_rounding(NodeId id) const {
+    const Node& node = graph_[id];
+    const auto is_unit = [this](NodeId child) { return is_epsilon(child); };
+    return node.kind == Kind::product && std::any_of(node.children.begin(), node.children.end(), is_unit);
+  }
+
   std::string of_multiple(const Rational& factor, NodeId id) const {
+    if (is_rounding(id)) return composed(id);
     if (factor == 2) return joined("two", "_", speaking(id));
     if (factor == Rational(1) / 2) return joined("half", "_", speaking(id));
+    if (cln::numerator(factor) == 1) return joined(speaking(id), "_over_", support::to_text(cln::denominator(factor)));
     return {};
   }
 
@@ -90,7 +105,12 @@ class Namer {
     if (node.children.size() > k_most_factors) return {};
     std::string top;
     std::string bottom;
+    bool has_epsilon = false;  // then it is what rounding makes of the other factors
     for (const NodeId child : node.children) {
+      if (is_epsilon(child)) {
+        has_epsilon = true;
+        continue;
+      }
       const Node& factor = graph_[child];
       const bool is_reciprocal = factor.kind == Kind::power && factor.value < 0;
       const std::string name =
@@ -99,6 +119,7 @@ class Namer {
       std::string& place = is_reciprocal ? bottom : top;
       place += (place.empty() ? "" : "_") + name;
     }
+    if (has_epsilon) top = joined("rounding", "_", top);
     if (top.empty()) return joined("inv", "_", bottom);
     return bottom.empty() ? top : joined(top, "_over_", bottom);
   }

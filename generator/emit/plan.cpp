@@ -14,14 +14,46 @@ namespace {
 
 using IdSet = std::unordered_set<std::uint32_t>;
 
-std::vector<NodeId> outputs_of(const Artefact& artefact) {
+/// What a caller hands over at each call.
+std::vector<SymbolId> arguments_of(const Artefact& artefact, const Unit& unit) {
+  std::vector<SymbolId> symbols;
+  const auto append = [&](const std::vector<Entry>& entries) {
+    for (const Entry& entry : entries) symbols.push_back(entry.symbol);
+  };
+  if (artefact.takes_time) symbols.push_back(unit.time);
+  if (artefact.takes_state) append(unit.configuration);
+  if (artefact.takes_state) append(unit.speeds);
+  if (artefact.takes_inputs) {
+    for (const InputEntry& input : unit.inputs) symbols.push_back(input.entry.symbol);
+  }
+  if (artefact.takes_accelerations) append(unit.accelerations);
+  return symbols;
+}
+
+/// A NaN in an argument is reported even where no result depends on it, such as a coordinate that only gets integrated.
+/// Arguments come first: they are there early, so that the sum over all values does not wait for them.
+NodeId not_finite(ir::Graph& graph, const Artefact& artefact, const Unit& unit) {
+  const NodeId described = artefact.status.not_finite;
+  const ir::Node node = graph[described];
+  if (node.kind != ir::Kind::function || node.function != ir::Function::not_finite) return described;
+  std::vector<NodeId> values;
+  IdSet seen;
+  const auto add = [&](NodeId value) {
+    if (seen.insert(value.index).second) values.push_back(value);
+  };
+  for (const SymbolId symbol : arguments_of(artefact, unit)) add(graph.use(symbol));
+  for (const NodeId value : node.children) add(value);
+  return graph.call(ir::Function::not_finite, values);
+}
+
+std::vector<NodeId> outputs_of(const Artefact& artefact, NodeId not_finite) {
   std::vector<NodeId> outputs = artefact.derivative;
   outputs.insert(outputs.end(), artefact.state.begin(), artefact.state.end());
   for (const Group& group : artefact.groups) {
     for (const Field& field : group.fields) outputs.insert(outputs.end(), field.values.begin(), field.values.end());
   }
   const StatusNodes& status = artefact.status;
-  outputs.insert(outputs.end(), {status.singular_mass_matrix, status.dependent_constraints, status.not_finite});
+  outputs.insert(outputs.end(), {status.singular_mass_matrix, status.dependent_constraints, not_finite});
   return outputs;
 }
 
@@ -75,14 +107,14 @@ class Planner {
 
  private:
   passes::Request as_it_is(const Artefact& artefact) {
-    passes::Request request{outputs_of(artefact), {}, {}};
+    passes::Request request{outputs_of(artefact, not_finite(plan_.graph, artefact, plan_.unit)), {}, {}};
     for (const Section& section : artefact.sections) request.sections.push_back({section.comment, section.nodes});
     for (const NodeId output : request.outputs) split_.touch(output);
     return request;
   }
 
   passes::Request over_prepared(const Artefact& artefact) {
-    passes::Request request{outputs_of(artefact), {}, {}};
+    passes::Request request{outputs_of(artefact, not_finite(plan_.graph, artefact, plan_.unit)), {}, {}};
     const IdSet needed = reached_from(plan_.graph, request.outputs);
     for (NodeId& output : request.outputs) output = split_(output);
     for (const Section& section : artefact.sections) {

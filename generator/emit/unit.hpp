@@ -70,6 +70,7 @@ struct Section {
 };
 
 /// Conditions that make the result of a function untrustworthy: boolean nodes; absent ones are constant 0.
+/// To the values of `not_finite`, the emitter adds the arguments of the function.
 struct StatusNodes {
   NodeId singular_mass_matrix;
   NodeId dependent_constraints;

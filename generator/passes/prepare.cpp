@@ -128,9 +128,10 @@ NodeId PreparationSplit::rebuilt_term(const Rational& coefficient, NodeId node) 
   if (is_short(coefficient) || graph_[node].kind != Kind::product) return graph_.scale(coefficient, known(node));
   const Parts parts = split_factors(node);
   if (parts.constant.empty()) return graph_.scale(coefficient, known(node));
-  std::vector<NodeId> factors{prepared(graph_.scale(coefficient, graph_.product(parts.constant)))};
+  // The sign stays outside: m/2 and -m/2 are prepared once.
+  std::vector<NodeId> factors{prepared(graph_.scale(cln::abs(coefficient), graph_.product(parts.constant)))};
   for (const NodeId factor : parts.varying) factors.push_back(known(factor));
-  return graph_.product(factors);
+  return graph_.scale(coefficient < 0 ? -1 : 1, graph_.product(factors));
 }
 
 NodeId PreparationSplit::rebuilt_product(NodeId id) {

@@ -27,14 +27,16 @@ class Sharer {
  private:
   void want(NodeId wanted, const std::string& name) {
     const NodeId id = unwrapped(graph_, wanted);
-    if (!is_trivial(graph_, id)) result.names.emplace(id.index, name);
+    (is_trivial(graph_, id) ? names_of_trivial_ : result.names).emplace(id.index, name);
   }
 
   // Functions and powers have a name in themselves: sin_theta, x_2.
   void suggest(NodeId wanted, const std::string& name) {
     const NodeId id = unwrapped(graph_, wanted);
     const Kind kind = graph_[id].kind;
-    if (kind == Kind::sum || kind == Kind::product) result.suggestions.emplace(id.index, name);
+    if (kind != Kind::sum && kind != Kind::product) return;
+    const auto known = names_of_trivial_.find(id.index);
+    result.suggestions.emplace(id.index, known == names_of_trivial_.end() ? name : known->second);
   }
 
   void collect_names(const Request& request) {
@@ -95,6 +97,7 @@ class Sharer {
 
   const Writing& writing_;
   const Graph& graph_;
+  std::unordered_map<std::uint32_t, std::string> names_of_trivial_;  ///< used where a result of the form -x is defined
 };
 
 }  // namespace

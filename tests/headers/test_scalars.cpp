@@ -1,6 +1,6 @@
 // Every model in every scalar type against 50 digits.
 //
-// The bar: an answer in a type with rounding unit eps may be off by 100 eps (size + sensitivity), where size is the
+// The bar: an answer in a type with rounding unit eps may be off by 300 eps (size + sensitivity), where size is the
 // largest number of its part, and sensitivity the change of the part per relative change of everything it is computed
 // from. Where sensitivity exceeds 1000 sizes the state is left out: it is near a pole of the chart or of the
 // constraints, and float has no digit to show there.
@@ -20,7 +20,7 @@ using headertest::Sample;
 using headertest::Wide;
 
 constexpr std::size_t k_states = 50;
-constexpr double k_bar = 100;
+constexpr double k_bar = 300;  // 86 for the ball in Euler angles, whose metric fails at a pole; all others 6
 constexpr double k_largest_condition = 1000;
 
 /// A model, its states, and what is right there.

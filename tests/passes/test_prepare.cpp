@@ -61,6 +61,13 @@ TEST_CASE("a rational factor goes into what is prepared, a whole one stays outsi
   CHECK(s.prepared() == "m; 2/5*m");
 }
 
+TEST_CASE("what differs in sign only is prepared once") {
+  Symbols s;
+  s.apply((Rational(1) / 2 * (s.m * s.x) + s.y));
+  s.apply((s.x - Rational(1) / 2 * (s.m * s.y)));
+  CHECK(s.prepared() == "1/2*m");
+}
+
 TEST_CASE("the rounding unit, numbers and conditions are not prepared") {
   Symbols s;
   const NodeId epsilon = s.apply((s.epsilon * s.x));
