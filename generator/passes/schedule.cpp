@@ -25,7 +25,8 @@ class Scheduler {
         if (sharing_.is_temporary(target)) place(target);
       }
     }
-    open("Shared terms");
+    // After all that has a comment of its own, what is left belongs to results.
+    open(request.sections.empty() ? "Shared terms" : "Results");
     for (const NodeId output : request.outputs) place(output);
     close();
     program_.outputs = request.outputs;
