@@ -36,7 +36,7 @@ class Hash {
 /// Symbols that stay, and others whose memory is free again.
 std::vector<GiNaC::ex> unused_symbols(std::mt19937& random) {
   std::vector<GiNaC::ex> kept;
-  const unsigned count = random() % 1000;
+  const auto count = static_cast<unsigned>(random() % 1000);
   for (unsigned i = 0; i < count; ++i) {
     const GiNaC::symbol symbol("unused" + std::to_string(random()));
     if (random() % 2 == 0) kept.push_back(GiNaC::sin(symbol) + GiNaC::pow(symbol, 3));
