@@ -1057,7 +1057,7 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   const S potential_energy = m1_g_over_4 * (S(4) * c - s * s) + half_m2_g * (S(2) * a + e + S(2) * s)
       + half_k * (a_minus_e * a_minus_e + d_minus_s * d_minus_s);
 
-  // Shared terms
+  // Results
   const S total = kinetic_energy + potential_energy;
 
   energy.kinetic = kinetic_energy;
@@ -1194,7 +1194,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S deviation_second_z = m2_g + half_m2 * (S(2) * a_ddot + e_ddot - S(2) * t5)
       - half_m2 * (S(2) * z_a + z_e + S(2) * z_s);
 
-  // Shared terms
+  // Results
   const S Z = half_inv_m1 * (deviation_first_x * deviation_first_x + deviation_first_y * deviation_first_y
       + deviation_first_z * deviation_first_z)
       + half_inv_m2 * (deviation_second_x * deviation_second_x + deviation_second_y * deviation_second_y

@@ -601,7 +601,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S R_x2 = S(7) / S(10) * excess_q2 - m1_g_over_4 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
       + G_q3_x2 * inv_M_d_q3 * a_y_q3;
 
-  // Shared terms
+  // Results
   const S blade_generalized_0 = -q2 * excess_q2;
   const S blade_generalized_2 = -beta_blade_q3 * excess_q2;
 
@@ -697,7 +697,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S R_x2 = S(7) / S(10) * excess_q2 - m1_g_over_4 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
       + G_q3_x2 * inv_M_d_q3 * a_y_q3;
 
-  // Shared terms
+  // Results
   const S blade_generalized_0 = -q2 * excess_q2;
   const S blade_generalized_2 = -beta_blade_q3 * excess_q2;
 
@@ -827,7 +827,7 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   const S potential_energy = m1_g_over_20 * (q2 + S(20) * q3)
       + m2_g_over_10 * (S(4) + S(10) * q1 + S(5) * q2);
 
-  // Shared terms
+  // Results
   const S total = kinetic_energy + potential_energy;
 
   energy.kinetic = kinetic_energy;
@@ -875,7 +875,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S deviation_second_y = m2_over_10 * (q1_ddot + S(10) * q2_ddot);
   const S deviation_second_z = m2_g + half_m2 * (S(2) * q1_ddot + q2_ddot);
 
-  // Shared terms
+  // Results
   const S Z = half_inv_m1 * (deviation_first_y * deviation_first_y + deviation_first_z * deviation_first_z
       + m1_2 * q1_ddot * q1_ddot)
       + half_inv_m2 * (deviation_second_x * deviation_second_x + deviation_second_y * deviation_second_y
@@ -909,7 +909,7 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
   const S beta_blade_q3 = S(1) + q1 * q1;
   const S drift_blade = S(2) * q1 * q1_dot * q3_dot + q1_dot * q2_dot;
 
-  // Shared terms
+  // Results
   const S velocity_0 = q2 * q1_dot - q2_dot + q3_dot * beta_blade_q3;
   const S acceleration_0 = drift_blade - q2_ddot + q2 * q1_ddot + q3_ddot * beta_blade_q3;
 

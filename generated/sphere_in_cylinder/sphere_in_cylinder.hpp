@@ -632,7 +632,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
 
-  // Shared terms
+  // Results
   const S rolling_along_generalized_2 = r * excess_zeta * sin_theta * cos_chi_minus_psi;
   const S rolling_along_generalized_4 = r * excess_zeta * sin_chi_minus_psi;
   const S rho_generalized = -m_rho * chi_dot * chi_dot;
@@ -736,7 +736,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
 
-  // Shared terms
+  // Results
   const S rolling_along_generalized_2 = r * excess_zeta * sin_theta * cos_chi_minus_psi;
   const S rolling_along_generalized_4 = r * excess_zeta * sin_chi_minus_psi;
   const S rho_generalized = -m_rho * chi_dot * chi_dot;
@@ -941,7 +941,7 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
       + half_J * psi_dot * psi_dot + half_J * theta_dot * theta_dot;
   const S potential_energy = m_g * zeta;
 
-  // Shared terms
+  // Results
   const S total = kinetic_energy + potential_energy;
 
   energy.kinetic = kinetic_energy;
@@ -1003,7 +1003,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
       - phi_ddot * sin_theta * cos_psi + theta_ddot * sin_psi);
   const S torque_ball_z = J * (psi_ddot - c_drift_psi + phi_ddot * cos_theta);
 
-  // Shared terms
+  // Results
   const S chi_dot_2 = chi_dot * chi_dot;
   const S t1 = m * (rho * chi_dot_2 * cos_chi + rho * chi_ddot * sin_chi);
   const S t2 = m * (rho * chi_dot_2 * sin_chi - rho * chi_ddot * cos_chi);
@@ -1056,7 +1056,7 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
       - r * phi_dot * sin_theta * sin_chi_minus_psi * chi_dot_minus_psi_dot
       + r * theta_dot * cos_chi_minus_psi * chi_dot_minus_psi_dot;
 
-  // Shared terms
+  // Results
   const S velocity_0 = r * phi_dot * cos_theta + r * psi_dot - r_minus_R * chi_dot;
   const S velocity_1 = zeta_dot + r * phi_dot * sin_theta * cos_chi_minus_psi
       + r * theta_dot * sin_chi_minus_psi;
@@ -1174,7 +1174,7 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
       + c2 * impulse_y_rolling_around;
   const S theta_rate = theta_dot + c2 * impulse_y_rolling_along * sin_chi_minus_psi;
 
-  // Shared terms
+  // Results
   const S G_d_psi = J * sin_theta * sin_theta;
 
   state.chi() = chi;
@@ -1221,7 +1221,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   const S psi_rate = inv_r * impulse_y_rolling_around;
   const S theta_rate = -inv_r * impulse_y_rolling_along / sin_psi_0;
 
-  // Shared terms
+  // Results
   const S phi_dot_2 = -inv_sin_theta_0 * t1;
 
   state.chi() = S(0);

@@ -607,7 +607,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
 
-  // Shared terms
+  // Results
   const S rolling_along_generalized_2 = r * excess_zeta * sin_chi;
   const S rolling_along_generalized_3 = -r * excess_zeta * cos_chi;
   const S rho_generalized = -m_rho * chi_dot * chi_dot;
@@ -696,7 +696,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S e2_dot = S(0.5) * (e0 * wy + e1 * wz - e3 * wx);
   const S e3_dot = S(0.5) * (e0 * wz - e1 * wy + e2 * wx);
 
-  // Shared terms
+  // Results
   const S rolling_along_generalized_2 = r * excess_zeta * sin_chi;
   const S rolling_along_generalized_3 = -r * excess_zeta * cos_chi;
   const S rho_generalized = -m_rho * chi_dot * chi_dot;
@@ -867,7 +867,7 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
       + half_J * wy * wy + half_J * wz * wz;
   const S potential_energy = m_g * zeta;
 
-  // Shared terms
+  // Results
   const S total = kinetic_energy + potential_energy;
 
   energy.kinetic = kinetic_energy;
@@ -916,7 +916,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   // deviation of ball from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
   const S deviation_ball_z = m_g + m * zeta_ddot;
 
-  // Shared terms
+  // Results
   const S chi_dot_2 = chi_dot * chi_dot;
   const S t1 = m * (rho * chi_dot_2 * cos_chi + rho * chi_ddot * sin_chi);
   const S t2 = m * (rho * chi_dot_2 * sin_chi - rho * chi_ddot * cos_chi);
@@ -964,7 +964,7 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 48
   const S drift_rolling_along = r * (chi_dot * wx * cos_chi + chi_dot * wy * sin_chi);
 
-  // Shared terms
+  // Results
   const S position_0 = e0 * e0 - S(1) + e1 * e1 + e2 * e2 + e3 * e3;
   const S velocity_0 = r * wz - r_minus_R * chi_dot;
   const S velocity_1 = zeta_dot + r * (wx * sin_chi - wy * cos_chi);
@@ -1073,7 +1073,7 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S wy_rate = wy - c2 * impulse_y_rolling_along * cos_chi;
   const S wz_rate = wz + c2 * impulse_y_rolling_around;
 
-  // Shared terms
+  // Results
   const S e0_2 = e0 * unit;
   const S e1_2 = e1 * unit;
   const S e2_2 = e2 * unit;
@@ -1121,7 +1121,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   const S wy_rate = S(7) / S(10) * inv_r;
   const S wz_rate = inv_r * impulse_y_rolling_around;
 
-  // Shared terms
+  // Results
   const S e0_2 = t4 * cos_half_theta_0;
   const S e1_2 = sin_half_theta_0 * t2;
   const S e2_2 = t1 * sin_half_theta_0;
