@@ -52,7 +52,7 @@ void ArtefactBuilder::add_sections(const std::vector<strategy::Step>& steps) {
   for (const strategy::Step& step : steps) artefact_.sections.push_back({step.comment, step.subject, step.values});
 }
 
-// An infinity or NaN anywhere in the inputs reaches an output, so outputs are enough to look at.
+// The emitter adds the arguments of the function, since a NaN in one that nothing depends on would not reach an output.
 NodeId ArtefactBuilder::not_finite() const {
   std::vector<NodeId> values = artefact_.derivative;
   values.insert(values.end(), artefact_.state.begin(), artefact_.state.end());
