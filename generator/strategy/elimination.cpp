@@ -13,7 +13,7 @@ using ir::Expr;
 namespace {
 
 /// How sure it is that a pivot cannot vanish; smaller is better.
-enum class Safety { number, parameter_monomial, parameters, unknown };
+enum class Safety { number, parameter_monomial, unknown };
 
 Safety safety(Expr pivot) {
   const ir::Graph& graph = pivot.graph();
@@ -25,7 +25,9 @@ Safety safety(Expr pivot) {
   const bool has_sum = std::any_of(order.begin(), order.end(), [&](ir::NodeId id) {
     return graph[id].kind == ir::Kind::sum && (graph[id].children.size() > 1 || graph[id].value != 0);
   });
-  return has_sum ? Safety::parameters : Safety::parameter_monomial;
+  // A difference of parameters can vanish, or keep nothing but rounding; a product only with one of its factors, and
+  // then the result is not finite and says so.
+  return has_sum ? Safety::unknown : Safety::parameter_monomial;
 }
 
 struct Pivot {
