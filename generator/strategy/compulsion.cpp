@@ -41,10 +41,6 @@ std::vector<std::size_t> spreading_coordinates(const Dynamics& dynamics) {
   return all;
 }
 
-Vector3 named(Steps& steps, const Vector3& v, const std::string& name) {
-  return {steps.name(v[0], name + "_x"), steps.name(v[1], name + "_y"), steps.name(v[2], name + "_z")};
-}
-
 }  // namespace
 
 Expr compulsion(const Dynamics& dynamics, const Vector& candidate, Expr epsilon, Steps& steps) {
@@ -63,13 +59,13 @@ Expr compulsion(const Dynamics& dynamics, const Vector& candidate, Expr epsilon,
     steps.begin("deviation of " + body.name + " from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)");
     const BodyAcceleration a = acceleration_of(body, dynamics, candidate);
     const Vector3 free_force = body.force + body.mass * combination(body.J, z);
-    const Vector3 deviation = named(steps, body.mass * a.linear - free_force, "deviation_" + body.name);
+    const Vector3 deviation = steps.name(body.mass * a.linear - free_force, "deviation_" + body.name);
     twice += dot(deviation, deviation) * pow(body.mass, -1);
     if (!body.is_rigid) continue;
     const Vector3& omega = body.rotation.omega;
     Vector3 torque = body.inertia_times(a.angular) - body.inertia_times(combination(body.W, z));
     if (!body.is_isotropic) torque = torque + cross(omega, body.inertia_times(omega));
-    torque = named(steps, torque, "torque_" + body.name);
+    torque = steps.name(torque, "torque_" + body.name);
     twice += square_in_inverse_inertia(body, torque, epsilon, steps);
   }
   return support::Rational(1) / 2 * twice;

@@ -92,17 +92,13 @@ Vector3 in_space(const BodyMotion& body, const Vector3& v) {
   return body.rotation.frame == model::Frame::space ? v : ir::multiply(body.rotation.matrix, v);
 }
 
-Vector3 named(Steps& steps, const Vector3& v, const std::string& name) {
-  return {steps.name(v[0], name + "_x"), steps.name(v[1], name + "_y"), steps.name(v[2], name + "_z")};
-}
-
 /// Nothing where the constraint cannot reach the body, whatever its size. (A reaction that happens to be zero is reported.)
 std::optional<ReactionWrench> wrench_on(const BodyMotion& body, const Source& source, const Vector& z, Steps& steps) {
   const std::string suffix = source.name + "_" + body.name;
   const Vector3 linear = combination(body.J, z);
   const Vector3 angular = body.is_rigid ? combination(body.W, z) : ir::zero3(source.size.graph());
   if (is_zero(linear) && is_zero(angular)) return std::nullopt;
-  ReactionWrench wrench{source.name, body.name, named(steps, (body.mass * source.size) * linear, "force_" + suffix), {}, false};
+  ReactionWrench wrench{source.name, body.name, steps.name((body.mass * source.size) * linear, "force_" + suffix), {}, false};
   if (!body.is_rigid) return wrench;
   Vector3 moment = source.size * in_space(body, body.inertia_times(angular));
   if (source.point != nullptr && source.point->has_value()) {
@@ -110,7 +106,7 @@ std::optional<ReactionWrench> wrench_on(const BodyMotion& body, const Source& so
     moment = moment + cross(body.position - **source.point, wrench.force);
     wrench.about_point = true;
   }
-  wrench.moment = named(steps, moment, "moment_" + suffix);
+  wrench.moment = steps.name(moment, "moment_" + suffix);
   return wrench;
 }
 
@@ -159,12 +155,12 @@ std::vector<BodyReaction> body_reactions(const Dynamics& dynamics, const Solutio
   for (const BodyMotion& body : dynamics.kinematics->bodies) {
     steps.begin("all constraint forces on " + body.name + ": m a - F and d(I omega)/dt - M (theory.md, section 4)");
     const BodyAcceleration a = acceleration_of(body, dynamics, solution.accelerations);
-    BodyReaction reaction{body.name, named(steps, body.mass * a.linear - body.force, "force_on_" + body.name), {}};
+    BodyReaction reaction{body.name, steps.name(body.mass * a.linear - body.force, "force_on_" + body.name), {}};
     if (body.is_rigid) {
       Vector3 moment = body.inertia_times(a.angular);
       const Vector3& omega = body.rotation.omega;
       if (!body.is_isotropic) moment = moment + cross(omega, body.inertia_times(omega));
-      reaction.moment = named(steps, in_space(body, moment), "moment_on_" + body.name);
+      reaction.moment = steps.name(in_space(body, moment), "moment_on_" + body.name);
     }
     reactions.push_back(std::move(reaction));
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ir/expr.hpp"
+#include "ir/vector3.hpp"
 
 namespace gaussgen::strategy {
 
@@ -31,8 +32,12 @@ class Steps {
     return result;
   }
 
+  /// The three components as <name>_x, <name>_y, <name>_z.
+  ir::Vector3 name(const ir::Vector3& v, const std::string& name) {
+    return {this->name(v[0], name + "_x"), this->name(v[1], name + "_y"), this->name(v[2], name + "_z")};
+  }
+
   const std::vector<Step>& all() const { return steps_; }
-  void append(const std::vector<Step>& steps) { steps_.insert(steps_.end(), steps.begin(), steps.end()); }
 
  private:
   std::vector<Step> steps_;
