@@ -81,6 +81,66 @@ TEST_CASE("without explicit time the bias is Γ of the full metric: a^α = q̈^�
   }
 }
 
+namespace {
+
+/// The same motion with nothing but inertia in it: what is linear in Z is then bias_A.
+BareSystem without_forces(BareSystem bare) {
+  bare.field = {0, 0, 0};
+  bare.potential = nullptr;
+  bare.generalized.clear();
+  return bare;
+}
+
+/// inverse · covector over the first `size` components
+Vec raised(const Mat& metric, const Vec& covector, std::size_t size) {
+  Mat block;
+  for (std::size_t i = 0; i < size; ++i)
+    block.emplace_back(metric[i].begin(), metric[i].begin() + static_cast<long>(size));
+  return solve(block, Vec(covector.begin(), covector.begin() + static_cast<long>(size)));
+}
+
+}  // namespace
+
+TEST_CASE("Γ^α_βγ q̇^β q̇^γ and Γ^A_BC ẏ^B ẏ^C are the raised inertia of bare points on a straight line of the chart",
+          "[gauss]") {
+  for (const char* name : {"sphere_in_cylinder", "skew_nonholonomic"}) {
+    const Case c = case_of(name, 7);
+    const auto paper = nonholonomic::build_paper_system(c.model);
+    const gauss::System& system = paper->system;
+    const symbolic::Chart& chart = paper->chart();
+    PaperNumbers number(c.model, *paper, c.values);
+    const Probe p = probe(without_forces(c.bare));
+    const Vec induced = raised(p.G, p.linear, c.bare.free_count);
+    const Vec full = raised(p.G, p.linear, c.bare.y.size());
+    INFO(name);
+    for (const symbolic::FreeIndex a : chart.free()) {
+      GiNaC::ex sum = 0;
+      for (const symbolic::FreeIndex b : chart.free()) {
+        for (const symbolic::FreeIndex g : chart.free()) {
+          sum += Gamma_q(system.connection, system.metric, chart, a, b, g) * chart[b].rate * chart[g].rate;
+        }
+      }
+      CHECK(deviation(number(sum), induced[a.value]) < k_tolerance);
+    }
+    for (const FullIndex A : chart.all()) {
+      GiNaC::ex sum = 0;
+      for (const FullIndex B : chart.all()) {
+        for (const FullIndex C : chart.all()) {
+          sum += Gamma_y(system.connection, system.metric, chart, A, B, C) * chart[B].rate * chart[C].rate;
+        }
+      }
+      CHECK(deviation(number(sum), full[A.value]) < k_tolerance);
+    }
+  }
+  // The ball's Euler angles are curved: with Γ = 0 the above would show nothing.
+  const Case ball = case_of("sphere_in_cylinder", 7);
+  const Probe p = probe(without_forces(ball.bare));
+  Real largest = 0;
+  for (const Real& component : raised(p.G, p.linear, ball.bare.free_count))
+    largest = std::max(largest, Real(abs(component)));
+  CHECK(largest > 0.1);
+}
+
 TEST_CASE("A_i and Q_i are not the a_i and F_i of (1.13) in a skew chart", "[gauss]") {
   const Case c = case_of("skew_chart", 1);
   const auto paper = nonholonomic::build_paper_system(c.model);

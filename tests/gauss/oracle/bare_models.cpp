@@ -1,61 +1,13 @@
 #include "gauss/oracle/bare_models.hpp"
 
-#include <random>
-
 #include "catch_shim.hpp"
 #include "gauss/oracle/bare_body.hpp"
+#include "gauss/oracle/bare_case.hpp"
 #include "gauss/oracle/evaluation.hpp"
 
 namespace gaussgen::oracle {
 
 namespace {
-
-/// Numbers between 0.2 and 1.2 for parameters, between -1 and 1 for what moves.
-Values random_values(const model::Model& model, unsigned seed) {
-  std::mt19937 engine(seed);
-  std::uniform_real_distribution<double> positive(0.2, 1.2);
-  std::uniform_real_distribution<double> any(-1, 1);
-  Values values;
-  for (const auto& parameter : model.parameters) values[parameter.name.text] = positive(engine);
-  values["t"] = any(engine);
-  for (const auto& coordinate : model.coordinates) {
-    values[coordinate.name.text] = any(engine);
-    values[coordinate.name.text + "_dot"] = any(engine);
-  }
-  for (const auto& orientation : model.orientations) {
-    Real norm = 0;
-    for (const auto& name : orientation.quaternion) norm += pow(values[name.text] = any(engine), 2);
-    for (const auto& name : orientation.quaternion) values[name.text] /= sqrt(norm);
-    for (const auto& name : orientation.angular_velocity) values[name.text] = any(engine);
-  }
-  for (const auto& input : model.inputs) values[input.name.text] = any(engine);
-  add_formulas(model, values);
-  return values;
-}
-
-/// y, ẏ by names: rates are name_dot, except for angular velocities, whose coordinate is θ = 0.
-void set_state(BareSystem& bare, const Values& v, const std::vector<std::string>& free) {
-  for (const std::string& name : free) {
-    const bool is_rotation = name[0] == 'w';
-    bare.y.push_back(is_rotation ? Real(0) : v.at(name));
-    bare.rate.push_back(v.at(is_rotation ? name : name + "_dot"));
-  }
-  bare.free_count = free.size();
-}
-
-void hold(BareSystem& bare, const std::function<Real(const Real& t)>& c) {
-  const Real h("1e-12");
-  bare.y.push_back(c(bare.t));
-  bare.rate.push_back((c(bare.t + h) - c(bare.t - h)) / (2 * h));
-  bare.held_acceleration.push_back((c(bare.t + h) - 2 * c(bare.t) + c(bare.t - h)) / (h * h));
-}
-
-Case start(const model::Model& model, unsigned seed, const std::vector<std::string>& free) {
-  Case c{model, random_values(model, seed), {}};
-  c.bare.t = c.values.at("t");
-  set_state(c.bare, c.values, free);
-  return c;
-}
 
 Case sphere(unsigned seed) {
   Case c = start(model_of_file("sphere_in_cylinder"), seed, {"chi", "zeta", "phi", "psi", "theta"});
@@ -132,9 +84,6 @@ Case skew_nonholonomic(unsigned seed) {
 
 }  // namespace
 
-Case driven_gyroscope(unsigned seed);
-Case free_body(unsigned seed, bool in_space);
-
 std::vector<BareModel> bare_models() {
   return {{"sphere_in_cylinder", sphere},
           {"sphere_in_cylinder_quaternion", sphere_quaternion},
@@ -142,7 +91,9 @@ std::vector<BareModel> bare_models() {
           {"skew_nonholonomic", skew_nonholonomic},
           {"driven_gyroscope", driven_gyroscope},
           {"free_body_in_space", [](unsigned seed) { return free_body(seed, true); }},
-          {"free_body_in_body_axes", [](unsigned seed) { return free_body(seed, false); }}};
+          {"free_body_in_body_axes", [](unsigned seed) { return free_body(seed, false); }},
+          {"coupled_drives", coupled_drives},
+          {"released_top", released_top}};
 }
 
 Case case_of(const std::string& name, unsigned seed) {
@@ -151,140 +102,6 @@ Case case_of(const std::string& name, unsigned seed) {
   }
   FAIL("no bare model " << name);
   return {};
-}
-
-namespace {
-
-// Triaxial body, Euler angles of another sequence, one of them driven in time as well; a nonlinear constraint in time.
-constexpr const char* k_driven_gyroscope = R"(
-gauss: 1
-name: driven_gyroscope
-parameters:
-  m: {value: 2}
-  g: {value: 9.81}
-  p1: {value: 0.3}
-  p2: {value: 0.4}
-  p3: {value: 0.5}
-  l: {value: 0.7}
-  Omega: {value: 1.5}
-inputs:
-  torque: {value: 0}
-coordinates:
-  a: {}
-  b: {}
-  c: {}
-  z: {}
-  x: {held_at: l + sin(Omega*t)/3}
-bodies:
-  gyroscope:
-    mass: m
-    inertia: [m/3*(p2^2 + p3^2), m/3*(p3^2 + p1^2), m/3*(p1^2 + p2^2)]
-    position: [x*sin(b) + t^2*a/5, x*cos(b)*sin(a), z + x*cos(a)]
-    orientation: {euler: xyz, angles: [a + Omega*t^2, b - x/4, c]}
-constraints:
-  speed: {velocity: dot(a)^2 + dot(z)*dot(c) + z*dot(x) - Omega*t}
-forces:
-  gravity: {uniform: [0, g/3, -g]}
-  drive: {generalized: {c: torque*cos(a), x: torque, z: -dot(z)/2}}
-)";
-
-// Triaxial body with products of inertia (axes turned by 0.6, 0.8), a point of it on a moving support.
-std::string free_body_text(bool in_space) {
-  return std::string(R"(
-gauss: 1
-name: free_body
-parameters:
-  m: {value: 2}
-  g: {value: 9.81}
-  A: {value: 0.3}
-  B: {value: 0.4}
-  C: {value: 0.5}
-  l: {value: 0.7}
-inputs:
-  torque: {value: 0}
-coordinates:
-  s: {}
-  x: {held_at: l*t^2}
-orientations:
-  attitude:
-    quaternion: [e0, e1, e2, e3]
-    angular_velocity: [wx, wy, wz]
-    frame: )") +
-         (in_space ? "space" : "body") + R"(
-    initial: [1, 0, 0, 0]
-bodies:
-  top:
-    mass: m
-    inertia:
-      - [m/3*(0.64*A^2 + 0.36*B^2 + C^2), m/3*0.48*(A^2 - B^2), 0]
-      - [m/3*0.48*(A^2 - B^2), m/3*(0.36*A^2 + 0.64*B^2 + C^2), 0]
-      - [0, 0, m/3*(A^2 + B^2)]
-    position: [x + 2*l*(e1*e3 + e0*e2), s + 2*l*(e2*e3 - e0*e1), l*(e0^2 - e1^2 - e2^2 + e3^2)]
-    orientation: attitude
-constraints:
-  edge: {velocity: wx*e1 + dot(s)*e0 - dot(e2*x) + wz*wy*t}
-forces:
-  gravity: {uniform: [0, 0, -g]}
-  magnet: {potential: m*g*l*e1*e3}
-  motor: {generalized: {wy: torque - wx/2}}
-)";
-}
-
-}  // namespace
-
-Case driven_gyroscope(unsigned seed) {
-  Case c = start(model_of_text(k_driven_gyroscope), seed, {"a", "b", "c", "z"});
-  const Values v = c.values;
-  const Real m = v.at("m"), l = v.at("l"), Omega = v.at("Omega"), torque = v.at("torque");
-  hold(c.bare, [=](const Real& t) -> Real { return l + sin(Omega * t) / 3; });
-  c.bare.field = {0, v.at("g") / 3, -v.at("g")};
-  const Body body = triaxial_body(m, {v.at("p1"), v.at("p2"), v.at("p3")});
-  c.bare.mass = body.mass;
-  c.bare.positions = [=](const Vec& y, const Real& t) {
-    const Real a = y[0], b = y[1], z = y[3], x = y[4];
-    const Vec3 centre{x * sin(b) + t * t * a / 5, x * cos(b) * sin(a), z + x * cos(a)};
-    return placed(body, centre, euler_matrix("xyz", {a + Omega * t * t, b - x / 4, y[2]}));
-  };
-  c.bare.generalized = {0, 0, torque * cos(v.at("a")), -v.at("z_dot") / 2, torque};
-  c.bare.constraints = [=](const Vec& y, const Vec& u, const Real& t) -> Vec {
-    return {u[0] * u[0] + u[3] * u[2] + y[3] * u[4] - Omega * t};
-  };
-  return c;
-}
-
-Case free_body(unsigned seed, bool in_space) {
-  Case c = start(model_of_text(free_body_text(in_space)), seed, {"s", "wx", "wy", "wz"});
-  const Values v = c.values;
-  const Real m = v.at("m"), l = v.at("l"), g = v.at("g");
-  hold(c.bare, [=](const Real& t) -> Real { return l * t * t; });
-  c.bare.field = {0, 0, -g};
-  const Body body = turned(triaxial_body(m, {v.at("A"), v.at("B"), v.at("C")}),
-                           {{{Real("0.6"), Real("0.8"), 0}, {Real("-0.8"), Real("0.6"), 0}, {0, 0, 1}}});
-  c.bare.mass = body.mass;
-  const Quaternion e_0{v.at("e0"), v.at("e1"), v.at("e2"), v.at("e3")};
-  const auto attitude = [=](const Vec3& theta) {
-    return in_space ? product(exponential(theta), e_0) : product(e_0, exponential(theta));
-  };
-  c.bare.positions = [=](const Vec& y, const Real&) {
-    const Quaternion e = attitude({y[1], y[2], y[3]});
-    const Vec3 centre{y[4] + 2 * l * (e[1] * e[3] + e[0] * e[2]), y[0] + 2 * l * (e[2] * e[3] - e[0] * e[1]),
-                      l * (e[0] * e[0] - e[1] * e[1] - e[2] * e[2] + e[3] * e[3])};
-    return placed(body, centre, matrix(e));
-  };
-  c.bare.potential = [=](const Vec& y, const Real&) -> Real {
-    const Quaternion e = attitude({y[1], y[2], y[3]});
-    return m * g * l * e[1] * e[3];
-  };
-  c.bare.generalized = {0, 0, v.at("torque") - v.at("wx") / 2, 0, 0};
-  c.bare.constraints = [=](const Vec& y, const Vec& u, const Real& t) -> Vec {
-    const Vec3 theta{y[1], y[2], y[3]};
-    const Vec3 rate{u[1], u[2], u[3]};
-    const Quaternion e = attitude(theta);
-    const Vec3 omega = angular_velocity(theta, rate, e_0, in_space);
-    const Real e2_rate = quaternion_rate(e, omega, in_space)[2];
-    return {omega[0] * e[1] + u[0] * e[0] - (e2_rate * y[4] + e[2] * u[4]) + omega[2] * omega[1] * t};
-  };
-  return c;
 }
 
 }  // namespace gaussgen::oracle

@@ -23,7 +23,7 @@ struct BareModel {
 };
 
 /// All of them: sphere_in_cylinder, its quaternion form, skew_chart, skew_nonholonomic, driven_gyroscope,
-/// free_body_in_space, free_body_in_body_axes.
+/// free_body_in_space, free_body_in_body_axes, coupled_drives, released_top.
 std::vector<BareModel> bare_models();
 
 Case case_of(const std::string& name, unsigned seed);

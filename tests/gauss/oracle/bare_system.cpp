@@ -29,16 +29,26 @@ Real other_work(const BareSystem& s, const Vec& acceleration) {
   return work;
 }
 
+/// (a - 2 b + c) / h²
+Vec3 second_quotient(const Vec3& a, const Vec3& b, const Vec3& c) {
+  Vec3 result;
+  for (std::size_t j = 0; j < 3; ++j) result[j] = (a[j] - 2 * b[j] + c[j]) / (k_step * k_step);
+  return result;
+}
+
+std::vector<Vec3> first_quotients(const std::vector<Vec3>& ahead, const std::vector<Vec3>& behind) {
+  std::vector<Vec3> result = ahead;
+  for (std::size_t p = 0; p < ahead.size(); ++p) {
+    for (std::size_t j = 0; j < 3; ++j) result[p][j] = (ahead[p][j] - behind[p][j]) / (2 * k_step);
+  }
+  return result;
+}
+
 Real compulsion(const BareSystem& s, const Vec& acceleration) {
-  const auto now = s.positions(s.y, s.t);
-  const auto ahead = s.positions(at(s, acceleration, k_step), s.t + k_step);
-  const auto behind = s.positions(at(s, acceleration, -k_step), s.t - k_step);
+  const auto a = accelerations(s, acceleration);
   Real Z = -other_work(s, acceleration);
-  for (std::size_t p = 0; p < now.size(); ++p) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Real a = (ahead[p][j] - 2 * now[p][j] + behind[p][j]) / (k_step * k_step) - s.field[j];
-      Z += s.mass[p] * a * a / 2;
-    }
+  for (std::size_t p = 0; p < a.size(); ++p) {
+    for (std::size_t j = 0; j < 3; ++j) Z += s.mass[p] * pow(a[p][j] - s.field[j], 2) / 2;
   }
   return Z;
 }
@@ -64,6 +74,46 @@ Vec unit(std::size_t size, std::size_t i) {
 }
 
 }  // namespace
+
+std::vector<Vec3> velocities(const BareSystem& s) {
+  const Vec uniform(s.y.size(), 0);
+  return first_quotients(s.positions(at(s, uniform, k_step), s.t + k_step),
+                         s.positions(at(s, uniform, -k_step), s.t - k_step));
+}
+
+std::vector<Vec3> accelerations(const BareSystem& s, const Vec& acceleration) {
+  const auto now = s.positions(s.y, s.t);
+  const auto ahead = s.positions(at(s, acceleration, k_step), s.t + k_step);
+  const auto behind = s.positions(at(s, acceleration, -k_step), s.t - k_step);
+  std::vector<Vec3> result;
+  for (std::size_t p = 0; p < now.size(); ++p) result.push_back(second_quotient(ahead[p], now[p], behind[p]));
+  return result;
+}
+
+std::vector<Vec3> displacements(const BareSystem& s, std::size_t A) {
+  Vec ahead = s.y;
+  Vec behind = s.y;
+  ahead[A] += k_step;
+  behind[A] -= k_step;
+  return first_quotients(s.positions(ahead, s.t), s.positions(behind, s.t));
+}
+
+Real kinetic_energy(const BareSystem& s) {
+  const auto v = velocities(s);
+  Real twice = 0;
+  for (std::size_t p = 0; p < v.size(); ++p)
+    twice += s.mass[p] * (v[p][0] * v[p][0] + v[p][1] * v[p][1] + v[p][2] * v[p][2]);
+  return twice / 2;
+}
+
+Real potential_energy(const BareSystem& s) {
+  const auto r = s.positions(s.y, s.t);
+  Real V = s.potential ? s.potential(s.y, s.t) : Real(0);
+  for (std::size_t p = 0; p < r.size(); ++p) {
+    V -= s.mass[p] * (r[p][0] * s.field[0] + r[p][1] * s.field[1] + r[p][2] * s.field[2]);
+  }
+  return V;
+}
 
 Probe probe(const BareSystem& s) {
   const std::size_t N = s.y.size();

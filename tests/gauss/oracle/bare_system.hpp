@@ -22,6 +22,17 @@ struct BareSystem {
   std::function<Vec(const Vec& y, const Vec& rate, const Real& t)> constraints;  ///< φ_μ; may be empty
 };
 
+/// Velocities of the mass points, and their accelerations at the given ÿ.
+std::vector<Vec3> velocities(const BareSystem& system);
+std::vector<Vec3> accelerations(const BareSystem& system, const Vec& acceleration);
+
+/// ∂r/∂y^A of the mass points.
+std::vector<Vec3> displacements(const BareSystem& system, std::size_t A);
+
+/// Kinetic energy; potential energy, the uniform field included.
+Real kinetic_energy(const BareSystem& system);
+Real potential_energy(const BareSystem& system);
+
 /// Z = ½ ÿᵀ G ÿ + linearᵀ ÿ + rest and φ̇ = β ÿ + drift, probed.
 struct Probe {
   Mat G;
