@@ -1,0 +1,115 @@
+#include "strategy/emitted_numbers.hpp"
+
+#include "catch_shim.hpp"
+#include "evaluate/decimal.hpp"
+#include "gauss/oracle/evaluation.hpp"
+
+namespace gaussgen::oracle {
+
+namespace {
+
+// A few digits more than Real has, so that nothing is lost on the way.
+constexpr int k_digits = 60;
+
+cln::cl_F as_cln(const evaluate::Arithmetic<cln::cl_F>& arithmetic, const Real& value) {
+  // Four doubles hold more bits than Real has.
+  cln::cl_F sum = arithmetic.number(0.0);
+  Real rest = value;
+  for (int part = 0; part < 4; ++part) {
+    const double head = static_cast<double>(rest);
+    sum = sum + arithmetic.number(head);
+    rest -= head;
+  }
+  return sum;
+}
+
+}  // namespace
+
+EmittedNumbers::EmittedNumbers(const Case& c, MechanicsOptions options)
+    : mechanics_(c.model, options), evaluator_(mechanics_.graph, evaluate::Arithmetic<cln::cl_F>(k_digits)) {
+  const kinematics::Symbols& symbols = mechanics_.symbols;
+  bind(symbols.time, c.values.at("t"));
+  for (std::size_t i = 0; i < c.model.parameters.size(); ++i) {
+    bind(symbols.parameters[i], c.values.at(c.model.parameters[i].name.text));
+  }
+  for (std::size_t i = 0; i < c.model.inputs.size(); ++i)
+    bind(symbols.inputs[i], c.values.at(c.model.inputs[i].name.text));
+  for (const auto& q : symbols.configuration) bind(q.symbol, c.values.at(q.name));
+  for (const auto& u : symbols.speeds) bind(u.symbol, c.values.at(u.name));
+}
+
+Real EmittedNumbers::operator()(ir::NodeId node) {
+  const auto value = evaluator_(node);
+  if (!value) FAIL(evaluator_.trouble(node)->name << ": " << evaluator_.trouble(node)->reason);
+  return Real(evaluate::to_decimal(*value, k_digits));
+}
+
+Vec EmittedNumbers::operator()(const std::vector<ir::NodeId>& nodes) {
+  Vec result;
+  for (const ir::NodeId node : nodes) result.push_back((*this)(node));
+  return result;
+}
+
+Vec EmittedNumbers::operator()(const strategy::Vector& nodes) {
+  Vec result;
+  for (const ir::Expr node : nodes) result.push_back((*this)(node.id()));
+  return result;
+}
+
+std::map<std::string, Vec> EmittedNumbers::fields(const std::string& function) {
+  std::map<std::string, Vec> result;
+  for (const emit::Group& group : artefact(function).groups) {
+    for (const emit::Field& field : group.fields) {
+      result[(group.name.empty() ? "" : group.name + ".") + field.name] = (*this)(field.values);
+    }
+  }
+  return result;
+}
+
+Vec EmittedNumbers::derivative(const std::string& function) { return (*this)(artefact(function).derivative); }
+Vec EmittedNumbers::state(const std::string& function) { return (*this)(artefact(function).state); }
+
+std::vector<bool> EmittedNumbers::status(const std::string& function) {
+  const emit::StatusNodes& nodes = artefact(function).status;
+  std::vector<bool> result;
+  for (const ir::NodeId node : {nodes.singular_mass_matrix, nodes.dependent_constraints, nodes.not_finite}) {
+    result.push_back((*this)(node) != 0);
+  }
+  return result;
+}
+
+void EmittedNumbers::bind(ir::SymbolId symbol, const Real& value) {
+  evaluator_.bind(symbol, as_cln(evaluator_.arithmetic(), value));
+}
+
+void EmittedNumbers::bind_accelerations(const Vec& free) {
+  REQUIRE(free.size() == mechanics_.symbols.speeds.size());
+  for (const auto i : mechanics_.symbols.speeds.indices())
+    bind(mechanics_.symbols.speeds[i].acceleration, free[i.value]);
+}
+
+void EmittedNumbers::bind_configuration(const Vec& q) {
+  REQUIRE(q.size() == mechanics_.symbols.configuration.size());
+  for (const auto i : mechanics_.symbols.configuration.indices())
+    bind(mechanics_.symbols.configuration[i].symbol, q[i.value]);
+}
+
+// `reactions` comes with `rhs_and_reactions`; each under its own name.
+const emit::Artefact& EmittedNumbers::artefact(const std::string& function) {
+  const auto known = artefacts_.find(function);
+  if (known != artefacts_.end()) return known->second;
+  const std::string output = function == "rhs_and_reactions" ? "reactions" : function;
+  for (emit::Artefact& built : build_artefact(output, mechanics_))
+    artefacts_.insert_or_assign(built.name, std::move(built));
+  REQUIRE(artefacts_.count(function) == 1);
+  return artefacts_.at(function);
+}
+
+double deviation(const Vec& a, const Vec& b) {
+  REQUIRE(a.size() == b.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, deviation(a[i], b[i]));
+  return largest;
+}
+
+}  // namespace gaussgen::oracle

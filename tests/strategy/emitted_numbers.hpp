@@ -1,0 +1,45 @@
+#pragma once
+// What the emitted route says at one state, in fifty digits, through the artefacts that are emitted.
+
+#include <map>
+
+#include "evaluate/arithmetic_cln.hpp"
+#include "evaluation.hpp"
+#include "gauss/oracle/bare_models.hpp"
+
+namespace gaussgen::oracle {
+
+class EmittedNumbers {
+ public:
+  explicit EmittedNumbers(const Case& c, MechanicsOptions options = {});
+
+  Mechanics& mechanics() { return mechanics_; }
+
+  Real operator()(ir::NodeId node);
+  Vec operator()(const std::vector<ir::NodeId>& nodes);
+  Vec operator()(const strategy::Vector& nodes);
+
+  /// Members of the result struct of an emitted function, "group.field" or "field".
+  std::map<std::string, Vec> fields(const std::string& function);
+  /// What fills a Derivative, or a State.
+  Vec derivative(const std::string& function);
+  Vec state(const std::string& function);
+  /// Conditions of its status: singular mass matrix, dependent constraints, not finite.
+  std::vector<bool> status(const std::string& function);
+
+  void bind(ir::SymbolId symbol, const Real& value);
+  void bind_accelerations(const Vec& free);
+  void bind_configuration(const Vec& q);
+
+ private:
+  const emit::Artefact& artefact(const std::string& function);
+
+  Mechanics mechanics_;
+  evaluate::Evaluator<cln::cl_F> evaluator_;
+  std::map<std::string, emit::Artefact> artefacts_;
+};
+
+/// The larger of deviations by component.
+double deviation(const Vec& a, const Vec& b);
+
+}  // namespace gaussgen::oracle
