@@ -67,3 +67,35 @@ TEST_CASE("one component of time, state or inputs that is not finite gives a sta
 #include "plain_models.inc"
 #undef GAUSS_TESTED_MODEL
 }
+
+namespace {
+
+template <class S>
+bool all_finite(const std::vector<S>& values) {
+  for (const S value : values) {  // false for infinities and NaN alike
+    if (!(value - value == 0)) return false;
+  }
+  return true;
+}
+
+// Speeds so large that squares of them overflow, though each is finite.
+template <class M>
+void says_when_a_result_overflows() {
+  Point<M, double> at = start<M>();
+  for (int i = M::n_q; i < M::n_q + M::n_v; ++i) at.state.values[i] = 1e200 * (i - M::n_q + 1);
+  const auto found = results<M, double>(at);
+  INFO(M::name);
+  const auto finite = [](const auto& result) { return all_finite(headertest::scalars<double>(result)); };
+  CHECK((found.statuses[0] == gauss::Status::ok) == (finite(found.derivative) && finite(found.reactions)));
+  CHECK(found.statuses[1] == gauss::Status::not_finite);
+  CHECK_FALSE(finite(found.energies));
+  CHECK((found.statuses[2] == gauss::Status::ok) == finite(found.projected));
+}
+
+}  // namespace
+
+TEST_CASE("finite arguments whose results overflow give a status other than ok, too") {
+#define GAUSS_TESTED_MODEL(name_space) says_when_a_result_overflows<name_space::Tested>();
+#include "plain_models.inc"
+#undef GAUSS_TESTED_MODEL
+}

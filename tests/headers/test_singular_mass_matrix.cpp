@@ -1,0 +1,131 @@
+// Where both axes of oblique coordinates fall together, the mass matrix is singular: a status has to say so, whichever
+// linear system a function solves, and in a batch for that lane alone.
+
+#include <cmath>
+#include <limits>
+
+#include "catch_shim.hpp"
+#include "gauss/scalar/xsimd.hpp"
+#include "oblique.hpp"
+#include "oblique_rail.hpp"
+#include "oblique_skate.hpp"
+#include "tested_model.hpp"
+
+GAUSS_MAKE_TESTED(gauss::oblique)
+GAUSS_MAKE_TESTED(gauss::oblique_rail)
+GAUSS_MAKE_TESTED(gauss::oblique_skate)
+
+namespace {
+
+using gauss::Status;
+
+/// q: x, y, w, phi
+template <class M, class S>
+typename M::template State<S> state_at(const S& phi) {
+  return {{S(0.5), S(0.75), S(0.25), phi, S(0.375), S(-0.5), S(1), S(0.25)}};
+}
+
+template <class S>
+struct Statuses {
+  gauss::StatusOf<S> rhs, reactions, both, forces;
+};
+
+template <class M, class S>
+Statuses<S> statuses(const typename M::template State<S>& state) {
+  const auto prepared = prepare(typename M::template Parameters<S>{});
+  const typename M::template Inputs<S> inputs{};
+  typename M::template Derivative<S> derivative{};
+  typename M::template ReactionsOrNone<S> found{};
+  typename M::template ForcesOf<S> forces{};
+  return {rhs(S(0), state, inputs, prepared, derivative), reactions(S(0), state, inputs, prepared, found),
+          rhs_and_reactions(S(0), state, inputs, prepared, derivative, found),
+          reaction_forces(S(0), state, inputs, prepared, forces)};
+}
+
+template <class M, class S>
+void every_function_says(const S& phi, Status expected) {
+  INFO(M::name << ", phi = " << phi);
+  const Statuses<S> found = statuses<M, S>(state_at<M>(phi));
+  CHECK(found.rhs == expected);
+  CHECK(found.reactions == expected);
+  CHECK(found.both == expected);
+  CHECK(found.forces == expected);
+}
+
+template <class S>
+void in_every_model(const S& phi, Status expected) {
+  every_function_says<gauss::oblique::Tested>(phi, expected);
+  every_function_says<gauss::oblique_rail::Tested>(phi, expected);
+  every_function_says<gauss::oblique_skate::Tested>(phi, expected);
+}
+
+// m - m cos² phi is what is left of a diagonal entry m. Rounding alone leaves up to 4 n eps m, n = 4: eps/16 is lost in it,
+// 4096 eps has twelve bits and more.
+template <class S>
+void lost_digits_are_told_from_few() {
+  const S root = std::sqrt(std::numeric_limits<S>::epsilon());
+  in_every_model(S(0), Status::singular_mass_matrix);
+  in_every_model(root / 4, Status::singular_mass_matrix);
+  in_every_model(root * 64, Status::ok);
+  in_every_model(S(0.75), Status::ok);
+}
+
+template <class M, class S>
+Status of_projection(const S& phi) {
+  typename M::template State<S> projected{};
+  return project(S(0), state_at<M>(phi), prepare(typename M::template Parameters<S>{}), projected);
+}
+
+template <class M, class S>
+Status of_initial_state(const S& phi) {
+  typename M::template Parameters<S> parameters;
+  parameters.phi_0 = phi;
+  typename M::template State<S> state{};
+  return initial_state(prepare(parameters), state);
+}
+
+template <class M, class T>
+void lanes_say_it_for_themselves() {
+  using S = xsimd::batch<T>;
+  T phi[S::size];
+  for (std::size_t i = 0; i < S::size; ++i) phi[i] = i % 2 == 0 ? T(0) : T(0.75);
+  const auto found = statuses<M, S>(state_at<M>(S::load_unaligned(phi)));
+  for (std::size_t i = 0; i < S::size; ++i) {
+    const Status expected = i % 2 == 0 ? Status::singular_mass_matrix : Status::ok;
+    INFO(M::name << ", lane " << i);
+    CHECK(found.rhs.lane(i) == expected);
+    CHECK(found.reactions.lane(i) == expected);
+    CHECK(found.both.lane(i) == expected);
+    CHECK(found.forces.lane(i) == expected);
+  }
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a mass matrix that is singular here is reported by every function that solves with it, in every scalar type") {
+  lost_digits_are_told_from_few<float>();
+  lost_digits_are_told_from_few<double>();
+  lost_digits_are_told_from_few<long double>();
+}
+
+TEST_CASE("so it is by project and by initial_state, where constraints make them solve") {
+  CHECK(of_projection<gauss::oblique_rail::Tested>(0.0) == Status::singular_mass_matrix);
+  CHECK(of_projection<gauss::oblique_rail::Tested>(0.7) == Status::ok);
+  CHECK(of_projection<gauss::oblique_skate::Tested>(0.0) == Status::singular_mass_matrix);
+  CHECK(of_projection<gauss::oblique_skate::Tested>(0.7) == Status::ok);
+  CHECK(of_initial_state<gauss::oblique_rail::Tested>(0.0) == Status::singular_mass_matrix);
+  CHECK(of_initial_state<gauss::oblique_rail::Tested>(0.7) == Status::ok);
+  CHECK(of_initial_state<gauss::oblique_skate::Tested>(0.0) == Status::singular_mass_matrix);
+  CHECK(of_initial_state<gauss::oblique_skate::Tested>(0.7) == Status::ok);
+  // Without constraints there is nothing to solve.
+  CHECK(of_projection<gauss::oblique::Tested>(0.0) == Status::ok);
+  CHECK(of_initial_state<gauss::oblique::Tested>(0.0) == Status::ok);
+}
+
+TEST_CASE("in a batch, a singular lane says so and the lanes beside it are ok") {
+  lanes_say_it_for_themselves<gauss::oblique::Tested, double>();
+  lanes_say_it_for_themselves<gauss::oblique_rail::Tested, double>();
+  lanes_say_it_for_themselves<gauss::oblique_skate::Tested, double>();
+  lanes_say_it_for_themselves<gauss::oblique::Tested, float>();
+}
