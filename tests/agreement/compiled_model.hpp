@@ -1,7 +1,6 @@
 #pragma once
 // A compiled header behind one interface, so that one test serves every model.
 
-#include <array>
 #include <cstring>
 #include <functional>
 #include <string>
@@ -23,8 +22,9 @@ struct CompiledModel {
   std::string file;  ///< below models/, without .yaml
   std::vector<double> parameters;
   std::function<void(double, const std::vector<double>&)> set;  ///< time and state
-  std::function<std::vector<double>()> rhs, reactions, rhs_and_reactions, reaction_forces, energy, mass_matrix;
-  /// of the accelerations found by rhs
+  std::function<std::vector<double>()> rhs, energy, mass_matrix;
+  std::function<std::vector<double>()> reactions, reaction_forces;  ///< empty without constraints
+  /// Of the accelerations found by rhs; empty where the model has none.
   std::function<std::vector<double>()> residuals, compulsion;
 };
 

@@ -2,91 +2,110 @@
 
 #include <algorithm>
 #include <memory>
+#include <type_traits>
 
-#include "appell_hamel.hpp"
-#include "chaplygin_sleigh.hpp"
-#include "nonholonomic_particle.hpp"
-#include "rotor_on_platform.hpp"
-#include "skater_quaternion.hpp"
-#include "skew_chart.hpp"
-#include "skew_nonholonomic.hpp"
-#include "sphere_in_cylinder.hpp"
-#include "sphere_in_cylinder_quaternion.hpp"
-#include "sphere_turntable.hpp"
+#include "headers/plain_models.hpp"
 
 namespace agreement {
 
+namespace {
 
+/// Time, state and parameters as they are set from test to test.
+template <class M>
+struct Point {
+  double t = 0;
+  typename M::template State<double> state{};
+  typename M::template Inputs<double> inputs{};
+  typename M::template Prepared<double> prepared = prepare(typename M::template Parameters<double>{});
 
-
-// The members that a model has depend on the model, so a template could not name them; everything else is the same text.
-#define GAUSS_BEGIN_MODEL(name)                                                                        \
-  {                                                                                                    \
-    namespace model = gauss::name;                                                                     \
-    struct Point {                                                                                     \
-      double t = 0;                                                                                    \
-      model::State<double> state{};                                                                    \
-      model::Inputs<double> inputs{};                                                                  \
-      model::Prepared<double> prepared = model::prepare(model::Parameters<double>{});                  \
-    };                                                                                                 \
-    const auto at = std::make_shared<Point>();                                                         \
-    CompiledModel compiled;                                                                            \
-    compiled.file = #name;                                                                             \
-    compiled.parameters = flattened(model::Parameters<double>{});                                      \
-    compiled.set = [at](double t, const std::vector<double>& y) {                                      \
-      at->t = t;                                                                                       \
-      std::copy(y.begin(), y.end(), at->state.values);                                                 \
-    };                                                                                                 \
-    const auto rates = [at] {                                                                          \
-      model::Derivative<double> d{};                                                                   \
-      model::rhs(at->t, at->state, at->inputs, at->prepared, d);                                       \
-      return d;                                                                                        \
-    };                                                                                                 \
-    compiled.rhs = [rates] { return flattened(rates()); };                                             \
-    GAUSS_RESULT_OF_STATE(energy, Energy)                                                              \
-    GAUSS_RESULT_OF_STATE(mass_matrix, MassMatrix)                                                     \
-    GAUSS_RESULT_OF_RATES(compulsion, Compulsion)
-#define GAUSS_RESULT(function, Type)                                                                   \
-  compiled.function = [at] {                                                                           \
-    model::Type<double> result{};                                                                      \
-    model::function(at->t, at->state, at->inputs, at->prepared, result);                               \
-    return flattened(result);                                                                          \
-  };
-#define GAUSS_RESULT_OF_STATE(function, Type)                                                          \
-  compiled.function = [at] {                                                                           \
-    model::Type<double> result{};                                                                      \
-    model::function(at->t, at->state, at->prepared, result);                                           \
-    return flattened(result);                                                                          \
-  };
-#define GAUSS_RESULT_OF_RATES(function, Type)                                                          \
-  compiled.function = [at, rates] {                                                                    \
-    model::Type<double> result{};                                                                      \
-    model::function(at->t, at->state, at->inputs, at->prepared, rates(), result);                      \
-    return flattened(result);                                                                          \
-  };
-#define GAUSS_CONSTRAINED                                                                              \
-  GAUSS_RESULT(reactions, Reactions)                                                                   \
-  GAUSS_RESULT(reaction_forces, ReactionForces)
-#define GAUSS_WITH_RESIDUALS GAUSS_RESULT_OF_RATES(residuals, Residuals)
-#define GAUSS_END_MODEL            \
-  models.push_back(compiled);      \
+  typename M::template Derivative<double> rates() const {
+    typename M::template Derivative<double> d{};
+    (void)rhs(t, state, inputs, prepared, d);
+    return d;
   }
+};
+
+template <class M>
+using Shared = std::shared_ptr<Point<M>>;
+
+// Functions are found by their arguments; those that a model does not have are not called: its struct is empty.
+template <class M>
+void add_reactions(const Shared<M>& at, CompiledModel& compiled) {
+  using Reactions = typename M::template ReactionsOrNone<double>;
+  using Forces = typename M::template ForcesOf<double>;
+  if constexpr (!std::is_empty_v<Reactions>) {
+    compiled.reactions = [at] {
+      Reactions result{};
+      (void)reactions(at->t, at->state, at->inputs, at->prepared, result);
+      return flattened(result);
+    };
+    compiled.reaction_forces = [at] {
+      Forces result{};
+      (void)reaction_forces(at->t, at->state, at->inputs, at->prepared, result);
+      return flattened(result);
+    };
+  }
+}
+
+template <class M>
+void add_state_functions(const Shared<M>& at, CompiledModel& compiled) {
+  compiled.energy = [at] {
+    typename M::template EnergyOf<double> result{};
+    (void)energy(at->t, at->state, at->prepared, result);
+    return flattened(result);
+  };
+  compiled.mass_matrix = [at] {
+    typename M::template MassMatrixOf<double> result{};
+    (void)mass_matrix(at->t, at->state, at->prepared, result);
+    return flattened(result);
+  };
+}
+
+template <class M>
+void add_functions_of_rates(const Shared<M>& at, CompiledModel& compiled) {
+  using Residuals = typename M::template ResidualsOf<double>;
+  using Compulsion = typename M::template CompulsionOf<double>;
+  if constexpr (!std::is_empty_v<Residuals>) {
+    compiled.residuals = [at] {
+      Residuals result{};
+      (void)residuals(at->t, at->state, at->inputs, at->prepared, at->rates(), result);
+      return flattened(result);
+    };
+  }
+  if constexpr (!std::is_empty_v<Compulsion>) {
+    compiled.compulsion = [at] {
+      Compulsion result{};
+      (void)compulsion(at->t, at->state, at->inputs, at->prepared, at->rates(), result);
+      return flattened(result);
+    };
+  }
+}
+
+template <class M>
+CompiledModel compiled_model() {
+  const auto at = std::make_shared<Point<M>>();
+  CompiledModel compiled;
+  compiled.file = M::name;
+  compiled.parameters = flattened(typename M::template Parameters<double>{});
+  compiled.set = [at](double t, const std::vector<double>& y) {
+    at->t = t;
+    std::copy(y.begin(), y.end(), at->state.values);
+  };
+  compiled.rhs = [at] { return flattened(at->rates()); };
+  add_reactions<M>(at, compiled);
+  add_state_functions<M>(at, compiled);
+  add_functions_of_rates<M>(at, compiled);
+  return compiled;
+}
+
+}  // namespace
 
 const std::vector<CompiledModel>& compiled_models() {
-  static const std::vector<CompiledModel> k_models = [] {
-    std::vector<CompiledModel> models;
-    GAUSS_BEGIN_MODEL(appell_hamel) GAUSS_CONSTRAINED GAUSS_WITH_RESIDUALS GAUSS_END_MODEL
-    GAUSS_BEGIN_MODEL(chaplygin_sleigh) GAUSS_CONSTRAINED GAUSS_WITH_RESIDUALS GAUSS_END_MODEL
-    GAUSS_BEGIN_MODEL(nonholonomic_particle) GAUSS_CONSTRAINED GAUSS_WITH_RESIDUALS GAUSS_END_MODEL
-    GAUSS_BEGIN_MODEL(rotor_on_platform) GAUSS_CONSTRAINED GAUSS_END_MODEL
-    GAUSS_BEGIN_MODEL(skater_quaternion) GAUSS_CONSTRAINED GAUSS_WITH_RESIDUALS GAUSS_END_MODEL
-    GAUSS_BEGIN_MODEL(skew_chart) GAUSS_CONSTRAINED GAUSS_END_MODEL
-    GAUSS_BEGIN_MODEL(skew_nonholonomic) GAUSS_CONSTRAINED GAUSS_WITH_RESIDUALS GAUSS_END_MODEL
-    GAUSS_BEGIN_MODEL(sphere_in_cylinder) GAUSS_CONSTRAINED GAUSS_WITH_RESIDUALS GAUSS_END_MODEL
-    GAUSS_BEGIN_MODEL(sphere_in_cylinder_quaternion) GAUSS_CONSTRAINED GAUSS_WITH_RESIDUALS GAUSS_END_MODEL
-    GAUSS_BEGIN_MODEL(sphere_turntable) GAUSS_CONSTRAINED GAUSS_WITH_RESIDUALS GAUSS_END_MODEL
-    return models;
-  }();
+  static const std::vector<CompiledModel> k_models{
+#define GAUSS_TESTED_MODEL(name_space) compiled_model<name_space::Tested>(),
+#include "plain_models.inc"
+#undef GAUSS_TESTED_MODEL
+  };
   return k_models;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The models that every property is tested on, and random states of them.
+// Models, and random states of them.
 
 #include <cmath>
 #include <fstream>
@@ -13,14 +13,6 @@
 #include "model/build.hpp"
 
 namespace agreement {
-
-inline const std::vector<std::string>& model_files() {
-  static const std::vector<std::string> k_files{
-      "sphere_in_cylinder", "sphere_in_cylinder_quaternion", "skew_chart",        "skew_nonholonomic",
-      "appell_hamel",       "chaplygin_sleigh",              "nonholonomic_particle", "rotor_on_platform",
-      "skater_quaternion",  "sphere_turntable",              "as_printed/rolling_along"};
-  return k_files;
-}
 
 inline gaussgen::model::Model load(const std::string& file) {
   const std::string path = std::string(GAUSS_SOURCE_DIR) + "/models/" + file + ".yaml";
@@ -79,7 +71,8 @@ inline gaussgen::evaluate::Scaled<cln::cl_F> as(
 }
 
 template <class T>
-void bind(const gaussgen::kinematics::Symbols& symbols, const State& state, gaussgen::evaluate::Evaluator<T>& evaluator) {
+void bind(const gaussgen::kinematics::Symbols& symbols, const State& state,
+          gaussgen::evaluate::Evaluator<T>& evaluator) {
   evaluator.bind(symbols.time, as(evaluator.arithmetic(), state.time));
   for (const auto i : symbols.configuration.indices()) {
     evaluator.bind(symbols.configuration[i].symbol, as(evaluator.arithmetic(), state.configuration[i.value]));

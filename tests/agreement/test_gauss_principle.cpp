@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "catch_shim.hpp"
+#include "model_files.hpp"
 #include "models.hpp"
 #include "strategy/compulsion.hpp"
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "catch_shim.hpp"
+#include "model_files.hpp"
 #include "models.hpp"
 #include "paper.hpp"
 
@@ -43,7 +44,8 @@ std::vector<gaussgen::ir::NodeId> nodes(const gaussgen::strategy::Vector& v) {
 
 Eigen::MatrixXd matrix(Evaluator<double>& evaluator, const gaussgen::strategy::Matrix& m, Eigen::Index columns) {
   Eigen::MatrixXd result(static_cast<Eigen::Index>(m.size()), columns);
-  for (Eigen::Index i = 0; i < result.rows(); ++i) result.row(i) = values(evaluator, nodes(m[static_cast<std::size_t>(i)]));
+  for (Eigen::Index i = 0; i < result.rows(); ++i)
+    result.row(i) = values(evaluator, nodes(m[static_cast<std::size_t>(i)]));
   return result;
 }
 
@@ -60,6 +62,8 @@ double condition(const Eigen::MatrixXd& m) {
   const Eigen::VectorXd s = Eigen::JacobiSVD<Eigen::MatrixXd>(m).singularValues();
   return s.size() == 0 ? 1.0 : s[0] / s[s.size() - 1];
 }
+
+double largest_stretch(const Eigen::MatrixXd& m) { return Eigen::JacobiSVD<Eigen::MatrixXd>(m).singularValues()[0]; }
 
 Scaling scaling(Evaluator<double>& evaluator, const gaussgen::strategy::Dynamics& dynamics) {
   const auto n = static_cast<Eigen::Index>(dynamics.n());
@@ -83,28 +87,57 @@ Scaling scaling(Evaluator<double>& evaluator, const gaussgen::strategy::Dynamics
   return result;
 }
 
-/// ‖[c; 1]‖ in scaled units, squared: what a fixed choice of dependent speeds multiplies the condition of g by, since it
-/// solves Cᵀ g C. It has no bound where det b_μρ can vanish, which is why the emitted route then makes no such choice.
-double elimination_factor(Evaluator<double>& evaluator, const Mechanics& mechanics, const Scaling& scale,
-                          const std::vector<std::string>& dependent) {
-  const auto l = static_cast<Eigen::Index>(dependent.size());
-  if (l == 0) return 1;
-  const auto n = static_cast<Eigen::Index>(mechanics.dynamics.n());
-  const Eigen::MatrixXd b = matrix(evaluator, mechanics.dynamics.b, n) * scale.speed.cwiseInverse().asDiagonal();
-  Eigen::MatrixXd block(l, l);
-  for (Eigen::Index j = 0; j < l; ++j) {
-    const auto& labels = mechanics.dynamics.labels;
-    const auto column = std::find(labels.begin(), labels.end(), dependent[static_cast<std::size_t>(j)]) - labels.begin();
-    block.col(j) = b.col(column);
+/// g and b in scaled units, and which speeds the paper's route makes dependent.
+struct ScaledSystem {
+  Eigen::MatrixXd g, b;
+  std::vector<bool> is_dependent;
+};
+
+ScaledSystem scaled_system(Evaluator<double>& evaluator, const gaussgen::strategy::Dynamics& dynamics,
+                           const Scaling& scale, const std::vector<std::string>& dependent) {
+  const auto n = static_cast<Eigen::Index>(dynamics.n());
+  const Eigen::VectorXd inverse = scale.speed.cwiseInverse();
+  ScaledSystem result;
+  result.g = inverse.asDiagonal() * matrix(evaluator, dynamics.g, n) * inverse.asDiagonal();
+  result.b = scale.constraint.cwiseInverse().asDiagonal() * matrix(evaluator, dynamics.b, n) * inverse.asDiagonal();
+  for (const std::string& label : dynamics.labels) {
+    result.is_dependent.push_back(std::find(dependent.begin(), dependent.end(), label) != dependent.end());
   }
-  const double norm = Eigen::MatrixXd(block.fullPivLu().solve(b)).norm();
-  return 1 + norm * norm;
+  return result;
+}
+
+/// What the paper's route solves: b_μρ c = -b_ρp over its dependent speeds, then (Cᵀ g C) a = r over the others, with
+/// C = [c; 1]. Errors of the first system enter the second, so that the product of both conditions bounds the relative
+/// error of the whole (Higham, Accuracy and Stability, 7.1). That of the first is ‖b‖ ‖b_μρ^-1‖, not κ(b_μρ): a single
+/// small pivot has κ = 1 and makes c as large as it is small. Where det b_μρ vanishes the route has no result.
+double condition_of_partition(const ScaledSystem& system) {
+  const Eigen::Index n = system.g.rows();
+  const Eigen::Index l = system.b.rows();
+  if (l == 0) return condition(system.g);
+  Eigen::MatrixXd block(l, l);
+  Eigen::MatrixXd dependent = Eigen::MatrixXd::Zero(n, l);
+  Eigen::MatrixXd independent = Eigen::MatrixXd::Zero(n, n - l);
+  for (Eigen::Index j = 0, mu = 0, p = 0; j < n; ++j) {
+    if (system.is_dependent[static_cast<std::size_t>(j)]) {
+      block.col(mu) = system.b.col(j);
+      dependent(j, mu++) = 1;
+    } else {
+      independent(j, p++) = 1;
+    }
+  }
+  const Eigen::MatrixXd inverse = block.fullPivLu().inverse();
+  const Eigen::MatrixXd C = independent - dependent * inverse * system.b * independent;
+  const Eigen::MatrixXd reduced = C.transpose() * system.g * C;
+  const Eigen::VectorXd size = reduced.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd scaled = size.asDiagonal() * reduced * size.asDiagonal();
+  return largest_stretch(system.b) * largest_stretch(inverse) * condition(scaled);
 }
 
 /// Largest difference in scaled units over the size of the problem.
 double difference(const Answer& x, const Answer& y, const Eigen::VectorXd& f, const Scaling& scale) {
   const Eigen::VectorXd force = f.cwiseQuotient(scale.speed);
-  const double size = largest(x.a.cwiseProduct(scale.speed)) + largest(force) + largest(x.lambda.cwiseProduct(scale.constraint));
+  const double size =
+      largest(x.a.cwiseProduct(scale.speed)) + largest(force) + largest(x.lambda.cwiseProduct(scale.constraint));
   const double a = largest((x.a - y.a).cwiseProduct(scale.speed)) / size;
   const double lambda = largest((x.lambda - y.lambda).cwiseProduct(scale.constraint)) / size;
   const double R = largest(x.R - y.R) / (largest(x.R) + size * scale.speed.maxCoeff());
@@ -114,67 +147,102 @@ double difference(const Answer& x, const Answer& y, const Eigen::VectorXd& f, co
 struct Tally {
   int compared = 0;
   int ill_conditioned = 0;
-  int paper_ill_conditioned = 0;
+  int partition_ill_conditioned = 0;
+  int beyond_problem = 0;  ///< states where the paper's route is off by more than the condition of g and b allows
   double worst_multiplier_form = 0;  ///< difference / (100 κ eps)
-  double worst_paper = 0;
+  double worst_paper = 0;            ///< difference / (100 κ' eps), κ' with the partition
 };
 
-Tally compare(const std::string& file) {
-  const auto model = agreement::load(file);
-  Mechanics emitted(model, {});
-  const auto paper = gaussgen::paper_route(emitted);
-  REQUIRE(paper.obstacle.empty());
-  Mechanics multipliers(model, {false, true});
-  Evaluator<double> evaluator(emitted.graph, Arithmetic<double>());
-  Evaluator<double> other(multipliers.graph, Arithmetic<double>());
-  gaussgen::bind_parameters(emitted, evaluator);
-  gaussgen::bind_parameters(multipliers, other);
-  agreement::RandomStates states(emitted.symbols, 20261121);
-  Tally tally;
-  for (int i = 0; i < k_states; ++i) {
-    const State state = states.next();
-    bind(emitted.symbols, state, evaluator);
-    bind(multipliers.symbols, state, other);
-    const Scaling scale = scaling(evaluator, emitted.dynamics);
-    if (!(scale.condition <= k_largest_condition)) {
-      ++tally.ill_conditioned;
-      std::printf("  %s: state %d has kappa = %.1e\n", file.c_str(), i, scale.condition);
-      continue;
-    }
-    const Eigen::VectorXd f = values(evaluator, nodes(emitted.dynamics.f));
-    const Answer ours{values(evaluator, nodes(emitted.solution.accelerations)),
-                      values(evaluator, nodes(emitted.solution.multipliers)), values(evaluator, nodes(emitted.held_reactions))};
-    const Answer kkt{values(other, nodes(multipliers.solution.accelerations)),
-                     values(other, nodes(multipliers.solution.multipliers)), values(other, nodes(multipliers.held_reactions))};
-    const Answer printed{values(evaluator, paper.accelerations), values(evaluator, paper.lambda), values(evaluator, paper.R_x)};
-    const double bar = 100 * scale.condition * k_eps;
-    // NaN compares false everywhere: take it as a failure.
-    const auto worst = [&](double so_far, double now) { return now / bar <= so_far ? so_far : now / bar; };
-    tally.worst_multiplier_form = worst(tally.worst_multiplier_form, difference(ours, kkt, f, scale));
-    ++tally.compared;
-    const double factor = elimination_factor(evaluator, emitted, scale, paper.dependent);
-    if (!(scale.condition * factor <= k_largest_condition)) {
-      ++tally.paper_ill_conditioned;
-      std::printf("  %s: state %d, kappa of the paper's partition = %.1e\n", file.c_str(), i, scale.condition * factor);
-      continue;
-    }
-    tally.worst_paper = worst(tally.worst_paper, difference(ours, printed, f, scale) / factor);
-  }
-  return tally;
+// NaN compares false everywhere: take it as a failure.
+void take(double& worst, double now) {
+  if (!(now <= worst)) worst = now;
 }
+
+class Comparison {
+ public:
+  explicit Comparison(const std::string& file)
+      : file_(file),
+        model_(agreement::load(file)),
+        emitted_(model_, {}),
+        multipliers_(model_, {false, true}),
+        paper_(gaussgen::paper_route(emitted_)),
+        evaluator_(emitted_.graph, Arithmetic<double>()),
+        other_(multipliers_.graph, Arithmetic<double>()) {
+    REQUIRE(paper_.obstacle.empty());
+    gaussgen::bind_parameters(emitted_, evaluator_);
+    gaussgen::bind_parameters(multipliers_, other_);
+  }
+
+  Tally run() {
+    agreement::RandomStates states(emitted_.symbols, 20261121);
+    for (int i = 0; i < k_states; ++i) compare(states.next(), i);
+    return tally_;
+  }
+
+ private:
+  void compare(const State& state, int index) {
+    bind(emitted_.symbols, state, evaluator_);
+    bind(multipliers_.symbols, state, other_);
+    const Scaling scale = scaling(evaluator_, emitted_.dynamics);
+    if (!(scale.condition <= k_largest_condition)) {
+      ++tally_.ill_conditioned;
+      std::printf("  %s: state %d has kappa = %.1e\n", file_.c_str(), index, scale.condition);
+      return;
+    }
+    ++tally_.compared;
+    const Eigen::VectorXd f = values(evaluator_, nodes(emitted_.dynamics.f));
+    const Answer ours = answer(emitted_, evaluator_);
+    const double bar = 100 * k_eps;
+    take(tally_.worst_multiplier_form,
+         difference(ours, answer(multipliers_, other_), f, scale) / (bar * scale.condition));
+    const double with_partition =
+        condition_of_partition(scaled_system(evaluator_, emitted_.dynamics, scale, paper_.dependent));
+    const double largest_condition = std::max(scale.condition, with_partition);
+    if (!(largest_condition <= k_largest_condition)) {
+      ++tally_.partition_ill_conditioned;
+      std::printf("  %s: state %d, kappa with the paper's partition = %.1e\n", file_.c_str(), index, largest_condition);
+      return;
+    }
+    const Answer printed{values(evaluator_, paper_.accelerations), values(evaluator_, paper_.lambda),
+                         values(evaluator_, paper_.R_x)};
+    const double off = difference(ours, printed, f, scale);
+    take(tally_.worst_paper, off / (bar * largest_condition));
+    if (!(off <= bar * scale.condition)) ++tally_.beyond_problem;
+  }
+
+  static Answer answer(const Mechanics& mechanics, Evaluator<double>& evaluator) {
+    return {values(evaluator, nodes(mechanics.solution.accelerations)),
+            values(evaluator, nodes(mechanics.solution.multipliers)),
+            values(evaluator, nodes(mechanics.held_reactions))};
+  }
+
+  std::string file_;
+  gaussgen::model::Model model_;
+  Mechanics emitted_;
+  Mechanics multipliers_;
+  gaussgen::lower::PaperRoute paper_;
+  Evaluator<double> evaluator_;
+  Evaluator<double> other_;
+  Tally tally_;
+};
 
 }  // namespace
 
+// κ is the condition of the scaled g and of the scaled problem [g bᵀ; b 0]. For the paper's route it contains that of its
+// partition, which it keeps where it is nearly singular; without that factor the same bar holds in all but a few states.
 TEST_CASE("emitted route, multiplier form and paper's route agree to 100 kappa eps on 1000 states of every model") {
-  std::printf("%-32s %8s %12s %16s %12s %14s\n", "model", "states", "kappa > 1e8", "multipliers/bar", "(partition)", "paper/bar");
+  std::printf("%-30s %7s %12s %16s %15s %11s %14s\n", "model", "states", "kappa > 1e8", "multipliers/bar",
+              "kappa' > 1e8", "paper/bar", "beyond kappa");
   for (const std::string& file : agreement::model_files()) {
-    const Tally tally = compare(file);
-    std::printf("%-32s %8d %12d %16.3g %12d %14.3g\n", file.c_str(), tally.compared, tally.ill_conditioned,
-                tally.worst_multiplier_form, tally.paper_ill_conditioned, tally.worst_paper);
+    const Tally tally = Comparison(file).run();
+    std::printf("%-30s %7d %12d %16.3g %15d %11.3g %14d\n", file.c_str(), tally.compared, tally.ill_conditioned,
+                tally.worst_multiplier_form, tally.partition_ill_conditioned, tally.worst_paper, tally.beyond_problem);
     INFO(file);
-    CHECK(tally.compared >= k_states * 9 / 10);
-    CHECK(tally.paper_ill_conditioned <= k_states / 10);
     CHECK(tally.worst_multiplier_form <= 1);
     CHECK(tally.worst_paper <= 1);
+    // Random states are seldom singular: were many left out, the rest would show little.
+    CHECK(tally.ill_conditioned <= k_states / 100);
+    CHECK(tally.partition_ill_conditioned <= k_states / 100);
+    CHECK(tally.beyond_problem <= k_states / 20);
   }
 }
