@@ -23,7 +23,7 @@ ArtefactBuilder::ArtefactBuilder(std::string name, std::string about, Mechanics&
   artefact_.name = std::move(name);
   artefact_.about = std::move(about);
   const NodeId never = mechanics.graph.constant(0);
-  artefact_.status = {never, never, never};
+  artefact_.status = {never, never, never, never};
 }
 
 void ArtefactBuilder::result_type(const std::string& type) {

@@ -52,6 +52,7 @@ Artefact state_artefact(ArtefactBuilder& builder, const strategy::ProjectedState
   artefact.state.insert(artefact.state.end(), speeds.begin(), speeds.end());
   artefact.status.singular_mass_matrix = state.singular_mass_matrix.id();
   artefact.status.dependent_constraints = state.dependent_constraints.id();
+  artefact.status.violated_constraints = state.violated_constraints.id();
   return builder.finish(steps);
 }
 

@@ -38,6 +38,7 @@ class Counted {
   friend Counted operator*(Counted a, Counted b) { return counted(tally().multiplications, a.value_ * b.value_); }
   friend Counted operator/(Counted a, Counted b) { return counted(tally().divisions, a.value_ / b.value_); }
   friend bool operator<(Counted a, Counted b) { return a.value_ < b.value_; }
+  friend bool operator==(Counted a, Counted b) { return a.value_ == b.value_; }
 
  private:
   double value_ = 0;

@@ -51,7 +51,8 @@
 
 // Conditions on values that are not finite, and the order of sums, are part of the results.
 #if defined(__FAST_MATH__) && !defined(GAUSS_ALLOW_FAST_MATH)
-#error "Emitted models need exact floating-point semantics: compile without -ffast-math, or define GAUSS_ALLOW_FAST_MATH."
+#error \
+    "Emitted models need exact floating-point semantics: compile without -ffast-math, or define GAUSS_ALLOW_FAST_MATH."
 #endif
 
 #include <cmath>
@@ -66,13 +67,14 @@
 namespace gauss {
 
 /// How a computation went. Results are to be trusted with `ok` only.
-enum class Status { ok, singular_mass_matrix, dependent_constraints, not_finite };
+enum class Status { ok, singular_mass_matrix, dependent_constraints, not_finite, violated_constraints };
 
 constexpr const char* name(Status status) noexcept {
   return status == Status::ok                      ? "ok"
          : status == Status::singular_mass_matrix  ? "singular mass matrix"
          : status == Status::dependent_constraints ? "dependent constraints"
-                                                   : "not finite";
+         : status == Status::not_finite            ? "not finite"
+                                                   : "violated constraints";
 }
 
 /// An entry of the tables that describe a model.
@@ -84,10 +86,10 @@ struct Quantity {
 
 // Functions by argument-dependent lookup, outside of Math, whose members would hide them.
 namespace adl {
-#define GAUSS_BY_LOOKUP(f)                 \
-  template <class S>                       \
-  GAUSS_FUNCTION S call_##f(const S& x) {  \
-    return f(x);                           \
+#define GAUSS_BY_LOOKUP(f)                \
+  template <class S>                      \
+  GAUSS_FUNCTION S call_##f(const S& x) { \
+    return f(x);                          \
   }
 GAUSS_BY_LOOKUP(sin)
 GAUSS_BY_LOOKUP(cos)
@@ -119,6 +121,7 @@ struct ScalarLogic {
   using Status = gauss::Status;
 
   GAUSS_FUNCTION static Bool less(const S& a, const S& b) { return a < b; }
+  GAUSS_FUNCTION static Bool at_most(const S& a, const S& b) { return a < b || a == b; }
   GAUSS_FUNCTION static S select(Bool condition, const S& a, const S& b) { return condition ? a : b; }
 
   template <class... Rest>
@@ -133,11 +136,12 @@ struct ScalarLogic {
   }
 
   /// The first condition that holds.
-  GAUSS_FUNCTION static Status status(Bool singular_mass_matrix, Bool dependent_constraints,
-                                      Bool not_finite) {
+  GAUSS_FUNCTION static Status status(Bool singular_mass_matrix, Bool dependent_constraints, Bool not_finite,
+                                      Bool violated_constraints = false) {
     return singular_mass_matrix    ? Status::singular_mass_matrix
            : dependent_constraints ? Status::dependent_constraints
            : not_finite            ? Status::not_finite
+           : violated_constraints  ? Status::violated_constraints
                                    : Status::ok;
   }
 
@@ -472,6 +476,7 @@ template <class S>
 GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                const Prepared<S>& prepared, Derivative<S>& derivative) noexcept {
   using Bool = typename Math<S>::Bool;
+  const S& m1 = prepared.m1;
   const S& m2 = prepared.m2;
   const S& k = prepared.k;
   const S& amplitude = prepared.amplitude;
@@ -573,8 +578,9 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.d_ddot() = a_d;
   derivative.e_ddot() = a_e;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::less(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
-      Math<S>::less(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::less(g_d_e, rounding_m2));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
+      Math<S>::at_most(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::at_most(g_d_e, rounding_m2),
+      Math<S>::at_most(m1, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_a, a_b,
       a_c, a_d, a_e);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -585,6 +591,7 @@ template <class S>
 GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                      const Prepared<S>& prepared, Reactions<S>& reactions) noexcept {
   using Bool = typename Math<S>::Bool;
+  const S& m1 = prepared.m1;
   const S& m2 = prepared.m2;
   const S& k = prepared.k;
   const S& amplitude = prepared.amplitude;
@@ -690,8 +697,9 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   reactions.s.generalized = R_s;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::less(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
-      Math<S>::less(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::less(g_d_e, rounding_m2));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
+      Math<S>::at_most(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::at_most(g_d_e, rounding_m2),
+      Math<S>::at_most(m1, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
@@ -702,6 +710,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
                                              const Prepared<S>& prepared, Derivative<S>& derivative,
                                              Reactions<S>& reactions) noexcept {
   using Bool = typename Math<S>::Bool;
+  const S& m1 = prepared.m1;
   const S& m2 = prepared.m2;
   const S& k = prepared.k;
   const S& amplitude = prepared.amplitude;
@@ -819,8 +828,9 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   derivative.e_ddot() = a_e;
   reactions.s.generalized = R_s;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::less(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
-      Math<S>::less(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::less(g_d_e, rounding_m2));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
+      Math<S>::at_most(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::at_most(g_d_e, rounding_m2),
+      Math<S>::at_most(m1, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_a, a_b,
       a_c, a_d, a_e, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -1002,8 +1012,9 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_second.force[1] = force_on_second_y;
   reaction_forces.on_second.force[2] = force_on_second_z;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::less(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
-      Math<S>::less(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::less(g_d_e, rounding_m2));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
+      Math<S>::at_most(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::at_most(g_d_e, rounding_m2),
+      Math<S>::at_most(m1, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot,
       force_s_first_x, force_s_first_y, force_s_second_x, force_s_second_y, force_s_second_z,
       force_on_first_x, force_on_first_y, force_on_first_z, force_on_second_x, force_on_second_y,

@@ -30,7 +30,7 @@
 //   compulsion         12   20  0  0     0
 //   residuals          7    9   0  0     0
 //   mass_matrix        0    0   0  0     0
-//   project            14   18  3  0     0
+//   project            14   21  1  0     0
 //   initial_state      0    0   0  0     0
 
 #ifndef GAUSS_MODEL_GAUSS_SKEW_NONHOLONOMIC_HPP
@@ -49,7 +49,8 @@
 
 // Conditions on values that are not finite, and the order of sums, are part of the results.
 #if defined(__FAST_MATH__) && !defined(GAUSS_ALLOW_FAST_MATH)
-#error "Emitted models need exact floating-point semantics: compile without -ffast-math, or define GAUSS_ALLOW_FAST_MATH."
+#error \
+    "Emitted models need exact floating-point semantics: compile without -ffast-math, or define GAUSS_ALLOW_FAST_MATH."
 #endif
 
 #include <cmath>
@@ -64,13 +65,14 @@
 namespace gauss {
 
 /// How a computation went. Results are to be trusted with `ok` only.
-enum class Status { ok, singular_mass_matrix, dependent_constraints, not_finite };
+enum class Status { ok, singular_mass_matrix, dependent_constraints, not_finite, violated_constraints };
 
 constexpr const char* name(Status status) noexcept {
   return status == Status::ok                      ? "ok"
          : status == Status::singular_mass_matrix  ? "singular mass matrix"
          : status == Status::dependent_constraints ? "dependent constraints"
-                                                   : "not finite";
+         : status == Status::not_finite            ? "not finite"
+                                                   : "violated constraints";
 }
 
 /// An entry of the tables that describe a model.
@@ -82,10 +84,10 @@ struct Quantity {
 
 // Functions by argument-dependent lookup, outside of Math, whose members would hide them.
 namespace adl {
-#define GAUSS_BY_LOOKUP(f)                 \
-  template <class S>                       \
-  GAUSS_FUNCTION S call_##f(const S& x) {  \
-    return f(x);                           \
+#define GAUSS_BY_LOOKUP(f)                \
+  template <class S>                      \
+  GAUSS_FUNCTION S call_##f(const S& x) { \
+    return f(x);                          \
   }
 GAUSS_BY_LOOKUP(sin)
 GAUSS_BY_LOOKUP(cos)
@@ -117,6 +119,7 @@ struct ScalarLogic {
   using Status = gauss::Status;
 
   GAUSS_FUNCTION static Bool less(const S& a, const S& b) { return a < b; }
+  GAUSS_FUNCTION static Bool at_most(const S& a, const S& b) { return a < b || a == b; }
   GAUSS_FUNCTION static S select(Bool condition, const S& a, const S& b) { return condition ? a : b; }
 
   template <class... Rest>
@@ -131,11 +134,12 @@ struct ScalarLogic {
   }
 
   /// The first condition that holds.
-  GAUSS_FUNCTION static Status status(Bool singular_mass_matrix, Bool dependent_constraints,
-                                      Bool not_finite) {
+  GAUSS_FUNCTION static Status status(Bool singular_mass_matrix, Bool dependent_constraints, Bool not_finite,
+                                      Bool violated_constraints = false) {
     return singular_mass_matrix    ? Status::singular_mass_matrix
            : dependent_constraints ? Status::dependent_constraints
            : not_finite            ? Status::not_finite
+           : violated_constraints  ? Status::violated_constraints
                                    : Status::ok;
   }
 
@@ -253,48 +257,46 @@ struct Inputs {};
 template <class S>
 struct Prepared {
   S m1;
-  S G_q2_q2;           ///< S(401) / S(400) * m1 + S(1.25) * m2
-  S Q_q2;              ///< -(S(1) / S(20) * m1 * g + S(0.5) * m2 * g)
-  S G_q1_q2;           ///< S(2) / S(15) * m1 + S(3) / S(5) * m2
-  S m2_g;              ///< m2 * g
-  S G_q1_q1;           ///< S(229) / S(225) * m1 + S(21) / S(20) * m2
-  S m1_over_10;        ///< S(1) / S(10) * m1
-  S G_q3_q3;           ///< m1 + m2
-  S G_q1_q3;           ///< S(1) / S(5) * m2
-  S G_q2_q3;           ///< S(1) / S(20) * m1
-  S m1_g;              ///< m1 * g
-  S m1_over_90;        ///< S(1) / S(90) * m1
-  S c1;                ///< S(11) / S(10) * m2
-  S m1_over_3;         ///< S(1) / S(3) * m1
-  S c2;                ///< S(1.5) * m2
-  S m2_over_60;        ///< S(1) / S(60) * m2
-  S c3;                ///< S(2) / S(15) * m1
-  S m1_over_80;        ///< S(1) / S(80) * m1
-  S half_m2;           ///< S(0.5) * m2
-  S m1_over_4;         ///< S(0.25) * m1
-  S m2_over_3;         ///< S(1) / S(3) * m2
-  S m1_g_over_4;       ///< S(0.25) * m1 * g
-  S m1_over_15;        ///< S(1) / S(15) * m1
-  S m2_over_10;        ///< S(1) / S(10) * m2
-  S m1_over_7200;      ///< S(1) / S(7200) * m1
-  S m2_over_40;        ///< S(1) / S(40) * m2
-  S m1_g_over_20;      ///< S(1) / S(20) * m1 * g
-  S m2_g_over_10;      ///< S(1) / S(10) * m2 * g
-  S m1_2;              ///< m1 * m1
-  S half_inv_m1;       ///< S(0.5) / m1
-  S half_inv_m2;       ///< S(0.5) / m2
+  S m2;
+  S G_q2_q2;       ///< S(401) / S(400) * m1 + S(1.25) * m2
+  S Q_q2;          ///< -(S(1) / S(20) * m1 * g + S(0.5) * m2 * g)
+  S G_q1_q2;       ///< S(2) / S(15) * m1 + S(3) / S(5) * m2
+  S m2_g;          ///< m2 * g
+  S G_q1_q1;       ///< S(229) / S(225) * m1 + S(21) / S(20) * m2
+  S m1_over_10;    ///< S(1) / S(10) * m1
+  S G_q3_q3;       ///< m1 + m2
+  S G_q1_q3;       ///< S(1) / S(5) * m2
+  S G_q2_q3;       ///< S(1) / S(20) * m1
+  S m1_g;          ///< m1 * g
+  S m1_over_90;    ///< S(1) / S(90) * m1
+  S c1;            ///< S(11) / S(10) * m2
+  S m1_over_3;     ///< S(1) / S(3) * m1
+  S c2;            ///< S(1.5) * m2
+  S m2_over_60;    ///< S(1) / S(60) * m2
+  S c3;            ///< S(2) / S(15) * m1
+  S m1_over_80;    ///< S(1) / S(80) * m1
+  S half_m2;       ///< S(0.5) * m2
+  S m1_over_4;     ///< S(0.25) * m1
+  S m2_over_3;     ///< S(1) / S(3) * m2
+  S m1_g_over_4;   ///< S(0.25) * m1 * g
+  S m1_over_15;    ///< S(1) / S(15) * m1
+  S m2_over_10;    ///< S(1) / S(10) * m2
+  S m1_over_7200;  ///< S(1) / S(7200) * m1
+  S m2_over_40;    ///< S(1) / S(40) * m2
+  S m1_g_over_20;  ///< S(1) / S(20) * m1 * g
+  S m2_g_over_10;  ///< S(1) / S(10) * m2 * g
+  S m1_2;          ///< m1 * m1
+  S half_inv_m1;   ///< S(0.5) / m1
+  S half_inv_m2;   ///< S(0.5) / m2
   S g_l_q2_q1;
-  S inv_g_d_q2;
   S g_l_q3_q2;
   S g_l_q3_q1;
+  S inv_G_q1_q1;   ///< S(1) / (S(229) / S(225) * m1 + S(21) / S(20) * m2)
+  S inv_g_d_q2;
   S g_l_q3_q2_over_g_d_q3;
-  S inv_G_q1_q1;       ///< S(1) / (S(229) / S(225) * m1 + S(21) / S(20) * m2)
   S c4;
   S inv_g_d_q3;
-  S g_d_q2;
-  S rounding_G_q2_q2;
-  S g_d_q3;
-  S rounding_G_q3_q3;  ///< S(12) * Math<S>::epsilon() * (m1 + m2)
+  S least_g_d;
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -413,9 +415,14 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S g_l_q3_q1 = S(1) / S(5) * m2 * inv_G_q1_q1;
   const S g_d_q3 = G_q3_q3 - S(1) / S(25) * m2 * m2 * inv_G_q1_q1 - S(1) / S(20) * g_l_q3_q2 * t1;
   const S inv_g_d_q3 = S(1) / g_d_q3;
+  const S t2 = g_d_q3 - S(12) * Math<S>::epsilon() * G_q3_q3;
+  const S t3 = g_d_q2 - S(12) * Math<S>::epsilon() * G_q2_q2;
+  const S t4 = Math<S>::select(Math<S>::less(t3, G_q1_q1), t3, G_q1_q1);
+  const S least_g_d = Math<S>::select(Math<S>::less(t2, t4), t2, t4);
 
   Prepared<S> prepared;
   prepared.m1 = m1;
+  prepared.m2 = m2;
   prepared.G_q2_q2 = G_q2_q2;
   prepared.Q_q2 = Q_q2;
   prepared.G_q1_q2 = G_q1_q2;
@@ -447,17 +454,14 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_inv_m1 = S(0.5) / m1;
   prepared.half_inv_m2 = S(0.5) / m2;
   prepared.g_l_q2_q1 = g_l_q2_q1;
-  prepared.inv_g_d_q2 = inv_g_d_q2;
   prepared.g_l_q3_q2 = g_l_q3_q2;
   prepared.g_l_q3_q1 = g_l_q3_q1;
-  prepared.g_l_q3_q2_over_g_d_q3 = inv_g_d_q3 * g_l_q3_q2;
   prepared.inv_G_q1_q1 = inv_G_q1_q1;
+  prepared.inv_g_d_q2 = inv_g_d_q2;
+  prepared.g_l_q3_q2_over_g_d_q3 = inv_g_d_q3 * g_l_q3_q2;
   prepared.c4 = S(1) / S(5) * m2 * inv_G_q1_q1 * inv_g_d_q3;
   prepared.inv_g_d_q3 = inv_g_d_q3;
-  prepared.g_d_q2 = g_d_q2;
-  prepared.rounding_G_q2_q2 = S(12) * Math<S>::epsilon() * G_q2_q2;
-  prepared.g_d_q3 = g_d_q3;
-  prepared.rounding_G_q3_q3 = S(12) * Math<S>::epsilon() * G_q3_q3;
+  prepared.least_g_d = least_g_d;
   return prepared;
 }
 
@@ -519,7 +523,8 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.q2_ddot() = a_q2;
   derivative.q3_ddot() = a_q3;
 
-  const Bool singular_mass_matrix = Math<S>::less(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3);
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
+      Math<S>::at_most(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
   const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, a_q1, a_q2, a_q3);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
@@ -612,7 +617,8 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   reactions.x1.generalized = R_x1;
   reactions.x2.generalized = R_x2;
 
-  const Bool singular_mass_matrix = Math<S>::less(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3);
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
+      Math<S>::at_most(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
   const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, lambda_blade,
       blade_generalized_0, excess_q2, blade_generalized_2, R_x1, R_x2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -714,7 +720,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   reactions.x1.generalized = R_x1;
   reactions.x2.generalized = R_x2;
 
-  const Bool singular_mass_matrix = Math<S>::less(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3);
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
+      Math<S>::at_most(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
   const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, a_q1, a_q2, a_q3,
       lambda_blade, blade_generalized_0, excess_q2, blade_generalized_2, R_x1, R_x2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -795,7 +802,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_second.force[1] = force_on_second_y;
   reaction_forces.on_second.force[2] = force_on_second_z;
 
-  const Bool singular_mass_matrix = Math<S>::less(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3);
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
+      Math<S>::at_most(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
   const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, force_on_first_x,
       force_on_first_y, force_on_first_z, force_on_second_x, force_on_second_y, force_on_second_z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -961,17 +969,14 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
                                    State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
   const S g_l_q2_q1 = prepared.g_l_q2_q1;
-  const S inv_g_d_q2 = prepared.inv_g_d_q2;
   const S g_l_q3_q2 = prepared.g_l_q3_q2;
   const S g_l_q3_q1 = prepared.g_l_q3_q1;
-  const S g_l_q3_q2_over_g_d_q3 = prepared.g_l_q3_q2_over_g_d_q3;
   const S inv_G_q1_q1 = prepared.inv_G_q1_q1;
+  const S inv_g_d_q2 = prepared.inv_g_d_q2;
+  const S g_l_q3_q2_over_g_d_q3 = prepared.g_l_q3_q2_over_g_d_q3;
   const S c4 = prepared.c4;
   const S inv_g_d_q3 = prepared.inv_g_d_q3;
-  const S g_d_q2 = prepared.g_d_q2;
-  const S rounding_G_q2_q2 = prepared.rounding_G_q2_q2;
-  const S g_d_q3 = prepared.g_d_q3;
-  const S rounding_G_q3_q3 = prepared.rounding_G_q3_q3;
+  const S least_g_d = prepared.least_g_d;
   const S q1 = from.q1();
   const S q2 = from.q2();
   const S q3 = from.q3();
@@ -987,13 +992,17 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S response_blade_y_q3 = beta_blade_q3 - g_l_q3_q2 * response_blade_y_q2 - g_l_q3_q1 * q2;
   const S response_blade_q2 = inv_g_d_q2 * response_blade_y_q2 - g_l_q3_q2_over_g_d_q3 * response_blade_y_q3;
   const S response_blade_q1 = inv_G_q1_q1 * q2 - g_l_q2_q1 * response_blade_q2 - c4 * response_blade_y_q3;
-  const S S_d_blade = inv_g_d_q3 * beta_blade_q3 * response_blade_y_q3 - response_blade_q2
+  const S S_blade_blade = inv_g_d_q3 * beta_blade_q3 * response_blade_y_q3 - response_blade_q2
       + q2 * response_blade_q1;
   const S impulse_y_blade = q2_dot - q2 * q1_dot - q3_dot * beta_blade_q3;
-  const S inv_S_d_blade = S(1) / S_d_blade;
-  const S q1_rate = q1_dot + inv_S_d_blade * impulse_y_blade * response_blade_q1;
-  const S q2_rate = q2_dot + inv_S_d_blade * impulse_y_blade * response_blade_q2;
-  const S q3_rate = q3_dot + inv_g_d_q3 * inv_S_d_blade * impulse_y_blade * response_blade_y_q3;
+  const Bool t1 = Math<S>::at_most(S_blade_blade, S(0));
+  const S t2 = Math<S>::select(t1, S(0), S(1) / S_blade_blade);
+  const S change_q1 = impulse_y_blade * response_blade_q1 * t2;
+  const S change_q2 = impulse_y_blade * response_blade_q2 * t2;
+  const S change_q3 = inv_g_d_q3 * impulse_y_blade * response_blade_y_q3 * t2;
+  const S q1_rate = q1_dot + change_q1;
+  const S q2_rate = q2_dot + change_q2;
+  const S q3_rate = q3_dot + change_q3;
 
   state.q1() = q1;
   state.q2() = q2;
@@ -1002,16 +1011,25 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   state.q2_dot() = q2_rate;
   state.q3_dot() = q3_rate;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::less(g_d_q2, rounding_G_q2_q2),
-      Math<S>::less(g_d_q3, rounding_G_q3_q3));
+  const Bool singular_mass_matrix = Math<S>::at_most(least_g_d, S(0));
   const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, q1_rate, q2_rate,
       q3_rate);
-  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
+  return Math<S>::status(singular_mass_matrix, t1, not_finite);
 }
 
 /// The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& /*prepared*/, State<S>& state) noexcept {
+GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& state) noexcept {
+  using Bool = typename Math<S>::Bool;
+  const S m1 = prepared.m1;
+  const S m2 = prepared.m2;
+
+  // metric g_ab (1.10); held coordinates enter only through f
+  const S G_q3_q3_2 = m1 + m2;
+
+  // smallest change of the speeds in the mass metric that satisfies the constraints
+  const S S_blade_blade = S(11881) / (S(10000) * G_q3_q3_2);
+
   state.q1() = S(3) / S(10);
   state.q2() = S(1) / S(10);
   state.q3() = -S(2) / S(5);
@@ -1019,7 +1037,9 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& /*prepared*/, State<
   state.q2_dot() = -S(1) / S(5);
   state.q3_dot() = -S(25) / S(109);
 
-  return StatusOf<S>();
+  const Bool singular_mass_matrix = Math<S>::at_most(G_q3_q3_2, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(S_blade_blade, S(0));
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, Bool(false));
 }
 
 // For drivers that work with any model: name, unit, meaning; each table ends with an empty entry.

@@ -57,7 +57,8 @@
 
 // Conditions on values that are not finite, and the order of sums, are part of the results.
 #if defined(__FAST_MATH__) && !defined(GAUSS_ALLOW_FAST_MATH)
-#error "Emitted models need exact floating-point semantics: compile without -ffast-math, or define GAUSS_ALLOW_FAST_MATH."
+#error \
+    "Emitted models need exact floating-point semantics: compile without -ffast-math, or define GAUSS_ALLOW_FAST_MATH."
 #endif
 
 #include <cmath>
@@ -72,13 +73,14 @@
 namespace gauss {
 
 /// How a computation went. Results are to be trusted with `ok` only.
-enum class Status { ok, singular_mass_matrix, dependent_constraints, not_finite };
+enum class Status { ok, singular_mass_matrix, dependent_constraints, not_finite, violated_constraints };
 
 constexpr const char* name(Status status) noexcept {
   return status == Status::ok                      ? "ok"
          : status == Status::singular_mass_matrix  ? "singular mass matrix"
          : status == Status::dependent_constraints ? "dependent constraints"
-                                                   : "not finite";
+         : status == Status::not_finite            ? "not finite"
+                                                   : "violated constraints";
 }
 
 /// An entry of the tables that describe a model.
@@ -90,10 +92,10 @@ struct Quantity {
 
 // Functions by argument-dependent lookup, outside of Math, whose members would hide them.
 namespace adl {
-#define GAUSS_BY_LOOKUP(f)                 \
-  template <class S>                       \
-  GAUSS_FUNCTION S call_##f(const S& x) {  \
-    return f(x);                           \
+#define GAUSS_BY_LOOKUP(f)                \
+  template <class S>                      \
+  GAUSS_FUNCTION S call_##f(const S& x) { \
+    return f(x);                          \
   }
 GAUSS_BY_LOOKUP(sin)
 GAUSS_BY_LOOKUP(cos)
@@ -125,6 +127,7 @@ struct ScalarLogic {
   using Status = gauss::Status;
 
   GAUSS_FUNCTION static Bool less(const S& a, const S& b) { return a < b; }
+  GAUSS_FUNCTION static Bool at_most(const S& a, const S& b) { return a < b || a == b; }
   GAUSS_FUNCTION static S select(Bool condition, const S& a, const S& b) { return condition ? a : b; }
 
   template <class... Rest>
@@ -139,11 +142,12 @@ struct ScalarLogic {
   }
 
   /// The first condition that holds.
-  GAUSS_FUNCTION static Status status(Bool singular_mass_matrix, Bool dependent_constraints,
-                                      Bool not_finite) {
+  GAUSS_FUNCTION static Status status(Bool singular_mass_matrix, Bool dependent_constraints, Bool not_finite,
+                                      Bool violated_constraints = false) {
     return singular_mass_matrix    ? Status::singular_mass_matrix
            : dependent_constraints ? Status::dependent_constraints
            : not_finite            ? Status::not_finite
+           : violated_constraints  ? Status::violated_constraints
                                    : Status::ok;
   }
 
@@ -266,32 +270,36 @@ struct Inputs {};
 /// Parameters as the functions read them, and what follows from them alone; made by prepare().
 template <class S>
 struct Prepared {
-  S m;                         ///< mass of the ball
-  S r;                         ///< radius of the ball
-  S R;                         ///< radius of the cylinder
-  S psi_0;                     ///< precession at t = 0
-  S theta_0;                   ///< nutation at t = 0
-  S phi_0;                     ///< spin at t = 0
-  S zeta_dot_0;                ///< rate of climb at t = 0
-  S omega_r_0;                 ///< angular velocity about the line to the contact at t = 0
-  S J;                         ///< moment of inertia of the ball about a diameter
-  S m_r_2;                     ///< m * r * r
-  S m_2_r_4;                   ///< m * m * r * r * r * r
-  S m_g;                       ///< m * g
-  S m_rho;                     ///< m * (R - r)
-  S z_rolling_around_psi;      ///< r / J
-  S rho_2;                     ///< (R - r) * (R - r)
-  S half_m;                    ///< S(0.5) * m
-  S half_J;                    ///< S(0.5) * J
-  S rho;                       ///< R - r
-  S half_inv_m;                ///< S(0.5) / m
-  S half_inv_J;                ///< S(0.5) / J
-  S r_minus_R;                 ///< r - R
-  S G_chi_chi;                 ///< m * (R - r) * (R - r)
-  S c1;                        ///< S(1) / (m * (S(1) / m + r * r / J) * (R - r))
-  S inv_m_S_d_rolling_around;  ///< S(1) / (m * (S(1) / m + r * r / J))
-  S c2;                        ///< r / (J * (S(1) / m + r * r / J))
-  S rounding_J;                ///< S(20) * Math<S>::epsilon() * J
+  S m;                                ///< mass of the ball
+  S r;                                ///< radius of the ball
+  S R;                                ///< radius of the cylinder
+  S psi_0;                            ///< precession at t = 0
+  S theta_0;                          ///< nutation at t = 0
+  S phi_0;                            ///< spin at t = 0
+  S zeta_dot_0;                       ///< rate of climb at t = 0
+  S omega_r_0;                        ///< angular velocity about the line to the contact at t = 0
+  S J;                                ///< moment of inertia of the ball about a diameter
+  S m_r_2;                            ///< m * r * r
+  S m_2_r_4;                          ///< m * m * r * r * r * r
+  S m_g;                              ///< m * g
+  S M_chi_chi;                        ///< m * (R - r) * (R - r) + J * (R - r) * (R - r) / (r * r)
+  S least_pivot;                      ///< Math<S>::select(Math<S>::less(r, S(0)), -r, r)
+  S m_rho;                            ///< m * (R - r)
+  S z_rolling_around_psi;             ///< r / J
+  S rho_2;                            ///< (R - r) * (R - r)
+  S half_m;                           ///< S(0.5) * m
+  S half_J;                           ///< S(0.5) * J
+  S rho;                              ///< R - r
+  S half_inv_m;                       ///< S(0.5) / m
+  S half_inv_J;                       ///< S(0.5) / J
+  S r_minus_R;                        ///< r - R
+  S G_chi_chi;                        ///< m * (R - r) * (R - r)
+  S c1;                               ///< S(1) / (m * (S(1) / m + r * r / J) * (R - r))
+  S c2;                               ///< S(1) / (m * (S(1) / m + r * r / J))
+  S c3;                               ///< r / (J * (S(1) / m + r * r / J))
+  S rounding_J;                       ///< S(20) * Math<S>::epsilon() * J
+  S least_g_d;
+  S S_rolling_around_rolling_around;  ///< S(1) / m + r * r / J
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -431,14 +439,18 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   // Shared terms
   const S r_2 = r * r;
   const S rho = R - r;
+  const S rho_2 = rho * rho;
+  const S G_chi_chi = m * rho_2;
+  const S M_chi_chi = G_chi_chi + J * rho_2 / r_2;
+  const S least_pivot = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
   const S inv_J = S(1) / J;
   const S z_rolling_around_psi = r * inv_J;
-  const S rho_2 = rho * rho;
   const S z_rolling_along_zeta = S(1) / m;
-  const S G_chi_chi = m * rho_2;
-  const S S_d_rolling_around = r_2 * inv_J;
-  const S S_d_rolling_around_2 = z_rolling_along_zeta + S_d_rolling_around;
-  const S inv_S_d_rolling_around = S(1) / S_d_rolling_around_2;
+  const S S_rolling_around_rolling_around = r_2 * inv_J;
+  const S S_rolling_around_rolling_around_2 = z_rolling_along_zeta + S_rolling_around_rolling_around;
+  const S t1 = S(1) / S_rolling_around_rolling_around_2;
+  const S t2 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
+  const S least_g_d = Math<S>::select(Math<S>::less(J, t2), J, t2);
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -453,6 +465,8 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.m_r_2 = m * r_2;
   prepared.m_2_r_4 = m * m * r_2 * r_2;
   prepared.m_g = m * g;
+  prepared.M_chi_chi = M_chi_chi;
+  prepared.least_pivot = least_pivot;
   prepared.m_rho = m * rho;
   prepared.z_rolling_around_psi = z_rolling_around_psi;
   prepared.rho_2 = rho_2;
@@ -463,10 +477,12 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r - R;
   prepared.G_chi_chi = G_chi_chi;
-  prepared.c1 = z_rolling_along_zeta * inv_S_d_rolling_around / rho;
-  prepared.inv_m_S_d_rolling_around = z_rolling_along_zeta * inv_S_d_rolling_around;
-  prepared.c2 = r * inv_J * inv_S_d_rolling_around;
+  prepared.c1 = z_rolling_along_zeta * t1 / rho;
+  prepared.c2 = z_rolling_along_zeta * t1;
+  prepared.c3 = r * inv_J * t1;
   prepared.rounding_J = S(20) * Math<S>::epsilon() * J;
+  prepared.least_g_d = least_g_d;
+  prepared.S_rolling_around_rolling_around = S_rolling_around_rolling_around_2;
   return prepared;
 }
 
@@ -481,6 +497,8 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
+  const S& M_chi_chi = prepared.M_chi_chi;
+  const S& least_pivot = prepared.least_pivot;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
   const S& phi = state.phi();
@@ -554,10 +572,13 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.psi_ddot() = a_psi;
   derivative.theta_ddot() = a_theta;
 
-  const Bool singular_mass_matrix = Math<S>::less(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta);
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
+      Math<S>::at_most(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
+      Math<S>::at_most(M_chi_chi, S(0)));
+  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, a_zeta, a_phi, a_psi, a_theta);
-  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
 /// Reaction of every constraint: multipliers (3.4) and generalized reactions (3.8).
@@ -571,6 +592,8 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
+  const S& M_chi_chi = prepared.M_chi_chi;
+  const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
@@ -651,11 +674,14 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   reactions.rolling_along.generalized[4] = rolling_along_generalized_4;
   reactions.rho.generalized = rho_generalized;
 
-  const Bool singular_mass_matrix = Math<S>::less(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta);
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
+      Math<S>::at_most(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
+      Math<S>::at_most(M_chi_chi, S(0)));
+  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, excess_zeta, rolling_along_generalized_2, rolling_along_generalized_4,
       rho_generalized);
-  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
 /// Both at once, over one set of shared values.
@@ -670,6 +696,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
+  const S& M_chi_chi = prepared.M_chi_chi;
+  const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
@@ -765,11 +793,14 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   reactions.rolling_along.generalized[4] = rolling_along_generalized_4;
   reactions.rho.generalized = rho_generalized;
 
-  const Bool singular_mass_matrix = Math<S>::less(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta);
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
+      Math<S>::at_most(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
+      Math<S>::at_most(M_chi_chi, S(0)));
+  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, a_zeta, a_phi, a_psi, a_theta, excess_zeta, rolling_along_generalized_2,
       rolling_along_generalized_4, rho_generalized);
-  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
 /// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the mass
@@ -786,6 +817,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
+  const S& M_chi_chi = prepared.M_chi_chi;
+  const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
   const S& z_rolling_around_psi = prepared.z_rolling_around_psi;
   const S& chi = state.chi();
@@ -904,11 +937,14 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_ball.moment[1] = moment_on_ball_y;
   reaction_forces.on_ball.moment[2] = moment_on_ball_z;
 
-  const Bool singular_mass_matrix = Math<S>::less(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta);
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
+      Math<S>::at_most(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
+      Math<S>::at_most(M_chi_chi, S(0)));
+  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, excess_zeta, moment_rolling_along_ball_x, moment_rolling_along_ball_y,
       force_rho_ball_x, force_rho_ball_y, moment_on_ball_x, moment_on_ball_y, moment_on_ball_z);
-  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
 /// Kinetic energy, potential energy of uniform fields and potentials, and their sum.
@@ -1142,9 +1178,11 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S J = prepared.J;
   const S r_minus_R = prepared.r_minus_R;
   const S c1 = prepared.c1;
-  const S inv_m_S_d_rolling_around = prepared.inv_m_S_d_rolling_around;
   const S c2 = prepared.c2;
+  const S c3 = prepared.c3;
   const S rounding_J = prepared.rounding_J;
+  const S least_g_d = prepared.least_g_d;
+  const S S_rolling_around_rolling_around = prepared.S_rolling_around_rolling_around;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S phi = from.phi();
@@ -1166,13 +1204,18 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S impulse_y_rolling_around = r_minus_R * chi_dot - r * phi_dot * cos_theta - r * psi_dot;
   const S impulse_y_rolling_along = -(zeta_dot + r * phi_dot * sin_theta * cos_chi_minus_psi
       + r * theta_dot * sin_chi_minus_psi);
-  const S chi_rate = chi_dot + c1 * impulse_y_rolling_around;
-  const S zeta_rate = zeta_dot + inv_m_S_d_rolling_around * impulse_y_rolling_along;
+  const S change_chi = c1 * impulse_y_rolling_around;
+  const S change_zeta = c2 * impulse_y_rolling_along;
   const S inv_sin_theta = S(1) / sin_theta;
-  const S phi_rate = phi_dot + c2 * impulse_y_rolling_along * inv_sin_theta * cos_chi_minus_psi;
-  const S psi_rate = psi_dot - c2 * impulse_y_rolling_along * inv_sin_theta * cos_theta * cos_chi_minus_psi
-      + c2 * impulse_y_rolling_around;
-  const S theta_rate = theta_dot + c2 * impulse_y_rolling_along * sin_chi_minus_psi;
+  const S change_phi = c3 * impulse_y_rolling_along * inv_sin_theta * cos_chi_minus_psi;
+  const S change_psi = c3 * impulse_y_rolling_around
+      - c3 * impulse_y_rolling_along * inv_sin_theta * cos_theta * cos_chi_minus_psi;
+  const S change_theta = c3 * impulse_y_rolling_along * sin_chi_minus_psi;
+  const S chi_rate = chi_dot + change_chi;
+  const S zeta_rate = zeta_dot + change_zeta;
+  const S phi_rate = phi_dot + change_phi;
+  const S psi_rate = psi_dot + change_psi;
+  const S theta_rate = theta_dot + change_theta;
 
   // Results
   const S G_d_psi = J * sin_theta * sin_theta;
@@ -1188,10 +1231,12 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   state.psi_dot() = psi_rate;
   state.theta_dot() = theta_rate;
 
-  const Bool singular_mass_matrix = Math<S>::less(G_d_psi, rounding_J);
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(G_d_psi, rounding_J),
+      Math<S>::at_most(least_g_d, S(0)));
+  const Bool dependent_constraints = Math<S>::at_most(S_rolling_around_rolling_around, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, chi_rate, zeta_rate, phi_rate, psi_rate, theta_rate);
-  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
 /// The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints.
@@ -1205,6 +1250,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   const S phi_0 = prepared.phi_0;
   const S zeta_dot_0 = prepared.zeta_dot_0;
   const S omega_r_0 = prepared.omega_r_0;
+  const S J = prepared.J;
 
   // Sines and cosines
   S sin_psi_0, cos_psi_0;
@@ -1213,16 +1259,22 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   Math<S>::sincos(theta_0, sin_theta_0, cos_theta_0);
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
+  const S r_2 = r * r;
+  const S inv_J = S(1) / J;
+  const S S_rolling_around_rolling_around_2 = r_2 * inv_J;
+  const S S_rolling_along_rolling_along = r_2 * inv_J * sin_psi_0 * sin_psi_0;
   const S inv_sin_theta_0 = S(1) / sin_theta_0;
   const S inv_r = S(1) / r;
   const S t1 = inv_r * zeta_dot_0 * cos_psi_0 - omega_r_0 * sin_psi_0;
   const S impulse_y_rolling_around = S(4) * r - S(4) * R + r * inv_sin_theta_0 * cos_theta_0 * t1;
   const S impulse_y_rolling_along = r * cos_psi_0 * t1 - zeta_dot_0;
-  const S psi_rate = inv_r * impulse_y_rolling_around;
-  const S theta_rate = -inv_r * impulse_y_rolling_along / sin_psi_0;
+  const S change_psi = inv_r * impulse_y_rolling_around;
+  const S change_theta = -inv_r * impulse_y_rolling_along / sin_psi_0;
 
   // Results
   const S phi_dot_2 = -inv_sin_theta_0 * t1;
+  const S least_S_d = Math<S>::select(Math<S>::less(S_rolling_along_rolling_along,
+      S_rolling_around_rolling_around_2), S_rolling_along_rolling_along, S_rolling_around_rolling_around_2);
 
   state.chi() = S(0);
   state.zeta() = S(0);
@@ -1232,12 +1284,14 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.chi_dot() = S(4);
   state.zeta_dot() = zeta_dot_0;
   state.phi_dot() = phi_dot_2;
-  state.psi_dot() = psi_rate;
-  state.theta_dot() = theta_rate;
+  state.psi_dot() = change_psi;
+  state.theta_dot() = change_theta;
 
-  const Bool not_finite = Math<S>::not_finite(phi_0, psi_0, theta_0, zeta_dot_0, phi_dot_2, psi_rate,
-      theta_rate);
-  return Math<S>::status(Bool(false), Bool(false), not_finite);
+  const Bool singular_mass_matrix = Math<S>::at_most(J, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(least_S_d, S(0));
+  const Bool not_finite = Math<S>::not_finite(phi_0, psi_0, theta_0, zeta_dot_0, phi_dot_2, change_psi,
+      change_theta);
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
 // For drivers that work with any model: name, unit, meaning; each table ends with an empty entry.

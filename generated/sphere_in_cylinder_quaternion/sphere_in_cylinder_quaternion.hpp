@@ -63,7 +63,8 @@
 
 // Conditions on values that are not finite, and the order of sums, are part of the results.
 #if defined(__FAST_MATH__) && !defined(GAUSS_ALLOW_FAST_MATH)
-#error "Emitted models need exact floating-point semantics: compile without -ffast-math, or define GAUSS_ALLOW_FAST_MATH."
+#error \
+    "Emitted models need exact floating-point semantics: compile without -ffast-math, or define GAUSS_ALLOW_FAST_MATH."
 #endif
 
 #include <cmath>
@@ -78,13 +79,14 @@
 namespace gauss {
 
 /// How a computation went. Results are to be trusted with `ok` only.
-enum class Status { ok, singular_mass_matrix, dependent_constraints, not_finite };
+enum class Status { ok, singular_mass_matrix, dependent_constraints, not_finite, violated_constraints };
 
 constexpr const char* name(Status status) noexcept {
   return status == Status::ok                      ? "ok"
          : status == Status::singular_mass_matrix  ? "singular mass matrix"
          : status == Status::dependent_constraints ? "dependent constraints"
-                                                   : "not finite";
+         : status == Status::not_finite            ? "not finite"
+                                                   : "violated constraints";
 }
 
 /// An entry of the tables that describe a model.
@@ -96,10 +98,10 @@ struct Quantity {
 
 // Functions by argument-dependent lookup, outside of Math, whose members would hide them.
 namespace adl {
-#define GAUSS_BY_LOOKUP(f)                 \
-  template <class S>                       \
-  GAUSS_FUNCTION S call_##f(const S& x) {  \
-    return f(x);                           \
+#define GAUSS_BY_LOOKUP(f)                \
+  template <class S>                      \
+  GAUSS_FUNCTION S call_##f(const S& x) { \
+    return f(x);                          \
   }
 GAUSS_BY_LOOKUP(sin)
 GAUSS_BY_LOOKUP(cos)
@@ -131,6 +133,7 @@ struct ScalarLogic {
   using Status = gauss::Status;
 
   GAUSS_FUNCTION static Bool less(const S& a, const S& b) { return a < b; }
+  GAUSS_FUNCTION static Bool at_most(const S& a, const S& b) { return a < b || a == b; }
   GAUSS_FUNCTION static S select(Bool condition, const S& a, const S& b) { return condition ? a : b; }
 
   template <class... Rest>
@@ -145,11 +148,12 @@ struct ScalarLogic {
   }
 
   /// The first condition that holds.
-  GAUSS_FUNCTION static Status status(Bool singular_mass_matrix, Bool dependent_constraints,
-                                      Bool not_finite) {
+  GAUSS_FUNCTION static Status status(Bool singular_mass_matrix, Bool dependent_constraints, Bool not_finite,
+                                      Bool violated_constraints = false) {
     return singular_mass_matrix    ? Status::singular_mass_matrix
            : dependent_constraints ? Status::dependent_constraints
            : not_finite            ? Status::not_finite
+           : violated_constraints  ? Status::violated_constraints
                                    : Status::ok;
   }
 
@@ -271,30 +275,34 @@ struct Inputs {};
 /// Parameters as the functions read them, and what follows from them alone; made by prepare().
 template <class S>
 struct Prepared {
-  S m;                         ///< mass of the ball
-  S r;                         ///< radius of the ball
-  S R;                         ///< radius of the cylinder
-  S psi_0;                     ///< precession at t = 0
-  S theta_0;                   ///< nutation at t = 0
-  S phi_0;                     ///< spin at t = 0
-  S omega_r_0;                 ///< angular velocity about the line to the contact at t = 0
-  S J;                         ///< moment of inertia of the ball about a diameter
-  S m_r_2;                     ///< m * r * r
-  S m_2_r_4;                   ///< m * m * r * r * r * r
-  S m_g;                       ///< m * g
-  S m_rho;                     ///< m * (R - r)
-  S rho;                       ///< R - r
-  S rho_2;                     ///< (R - r) * (R - r)
-  S half_m;                    ///< S(0.5) * m
-  S half_J;                    ///< S(0.5) * J
-  S J_2;                       ///< J * J
-  S half_inv_m;                ///< S(0.5) / m
-  S half_inv_J;                ///< S(0.5) / J
-  S r_minus_R;                 ///< r - R
-  S G_chi_chi;                 ///< m * (R - r) * (R - r)
-  S c1;                        ///< S(1) / (m * (S(1) / m + r * r / J) * (R - r))
-  S inv_m_S_d_rolling_around;  ///< S(1) / (m * (S(1) / m + r * r / J))
-  S c2;                        ///< r / (J * (S(1) / m + r * r / J))
+  S m;                                ///< mass of the ball
+  S r;                                ///< radius of the ball
+  S R;                                ///< radius of the cylinder
+  S psi_0;                            ///< precession at t = 0
+  S theta_0;                          ///< nutation at t = 0
+  S phi_0;                            ///< spin at t = 0
+  S omega_r_0;                        ///< angular velocity about the line to the contact at t = 0
+  S J;                                ///< moment of inertia of the ball about a diameter
+  S m_r_2;                            ///< m * r * r
+  S m_2_r_4;                          ///< m * m * r * r * r * r
+  S m_g;                              ///< m * g
+  S M_chi_chi;                        ///< m * (R - r) * (R - r) + J * (R - r) * (R - r) / (r * r)
+  S least_pivot;                      ///< Math<S>::select(Math<S>::less(r, S(0)), -r, r)
+  S m_rho;                            ///< m * (R - r)
+  S rho;                              ///< R - r
+  S rho_2;                            ///< (R - r) * (R - r)
+  S half_m;                           ///< S(0.5) * m
+  S half_J;                           ///< S(0.5) * J
+  S J_2;                              ///< J * J
+  S half_inv_m;                       ///< S(0.5) / m
+  S half_inv_J;                       ///< S(0.5) / J
+  S r_minus_R;                        ///< r - R
+  S G_chi_chi;                        ///< m * (R - r) * (R - r)
+  S c1;                               ///< S(1) / (m * (S(1) / m + r * r / J) * (R - r))
+  S c2;                               ///< S(1) / (m * (S(1) / m + r * r / J))
+  S c3;                               ///< r / (J * (S(1) / m + r * r / J))
+  S least_g_d;
+  S S_rolling_around_rolling_around;  ///< S(1) / m + r * r / J
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -439,12 +447,16 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S r_2 = r * r;
   const S rho = R - r;
   const S rho_2 = rho * rho;
+  const S G_chi_chi = m * rho_2;
+  const S M_chi_chi = G_chi_chi + J * rho_2 / r_2;
+  const S least_pivot = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
   const S z_rolling_along_zeta = S(1) / m;
   const S inv_J = S(1) / J;
-  const S G_chi_chi = m * rho_2;
-  const S S_d_rolling_around = r_2 * inv_J;
-  const S S_d_rolling_around_2 = z_rolling_along_zeta + S_d_rolling_around;
-  const S inv_S_d_rolling_around = S(1) / S_d_rolling_around_2;
+  const S S_rolling_around_rolling_around = r_2 * inv_J;
+  const S S_rolling_around_rolling_around_2 = z_rolling_along_zeta + S_rolling_around_rolling_around;
+  const S t1 = S(1) / S_rolling_around_rolling_around_2;
+  const S t2 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
+  const S least_g_d = Math<S>::select(Math<S>::less(J, t2), J, t2);
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -458,6 +470,8 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.m_r_2 = m * r_2;
   prepared.m_2_r_4 = m * m * r_2 * r_2;
   prepared.m_g = m * g;
+  prepared.M_chi_chi = M_chi_chi;
+  prepared.least_pivot = least_pivot;
   prepared.m_rho = m * rho;
   prepared.rho = rho;
   prepared.rho_2 = rho_2;
@@ -468,9 +482,11 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r - R;
   prepared.G_chi_chi = G_chi_chi;
-  prepared.c1 = z_rolling_along_zeta * inv_S_d_rolling_around / rho;
-  prepared.inv_m_S_d_rolling_around = z_rolling_along_zeta * inv_S_d_rolling_around;
-  prepared.c2 = r * inv_J * inv_S_d_rolling_around;
+  prepared.c1 = z_rolling_along_zeta * t1 / rho;
+  prepared.c2 = z_rolling_along_zeta * t1;
+  prepared.c3 = r * inv_J * t1;
+  prepared.least_g_d = least_g_d;
+  prepared.S_rolling_around_rolling_around = S_rolling_around_rolling_around_2;
   return prepared;
 }
 
@@ -485,6 +501,8 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
+  const S& M_chi_chi = prepared.M_chi_chi;
+  const S& least_pivot = prepared.least_pivot;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
   const S& e0 = state.e0();
@@ -545,10 +563,12 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.wy_dot() = a_wy;
   derivative.wz_dot() = S(0);
 
-  const Bool singular_mass_matrix = Math<S>::less(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy);
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
+      Math<S>::at_most(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
+  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy);
-  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
 /// Reaction of every constraint: multipliers (3.4) and generalized reactions (3.8).
@@ -562,6 +582,8 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
+  const S& M_chi_chi = prepared.M_chi_chi;
+  const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
@@ -626,10 +648,12 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   reactions.rolling_along.generalized[4] = S(0);
   reactions.rho.generalized = rho_generalized;
 
-  const Bool singular_mass_matrix = Math<S>::less(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy);
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
+      Math<S>::at_most(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
+  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       excess_zeta, rolling_along_generalized_2, rolling_along_generalized_3, rho_generalized);
-  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
 /// Both at once, over one set of shared values.
@@ -644,6 +668,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
+  const S& M_chi_chi = prepared.M_chi_chi;
+  const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
@@ -726,11 +752,13 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   reactions.rolling_along.generalized[4] = S(0);
   reactions.rho.generalized = rho_generalized;
 
-  const Bool singular_mass_matrix = Math<S>::less(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy);
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
+      Math<S>::at_most(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
+  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy, excess_zeta, rolling_along_generalized_2,
       rolling_along_generalized_3, rho_generalized);
-  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
 /// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the mass
@@ -748,6 +776,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
+  const S& M_chi_chi = prepared.M_chi_chi;
+  const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
   const S& rho = prepared.rho;
   const S& chi = state.chi();
@@ -834,11 +864,13 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_ball.moment[1] = moment_on_ball_y;
   reaction_forces.on_ball.moment[2] = S(0);
 
-  const Bool singular_mass_matrix = Math<S>::less(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy);
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
+      Math<S>::at_most(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
+  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       excess_zeta, moment_rolling_along_ball_x, moment_rolling_along_ball_y, force_rho_ball_x,
       force_rho_ball_y, moment_on_ball_x, moment_on_ball_y);
-  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
 /// Kinetic energy, potential energy of uniform fields and potentials, and their sum.
@@ -1043,8 +1075,10 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S r = prepared.r;
   const S r_minus_R = prepared.r_minus_R;
   const S c1 = prepared.c1;
-  const S inv_m_S_d_rolling_around = prepared.inv_m_S_d_rolling_around;
   const S c2 = prepared.c2;
+  const S c3 = prepared.c3;
+  const S least_g_d = prepared.least_g_d;
+  const S S_rolling_around_rolling_around = prepared.S_rolling_around_rolling_around;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S e0 = from.e0();
@@ -1067,11 +1101,15 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S impulse_y_rolling_around = r_minus_R * chi_dot - r * wz;
   const S impulse_y_rolling_along = -(zeta_dot + r * (wx * sin_chi - wy * cos_chi));
-  const S chi_rate = chi_dot + c1 * impulse_y_rolling_around;
-  const S zeta_rate = zeta_dot + inv_m_S_d_rolling_around * impulse_y_rolling_along;
-  const S wx_rate = wx + c2 * impulse_y_rolling_along * sin_chi;
-  const S wy_rate = wy - c2 * impulse_y_rolling_along * cos_chi;
-  const S wz_rate = wz + c2 * impulse_y_rolling_around;
+  const S change_chi = c1 * impulse_y_rolling_around;
+  const S change_zeta = c2 * impulse_y_rolling_along;
+  const S change_wx = c3 * impulse_y_rolling_along * sin_chi;
+  const S change_wz = c3 * impulse_y_rolling_around;
+  const S chi_rate = chi_dot + change_chi;
+  const S zeta_rate = zeta_dot + change_zeta;
+  const S wx_rate = wx + change_wx;
+  const S wy_rate = wy - c3 * impulse_y_rolling_along * cos_chi;
+  const S wz_rate = wz + change_wz;
 
   // Results
   const S e0_2 = e0 * unit;
@@ -1091,9 +1129,11 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   state.wy() = wy_rate;
   state.wz() = wz_rate;
 
+  const Bool singular_mass_matrix = Math<S>::at_most(least_g_d, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(S_rolling_around_rolling_around, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       e0_2, e1_2, e2_2, e3_2, chi_rate, zeta_rate, wx_rate, wy_rate, wz_rate);
-  return Math<S>::status(Bool(false), Bool(false), not_finite);
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
 /// The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints.
@@ -1106,6 +1146,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   const S theta_0 = prepared.theta_0;
   const S phi_0 = prepared.phi_0;
   const S omega_r_0 = prepared.omega_r_0;
+  const S J = prepared.J;
 
   // Sines and cosines
   S t1, t2;
@@ -1116,10 +1157,11 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   Math<S>::sincos(S(0.5) * theta_0, sin_half_theta_0, cos_half_theta_0);
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
+  const S S_rolling_around_rolling_around_2 = r * r / J;
   const S impulse_y_rolling_around = S(4) * (r - R);
   const S inv_r = S(1) / r;
-  const S wy_rate = S(7) / S(10) * inv_r;
-  const S wz_rate = inv_r * impulse_y_rolling_around;
+  const S change_wy = S(7) / S(10) * inv_r;
+  const S change_wz = inv_r * impulse_y_rolling_around;
 
   // Results
   const S e0_2 = t4 * cos_half_theta_0;
@@ -1136,11 +1178,13 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.chi_dot() = S(4);
   state.zeta_dot() = S(7) / S(10);
   state.wx() = omega_r_0;
-  state.wy() = wy_rate;
-  state.wz() = wz_rate;
+  state.wy() = change_wy;
+  state.wz() = change_wz;
 
-  const Bool not_finite = Math<S>::not_finite(e0_2, e1_2, e2_2, e3_2, omega_r_0, wy_rate, wz_rate);
-  return Math<S>::status(Bool(false), Bool(false), not_finite);
+  const Bool singular_mass_matrix = Math<S>::at_most(J, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(S_rolling_around_rolling_around_2, S(0));
+  const Bool not_finite = Math<S>::not_finite(e0_2, e1_2, e2_2, e3_2, omega_r_0, change_wy, change_wz);
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
 // For drivers that work with any model: name, unit, meaning; each table ends with an empty entry.

@@ -20,6 +20,7 @@ using passes::Writing;
 namespace {
 
 constexpr std::size_t k_comment_width = 104;
+constexpr std::size_t k_required_conditions = 3;  ///< of Math<S>::status
 
 Program scheduled(const Writing& writing, const Request& request) {
   return passes::schedule(writing, passes::share(writing, request), request);
@@ -70,7 +71,8 @@ class Reader {
 
 bool is_always_good(const ir::Graph& graph, const Task& task) {
   const Status nodes = status_of(task);
-  return std::all_of(nodes.begin(), nodes.end(), [&](NodeId id) { return graph.is_zero(id); });
+  return std::all_of(nodes.begin(), nodes.end(),
+                     [&](const Condition& condition) { return graph.is_zero(condition.node); });
 }
 
 bool has_conditions(const Writing& writing, const Task& task) {
@@ -81,10 +83,12 @@ bool has_conditions(const Writing& writing, const Task& task) {
 
 void return_status(Body& body, const ir::Graph& graph, const Task& task) {
   if (is_always_good(graph, task)) return body.add(cpp::Return{cpp::call("StatusOf<S>", {})});
-  const char* const names[] = {"singular_mass_matrix", "dependent_constraints", "not_finite"};
   std::vector<cpp::Expression> conditions;
-  const Status nodes = status_of(task);
-  for (std::size_t i = 0; i < nodes.size(); ++i) conditions.push_back(body.define_condition(nodes[i], names[i]));
+  for (const Condition& condition : status_of(task)) {
+    const bool may_be_left_out = conditions.size() >= k_required_conditions;
+    if (may_be_left_out && graph.is_zero(condition.node)) continue;
+    conditions.push_back(body.define_condition(condition.node, condition.name));
+  }
   body.add(cpp::Return{cpp::call("Math<S>::status", std::move(conditions))});
 }
 

@@ -8,6 +8,8 @@ namespace gaussgen::emit {
 
 namespace {
 
+constexpr auto k_conditions = std::tuple_size_v<Status>;
+
 class Collector {
  public:
   Collector(const Plan& plan, const Task& task) : plan_(plan), values_(task.request.outputs) {
@@ -24,13 +26,16 @@ class Collector {
     for (const Group& group : artefact.groups) {
       for (const Field& field : group.fields) add_field(artefact.result_type, group, field);
     }
-    GAUSS_ASSERT(outputs.size() + 3 == values_.size(), "{}: {} places for {} values", artefact.name, outputs.size(), values_.size());
+    GAUSS_ASSERT(outputs.size() + k_conditions == values_.size(), "{}: {} places for {} values", artefact.name,
+                 outputs.size(), values_.size());
   }
 
   std::vector<Output> outputs;
 
  private:
-  void add(const std::string& place, const std::string& name) { outputs.push_back({values_[outputs.size()], place, name}); }
+  void add(const std::string& place, const std::string& name) {
+    outputs.push_back({values_[outputs.size()], place, name});
+  }
 
   void add_member(const std::string& object, const std::string& member) { add(object + "." + member + "()", member); }
 
@@ -66,8 +71,10 @@ std::vector<Output> outputs_of(const Plan& plan, const Task& task) { return Coll
 
 Status status_of(const Task& task) {
   const std::vector<NodeId>& values = task.request.outputs;
-  Status status;
-  std::copy(values.end() - 3, values.end(), status.begin());
+  Status status{
+      {{{}, "singular_mass_matrix"}, {{}, "dependent_constraints"}, {{}, "not_finite"}, {{}, "violated_constraints"}}};
+  auto value = values.end() - k_conditions;
+  for (Condition& condition : status) condition.node = *value++;
   return status;
 }
 

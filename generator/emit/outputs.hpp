@@ -18,8 +18,12 @@ struct Output {
 /// The outputs of a task, in order, without the status.
 std::vector<Output> outputs_of(const Plan& plan, const Task& task);
 
-/// singular_mass_matrix, dependent_constraints, not_finite
-using Status = std::array<NodeId, 3>;
+/// In the order in which Math<S>::status takes its conditions; those that never hold may be left out at the end.
+struct Condition {
+  NodeId node;
+  const char* name;
+};
+using Status = std::array<Condition, 4>;
 Status status_of(const Task& task);
 
 }  // namespace gaussgen::emit

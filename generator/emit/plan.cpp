@@ -1,5 +1,6 @@
 #include "emit/plan.hpp"
 
+#include <algorithm>
 #include <unordered_set>
 
 #include "emit/natural.hpp"
@@ -30,6 +31,19 @@ std::vector<SymbolId> arguments_of(const Artefact& artefact, const Unit& unit) {
   return symbols;
 }
 
+/// Compilers limit the depth of fold expressions: clang++ 14 to 256 operands.
+constexpr std::size_t k_most_operands = 128;
+
+NodeId in_parts(ir::Graph& graph, const std::vector<NodeId>& values) {
+  std::vector<NodeId> parts;
+  for (std::size_t first = 0; first < values.size(); first += k_most_operands) {
+    const std::size_t last = std::min(values.size(), first + k_most_operands);
+    parts.push_back(graph.call(ir::Function::not_finite, {values.begin() + static_cast<std::ptrdiff_t>(first),
+                                                          values.begin() + static_cast<std::ptrdiff_t>(last)}));
+  }
+  return parts.size() == 1 ? parts[0] : graph.call(ir::Function::any, parts);
+}
+
 /// A NaN in an argument is reported even where no result depends on it, such as a coordinate that only gets integrated.
 /// Arguments come first: they are there early, so that the sum over all values does not wait for them.
 NodeId not_finite(ir::Graph& graph, const Artefact& artefact, const Unit& unit) {
@@ -43,7 +57,7 @@ NodeId not_finite(ir::Graph& graph, const Artefact& artefact, const Unit& unit) 
   };
   for (const SymbolId symbol : arguments_of(artefact, unit)) add(graph.use(symbol));
   for (const NodeId value : node.children) add(value);
-  return graph.call(ir::Function::not_finite, values);
+  return in_parts(graph, values);
 }
 
 std::vector<NodeId> outputs_of(const Artefact& artefact, NodeId not_finite) {
@@ -53,7 +67,8 @@ std::vector<NodeId> outputs_of(const Artefact& artefact, NodeId not_finite) {
     for (const Field& field : group.fields) outputs.insert(outputs.end(), field.values.begin(), field.values.end());
   }
   const StatusNodes& status = artefact.status;
-  outputs.insert(outputs.end(), {status.singular_mass_matrix, status.dependent_constraints, not_finite});
+  outputs.insert(outputs.end(),
+                 {status.singular_mass_matrix, status.dependent_constraints, not_finite, status.violated_constraints});
   return outputs;
 }
 
@@ -92,7 +107,8 @@ class Planner {
     }
     // Plain parameters in the order of the model, formulas after what they need, then the rest as it came up.
     std::vector<NodeId> roots;
-    for (const Task& task : plan_.tasks) roots.insert(roots.end(), task.request.outputs.begin(), task.request.outputs.end());
+    for (const Task& task : plan_.tasks)
+      roots.insert(roots.end(), task.request.outputs.begin(), task.request.outputs.end());
     const std::vector<passes::PreparedValue> values = split_.values_in(roots);
     IdSet used;
     for (const passes::PreparedValue& value : values) used.insert(value.symbol.index);
@@ -132,7 +148,8 @@ class Planner {
     const Entry& entry = parameter.entry;
     if (!added_.insert(entry.symbol.index).second) return;
     const NodeId value = parameter.is_formula ? parameter.value : plan_.graph.use(entry.symbol);
-    plan_.prepared.push_back({entry.symbol, plan_.names.of(entry), entry.about, value, !parameter.is_formula, parameter.is_formula});
+    plan_.prepared.push_back(
+        {entry.symbol, plan_.names.of(entry), entry.about, value, !parameter.is_formula, parameter.is_formula});
   }
 
   // Formulas do not depend on themselves (the model is checked), so this ends.

@@ -75,6 +75,7 @@ struct StatusNodes {
   NodeId singular_mass_matrix;
   NodeId dependent_constraints;
   NodeId not_finite;
+  NodeId violated_constraints;
 };
 
 enum class Target {

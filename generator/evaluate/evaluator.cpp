@@ -119,9 +119,12 @@ typename Evaluator<T>::Entry Evaluator<T>::of_condition(NodeId id) const {
     case Function::select:
       if (!known(node.children[0]).value) return known(node.children[0]);
       return known(node.children[is_true(node.children[0]) ? 1 : 2]);
-    default:
+    default: {
       if (undefined != nullptr) return *undefined;
-      return boolean(arithmetic_.less(*known(node.children[0]).value, *known(node.children[1]).value));
+      const T& a = *known(node.children[0]).value;
+      const T& b = *known(node.children[1]).value;
+      return boolean(node.function == Function::less ? arithmetic_.less(a, b) : !arithmetic_.less(b, a));
+    }
   }
 }
 

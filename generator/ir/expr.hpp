@@ -18,9 +18,7 @@ class Expr {
   friend Expr operator+(Expr a, Expr b) { return {*a.graph_, a.graph_->sum({a.id_, b.id_})}; }
   friend Expr operator-(Expr a, Expr b) { return {*a.graph_, a.graph_->linear(0, {{1, a.id_}, {-1, b.id_}})}; }
   friend Expr operator*(Expr a, Expr b) { return {*a.graph_, a.graph_->product({a.id_, b.id_})}; }
-  friend Expr operator/(Expr a, Expr b) {
-    return {*a.graph_, a.graph_->product({a.id_, a.graph_->power(b.id_, -1)})};
-  }
+  friend Expr operator/(Expr a, Expr b) { return {*a.graph_, a.graph_->product({a.id_, a.graph_->power(b.id_, -1)})}; }
   friend Expr operator*(const Rational& factor, Expr a) { return {*a.graph_, a.graph_->scale(factor, a.id_)}; }
   friend Expr operator-(Expr a) { return Rational(-1) * a; }
   Expr& operator+=(Expr b) { return *this = *this + b; }
@@ -39,6 +37,22 @@ class Expr {
 inline Expr pow(Expr base, const Rational& exponent) { return {base.graph(), base.graph().power(base.id(), exponent)}; }
 inline Expr call(Function function, Expr argument) {
   return {argument.graph(), argument.graph().call(function, {argument.id()})};
+}
+
+/// Conditions are nodes as well: 0 and 1 where they are decided.
+inline Expr less(Expr a, Expr b) { return {a.graph(), a.graph().call(Function::less, {a.id(), b.id()})}; }
+inline Expr at_most(Expr a, Expr b) { return {a.graph(), a.graph().call(Function::at_most, {a.id(), b.id()})}; }
+inline Expr select(Expr condition, Expr a, Expr b) {
+  return {a.graph(), a.graph().call(Function::select, {condition.id(), a.id(), b.id()})};
+}
+inline Expr any(Graph& graph, const std::vector<Expr>& conditions) {
+  std::vector<NodeId> open;
+  for (const Expr condition : conditions) {
+    if (condition.is_one()) return condition;
+    if (!condition.is_zero()) open.push_back(condition.id());
+  }
+  if (open.empty()) return {graph, graph.constant(0)};
+  return {graph, open.size() == 1 ? open[0] : graph.call(Function::any, open)};
 }
 
 }  // namespace gaussgen::ir

@@ -1,5 +1,6 @@
 // Function calls: exact special values, and signs pulled out of odd and even functions.
 
+#include <optional>
 #include <utility>
 
 #include "ir/content.hpp"
@@ -22,6 +23,7 @@ std::string_view name_of(Function function) {
     case Function::cosh: return "cosh";
     case Function::tanh: return "tanh";
     case Function::less: return "less";
+    case Function::at_most: return "at_most";
     case Function::not_finite: return "not_finite";
     case Function::any: return "any";
     case Function::select: return "select";
@@ -29,9 +31,7 @@ std::string_view name_of(Function function) {
   return "?";
 }
 
-bool is_boolean(Function function) {
-  return function == Function::less || function == Function::not_finite || function == Function::any;
-}
+bool is_boolean(Function function) { return function >= Function::less && function != Function::select; }
 
 Parity parity(Function function) {
   switch (function) {
@@ -63,10 +63,24 @@ bool exact_value(Function function, const Rational& at, Rational& value) {
   return true;
 }
 
+/// Between numbers.
+std::optional<bool> decided_comparison(const Graph& graph, Function function, const std::vector<NodeId>& arguments) {
+  if (function != Function::less && function != Function::at_most) return std::nullopt;
+  const Node& a = graph[arguments[0]];
+  const Node& b = graph[arguments[1]];
+  if (a.kind != Kind::constant || b.kind != Kind::constant) return std::nullopt;
+  return function == Function::less ? a.value < b.value : a.value <= b.value;
+}
+
 }  // namespace
 
 NodeId Graph::call(Function function, std::vector<NodeId> arguments) {
-  if (function == Function::select && arguments[1] == arguments[2]) return arguments[1];
+  if (const auto decided = decided_comparison(*this, function, arguments)) return constant(*decided ? 1 : 0);
+  if (function == Function::select) {
+    if (arguments[1] == arguments[2]) return arguments[1];
+    const Node& condition = (*this)[arguments[0]];
+    if (condition.kind == Kind::constant) return arguments[condition.value == 0 ? 2 : 1];
+  }
   if (arguments.size() == 1) {
     const Node& argument = (*this)[arguments[0]];
     Rational value = 0;

@@ -83,8 +83,10 @@ NodeId Graph::named(NodeId id, const std::string& name) {
   switch (node.kind) {
     case Kind::constant:
     case Kind::symbol:
-    case Kind::function:  // sin_theta says more than the name of a matrix entry that happens to be sin(theta)
     case Kind::named: return id;
+    case Kind::function:  // sin_theta says more than the name of a matrix entry that happens to be sin(theta)
+      if (node.function != Function::select) return id;
+      break;
     default: break;
   }
   if (!can_be_flattened(*this, id)) {

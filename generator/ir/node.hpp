@@ -60,6 +60,7 @@ enum class Function : std::uint8_t {
   sin, cos, tan, asin, acos, atan, atan2, exp, log, sinh, cosh, tanh,
   // Boolean values; they reach only `any` and `select`.
   less,        ///< a < b
+  at_most,     ///< a <= b
   not_finite,  ///< some argument is infinite or not a number
   any,         ///< logical or
   select,      ///< condition ? a : b

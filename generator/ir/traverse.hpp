@@ -60,4 +60,9 @@ inline bool varies(const Symbol& symbol) {
          symbol.symbol_class != SymbolClass::parameter;
 }
 
+/// Parameters and numbers only.
+inline bool is_of_parameters(const Graph& graph, NodeId id) {
+  return !depends_on(graph, post_order(graph, {id}), varies).contains(id);
+}
+
 }  // namespace gaussgen::ir

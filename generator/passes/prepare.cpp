@@ -45,13 +45,21 @@ NodeId PreparationSplit::operator()(NodeId root) {
 bool PreparationSplit::varies(NodeId id) {
   const auto found = varies_.find(id.index);
   if (found != varies_.end()) return found->second;
-  const Node& node = graph_[id];
-  // Conditions have a type of their own, so they are not prepared, only what they compare.
-  bool result = node.kind == Kind::function && ir::is_boolean(node.function);
-  result = result || (node.kind == Kind::symbol && ir::varies(graph_.symbol(node.symbol)));
-  for (const NodeId child : node.children) result = result || varies(child);
+  // Conditions have a type of their own, so they are not prepared, only what they compare or choose.
+  const bool result = is_condition(id) || depends(id);
   varies_.emplace(id.index, result);
   return result;
+}
+
+bool PreparationSplit::is_condition(NodeId id) const {
+  return graph_[id].kind == Kind::function && ir::is_boolean(graph_[id].function);
+}
+
+bool PreparationSplit::depends(NodeId id) {
+  const Node& node = graph_[id];
+  if (node.kind == Kind::symbol) return ir::varies(graph_.symbol(node.symbol));
+  return std::any_of(node.children.begin(), node.children.end(),
+                     [this](NodeId child) { return is_condition(child) ? depends(child) : varies(child); });
 }
 
 NodeId PreparationSplit::prepared(NodeId id) {
@@ -160,7 +168,8 @@ std::vector<PreparedValue> PreparationSplit::values_in(const std::vector<NodeId>
   return values;
 }
 
-std::vector<std::string> violations(const Graph& graph, const PreparationSplit& split, const std::vector<NodeId>& roots) {
+std::vector<std::string> violations(const Graph& graph, const PreparationSplit& split,
+                                    const std::vector<NodeId>& roots) {
   std::vector<std::string> found;
   for (const PreparedValue& value : split.values_in(roots)) {
     const std::vector<NodeId> order = ir::post_order(graph, {value.value});
@@ -172,7 +181,7 @@ std::vector<std::string> violations(const Graph& graph, const PreparationSplit& 
   const ir::NodeSet varying = ir::depends_on(graph, order, ir::varies);
   for (const NodeId id : order) {
     const Node& node = graph[id];
-    const bool is_condition = node.kind == Kind::function && node.function >= ir::Function::less;
+    const bool is_condition = node.kind == Kind::function && ir::is_boolean(node.function);
     if (!varying.contains(id) && !node.children.empty() && !is_condition) {
       found.push_back("left unprepared: " + ir::print(graph, id));
     }

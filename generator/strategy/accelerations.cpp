@@ -2,12 +2,16 @@
 
 #include "ir/cost.hpp"
 #include "strategy/inner.hpp"
+#include "strategy/margins.hpp"
 
 namespace gaussgen::strategy {
 
 using ir::Expr;
 
 namespace {
+
+std::string acceleration_name(const Dynamics& dynamics) { return dynamics.names.prefix + dynamics.names.acceleration; }
+std::string multiplier_name(const Dynamics& dynamics) { return dynamics.names.prefix + dynamics.names.multiplier; }
 
 std::vector<std::string> labels_of(const Dynamics& dynamics, const std::vector<std::size_t>& which) {
   std::vector<std::string> labels;
@@ -54,7 +58,7 @@ Matrix reduced_metric(const Dynamics& dynamics, const Embedding& embed, const st
     for (const Vector& row : dynamics.g) g_C.push_back(inner(graph, row, C_q));
     for (std::size_t p = 0; p <= q; ++p) {
       const Expr entry = inner(graph, column(embed.C, p), g_C);
-      reduced[p][q] = steps.name(entry, "M_" + labels[p] + "_" + labels[q]);
+      reduced[p][q] = steps.name(entry, dynamics.names.prefix + "M_" + labels[p] + "_" + labels[q]);
       reduced[q][p] = reduced[p][q];
     }
   }
@@ -69,7 +73,7 @@ Vector reduced_force(const Dynamics& dynamics, const Embedding& embed, const std
   steps.begin("right-hand side of (3.7): C^T (f - g drift)");
   Vector reduced;
   for (std::size_t p = 0; p < labels.size(); ++p) {
-    reduced.push_back(steps.name(inner(graph, column(embed.C, p), force), "F_" + labels[p]));
+    reduced.push_back(steps.name(inner(graph, column(embed.C, p), force), dynamics.names.prefix + "F_" + labels[p]));
   }
   return reduced;
 }
@@ -84,8 +88,8 @@ Expr excess(const Dynamics& dynamics, std::size_t mu, const Vector& a, const Vec
 }
 
 // b_ρμ λ_ρ = A_μ - Q_μ for the dependent μ: the transposed system, eliminated with the same (safe) pivots.
-Vector multipliers_of(const Dynamics& dynamics, const Elimination& elimination, const Vector& a, const Vector& written_out,
-                      Steps& steps) {
+Vector multipliers_of(const Dynamics& dynamics, const Elimination& elimination, const Vector& a,
+                      const Vector& written_out, Steps& steps) {
   ir::Graph& graph = dynamics.g[0][0].graph();
   const std::size_t l = dynamics.l();
   Matrix system;
@@ -96,7 +100,8 @@ Vector multipliers_of(const Dynamics& dynamics, const Elimination& elimination, 
     Vector row;
     for (std::size_t j = 0; j < l; ++j) row.push_back(dynamics.b[elimination.rows[j]][mu]);
     system.push_back(row);
-    residual.push_back(steps.name(excess(dynamics, mu, a, written_out), "excess_" + dynamics.labels[mu]));
+    residual.push_back(
+        steps.name(excess(dynamics, mu, a, written_out), dynamics.names.prefix + "excess_" + dynamics.labels[mu]));
   }
   for (std::size_t k = 0; k < l; ++k) {
     const Expr reciprocal = pow(system[k][k], -1);
@@ -114,10 +119,19 @@ Vector multipliers_of(const Dynamics& dynamics, const Elimination& elimination, 
     Expr value = residual[k];
     for (std::size_t j = k + 1; j < l; ++j) value -= system[k][j] * in_order[j];
     const std::size_t row = elimination.rows[k];
-    in_order[k] = steps.name(value * pow(system[k][k], -1), "lambda_" + dynamics.constraints[row]);
+    in_order[k] =
+        steps.name(value * pow(system[k][k], -1), multiplier_name(dynamics) + "_" + dynamics.constraints[row]);
     lambda[row] = in_order[k];
   }
   return lambda;
+}
+
+// Pivots of either sign: |p| <= 0.
+Expr vanished(ir::Graph& graph, const Vector& pivots) {
+  const Expr zero(graph, graph.constant(0));
+  Margins margins(graph);
+  for (const Expr pivot : pivots) margins.require(select(less(pivot, zero), -pivot, pivot), zero);
+  return margins.violated("least_pivot");
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -131,12 +145,18 @@ std::string joined(const std::vector<std::string>& names) {
 Solution solve_unconstrained(const Dynamics& dynamics, Expr epsilon, Steps& steps) {
   ir::Graph& graph = epsilon.graph();
   const Expr never(graph, graph.constant(0));
-  if (dynamics.n() == 0) return {{}, {}, never, never, "no free coordinates: reactions are those of the held motion", {}, {}};
+  if (dynamics.n() == 0)
+    return {{}, {}, never, never, "no free coordinates: reactions are those of the held motion", {}, {}};
   steps.begin("g = L D L^T");
-  const Ldl ldl(dynamics.g, dynamics.labels, "g", epsilon, steps);
+  const Ldl ldl(dynamics.g, dynamics.labels, dynamics.names.prefix + "g", epsilon, steps);
   steps.begin("accelerations from dZ/da = 0 (1.15)");
-  return {ldl.solve(dynamics.f, "a", steps), {}, ldl.breakdown(), never,
-          "unrolled L D L^T of the metric; no nonholonomic constraints", ldl.vanishing(), {}};
+  return {ldl.solve(dynamics.f, acceleration_name(dynamics), steps),
+          {},
+          ldl.breakdown(),
+          never,
+          "unrolled L D L^T of the metric; no nonholonomic constraints",
+          ldl.vanishing(),
+          {}};
 }
 
 Solution solve_by_elimination(const Dynamics& dynamics, const Elimination& elimination, Expr epsilon, Steps& steps) {
@@ -152,37 +172,41 @@ Solution solve_by_elimination(const Dynamics& dynamics, const Elimination& elimi
     const Matrix M = reduced_metric(dynamics, embed, labels, steps);
     const Vector F = reduced_force(dynamics, embed, labels, steps);
     steps.begin("C^T g C = L D L^T");
-    const Ldl ldl(M, labels, "M", epsilon, steps);
+    const Ldl ldl(M, labels, dynamics.names.prefix + "M", epsilon, steps);
     breakdown = ldl.breakdown();
     undetermined = ldl.vanishing();
     steps.begin("independent accelerations (3.7)");
-    const Vector a_p = ldl.solve(F, "a", steps);
+    const Vector a_p = ldl.solve(F, acceleration_name(dynamics), steps);
     for (std::size_t p = 0; p < labels.size(); ++p) a[elimination.independent[p]] = a_p[p];
     steps.begin("dependent accelerations (3.6)");
     for (std::size_t i = 0; i < elimination.dependent.size(); ++i) {
       const std::size_t mu = elimination.dependent[i];
       written_out[mu] = inner(graph, elimination.c_dep[i], a_p) + elimination.drift[i];
-      a[mu] = steps.name(written_out[mu], "a_" + dynamics.labels[mu]);
+      a[mu] = steps.name(written_out[mu], acceleration_name(dynamics) + "_" + dynamics.labels[mu]);
     }
     for (std::size_t p = 0; p < labels.size(); ++p) written_out[elimination.independent[p]] = a_p[p];
   }
   const Vector lambda = multipliers_of(dynamics, elimination, a, written_out, steps);
-  return {a, lambda, breakdown, never,
+  return {a,
+          lambda,
+          breakdown,
+          vanished(graph, elimination.pivots),
           "elimination (3.6)-(3.7) with dependent speeds " + joined(labels_of(dynamics, elimination.dependent)) +
               "; safe because det b over them depends on parameters alone",
-          undetermined, {}};
+          undetermined,
+          {}};
 }
 
 Solution solve_with_multipliers(const Dynamics& dynamics, Expr epsilon, Steps& steps) {
   ir::Graph& graph = epsilon.graph();
   steps.begin("g = L D L^T");
-  const Ldl ldl(dynamics.g, dynamics.labels, "g", epsilon, steps);
+  const Ldl ldl(dynamics.g, dynamics.labels, dynamics.names.prefix + "g", epsilon, steps);
   steps.begin("accelerations without the nonholonomic constraints");
-  Vector a = ldl.solve(dynamics.f, "a_free", steps);
+  Vector a = ldl.solve(dynamics.f, acceleration_name(dynamics) + "_free", steps);
   steps.begin("what one unit of each multiplier adds: g^-1 b^T");
   Matrix response;
   for (std::size_t i = 0; i < dynamics.l(); ++i) {
-    response.push_back(ldl.solve(dynamics.b[i], "response_" + dynamics.constraints[i], steps));
+    response.push_back(ldl.solve(dynamics.b[i], dynamics.names.prefix + "response_" + dynamics.constraints[i], steps));
   }
   steps.begin("multipliers from b g^-1 b^T lambda = -(b a_free + drift) (3.4)");
   Matrix S(dynamics.l(), Vector(dynamics.l(), a[0]));
@@ -190,21 +214,25 @@ Solution solve_with_multipliers(const Dynamics& dynamics, Expr epsilon, Steps& s
   for (std::size_t i = 0; i < dynamics.l(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       S[i][j] = steps.name(inner(graph, dynamics.b[i], response[j]),
-                           "S_" + dynamics.constraints[j] + "_" + dynamics.constraints[i]);
+                           dynamics.names.prefix + "S_" + dynamics.constraints[j] + "_" + dynamics.constraints[i]);
       S[j][i] = S[i][j];
     }
     defect.push_back(-(inner(graph, dynamics.b[i], a) + dynamics.b_drift[i]));
   }
-  const Ldl schur(S, dynamics.constraints, "S", epsilon, steps, Dependent::drop);
-  const Vector lambda = schur.solve(defect, "lambda", steps);
+  const Ldl schur(S, dynamics.constraints, dynamics.names.prefix + "S", epsilon, steps, Dependent::drop);
+  const Vector lambda = schur.solve(defect, multiplier_name(dynamics), steps);
   steps.begin("accelerations (3.4)");
   for (std::size_t j = 0; j < dynamics.n(); ++j) {
     for (std::size_t i = 0; i < dynamics.l(); ++i) a[j] += response[i][j] * lambda[i];
-    a[j] = steps.name(a[j], "a_" + dynamics.labels[j]);
+    a[j] = steps.name(a[j], acceleration_name(dynamics) + "_" + dynamics.labels[j]);
   }
-  return {a, lambda, ldl.breakdown(), schur.breakdown(),
+  return {a,
+          lambda,
+          ldl.breakdown(),
+          schur.breakdown(),
           "multiplier form (3.4): no choice of dependent speeds is provably safe in every configuration",
-          ldl.vanishing(), schur.vanishing()};
+          ldl.vanishing(),
+          schur.vanishing()};
 }
 
 }  // namespace gaussgen::strategy

@@ -6,11 +6,11 @@ namespace gaussgen::strategy {
 
 /// Accelerations and multipliers with the conditions under which they cannot be trusted.
 struct Solution {
-  Vector accelerations;            ///< n
-  Vector multipliers;              ///< l, λ_μ of (3.4)
-  ir::Expr singular_mass_matrix;   ///< boolean
-  ir::Expr dependent_constraints;  ///< boolean
-  std::string description;         ///< which form, and why it is safe
+  Vector accelerations;                   ///< n
+  Vector multipliers;                     ///< l, λ_μ of (3.4)
+  ir::Expr singular_mass_matrix;          ///< boolean
+  ir::Expr dependent_constraints;         ///< boolean
+  std::string description;                ///< which form, and why it is safe
   std::vector<std::string> undetermined;  ///< speeds that nothing gives inertia, in any configuration
   std::vector<std::string> redundant;     ///< constraints that follow from others, in every configuration
 };

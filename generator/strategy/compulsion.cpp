@@ -56,7 +56,8 @@ Expr compulsion(const Dynamics& dynamics, const Vector& candidate, Expr epsilon,
   }
   Expr twice(graph, graph.constant(0));
   for (const BodyMotion& body : kinematics.bodies) {
-    steps.begin("deviation of " + body.name + " from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)");
+    steps.begin("deviation of " + body.name +
+                " from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)");
     const BodyAcceleration a = acceleration_of(body, dynamics, candidate);
     const Vector3 free_force = body.force + body.mass * combination(body.J, z);
     const Vector3 deviation = steps.name(body.mass * a.linear - free_force, "deviation_" + body.name);

@@ -16,7 +16,8 @@ void add_metric(const kinematics::Symbols& symbols, Dynamics& result, Steps& ste
     Vector row;
     for (const FreeIndex j : symbols.speeds.indices()) {
       const Expr entry = result.covariant->G[symbols.full(i)][symbols.full(j)];
-      row.push_back(j.value <= i.value ? steps.name(entry, "G_" + result.labels[j.value] + "_" + result.labels[i.value]) : entry);
+      row.push_back(j.value <= i.value ? steps.name(entry, "G_" + result.labels[j.value] + "_" + result.labels[i.value])
+                                       : entry);
     }
     result.g.push_back(row);
   }
@@ -57,7 +58,8 @@ void add_rows(const kinematics::Kinematics& kinematics, Dynamics& result, Steps&
 
 }  // namespace
 
-Dynamics build_dynamics(const kinematics::Kinematics& kinematics, const kinematics::Covariant& covariant, Steps& steps) {
+Dynamics build_dynamics(const kinematics::Kinematics& kinematics, const kinematics::Covariant& covariant,
+                        Steps& steps) {
   Dynamics result;
   result.kinematics = &kinematics;
   result.covariant = &covariant;

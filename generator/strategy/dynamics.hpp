@@ -6,6 +6,13 @@
 
 namespace gaussgen::strategy {
 
+/// What unknowns are called in emitted code: <prefix><acceleration>_<label>.
+struct NamesOfUnknowns {
+  std::string prefix;
+  std::string acceleration = "a";
+  std::string multiplier = "lambda";
+};
+
 /// minimise Z over a:  g a = f + bᵀ λ,  b a + b_drift = 0.
 struct Dynamics {
   const kinematics::Kinematics* kinematics = nullptr;
@@ -16,6 +23,7 @@ struct Dynamics {
   Vector f;                              ///< Q_α - bias_α - g_αi c̈^i
   Matrix b;                              ///< l×n, b_μα = β_μα
   Vector b_drift;                        ///< Θ_μ + β_μi c̈^i
+  NamesOfUnknowns names;
 
   std::size_t n() const { return labels.size(); }
   std::size_t l() const { return constraints.size(); }

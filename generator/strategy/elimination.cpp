@@ -20,13 +20,13 @@ Safety safety(Expr pivot) {
   const ir::Node& node = graph[pivot.id()];
   if (pivot.is_zero()) return Safety::unknown;
   if (node.kind == ir::Kind::constant) return Safety::number;
+  if (!ir::is_of_parameters(graph, pivot.id())) return Safety::unknown;
   const std::vector<ir::NodeId> order = ir::post_order(graph, {pivot.id()});
-  if (ir::depends_on(graph, order, ir::varies).contains(pivot.id())) return Safety::unknown;
   const bool has_sum = std::any_of(order.begin(), order.end(), [&](ir::NodeId id) {
     return graph[id].kind == ir::Kind::sum && (graph[id].children.size() > 1 || graph[id].value != 0);
   });
   // A difference of parameters can vanish, or keep nothing but rounding; a product only with one of its factors, and
-  // then the result is not finite and says so.
+  // then status says so.
   return has_sum ? Safety::unknown : Safety::parameter_monomial;
 }
 
@@ -61,6 +61,7 @@ class GaussJordan {
       column_allowed_[pivot.column] = 0;
       result.dependent.push_back(pivot.column);
       result.rows.push_back(pivot.row);
+      result.pivots.push_back(b_[pivot.row][pivot.column]);
       clear_column(pivot);
     }
     return true;

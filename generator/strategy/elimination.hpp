@@ -13,6 +13,7 @@ struct Elimination {
   std::vector<std::size_t> independent;  ///< p
   Matrix c_dep;                          ///< l×(n-l)
   Vector drift;                          ///< l
+  Vector pivots;                         ///< l: numbers and terms of parameters that were divided by
 };
 
 /// A partition that holds in every configuration: every pivot of the elimination is a number or depends on parameters alone

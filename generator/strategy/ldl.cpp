@@ -1,5 +1,7 @@
 #include "strategy/ldl.hpp"
 
+#include "ir/traverse.hpp"
+#include "strategy/margins.hpp"
 #include "support/assert.hpp"
 
 namespace gaussgen::strategy {
@@ -25,8 +27,8 @@ std::size_t sparsest_row(const Matrix& rest, const std::vector<char>& done) {
 
 }  // namespace
 
-Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, Expr epsilon, Steps& steps,
-         Dependent dependent)
+Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, Expr epsilon,
+         Steps& steps, Dependent dependent)
     : graph_(epsilon.graph()), epsilon_(epsilon), dependent_(dependent), labels_(labels), prefix_(prefix) {
   const std::size_t n = matrix.size();
   const Expr zero(graph_, graph_.constant(0));
@@ -86,29 +88,25 @@ Vector Ldl::solve(const Vector& right_hand_side, const std::string& name, Steps&
 }
 
 // Rounding alone perturbs a pivot by about n eps of its diagonal entry (Higham, Accuracy and Stability, 10.1).
-std::optional<Expr> Ldl::lost(std::size_t pivot) const {
-  if (is_original_[pivot] != 0) return std::nullopt;
-  const Expr tolerance = support::Rational(4 * static_cast<int>(d_.size())) * epsilon_ * diagonal_[pivot];
-  return Expr(graph_, graph_.call(ir::Function::less, {d_[pivot].id(), tolerance.id()}));
+Expr Ldl::tolerance(std::size_t pivot) const {
+  if (is_original_[pivot] != 0) return {graph_, graph_.constant(0)};
+  return support::Rational(4 * static_cast<int>(d_.size())) * epsilon_ * diagonal_[pivot];
 }
 
 Expr Ldl::reciprocal(std::size_t pivot) const {
   const Expr zero(graph_, graph_.constant(0));
   if (d_[pivot].is_zero()) return zero;
   const Expr inverse = pow(d_[pivot], -1);
-  const std::optional<Expr> is_lost = dependent_ == Dependent::drop ? lost(pivot) : std::nullopt;
-  if (!is_lost) return inverse;
-  return {graph_, graph_.call(ir::Function::select, {is_lost->id(), zero.id(), inverse.id()})};
+  // What parameters alone decide is the same for a whole run: there is nothing to switch to and fro.
+  const bool is_fixed = is_original_[pivot] != 0 && ir::is_of_parameters(graph_, d_[pivot].id());
+  if (dependent_ == Dependent::divide || is_fixed) return inverse;
+  return select(at_most(d_[pivot], tolerance(pivot)), zero, inverse);
 }
 
 Expr Ldl::breakdown() const {
-  std::vector<ir::NodeId> conditions;
-  for (std::size_t i = 0; i < d_.size(); ++i) {
-    if (d_[i].is_zero()) return {graph_, graph_.constant(1)};
-    if (const std::optional<Expr> is_lost = lost(i)) conditions.push_back(is_lost->id());
-  }
-  if (conditions.empty()) return {graph_, graph_.constant(0)};
-  return {graph_, conditions.size() == 1 ? conditions[0] : graph_.call(ir::Function::any, conditions)};
+  Margins margins(graph_);
+  for (std::size_t i = 0; i < d_.size(); ++i) margins.require(d_[i], tolerance(i));
+  return margins.violated("least_" + prefix_ + "_d");
 }
 
 std::vector<std::string> Ldl::vanishing() const {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,14 +22,14 @@ enum class Dependent {
 class Ldl {
  public:
   /// `labels` name rows; entries appear as <prefix>_d_<row> and <prefix>_l_<row>_<column>.
-  Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, ir::Expr epsilon, Steps& steps,
-      Dependent dependent = Dependent::divide);
+  Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, ir::Expr epsilon,
+      Steps& steps, Dependent dependent = Dependent::divide);
 
   /// x with matrix x = right_hand_side; unknowns appear as <name>_<row>.
   Vector solve(const Vector& right_hand_side, const std::string& name, Steps& steps) const;
 
-  /// Boolean: some pivot has lost all its digits against its diagonal entry, so the matrix is singular as far as the scalar
-  /// type can tell. Pivots that are diagonal entries themselves cannot cancel and are not compared.
+  /// Boolean: some pivot is not positive or has lost all its digits against its diagonal entry, so the matrix is singular as
+  /// far as the scalar type can tell. Pivots that are diagonal entries themselves cannot cancel and are compared with 0.
   ir::Expr breakdown() const;
 
   /// Rows whose pivot vanishes identically: the matrix is singular in every configuration.
@@ -39,7 +38,7 @@ class Ldl {
  private:
   void eliminate(std::size_t pivot, Matrix& rest, const std::vector<char>& done, Steps& steps);
 
-  std::optional<ir::Expr> lost(std::size_t pivot) const;
+  ir::Expr tolerance(std::size_t pivot) const;
   ir::Expr reciprocal(std::size_t pivot) const;
 
   ir::Graph& graph_;

@@ -38,7 +38,8 @@ class Metric {
 
   std::vector<std::string> labels(const Dynamics& dynamics) const {
     std::vector<std::string> all;
-    for (const std::size_t i : coordinates_) all.push_back(dynamics.kinematics->symbols.label(kinematics::FullIndex{i}));
+    for (const std::size_t i : coordinates_)
+      all.push_back(dynamics.kinematics->symbols.label(kinematics::FullIndex{i}));
     return all;
   }
 

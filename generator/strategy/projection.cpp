@@ -1,8 +1,10 @@
 #include "strategy/projection.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "ir/substitute.hpp"
+#include "strategy/accelerations.hpp"
 #include "strategy/inner.hpp"
 
 namespace gaussgen::strategy {
@@ -21,86 +23,82 @@ struct VelocityProblem {
   Matrix g;
 };
 
-/// Newton steps on φ(u) = 0 over some of the speeds, in the metric g.
+Vector restricted(const Vector& row, const std::vector<std::size_t>& to) {
+  Vector result;
+  for (const std::size_t i : to) result.push_back(row[i]);
+  return result;
+}
+
+// Multipliers need no pivot of b, but a metric that has an inverse.
+Solution least_change(const Dynamics& problem, Expr epsilon, Steps& steps) {
+  Steps with_multipliers;
+  const Solution change = solve_with_multipliers(problem, epsilon, with_multipliers);
+  if (!change.undetermined.empty()) {
+    if (const auto elimination = eliminate(problem, {}, steps))
+      return solve_by_elimination(problem, *elimination, epsilon, steps);
+  }
+  steps = with_multipliers;
+  return change;
+}
+
+/// Newton steps on φ(u) = 0 over some of the speeds: each is the least δu in the metric g with b δu + φ = 0, which is the
+/// problem that Gauss's principle poses for accelerations, without forces.
 class VelocityProjection {
  public:
   VelocityProjection(const Dynamics& dynamics, std::vector<std::size_t> moving, Expr epsilon)
       : dynamics_(dynamics), moving_(std::move(moving)), epsilon_(epsilon), singular_(never()), dependent_(never()) {}
 
-  /// Changes `speeds` by one step at `problem`.
-  void step(const VelocityProblem& problem, const std::string& prefix, Vector& speeds, Steps& steps) {
-    const std::vector<std::size_t> rows = rows_that_move(problem);
-    if (rows.empty() || moving_.empty()) return;
+  /// Changes `speeds` by one step at `at`.
+  void step(const VelocityProblem& at, const std::string& prefix, Vector& speeds, Steps& steps) {
+    const Dynamics problem = problem_of_change(at, prefix);
+    if (problem.l() == 0) return;
+    Steps inner_steps;
+    const Solution change = least_change(problem, epsilon_, inner_steps);
     steps.begin("smallest change of the speeds in the mass metric that satisfies the constraints");
-    const Ldl metric(restricted(problem.g), labels(), prefix + "g", epsilon_, steps);
-    Matrix response;
-    Matrix b;
-    Vector defect;
-    std::vector<std::string> names;
-    for (const std::size_t mu : rows) {
-      names.push_back(dynamics_.constraints[mu]);
-      b.push_back(restricted(problem.b[mu]));
-      response.push_back(metric.solve(b.back(), prefix + "response_" + names.back(), steps));
-      defect.push_back(-problem.phi[mu]);
-    }
-    const Ldl schur(products(b, response), names, prefix + "S", epsilon_, steps, Dependent::drop);
-    const Vector size = schur.solve(defect, prefix + "impulse", steps);
+    for (const Step& inner_step : inner_steps.all()) steps.append(inner_step.values);
     for (std::size_t j = 0; j < moving_.size(); ++j) {
-      Vector column;
-      for (const Vector& row : response) column.push_back(row[j]);
       Expr& speed = speeds[moving_[j]];
-      speed = steps.name(speed + inner(graph(), column, size), prefix + dynamics_.labels[moving_[j]] + "_rate");
+      speed = steps.name(speed + change.accelerations[j], prefix + dynamics_.labels[moving_[j]] + "_rate");
     }
-    singular_ = either(singular_, metric.breakdown());
-    dependent_ = either(dependent_, schur.breakdown());
+    singular_ = any(graph(), {singular_, change.singular_mass_matrix});
+    dependent_ = any(graph(), {dependent_, change.dependent_constraints});
+  }
+
+  // One step satisfies a linear constraint exactly, unless none of its speeds is free to move.
+  std::vector<std::size_t> to_be_checked(const VelocityProblem& at) const {
+    std::vector<std::size_t> rows;
+    for (const ConstraintIndex mu : dynamics_.kinematics->constraints.indices()) {
+      if (!dynamics_.kinematics->constraints[mu].is_linear || !can_move(at, mu.value)) rows.push_back(mu.value);
+    }
+    return rows;
   }
 
   Expr singular() const { return singular_; }
   Expr dependent() const { return dependent_; }
 
  private:
+  bool can_move(const VelocityProblem& at, std::size_t mu) const {
+    return std::any_of(moving_.begin(), moving_.end(), [&](std::size_t i) { return !at.b[mu][i].is_zero(); });
+  }
+
   ir::Graph& graph() const { return epsilon_.graph(); }
   Expr never() const { return {graph(), graph().constant(0)}; }
 
-  Expr either(Expr a, Expr b) const {
-    if (a.is_zero()) return b;
-    return b.is_zero() ? a : Expr(graph(), graph().call(ir::Function::any, {a.id(), b.id()}));
-  }
-
-  // A constraint over speeds that are all given can only be checked, not satisfied.
-  std::vector<std::size_t> rows_that_move(const VelocityProblem& problem) const {
-    std::vector<std::size_t> rows;
-    for (std::size_t mu = 0; mu < problem.b.size(); ++mu) {
-      const Vector row = restricted(problem.b[mu]);
-      if (std::any_of(row.begin(), row.end(), [](Expr e) { return !e.is_zero(); })) rows.push_back(mu);
+  Dynamics problem_of_change(const VelocityProblem& at, const std::string& prefix) const {
+    Dynamics problem;
+    problem.names = {prefix, "change", "impulse"};
+    for (const std::size_t i : moving_) {
+      problem.labels.push_back(dynamics_.labels[i]);
+      problem.f.push_back(never());
+      problem.g.push_back(restricted(at.g[i], moving_));
     }
-    return rows;
-  }
-
-  std::vector<std::string> labels() const {
-    std::vector<std::string> result;
-    for (const std::size_t i : moving_) result.push_back(dynamics_.labels[i]);
-    return result;
-  }
-
-  Vector restricted(const Vector& row) const {
-    Vector result;
-    for (const std::size_t i : moving_) result.push_back(row[i]);
-    return result;
-  }
-
-  Matrix restricted(const Matrix& matrix) const {
-    Matrix result;
-    for (const std::size_t i : moving_) result.push_back(restricted(matrix[i]));
-    return result;
-  }
-
-  Matrix products(const Matrix& b, const Matrix& response) const {
-    Matrix S(b.size(), Vector(b.size(), never()));
-    for (std::size_t i = 0; i < b.size(); ++i) {
-      for (std::size_t j = 0; j < b.size(); ++j) S[i][j] = inner(graph(), b[std::max(i, j)], response[std::min(i, j)]);
+    for (std::size_t mu = 0; mu < at.b.size(); ++mu) {
+      if (!can_move(at, mu)) continue;
+      problem.constraints.push_back(dynamics_.constraints[mu]);
+      problem.b.push_back(restricted(at.b[mu], moving_));
+      problem.b_drift.push_back(at.phi[mu]);
     }
-    return S;
+    return problem;
   }
 
   const Dynamics& dynamics_;
@@ -109,6 +107,18 @@ class VelocityProjection {
   Expr singular_;
   Expr dependent_;
 };
+
+// φ against the terms of its linear part, with half of the digits: where Newton's method has converged nothing is left but
+// rounding, and where it has not, φ is large. Squares, since a condition has no sign.
+Expr violated(const VelocityProblem& at, const Vector& speeds, const std::vector<std::size_t>& rows, Expr epsilon) {
+  std::vector<Expr> conditions;
+  for (const std::size_t mu : rows) {
+    Expr scale(epsilon.graph(), epsilon.graph().constant(0));
+    for (std::size_t j = 0; j < speeds.size(); ++j) scale += pow(at.b[mu][j] * speeds[j], 2);
+    conditions.push_back(less(epsilon * scale, pow(at.phi[mu], 2)));
+  }
+  return any(epsilon.graph(), conditions);
+}
 
 VelocityProblem at(const Dynamics& dynamics, ir::Substitution& put_in) {
   VelocityProblem problem;
@@ -141,26 +151,43 @@ bool all_linear(const Dynamics& dynamics) {
   return std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.is_linear; });
 }
 
+std::vector<std::size_t> first(std::size_t count) {
+  std::vector<std::size_t> indices(count);
+  std::iota(indices.begin(), indices.end(), 0);
+  return indices;
+}
+
+/// The problem at the state reached so far.
+VelocityProblem at_state(const Dynamics& dynamics, const std::optional<Expr>& time, const Vector& configuration,
+                         const Vector& speeds) {
+  const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
+  ir::Substitution put_in(speeds[0].graph());
+  if (time) put_in.replace(symbols.time, *time);
+  for (const ConfigurationIndex i : symbols.configuration.indices()) {
+    put_in.replace(symbols.configuration[i].symbol, configuration[i.value]);
+  }
+  for (const FreeIndex i : symbols.speeds.indices()) put_in.replace(symbols.speeds[i].symbol, speeds[i.value]);
+  return at(dynamics, put_in);
+}
+
 }  // namespace
 
 ProjectedState project(const Dynamics& dynamics, Expr epsilon, Steps& steps) {
   ir::Graph& graph = epsilon.graph();
   const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
-  ProjectedState state{{}, {}, epsilon, epsilon};
-  for (const auto& q : symbols.configuration) state.configuration.emplace_back(graph, graph.use(q.symbol));
-  for (const auto& u : symbols.speeds) state.speeds.emplace_back(graph, graph.use(u.symbol));
-  normalise_quaternions(symbols, state.configuration, steps);
-  ir::Substitution put_in(graph);
-  for (const ConfigurationIndex i : symbols.configuration.indices()) {
-    put_in.replace(symbols.configuration[i].symbol, state.configuration[i.value]);
+  Vector configuration;
+  Vector speeds;
+  for (const auto& q : symbols.configuration) configuration.emplace_back(graph, graph.use(q.symbol));
+  for (const auto& u : symbols.speeds) speeds.emplace_back(graph, graph.use(u.symbol));
+  normalise_quaternions(symbols, configuration, steps);
+  VelocityProjection projection(dynamics, first(dynamics.n()), epsilon);
+  Expr is_violated(graph, graph.constant(0));
+  if (dynamics.l() != 0) {
+    projection.step(at_state(dynamics, std::nullopt, configuration, speeds), "", speeds, steps);
+    const VelocityProblem reached = at_state(dynamics, std::nullopt, configuration, speeds);
+    is_violated = violated(reached, speeds, projection.to_be_checked(reached), epsilon);
   }
-  std::vector<std::size_t> all;
-  for (std::size_t i = 0; i < dynamics.n(); ++i) all.push_back(i);
-  VelocityProjection projection(dynamics, all, epsilon);
-  projection.step(at(dynamics, put_in), "", state.speeds, steps);
-  state.singular_mass_matrix = projection.singular();
-  state.dependent_constraints = projection.dependent();
-  return state;
+  return {configuration, speeds, projection.singular(), projection.dependent(), is_violated};
 }
 
 namespace {
@@ -203,18 +230,18 @@ ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics
   Given given = given_state(model, expressions);
   normalise_quaternions(symbols, given.configuration, steps);
   VelocityProjection projection(dynamics, given.open, epsilon);
-  // A linear problem needs one step; a second one then only refines the rounding. Newton converges quadratically.
-  const int count = dynamics.l() == 0 ? 0 : (all_linear(dynamics) ? 1 : 8);
-  for (int step = 0; step < count; ++step) {
-    ir::Substitution put_in(graph);
-    put_in.replace(symbols.time, time);
-    for (const ConfigurationIndex i : symbols.configuration.indices()) {
-      put_in.replace(symbols.configuration[i].symbol, given.configuration[i.value]);
+  Expr is_violated(graph, graph.constant(0));
+  if (dynamics.l() != 0) {
+    // A linear problem needs one step; a second one would only refine the rounding. Newton converges quadratically.
+    const int count = all_linear(dynamics) ? 1 : 8;
+    for (int step = 0; step < count; ++step) {
+      projection.step(at_state(dynamics, time, given.configuration, given.speeds),
+                      count == 1 ? "" : "step" + std::to_string(step + 1) + "_", given.speeds, steps);
     }
-    for (const FreeIndex i : symbols.speeds.indices()) put_in.replace(symbols.speeds[i].symbol, given.speeds[i.value]);
-    projection.step(at(dynamics, put_in), count == 1 ? "" : "step" + std::to_string(step + 1) + "_", given.speeds, steps);
+    const VelocityProblem reached = at_state(dynamics, time, given.configuration, given.speeds);
+    is_violated = violated(reached, given.speeds, projection.to_be_checked(reached), epsilon);
   }
-  return {given.configuration, given.speeds, projection.singular(), projection.dependent()};
+  return {given.configuration, given.speeds, projection.singular(), projection.dependent(), is_violated};
 }
 
 }  // namespace gaussgen::strategy

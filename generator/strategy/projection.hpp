@@ -10,10 +10,12 @@ struct ProjectedState {
   Vector speeds;
   ir::Expr singular_mass_matrix;
   ir::Expr dependent_constraints;
+  ir::Expr violated_constraints;
 };
 
 /// Quaternions to unit length, then the smallest change of the speeds in the mass metric that satisfies φ = 0:
-/// δu = -g^-1 bᵀ (b g^-1 bᵀ)^-1 φ. Exact for constraints linear in the velocities, one Newton step for others.
+/// δu = -g^-1 bᵀ (b g^-1 bᵀ)^-1 φ. Exact for constraints linear in the velocities, one Newton step for others, after which
+/// `violated_constraints` tells whether it was enough.
 ProjectedState project(const Dynamics& dynamics, ir::Expr epsilon, Steps& steps);
 
 /// The model's initial state at `time` over parameters. Rates that the model does not give are found from the constraints by the same

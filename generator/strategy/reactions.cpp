@@ -98,7 +98,8 @@ std::optional<ReactionWrench> wrench_on(const BodyMotion& body, const Source& so
   const Vector3 linear = combination(body.J, z);
   const Vector3 angular = body.is_rigid ? combination(body.W, z) : ir::zero3(source.size.graph());
   if (is_zero(linear) && is_zero(angular)) return std::nullopt;
-  ReactionWrench wrench{source.name, body.name, steps.name((body.mass * source.size) * linear, "force_" + suffix), {}, false};
+  ReactionWrench wrench{
+      source.name, body.name, steps.name((body.mass * source.size) * linear, "force_" + suffix), {}, false};
   if (!body.is_rigid) return wrench;
   Vector3 moment = source.size * in_space(body, body.inertia_times(angular));
   if (source.point != nullptr && source.point->has_value()) {

@@ -12,7 +12,8 @@ namespace gaussgen::strategy {
 
 struct Step {
   std::string comment;
-  std::string subject;  ///< constraint or held coordinate that the step is about, so that its line can be named; may be empty
+  std::string
+      subject;  ///< constraint or held coordinate that the step is about, so that its line can be named; may be empty
   std::vector<std::pair<ir::NodeId, std::string>> values;
 };
 
@@ -21,6 +22,11 @@ class Steps {
  public:
   void begin(std::string comment, std::string subject = "") {
     steps_.push_back({std::move(comment), std::move(subject), {}});
+  }
+
+  /// Values named elsewhere, into the current step.
+  void append(const std::vector<std::pair<ir::NodeId, std::string>>& values) {
+    steps_.back().values.insert(steps_.back().values.end(), values.begin(), values.end());
   }
 
   /// Gives `value` its physical name in the current step and returns it as later steps shall use it.

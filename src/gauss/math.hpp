@@ -11,7 +11,8 @@
 
 // Conditions on values that are not finite, and the order of sums, are part of the results.
 #if defined(__FAST_MATH__) && !defined(GAUSS_ALLOW_FAST_MATH)
-#error "Emitted models need exact floating-point semantics: compile without -ffast-math, or define GAUSS_ALLOW_FAST_MATH."
+#error \
+    "Emitted models need exact floating-point semantics: compile without -ffast-math, or define GAUSS_ALLOW_FAST_MATH."
 #endif
 
 #include <cmath>
@@ -26,13 +27,14 @@
 namespace gauss {
 
 /// How a computation went. Results are to be trusted with `ok` only.
-enum class Status { ok, singular_mass_matrix, dependent_constraints, not_finite };
+enum class Status { ok, singular_mass_matrix, dependent_constraints, not_finite, violated_constraints };
 
 constexpr const char* name(Status status) noexcept {
   return status == Status::ok                      ? "ok"
          : status == Status::singular_mass_matrix  ? "singular mass matrix"
          : status == Status::dependent_constraints ? "dependent constraints"
-                                                   : "not finite";
+         : status == Status::not_finite            ? "not finite"
+                                                   : "violated constraints";
 }
 
 /// An entry of the tables that describe a model.
@@ -44,10 +46,10 @@ struct Quantity {
 
 // Functions by argument-dependent lookup, outside of Math, whose members would hide them.
 namespace adl {
-#define GAUSS_BY_LOOKUP(f)                 \
-  template <class S>                       \
-  GAUSS_FUNCTION S call_##f(const S& x) {  \
-    return f(x);                           \
+#define GAUSS_BY_LOOKUP(f)                \
+  template <class S>                      \
+  GAUSS_FUNCTION S call_##f(const S& x) { \
+    return f(x);                          \
   }
 GAUSS_BY_LOOKUP(sin)
 GAUSS_BY_LOOKUP(cos)
@@ -79,6 +81,7 @@ struct ScalarLogic {
   using Status = gauss::Status;
 
   GAUSS_FUNCTION static Bool less(const S& a, const S& b) { return a < b; }
+  GAUSS_FUNCTION static Bool at_most(const S& a, const S& b) { return a < b || a == b; }
   GAUSS_FUNCTION static S select(Bool condition, const S& a, const S& b) { return condition ? a : b; }
 
   template <class... Rest>
@@ -93,11 +96,12 @@ struct ScalarLogic {
   }
 
   /// The first condition that holds.
-  GAUSS_FUNCTION static Status status(Bool singular_mass_matrix, Bool dependent_constraints,
-                                      Bool not_finite) {
+  GAUSS_FUNCTION static Status status(Bool singular_mass_matrix, Bool dependent_constraints, Bool not_finite,
+                                      Bool violated_constraints = false) {
     return singular_mass_matrix    ? Status::singular_mass_matrix
            : dependent_constraints ? Status::dependent_constraints
            : not_finite            ? Status::not_finite
+           : violated_constraints  ? Status::violated_constraints
                                    : Status::ok;
   }
 

@@ -48,7 +48,7 @@ emit::Artefact& UnitBuilder::artefact(const std::string& name, const std::string
   result.name = name;
   result.about = about;
   const ir::NodeId never = graph_.constant(0);
-  result.status = {never, never, never};
+  result.status = {never, never, never, never};
   return result;
 }
 

@@ -224,7 +224,7 @@ Sample zoo() {
   const Expr chosen(graph, graph.call(Function::select, {graph.call(Function::any, {x_is_less, p_is_less, graph.constant(0)}),
                                                          (x * y).id(), graph.constant(-1)}));
   conditions.groups = {{"", "", "", {build.field("smaller", "", {smaller}), build.field("chosen", "", {chosen})}}};
-  conditions.status = {x_is_less, p_is_less, build.not_finite({x, y})};
+  conditions.status = {x_is_less, p_is_less, build.not_finite({x, y}), graph.constant(0)};
   return sample;
 }
 

@@ -27,6 +27,19 @@ struct Answer {
   std::vector<gauss::Status> statuses;  ///< of rhs_and_reactions (or rhs), energy, project, initial_state
 };
 
+constexpr std::size_t k_project = 2;  ///< among the statuses
+
+/// All went well, but for one thing: the one Newton step of `project` may leave something of a nonlinear constraint, and
+/// says so.
+template <class Statuses>
+bool all_ok(const Statuses& statuses) {
+  for (std::size_t i = 0; i < statuses.size(); ++i) {
+    const bool is_on_the_way = i == k_project && statuses[i] == gauss::Status::violated_constraints;
+    if (statuses[i] != gauss::Status::ok && !is_on_the_way) return false;
+  }
+  return true;
+}
+
 /// An emitted model in one scalar type.
 struct Computed {
   std::string name;

@@ -14,9 +14,12 @@ struct BatchStatus {
   Mask singular_mass_matrix = Mask(false);
   Mask dependent_constraints = Mask(false);
   Mask not_finite = Mask(false);
+  Mask violated_constraints = Mask(false);
 
   /// Lanes whose results are not to be trusted.
-  Mask bad() const noexcept { return singular_mass_matrix || dependent_constraints || not_finite; }
+  Mask bad() const noexcept {
+    return singular_mass_matrix || dependent_constraints || not_finite || violated_constraints;
+  }
   bool any() const noexcept { return xsimd::any(bad()); }
 
   /// Of one lane, as a scalar computation would have it.
@@ -24,6 +27,7 @@ struct BatchStatus {
     return singular_mass_matrix.get(i)    ? Status::singular_mass_matrix
            : dependent_constraints.get(i) ? Status::dependent_constraints
            : not_finite.get(i)            ? Status::not_finite
+           : violated_constraints.get(i)  ? Status::violated_constraints
                                           : Status::ok;
   }
 };
@@ -55,6 +59,7 @@ struct Math<xsimd::batch<T, Arch>> {
   }
 
   static Bool less(const S& a, const S& b) noexcept { return a < b; }
+  static Bool at_most(const S& a, const S& b) noexcept { return a <= b; }
   static S select(const Bool& condition, const S& a, const S& b) noexcept { return xsimd::select(condition, a, b); }
   template <class... Rest>
   static Bool any(const Bool& first, const Rest&... rest) noexcept {
@@ -64,8 +69,9 @@ struct Math<xsimd::batch<T, Arch>> {
   static Bool not_finite(const S& first, const Rest&... rest) noexcept {
     return !(((first - first) + ... + (rest - rest)) == S(T(0)));
   }
-  static Status status(const Bool& singular_mass_matrix, const Bool& dependent_constraints, const Bool& not_finite) noexcept {
-    return {singular_mass_matrix, dependent_constraints, not_finite};
+  static Status status(const Bool& singular_mass_matrix, const Bool& dependent_constraints, const Bool& not_finite,
+                       const Bool& violated_constraints = Bool(false)) noexcept {
+    return {singular_mass_matrix, dependent_constraints, not_finite, violated_constraints};
   }
 
   static S epsilon() noexcept { return S(std::numeric_limits<T>::epsilon()); }

@@ -1,0 +1,29 @@
+#pragma once
+// When results cannot be trusted: values that must stay above a bound.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ir/expr.hpp"
+
+namespace gaussgen::strategy {
+
+/// Collects values that must exceed their bounds, and says with one condition whether one does not.
+///
+/// What depends on parameters alone costs one comparison per call, however much it is: `prepare` finds the least margin.
+class Margins {
+ public:
+  explicit Margins(ir::Graph& graph) : graph_(graph) {}
+
+  void require(ir::Expr value, ir::Expr bound) { required_.emplace_back(value, bound); }
+
+  /// Boolean. `least` names the prepared margin, if there is one.
+  ir::Expr violated(const std::string& least) const;
+
+ private:
+  ir::Graph& graph_;
+  std::vector<std::pair<ir::Expr, ir::Expr>> required_;
+};
+
+}  // namespace gaussgen::strategy
