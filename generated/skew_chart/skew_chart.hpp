@@ -25,15 +25,16 @@
 //
 // Operations per call
 //                      + -  *    /   sqrt  functions
-//   rhs                39   80   12  0     2
-//   reactions          54   105  12  0     2
-//   rhs_and_reactions  54   106  13  0     2
-//   reaction_forces    92   181  24  0     2
+//   prepare            0    47   20  0     0
+//   rhs                39   92   7   0     2
+//   reactions          54   117  7   0     2
+//   rhs_and_reactions  54   119  7   0     2
+//   reaction_forces    92   205  15  0     2
 //   energy             25   42   0   0     2
-//   compulsion         79   134  19  0     2
+//   compulsion         79   152  13  0     2
 //   mass_matrix        6    14   0   0     1
 //   project            0    0    0   0     0
-//   initial_state      0    0    0   0     0
+//   initial_state      0    0    9   0     0
 
 #ifndef GAUSS_MODEL_GAUSS_SKEW_CHART_HPP
 #define GAUSS_MODEL_GAUSS_SKEW_CHART_HPP

@@ -21,17 +21,18 @@
 //   g   m/s^2
 //
 // Operations per call
-//                      + -  *   /  sqrt  functions
-//   rhs                20   29  6  0     0
-//   reactions          38   50  7  0     0
-//   rhs_and_reactions  38   50  8  0     0
-//   reaction_forces    27   41  6  0     0
-//   energy             14   25  0  0     0
-//   compulsion         12   20  0  0     0
-//   residuals          7    9   0  0     0
-//   mass_matrix        0    0   0  0     0
-//   project            14   21  1  0     0
-//   initial_state      0    0   0  0     0
+//                      + -  *   /   sqrt  functions
+//   prepare            11   54  32  0     0
+//   rhs                20   35  3   0     0
+//   reactions          38   57  5   0     0
+//   rhs_and_reactions  38   58  5   0     0
+//   reaction_forces    27   47  3   0     0
+//   energy             14   25  0   0     0
+//   compulsion         12   20  0   0     0
+//   residuals          7    9   0   0     0
+//   mass_matrix        0    0   0   0     0
+//   project            14   21  1   0     0
+//   initial_state      1    1   6   0     0
 
 #ifndef GAUSS_MODEL_GAUSS_SKEW_NONHOLONOMIC_HPP
 #define GAUSS_MODEL_GAUSS_SKEW_NONHOLONOMIC_HPP

@@ -29,17 +29,18 @@
 //   omega_r_0   rad/s   angular velocity about the line to the contact at t = 0
 //
 // Operations per call
-//                      + -  *   /  sqrt  functions
-//   rhs                16   56  6  0     4
-//   reactions          16   61  5  0     4
-//   rhs_and_reactions  17   64  6  0     4
-//   reaction_forces    29   99  7  0     8
-//   energy             6    14  0  0     1
-//   compulsion         18   48  0  0     6
-//   residuals          14   32  0  0     4
-//   mass_matrix        0    1   0  0     1
-//   project            11   21  2  0     4
-//   initial_state      0    0   0  0     0
+//                      + -  *    /  sqrt  functions
+//   prepare            4    25   6  0     0
+//   rhs                16   62   2  0     4
+//   reactions          16   66   2  0     4
+//   rhs_and_reactions  17   70   2  0     4
+//   reaction_forces    29   106  2  0     8
+//   energy             6    14   0  0     1
+//   compulsion         18   48   0  0     6
+//   residuals          14   32   0  0     4
+//   mass_matrix        0    1    0  0     1
+//   project            11   23   1  0     4
+//   initial_state      4    18   4  0     4
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
 #define GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP

@@ -36,16 +36,17 @@
 //
 // Operations per call
 //                      + -  *   /  sqrt  functions
-//   rhs                17   53  6  0     2
-//   reactions          10   36  5  0     2
-//   rhs_and_reactions  18   60  6  0     2
-//   reaction_forces    14   47  6  0     2
+//   prepare            4    23  6  0     0
+//   rhs                17   51  2  0     2
+//   reactions          10   41  2  0     2
+//   rhs_and_reactions  18   58  2  0     2
+//   reaction_forces    14   53  2  0     2
 //   energy             5    11  0  0     0
 //   compulsion         8    23  0  0     2
 //   residuals          12   20  0  0     2
 //   mass_matrix        0    0   0  0     0
-//   project            11   16  4  1     2
-//   initial_state      0    0   0  0     0
+//   project            11   20  1  1     2
+//   initial_state      3    11  4  0     6
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_QUATERNION_HPP
 #define GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_QUATERNION_HPP

@@ -41,7 +41,9 @@ class HeaderBuilder {
 
   cpp::File build() {
     const std::string guard = guard_name(file_.name_space);
-    file_.before = {cpp::Comment{provenance_text(plan_)}, cpp::BlankLine{},
+    std::vector<cpp::Function> functions{prepare_function(plan_)};
+    for (const Task& task : plan_.tasks) functions.push_back(artefact_function(plan_, task));
+    file_.before = {cpp::Comment{provenance_text(plan_, functions)}, cpp::BlankLine{},
                     cpp::Verbatim{"#ifndef " + guard + "\n#define " + guard + "\n\n"},
                     cpp::Verbatim{std::string(prelude())}, cpp::BlankLine{}};
     // A model outside of namespace gauss still needs Math, Status and their like.
@@ -50,8 +52,7 @@ class HeaderBuilder {
     if (!is_inside) add(cpp::Verbatim{"using namespace ::gauss;\n"});
     add_all(sizes(plan_));
     for (cpp::Struct& type : types()) add(std::move(type));
-    add(prepare_function(plan_));
-    for (const Task& task : plan_.tasks) add(artefact_function(plan_, task));
+    for (cpp::Function& function : functions) add(std::move(function));
     add_all(introspection_tables(plan_));
     file_.after = {cpp::BlankLine{}, cpp::Verbatim{"#endif  // " + guard + "\n"}};
     return std::move(file_);

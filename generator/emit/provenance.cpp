@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "emit/operations.hpp"
 #include "emit/text.hpp"
-#include "ir/cost.hpp"
 
 namespace gaussgen::emit {
 
@@ -40,11 +40,11 @@ std::string quantities(const Unit& unit) {
          table("Parameters", parameters) + table("Inputs", inputs);
 }
 
-std::string operations(const Plan& plan) {
+std::string operations(const std::vector<cpp::Function>& functions) {
   Rows rows{{"", "+ -", "*", "/", "sqrt", "functions"}};
-  for (const Task& task : plan.tasks) {
-    const ir::OperationCount count = ir::count_operations(plan.graph, task.request.outputs);
-    rows.push_back({task.artefact->name, std::to_string(count.additions), std::to_string(count.multiplications),
+  for (const cpp::Function& function : functions) {
+    const Operations count = operations_of(function);
+    rows.push_back({function.name, std::to_string(count.additions), std::to_string(count.multiplications),
                     std::to_string(count.divisions), std::to_string(count.square_roots), std::to_string(count.functions)});
   }
   return table("Operations per call", rows);
@@ -52,7 +52,7 @@ std::string operations(const Plan& plan) {
 
 }  // namespace
 
-std::string provenance_text(const Plan& plan) {
+std::string provenance_text(const Plan& plan, const std::vector<cpp::Function>& functions) {
   const Unit& unit = plan.unit;
   const Provenance& provenance = unit.provenance;
   std::string text = wrapped(unit.model_name + (unit.about.empty() ? "" : ": " + unit.about), k_width);
@@ -61,7 +61,7 @@ std::string provenance_text(const Plan& plan) {
   text += paragraph("Command: " + provenance.command);
   if (!provenance.strategy.empty()) text += "\n" + paragraph(provenance.strategy);
   for (const std::string& note : provenance.notes) text += paragraph(note);
-  return text + quantities(unit) + operations(plan);
+  return text + quantities(unit) + operations(functions);
 }
 
 }  // namespace gaussgen::emit

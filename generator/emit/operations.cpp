@@ -1,0 +1,63 @@
+#include "emit/operations.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace gaussgen::emit {
+
+using cpp::Expression;
+
+namespace {
+
+using Kind = Expression::Kind;
+
+bool is_number(const Expression& e) { return e.kind == Kind::atom && e.text.rfind("S(", 0) == 0; }
+
+bool is_free(const std::string& callee) {
+  static constexpr std::array k_free{"less",   "at_most", "select",   "any", "not_finite",
+                                     "status", "epsilon", "constant", "pi"};
+  return std::any_of(k_free.begin(), k_free.end(),
+                     [&](const char* name) { return callee == "Math<S>::" + std::string(name); });
+}
+
+class Tally {
+ public:
+  void add(const Expression& e) {
+    const int count = static_cast<int>(e.operands.size());
+    switch (e.kind) {
+      case Kind::sum: operations.additions += count - 1; break;
+      case Kind::product: operations.multiplications += count - 1; break;
+      case Kind::quotient: operations.divisions += is_number(e.operands[0]) && is_number(e.operands[1]) ? 0 : 1; break;
+      case Kind::call: add_call(e.text); break;
+      default: break;
+    }
+    for (const Expression& operand : e.operands) add(operand);
+  }
+
+  Operations operations;
+
+ private:
+  void add_call(const std::string& callee) {
+    if (callee.rfind("Math<S>::", 0) != 0 || is_free(callee)) return;
+    if (callee == "Math<S>::sqrt") {
+      ++operations.square_roots;
+    } else {
+      operations.functions += callee == "Math<S>::sincos" ? 2 : 1;
+    }
+  }
+};
+
+}  // namespace
+
+Operations operations_of(const cpp::Function& function) {
+  Tally tally;
+  for (const cpp::Statement& statement : function.body) {
+    if (const auto* definition = std::get_if<cpp::Definition>(&statement)) tally.add(definition->value);
+    if (const auto* assignment = std::get_if<cpp::Assignment>(&statement)) tally.add(assignment->value);
+    if (const auto* evaluation = std::get_if<cpp::Evaluation>(&statement)) tally.add(evaluation->expression);
+    if (const auto* result = std::get_if<cpp::Return>(&statement)) tally.add(result->value);
+  }
+  return tally.operations;
+}
+
+}  // namespace gaussgen::emit

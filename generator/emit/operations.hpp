@@ -1,0 +1,18 @@
+#pragma once
+
+#include "emit/cpp_tree.hpp"
+
+namespace gaussgen::emit {
+
+/// Operations on values of type S, as written. Changes of sign, comparisons and quotients of two numbers are free.
+struct Operations {
+  int additions = 0;  ///< and subtractions
+  int multiplications = 0;
+  int divisions = 0;
+  int square_roots = 0;
+  int functions = 0;  ///< sin, pow, …; a sine and a cosine together are two
+};
+
+Operations operations_of(const cpp::Function& function);
+
+}  // namespace gaussgen::emit
