@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <type_traits>
 
 #include "catch_shim.hpp"
@@ -45,6 +46,52 @@ TEST_CASE("finite values of any size are not reported") {
   const double largest = std::numeric_limits<double>::max();
   CHECK_FALSE(M::not_finite(largest, -largest, largest, 0.0, std::numeric_limits<double>::denorm_min()));
   CHECK(M::not_finite(1.0, 2.0, std::nan("")));
+}
+
+namespace {
+
+template <class S>
+void has_exact_conditions() {
+  using M = gauss::Math<S>;
+  using gauss::Status;
+  CHECK(M::epsilon() == std::numeric_limits<S>::epsilon());
+  CHECK(M::less(S(1), S(2)));
+  CHECK_FALSE(M::less(S(1), S(1)));
+  CHECK_FALSE(M::less(S(2), S(1)));
+  CHECK_FALSE(M::less(std::numeric_limits<S>::quiet_NaN(), S(1)));
+  CHECK(M::select(true, S(1), S(2)) == S(1));
+  CHECK(M::select(false, S(1), S(2)) == S(2));
+  CHECK(M::any(false, false, true));
+  CHECK_FALSE(M::any(false, false, false));
+  CHECK(M::status(true, true, true) == Status::singular_mass_matrix);
+  CHECK(M::status(false, true, true) == Status::dependent_constraints);
+  CHECK(M::status(false, false, true) == Status::not_finite);
+  CHECK(M::status(false, false, false) == Status::ok);
+}
+
+}  // namespace
+
+TEST_CASE("less is strict, any needs one, the first status that holds is stated, epsilon is that of the type") {
+  has_exact_conditions<float>();
+  has_exact_conditions<double>();
+  has_exact_conditions<long double>();
+}
+
+// The C library's own pair hides it here; elsewhere it is what emitted code calls.
+TEST_CASE("sine and cosine together are those alone, without the C library's pair, too") {
+  double sine = 0;
+  double cosine = 0;
+  gauss::StandardMath<double>::sincos(0.3, sine, cosine);
+  CHECK(sine == std::sin(0.3));
+  CHECK(cosine == std::cos(0.3));
+}
+
+TEST_CASE("a status is called what it is") {
+  const auto text = [](gauss::Status status) { return std::string(gauss::name(status)); };
+  CHECK(text(gauss::Status::ok) == "ok");
+  CHECK(text(gauss::Status::singular_mass_matrix) == "singular mass matrix");
+  CHECK(text(gauss::Status::dependent_constraints) == "dependent constraints");
+  CHECK(text(gauss::Status::not_finite) == "not finite");
 }
 
 TEST_CASE("a vanishing mass is reported as a singular mass matrix") {

@@ -96,3 +96,22 @@ TEST_CASE("every function has its form for batches") {
   (void)model::powers(0.0, scalar, {}, model::prepare(model::Parameters<double>{}), expected_powers);
   for (int i = 0; i < 15; ++i) CHECK(p.of_x[i].get(0) == Approx(expected_powers.of_x[i]));
 }
+
+TEST_CASE("the status of a lane is the first of its conditions, and a lane with any of them is bad") {
+  using S = Batch<double>;
+  using M = gauss::Math<S>;
+  CHECK(M::epsilon().get(0) == std::numeric_limits<double>::epsilon());
+  using Bool = M::Bool;
+  const Bool all(true);
+  const Bool none(false);
+  CHECK(M::status(all, all, all).lane(0) == gauss::Status::singular_mass_matrix);
+  CHECK(M::status(none, all, all).lane(0) == gauss::Status::dependent_constraints);
+  CHECK(M::status(none, none, all).lane(0) == gauss::Status::not_finite);
+  CHECK(M::status(none, none, none).lane(0) == gauss::Status::ok);
+  CHECK(M::status(all, none, none).any());
+  CHECK(M::status(none, all, none).any());
+  CHECK(M::status(none, none, all).any());
+  CHECK_FALSE(M::status(none, none, none).any());
+  CHECK_FALSE(M::less(S(1.0), S(1.0)).get(0));
+  CHECK(M::not_finite(S(1.0), S(1.0), S(std::numeric_limits<double>::infinity())).get(0));
+}
