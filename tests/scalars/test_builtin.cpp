@@ -59,19 +59,24 @@ void has_exact_conditions() {
   CHECK_FALSE(M::less(S(1), S(1)));
   CHECK_FALSE(M::less(S(2), S(1)));
   CHECK_FALSE(M::less(std::numeric_limits<S>::quiet_NaN(), S(1)));
+  CHECK(M::at_most(S(1), S(2)));
+  CHECK(M::at_most(S(1), S(1)));
+  CHECK_FALSE(M::at_most(S(2), S(1)));
+  CHECK_FALSE(M::at_most(std::numeric_limits<S>::quiet_NaN(), S(1)));
   CHECK(M::select(true, S(1), S(2)) == S(1));
   CHECK(M::select(false, S(1), S(2)) == S(2));
   CHECK(M::any(false, false, true));
   CHECK_FALSE(M::any(false, false, false));
-  CHECK(M::status(true, true, true) == Status::singular_mass_matrix);
-  CHECK(M::status(false, true, true) == Status::dependent_constraints);
-  CHECK(M::status(false, false, true) == Status::not_finite);
+  CHECK(M::status(true, true, true, true) == Status::singular_mass_matrix);
+  CHECK(M::status(false, true, true, true) == Status::dependent_constraints);
+  CHECK(M::status(false, false, true, true) == Status::not_finite);
+  CHECK(M::status(false, false, false, true) == Status::violated_constraints);
   CHECK(M::status(false, false, false) == Status::ok);
 }
 
 }  // namespace
 
-TEST_CASE("less is strict, any needs one, the first status that holds is stated, epsilon is that of the type") {
+TEST_CASE("less is strict and at_most is not, any needs one, the first status that holds is stated, epsilon is that of the type") {
   has_exact_conditions<float>();
   has_exact_conditions<double>();
   has_exact_conditions<long double>();
@@ -92,6 +97,7 @@ TEST_CASE("a status is called what it is") {
   CHECK(text(gauss::Status::singular_mass_matrix) == "singular mass matrix");
   CHECK(text(gauss::Status::dependent_constraints) == "dependent constraints");
   CHECK(text(gauss::Status::not_finite) == "not finite");
+  CHECK(text(gauss::Status::violated_constraints) == "violated constraints");
 }
 
 TEST_CASE("a vanishing mass is reported as a singular mass matrix") {

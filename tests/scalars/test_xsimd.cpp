@@ -104,14 +104,18 @@ TEST_CASE("the status of a lane is the first of its conditions, and a lane with 
   using Bool = M::Bool;
   const Bool all(true);
   const Bool none(false);
-  CHECK(M::status(all, all, all).lane(0) == gauss::Status::singular_mass_matrix);
-  CHECK(M::status(none, all, all).lane(0) == gauss::Status::dependent_constraints);
-  CHECK(M::status(none, none, all).lane(0) == gauss::Status::not_finite);
-  CHECK(M::status(none, none, none).lane(0) == gauss::Status::ok);
-  CHECK(M::status(all, none, none).any());
-  CHECK(M::status(none, all, none).any());
-  CHECK(M::status(none, none, all).any());
-  CHECK_FALSE(M::status(none, none, none).any());
+  CHECK(M::status(all, all, all, all).lane(0) == gauss::Status::singular_mass_matrix);
+  CHECK(M::status(none, all, all, all).lane(0) == gauss::Status::dependent_constraints);
+  CHECK(M::status(none, none, all, all).lane(0) == gauss::Status::not_finite);
+  CHECK(M::status(none, none, none, all).lane(0) == gauss::Status::violated_constraints);
+  CHECK(M::status(none, none, none, none).lane(0) == gauss::Status::ok);
+  CHECK(M::status(all, none, none, none).any());
+  CHECK(M::status(none, all, none, none).any());
+  CHECK(M::status(none, none, all, none).any());
+  CHECK(M::status(none, none, none, all).any());
+  CHECK_FALSE(M::status(none, none, none, none).any());
+  CHECK(M::at_most(S(1.0), S(1.0)).get(0));
+  CHECK_FALSE(M::at_most(S(2.0), S(1.0)).get(0));
   CHECK_FALSE(M::less(S(1.0), S(1.0)).get(0));
   CHECK(M::not_finite(S(1.0), S(1.0), S(std::numeric_limits<double>::infinity())).get(0));
 }

@@ -69,11 +69,14 @@ std::map<std::string, Vec> EmittedNumbers::fields(const std::string& function) {
 Vec EmittedNumbers::derivative(const std::string& function) { return (*this)(artefact(function).derivative); }
 Vec EmittedNumbers::state(const std::string& function) { return (*this)(artefact(function).state); }
 
-std::vector<bool> EmittedNumbers::status(const std::string& function) {
+std::vector<std::string> EmittedNumbers::troubles(const std::string& function) {
   const emit::StatusNodes& nodes = artefact(function).status;
-  std::vector<bool> result;
-  for (const ir::NodeId node : {nodes.singular_mass_matrix, nodes.dependent_constraints, nodes.not_finite}) {
-    result.push_back((*this)(node) != 0);
+  std::vector<std::string> result;
+  for (const auto& [node, name] :
+       {std::pair(nodes.singular_mass_matrix, "singular mass matrix"),
+        std::pair(nodes.dependent_constraints, "dependent constraints"), std::pair(nodes.not_finite, "not finite"),
+        std::pair(nodes.violated_constraints, "violated constraints")}) {
+    if ((*this)(node) != 0) result.emplace_back(name);
   }
   return result;
 }

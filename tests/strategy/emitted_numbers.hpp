@@ -24,8 +24,8 @@ class EmittedNumbers {
   /// What fills a Derivative, or a State.
   Vec derivative(const std::string& function);
   Vec state(const std::string& function);
-  /// Conditions of its status: singular mass matrix, dependent constraints, not finite.
-  std::vector<bool> status(const std::string& function);
+  /// The conditions of its status that hold, by the names of Status; `ok` is none of them.
+  std::vector<std::string> troubles(const std::string& function);
 
   void bind(ir::SymbolId symbol, const Real& value);
   void bind_accelerations(const Vec& free);

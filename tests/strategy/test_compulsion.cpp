@@ -95,3 +95,17 @@ TEST_CASE("Z of an unconstrained body vanishes along its motion") {
     CHECK(Z_at(emitted, Vec(6, 0)) > 1);
   }
 }
+
+// Then G has no inverse, and forces along held coordinates stay out of Z.
+TEST_CASE("Z has its shape where two held coordinates do the same") {
+  Case c{model_of_text("gauss: 1\nname: m\n"
+                       "coordinates: {x: {}, u: {held_at: 0.1}, w: {held_at: t}}\n"
+                       "particles: {bead: {mass: 2, position: [x, u + w, 0]}}\n"
+                       "forces: {push: {generalized: {x: 4, u: 3}}}\n"),
+         {{"x", 1}, {"x_dot", 2}, {"t", 0}},
+         {}};
+  EmittedNumbers emitted(c);
+  // Z = (2/2) (a - 4/2)²
+  CHECK(deviation(Z_at(emitted, {Real(2)}), Real(0)) < k_tolerance);
+  CHECK(deviation(Z_at(emitted, {Real(5)}), Real(9)) < k_tolerance);
+}

@@ -1,5 +1,7 @@
 // project: unit quaternions, then the smallest change of the speeds in the mass metric (theory, section 3).
 
+#include <algorithm>
+
 #include "catch_shim.hpp"
 #include "gauss/oracle/evaluation.hpp"
 #include "strategy/emitted_numbers.hpp"
@@ -44,7 +46,11 @@ Projected projected(const Case& c) {
   }
   EmittedNumbers emitted(lengthened);
   const Vec state = emitted.state("project");
-  CHECK(emitted.status("project") == std::vector<bool>{false, false, false});
+  // One step does not reach a constraint nonlinear in the velocities, and says so.
+  const auto& rows = emitted.mechanics().kinematics.constraints;
+  const bool is_linear = std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.is_linear; });
+  const std::vector<std::string> expected(is_linear ? 0 : 1, "violated constraints");
+  CHECK(emitted.troubles("project") == expected);
   const auto middle = state.begin() + static_cast<long>(emitted.mechanics().symbols.configuration.size());
   return {{state.begin(), middle}, {middle, state.end()}};
 }
