@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ir/undefined.hpp"
 #include "support/assert.hpp"
 
 namespace gaussgen::ir {
@@ -58,6 +59,7 @@ NodeId Graph::intern(Node node) {
     if (same(nodes_[it->second.index], node)) return it->second;
   }
   const NodeId id{static_cast<std::uint32_t>(nodes_.size())};
+  undefined_.push_back(has_no_value(*this, node));
   nodes_.push_back(std::move(node));
   index_.emplace(hash, id);
   return id;

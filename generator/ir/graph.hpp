@@ -6,9 +6,12 @@
 //    neither a lone child with coefficient 1 nor a bare constant;
 //  - a product has at least two factors, no constant, no product, no one-term sum, like bases merged; a sum among its
 //    factors is primitive (coprime integer coefficients, leading one positive), the rest moved into a coefficient;
+//  - what has no value whatever its symbols are (1/0, log 0) is never folded away: it absorbs what it is multiplied with
+//    and stays in a sum in which it cancels;
 //  - the order is built from declaration order and structure, never from addresses or creation order.
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -54,16 +57,20 @@ class Graph {
   int compare(NodeId a, NodeId b) const;
 
   bool is_constant(NodeId id, int value) const;
+  /// No finite real value for any values of the symbols; see undefined.hpp.
+  bool is_undefined(NodeId id) const { return undefined_[id.index]; }
   bool is_zero(NodeId id) const { return is_constant(id, 0); }
   bool is_one(NodeId id) const { return is_constant(id, 1); }
 
  private:
   NodeId intern(Node node);
+  std::optional<NodeId> first_undefined(const std::vector<NodeId>& nodes) const;
   /// `terms` without repetitions and in canonical order.
   NodeId finish_sum(const Rational& constant, const std::vector<Term>& terms);
 
   std::vector<Symbol> symbols_;
   std::deque<Node> nodes_;  // references to nodes stay valid while the graph grows
+  std::vector<bool> undefined_;  ///< parallel to nodes_
   std::unordered_multimap<std::size_t, NodeId> index_;
   std::unordered_map<std::uint32_t, std::string> labels_;
   std::unordered_map<std::uint32_t, NodeId> wrappers_;  ///< value -> its named node

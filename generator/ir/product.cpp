@@ -35,7 +35,7 @@ class FactorCollector {
       const Rational content = signed_content(node);
       coefficient_ = coefficient_ * content;
       merge(graph_.scale(1 / content, id), 1);
-    } else if (node.kind == Kind::power) {
+    } else if (node.kind == Kind::power && !graph_.is_undefined(id)) {
       merge(node.children[0], node.value);
     } else {
       merge(id, 1);
@@ -88,17 +88,28 @@ Rational signed_content(const Node& sum) {
   return negative ? Rational(-cln::abs(content)) : cln::abs(content);
 }
 
+/// In canonical order, so that the order of the factors does not matter.
+std::optional<NodeId> Graph::first_undefined(const std::vector<NodeId>& nodes) const {
+  std::optional<NodeId> first;
+  for (const NodeId node : nodes) {
+    if (is_undefined(node) && (!first || compare(node, *first) < 0)) first = node;
+  }
+  return first;
+}
+
 NodeId Graph::product(const std::vector<NodeId>& nodes) {
-  const auto base_of = [this](NodeId id) { return (*this)[id].kind == Kind::power ? (*this)[id].children[0] : id; };
+  const auto base_of = [this](NodeId id) {
+    return (*this)[id].kind == Kind::power && !is_undefined(id) ? (*this)[id].children[0] : id;
+  };
   FactorCollector collector(*this);
   for (const NodeId node : nodes) collector.multiply(node);
-  if (collector.coefficient() == 0) return constant(0);
+  if (collector.coefficient() == 0) return first_undefined(nodes).value_or(constant(0));
 
   // x^(1/2) x^(1/2) is x again, which may itself be a product, a sum or a power: then collect once more.
   std::vector<NodeId> factors;
   bool settled = true;
   for (const Factor& factor : collector.factors()) {
-    if (factor.exponent == 0) continue;
+    if (factor.exponent == 0 && !is_undefined(factor.base)) continue;
     const NodeId node = power(factor.base, factor.exponent);
     settled = settled && base_of(node) == factor.base && can_be_factor((*this)[node]);
     factors.push_back(node);
@@ -136,6 +147,7 @@ std::optional<Rational> exact_power(const Rational& base, const Rational& expone
 }  // namespace
 
 NodeId Graph::power(NodeId base, const Rational& exponent) {
+  if (is_undefined(base)) return base;  // neither (1/0)^0 = 1 nor 1/(1/0) = 0
   if (exponent == 0) return constant(1);
   if (exponent == 1) return base;
   const Node& node = (*this)[base];

@@ -33,7 +33,11 @@ class TermCollector {
   std::vector<Term> terms() const {
     std::vector<Term> kept;
     for (const Term& term : terms_) {
-      if (term.coefficient != 0) kept.push_back(term);
+      if (term.coefficient != 0) {
+        kept.push_back(term);
+      } else if (graph_.is_undefined(term.node)) {
+        kept.push_back({1, term.node});  // 1/0 - 1/0 is not 0
+      }
     }
     return kept;
   }

@@ -56,7 +56,9 @@ class Verifier {
     }
   }
 
-  NodeId base_of(NodeId id) const { return graph_[id].kind == Kind::power ? graph_[id].children[0] : id; }
+  NodeId base_of(NodeId id) const {
+    return graph_[id].kind == Kind::power && !graph_.is_undefined(id) ? graph_[id].children[0] : id;
+  }
 
   void check_power(NodeId id, const Node& node) {
     if (node.value == 0 || node.value == 1) report(id, "trivial exponent");

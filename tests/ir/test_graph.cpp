@@ -7,6 +7,7 @@
 #include "ir/print.hpp"
 #include "ir/substitute.hpp"
 #include "ir/vector3.hpp"
+#include "ir/verify.hpp"
 
 namespace {
 
@@ -97,6 +98,35 @@ TEST_CASE_METHOD(Fixture, "rational powers of numbers are exact or stay", "[ir]"
 TEST_CASE_METHOD(Fixture, "a division by zero stays visible", "[ir]") {
   CHECK(text(number(1) / (x - x)) == "0^(-1)");
   CHECK(text(y / (x - x)) == "0^(-1)*y");
+}
+
+TEST_CASE_METHOD(Fixture, "what has no value is never folded away", "[ir]") {
+  const Expr zero = number(0);
+  const Expr pole = number(1) / zero;
+  CHECK(zero * pole == pole);
+  CHECK(pole * zero == pole);
+  CHECK(zero * (y * pole) == y * pole);
+  CHECK(zero * (y + pole) == y + pole);
+  CHECK(pole - pole == pole);
+  CHECK(y + pole - pole == y + pole);
+  CHECK(pow(pole, 0) == pole);
+  CHECK(pow(pole, -1) == pole);
+  CHECK(pow(pole * pole, -1) * zero == pole * pole);
+  for (const Expr undefined : {call(Function::log, zero), call(Function::asin, number(2)), pow(number(-8), Rational(1) / 3),
+                               call(Function::sin, pole)}) {
+    CHECK(graph.is_undefined(undefined.id()));
+    CHECK(zero * undefined == undefined);
+    CHECK(undefined / undefined == undefined);
+  }
+  CHECK_FALSE(graph.is_undefined((x / y).id()));
+  CHECK_FALSE(graph.is_undefined(call(Function::log, x).id()));
+  CHECK(violations(graph, {(pole * pole * x + pole).id(), (pow(zero, -2) * pole).id()}).empty());
+}
+
+TEST_CASE_METHOD(Fixture, "a choice may do without what has no value", "[ir]") {
+  const NodeId pole = (number(1) / number(0)).id();
+  CHECK_FALSE(graph.is_undefined(graph.call(Function::select, {x.id(), y.id(), pole})));
+  CHECK_FALSE(graph.is_undefined(graph.call(Function::not_finite, {pole})));
 }
 
 TEST_CASE_METHOD(Fixture, "signs leave odd functions and vanish in even ones", "[ir]") {
