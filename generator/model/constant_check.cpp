@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "model/evaluate.hpp"
 #include "support/error_codes.hpp"
@@ -32,7 +33,7 @@ Constant constant(const Rational& value) { return {value, support::to_double(val
 
 class ConstantCheck {
  public:
-  explicit ConstantCheck(Reading& reading) : reading_(reading) {}
+  explicit ConstantCheck(support::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
   bool good() const { return good_; }
 
@@ -53,7 +54,7 @@ class ConstantCheck {
 
  private:
   Constant refuse(const Ast& ast, const support::ErrorCode& code, std::string message) {
-    if (good_) reading_.diagnostics.error(code, ast.span, std::move(message));
+    if (good_) diagnostics_.error(code, ast.span, std::move(message));
     good_ = false;
     return {};
   }
@@ -126,14 +127,14 @@ class ConstantCheck {
     return all_known ? finite(ast, {std::nullopt, approximate}) : Constant{};
   }
 
-  Reading& reading_;
+  support::Diagnostics& diagnostics_;
   bool good_ = true;
 };
 
 }  // namespace
 
-bool check_constants(const Ast& ast, Reading& reading) {
-  ConstantCheck check(reading);
+bool check_constants(const Ast& ast, support::Diagnostics& diagnostics) {
+  ConstantCheck check(diagnostics);
   check.visit(ast);
   return check.good();
 }

@@ -55,4 +55,12 @@ std::optional<double> value_of(const Ast& ast, const Values& values) {
   }
 }
 
+Values parameter_values(const Model& model) {
+  Values values{{"pi", std::acos(-1.0)}};
+  for (const Parameter& parameter : model.parameters) {
+    if (const auto value = value_of(parameter.value, values)) values[parameter.name.text] = *value;
+  }
+  return values;
+}
+
 }  // namespace gaussgen::model

@@ -1,5 +1,5 @@
 #pragma once
-// Every expression of a model with the place at which it stands. Private to the folder.
+// Every expression of a model with the place at which it stands. Outside of the folder, checks of later stages use it.
 
 #include <functional>
 

@@ -1,4 +1,4 @@
-// The values that are known before the motion starts: finite, and masses not negative.
+// The values that are known before the motion starts: finite, and those of real bodies.
 
 #include <fmt/format.h>
 
@@ -8,6 +8,7 @@
 #include "model/constant_check.hpp"
 #include "model/evaluate.hpp"
 #include "model/expressions.hpp"
+#include "model/impossible.hpp"
 #include "support/error_codes.hpp"
 
 namespace gaussgen::model {
@@ -26,10 +27,11 @@ std::optional<double> checked_value(const Ast& ast, const Values& values, Readin
   return std::nullopt;
 }
 
-Values parameter_values(Reading& reading) {
+/// Reports those that are not finite.
+Values checked_parameters(Reading& reading) {
   Values values{{"pi", std::acos(-1.0)}};
   for (const Parameter& parameter : reading.model.parameters) {
-    if (!check_constants(parameter.value, reading)) continue;
+    if (!check_constants(parameter.value, reading.diagnostics)) continue;
     if (const auto value = checked_value(parameter.value, values, reading)) values[parameter.name.text] = *value;
   }
   return values;
@@ -37,26 +39,19 @@ Values parameter_values(Reading& reading) {
 
 void check_expressions(const Values& values, Reading& reading) {
   for_each_expression(reading.model, [&](const Ast& ast, const Place& place) {
-    if (&place == &parameter_place() || !check_constants(ast, reading)) return;
+    if (&place == &parameter_place() || !check_constants(ast, reading.diagnostics)) return;
     const bool known_at_start = !place.time && !place.coordinates;
     if (known_at_start) checked_value(ast, values, reading);
   });
 }
 
-void refuse_negative(const Ast& ast, const std::string& what, const Values& values, Reading& reading) {
-  const auto value = value_of(ast, values);
-  if (!value || !(*value < 0)) return;
-  reading.diagnostics.error(code::k_negative_inertia, ast.span, fmt::format("{} is negative: {}", what, *value),
-                            "check the signs of the parameters in it");
-}
-
-void check_inertia(const Body& body, const Values& values, Reading& reading) {
-  refuse_negative(body.mass, fmt::format("the mass of '{}'", body.name.text), values, reading);
-  if (!body.inertia) return;
-  const std::size_t moments = body.inertia->shape == Inertia::Shape::isotropic ? 1 : 3;
-  for (std::size_t i = 0; i < moments; ++i) {
-    refuse_negative(body.inertia->entries[i], fmt::format("a moment of inertia of '{}'", body.name.text), values,
-                    reading);
+void check_bodies(const Values& values, Reading& reading) {
+  for (const support::Diagnostic& found : impossible_bodies(reading.model.bodies, values)) {
+    if (found.severity == support::Severity::error) {
+      reading.diagnostics.error(found.code, found.span, found.message, found.hint);
+    } else {
+      reading.diagnostics.warning(found.code, found.span, found.message, found.hint);
+    }
   }
 }
 
@@ -74,9 +69,9 @@ void check_quaternion(const Orientation& orientation, const Values& values, Read
 }  // namespace
 
 void check_values(Reading& reading) {
-  const Values values = parameter_values(reading);
+  const Values values = checked_parameters(reading);
   check_expressions(values, reading);
-  for (const Body& body : reading.model.bodies) check_inertia(body, values, reading);
+  check_bodies(values, reading);
   for (const Orientation& orientation : reading.model.orientations) check_quaternion(orientation, values, reading);
 }
 

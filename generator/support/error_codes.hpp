@@ -64,16 +64,18 @@ inline constexpr ErrorCode k_nothing_moves{"E051", "a model without coordinates"
 inline constexpr ErrorCode k_no_inertia{"E052", "a speed that moves no body"};
 inline constexpr ErrorCode k_undefined_value{"E053", "an expression without a real value"};
 inline constexpr ErrorCode k_not_finite{"E054", "a value that overflows or is not a number"};
-inline constexpr ErrorCode k_negative_inertia{"E055", "a negative mass or moment of inertia"};
+inline constexpr ErrorCode k_negative_inertia{"E055", "a mass or an inertia that no body has"};
 inline constexpr ErrorCode k_inertia_without_attitude{"E056", "inertia without orientation, or the other way round"};
 inline constexpr ErrorCode k_asymmetric_inertia{"E057", "an inertia matrix that is not symmetric"};
-inline constexpr ErrorCode k_no_velocity{"E058", "a velocity constraint without a free speed"};
+inline constexpr ErrorCode k_no_velocity{"E058", "a velocity constraint that no free speed is in"};
 inline constexpr ErrorCode k_dependent_speeds{"E059", "a choice of dependent speeds that cannot be"};
 
 // What this program cannot do with a correct model.
 inline constexpr ErrorCode k_no_paper_route{"E060", "the paper's route does not take the model"};
+inline constexpr ErrorCode k_no_emitted_solution{"E061", "no form of solution that is emitted takes the model"};
 
 inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate that moves no body"};
+inline constexpr ErrorCode k_no_mass{"W056", "a body with neither mass nor inertia"};
 inline constexpr ErrorCode k_scaled_unit{"W055", "a unit that would need a conversion"};
 
 // The initial state, which is looked at when the equations are there.
@@ -134,11 +136,13 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_dependent_speeds,
     code::k_idle_held_coordinate,
     code::k_scaled_unit,
+    code::k_no_mass,
 };
 
 /// What only the stages after it can find.
 inline constexpr ErrorCode k_stage_codes[] = {
     code::k_no_paper_route,
+    code::k_no_emitted_solution,
     code::k_violating_start,
     code::k_undefined_start,
     code::k_singular_start,

@@ -1,0 +1,118 @@
+#include "model/impossible.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/principal_moments.hpp"
+#include "support/error_codes.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+using support::Diagnostic;
+using support::Severity;
+using support::Span;
+
+namespace {
+
+/// A moment may be negative by what rounding in double does to a zero.
+constexpr double k_rounding = 1e-9;
+/// Moments may break the triangle inequality by what people cut off when they write three digits.
+constexpr double k_written_digits = 1e-3;
+
+class BodyCheck {
+ public:
+  BodyCheck(const Body& body, const Values& values, std::vector<Diagnostic>& found)
+      : body_(body), values_(values), found_(found) {}
+
+  void run() {
+    const std::size_t before = found_.size();
+    refuse_negative(body_.mass, "the mass");
+    if (body_.inertia) {
+      const std::size_t moments = body_.inertia->shape == Inertia::Shape::isotropic ? 1 : 3;
+      for (std::size_t i = 0; i < moments; ++i) refuse_negative(body_.inertia->entries[i], "a moment of inertia");
+    }
+    if (found_.size() == before && body_.inertia) check_moments();
+    if (found_.size() == before) check_presence();
+  }
+
+ private:
+  void refuse(Span span, std::string message, std::string hint) {
+    found_.push_back({Severity::error, code::k_negative_inertia, span, std::move(message), std::move(hint)});
+  }
+
+  void refuse_negative(const Ast& ast, const char* what) {
+    const auto value = value_of(ast, values_);
+    if (!value || !(*value < 0)) return;
+    refuse(ast.span, fmt::format("{} of '{}' is negative: {}", what, body_.name.text, *value),
+           "check the signs of the parameters in it");
+  }
+
+  /// Nothing when part of it is unknown.
+  std::optional<Matrix3> matrix() const {
+    std::array<double, 6> entries{};
+    const std::size_t written = body_.inertia->shape == Inertia::Shape::isotropic  ? 1
+                                : body_.inertia->shape == Inertia::Shape::diagonal ? 3
+                                                                                   : 6;
+    for (std::size_t i = 0; i < written; ++i) {
+      const auto value = value_of(body_.inertia->entries[i], values_);
+      if (!value || !std::isfinite(*value)) return std::nullopt;
+      entries[i] = *value;
+    }
+    if (written == 1) entries[1] = entries[2] = entries[0];
+    const auto& [xx, yy, zz, xy, xz, yz] = entries;
+    return Matrix3{{{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}}};
+  }
+
+  void check_moments() {
+    const auto inertia = matrix();
+    if (!inertia) return;
+    const auto J = principal_moments(*inertia);
+    const bool is_full = body_.inertia->shape == Inertia::Shape::full;
+    const Span span{body_.inertia->entries[0].span.begin, body_.inertia->entries[2].span.end};
+    const std::string moments = fmt::format("{:.6g}, {:.6g} and {:.6g}", J[0], J[1], J[2]);
+    if (J[0] < -k_rounding * std::max(J[2], -J[0])) {
+      refuse(span, fmt::format("the inertia of '{}' has a negative principal moment: {}", body_.name.text, moments),
+             "products of inertia are too large for the moments; the entry in row x, column y is the integral of -x*y dm");
+    } else if (J[2] - J[1] - J[0] > k_written_digits * J[2]) {
+      refuse(span,
+             fmt::format("no body has the {}moments of inertia of '{}', {}: the largest exceeds the sum of the others",
+                         is_full ? "principal " : "", body_.name.text, moments),
+             "for a flat body the largest is their sum; a body that turns about one axis only may have the same moment three "
+             "times");
+    }
+  }
+
+  void check_presence() {
+    const auto mass = value_of(body_.mass, values_);
+    if (!mass || *mass != 0) return;
+    if (body_.inertia) {
+      const auto inertia = matrix();
+      if (!inertia || principal_moments(*inertia)[2] != 0) return;
+    }
+    found_.push_back({Severity::warning, code::k_no_mass, body_.mass.span,
+                      fmt::format("'{}' has no {}: it resists no motion and weighs nothing", body_.name.text,
+                                  body_.inertia ? "mass and no inertia" : "mass"),
+                      "what it alone would move has no acceleration"});
+  }
+
+  const Body& body_;
+  const Values& values_;
+  std::vector<Diagnostic>& found_;
+};
+
+}  // namespace
+
+std::vector<Diagnostic> impossible_bodies(const std::vector<Body>& bodies, const Values& values) {
+  std::vector<Diagnostic> found;
+  for (const Body& body : bodies) BodyCheck(body, values, found).run();
+  return found;
+}
+
+std::vector<Diagnostic> impossible_bodies(const Model& model) {
+  return impossible_bodies(model.bodies, parameter_values(model));
+}
+
+}  // namespace gaussgen::model
