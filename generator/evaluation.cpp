@@ -2,6 +2,7 @@
 
 #include "evaluate/decimal.hpp"
 #include "initial_check.hpp"
+#include "model/impossible.hpp"
 #include "model_values.hpp"
 
 namespace gaussgen {
@@ -48,9 +49,8 @@ class Report {
       const auto trouble = value_of_.trouble(node);
       if (trouble) result_.warnings.push_back("parameter " + parameter.name.text + " is undefined: " + trouble->reason);
     }
-    for (const kinematics::BodyMotion& body : mechanics_.kinematics.bodies) {
-      const auto mass = value_of_(body.mass.id());
-      if (mass && cln::minusp(*mass)) result_.warnings.push_back("the mass of " + body.name + " is negative");
+    for (const support::Diagnostic& found : model::impossible_bodies(mechanics_.model)) {
+      result_.warnings.push_back(found.message);
     }
   }
 
@@ -123,9 +123,9 @@ class Report {
   }
 
   void add_status() {
-    if (value_of_.is_true(mechanics_.solution.singular_mass_matrix)) {
-      result_.warnings.push_back("the mass matrix is singular here: accelerations cannot be trusted");
-    }
+    const bool is_singular = value_of_.is_true(mechanics_.solution.singular_mass_matrix);
+    const std::string reason = is_singular ? "the mass matrix is singular" : why_undetermined(mechanics_, value_of_);
+    if (!reason.empty()) result_.warnings.push_back(reason + " here: accelerations cannot be trusted");
     if (value_of_.is_true(mechanics_.solution.dependent_constraints)) {
       result_.warnings.push_back("constraints depend on each other here: multipliers are not unique");
     }

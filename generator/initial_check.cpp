@@ -70,7 +70,7 @@ class InitialCheck {
 
   // A pivot that is zero from the start divides; one that cancels is flagged.
   void report_singular() {
-    std::string reason;
+    std::string reason = why_undetermined(mechanics_, values_);
     if (values_.is_true(mechanics_.solution.singular_mass_matrix)) reason = "the mass matrix is singular";
     for (const ir::Expr acceleration : mechanics_.solution.accelerations) {
       const auto trouble = values_.trouble(acceleration.id());

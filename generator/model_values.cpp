@@ -1,5 +1,6 @@
 #include "model_values.hpp"
 
+#include "evaluate/dense.hpp"
 #include "evaluation.hpp"
 #include "strategy/projection.hpp"
 
@@ -11,6 +12,9 @@ using evaluate::Scaled;
 using support::Rational;
 
 namespace {
+
+/// Columns that are dependent up to this many digits are taken as dependent.
+constexpr int k_rank_digits = 20;
 
 /// Rounding of the finer run is smaller by this many orders.
 constexpr int k_more_digits = 20;
@@ -67,6 +71,26 @@ void ModelValues::bind(ir::SymbolId symbol, const cl_F& value) {
   values_.bind(symbol, value);
   coarse_values_.bind(symbol, coarse_values_.arithmetic().number(value));
   scales_.bind(symbol, scales_.arithmetic().input(value));
+}
+
+std::string why_undetermined(const Mechanics& mechanics, ModelValues& values) {
+  strategy::Matrix rows = mechanics.dynamics.g;
+  rows.insert(rows.end(), mechanics.dynamics.b.begin(), mechanics.dynamics.b.end());
+  const std::size_t n = mechanics.dynamics.n();
+  if (n == 0) return "";
+  evaluate::Matrix matrix(rows.size(), n, values.number(Rational(0)));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::optional<cl_F> entry = values(rows[i][j].id());
+      if (!entry) {
+        const auto trouble = values.trouble(rows[i][j].id());
+        return trouble->reason + " in " + trouble->name;
+      }
+      matrix(i, j) = *entry;
+    }
+  }
+  const cl_F rounding = values.number(cln::expt(Rational(10), -k_rank_digits));
+  return evaluate::rank(evaluate::equilibrated(matrix), rounding) < n ? "the mass matrix is singular" : "";
 }
 
 std::vector<InitialValue> initial_values(Mechanics& mechanics) {

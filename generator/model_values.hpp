@@ -25,20 +25,26 @@ class ModelValues {
   std::optional<evaluate::Trouble> trouble(ir::NodeId node) { return values_.trouble(node); }
   bool is_true(ir::Expr condition);
 
-  /// Gives symbols the values of nodes, all found before the first is given; false, and nothing given, if one is undefined.
-  bool bind(const std::vector<std::pair<ir::SymbolId, ir::NodeId>>& nodes);
-
- private:
+  /// In the precision that is carried.
   template <class Number>
   cln::cl_F number(const Number& value) const {
     return values_.arithmetic().number(value);
   }
+
+  /// Gives symbols the values of nodes, all found before the first is given; false, and nothing given, if one is undefined.
+  bool bind(const std::vector<std::pair<ir::SymbolId, ir::NodeId>>& nodes);
+
+ private:
   void bind(ir::SymbolId symbol, const cln::cl_F& value);
 
   evaluate::Evaluator<cln::cl_F> values_;
   evaluate::Evaluator<cln::cl_F> coarse_values_;
   evaluate::Evaluator<evaluate::Scaled<cln::cl_F>> scales_;
 };
+
+/// Why inertia and constraints do not determine the accelerations at the values that are bound; empty if they do. What was
+/// solved does not always show it: a pivot that is zero from the start is compared with nothing, and zero force over it is zero.
+std::string why_undetermined(const Mechanics& mechanics, ModelValues& values);
 
 /// What the initial state gives to one symbol of the configuration or of the speeds.
 struct InitialValue {

@@ -1,8 +1,10 @@
 #include "paper.hpp"
 
+#include "generic_point.hpp"
 #include "ir/substitute.hpp"
 #include "lower/derivation.hpp"
 #include "lower/symbol_map.hpp"
+#include "structure_check.hpp"
 #include "support/error_codes.hpp"
 
 namespace gaussgen {
@@ -36,10 +38,64 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-void report_obstacle(const model::Model& model, const std::string& obstacle, support::Diagnostics& diagnostics) {
-  diagnostics.error(support::code::k_no_paper_route, model.name.span,
-                    "the paper's route does not take this model: " + obstacle,
-                    "the emitted route does: leave --route=paper away");
+/// 'x', 'y' and 's'
+std::string quoted(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (i == 0 ? "'" : i + 1 == names.size() ? " and '" : ", '") + names[i] + "'";
+  }
+  return text;
+}
+
+/// Why the paper's route does not take a model that the emitted one takes.
+struct Obstacle {
+  std::string what;
+  support::Span span;
+};
+
+std::optional<Obstacle> obstacle_in_metric(Mechanics& mechanics) {
+  strategy::Matrix G;
+  for (const auto& row : mechanics.covariant.G) G.push_back(row.values());
+  const auto matrix = GenericPoint(mechanics)(G);
+  std::vector<std::string> names;
+  for (const std::size_t A : matrix ? dependent_columns(*matrix) : std::vector<std::size_t>{}) {
+    names.push_back(mechanics.symbols.label(kinematics::FullIndex{A}));
+  }
+  if (names.empty()) return std::nullopt;
+  const std::string idle = names.size() == 1 ? "no body moves with " + quoted(names)
+                                             : "no body moves when " + quoted(names) + " change together in a certain way";
+  return Obstacle{"the metric G of all coordinates, held ones too, has no inverse: " + idle,
+                  span_of_speed(mechanics.model, names.front())};
+}
+
+std::optional<Obstacle> obstacle_in_constraints(Mechanics& mechanics) {
+  if (mechanics.dynamics.l() == 0) return std::nullopt;
+  const auto b = GenericPoint(mechanics)(mechanics.dynamics.b);
+  const auto dependent = b ? dependent_columns(evaluate::transposed(*b)) : std::vector<std::size_t>{};
+  if (dependent.empty()) return std::nullopt;
+  std::vector<std::string> names;
+  for (const std::size_t mu : dependent) names.push_back(mechanics.dynamics.constraints[mu]);
+  return Obstacle{"the constraints " + quoted(names) + " depend on each other, so that no choice of dependent speeds has an inverse b",
+                  mechanics.model.constraints[dependent.back()].name.span};
+}
+
+/// What would divide by zero in GiNaC, found before it is tried.
+std::optional<Obstacle> obstacle_in(Mechanics& mechanics) {
+  const std::string size = lower::paper_route_obstacle(mechanics.model);
+  if (!size.empty()) return Obstacle{size, mechanics.model.name.span};
+  if (auto found = obstacle_in_metric(mechanics)) return found;
+  return obstacle_in_constraints(mechanics);
+}
+
+/// What only the derivation itself can find.
+Obstacle at_start(const model::Model& model, const std::string& what) {
+  return {what, model.constraints.empty() ? model.name.span : model.constraints.front().name.span};
+}
+
+void report_obstacle(const Obstacle& obstacle, support::Diagnostics& diagnostics) {
+  diagnostics.error(support::code::k_no_paper_route, obstacle.span,
+                    "the paper's route does not take this model: " + obstacle.what,
+                    "the emitted route takes it: gauss-gen without 'derivation' and without --route=paper");
 }
 
 }  // namespace
@@ -49,24 +105,36 @@ lower::PaperRoute paper_route(Mechanics& mechanics) {
 }
 
 std::string derivation_text(const model::Model& model, bool latex, support::Diagnostics& diagnostics) {
+  Mechanics mechanics(model, {});
+  check_structure(mechanics, diagnostics);
+  if (diagnostics.has_errors()) return "";
+  if (const auto obstacle = obstacle_in(mechanics)) {
+    report_obstacle(*obstacle, diagnostics);
+    return "";
+  }
   const lower::Derivation derivation = lower::derive(model);
   if (!derivation.obstacle.empty()) {
-    report_obstacle(model, derivation.obstacle, diagnostics);
+    report_obstacle(at_start(model, derivation.obstacle), diagnostics);
     return "";
   }
   return latex ? lower::as_latex(derivation) : lower::as_markdown(derivation);
 }
 
-std::string dump_paper(const model::Model& model) {
-  const lower::Derivation derivation = lower::derive(model);
+std::string dump_paper(Mechanics& mechanics) {
+  if (const auto obstacle = obstacle_in(mechanics)) return "no paper's route: " + obstacle->what + "\n";
+  const lower::Derivation derivation = lower::derive(mechanics.model);
   return derivation.obstacle.empty() ? lower::as_plain_text(derivation)
                                      : "no paper's route: " + derivation.obstacle + "\n";
 }
 
 bool take_paper_route(Mechanics& mechanics, bool fold, support::Diagnostics& diagnostics) {
+  if (const auto obstacle = obstacle_in(mechanics)) {
+    report_obstacle(*obstacle, diagnostics);
+    return false;
+  }
   const lower::PaperRoute route = paper_route(mechanics);
   if (!route.obstacle.empty()) {
-    report_obstacle(mechanics.model, route.obstacle, diagnostics);
+    report_obstacle(at_start(mechanics.model, route.obstacle), diagnostics);
     return false;
   }
   ParameterValues with_values(mechanics, fold);

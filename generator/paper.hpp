@@ -17,10 +17,10 @@ lower::PaperRoute paper_route(Mechanics& mechanics);
 bool take_paper_route(Mechanics& mechanics, bool fold, support::Diagnostics& diagnostics);
 
 /// The paper's objects and equations with their formulas, as Markdown or as a LaTeX document; empty, with an error, when the
-/// paper's route does not take the model.
+/// paper's route does not take the model, or none does.
 std::string derivation_text(const model::Model& model, bool latex, support::Diagnostics& diagnostics);
 
 /// The same as Markdown for `--dump=paper`; says why when there is none.
-std::string dump_paper(const model::Model& model);
+std::string dump_paper(Mechanics& mechanics);
 
 }  // namespace gaussgen

@@ -9,6 +9,7 @@
 #include "paper.hpp"
 #include "structure_check.hpp"
 #include "unit.hpp"
+#include "value_check.hpp"
 
 namespace gaussgen {
 
@@ -61,10 +62,12 @@ std::optional<PipelineResult> compile(const support::Source& source, const Pipel
 
   // The paper's route in GiNaC replaces the result where it is asked for; otherwise it is made for its dump only.
   if (options.route == Route::paper && !take_paper_route(mechanics, options.fold, diagnostics)) return std::nullopt;
-  stages.done("paper", nodes(mechanics), [&] { return dump_paper(*model); });
+  stages.done("paper", nodes(mechanics), [&] { return dump_paper(mechanics); });
   stages.done("strategy", nodes(mechanics), [&] { return dump_strategy(mechanics); });
 
   const emit::Unit unit = build_unit(mechanics, source, options);
+  check_range(mechanics.graph, unit, model->name, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
   stages.done("artefacts", nodes(mechanics), [&] { return dump_artefacts(mechanics, unit); });
 
   PipelineResult result;

@@ -2,13 +2,89 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "generic_point.hpp"
 #include "support/error_codes.hpp"
+#include "value_check.hpp"
 
 namespace gaussgen {
 
 namespace {
 
-/// Where the model declares what the speed is called after.
+class StructureCheck {
+ public:
+  StructureCheck(Mechanics& mechanics, support::Diagnostics& diagnostics)
+      : mechanics_(mechanics), model_(mechanics.model), diagnostics_(diagnostics), at_generic_point_(mechanics) {}
+
+  void run() {
+    for (std::size_t mu = 0; mu < model_.constraints.size(); ++mu) check_gradient(mu);
+    if (!mechanics_.solution.undetermined.empty()) report_undetermined();
+    for (const std::string& name : mechanics_.solution.redundant) report_redundant(name);
+  }
+
+ private:
+  void check_gradient(std::size_t mu) {
+    const auto b = at_generic_point_({mechanics_.dynamics.b[mu]});
+    if (!b || generic_rank(*b) > 0) return;
+    idle_.push_back(model_.constraints[mu].name.text);
+    diagnostics_.error(support::code::k_no_velocity, model_.constraints[mu].velocity.span,
+                       fmt::format("the constraint '{}' does not depend on any free speed: what it says of them cancels",
+                                   model_.constraints[mu].name.text),
+                       "remove it; a coordinate with a given value is declared with 'held_at'");
+  }
+
+  // Constraints alone determine what no mass resists, as long as they are enough; then the model is sound.
+  bool is_determined() {
+    strategy::Matrix rows = mechanics_.dynamics.g;
+    rows.insert(rows.end(), mechanics_.dynamics.b.begin(), mechanics_.dynamics.b.end());
+    const auto matrix = at_generic_point_(rows);
+    return matrix && generic_rank(*matrix) == mechanics_.dynamics.n();
+  }
+
+  void report_undetermined() {
+    const bool is_determined = this->is_determined();
+    for (const std::string& label : mechanics_.solution.undetermined) {
+      const support::Span span = span_of_speed(model_, label);
+      if (is_determined) {
+        diagnostics_.error(support::code::k_no_emitted_solution, span,
+                           fmt::format("only constraints determine the acceleration of '{}', and no form of solution that is emitted "
+                                       "takes them: no choice of dependent speeds holds in every configuration, and the mass matrix has "
+                                       "no inverse",
+                                       label),
+                           "give what it moves a mass, however small, or replace coordinates that move the same thing by one");
+      } else {
+        diagnostics_.error(support::code::k_no_inertia, span,
+                           fmt::format("nothing determines the acceleration of '{}': the mass matrix is singular in every configuration", label),
+                           "give what it moves a mass, or remove a coordinate that others already describe");
+      }
+    }
+  }
+
+  void report_redundant(const std::string& name) {
+    if (std::find(idle_.begin(), idle_.end(), name) != idle_.end()) return;
+    for (const model::VelocityConstraint& constraint : model_.constraints) {
+      if (constraint.name.text != name) continue;
+      diagnostics_.warning(support::code::k_redundant_constraint, constraint.name.span,
+                           fmt::format("constraint '{}' follows from the others: its multiplier is returned as 0", name),
+                           "accelerations are right if the constraints agree; status says dependent_constraints");
+    }
+  }
+
+  Mechanics& mechanics_;
+  const model::Model& model_;
+  support::Diagnostics& diagnostics_;
+  GenericPoint at_generic_point_;
+  std::vector<std::string> idle_;  ///< constraints that are reported
+};
+
+}  // namespace
+
+void check_structure(Mechanics& mechanics, support::Diagnostics& diagnostics) {
+  check_values(mechanics, diagnostics);
+  if (!diagnostics.has_errors()) StructureCheck(mechanics, diagnostics).run();
+}
+
 support::Span span_of_speed(const model::Model& model, const std::string& label) {
   for (const model::Coordinate& coordinate : model.coordinates) {
     if (coordinate.name.text == label) return coordinate.name.span;
@@ -19,25 +95,6 @@ support::Span span_of_speed(const model::Model& model, const std::string& label)
     }
   }
   return model.name.span;
-}
-
-}  // namespace
-
-void check_structure(const Mechanics& mechanics, support::Diagnostics& diagnostics) {
-  const model::Model& model = mechanics.model;
-  for (const std::string& label : mechanics.solution.undetermined) {
-    diagnostics.error(support::code::k_no_inertia, span_of_speed(model, label),
-                      fmt::format("nothing determines the acceleration of '{}': the mass matrix is singular in every configuration", label),
-                      "give what it moves a mass, or remove a coordinate that others already describe");
-  }
-  for (const std::string& name : mechanics.solution.redundant) {
-    for (const model::VelocityConstraint& constraint : model.constraints) {
-      if (constraint.name.text != name) continue;
-      diagnostics.warning(support::code::k_redundant_constraint, constraint.name.span,
-                          fmt::format("constraint '{}' follows from the others: its multiplier is returned as 0", name),
-                          "accelerations are right if the constraints agree; status says dependent_constraints");
-    }
-  }
 }
 
 }  // namespace gaussgen

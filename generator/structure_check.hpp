@@ -6,7 +6,11 @@
 
 namespace gaussgen {
 
-/// An error for every speed that nothing gives inertia, a warning for every constraint that follows from the others.
-void check_structure(const Mechanics& mechanics, support::Diagnostics& diagnostics);
+/// Errors for expressions without a value, for constraints without a gradient and for speeds that nothing determines; a warning
+/// for every constraint that follows from the others.
+void check_structure(Mechanics& mechanics, support::Diagnostics& diagnostics);
+
+/// Where the model declares the coordinate or the angular velocity that is called `label`.
+support::Span span_of_speed(const model::Model& model, const std::string& label);
 
 }  // namespace gaussgen

@@ -86,7 +86,7 @@ int evaluate(const Options& options) {
   std::optional<model::Model> model = model::build_model(source, diagnostics);
   const int code = report(diagnostics, source);
   if (!model || code != k_ok) return code;
-  for (const std::string& assignment : options.overrides) apply_override(assignment, *model);
+  apply_overrides(options.overrides, *model);
   const support::Rational time = parse_time(options.time);
   Mechanics mechanics(*model, {});
   support::Diagnostics structure;

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "model/constant.hpp"
+#include "model/constant_check.hpp"
+#include "model/evaluate.hpp"
 #include "model/parser.hpp"
 #include "support/suggest.hpp"
 
@@ -40,6 +44,7 @@ model::Ast parsed(const std::string& option, const std::string& text) {
   const support::Source source(option, text);
   support::Diagnostics diagnostics;
   const std::optional<model::Ast> ast = model::parse_expression(spec::located(text), diagnostics);
+  if (ast) model::check_constants(*ast, diagnostics);
   if (!ast || diagnostics.has_errors()) throw UsageError(support::render(diagnostics, source));
   return *ast;
 }
@@ -126,15 +131,47 @@ support::Rational parse_time(const std::string& text) {
   return *time;
 }
 
-void apply_override(const std::string& assignment, model::Model& model) {
-  const std::size_t equals = assignment.find('=');
-  if (equals == std::string::npos) throw UsageError(fmt::format("--set: expected name=value, not '{}'", assignment));
-  const std::string name = trimmed(assignment.substr(0, equals));
-  if (name.empty()) throw UsageError(fmt::format("--set: a name is missing before '=' in '{}'", assignment));
+namespace {
+
+/// Later stages know the text of the model only: what they say of a value that was set points at the name of the model.
+void relocate(model::Ast& ast, support::Span span) {
+  ast.span = span;
+  for (model::Ast& child : ast.children) relocate(child, span);
+}
+
+struct Assignment {
+  std::string name;
+  std::string option;  ///< for messages
+  model::Ast value;
+};
+
+Assignment split(const std::string& text, const model::Model& model) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) throw UsageError(fmt::format("--set: expected name=value, not '{}'", text));
+  const std::string name = trimmed(text.substr(0, equals));
+  if (name.empty()) throw UsageError(fmt::format("--set: a name is missing before '=' in '{}'", text));
   const std::string option = "--set " + name;
-  model::Ast value = parsed(option, assignment.substr(equals + 1));
-  refuse_other_symbols(option, value, model);
-  Override(name, std::move(value), model).apply();
+  Assignment result{name, option, parsed(option, text.substr(equals + 1))};
+  refuse_other_symbols(option, result.value, model);
+  relocate(result.value, model.name.span);
+  return result;
+}
+
+}  // namespace
+
+void apply_overrides(const std::vector<std::string>& assignments, model::Model& model) {
+  std::vector<Assignment> all;
+  for (const std::string& text : assignments) {
+    all.push_back(split(text, model));
+    Override(all.back().name, all.back().value, model).apply();
+  }
+  const model::Values values = model::parameter_values(model);
+  for (const Assignment& assignment : all) {
+    const auto value = model::value_of(assignment.value, values);
+    if (!value || std::isfinite(*value)) continue;
+    throw UsageError(fmt::format("{}: with the values of the parameters this is {}", assignment.option,
+                                 std::isnan(*value) ? "not a real number" : "infinite"));
+  }
 }
 
 }  // namespace gaussgen::cli

@@ -1,16 +1,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/usage_error.hpp"
 #include "model/model.hpp"
 
 namespace gaussgen::cli {
 
-/// Applies "name=value" to a model: a parameter (a formula is replaced), an input, the initial value of a coordinate or
+/// Applies assignments "name=value" to a model: each gives a value to a parameter (a formula is replaced), an input, the initial value of a coordinate or
 /// quaternion component, or an initial rate, written dot(chi), chi_dot or, for angular velocities, by name. The value is an
-/// expression over parameters. Throws UsageError.
-void apply_override(const std::string& assignment, model::Model& model);
+/// expression over parameters. All are applied before any is judged by the values of parameters. Throws UsageError.
+void apply_overrides(const std::vector<std::string>& assignments, model::Model& model);
 
 /// The value of --time: a number, or sums, products and quotients of numbers.
 support::Rational parse_time(const std::string& text);

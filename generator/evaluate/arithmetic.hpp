@@ -27,7 +27,7 @@ class Arithmetic;
 namespace reason {
 inline constexpr const char* k_overflow = "the number is too large";
 inline constexpr const char* k_division = "division by zero";
-inline constexpr const char* k_root = "broken power of a negative number";
+inline constexpr const char* k_root = "fractional power of a negative number";
 inline constexpr const char* k_exponent = "the exponent is too large";
 inline constexpr const char* k_logarithm = "logarithm of a number that is not positive";
 inline constexpr const char* k_arc = "inverse sine or cosine of a number outside [-1, 1]";

@@ -9,6 +9,17 @@ from gauss_gen import MODELS, PARTICLE, SKATER, SKEW, SPHERE, Program
 
 GROUPS = ["state", "accelerations", "multipliers", "reactions", "reaction_forces", "energy", "residuals", "compulsion"]
 
+POLE = "constraints:\n  c: {velocity: dot(x)/y - 1}\n"
+SUM = """gauss: 1
+name: sum
+parameters: {m: 1, k: 2}
+coordinates: {x: {}, y: {}}
+particles: {p: {mass: m, position: [x + y, 0, 0]}}
+forces: {f: {generalized: {x: 1}}}
+constraints: {c: {velocity: dot(x) - k*dot(y)}}
+"""
+EXTREMES = ["0", "1e-300", "1e300", "-1e300", "1e308", "1e-308", "(10^300)^64*0+1"]
+
 
 class Evaluate(Program):
     def document(self, *arguments, **more):
@@ -68,9 +79,10 @@ class Json(Evaluate):
                 self.assertRegex(table, rf"(?m)^  {re.escape(name)} +{re.escape(entry['value'])}\b")
 
     def test_what_has_no_value_says_why(self):
-        document = json.loads(self.run_it("evaluate", SKEW, "--set", "a=1/0", "--format=json").stdout)
-        self.assertEqual(set(document["state"]["a"]), {"undefined", "unit"})
-        self.assertIn("division by zero", document["state"]["a"]["undefined"])
+        self.write("m.yaml", PARTICLE.replace("x: {unit: m, initial_rate: 1}", "x: {unit: m}") + POLE)
+        document = json.loads(self.run_it("evaluate", "m.yaml", "--format=json").stdout)
+        self.assertEqual(set(document["state"]["x_dot"]), {"undefined", "unit"})
+        self.assertIn("division by zero", document["state"]["x_dot"]["undefined"])
         self.assertEqual(document["warnings"], ["the initial state is undefined"])
 
 
@@ -125,15 +137,49 @@ class Set(Evaluate):
                 "rho=1": "'rho' is held by the model", "dot(rho)=1": "is held by the model", "m=2*R": "give parameter 'm' a number",
                 "J=m": "give parameter 'J' a number", "t=1": "use --time", "pi=3": "cannot be set", "chi=zeta": "not a parameter",
                 "chi=t": "not a parameter", "chi=dot(zeta)": "dot(...) has no meaning", "m": "expected name=value", "=1": "a name is missing",
-                "m=": "error[E039]", "m=1+": "error[E033]", "m=1 2": "error[E035]", "m=1e999": "error[E032]"}.items():
+                "m=": "error[E039]", "m=1+": "error[E033]", "m=1 2": "error[E035]", "m=1e999": "error[E032]",
+                "m=0/0": "error[E053]: division by zero", "m=sqrt(-1)": "error[E053]", "m=log(0)": "error[E053]",
+                "m=(-8)^(1/3)": "error[E053]", "m=tan(pi/2)": "error[E053]", "m=1e308*1e308": "error[E054]",
+                "m=exp(1e6)": "error[E054]", "chi=1/0": "error[E053]",
+                "chi=1/(m-m)": "--set chi: with the values of the parameters this is infinite",
+                "chi=sqrt(r-R)": "--set chi: with the values of the parameters this is not a real number"}.items():
             self.assertIn(answer, self.refused(2, "evaluate", SPHERE, "--set", assignment), assignment)
 
     def test_a_value_that_a_model_may_not_have_is_warned_of(self):
-        for assignment, answer in {"m1=-1": "the mass of first is negative", "m1=1/0": "parameter m1 is undefined",
-                                   "m1=sqrt(-1)": "parameter m1 is undefined"}.items():
+        for assignment, answer in {"m1=-1": "the mass of 'first' is negative: -1",
+                                   "m1=0": "'first' has no mass: it resists no motion and weighs nothing"}.items():
             result = self.run_it("evaluate", SKEW, "--set", assignment)
             self.assertEqual(result.returncode, 0)
             self.assertIn(f"warning: {answer}", result.stderr)
+
+
+class Extremes(Evaluate):
+    def test_no_value_is_an_internal_error(self):
+        for model, names in {SPHERE: ("m", "r", "R", "g", "chi", "dot(chi)", "zeta"), SKATER: ("e0", "p", "q", "thrust"),
+                             SKEW: ("m1", "k", "frequency", "a", "dot(b)")}.items():
+            for name in names:
+                for value in EXTREMES:
+                    result = self.run_it("evaluate", model, "--set", f"{name}={value}", "--digits", "3")
+                    self.assertIn(result.returncode, (0, 1, 2), (model, name, value, result.stderr))
+                    self.assertNotIn("internal", result.stderr)
+
+    def test_a_zero_mass_is_no_acceleration_of_zero(self):
+        result = self.run_it("evaluate", "-", "--set", "m=0", stdin=PARTICLE)
+        self.assertIn("warning: 'p' has no mass: it resists no motion and weighs nothing", result.stderr)
+        self.assertIn("warning: the mass matrix is singular here: accelerations cannot be trusted", result.stderr)
+
+
+class Degenerate(Evaluate):
+    def test_a_constraint_may_tell_coordinates_apart_that_move_the_same(self):
+        # x = k y: (k + 1)^2 m y_ddot = k
+        document = self.document("-", stdin=SUM)
+        self.close(document["accelerations"]["y_ddot"]["value"], Fraction(2, 9), 14)
+        self.close(document["accelerations"]["x_ddot"]["value"], Fraction(4, 9), 14)
+        self.close(document["multipliers"]["c"]["value"], Fraction(-1, 3), 14)
+
+    def test_where_it_does_not_this_is_said(self):
+        result = self.run_it("evaluate", "-", "--set", "k=-1", stdin=SUM)
+        self.assertIn("warning: the mass matrix is singular here: accelerations cannot be trusted", result.stderr)
 
 
 class Time(Evaluate):

@@ -1,0 +1,36 @@
+#pragma once
+// What holds in every configuration, seen at one configuration that nothing singles out.
+
+#include "evaluate/arithmetic_scale.hpp"
+#include "evaluate/dense.hpp"
+#include "evaluate/evaluator.hpp"
+#include "mechanics.hpp"
+
+namespace gaussgen {
+
+/// A matrix that is singular here is singular everywhere, up to an accident: coordinates, speeds, inputs, time and
+/// parameters lie near those of the initial state, but apart from each other and from round numbers. No simplification of
+/// expressions can tell this: sin(2x) - 2 sin(x) cos(x) is zero in any form.
+class GenericPoint {
+ public:
+  explicit GenericPoint(Mechanics& mechanics) : mechanics_(mechanics) {}
+
+  /// What is nothing but rounding is zero in it. Empty if an entry has no value at any point that was tried.
+  std::optional<evaluate::Matrix> operator()(const strategy::Matrix& matrix);
+
+ private:
+  using Number = evaluate::Scaled<cln::cl_F>;
+  using Values = evaluate::Evaluator<Number>;
+
+  Values values_near_start(int attempt) const;
+
+  Mechanics& mechanics_;
+};
+
+/// Number of independent rows, whatever the units of rows and columns.
+std::size_t generic_rank(const evaluate::Matrix& matrix);
+
+/// Those columns that are combinations of other columns.
+std::vector<std::size_t> dependent_columns(const evaluate::Matrix& matrix);
+
+}  // namespace gaussgen

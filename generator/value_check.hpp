@@ -1,0 +1,17 @@
+#pragma once
+// Expressions of a model that have no value, or numbers that no scalar type holds.
+
+#include "emit/unit.hpp"
+#include "mechanics.hpp"
+#include "support/diagnostics.hpp"
+
+namespace gaussgen {
+
+/// An error for every expression that has no finite real value in any configuration, such as x/(y - y), at its innermost
+/// part; else for every speed and constraint whose equation has none, such as that of a root taken where it begins.
+void check_values(Mechanics& mechanics, support::Diagnostics& diagnostics);
+
+/// An error when numbers of the model multiply to one beyond the range of double, from which emitted code reads its constants.
+void check_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model, support::Diagnostics& diagnostics);
+
+}  // namespace gaussgen
