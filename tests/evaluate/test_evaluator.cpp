@@ -85,7 +85,7 @@ TEST_CASE_METHOD(Fixture, "an undefined value makes what uses it undefined, and 
   CHECK(reason(pole) == "gap^(-1): division by zero");
   CHECK(reason(call(Function::sin, pole + x) * y) == "gap^(-1): division by zero");
   CHECK(reason(call(Function::log, x - y - one)) == "log(-1 + x - y): logarithm of a number that is not positive");
-  CHECK(reason(pow(-x, Rational(1) / 2)) == "(-x)^(1/2): broken power of a negative number");
+  CHECK(reason(pow(-x, Rational(1) / 2)) == "(-x)^(1/2): fractional power of a negative number");
   CHECK(reason(call(Function::acos, x)) == "acos(x): inverse sine or cosine of a number outside [-1, 1]");
   const Expr labelled = (x * pow(x - y, -1)).named("slip");
   CHECK(reason(labelled * y) == "(x - y)^(-1): division by zero");
