@@ -17,7 +17,8 @@ constexpr int k_attempts = 4;
 /// to their fractions (Weyl).
 class Scatter {
  public:
-  explicit Scatter(int attempt) : index_(1000 * attempt + 17), scale_(Rational(1) / cln::expt_pos(cln::cl_I(8), attempt + 1)) {}
+  explicit Scatter(int attempt)
+      : index_(1000 * attempt + 17), scale_(Rational(1) / cln::expt_pos(cln::cl_I(8), attempt + 1)) {}
 
   /// Smaller at later attempts, which stay nearer to the start: there at least a sound model has values.
   Rational operator()() {
@@ -37,7 +38,8 @@ Rational trusted() { return Rational(1) / cln::expt_pos(cln::cl_I(10), k_trusted
 template <class Values>
 class Spread {
  public:
-  Spread(Mechanics& mechanics, Values& values, int attempt) : mechanics_(mechanics), values_(values), scatter_(attempt) {}
+  Spread(Mechanics& mechanics, Values& values, int attempt)
+      : mechanics_(mechanics), values_(values), scatter_(attempt) {}
 
   void run() {
     bind(mechanics_.symbols.time, Rational(0));
@@ -55,9 +57,7 @@ class Spread {
   cl_F number(const Rational& exact) const { return values_.arithmetic().number(exact).value; }
   void set(ir::SymbolId symbol, const cl_F& at) { values_.bind(symbol, values_.arithmetic().input(at)); }
 
-  cl_F moved(const cl_F& at) {
-    return at + number(scatter_()) * (cln::zerop(at) ? number(Rational(1)) : cln::abs(at));
-  }
+  cl_F moved(const cl_F& at) { return at + number(scatter_()) * (cln::zerop(at) ? number(Rational(1)) : cln::abs(at)); }
   void bind(ir::SymbolId symbol, const Rational& near) { set(symbol, moved(number(near))); }
 
   // A formula goes on holding: what follows from it holds in every configuration, too.
@@ -76,7 +76,8 @@ class Spread {
       const auto& place = mechanics_.symbols.coordinates[i];
       if (place.is_held) continue;
       const auto at = value(all[i].initial);
-      if (at) set(mechanics_.symbols.configuration[kinematics::ConfigurationIndex{place.index}].symbol, moved(at->value));
+      if (at)
+        set(mechanics_.symbols.configuration[kinematics::ConfigurationIndex{place.index}].symbol, moved(at->value));
     }
   }
 

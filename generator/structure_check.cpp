@@ -28,10 +28,11 @@ class StructureCheck {
     const auto b = at_generic_point_({mechanics_.dynamics.b[mu]});
     if (!b || generic_rank(*b) > 0) return;
     idle_.push_back(model_.constraints[mu].name.text);
-    diagnostics_.error(support::code::k_no_velocity, model_.constraints[mu].velocity.span,
-                       fmt::format("the constraint '{}' does not depend on any free speed: what it says of them cancels",
-                                   model_.constraints[mu].name.text),
-                       "remove it; a coordinate with a given value is declared with 'held_at'");
+    diagnostics_.error(
+        support::code::k_no_velocity, model_.constraints[mu].velocity.span,
+        fmt::format("the constraint '{}' does not depend on any free speed: what it says of them cancels",
+                    model_.constraints[mu].name.text),
+        "remove it; a coordinate with a given value is declared with 'held_at'");
   }
 
   // Constraints alone determine what no mass resists, as long as they are enough; then the model is sound.
@@ -47,16 +48,21 @@ class StructureCheck {
     for (const std::string& label : mechanics_.solution.undetermined) {
       const support::Span span = span_of_speed(model_, label);
       if (is_determined) {
-        diagnostics_.error(support::code::k_no_emitted_solution, span,
-                           fmt::format("only constraints determine the acceleration of '{}', and no form of solution that is emitted "
-                                       "takes them: no choice of dependent speeds holds in every configuration, and the mass matrix has "
-                                       "no inverse",
-                                       label),
-                           "give what it moves a mass, however small, or replace coordinates that move the same thing by one");
+        diagnostics_.error(
+            support::code::k_no_emitted_solution, span,
+            fmt::format(
+                "only constraints determine the acceleration of '{}', and no form of solution that is emitted "
+                "takes them: no choice of dependent speeds holds in every configuration, and the mass matrix has "
+                "no inverse",
+                label),
+            "give what it moves a mass, however small, or replace coordinates that move the same thing by one");
       } else {
-        diagnostics_.error(support::code::k_no_inertia, span,
-                           fmt::format("nothing determines the acceleration of '{}': the mass matrix is singular in every configuration", label),
-                           "give what it moves a mass, or remove a coordinate that others already describe");
+        diagnostics_.error(
+            support::code::k_no_inertia, span,
+            fmt::format(
+                "nothing determines the acceleration of '{}': the mass matrix is singular in every configuration",
+                label),
+            "give what it moves a mass, or remove a coordinate that others already describe");
       }
     }
   }
@@ -65,9 +71,10 @@ class StructureCheck {
     if (std::find(idle_.begin(), idle_.end(), name) != idle_.end()) return;
     for (const model::VelocityConstraint& constraint : model_.constraints) {
       if (constraint.name.text != name) continue;
-      diagnostics_.warning(support::code::k_redundant_constraint, constraint.name.span,
-                           fmt::format("constraint '{}' follows from the others: its multiplier is returned as 0", name),
-                           "accelerations are right if the constraints agree; status says dependent_constraints");
+      diagnostics_.warning(
+          support::code::k_redundant_constraint, constraint.name.span,
+          fmt::format("constraint '{}' follows from the others: its multiplier is returned as 0", name),
+          "accelerations are right if the constraints agree; status says dependent_constraints");
     }
   }
 

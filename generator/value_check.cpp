@@ -69,10 +69,10 @@ class ValueCheck {
     const model::Model& model = mechanics_.model;
     for (const auto i : mechanics_.symbols.speeds.indices()) {
       if (has_value(mechanics_.solution.accelerations[i.value])) continue;
-      diagnostics_.error(support::code::k_undefined_value, model.name.span,
-                         fmt::format("the acceleration of '{}' has no value in any configuration",
-                                     mechanics_.symbols.speeds[i].label),
-                         "a derivative has a pole at the values that coordinates are held at");
+      diagnostics_.error(
+          support::code::k_undefined_value, model.name.span,
+          fmt::format("the acceleration of '{}' has no value in any configuration", mechanics_.symbols.speeds[i].label),
+          "a derivative has a pole at the values that coordinates are held at");
       return;
     }
   }

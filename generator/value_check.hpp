@@ -12,6 +12,7 @@ namespace gaussgen {
 void check_values(Mechanics& mechanics, support::Diagnostics& diagnostics);
 
 /// An error when numbers of the model multiply to one beyond the range of double, from which emitted code reads its constants.
-void check_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model, support::Diagnostics& diagnostics);
+void check_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
+                 support::Diagnostics& diagnostics);
 
 }  // namespace gaussgen

@@ -74,13 +74,15 @@ class BodyCheck {
     const Span span{body_.inertia->entries[0].span.begin, body_.inertia->entries[2].span.end};
     const std::string moments = fmt::format("{:.6g}, {:.6g} and {:.6g}", J[0], J[1], J[2]);
     if (J[0] < -k_rounding * std::max(J[2], -J[0])) {
-      refuse(span, fmt::format("the inertia of '{}' has a negative principal moment: {}", body_.name.text, moments),
-             "products of inertia are too large for the moments; the entry in row x, column y is the integral of -x*y dm");
+      refuse(
+          span, fmt::format("the inertia of '{}' has a negative principal moment: {}", body_.name.text, moments),
+          "products of inertia are too large for the moments; the entry in row x, column y is the integral of -x*y dm");
     } else if (J[2] - J[1] - J[0] > k_written_digits * J[2]) {
       refuse(span,
              fmt::format("no body has the {}moments of inertia of '{}', {}: the largest exceeds the sum of the others",
                          is_full ? "principal " : "", body_.name.text, moments),
-             "for a flat body the largest is their sum; a body that turns about one axis only may have the same moment three "
+             "for a flat body the largest is their sum; a body that turns about one axis only may have the same moment "
+             "three "
              "times");
     }
   }

@@ -38,11 +38,13 @@ std::string of_derivation(const std::string& sections) {
 }
 
 std::string point(const std::string& position, const std::string& more = {}) {
-  return "coordinates: {x: {initial: 1}, y: {}, s: {held_at: 0}}\nparticles:\n  p: {mass: 1, position: " + position + "}\n" + more;
+  return "coordinates: {x: {initial: 1}, y: {}, s: {held_at: 0}}\nparticles:\n  p: {mass: 1, position: " + position +
+         "}\n" + more;
 }
 
 std::string plane(const std::string& constraints) {
-  return "coordinates: {x: {initial: 1}, y: {initial: 1}}\nparticles: {p: {mass: 1, position: [x, y, 0]}}\nconstraints:\n" +
+  return "coordinates: {x: {initial: 1}, y: {initial: 1}}\nparticles: {p: {mass: 1, position: [x, y, "
+         "0]}}\nconstraints:\n" +
          constraints;
 }
 
@@ -60,11 +62,13 @@ TEST_CASE("a quotient that is a pole in every configuration is refused where it 
 }
 
 TEST_CASE("a pole that meets a zero is not forgotten") {
-  for (const char* const x : {"x + 0*x/(y - y)", "x + 1/(y - y) - 1/(y - y)", "x + 1/(1/(y - y))", "x + log(y - y)*(x - x)",
-                              "x + (y/s)^2", "x + 1/sin(s)", "x + atan2(s, y - y)", "x + sqrt(s - 1)", "x + dot(x)*asin(2 + s)"}) {
+  for (const char* const x :
+       {"x + 0*x/(y - y)", "x + 1/(y - y) - 1/(y - y)", "x + 1/(1/(y - y))", "x + log(y - y)*(x - x)", "x + (y/s)^2",
+        "x + 1/sin(s)", "x + atan2(s, y - y)", "x + sqrt(s - 1)", "x + dot(x)*asin(2 + s)"}) {
     INFO(x);
     const std::string place = std::string(x).find("dot") == std::string::npos ? x : "x + asin(2 + s)";
-    CHECK_THAT(found_in(point("[" + place + ", y, s]")), Catch::Contains("m.yaml:5:") && Catch::Contains("error[E053]"));
+    CHECK_THAT(found_in(point("[" + place + ", y, s]")),
+               Catch::Contains("m.yaml:5:") && Catch::Contains("error[E053]"));
   }
 }
 
@@ -92,7 +96,8 @@ TEST_CASE("numbers that multiply beyond double are refused with the name of what
         " 2 | name: structure\n"
         "   |       ^~~~~~~~~\n"
         "   = hint: choose units in which masses, lengths and forces are of moderate size\n");
-  CHECK_THAT(found_in("coordinates: {x: {}}\nparticles: {p: {mass: 1e-200, position: [1e-200*x, 0, 0]}}\n"), Catch::Contains("E054"));
+  CHECK_THAT(found_in("coordinates: {x: {}}\nparticles: {p: {mass: 1e-200, position: [1e-200*x, 0, 0]}}\n"),
+             Catch::Contains("E054"));
   CHECK(found_in("coordinates: {x: {}}\nparticles: {p: {mass: 1e200, position: [1e-200*x, 0, 0]}}\n").empty());
 }
 
@@ -110,7 +115,8 @@ TEST_CASE("a constraint whose gradient vanishes in every configuration is refuse
 TEST_CASE("a mass that is zero by its parameter is never passed over, without a force either") {
   CHECK_THAT(found_in("parameters: {m: 0}\ncoordinates: {x: {}}\nparticles: {p: {mass: m, position: [x, 0, 0]}}\n"),
              Catch::Contains("warning[W056]: 'p' has no mass") &&
-                 Catch::Contains("warning[W053]: there are no accelerations at the initial state: the mass matrix is singular"));
+                 Catch::Contains(
+                     "warning[W053]: there are no accelerations at the initial state: the mass matrix is singular"));
 }
 
 TEST_CASE("coordinates that move the same thing are fine where a constraint tells them apart") {
@@ -120,9 +126,11 @@ TEST_CASE("coordinates that move the same thing are fine where a constraint tell
 }
 
 TEST_CASE("the paper's route names the coordinates for which the metric has no inverse") {
-  const std::string held = "coordinates:\n  x: {}\n  s: {held_at: 0}\nparticles: {p: {mass: 1, position: [x + s, 0, 0]}}\n";
+  const std::string held =
+      "coordinates:\n  x: {}\n  s: {held_at: 0}\nparticles: {p: {mass: 1, position: [x + s, 0, 0]}}\n";
   const std::string expected =
-      "m.yaml:4:3: error[E060]: the paper's route does not take this model: the metric G of all coordinates, held ones too, has no "
+      "m.yaml:4:3: error[E060]: the paper's route does not take this model: the metric G of all coordinates, held ones "
+      "too, has no "
       "inverse: no body moves when 'x' and 's' change together in a certain way\n"
       " 4 |   x: {}\n"
       "   |   ^\n"
@@ -131,21 +139,26 @@ TEST_CASE("the paper's route names the coordinates for which the metric has no i
   CHECK(of_derivation(held) == expected);
   CHECK(found_in(held).empty());
   const std::string idle = "coordinates:\n  x: {}\n  s: {held_at: 0}\nparticles: {p: {mass: 1, position: [x, 0, 0]}}\n";
-  CHECK_THAT(of_derivation(idle), Catch::Contains("m.yaml:5:3: error[E060]") && Catch::Contains("no body moves with 's'"));
-  CHECK_THAT(of_derivation(k_sum + "  c: {velocity: dot(x) - 2*dot(y)}\n"), Catch::Contains("no body moves when 'x' and 'y' change"));
+  CHECK_THAT(of_derivation(idle),
+             Catch::Contains("m.yaml:5:3: error[E060]") && Catch::Contains("no body moves with 's'"));
+  CHECK_THAT(of_derivation(k_sum + "  c: {velocity: dot(x) - 2*dot(y)}\n"),
+             Catch::Contains("no body moves when 'x' and 'y' change"));
 }
 
 TEST_CASE("the paper's route names the constraints that depend on each other") {
   const std::string twice = plane("  c: {velocity: dot(x) - 2*dot(y)}\n  d: {velocity: 2*dot(x) - 4*dot(y)}\n");
   for (const std::string& text : {on_the_papers_route(twice), of_derivation(twice)}) {
-    CHECK_THAT(text, Catch::Contains("m.yaml:7:3: error[E060]: the paper's route does not take this model: the constraints 'c' and "
-                                     "'d' depend on each other"));
+    CHECK_THAT(text, Catch::Contains(
+                         "m.yaml:7:3: error[E060]: the paper's route does not take this model: the constraints 'c' and "
+                         "'d' depend on each other"));
   }
   // Dependent in this form only; GiNaC does not see it either.
-  CHECK_THAT(of_derivation(plane("  c: {velocity: sin(2*x)*dot(x) + dot(y)}\n  d: {velocity: 2*sin(x)*cos(x)*dot(x) + dot(y)}\n")),
+  CHECK_THAT(of_derivation(plane(
+                 "  c: {velocity: sin(2*x)*dot(x) + dot(y)}\n  d: {velocity: 2*sin(x)*cos(x)*dot(x) + dot(y)}\n")),
              Catch::Contains("the constraints 'c' and 'd' depend on each other"));
 }
 
 TEST_CASE("the paper's route is not tried on a model that no route takes") {
-  CHECK_THAT(of_derivation("coordinates: {x: {}}\nparticles: {p: {mass: 0, position: [x, 0, 0]}}\n"), Catch::Contains("error[E052]"));
+  CHECK_THAT(of_derivation("coordinates: {x: {}}\nparticles: {p: {mass: 0, position: [x, 0, 0]}}\n"),
+             Catch::Contains("error[E052]"));
 }

@@ -13,8 +13,8 @@ namespace {
 
 std::string codes(const std::string& mass, const std::string& inertia, const std::string& parameters = "k: 1") {
   return Built("gauss: 1\nname: test\nparameters: {" + parameters +
-               "}\norientations: {o: {quaternion: [a, b, c, d], angular_velocity: [p, q, r]}}\nbodies:\n  b: {mass: " + mass +
-               ", inertia: " + inertia + ", position: [0, 0, 0], orientation: o}\n")
+               "}\norientations: {o: {quaternion: [a, b, c, d], angular_velocity: [p, q, r]}}\nbodies:\n  b: {mass: " +
+               mass + ", inertia: " + inertia + ", position: [0, 0, 0], orientation: o}\n")
       .codes();
 }
 
