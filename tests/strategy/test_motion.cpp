@@ -162,3 +162,20 @@ TEST_CASE("dependent speeds are those that the model names, and the motion is th
     CHECK(deviation(motions.back(), motions.front()) < k_tolerance);
   }
 }
+
+TEST_CASE("a product of parameters is a safe pivot, a difference of them is not: it can vanish without a trace") {
+  const auto description = [](const std::string& pivot) {
+    Case c{model_of_text("gauss: 1\nname: m\n"
+                         "parameters: {p: 3, q: 2}\n"
+                         "coordinates: {a: {}, b: {}}\n"
+                         "particles: {one: {mass: 2, position: [a, b, 0]}}\n"
+                         "constraints: {edge: {velocity: " +
+                         pivot + "*dot(a) + sin(b)*dot(b)}}\n"),
+           {{"p", 3}, {"q", 2}, {"a", 1}, {"b", 1}, {"a_dot", 1}, {"b_dot", 1}, {"t", 0}},
+           {}};
+    EmittedNumbers emitted(c);
+    return emitted.mechanics().solution.description;
+  };
+  CHECK_THAT(description("p*q"), Catch::StartsWith("elimination (3.6)-(3.7) with dependent speeds a;"));
+  CHECK_THAT(description("(p - q)"), Catch::StartsWith("multiplier form (3.4)"));
+}
