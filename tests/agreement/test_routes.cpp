@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "catch_shim.hpp"
 #include "model_files.hpp"
@@ -145,13 +146,28 @@ double difference(const Answer& x, const Answer& y, const Eigen::VectorXd& f, co
 }
 
 struct Tally {
+  int partitions = 0;
   int compared = 0;
   int ill_conditioned = 0;
-  int partition_ill_conditioned = 0;
-  int beyond_problem = 0;  ///< states where the paper's route is off by more than the condition of g and b allows
   double worst_multiplier_form = 0;  ///< difference / (100 κ eps)
-  double worst_paper = 0;            ///< difference / (100 κ' eps), κ' with the partition
+  double worst_paper = 0;            ///< likewise, by the partition that is best at the state
 };
+
+/// The paper's route by every choice of dependent speeds that it takes.
+std::vector<gaussgen::lower::PaperRoute> routes_by_partition(gaussgen::model::Model& model, Mechanics& mechanics) {
+  std::vector<bool> taken(mechanics.dynamics.n(), false);
+  std::fill_n(taken.begin(), mechanics.dynamics.l(), true);
+  std::vector<gaussgen::lower::PaperRoute> routes;
+  do {
+    model.dependent.clear();
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      if (taken[i]) model.dependent.push_back({mechanics.dynamics.labels[i], {}});
+    }
+    auto route = gaussgen::paper_route(mechanics);
+    if (route.obstacle.empty()) routes.push_back(std::move(route));
+  } while (std::prev_permutation(taken.begin(), taken.end()));
+  return routes;
+}
 
 // NaN compares false everywhere: take it as a failure.
 void take(double& worst, double now) {
@@ -165,12 +181,13 @@ class Comparison {
         model_(agreement::load(file)),
         emitted_(model_, {}),
         multipliers_(model_, {false, true}),
-        paper_(gaussgen::paper_route(emitted_)),
+        papers_(routes_by_partition(model_, emitted_)),
         evaluator_(emitted_.graph, Arithmetic<double>()),
         other_(multipliers_.graph, Arithmetic<double>()) {
-    REQUIRE(paper_.obstacle.empty());
+    REQUIRE(!papers_.empty());
     gaussgen::bind_parameters(emitted_, evaluator_);
     gaussgen::bind_parameters(multipliers_, other_);
+    tally_.partitions = static_cast<int>(papers_.size());
   }
 
   Tally run() {
@@ -192,22 +209,24 @@ class Comparison {
     ++tally_.compared;
     const Eigen::VectorXd f = values(evaluator_, nodes(emitted_.dynamics.f));
     const Answer ours = answer(emitted_, evaluator_);
-    const double bar = 100 * k_eps;
-    take(tally_.worst_multiplier_form,
-         difference(ours, answer(multipliers_, other_), f, scale) / (bar * scale.condition));
-    const double with_partition =
-        condition_of_partition(scaled_system(evaluator_, emitted_.dynamics, scale, paper_.dependent));
-    const double largest_condition = std::max(scale.condition, with_partition);
-    if (!(largest_condition <= k_largest_condition)) {
-      ++tally_.partition_ill_conditioned;
-      std::printf("  %s: state %d, kappa with the paper's partition = %.1e\n", file_.c_str(), index, largest_condition);
-      return;
+    const double bar = 100 * k_eps * scale.condition;
+    take(tally_.worst_multiplier_form, difference(ours, answer(multipliers_, other_), f, scale) / bar);
+    const gaussgen::lower::PaperRoute& paper = best_partition(scale);
+    const Answer printed{values(evaluator_, paper.accelerations), values(evaluator_, paper.lambda),
+                         values(evaluator_, paper.R_x)};
+    take(tally_.worst_paper, difference(ours, printed, f, scale) / bar);
+  }
+
+  const gaussgen::lower::PaperRoute& best_partition(const Scaling& scale) {
+    const gaussgen::lower::PaperRoute* best = &papers_[0];
+    double least = std::numeric_limits<double>::infinity();
+    for (const gaussgen::lower::PaperRoute& paper : papers_) {
+      const double now = condition_of_partition(scaled_system(evaluator_, emitted_.dynamics, scale, paper.dependent));
+      if (!(now < least)) continue;
+      least = now;
+      best = &paper;
     }
-    const Answer printed{values(evaluator_, paper_.accelerations), values(evaluator_, paper_.lambda),
-                         values(evaluator_, paper_.R_x)};
-    const double off = difference(ours, printed, f, scale);
-    take(tally_.worst_paper, off / (bar * largest_condition));
-    if (!(off <= bar * scale.condition)) ++tally_.beyond_problem;
+    return *best;
   }
 
   static Answer answer(const Mechanics& mechanics, Evaluator<double>& evaluator) {
@@ -220,7 +239,7 @@ class Comparison {
   gaussgen::model::Model model_;
   Mechanics emitted_;
   Mechanics multipliers_;
-  gaussgen::lower::PaperRoute paper_;
+  std::vector<gaussgen::lower::PaperRoute> papers_;
   Evaluator<double> evaluator_;
   Evaluator<double> other_;
   Tally tally_;
@@ -228,21 +247,20 @@ class Comparison {
 
 }  // namespace
 
-// κ is the condition of the scaled g and of the scaled problem [g bᵀ; b 0]. For the paper's route it contains that of its
-// partition, which it keeps where it is nearly singular; without that factor the same bar holds in all but a few states.
+// κ is the condition of the scaled g and of the scaled problem [g bᵀ; b 0]. No single partition keeps to it where its own
+// b_μρ is nearly singular, so the paper's route is built for all of them, and each state takes its best one: (3.7) and (3.8)
+// hold for whichever partition is current.
 TEST_CASE("emitted route, multiplier form and paper's route agree to 100 kappa eps on 1000 states of every model") {
-  std::printf("%-30s %7s %12s %16s %15s %11s %14s\n", "model", "states", "kappa > 1e8", "multipliers/bar",
-              "kappa' > 1e8", "paper/bar", "beyond kappa");
+  std::printf("%-30s %10s %7s %12s %16s %11s\n", "model", "partitions", "states", "kappa > 1e8", "multipliers/bar",
+              "paper/bar");
   for (const std::string& file : agreement::model_files()) {
     const Tally tally = Comparison(file).run();
-    std::printf("%-30s %7d %12d %16.3g %15d %11.3g %14d\n", file.c_str(), tally.compared, tally.ill_conditioned,
-                tally.worst_multiplier_form, tally.partition_ill_conditioned, tally.worst_paper, tally.beyond_problem);
+    std::printf("%-30s %10d %7d %12d %16.3g %11.3g\n", file.c_str(), tally.partitions, tally.compared,
+                tally.ill_conditioned, tally.worst_multiplier_form, tally.worst_paper);
     INFO(file);
     CHECK(tally.worst_multiplier_form <= 1);
     CHECK(tally.worst_paper <= 1);
     // Random states are seldom singular: were many left out, the rest would show little.
     CHECK(tally.ill_conditioned <= k_states / 100);
-    CHECK(tally.partition_ill_conditioned <= k_states / 100);
-    CHECK(tally.beyond_problem <= k_states / 20);
   }
 }
