@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "emit/identifiers.hpp"
+#include "model/emitted_names.hpp"
 #include "support/suggest.hpp"
 
 namespace gaussgen::cli {
@@ -32,7 +33,9 @@ bool is_identifier(const std::string& text) {
 }
 
 /// `gauss` is where headers live when nothing else is asked for; the other names of the emitter would hide its own.
-bool is_free(const std::string& name) { return name == "gauss" || emit::mangled(name) == name; }
+bool is_free(const std::string& name) {
+  return name == "gauss" || (emit::mangled(name) == name && !model::is_emitted_macro(name));
+}
 
 }  // namespace
 
@@ -45,10 +48,13 @@ std::string refusal_of_choice(const std::string& word, const std::vector<std::st
 std::string refusal_of_namespace(const std::string& text) {
   if (text.size() > k_longest_namespace)
     return fmt::format("a namespace of more than {} characters", k_longest_namespace);
-  for (const std::string& part : parts_of(text)) {
+  const std::vector<std::string> parts = parts_of(text);
+  for (const std::string& part : parts) {
     if (!is_identifier(part)) return fmt::format("'{}' is not a C++ namespace; write it as in acme::models", text);
     if (!is_free(part)) return fmt::format("'{}' cannot be a namespace: the name is reserved", part);
   }
+  if (parts.size() > 1 && parts[0] == "gauss" && model::is_taken_in_gauss(parts[1]))
+    return fmt::format("'{}' is a name of emitted code in gauss", parts[1]);
   return "";
 }
 

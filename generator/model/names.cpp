@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/character_name.hpp"
+#include "model/emitted_names.hpp"
 #include "model/functions.hpp"
 #include "support/error_codes.hpp"
 #include "support/utf8.hpp"
@@ -33,6 +34,13 @@ std::string fault_of(const std::string& name) {
   return {};
 }
 
+bool refuse_as_ours(const Name& name, Reading& reading) {
+  reading.diagnostics.error(code::k_reserved_name, name.span,
+                            fmt::format("'{}' is a name of emitted code and cannot be used", name.text),
+                            "choose another name, such as my_" + name.text);
+  return false;
+}
+
 bool moves(SymbolKind kind) {
   return kind == SymbolKind::coordinate || kind == SymbolKind::quaternion_component ||
          kind == SymbolKind::angular_velocity;
@@ -42,9 +50,13 @@ bool moves(SymbolKind kind) {
 
 bool check_name(const Name& name, Reading& reading) {
   const std::string fault = fault_of(name.text);
-  if (fault.empty()) return true;
+  if (fault.empty()) return !is_emitted_macro(name.text) || refuse_as_ours(name, reading);
   reading.diagnostics.error(code::k_invalid_name, name.span, fmt::format("'{}' is not a valid name", name.text), fault);
   return false;
+}
+
+void check_model_name(const Name& name, Reading& reading) {
+  if (check_name(name, reading) && is_taken_in_gauss(name.text)) refuse_as_ours(name, reading);
 }
 
 void declare(const Name& name, SymbolKind kind, std::size_t index, const std::string& what, Reading& reading) {

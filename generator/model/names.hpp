@@ -7,8 +7,11 @@ namespace gaussgen::model {
 
 inline constexpr std::size_t k_longest_name = 64;
 
-/// A name of a body, a force, …: pattern only.
+/// A name of a body, a force, …: pattern, and no macro of emitted code.
 bool check_name(const Name& name, Reading& reading);
+
+/// The name of the model, which becomes a namespace.
+void check_model_name(const Name& name, Reading& reading);
 
 /// A symbol of expressions; `what` is "the parameter". A faulty name is entered too, so that its uses raise no second error.
 void declare(const Name& name, SymbolKind kind, std::size_t index, const std::string& what, Reading& reading);

@@ -37,7 +37,7 @@ void read_name(const spec::Node& root, Reading& reading) {
   const spec::Node* name = required(root, "name", k_top, "a model file", reading);
   if (name == nullptr || !expect_scalar(*name, k_top, "'name'", reading)) return;
   reading.model.name = name_of(name->scalar);
-  check_name(reading.model.name, reading);
+  check_model_name(reading.model.name, reading);
 }
 
 void read_output(const spec::Node& item, support::Span owner, Reading& reading) {

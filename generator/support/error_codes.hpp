@@ -35,7 +35,7 @@ inline constexpr ErrorCode k_conflicting_keys{"E016", "keys that exclude each ot
 
 // Names.
 inline constexpr ErrorCode k_invalid_name{"E020", "not a valid name"};
-inline constexpr ErrorCode k_reserved_name{"E021", "a name with a fixed meaning in expressions"};
+inline constexpr ErrorCode k_reserved_name{"E021", "a name with a fixed meaning in expressions or in emitted code"};
 inline constexpr ErrorCode k_name_clash{"E022", "one name for two things"};
 inline constexpr ErrorCode k_rate_clash{"E023", "a name that equals the derived name of a rate"};
 inline constexpr ErrorCode k_wrong_reference{"E024", "a name that refers to nothing, or to the wrong kind of thing"};

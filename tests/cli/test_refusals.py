@@ -26,6 +26,8 @@ USAGE = {
     "an empty namespace": [SKEW, "--namespace", ""],
     "a keyword as namespace": [SKEW, "--namespace", "acme::class"],
     "a macro as namespace": [SKEW, "--namespace", "linux"],
+    "a macro of emitted headers": [SKEW, "--namespace", "acme::GAUSS_FUNCTION"],
+    "a name of emitted headers": [SKEW, "--namespace", "gauss::name"],
     "the standard library's namespace": [SKEW, "--namespace", "std"],
     "a name of the compiler": [SKEW, "--namespace", "a__b"],
     "another name of the compiler": [SKEW, "--namespace", "_a"],

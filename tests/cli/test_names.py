@@ -1,0 +1,104 @@
+"""Names of a model against the names that an emitted header uses itself: each compiles, changed if need be, or is refused."""
+
+import os
+import re
+import subprocess
+import unittest
+
+from gauss_gen import Program
+
+COMPILER = os.environ["GAUSS_CXX"]
+
+# Every kind of thing that has a name, so that the header has every kind of text.
+EVERYTHING = """gauss: 1
+name: everything
+parameters: {m: 1, twice: 2*m}
+inputs: {push: 0}
+coordinates: {x: {initial: 1}, y: {}, s: {held_at: 0}}
+orientations: {o: {quaternion: [e0, e1, e2, e3], angular_velocity: [p, q, r]}}
+bodies: {ball: {mass: m, inertia: twice, position: [x + s, y, 0], orientation: o}}
+constraints: {roll: {velocity: dot(x) - x*q + sin(y)*p}}
+forces: {f: {generalized: {x: push}}}
+"""
+
+
+def model(name="host", parameters="", inputs="", coordinates="", particles="", constraints=""):
+    return (f"gauss: 1\nname: '{name}'\nparameters: {{k_host: 1, {parameters}}}\ninputs: {{u_host: 0, {inputs}}}\n"
+            f"coordinates: {{x_host: {{}}, y_host: {{}}, {coordinates}}}\n"
+            f"particles: {{p_host: {{mass: k_host, position: [x_host, y_host, 0]}}, {particles}}}\n"
+            "forces: {f_host: {generalized: {x_host: u_host*sin(y_host)}}}\n"
+            f"constraints: {{c_host: {{velocity: dot(x_host) - y_host*dot(y_host)}}, {constraints}}}\n")
+
+
+# How one name enters a model in each role; as many as fit go into one model.
+ROLES = {
+    "parameter": lambda names, host: model(host, parameters=", ".join(f"'{n}': 1" for n in names)),
+    "input": lambda names, host: model(host, inputs=", ".join(f"'{n}': 0" for n in names)),
+    "coordinate": lambda names, host: model(
+        host, coordinates=", ".join(f"'{n}': {{}}" for n in names),
+        particles=", ".join(f"p{i}: {{mass: 1, position: ['{n}', 'sin({n})', 0]}}" for i, n in enumerate(names))),
+    "held coordinate": lambda names, host: model(
+        host, coordinates=", ".join(f"'{n}': {{held_at: sin(t)}}" for n in names),
+        particles=", ".join(f"p{i}: {{mass: 1, position: ['x_host*{n}', 0, 0]}}" for i, n in enumerate(names))),
+    "body": lambda names, host: model(
+        host, particles=", ".join(f"'{n}': {{mass: 1, position: [x_host, 0, 0]}}" for n in names)),
+    "constraint": lambda names, host: model(
+        host, coordinates=", ".join(f"z{i}: {{}}" for i in range(len(names))),
+        particles=", ".join(f"p{i}: {{mass: 1, position: [z{i}, 0, 0]}}" for i in range(len(names))),
+        constraints=", ".join(f"'{n}': {{velocity: dot(z{i}) - x_host*dot(y_host)}}" for i, n in enumerate(names))),
+}
+LARGEST = {"parameter": 400, "input": 400, "coordinate": 25, "held coordinate": 12, "body": 40, "constraint": 12}
+
+
+def without_comments(header):
+    return re.sub(r'"(\\.|[^"\\\n])*"', '""', re.sub(r"//[^\n]*|/\*.*?\*/", "", header, flags=re.S))
+
+
+class Names(Program):
+    def identifiers(self):
+        text = without_comments(self.ok("-", "-o", "-", stdin=EVERYTHING))
+        names = {n for n in re.findall(r"[A-Za-z]\w*", text) if "__" not in n and not n.endswith("_") and len(n) < 60}
+        self.assertGreater(len(names), 200)
+        return sorted(names | {"int", "class", "linux", "main", "printf", "std", "gauss", "errno", "NULL", "GAUSS_MODEL_HOST_HPP"})
+
+    def accepted(self, role, names, host):
+        """A header with those of `names` that are not refused; those are checked to be refused with a hint."""
+        for _ in range(4):
+            result = self.run_it("-", "-o", "headers", stdin=ROLES[role](names, host))
+            if result.returncode == 0:
+                return
+            self.assertEqual(result.returncode, 1, result.stderr)
+            refused = set(re.findall(r"error\[E02[0-3]\]: '(\w+)'", result.stderr))
+            self.assertTrue(refused, result.stderr)
+            self.assertEqual(result.stderr.count("error["), result.stderr.count("= hint:"), result.stderr)
+            names = [n for n in names if n not in refused and n + "_dot" not in refused]
+        self.fail(f"{role}: still refused\n{result.stderr}")
+
+    def compiles(self):
+        headers = sorted((self.folder / "headers").glob("*.hpp"))
+        self.assertTrue(headers)
+        source = self.write("all.cpp", "".join(f'#include "{header}"\n' for header in headers))
+        result = subprocess.run([COMPILER, "-std=c++17", "-fsyntax-only", source], capture_output=True, text=True, check=False)
+        self.assertEqual(result.returncode, 0, result.stderr[:3000])
+
+    def test_names_in_every_role(self):
+        names = self.identifiers()
+        for role, size in LARGEST.items():
+            for part in range(0, len(names), size):
+                self.accepted(role, names[part:part + size], f"{role.replace(' ', '_')}_{part}")
+        self.compiles()
+
+    def test_names_of_models(self):
+        accepted = 0
+        for name in self.identifiers():
+            result = self.run_it("-", "-o", "headers", stdin=model(name))
+            self.assertIn(result.returncode, (0, 1), (name, result.stderr))
+            accepted += result.returncode == 0
+            if result.returncode == 1:
+                self.assertRegex(result.stderr, r"error\[E021\]: '\w+' is a name of emitted code(.|\n)*= hint: ")
+        self.assertGreater(accepted, 150)
+        self.compiles()
+
+
+if __name__ == "__main__":
+    unittest.main()
