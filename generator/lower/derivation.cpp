@@ -73,7 +73,9 @@ class SystemSections {
                     "",
                     "Those of the induced metric that do not vanish. For an angular velocity the coordinate is a "
                     "rotation about the present attitude, whose rate is that angular velocity.",
-                    {"\\Gamma^\\alpha{}_{\\beta\\gamma} = g^{\\alpha\\delta}\\, [\\beta\\gamma, \\delta]"},
+                    {"\\Gamma^\\alpha{}_{\\beta\\gamma} = g^{\\alpha\\delta}\\, [\\beta\\gamma, \\delta], \\qquad "
+                     "[\\beta\\gamma, \\delta] = \\tfrac{1}{2}\\,(\\partial_\\gamma g_{\\delta\\beta} + "
+                     "\\partial_\\beta g_{\\delta\\gamma} - \\partial_\\delta g_{\\beta\\gamma})"},
                     {},
                     {}};
     for (const FreeIndex a : chart_.free()) {
@@ -149,14 +151,36 @@ class SystemSections {
   FormulaWriter& write_;
 };
 
+std::string with_unit(const std::string& about, const std::string& unit) {
+  return about + (unit.empty() ? "" : (about.empty() ? "[" : " [") + unit + "]");
+}
+
+void add_constants(const model::Model& model, const PaperSystem& paper, FormulaWriter& write, Derivation& derivation) {
+  if (model.parameters.empty() && model.inputs.empty()) return;
+  Section section{"Parameters and inputs", "", "What the formulas below hold besides coordinates and time.", {}, {}, {}};
+  const auto add = [&](const std::string& name, const std::string& about, const std::string& unit, const char* kind) {
+    section.items.push_back({latex_indices({name}), name, with_unit(about.empty() ? kind : about, unit)});
+  };
+  for (const model::Parameter& parameter : model.parameters) {
+    const std::string& name = parameter.name.text;
+    add(name, parameter.about, parameter.unit, "parameter");
+    const auto formula = paper.chart().formulas().find(name);
+    if (formula == paper.chart().formulas().end()) continue;
+    section.formulas.push_back(write({latex_indices({name}), {}, {}}, formula->second));
+    std::string& plain = section.formulas.back().plain;
+    plain.replace(0, plain.find(" = "), name);
+  }
+  for (const model::Input& input : model.inputs) add(input.name.text, input.about, input.unit, "input");
+  derivation.sections.push_back(std::move(section));
+}
+
 void add_user_items(const model::Model& model, const PaperSystem& paper, FormulaWriter& write, Derivation& derivation) {
   Section section{
       "Coordinates", "", "Free coordinates $q^\\alpha$, then the held ones with their values $x^i = c^i$.", {}, {}, {}};
   for (const model::Coordinate& coordinate : model.coordinates) {
-    const std::string unit = coordinate.unit.empty() ? "" : " [" + coordinate.unit + "]";
     const std::string held = coordinate.held_at ? " (held)" : "";
     section.items.push_back({latex_indices({coordinate.name.text}), coordinate.name.text,
-                             (coordinate.about.empty() ? "coordinate" : coordinate.about) + unit + held});
+                             with_unit(coordinate.about.empty() ? "coordinate" : coordinate.about, coordinate.unit) + held});
   }
   for (const model::Orientation& orientation : model.orientations) {
     const char* frame = orientation.frame == model::Frame::space ? "space" : "body";
@@ -188,6 +212,7 @@ Derivation derive(const model::Model& model) {
   FormulaWriter write(model, *paper);
   derivation.title = "Equations of motion of " + model.name.text;
   derivation.about = model.about;
+  add_constants(model, *paper, write, derivation);
   add_user_items(model, *paper, write, derivation);
   SystemSections system(*paper, write);
   derivation.sections.push_back(system.metric_of_free());

@@ -18,6 +18,8 @@ TEST_CASE("the ball's derivation reads as the paper's example", "[lower]") {
   const std::string plain = lower::as_plain_text(derivation);
   INFO(plain);
   CHECK(contains(plain, "  rho = -r + R"));
+  CHECK(contains(plain, "m: mass of the ball [kg]"));
+  CHECK(contains(plain, "J = 2/5*m*r^2"));
   CHECK(contains(plain, "g_chi_chi = m*rho^2"));
   CHECK(contains(plain, "g_phi_psi = J*cos(theta)"));
   CHECK(contains(plain, "E_up_rho_rho = m^(-1)"));
