@@ -1,5 +1,7 @@
 #include "generic_point.hpp"
 
+#include <utility>
+
 namespace gaussgen {
 
 using cln::cl_F;
@@ -13,24 +15,31 @@ constexpr int k_digits = 60;
 constexpr int k_trusted_digits = 30;
 constexpr int k_attempts = 4;
 
-/// Numbers in (-1, 1) without a pattern that a model could have, the same in every run: multiples of the golden ratio, cut
+/// Numbers in (-scale, scale) without a pattern that a model could have, the same in every run: multiples of the golden ratio, cut
 /// to their fractions (Weyl).
 class Scatter {
  public:
-  explicit Scatter(int attempt)
-      : index_(1000 * attempt + 17), scale_(Rational(1) / cln::expt_pos(cln::cl_I(8), attempt + 1)) {}
+  Scatter(std::uint32_t start, Rational scale) : index_(start), scale_(std::move(scale)) {}
 
-  /// Smaller at later attempts, which stay nearer to the start: there at least a sound model has values.
   Rational operator()() {
     const Rational golden = Rational(cln::cl_I("618033988749894848")) / cln::expt_pos(cln::cl_I(10), 18);
-    const Rational turn = golden * ++index_;
+    const Rational turn = golden * cln::cl_I(static_cast<unsigned long>(++index_));
     return (2 * (turn - cln::floor1(turn)) - 1) * scale_;
   }
 
  private:
-  int index_;
+  std::uint32_t index_;
   Rational scale_;
 };
+
+/// Later attempts stay nearer to the start: there at least a sound model has values.
+Scatter scatter_of(int attempt) {
+  return {17U + 1000U * static_cast<std::uint32_t>(attempt), Rational(1) / cln::expt_pos(cln::cl_I(8), attempt + 1)};
+}
+
+/// What stands for a node that has no value anywhere. Not from Scatter: its numbers, side by side in a matrix, would depend on
+/// each other; those of a Cauchy matrix never do.
+Rational substitute_for(ir::NodeId id) { return Rational(1) / cln::cl_I(static_cast<unsigned long>(id.index) + 7); }
 
 Rational trusted() { return Rational(1) / cln::expt_pos(cln::cl_I(10), k_trusted_digits); }
 
@@ -39,7 +48,7 @@ template <class Values>
 class Spread {
  public:
   Spread(Mechanics& mechanics, Values& values, int attempt)
-      : mechanics_(mechanics), values_(values), scatter_(attempt) {}
+      : mechanics_(mechanics), values_(values), scatter_(scatter_of(attempt)) {}
 
   void run() {
     bind(mechanics_.symbols.time, Rational(0));
@@ -121,25 +130,33 @@ GenericPoint::Values GenericPoint::values_near_start(int attempt) const {
   return values;
 }
 
-std::optional<evaluate::Matrix> GenericPoint::operator()(const strategy::Matrix& matrix) {
+evaluate::Matrix GenericPoint::operator()(const strategy::Matrix& matrix) {
+  for (int attempt = 0;; ++attempt) {
+    Values values = values_near_start(attempt);
+    const bool is_last = attempt + 1 == k_attempts;
+    if (const auto result = matrix_of(matrix, values, is_last)) return *result;
+  }
+}
+
+std::optional<evaluate::Matrix> GenericPoint::matrix_of(const strategy::Matrix& matrix, Values& values,
+                                                        bool replaces_undefined) {
   const Arithmetic<cl_F> arithmetic(k_digits);
   const cl_F rounding = arithmetic.number(trusted());
-  const cl_F zero = arithmetic.number(Rational(0));
   const std::size_t columns = matrix.empty() ? 0 : matrix[0].size();
-  for (int attempt = 0; attempt < k_attempts; ++attempt) {
-    Values values = values_near_start(attempt);
-    evaluate::Matrix result(matrix.size(), columns, zero);
-    bool is_defined = true;
-    for (std::size_t i = 0; i < matrix.size() && is_defined; ++i) {
-      for (std::size_t j = 0; j < columns && is_defined; ++j) {
-        const std::optional<Number> entry = values(matrix[i][j].id());
-        is_defined = entry.has_value();
-        if (entry && cln::abs(entry->value) > rounding * entry->scale) result(i, j) = entry->value;
+  evaluate::Matrix result(matrix.size(), columns, arithmetic.number(Rational(0)));
+  for (std::size_t i = 0; i < matrix.size(); ++i) {
+    for (std::size_t j = 0; j < columns; ++j) {
+      const ir::NodeId id = matrix[i][j].id();
+      const std::optional<Number> entry = values(id);
+      if (!entry && !replaces_undefined) return std::nullopt;
+      if (!entry) {
+        result(i, j) = arithmetic.number(substitute_for(id));
+      } else if (cln::abs(entry->value) > rounding * entry->scale) {
+        result(i, j) = entry->value;
       }
     }
-    if (is_defined) return result;
   }
-  return std::nullopt;
+  return result;
 }
 
 std::size_t generic_rank(const evaluate::Matrix& matrix) {

@@ -15,14 +15,17 @@ class GenericPoint {
  public:
   explicit GenericPoint(Mechanics& mechanics) : mechanics_(mechanics) {}
 
-  /// What is nothing but rounding is zero in it. Empty if an entry has no value at any point that was tried.
-  std::optional<evaluate::Matrix> operator()(const strategy::Matrix& matrix);
+  /// What is nothing but rounding is zero in it. Where entries have no value at any point that was tried, only their pattern
+  /// counts: equal expressions are equal numbers, others are not.
+  evaluate::Matrix operator()(const strategy::Matrix& matrix);
 
  private:
   using Number = evaluate::Scaled<cln::cl_F>;
   using Values = evaluate::Evaluator<Number>;
 
   Values values_near_start(int attempt) const;
+  static std::optional<evaluate::Matrix> matrix_of(const strategy::Matrix& matrix, Values& values,
+                                                   bool replaces_undefined);
 
   Mechanics& mechanics_;
 };

@@ -1,5 +1,7 @@
 #include "paper.hpp"
 
+#include <stdexcept>
+
 #include "generic_point.hpp"
 #include "ir/substitute.hpp"
 #include "lower/derivation.hpp"
@@ -56,9 +58,8 @@ struct Obstacle {
 std::optional<Obstacle> obstacle_in_metric(Mechanics& mechanics) {
   strategy::Matrix G;
   for (const auto& row : mechanics.covariant.G) G.push_back(row.values());
-  const auto matrix = GenericPoint(mechanics)(G);
   std::vector<std::string> names;
-  for (const std::size_t A : matrix ? dependent_columns(*matrix) : std::vector<std::size_t>{}) {
+  for (const std::size_t A : dependent_columns(GenericPoint(mechanics)(G))) {
     names.push_back(mechanics.symbols.label(kinematics::FullIndex{A}));
   }
   if (names.empty()) return std::nullopt;
@@ -70,8 +71,7 @@ std::optional<Obstacle> obstacle_in_metric(Mechanics& mechanics) {
 
 std::optional<Obstacle> obstacle_in_constraints(Mechanics& mechanics) {
   if (mechanics.dynamics.l() == 0) return std::nullopt;
-  const auto b = GenericPoint(mechanics)(mechanics.dynamics.b);
-  const auto dependent = b ? dependent_columns(evaluate::transposed(*b)) : std::vector<std::size_t>{};
+  const auto dependent = dependent_columns(evaluate::transposed(GenericPoint(mechanics)(mechanics.dynamics.b)));
   if (dependent.empty()) return std::nullopt;
   std::vector<std::string> names;
   for (const std::size_t mu : dependent) names.push_back(mechanics.dynamics.constraints[mu]);
@@ -85,6 +85,18 @@ std::optional<Obstacle> obstacle_in(Mechanics& mechanics) {
   if (!size.empty()) return Obstacle{size, mechanics.model.name.span};
   if (auto found = obstacle_in_metric(mechanics)) return found;
   return obstacle_in_constraints(mechanics);
+}
+
+/// What obstacle_in cannot see, since nothing has a value near the start (sinh of 1e200): GiNaC divides by zero there.
+template <class Make>
+auto derived(Make make) -> decltype(make()) {
+  try {
+    return make();
+  } catch (const std::domain_error&) {
+    decltype(make()) result;
+    result.obstacle = "the metric G or the block b of the constraints has no inverse";
+    return result;
+  }
 }
 
 /// What only the derivation itself can find.
@@ -112,7 +124,7 @@ std::string derivation_text(const model::Model& model, bool latex, support::Diag
     report_obstacle(*obstacle, diagnostics);
     return "";
   }
-  const lower::Derivation derivation = lower::derive(model);
+  const lower::Derivation derivation = derived([&] { return lower::derive(model); });
   if (!derivation.obstacle.empty()) {
     report_obstacle(at_start(model, derivation.obstacle), diagnostics);
     return "";
@@ -122,7 +134,7 @@ std::string derivation_text(const model::Model& model, bool latex, support::Diag
 
 std::string dump_paper(Mechanics& mechanics) {
   if (const auto obstacle = obstacle_in(mechanics)) return "no paper's route: " + obstacle->what + "\n";
-  const lower::Derivation derivation = lower::derive(mechanics.model);
+  const lower::Derivation derivation = derived([&] { return lower::derive(mechanics.model); });
   return derivation.obstacle.empty() ? lower::as_plain_text(derivation)
                                      : "no paper's route: " + derivation.obstacle + "\n";
 }
@@ -132,7 +144,7 @@ bool take_paper_route(Mechanics& mechanics, bool fold, support::Diagnostics& dia
     report_obstacle(*obstacle, diagnostics);
     return false;
   }
-  const lower::PaperRoute route = paper_route(mechanics);
+  const lower::PaperRoute route = derived([&] { return paper_route(mechanics); });
   if (!route.obstacle.empty()) {
     report_obstacle(at_start(mechanics.model, route.obstacle), diagnostics);
     return false;

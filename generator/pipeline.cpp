@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "dumps.hpp"
-#include "emit/header.hpp"
 #include "initial_check.hpp"
 #include "model/build.hpp"
 #include "paper.hpp"
@@ -72,7 +71,8 @@ std::optional<PipelineResult> compile(const support::Source& source, const Pipel
 
   PipelineResult result;
   result.model_name = model->name.text;
-  result.header = emit::emit_header(mechanics.graph, unit);
+  result.header = header_in_range(mechanics.graph, unit, model->name, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
   stages.done("header", fmt::format("{} bytes", result.header.size()), [&] { return result.header; });
 
   // Last, so that what it adds to the graph cannot change the header.

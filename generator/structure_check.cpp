@@ -25,8 +25,7 @@ class StructureCheck {
 
  private:
   void check_gradient(std::size_t mu) {
-    const auto b = at_generic_point_({mechanics_.dynamics.b[mu]});
-    if (!b || generic_rank(*b) > 0) return;
+    if (generic_rank(at_generic_point_({mechanics_.dynamics.b[mu]})) > 0) return;
     idle_.push_back(model_.constraints[mu].name.text);
     diagnostics_.error(
         support::code::k_no_velocity, model_.constraints[mu].velocity.span,
@@ -39,8 +38,7 @@ class StructureCheck {
   bool is_determined() {
     strategy::Matrix rows = mechanics_.dynamics.g;
     rows.insert(rows.end(), mechanics_.dynamics.b.begin(), mechanics_.dynamics.b.end());
-    const auto matrix = at_generic_point_(rows);
-    return matrix && generic_rank(*matrix) == mechanics_.dynamics.n();
+    return generic_rank(at_generic_point_(rows)) == mechanics_.dynamics.n();
   }
 
   void report_undetermined() {

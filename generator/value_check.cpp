@@ -1,10 +1,13 @@
 #include "value_check.hpp"
 
+#include <cln/exception.h>
+#include <cln/float.h>
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
 
+#include "emit/header.hpp"
 #include "ir/substitute.hpp"
 #include "ir/traverse.hpp"
 #include "model/expressions.hpp"
@@ -101,6 +104,8 @@ std::vector<ir::NodeId> outputs_of(const emit::Unit& unit) {
   for (const emit::Artefact& artefact : unit.artefacts) {
     nodes.insert(nodes.end(), artefact.derivative.begin(), artefact.derivative.end());
     nodes.insert(nodes.end(), artefact.state.begin(), artefact.state.end());
+    const emit::StatusNodes& status = artefact.status;
+    nodes.insert(nodes.end(), {status.singular_mass_matrix, status.dependent_constraints, status.violated_constraints});
     for (const emit::Group& group : artefact.groups) {
       for (const emit::Field& field : group.fields) nodes.insert(nodes.end(), field.values.begin(), field.values.end());
     }
@@ -121,6 +126,13 @@ std::string name_around(const ir::Graph& graph, const std::vector<ir::NodeId>& o
   return "";
 }
 
+void refuse_range(const model::Name& model, const std::string& name, support::Diagnostics& diagnostics) {
+  diagnostics.error(support::code::k_not_finite, model.span,
+                    "the numbers of the model multiply to one that double cannot hold" +
+                        (name.empty() ? "" : fmt::format(", in {}", name)),
+                    "choose units in which masses, lengths and forces are of moderate size");
+}
+
 }  // namespace
 
 void check_values(Mechanics& mechanics, support::Diagnostics& diagnostics) { ValueCheck(mechanics, diagnostics).run(); }
@@ -129,13 +141,17 @@ void check_range(const ir::Graph& graph, const emit::Unit& unit, const model::Na
                  support::Diagnostics& diagnostics) {
   const std::vector<ir::NodeId> order = ir::post_order(graph, outputs_of(unit));
   for (const ir::NodeId id : order) {
-    if (is_in_range(graph[id])) continue;
-    const std::string name = name_around(graph, order, id);
-    diagnostics.error(support::code::k_not_finite, model.span,
-                      "the numbers of the model multiply to one that double cannot hold" +
-                          (name.empty() ? "" : fmt::format(", in {}", name)),
-                      "choose units in which masses, lengths and forces are of moderate size");
-    return;
+    if (!is_in_range(graph[id])) return refuse_range(model, name_around(graph, order, id), diagnostics);
+  }
+}
+
+std::string header_in_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
+                            support::Diagnostics& diagnostics) {
+  try {
+    return emit::emit_header(graph, unit);
+  } catch (const cln::floating_point_exception&) {
+    refuse_range(model, "", diagnostics);
+    return "";
   }
 }
 

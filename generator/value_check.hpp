@@ -15,4 +15,8 @@ void check_values(Mechanics& mechanics, support::Diagnostics& diagnostics);
 void check_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
                  support::Diagnostics& diagnostics);
 
+/// The header; empty, with the same error, where it is a rewriting of the passes that makes such a number.
+std::string header_in_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
+                            support::Diagnostics& diagnostics);
+
 }  // namespace gaussgen

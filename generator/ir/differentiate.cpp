@@ -21,6 +21,7 @@ NodeId Directional::derivative(NodeId root) {
 }
 
 NodeId Directional::of_node(NodeId id) {
+  if (graph_.is_undefined(id)) return id;  // not even 1/0, which does not vary, has a rate
   const Node& node = graph_[id];
   switch (node.kind) {
     case Kind::constant: return graph_.constant(0);

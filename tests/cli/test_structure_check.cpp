@@ -92,13 +92,21 @@ TEST_CASE("what a choice or a later value may save is not refused") {
 
 TEST_CASE("numbers that multiply beyond double are refused with the name of what they make") {
   CHECK(found_in("coordinates: {x: {}}\nparticles: {p: {mass: 1e308, position: [1e308*sin(x), 0, 0]}}\n") ==
-        "m.yaml:2:7: error[E054]: the numbers of the model multiply to one that double cannot hold, in kinetic_energy\n"
+        "m.yaml:2:7: error[E054]: the numbers of the model multiply to one that double cannot hold, in G_x_x\n"
         " 2 | name: structure\n"
         "   |       ^~~~~~~~~\n"
         "   = hint: choose units in which masses, lengths and forces are of moderate size\n");
   CHECK_THAT(found_in("coordinates: {x: {}}\nparticles: {p: {mass: 1e-200, position: [1e-200*x, 0, 0]}}\n"),
              Catch::Contains("E054"));
   CHECK(found_in("coordinates: {x: {}}\nparticles: {p: {mass: 1e200, position: [1e-200*x, 0, 0]}}\n").empty());
+  // As an initial value, and where only a pass multiplies them.
+  PipelineOptions fold;
+  fold.fold = true;
+  const std::string far =
+      "parameters: {m: 1e-300}\ncoordinates: {x: {initial: 1e300}, y: {}}\nparticles: {p: {mass: m, position: [x + "
+      "tanh(x*y), "
+      "y, x]}}\nconstraints: {c: {velocity: dot(x)*(1 + x^2) - dot(y)}}\n";
+  CHECK_THAT(found_in(far, fold), Catch::Contains("error[E054]"));
 }
 
 TEST_CASE("a constraint whose gradient vanishes in every configuration is refused") {
@@ -143,6 +151,19 @@ TEST_CASE("the paper's route names the coordinates for which the metric has no i
              Catch::Contains("m.yaml:5:3: error[E060]") && Catch::Contains("no body moves with 's'"));
   CHECK_THAT(of_derivation(k_sum + "  c: {velocity: dot(x) - 2*dot(y)}\n"),
              Catch::Contains("no body moves when 'x' and 'y' change"));
+}
+
+TEST_CASE("a metric without values is judged by its pattern") {
+  const std::string nowhere =
+      "coordinates:\n  x: {}\n  s: {held_at: 0}\nparticles: {p: {mass: 1, position: [x + acos(2 + x^2), 0, 0]}}\n";
+  CHECK_THAT(of_derivation(nowhere), Catch::Contains("error[E060]") && Catch::Contains("no body moves with 's'"));
+}
+
+TEST_CASE("a metric without values near the start is refused when its inverse is wanted") {
+  const std::string huge =
+      "coordinates:\n  x: {}\n  s: {held_at: 1e200}\nparticles: {p: {mass: 1, position: [x + sinh(s), 0, 0]}}\n";
+  CHECK_THAT(of_derivation(huge), Catch::Contains("error[E060]"));
+  CHECK_THAT(on_the_papers_route(huge), Catch::Contains("error[E060]"));
 }
 
 TEST_CASE("the paper's route names the constraints that depend on each other") {

@@ -104,6 +104,12 @@ TEST_CASE_METHOD(Fixture, "a derivative along a direction is the sum over its se
   CHECK(along(x * y) == y * u);
 }
 
+TEST_CASE_METHOD(Fixture, "what has no value has no derivative either", "[ir]") {
+  const Expr pole = pow(x - x, -1);
+  CHECK(partial(pole, x_id) == pole);
+  CHECK(graph.is_undefined(partial(x * pole, x_id).id()));
+}
+
 TEST_CASE_METHOD(Fixture, "a derivative looks through names", "[ir]") {
   const Expr h = (x + y).named("h");
   CHECK(text(partial(pow(h, 2), x_id)) == "2*h");
