@@ -48,24 +48,28 @@ void add_reaction_fields(ArtefactBuilder& builder, Mechanics& mechanics, Steps& 
   for (std::size_t mu = 0; mu < mechanics.dynamics.l(); ++mu) {
     const std::string& name = mechanics.dynamics.constraints[mu];
     std::vector<Field> fields;
-    fields.push_back({"multiplier", "lambda of (3.4): the constraint adds lambda * dphi/du to the equations of motion", {},
+    fields.push_back({"multiplier",
+                      "lambda of (3.4): the constraint adds lambda * dphi/du to the equations of motion",
+                      {},
                       {mechanics.solution.multipliers[mu].id()}});
-    fields.push_back({"generalized", "lambda * dphi/du for each speed, in the order of the state",
-                      {static_cast<int>(mechanics.dynamics.n())}, ids(generalized[mu])});
+    fields.push_back({"generalized",
+                      "lambda * dphi/du for each speed, in the order of the state",
+                      {static_cast<int>(mechanics.dynamics.n())},
+                      ids(generalized[mu])});
     builder.fields(name, pascal(name) + "Reaction", "nonholonomic constraint " + name, std::move(fields));
   }
   for (const auto i : mechanics.symbols.held.indices()) {
     const auto& held = mechanics.symbols.held[i];
     const std::string unit = generalized_unit(mechanics.model.coordinates[held.model_index].unit);
     builder.fields(held.name, pascal(held.name) + "Reaction", "held coordinate " + held.name,
-                   {{"generalized", "R of (3.8)" + quantity(unit) + ", positive along growing " + held.name, {},
+                   {{"generalized",
+                     "R of (3.8)" + quantity(unit) + ", positive along growing " + held.name,
+                     {},
                      {mechanics.held_reactions[i.value].id()}}});
   }
 }
 
-bool has_reactions(const Mechanics& mechanics) {
-  return mechanics.dynamics.l() + mechanics.symbols.held.size() > 0;
-}
+bool has_reactions(const Mechanics& mechanics) { return mechanics.dynamics.l() + mechanics.symbols.held.size() > 0; }
 
 Artefact reactions(Mechanics& mechanics, bool with_rhs) {
   ArtefactBuilder builder(with_rhs ? "rhs_and_reactions" : "reactions",
@@ -82,7 +86,8 @@ Artefact reactions(Mechanics& mechanics, bool with_rhs) {
 }  // namespace
 
 Artefact rhs_artefact(Mechanics& mechanics) {
-  ArtefactBuilder builder("rhs", "Time derivative of the state: rates of the configuration, then accelerations (3.7).", mechanics);
+  ArtefactBuilder builder("rhs", "Time derivative of the state: rates of the configuration, then accelerations (3.7).",
+                          mechanics);
   builder.artefact().target = emit::Target::derivative;
   builder.artefact().derivative = derivative_of(mechanics);
   builder.with_solution_status();
@@ -100,9 +105,22 @@ std::vector<Artefact> reactions_artefacts(Mechanics& mechanics) {
 namespace {
 
 const char* const k_forces_about =
-    "Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the mass\n"
-    "centre together with the moment stated beside it. on_<body> is the sum over all constraints, by\n"
-    "Newton and Euler; potentials and generalized forces name no body, so they are in it as well.";
+    "Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the point\n"
+    "that the moment beside it names. on_<body> is the sum over all constraints, by Newton and Euler.";
+
+/// Potentials and generalized forces: they act on coordinates, so Newton and Euler cannot tell them from constraints.
+std::string forces_without_body(const model::Model& model) {
+  std::string names;
+  for (const model::Force& force : model.forces) {
+    if (!std::holds_alternative<model::UniformField>(force.law)) names += (names.empty() ? "" : ", ") + force.name.text;
+  }
+  return names;
+}
+
+std::string about_sum(const model::Model& model, const std::string& body) {
+  const std::string names = forces_without_body(model);
+  return "all constraints on " + body + (names.empty() ? "" : ", and the forces that name no body: " + names);
+}
 
 std::string undetermined_note(const Mechanics& mechanics) {
   std::string names;
@@ -115,19 +133,21 @@ std::string undetermined_note(const Mechanics& mechanics) {
 }
 
 void add_sums(ArtefactBuilder& builder, Mechanics& mechanics, Steps& steps) {
-  for (const strategy::BodyReaction& reaction : strategy::body_reactions(mechanics.dynamics, mechanics.solution, steps)) {
+  for (const strategy::BodyReaction& reaction :
+       strategy::body_reactions(mechanics.dynamics, mechanics.solution, steps)) {
     std::vector<Field> fields{{"force", "[N], space axes", {3}, ids(reaction.force)}};
     if (reaction.moment) {
       fields.push_back({"moment", "[N*m], space axes, about the mass centre", {3}, ids(*reaction.moment)});
     }
-    builder.fields("on_" + reaction.body, "On" + pascal(reaction.body), "all constraints on " + reaction.body, std::move(fields));
+    builder.fields("on_" + reaction.body, "On" + pascal(reaction.body), about_sum(mechanics.model, reaction.body),
+                   std::move(fields));
   }
 }
 
 void add_single_forces(ArtefactBuilder& builder, Mechanics& mechanics, Steps& steps) {
   std::vector<Group>& groups = builder.artefact().groups;
-  for (const strategy::ReactionWrench& wrench :
-       strategy::reaction_wrenches(mechanics.dynamics, mechanics.solution, mechanics.held_reactions, mechanics.epsilon(), steps)) {
+  for (const strategy::ReactionWrench& wrench : strategy::reaction_wrenches(
+           mechanics.dynamics, mechanics.solution, mechanics.held_reactions, mechanics.epsilon(), steps)) {
     if (groups.empty() || groups.back().name != wrench.constraint) {
       builder.fields(wrench.constraint, pascal(wrench.constraint) + "Force", "reaction of " + wrench.constraint, {});
     }
@@ -135,7 +155,9 @@ void add_single_forces(ArtefactBuilder& builder, Mechanics& mechanics, Steps& st
     fields.push_back({"force_on_" + wrench.body, "[N], space axes, on " + wrench.body, {3}, ids(wrench.force)});
     if (!wrench.moment) continue;
     const std::string about = wrench.about_point ? "the stated point of " + wrench.constraint : "the mass centre";
-    fields.push_back({"moment_on_" + wrench.body, "[N*m], space axes, on " + wrench.body + " about " + about, {3},
+    fields.push_back({"moment_on_" + wrench.body,
+                      "[N*m], space axes, on " + wrench.body + " about " + about,
+                      {3},
                       ids(*wrench.moment)});
   }
 }

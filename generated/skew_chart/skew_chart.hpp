@@ -377,11 +377,11 @@ struct ReactionForces {
     S force_on_first[3];   ///< [N], space axes, on first
     S force_on_second[3];  ///< [N], space axes, on second
   } s;
-  /// all constraints on first
+  /// all constraints on first, and the forces that name no body: spring
   struct OnFirst {
     S force[3];  ///< [N], space axes
   } on_first;
-  /// all constraints on second
+  /// all constraints on second, and the forces that name no body: spring
   struct OnSecond {
     S force[3];  ///< [N], space axes
   } on_second;
@@ -837,9 +837,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
-/// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the mass
-/// centre together with the moment stated beside it. on_<body> is the sum over all constraints, by
-/// Newton and Euler; potentials and generalized forces name no body, so they are in it as well.
+/// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the point
+/// that the moment beside it names. on_<body> is the sum over all constraints, by Newton and Euler.
 template <class S>
 GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                            const Prepared<S>& prepared,

@@ -728,9 +728,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
-/// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the mass
-/// centre together with the moment stated beside it. on_<body> is the sum over all constraints, by
-/// Newton and Euler; potentials and generalized forces name no body, so they are in it as well.
+/// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the point
+/// that the moment beside it names. on_<body> is the sum over all constraints, by Newton and Euler.
 /// Not stated one by one, as the bodies have fewer coordinates than freedoms: blade, x1, x2.
 template <class S>
 GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,

@@ -804,9 +804,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
-/// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the mass
-/// centre together with the moment stated beside it. on_<body> is the sum over all constraints, by
-/// Newton and Euler; potentials and generalized forces name no body, so they are in it as well.
+/// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the point
+/// that the moment beside it names. on_<body> is the sum over all constraints, by Newton and Euler.
 template <class S>
 GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                            const Prepared<S>& prepared,
