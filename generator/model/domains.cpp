@@ -91,7 +91,7 @@ class DomainCheck {
 
   void note_unknown(const Ast& ast) {
     // A reserved name that was declared is reported at its declaration.
-    if (reading_.incomplete || is_reserved(ast.name)) return;
+    if (reading_.incomplete || reading_.refused.count(ast.name) > 0) return;
     const auto [unknown, is_new] = unknown_.emplace(ast.name, Unknown{ast.span, 0});
     ++unknown->second.uses;
     if (!is_new && ast.span.begin < unknown->second.first.begin) unknown->second.first = ast.span;
@@ -104,6 +104,7 @@ class DomainCheck {
       return fmt::format("write dot({}) for the rate", name.substr(0, name.size() - k_suffix));
     }
     // A file full of unknown names gets no suggestions after the first ones: each costs a search.
+    if (name == "I") return "declare a moment of inertia under 'parameters', as I1 or J";
     const std::string near = ++searches_ <= k_most_suggestions ? support::did_you_mean(name, names_) : std::string();
     return near.empty() ? "declare it under 'parameters', 'inputs' or 'coordinates'" : near;
   }

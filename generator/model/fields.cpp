@@ -32,9 +32,10 @@ std::string hint_for_key(const Node& map, const spec::Entry& entry, const std::v
 }
 
 /// An unknown key near `key` is reported already, with `key` as the suggestion.
-bool has_misspelt(const Node& map, const std::string& key) {
-  return std::any_of(map.entries.begin(), map.entries.end(),
-                     [&](const spec::Entry& entry) { return support::closest(entry.key.text, {key}) == key; });
+bool has_misspelt(const Node& map, const std::string& key, const Reading& reading) {
+  return std::any_of(map.entries.begin(), map.entries.end(), [&](const spec::Entry& entry) {
+    return reading.unknown_keys.count(entry.key.span.begin) > 0 && support::closest(entry.key.text, {key}) == key;
+  });
 }
 
 bool expect(NodeKind kind, const char* wanted, const Node& node, Span owner, const std::string& where,
@@ -92,12 +93,13 @@ void check_keys(const Node& map, const std::string& where, const std::vector<std
     if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
     reading.diagnostics.error(code::k_unknown_key, entry.key.span, fmt::format("{} has no key '{}'", where, key),
                               hint_for_key(map, entry, allowed));
+    reading.unknown_keys.insert(entry.key.span.begin);
   }
 }
 
 const Node* required(const Node& map, const std::string& key, Span owner, const std::string& where, Reading& reading) {
   const Node* node = spec::find(map, key);
-  if (node == nullptr && !has_misspelt(map, key))
+  if (node == nullptr && !has_misspelt(map, key, reading))
     reading.diagnostics.error(code::k_missing_key, owner, fmt::format("{} needs the key '{}'", where, key));
   return node;
 }

@@ -66,6 +66,7 @@ void declare(const Name& name, SymbolKind kind, std::size_t index, const std::st
         code::k_reserved_name, name.span,
         fmt::format("'{}' has a fixed meaning in expressions and cannot be declared", name.text),
         name.text == "I" ? "write I1 or J for a moment of inertia" : "choose another name, such as " + name.text + "1");
+    reading.refused.insert(name.text);
     return;
   }
   const auto [place, is_new] = reading.declared.emplace(name.text, Declared{name.span, what});

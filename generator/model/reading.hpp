@@ -2,6 +2,7 @@
 // What the readers of the sections share while a model is built. Private to the folder.
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "model/model.hpp"
@@ -24,6 +25,8 @@ struct Reading {
   std::map<std::string, std::size_t> orientations;
   /// A section could not be read: what seems to be missing may stand in it.
   bool incomplete = false;
+  std::set<std::string> refused = {};         ///< names that were declared and may not be
+  std::set<std::uint32_t> unknown_keys = {};  ///< where keys begin that were reported
 
   std::uint32_t line(support::Span span) const { return source.line(span.begin); }
 };
