@@ -51,7 +51,8 @@ void Expressions::quaternion_rates(std::size_t orientation) {
 
 Expr Expressions::operator()(const Ast& ast) {
   std::vector<Expr> children;
-  if (ast.kind != AstKind::power) {
+  // A power takes its exponent as a number, and a call its arguments by itself.
+  if (ast.kind != AstKind::power && ast.kind != AstKind::call) {
     for (const Ast& child : ast.children) children.push_back((*this)(child));
   }
   switch (ast.kind) {
@@ -75,13 +76,21 @@ ir::Vector3 Expressions::operator()(const std::array<Ast, 3>& vector) {
   return {(*this)(vector[0]), (*this)(vector[1]), (*this)(vector[2])};
 }
 
+// Once for each parameter: formulas may use each other many times over.
+Expr Expressions::folded(std::size_t parameter) {
+  if (const auto known = folded_.find(parameter); known != folded_.end()) return known->second;
+  const Expr value = (*this)(model_.parameters[parameter].value);
+  folded_.emplace(parameter, value);
+  return value;
+}
+
 Expr Expressions::resolved(const std::string& name) {
   const model::SymbolRef ref = model_.resolve(name);
   switch (ref.kind) {
     case model::SymbolKind::time: return symbol(symbols_.time);
     case model::SymbolKind::pi: return symbol(symbols_.pi);
     case model::SymbolKind::parameter:
-      return fold_ ? (*this)(model_.parameters[ref.index].value) : symbol(symbols_.parameters[ref.index]);
+      return fold_ ? folded(ref.index) : symbol(symbols_.parameters[ref.index]);
     case model::SymbolKind::input: return symbol(symbols_.inputs[ref.index]);
     case model::SymbolKind::coordinate: {
       const Symbols::Place& place = symbols_.coordinates[ref.index];

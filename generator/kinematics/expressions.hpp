@@ -1,5 +1,7 @@
 #pragma once
 
+#include <unordered_map>
+
 #include "ir/differentiate.hpp"
 #include "ir/vector3.hpp"
 #include "kinematics/symbols.hpp"
@@ -29,6 +31,7 @@ class Expressions {
 
  private:
   ir::Expr resolved(const std::string& name);
+  ir::Expr folded(std::size_t parameter);
   ir::Expr call(const model::Ast& ast);
   void seed_rates();
   void quaternion_rates(std::size_t orientation);
@@ -37,6 +40,7 @@ class Expressions {
   const Symbols& symbols_;
   ir::Graph& graph_;
   bool fold_;
+  std::unordered_map<std::size_t, ir::Expr> folded_;  ///< values of parameters
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates_;
   ir::Directional time_derivative_;
 };
