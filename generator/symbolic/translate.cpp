@@ -52,7 +52,8 @@ ex translate(const Ast& ast, const Scope& scope) {
     case AstKind::sum: return GiNaC::add(children);
     case AstKind::product: return GiNaC::mul(children);
     case AstKind::reciprocal: return GiNaC::pow(children[0], -1);
-    case AstKind::power: return GiNaC::pow(children[0], children[1]);
+    // GiNaC refuses 0^0, which a parameter less itself can hide; the other route takes x^0 as 1 for every x.
+    case AstKind::power: return children[1].is_zero() ? ex(1) : GiNaC::pow(children[0], children[1]);
     case AstKind::call: break;
   }
   if (ast.name == "dot") return scope.dot(children[0]);

@@ -37,6 +37,7 @@ TEST_CASE("sums, differences, quotients and powers mean what they say", "[symbol
   CHECK(velocity("dot(q)*q^3 - (p - q)^-2").is_equal(39));
   CHECK(velocity("-dot(q)^2").is_equal(-25));
   CHECK(velocity("dot(q)*sqrt(q^2 - p + 3)").is_equal(10));
+  CHECK(velocity("dot(q)*(p - p)^0").is_equal(5));
 }
 
 TEST_CASE("dot is the total time derivative", "[symbolic]") {
