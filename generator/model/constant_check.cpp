@@ -81,7 +81,8 @@ class ConstantCheck {
   Constant power(const Ast& ast, const Constant& base, const Rational& exponent) {
     if (cln::minusp(exponent) && base.is_zero())
       return refuse(ast, code::k_undefined_value, "a negative power of zero");
-    if (cln::zerop(exponent) && base.is_zero()) return refuse(ast, code::k_undefined_value, "zero to the power of zero");
+    if (cln::zerop(exponent) && base.is_zero())
+      return refuse(ast, code::k_undefined_value, "zero to the power of zero");
     if (!support::is_integer(exponent) && base.is_negative()) {
       return refuse(ast, code::k_undefined_value, "a fractional power of a negative number is not real");
     }
