@@ -6,6 +6,7 @@
 #include <random>
 
 #include "by_hand.hpp"
+#include "gauss/model_concept.hpp"
 #include "generation.hpp"
 #include "machine.hpp"
 #include "sphere/operations.hpp"
@@ -23,33 +24,17 @@ constexpr double k_rhs_bar = 60;          // ns
 constexpr double k_generation_bar = 0.2;  // s
 constexpr double k_largest_difference = 1e-12;
 
-/// Both ways to the right-hand side of one model.
-struct Euler {
-  static constexpr const char* k_name = "sphere_in_cylinder";
-  template <class S>
-  using State = euler::State<S>;
-  template <class S>
-  using Derivative = euler::Derivative<S>;
-  template <class S>
-  using Parameters = euler::Parameters<S>;
-  template <class S>
-  using Inputs = euler::Inputs<S>;
+/// An emitted model and the same equations written by hand.
+GAUSS_MODEL(EulerModel, euler);
+struct Euler : EulerModel {
   template <class S>
   static void written(const by_hand::Constants<S>& k, const S* y, S* dy) {
     by_hand::euler<gauss::Math<S>>(k, y, dy);
   }
 };
 
-struct Quaternion {
-  static constexpr const char* k_name = "sphere_in_cylinder_quaternion";
-  template <class S>
-  using State = quaternion::State<S>;
-  template <class S>
-  using Derivative = quaternion::Derivative<S>;
-  template <class S>
-  using Parameters = quaternion::Parameters<S>;
-  template <class S>
-  using Inputs = quaternion::Inputs<S>;
+GAUSS_MODEL(QuaternionModel, quaternion);
+struct Quaternion : QuaternionModel {
   template <class S>
   static void written(const by_hand::Constants<S>& k, const S* y, S* dy) {
     by_hand::quaternion<gauss::Math<S>>(k, y, dy);
@@ -137,8 +122,8 @@ void measure(const Setting<M, double>& setting) {
   // Keeps the results alive.
   volatile double sink = checksum;
   static_cast<void>(sink);
-  const bench::Times generated = bench::generation(M::k_name);
-  std::printf("\n%s\n  %-12s %8s %8s   %3s %3s %3s %3s\n", M::k_name, "rhs [ns]", "median", "fastest", "+-", "*", "/",
+  const bench::Times generated = bench::generation(M::name);
+  std::printf("\n%s\n  %-12s %8s %8s   %3s %3s %3s %3s\n", M::name, "rhs [ns]", "median", "fastest", "+-", "*", "/",
               "f");
   using Count = Setting<M, Counted>;
   print_row("emitted", emitted, operations<M>(&Count::emitted));
@@ -155,7 +140,7 @@ bool run(bool only_check) {
   const double found = difference(setting);
   const bool is_same = found <= k_largest_difference;
   if (only_check || !is_same) {
-    std::printf("%s: emitted and by hand differ by %.1e (at most %.0e)\n", M::k_name, found, k_largest_difference);
+    std::printf("%s: emitted and by hand differ by %.1e (at most %.0e)\n", M::name, found, k_largest_difference);
   }
   if (!only_check) measure(setting);
   return is_same;

@@ -42,8 +42,8 @@ class ModelValues {
   evaluate::Evaluator<evaluate::Scaled<cln::cl_F>> scales_;
 };
 
-/// Why inertia and constraints do not determine the accelerations at the values that are bound; empty if they do. What was
-/// solved does not always show it: a pivot that is zero from the start is compared with nothing, and zero force over it is zero.
+/// Why inertia and constraints do not determine the accelerations at the values that are bound; empty if they do. It is
+/// decided by the rank of g over b in these numbers, where the conditions of a solution look at its pivots.
 std::string why_undetermined(const Mechanics& mechanics, ModelValues& values);
 
 /// What the initial state gives to one symbol of the configuration or of the speeds.

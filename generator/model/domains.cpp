@@ -103,8 +103,8 @@ class DomainCheck {
     if (rate && reading_.model.symbols.count(name.substr(0, name.size() - k_suffix)) > 0) {
       return fmt::format("write dot({}) for the rate", name.substr(0, name.size() - k_suffix));
     }
-    // A file full of unknown names gets no suggestions after the first ones: each costs a search.
     if (name == "I") return "declare a moment of inertia under 'parameters', as I1 or J";
+    // A file full of unknown names gets no suggestions after the first ones: each costs a search.
     const std::string near = ++searches_ <= k_most_suggestions ? support::did_you_mean(name, names_) : std::string();
     return near.empty() ? "declare it under 'parameters', 'inputs' or 'coordinates'" : near;
   }

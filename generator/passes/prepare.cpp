@@ -7,6 +7,7 @@
 
 #include "ir/print.hpp"
 #include "ir/traverse.hpp"
+#include "passes/program.hpp"
 
 namespace gaussgen::passes {
 
@@ -46,20 +47,16 @@ bool PreparationSplit::varies(NodeId id) {
   const auto found = varies_.find(id.index);
   if (found != varies_.end()) return found->second;
   // Conditions have a type of their own, so they are not prepared, only what they compare or choose.
-  const bool result = is_condition(id) || depends(id);
+  const bool result = is_boolean(graph_, id) || depends(id);
   varies_.emplace(id.index, result);
   return result;
-}
-
-bool PreparationSplit::is_condition(NodeId id) const {
-  return graph_[id].kind == Kind::function && ir::is_boolean(graph_[id].function);
 }
 
 bool PreparationSplit::depends(NodeId id) {
   const Node& node = graph_[id];
   if (node.kind == Kind::symbol) return ir::varies(graph_.symbol(node.symbol));
   return std::any_of(node.children.begin(), node.children.end(),
-                     [this](NodeId child) { return is_condition(child) ? depends(child) : varies(child); });
+                     [this](NodeId child) { return is_boolean(graph_, child) ? depends(child) : varies(child); });
 }
 
 NodeId PreparationSplit::prepared(NodeId id) {
@@ -181,8 +178,7 @@ std::vector<std::string> violations(const Graph& graph, const PreparationSplit& 
   const ir::NodeSet varying = ir::depends_on(graph, order, ir::varies);
   for (const NodeId id : order) {
     const Node& node = graph[id];
-    const bool is_condition = node.kind == Kind::function && ir::is_boolean(node.function);
-    if (!varying.contains(id) && !node.children.empty() && !is_condition) {
+    if (!varying.contains(id) && !node.children.empty() && !is_boolean(graph, id)) {
       found.push_back("left unprepared: " + ir::print(graph, id));
     }
   }

@@ -45,7 +45,6 @@ class PreparationSplit {
     std::vector<NodeId> varying;
   };
 
-  bool is_condition(NodeId id) const;
   bool depends(NodeId id);
   NodeId prepared(NodeId id);
   NodeId rebuilt(NodeId id);
