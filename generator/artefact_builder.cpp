@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "strategy/quaternions.hpp"
+
 namespace gaussgen {
 
 using emit::Artefact;
@@ -19,12 +21,21 @@ std::vector<NodeId> ids(const strategy::Vector& values) {
 
 std::vector<NodeId> ids(const ir::Vector3& v) { return {v[0].id(), v[1].id(), v[2].id()}; }
 
+strategy::Vector configuration_of(const Mechanics& mechanics) {
+  strategy::Vector configuration;
+  for (const auto& q : mechanics.symbols.configuration) configuration.push_back(mechanics.expressions.symbol(q.symbol));
+  return configuration;
+}
+
 ArtefactBuilder::ArtefactBuilder(std::string name, std::string about, Mechanics& mechanics) : mechanics_(mechanics) {
   artefact_.name = std::move(name);
   artefact_.about = std::move(about);
   const NodeId never = mechanics.graph.constant(0);
-  artefact_.status = {never, never, never, never};
+  const strategy::Vector norms = strategy::squared_norms(mechanics.symbols, configuration_of(mechanics));
+  artefact_.status = {never, never, never, strategy::is_off_unit_length(mechanics.graph, norms).id()};
 }
+
+void ArtefactBuilder::with_any_quaternion() { artefact_.status.violated_constraints = mechanics_.graph.constant(0); }
 
 void ArtefactBuilder::result_type(const std::string& type) {
   artefact_.target = emit::Target::result;

@@ -12,6 +12,9 @@ namespace gaussgen {
 std::vector<emit::NodeId> ids(const strategy::Vector& values);
 std::vector<emit::NodeId> ids(const ir::Vector3& v);
 
+/// Coordinates and quaternions as the caller gives them.
+strategy::Vector configuration_of(const Mechanics& mechanics);
+
 /// Fills the parts that every artefact has.
 class ArtefactBuilder {
  public:
@@ -21,6 +24,9 @@ class ArtefactBuilder {
 
   void result_type(const std::string& type);
   void fields(const std::string& name, const std::string& type, const std::string& about, std::vector<emit::Field> fields);
+
+  /// A state whose quaternions are not of unit length is what the function is for; others say that they do not trust it.
+  void with_any_quaternion();
 
   /// The accelerations are not to be trusted when the mass matrix is singular or constraints depend on each other.
   void with_solution_status();

@@ -4,6 +4,7 @@
 
 #include "strategy/compulsion.hpp"
 #include "strategy/projection.hpp"
+#include "strategy/quaternions.hpp"
 
 namespace gaussgen {
 
@@ -30,15 +31,8 @@ bool has_massless_body(const Mechanics& mechanics) {
 }
 
 void add_norms(const Mechanics& mechanics, std::vector<Field>& fields) {
-  Vector norms;
-  for (const auto first : mechanics.symbols.first_quaternion_component) {
-    Expr norm = mechanics.expressions.number(-1);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto& q = mechanics.symbols.configuration[kinematics::ConfigurationIndex{first.value + i}];
-      norm += ir::pow(mechanics.expressions.symbol(q.symbol), 2);
-    }
-    norms.push_back(norm);
-  }
+  Vector norms = strategy::squared_norms(mechanics.symbols, configuration_of(mechanics));
+  for (Expr& norm : norms) norm = norm - mechanics.expressions.number(1);
   if (norms.empty()) return;
   fields.push_back({"position", "squared norm of each quaternion, less 1", {static_cast<int>(norms.size())}, ids(norms)});
 }
@@ -93,6 +87,7 @@ std::vector<Artefact> residuals_artefact(Mechanics& mechanics) {
                           "How far a state, and candidate accelerations, are from satisfying the constraints.\n"
                           "Held coordinates satisfy theirs by construction.",
                           mechanics);
+  builder.with_any_quaternion();
   std::vector<Field> fields;
   add_norms(mechanics, fields);
   const Vector candidate = candidate_accelerations(mechanics);

@@ -42,26 +42,13 @@ class StructureCheck {
   }
 
   void report_undetermined() {
-    const bool is_determined = this->is_determined();
+    if (is_determined()) return;
     for (const std::string& label : mechanics_.solution.undetermined) {
-      const support::Span span = span_of_speed(model_, label);
-      if (is_determined) {
-        diagnostics_.error(
-            support::code::k_no_emitted_solution, span,
-            fmt::format(
-                "only constraints determine the acceleration of '{}', and no form of solution that is emitted "
-                "takes them: no choice of dependent speeds holds in every configuration, and the mass matrix has "
-                "no inverse",
-                label),
-            "give what it moves a mass, however small, or replace coordinates that move the same thing by one");
-      } else {
-        diagnostics_.error(
-            support::code::k_no_inertia, span,
-            fmt::format(
-                "nothing determines the acceleration of '{}': the mass matrix is singular in every configuration",
-                label),
-            "give what it moves a mass, or remove a coordinate that others already describe");
-      }
+      diagnostics_.error(
+          support::code::k_no_inertia, span_of_speed(model_, label),
+          fmt::format("nothing determines the acceleration of '{}': the mass matrix is singular in every configuration",
+                      label),
+          "give what it moves a mass, or remove a coordinate that others already describe");
     }
   }
 

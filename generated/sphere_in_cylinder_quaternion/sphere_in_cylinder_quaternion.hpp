@@ -37,15 +37,15 @@
 // Operations per call
 //                      + -  *   /  sqrt  functions
 //   prepare            4    23  6  0     0
-//   rhs                17   51  2  0     2
-//   reactions          10   41  2  0     2
-//   rhs_and_reactions  18   58  2  0     2
-//   reaction_forces    14   53  2  0     2
-//   energy             5    11  0  0     0
-//   compulsion         8    23  0  0     2
+//   rhs                20   55  2  0     2
+//   reactions          13   45  2  0     2
+//   rhs_and_reactions  21   62  2  0     2
+//   reaction_forces    17   57  2  0     2
+//   energy             8    15  0  0     0
+//   compulsion         11   27  0  0     2
 //   residuals          12   20  0  0     2
-//   mass_matrix        0    0   0  0     0
-//   project            11   20  1  1     2
+//   mass_matrix        3    4   0  0     0
+//   project            11   20  2  1     2
 //   initial_state      3    11  4  0     6
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_QUATERNION_HPP
@@ -552,6 +552,9 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S e2_dot = S(0.5) * (e0 * wy + e1 * wz - e3 * wx);
   const S e3_dot = S(0.5) * (e0 * wz - e1 * wy + e2 * wx);
 
+  // Results
+  const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
+
   derivative.chi_dot() = chi_dot;
   derivative.zeta_dot() = zeta_dot;
   derivative.e0_dot() = e0_dot;
@@ -569,7 +572,9 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy);
-  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
+  const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
+      Math<S>::less(S(1.015625), norm_squared));
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
 }
 
 /// Reaction of every constraint: multipliers (3.4) and generalized reactions (3.8).
@@ -634,6 +639,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S rolling_along_generalized_2 = r * excess_zeta * sin_chi;
   const S rolling_along_generalized_3 = -r * excess_zeta * cos_chi;
   const S rho_generalized = -m_rho * chi_dot * chi_dot;
+  const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
 
   reactions.rolling_around.multiplier = S(0);
   reactions.rolling_around.generalized[0] = S(0);
@@ -654,7 +660,9 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       excess_zeta, rolling_along_generalized_2, rolling_along_generalized_3, rho_generalized);
-  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
+  const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
+      Math<S>::less(S(1.015625), norm_squared));
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
 }
 
 /// Both at once, over one set of shared values.
@@ -727,6 +735,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S rolling_along_generalized_2 = r * excess_zeta * sin_chi;
   const S rolling_along_generalized_3 = -r * excess_zeta * cos_chi;
   const S rho_generalized = -m_rho * chi_dot * chi_dot;
+  const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
 
   derivative.chi_dot() = chi_dot;
   derivative.zeta_dot() = zeta_dot;
@@ -759,7 +768,9 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy, excess_zeta, rolling_along_generalized_2,
       rolling_along_generalized_3, rho_generalized);
-  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
+  const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
+      Math<S>::less(S(1.015625), norm_squared));
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
 }
 
 /// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the point
@@ -839,6 +850,9 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S moment_on_ball_x = J * a_wx;
   const S moment_on_ball_y = J * inv_M_d_wy * a_y_wy;
 
+  // Results
+  const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
+
   reaction_forces.rolling_around.force_on_ball[0] = S(0);
   reaction_forces.rolling_around.force_on_ball[1] = S(0);
   reaction_forces.rolling_around.force_on_ball[2] = S(0);
@@ -870,7 +884,9 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       excess_zeta, moment_rolling_along_ball_x, moment_rolling_along_ball_y, force_rho_ball_x,
       force_rho_ball_y, moment_on_ball_x, moment_on_ball_y);
-  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
+  const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
+      Math<S>::less(S(1.015625), norm_squared));
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
 }
 
 /// Kinetic energy, potential energy of uniform fields and potentials, and their sum.
@@ -901,6 +917,7 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
 
   // Results
   const S total = kinetic_energy + potential_energy;
+  const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
 
   energy.kinetic = kinetic_energy;
   energy.potential = potential_energy;
@@ -908,7 +925,9 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
 
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       kinetic_energy, potential_energy, total);
-  return Math<S>::status(Bool(false), Bool(false), not_finite);
+  const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
+      Math<S>::less(S(1.015625), norm_squared));
+  return Math<S>::status(Bool(false), Bool(false), not_finite, violated_constraints);
 }
 
 /// Gauss's function Z_w (1.18) of candidate accelerations, as a complete square over the bodies:
@@ -954,12 +973,15 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S t2 = m * (rho * chi_dot_2 * sin_chi - rho * chi_ddot * cos_chi);
   const S Z = half_inv_m * (t1 * t1 + t2 * t2 + deviation_ball_z * deviation_ball_z)
       + half_inv_J * (J_2 * wx_dot * wx_dot + J_2 * wy_dot * wy_dot + J_2 * wz_dot * wz_dot);
+  const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
 
   compulsion.Z = Z;
 
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       chi_ddot, zeta_ddot, wx_dot, wy_dot, wz_dot, Z);
-  return Math<S>::status(Bool(false), Bool(false), not_finite);
+  const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
+      Math<S>::less(S(1.015625), norm_squared));
+  return Math<S>::status(Bool(false), Bool(false), not_finite, violated_constraints);
 }
 
 /// How far a state, and candidate accelerations, are from satisfying the constraints.
@@ -997,7 +1019,8 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
   const S drift_rolling_along = r * (chi_dot * wx * cos_chi + chi_dot * wy * sin_chi);
 
   // Results
-  const S position_0 = e0 * e0 - S(1) + e1 * e1 + e2 * e2 + e3 * e3;
+  const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
+  const S position_0 = norm_squared - S(1);
   const S velocity_0 = r * wz - r_minus_R * chi_dot;
   const S velocity_1 = zeta_dot + r * (wx * sin_chi - wy * cos_chi);
   const S acceleration_0 = r * wz_dot + rho * chi_ddot;
@@ -1035,6 +1058,9 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
   const S& wy = state.wy();
   const S& wz = state.wz();
 
+  // Results
+  const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
+
   mass_matrix.g[0][0] = G_chi_chi;
   mass_matrix.g[0][1] = S(0);
   mass_matrix.g[0][2] = S(0);
@@ -1063,7 +1089,9 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
 
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       G_chi_chi, m, J);
-  return Math<S>::status(Bool(false), Bool(false), not_finite);
+  const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
+      Math<S>::less(S(1.015625), norm_squared));
+  return Math<S>::status(Bool(false), Bool(false), not_finite, violated_constraints);
 }
 
 /// The nearest state that satisfies the constraints: unit quaternions, then the smallest change of
@@ -1096,7 +1124,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   Math<S>::sincos(chi, sin_chi, cos_chi);
 
   // quaternions to unit length
-  const S unit = S(1) / Math<S>::sqrt(e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3);
+  const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
+  const S unit = S(1) / Math<S>::sqrt(norm_squared);
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S impulse_y_rolling_around = r_minus_R * chi_dot - r * wz;
@@ -1133,7 +1162,9 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const Bool dependent_constraints = Math<S>::at_most(S_rolling_around_rolling_around, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       e0_2, e1_2, e2_2, e3_2, chi_rate, zeta_rate, wx_rate, wy_rate, wz_rate);
-  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
+  const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(1) / S(1099511627776.0)),
+      Math<S>::less(S(1099511627776.0), norm_squared));
+  return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
 }
 
 /// The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints.

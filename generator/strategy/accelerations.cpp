@@ -197,42 +197,4 @@ Solution solve_by_elimination(const Dynamics& dynamics, const Elimination& elimi
           {}};
 }
 
-Solution solve_with_multipliers(const Dynamics& dynamics, Expr epsilon, Steps& steps) {
-  ir::Graph& graph = epsilon.graph();
-  steps.begin("g = L D L^T");
-  const Ldl ldl(dynamics.g, dynamics.labels, dynamics.names.prefix + "g", epsilon, steps);
-  steps.begin("accelerations without the nonholonomic constraints");
-  Vector a = ldl.solve(dynamics.f, acceleration_name(dynamics) + "_free", steps);
-  steps.begin("what one unit of each multiplier adds: g^-1 b^T");
-  Matrix response;
-  for (std::size_t i = 0; i < dynamics.l(); ++i) {
-    response.push_back(ldl.solve(dynamics.b[i], dynamics.names.prefix + "response_" + dynamics.constraints[i], steps));
-  }
-  steps.begin("multipliers from b g^-1 b^T lambda = -(b a_free + drift) (3.4)");
-  Matrix S(dynamics.l(), Vector(dynamics.l(), a[0]));
-  Vector defect;
-  for (std::size_t i = 0; i < dynamics.l(); ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      S[i][j] = steps.name(inner(graph, dynamics.b[i], response[j]),
-                           dynamics.names.prefix + "S_" + dynamics.constraints[j] + "_" + dynamics.constraints[i]);
-      S[j][i] = S[i][j];
-    }
-    defect.push_back(-(inner(graph, dynamics.b[i], a) + dynamics.b_drift[i]));
-  }
-  const Ldl schur(S, dynamics.constraints, dynamics.names.prefix + "S", epsilon, steps, Dependent::drop);
-  const Vector lambda = schur.solve(defect, multiplier_name(dynamics), steps);
-  steps.begin("accelerations (3.4)");
-  for (std::size_t j = 0; j < dynamics.n(); ++j) {
-    for (std::size_t i = 0; i < dynamics.l(); ++i) a[j] += response[i][j] * lambda[i];
-    a[j] = steps.name(a[j], acceleration_name(dynamics) + "_" + dynamics.labels[j]);
-  }
-  return {a,
-          lambda,
-          ldl.breakdown(),
-          schur.breakdown(),
-          "multiplier form (3.4): no choice of dependent speeds is provably safe in every configuration",
-          ldl.vanishing(),
-          schur.vanishing()};
-}
-
 }  // namespace gaussgen::strategy

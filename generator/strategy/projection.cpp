@@ -5,7 +5,7 @@
 
 #include "ir/substitute.hpp"
 #include "strategy/accelerations.hpp"
-#include "strategy/inner.hpp"
+#include "strategy/quaternions.hpp"
 
 namespace gaussgen::strategy {
 
@@ -29,18 +29,6 @@ Vector restricted(const Vector& row, const std::vector<std::size_t>& to) {
   return result;
 }
 
-// Multipliers need no pivot of b, but a metric that has an inverse.
-Solution least_change(const Dynamics& problem, Expr epsilon, Steps& steps) {
-  Steps with_multipliers;
-  const Solution change = solve_with_multipliers(problem, epsilon, with_multipliers);
-  if (!change.undetermined.empty()) {
-    if (const auto elimination = eliminate(problem, {}, steps))
-      return solve_by_elimination(problem, *elimination, epsilon, steps);
-  }
-  steps = with_multipliers;
-  return change;
-}
-
 /// Newton steps on φ(u) = 0 over some of the speeds: each is the least δu in the metric g with b δu + φ = 0, which is the
 /// problem that Gauss's principle poses for accelerations, without forces.
 class VelocityProjection {
@@ -53,7 +41,7 @@ class VelocityProjection {
     const Dynamics problem = problem_of_change(at, prefix);
     if (problem.l() == 0) return;
     Steps inner_steps;
-    const Solution change = least_change(problem, epsilon_, inner_steps);
+    const Solution change = solve_with_multipliers(problem, epsilon_, inner_steps);
     steps.begin("smallest change of the speeds in the mass metric that satisfies the constraints");
     for (const Step& inner_step : inner_steps.all()) steps.append(inner_step.values);
     for (std::size_t j = 0; j < moving_.size(); ++j) {
@@ -134,16 +122,16 @@ VelocityProblem at(const Dynamics& dynamics, ir::Substitution& put_in) {
   return problem;
 }
 
-// Each quaternion (four components in a row) divided by its norm.
-void normalise_quaternions(const kinematics::Symbols& symbols, Vector& configuration, Steps& steps) {
+// Each quaternion (four components in a row) divided by its norm. Boolean: some norm has no digits to divide by.
+Expr normalise_quaternions(const kinematics::Symbols& symbols, Vector& configuration, ir::Graph& graph, Steps& steps) {
   if (!symbols.first_quaternion_component.empty()) steps.begin("quaternions to unit length");
-  for (const ConfigurationIndex first : symbols.first_quaternion_component) {
-    Vector e(configuration.begin() + static_cast<std::ptrdiff_t>(first.value),
-             configuration.begin() + static_cast<std::ptrdiff_t>(first.value + 4));
-    const Expr norm_squared = inner(e[0].graph(), e, e);
-    const Expr scale = steps.name(pow(norm_squared, support::Rational(-1) / 2), "unit");
-    for (std::size_t i = 0; i < 4; ++i) configuration[first.value + i] = e[i] * scale;
+  const Vector norms = squared_norms(symbols, configuration);
+  for (std::size_t k = 0; k < norms.size(); ++k) {
+    const std::size_t first = symbols.first_quaternion_component[k].value;
+    const Expr scale = steps.name(pow(norms[k], support::Rational(-1) / 2), "unit");
+    for (std::size_t i = 0; i < 4; ++i) configuration[first + i] = configuration[first + i] * scale;
   }
+  return is_beyond_scaling(graph, norms);
 }
 
 bool all_linear(const Dynamics& dynamics) {
@@ -179,13 +167,12 @@ ProjectedState project(const Dynamics& dynamics, Expr epsilon, Steps& steps) {
   Vector speeds;
   for (const auto& q : symbols.configuration) configuration.emplace_back(graph, graph.use(q.symbol));
   for (const auto& u : symbols.speeds) speeds.emplace_back(graph, graph.use(u.symbol));
-  normalise_quaternions(symbols, configuration, steps);
+  Expr is_violated = normalise_quaternions(symbols, configuration, graph, steps);
   VelocityProjection projection(dynamics, first(dynamics.n()), epsilon);
-  Expr is_violated(graph, graph.constant(0));
   if (dynamics.l() != 0) {
     projection.step(at_state(dynamics, std::nullopt, configuration, speeds), "", speeds, steps);
     const VelocityProblem reached = at_state(dynamics, std::nullopt, configuration, speeds);
-    is_violated = violated(reached, speeds, projection.to_be_checked(reached), epsilon);
+    is_violated = any(graph, {is_violated, violated(reached, speeds, projection.to_be_checked(reached), epsilon)});
   }
   return {configuration, speeds, projection.singular(), projection.dependent(), is_violated};
 }
@@ -228,9 +215,8 @@ ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics
   ir::Graph& graph = epsilon.graph();
   const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
   Given given = given_state(model, expressions);
-  normalise_quaternions(symbols, given.configuration, steps);
+  Expr is_violated = normalise_quaternions(symbols, given.configuration, graph, steps);
   VelocityProjection projection(dynamics, given.open, epsilon);
-  Expr is_violated(graph, graph.constant(0));
   if (dynamics.l() != 0) {
     // A linear problem needs one step; a second one would only refine the rounding. Newton converges quadratically.
     const int count = all_linear(dynamics) ? 1 : 8;
@@ -239,7 +225,8 @@ ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics
                       count == 1 ? "" : "step" + std::to_string(step + 1) + "_", given.speeds, steps);
     }
     const VelocityProblem reached = at_state(dynamics, time, given.configuration, given.speeds);
-    is_violated = violated(reached, given.speeds, projection.to_be_checked(reached), epsilon);
+    is_violated =
+        any(graph, {is_violated, violated(reached, given.speeds, projection.to_be_checked(reached), epsilon)});
   }
   return {given.configuration, given.speeds, projection.singular(), projection.dependent(), is_violated};
 }

@@ -72,7 +72,6 @@ inline constexpr ErrorCode k_dependent_speeds{"E059", "a choice of dependent spe
 
 // What this program cannot do with a correct model.
 inline constexpr ErrorCode k_no_paper_route{"E060", "the paper's route does not take the model"};
-inline constexpr ErrorCode k_no_emitted_solution{"E061", "no form of solution that is emitted takes the model"};
 
 inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate that moves no body"};
 inline constexpr ErrorCode k_no_mass{"W056", "a body with neither mass nor inertia"};
@@ -142,7 +141,6 @@ inline constexpr ErrorCode k_all_codes[] = {
 /// What only the stages after it can find.
 inline constexpr ErrorCode k_stage_codes[] = {
     code::k_no_paper_route,
-    code::k_no_emitted_solution,
     code::k_violating_start,
     code::k_undefined_start,
     code::k_singular_start,

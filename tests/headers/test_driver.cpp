@@ -28,8 +28,9 @@ int steps_taken(int wanted) {
   const auto prepared = Model::prepare(typename Model::template Parameters<S>{});
   const typename Model::template Inputs<S> inputs{};
   typename Model::template State<S> state{};
-  // Any state will do; no coordinate is zero, so no quaternion is either.
+  // Any state with quaternions of unit length will do.
   for (int i = 0; i < Model::n_q + Model::n_v; ++i) state.values[i] = S(1) / S(2 + i);
+  (void)project(S(0), typename Model::template State<S>(state), prepared, state);
   const S h = S(1) / S(1000);
   S t = S(0);
   for (int step = 0; step < wanted; ++step, t += h) {

@@ -12,15 +12,17 @@ using headertest::Point;
 using headertest::results;
 
 template <class S>
-const S k_bad[] = {std::numeric_limits<S>::quiet_NaN(), std::numeric_limits<S>::infinity(), -std::numeric_limits<S>::infinity()};
+const S k_bad[] = {std::numeric_limits<S>::quiet_NaN(), std::numeric_limits<S>::infinity(),
+                   -std::numeric_limits<S>::infinity()};
 
 template <class M>
 Point<M, double> start() {
   Point<M, double> at;
   at.t = 0.3;
   (void)initial_state(prepare(at.parameters), at.state);
-  // Away from zeros, which hide what they are multiplied with.
+  // Away from zeros, which hide what they are multiplied with, but with quaternions of unit length.
   for (double& value : at.state.values) value += 0.1;
+  (void)project(at.t, typename M::template State<double>(at.state), prepare(at.parameters), at.state);
   return at;
 }
 

@@ -1,0 +1,184 @@
+// The multiplier form (3.4): solves for the accelerations without the constraints, then for what the constraints add.
+
+#include <algorithm>
+#include <optional>
+
+#include "strategy/accelerations.hpp"
+#include "strategy/inner.hpp"
+#include "strategy/margins.hpp"
+
+namespace gaussgen::strategy {
+
+using ir::Expr;
+
+namespace {
+
+std::vector<std::string> vanishing_pivots(const Dynamics& dynamics, Expr epsilon) {
+  Steps unused;
+  return Ldl(dynamics.g, dynamics.labels, dynamics.names.prefix + "g", epsilon, unused).vanishing();
+}
+
+Expr squares_of(const Vector& row) { return inner(row[0].graph(), row, row); }
+
+// Σ g_ii b_i² / Σ b_i²: the mean inertia of what a constraint moves, which the heaviest part of it decides.
+Expr inertia_along(const Dynamics& dynamics, std::size_t mu, Expr squares) {
+  const Vector& row = dynamics.b[mu];
+  Expr weighted(squares.graph(), squares.graph().constant(0));
+  for (std::size_t i = 0; i < row.size(); ++i) weighted += dynamics.g[i][i] * pow(row[i], 2);
+  return weighted / squares;
+}
+
+// g + bᵀ w b and f - bᵀ w drift: since b a + drift = 0, the same accelerations and multipliers, but an inverse exists as soon
+// as they are determined (the augmented Lagrangian; Glowinski & Le Tallec 1989, chapter 2). w brings b to the size of g.
+Dynamics completed(const Dynamics& dynamics, Steps& steps) {
+  Dynamics result = dynamics;
+  steps.begin("metric and forces completed by the constraints: g + b^T w b, f - b^T w drift");
+  for (std::size_t mu = 0; mu < dynamics.l(); ++mu) {
+    const Expr squares = squares_of(dynamics.b[mu]);
+    const Expr inertia = inertia_along(dynamics, mu, squares);
+    const Expr one(squares.graph(), squares.graph().constant(1));
+    const Expr weight = steps.name((inertia.is_zero() ? one : inertia) / squares,
+                                   dynamics.names.prefix + "w_" + dynamics.constraints[mu]);
+    for (std::size_t i = 0; i < dynamics.n(); ++i) {
+      const Expr weighted = weight * dynamics.b[mu][i];
+      result.f[i] = result.f[i] - weighted * dynamics.b_drift[mu];
+      for (std::size_t j = 0; j < dynamics.n(); ++j) {
+        result.g[i][j] = result.g[i][j] + weight * (dynamics.b[mu][i] * dynamics.b[mu][j]);
+      }
+    }
+  }
+  return result;
+}
+
+/// λ and what it does to the accelerations, for a g that has an inverse.
+class MultiplierForm {
+ public:
+  MultiplierForm(const Dynamics& dynamics, Expr epsilon, Steps& steps)
+      : dynamics_(dynamics), epsilon_(epsilon), metric_(factorise_metric(steps)), response_(responses(steps)) {
+    steps.begin("how the accelerations along the constraints respond: S = b g^-1 b^T");
+    schur_.emplace(schur_matrix(steps), dynamics.constraints, dynamics.names.prefix + "S", epsilon, steps,
+                   Dependent::drop);
+  }
+
+  Vector unconstrained(Steps& steps) const {
+    steps.begin("accelerations without the nonholonomic constraints");
+    return metric_.solve(dynamics_.f, dynamics_.names.prefix + dynamics_.names.acceleration + "_free", steps);
+  }
+
+  /// λ with S λ = -(b a + drift)
+  Vector multipliers(const Vector& a, const std::string& name, Steps& steps) const {
+    Vector defect;
+    for (std::size_t mu = 0; mu < dynamics_.l(); ++mu) {
+      defect.push_back(-(inner(epsilon_.graph(), dynamics_.b[mu], a) + dynamics_.b_drift[mu]));
+    }
+    return schur_->solve(defect, name, steps);
+  }
+
+  /// a + g^-1 bᵀ λ
+  Vector moved(const Vector& a, const Vector& lambda, const std::string& name, Steps& steps) const {
+    Vector result = a;
+    for (std::size_t j = 0; j < result.size(); ++j) {
+      for (std::size_t mu = 0; mu < lambda.size(); ++mu) result[j] += response_[mu][j] * lambda[mu];
+      result[j] = steps.name(result[j], name + "_" + dynamics_.labels[j]);
+    }
+    return result;
+  }
+
+  // 1/S is the inertia of the lightest thing that a constraint moves. Correcting once leaves an error of eps² times the ratio
+  // of the heaviest to it: a part in a million here.
+  Expr lost_inertia(Steps& steps) const {
+    steps.begin("inertia that each constraint moves, against the lightest part of it, 1/S");
+    Margins margins(epsilon_.graph());
+    for (std::size_t mu = 0; mu < dynamics_.l(); ++mu) {
+      const Expr squares = squares_of(dynamics_.b[mu]);
+      const Expr inertia = steps.name(inertia_along(dynamics_, mu, squares), name("inertia", mu));
+      margins.require(squares, support::Rational(1'000'000) * (pow(epsilon_, 2) * inertia * schur_diagonal_[mu]));
+    }
+    return margins.violated("least_" + dynamics_.names.prefix + "ratio");
+  }
+
+  Expr singular_metric() const { return metric_.breakdown(); }
+  Expr dependent_rows() const { return schur_->breakdown(); }
+  std::vector<std::string> vanishing_rows() const { return schur_->vanishing(); }
+
+ private:
+  std::string name(const char* quantity, std::size_t mu) const {
+    return dynamics_.names.prefix + quantity + "_" + dynamics_.constraints[mu];
+  }
+
+  Ldl factorise_metric(Steps& steps) const {
+    steps.begin("g = L D L^T");
+    return {dynamics_.g, dynamics_.labels, dynamics_.names.prefix + "g", epsilon_, steps};
+  }
+
+  Matrix responses(Steps& steps) const {
+    steps.begin("what one unit of each multiplier adds: g^-1 b^T");
+    Matrix result;
+    for (std::size_t mu = 0; mu < dynamics_.l(); ++mu) {
+      result.push_back(metric_.solve(dynamics_.b[mu], name("response", mu), steps));
+    }
+    return result;
+  }
+
+  Matrix schur_matrix(Steps& steps) {
+    const std::size_t l = dynamics_.l();
+    Matrix S(l, Vector(l, epsilon_));
+    for (std::size_t i = 0; i < l; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        const Expr entry = inner(epsilon_.graph(), dynamics_.b[i], response_[j]);
+        S[i][j] = S[j][i] = steps.name(entry, name("S", j) + "_" + dynamics_.constraints[i]);
+      }
+      schur_diagonal_.push_back(S[i][i]);
+    }
+    return S;
+  }
+
+  const Dynamics& dynamics_;
+  Expr epsilon_;
+  Ldl metric_;
+  Matrix response_;
+  Vector schur_diagonal_;
+  std::optional<Ldl> schur_;
+};
+
+bool is_unforced(const Vector& f) {
+  return std::all_of(f.begin(), f.end(), [](Expr e) { return e.is_zero(); });
+}
+
+}  // namespace
+
+Solution solve_with_multipliers(const Dynamics& given, Expr epsilon, Steps& steps) {
+  ir::Graph& graph = epsilon.graph();
+  const std::vector<std::string> undetermined = vanishing_pivots(given, epsilon);
+  const Dynamics dynamics = undetermined.empty() ? given : completed(given, steps);
+  MultiplierForm form(dynamics, epsilon, steps);
+  const NamesOfUnknowns& names = dynamics.names;
+  const bool is_corrected = !is_unforced(given.f);
+  const std::string stage = is_corrected ? "rough_" : "";
+
+  Vector a = form.unconstrained(steps);
+  steps.begin("multipliers from b g^-1 b^T lambda = -(b a_free + drift), accelerations (3.4)");
+  Vector lambda = form.multipliers(a, names.prefix + stage + names.multiplier, steps);
+  a = form.moved(a, lambda, names.prefix + stage + names.acceleration, steps);
+  Expr is_lost(graph, graph.constant(0));
+  if (is_corrected) {
+    // Accelerations without constraints may be large where something is light, and leave their rounding.
+    steps.begin("corrected once, by what rounding has left of b a + drift");
+    const Vector change = form.multipliers(a, names.prefix + "correction", steps);
+    a = form.moved(a, change, names.prefix + names.acceleration, steps);
+    for (std::size_t mu = 0; mu < lambda.size(); ++mu) {
+      lambda[mu] =
+          steps.name(lambda[mu] + change[mu], names.prefix + names.multiplier + "_" + dynamics.constraints[mu]);
+    }
+    is_lost = form.lost_inertia(steps);
+  }
+  return {a,
+          lambda,
+          any(graph, {form.singular_metric(), is_lost}),
+          form.dependent_rows(),
+          "multiplier form (3.4): no choice of dependent speeds is provably safe in every configuration",
+          undetermined,
+          form.vanishing_rows()};
+}
+
+}  // namespace gaussgen::strategy

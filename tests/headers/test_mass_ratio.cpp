@@ -1,0 +1,104 @@
+// A particle that is nearly massless follows the constraint, not its own enormous acceleration: what double finds is what
+// 100 digits find, up to a ratio beyond which status says that it is not.
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <limits>
+
+#include "catch_shim.hpp"
+#include "light.hpp"
+#include "only_constraints.hpp"
+
+namespace light = gauss::light;
+namespace only_constraints = gauss::only_constraints;
+using gauss::Status;
+
+namespace {
+
+using Wide = boost::multiprecision::cpp_bin_float_100;
+
+template <class S>
+struct Motion {
+  Status status;
+  S acceleration[3];
+  S multiplier;
+};
+
+template <class S>
+Motion<S> motion_with(const S& light_mass) {
+  light::Parameters<S> parameters;
+  parameters.m = light_mass;
+  // Binary fractions, so that every type starts from the same state.
+  const light::State<S> state{{S(0.3125), S(0.125), S(0.4375), S(1), S(0.875), S(1)}};
+  light::Derivative<S> derivative{};
+  light::Reactions<S> reactions{};
+  const Status status = rhs_and_reactions(S(0), state, {}, prepare(parameters), derivative, reactions);
+  return {status, {derivative.x_ddot(), derivative.y_ddot(), derivative.z_ddot()}, reactions.tie.multiplier};
+}
+
+template <class S>
+S largest_error(const Motion<S>& motion, const Motion<Wide>& exact) {
+  S largest = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto difference = static_cast<S>(Wide(motion.acceleration[i]) - exact.acceleration[i]);
+    largest = std::max(largest, std::abs(difference / static_cast<S>(exact.acceleration[i])));
+  }
+  return std::max(largest, std::abs(static_cast<S>(Wide(motion.multiplier) / exact.multiplier - 1)));
+}
+
+/// Powers of two, so that the mass is the same number in every type. One correction leaves eps² times the ratio.
+template <class S>
+void is_right_or_says_so(int first_exponent, int last_exponent, S rounding) {
+  for (int exponent = first_exponent; exponent >= last_exponent; exponent -= 2) {
+    const S mass = std::ldexp(S(1), exponent);
+    const Motion<S> motion = motion_with<S>(mass);
+    if (motion.status != Status::ok) continue;
+    INFO("mass ratio 2^" << exponent);
+    const S epsilon = std::numeric_limits<S>::epsilon();
+    const S left = 10 * epsilon * epsilon / mass;
+    CHECK(left < S(1e-4));
+    CHECK(largest_error(motion, motion_with<Wide>(Wide(mass))) < rounding + left);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("accelerations and multipliers hold at every mass ratio that status takes as ok") {
+  is_right_or_says_so<double>(40, -1000, 1e-14);
+  is_right_or_says_so<float>(10, -120, 2e-6F);
+}
+
+TEST_CASE("ratios of everyday and of extreme machines are ok, ratios beyond all digits are not") {
+  CHECK(motion_with(1e-6).status == Status::ok);
+  CHECK(motion_with(1e-12).status == Status::ok);
+  CHECK(motion_with(1e-20).status == Status::ok);
+  CHECK(motion_with(1e20).status == Status::ok);
+  CHECK(motion_with(1e-30).status == Status::singular_mass_matrix);
+  CHECK(motion_with(1e-200).status == Status::singular_mass_matrix);
+  CHECK(motion_with(1e-6F).status == Status::ok);
+  CHECK(motion_with(1e-12F).status == Status::singular_mass_matrix);
+}
+
+// (x + y)'' = 3, and x dx - 2 y² dy = 0 differentiated once.
+TEST_CASE("accelerations that only constraints determine are found although the mass matrix has no inverse") {
+  const auto prepared = only_constraints::prepare(only_constraints::Parameters<double>{});
+  only_constraints::State<double> state{};
+  REQUIRE(initial_state(prepared, state) == Status::ok);
+  const double x = state.x(), y = state.y(), u = state.x_dot(), v = state.y_dot();
+  CHECK(v == Approx(x * u / (2 * y * y)).epsilon(1e-14));
+  only_constraints::Derivative<double> derivative{};
+  only_constraints::Reactions<double> reactions{};
+  REQUIRE(rhs_and_reactions(0.0, state, {}, prepared, derivative, reactions) == Status::ok);
+  const double sum = 3;
+  const double y_ddot = (x * sum + u * u - 4 * y * v * v) / (x + 2 * y * y);
+  CHECK(derivative.y_ddot() == Approx(y_ddot).epsilon(1e-13));
+  CHECK(derivative.x_ddot() == Approx(sum - y_ddot).epsilon(1e-13));
+  CHECK(std::abs(reactions.curve.multiplier) < 1e-13);
+  // Nothing but the constraint moves x against y: the projection leaves x + y as it is.
+  only_constraints::State<double> projected{};
+  REQUIRE(project(0.0, only_constraints::State<double>{{x, y, 1, 1}}, prepared, projected) == Status::ok);
+  CHECK(projected.x_dot() + projected.y_dot() == Approx(2).epsilon(1e-14));
+  CHECK(std::abs(x * projected.x_dot() - 2 * y * y * projected.y_dot()) < 1e-15);
+  // At x = y = 0 there is nothing to tell them apart.
+  CHECK(rhs(0.0, only_constraints::State<double>{}, {}, prepared, derivative) != Status::ok);
+}
