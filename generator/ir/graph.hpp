@@ -10,6 +10,7 @@
 //    and stays in a sum in which it cancels;
 //  - the order is built from declaration order and structure, never from addresses or creation order.
 
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <string>
@@ -64,6 +65,8 @@ class Graph {
 
  private:
   NodeId intern(Node node);
+  /// Children, then coefficients, then the value.
+  int compare_parts(const Node& left, const Node& right) const;
   std::optional<NodeId> first_undefined(const std::vector<NodeId>& nodes) const;
   /// `terms` without repetitions and in canonical order.
   NodeId finish_sum(const Rational& constant, const std::vector<Term>& terms);
@@ -74,6 +77,7 @@ class Graph {
   std::unordered_multimap<std::size_t, NodeId> index_;
   std::unordered_map<std::uint32_t, std::string> labels_;
   std::unordered_map<std::uint32_t, NodeId> wrappers_;  ///< value -> its named node
+  mutable std::unordered_map<std::uint64_t, int> orders_;  ///< of pairs of nested functions, lower index first
 };
 
 }  // namespace gaussgen::ir

@@ -1,7 +1,7 @@
 // Canonical order of nodes: declaration order of symbols, then structure (architecture, decision 1).
 
-#include "ir/graph.hpp"
 #include "ir/order.hpp"
+#include "ir/graph.hpp"
 
 namespace gaussgen::ir {
 
@@ -25,6 +25,13 @@ int rank(Kind kind) {
     case Kind::sum: return 6;
   }
   return 7;
+}
+
+/// Larger than a leaf: worth more than looking its order up.
+bool is_nested(const Graph& graph, const Node& node) {
+  if (node.kind != Kind::function) return false;
+  const Kind argument = graph[node.children[0]].kind;
+  return argument != Kind::symbol && argument != Kind::constant;
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -78,7 +85,21 @@ int Graph::compare(NodeId a, NodeId b) const {
   }
   if (left.kind == Kind::named && left.name != right.name) return compare_natural(left.name, right.name);
   if (left.function != right.function) return three_way(left.function, right.function);
-  const std::size_t common = left.children.size() < right.children.size() ? left.children.size() : right.children.size();
+  // Functions of functions: products of the derivatives of a deep one meet each other at every depth.
+  if (!is_nested(*this, left) || !is_nested(*this, right)) return compare_parts(left, right);
+  const bool is_swapped = b.index < a.index;
+  const std::uint64_t pair =
+      is_swapped ? (std::uint64_t{b.index} << 32U) | a.index : (std::uint64_t{a.index} << 32U) | b.index;
+  const auto known = orders_.find(pair);
+  if (known != orders_.end()) return is_swapped ? -known->second : known->second;
+  const int order = compare_parts(left, right);
+  orders_.emplace(pair, is_swapped ? -order : order);
+  return order;
+}
+
+int Graph::compare_parts(const Node& left, const Node& right) const {
+  const std::size_t common =
+      left.children.size() < right.children.size() ? left.children.size() : right.children.size();
   for (std::size_t i = 0; i < common; ++i) {
     if (const int order = compare(left.children[i], right.children[i]); order != 0) return order;
   }

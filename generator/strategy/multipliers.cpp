@@ -29,7 +29,7 @@ Expr inertia_along(const Dynamics& dynamics, std::size_t mu, Expr squares) {
 }
 
 // g + bᵀ w b and f - bᵀ w drift: since b a + drift = 0, the same accelerations and multipliers, but an inverse exists as soon
-// as they are determined (the augmented Lagrangian; Glowinski & Le Tallec 1989, chapter 2). w brings b to the size of g.
+// as they are determined (Golub & Greif, SIAM J. Sci. Comput. 24, 2003). w brings b to the size of g.
 Dynamics completed(const Dynamics& dynamics, Steps& steps) {
   Dynamics result = dynamics;
   steps.begin("metric and forces completed by the constraints: g + b^T w b, f - b^T w drift");
