@@ -1,9 +1,10 @@
 #include "evaluation.hpp"
 
+#include "dependence.hpp"
 #include "evaluate/decimal.hpp"
-#include "initial_check.hpp"
 #include "model/impossible.hpp"
 #include "model_values.hpp"
+#include "violation.hpp"
 
 namespace gaussgen {
 
@@ -57,7 +58,7 @@ class Report {
   bool set_state() {
     const std::vector<InitialValue> state = initial_values(mechanics_);
     for (const InitialValue& value : state) add("state", value.name, value.unit, value.node);
-    const bool is_defined = bind_initial_values(state, value_of_);
+    const bool is_defined = bind_initial_values(mechanics_, state, value_of_);
     if (!is_defined) result_.warnings.push_back("the initial state is undefined");
     return is_defined;
   }
@@ -123,15 +124,25 @@ class Report {
   }
 
   void add_status() {
-    const bool is_singular = value_of_.is_true(mechanics_.solution.singular_mass_matrix);
-    const std::string reason = is_singular ? "the mass matrix is singular" : why_undetermined(mechanics_, value_of_);
-    if (!reason.empty()) result_.warnings.push_back(reason + " here: accelerations cannot be trusted");
-    if (value_of_.is_true(mechanics_.solution.dependent_constraints)) {
-      result_.warnings.push_back("constraints depend on each other here: multipliers are not unique");
+    if (value_of_.is_true(mechanics_.solution.singular_mass_matrix)) {
+      result_.warnings.push_back("the mass matrix is singular here: accelerations cannot be trusted");
     }
+    warn_of_dependence();
     for (const Violation& violation : violations(mechanics_, value_of_)) {
       result_.warnings.push_back("the initial state violates constraint '" + violation.row->name + "' by " +
                                  evaluate::to_decimal(violation.residual, 3));
+    }
+  }
+
+  void warn_of_dependence() {
+    const std::vector<Dependence> found = dependences(mechanics_, value_of_);
+    for (const Dependence& dependence : found) {
+      result_.warnings.push_back("constraint '" + mechanics_.dynamics.constraints[dependence.index] +
+                                 (dependence.is_empty ? "' limits no free speed" : "' follows from the others") +
+                                 " here: multipliers are not unique");
+    }
+    if (found.empty() && value_of_.is_true(mechanics_.solution.dependent_constraints)) {
+      result_.warnings.push_back("constraints depend on each other here: multipliers are not unique");
     }
   }
 

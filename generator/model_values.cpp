@@ -1,6 +1,5 @@
 #include "model_values.hpp"
 
-#include "evaluate/dense.hpp"
 #include "evaluation.hpp"
 #include "strategy/projection.hpp"
 
@@ -73,24 +72,20 @@ void ModelValues::bind(ir::SymbolId symbol, const cl_F& value) {
   scales_.bind(symbol, scales_.arithmetic().input(value));
 }
 
-std::string why_undetermined(const Mechanics& mechanics, ModelValues& values) {
-  strategy::Matrix rows = mechanics.dynamics.g;
-  rows.insert(rows.end(), mechanics.dynamics.b.begin(), mechanics.dynamics.b.end());
-  const std::size_t n = mechanics.dynamics.n();
-  if (n == 0) return "";
-  evaluate::Matrix matrix(rows.size(), n, values.number(Rational(0)));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t j = 0; j < n; ++j) {
-      const std::optional<cl_F> entry = values(rows[i][j].id());
-      if (!entry) {
-        const auto trouble = values.trouble(rows[i][j].id());
-        return trouble->reason + " in " + trouble->name;
-      }
-      matrix(i, j) = *entry;
+std::optional<evaluate::Matrix> ModelValues::operator()(const strategy::Matrix& matrix) {
+  evaluate::Matrix result(matrix.size(), matrix.at(0).size(), number(Rational(0)));
+  for (std::size_t i = 0; i < result.rows(); ++i) {
+    for (std::size_t j = 0; j < result.columns(); ++j) {
+      const std::optional<cl_F> entry = (*this)(matrix[i][j].id());
+      if (!entry) return std::nullopt;
+      result(i, j) = *entry;
     }
   }
-  const cl_F rounding = values.number(cln::expt(Rational(10), -k_rank_digits));
-  return evaluate::rank(evaluate::equilibrated(matrix), rounding) < n ? "the mass matrix is singular" : "";
+  return result;
+}
+
+std::size_t ModelValues::rank(const evaluate::Matrix& matrix) const {
+  return evaluate::rank(evaluate::equilibrated(matrix), number(cln::expt(Rational(10), -k_rank_digits)));
 }
 
 std::vector<InitialValue> initial_values(Mechanics& mechanics) {
@@ -110,10 +105,19 @@ std::vector<InitialValue> initial_values(Mechanics& mechanics) {
   return result;
 }
 
-bool bind_initial_values(const std::vector<InitialValue>& state, ModelValues& values) {
+bool bind_initial_values(Mechanics& mechanics, const std::vector<InitialValue>& state, ModelValues& values) {
   std::vector<std::pair<ir::SymbolId, ir::NodeId>> nodes;
   for (const InitialValue& value : state) nodes.emplace_back(value.symbol, value.node);
-  return values.bind(nodes);
+  const bool is_defined = values.bind(nodes);
+  for (std::size_t i = 0; i < nodes.size() && !is_defined; ++i) values.bind({nodes[i]});
+  for (const kinematics::HeldCoordinate& held : mechanics.symbols.held) {
+    const ir::Expr c = mechanics.expressions(*mechanics.model.coordinates[held.model_index].held_at);
+    const ir::Expr c_dot = mechanics.expressions.rate(c);
+    values.bind({{held.symbol, c.id()}});
+    values.bind({{held.rate, c_dot.id()}});
+    values.bind({{held.acceleration, mechanics.expressions.rate(c_dot).id()}});
+  }
+  return is_defined;
 }
 
 }  // namespace gaussgen

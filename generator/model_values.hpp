@@ -2,6 +2,7 @@
 // Numbers of a model at one state, each with a bound on what rounding can have done to it.
 
 #include "evaluate/arithmetic_scale.hpp"
+#include "evaluate/dense.hpp"
 #include "evaluate/evaluator.hpp"
 #include "mechanics.hpp"
 
@@ -21,6 +22,12 @@ class ModelValues {
 
   /// The same for a sum that ought to vanish, without divisions in it, so that S is sharp: zero below 10^-digits S.
   std::optional<cln::cl_F> residual(ir::NodeId node, int digits);
+
+  /// Empty if an entry is undefined; the matrix has a row and a column.
+  std::optional<evaluate::Matrix> operator()(const strategy::Matrix& matrix);
+
+  /// Of such a matrix, whatever the units of rows and columns.
+  std::size_t rank(const evaluate::Matrix& matrix) const;
 
   std::optional<evaluate::Trouble> trouble(ir::NodeId node) { return values_.trouble(node); }
   bool is_true(ir::Expr condition);
@@ -42,10 +49,6 @@ class ModelValues {
   evaluate::Evaluator<evaluate::Scaled<cln::cl_F>> scales_;
 };
 
-/// Why inertia and constraints do not determine the accelerations at the values that are bound; empty if they do. It is
-/// decided by the rank of g over b in these numbers, where the conditions of a solution look at its pivots.
-std::string why_undetermined(const Mechanics& mechanics, ModelValues& values);
-
 /// What the initial state gives to one symbol of the configuration or of the speeds.
 struct InitialValue {
   ir::SymbolId symbol;
@@ -57,7 +60,8 @@ struct InitialValue {
 /// In the order of the state: configuration, then speeds.
 std::vector<InitialValue> initial_values(Mechanics& mechanics);
 
-/// The state as numbers, so that everything else is evaluated at it; false, and nothing bound, if part of it is undefined.
-bool bind_initial_values(const std::vector<InitialValue>& state, ModelValues& values);
+/// The state as numbers, so that everything else is evaluated at it, and the values of held coordinates; false if part of the
+/// state is undefined: that part stays unbound.
+bool bind_initial_values(Mechanics& mechanics, const std::vector<InitialValue>& state, ModelValues& values);
 
 }  // namespace gaussgen

@@ -81,6 +81,7 @@ inline constexpr ErrorCode k_scaled_unit{"W055", "a unit that would need a conve
 inline constexpr ErrorCode k_violating_start{"W051", "an initial state that violates a constraint"};
 inline constexpr ErrorCode k_undefined_start{"W052", "an initial state at which something has no value"};
 inline constexpr ErrorCode k_singular_start{"W053", "an initial state without accelerations"};
+inline constexpr ErrorCode k_dependent_start{"W057", "an initial state at which constraints follow from each other"};
 
 // What the equations show about every configuration.
 inline constexpr ErrorCode k_redundant_constraint{"W054", "a constraint that follows from the others"};
@@ -144,6 +145,7 @@ inline constexpr ErrorCode k_stage_codes[] = {
     code::k_violating_start,
     code::k_undefined_start,
     code::k_singular_start,
+    code::k_dependent_start,
     code::k_redundant_constraint,
 };
 

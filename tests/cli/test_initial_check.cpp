@@ -66,9 +66,35 @@ TEST_CASE("an angular velocity is offered by its name") {
 }
 
 TEST_CASE("a constraint without a value is reported where it stands") {
-  CHECK_THAT(found_in(plane("initial: 0, initial_rate: 0", "initial_rate: 0", "dot(x)/x + dot(y)")),
-             Catch::StartsWith("m.yaml:13:21: warning[W052]: constraint 'skate' has no value at the initial state: "
-                               "division by zero\n"));
+  CHECK_THAT(
+      found_in(plane("initial: 0, initial_rate: 0", "initial_rate: 0", "dot(x)/x + dot(y)")),
+      Catch::StartsWith("m.yaml:13:28: warning[W052]: this has no value at the initial state: division by zero\n"));
+}
+
+TEST_CASE("an expression without a value is reported at the part of it that has none") {
+  const std::string free =
+      "coordinates:\n  x: {unit: m, initial: -1}\nparticles:\n  p: {mass: m, position: [x, 0, 0]}\n";
+  CHECK_THAT(
+      found_in(free + "forces:\n  f: {potential: 2*sqrt(x)}\n"),
+      Catch::StartsWith("m.yaml:12:20: warning[W052]: this has no value at the initial state: fractional power"));
+  CHECK_THAT(
+      found_in(free + "forces:\n  f: {generalized: {x: x*sqrt(-m)}}\n"),
+      Catch::StartsWith("m.yaml:12:26: warning[W052]: this has no value at the initial state: fractional power"));
+  CHECK_THAT(found_in(free + "constraints:\n  c: {velocity: asin(2*x)*dot(x)}\n"),
+             Catch::StartsWith("m.yaml:12:17: warning[W052]: this has no value at the initial state: inverse sine"));
+  CHECK_THAT(found_in("coordinates:\n  x: {unit: m}\n  s: {held_at: sqrt(t - 1)}\n"
+                      "particles:\n  p: {mass: m, position: [x, s, 0]}\n"),
+             Catch::StartsWith("m.yaml:9:16: warning[W052]: "));
+}
+
+TEST_CASE("an expression without the derivative that accelerations need is reported where it stands") {
+  for (const std::string power : {"(1/2)", "(3/2)"}) {
+    CHECK_THAT(
+        found_in("coordinates:\n  x: {unit: m}\n  y: {unit: m}\nparticles:\n  p: {mass: m, position: [x, y + 2*x^" +
+                 power + ", 0]}\n"),
+        Catch::StartsWith("m.yaml:11:36: warning[W053]: there are no accelerations at the initial state: a derivative "
+                          "of this has no value there: division by zero\n"));
+  }
 }
 
 TEST_CASE("a state that follows from singular equations is reported by the value that is undefined") {
@@ -78,7 +104,41 @@ TEST_CASE("a state that follows from singular equations is reported by the value
 TEST_CASE("a chart that is singular at the initial state is reported") {
   CHECK_THAT(found_in("coordinates:\n  r: {unit: m, initial: 0}\n  a: {unit: rad}\nparticles:\n"
                       "  p: {mass: m, position: [r*cos(a), r*sin(a), 0]}\n"),
-             Catch::StartsWith("m.yaml:2:7: warning[W053]: there are no accelerations at the initial state: "));
+             Catch::StartsWith(
+                 "m.yaml:9:3: warning[W053]: there are no accelerations at the initial state: the mass matrix is "
+                 "singular, nothing determines the acceleration of 'a'\n"));
+}
+
+TEST_CASE("coordinates that no inertia tells apart at the initial state are named") {
+  CHECK_THAT(found_in("coordinates:\n  a: {unit: rad}\n  x: {unit: m}\nparticles:\n"
+                      "  p: {mass: m, position: [x + sin(a), a^2, 0]}\n"),
+             Catch::StartsWith("m.yaml:8:3: warning[W053]: ") &&
+                 Catch::Contains("nothing tells the accelerations of a, x apart\n"));
+}
+
+TEST_CASE("constraints that follow from each other at the initial state are named") {
+  const std::string more = "  again: {velocity: dot(x) - (1 + y)*dot(y)}\n";
+  const std::string model = plane("initial_rate: 1", "initial_rate: 1", "dot(x) - dot(y)") + more;
+  CHECK_THAT(found_in(model),
+             Catch::StartsWith(
+                 "m.yaml:14:3: warning[W057]: constraint 'again' follows from the others at the initial state\n"));
+  CHECK_THAT(found_in(plane("initial: 0", "initial_rate: 0", "x*dot(x)")),
+             Catch::Contains("warning[W057]: constraint 'skate' limits no free speed at the initial state\n"));
+}
+
+TEST_CASE("a constraint that another form of it repeats is found by its numbers") {
+  const std::string sleigh =
+      "coordinates:\n  x: {unit: m}\n  y: {unit: m}\n  a: {unit: rad, initial: 0.3}\nbodies:\n"
+      "  b: {mass: m, inertia: J, position: [x + cos(a), y + sin(a), 0], orientation: {euler: zxz, angles: [a, 0, "
+      "0]}}\n"
+      "constraints:\n  blade: {velocity: dot(x)*sin(a) - dot(y)*cos(a)}\n";
+  for (const std::string again :
+       {"(dot(x)*sin(a) - dot(y)*cos(a))*cos(a)", "dot(x)*(1 - cos(2*a))/2 - dot(y)*sin(2*a)/2"}) {
+    INFO(again);
+    CHECK_THAT(found_in(sleigh + "  again: {velocity: '" + again + "'}\n"),
+               Catch::StartsWith("m.yaml:15:3: warning[W054]: constraint 'again' follows from the others"));
+  }
+  CHECK(found_in(sleigh).empty());
 }
 
 TEST_CASE("warnings do not keep the header back") {

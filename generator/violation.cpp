@@ -1,0 +1,65 @@
+#include "violation.hpp"
+
+#include <fmt/format.h>
+
+namespace gaussgen {
+
+namespace {
+
+constexpr int k_residual_digits = 13;
+
+/// "x, y or z"
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+  }
+  return text;
+}
+
+/// In the order of the speeds: those that the model states.
+std::vector<bool> given_speeds(const model::Model& model) {
+  std::vector<bool> result;
+  for (const model::Coordinate& coordinate : model.coordinates) {
+    if (!coordinate.held_at) result.push_back(coordinate.initial_rate.has_value());
+  }
+  for (const model::Orientation& orientation : model.orientations) {
+    for (const auto& component : orientation.initial_angular_velocity) result.push_back(component.has_value());
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Violation> violations(const Mechanics& mechanics, ModelValues& values) {
+  std::vector<Violation> result;
+  for (const auto mu : mechanics.kinematics.constraints.indices()) {
+    const kinematics::ConstraintRow& row = mechanics.kinematics.constraints[mu];
+    const std::optional<cln::cl_F> phi = values.residual(row.phi.id(), k_residual_digits);
+    if (phi && !cln::zerop(*phi)) result.push_back({mu.value, &row, *phi});
+  }
+  return result;
+}
+
+// An open rate is searched for by Newton's method where the constraint is nonlinear; from 0 it may have no way to go.
+std::string remedy(const Mechanics& mechanics, const kinematics::ConstraintRow& row, ModelValues& values) {
+  std::vector<std::string> given;
+  std::vector<std::string> open;
+  std::vector<std::string> stuck;
+  const std::vector<bool> is_given = given_speeds(mechanics.model);
+  for (const auto i : mechanics.symbols.speeds.indices()) {
+    const auto b = values(row.beta[mechanics.symbols.full(i)].id());
+    const std::string& name = mechanics.symbols.speeds[i].name;
+    if (b && !cln::zerop(*b)) (is_given[i.value] ? given : open).push_back(name);
+    const bool is_involved = !row.beta[mechanics.symbols.full(i)].is_zero();
+    if (!row.is_linear && is_involved && !is_given[i.value]) stuck.push_back(name);
+  }
+  if (!stuck.empty()) {
+    return fmt::format("{} is open: give it an initial_rate_guess from which the search can start", joined(stuck));
+  }
+  if (!given.empty()) return fmt::format("leave {} open, and the constraint determines it", joined(given));
+  if (!open.empty()) return fmt::format("no values of {} satisfy all constraints", joined(open));
+  return "no speed acts on it at this state; start from another one";
+}
+
+}  // namespace gaussgen
