@@ -53,6 +53,7 @@ std::string quoted(const std::vector<std::string>& names) {
 struct Obstacle {
   std::string what;
   support::Span span;
+  std::string remedy = {};  ///< empty where there is none but the other route
 };
 
 std::optional<Obstacle> obstacle_in_metric(Mechanics& mechanics) {
@@ -63,10 +64,12 @@ std::optional<Obstacle> obstacle_in_metric(Mechanics& mechanics) {
     names.push_back(mechanics.symbols.label(kinematics::FullIndex{A}));
   }
   if (names.empty()) return std::nullopt;
-  const std::string idle = names.size() == 1 ? "no body moves with " + quoted(names)
-                                             : "no body moves when " + quoted(names) + " change together in a certain way";
+  const std::string idle = names.size() == 1
+                               ? "no body moves with " + quoted(names)
+                               : "no body moves when " + quoted(names) + " change together in a certain way";
   return Obstacle{"the metric G of all coordinates, held ones too, has no inverse: " + idle,
-                  span_of_speed(mechanics.model, names.front())};
+                  span_of_speed(mechanics.model, names.front()),
+                  "every coordinate, held ones included, needs a mass that moves with it"};
 }
 
 std::optional<Obstacle> obstacle_in_constraints(Mechanics& mechanics) {
@@ -75,8 +78,10 @@ std::optional<Obstacle> obstacle_in_constraints(Mechanics& mechanics) {
   if (dependent.empty()) return std::nullopt;
   std::vector<std::string> names;
   for (const std::size_t mu : dependent) names.push_back(mechanics.dynamics.constraints[mu]);
-  return Obstacle{"the constraints " + quoted(names) + " depend on each other, so that no choice of dependent speeds has an inverse b",
-                  mechanics.model.constraints[dependent.back()].name.span};
+  return Obstacle{"the constraints " + quoted(names) +
+                      " depend on each other, so that no choice of dependent speeds has an inverse b",
+                  mechanics.model.constraints[dependent.back()].name.span,
+                  "remove constraints that follow from others"};
 }
 
 /// What would divide by zero in GiNaC, found before it is tried.
@@ -107,7 +112,8 @@ Obstacle at_start(const model::Model& model, const std::string& what) {
 void report_obstacle(const Obstacle& obstacle, support::Diagnostics& diagnostics) {
   diagnostics.error(support::code::k_no_paper_route, obstacle.span,
                     "the paper's route does not take this model: " + obstacle.what,
-                    "the emitted route takes it: gauss-gen without 'derivation' and without --route=paper");
+                    (obstacle.remedy.empty() ? "" : obstacle.remedy + "; or ") +
+                        "take the emitted route: gauss-gen without 'derivation' and without --route=paper");
 }
 
 }  // namespace

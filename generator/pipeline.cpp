@@ -5,6 +5,7 @@
 #include "dumps.hpp"
 #include "initial_check.hpp"
 #include "model/build.hpp"
+#include "model/fold_check.hpp"
 #include "paper.hpp"
 #include "structure_check.hpp"
 #include "unit.hpp"
@@ -52,6 +53,9 @@ std::optional<PipelineResult> compile(const support::Source& source, const Pipel
   const std::optional<model::Model> model = model::build_model(source, diagnostics);
   if (!model) return std::nullopt;
   stages.done("model", fmt::format("{} bytes", source.text().size()), [&] { return dump_model(*model, source); });
+
+  if (options.fold) model::check_fold(*model, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
 
   // The emitted route: theory section 4 on the graph.
   Mechanics mechanics(*model, {options.fold, false});

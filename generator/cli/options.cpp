@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 
 #include "artefacts.hpp"
@@ -108,6 +109,16 @@ void add_derivation(CLI::App& app, Options& options) {
                      "FORMAT", "markdown (default) or latex");
 }
 
+/// The parser takes a word that is no command for the model.
+void refuse_misspelt_command(const CLI::App& app, const std::string& model) {
+  std::error_code error;
+  if (std::filesystem::exists(model, error)) return;
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+  const std::string near = support::did_you_mean(model, commands);
+  if (!near.empty()) throw UsageError("there is no command or file '" + model + "'; " + near);
+}
+
 // What stands before the name of a command belongs to generation, and would be forgotten.
 void refuse_mixture(const CLI::App& app, const CLI::App& command) {
   for (const CLI::Option* option : app.get_options()) {
@@ -144,7 +155,11 @@ std::optional<Options> parse(CLI::App& app, int argc, const char* const* argv, i
   } catch (const CLI::Success& request) {  // --help, --version
     exit_code = app.exit(request);
     return std::nullopt;
+  } catch (const CLI::ExtrasError&) {
+    refuse_misspelt_command(app, options.model);
+    throw;
   }
+  if (app.get_subcommands().empty()) refuse_misspelt_command(app, options.model);
   for (const CLI::App* command : {evaluate, derivation}) {
     if (command->parsed()) refuse_mixture(app, *command);
   }

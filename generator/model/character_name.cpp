@@ -92,7 +92,7 @@ CharacterAdvice advise(char32_t value) {
   }
   if (value >= k_first_small && value <= k_first_small + 24) return greek(value, k_first_small, "small");
   if (value >= k_first_capital && value <= k_first_capital + 24) return greek(value, k_first_capital, "capital");
-  if (value < 0x80) return {"'" + utf8(value) + "'", ""};
+  if (value < 0x80) return {"'" + utf8(value) + "'", "expressions hold numbers, names, + - * / ^ and round brackets"};
   return {label(value, ""), "expressions and names are written in ASCII"};
 }
 

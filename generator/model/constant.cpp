@@ -37,14 +37,14 @@ struct Size {
   bool constant = true;
 };
 
-Size size_of(const Ast& ast);
+Size size_of(const Ast& ast, const BitsOfNames& names);
 
 /// Constant terms are added up; terms that hold a symbol stay side by side.
-Size size_of_sum(const Ast& ast) {
+Size size_of_sum(const Ast& ast, const BitsOfNames& names) {
   Size size;
   double largest = 0;
   for (const Ast& child : ast.children) {
-    const Size part = size_of(child);
+    const Size part = size_of(child, names);
     if (part.constant) size.bits += part.bits;
     if (!part.constant) largest = std::max(largest, part.bits);
     size.constant = size.constant && part.constant;
@@ -53,18 +53,23 @@ Size size_of_sum(const Ast& ast) {
   return size;
 }
 
-Size size_of(const Ast& ast) {
+Size size_of_symbol(const Ast& ast, const BitsOfNames& names) {
+  const auto known = names.find(ast.name);
+  return known == names.end() ? Size{1, false} : Size{known->second, true};
+}
+
+Size size_of(const Ast& ast, const BitsOfNames& names) {
   if (ast.kind == AstKind::number) return {bits(ast.number), true};
-  if (ast.kind == AstKind::symbol) return {1, false};
-  if (ast.kind == AstKind::sum) return size_of_sum(ast);
+  if (ast.kind == AstKind::symbol) return size_of_symbol(ast, names);
+  if (ast.kind == AstKind::sum) return size_of_sum(ast, names);
   if (ast.kind == AstKind::power) {
-    const Size base = size_of(ast.children[0]);
+    const Size base = size_of(ast.children[0], names);
     return {base.bits * std::max(1.0, std::abs(support::to_double(ast.children[1].number))), base.constant};
   }
   Size size;
   size.constant = ast.kind != AstKind::call;
   for (const Ast& child : ast.children) {
-    const Size part = size_of(child);
+    const Size part = size_of(child, names);
     size.bits += part.bits;
     size.constant = size.constant && part.constant;
   }
@@ -98,6 +103,8 @@ std::optional<Rational> exact_value(const Ast& ast) {
   support::fail(__FILE__, __LINE__, "kind", "kind={}", static_cast<int>(ast.kind));
 }
 
-double growth(const Ast& ast) { return size_of(ast).bits; }
+double growth(const Ast& ast) { return growth(ast, {}); }
+
+double growth(const Ast& ast, const BitsOfNames& names) { return size_of(ast, names).bits; }
 
 }  // namespace gaussgen::model

@@ -1,7 +1,9 @@
 #pragma once
 // Exact values of expressions that hold numbers only.
 
+#include <map>
 #include <optional>
+#include <string>
 
 #include "model/ast.hpp"
 
@@ -16,5 +18,9 @@ inline constexpr double k_largest_growth = 1 << 16;
 /// An upper estimate, in bits, of what exact arithmetic makes of the numbers in the expression:
 /// ((9^64)^64)^64 is short to write.
 double growth(const Ast& ast);
+
+/// The same, with names that stand for numbers of so many bits.
+using BitsOfNames = std::map<std::string, double>;
+double growth(const Ast& ast, const BitsOfNames& names);
 
 }  // namespace gaussgen::model

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "model/evaluate.hpp"
+#include "model/number.hpp"
 #include "support/error_codes.hpp"
 
 namespace gaussgen::model {
@@ -17,6 +18,8 @@ namespace {
 
 /// Below this a value computed from pi counts as zero: sin(pi) in double is 1.2e-16.
 constexpr double k_rounding = 1e-14;
+
+constexpr const char* k_hint_for_zero_base = "correct the base: it is zero whatever the motion";
 
 /// What is known of a part: exact when it is made of numbers alone, approximate when pi or a function is in it.
 struct Constant {
@@ -53,8 +56,8 @@ class ConstantCheck {
   }
 
  private:
-  Constant refuse(const Ast& ast, const support::ErrorCode& code, std::string message) {
-    if (good_) diagnostics_.error(code, ast.span, std::move(message));
+  Constant refuse(const Ast& ast, const support::ErrorCode& code, std::string message, std::string hint) {
+    if (good_) diagnostics_.error(code, ast.span, std::move(message), std::move(hint));
     good_ = false;
     return {};
   }
@@ -63,8 +66,7 @@ class ConstantCheck {
     if (!value.known()) return value;
     const bool lost = value.exact && !cln::zerop(*value.exact) && *value.approximate == 0.0;
     if (std::isfinite(*value.approximate) && !lost) return value;
-    return refuse(ast, code::k_not_finite,
-                  fmt::format("this number is too {} for the arithmetic of a computer", lost ? "small" : "large"));
+    return refuse(ast, code::k_not_finite, lost ? k_too_small : k_too_large, k_hint_for_range);
   }
 
   static Constant negated(const Constant& part) {
@@ -73,18 +75,21 @@ class ConstantCheck {
   }
 
   Constant reciprocal(const Ast& ast, const Constant& part) {
-    if (part.is_zero()) return refuse(ast.children[0], code::k_undefined_value, "division by zero");
+    if (part.is_zero())
+      return refuse(ast.children[0], code::k_undefined_value, "division by zero",
+                    "correct the divisor: it is zero whatever the motion");
     if (part.exact) return finite(ast, constant(cln::recip(*part.exact)));
     return part.known() ? finite(ast, {std::nullopt, 1.0 / *part.approximate}) : Constant{};
   }
 
   Constant power(const Ast& ast, const Constant& base, const Rational& exponent) {
     if (cln::minusp(exponent) && base.is_zero())
-      return refuse(ast, code::k_undefined_value, "a negative power of zero");
+      return refuse(ast, code::k_undefined_value, "a negative power of zero", k_hint_for_zero_base);
     if (cln::zerop(exponent) && base.is_zero())
-      return refuse(ast, code::k_undefined_value, "zero to the power of zero");
+      return refuse(ast, code::k_undefined_value, "zero to the power of zero", k_hint_for_zero_base);
     if (!support::is_integer(exponent) && base.is_negative()) {
-      return refuse(ast, code::k_undefined_value, "a fractional power of a negative number is not real");
+      return refuse(ast, code::k_undefined_value, "a fractional power of a negative number is not real",
+                    "correct the sign of the base; the cube root of -8 is written -(8^(1/3))");
     }
     if (base.exact && support::is_integer(exponent))
       return finite(ast, constant(cln::expt(*base.exact, support::to_int(exponent))));
@@ -96,17 +101,22 @@ class ConstantCheck {
     const std::string& name = ast.name;
     const Constant& x = parts[0];
     if (name == "log" && (x.is_negative() || x.is_zero()))
-      return refuse(ast, code::k_undefined_value, "the logarithm of a number that is not positive");
+      return refuse(ast, code::k_undefined_value, "the logarithm of a number that is not positive",
+                    "correct the argument: it has to be positive");
     if (name == "sqrt" && x.is_negative())
-      return refuse(ast, code::k_undefined_value, "the square root of a negative number is not real");
+      return refuse(ast, code::k_undefined_value, "the square root of a negative number is not real",
+                    "correct the argument: it has to be zero or positive");
     if ((name == "asin" || name == "acos") && x.exceeds_one()) {
-      return refuse(ast, code::k_undefined_value, fmt::format("'{}' of a number beyond 1 is not real", name));
+      return refuse(ast, code::k_undefined_value, fmt::format("'{}' of a number beyond 1 is not real", name),
+                    "correct the argument: it has to be from -1 to 1");
     }
     if (name == "tan" && x.known() && std::abs(std::cos(*x.approximate)) < k_rounding) {
-      return refuse(ast, code::k_undefined_value, "the tangent has no value here");
+      return refuse(ast, code::k_undefined_value, "the tangent has no value here",
+                    "correct the angle: it is an odd multiple of pi/2");
     }
     if (name == "atan2" && x.is_zero() && parts[1].is_zero())
-      return refuse(ast, code::k_undefined_value, "atan2(0, 0) has no value");
+      return refuse(ast, code::k_undefined_value, "atan2(0, 0) has no value",
+                    "correct the arguments: one of them has to differ from zero");
     const auto value = value_of(ast, {{"pi", std::acos(-1.0)}});
     return finite(ast, {std::nullopt, value});
   }

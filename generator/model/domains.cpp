@@ -86,7 +86,12 @@ class DomainCheck {
     reading_.diagnostics.error(code::k_not_allowed_here, ast.span,
                                fmt::format("{} '{}' may not appear in {}: {}", kind_name(symbol->second.kind), ast.name,
                                            place.name, place.why),
-                               place.hint);
+                               hint_for(symbol->second.kind, place));
+  }
+
+  static const char* hint_for(SymbolKind kind, const Place& place) {
+    return kind == SymbolKind::coordinate && place.hint_for_coordinate != nullptr ? place.hint_for_coordinate
+                                                                                  : place.hint;
   }
 
   void note_unknown(const Ast& ast) {

@@ -9,8 +9,15 @@ using Visit = std::function<void(const Ast&, const Place&)>;
 constexpr Place k_parameter{"the value of a parameter", "parameters stay constant during a motion",
                             "use numbers, pi and other parameters"};
 constexpr Place k_input{"the default of an input", "it is a plain number", "use numbers and pi", false};
-constexpr Place k_held{"'held_at'", "a held coordinate follows a given law of time", "use parameters and t", true,
-                       true};
+constexpr Place k_held{"'held_at'",
+                       "a held coordinate follows a given law of time",
+                       "use parameters and t",
+                       true,
+                       true,
+                       false,
+                       false,
+                       false,
+                       "hold a gap instead: 'gap: {held_at: 0}', and write gap + this formula into the positions"};
 constexpr Place k_initial{"an initial value", "it is known before the motion starts", "use numbers and parameters"};
 constexpr Place k_mass{"the mass of a body", "masses stay constant", "use numbers and parameters"};
 constexpr Place k_inertia{"the inertia of a body", "it is constant in axes that turn with the body",

@@ -17,6 +17,7 @@ struct Place {
   bool coordinates = false;  ///< quaternion components too
   bool speeds = false;       ///< dot(...) and angular velocities
   bool inputs = false;
+  const char* hint_for_coordinate = nullptr;  ///< instead of `hint`
 };
 
 /// The value of a parameter.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "model/parser.hpp"
 #include "support/error_codes.hpp"
@@ -38,12 +39,43 @@ bool has_misspelt(const Node& map, const std::string& key, const Reading& readin
   });
 }
 
+const char* hint_for_kind(NodeKind wanted) {
+  switch (wanted) {
+    case NodeKind::map: return "write 'key: value' pairs, indented below it or in {...}";
+    case NodeKind::sequence: return "write the entries in brackets, as in [a, b, c]";
+    default: return "write the value itself, without brackets or braces around it";
+  }
+}
+
 bool expect(NodeKind kind, const char* wanted, const Node& node, Span owner, const std::string& where,
             Reading& reading) {
   if (node.kind == kind) return true;
   reading.diagnostics.error(code::k_wrong_kind, place_of(node, owner),
-                            fmt::format("{} must be {}, and here is {}", where, wanted, kind_text(node)));
+                            fmt::format("{} must be {}, and here is {}", where, wanted, kind_text(node)),
+                            hint_for_kind(kind));
   return false;
+}
+
+/// How each key that has to be there may look.
+std::string example_of(const std::string& key) {
+  static const std::map<std::string, const char*> k_examples{{"gauss", "1"},
+                                                             {"name", "pendulum"},
+                                                             {"value", "0.5"},
+                                                             {"mass", "0.5"},
+                                                             {"position", "[x, 0, 0]"},
+                                                             {"euler", "zxz"},
+                                                             {"angles", "[psi, theta, phi]"},
+                                                             {"quaternion", "[e0, e1, e2, e3]"},
+                                                             {"angular_velocity", "[wx, wy, wz]"},
+                                                             {"velocity", "dot(x) - r*dot(phi)"},
+                                                             {"dependent", "[x]"}};
+  const auto found = k_examples.find(key);
+  return found == k_examples.end() ? key : fmt::format("{}: {}", key, found->second);
+}
+
+std::string hint_for_count(const Node& list, std::size_t length) {
+  if (list.items.size() < length) return fmt::format("write all {}; what vanishes is written as 0", length);
+  return list.flow ? "a comma separates entries; the decimal sign is a point" : fmt::format("keep {} of them", length);
 }
 
 }  // namespace
@@ -80,10 +112,9 @@ bool expect_scalar(const Node& node, Span owner, const std::string& where, Readi
 
 bool expect_length(const Node& list, std::size_t length, const std::string& where, Reading& reading) {
   if (list.items.size() == length) return true;
-  reading.diagnostics.error(
-      code::k_wrong_count, list.span,
-      fmt::format("{} needs {} entries, and here are {}", where, length, list.items.size()),
-      list.flow && list.items.size() > length ? "a comma separates entries; the decimal sign is a point" : "");
+  reading.diagnostics.error(code::k_wrong_count, list.span,
+                            fmt::format("{} needs {} entries, and here are {}", where, length, list.items.size()),
+                            hint_for_count(list, length));
   return false;
 }
 
@@ -100,7 +131,8 @@ void check_keys(const Node& map, const std::string& where, const std::vector<std
 const Node* required(const Node& map, const std::string& key, Span owner, const std::string& where, Reading& reading) {
   const Node* node = spec::find(map, key);
   if (node == nullptr && !has_misspelt(map, key, reading))
-    reading.diagnostics.error(code::k_missing_key, owner, fmt::format("{} needs the key '{}'", where, key));
+    reading.diagnostics.error(code::k_missing_key, owner, fmt::format("{} needs the key '{}'", where, key),
+                              fmt::format("add it, as in '{}'", example_of(key)));
   return node;
 }
 
@@ -114,7 +146,8 @@ std::string text_field(const Node& map, const std::string& key, Reading& reading
 
 Ast read_expression(const Node& node, Span owner, Reading& reading) {
   if (node.kind == NodeKind::empty) {
-    reading.diagnostics.error(code::k_empty_expression, owner, "an expression is missing here");
+    reading.diagnostics.error(code::k_empty_expression, owner, "an expression is missing here",
+                              k_hint_for_empty_expression);
     return broken_expression();
   }
   if (!expect(NodeKind::scalar, "an expression", node, owner, "this", reading)) return broken_expression();

@@ -69,7 +69,7 @@ class Lexer {
 
   bool number() {
     NumberScan scan = scan_number(std::string_view(text_.text).substr(at_));
-    if (!scan.problem.empty()) return refuse(code::k_malformed_number, scan.size, scan.problem, scan.hint);
+    if (!scan.problem.empty()) return refuse(*scan.code, scan.size, scan.problem, scan.hint);
     push(TokenKind::number, scan.size);
     tokens_.back().number = std::move(scan.value);
     return true;
@@ -91,7 +91,8 @@ class Lexer {
 
   bool unexpected() {
     if (peek() == '.' && is_letter(peek(1))) {
-      return refuse(code::k_malformed_number, 2, "values that are infinite or not a number are not accepted", "");
+      return refuse(code::k_malformed_number, 2, "values that are infinite or not a number are not accepted",
+                    "write a finite number");
     }
     const support::CodePoint point = support::code_point_at(text_.text, at_);
     const CharacterAdvice advice = advise(point.value);

@@ -14,7 +14,7 @@ namespace gaussgen::model {
 inline constexpr std::size_t k_longest_expression = 64U << 10U;
 inline constexpr std::size_t k_most_tokens = 20'000;
 inline constexpr std::size_t k_most_digits = 40;
-inline constexpr int k_largest_decimal_exponent = 308;
+inline constexpr int k_largest_decimal_exponent = 400;  ///< beyond it no mantissa brings a number back into range
 
 enum class TokenKind { number, name, plus, minus, times, divide, power, open, close, comma, end };
 

@@ -89,19 +89,21 @@ NumberScan scan_number(std::string_view text) {
   }
   const Parts parts = split(text);
   if (at(text, parts.size) == '.') {
-    return refused(parts.size + 1, "a number with two decimal points", "");
+    return refused(parts.size + 1, "a number with two decimal points", "write one, as in 1.5");
   }
   if (at(text, parts.size) == '_') {
     return refused(parts.size + 1, "digits cannot be grouped by '_'", "write them without a separator");
   }
   if (parts.digits.size() > k_most_digits) {
     return refused(parts.size,
-                   fmt::format("a number with {} digits; the limit is {}", parts.digits.size(), k_most_digits), "");
+                   fmt::format("a number with {} digits; the limit is {}", parts.digits.size(), k_most_digits),
+                   "17 digits are as many as double holds");
   }
   const int exponent = small_exponent(parts.exponent);
   if (exponent > k_largest_decimal_exponent || exponent < -k_largest_decimal_exponent) {
-    return refused(parts.size, fmt::format("a decimal exponent beyond {}", k_largest_decimal_exponent),
-                   "choose units in which the numbers are of moderate size");
+    NumberScan scan = refused(parts.size, exponent > 0 ? k_too_large : k_too_small, k_hint_for_range);
+    scan.code = &support::code::k_not_finite;
+    return scan;
   }
   NumberScan scan;
   scan.size = parts.size;

@@ -35,7 +35,8 @@ class Parser {
 
   Ast run() {
     if (token().kind == TokenKind::end) {
-      diagnostics_.error(code::k_empty_expression, text_.span, "an expression is missing here");
+      diagnostics_.error(code::k_empty_expression, text_.span, "an expression is missing here",
+                         k_hint_for_empty_expression);
       throw Abandoned{};
     }
     Ast ast = sum();
@@ -143,7 +144,8 @@ class Parser {
 
   Ast fold_exponent(const Ast& exponent) {
     if (growth(exponent) > k_largest_exponent_growth) {
-      refuse(code::k_exponent, exponent.span, "this exponent is too large", "");
+      refuse(code::k_exponent, exponent.span, "this exponent is too large",
+             fmt::format("numerator and denominator may be up to {}", k_largest_power));
     }
     const auto value = exact_value(exponent);
     if (!value) {
@@ -219,7 +221,8 @@ class Parser {
       refuse(code::k_function_call, ast.span,
              fmt::format("'{}' takes {} argument{}, not {}", text, function->arguments,
                          function->arguments == 1 ? "" : "s", ast.children.size()),
-             text == "atan2" ? "atan2(y, x)" : "");
+             fmt::format("write {}{}", text, text == "atan2" ? "(y, x)" : "(x)") +
+                 (ast.children.size() > function->arguments ? "; the decimal sign is a point" : ""));
     }
     return ast;
   }
@@ -235,22 +238,25 @@ class Parser {
     const support::Span span = span_of(token());
     const TokenKind kind = token().kind;
     if (kind == TokenKind::end) {
-      refuse(code::k_expression_syntax, span, "the expression stops where an operand should follow", "");
+      refuse(code::k_expression_syntax, span, "the expression stops where an operand should follow",
+             "write what is missing, or remove the operator at the end");
     }
     if (kind == TokenKind::close && next_ > 0 && tokens_[next_ - 1].kind == TokenKind::open) {
-      refuse(code::k_expression_syntax, span, "there is nothing between these brackets", "");
+      refuse(code::k_expression_syntax, span, "there is nothing between these brackets",
+             "write an expression between them, or remove them");
     }
     refuse(code::k_expression_syntax, span,
            fmt::format("an operand should stand before '{}'",
                        text_.text.substr(token().begin, token().end - token().begin)),
-           "");
+           "write what is missing, or remove an operator");
   }
 
   /// A complete operand stands before the current token, which cannot follow one.
   [[noreturn]] void refuse_rest() {
     const support::Span span = span_of(token());
     if (token().kind == TokenKind::close) {
-      refuse(code::k_unbalanced_brackets, span, "this bracket closes nothing", "");
+      refuse(code::k_unbalanced_brackets, span, "this bracket closes nothing",
+             "remove it, or add the '(' that it belongs to");
     }
     if (token().kind == TokenKind::comma) {
       refuse(code::k_expression_syntax, span, "a comma outside the arguments of a function",

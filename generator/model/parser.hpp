@@ -12,6 +12,8 @@ namespace gaussgen::model {
 inline constexpr int k_deepest_expression = 64;
 inline constexpr int k_largest_power = 64;
 
+inline constexpr const char* k_hint_for_empty_expression = "write a number or a formula; what vanishes is written as 0";
+
 /// Knows the grammar and the functions, not the names of the model. Reports the first error only: what
 /// follows one is guesswork. An exponent is folded to one number.
 std::optional<Ast> parse_expression(const spec::LocatedText& text, support::Diagnostics& diagnostics);

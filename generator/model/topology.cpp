@@ -65,9 +65,10 @@ void check_used(Reading& reading) {
     const Coordinate& coordinate = model.coordinates[i];
     if (uses.coordinates.count(i) > 0 || !owns_name(model, i)) continue;
     if (coordinate.held_at) {
-      reading.diagnostics.warning(code::k_idle_held_coordinate, coordinate.name.span,
-                                  fmt::format("no body depends on the held coordinate '{}'", coordinate.name.text),
-                                  "its reaction does no more than balance forces and constraints");
+      reading.diagnostics.warning(
+          code::k_idle_held_coordinate, coordinate.name.span,
+          fmt::format("no body depends on the held coordinate '{}'", coordinate.name.text),
+          "write positions with it, or remove it: as it is, its reaction does no more than balance forces");
     } else {
       reading.diagnostics.error(
           code::k_no_inertia, coordinate.name.span,

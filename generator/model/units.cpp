@@ -15,13 +15,16 @@ namespace {
 
 /// Units that people mix with metres, kilograms, seconds and radians.
 constexpr std::array<const char*, 26> k_scaled_units = {
-    "deg", "degree", "degrees", "rpm", "rev", "turn", "nm", "um", "mm",  "cm", "dm",  "km",  "inch",
-    "in",  "ft",     "g",       "mg",  "lb",  "ms",   "us", "min", "h",  "kN", "MN",  "mN",  "kJ"};
+    "deg", "degree", "degrees", "rpm", "rev", "turn", "nm", "um",  "mm", "cm", "dm", "km", "inch",
+    "in",  "ft",     "g",       "mg",  "lb",  "ms",   "us", "min", "h",  "kN", "MN", "mN", "kJ"};
+
+constexpr const char* k_degree_sign = "\xC2\xB0";
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 /// The first word of `unit` that stands for a multiple of an SI unit, or an empty text.
 std::string scaled_unit(const std::string& unit) {
+  if (unit.find(k_degree_sign) != std::string::npos) return k_degree_sign;
   for (std::size_t begin = 0; begin < unit.size();) {
     if (!is_letter(unit[begin])) {
       ++begin;
@@ -39,9 +42,10 @@ std::string scaled_unit(const std::string& unit) {
 void check_unit(const Name& name, const std::string& unit, Reading& reading) {
   const std::string word = scaled_unit(unit);
   if (word.empty()) return;
-  reading.diagnostics.warning(support::code::k_scaled_unit, name.span,
-                              fmt::format("the unit '{}' of '{}' is not converted: numbers are taken as they are", word, name.text),
-                              "use m, kg, s, rad and what follows from them; functions take radians");
+  reading.diagnostics.warning(
+      support::code::k_scaled_unit, name.span,
+      fmt::format("the unit '{}' of '{}' is not converted: numbers are taken as they are", word, name.text),
+      "use m, kg, s, rad and what follows from them; functions take radians");
 }
 
 }  // namespace

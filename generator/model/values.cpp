@@ -23,7 +23,8 @@ std::optional<double> checked_value(const Ast& ast, const Values& values, Readin
   if (!value || std::isfinite(*value)) return value;
   reading.diagnostics.error(
       code::k_not_finite, ast.span,
-      fmt::format("with the given parameters this is {}", std::isnan(*value) ? "not a real number" : "infinite"));
+      fmt::format("with the given parameters this is {}", std::isnan(*value) ? "not a real number" : "infinite"),
+      "change the values of the parameters in it");
   return std::nullopt;
 }
 

@@ -51,7 +51,8 @@ void TreeBuilder::OnDocumentStart(const YAML::Mark& mark) {
 
 void TreeBuilder::count_node(Span span) {
   if (++nodes_ <= k_most_nodes) return;
-  diagnostics_.error(code::k_file_too_large, span, fmt::format("the file has more than {} values", k_most_nodes));
+  diagnostics_.error(code::k_file_too_large, span, fmt::format("the file has more than {} values", k_most_nodes),
+                     "a model file describes one mechanism; split it");
   throw Stop{};
 }
 
@@ -96,7 +97,8 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
   const ScalarStyle style = style_at(source_.text(), at, tag == k_quoted_tag);
   if ((style == ScalarStyle::single_quoted || style == ScalarStyle::double_quoted) &&
       !quote_is_closed(source_.text(), at, style)) {
-    diagnostics_.error(code::k_yaml_syntax, {at, at + 1}, "this quote is never closed");
+    diagnostics_.error(code::k_yaml_syntax, {at, at + 1}, "this quote is never closed",
+                       "end the text with the same quote");
     throw Stop{};
   }
   Node node;
@@ -111,7 +113,8 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
     if (support::is_control(point.value) || support::is_invisible(point.value)) {
       diagnostics_.error(code::k_forbidden_character, node.scalar.span_of(i, i + 1),
                          fmt::format("an escape for U+{:04X}, which may not appear in a model file",
-                                     static_cast<std::uint32_t>(point.value)));
+                                     static_cast<std::uint32_t>(point.value)),
+                         "delete it; it is not visible in most editors");
     }
     i += point.size;
   }
@@ -139,7 +142,8 @@ void TreeBuilder::open(const YAML::Mark& mark, NodeKind kind, YAML::EmitterStyle
   count_node({at, at + 1});
   if (open_.size() >= static_cast<std::size_t>(k_deepest_nesting)) {
     diagnostics_.error(code::k_file_too_large, {at, at + 1},
-                       fmt::format("lists and maps are nested more than {} deep", k_deepest_nesting));
+                       fmt::format("lists and maps are nested more than {} deep", k_deepest_nesting),
+                       "a model needs five levels at most; check the brackets");
     throw Stop{};
   }
   if (expects_key()) {

@@ -137,7 +137,7 @@ class Set(Evaluate):
                 "rho=1": "'rho' is held by the model", "dot(rho)=1": "is held by the model", "m=2*R": "give parameter 'm' a number",
                 "J=m": "give parameter 'J' a number", "t=1": "use --time", "pi=3": "cannot be set", "chi=zeta": "not a parameter",
                 "chi=t": "not a parameter", "chi=dot(zeta)": "dot(...) has no meaning", "m": "expected name=value", "=1": "a name is missing",
-                "m=": "error[E039]", "m=1+": "error[E033]", "m=1 2": "error[E035]", "m=1e999": "error[E032]",
+                "m=": "error[E039]", "m=1+": "error[E033]", "m=1 2": "error[E035]", "m=1e999": "error[E054]",
                 "m=0/0": "error[E053]: division by zero", "m=sqrt(-1)": "error[E053]", "m=log(0)": "error[E053]",
                 "m=(-8)^(1/3)": "error[E053]", "m=tan(pi/2)": "error[E053]", "m=1e308*1e308": "error[E054]",
                 "m=exp(1e6)": "error[E054]", "chi=1/0": "error[E053]",

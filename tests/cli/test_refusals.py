@@ -55,6 +55,14 @@ class CommandLine(Program):
         self.assertIn("did you mean 'paper'?", self.refused(2, SKEW, "--route", "papr"))
         self.assertIn("choose from model, kinematics, paper", self.refused(2, SKEW, "--dump", "nothing"))
 
+    def test_a_misspelt_command_is_not_taken_for_a_model(self):
+        self.assertIn("there is no command or file 'evaluat'; did you mean 'evaluate'?", self.refused(2, "evaluat", SKEW))
+        self.assertIn("did you mean 'evaluate'?", self.refused(2, "evaluat", SKEW, "--set", "m1=2"))
+        self.assertIn("did you mean 'derivation'?", self.refused(2, "derivaton"))
+        self.write("evaluat", PARTICLE)
+        self.ok("evaluat", "--check")
+        self.assertIn("skew.yaml: No such file", self.refused(3, "skew.yaml"))
+
 
 class Model(Program):
     def test_an_error_stands_on_standard_error_with_its_place(self):

@@ -77,7 +77,8 @@ TEST_CASE("a pole that numbers put in for parameters make is refused with --fold
   PipelineOptions fold;
   fold.fold = true;
   CHECK_THAT(found_in(model, fold), Catch::Contains("m.yaml:6:33: error[E053]: division by what is zero"));
-  CHECK_THAT(found_in(model), Catch::Contains("m.yaml:6:33: warning[W052]: this has no value at the initial state: division by zero"));
+  CHECK_THAT(found_in(model),
+             Catch::Contains("m.yaml:6:33: warning[W052]: this has no value at the initial state: division by zero"));
 }
 
 TEST_CASE("a pole of a derivative is refused, though the position has a value") {
@@ -142,7 +143,9 @@ TEST_CASE("the paper's route names the coordinates for which the metric has no i
       "inverse: no body moves when 'x' and 's' change together in a certain way\n"
       " 4 |   x: {}\n"
       "   |   ^\n"
-      "   = hint: the emitted route takes it: gauss-gen without 'derivation' and without --route=paper\n";
+      "   = hint: every coordinate, held ones included, needs a mass that moves with it; or take the emitted route: "
+      "gauss-gen "
+      "without 'derivation' and without --route=paper\n";
   CHECK(on_the_papers_route(held) == expected);
   CHECK(of_derivation(held) == expected);
   CHECK(found_in(held).empty());
@@ -182,4 +185,12 @@ TEST_CASE("the paper's route names the constraints that depend on each other") {
 TEST_CASE("the paper's route is not tried on a model that no route takes") {
   CHECK_THAT(of_derivation("coordinates: {x: {}}\nparticles: {p: {mass: 0, position: [x, 0, 0]}}\n"),
              Catch::Contains("error[E052]"));
+}
+
+TEST_CASE("numbers that folding would make too large are refused before they are computed") {
+  PipelineOptions fold;
+  fold.fold = true;
+  const std::string model = "parameters: {k: 1e300}\n" + point("['((k*x)^60)^50', y, s]");
+  CHECK_THAT(found_in(model, fold), Catch::Contains("m.yaml:6:28: error[E038]: with parameters put in as numbers"));
+  CHECK(found_in("parameters: {k: 1e2, n: k^3}\n" + point("['x + (1/n)^4', y, s]"), fold).empty());
 }

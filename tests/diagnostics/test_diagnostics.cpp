@@ -74,6 +74,18 @@ TEST_CASE("a file is named after a code that it raises") {
   }
 }
 
+TEST_CASE("every finding says what to do") {
+  for (const fs::path& path : cases()) {
+    const support::Source source("m.yaml", read(path));
+    support::Diagnostics diagnostics;
+    model::build_model(source, diagnostics);
+    for (const support::Diagnostic& found : diagnostics.all()) {
+      INFO(path.filename().string() << ": " << found.message);
+      CHECK_FALSE(found.hint.empty());
+    }
+  }
+}
+
 TEST_CASE("every code has a case") {
   std::set<std::string> seen;
   for (const fs::path& path : cases()) seen.insert(path.filename().string().substr(1, 3));

@@ -48,6 +48,19 @@ TEST_CASE("numbers that meet beyond the range of double are refused") {
   CHECK(codes_of_potential("1e300").empty());
 }
 
+TEST_CASE("one range holds for numbers however they are written") {
+  for (const char* const inside : {"1e308", "1.79e308", "2.3e-308", "10e307", "230e-310", "0"}) {
+    INFO(inside);
+    CHECK(codes_of_potential(inside).empty());
+  }
+  for (const char* const outside :
+       {"1.8e308", "10e308", "1e309", "1e320", "1e500", "2.2e-308", "1e-308", "1e-320", "1e-500"}) {
+    INFO(outside);
+    CHECK(codes_of_potential(outside) == "E054");
+    CHECK(Built(with("parameters: {k: " + std::string(outside) + "}\n")).codes() == "E054");
+  }
+}
+
 TEST_CASE("one faulty constant is one finding") { CHECK(codes_of_potential("sqrt(log(0) + 1/0)") == "E053"); }
 
 TEST_CASE("variables are given the benefit of the doubt") {
