@@ -1,9 +1,12 @@
 #include "evaluation.hpp"
 
+#include <algorithm>
+
 #include "dependence.hpp"
 #include "evaluate/decimal.hpp"
 #include "model/impossible.hpp"
 #include "model_values.hpp"
+#include "point_check.hpp"
 #include "violation.hpp"
 
 namespace gaussgen {
@@ -29,6 +32,7 @@ class Report {
     add_groups("residuals");
     add_groups("compulsion");
     add_status();
+    add_notes();
     return std::move(result_);
   }
 
@@ -41,6 +45,13 @@ class Report {
     }
     const auto trouble = value_of_.trouble(node);
     result_.values.push_back({group, name, unit, trouble->reason + " in " + trouble->name, false});
+    doubt("not_finite");
+  }
+
+  void doubt(const std::string& status) {
+    if (std::find(result_.doubts.begin(), result_.doubts.end(), status) == result_.doubts.end()) {
+      result_.doubts.push_back(status);
+    }
   }
 
   // A model file with such values is refused; here they may have been set.
@@ -52,6 +63,7 @@ class Report {
     }
     for (const support::Diagnostic& found : model::impossible_bodies(mechanics_.model)) {
       result_.warnings.push_back(found.message);
+      if (found.severity == support::Severity::error) doubt("impossible_bodies");
     }
   }
 
@@ -126,15 +138,25 @@ class Report {
   void add_status() {
     if (value_of_.is_true(mechanics_.solution.singular_mass_matrix)) {
       result_.warnings.push_back("the mass matrix is singular here: accelerations cannot be trusted");
+      doubt("singular_mass_matrix");
     }
     warn_of_dependence();
     for (const Violation& violation : violations(mechanics_, value_of_)) {
       result_.warnings.push_back("the initial state violates constraint '" + violation.row->name + "' by " +
                                  evaluate::to_decimal(violation.residual, 3));
+      doubt("violated_constraints");
+    }
+  }
+
+  void add_notes() {
+    for (const std::string& name : constraints_without_force(mechanics_)) {
+      result_.notes.push_back("reaction_forces has no force of '" + name +
+                              "' alone: the coordinates do not describe every motion of the bodies that it acts on");
     }
   }
 
   void warn_of_dependence() {
+    const std::size_t before = result_.warnings.size();
     const std::vector<Dependence> found = dependences(mechanics_, value_of_);
     for (const Dependence& dependence : found) {
       result_.warnings.push_back("constraint '" + mechanics_.dynamics.constraints[dependence.index] +
@@ -144,6 +166,7 @@ class Report {
     if (found.empty() && value_of_.is_true(mechanics_.solution.dependent_constraints)) {
       result_.warnings.push_back("constraints depend on each other here: multipliers are not unique");
     }
+    if (result_.warnings.size() > before) doubt("dependent_constraints");
   }
 
   Mechanics& mechanics_;

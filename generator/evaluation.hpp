@@ -21,6 +21,9 @@ struct EvaluatedValue {
 struct Evaluation {
   std::vector<EvaluatedValue> values;
   std::vector<std::string> warnings;  ///< singular mass matrix, dependent constraints, initial state that violates them
+  std::vector<std::string>
+      doubts;  ///< why nothing is to be trusted, by the names of gauss::Status or "impossible_bodies"
+  std::vector<std::string> notes;  ///< what is left out on purpose
 };
 
 /// At the initial state of `mechanics.model` and time `time`, with `digits` decimal digits.

@@ -7,6 +7,7 @@
 #include "model/build.hpp"
 #include "model/fold_check.hpp"
 #include "paper.hpp"
+#include "point_check.hpp"
 #include "structure_check.hpp"
 #include "unit.hpp"
 #include "value_check.hpp"
@@ -81,6 +82,7 @@ std::optional<PipelineResult> compile(const support::Source& source, const Pipel
 
   // Last, so that what it adds to the graph cannot change the header.
   check_initial_state(mechanics, diagnostics);
+  check_points(mechanics, diagnostics);
   stages.done("check", nodes(mechanics), [] { return std::string(); });
   result.times = std::move(stages).times();
   return result;

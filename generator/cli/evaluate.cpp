@@ -11,6 +11,7 @@
 #include "evaluation.hpp"
 #include "model/build.hpp"
 #include "structure_check.hpp"
+#include "support/suggest.hpp"
 
 namespace gaussgen::cli {
 
@@ -48,13 +49,17 @@ std::string line_of(const EvaluatedValue& value, const Widths& widths) {
 
 std::string table(const Evaluation& evaluation) {
   const Widths widths = widths_of(evaluation.values);
-  std::string text;
+  std::string text = "status\n  " +
+                     (evaluation.doubts.empty() ? "ok" : "not to be trusted: " + support::joined(evaluation.doubts)) +
+                     "\n";
   std::string group;
   for (const EvaluatedValue& value : evaluation.values) {
-    if (value.group != group) text += (text.empty() ? "" : "\n") + value.group + "\n";
+    if (value.group != group) text += "\n" + value.group + "\n";
     group = value.group;
     text += line_of(value, widths);
   }
+  if (!evaluation.notes.empty()) text += "\nnotes\n";
+  for (const std::string& note : evaluation.notes) text += "  " + note + "\n";
   return text;
 }
 
@@ -63,6 +68,7 @@ std::string json(const Evaluation& evaluation, const model::Model& model, const 
   document["model"] = model.name.text;
   document["digits"] = options.digits;
   document["time"] = options.time;
+  document["status"] = evaluation.doubts.empty() ? "ok" : support::joined(evaluation.doubts);
   for (const EvaluatedValue& value : evaluation.values) {
     nlohmann::ordered_json entry;
     // Text, since a JSON number would be cut to a double.
@@ -75,6 +81,7 @@ std::string json(const Evaluation& evaluation, const model::Model& model, const 
     document[value.group][value.name] = entry;
   }
   document["warnings"] = evaluation.warnings;
+  document["notes"] = evaluation.notes;
   return document.dump(2) + "\n";
 }
 

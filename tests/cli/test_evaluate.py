@@ -18,6 +18,15 @@ particles: {p: {mass: m, position: [x + y, 0, 0]}}
 forces: {f: {generalized: {x: 1}}}
 constraints: {c: {velocity: dot(x) - k*dot(y)}}
 """
+DOUBLED = """gauss: 1
+name: doubled
+parameters: {m: 1}
+coordinates: {x: {}, y: {}, a: {initial: 0.3}}
+particles: {p: {mass: m, position: [x, y, 0]}, q: {mass: m, position: [x + cos(a), y + sin(a), 0]}}
+constraints:
+  blade: {velocity: dot(x)*sin(a) - dot(y)*cos(a)}
+  again: {velocity: dot(x)*sin(2*a)/2 - dot(y)*cos(a)^2}
+"""
 EXTREMES = ["0", "1e-300", "1e300", "-1e300", "1e308", "1e-308", "(10^300)^64*0+1"]
 
 
@@ -35,7 +44,7 @@ class Evaluate(Program):
 class Table(Evaluate):
     def test_it_shows_every_group_with_units(self):
         text = self.ok("evaluate", SPHERE)
-        self.assertEqual([line for line in text.splitlines() if re.match(r"\w", line)], GROUPS)
+        self.assertEqual([line for line in text.splitlines() if re.match(r"\w", line)], ["status", *GROUPS])
         self.assertRegex(text, r"(?m)^  rho +-4\.0000000000000000 +N$")
         self.assertRegex(text, r"(?m)^  Z +21\.798578571428571 +N\^2/kg$")
         self.assertRegex(text, r"(?m)^  velocity\.rolling_along +0$")
@@ -64,7 +73,7 @@ class Json(Evaluate):
         for model in sorted(MODELS.rglob("*.yaml")):
             document = self.document(model)
             self.assertEqual([key for key in document if key in GROUPS], [key for key in GROUPS if key in document])
-            self.assertEqual(set(document) - set(GROUPS), {"model", "digits", "time", "warnings"})
+            self.assertEqual(set(document) - set(GROUPS), {"model", "digits", "time", "status", "warnings", "notes"})
             self.assertGreaterEqual(set(document), {"state", "accelerations", "energy", "compulsion"})
             for group in set(document) & set(GROUPS):
                 for name, entry in document[group].items():
@@ -204,6 +213,27 @@ class Warnings(Evaluate):
     def test_a_singular_chart_is_named(self):
         result = self.run_it("evaluate", SPHERE, "--set", "theta=0", "--set", "dot(phi)=0")
         self.assertIn("warning: accelerations are undefined here", result.stderr)
+
+    def test_what_is_not_to_be_trusted_says_so_itself(self):
+        negative = self.run_it("evaluate", SKEW, "--set", "m1=-1", "--format=json")
+        self.assertEqual(json.loads(negative.stdout)["status"], "impossible_bodies")
+        pole = [SPHERE, "--set", "theta=0", "--set", "dot(phi)=0"]
+        self.assertIn("status\n  not to be trusted: not_finite, singular_mass_matrix\n", self.run_it("evaluate", *pole).stdout)
+        self.assertIn("status\n  not to be trusted: dependent_constraints\n", self.run_it("evaluate", "-", stdin=DOUBLED).stdout)
+        late = self.run_it("evaluate", SPHERE, "--set", "dot(psi)=1", "--set", "dot(theta)=0")
+        self.assertIn("status\n  not to be trusted: violated_constraints\n", late.stdout)
+        self.assertIn("status\n  ok\n", self.ok("evaluate", SPHERE))
+
+    def test_forces_that_are_left_out_are_named(self):
+        notes = self.document(MODELS / "rotor_on_platform.yaml")["notes"]
+        self.assertEqual(len(notes), 1)
+        self.assertIn("reaction_forces has no force of 'platform' alone", notes[0])
+        self.assertIn("\nnotes\n  reaction_forces has no force of 'platform'", self.ok("evaluate", MODELS / "rotor_on_platform.yaml"))
+        self.assertEqual(self.document(SPHERE)["notes"], [])
+
+    def test_constraints_that_depend_on_each_other_are_named(self):
+        result = self.run_it("evaluate", "-", stdin=DOUBLED)
+        self.assertIn("warning: constraint 'again' follows from the others here: multipliers are not unique", result.stderr)
 
     def test_a_model_from_standard_input_works(self):
         self.assertIn("x_ddot", self.ok("evaluate", "-", stdin=PARTICLE))

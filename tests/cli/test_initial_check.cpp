@@ -141,6 +141,23 @@ TEST_CASE("a constraint that another form of it repeats is found by its numbers"
   CHECK(found_in(sleigh).empty());
 }
 
+TEST_CASE("a point at which no force is reported is named") {
+  const std::string model =
+      "coordinates:\n  x: {unit: m}\n  a: {unit: rad}\nbodies:\n  b:\n    mass: m\n    inertia: J\n    position: [x, "
+      "0, 0]\n"
+      "    orientation: {euler: zxz, angles: [a, 0, 0]}\n  c:\n    mass: m\n    inertia: J\n    position: [0, x, 0]\n"
+      "    orientation: {euler: zxz, angles: [2*a, 0, 0]}\nconstraints:\n  c: {velocity: dot(x) - dot(a), point: [x, "
+      "0, 0]}\n";
+  CHECK(found_in(model) ==
+        "m.yaml:22:42: warning[W058]: the point of constraint 'c' is not used: the coordinates do not determine its "
+        "force alone\n"
+        " 22 |   c: {velocity: dot(x) - dot(a), point: [x, 0, 0]}\n"
+        "    |                                          ^~~~~~~\n"
+        "    = hint: describe every motion of the bodies that it acts on by coordinates, those that do not move by "
+        "held ones\n");
+  CHECK(found_in(model + "outputs: [rhs]\n").empty());
+}
+
 TEST_CASE("warnings do not keep the header back") {
   const support::Source source("m.yaml", "gauss: 1\nname: start\nparameters:\n  m: {value: 2, unit: kg}\n" +
                                              plane("initial_rate: 1", "initial_rate: 0", "dot(x) - dot(y)"));
