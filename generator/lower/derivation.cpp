@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "lower/derivation_sections.hpp"
 #include "lower/paper_route.hpp"
 
@@ -18,6 +20,9 @@ namespace {
 
 /// Christoffel symbols beyond this number are left out of the text: they are not needed to follow it.
 constexpr std::size_t k_most_symbols = 60;
+
+/// Characters of LaTeX source: two printed lines.
+constexpr std::size_t k_longest_term = 300;
 
 class SystemSections {
  public:
@@ -123,6 +128,9 @@ class SystemSections {
                     {},
                     {}};
     section.formulas.push_back(write_({"Z", {}, {}}, system_.compulsion.Z));
+    if (longest_term(section.formulas[0]) > k_longest_term) {
+      section.formulas[0] = write_({"Z", {}, {}}, compulsion(formal_forces(), system_.metric, chart_).Z);
+    }
     return section;
   }
 
@@ -130,6 +138,20 @@ class SystemSections {
   template <class Index>
   std::string label(Index i) const {
     return chart_[i].label;
+  }
+
+  static std::size_t longest_term(const Formula& formula) {
+    std::size_t longest = 0;
+    for (const std::string& term : formula.right) longest = std::max(longest, term.size());
+    return longest;
+  }
+
+  // Q^α and F_i as symbols: written out over the inverse of a large metric they hide what Z is.
+  gauss::InvariantAccelerations formal_forces() const {
+    gauss::InvariantAccelerations formal = system_.invariant;
+    for (const FreeIndex a : chart_.free()) formal.Q_q_up[a] = GiNaC::realsymbol("Q__up_" + label(a));
+    for (const HeldIndex i : chart_.held()) formal.F_x[i] = GiNaC::realsymbol("F__" + label(i));
+    return formal;
   }
 
   void add(const Left& left, const GiNaC::ex& f, Section& section) {

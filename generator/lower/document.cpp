@@ -51,11 +51,22 @@ std::string as_markdown(const Derivation& derivation) {
   return text;
 }
 
+namespace {
+
+// A term that is wider than the page alone, such as b^{μi} over a large metric, is scaled down to it.
+const char* const k_latex_preamble =
+    "\\documentclass[a4paper]{article}\n\\usepackage[T1]{fontenc}\n\\usepackage[utf8]{inputenc}\n"
+    "\\usepackage[margin=2cm]{geometry}\n\\usepackage{amsmath}\n\\usepackage{graphicx}\n\\allowdisplaybreaks\n"
+    "\\newsavebox{\\formulabox}\n"
+    "\\newcommand{\\fitted}[1]{\\sbox{\\formulabox}{$\\displaystyle #1$}%\n"
+    "  \\ifdim\\wd\\formulabox>\\linewidth\\resizebox{\\linewidth}{!}{\\usebox{\\formulabox}}%\n"
+    "  \\else\\usebox{\\formulabox}\\fi}\n";
+
+}  // namespace
+
 std::string as_latex(const Derivation& derivation) {
-  std::string text =
-      "\\documentclass[a4paper]{article}\n\\usepackage[T1]{fontenc}\n\\usepackage[utf8]{inputenc}\n"
-      "\\usepackage[margin=2cm]{geometry}\n\\usepackage{amsmath}\n\\allowdisplaybreaks\n\n\\title{" +
-      latex_text(derivation.title) + "}\n\\author{}\n\\date{}\n\n\\begin{document}\n\\maketitle\n";
+  std::string text = std::string(k_latex_preamble) + "\n\\title{" + latex_text(derivation.title) +
+                     "}\n\\author{}\n\\date{}\n\n\\begin{document}\n\\maketitle\n";
   if (!derivation.about.empty()) text += "\n" + latex_text(derivation.about) + "\n";
   for (const Section& section : derivation.sections) {
     text += "\n\\section*{" + heading(section) + "}\n\n" + section.words + "\n";
@@ -65,7 +76,7 @@ std::string as_latex(const Derivation& derivation) {
       for (const Item& item : section.items) text += "  \\item $" + item.symbol + "$: " + latex_text(item.about) + "\n";
       text += "\\end{itemize}\n";
     }
-    for (const Formula& formula : section.formulas) text += "\\[\n" + aligned(formula) + "\n\\]\n";
+    for (const Formula& formula : section.formulas) text += "\\[\n\\fitted{" + aligned(formula) + "}\n\\]\n";
   }
   return text + "\n\\end{document}\n";
 }

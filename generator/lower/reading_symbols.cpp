@@ -30,15 +30,17 @@ ReadingSymbols::ReadingSymbols(const model::Model& model, ir::Graph& graph) : gr
   declare_compulsion_variables(model);
 }
 
-// a^α, a_i and R_i in Z, by the names that gauss/compulsion.cpp gives them.
+// a^α, a_i and R_i in Z, by the names that gauss/compulsion.cpp gives them, Q^α and F_i by those of derivation.cpp.
 void ReadingSymbols::declare_compulsion_variables(const model::Model& model) {
   const auto declare_up = [&](const std::string& label) {
     declare(SymbolClass::acceleration, "a__up_" + label, "a^{" + latex_name(label) + "}");
+    declare(SymbolClass::acceleration, "Q__up_" + label, "Q^{" + latex_name(label) + "}");
   };
   for (const auto& coordinate : model.coordinates) {
     const std::string& label = coordinate.name.text;
     if (coordinate.held_at) {
       declare(SymbolClass::held_acceleration, "a__" + label, "a_{" + latex_name(label) + "}");
+      declare(SymbolClass::held_acceleration, "F__" + label, "F_{" + latex_name(label) + "}");
       declare(SymbolClass::held_acceleration, "R__" + label, "R_{" + latex_name(label) + "}");
     } else {
       declare_up(label);
