@@ -28,7 +28,10 @@ std::string Left::plain() const {
 }
 
 FormulaWriter::FormulaWriter(const model::Model& model, const nonholonomic::PaperSystem& paper)
-    : symbols_(model, graph_), lower_(paper, graph_, symbols_.map(), {false, false, false}), hold_(graph_) {
+    : decimals_(model),
+      symbols_(model, graph_),
+      lower_(paper, graph_, symbols_.map(), {false, false, false}),
+      hold_(graph_) {
   const symbolic::Chart& chart = paper.chart();
   const auto replace = [&](const GiNaC::symbol& symbol, const GiNaC::ex& value) {
     hold_.replace(symbols_.map().ids.at(symbol.get_name()), {graph_, lower_(value)});
@@ -56,7 +59,8 @@ Formula FormulaWriter::formula(const Left& left, ir::NodeId right) {
 
 std::vector<std::string> FormulaWriter::terms(ir::NodeId node) {
   symbols_.add(lower_.opaque_entries());
-  return latex_terms(graph_, node, [this](ir::SymbolId symbol) { return symbols_.latex(symbol); });
+  return latex_terms(
+      graph_, node, [this](ir::SymbolId symbol) { return symbols_.latex(symbol); }, decimals_);
 }
 
 }  // namespace gaussgen::lower

@@ -2,6 +2,7 @@
 // Objects of a PaperSystem as formulas.
 
 #include "ir/substitute.hpp"
+#include "lower/decimal_style.hpp"
 #include "lower/derivation.hpp"
 #include "lower/reading_symbols.hpp"
 
@@ -39,6 +40,7 @@ class FormulaWriter {
   std::vector<std::string> terms(ir::NodeId node);
   ir::NodeId with_held(const GiNaC::ex& f);
 
+  DecimalStyle decimals_;
   ir::Graph graph_;
   ReadingSymbols symbols_;
   PaperLowering lower_;

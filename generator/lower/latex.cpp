@@ -2,6 +2,8 @@
 
 #include "lower/latex.hpp"
 
+#include <algorithm>
+
 #include "lower/latex_name.hpp"
 
 namespace gaussgen::lower {
@@ -17,13 +19,14 @@ enum Precedence { k_sum = 1, k_product = 2, k_power = 3, k_atom = 4 };
 
 class LatexPrinter {
  public:
-  LatexPrinter(const ir::Graph& graph, const std::function<std::string(ir::SymbolId)>& name)
-      : graph_(graph), name_(name) {}
+  LatexPrinter(const ir::Graph& graph, const std::function<std::string(ir::SymbolId)>& name,
+               const DecimalStyle& decimals)
+      : graph_(graph), name_(name), decimals_(decimals) {}
 
   std::string text(NodeId id, int outer) const {
     const Node& node = graph_[id];
     switch (node.kind) {
-      case Kind::constant: return bracketed(number(node.value), node.value < 0 ? k_sum : k_atom, outer);
+      case Kind::constant: return bracketed(styled(node.value), node.value < 0 ? k_sum : k_atom, outer);
       case Kind::symbol: return symbol(node, outer);
       case Kind::named: return latex_name(node.name);
       case Kind::sum: return sum(node, outer);
@@ -34,21 +37,33 @@ class LatexPrinter {
     return "?";
   }
 
-  /// Terms of a sum, each after the first with its sign in front.
-  std::vector<std::string> terms(const Node& node) const {
+  /// Terms of a sum over a number, each after the first with its sign in front.
+  std::vector<std::string> terms(const Node& node, const Rational& divisor = 1) const {
     std::vector<std::string> result;
-    if (node.value != 0) result.push_back(number(node.value));
+    if (node.value != 0) result.push_back(styled(node.value / divisor));
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       const bool is_negative = node.coefficients[i] < 0;
       const char* sign = result.empty() ? (is_negative ? "-" : "") : (is_negative ? " - " : " + ");
-      result.push_back(sign + scaled(cln::abs(node.coefficients[i]), node.children[i]));
+      result.push_back(sign + scaled(cln::abs(node.coefficients[i] / divisor), node.children[i]));
     }
     return result;
   }
 
  private:
+  /// A factor of a product; the sum in it is over a number.
+  struct Factor {
+    NodeId id;
+    Rational divisor = 1;
+  };
+
   static std::string bracketed(const std::string& inner, int own, int outer) {
     return own < outer ? "\\left(" + inner + "\\right)" : inner;
+  }
+
+  static std::string joined(const std::vector<std::string>& terms) {
+    std::string result;
+    for (const std::string& term : terms) result += term;
+    return result;
   }
 
   static std::string fraction(const std::string& top, const std::string& bottom) {
@@ -61,6 +76,8 @@ class LatexPrinter {
     return (value < 0 ? "-" : "") + size;
   }
 
+  std::string styled(const Rational& value) const { return decimals_(value).value_or(number(value)); }
+
   /// A name with an accent or an index of its own is bracketed before it gets an exponent.
   std::string symbol(const Node& node, int outer) const {
     const std::string name = name_(node.symbol);
@@ -70,8 +87,7 @@ class LatexPrinter {
 
   std::string sum(const Node& node, int outer) const {
     const bool is_monomial = node.value == 0 && node.children.size() == 1;
-    std::string result;
-    for (const std::string& term : terms(node)) result += term;
+    const std::string result = joined(terms(node));
     const bool is_negative = is_monomial && node.coefficients[0] < 0;
     return bracketed(result, is_monomial && !is_negative ? k_product : k_sum, outer);
   }
@@ -79,26 +95,56 @@ class LatexPrinter {
   /// coefficient * node with negative powers below a fraction line; coefficient > 0.
   std::string scaled(const Rational& coefficient, NodeId id) const {
     const Node& node = graph_[id];
-    std::vector<NodeId> above;
-    std::vector<NodeId> below;
+    std::vector<Factor> above;
+    std::vector<Factor> below;
+    Rational rest = coefficient;
     for (const NodeId factor : node.kind == Kind::product ? node.children : std::vector<NodeId>{id}) {
       const bool is_divisor = graph_[factor].kind == Kind::power && graph_[factor].value < 0;
-      (is_divisor ? below : above).push_back(factor);
+      (is_divisor ? below : above).push_back(is_divisor ? Factor{factor} : shifted(factor, rest));
     }
-    const Rational top = cln::numerator(coefficient);
-    const Rational bottom = cln::denominator(coefficient);
+    const bool is_decimal = decimals_(rest).has_value();
+    const Rational top = is_decimal ? rest : Rational(cln::numerator(rest));
+    const Rational bottom = is_decimal ? Rational(1) : Rational(cln::denominator(rest));
     const bool is_fraction = !below.empty() || bottom != 1;
     return fraction(product(top, above, is_fraction, false), is_fraction ? product(bottom, below, true, true) : "");
   }
 
-  std::string product(const Rational& coefficient, const std::vector<NodeId>& factors, bool in_fraction,
+  /// (981 + 100 a)^2/20000 is (9.81 + a)^2/2: the graph keeps sums whole, with what is common to them outside.
+  Factor shifted(NodeId id, Rational& coefficient) const {
+    Factor factor{id};
+    const Node& node = graph_[id];
+    const Rational exponent = node.kind == Kind::power ? node.value : Rational(1);
+    const Node& sum = node.kind == Kind::power ? graph_[node.children[0]] : node;
+    if (!decimals_.is_used() || sum.kind != Kind::sum || !support::is_integer(exponent)) return factor;
+    const Rational shift = cln::expt_pos(Rational(10), cln::numerator(exponent));
+    const auto ends_with_zero = [&](const Rational& value) {
+      return value != 0 && support::is_integer(value / factor.divisor / 10);
+    };
+    while (
+        support::is_integer(cln::denominator(coefficient) / shift) &&
+        (ends_with_zero(sum.value) || std::any_of(sum.coefficients.begin(), sum.coefficients.end(), ends_with_zero))) {
+      factor.divisor = factor.divisor * 10;
+      coefficient = coefficient * shift;
+    }
+    return factor;
+  }
+
+  std::string text(const Factor& factor, int outer) const {
+    const Node& node = graph_[factor.id];
+    if (factor.divisor == 1) return text(factor.id, outer);
+    if (node.kind == Kind::sum) return bracketed(joined(terms(node, factor.divisor)), k_sum, outer);
+    const Node& base = graph_[node.children[0]];
+    return bracketed(joined(terms(base, factor.divisor)), k_sum, k_atom) + "^{" + number(node.value) + "}";
+  }
+
+  std::string product(const Rational& coefficient, const std::vector<Factor>& factors, bool in_fraction,
                       bool is_inverted) const {
-    std::string result = coefficient == 1 && !factors.empty() ? "" : support::to_text(coefficient);
+    std::string result = coefficient == 1 && !factors.empty() ? "" : styled(coefficient);
     // A lone sum fills its place above or below the line without brackets.
     const bool is_alone = in_fraction && result.empty() && factors.size() == 1;
-    for (const NodeId factor : factors) {
+    for (const Factor& factor : factors) {
       result += result.empty() ? "" : "\\,";
-      result += is_inverted ? reciprocal(factor, is_alone) : text(factor, is_alone ? 0 : k_product);
+      result += is_inverted ? reciprocal(factor.id, is_alone) : text(factor, is_alone ? 0 : k_product);
     }
     return result;
   }
@@ -150,17 +196,20 @@ class LatexPrinter {
 
   const ir::Graph& graph_;
   const std::function<std::string(ir::SymbolId)>& name_;
+  const DecimalStyle& decimals_;
 };
 
 }  // namespace
 
-std::string latex(const ir::Graph& graph, NodeId id, const std::function<std::string(ir::SymbolId)>& name) {
-  return LatexPrinter(graph, name).text(id, 0);
+std::string latex(const ir::Graph& graph, NodeId id, const std::function<std::string(ir::SymbolId)>& name,
+                  const DecimalStyle& decimals) {
+  return LatexPrinter(graph, name, decimals).text(id, 0);
 }
 
 std::vector<std::string> latex_terms(const ir::Graph& graph, NodeId id,
-                                     const std::function<std::string(ir::SymbolId)>& name) {
-  const LatexPrinter printer(graph, name);
+                                     const std::function<std::string(ir::SymbolId)>& name,
+                                     const DecimalStyle& decimals) {
+  const LatexPrinter printer(graph, name, decimals);
   return graph[id].kind == Kind::sum ? printer.terms(graph[id]) : std::vector<std::string>{printer.text(id, 0)};
 }
 

@@ -26,6 +26,7 @@ struct Ast {
   AstKind kind = AstKind::number;
   support::Span span;
   support::Rational number = 0;  ///< kind number
+  bool is_decimal = false;       ///< kind number: written with a decimal point or an exponent
   std::string name;              ///< kind symbol: the name; kind call: the function
   std::vector<Ast> children;
 };

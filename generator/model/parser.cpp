@@ -167,6 +167,7 @@ class Parser {
     switch (token().kind) {
       case TokenKind::number: {
         Ast ast = node(AstKind::number, span_of(token()));
+        ast.is_decimal = text_.text.find_first_of(".eE", token().begin) < token().end;
         ast.number = take().number;
         return ast;
       }

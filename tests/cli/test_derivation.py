@@ -2,7 +2,7 @@
 
 import unittest
 
-from gauss_gen import MODELS, SKEW, SPHERE, Program
+from gauss_gen import MODELS, PARTICLE, SKEW, SPHERE, Program
 
 
 class Derivation(Program):
@@ -21,6 +21,19 @@ class Derivation(Program):
         for model in sorted(MODELS.rglob("*.yaml")):
             for form in ("markdown", "latex"):
                 self.assertGreater(len(self.ok("derivation", model, "--format", form)), 1000)
+
+    def test_numbers_are_decimals_where_the_model_writes_decimals(self):
+        model = PARTICLE + "forces: {weight: {potential: 9.81*m*x + 1/5*y}, wind: {uniform: [0, 0.2, 0]}}\n"
+        text = self.ok("derivation", "-", stdin=model)
+        for formula in ("Q_{x} = -9.81\\,m", "\\frac{m\\,\\left(9.81 + a^{x}\\right)^{2}}{2}", "Q_{y} = -0.2 + 0.2\\,m"):
+            self.assertIn(formula, text)
+        self.assertNotIn("981", text.replace("9.81", ""))
+
+    def test_numbers_are_fractions_elsewhere(self):
+        model = PARTICLE.replace("value: 2,", "value: 0.3,") + "forces: {f: {potential: 3/10*x + 0.5*y}}\n"
+        text = self.ok("derivation", "-", stdin=model)
+        for formula in ("Q_{x} = -\\frac{3}{10}", "Q_{y} = -\\frac{1}{2}"):
+            self.assertIn(formula, text)
 
     def test_it_can_be_written_to_a_file(self):
         self.ok("derivation", SKEW, "-o", "a b/skew.md")
