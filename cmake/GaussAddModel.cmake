@@ -25,6 +25,8 @@ function(gauss_add_model)
   endif()
   get_filename_component(model ${ARG_MODEL} ABSOLUTE)
   _gauss_model_name(${model} name)
+  # Another name in the model file is another header.
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${model})
 
   set(options)
   if(ARG_FOLD)

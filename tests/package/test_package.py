@@ -1,0 +1,108 @@
+"""cmake --install, then find_package(gauss) in the project in consumer/, with the model and the program that the README shows."""
+
+import math
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import textwrap
+import unittest
+from pathlib import Path
+
+CMAKE = os.environ["CMAKE"]
+BINARY = os.environ["GAUSS_BINARY_DIR"]
+SOURCE = Path(os.environ["GAUSS_SOURCE_DIR"])
+CONSUMER = SOURCE / "tests/package/consumer"
+README = (SOURCE / "README.md").read_text(encoding="utf-8")
+PENDULUM = textwrap.dedent(re.search(r"^    gauss: 1\n(?:    .*\n)+", README, re.M)[0])
+MAIN = re.search(r"^```cpp\n(.*?)^```", README, re.M | re.S)[1]
+ANY_GENERATOR = "Ninja" if shutil.which("ninja") else "Unix Makefiles"
+
+M, LENGTH, G, THETA = 1, 0.8, 9.81, 0.5  # as in the README
+PRINTED = 1e-4  # relative: six digits
+
+
+def run(*command):
+    result = subprocess.run([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                            check=False, timeout=300)
+    if result.returncode != 0:
+        raise AssertionError(f"{command}:\n{result.stdout}")
+    return result.stdout
+
+
+class Package(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="gauss package ")
+        cls.addClassCleanup(folder.cleanup)
+        cls.prefix = Path(folder.name) / "prefix"
+        run(CMAKE, "--install", BINARY, "--prefix", cls.prefix)
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="gauss consumer ")
+        self.addCleanup(folder.cleanup)
+        self.source, self.build = Path(folder.name) / "source", Path(folder.name) / "build"
+        shutil.copytree(CONSUMER, self.source)
+        (self.source / "main.cpp").write_text(MAIN, encoding="utf-8")
+        (self.source / "pendulum.yaml").write_text(PENDULUM, encoding="utf-8")
+        shutil.copy(SOURCE / "examples/turntable.cpp", self.source)
+        shutil.copy(SOURCE / "models/sphere_turntable.yaml", self.source)
+
+    def configure(self, generator):
+        run(CMAKE, "-S", self.source, "-B", self.build, "-G", generator, f"-DCMAKE_PREFIX_PATH={self.prefix}",
+            f"-DCMAKE_CXX_COMPILER={os.environ['GAUSS_CXX']}")
+
+    def make(self, target="app"):
+        return run(CMAKE, "--build", self.build, "--target", target)
+
+    def edit(self, before, after, file="pendulum.yaml"):
+        path = self.source / file
+        text = path.read_text(encoding="utf-8")
+        self.assertIn(before, text)
+        path.write_text(text.replace(before, after), encoding="utf-8")
+
+    def assert_pendulum(self, length):
+        printed = run(self.build / "app")
+        acceleration, force = (float(number) for number in re.findall(r"= (\S+)", printed))
+        self.assertTrue(math.isclose(acceleration, -G / length * math.sin(THETA), rel_tol=PRINTED), printed)
+        # At rest, the rod carries the part of the weight that points along it.
+        self.assertTrue(math.isclose(force, -M * G * math.cos(THETA), rel_tol=PRINTED), printed)
+
+    def assert_follows_the_model(self, generator):
+        self.configure(generator)
+        self.assertIn("Generating pendulum.hpp", self.make())
+        self.assert_pendulum(LENGTH)
+        self.assertNotIn("Generating", self.make())
+        self.edit(f"value: {LENGTH}", f"value: {2 * LENGTH}")
+        self.assertIn("Generating pendulum.hpp", self.make())
+        self.assert_pendulum(2 * LENGTH)
+
+    def test_the_program_of_the_readme_runs_and_follows_its_model_with_ninja(self):
+        if not shutil.which("ninja"):
+            self.skipTest("there is no ninja on this machine")
+        self.assert_follows_the_model("Ninja")
+
+    def test_the_program_of_the_readme_runs_and_follows_its_model_with_make(self):
+        if not shutil.which("make"):
+            self.skipTest("there is no make on this machine")
+        self.assert_follows_the_model("Unix Makefiles")
+
+    def test_a_model_may_get_another_name(self):
+        self.configure(ANY_GENERATOR)
+        self.make()
+        self.edit("name: pendulum", "name: swing")
+        self.edit("pendulum", "swing", file="main.cpp")
+        self.assertIn("Generating swing.hpp", self.make())
+        self.edit(f"value: {LENGTH}", f"value: {2 * LENGTH}")
+        self.make()
+        self.assert_pendulum(2 * LENGTH)
+
+    def test_a_simulation_builds_with_the_installed_headers(self):
+        self.configure(ANY_GENERATOR)
+        self.make("turntable")
+        self.assertIn("F_x [N]", run(self.build / "turntable"))
+
+
+if __name__ == "__main__":
+    unittest.main()
