@@ -3,6 +3,7 @@
 #include "gauss/oracle/bare_body.hpp"
 #include "gauss/oracle/bare_case.hpp"
 #include "gauss/oracle/evaluation.hpp"
+#include "gauss/oracle/skew_top.hpp"
 
 namespace gaussgen::oracle {
 
@@ -41,33 +42,25 @@ forces:
 )";
 
 // A body with all its freedoms as coordinates, one of them held and moving, so that every reaction is a wrench of its own.
-constexpr const char* k_released_top = R"(
+std::string released_top_text() {
+  return R"(
 gauss: 1
 name: released_top
-parameters:
-  m: {value: 2}
+parameters:)" +
+         skew_top::k_parameters + R"(
   g: {value: 9.81}
-  A: {value: 0.3}
-  B: {value: 0.4}
-  C: {value: 0.5}
   l: {value: 0.7}
 coordinates:
   y: {}
   z: {}
   x: {held_at: l*t^2}
-orientations:
-  attitude:
-    quaternion: [e0, e1, e2, e3]
-    angular_velocity: [wx, wy, wz]
-    frame: body
-    initial: [1, 0, 0, 0]
+)" + skew_top::orientations("body") +
+         R"(
 bodies:
   top:
-    mass: m
-    inertia:
-      - [m/3*(0.64*A^2 + 0.36*B^2 + C^2), m/3*0.48*(A^2 - B^2), 0]
-      - [m/3*0.48*(A^2 - B^2), m/3*(0.36*A^2 + 0.64*B^2 + C^2), 0]
-      - [0, 0, m/3*(A^2 + B^2)]
+    mass: m)" +
+         skew_top::k_inertia +
+         R"(
     position: [x, y + x*z/4, z - y^2/5]
     orientation: attitude
 constraints:
@@ -76,6 +69,7 @@ constraints:
 forces:
   gravity: {uniform: [0, 0, -g]}
 )";
+}
 
 }  // namespace
 
@@ -101,15 +95,14 @@ Case coupled_drives(unsigned seed) {
 }
 
 Case released_top(unsigned seed) {
-  Case c = start(model_of_text(k_released_top), seed, {"y", "z", "wx", "wy", "wz"});
+  Case c = start(model_of_text(released_top_text()), seed, {"y", "z", "wx", "wy", "wz"});
   const Values v = c.values;
   const Real l = v.at("l");
   hold(c.bare, [=](const Real& t) -> Real { return l * t * t; });
   c.bare.field = {0, 0, -v.at("g")};
-  const Body body = turned(triaxial_body(v.at("m"), {v.at("A"), v.at("B"), v.at("C")}),
-                           {{{Real("0.6"), Real("0.8"), 0}, {Real("-0.8"), Real("0.6"), 0}, {0, 0, 1}}});
+  const Body body = skew_top::body(v);
   c.bare.mass = body.mass;
-  const Quaternion e_0{v.at("e0"), v.at("e1"), v.at("e2"), v.at("e3")};
+  const Quaternion e_0 = skew_top::attitude(v);
   c.bare.positions = [=](const Vec& y, const Real&) {
     const Vec3 centre{y[5], y[0] + y[5] * y[1] / 4, y[1] - y[0] * y[0] / 5};
     return placed(body, centre, matrix(product(e_0, exponential({y[2], y[3], y[4]}))));

@@ -3,6 +3,7 @@
 #include "gauss/oracle/bare_body.hpp"
 #include "gauss/oracle/bare_case.hpp"
 #include "gauss/oracle/evaluation.hpp"
+#include "gauss/oracle/skew_top.hpp"
 
 namespace gaussgen::oracle {
 
@@ -43,35 +44,25 @@ forces:
 
 // Triaxial body with products of inertia (axes turned by 0.6, 0.8), a point of it on a moving support.
 std::string free_body_text(bool in_space) {
-  return std::string(R"(
+  return R"(
 gauss: 1
 name: free_body
-parameters:
-  m: {value: 2}
+parameters:)" +
+         skew_top::k_parameters + R"(
   g: {value: 9.81}
-  A: {value: 0.3}
-  B: {value: 0.4}
-  C: {value: 0.5}
   l: {value: 0.7}
 inputs:
   torque: {value: 0}
 coordinates:
   s: {}
   x: {held_at: l*t^2}
-orientations:
-  attitude:
-    quaternion: [e0, e1, e2, e3]
-    angular_velocity: [wx, wy, wz]
-    frame: )") +
-         (in_space ? "space" : "body") + R"(
-    initial: [1, 0, 0, 0]
+)" + skew_top::orientations(in_space ? "space" : "body") +
+         R"(
 bodies:
   top:
-    mass: m
-    inertia:
-      - [m/3*(0.64*A^2 + 0.36*B^2 + C^2), m/3*0.48*(A^2 - B^2), 0]
-      - [m/3*0.48*(A^2 - B^2), m/3*(0.36*A^2 + 0.64*B^2 + C^2), 0]
-      - [0, 0, m/3*(A^2 + B^2)]
+    mass: m)" +
+         skew_top::k_inertia +
+         R"(
     position: [x + 2*l*(e1*e3 + e0*e2), s + 2*l*(e2*e3 - e0*e1), l*(e0^2 - e1^2 - e2^2 + e3^2)]
     orientation: attitude
 constraints:
@@ -111,10 +102,9 @@ Case free_body(unsigned seed, bool in_space) {
   const Real m = v.at("m"), l = v.at("l"), g = v.at("g");
   hold(c.bare, [=](const Real& t) -> Real { return l * t * t; });
   c.bare.field = {0, 0, -g};
-  const Body body = turned(triaxial_body(m, {v.at("A"), v.at("B"), v.at("C")}),
-                           {{{Real("0.6"), Real("0.8"), 0}, {Real("-0.8"), Real("0.6"), 0}, {0, 0, 1}}});
+  const Body body = skew_top::body(v);
   c.bare.mass = body.mass;
-  const Quaternion e_0{v.at("e0"), v.at("e1"), v.at("e2"), v.at("e3")};
+  const Quaternion e_0 = skew_top::attitude(v);
   const auto attitude = [=](const Vec3& theta) {
     return in_space ? product(exponential(theta), e_0) : product(e_0, exponential(theta));
   };
