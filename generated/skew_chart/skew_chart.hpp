@@ -971,18 +971,18 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S z_s_d = z_s_s * G_l_s_e * g_l_e_d - z_s_s * G_l_s_d;
   const S z_s_a = m2_over_5 * d * inv_g_d_a * s * z_s_d + G_a_e * z_s_s * G_l_s_e * inv_g_d_a
       - z_s_s * G_l_s_a;
-  const S a_over_G_d_s = a * z_s_s;
+  const S a_over_G_d_s_2 = a * z_s_s;
   const S s_z_s_a = s * z_s_a;
-  const S z_s_b = -S(1) / S(3) * (a_over_G_d_s + s_z_s_a);
+  const S z_s_b = -S(1) / S(3) * (a_over_G_d_s_2 + s_z_s_a);
 
   // force and moment of s: m J z and I W z, times its reaction, model line 16
   const S force_s_first_x = half_m1 * R_s * (S(2) * z_s_s + z_s_a);
-  const S force_s_first_y = m1_over_3 * R_s * (S(3) * z_s_b + a_over_G_d_s + s_z_s_a);
+  const S force_s_first_y = m1_over_3 * R_s * (S(3) * z_s_b + a_over_G_d_s_2 + s_z_s_a);
   const S force_s_second_x = m2_over_3 * R_s * (z_s_s + S(3) * z_s_d);
-  const S G_l_s_e_over_G_d_s = z_s_s * G_l_s_e;
+  const S G_l_s_e_over_G_d_s_2 = z_s_s * G_l_s_e;
   const S force_s_second_y = -m2_over_10 * R_s
-      * (S(5) * a_over_G_d_s - S(4) * d * z_s_d + S(10) * G_l_s_e_over_G_d_s + S(5) * s_z_s_a);
-  const S force_s_second_z = half_m2 * R_s * (S(2) * z_s_s + S(2) * z_s_a - G_l_s_e_over_G_d_s);
+      * (S(5) * a_over_G_d_s_2 - S(4) * d * z_s_d + S(10) * G_l_s_e_over_G_d_s_2 + S(5) * s_z_s_a);
+  const S force_s_second_z = half_m2 * R_s * (S(2) * z_s_s + S(2) * z_s_a - G_l_s_e_over_G_d_s_2);
 
   // all constraint forces on first: m a - F and d(I omega)/dt - M (theory.md, section 4)
   const S t7 = amplitude_frequency_2 * sin_frequency_t;
@@ -1181,9 +1181,9 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S z_d = inv_g_d_d * z_y_d - z_s_s * G_l_s_d * z_y_s - g_l_e_d * z_e;
   const S z_a = m2_over_5 * d * inv_g_d_a * s * z_d - G_a_e * inv_g_d_a * z_e - z_s_s * G_l_s_a * z_y_s
       - inv_g_d_a * k_a_minus_e;
-  const S a_z_y_s_over_G_d_s = a * z_s_s * z_y_s;
+  const S a_z_y_s_over_G_d_s_2 = a * z_s_s * z_y_s;
   const S s_z_a = s * z_a;
-  const S z_b = -S(1) / S(3) * (a_z_y_s_over_G_d_s + s_z_a);
+  const S z_b = -S(1) / S(3) * (a_z_y_s_over_G_d_s_2 + s_z_a);
 
   // deviation of first from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
   const S t5 = amplitude_frequency_2 * sin_frequency_t;
@@ -1192,7 +1192,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S t7 = amplitude_frequency_2 * a * sin_frequency_t;
   const S a_ddot_s = a_ddot * s;
   const S deviation_first_y = m1_over_3 * (S(3) * b_ddot + S(2) * t6 - t7 + a_ddot_s)
-      - m1_over_3 * (S(3) * z_b + a_z_y_s_over_G_d_s + s_z_a);
+      - m1_over_3 * (S(3) * z_b + a_z_y_s_over_G_d_s_2 + s_z_a);
   const S deviation_first_z = m1_g + half_m1
       * (S(2) * c_ddot + amplitude_frequency_2 * s * sin_frequency_t
       - amplitude_2_frequency_2 * cos_frequency_t * cos_frequency_t);
@@ -1201,7 +1201,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S deviation_second_x = m2_over_3 * (S(3) * d_ddot - t5) - m2_over_3 * (S(3) * z_d + z_s);
   const S deviation_second_y = m2_over_10 * (S(4) * d_dot * d_dot + S(10) * e_ddot - S(10) * t6 + S(5) * t7
       + S(4) * d * d_ddot - S(5) * a_ddot_s)
-      - m2_over_10 * (S(10) * z_e - S(5) * a_z_y_s_over_G_d_s + S(4) * d * z_d - S(5) * s_z_a);
+      - m2_over_10 * (S(10) * z_e - S(5) * a_z_y_s_over_G_d_s_2 + S(4) * d * z_d - S(5) * s_z_a);
   const S deviation_second_z = m2_g + half_m2 * (S(2) * a_ddot + e_ddot - S(2) * t5)
       - half_m2 * (S(2) * z_a + z_e + S(2) * z_s);
 

@@ -1025,10 +1025,10 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   const S m2 = prepared.m2;
 
   // metric g_ab (1.10); held coordinates enter only through f
-  const S G_q3_q3_2 = m1 + m2;
+  const S G_q3_q3 = m1 + m2;
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
-  const S S_blade_blade = S(11881) / (S(10000) * G_q3_q3_2);
+  const S S_blade_blade = S(11881) / (S(10000) * G_q3_q3);
 
   state.q1() = S(3) / S(10);
   state.q2() = S(1) / S(10);
@@ -1037,7 +1037,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.q2_dot() = -S(1) / S(5);
   state.q3_dot() = -S(25) / S(109);
 
-  const Bool singular_mass_matrix = Math<S>::at_most(G_q3_q3_2, S(0));
+  const Bool singular_mass_matrix = Math<S>::at_most(G_q3_q3, S(0));
   const Bool dependent_constraints = Math<S>::at_most(S_blade_blade, S(0));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, Bool(false));
 }

@@ -447,9 +447,9 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S inv_J = S(1) / J;
   const S z_rolling_around_psi = r * inv_J;
   const S z_rolling_along_zeta = S(1) / m;
-  const S S_rolling_around_rolling_around = r_2 * inv_J;
-  const S S_rolling_around_rolling_around_2 = z_rolling_along_zeta + S_rolling_around_rolling_around;
-  const S t1 = S(1) / S_rolling_around_rolling_around_2;
+  const S r_2_over_J = r_2 * inv_J;
+  const S S_rolling_around_rolling_around = z_rolling_along_zeta + r_2_over_J;
+  const S t1 = S(1) / S_rolling_around_rolling_around;
   const S t2 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
   const S least_g_d = Math<S>::select(Math<S>::less(J, t2), J, t2);
 
@@ -483,7 +483,7 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.c3 = r * inv_J * t1;
   prepared.rounding_J = S(20) * Math<S>::epsilon() * J;
   prepared.least_g_d = least_g_d;
-  prepared.S_rolling_around_rolling_around = S_rolling_around_rolling_around_2;
+  prepared.S_rolling_around_rolling_around = S_rolling_around_rolling_around;
   return prepared;
 }
 
@@ -1261,7 +1261,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S r_2 = r * r;
   const S inv_J = S(1) / J;
-  const S S_rolling_around_rolling_around_2 = r_2 * inv_J;
+  const S S_rolling_around_rolling_around = r_2 * inv_J;
   const S S_rolling_along_rolling_along = r_2 * inv_J * sin_psi_0 * sin_psi_0;
   const S inv_sin_theta_0 = S(1) / sin_theta_0;
   const S inv_r = S(1) / r;
@@ -1272,9 +1272,9 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   const S change_theta = -inv_r * impulse_y_rolling_along / sin_psi_0;
 
   // Results
-  const S phi_dot_2 = -inv_sin_theta_0 * t1;
+  const S phi_dot = -inv_sin_theta_0 * t1;
   const S least_S_d = Math<S>::select(Math<S>::less(S_rolling_along_rolling_along,
-      S_rolling_around_rolling_around_2), S_rolling_along_rolling_along, S_rolling_around_rolling_around_2);
+      S_rolling_around_rolling_around), S_rolling_along_rolling_along, S_rolling_around_rolling_around);
 
   state.chi() = S(0);
   state.zeta() = S(0);
@@ -1283,13 +1283,13 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.theta() = theta_0;
   state.chi_dot() = S(4);
   state.zeta_dot() = zeta_dot_0;
-  state.phi_dot() = phi_dot_2;
+  state.phi_dot() = phi_dot;
   state.psi_dot() = change_psi;
   state.theta_dot() = change_theta;
 
   const Bool singular_mass_matrix = Math<S>::at_most(J, S(0));
   const Bool dependent_constraints = Math<S>::at_most(least_S_d, S(0));
-  const Bool not_finite = Math<S>::not_finite(phi_0, psi_0, theta_0, zeta_dot_0, phi_dot_2, change_psi,
+  const Bool not_finite = Math<S>::not_finite(phi_0, psi_0, theta_0, zeta_dot_0, phi_dot, change_psi,
       change_theta);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }

@@ -453,9 +453,9 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S least_pivot = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
   const S z_rolling_along_zeta = S(1) / m;
   const S inv_J = S(1) / J;
-  const S S_rolling_around_rolling_around = r_2 * inv_J;
-  const S S_rolling_around_rolling_around_2 = z_rolling_along_zeta + S_rolling_around_rolling_around;
-  const S t1 = S(1) / S_rolling_around_rolling_around_2;
+  const S r_2_over_J = r_2 * inv_J;
+  const S S_rolling_around_rolling_around = z_rolling_along_zeta + r_2_over_J;
+  const S t1 = S(1) / S_rolling_around_rolling_around;
   const S t2 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
   const S least_g_d = Math<S>::select(Math<S>::less(J, t2), J, t2);
 
@@ -487,7 +487,7 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.c2 = z_rolling_along_zeta * t1;
   prepared.c3 = r * inv_J * t1;
   prepared.least_g_d = least_g_d;
-  prepared.S_rolling_around_rolling_around = S_rolling_around_rolling_around_2;
+  prepared.S_rolling_around_rolling_around = S_rolling_around_rolling_around;
   return prepared;
 }
 
@@ -1141,17 +1141,17 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S wz_rate = wz + change_wz;
 
   // Results
-  const S e0_2 = e0 * unit;
-  const S e1_2 = e1 * unit;
-  const S e2_2 = e2 * unit;
-  const S e3_2 = e3 * unit;
+  const S e0_new = e0 * unit;
+  const S e1_new = e1 * unit;
+  const S e2_new = e2 * unit;
+  const S e3_new = e3 * unit;
 
   state.chi() = chi;
   state.zeta() = zeta;
-  state.e0() = e0_2;
-  state.e1() = e1_2;
-  state.e2() = e2_2;
-  state.e3() = e3_2;
+  state.e0() = e0_new;
+  state.e1() = e1_new;
+  state.e2() = e2_new;
+  state.e3() = e3_new;
   state.chi_dot() = chi_rate;
   state.zeta_dot() = zeta_rate;
   state.wx() = wx_rate;
@@ -1161,7 +1161,7 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const Bool singular_mass_matrix = Math<S>::at_most(least_g_d, S(0));
   const Bool dependent_constraints = Math<S>::at_most(S_rolling_around_rolling_around, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
-      e0_2, e1_2, e2_2, e3_2, chi_rate, zeta_rate, wx_rate, wy_rate, wz_rate);
+      e0_new, e1_new, e2_new, e3_new, chi_rate, zeta_rate, wx_rate, wy_rate, wz_rate);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(1) / S(1099511627776.0)),
       Math<S>::less(S(1099511627776.0), norm_squared));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
@@ -1188,24 +1188,24 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   Math<S>::sincos(S(0.5) * theta_0, sin_half_theta_0, cos_half_theta_0);
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
-  const S S_rolling_around_rolling_around_2 = r * r / J;
+  const S S_rolling_around_rolling_around = r * r / J;
   const S impulse_y_rolling_around = S(4) * (r - R);
   const S inv_r = S(1) / r;
   const S change_wy = S(7) / S(10) * inv_r;
   const S change_wz = inv_r * impulse_y_rolling_around;
 
   // Results
-  const S e0_2 = t4 * cos_half_theta_0;
-  const S e1_2 = sin_half_theta_0 * t2;
-  const S e2_2 = t1 * sin_half_theta_0;
-  const S e3_2 = t3 * cos_half_theta_0;
+  const S e0 = t4 * cos_half_theta_0;
+  const S e1 = sin_half_theta_0 * t2;
+  const S e2 = t1 * sin_half_theta_0;
+  const S e3 = t3 * cos_half_theta_0;
 
   state.chi() = S(0);
   state.zeta() = S(0);
-  state.e0() = e0_2;
-  state.e1() = e1_2;
-  state.e2() = e2_2;
-  state.e3() = e3_2;
+  state.e0() = e0;
+  state.e1() = e1;
+  state.e2() = e2;
+  state.e3() = e3;
   state.chi_dot() = S(4);
   state.zeta_dot() = S(7) / S(10);
   state.wx() = omega_r_0;
@@ -1213,8 +1213,8 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.wz() = change_wz;
 
   const Bool singular_mass_matrix = Math<S>::at_most(J, S(0));
-  const Bool dependent_constraints = Math<S>::at_most(S_rolling_around_rolling_around_2, S(0));
-  const Bool not_finite = Math<S>::not_finite(e0_2, e1_2, e2_2, e3_2, omega_r_0, change_wy, change_wz);
+  const Bool dependent_constraints = Math<S>::at_most(S_rolling_around_rolling_around, S(0));
+  const Bool not_finite = Math<S>::not_finite(e0, e1, e2, e3, omega_r_0, change_wy, change_wz);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 

@@ -1,5 +1,6 @@
 #include "emit/body.hpp"
 
+#include "emit/identifiers.hpp"
 #include "emit/natural.hpp"
 #include "emit/text.hpp"
 
@@ -54,7 +55,17 @@ cpp::Expression Body::define_condition(NodeId id, const std::string& name) {
 }
 
 std::string Body::name_for(NodeId id, const std::string& wanted) {
-  if (!wanted.empty()) return scope_.allocate(wanted);
+  if (const auto own = reserved_.find(id.index); own != reserved_.end()) return own->second;
+  // Where the wanted name is taken, wanted_2 would read as its square.
+  const std::string natural = natural_name_for(id);
+  for (const std::string& name : {wanted, natural}) {
+    if (!name.empty() && scope_.is_free(mangled(name))) return scope_.allocate(name);
+  }
+  if (wanted.empty() && natural.empty()) return scope_.allocate_anonymous("t");
+  return scope_.allocate(wanted.empty() ? natural : wanted);
+}
+
+std::string Body::natural_name_for(NodeId id) const {
   const ir::Graph& graph = writing_.graph();
   const auto name_of = [&](NodeId operand) -> std::string {
     if (const std::string* bound = writer_.bound(operand)) return *bound;
@@ -63,8 +74,7 @@ std::string Body::name_for(NodeId id, const std::string& wanted) {
     const std::string text = names_.of_symbol(node.symbol);
     return text.find(':') == std::string::npos ? text : graph.symbol(node.symbol).name;
   };
-  const std::string natural = natural_name(graph, id, name_of);
-  return natural.empty() ? scope_.allocate_anonymous("t") : scope_.allocate(natural);
+  return natural_name(graph, id, name_of);
 }
 
 }  // namespace gaussgen::emit

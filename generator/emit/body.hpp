@@ -2,6 +2,7 @@
 // The statements of one emitted function.
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "emit/cpp_tree.hpp"
@@ -16,6 +17,9 @@ class Body {
   /// `scope`: of the whole function, which may have several programs.
   Body(const passes::Writing& writing, const UnitNames& names, NameScope& scope);
 
+  /// `name`, which is taken in the scope, belongs to the definition of `id`.
+  void reserve(NodeId id, const std::string& name) { reserved_.emplace(id.index, name); }
+
   void define(const passes::Program& program);
   /// `const Bool name = condition;`, or nothing for what cannot happen; returns what to pass on.
   cpp::Expression define_condition(NodeId id, const std::string& name);
@@ -29,11 +33,13 @@ class Body {
  private:
   void define(const passes::Assignment& assignment);
   std::string name_for(NodeId id, const std::string& wanted);
+  std::string natural_name_for(NodeId id) const;
 
   const passes::Writing& writing_;
   const UnitNames& names_;
   ExpressionWriter writer_;
   NameScope& scope_;
+  std::unordered_map<std::uint32_t, std::string> reserved_;
   std::vector<cpp::Statement> statements_;
 };
 

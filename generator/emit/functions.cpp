@@ -26,8 +26,10 @@ Program scheduled(const Writing& writing, const Request& request) {
   return passes::schedule(writing, passes::share(writing, request), request);
 }
 
-std::unordered_set<std::uint32_t> symbols_in(const Writing& writing) {
-  std::unordered_set<std::uint32_t> found;
+using SymbolSet = std::unordered_set<std::uint32_t>;
+
+SymbolSet symbols_in(const Writing& writing) {
+  SymbolSet found;
   for (const NodeId id : writing.order()) {
     const ir::Node& node = writing.graph()[id];
     if (node.kind == Kind::symbol) found.insert(node.symbol.index);
@@ -38,8 +40,8 @@ std::unordered_set<std::uint32_t> symbols_in(const Writing& writing) {
 /// Local names for what a function reads, so that formulas read as on paper.
 class Reader {
  public:
-  Reader(Body& body, const UnitNames& names, const Writing& writing, const std::string& type)
-      : body_(body), names_(names), used_(symbols_in(writing)), type_(type) {}
+  Reader(Body& body, const UnitNames& names, const SymbolSet& used, const std::string& type)
+      : body_(body), names_(names), used_(used), type_(type) {}
 
   bool uses(SymbolId symbol) const { return used_.count(symbol.index) != 0; }
 
@@ -65,7 +67,7 @@ class Reader {
 
   Body& body_;
   const UnitNames& names_;
-  std::unordered_set<std::uint32_t> used_;
+  const SymbolSet& used_;
   std::string type_;
 };
 
@@ -92,13 +94,22 @@ void return_status(Body& body, const ir::Graph& graph, const Task& task) {
   body.add(cpp::Return{cpp::call("Math<S>::status", std::move(conditions))});
 }
 
-/// Rates that are no speeds, and accelerations unless they are given, are results: their names are free for temporaries.
-NameScope scope_for(const Plan& plan, const Artefact& artefact) {
+/// Free for temporaries are the names of results (rates that are no speeds, accelerations and the state unless they are
+/// given) and of prepared terms that this function does not read.
+NameScope scope_for(const Plan& plan, const Artefact& artefact, const SymbolSet& used) {
   NameScope scope = plan.names.function_scope();
+  for (const PreparedMember& member : plan.prepared) {
+    const bool is_term = !member.is_plain && !member.is_formula;
+    if (is_term && used.count(member.symbol.index) == 0) scope.release(member.name);
+  }
   const std::vector<Entry>& speeds = plan.unit.speeds;
   for (const std::string& rate : plan.unit.configuration_rates) {
     const auto is_rate = [&](const Entry& speed) { return speed.name == rate; };
     if (std::none_of(speeds.begin(), speeds.end(), is_rate)) scope.release(plan.names.of(rate));
+  }
+  if (!artefact.takes_state) {
+    for (const Entry& entry : plan.unit.configuration) scope.release(plan.names.of(entry));
+    for (const Entry& entry : speeds) scope.release(plan.names.of(entry));
   }
   if (artefact.takes_accelerations) return scope;
   for (const Entry& entry : plan.unit.accelerations) scope.release(plan.names.of(entry));
@@ -140,12 +151,13 @@ cpp::Function artefact_function(Plan& plan, const Task& task) {
   function.suffix = "noexcept";
 
   const Writing writing(plan.graph, task.request.outputs);
-  NameScope scope = scope_for(plan, artefact);
+  const SymbolSet used = symbols_in(writing);
+  NameScope scope = scope_for(plan, artefact, used);
   Body body(writing, plan.names, scope);
   if (has_conditions(writing, task)) body.add(cpp::Alias{"Bool", "typename Math<S>::Bool"});
   // By value where a caller may pass the same object as argument and result.
   const bool may_alias = !artefact.state.empty() || (artefact.takes_accelerations && !artefact.derivative.empty());
-  Reader reader(body, plan.names, writing, may_alias ? "const S" : "const S&");
+  Reader reader(body, plan.names, used, may_alias ? "const S" : "const S&");
   function.arguments = read_arguments(plan, artefact, reader);
 
   Request request = task.request;

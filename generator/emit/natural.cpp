@@ -25,7 +25,7 @@ class Namer {
       case Kind::power: return of_power(node);
       case Kind::sum: return of_sum(node);
       case Kind::product: return of_product(node);
-      case Kind::named: return node.name;
+      case Kind::named: return of_named(node);
       default: return {};
     }
   }
@@ -49,6 +49,12 @@ class Namer {
 
   static std::string joined(const std::string& a, const std::string& between, const std::string& b) {
     return a.empty() || b.empty() ? std::string() : a + between + b;
+  }
+
+  // Its definition may have got another name, since this one was taken.
+  std::string of_named(const Node& node) const {
+    const std::string given = name_of_(node.children[0]);
+    return given.empty() ? node.name : given;
   }
 
   std::string of_function(const Node& node) const {

@@ -20,8 +20,9 @@ class Collector {
       for (const Entry& entry : unit.accelerations) add_member("derivative", plan.names.of(entry));
     }
     if (!artefact.state.empty()) {
-      for (const Entry& entry : unit.configuration) add_member("state", plan.names.of(entry));
-      for (const Entry& entry : unit.speeds) add_member("state", plan.names.of(entry));
+      const std::string suffix = artefact.takes_state ? "_new" : "";
+      for (const Entry& entry : unit.configuration) add_member("state", plan.names.of(entry), suffix);
+      for (const Entry& entry : unit.speeds) add_member("state", plan.names.of(entry), suffix);
     }
     for (const Group& group : artefact.groups) {
       for (const Field& field : group.fields) add_field(artefact.result_type, group, field);
@@ -37,7 +38,9 @@ class Collector {
     outputs.push_back({values_[outputs.size()], place, name});
   }
 
-  void add_member(const std::string& object, const std::string& member) { add(object + "." + member + "()", member); }
+  void add_member(const std::string& object, const std::string& member, const std::string& suffix = "") {
+    add(object + "." + member + "()", member + suffix);
+  }
 
   void add_field(const std::string& type, const Group& group, const Field& field) {
     const std::string path = plan_.result_types.path(type, group.name, field.name);

@@ -14,12 +14,7 @@ using passes::Writing;
 
 class PrepareBuilder {
  public:
-  explicit PrepareBuilder(Plan& plan) : plan_(plan), scope_(plan.names.function_scope()) {
-    // What goes into a member of Prepared may have its name here.
-    for (const PreparedMember& member : plan.prepared) {
-      if (!member.is_plain && !member.is_formula) scope_.release(member.name);
-    }
-  }
+  explicit PrepareBuilder(Plan& plan) : plan_(plan), scope_(plan.names.function_scope()) {}
 
   cpp::Function build() {
     function_.comment = "What depends on parameters alone, to be computed once.";
@@ -79,6 +74,7 @@ class PrepareBuilder {
     }
     const Writing writing(plan_.graph, request.outputs);
     Body body(writing, plan_.names, scope_);
+    for (const auto& [value, name] : request.suggestions) body.reserve(passes::unwrapped(plan_.graph, value), name);
     body.define(schedule(writing, share(writing, request), request));
     body.blank_line();
     append(body);

@@ -170,6 +170,46 @@ Sample nasty() {
   return sample;
 }
 
+Sample namesakes() {
+  Sample sample;
+  sample.unit.model_name = "namesakes";
+  sample.unit.name_space = "gauss::namesakes";
+  UnitBuilder build(sample);
+  const Expr m = build.parameter("m", 2, "kg", "");
+  const Expr J = build.parameter("J", 3, "kg*m^2", "");
+  const Expr r = build.parameter("r", ratio(1, 2), "m", "");
+  const auto [x, x_dot] = build.coordinate("x", "m", "");
+
+  // Of two functions, each of which calls another thing K.
+  const Expr partial = (pow(r, 2) / J).named("K");
+  const Expr whole = pow(m, -1) + pow(r, 2) / J;
+  Artefact& initial = build.artefact("initial_state", "");
+  initial.takes_time = initial.takes_state = initial.takes_inputs = false;
+  initial.target = Target::state;
+  build.section(initial, "", {{partial, "K"}});
+  initial.state = {(m + partial).id(), (r + partial).id()};
+  initial.status.not_finite = build.not_finite({m + partial, r + partial});
+
+  Artefact& project = build.artefact("project", "");
+  project.target = Target::state;
+  build.section(project, "", {{whole, "K"}});
+  project.state = {(x * whole).id(), (x_dot / whole).id()};
+  project.status.not_finite = build.not_finite({x * whole, x_dot / whole});
+
+  // One function that wants one name twice: the second gets the name that its own formula suggests.
+  Artefact& energy = build.artefact("energy", "");
+  energy.result_type = "Energy";
+  const Expr first = x + pow(x_dot, 3);
+  const Expr second = x * x_dot;
+  build.section(energy, "", {{first, "pivot"}, {second, "pivot"}});
+  energy.groups = {
+      {"",
+       "",
+       "",
+       {build.field("kinetic", "", {first * second}), build.field("potential", "", {first + sine(second)})}}};
+  return sample;
+}
+
 Sample zoo() {
   Sample sample;
   sample.unit.model_name = "zoo";
@@ -229,13 +269,14 @@ Sample zoo() {
 }
 
 const std::vector<std::string>& sample_names() {
-  static const std::vector<std::string> names = {"pendulum", "springs", "nasty", "zoo"};
+  static const std::vector<std::string> names = {"pendulum", "springs", "nasty", "namesakes", "zoo"};
   return names;
 }
 
 Sample sample(const std::string& name) {
   if (name == "pendulum") return pendulum();
   if (name == "springs") return springs();
+  if (name == "namesakes") return namesakes();
   if (name == "nasty") return nasty();
   return zoo();
 }

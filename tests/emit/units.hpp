@@ -23,6 +23,9 @@ Sample springs();
 /// Names and texts that would break a careless emitter.
 Sample nasty();
 
+/// Two functions that give the same names to other things, and terms of the one inside of the other.
+Sample namesakes();
+
 /// Every function, condition and kind of number.
 Sample zoo();
 
