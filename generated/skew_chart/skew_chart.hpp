@@ -268,44 +268,44 @@ struct Prepared {
   S amplitude;
   S frequency;
   S amplitude_frequency;      ///< amplitude * frequency
-  S c1;                       ///< S(2) / S(25) * m2
-  S m2_over_15;               ///< S(1) / S(15) * m2
-  S amplitude_frequency_2;    ///< amplitude * frequency * frequency
+  S c1;                       ///< 2 / 25 * m2
+  S m2_over_15;               ///< 1 / 15 * m2
+  S amplitude_frequency_2;    ///< amplitude * frequency^2
   S m2_g;                     ///< m2 * g
-  S c2;                       ///< S(2) / S(9) * m1 * amplitude * frequency
-  S m2_over_10;               ///< S(1) / S(10) * m2
-  S m1_over_18;               ///< S(1) / S(18) * m1
-  S m2_over_4;                ///< S(0.25) * m2
-  S c3;                       ///< S(2) / S(3) * m1 * amplitude * frequency
-  S c4;                       ///< S(1) / S(3) * m1 * amplitude * frequency * frequency
-  S m1_over_36;               ///< S(1) / S(36) * m1
-  S m1_over_9;                ///< S(1) / S(9) * m1
-  S m2_over_5;                ///< S(1) / S(5) * m2
-  S m2_over_25;               ///< S(1) / S(25) * m2
-  S m2_2_over_25;             ///< S(1) / S(25) * m2 * m2
-  S c5;                       ///< -S(0.5) * m2 * g
-  S half_m2;                  ///< S(0.5) * m2
-  S G_e_e;                    ///< S(1.25) * m2
-  S inv_m1;                   ///< S(1) / m1
-  S c6;                       ///< S(0.5) * m1 * amplitude * frequency * frequency
-  S c7;                       ///< S(0.5) * m1 * amplitude * amplitude * frequency * frequency
+  S c2;                       ///< 2 / 9 * m1 * amplitude * frequency
+  S m2_over_10;               ///< 1 / 10 * m2
+  S m1_over_18;               ///< 1 / 18 * m1
+  S m2_over_4;                ///< 0.25 * m2
+  S c3;                       ///< 2 / 3 * m1 * amplitude * frequency
+  S c4;                       ///< 1 / 3 * m1 * amplitude * frequency^2
+  S m1_over_36;               ///< 1 / 36 * m1
+  S m1_over_9;                ///< 1 / 9 * m1
+  S m2_over_5;                ///< 1 / 5 * m2
+  S m2_over_25;               ///< 1 / 25 * m2
+  S m2_2_over_25;             ///< 1 / 25 * m2^2
+  S c5;                       ///< -0.5 * m2 * g
+  S half_m2;                  ///< 0.5 * m2
+  S G_e_e;                    ///< 1.25 * m2
+  S inv_m1;                   ///< 1 / m1
+  S c6;                       ///< 0.5 * m1 * amplitude * frequency^2
+  S c7;                       ///< 0.5 * m1 * amplitude^2 * frequency^2
   S m1_g;                     ///< m1 * g
-  S rounding_m2;              ///< S(25) * Math<S>::epsilon() * m2
-  S half_m1_g;                ///< S(0.5) * m1 * g
-  S amplitude_2_frequency_2;  ///< amplitude * amplitude * frequency * frequency
-  S m2_over_36;               ///< S(1) / S(36) * m2
-  S m1_over_3;                ///< S(1) / S(3) * m1
-  S m1_over_4;                ///< S(0.25) * m1
-  S half_m1;                  ///< S(0.5) * m1
-  S m2_over_3;                ///< S(1) / S(3) * m2
-  S m1_over_72;               ///< S(1) / S(72) * m1
-  S m2_over_1800;             ///< S(1) / S(1800) * m2
-  S m1_g_over_4;              ///< S(0.25) * m1 * g
-  S half_m2_g;                ///< S(0.5) * m2 * g
-  S half_k;                   ///< S(0.5) * k
-  S half_inv_m1;              ///< S(0.5) / m1
-  S half_inv_m2;              ///< S(0.5) / m2
-  S c8;                       ///< S(2) / S(5) * m2
+  S rounding_m2;              ///< 25 * epsilon * m2
+  S half_m1_g;                ///< 0.5 * m1 * g
+  S amplitude_2_frequency_2;  ///< amplitude^2 * frequency^2
+  S m2_over_36;               ///< 1 / 36 * m2
+  S m1_over_3;                ///< 1 / 3 * m1
+  S m1_over_4;                ///< 0.25 * m1
+  S half_m1;                  ///< 0.5 * m1
+  S m2_over_3;                ///< 1 / 3 * m2
+  S m1_over_72;               ///< 1 / 72 * m1
+  S m2_over_1800;             ///< 1 / 1800 * m2
+  S m1_g_over_4;              ///< 0.25 * m1 * g
+  S half_m2_g;                ///< 0.5 * m2 * g
+  S half_k;                   ///< 0.5 * k
+  S half_inv_m1;              ///< 0.5 / m1
+  S half_inv_m2;              ///< 0.5 / m2
+  S c8;                       ///< 2 / 5 * m2
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.

@@ -280,27 +280,27 @@ struct Prepared {
   S zeta_dot_0;                       ///< rate of climb at t = 0
   S omega_r_0;                        ///< angular velocity about the line to the contact at t = 0
   S J;                                ///< moment of inertia of the ball about a diameter
-  S m_r_2;                            ///< m * r * r
-  S m_2_r_4;                          ///< m * m * r * r * r * r
+  S m_r_2;                            ///< m * r^2
+  S m_2_r_4;                          ///< m^2 * r^4
   S m_g;                              ///< m * g
-  S M_chi_chi;                        ///< m * (R - r) * (R - r) + J * (R - r) * (R - r) / (r * r)
-  S least_pivot;                      ///< Math<S>::select(Math<S>::less(r, S(0)), -r, r)
+  S M_chi_chi;                        ///< m * (R - r)^2 + J * (R - r)^2 / r^2
+  S least_pivot;                      ///< abs(r)
   S m_rho;                            ///< m * (R - r)
   S z_rolling_around_psi;             ///< r / J
-  S rho_2;                            ///< (R - r) * (R - r)
-  S half_m;                           ///< S(0.5) * m
-  S half_J;                           ///< S(0.5) * J
+  S rho_2;                            ///< (R - r)^2
+  S half_m;                           ///< 0.5 * m
+  S half_J;                           ///< 0.5 * J
   S rho;                              ///< R - r
-  S half_inv_m;                       ///< S(0.5) / m
-  S half_inv_J;                       ///< S(0.5) / J
+  S half_inv_m;                       ///< 0.5 / m
+  S half_inv_J;                       ///< 0.5 / J
   S r_minus_R;                        ///< r - R
-  S G_chi_chi;                        ///< m * (R - r) * (R - r)
-  S c1;                               ///< S(1) / (m * (S(1) / m + r * r / J) * (R - r))
-  S c2;                               ///< S(1) / (m * (S(1) / m + r * r / J))
-  S c3;                               ///< r / (J * (S(1) / m + r * r / J))
-  S rounding_J;                       ///< S(20) * Math<S>::epsilon() * J
-  S least_g_d;
-  S S_rolling_around_rolling_around;  ///< S(1) / m + r * r / J
+  S G_chi_chi;                        ///< m * (R - r)^2
+  S c1;                               ///< 1 / (m * (1 / m + r^2 / J) * (R - r))
+  S c2;                               ///< 1 / (m * (1 / m + r^2 / J))
+  S c3;                               ///< r / (J * (1 / m + r^2 / J))
+  S rounding_J;                       ///< 20 * epsilon * J
+  S least_g_d;                        ///< min(J, min(m, m * (R - r)^2))
+  S S_rolling_around_rolling_around;  ///< 1 / m + r^2 / J
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.

@@ -2,6 +2,7 @@
 
 #include "emit/cpp_printer.hpp"
 #include "emit/expression.hpp"
+#include "emit/formula.hpp"
 #include "emit/literal.hpp"
 #include "emit/text.hpp"
 
@@ -73,7 +74,7 @@ cpp::Struct prepared_struct(Plan& plan) {
     std::string comment = comment_text(member.about);
     if (!member.is_plain && !member.is_formula) {
       const passes::Writing writing(plan.graph, {member.value});
-      comment = cpp::print(ExpressionWriter(writing, plan.names).value(member.value));
+      comment = cpp::print(as_formula(ExpressionWriter(writing, plan.names).value(member.value)));
       if (comment.size() > 60) comment.clear();
     }
     type.members.push_back({"S", member.name, {}, std::nullopt, comment});
