@@ -50,6 +50,13 @@ Uses uses_of(const Model& model) {
   return uses;
 }
 
+// A coordinate that no body depends on may still be determined: the angle of a wheel without inertia that rolls.
+bool is_constrained(const Model& model, std::size_t coordinate) {
+  Uses uses;
+  for (const VelocityConstraint& constraint : model.constraints) collect(constraint.velocity, model, uses);
+  return uses.unsure || uses.coordinates.count(coordinate) > 0;
+}
+
 /// False for a name that was refused because it clashes: its uses mean the other owner of the name.
 bool owns_name(const Model& model, std::size_t coordinate) {
   const auto symbol = model.symbols.find(model.coordinates[coordinate].name.text);
@@ -69,11 +76,11 @@ void check_used(Reading& reading) {
           code::k_idle_held_coordinate, coordinate.name.span,
           fmt::format("no body depends on the held coordinate '{}'", coordinate.name.text),
           "write positions with it, or remove it: as it is, its reaction does no more than balance forces");
-    } else {
+    } else if (!is_constrained(model, i)) {
       reading.diagnostics.error(
           code::k_no_inertia, coordinate.name.span,
           fmt::format("nothing gives the coordinate '{}' inertia: no body depends on it", coordinate.name.text),
-          "use it in a position or in an angle, or remove it");
+          "use it in a position or in an angle, give its rate by a constraint, or remove it");
     }
   }
   for (std::size_t i = 0; i < model.orientations.size(); ++i) {

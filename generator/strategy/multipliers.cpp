@@ -28,16 +28,22 @@ Expr inertia_along(const Dynamics& dynamics, std::size_t mu, Expr squares) {
   return weighted / squares;
 }
 
+// Σ g_ii over the speeds in constraint mu; 1 if none of them has inertia.
+Expr size_of_metric(const Dynamics& dynamics, std::size_t mu) {
+  Expr size(dynamics.g[0][0].graph(), dynamics.g[0][0].graph().constant(0));
+  for (std::size_t i = 0; i < dynamics.n(); ++i) {
+    if (!dynamics.b[mu][i].is_zero()) size += dynamics.g[i][i];
+  }
+  return size.is_zero() ? Expr(size.graph(), size.graph().constant(1)) : size;
+}
+
 // g + bᵀ w b and f - bᵀ w drift: since b a + drift = 0, the same accelerations and multipliers, but an inverse exists as soon
 // as they are determined (Golub & Greif, SIAM J. Sci. Comput. 24, 2003). w brings b to the size of g.
 Dynamics completed(const Dynamics& dynamics, Steps& steps) {
   Dynamics result = dynamics;
   steps.begin("metric and forces completed by the constraints: g + b^T w b, f - b^T w drift");
   for (std::size_t mu = 0; mu < dynamics.l(); ++mu) {
-    const Expr squares = squares_of(dynamics.b[mu]);
-    const Expr inertia = inertia_along(dynamics, mu, squares);
-    const Expr one(squares.graph(), squares.graph().constant(1));
-    const Expr weight = steps.name((inertia.is_zero() ? one : inertia) / squares,
+    const Expr weight = steps.name(size_of_metric(dynamics, mu) / squares_of(dynamics.b[mu]),
                                    dynamics.names.prefix + "w_" + dynamics.constraints[mu]);
     for (std::size_t i = 0; i < dynamics.n(); ++i) {
       const Expr weighted = weight * dynamics.b[mu][i];

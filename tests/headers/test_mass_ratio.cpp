@@ -8,9 +8,11 @@
 #include "catch_shim.hpp"
 #include "light.hpp"
 #include "only_constraints.hpp"
+#include "weightless_wheel.hpp"
 
 namespace light = gauss::light;
 namespace only_constraints = gauss::only_constraints;
+namespace weightless_wheel = gauss::weightless_wheel;
 using gauss::Status;
 
 namespace {
@@ -101,4 +103,20 @@ TEST_CASE("accelerations that only constraints determine are found although the 
   CHECK(std::abs(x * projected.x_dot() - 2 * y * y * projected.y_dot()) < 1e-15);
   // At x = y = 0 there is nothing to tell them apart.
   CHECK(rhs(0.0, only_constraints::State<double>{}, {}, prepared, derivative) != Status::ok);
+}
+
+// The torque on the wheel drives the cart alone: lambda r (1 + phi²) = 4 and m x_ddot = 3 m + lambda (1 + x²).
+TEST_CASE("a coordinate without inertia follows from its constraint, and passes on the force that acts on it") {
+  const auto prepared = weightless_wheel::prepare(weightless_wheel::Parameters<double>{});
+  const weightless_wheel::State<double> state{{0.25, 0.5, 0.75, 1.25}};
+  const double m = 2, r = 0.5, x = 0.25, phi = 0.5, v = 0.75, w = 1.25;
+  weightless_wheel::Derivative<double> derivative{};
+  weightless_wheel::Reactions<double> reactions{};
+  REQUIRE(rhs_and_reactions(0.0, state, {}, prepared, derivative, reactions) == Status::ok);
+  const double lambda = 4 / (r * (1 + phi * phi));
+  const double x_ddot = 3 + lambda * (1 + x * x) / m;
+  CHECK(reactions.rolling.multiplier == Approx(lambda).epsilon(1e-14));
+  CHECK(derivative.x_ddot() == Approx(x_ddot).epsilon(1e-14));
+  CHECK(derivative.phi_ddot() ==
+        Approx((x_ddot * (1 + x * x) + 2 * x * v * v - 2 * r * phi * w * w) / (r * (1 + phi * phi))).epsilon(1e-14));
 }
