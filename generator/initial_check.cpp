@@ -19,6 +19,9 @@ namespace {
 
 constexpr int k_digits = 17;
 
+/// Accelerations hold the second derivatives of positions.
+constexpr int k_most_derivatives = 2;
+
 class InitialCheck {
  public:
   InitialCheck(Mechanics& mechanics, support::Diagnostics& diagnostics)
@@ -30,23 +33,20 @@ class InitialCheck {
   void run() {
     const std::vector<InitialValue> state = initial_values(mechanics_);
     const bool has_state = bind_initial_values(mechanics_, state, values_);
-    undefined_ = undefined_parts(mechanics_, values_);
-    const bool has_values = undefined_.empty() || undefined_[0].derivative > 0;
-    if (!has_values) report_undefined();
-    if (has_values && !has_state) report_undefined_state(state);
+    const std::vector<UndefinedPart> undefined = undefined_parts(mechanics_, values_);
+    for (const UndefinedPart& part : undefined) report_undefined(part);
+    if (undefined.empty() && !has_state) report_undefined_state(state);
     for (const Violation& violation : violations(mechanics_, values_)) report_violation(violation);
-    if (!has_values || !has_state) return;
+    if (!undefined.empty() || !has_state) return;
     for (const Dependence& found : dependences(mechanics_, values_)) report_dependence(found);
     report_singular();
   }
 
  private:
-  void report_undefined() {
-    for (const UndefinedPart& part : undefined_) {
-      diagnostics_.warning(support::code::k_undefined_start, part.span,
-                           "this has no value at the initial state: " + part.reason,
-                           "start from another state, or change the parameters in it");
-    }
+  void report_undefined(const UndefinedPart& part) {
+    diagnostics_.warning(support::code::k_undefined_start, part.span,
+                         "this has no value at the initial state: " + part.reason,
+                         "start from another state, or change the parameters in it");
   }
 
   void report_undefined_state(const std::vector<InitialValue>& state) {
@@ -87,18 +87,27 @@ class InitialCheck {
 
   // A pivot that is zero from the start divides; one that cancels is flagged.
   void report_singular() {
-    if (values_.is_true(mechanics_.solution.singular_mass_matrix)) return report_undetermined();
-    for (const ir::Expr acceleration : mechanics_.solution.accelerations) {
-      const auto trouble = values_.trouble(acceleration.id());
-      if (!trouble) continue;
-      if (undefined_.empty()) return report_undetermined();
-      diagnostics_.warning(
-          support::code::k_singular_start, undefined_[0].span,
-          "there are no accelerations at the initial state: a derivative of this has no value there: " +
-              undefined_[0].reason,
-          "start from another state");
-      return;
+    const bool is_singular = values_.is_true(mechanics_.solution.singular_mass_matrix);
+    if (is_singular || (!has_accelerations() && !report_pole())) report_undetermined();
+  }
+
+  bool has_accelerations() {
+    const auto& all = mechanics_.solution.accelerations;
+    return std::none_of(all.begin(), all.end(), [&](const ir::Expr a) { return values_.trouble(a.id()).has_value(); });
+  }
+
+  /// Whether there are no accelerations since a derivative of an expression has a pole.
+  bool report_pole() {
+    for (int derivative = 1; derivative <= k_most_derivatives; ++derivative) {
+      for (const UndefinedPart& part : undefined_parts(mechanics_, values_, derivative)) {
+        diagnostics_.warning(
+            support::code::k_singular_start, part.span,
+            "there are no accelerations at the initial state: a derivative of this has no value there: " + part.reason,
+            "start from another state");
+        return true;
+      }
     }
+    return false;
   }
 
   void report_undetermined() {
@@ -138,7 +147,6 @@ class InitialCheck {
   const model::Model& model_;
   support::Diagnostics& diagnostics_;
   ModelValues values_;
-  std::vector<UndefinedPart> undefined_;
 };
 
 }  // namespace

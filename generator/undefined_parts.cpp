@@ -8,9 +8,6 @@ namespace {
 
 using model::Ast;
 
-/// Accelerations hold the second derivatives of positions.
-constexpr int k_most_derivatives = 2;
-
 class Search {
  public:
   Search(Mechanics& mechanics, ModelValues& values, int derivative)
@@ -37,7 +34,7 @@ class Search {
     }
     if (trouble->reason == evaluate::reason::k_unbound) return false;
     const bool is_quotient = ast.kind == model::AstKind::reciprocal;
-    found_.push_back({is_quotient ? ast.children[0].span : ast.span, trouble->reason, derivative_});
+    found_.push_back({is_quotient ? ast.children[0].span : ast.span, trouble->reason});
     return true;
   }
 
@@ -49,12 +46,8 @@ class Search {
 
 }  // namespace
 
-std::vector<UndefinedPart> undefined_parts(Mechanics& mechanics, ModelValues& values) {
-  for (int derivative = 0; derivative <= k_most_derivatives; ++derivative) {
-    auto found = Search(mechanics, values, derivative).run();
-    if (!found.empty()) return found;
-  }
-  return {};
+std::vector<UndefinedPart> undefined_parts(Mechanics& mechanics, ModelValues& values, int derivative) {
+  return Search(mechanics, values, derivative).run();
 }
 
 }  // namespace gaussgen

@@ -9,11 +9,10 @@ namespace gaussgen {
 struct UndefinedPart {
   support::Span span;  ///< the innermost part of the expression that is undefined
   std::string reason;
-  int derivative = 0;  ///< how often it has to be differentiated until it is
 };
 
-/// At what is bound in `values`; what merely uses a symbol that is not bound does not count. Expressions that have no value,
-/// or, if all have one, those whose first derivative along the motion has none, else those whose second has none.
-std::vector<UndefinedPart> undefined_parts(Mechanics& mechanics, ModelValues& values);
+/// Expressions without a value, or without the derivative along the motion that is asked for, at what is bound in `values`; what
+/// merely uses a symbol that is not bound does not count.
+std::vector<UndefinedPart> undefined_parts(Mechanics& mechanics, ModelValues& values, int derivative = 0);
 
 }  // namespace gaussgen
