@@ -166,7 +166,8 @@ Expression ExpressionWriter::sum(const Node& node) const {
     const Rational coefficient = item.coefficient / factor;
     const Rational size = cln::abs(coefficient);
     Expression term = item.node == nullptr ? literal(size) : scaled(size, *item.node);
-    terms.push_back(coefficient < 0 ? cpp::negated(std::move(term)) : std::move(term));
+    if (coefficient < 0) term = cpp::negated(std::move(term));
+    terms.push_back(std::move(term));
   }
   // -(-a + b) is a - b, and b comes first in -a + b.
   const auto is_negation = [](const Expression& term) { return term.kind == Expression::Kind::negation; };

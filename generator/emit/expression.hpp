@@ -36,8 +36,8 @@ class ExpressionWriter {
   cpp::Expression function(const ir::Node& node) const;
   cpp::Expression power(NodeId id) const;
   cpp::Expression sum(const ir::Node& node) const;
-  /// factor * node, factor positive
-  cpp::Expression scaled(const ir::Rational& factor, NodeId node) const;
+  /// factor * id, factor positive
+  cpp::Expression scaled(const ir::Rational& factor, NodeId id) const;
   void multiply(Fraction& fraction, NodeId factor) const;
   void divide(Fraction& fraction, NodeId divisor) const;
 

@@ -5,7 +5,7 @@
 namespace gaussgen::emit {
 
 std::string NameScope::allocate(const std::string& wanted) {
-  const std::string safe = mangled(wanted);
+  std::string safe = mangled(wanted);
   if (taken_.insert(safe).second) return safe;
   const std::string stem = safe.back() == '_' ? safe : safe + "_";
   for (int number = 2;; ++number) {
