@@ -21,8 +21,9 @@ cpp::Table quantity_table(const std::string& name, Rows rows) {
 
 cpp::Table member_table(const std::string& comment, const std::string& type, const std::string& name,
                         const std::vector<std::string>& members) {
+  const std::string scope = "&" + type + "<S>::";
   Rows rows;
-  for (const std::string& member : members) rows.push_back({cpp::atom("&" + type + "<S>::" + member)});
+  for (const std::string& member : members) rows.push_back({cpp::atom(scope + member)});
   rows.push_back({cpp::atom("nullptr")});
   return {comment, "S " + type + "<S>::*", name, std::move(rows), true};
 }
