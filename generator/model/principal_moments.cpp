@@ -34,7 +34,7 @@ void rotate(Matrix3& a, std::size_t p, std::size_t q) {
 
 std::array<double, 3> principal_moments(Matrix3 inertia) {
   for (int sweep = 0; sweep < k_most_sweeps; ++sweep) {
-    for (const std::size_t p : {0, 1}) {
+    for (const std::size_t p : {0U, 1U}) {
       for (std::size_t q = p + 1; q < 3; ++q) rotate(inertia, p, q);
     }
   }
