@@ -57,10 +57,13 @@ std::string to_text(const Rational& value) {
 }
 
 std::size_t hash(const Rational& value) {
+  constexpr std::size_t k_mix = 0x9E3779B97F4A7C15U;
   const Integer top = cln::numerator(value);
-  if (is_integer(value) && cln::abs(top) < INT_MAX)
-    return static_cast<std::size_t>(cln::cl_I_to_int(top)) * 0x9E3779B97F4A7C15U;
-  return std::hash<std::string>{}(to_text(value));
+  if (is_integer(value) && cln::abs(top) < INT_MAX) return static_cast<std::size_t>(cln::cl_I_to_int(top)) * k_mix;
+  // Linear in the digits, where writing them out would be quadratic.
+  const Integer prime = cln::minus1(cln::ash(Integer(1), 61));
+  const auto residue = [&](const Integer& part) { return cln::cl_I_to_ulong(cln::mod(part, prime)); };
+  return (residue(top) * k_mix) ^ residue(cln::denominator(value));
 }
 
 }  // namespace gaussgen::support
