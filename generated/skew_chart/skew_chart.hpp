@@ -548,23 +548,23 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S f_e = Q_e - bias_e + amplitude_frequency_2 * G_e_s * sin_frequency_t;
 
   // g = L D L^T
-  const S g_d_a = G_a_a - m1_over_9 * s_2;
-  const S inv_g_d_a = S(1) / g_d_a;
-  const S g_d_d = G_d_d - m2_2_over_25 * d_2 * inv_g_d_a * s_2;
-  const S inv_g_d_d = S(1) / g_d_d;
-  const S t2 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_d_a * s;
-  const S g_l_e_d = S(1) / S(5) * inv_g_d_d * t2;
-  const S g_d_e = G_e_e - G_a_e * G_a_e * inv_g_d_a - S(1) / S(5) * g_l_e_d * t2;
+  const S g_pivot_a = G_a_a - m1_over_9 * s_2;
+  const S inv_g_pivot_a = S(1) / g_pivot_a;
+  const S g_pivot_d = G_d_d - m2_2_over_25 * d_2 * inv_g_pivot_a * s_2;
+  const S inv_g_pivot_d = S(1) / g_pivot_d;
+  const S t2 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_pivot_a * s;
+  const S g_factor_e_d = S(1) / S(5) * inv_g_pivot_d * t2;
+  const S g_pivot_e = G_e_e - G_a_e * G_a_e * inv_g_pivot_a - S(1) / S(5) * g_factor_e_d * t2;
 
   // accelerations from dZ/da = 0 (1.15)
   const S a_y_a = f_a - S(1) / S(3) * f_b * s;
-  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_d_a * s;
-  const S a_y_e = f_e - G_a_e * a_y_a * inv_g_d_a - a_y_d * g_l_e_d;
-  const S inv_g_d_e = S(1) / g_d_e;
-  const S a_e = a_y_e * inv_g_d_e;
-  const S a_d = a_y_d * inv_g_d_d - a_y_e * inv_g_d_e * g_l_e_d;
-  const S a_a = m2_over_5 * d * a_d * inv_g_d_a * s - G_a_e * a_y_e * inv_g_d_a * inv_g_d_e
-      + a_y_a * inv_g_d_a;
+  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_pivot_a * s;
+  const S a_y_e = f_e - G_a_e * a_y_a * inv_g_pivot_a - a_y_d * g_factor_e_d;
+  const S inv_g_pivot_e = S(1) / g_pivot_e;
+  const S a_e = a_y_e * inv_g_pivot_e;
+  const S a_d = a_y_d * inv_g_pivot_d - a_y_e * g_factor_e_d * inv_g_pivot_e;
+  const S a_a = m2_over_5 * d * a_d * inv_g_pivot_a * s - G_a_e * a_y_e * inv_g_pivot_a * inv_g_pivot_e
+      + a_y_a * inv_g_pivot_a;
   const S a_b = inv_m1 * f_b - S(1) / S(3) * a_a * s;
   const S a_c = inv_m1 * f_c;
 
@@ -579,9 +579,9 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.d_ddot() = a_d;
   derivative.e_ddot() = a_e;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
-      Math<S>::at_most(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::at_most(g_d_e, rounding_m2),
-      Math<S>::at_most(m1, S(0)));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, S(20) * Math<S>::epsilon()
+      * G_a_a), Math<S>::at_most(g_pivot_d, S(20) * Math<S>::epsilon() * G_d_d),
+      Math<S>::at_most(g_pivot_e, rounding_m2), Math<S>::at_most(m1, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_a, a_b,
       a_c, a_d, a_e);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -669,22 +669,22 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S f_e = Q_e - bias_e + amplitude_frequency_2 * G_e_s * sin_frequency_t;
 
   // g = L D L^T
-  const S g_d_a = G_a_a - m1_over_9 * s_2;
-  const S inv_g_d_a = S(1) / g_d_a;
-  const S g_d_d = G_d_d - m2_2_over_25 * d_2 * inv_g_d_a * s_2;
-  const S inv_g_d_d = S(1) / g_d_d;
-  const S t2 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_d_a * s;
-  const S g_l_e_d = S(1) / S(5) * inv_g_d_d * t2;
-  const S g_d_e = G_e_e - G_a_e * G_a_e * inv_g_d_a - S(1) / S(5) * g_l_e_d * t2;
+  const S g_pivot_a = G_a_a - m1_over_9 * s_2;
+  const S inv_g_pivot_a = S(1) / g_pivot_a;
+  const S g_pivot_d = G_d_d - m2_2_over_25 * d_2 * inv_g_pivot_a * s_2;
+  const S inv_g_pivot_d = S(1) / g_pivot_d;
+  const S t2 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_pivot_a * s;
+  const S g_factor_e_d = S(1) / S(5) * inv_g_pivot_d * t2;
+  const S g_pivot_e = G_e_e - G_a_e * G_a_e * inv_g_pivot_a - S(1) / S(5) * g_factor_e_d * t2;
 
   // accelerations from dZ/da = 0 (1.15)
   const S a_y_a = f_a - S(1) / S(3) * f_b * s;
-  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_d_a * s;
-  const S a_y_e = f_e - G_a_e * a_y_a * inv_g_d_a - a_y_d * g_l_e_d;
-  const S inv_g_d_e = S(1) / g_d_e;
-  const S a_d = a_y_d * inv_g_d_d - a_y_e * inv_g_d_e * g_l_e_d;
-  const S a_a = m2_over_5 * d * a_d * inv_g_d_a * s - G_a_e * a_y_e * inv_g_d_a * inv_g_d_e
-      + a_y_a * inv_g_d_a;
+  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_pivot_a * s;
+  const S a_y_e = f_e - G_a_e * a_y_a * inv_g_pivot_a - a_y_d * g_factor_e_d;
+  const S inv_g_pivot_e = S(1) / g_pivot_e;
+  const S a_d = a_y_d * inv_g_pivot_d - a_y_e * g_factor_e_d * inv_g_pivot_e;
+  const S a_a = m2_over_5 * d * a_d * inv_g_pivot_a * s - G_a_e * a_y_e * inv_g_pivot_a * inv_g_pivot_e
+      + a_y_a * inv_g_pivot_a;
   const S a_b = inv_m1 * f_b - S(1) / S(3) * a_a * s;
 
   // reaction of s: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 16
@@ -694,13 +694,13 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S a_2 = a * a;
   const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
   const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + m1_over_3 * a * a_b
-      + G_a_s * a_a + G_d_s * a_d + G_e_s * a_y_e * inv_g_d_e - S(0.5) * f_c * s;
+      + G_a_s * a_a + G_d_s * a_d + G_e_s * a_y_e * inv_g_pivot_e - S(0.5) * f_c * s;
 
   reactions.s.generalized = R_s;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
-      Math<S>::at_most(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::at_most(g_d_e, rounding_m2),
-      Math<S>::at_most(m1, S(0)));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, S(20) * Math<S>::epsilon()
+      * G_a_a), Math<S>::at_most(g_pivot_d, S(20) * Math<S>::epsilon() * G_d_d),
+      Math<S>::at_most(g_pivot_e, rounding_m2), Math<S>::at_most(m1, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
@@ -788,23 +788,23 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S f_e = Q_e - bias_e + amplitude_frequency_2 * G_e_s * sin_frequency_t;
 
   // g = L D L^T
-  const S g_d_a = G_a_a - m1_over_9 * s_2;
-  const S inv_g_d_a = S(1) / g_d_a;
-  const S g_d_d = G_d_d - m2_2_over_25 * d_2 * inv_g_d_a * s_2;
-  const S inv_g_d_d = S(1) / g_d_d;
-  const S t2 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_d_a * s;
-  const S g_l_e_d = S(1) / S(5) * inv_g_d_d * t2;
-  const S g_d_e = G_e_e - G_a_e * G_a_e * inv_g_d_a - S(1) / S(5) * g_l_e_d * t2;
+  const S g_pivot_a = G_a_a - m1_over_9 * s_2;
+  const S inv_g_pivot_a = S(1) / g_pivot_a;
+  const S g_pivot_d = G_d_d - m2_2_over_25 * d_2 * inv_g_pivot_a * s_2;
+  const S inv_g_pivot_d = S(1) / g_pivot_d;
+  const S t2 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_pivot_a * s;
+  const S g_factor_e_d = S(1) / S(5) * inv_g_pivot_d * t2;
+  const S g_pivot_e = G_e_e - G_a_e * G_a_e * inv_g_pivot_a - S(1) / S(5) * g_factor_e_d * t2;
 
   // accelerations from dZ/da = 0 (1.15)
   const S a_y_a = f_a - S(1) / S(3) * f_b * s;
-  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_d_a * s;
-  const S a_y_e = f_e - G_a_e * a_y_a * inv_g_d_a - a_y_d * g_l_e_d;
-  const S inv_g_d_e = S(1) / g_d_e;
-  const S a_e = a_y_e * inv_g_d_e;
-  const S a_d = a_y_d * inv_g_d_d - a_y_e * inv_g_d_e * g_l_e_d;
-  const S a_a = m2_over_5 * d * a_d * inv_g_d_a * s - G_a_e * a_y_e * inv_g_d_a * inv_g_d_e
-      + a_y_a * inv_g_d_a;
+  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_pivot_a * s;
+  const S a_y_e = f_e - G_a_e * a_y_a * inv_g_pivot_a - a_y_d * g_factor_e_d;
+  const S inv_g_pivot_e = S(1) / g_pivot_e;
+  const S a_e = a_y_e * inv_g_pivot_e;
+  const S a_d = a_y_d * inv_g_pivot_d - a_y_e * g_factor_e_d * inv_g_pivot_e;
+  const S a_a = m2_over_5 * d * a_d * inv_g_pivot_a * s - G_a_e * a_y_e * inv_g_pivot_a * inv_g_pivot_e
+      + a_y_a * inv_g_pivot_a;
   const S a_b = inv_m1 * f_b - S(1) / S(3) * a_a * s;
   const S a_c = inv_m1 * f_c;
 
@@ -815,7 +815,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S a_2 = a * a;
   const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
   const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + m1_over_3 * a * a_b
-      + G_a_s * a_a + G_d_s * a_d + G_e_s * a_y_e * inv_g_d_e - S(0.5) * f_c * s;
+      + G_a_s * a_a + G_d_s * a_d + G_e_s * a_y_e * inv_g_pivot_e - S(0.5) * f_c * s;
 
   derivative.a_dot() = a_dot;
   derivative.b_dot() = b_dot;
@@ -829,9 +829,9 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   derivative.e_ddot() = a_e;
   reactions.s.generalized = R_s;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
-      Math<S>::at_most(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::at_most(g_d_e, rounding_m2),
-      Math<S>::at_most(m1, S(0)));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, S(20) * Math<S>::epsilon()
+      * G_a_a), Math<S>::at_most(g_pivot_d, S(20) * Math<S>::epsilon() * G_d_d),
+      Math<S>::at_most(g_pivot_e, rounding_m2), Math<S>::at_most(m1, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_a, a_b,
       a_c, a_d, a_e, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -926,23 +926,23 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S f_e = Q_e - bias_e + amplitude_frequency_2 * G_e_s * sin_frequency_t;
 
   // g = L D L^T
-  const S g_d_a = G_a_a - m1_over_9 * s_2;
-  const S inv_g_d_a = S(1) / g_d_a;
-  const S g_d_d = G_d_d - m2_2_over_25 * d_2 * inv_g_d_a * s_2;
-  const S inv_g_d_d = S(1) / g_d_d;
-  const S t3 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_d_a * s;
-  const S g_l_e_d = S(1) / S(5) * inv_g_d_d * t3;
-  const S g_d_e = G_e_e - G_a_e * G_a_e * inv_g_d_a - S(1) / S(5) * g_l_e_d * t3;
+  const S g_pivot_a = G_a_a - m1_over_9 * s_2;
+  const S inv_g_pivot_a = S(1) / g_pivot_a;
+  const S g_pivot_d = G_d_d - m2_2_over_25 * d_2 * inv_g_pivot_a * s_2;
+  const S inv_g_pivot_d = S(1) / g_pivot_d;
+  const S t3 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_pivot_a * s;
+  const S g_factor_e_d = S(1) / S(5) * inv_g_pivot_d * t3;
+  const S g_pivot_e = G_e_e - G_a_e * G_a_e * inv_g_pivot_a - S(1) / S(5) * g_factor_e_d * t3;
 
   // accelerations from dZ/da = 0 (1.15)
   const S a_y_a = f_a - S(1) / S(3) * f_b * s;
-  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_d_a * s;
-  const S a_y_e = f_e - G_a_e * a_y_a * inv_g_d_a - a_y_d * g_l_e_d;
-  const S inv_g_d_e = S(1) / g_d_e;
-  const S a_e = a_y_e * inv_g_d_e;
-  const S a_d = a_y_d * inv_g_d_d - a_y_e * inv_g_d_e * g_l_e_d;
-  const S a_a = m2_over_5 * d * a_d * inv_g_d_a * s - G_a_e * a_y_e * inv_g_d_a * inv_g_d_e
-      + a_y_a * inv_g_d_a;
+  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_pivot_a * s;
+  const S a_y_e = f_e - G_a_e * a_y_a * inv_g_pivot_a - a_y_d * g_factor_e_d;
+  const S inv_g_pivot_e = S(1) / g_pivot_e;
+  const S a_e = a_y_e * inv_g_pivot_e;
+  const S a_d = a_y_d * inv_g_pivot_d - a_y_e * g_factor_e_d * inv_g_pivot_e;
+  const S a_a = m2_over_5 * d * a_d * inv_g_pivot_a * s - G_a_e * a_y_e * inv_g_pivot_a * inv_g_pivot_e
+      + a_y_a * inv_g_pivot_a;
   const S a_a_s = a_a * s;
   const S a_b = inv_m1 * f_b - S(1) / S(3) * a_a_s;
   const S a_c = inv_m1 * f_c;
@@ -954,50 +954,50 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S a_2 = a * a;
   const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
   const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + m1_over_3 * a * a_b
-      + G_a_s * a_a + G_d_s * a_d + G_e_s * a_y_e * inv_g_d_e - S(0.5) * f_c * s;
+      + G_a_s * a_a + G_d_s * a_d + G_e_s * a_y_e * inv_g_pivot_e - S(0.5) * f_c * s;
 
   // metric G_AB of released coordinates = L D L^T
   const S t4 = S(9) * G_a_s - m1 * a * s;
-  const S G_l_s_a = S(1) / S(9) * inv_g_d_a * t4;
-  const S t5 = S(5) * G_d_s + m2 * d * G_l_s_a * s;
-  const S G_l_s_d = S(1) / S(5) * inv_g_d_d * t5;
-  const S t6 = S(5) * G_a_e * G_l_s_a - S(5) * G_e_s + G_l_s_d * t3;
-  const S G_l_s_e = -S(1) / S(5) * inv_g_d_e * t6;
-  const S G_d_s_2 = G_s_s - m1_over_9 * a_2 - m1_over_4 * s_2 - S(1) / S(9) * G_l_s_a * t4
-      - S(1) / S(5) * G_l_s_d * t5 + S(1) / S(5) * G_l_s_e * t6;
+  const S G_factor_s_a = S(1) / S(9) * inv_g_pivot_a * t4;
+  const S t5 = S(5) * G_d_s + m2 * d * G_factor_s_a * s;
+  const S G_factor_s_d = S(1) / S(5) * inv_g_pivot_d * t5;
+  const S t6 = S(5) * G_a_e * G_factor_s_a - S(5) * G_e_s + G_factor_s_d * t3;
+  const S G_factor_s_e = -S(1) / S(5) * inv_g_pivot_e * t6;
+  const S G_pivot_s = G_s_s - m1_over_9 * a_2 - m1_over_4 * s_2 - S(1) / S(9) * G_factor_s_a * t4
+      - S(1) / S(5) * G_factor_s_d * t5 + S(1) / S(5) * G_factor_s_e * t6;
 
   // direction z of s in the metric: G z = its covariant components
-  const S z_s_s = S(1) / G_d_s_2;
-  const S z_s_d = z_s_s * G_l_s_e * g_l_e_d - z_s_s * G_l_s_d;
-  const S z_s_a = m2_over_5 * d * inv_g_d_a * s * z_s_d + G_a_e * z_s_s * G_l_s_e * inv_g_d_a
-      - z_s_s * G_l_s_a;
-  const S a_over_G_d_s_2 = a * z_s_s;
+  const S z_s_s = S(1) / G_pivot_s;
+  const S z_s_d = G_factor_s_e * z_s_s * g_factor_e_d - G_factor_s_d * z_s_s;
+  const S z_s_a = m2_over_5 * d * inv_g_pivot_a * s * z_s_d + G_a_e * G_factor_s_e * z_s_s * inv_g_pivot_a
+      - G_factor_s_a * z_s_s;
+  const S a_over_G_pivot_s = a * z_s_s;
   const S s_z_s_a = s * z_s_a;
-  const S z_s_b = -S(1) / S(3) * (a_over_G_d_s_2 + s_z_s_a);
+  const S z_s_b = -S(1) / S(3) * (a_over_G_pivot_s + s_z_s_a);
 
   // force and moment of s: m J z and I W z, times its reaction, model line 16
   const S force_s_first_x = half_m1 * R_s * (S(2) * z_s_s + z_s_a);
-  const S force_s_first_y = m1_over_3 * R_s * (S(3) * z_s_b + a_over_G_d_s_2 + s_z_s_a);
+  const S force_s_first_y = m1_over_3 * R_s * (S(3) * z_s_b + a_over_G_pivot_s + s_z_s_a);
   const S force_s_second_x = m2_over_3 * R_s * (z_s_s + S(3) * z_s_d);
-  const S G_l_s_e_over_G_d_s_2 = z_s_s * G_l_s_e;
+  const S t7 = G_factor_s_e * z_s_s;
   const S force_s_second_y = -m2_over_10 * R_s
-      * (S(5) * a_over_G_d_s_2 - S(4) * d * z_s_d + S(10) * G_l_s_e_over_G_d_s_2 + S(5) * s_z_s_a);
-  const S force_s_second_z = half_m2 * R_s * (S(2) * z_s_s + S(2) * z_s_a - G_l_s_e_over_G_d_s_2);
+      * (S(5) * a_over_G_pivot_s - S(4) * d * z_s_d + S(10) * t7 + S(5) * s_z_s_a);
+  const S force_s_second_z = half_m2 * R_s * (S(2) * z_s_s + S(2) * z_s_a - t7);
 
   // all constraint forces on first: m a - F and d(I omega)/dt - M (theory.md, section 4)
-  const S t7 = amplitude_frequency_2 * sin_frequency_t;
-  const S force_on_first_x = half_m1 * (a_a - S(2) * t7);
-  const S t8 = amplitude_frequency_2 * a * sin_frequency_t;
-  const S force_on_first_y = m1_over_3 * (S(3) * a_b + S(2) * t1 - t8 + a_a_s);
+  const S t8 = amplitude_frequency_2 * sin_frequency_t;
+  const S force_on_first_x = half_m1 * (a_a - S(2) * t8);
+  const S t9 = amplitude_frequency_2 * a * sin_frequency_t;
+  const S force_on_first_y = m1_over_3 * (S(3) * a_b + S(2) * t1 - t9 + a_a_s);
   const S force_on_first_z = m1_g + half_m1
       * (amplitude_frequency_2 * s * sin_frequency_t + S(2) * a_c
       - amplitude_2_frequency_2 * cos_frequency_t_2);
 
   // all constraint forces on second: m a - F and d(I omega)/dt - M (theory.md, section 4)
-  const S force_on_second_x = m2_over_3 * (S(3) * a_d - t7);
-  const S force_on_second_y = m2_over_10 * (S(4) * d_dot_2 - S(10) * t1 + S(5) * t8 + S(4) * d * a_d
+  const S force_on_second_x = m2_over_3 * (S(3) * a_d - t8);
+  const S force_on_second_y = m2_over_10 * (S(4) * d_dot_2 - S(10) * t1 + S(5) * t9 + S(4) * d * a_d
       - S(5) * a_a_s + S(10) * a_e);
-  const S force_on_second_z = m2_g + half_m2 * (S(2) * a_a - S(2) * t7 + a_e);
+  const S force_on_second_z = m2_g + half_m2 * (S(2) * a_a - S(2) * t8 + a_e);
 
   reaction_forces.s.force_on_first[0] = force_s_first_x;
   reaction_forces.s.force_on_first[1] = force_s_first_y;
@@ -1012,9 +1012,9 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_second.force[1] = force_on_second_y;
   reaction_forces.on_second.force[2] = force_on_second_z;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_d_a, S(20) * Math<S>::epsilon() * G_a_a),
-      Math<S>::at_most(g_d_d, S(20) * Math<S>::epsilon() * G_d_d), Math<S>::at_most(g_d_e, rounding_m2),
-      Math<S>::at_most(m1, S(0)));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, S(20) * Math<S>::epsilon()
+      * G_a_a), Math<S>::at_most(g_pivot_d, S(20) * Math<S>::epsilon() * G_d_d),
+      Math<S>::at_most(g_pivot_e, rounding_m2), Math<S>::at_most(m1, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot,
       force_s_first_x, force_s_first_y, force_s_second_x, force_s_second_y, force_s_second_z,
       force_on_first_x, force_on_first_y, force_on_first_z, force_on_second_x, force_on_second_y,
@@ -1144,46 +1144,46 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S G_a_e = half_m2 * (S(1) - s);
 
   // g = L D L^T
-  const S g_d_a = G_a_a - m1_over_9 * s_2;
-  const S inv_g_d_a = S(1) / g_d_a;
-  const S g_d_d = G_d_d - m2_2_over_25 * d_2 * inv_g_d_a * s_2;
-  const S inv_g_d_d = S(1) / g_d_d;
-  const S t1 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_d_a * s;
-  const S g_l_e_d = S(1) / S(5) * inv_g_d_d * t1;
-  const S g_d_e = G_e_e - G_a_e * G_a_e * inv_g_d_a - S(1) / S(5) * g_l_e_d * t1;
+  const S g_pivot_a = G_a_a - m1_over_9 * s_2;
+  const S inv_g_pivot_a = S(1) / g_pivot_a;
+  const S g_pivot_d = G_d_d - m2_2_over_25 * d_2 * inv_g_pivot_a * s_2;
+  const S inv_g_pivot_d = S(1) / g_pivot_d;
+  const S t1 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_pivot_a * s;
+  const S g_factor_e_d = S(1) / S(5) * inv_g_pivot_d * t1;
+  const S g_pivot_e = G_e_e - G_a_e * G_a_e * inv_g_pivot_a - S(1) / S(5) * g_factor_e_d * t1;
 
   // metric G_AB of released coordinates = L D L^T
   const S a_s = a * s;
   const S G_a_s = m1_over_18 * (S(9) + S(2) * a_s) + m2_over_4 * (S(4) + a_s);
   const S t2 = S(9) * G_a_s - m1 * a * s;
-  const S G_l_s_a = S(1) / S(9) * inv_g_d_a * t2;
+  const S G_factor_s_a = S(1) / S(9) * inv_g_pivot_a * t2;
   const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
-  const S t3 = S(5) * G_d_s + m2 * d * G_l_s_a * s;
-  const S G_l_s_d = S(1) / S(5) * inv_g_d_d * t3;
-  const S inv_g_d_e = S(1) / g_d_e;
+  const S t3 = S(5) * G_d_s + m2 * d * G_factor_s_a * s;
+  const S G_factor_s_d = S(1) / S(5) * inv_g_pivot_d * t3;
+  const S inv_g_pivot_e = S(1) / g_pivot_e;
   const S G_e_s = half_m2 * (S(1) - a);
-  const S t4 = S(5) * G_a_e * G_l_s_a - S(5) * G_e_s + G_l_s_d * t1;
-  const S G_l_s_e = -S(1) / S(5) * inv_g_d_e * t4;
+  const S t4 = S(5) * G_a_e * G_factor_s_a - S(5) * G_e_s + G_factor_s_d * t1;
+  const S G_factor_s_e = -S(1) / S(5) * inv_g_pivot_e * t4;
   const S a_2 = a * a;
   const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
-  const S G_d_s_2 = G_s_s - m1_over_9 * a_2 - m1_over_4 * s_2 - S(1) / S(9) * G_l_s_a * t2
-      - S(1) / S(5) * G_l_s_d * t3 + S(1) / S(5) * G_l_s_e * t4;
+  const S G_pivot_s = G_s_s - m1_over_9 * a_2 - m1_over_4 * s_2 - S(1) / S(9) * G_factor_s_a * t2
+      - S(1) / S(5) * G_factor_s_d * t3 + S(1) / S(5) * G_factor_s_e * t4;
 
   // generalized forces, raised: G z = Q
   const S k_d_minus_s = k * (d - s);
   const S k_a_minus_e = k * (a - e);
-  const S z_y_d = -k_d_minus_s - m2_over_5 * d * inv_g_d_a * s * k_a_minus_e;
-  const S z_y_e = k_a_minus_e + G_a_e * inv_g_d_a * k_a_minus_e - g_l_e_d * z_y_d;
-  const S z_y_s = k_d_minus_s + G_l_s_a * k_a_minus_e - G_l_s_d * z_y_d - G_l_s_e * z_y_e;
-  const S z_s_s = S(1) / G_d_s_2;
+  const S z_y_d = -k_d_minus_s - m2_over_5 * d * inv_g_pivot_a * s * k_a_minus_e;
+  const S z_y_e = k_a_minus_e + G_a_e * inv_g_pivot_a * k_a_minus_e - g_factor_e_d * z_y_d;
+  const S z_y_s = k_d_minus_s + G_factor_s_a * k_a_minus_e - G_factor_s_d * z_y_d - G_factor_s_e * z_y_e;
+  const S z_s_s = S(1) / G_pivot_s;
   const S z_s = z_s_s * z_y_s;
-  const S z_e = inv_g_d_e * z_y_e - z_s_s * G_l_s_e * z_y_s;
-  const S z_d = inv_g_d_d * z_y_d - z_s_s * G_l_s_d * z_y_s - g_l_e_d * z_e;
-  const S z_a = m2_over_5 * d * inv_g_d_a * s * z_d - G_a_e * inv_g_d_a * z_e - z_s_s * G_l_s_a * z_y_s
-      - inv_g_d_a * k_a_minus_e;
-  const S a_z_y_s_over_G_d_s_2 = a * z_s_s * z_y_s;
+  const S z_e = inv_g_pivot_e * z_y_e - G_factor_s_e * z_s_s * z_y_s;
+  const S z_d = inv_g_pivot_d * z_y_d - G_factor_s_d * z_s_s * z_y_s - g_factor_e_d * z_e;
+  const S z_a = m2_over_5 * d * inv_g_pivot_a * s * z_d - G_a_e * inv_g_pivot_a * z_e
+      - G_factor_s_a * z_s_s * z_y_s - inv_g_pivot_a * k_a_minus_e;
+  const S a_z_y_s_over_G_pivot_s = a * z_s_s * z_y_s;
   const S s_z_a = s * z_a;
-  const S z_b = -S(1) / S(3) * (a_z_y_s_over_G_d_s_2 + s_z_a);
+  const S z_b = -S(1) / S(3) * (a_z_y_s_over_G_pivot_s + s_z_a);
 
   // deviation of first from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
   const S t5 = amplitude_frequency_2 * sin_frequency_t;
@@ -1192,7 +1192,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S t7 = amplitude_frequency_2 * a * sin_frequency_t;
   const S a_ddot_s = a_ddot * s;
   const S deviation_first_y = m1_over_3 * (S(3) * b_ddot + S(2) * t6 - t7 + a_ddot_s)
-      - m1_over_3 * (S(3) * z_b + a_z_y_s_over_G_d_s_2 + s_z_a);
+      - m1_over_3 * (S(3) * z_b + a_z_y_s_over_G_pivot_s + s_z_a);
   const S deviation_first_z = m1_g + half_m1
       * (S(2) * c_ddot + amplitude_frequency_2 * s * sin_frequency_t
       - amplitude_2_frequency_2 * cos_frequency_t * cos_frequency_t);
@@ -1201,7 +1201,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S deviation_second_x = m2_over_3 * (S(3) * d_ddot - t5) - m2_over_3 * (S(3) * z_d + z_s);
   const S deviation_second_y = m2_over_10 * (S(4) * d_dot * d_dot + S(10) * e_ddot - S(10) * t6 + S(5) * t7
       + S(4) * d * d_ddot - S(5) * a_ddot_s)
-      - m2_over_10 * (S(10) * z_e - S(5) * a_z_y_s_over_G_d_s_2 + S(4) * d * z_d - S(5) * s_z_a);
+      - m2_over_10 * (S(10) * z_e - S(5) * a_z_y_s_over_G_pivot_s + S(4) * d * z_d - S(5) * s_z_a);
   const S deviation_second_z = m2_g + half_m2 * (S(2) * a_ddot + e_ddot - S(2) * t5)
       - half_m2 * (S(2) * z_a + z_e + S(2) * z_s);
 

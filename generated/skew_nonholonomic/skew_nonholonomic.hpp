@@ -259,45 +259,45 @@ template <class S>
 struct Prepared {
   S m1;
   S m2;
-  S G_q2_q2;       ///< 401 / 400 * m1 + 1.25 * m2
-  S Q_q2;          ///< -(1 / 20 * m1 * g + 0.5 * m2 * g)
-  S G_q1_q2;       ///< 2 / 15 * m1 + 3 / 5 * m2
-  S m2_g;          ///< m2 * g
-  S G_q1_q1;       ///< 229 / 225 * m1 + 21 / 20 * m2
-  S m1_over_10;    ///< 1 / 10 * m1
-  S G_q3_q3;       ///< m1 + m2
-  S G_q1_q3;       ///< 1 / 5 * m2
-  S G_q2_q3;       ///< 1 / 20 * m1
-  S m1_g;          ///< m1 * g
-  S m1_over_90;    ///< 1 / 90 * m1
-  S c1;            ///< 11 / 10 * m2
-  S m1_over_3;     ///< 1 / 3 * m1
-  S c2;            ///< 1.5 * m2
-  S m2_over_60;    ///< 1 / 60 * m2
-  S c3;            ///< 2 / 15 * m1
-  S m1_over_80;    ///< 1 / 80 * m1
-  S half_m2;       ///< 0.5 * m2
-  S m1_over_4;     ///< 0.25 * m1
-  S m2_over_3;     ///< 1 / 3 * m2
-  S m1_g_over_4;   ///< 0.25 * m1 * g
-  S m1_over_15;    ///< 1 / 15 * m1
-  S m2_over_10;    ///< 1 / 10 * m2
-  S m1_over_7200;  ///< 1 / 7200 * m1
-  S m2_over_40;    ///< 1 / 40 * m2
-  S m1_g_over_20;  ///< 1 / 20 * m1 * g
-  S m2_g_over_10;  ///< 1 / 10 * m2 * g
-  S m1_2;          ///< m1^2
-  S half_inv_m1;   ///< 0.5 / m1
-  S half_inv_m2;   ///< 0.5 / m2
-  S g_l_q2_q1;     ///< (2 / 15 * m1 + 3 / 5 * m2) / (229 / 225 * m1 + 21 / 20 * m2)
-  S g_l_q3_q2;
-  S g_l_q3_q1;     ///< 1 / 5 * m2 / (229 / 225 * m1 + 21 / 20 * m2)
-  S inv_G_q1_q1;   ///< 1 / (229 / 225 * m1 + 21 / 20 * m2)
-  S inv_g_d_q2;
-  S g_l_q3_q2_over_g_d_q3;
+  S G_q2_q2;         ///< 401 / 400 * m1 + 1.25 * m2
+  S Q_q2;            ///< -(1 / 20 * m1 * g + 0.5 * m2 * g)
+  S G_q1_q2;         ///< 2 / 15 * m1 + 3 / 5 * m2
+  S m2_g;            ///< m2 * g
+  S G_q1_q1;         ///< 229 / 225 * m1 + 21 / 20 * m2
+  S m1_over_10;      ///< 1 / 10 * m1
+  S G_q3_q3;         ///< m1 + m2
+  S G_q1_q3;         ///< 1 / 5 * m2
+  S G_q2_q3;         ///< 1 / 20 * m1
+  S m1_g;            ///< m1 * g
+  S m1_over_90;      ///< 1 / 90 * m1
+  S c1;              ///< 11 / 10 * m2
+  S m1_over_3;       ///< 1 / 3 * m1
+  S c2;              ///< 1.5 * m2
+  S m2_over_60;      ///< 1 / 60 * m2
+  S c3;              ///< 2 / 15 * m1
+  S m1_over_80;      ///< 1 / 80 * m1
+  S half_m2;         ///< 0.5 * m2
+  S m1_over_4;       ///< 0.25 * m1
+  S m2_over_3;       ///< 1 / 3 * m2
+  S m1_g_over_4;     ///< 0.25 * m1 * g
+  S m1_over_15;      ///< 1 / 15 * m1
+  S m2_over_10;      ///< 1 / 10 * m2
+  S m1_over_7200;    ///< 1 / 7200 * m1
+  S m2_over_40;      ///< 1 / 40 * m2
+  S m1_g_over_20;    ///< 1 / 20 * m1 * g
+  S m2_g_over_10;    ///< 1 / 10 * m2 * g
+  S m1_2;            ///< m1^2
+  S half_inv_m1;     ///< 0.5 / m1
+  S half_inv_m2;     ///< 0.5 / m2
+  S g_factor_q2_q1;  ///< (2 / 15 * m1 + 3 / 5 * m2) / (229 / 225 * m1 + 21 / 20 * m2)
+  S g_factor_q3_q2;
+  S g_factor_q3_q1;  ///< 1 / 5 * m2 / (229 / 225 * m1 + 21 / 20 * m2)
+  S inv_G_q1_q1;     ///< 1 / (229 / 225 * m1 + 21 / 20 * m2)
   S c4;
-  S inv_g_d_q3;
-  S least_g_d;
+  S inv_g_pivot_q2;
+  S c5;
+  S inv_g_pivot_q3;
+  S least_g_pivot;
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -408,18 +408,18 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S G_q1_q3 = S(1) / S(5) * m2;
   const S G_q2_q3 = S(1) / S(20) * m1;
   const S inv_G_q1_q1 = S(1) / G_q1_q1;
-  const S g_l_q2_q1 = inv_G_q1_q1 * G_q1_q2;
-  const S g_d_q2 = G_q2_q2 - inv_G_q1_q1 * G_q1_q2 * G_q1_q2;
-  const S inv_g_d_q2 = S(1) / g_d_q2;
+  const S g_factor_q2_q1 = inv_G_q1_q1 * G_q1_q2;
+  const S g_pivot_q2 = G_q2_q2 - inv_G_q1_q1 * G_q1_q2 * G_q1_q2;
+  const S inv_g_pivot_q2 = S(1) / g_pivot_q2;
   const S t1 = m1 - S(4) * m2 * inv_G_q1_q1 * G_q1_q2;
-  const S g_l_q3_q2 = S(1) / S(20) * inv_g_d_q2 * t1;
-  const S g_l_q3_q1 = S(1) / S(5) * m2 * inv_G_q1_q1;
-  const S g_d_q3 = G_q3_q3 - S(1) / S(25) * m2 * m2 * inv_G_q1_q1 - S(1) / S(20) * g_l_q3_q2 * t1;
-  const S inv_g_d_q3 = S(1) / g_d_q3;
-  const S t2 = g_d_q3 - S(12) * Math<S>::epsilon() * G_q3_q3;
-  const S t3 = g_d_q2 - S(12) * Math<S>::epsilon() * G_q2_q2;
+  const S g_factor_q3_q2 = S(1) / S(20) * inv_g_pivot_q2 * t1;
+  const S g_factor_q3_q1 = S(1) / S(5) * m2 * inv_G_q1_q1;
+  const S g_pivot_q3 = G_q3_q3 - S(1) / S(25) * m2 * m2 * inv_G_q1_q1 - S(1) / S(20) * g_factor_q3_q2 * t1;
+  const S inv_g_pivot_q3 = S(1) / g_pivot_q3;
+  const S t2 = g_pivot_q3 - S(12) * Math<S>::epsilon() * G_q3_q3;
+  const S t3 = g_pivot_q2 - S(12) * Math<S>::epsilon() * G_q2_q2;
   const S t4 = Math<S>::select(Math<S>::less(t3, G_q1_q1), t3, G_q1_q1);
-  const S least_g_d = Math<S>::select(Math<S>::less(t2, t4), t2, t4);
+  const S least_g_pivot = Math<S>::select(Math<S>::less(t2, t4), t2, t4);
 
   Prepared<S> prepared;
   prepared.m1 = m1;
@@ -454,15 +454,15 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.m1_2 = m1 * m1;
   prepared.half_inv_m1 = S(0.5) / m1;
   prepared.half_inv_m2 = S(0.5) / m2;
-  prepared.g_l_q2_q1 = g_l_q2_q1;
-  prepared.g_l_q3_q2 = g_l_q3_q2;
-  prepared.g_l_q3_q1 = g_l_q3_q1;
+  prepared.g_factor_q2_q1 = g_factor_q2_q1;
+  prepared.g_factor_q3_q2 = g_factor_q3_q2;
+  prepared.g_factor_q3_q1 = g_factor_q3_q1;
   prepared.inv_G_q1_q1 = inv_G_q1_q1;
-  prepared.inv_g_d_q2 = inv_g_d_q2;
-  prepared.g_l_q3_q2_over_g_d_q3 = inv_g_d_q3 * g_l_q3_q2;
-  prepared.c4 = S(1) / S(5) * m2 * inv_G_q1_q1 * inv_g_d_q3;
-  prepared.inv_g_d_q3 = inv_g_d_q3;
-  prepared.least_g_d = least_g_d;
+  prepared.c4 = g_factor_q3_q2 * inv_g_pivot_q3;
+  prepared.inv_g_pivot_q2 = inv_g_pivot_q2;
+  prepared.c5 = S(1) / S(5) * m2 * inv_G_q1_q1 * inv_g_pivot_q3;
+  prepared.inv_g_pivot_q3 = inv_g_pivot_q3;
+  prepared.least_g_pivot = least_g_pivot;
   return prepared;
 }
 
@@ -506,16 +506,16 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
-  const S M_d_q3 = M_q3_q3 - inv_M_q1_q1 * M_q1_q3 * M_q1_q3;
+  const S M_pivot_q3 = M_q3_q3 - inv_M_q1_q1 * M_q1_q3 * M_q1_q3;
 
   // independent accelerations (3.7)
   const S a_y_q3 = F_q3 - F_q1 * inv_M_q1_q1 * M_q1_q3;
-  const S inv_M_d_q3 = S(1) / M_d_q3;
-  const S a_q3 = inv_M_d_q3 * a_y_q3;
-  const S a_q1 = F_q1 * inv_M_q1_q1 - inv_M_d_q3 * inv_M_q1_q1 * M_q1_q3 * a_y_q3;
+  const S inv_M_pivot_q3 = S(1) / M_pivot_q3;
+  const S a_q3 = inv_M_pivot_q3 * a_y_q3;
+  const S a_q1 = F_q1 * inv_M_q1_q1 - inv_M_pivot_q3 * inv_M_q1_q1 * M_q1_q3 * a_y_q3;
 
   // dependent accelerations (3.6)
-  const S a_q2 = drift_blade + q2 * a_q1 + inv_M_d_q3 * a_y_q3 * beta_blade_q3;
+  const S a_q2 = drift_blade + q2 * a_q1 + inv_M_pivot_q3 * a_y_q3 * beta_blade_q3;
 
   derivative.q1_dot() = q1_dot;
   derivative.q2_dot() = q2_dot;
@@ -525,7 +525,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.q3_ddot() = a_q3;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
   const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, a_q1, a_q2, a_q3);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
@@ -581,18 +581,18 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
-  const S M_d_q3 = M_q3_q3 - inv_M_q1_q1 * M_q1_q3 * M_q1_q3;
+  const S M_pivot_q3 = M_q3_q3 - inv_M_q1_q1 * M_q1_q3 * M_q1_q3;
 
   // independent accelerations (3.7)
   const S a_y_q3 = F_q3 - F_q1 * inv_M_q1_q1 * M_q1_q3;
-  const S inv_M_d_q3 = S(1) / M_d_q3;
-  const S a_q1 = F_q1 * inv_M_q1_q1 - inv_M_d_q3 * inv_M_q1_q1 * M_q1_q3 * a_y_q3;
+  const S inv_M_pivot_q3 = S(1) / M_pivot_q3;
+  const S a_q1 = F_q1 * inv_M_q1_q1 - inv_M_pivot_q3 * inv_M_q1_q1 * M_q1_q3 * a_y_q3;
 
   // dependent accelerations (3.6)
-  const S a_q2 = drift_blade + q2 * a_q1 + inv_M_d_q3 * a_y_q3 * beta_blade_q3;
+  const S a_q2 = drift_blade + q2 * a_q1 + inv_M_pivot_q3 * a_y_q3 * beta_blade_q3;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
-  const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * inv_M_d_q3 * a_y_q3;
+  const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * inv_M_pivot_q3 * a_y_q3;
   const S lambda_blade = -excess_q2;
 
   // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 13
@@ -605,7 +605,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S G_q2_x2 = m1_over_80 * (S(80) - q2) - half_m2 * q1;
   const S G_q3_x2 = m2_over_3 - m1_over_4 * q2;
   const S R_x2 = S(7) / S(10) * excess_q2 - m1_g_over_4 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
-      + G_q3_x2 * inv_M_d_q3 * a_y_q3;
+      + G_q3_x2 * inv_M_pivot_q3 * a_y_q3;
 
   // Results
   const S blade_generalized_0 = -q2 * excess_q2;
@@ -619,7 +619,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   reactions.x2.generalized = R_x2;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
   const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, lambda_blade,
       blade_generalized_0, excess_q2, blade_generalized_2, R_x1, R_x2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -677,19 +677,19 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
-  const S M_d_q3 = M_q3_q3 - inv_M_q1_q1 * M_q1_q3 * M_q1_q3;
+  const S M_pivot_q3 = M_q3_q3 - inv_M_q1_q1 * M_q1_q3 * M_q1_q3;
 
   // independent accelerations (3.7)
   const S a_y_q3 = F_q3 - F_q1 * inv_M_q1_q1 * M_q1_q3;
-  const S inv_M_d_q3 = S(1) / M_d_q3;
-  const S a_q3 = inv_M_d_q3 * a_y_q3;
-  const S a_q1 = F_q1 * inv_M_q1_q1 - inv_M_d_q3 * inv_M_q1_q1 * M_q1_q3 * a_y_q3;
+  const S inv_M_pivot_q3 = S(1) / M_pivot_q3;
+  const S a_q3 = inv_M_pivot_q3 * a_y_q3;
+  const S a_q1 = F_q1 * inv_M_q1_q1 - inv_M_pivot_q3 * inv_M_q1_q1 * M_q1_q3 * a_y_q3;
 
   // dependent accelerations (3.6)
-  const S a_q2 = drift_blade + q2 * a_q1 + inv_M_d_q3 * a_y_q3 * beta_blade_q3;
+  const S a_q2 = drift_blade + q2 * a_q1 + inv_M_pivot_q3 * a_y_q3 * beta_blade_q3;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
-  const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * inv_M_d_q3 * a_y_q3;
+  const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * inv_M_pivot_q3 * a_y_q3;
   const S lambda_blade = -excess_q2;
 
   // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 13
@@ -702,7 +702,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S G_q2_x2 = m1_over_80 * (S(80) - q2) - half_m2 * q1;
   const S G_q3_x2 = m2_over_3 - m1_over_4 * q2;
   const S R_x2 = S(7) / S(10) * excess_q2 - m1_g_over_4 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
-      + G_q3_x2 * inv_M_d_q3 * a_y_q3;
+      + G_q3_x2 * inv_M_pivot_q3 * a_y_q3;
 
   // Results
   const S blade_generalized_0 = -q2 * excess_q2;
@@ -722,7 +722,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   reactions.x2.generalized = R_x2;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
   const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, a_q1, a_q2, a_q3,
       lambda_blade, blade_generalized_0, excess_q2, blade_generalized_2, R_x1, R_x2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -774,16 +774,16 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
-  const S M_d_q3 = M_q3_q3 - inv_M_q1_q1 * M_q1_q3 * M_q1_q3;
+  const S M_pivot_q3 = M_q3_q3 - inv_M_q1_q1 * M_q1_q3 * M_q1_q3;
 
   // independent accelerations (3.7)
   const S a_y_q3 = F_q3 - F_q1 * inv_M_q1_q1 * M_q1_q3;
-  const S inv_M_d_q3 = S(1) / M_d_q3;
-  const S a_q3 = inv_M_d_q3 * a_y_q3;
-  const S a_q1 = F_q1 * inv_M_q1_q1 - inv_M_d_q3 * inv_M_q1_q1 * M_q1_q3 * a_y_q3;
+  const S inv_M_pivot_q3 = S(1) / M_pivot_q3;
+  const S a_q3 = inv_M_pivot_q3 * a_y_q3;
+  const S a_q1 = F_q1 * inv_M_q1_q1 - inv_M_pivot_q3 * inv_M_q1_q1 * M_q1_q3 * a_y_q3;
 
   // dependent accelerations (3.6)
-  const S a_q2 = drift_blade + q2 * a_q1 + inv_M_d_q3 * a_y_q3 * beta_blade_q3;
+  const S a_q2 = drift_blade + q2 * a_q1 + inv_M_pivot_q3 * a_y_q3 * beta_blade_q3;
 
   // all constraint forces on first: m a - F and d(I omega)/dt - M (theory.md, section 4)
   const S force_on_first_x = m1 * a_q1;
@@ -803,7 +803,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_second.force[2] = force_on_second_z;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_d_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
   const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, force_on_first_x,
       force_on_first_y, force_on_first_z, force_on_second_x, force_on_second_y, force_on_second_z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -968,15 +968,15 @@ template <class S>
 GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepared<S>& prepared,
                                    State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
-  const S g_l_q2_q1 = prepared.g_l_q2_q1;
-  const S g_l_q3_q2 = prepared.g_l_q3_q2;
-  const S g_l_q3_q1 = prepared.g_l_q3_q1;
+  const S g_factor_q2_q1 = prepared.g_factor_q2_q1;
+  const S g_factor_q3_q2 = prepared.g_factor_q3_q2;
+  const S g_factor_q3_q1 = prepared.g_factor_q3_q1;
   const S inv_G_q1_q1 = prepared.inv_G_q1_q1;
-  const S inv_g_d_q2 = prepared.inv_g_d_q2;
-  const S g_l_q3_q2_over_g_d_q3 = prepared.g_l_q3_q2_over_g_d_q3;
   const S c4 = prepared.c4;
-  const S inv_g_d_q3 = prepared.inv_g_d_q3;
-  const S least_g_d = prepared.least_g_d;
+  const S inv_g_pivot_q2 = prepared.inv_g_pivot_q2;
+  const S c5 = prepared.c5;
+  const S inv_g_pivot_q3 = prepared.inv_g_pivot_q3;
+  const S least_g_pivot = prepared.least_g_pivot;
   const S q1 = from.q1();
   const S q2 = from.q2();
   const S q3 = from.q3();
@@ -988,18 +988,19 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S beta_blade_q3 = S(1) + q1 * q1;
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
-  const S response_blade_y_q2 = -(S(1) + g_l_q2_q1 * q2);
-  const S response_blade_y_q3 = beta_blade_q3 - g_l_q3_q2 * response_blade_y_q2 - g_l_q3_q1 * q2;
-  const S response_blade_q2 = inv_g_d_q2 * response_blade_y_q2 - g_l_q3_q2_over_g_d_q3 * response_blade_y_q3;
-  const S response_blade_q1 = inv_G_q1_q1 * q2 - g_l_q2_q1 * response_blade_q2 - c4 * response_blade_y_q3;
-  const S S_blade_blade = inv_g_d_q3 * beta_blade_q3 * response_blade_y_q3 - response_blade_q2
+  const S response_blade_y_q2 = -(S(1) + g_factor_q2_q1 * q2);
+  const S response_blade_y_q3 = beta_blade_q3 - g_factor_q3_q2 * response_blade_y_q2 - g_factor_q3_q1 * q2;
+  const S response_blade_q2 = inv_g_pivot_q2 * response_blade_y_q2 - c4 * response_blade_y_q3;
+  const S response_blade_q1 = inv_G_q1_q1 * q2 - g_factor_q2_q1 * response_blade_q2
+      - c5 * response_blade_y_q3;
+  const S S_blade_blade = inv_g_pivot_q3 * beta_blade_q3 * response_blade_y_q3 - response_blade_q2
       + q2 * response_blade_q1;
   const S impulse_y_blade = q2_dot - q2 * q1_dot - q3_dot * beta_blade_q3;
   const Bool t1 = Math<S>::at_most(S_blade_blade, S(0));
   const S t2 = Math<S>::select(t1, S(0), S(1) / S_blade_blade);
   const S change_q1 = impulse_y_blade * response_blade_q1 * t2;
   const S change_q2 = impulse_y_blade * response_blade_q2 * t2;
-  const S change_q3 = inv_g_d_q3 * impulse_y_blade * response_blade_y_q3 * t2;
+  const S change_q3 = inv_g_pivot_q3 * impulse_y_blade * response_blade_y_q3 * t2;
   const S q1_rate = q1_dot + change_q1;
   const S q2_rate = q2_dot + change_q2;
   const S q3_rate = q3_dot + change_q3;
@@ -1011,7 +1012,7 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   state.q2_dot() = q2_rate;
   state.q3_dot() = q3_rate;
 
-  const Bool singular_mass_matrix = Math<S>::at_most(least_g_d, S(0));
+  const Bool singular_mass_matrix = Math<S>::at_most(least_g_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, q1_rate, q2_rate,
       q3_rate);
   return Math<S>::status(singular_mass_matrix, t1, not_finite);
@@ -1028,7 +1029,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   const S G_q3_q3 = m1 + m2;
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
-  const S S_blade_blade = S(11881) / (S(10000) * G_q3_q3);
+  const S S_pivot_blade = S(11881) / (S(10000) * G_q3_q3);
 
   state.q1() = S(3) / S(10);
   state.q2() = S(1) / S(10);
@@ -1038,7 +1039,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.q3_dot() = -S(25) / S(109);
 
   const Bool singular_mass_matrix = Math<S>::at_most(G_q3_q3, S(0));
-  const Bool dependent_constraints = Math<S>::at_most(S_blade_blade, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(S_pivot_blade, S(0));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, Bool(false));
 }
 

@@ -271,36 +271,36 @@ struct Inputs {};
 /// Parameters as the functions read them, and what follows from them alone; made by prepare().
 template <class S>
 struct Prepared {
-  S m;                                ///< mass of the ball
-  S r;                                ///< radius of the ball
-  S R;                                ///< radius of the cylinder
-  S psi_0;                            ///< precession at t = 0
-  S theta_0;                          ///< nutation at t = 0
-  S phi_0;                            ///< spin at t = 0
-  S zeta_dot_0;                       ///< rate of climb at t = 0
-  S omega_r_0;                        ///< angular velocity about the line to the contact at t = 0
-  S J;                                ///< moment of inertia of the ball about a diameter
-  S m_r_2;                            ///< m * r^2
-  S m_2_r_4;                          ///< m^2 * r^4
-  S m_g;                              ///< m * g
-  S M_chi_chi;                        ///< m * (R - r)^2 + J * (R - r)^2 / r^2
-  S least_pivot;                      ///< abs(r)
-  S m_rho;                            ///< m * (R - r)
-  S z_rolling_around_psi;             ///< r / J
-  S rho_2;                            ///< (R - r)^2
-  S half_m;                           ///< 0.5 * m
-  S half_J;                           ///< 0.5 * J
-  S rho;                              ///< R - r
-  S half_inv_m;                       ///< 0.5 / m
-  S half_inv_J;                       ///< 0.5 / J
-  S r_minus_R;                        ///< r - R
-  S G_chi_chi;                        ///< m * (R - r)^2
-  S c1;                               ///< 1 / (m * (1 / m + r^2 / J) * (R - r))
-  S c2;                               ///< 1 / (m * (1 / m + r^2 / J))
-  S c3;                               ///< r / (J * (1 / m + r^2 / J))
-  S rounding_J;                       ///< 20 * epsilon * J
-  S least_g_d;                        ///< min(J, min(m, m * (R - r)^2))
-  S S_rolling_around_rolling_around;  ///< 1 / m + r^2 / J
+  S m;                       ///< mass of the ball
+  S r;                       ///< radius of the ball
+  S R;                       ///< radius of the cylinder
+  S psi_0;                   ///< precession at t = 0
+  S theta_0;                 ///< nutation at t = 0
+  S phi_0;                   ///< spin at t = 0
+  S zeta_dot_0;              ///< rate of climb at t = 0
+  S omega_r_0;               ///< angular velocity about the line to the contact at t = 0
+  S J;                       ///< moment of inertia of the ball about a diameter
+  S m_r_2;                   ///< m * r^2
+  S m_2_r_4;                 ///< m^2 * r^4
+  S m_g;                     ///< m * g
+  S M_chi_chi;               ///< m * (R - r)^2 + J * (R - r)^2 / r^2
+  S least_pivot;             ///< abs(r)
+  S m_rho;                   ///< m * (R - r)
+  S r_over_J;                ///< r / J
+  S rho_2;                   ///< (R - r)^2
+  S half_m;                  ///< 0.5 * m
+  S half_J;                  ///< 0.5 * J
+  S rho;                     ///< R - r
+  S half_inv_m;              ///< 0.5 / m
+  S half_inv_J;              ///< 0.5 / J
+  S r_minus_R;               ///< r - R
+  S G_chi_chi;               ///< m * (R - r)^2
+  S c1;                      ///< 1 / (m * (1 / m + r^2 / J) * (R - r))
+  S c2;                      ///< 1 / (m * (1 / m + r^2 / J))
+  S c3;                      ///< r / (J * (1 / m + r^2 / J))
+  S rounding_J;              ///< 20 * epsilon * J
+  S least_g_pivot;           ///< min(J, min(m, m * (R - r)^2))
+  S S_pivot_rolling_around;  ///< 1 / m + r^2 / J
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -445,13 +445,12 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S M_chi_chi = G_chi_chi + J * rho_2 / r_2;
   const S least_pivot = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
   const S inv_J = S(1) / J;
-  const S z_rolling_around_psi = r * inv_J;
-  const S z_rolling_along_zeta = S(1) / m;
+  const S inv_m = S(1) / m;
   const S r_2_over_J = r_2 * inv_J;
-  const S S_rolling_around_rolling_around = z_rolling_along_zeta + r_2_over_J;
-  const S t1 = S(1) / S_rolling_around_rolling_around;
-  const S t2 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
-  const S least_g_d = Math<S>::select(Math<S>::less(J, t2), J, t2);
+  const S S_pivot_rolling_around = inv_m + r_2_over_J;
+  const S inv_S_pivot_rolling_around = S(1) / S_pivot_rolling_around;
+  const S t1 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
+  const S least_g_pivot = Math<S>::select(Math<S>::less(J, t1), J, t1);
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -469,21 +468,21 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.M_chi_chi = M_chi_chi;
   prepared.least_pivot = least_pivot;
   prepared.m_rho = m * rho;
-  prepared.z_rolling_around_psi = z_rolling_around_psi;
+  prepared.r_over_J = r * inv_J;
   prepared.rho_2 = rho_2;
   prepared.half_m = S(0.5) * m;
   prepared.half_J = S(0.5) * J;
   prepared.rho = rho;
-  prepared.half_inv_m = S(0.5) * z_rolling_along_zeta;
+  prepared.half_inv_m = S(0.5) * inv_m;
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r - R;
   prepared.G_chi_chi = G_chi_chi;
-  prepared.c1 = z_rolling_along_zeta * t1 / rho;
-  prepared.c2 = z_rolling_along_zeta * t1;
-  prepared.c3 = r * inv_J * t1;
+  prepared.c1 = inv_m * inv_S_pivot_rolling_around / rho;
+  prepared.c2 = inv_m * inv_S_pivot_rolling_around;
+  prepared.c3 = r * inv_J * inv_S_pivot_rolling_around;
   prepared.rounding_J = S(20) * Math<S>::epsilon() * J;
-  prepared.least_g_d = least_g_d;
-  prepared.S_rolling_around_rolling_around = S_rolling_around_rolling_around;
+  prepared.least_g_pivot = least_g_pivot;
+  prepared.S_pivot_rolling_around = S_pivot_rolling_around;
   return prepared;
 }
 
@@ -532,9 +531,9 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   // reduced metric C^T g C of the independent accelerations
   const S sin_theta_2 = sin_theta * sin_theta;
-  const S G_d_psi = J * sin_theta_2;
+  const S G_pivot_psi = J * sin_theta_2;
   const S cos_chi_minus_psi_2 = cos_chi_minus_psi * cos_chi_minus_psi;
-  const S M_phi_phi = G_d_psi + m_r_2 * sin_theta_2 * cos_chi_minus_psi_2;
+  const S M_phi_phi = G_pivot_psi + m_r_2 * sin_theta_2 * cos_chi_minus_psi_2;
   const S sin_chi_minus_psi_2 = sin_chi_minus_psi * sin_chi_minus_psi;
   const S M_theta_theta = J + m_r_2 * sin_chi_minus_psi_2;
 
@@ -546,19 +545,20 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   // C^T g C = L D L^T
   const S inv_M_phi_phi = S(1) / M_phi_phi;
-  const S M_d_theta = M_theta_theta - m_2_r_4 * inv_M_phi_phi * sin_theta_2 * sin_chi_minus_psi_2
+  const S M_pivot_theta = M_theta_theta - m_2_r_4 * inv_M_phi_phi * sin_theta_2 * sin_chi_minus_psi_2
       * cos_chi_minus_psi_2;
 
   // independent accelerations (3.7)
   const S a_y_theta = F_theta - m_r_2 * F_phi * inv_M_phi_phi * sin_theta * sin_chi_minus_psi
       * cos_chi_minus_psi;
-  const S inv_M_d_theta = S(1) / M_d_theta;
-  const S a_theta = inv_M_d_theta * a_y_theta;
+  const S inv_M_pivot_theta = S(1) / M_pivot_theta;
+  const S a_theta = inv_M_pivot_theta * a_y_theta;
   const S a_phi = F_phi * inv_M_phi_phi
-      - m_r_2 * inv_M_d_theta * inv_M_phi_phi * a_y_theta * sin_theta * sin_chi_minus_psi * cos_chi_minus_psi;
+      - m_r_2 * inv_M_phi_phi * inv_M_pivot_theta * a_y_theta * sin_theta * sin_chi_minus_psi
+      * cos_chi_minus_psi;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + r * inv_M_d_theta * a_y_theta * sin_chi_minus_psi
+  const S a_zeta = -(drift_rolling_along + r * inv_M_pivot_theta * a_y_theta * sin_chi_minus_psi
       + r * a_phi * sin_theta * cos_chi_minus_psi);
   const S a_psi = c_drift_psi - a_phi * cos_theta;
 
@@ -574,7 +574,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.theta_ddot() = a_theta;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
-      Math<S>::at_most(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
+      Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
       Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
@@ -625,9 +625,9 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   // reduced metric C^T g C of the independent accelerations
   const S sin_theta_2 = sin_theta * sin_theta;
-  const S G_d_psi = J * sin_theta_2;
+  const S G_pivot_psi = J * sin_theta_2;
   const S cos_chi_minus_psi_2 = cos_chi_minus_psi * cos_chi_minus_psi;
-  const S M_phi_phi = G_d_psi + m_r_2 * sin_theta_2 * cos_chi_minus_psi_2;
+  const S M_phi_phi = G_pivot_psi + m_r_2 * sin_theta_2 * cos_chi_minus_psi_2;
   const S sin_chi_minus_psi_2 = sin_chi_minus_psi * sin_chi_minus_psi;
   const S M_theta_theta = J + m_r_2 * sin_chi_minus_psi_2;
 
@@ -639,18 +639,19 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   // C^T g C = L D L^T
   const S inv_M_phi_phi = S(1) / M_phi_phi;
-  const S M_d_theta = M_theta_theta - m_2_r_4 * inv_M_phi_phi * sin_theta_2 * sin_chi_minus_psi_2
+  const S M_pivot_theta = M_theta_theta - m_2_r_4 * inv_M_phi_phi * sin_theta_2 * sin_chi_minus_psi_2
       * cos_chi_minus_psi_2;
 
   // independent accelerations (3.7)
   const S a_y_theta = F_theta - m_r_2 * F_phi * inv_M_phi_phi * sin_theta * sin_chi_minus_psi
       * cos_chi_minus_psi;
-  const S inv_M_d_theta = S(1) / M_d_theta;
+  const S inv_M_pivot_theta = S(1) / M_pivot_theta;
   const S a_phi = F_phi * inv_M_phi_phi
-      - m_r_2 * inv_M_d_theta * inv_M_phi_phi * a_y_theta * sin_theta * sin_chi_minus_psi * cos_chi_minus_psi;
+      - m_r_2 * inv_M_phi_phi * inv_M_pivot_theta * a_y_theta * sin_theta * sin_chi_minus_psi
+      * cos_chi_minus_psi;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + r * inv_M_d_theta * a_y_theta * sin_chi_minus_psi
+  const S a_zeta = -(drift_rolling_along + r * inv_M_pivot_theta * a_y_theta * sin_chi_minus_psi
       + r * a_phi * sin_theta * cos_chi_minus_psi);
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
@@ -676,7 +677,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   reactions.rho.generalized = rho_generalized;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
-      Math<S>::at_most(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
+      Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
       Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
@@ -732,9 +733,9 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   // reduced metric C^T g C of the independent accelerations
   const S sin_theta_2 = sin_theta * sin_theta;
-  const S G_d_psi = J * sin_theta_2;
+  const S G_pivot_psi = J * sin_theta_2;
   const S cos_chi_minus_psi_2 = cos_chi_minus_psi * cos_chi_minus_psi;
-  const S M_phi_phi = G_d_psi + m_r_2 * sin_theta_2 * cos_chi_minus_psi_2;
+  const S M_phi_phi = G_pivot_psi + m_r_2 * sin_theta_2 * cos_chi_minus_psi_2;
   const S sin_chi_minus_psi_2 = sin_chi_minus_psi * sin_chi_minus_psi;
   const S M_theta_theta = J + m_r_2 * sin_chi_minus_psi_2;
 
@@ -746,19 +747,20 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   // C^T g C = L D L^T
   const S inv_M_phi_phi = S(1) / M_phi_phi;
-  const S M_d_theta = M_theta_theta - m_2_r_4 * inv_M_phi_phi * sin_theta_2 * sin_chi_minus_psi_2
+  const S M_pivot_theta = M_theta_theta - m_2_r_4 * inv_M_phi_phi * sin_theta_2 * sin_chi_minus_psi_2
       * cos_chi_minus_psi_2;
 
   // independent accelerations (3.7)
   const S a_y_theta = F_theta - m_r_2 * F_phi * inv_M_phi_phi * sin_theta * sin_chi_minus_psi
       * cos_chi_minus_psi;
-  const S inv_M_d_theta = S(1) / M_d_theta;
-  const S a_theta = inv_M_d_theta * a_y_theta;
+  const S inv_M_pivot_theta = S(1) / M_pivot_theta;
+  const S a_theta = inv_M_pivot_theta * a_y_theta;
   const S a_phi = F_phi * inv_M_phi_phi
-      - m_r_2 * inv_M_d_theta * inv_M_phi_phi * a_y_theta * sin_theta * sin_chi_minus_psi * cos_chi_minus_psi;
+      - m_r_2 * inv_M_phi_phi * inv_M_pivot_theta * a_y_theta * sin_theta * sin_chi_minus_psi
+      * cos_chi_minus_psi;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + r * inv_M_d_theta * a_y_theta * sin_chi_minus_psi
+  const S a_zeta = -(drift_rolling_along + r * inv_M_pivot_theta * a_y_theta * sin_chi_minus_psi
       + r * a_phi * sin_theta * cos_chi_minus_psi);
   const S a_psi = c_drift_psi - a_phi * cos_theta;
 
@@ -795,7 +797,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   reactions.rho.generalized = rho_generalized;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
-      Math<S>::at_most(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
+      Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
       Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
@@ -820,7 +822,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& M_chi_chi = prepared.M_chi_chi;
   const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
-  const S& z_rolling_around_psi = prepared.z_rolling_around_psi;
+  const S& r_over_J = prepared.r_over_J;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
   const S& phi = state.phi();
@@ -857,9 +859,9 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   // reduced metric C^T g C of the independent accelerations
   const S sin_theta_2 = sin_theta * sin_theta;
-  const S G_d_psi = J * sin_theta_2;
+  const S G_pivot_psi = J * sin_theta_2;
   const S cos_chi_minus_psi_2 = cos_chi_minus_psi * cos_chi_minus_psi;
-  const S M_phi_phi = G_d_psi + m_r_2 * sin_theta_2 * cos_chi_minus_psi_2;
+  const S M_phi_phi = G_pivot_psi + m_r_2 * sin_theta_2 * cos_chi_minus_psi_2;
   const S sin_chi_minus_psi_2 = sin_chi_minus_psi * sin_chi_minus_psi;
   const S M_theta_theta = J + m_r_2 * sin_chi_minus_psi_2;
 
@@ -871,18 +873,19 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   // C^T g C = L D L^T
   const S inv_M_phi_phi = S(1) / M_phi_phi;
-  const S M_d_theta = M_theta_theta - m_2_r_4 * inv_M_phi_phi * sin_theta_2 * sin_chi_minus_psi_2
+  const S M_pivot_theta = M_theta_theta - m_2_r_4 * inv_M_phi_phi * sin_theta_2 * sin_chi_minus_psi_2
       * cos_chi_minus_psi_2;
 
   // independent accelerations (3.7)
   const S a_y_theta = F_theta - m_r_2 * F_phi * inv_M_phi_phi * sin_theta * sin_chi_minus_psi
       * cos_chi_minus_psi;
-  const S inv_M_d_theta = S(1) / M_d_theta;
+  const S inv_M_pivot_theta = S(1) / M_pivot_theta;
   const S a_phi = F_phi * inv_M_phi_phi
-      - m_r_2 * inv_M_d_theta * inv_M_phi_phi * a_y_theta * sin_theta * sin_chi_minus_psi * cos_chi_minus_psi;
+      - m_r_2 * inv_M_phi_phi * inv_M_pivot_theta * a_y_theta * sin_theta * sin_chi_minus_psi
+      * cos_chi_minus_psi;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + r * inv_M_d_theta * a_y_theta * sin_chi_minus_psi
+  const S a_zeta = -(drift_rolling_along + r * inv_M_pivot_theta * a_y_theta * sin_chi_minus_psi
       + r * a_phi * sin_theta * cos_chi_minus_psi);
   const S a_phi_cos_theta = a_phi * cos_theta;
   const S a_psi = c_drift_psi - a_phi_cos_theta;
@@ -892,11 +895,9 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   // force and moment of rolling_along: m J z and I W z, times its reaction, model line 40
   const S moment_rolling_along_ball_x = J * excess_zeta
-      * (z_rolling_around_psi * sin_psi * cos_chi_minus_psi
-      + z_rolling_around_psi * sin_chi_minus_psi * cos_psi);
+      * (r_over_J * sin_psi * cos_chi_minus_psi + r_over_J * sin_chi_minus_psi * cos_psi);
   const S moment_rolling_along_ball_y = J * excess_zeta
-      * (z_rolling_around_psi * sin_psi * sin_chi_minus_psi
-      - z_rolling_around_psi * cos_psi * cos_chi_minus_psi);
+      * (r_over_J * sin_psi * sin_chi_minus_psi - r_over_J * cos_psi * cos_chi_minus_psi);
 
   // force and moment of rho: m J z and I W z, times its reaction, model line 21
   const S chi_dot_2 = chi_dot * chi_dot;
@@ -906,10 +907,10 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   // all constraint forces on ball: m a - F and d(I omega)/dt - M (theory.md, section 4)
   const S moment_on_ball_x = J * (phi_dot * psi_dot * sin_theta * cos_psi
       + phi_dot * theta_dot * sin_psi * cos_theta - psi_dot * theta_dot * sin_psi
-      + inv_M_d_theta * a_y_theta * cos_psi + a_phi * sin_psi * sin_theta);
+      + inv_M_pivot_theta * a_y_theta * cos_psi + a_phi * sin_psi * sin_theta);
   const S moment_on_ball_y = J * (phi_dot * psi_dot * sin_psi * sin_theta
       - phi_dot * theta_dot * cos_psi * cos_theta + psi_dot * theta_dot * cos_psi
-      + inv_M_d_theta * a_y_theta * sin_psi - a_phi * sin_theta * cos_psi);
+      + inv_M_pivot_theta * a_y_theta * sin_psi - a_phi * sin_theta * cos_psi);
   const S moment_on_ball_z = J * (a_psi - c_drift_psi + a_phi_cos_theta);
 
   reaction_forces.rolling_around.force_on_ball[0] = S(0);
@@ -938,7 +939,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_ball.moment[2] = moment_on_ball_z;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
-      Math<S>::at_most(M_d_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
+      Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
       Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
@@ -1181,8 +1182,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S c2 = prepared.c2;
   const S c3 = prepared.c3;
   const S rounding_J = prepared.rounding_J;
-  const S least_g_d = prepared.least_g_d;
-  const S S_rolling_around_rolling_around = prepared.S_rolling_around_rolling_around;
+  const S least_g_pivot = prepared.least_g_pivot;
+  const S S_pivot_rolling_around = prepared.S_pivot_rolling_around;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S phi = from.phi();
@@ -1218,7 +1219,7 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S theta_rate = theta_dot + change_theta;
 
   // Results
-  const S G_d_psi = J * sin_theta * sin_theta;
+  const S G_pivot_psi = J * sin_theta * sin_theta;
 
   state.chi() = chi;
   state.zeta() = zeta;
@@ -1231,9 +1232,9 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   state.psi_dot() = psi_rate;
   state.theta_dot() = theta_rate;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(G_d_psi, rounding_J),
-      Math<S>::at_most(least_g_d, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(S_rolling_around_rolling_around, S(0));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(G_pivot_psi, rounding_J),
+      Math<S>::at_most(least_g_pivot, S(0)));
+  const Bool dependent_constraints = Math<S>::at_most(S_pivot_rolling_around, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, chi_rate, zeta_rate, phi_rate, psi_rate, theta_rate);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
@@ -1261,20 +1262,18 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S r_2 = r * r;
   const S inv_J = S(1) / J;
-  const S S_rolling_around_rolling_around = r_2 * inv_J;
-  const S S_rolling_along_rolling_along = r_2 * inv_J * sin_psi_0 * sin_psi_0;
-  const S inv_sin_theta_0 = S(1) / sin_theta_0;
+  const S S_pivot_rolling_around = r_2 * inv_J;
+  const S S_pivot_rolling_along = r_2 * inv_J * sin_psi_0 * sin_psi_0;
   const S inv_r = S(1) / r;
+  const S inv_sin_theta_0 = S(1) / sin_theta_0;
   const S t1 = inv_r * zeta_dot_0 * cos_psi_0 - omega_r_0 * sin_psi_0;
-  const S impulse_y_rolling_around = S(4) * r - S(4) * R + r * inv_sin_theta_0 * cos_theta_0 * t1;
-  const S impulse_y_rolling_along = r * cos_psi_0 * t1 - zeta_dot_0;
-  const S change_psi = inv_r * impulse_y_rolling_around;
-  const S change_theta = -inv_r * impulse_y_rolling_along / sin_psi_0;
+  const S change_psi = inv_r * (S(4) * r - S(4) * R + r * inv_sin_theta_0 * cos_theta_0 * t1);
+  const S change_theta = inv_r * (zeta_dot_0 - r * cos_psi_0 * t1) / sin_psi_0;
 
   // Results
   const S phi_dot = -inv_sin_theta_0 * t1;
-  const S least_S_d = Math<S>::select(Math<S>::less(S_rolling_along_rolling_along,
-      S_rolling_around_rolling_around), S_rolling_along_rolling_along, S_rolling_around_rolling_around);
+  const S least_S_pivot = Math<S>::select(Math<S>::less(S_pivot_rolling_along, S_pivot_rolling_around),
+      S_pivot_rolling_along, S_pivot_rolling_around);
 
   state.chi() = S(0);
   state.zeta() = S(0);
@@ -1288,7 +1287,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.theta_dot() = change_theta;
 
   const Bool singular_mass_matrix = Math<S>::at_most(J, S(0));
-  const Bool dependent_constraints = Math<S>::at_most(least_S_d, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(least_S_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(phi_0, psi_0, theta_0, zeta_dot_0, phi_dot, change_psi,
       change_theta);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);

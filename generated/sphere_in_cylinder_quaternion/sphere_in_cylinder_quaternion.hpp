@@ -276,34 +276,34 @@ struct Inputs {};
 /// Parameters as the functions read them, and what follows from them alone; made by prepare().
 template <class S>
 struct Prepared {
-  S m;                                ///< mass of the ball
-  S r;                                ///< radius of the ball
-  S R;                                ///< radius of the cylinder
-  S psi_0;                            ///< precession at t = 0
-  S theta_0;                          ///< nutation at t = 0
-  S phi_0;                            ///< spin at t = 0
-  S omega_r_0;                        ///< angular velocity about the line to the contact at t = 0
-  S J;                                ///< moment of inertia of the ball about a diameter
-  S m_r_2;                            ///< m * r^2
-  S m_2_r_4;                          ///< m^2 * r^4
-  S m_g;                              ///< m * g
-  S M_chi_chi;                        ///< m * (R - r)^2 + J * (R - r)^2 / r^2
-  S least_pivot;                      ///< abs(r)
-  S m_rho;                            ///< m * (R - r)
-  S rho;                              ///< R - r
-  S rho_2;                            ///< (R - r)^2
-  S half_m;                           ///< 0.5 * m
-  S half_J;                           ///< 0.5 * J
-  S J_2;                              ///< J^2
-  S half_inv_m;                       ///< 0.5 / m
-  S half_inv_J;                       ///< 0.5 / J
-  S r_minus_R;                        ///< r - R
-  S G_chi_chi;                        ///< m * (R - r)^2
-  S c1;                               ///< 1 / (m * (1 / m + r^2 / J) * (R - r))
-  S c2;                               ///< 1 / (m * (1 / m + r^2 / J))
-  S c3;                               ///< r / (J * (1 / m + r^2 / J))
-  S least_g_d;                        ///< min(J, min(m, m * (R - r)^2))
-  S S_rolling_around_rolling_around;  ///< 1 / m + r^2 / J
+  S m;                       ///< mass of the ball
+  S r;                       ///< radius of the ball
+  S R;                       ///< radius of the cylinder
+  S psi_0;                   ///< precession at t = 0
+  S theta_0;                 ///< nutation at t = 0
+  S phi_0;                   ///< spin at t = 0
+  S omega_r_0;               ///< angular velocity about the line to the contact at t = 0
+  S J;                       ///< moment of inertia of the ball about a diameter
+  S m_r_2;                   ///< m * r^2
+  S m_2_r_4;                 ///< m^2 * r^4
+  S m_g;                     ///< m * g
+  S M_chi_chi;               ///< m * (R - r)^2 + J * (R - r)^2 / r^2
+  S least_pivot;             ///< abs(r)
+  S m_rho;                   ///< m * (R - r)
+  S rho;                     ///< R - r
+  S rho_2;                   ///< (R - r)^2
+  S half_m;                  ///< 0.5 * m
+  S half_J;                  ///< 0.5 * J
+  S J_2;                     ///< J^2
+  S half_inv_m;              ///< 0.5 / m
+  S half_inv_J;              ///< 0.5 / J
+  S r_minus_R;               ///< r - R
+  S G_chi_chi;               ///< m * (R - r)^2
+  S c1;                      ///< 1 / (m * (1 / m + r^2 / J) * (R - r))
+  S c2;                      ///< 1 / (m * (1 / m + r^2 / J))
+  S c3;                      ///< r / (J * (1 / m + r^2 / J))
+  S least_g_pivot;           ///< min(J, min(m, m * (R - r)^2))
+  S S_pivot_rolling_around;  ///< 1 / m + r^2 / J
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -451,13 +451,13 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S G_chi_chi = m * rho_2;
   const S M_chi_chi = G_chi_chi + J * rho_2 / r_2;
   const S least_pivot = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
-  const S z_rolling_along_zeta = S(1) / m;
+  const S inv_m = S(1) / m;
   const S inv_J = S(1) / J;
   const S r_2_over_J = r_2 * inv_J;
-  const S S_rolling_around_rolling_around = z_rolling_along_zeta + r_2_over_J;
-  const S t1 = S(1) / S_rolling_around_rolling_around;
-  const S t2 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
-  const S least_g_d = Math<S>::select(Math<S>::less(J, t2), J, t2);
+  const S S_pivot_rolling_around = inv_m + r_2_over_J;
+  const S inv_S_pivot_rolling_around = S(1) / S_pivot_rolling_around;
+  const S t1 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
+  const S least_g_pivot = Math<S>::select(Math<S>::less(J, t1), J, t1);
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -479,15 +479,15 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_m = S(0.5) * m;
   prepared.half_J = S(0.5) * J;
   prepared.J_2 = J * J;
-  prepared.half_inv_m = S(0.5) * z_rolling_along_zeta;
+  prepared.half_inv_m = S(0.5) * inv_m;
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r - R;
   prepared.G_chi_chi = G_chi_chi;
-  prepared.c1 = z_rolling_along_zeta * t1 / rho;
-  prepared.c2 = z_rolling_along_zeta * t1;
-  prepared.c3 = r * inv_J * t1;
-  prepared.least_g_d = least_g_d;
-  prepared.S_rolling_around_rolling_around = S_rolling_around_rolling_around;
+  prepared.c1 = inv_m * inv_S_pivot_rolling_around / rho;
+  prepared.c2 = inv_m * inv_S_pivot_rolling_around;
+  prepared.c3 = r * inv_J * inv_S_pivot_rolling_around;
+  prepared.least_g_pivot = least_g_pivot;
+  prepared.S_pivot_rolling_around = S_pivot_rolling_around;
   return prepared;
 }
 
@@ -535,16 +535,16 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   // C^T g C = L D L^T
   const S inv_M_wx_wx = S(1) / M_wx_wx;
-  const S M_d_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
+  const S M_pivot_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
 
   // independent accelerations (3.7)
   const S a_y_wy = m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi - r * cos_chi * t1;
-  const S inv_M_d_wy = S(1) / M_d_wy;
-  const S a_wy = inv_M_d_wy * a_y_wy;
-  const S a_wx = m_r_2 * inv_M_d_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
+  const S inv_M_pivot_wy = S(1) / M_pivot_wy;
+  const S a_wy = inv_M_pivot_wy * a_y_wy;
+  const S a_wx = m_r_2 * inv_M_pivot_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
 
   // dependent accelerations (3.6)
-  const S a_zeta = r * inv_M_d_wy * a_y_wy * cos_chi - drift_rolling_along - r * a_wx * sin_chi;
+  const S a_zeta = r * inv_M_pivot_wy * a_y_wy * cos_chi - drift_rolling_along - r * a_wx * sin_chi;
 
   // rates of the quaternions: half the product with (0, omega) (theory.md, section 5)
   const S e0_dot = -S(0.5) * (e1 * wx + e2 * wy + e3 * wz);
@@ -568,7 +568,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.wz_dot() = S(0);
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
-      Math<S>::at_most(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
+      Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy);
@@ -622,15 +622,15 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   // C^T g C = L D L^T
   const S inv_M_wx_wx = S(1) / M_wx_wx;
-  const S M_d_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
+  const S M_pivot_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
 
   // independent accelerations (3.7)
   const S a_y_wy = m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi - r * cos_chi * t1;
-  const S inv_M_d_wy = S(1) / M_d_wy;
-  const S a_wx = m_r_2 * inv_M_d_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
+  const S inv_M_pivot_wy = S(1) / M_pivot_wy;
+  const S a_wx = m_r_2 * inv_M_pivot_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
 
   // dependent accelerations (3.6)
-  const S a_zeta = r * inv_M_d_wy * a_y_wy * cos_chi - drift_rolling_along - r * a_wx * sin_chi;
+  const S a_zeta = r * inv_M_pivot_wy * a_y_wy * cos_chi - drift_rolling_along - r * a_wx * sin_chi;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
@@ -656,7 +656,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   reactions.rho.generalized = rho_generalized;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
-      Math<S>::at_most(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
+      Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       excess_zeta, rolling_along_generalized_2, rolling_along_generalized_3, rho_generalized);
@@ -711,16 +711,16 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   // C^T g C = L D L^T
   const S inv_M_wx_wx = S(1) / M_wx_wx;
-  const S M_d_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
+  const S M_pivot_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
 
   // independent accelerations (3.7)
   const S a_y_wy = m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi - r * cos_chi * t1;
-  const S inv_M_d_wy = S(1) / M_d_wy;
-  const S a_wy = inv_M_d_wy * a_y_wy;
-  const S a_wx = m_r_2 * inv_M_d_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
+  const S inv_M_pivot_wy = S(1) / M_pivot_wy;
+  const S a_wy = inv_M_pivot_wy * a_y_wy;
+  const S a_wx = m_r_2 * inv_M_pivot_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
 
   // dependent accelerations (3.6)
-  const S a_zeta = r * inv_M_d_wy * a_y_wy * cos_chi - drift_rolling_along - r * a_wx * sin_chi;
+  const S a_zeta = r * inv_M_pivot_wy * a_y_wy * cos_chi - drift_rolling_along - r * a_wx * sin_chi;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
@@ -763,7 +763,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   reactions.rho.generalized = rho_generalized;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
-      Math<S>::at_most(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
+      Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy, excess_zeta, rolling_along_generalized_2,
@@ -822,15 +822,15 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   // C^T g C = L D L^T
   const S inv_M_wx_wx = S(1) / M_wx_wx;
-  const S M_d_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
+  const S M_pivot_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
 
   // independent accelerations (3.7)
   const S a_y_wy = m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi - r * cos_chi * t1;
-  const S inv_M_d_wy = S(1) / M_d_wy;
-  const S a_wx = m_r_2 * inv_M_d_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
+  const S inv_M_pivot_wy = S(1) / M_pivot_wy;
+  const S a_wx = m_r_2 * inv_M_pivot_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
 
   // dependent accelerations (3.6)
-  const S a_zeta = r * inv_M_d_wy * a_y_wy * cos_chi - drift_rolling_along - r * a_wx * sin_chi;
+  const S a_zeta = r * inv_M_pivot_wy * a_y_wy * cos_chi - drift_rolling_along - r * a_wx * sin_chi;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
@@ -848,7 +848,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   // all constraint forces on ball: m a - F and d(I omega)/dt - M (theory.md, section 4)
   const S moment_on_ball_x = J * a_wx;
-  const S moment_on_ball_y = J * inv_M_d_wy * a_y_wy;
+  const S moment_on_ball_y = J * inv_M_pivot_wy * a_y_wy;
 
   // Results
   const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
@@ -879,7 +879,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_ball.moment[2] = S(0);
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
-      Math<S>::at_most(M_d_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
+      Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       excess_zeta, moment_rolling_along_ball_x, moment_rolling_along_ball_y, force_rho_ball_x,
@@ -1105,8 +1105,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S c1 = prepared.c1;
   const S c2 = prepared.c2;
   const S c3 = prepared.c3;
-  const S least_g_d = prepared.least_g_d;
-  const S S_rolling_around_rolling_around = prepared.S_rolling_around_rolling_around;
+  const S least_g_pivot = prepared.least_g_pivot;
+  const S S_pivot_rolling_around = prepared.S_pivot_rolling_around;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S e0 = from.e0();
@@ -1158,8 +1158,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   state.wy() = wy_rate;
   state.wz() = wz_rate;
 
-  const Bool singular_mass_matrix = Math<S>::at_most(least_g_d, S(0));
-  const Bool dependent_constraints = Math<S>::at_most(S_rolling_around_rolling_around, S(0));
+  const Bool singular_mass_matrix = Math<S>::at_most(least_g_pivot, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(S_pivot_rolling_around, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       e0_new, e1_new, e2_new, e3_new, chi_rate, zeta_rate, wx_rate, wy_rate, wz_rate);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(1) / S(1099511627776.0)),
@@ -1188,11 +1188,10 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   Math<S>::sincos(S(0.5) * theta_0, sin_half_theta_0, cos_half_theta_0);
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
-  const S S_rolling_around_rolling_around = r * r / J;
-  const S impulse_y_rolling_around = S(4) * (r - R);
+  const S S_pivot_rolling_around = r * r / J;
   const S inv_r = S(1) / r;
   const S change_wy = S(7) / S(10) * inv_r;
-  const S change_wz = inv_r * impulse_y_rolling_around;
+  const S change_wz = S(4) * inv_r * (r - R);
 
   // Results
   const S e0 = t4 * cos_half_theta_0;
@@ -1213,7 +1212,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.wz() = change_wz;
 
   const Bool singular_mass_matrix = Math<S>::at_most(J, S(0));
-  const Bool dependent_constraints = Math<S>::at_most(S_rolling_around_rolling_around, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(S_pivot_rolling_around, S(0));
   const Bool not_finite = Math<S>::not_finite(e0, e1, e2, e3, omega_r_0, change_wy, change_wz);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }

@@ -48,11 +48,11 @@ Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std
 
 void Ldl::eliminate(std::size_t pivot, Matrix& rest, const std::vector<char>& done, Steps& steps) {
   is_original_[pivot] = rest[pivot][pivot] == diagonal_[pivot] ? 1 : 0;
-  d_[pivot] = steps.name(rest[pivot][pivot], prefix_ + "_d_" + labels_[pivot]);
+  d_[pivot] = steps.name(rest[pivot][pivot], prefix_ + "_pivot_" + labels_[pivot]);
   const Expr inverse = reciprocal(pivot);
   for (std::size_t i = 0; i < rest.size(); ++i) {
     if (done[i] != 0 || rest[i][pivot].is_zero()) continue;
-    l_[i][pivot] = steps.name(rest[i][pivot] * inverse, prefix_ + "_l_" + labels_[i] + "_" + labels_[pivot]);
+    l_[i][pivot] = steps.name(rest[i][pivot] * inverse, prefix_ + "_factor_" + labels_[i] + "_" + labels_[pivot]);
   }
   for (std::size_t i = 0; i < rest.size(); ++i) {
     if (done[i] != 0 || l_[i][pivot].is_zero()) continue;
@@ -69,7 +69,7 @@ Vector Ldl::solve(const Vector& right_hand_side, const std::string& name, Steps&
   Vector x = right_hand_side;
   for (std::size_t step = 0; step < order_.size(); ++step) {
     const std::size_t i = order_[step];
-    x[i] = steps.name(x[i], name + "_y_" + labels_[i]);
+    x[i] = steps.name_varying(x[i], name + "_y_" + labels_[i]);
     for (std::size_t later = step + 1; later < order_.size(); ++later) {
       const std::size_t j = order_[later];
       if (!l_[j][i].is_zero()) x[j] = x[j] - l_[j][i] * x[i];
@@ -82,7 +82,7 @@ Vector Ldl::solve(const Vector& right_hand_side, const std::string& name, Steps&
       const std::size_t j = order_[later];
       if (!l_[j][i].is_zero()) value = value - l_[j][i] * x[j];
     }
-    x[i] = steps.name(value, name + "_" + labels_[i]);
+    x[i] = steps.name_varying(value, name + "_" + labels_[i]);
   }
   return x;
 }
@@ -106,7 +106,7 @@ Expr Ldl::reciprocal(std::size_t pivot) const {
 Expr Ldl::breakdown() const {
   Margins margins(graph_);
   for (std::size_t i = 0; i < d_.size(); ++i) margins.require(d_[i], tolerance(i));
-  return margins.violated("least_" + prefix_ + "_d");
+  return margins.violated("least_" + prefix_ + "_pivot");
 }
 
 std::vector<std::string> Ldl::vanishing() const {

@@ -21,7 +21,7 @@ enum class Dependent {
 /// an order that keeps L sparse: next is always the one with the fewest entries left; every order is stable.
 class Ldl {
  public:
-  /// `labels` name rows; entries appear as <prefix>_d_<row> and <prefix>_l_<row>_<column>.
+  /// `labels` name rows; entries appear as <prefix>_pivot_<row> and <prefix>_factor_<row>_<column>.
   Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, ir::Expr epsilon,
       Steps& steps, Dependent dependent = Dependent::divide);
 

@@ -132,7 +132,7 @@ class MultiplierForm {
     for (std::size_t i = 0; i < l; ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
         const Expr entry = inner(epsilon_.graph(), dynamics_.b[i], response_[j]);
-        S[i][j] = S[j][i] = steps.name(entry, name("S", j) + "_" + dynamics_.constraints[i]);
+        S[i][j] = S[j][i] = steps.name_varying(entry, name("S", j) + "_" + dynamics_.constraints[i]);
       }
       schur_diagonal_.push_back(S[i][i]);
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ir/expr.hpp"
+#include "ir/traverse.hpp"
 #include "ir/vector3.hpp"
 
 namespace gaussgen::strategy {
@@ -36,6 +37,11 @@ class Steps {
     // What has another name already, or is as simple as sin(theta), keeps what it is called.
     if (value.graph().label(result.id()) == name) steps_.back().values.emplace_back(result.id(), name);
     return result;
+  }
+
+  /// Likewise, unless parameters alone make the value: 1/m says more than the name of the one unknown that is equal to it.
+  ir::Expr name_varying(ir::Expr value, const std::string& name) {
+    return ir::is_of_parameters(value.graph(), value.id()) ? value : this->name(value, name);
   }
 
   /// The three components as <name>_x, <name>_y, <name>_z.
