@@ -1028,8 +1028,8 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   // metric g_ab (1.10); held coordinates enter only through f
   const S G_q3_q3 = m1 + m2;
 
-  // smallest change of the speeds in the mass metric that satisfies the constraints
-  const S S_pivot_blade = S(11881) / (S(10000) * G_q3_q3);
+  // Results
+  const S least_S_pivot = S(11881) / (S(10000) * G_q3_q3);
 
   state.q1() = S(3) / S(10);
   state.q2() = S(1) / S(10);
@@ -1039,7 +1039,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.q3_dot() = -S(25) / S(109);
 
   const Bool singular_mass_matrix = Math<S>::at_most(G_q3_q3, S(0));
-  const Bool dependent_constraints = Math<S>::at_most(S_pivot_blade, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(least_S_pivot, S(0));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, Bool(false));
 }
 

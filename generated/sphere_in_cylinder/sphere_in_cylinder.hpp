@@ -271,36 +271,36 @@ struct Inputs {};
 /// Parameters as the functions read them, and what follows from them alone; made by prepare().
 template <class S>
 struct Prepared {
-  S m;                       ///< mass of the ball
-  S r;                       ///< radius of the ball
-  S R;                       ///< radius of the cylinder
-  S psi_0;                   ///< precession at t = 0
-  S theta_0;                 ///< nutation at t = 0
-  S phi_0;                   ///< spin at t = 0
-  S zeta_dot_0;              ///< rate of climb at t = 0
-  S omega_r_0;               ///< angular velocity about the line to the contact at t = 0
-  S J;                       ///< moment of inertia of the ball about a diameter
-  S m_r_2;                   ///< m * r^2
-  S m_2_r_4;                 ///< m^2 * r^4
-  S m_g;                     ///< m * g
-  S M_chi_chi;               ///< m * (R - r)^2 + J * (R - r)^2 / r^2
-  S least_pivot;             ///< abs(r)
-  S m_rho;                   ///< m * (R - r)
-  S r_over_J;                ///< r / J
-  S rho_2;                   ///< (R - r)^2
-  S half_m;                  ///< 0.5 * m
-  S half_J;                  ///< 0.5 * J
-  S rho;                     ///< R - r
-  S half_inv_m;              ///< 0.5 / m
-  S half_inv_J;              ///< 0.5 / J
-  S r_minus_R;               ///< r - R
-  S G_chi_chi;               ///< m * (R - r)^2
-  S c1;                      ///< 1 / (m * (1 / m + r^2 / J) * (R - r))
-  S c2;                      ///< 1 / (m * (1 / m + r^2 / J))
-  S c3;                      ///< r / (J * (1 / m + r^2 / J))
-  S rounding_J;              ///< 20 * epsilon * J
-  S least_g_pivot;           ///< min(J, min(m, m * (R - r)^2))
-  S S_pivot_rolling_around;  ///< 1 / m + r^2 / J
+  S m;              ///< mass of the ball
+  S r;              ///< radius of the ball
+  S R;              ///< radius of the cylinder
+  S psi_0;          ///< precession at t = 0
+  S theta_0;        ///< nutation at t = 0
+  S phi_0;          ///< spin at t = 0
+  S zeta_dot_0;     ///< rate of climb at t = 0
+  S omega_r_0;      ///< angular velocity about the line to the contact at t = 0
+  S J;              ///< moment of inertia of the ball about a diameter
+  S m_r_2;          ///< m * r^2
+  S m_2_r_4;        ///< m^2 * r^4
+  S m_g;            ///< m * g
+  S M_chi_chi;      ///< m * (R - r)^2 + J * (R - r)^2 / r^2
+  S least_pivot;    ///< abs(r)
+  S m_rho;          ///< m * (R - r)
+  S r_over_J;       ///< r / J
+  S rho_2;          ///< (R - r)^2
+  S half_m;         ///< 0.5 * m
+  S half_J;         ///< 0.5 * J
+  S rho;            ///< R - r
+  S half_inv_m;     ///< 0.5 / m
+  S half_inv_J;     ///< 0.5 / J
+  S r_minus_R;      ///< r - R
+  S G_chi_chi;      ///< m * (R - r)^2
+  S c1;             ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
+  S c2;             ///< 1 / (m * (1 / m + r^2 / J))
+  S c3;             ///< r / (J * (1 / m + r^2 / J))
+  S rounding_J;     ///< 20 * epsilon * J
+  S least_g_pivot;  ///< min(J, min(m, m * (R - r)^2))
+  S least_S_pivot;  ///< 1 / m + r^2 / J
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -446,9 +446,8 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S least_pivot = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
   const S inv_J = S(1) / J;
   const S inv_m = S(1) / m;
-  const S r_2_over_J = r_2 * inv_J;
-  const S S_pivot_rolling_around = inv_m + r_2_over_J;
-  const S inv_S_pivot_rolling_around = S(1) / S_pivot_rolling_around;
+  const S least_S_pivot = inv_m + r_2 * inv_J;
+  const S inv_least_S_pivot = S(1) / least_S_pivot;
   const S t1 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
   const S least_g_pivot = Math<S>::select(Math<S>::less(J, t1), J, t1);
 
@@ -477,12 +476,12 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r - R;
   prepared.G_chi_chi = G_chi_chi;
-  prepared.c1 = inv_m * inv_S_pivot_rolling_around / rho;
-  prepared.c2 = inv_m * inv_S_pivot_rolling_around;
-  prepared.c3 = r * inv_J * inv_S_pivot_rolling_around;
+  prepared.c1 = inv_m * inv_least_S_pivot / rho;
+  prepared.c2 = inv_m * inv_least_S_pivot;
+  prepared.c3 = r * inv_J * inv_least_S_pivot;
   prepared.rounding_J = S(20) * Math<S>::epsilon() * J;
   prepared.least_g_pivot = least_g_pivot;
-  prepared.S_pivot_rolling_around = S_pivot_rolling_around;
+  prepared.least_S_pivot = least_S_pivot;
   return prepared;
 }
 
@@ -1183,7 +1182,7 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S c3 = prepared.c3;
   const S rounding_J = prepared.rounding_J;
   const S least_g_pivot = prepared.least_g_pivot;
-  const S S_pivot_rolling_around = prepared.S_pivot_rolling_around;
+  const S least_S_pivot = prepared.least_S_pivot;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S phi = from.phi();
@@ -1234,7 +1233,7 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(G_pivot_psi, rounding_J),
       Math<S>::at_most(least_g_pivot, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(S_pivot_rolling_around, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(least_S_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, chi_rate, zeta_rate, phi_rate, psi_rate, theta_rate);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
@@ -1260,10 +1259,6 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   Math<S>::sincos(theta_0, sin_theta_0, cos_theta_0);
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
-  const S r_2 = r * r;
-  const S inv_J = S(1) / J;
-  const S S_pivot_rolling_around = r_2 * inv_J;
-  const S S_pivot_rolling_along = r_2 * inv_J * sin_psi_0 * sin_psi_0;
   const S inv_r = S(1) / r;
   const S inv_sin_theta_0 = S(1) / sin_theta_0;
   const S t1 = inv_r * zeta_dot_0 * cos_psi_0 - omega_r_0 * sin_psi_0;
@@ -1272,8 +1267,12 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
 
   // Results
   const S phi_dot = -inv_sin_theta_0 * t1;
-  const S least_S_pivot = Math<S>::select(Math<S>::less(S_pivot_rolling_along, S_pivot_rolling_around),
-      S_pivot_rolling_along, S_pivot_rolling_around);
+  const S r_2 = r * r;
+  const S inv_J = S(1) / J;
+  const S r_2_sin_psi_0_2_over_J = r_2 * inv_J * sin_psi_0 * sin_psi_0;
+  const S r_2_over_J = r_2 * inv_J;
+  const S least_S_pivot = Math<S>::select(Math<S>::less(r_2_sin_psi_0_2_over_J, r_2_over_J),
+      r_2_sin_psi_0_2_over_J, r_2_over_J);
 
   state.chi() = S(0);
   state.zeta() = S(0);

@@ -48,7 +48,9 @@ Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std
 
 void Ldl::eliminate(std::size_t pivot, Matrix& rest, const std::vector<char>& done, Steps& steps) {
   is_original_[pivot] = rest[pivot][pivot] == diagonal_[pivot] ? 1 : 0;
-  d_[pivot] = steps.name(rest[pivot][pivot], prefix_ + "_pivot_" + labels_[pivot]);
+  // A diagonal entry has its name from elsewhere, if it has one.
+  const Expr entry = rest[pivot][pivot];
+  d_[pivot] = is_original_[pivot] != 0 ? entry : steps.name(entry, prefix_ + "_pivot_" + labels_[pivot]);
   const Expr inverse = reciprocal(pivot);
   for (std::size_t i = 0; i < rest.size(); ++i) {
     if (done[i] != 0 || rest[i][pivot].is_zero()) continue;
