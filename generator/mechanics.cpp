@@ -18,9 +18,10 @@ strategy::Solution solved(const Mechanics& mechanics, const MechanicsOptions& op
   const strategy::Dynamics& dynamics = mechanics.dynamics;
   if (dynamics.l() == 0) return strategy::solve_unconstrained(dynamics, mechanics.epsilon(), steps);
   if (!options.force_multipliers) {
-    if (const auto elimination = strategy::eliminate(dynamics, allowed_dependent(mechanics), steps)) {
-      return strategy::solve_by_elimination(dynamics, *elimination, mechanics.epsilon(), steps);
-    }
+    // The model's choice first, where it has one; structure_check says so if it is not safe.
+    auto elimination = strategy::eliminate(dynamics, allowed_dependent(mechanics), steps);
+    if (!elimination) elimination = strategy::eliminate(dynamics, {}, steps);
+    if (elimination) return strategy::solve_by_elimination(dynamics, *elimination, mechanics.epsilon(), steps);
   }
   return strategy::solve_with_multipliers(dynamics, mechanics.epsilon(), steps);
 }

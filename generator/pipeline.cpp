@@ -65,6 +65,7 @@ std::optional<PipelineResult> compile(const support::Source& source, const Pipel
   stages.done("kinematics", nodes(mechanics), [&] { return dump_kinematics(mechanics); });
 
   // The paper's route in GiNaC replaces the result where it is asked for; otherwise it is made for its dump only.
+  if (options.route != Route::paper) check_choice(mechanics, diagnostics);
   if (options.route == Route::paper && !take_paper_route(mechanics, options.fold, diagnostics)) return std::nullopt;
   stages.done("paper", nodes(mechanics), [&] { return dump_paper(mechanics); });
   stages.done("strategy", nodes(mechanics), [&] { return dump_strategy(mechanics); });

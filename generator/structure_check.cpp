@@ -6,11 +6,22 @@
 
 #include "generic_point.hpp"
 #include "support/error_codes.hpp"
+#include "support/suggest.hpp"
 #include "value_check.hpp"
 
 namespace gaussgen {
 
 namespace {
+
+bool is_chosen(const Mechanics& mechanics, std::size_t speed) {
+  const std::vector<model::Name>& chosen = mechanics.model.dependent;
+  return std::any_of(chosen.begin(), chosen.end(),
+                     [&](const model::Name& name) { return name.text == mechanics.dynamics.labels[speed]; });
+}
+
+support::Span span_of_choice(const model::Model& model) {
+  return {model.dependent.front().span.begin, model.dependent.back().span.end};
+}
 
 class StructureCheck {
  public:
@@ -21,6 +32,7 @@ class StructureCheck {
     for (std::size_t mu = 0; mu < model_.constraints.size(); ++mu) check_gradient(mu);
     if (!mechanics_.solution.undetermined.empty()) report_undetermined();
     for (const std::string& name : mechanics_.solution.redundant) report_redundant(name);
+    if (!model_.dependent.empty()) check_choice();
   }
 
  private:
@@ -63,6 +75,26 @@ class StructureCheck {
     }
   }
 
+  /// b_μρ over the speeds that the model calls dependent.
+  strategy::Matrix chosen_block() const {
+    strategy::Matrix block;
+    for (const strategy::Vector& row : mechanics_.dynamics.b) {
+      block.emplace_back();
+      for (std::size_t j = 0; j < row.size(); ++j) {
+        if (is_chosen(mechanics_, j)) block.back().push_back(row[j]);
+      }
+    }
+    return block;
+  }
+
+  void check_choice() {
+    if (generic_rank(at_generic_point_(chosen_block())) == mechanics_.dynamics.l()) return;
+    diagnostics_.error(support::code::k_dependent_speeds, span_of_choice(model_),
+                       "the constraints do not determine these speeds by the others: det b over them vanishes in every "
+                       "configuration",
+                       "choose others, or leave the choice out");
+  }
+
   Mechanics& mechanics_;
   const model::Model& model_;
   support::Diagnostics& diagnostics_;
@@ -75,6 +107,23 @@ class StructureCheck {
 void check_structure(Mechanics& mechanics, support::Diagnostics& diagnostics) {
   check_values(mechanics, diagnostics);
   if (!diagnostics.has_errors()) StructureCheck(mechanics, diagnostics).run();
+}
+
+void check_choice(const Mechanics& mechanics, support::Diagnostics& diagnostics) {
+  if (mechanics.model.dependent.empty()) return;
+  std::vector<std::string> used;
+  bool is_obeyed = true;
+  for (const std::size_t j : mechanics.solution.dependent) {
+    used.push_back(mechanics.dynamics.labels[j]);
+    is_obeyed = is_obeyed && is_chosen(mechanics, j);
+  }
+  if (is_obeyed && !used.empty()) return;
+  const std::string instead = used.empty() ? "the multiplier form" : "dependent speeds " + support::joined(used);
+  diagnostics.warning(
+      support::code::k_unsafe_choice, span_of_choice(mechanics.model),
+      "emitted code does not eliminate these speeds: det b over them depends on the configuration, so it "
+      "may vanish somewhere",
+      "it takes " + instead + "; derivation and --route=paper take the choice as it is");
 }
 
 support::Span span_of_speed(const model::Model& model, const std::string& label) {

@@ -10,6 +10,9 @@ namespace gaussgen {
 /// for every constraint that follows from the others.
 void check_structure(Mechanics& mechanics, support::Diagnostics& diagnostics);
 
+/// A warning where the emitted route does not take the dependent speeds that the model chooses, as they are not safe.
+void check_choice(const Mechanics& mechanics, support::Diagnostics& diagnostics);
+
 /// Where the model declares the coordinate or the angular velocity that is called `label`.
 support::Span span_of_speed(const model::Model& model, const std::string& label);
 

@@ -146,7 +146,7 @@ Solution solve_unconstrained(const Dynamics& dynamics, Expr epsilon, Steps& step
   ir::Graph& graph = epsilon.graph();
   const Expr never(graph, graph.constant(0));
   if (dynamics.n() == 0)
-    return {{}, {}, never, never, "no free coordinates: reactions are those of the held motion", {}, {}};
+    return {{}, {}, never, never, "no free coordinates: reactions are those of the held motion", {}, {}, {}};
   steps.begin("g = L D L^T");
   const Ldl ldl(dynamics.g, dynamics.labels, dynamics.names.prefix + "g", epsilon, steps);
   steps.begin("accelerations from dZ/da = 0 (1.15)");
@@ -156,6 +156,7 @@ Solution solve_unconstrained(const Dynamics& dynamics, Expr epsilon, Steps& step
           never,
           "unrolled L D L^T of the metric; no nonholonomic constraints",
           ldl.vanishing(),
+          {},
           {}};
 }
 
@@ -194,7 +195,8 @@ Solution solve_by_elimination(const Dynamics& dynamics, const Elimination& elimi
           "elimination (3.6)-(3.7) with dependent speeds " + joined(labels_of(dynamics, elimination.dependent)) +
               "; safe because det b over them depends on parameters alone",
           undetermined,
-          {}};
+          {},
+          elimination.dependent};
 }
 
 }  // namespace gaussgen::strategy

@@ -13,6 +13,7 @@ struct Solution {
   std::string description;                ///< which form, and why it is safe
   std::vector<std::string> undetermined;  ///< speeds that nothing gives inertia, in any configuration
   std::vector<std::string> redundant;     ///< constraints that follow from others, in every configuration
+  std::vector<std::size_t> dependent;     ///< speeds that elimination expresses by the others
 };
 
 /// No nonholonomic constraints: g a = f (Vujičić (1.15)).

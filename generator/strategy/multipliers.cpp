@@ -184,7 +184,8 @@ Solution solve_with_multipliers(const Dynamics& given, Expr epsilon, Steps& step
           form.dependent_rows(),
           "multiplier form (3.4): no choice of dependent speeds is provably safe in every configuration",
           undetermined,
-          form.vanishing_rows()};
+          form.vanishing_rows(),
+          {}};
 }
 
 }  // namespace gaussgen::strategy

@@ -85,6 +85,7 @@ inline constexpr ErrorCode k_dependent_start{"W057", "an initial state at which 
 
 // What the equations show about every configuration.
 inline constexpr ErrorCode k_redundant_constraint{"W054", "a constraint that follows from the others"};
+inline constexpr ErrorCode k_unsafe_choice{"W060", "a choice of dependent speeds that breaks down somewhere"};
 inline constexpr ErrorCode k_idle_point{"W058", "the point of a constraint whose force is not determined"};
 
 }  // namespace code
@@ -148,6 +149,7 @@ inline constexpr ErrorCode k_stage_codes[] = {
     code::k_singular_start,
     code::k_dependent_start,
     code::k_redundant_constraint,
+    code::k_unsafe_choice,
     code::k_idle_point,
 };
 

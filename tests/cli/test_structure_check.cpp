@@ -53,6 +53,28 @@ const std::string k_sum =
 
 }  // namespace
 
+TEST_CASE("dependent speeds are taken where they are safe everywhere; otherwise it is said what is taken instead") {
+  const std::string safe = plane("  c: {velocity: dot(x) + 2*dot(y)}\nelimination: {dependent: [x]}\n");
+  CHECK(found_in(safe).empty());
+  const std::string skate = plane("  c: {velocity: x*dot(x) + y*dot(y)}\nelimination: {dependent: [x]}\n");
+  CHECK(found_in(skate) ==
+        "m.yaml:7:27: warning[W060]: emitted code does not eliminate these speeds: det b over them depends on the "
+        "configuration, so it may vanish somewhere\n"
+        " 7 | elimination: {dependent: [x]}\n"
+        "   |                           ^\n"
+        "   = hint: it takes the multiplier form; derivation and --route=paper take the choice as it is\n");
+  CHECK(on_the_papers_route(skate).empty());
+  CHECK_THAT(found_in(plane("  c: {velocity: x*dot(x) + dot(y)}\nelimination: {dependent: [x]}\n")),
+             Catch::Contains("hint: it takes dependent speeds y;"));
+}
+
+TEST_CASE("dependent speeds that no constraint determines are refused, on both routes") {
+  const std::string model = plane("  c: {velocity: x*dot(x)}\nelimination: {dependent: [y]}\n");
+  CHECK_THAT(found_in(model), Catch::Contains("m.yaml:7:27: error[E059]: the constraints do not determine these"));
+  CHECK_THAT(on_the_papers_route(model), Catch::Contains("error[E059]"));
+  CHECK_THAT(of_derivation(model), Catch::Contains("error[E059]"));
+}
+
 TEST_CASE("a quotient that is a pole in every configuration is refused where it stands") {
   CHECK(found_in(point("[x/(y - y), y, s]")) ==
         "m.yaml:5:29: error[E053]: division by what is zero whatever the values\n"
