@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "dependence.hpp"
+#include "description.hpp"
 #include "evaluate/decimal.hpp"
 #include "model/impossible.hpp"
 #include "model_values.hpp"
-#include "point_check.hpp"
 #include "violation.hpp"
 
 namespace gaussgen {
@@ -16,6 +16,13 @@ using ir::Expr;
 using ir::NodeId;
 
 namespace {
+
+const char* const k_about_multipliers =
+    "multipliers: lambda of (3.4): a constraint phi = 0 adds lambda * dphi/du to the equation of motion of each speed "
+    "u.";
+
+// The language of models knows no unit of phi, and a power is lambda * phi in all of them.
+const char* const k_unit_of_multiplier = "power per phi: N where phi is in m/s, N*m where it is in rad/s";
 
 class Report {
  public:
@@ -32,19 +39,19 @@ class Report {
     add_groups("residuals");
     add_groups("compulsion");
     add_status();
-    add_notes();
     return std::move(result_);
   }
 
  private:
-  void add(const std::string& group, const std::string& name, const std::string& unit, NodeId node) {
+  void add(const std::string& group, const std::string& name, const Description& description, NodeId node) {
+    const auto& [unit, about] = description;
     const std::optional<cl_F> value = group == "residuals" ? value_of_.residual(node, digits_) : value_of_(node);
     if (value) {
-      result_.values.push_back({group, name, unit, evaluate::to_decimal(*value, digits_), true});
+      result_.values.push_back({group, name, unit, about, evaluate::to_decimal(*value, digits_), true});
       return;
     }
     const auto trouble = value_of_.trouble(node);
-    result_.values.push_back({group, name, unit, trouble->reason + " in " + trouble->name, false});
+    result_.values.push_back({group, name, unit, about, trouble->reason + " in " + trouble->name, false});
     doubt("not_finite");
   }
 
@@ -67,9 +74,19 @@ class Report {
     }
   }
 
+  // Time and what it determines come first: reactions depend on them as on the state.
+  void add_time() {
+    add("state", "t", {"s", "time"}, mechanics_.expressions.symbol(mechanics_.symbols.time).id());
+    for (const kinematics::HeldCoordinate& held : mechanics_.symbols.held) {
+      const model::Coordinate& coordinate = mechanics_.model.coordinates[held.model_index];
+      add("state", held.name, {coordinate.unit, "held at this time"}, mechanics_.expressions(*coordinate.held_at).id());
+    }
+  }
+
   bool set_state() {
+    add_time();
     const std::vector<InitialValue> state = initial_values(mechanics_);
-    for (const InitialValue& value : state) add("state", value.name, value.unit, value.node);
+    for (const InitialValue& value : state) add("state", value.name, {value.unit, ""}, value.node);
     const bool is_defined = bind_initial_values(mechanics_, state, value_of_);
     if (!is_defined) result_.warnings.push_back("the initial state is undefined");
     return is_defined;
@@ -81,7 +98,7 @@ class Report {
     for (const auto i : mechanics_.symbols.speeds.indices()) {
       const auto& u = mechanics_.symbols.speeds[i];
       const NodeId node = mechanics_.solution.accelerations[i.value].id();
-      add("accelerations", u.acceleration_name, u.unit.empty() ? "" : u.unit + "^2", node);
+      add("accelerations", u.acceleration_name, {u.unit.empty() ? "" : u.unit + "^2", ""}, node);
       found.emplace_back(u.acceleration, node);
     }
     if (!value_of_.bind(found))
@@ -90,8 +107,10 @@ class Report {
 
   void add_reactions() {
     for (std::size_t mu = 0; mu < mechanics_.dynamics.l(); ++mu) {
-      add("multipliers", mechanics_.dynamics.constraints[mu], "", mechanics_.solution.multipliers[mu].id());
+      add("multipliers", mechanics_.dynamics.constraints[mu], {"", k_unit_of_multiplier},
+          mechanics_.solution.multipliers[mu].id());
     }
+    if (mechanics_.dynamics.l() > 0) result_.notes.push_back(k_about_multipliers);
     for (const emit::Artefact& artefact : build_artefact("reactions", mechanics_)) {
       if (artefact.name == "reactions") add_held_reactions(artefact);
     }
@@ -99,8 +118,9 @@ class Report {
 
   void add_held_reactions(const emit::Artefact& artefact) {
     for (const auto i : mechanics_.symbols.held.indices()) {
-      const emit::Field& field = artefact.groups.at(mechanics_.dynamics.l() + i.value).fields.front();
-      add("reactions", mechanics_.symbols.held[i].name, unit_in(field.about), field.values.front());
+      const emit::Group& group = artefact.groups.at(mechanics_.dynamics.l() + i.value);
+      const emit::Field& field = group.fields.front();
+      add("reactions", mechanics_.symbols.held[i].name, describe(group, field), field.values.front());
     }
   }
 
@@ -115,24 +135,20 @@ class Report {
     return "[" + std::to_string(index) + "]";
   }
 
-  void add_groups(const std::string& output) {
-    for (const emit::Artefact& artefact : build_artefact(output, mechanics_)) {
-      for (const emit::Group& group : artefact.groups) {
-        for (const emit::Field& field : group.fields) {
-          for (std::size_t i = 0; i < field.values.size(); ++i) {
-            const std::string name = (group.name.empty() ? "" : group.name + ".") + field.name + suffix(field, i);
-            add(output, name, unit_in(field.about), field.values[i]);
-          }
-        }
-      }
+  void add_field(const std::string& output, const emit::Group& group, const emit::Field& field) {
+    for (std::size_t i = 0; i < field.values.size(); ++i) {
+      const std::string name = (group.name.empty() ? "" : group.name + ".") + field.name + suffix(field, i);
+      add(output, name, describe(group, field), field.values[i]);
     }
   }
 
-  /// "[N*m], space axes" → "N*m"
-  static std::string unit_in(const std::string& about) {
-    const std::size_t begin = about.find('[');
-    const std::size_t end = about.find(']');
-    return begin < end && end != std::string::npos ? about.substr(begin + 1, end - begin - 1) : "";
+  void add_groups(const std::string& output) {
+    for (const emit::Artefact& artefact : build_artefact(output, mechanics_)) {
+      result_.notes.push_back(output + ": " + on_one_line(artefact.about));
+      for (const emit::Group& group : artefact.groups) {
+        for (const emit::Field& field : group.fields) add_field(output, group, field);
+      }
+    }
   }
 
   void add_status() {
@@ -145,13 +161,6 @@ class Report {
       result_.warnings.push_back("the initial state violates constraint '" + violation.row->name + "' by " +
                                  evaluate::to_decimal(violation.residual, 3));
       doubt("violated_constraints");
-    }
-  }
-
-  void add_notes() {
-    for (const std::string& name : constraints_without_force(mechanics_)) {
-      result_.notes.push_back("reaction_forces has no force of '" + name +
-                              "' alone: the coordinates do not describe every motion of the bodies that it acts on");
     }
   }
 

@@ -11,10 +11,11 @@ namespace gaussgen {
 
 /// One number of the report.
 struct EvaluatedValue {
-  std::string group;  ///< state, accelerations, multipliers, reactions, energy, residuals, compulsion
+  std::string group;  ///< state, accelerations, multipliers, reactions, …, in this order
   std::string name;
   std::string unit;
-  std::string text;  ///< decimal, or why there is none
+  std::string about;  ///< meaning, frame, sign; may be empty
+  std::string text;   ///< decimal, or why there is none
   bool is_defined = true;
 };
 
@@ -23,7 +24,7 @@ struct Evaluation {
   std::vector<std::string> warnings;  ///< singular mass matrix, dependent constraints, initial state that violates them
   std::vector<std::string>
       doubts;  ///< why nothing is to be trusted, by the names of gauss::Status or "impossible_bodies"
-  std::vector<std::string> notes;  ///< what is left out on purpose
+  std::vector<std::string> notes;  ///< what a group holds, and what is left out of it on purpose
 };
 
 /// At the initial state of `mechanics.model` and time `time`, with `digits` decimal digits.

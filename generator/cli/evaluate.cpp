@@ -25,12 +25,14 @@ struct Widths {
   std::size_t name = 0;
   std::size_t whole = 0;
   std::size_t value = 0;
+  std::size_t unit = 0;
 };
 
 Widths widths_of(const std::vector<EvaluatedValue>& values) {
   Widths widths;
   for (const EvaluatedValue& value : values) {
     widths.name = std::max(widths.name, value.name.size());
+    widths.unit = std::max(widths.unit, value.unit.size());
     if (value.is_defined) widths.whole = std::max(widths.whole, whole_part(value.text));
   }
   for (const EvaluatedValue& value : values) {
@@ -40,24 +42,36 @@ Widths widths_of(const std::vector<EvaluatedValue>& values) {
   return widths;
 }
 
-std::string line_of(const EvaluatedValue& value, const Widths& widths) {
+std::string without_blanks_at_end(const std::string& line) { return line.substr(0, line.find_last_not_of(' ') + 1); }
+
+std::string line_of(const EvaluatedValue& value, const Widths& widths, const std::string& about) {
   if (!value.is_defined) return fmt::format("  {:<{}}  undefined: {}\n", value.name, widths.name, value.text);
   const std::string number = std::string(widths.whole - whole_part(value.text), ' ') + value.text;
-  if (value.unit.empty()) return fmt::format("  {:<{}}  {}\n", value.name, widths.name, number);
-  return fmt::format("  {:<{}}  {:<{}}  {}\n", value.name, widths.name, number, widths.value, value.unit);
+  return without_blanks_at_end(fmt::format("  {:<{}}  {:<{}}  {:<{}}  {}", value.name, widths.name, number,
+                                           widths.value, value.unit, widths.unit, about)) +
+         "\n";
+}
+
+std::string rows(const std::vector<EvaluatedValue>& values) {
+  const Widths widths = widths_of(values);
+  std::string text;
+  std::string group;
+  std::string about;
+  for (const EvaluatedValue& value : values) {
+    if (value.group != group) text += "\n" + value.group + "\n";
+    // What holds for several rows, such as the components of a force, stands at the first of them.
+    text += line_of(value, widths, value.about == about ? "" : value.about);
+    group = value.group;
+    about = value.about;
+  }
+  return text;
 }
 
 std::string table(const Evaluation& evaluation) {
-  const Widths widths = widths_of(evaluation.values);
   std::string text = "status\n  " +
                      (evaluation.doubts.empty() ? "ok" : "not to be trusted: " + support::joined(evaluation.doubts)) +
                      "\n";
-  std::string group;
-  for (const EvaluatedValue& value : evaluation.values) {
-    if (value.group != group) text += "\n" + value.group + "\n";
-    group = value.group;
-    text += line_of(value, widths);
-  }
+  text += rows(evaluation.values);
   if (!evaluation.notes.empty()) text += "\nnotes\n";
   for (const std::string& note : evaluation.notes) text += "  " + note + "\n";
   return text;
@@ -78,6 +92,7 @@ std::string json(const Evaluation& evaluation, const model::Model& model, const 
       entry["undefined"] = value.text;
     }
     if (!value.unit.empty()) entry["unit"] = value.unit;
+    if (!value.about.empty()) entry["about"] = value.about;
     document[value.group][value.name] = entry;
   }
   document["warnings"] = evaluation.warnings;
