@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "emit/identifiers.hpp"
 #include "model/emitted_names.hpp"
@@ -38,6 +39,20 @@ bool is_free(const std::string& name) {
 }
 
 }  // namespace
+
+std::string refusal_of_folder(const std::string& text) {
+  static const std::vector<std::string> k_header_endings = {".h", ".hh", ".hpp", ".hxx"};
+  const std::filesystem::path path(text);
+  const std::string ending = path.extension().string();
+  std::error_code error;
+  if (std::find(k_header_endings.begin(), k_header_endings.end(), ending) == k_header_endings.end()) return "";
+  if (std::filesystem::is_directory(path, error)) return "";
+  const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+  return fmt::format(
+      "'{}' is the name of a file, and a folder is needed, as the model names the header: write -o {}, or -o - > {} "
+      "for another name",
+      text, folder, text);
+}
 
 std::string refusal_of_choice(const std::string& word, const std::vector<std::string>& choices) {
   if (std::find(choices.begin(), choices.end(), word) != choices.end()) return "";

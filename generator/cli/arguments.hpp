@@ -12,4 +12,7 @@ std::string refusal_of_choice(const std::string& word, const std::vector<std::st
 /// A C++ namespace such as acme::models. It goes into code as it is, so nothing else may come in with it.
 std::string refusal_of_namespace(const std::string& text);
 
+/// Empty if `text` may be the folder of `-o`. A name of a header is most likely meant as one, and would become a folder.
+std::string refusal_of_folder(const std::string& text);
+
 }  // namespace gaussgen::cli

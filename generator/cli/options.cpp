@@ -128,7 +128,13 @@ void refuse_mixture(const CLI::App& app, const CLI::App& command) {
   }
 }
 
+void check_output(const Options& options) {
+  const std::string refusal = options.command == Command::generate ? refusal_of_folder(options.output) : "";
+  if (!refusal.empty()) refuse("-o", refusal);
+}
+
 void check(const CLI::App& app, const Options& options) {
+  check_output(options);
   if (options.model.empty()) throw UsageError("a model file is needed; - stands for standard input");
   const CLI::Option* name_space = app.get_option("--namespace");
   const std::string refusal = name_space->count() == 0 ? "" : refusal_of_namespace(options.pipeline.name_space);

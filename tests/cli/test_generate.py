@@ -25,6 +25,19 @@ class Output(Program):
         self.ok(SKEW, "--output=equals")
         self.assertTrue((self.folder / "equals/skew_chart.hpp").is_file())
 
+    def test_the_name_of_a_header_is_no_folder(self):
+        for name, instead in {"foo.hpp": "-o .,", "foo.h": "-o .,", "a b/foo.hpp": "-o a b,"}.items():
+            for more in ([], ["--list-outputs"]):
+                message = self.refused(2, SKEW, "-o", name, *more)
+                self.assertIn(f"-o: '{name}' is the name of a file", message)
+                self.assertIn(f"write {instead} or -o - > {name}", message)
+
+    def test_a_folder_may_have_such_a_name_where_it_is_clearly_one(self):
+        (self.folder / "foo.hpp").mkdir()
+        for folder in ("foo.hpp", "new.hpp/"):
+            self.ok(SKEW, "-o", folder)
+            self.assertTrue((self.folder / folder / "skew_chart.hpp").is_file(), folder)
+
     def test_a_dash_writes_to_standard_output_and_no_file(self):
         text = self.ok(SKEW, "-o", "-")
         self.assertEqual(self.files(), [])
