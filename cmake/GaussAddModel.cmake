@@ -4,13 +4,47 @@
 # Generates <name>.hpp from a model when <target> is built, and puts it on the include path of the target:
 # #include "<name>.hpp", where <name> is the name that the model file gives. The options are those of gauss-gen.
 
-# The `name:` of a model file, which is the name of its header; the name of the file where that cannot be seen.
+# The `name:` at the top level of a model's text; empty where it cannot be seen.
+function(_gauss_name_in_text text result)
+  string(REGEX REPLACE "([\n \t])#[^\n]*" "\\1" text "\n${text}")
+  string(STRIP "${text}" text)
+  if(text MATCHES "^{(.*)}$")
+    # One flow mapping: the maps in it go, since something in them may be called `name`, and each entry gets a line.
+    set(text "${CMAKE_MATCH_1}")
+    while(text MATCHES "{[^{}]*}")
+      string(REGEX REPLACE "{[^{}]*}" "" text "${text}")
+    endwhile()
+    string(REGEX REPLACE "[,\n][ \t\r\n]*" "\n" text ",${text}")
+  endif()
+  set(name)
+  if("\n${text}" MATCHES "\n[\"']?name[\"']?[ \t]*:[ \t\r\n]*[\"']?([A-Za-z0-9_]+)")
+    set(name ${CMAKE_MATCH_1})
+  endif()
+  set(${result} "${name}" PARENT_SCOPE)
+endfunction()
+
+# What gauss-gen says; empty while it is not built, and for a model with mistakes.
+function(_gauss_name_by_generator model result)
+  set(header)
+  get_target_property(is_imported gauss::gauss-gen IMPORTED)
+  if(is_imported)
+    get_target_property(generator gauss::gauss-gen LOCATION)
+    execute_process(COMMAND ${generator} --list-outputs ${model} OUTPUT_VARIABLE header ERROR_QUIET
+                    OUTPUT_STRIP_TRAILING_WHITESPACE)
+  endif()
+  get_filename_component(name "${header}" NAME_WE)
+  set(${result} "${name}" PARENT_SCOPE)
+endfunction()
+
+# The name that a model file gives, which is that of its header; the name of the file where that cannot be told.
 function(_gauss_model_name model result)
-  get_filename_component(name ${model} NAME_WE)
-  file(STRINGS ${model} lines REGEX "^name:")
-  if(lines)
-    list(GET lines 0 line)
-    string(REGEX REPLACE "^name:[ \t\"']*([A-Za-z0-9_]+).*$" "\\1" name "${line}")
+  _gauss_name_by_generator(${model} name)
+  if(NOT name)
+    file(READ ${model} text)
+    _gauss_name_in_text("${text}" name)
+  endif()
+  if(NOT name)
+    get_filename_component(name ${model} NAME_WE)
   endif()
   set(${result} ${name} PARENT_SCOPE)
 endfunction()

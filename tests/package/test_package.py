@@ -98,6 +98,18 @@ class Package(unittest.TestCase):
         self.make()
         self.assert_pendulum(2 * LENGTH)
 
+    def test_a_model_may_be_one_flow_mapping(self):
+        # The braces in words hide the name from all but the generator.
+        flow = ('{gauss: 1, about: "a {", name: pendulum, parameters: {m: {value: 1, about: "}"}, l: 0.8, g: 9.81}, '
+                "coordinates: {s: {held_at: l}, theta: {initial: 0.5}},\n"
+                "particles: {bob: {mass: m, position: [s*sin(theta), 0, -s*cos(theta)]}}, forces: {gravity: {uniform: [0, 0, -g]}}}\n")
+        (self.source / "flow.yaml").write_text(flow, encoding="utf-8")
+        self.edit("MODEL pendulum.yaml", "MODEL flow.yaml", file="CMakeLists.txt")
+        self.configure(ANY_GENERATOR)
+        self.assertIn("Generating pendulum.hpp", self.make())
+        self.assertNotIn("Generating", self.make())
+        self.assert_pendulum(LENGTH)
+
     def test_a_simulation_builds_with_the_installed_headers(self):
         self.configure(ANY_GENERATOR)
         self.make("turntable")

@@ -1,0 +1,23 @@
+# cmake -P: the name of a model as gauss_add_model sees it in the text, while there is no generator to ask.
+include(${CMAKE_CURRENT_LIST_DIR}/../../cmake/GaussAddModel.cmake)
+
+function(expect name text)
+  _gauss_name_in_text("${text}" found)
+  if(NOT found STREQUAL name)
+    message(SEND_ERROR "'${found}' instead of '${name}' in\n${text}")
+  endif()
+endfunction()
+
+expect(swing "gauss: 1\nname: swing\n")
+expect(swing "gauss: 1\r\nname: swing\r\n")
+expect(swing "gauss: 1\n\"name\": 'swing'  # not name: rope\n")
+expect(swing "parameters:\n  name: 3\nname: swing\n")
+expect(swing "# name: rope\nname: swing\n")
+expect(swing "name: swing\nabout: {of: [a]}\nforces: {name: 3}\n")
+expect(swing "{gauss: 1, name: swing, parameters: {m: 1}}\n")
+expect(swing "{gauss: 1, parameters: {name: 3, b: {name: 4}}, name: swing}\n")
+expect(swing "# a model\n{\n  gauss: 1,\n  # name: rope,\n  name: \"swing\"\n}\n")
+expect(swing "{name: swing, gauss: 1}")
+expect(swing "{\"gauss\":1,\"name\":\"swing\"}")
+expect("" "gauss: 1\n")
+expect("" "{gauss: 1, parameters: {name: 3}}\n")
