@@ -7,6 +7,7 @@
 #include "dependence.hpp"
 #include "evaluate/decimal.hpp"
 #include "generic_point.hpp"
+#include "open_rates.hpp"
 #include "structure_check.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
@@ -36,8 +37,10 @@ class InitialCheck {
     const std::vector<UndefinedPart> undefined = undefined_parts(mechanics_, values_);
     for (const UndefinedPart& part : undefined) report_undefined(part);
     if (undefined.empty() && !has_state) report_undefined_state(state);
-    for (const Violation& violation : violations(mechanics_, values_)) report_violation(violation);
+    const std::vector<Violation> violated = violations(mechanics_, values_);
+    for (const Violation& violation : violated) report_violation(violation);
     if (!undefined.empty() || !has_state) return;
+    if (violated.empty()) report_choice(chosen_rates(mechanics_, state, values_));
     for (const Dependence& found : dependences(mechanics_, values_)) report_dependence(found);
     report_singular();
   }
@@ -65,6 +68,20 @@ class InitialCheck {
                          fmt::format("the initial state violates constraint '{}' by {}", violation.row->name,
                                      evaluate::to_decimal(violation.residual, 3)),
                          remedy(mechanics_, *violation.row, values_));
+  }
+
+  void report_choice(const OpenRates& open) {
+    if (open.rates.empty()) return;
+    std::vector<std::string> values;
+    for (const OpenRate& rate : open.rates) {
+      values.push_back(fmt::format("{} = {}", rate.name, evaluate::to_decimal(rate.value, 3)));
+    }
+    diagnostics_.warning(
+        support::code::k_chosen_start, span_of_speed(model_, open.rates.front().label),
+        fmt::format(
+            "the constraints leave {} of these initial rates open, and the least motion, weighed by mass, is taken: {}",
+            open.freedom, support::joined(values)),
+        fmt::format("state {} of them by initial_rate or initial_angular_velocity", open.freedom));
   }
 
   void report_dependence(const Dependence& found) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "open_rates.hpp"
+
 namespace gaussgen {
 
 namespace {
@@ -15,18 +17,6 @@ std::string joined(const std::vector<std::string>& names) {
     text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
   }
   return text;
-}
-
-/// In the order of the speeds: those that the model states.
-std::vector<bool> given_speeds(const model::Model& model) {
-  std::vector<bool> result;
-  for (const model::Coordinate& coordinate : model.coordinates) {
-    if (!coordinate.held_at) result.push_back(coordinate.initial_rate.has_value());
-  }
-  for (const model::Orientation& orientation : model.orientations) {
-    for (const auto& component : orientation.initial_angular_velocity) result.push_back(component.has_value());
-  }
-  return result;
 }
 
 }  // namespace
@@ -46,7 +36,7 @@ std::string remedy(const Mechanics& mechanics, const kinematics::ConstraintRow& 
   std::vector<std::string> given;
   std::vector<std::string> open;
   std::vector<std::string> stuck;
-  const std::vector<bool> is_given = given_speeds(mechanics.model);
+  const std::vector<bool> is_given = stated_speeds(mechanics.model);
   for (const auto i : mechanics.symbols.speeds.indices()) {
     const auto b = values(row.beta[mechanics.symbols.full(i)].id());
     const std::string& name = mechanics.symbols.speeds[i].name;

@@ -60,7 +60,7 @@ struct Orientation {
   std::array<Name, 3> angular_velocity;  ///< rad/s, resolved in `frame`
   Frame frame = Frame::space;
   std::array<Ast, 4> initial;            ///< over parameters; normalised when emitted
-  std::array<std::optional<Ast>, 3> initial_angular_velocity;  ///< an empty one is determined by the constraints
+  std::array<std::optional<Ast>, 3> initial_angular_velocity;  ///< an empty one is open
 };
 
 /// Rotations about moving axes in the order of `sequence`: R = R_a(angle 0) R_b(angle 1) R_c(angle 2), body to space.

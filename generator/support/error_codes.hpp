@@ -82,6 +82,7 @@ inline constexpr ErrorCode k_violating_start{"W051", "an initial state that viol
 inline constexpr ErrorCode k_undefined_start{"W052", "an initial state at which something has no value"};
 inline constexpr ErrorCode k_singular_start{"W053", "an initial state without accelerations"};
 inline constexpr ErrorCode k_dependent_start{"W057", "an initial state at which constraints follow from each other"};
+inline constexpr ErrorCode k_chosen_start{"W059", "initial rates that the constraints do not determine"};
 
 // What the equations show about every configuration.
 inline constexpr ErrorCode k_redundant_constraint{"W054", "a constraint that follows from the others"};
@@ -148,6 +149,7 @@ inline constexpr ErrorCode k_stage_codes[] = {
     code::k_undefined_start,
     code::k_singular_start,
     code::k_dependent_start,
+    code::k_chosen_start,
     code::k_redundant_constraint,
     code::k_unsafe_choice,
     code::k_idle_point,

@@ -44,6 +44,20 @@ class Documents(Program):
         for (group, name), value in stated.items():
             self.assertAlmostEqual(float(document[group][name]["value"]), value, 12, name)
 
+    def test_a_planar_body_and_a_wheel_are_written_as_stated(self):
+        page = (SOURCE / "docs/model-format.md").read_text(encoding="utf-8")
+        planar, wheel = "{euler: zyx, angles: [psi, 0, 0]}", "{euler: zyx, angles: [psi, phi, 0]}"
+        push, dependent = "push: {generalized: {x: F, psi: -F*a*sin(psi)}}", "{dependent: [x, y]}"
+        for idiom in (planar, wheel, push, dependent):
+            self.assertIn(f"`{idiom}`", page)
+        place = "mass: 1, inertia: 1, position: [x + a*cos(psi), y + a*sin(psi), 0]"
+        model = ("gauss: 1\nname: idioms\nparameters: {F: 2, a: 0.5}\ncoordinates: {x: {}, y: {}, psi: {}, phi: {}}\n"
+                 f"bodies:\n  b: {{{place}, orientation: {planar}}}\n  w: {{{place}, orientation: {wheel}}}\n"
+                 "constraints:\n  first: {velocity: dot(x) - a*dot(phi)}\n"
+                 "  second: {velocity: dot(y) - a*dot(psi)}\n"
+                 f"forces:\n  {push}\nelimination: {dependent}\n")
+        self.ok("-", "--check", stdin=model)
+
 
 if __name__ == "__main__":
     unittest.main()

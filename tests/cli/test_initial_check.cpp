@@ -45,6 +45,32 @@ TEST_CASE("a rate that is left open follows from the constraint") {
   CHECK(found_in(plane("initial_rate: 1/3", "initial_rate: 0.3333333333333333", "dot(x) - dot(y)")).empty());
 }
 
+TEST_CASE("open rates that a choice gave their values are shown with them") {
+  const std::string plane_with = "dot(x) - 2*dot(y) - 5";
+  CHECK(found_in(plane("initial: 0", "initial: 0", plane_with)) ==
+        "m.yaml:8:3: warning[W059]: the constraints leave 1 of these initial rates open, and the least motion, weighed "
+        "by mass, is "
+        "taken: x_dot = 1.00, y_dot = -2.00\n"
+        " 8 |   x: {unit: m, initial: 0}\n"
+        "   |   ^\n"
+        "   = hint: state 1 of them by initial_rate or initial_angular_velocity\n");
+}
+
+TEST_CASE("nothing is said of open rates that constraints determine, that rest, or that keep their guesses") {
+  CHECK(found_in(plane("initial_rate: 1", "initial: 0", "dot(x) - 2*dot(y) - 5")).empty());
+  CHECK(found_in(plane("initial: 0", "initial: 0", "dot(x) - 2*dot(y)")).empty());
+  CHECK(found_in(plane("initial_rate_guess: 3", "initial_rate_guess: -1", "dot(x) - 2*dot(y) - 5")).empty());
+}
+
+TEST_CASE("a rate that no constraint has, but that a mass couples to one, is a choice too") {
+  const std::string cart =
+      "coordinates:\n  x: {unit: m}\n  a: {unit: rad, initial: 1}\nparticles:\n"
+      "  p: {mass: m, position: [x + sin(a), cos(a), 0]}\n  c: {mass: m, position: [x, 0, 0]}\n"
+      "constraints:\n  drive: {velocity: dot(x) - 1}\n";
+  CHECK_THAT(found_in(cart),
+             Catch::StartsWith("m.yaml:9:3: warning[W059]") && Catch::Contains("taken: a_dot = -0.540\n"));
+}
+
 TEST_CASE("a violation is judged by the size of the terms, whatever the unit") {
   CHECK(found_in(plane("initial_rate: 1e-20", "initial_rate: 1e-20", "dot(x) - dot(y)")).empty());
   CHECK_THAT(found_in(plane("initial_rate: 1e-20", "initial_rate: 2e-20", "dot(x) - dot(y)")),
