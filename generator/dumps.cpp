@@ -52,30 +52,6 @@ std::string dump_row(const kinematics::ConstraintRow& row, const kinematics::Sym
 
 }  // namespace
 
-std::string dump_model(const model::Model& model, const support::Source& source) {
-  const auto written = [&](const model::Ast& ast) { return std::string(source.text(ast.span)); };
-  std::string result = fmt::format("model {}\n", model.name.text);
-  for (const model::Parameter& p : model.parameters) {
-    result += fmt::format("  parameter  {} = {}{}\n", p.name.text, written(p.value), p.unit.empty() ? "" : "  [" + p.unit + "]");
-  }
-  for (const model::Input& input : model.inputs) result += fmt::format("  input      {}\n", input.name.text);
-  for (const model::Coordinate& c : model.coordinates) {
-    result += fmt::format("  coordinate {}{}\n", c.name.text, c.held_at ? ", held at " + written(*c.held_at) : "");
-  }
-  for (const model::Orientation& o : model.orientations) {
-    result += fmt::format("  quaternion {}, angular velocity in the {} frame\n", o.name.text,
-                          o.frame == model::Frame::space ? "space" : "body");
-  }
-  for (const model::Body& body : model.bodies) {
-    result += fmt::format("  {} {}, mass {}\n", body.inertia ? "body      " : "particle  ", body.name.text, written(body.mass));
-  }
-  for (const model::VelocityConstraint& c : model.constraints) {
-    result += fmt::format("  constraint {}: {} = 0\n", c.name.text, written(c.velocity));
-  }
-  for (const model::Force& force : model.forces) result += fmt::format("  force      {}\n", force.name.text);
-  return result;
-}
-
 std::string dump_kinematics(const Mechanics& mechanics) {
   std::string result;
   for (const auto& body : mechanics.kinematics.bodies) result += dump_body(body, mechanics.symbols);

@@ -4,7 +4,7 @@ import unittest
 
 from gauss_gen import MODELS, PARTICLE, SKATER, SKEW, SPHERE, Program
 
-STAGES = {"model": "constraint rolling_around", "kinematics": "body ball: dv/dt", "paper": "rolling_around",
+STAGES = {"model": "  rolling_around: ", "kinematics": "body ball: dv/dt", "paper": "rolling_around",
           "strategy": "G_", "artefacts": "rhs", "header": "#ifndef"}
 
 

@@ -1,0 +1,115 @@
+"""gauss-gen --dump=model: everything that the file says, and what it leaves out."""
+
+import unittest
+
+from gauss_gen import MODELS, PARTICLE, Program
+
+MODEL = """gauss: 1
+name: everything
+about: a plate and a bob
+parameters:
+  m: {value: 2, unit: kg, about: of each}
+  J: 2/5*m
+inputs: {push: {value: 3, unit: N}, idle: {}}
+coordinates:
+  h: {unit: m, held_at: sin(t), about: height}
+  x: {unit: m, initial: 1/2, initial_rate: 3}
+  y: {initial_rate_guess: 4}
+  a: {unit: rad}
+orientations:
+  attitude: {quaternion: [e0, e1, e2, e3], angular_velocity: [p, q, r], frame: body, initial_angular_velocity: {q: 5}}
+bodies:
+  plate:
+    about: thin
+    mass: m
+    inertia: [J, J, 2*J]
+    position: [x,
+               y, h]
+    orientation: attitude
+  wheel: {mass: m, inertia: J, position: [0, 0, 0], orientation: {euler: zxz, angles: [a, 0, 0]}}
+  rod: {mass: m, inertia: [[J, 0, J/9], [0, J, 0], [J/9, 0, J]], position: [0, 0, 0], orientation: {euler: xyz, angles: [a, 0, 0]}}
+particles:
+  bob: {mass: m, position: [x, 0, 0]}
+constraints:
+  blade: {velocity: dot(x) - 2*dot(y), point: [x, y, 0], about: sharp}
+forces:
+  gravity: {uniform: [0, 0, -9.81]}
+  spring: {potential: x^2, about: soft}
+  motor: {generalized: {x: push, p: -p}}
+elimination: {dependent: [x]}
+outputs: [rhs, energy]
+"""
+
+DUMP = """model everything  # a plate and a bob
+parameters
+  m = 2  [kg]  # of each
+  J = 2/5*m
+inputs
+  push = 3  [N]
+  idle = 0
+coordinates
+  h: held at sin(t)  [m]  # height
+  x: initial 1/2, initial rate 3  [m]
+  y: initial 0, initial rate left open, guess 4
+  a: initial 0, initial rate left open  [rad]
+orientations
+  attitude: unit quaternion, body to space
+    quaternion [e0, e1, e2, e3], initial [1, 0, 0, 0]
+    angular velocity [p, q, r] in the body frame, initial [left open, 5, left open]  [rad/s]
+bodies
+  plate: rigid body  # thin
+    mass m
+    position [x, y, h]
+    inertia [J, J, 2*J]
+    orientation attitude
+  wheel: rigid body
+    mass m
+    position [0, 0, 0]
+    inertia J
+    orientation euler zxz [a, 0, 0]
+  rod: rigid body
+    mass m
+    position [0, 0, 0]
+    inertia [[J, 0, J/9], [0, J, 0], [J/9, 0, J]]
+    orientation euler xyz [a, 0, 0]
+  bob: particle
+    mass m
+    position [x, 0, 0]
+constraints
+  blade: dot(x) - 2*dot(y) = 0  # sharp
+    point [x, y, 0]
+forces
+  gravity: uniform [0, 0, -9.81]
+  spring: potential x^2  # soft
+  motor: generalized {x: push, p: -p}
+elimination
+  dependent: x
+outputs
+  rhs, energy
+"""
+
+
+class DumpModel(Program):
+    def dump(self, text):
+        return self.run_it("-", "--dump=model", stdin=text).stdout
+
+    def test_everything_that_the_file_says_is_there(self):
+        self.assertEqual(self.dump(MODEL).splitlines(), DUMP.splitlines())
+
+    def test_what_is_left_out_is_filled_in(self):
+        text = self.dump(PARTICLE)
+        self.assertIn("outputs\n  all\n", text)
+        self.assertNotIn("elimination", text)
+        self.assertIn("  dependent: as the generator chooses\n", self.ok(MODELS / "skater_quaternion.yaml", "--dump=model"))
+
+    def test_an_expression_over_two_lines_is_one(self):
+        text = PARTICLE.replace("[x, y, 0]", "[x, y,\n    x\n      + y]")
+        self.assertIn("    position [x, y, x + y]\n", self.dump(text))
+
+    def test_no_line_of_any_model_ends_with_a_blank(self):
+        for model in sorted(MODELS.rglob("*.yaml")):
+            self.assertNotRegex(self.ok(model, "--dump=model"), r"(?m) $", model)
+
+
+if __name__ == "__main__":
+    unittest.main()
