@@ -11,6 +11,14 @@ const char* const k_about = "gauss-gen: equations of motion and constraint react
 const char* const k_about_evaluate =
     "Accelerations, multipliers, reactions, energy and residuals at the initial state, as numbers.\n";
 const char* const k_about_derivation = "The paper's objects and the final equations of a model as formulas.\n";
+const char* const k_about_status =
+    "The status comes first, and numbers are to be trusted with ok only. Else it says why not:\n"
+    "  singular_mass_matrix   a motion has no inertia here, or the coordinates are singular\n"
+    "  dependent_constraints  multipliers are not unique\n"
+    "  violated_constraints   the initial state does not satisfy a constraint\n"
+    "  not_finite             a value is undefined\n"
+    "  impossible_bodies      masses or inertias are such as no body has\n"
+    "The exit code is 0 with each of them. In JSON numbers are strings, so that no digit is lost.";
 
 namespace {
 

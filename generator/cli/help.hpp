@@ -13,6 +13,9 @@ extern const char* const k_about;
 extern const char* const k_about_evaluate;
 extern const char* const k_about_derivation;
 
+/// Below the options of evaluate.
+extern const char* const k_about_status;
+
 /// Our page in place of CLI11's, for `app` and the commands that are added to it afterwards.
 void write_help_by(CLI::App& app);
 

@@ -151,7 +151,7 @@ std::optional<Options> parse(CLI::App& app, int argc, const char* const* argv, i
   write_help_by(app);
   add_generate(app, options);
   // Added after the help flag and the formatter, which they inherit; the footer of the page is for the program as a whole.
-  CLI::App* evaluate = app.add_subcommand("evaluate", k_about_evaluate)->footer("");
+  CLI::App* evaluate = app.add_subcommand("evaluate", k_about_evaluate)->footer(k_about_status);
   add_evaluate(*evaluate, options);
   CLI::App* derivation = app.add_subcommand("derivation", k_about_derivation)->footer("");
   add_derivation(*derivation, options);
