@@ -129,6 +129,7 @@ class InitialCheck {
 
   void report_undetermined() {
     const std::vector<std::string> labels = undetermined_speeds();
+    const std::vector<std::string> massless = massless_bodies();
     std::string cause = "the mass matrix is singular";
     if (labels.size() == 1) cause += fmt::format(", nothing determines the acceleration of '{}'", labels[0]);
     if (labels.size() > 1)
@@ -136,7 +137,19 @@ class InitialCheck {
     diagnostics_.warning(
         support::code::k_singular_start, labels.empty() ? model_.name.span : span_of_speed(model_, labels[0]),
         "there are no accelerations at the initial state: " + cause,
-        "where coordinates do not describe every motion, start elsewhere; a quaternion has no such places");
+        massless.empty()
+            ? "where coordinates do not describe every motion, start elsewhere; a quaternion has no such places"
+            : fmt::format("give {} a mass: what is without mass and moves alone has no acceleration",
+                          support::joined(massless)));
+  }
+
+  std::vector<std::string> massless_bodies() {
+    std::vector<std::string> names;
+    for (const model::Body& body : model_.bodies) {
+      const auto mass = values_(mechanics_.expressions(body.mass).id());
+      if (mass && cln::zerop(*mass)) names.push_back("'" + body.name.text + "'");
+    }
+    return names;
   }
 
   /// Those that neither inertia nor constraints tell from each other.

@@ -2,6 +2,7 @@
 // Expressions of a model file as the user wrote them, with byte spans.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/rational.hpp"
@@ -30,5 +31,16 @@ struct Ast {
   std::string name;              ///< kind symbol: the name; kind call: the function
   std::vector<Ast> children;
 };
+
+/// Stands for an expression with a mistake that is reported already; later checks pass over it, except for the names in
+/// `readable`, the parts that could be read. No model that is handed on holds one.
+inline Ast broken_expression(std::vector<Ast> readable = {}) {
+  Ast ast;
+  ast.kind = AstKind::symbol;
+  ast.children = std::move(readable);
+  return ast;
+}
+
+inline bool is_broken(const Ast& ast) { return ast.kind == AstKind::symbol && ast.name.empty(); }
 
 }  // namespace gaussgen::model

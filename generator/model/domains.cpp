@@ -67,7 +67,7 @@ class DomainCheck {
   }
 
   void check(const Ast& ast, const Place& place) {
-    if (ast.kind == AstKind::symbol) return check_symbol(ast, place);
+    if (ast.kind == AstKind::symbol && !is_broken(ast)) return check_symbol(ast, place);
     const bool is_dot = ast.kind == AstKind::call && ast.name == k_dot;
     if (is_dot && !place.speeds) {
       reading_.diagnostics.error(code::k_dot_not_allowed, ast.span,
@@ -79,7 +79,6 @@ class DomainCheck {
 
  private:
   void check_symbol(const Ast& ast, const Place& place) {
-    if (is_broken(ast)) return;
     const auto symbol = reading_.model.symbols.find(ast.name);
     if (symbol == reading_.model.symbols.end()) return note_unknown(ast);
     if (allows(place, symbol->second.kind)) return;

@@ -26,9 +26,11 @@ Span place_of(const Node& node, Span owner) {
 
 std::string hint_for_key(const Node& map, const spec::Entry& entry, const std::vector<std::string>& allowed) {
   const std::string near = support::did_you_mean(entry.key.text, allowed);
-  // {about: of the centre, from the axis}: the second half arrives as a key without value.
-  const bool cut = near.empty() && map.flow && entry.value.kind == NodeKind::empty;
-  if (cut) return "the ',' before it ends a value in {...}: quote a text that has a comma";
+  // {about: of the centre, from the axis}: the second half arrives as a key without value, and something stands before it.
+  const bool has_no_value = near.empty() && map.flow && entry.value.kind == NodeKind::empty;
+  if (has_no_value && &entry == &map.entries.front())
+    return "write 'key: value'; the key is one of " + support::joined(allowed);
+  if (has_no_value) return "the ',' before it ends a value in {...}: quote a text that has a comma";
   return near + (near.empty() ? "" : " ") + "allowed here: " + support::joined(allowed);
 }
 
@@ -79,14 +81,6 @@ std::string hint_for_count(const Node& list, std::size_t length) {
 }
 
 }  // namespace
-
-Ast broken_expression() {
-  Ast ast;
-  ast.kind = AstKind::symbol;
-  return ast;
-}
-
-bool is_broken(const Ast& ast) { return ast.kind == AstKind::symbol && ast.name.empty(); }
 
 std::string kind_text(const Node& node) {
   switch (node.kind) {
@@ -151,8 +145,7 @@ Ast read_expression(const Node& node, Span owner, Reading& reading) {
     return broken_expression();
   }
   if (!expect(NodeKind::scalar, "an expression", node, owner, "this", reading)) return broken_expression();
-  auto ast = parse_expression(node.scalar, reading.diagnostics);
-  return ast ? std::move(*ast) : broken_expression();
+  return parse_readable(node.scalar, reading.diagnostics);
 }
 
 std::optional<Ast> expression_field(const Node& map, const std::string& key, Reading& reading) {

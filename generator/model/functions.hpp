@@ -19,6 +19,9 @@ const Function* find_function(std::string_view name);
 
 std::vector<std::string> function_names();
 
+/// How to write what another program's function gives: "write log(x)" for ln; empty for names that are no such function.
+std::string substitute_for(std::string_view name);
+
 /// Names that expressions already give a meaning: functions, `t`, `pi`, and `I`, which is an imaginary unit elsewhere.
 bool is_reserved(std::string_view name);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <utility>
 
 #include "model/character_name.hpp"
@@ -37,16 +38,22 @@ class Lexer {
  public:
   Lexer(const spec::LocatedText& text, support::Diagnostics& diagnostics) : text_(text), diagnostics_(diagnostics) {}
 
-  std::optional<std::vector<Token>> run() {
-    while (skip_blanks()) {
-      if (tokens_.size() >= k_most_tokens) return too_many();
-      if (!next()) return std::nullopt;
-    }
+  Tokens run() {
+    bool is_cut = false;
+    while (!is_cut && skip_blanks()) is_cut = tokens_.size() < k_most_tokens ? !next() : !too_many();
+    if (is_cut) drop_part();
     tokens_.push_back({TokenKind::end, at_, at_, {}, 0});
-    return std::move(tokens_);
+    return {std::move(tokens_), is_cut};
   }
 
  private:
+  /// Of `x'` the x would be another name.
+  void drop_part() {
+    if (tokens_.empty() || tokens_.back().end != at_) return;
+    const TokenKind kind = tokens_.back().kind;
+    if (kind == TokenKind::name || kind == TokenKind::number) tokens_.pop_back();
+  }
+
   char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.text.size() ? text_.text[at_ + ahead] : '\0'; }
 
   bool skip_blanks() {
@@ -105,10 +112,10 @@ class Lexer {
     return false;
   }
 
-  std::optional<std::vector<Token>> too_many() {
-    refuse(code::k_expression_limit, 1, fmt::format("the expression has more than {} parts", k_most_tokens),
-           "split it with parameters");
-    return std::nullopt;
+  bool too_many() {
+    tokens_.clear();
+    return refuse(code::k_expression_limit, 1, fmt::format("the expression has more than {} parts", k_most_tokens),
+                  "split it with parameters");
   }
 
   const spec::LocatedText& text_;
@@ -119,13 +126,13 @@ class Lexer {
 
 }  // namespace
 
-std::optional<std::vector<Token>> tokenize(const spec::LocatedText& text, support::Diagnostics& diagnostics) {
+Tokens tokenize(const spec::LocatedText& text, support::Diagnostics& diagnostics) {
   if (text.text.size() > k_longest_expression) {
     diagnostics.error(
         code::k_expression_limit, text.span_of(0, 1),
         fmt::format("the expression has {} bytes; the limit is {}", text.text.size(), k_longest_expression),
         "split it with parameters");
-    return std::nullopt;
+    return {{Token{}}, true};
   }
   return Lexer(text, diagnostics).run();
 }

@@ -1,7 +1,6 @@
 #pragma once
 // An expression to tokens. Only a whitelist of ASCII is accepted.
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +26,11 @@ struct Token {
   support::Rational number = 0;
 };
 
-/// The tokens with an `end` at the end; empty after the first error.
-std::optional<std::vector<Token>> tokenize(const spec::LocatedText& text, support::Diagnostics& diagnostics);
+struct Tokens {
+  std::vector<Token> all;  ///< with an `end` at the end
+  bool is_cut = false;     ///< by a mistake that is reported; a name or number that it stands in is left out
+};
+
+Tokens tokenize(const spec::LocatedText& text, support::Diagnostics& diagnostics);
 
 }  // namespace gaussgen::model

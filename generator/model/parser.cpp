@@ -19,9 +19,6 @@ namespace {
 
 constexpr double k_largest_exponent_growth = 1 << 14;  // before its exact value is formed
 
-/// Thrown and caught in this file only: the first error ends the expression.
-struct Abandoned {};
-
 /// Recursive descent:
 ///   sum     = product { (+|-) product }
 ///   product = unary { (*|/) unary }
@@ -30,22 +27,24 @@ struct Abandoned {};
 ///   primary = number | name | name ( sum { , sum } ) | ( sum )
 class Parser {
  public:
-  Parser(const spec::LocatedText& text, std::vector<Token> tokens, support::Diagnostics& diagnostics)
-      : text_(text), tokens_(std::move(tokens)), diagnostics_(diagnostics) {}
+  Parser(const spec::LocatedText& text, Tokens tokens, support::Diagnostics& diagnostics)
+      : text_(text), tokens_(std::move(tokens.all)), is_cut_(tokens.is_cut), diagnostics_(diagnostics) {}
 
   Ast run() {
     if (token().kind == TokenKind::end) {
-      diagnostics_.error(code::k_empty_expression, text_.span, "an expression is missing here",
-                         k_hint_for_empty_expression);
-      throw Abandoned{};
+      refuse(code::k_empty_expression, text_.span, "an expression is missing here", k_hint_for_empty_expression);
+      return broken_expression();
     }
     Ast ast = sum();
     if (token().kind != TokenKind::end) refuse_rest();
-    if (growth(ast) > k_largest_growth) {
-      refuse(code::k_expression_limit, ast.span, "the numbers in this expression grow too large",
-             "nested powers multiply their exponents; choose smaller ones");
+    if (!is_faulty() && growth(ast) > k_largest_growth) {
+      note(code::k_expression_limit, ast.span, "the numbers in this expression grow too large",
+           "nested powers multiply their exponents; choose smaller ones");
     }
-    return ast;
+    if (!is_faulty()) return ast;
+    std::vector<Ast> readable;
+    readable.push_back(std::move(ast));
+    return broken_expression(std::move(readable));
   }
 
  private:
@@ -77,9 +76,20 @@ class Parser {
     return {span_of(tokens_[first]).begin, span_of(tokens_[next_ - 1]).end};
   }
 
-  [[noreturn]] void refuse(const support::ErrorCode& code, support::Span span, std::string message, std::string hint) {
-    diagnostics_.error(code, span, std::move(message), std::move(hint));
-    throw Abandoned{};
+  bool is_faulty() const { return faults_ > 0 || is_cut_; }
+
+  /// A mistake after which reading goes on.
+  void note(const support::ErrorCode& code, support::Span span, std::string message, std::string hint) {
+    if (!is_over_) diagnostics_.error(code, span, std::move(message), std::move(hint));
+    ++faults_;
+  }
+
+  /// A mistake that ends the expression: everything above sees its end, and says nothing more. Where the text is cut, that is reported.
+  void refuse(const support::ErrorCode& code, support::Span span, std::string message, std::string hint) {
+    is_over_ = is_over_ || (is_cut_ && token().kind == TokenKind::end);
+    note(code, span, std::move(message), std::move(hint));
+    is_over_ = true;
+    next_ = tokens_.size() - 1;
   }
 
   static Ast node(AstKind kind, support::Span span, std::vector<Ast> children = {}) {
@@ -135,28 +145,38 @@ class Parser {
     Ast base = primary();
     if (!accept(TokenKind::power)) return base;
     const Level level(*this);
-    Ast exponent = fold_exponent(unary());
+    const int faults = faults_;
+    Ast exponent = unary();
+    exponent = faults_ == faults ? fold_exponent(exponent) : broken_expression();
     std::vector<Ast> children;
     children.push_back(std::move(base));
     children.push_back(std::move(exponent));
     return node(AstKind::power, span_since(first), std::move(children));
   }
 
+  static std::string hint_for_size() {
+    return fmt::format("numerator and denominator may be up to {}", k_largest_power);
+  }
+
+  Ast without_value(support::Span span, std::string message, std::string hint) {
+    note(code::k_exponent, span, std::move(message), std::move(hint));
+    return broken_expression();
+  }
+
   Ast fold_exponent(const Ast& exponent) {
     if (growth(exponent) > k_largest_exponent_growth) {
-      refuse(code::k_exponent, exponent.span, "this exponent is too large",
-             fmt::format("numerator and denominator may be up to {}", k_largest_power));
+      return without_value(exponent.span, "this exponent is too large", hint_for_size());
     }
     const auto value = exact_value(exponent);
     if (!value) {
-      refuse(code::k_exponent, exponent.span, "an exponent must be a constant integer or fraction",
-             "write exp(b*log(a)) for a^b with a variable b");
+      return without_value(exponent.span, "an exponent must be a constant integer or fraction",
+                           "write exp(b*log(a)) for a^b with a variable b");
     }
     const bool small =
         cln::abs(cln::numerator(*value)) <= k_largest_power && cln::denominator(*value) <= k_largest_power;
     if (!small) {
-      refuse(code::k_exponent, exponent.span, fmt::format("the exponent {} is too large", support::to_text(*value)),
-             fmt::format("numerator and denominator may be up to {}", k_largest_power));
+      return without_value(exponent.span, fmt::format("the exponent {} is too large", support::to_text(*value)),
+                           hint_for_size());
     }
     Ast folded = node(AstKind::number, exponent.span);
     folded.number = *value;
@@ -173,13 +193,14 @@ class Parser {
       }
       case TokenKind::name: return name();
       case TokenKind::open: return bracket();
-      default: refuse_operand();
+      default: refuse_operand(); return broken_expression();
     }
   }
 
   Ast bracket() {
     const std::size_t first = next_;
     const Level level(*this);
+    if (is_over_) return broken_expression();
     ++next_;
     Ast inner = sum();
     close(first);
@@ -195,6 +216,7 @@ class Parser {
     if (function != nullptr && !called) {
       refuse(code::k_function_call, span_of(tokens_[first]),
              fmt::format("the function '{}' needs its argument in brackets", text), fmt::format("write {}(...)", text));
+      return broken_expression();
     }
     if (called) return call(first, text, function);
     Ast ast = node(AstKind::symbol, span_of(tokens_[first]));
@@ -204,11 +226,11 @@ class Parser {
 
   Ast call(std::size_t first, const std::string& text, const Function* function) {
     if (function == nullptr) {
-      const std::string hint = support::did_you_mean(text, function_names());
-      refuse(code::k_function_call, span_of(tokens_[first]), fmt::format("'{}' is not a function", text),
-             hint.empty() ? fmt::format("for a product write {}*(...)", text) : hint);
+      note(code::k_function_call, span_of(tokens_[first]), fmt::format("'{}' is not a function", text),
+           hint_for_function(text));
     }
     const Level level(*this);
+    if (is_over_) return broken_expression();
     const std::size_t bracket = next_++;
     Ast ast = node(AstKind::call, {});
     ast.name = text;
@@ -218,33 +240,43 @@ class Parser {
     }
     close(bracket);
     ast.span = span_since(first);
-    if (ast.children.size() != function->arguments) {
-      refuse(code::k_function_call, ast.span,
-             fmt::format("'{}' takes {} argument{}, not {}", text, function->arguments,
-                         function->arguments == 1 ? "" : "s", ast.children.size()),
-             fmt::format("write {}{}", text, text == "atan2" ? "(y, x)" : "(x)") +
-                 (ast.children.size() > function->arguments ? "; the decimal sign is a point" : ""));
+    if (function != nullptr && ast.children.size() != function->arguments) {
+      note(code::k_function_call, ast.span,
+           fmt::format("'{}' takes {} argument{}, not {}", text, function->arguments,
+                       function->arguments == 1 ? "" : "s", ast.children.size()),
+           fmt::format("write {}{}", text, text == "atan2" ? "(y, x)" : "(x)") +
+               (ast.children.size() > function->arguments ? "; the decimal sign is a point" : ""));
     }
     return ast;
   }
 
+  static std::string hint_for_function(const std::string& text) {
+    std::string what = substitute_for(text);
+    if (what.empty()) {
+      const std::string near = support::did_you_mean(text, function_names());
+      if (!near.empty()) return near;
+      what = fmt::format("for a product write {}*(...)", text);
+    }
+    return what + "; the functions are " + support::joined(function_names());
+  }
+
   void close(std::size_t bracket) {
     if (accept(TokenKind::close)) return;
-    if (token().kind != TokenKind::end) refuse_rest();
+    if (token().kind != TokenKind::end) return refuse_rest();
     refuse(code::k_unbalanced_brackets, span_of(tokens_[bracket]), "this bracket is never closed",
            "add ')'; an expression that YAML cuts at ',', ' #' or ': ' needs quotes");
   }
 
-  [[noreturn]] void refuse_operand() {
+  void refuse_operand() {
     const support::Span span = span_of(token());
     const TokenKind kind = token().kind;
     if (kind == TokenKind::end) {
-      refuse(code::k_expression_syntax, span, "the expression stops where an operand should follow",
-             "write what is missing, or remove the operator at the end");
+      return refuse(code::k_expression_syntax, span, "the expression stops where an operand should follow",
+                    "write what is missing, or remove the operator at the end");
     }
     if (kind == TokenKind::close && next_ > 0 && tokens_[next_ - 1].kind == TokenKind::open) {
-      refuse(code::k_expression_syntax, span, "there is nothing between these brackets",
-             "write an expression between them, or remove them");
+      return refuse(code::k_expression_syntax, span, "there is nothing between these brackets",
+                    "write an expression between them, or remove them");
     }
     refuse(code::k_expression_syntax, span,
            fmt::format("an operand should stand before '{}'",
@@ -253,15 +285,15 @@ class Parser {
   }
 
   /// A complete operand stands before the current token, which cannot follow one.
-  [[noreturn]] void refuse_rest() {
+  void refuse_rest() {
     const support::Span span = span_of(token());
     if (token().kind == TokenKind::close) {
-      refuse(code::k_unbalanced_brackets, span, "this bracket closes nothing",
-             "remove it, or add the '(' that it belongs to");
+      return refuse(code::k_unbalanced_brackets, span, "this bracket closes nothing",
+                    "remove it, or add the '(' that it belongs to");
     }
     if (token().kind == TokenKind::comma) {
-      refuse(code::k_expression_syntax, span, "a comma outside the arguments of a function",
-             "the decimal sign is a point: 1.5");
+      return refuse(code::k_expression_syntax, span, "a comma outside the arguments of a function",
+                    "the decimal sign is a point: 1.5");
     }
     const bool after_number = next_ > 0 && tokens_[next_ - 1].kind == TokenKind::number;
     const bool apart = next_ > 0 && tokens_[next_ - 1].end < token().begin;
@@ -273,21 +305,24 @@ class Parser {
 
   const spec::LocatedText& text_;
   std::vector<Token> tokens_;
+  bool is_cut_;
   support::Diagnostics& diagnostics_;
   std::size_t next_ = 0;
   int depth_ = 0;
+  int faults_ = 0;
+  bool is_over_ = false;
 };
 
 }  // namespace
 
+Ast parse_readable(const spec::LocatedText& text, support::Diagnostics& diagnostics) {
+  return Parser(text, tokenize(text, diagnostics), diagnostics).run();
+}
+
 std::optional<Ast> parse_expression(const spec::LocatedText& text, support::Diagnostics& diagnostics) {
-  auto tokens = tokenize(text, diagnostics);
-  if (!tokens) return std::nullopt;
-  try {
-    return Parser(text, std::move(*tokens), diagnostics).run();
-  } catch (const Abandoned&) {
-    return std::nullopt;
-  }
+  Ast ast = parse_readable(text, diagnostics);
+  if (is_broken(ast)) return std::nullopt;
+  return ast;
 }
 
 }  // namespace gaussgen::model

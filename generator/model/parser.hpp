@@ -14,8 +14,11 @@ inline constexpr int k_largest_power = 64;
 
 inline constexpr const char* k_hint_for_empty_expression = "write a number or a formula; what vanishes is written as 0";
 
-/// Knows the grammar and the functions, not the names of the model. Reports the first error only: what
-/// follows one is guesswork. An exponent is folded to one number.
+/// Knows the grammar and the functions, not the names of the model. A mistake of syntax ends the expression, since what follows one
+/// is guesswork; after others it goes on. An exponent is folded to one number. After a mistake: broken, with what could be read.
+Ast parse_readable(const spec::LocatedText& text, support::Diagnostics& diagnostics);
+
+/// The same, or nothing after a mistake.
 std::optional<Ast> parse_expression(const spec::LocatedText& text, support::Diagnostics& diagnostics);
 
 }  // namespace gaussgen::model

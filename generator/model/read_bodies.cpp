@@ -35,13 +35,17 @@ EulerAngles read_euler(const Node& map, support::Span owner, Reading& reading) {
   if (sequence != nullptr && expect_scalar(*sequence, owner, "'euler'", reading)) {
     euler.sequence = sequence->scalar.text;
     if (!is_euler_sequence(euler.sequence)) {
-      reading.diagnostics.error(code::k_unknown_word, sequence->span,
-                                fmt::format("'{}' is not a sequence of axes", euler.sequence),
-                                "three letters of x, y, z without equal neighbours, such as zxz or zyx");
+      reading.diagnostics.error(
+          code::k_unknown_word, sequence->span, fmt::format("'{}' is not a sequence of axes", euler.sequence),
+          "three letters of x, y, z without equal neighbours, such as zxz or zyx; an angle that is not "
+          "needed is 0");
     }
   }
   const Node* angles = required(map, "angles", owner, where, reading);
-  if (angles != nullptr) euler.angles = read_vector(*angles, owner, "'angles'", reading);
+  // As many angles as letters: that is one mistake.
+  const bool is_reported = angles != nullptr && !euler.sequence.empty() && !is_euler_sequence(euler.sequence) &&
+                           angles->items.size() == euler.sequence.size();
+  if (angles != nullptr && !is_reported) euler.angles = read_vector(*angles, owner, "'angles'", reading);
   return euler;
 }
 

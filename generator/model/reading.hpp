@@ -34,9 +34,4 @@ struct Reading {
 /// Index of an orientation that was named but not found.
 inline constexpr std::size_t k_no_orientation = static_cast<std::size_t>(-1);
 
-/// Stands for an expression that was reported already; later checks pass over it. No model that is
-/// handed on holds one.
-Ast broken_expression();
-bool is_broken(const Ast& ast);
-
 }  // namespace gaussgen::model

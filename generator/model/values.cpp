@@ -56,15 +56,27 @@ void check_bodies(const Values& values, Reading& reading) {
   }
 }
 
+/// Components rounded to three digits may make |e|² differ from 1 by 2 Σ|e_i| 0.0005, at most 0.002.
+constexpr double k_rounded_square = 2e-3;
+
 void check_quaternion(const Orientation& orientation, const Values& values, Reading& reading) {
+  double square = 0;
   for (const Ast& component : orientation.initial) {
     const auto value = value_of(component, values);
-    if (!value || *value != 0.0) return;
+    if (!value || !std::isfinite(*value)) return;
+    square += *value * *value;
   }
   const support::Span span{orientation.initial[0].span.begin, orientation.initial[3].span.end};
-  reading.diagnostics.error(code::k_undefined_value, span,
-                            fmt::format("the initial quaternion of '{}' has length zero", orientation.name.text),
-                            "[1, 0, 0, 0] is no rotation");
+  if (square == 0) {
+    reading.diagnostics.error(code::k_undefined_value, span,
+                              fmt::format("the initial quaternion of '{}' has length zero", orientation.name.text),
+                              "[1, 0, 0, 0] is no rotation");
+  } else if (std::abs(square - 1) > k_rounded_square) {
+    reading.diagnostics.warning(code::k_quaternion_length, span,
+                                fmt::format("the initial quaternion of '{}' has length {:.4g} and is divided by it",
+                                            orientation.name.text, std::sqrt(square)),
+                                "check its components: the squares of a rotation add up to 1");
+  }
 }
 
 }  // namespace

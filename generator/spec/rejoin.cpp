@@ -1,5 +1,6 @@
 #include "spec/rejoin.hpp"
 
+#include <algorithm>
 #include <iterator>
 
 namespace gaussgen::spec {
@@ -18,6 +19,15 @@ int open_brackets(const std::string& text, int open) {
 }
 
 bool is_plain(const Node& node) { return node.kind == NodeKind::scalar && node.plain; }
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// 0,8 without a blank: such a comma is no separator, and a key that begins with a digit is none either.
+bool is_decimal_comma(const LocatedText& head, const LocatedText& tail) {
+  const bool is_close = head.span.end + 1 == tail.span.begin;
+  return is_close && !head.text.empty() && !tail.text.empty() && is_digit(head.text.back()) &&
+         is_digit(tail.text.front());
+}
 
 /// Pieces from `first` on that balance the brackets together, or 1.
 template <class Piece>
@@ -65,7 +75,10 @@ void rejoin_entries(std::vector<Entry>& entries) {
       if (k == i) return is_plain(entries[k].value) ? &entries[k].value.scalar : nullptr;
       return entries[k].value.kind == NodeKind::empty ? &entries[k].key : nullptr;
     };
-    const std::size_t count = pieces_to_join(entries.size(), i, piece);
+    std::size_t count = pieces_to_join(entries.size(), i, piece);
+    const LocatedText* head = piece(i);
+    const LocatedText* tail = i + 1 < entries.size() ? piece(i + 1) : nullptr;
+    if (head != nullptr && tail != nullptr && is_decimal_comma(*head, *tail)) count = std::max<std::size_t>(count, 2);
     Entry entry = entries[i];
     for (std::size_t k = 1; k < count; ++k) append(entry.value, entries[i + k].key);
     joined.push_back(std::move(entry));

@@ -75,6 +75,7 @@ inline constexpr ErrorCode k_no_paper_route{"E060", "the paper's route does not 
 
 inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate that moves no body"};
 inline constexpr ErrorCode k_no_mass{"W056", "a body with neither mass nor inertia"};
+inline constexpr ErrorCode k_quaternion_length{"W061", "an initial quaternion that is far from unit length"};
 inline constexpr ErrorCode k_scaled_unit{"W055", "a unit that would need a conversion"};
 
 // The initial state, which is looked at when the equations are there.
@@ -140,6 +141,7 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_idle_held_coordinate,
     code::k_scaled_unit,
     code::k_no_mass,
+    code::k_quaternion_length,
 };
 
 /// What only the stages after it can find.

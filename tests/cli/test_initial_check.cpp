@@ -135,6 +135,11 @@ TEST_CASE("a chart that is singular at the initial state is reported") {
                  "singular, nothing determines the acceleration of 'a'\n"));
 }
 
+TEST_CASE("where a mass is zero, the mass is what the hint asks for") {
+  CHECK_THAT(found_in("  z: 0\ncoordinates:\n  x: {unit: m}\nparticles:\n  p: {mass: z, position: [x, 0, 0]}\n"),
+             Catch::Contains("[W053]") && Catch::Contains("hint: give 'p' a mass:"));
+}
+
 TEST_CASE("coordinates that no inertia tells apart at the initial state are named") {
   CHECK_THAT(found_in("coordinates:\n  a: {unit: rad}\n  x: {unit: m}\nparticles:\n"
                       "  p: {mass: m, position: [x + sin(a), a^2, 0]}\n"),

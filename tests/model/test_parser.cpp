@@ -39,6 +39,21 @@ TEST_CASE("functions take their number of arguments") {
 
 TEST_CASE("blanks and line breaks separate and mean nothing") { CHECK(parsed(" a\t+\n b ") == "(+ a b)"); }
 
+TEST_CASE("mistakes that leave the syntax alone do not hide what follows") {
+  CHECK(parsed("foo(x) + bar(y)") == "2 errors");
+  CHECK(parsed("sin(x, y) + cos()") == "2 errors");
+  CHECK(parsed("x^y + x^65 + a b") == "3 errors");
+  CHECK(parsed("foo(x) + 2..5") == "2 errors");
+}
+
+TEST_CASE("one mistake is one message") {
+  CHECK(parsed("x^y^y") == "E037@4");
+  CHECK(parsed("x^foo(y)") == "E036@2");
+  CHECK(parsed("sin(x + (y z") == "E035@11");
+  CHECK(parsed("sin(x, $") == "E030@7");
+  CHECK(parsed("sin(x + y$") == "E030@9");
+}
+
 TEST_CASE("a product needs its operator") {
   CHECK(parsed("2x") == "E035@1");
   CHECK(parsed("x y") == "E035@2");
