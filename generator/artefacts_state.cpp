@@ -129,7 +129,7 @@ Artefact mass_matrix_artefact(Mechanics& mechanics) {
 Artefact project_artefact(Mechanics& mechanics) {
   ArtefactBuilder builder("project",
                           "The nearest state that satisfies the constraints: unit quaternions, then the smallest change of\n"
-                          "the speeds in the mass metric (one Newton step for constraints nonlinear in the velocities).",
+                          "the speeds in the mass metric (two Newton steps for constraints nonlinear in the velocities).",
                           mechanics);
   Steps steps;
   const auto state = strategy::project(mechanics.dynamics, mechanics.epsilon(), steps);

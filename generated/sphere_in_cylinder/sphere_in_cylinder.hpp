@@ -30,7 +30,7 @@
 //
 // Operations per call
 //                      + -  *    /  sqrt  functions
-//   prepare            4    25   6  0     0
+//   prepare            5    29   6  0     0
 //   rhs                16   62   2  0     4
 //   reactions          16   66   2  0     4
 //   rhs_and_reactions  17   70   2  0     4
@@ -39,8 +39,8 @@
 //   compulsion         18   48   0  0     6
 //   residuals          14   32   0  0     4
 //   mass_matrix        0    1    0  0     1
-//   project            11   23   1  0     4
-//   initial_state      4    18   4  0     4
+//   project            29   53   1  0     4
+//   initial_state      11   36   4  0     4
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
 #define GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
@@ -271,36 +271,40 @@ struct Inputs {};
 /// Parameters as the functions read them, and what follows from them alone; made by prepare().
 template <class S>
 struct Prepared {
-  S m;              ///< mass of the ball
-  S r;              ///< radius of the ball
-  S R;              ///< radius of the cylinder
-  S psi_0;          ///< precession at t = 0
-  S theta_0;        ///< nutation at t = 0
-  S phi_0;          ///< spin at t = 0
-  S zeta_dot_0;     ///< rate of climb at t = 0
-  S omega_r_0;      ///< angular velocity about the line to the contact at t = 0
-  S J;              ///< moment of inertia of the ball about a diameter
-  S m_r_2;          ///< m * r^2
-  S m_2_r_4;        ///< m^2 * r^4
-  S m_g;            ///< m * g
-  S M_chi_chi;      ///< m * (R - r)^2 + J * (R - r)^2 / r^2
-  S least_pivot;    ///< abs(r)
-  S m_rho;          ///< m * (R - r)
-  S r_over_J;       ///< r / J
-  S rho_2;          ///< (R - r)^2
-  S half_m;         ///< 0.5 * m
-  S half_J;         ///< 0.5 * J
-  S rho;            ///< R - r
-  S half_inv_m;     ///< 0.5 / m
-  S half_inv_J;     ///< 0.5 / J
-  S r_minus_R;      ///< r - R
-  S G_chi_chi;      ///< m * (R - r)^2
-  S c1;             ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
-  S c2;             ///< 1 / (m * (1 / m + r^2 / J))
-  S c3;             ///< r / (J * (1 / m + r^2 / J))
-  S rounding_J;     ///< 20 * epsilon * J
-  S least_g_pivot;  ///< min(J, min(m, m * (R - r)^2))
-  S least_S_pivot;  ///< 1 / m + r^2 / J
+  S m;                      ///< mass of the ball
+  S r;                      ///< radius of the ball
+  S R;                      ///< radius of the cylinder
+  S psi_0;                  ///< precession at t = 0
+  S theta_0;                ///< nutation at t = 0
+  S phi_0;                  ///< spin at t = 0
+  S zeta_dot_0;             ///< rate of climb at t = 0
+  S omega_r_0;              ///< angular velocity about the line to the contact at t = 0
+  S J;                      ///< moment of inertia of the ball about a diameter
+  S m_r_2;                  ///< m * r^2
+  S m_2_r_4;                ///< m^2 * r^4
+  S m_g;                    ///< m * g
+  S M_chi_chi;              ///< m * (R - r)^2 + J * (R - r)^2 / r^2
+  S c1;                     ///< abs(r)
+  S m_rho;                  ///< m * (R - r)
+  S r_over_J;               ///< r / J
+  S rho_2;                  ///< (R - r)^2
+  S half_m;                 ///< 0.5 * m
+  S half_J;                 ///< 0.5 * J
+  S rho;                    ///< R - r
+  S half_inv_m;             ///< 0.5 / m
+  S half_inv_J;             ///< 0.5 / J
+  S r_minus_R;              ///< r - R
+  S G_chi_chi;              ///< m * (R - r)^2
+  S c2;                     ///< 1 / (m * (1 / m + r^2 / J))
+  S c3;                     ///< r / (J * (1 / m + r^2 / J))
+  S c4;                     ///< r^2 / (J * (1 / m + r^2 / J))
+  S c5;                     ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
+  S rounding_J;             ///< 20 * epsilon * J
+  S least_g_pivot;          ///< min(J, min(m, m * (R - r)^2))
+  S inv_m_plus_r_2_over_J;  ///< 1 / m + r^2 / J
+  S r_2;                    ///< r^2
+  S r_2_plus_rho_2;         ///< r^2 + (R - r)^2
+  S S_rolling_around_3;     ///< (1 / m + r^2 / J)^3
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -443,11 +447,10 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S rho_2 = rho * rho;
   const S G_chi_chi = m * rho_2;
   const S M_chi_chi = G_chi_chi + J * rho_2 / r_2;
-  const S least_pivot = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
   const S inv_J = S(1) / J;
   const S inv_m = S(1) / m;
-  const S least_S_pivot = inv_m + r_2 * inv_J;
-  const S inv_least_S_pivot = S(1) / least_S_pivot;
+  const S inv_m_plus_r_2_over_J = inv_m + r_2 * inv_J;
+  const S inv_inv_m_plus_r_2_over_J = S(1) / inv_m_plus_r_2_over_J;
   const S t1 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
   const S least_g_pivot = Math<S>::select(Math<S>::less(J, t1), J, t1);
 
@@ -465,7 +468,7 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.m_2_r_4 = m * m * r_2 * r_2;
   prepared.m_g = m * g;
   prepared.M_chi_chi = M_chi_chi;
-  prepared.least_pivot = least_pivot;
+  prepared.c1 = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
   prepared.m_rho = m * rho;
   prepared.r_over_J = r * inv_J;
   prepared.rho_2 = rho_2;
@@ -476,12 +479,16 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r - R;
   prepared.G_chi_chi = G_chi_chi;
-  prepared.c1 = inv_m * inv_least_S_pivot / rho;
-  prepared.c2 = inv_m * inv_least_S_pivot;
-  prepared.c3 = r * inv_J * inv_least_S_pivot;
+  prepared.c2 = inv_m * inv_inv_m_plus_r_2_over_J;
+  prepared.c3 = r * inv_J * inv_inv_m_plus_r_2_over_J;
+  prepared.c4 = r_2 * inv_J * inv_inv_m_plus_r_2_over_J;
+  prepared.c5 = inv_m * inv_inv_m_plus_r_2_over_J / rho;
   prepared.rounding_J = S(20) * Math<S>::epsilon() * J;
   prepared.least_g_pivot = least_g_pivot;
-  prepared.least_S_pivot = least_S_pivot;
+  prepared.inv_m_plus_r_2_over_J = inv_m_plus_r_2_over_J;
+  prepared.r_2 = r_2;
+  prepared.r_2_plus_rho_2 = r_2 + rho_2;
+  prepared.S_rolling_around_3 = inv_m_plus_r_2_over_J * inv_m_plus_r_2_over_J * inv_m_plus_r_2_over_J;
   return prepared;
 }
 
@@ -497,7 +504,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
   const S& M_chi_chi = prepared.M_chi_chi;
-  const S& least_pivot = prepared.least_pivot;
+  const S& c1 = prepared.c1;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
   const S& phi = state.phi();
@@ -575,7 +582,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
       Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
       Math<S>::at_most(M_chi_chi, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, a_zeta, a_phi, a_psi, a_theta);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
@@ -593,7 +600,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
   const S& M_chi_chi = prepared.M_chi_chi;
-  const S& least_pivot = prepared.least_pivot;
+  const S& c1 = prepared.c1;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
@@ -678,7 +685,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
       Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
       Math<S>::at_most(M_chi_chi, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, excess_zeta, rolling_along_generalized_2, rolling_along_generalized_4,
       rho_generalized);
@@ -698,7 +705,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
   const S& M_chi_chi = prepared.M_chi_chi;
-  const S& least_pivot = prepared.least_pivot;
+  const S& c1 = prepared.c1;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
@@ -798,7 +805,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
       Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
       Math<S>::at_most(M_chi_chi, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, a_zeta, a_phi, a_psi, a_theta, excess_zeta, rolling_along_generalized_2,
       rolling_along_generalized_4, rho_generalized);
@@ -819,7 +826,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
   const S& M_chi_chi = prepared.M_chi_chi;
-  const S& least_pivot = prepared.least_pivot;
+  const S& c1 = prepared.c1;
   const S& m_rho = prepared.m_rho;
   const S& r_over_J = prepared.r_over_J;
   const S& chi = state.chi();
@@ -940,7 +947,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
       Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
       Math<S>::at_most(M_chi_chi, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, excess_zeta, moment_rolling_along_ball_x, moment_rolling_along_ball_y,
       force_rho_ball_x, force_rho_ball_y, moment_on_ball_x, moment_on_ball_y, moment_on_ball_z);
@@ -1169,7 +1176,7 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
 }
 
 /// The nearest state that satisfies the constraints: unit quaternions, then the smallest change of
-/// the speeds in the mass metric (one Newton step for constraints nonlinear in the velocities).
+/// the speeds in the mass metric (two Newton steps for constraints nonlinear in the velocities).
 template <class S>
 GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepared<S>& prepared,
                                    State<S>& state) noexcept {
@@ -1177,12 +1184,16 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S r = prepared.r;
   const S J = prepared.J;
   const S r_minus_R = prepared.r_minus_R;
-  const S c1 = prepared.c1;
   const S c2 = prepared.c2;
   const S c3 = prepared.c3;
+  const S c4 = prepared.c4;
+  const S c5 = prepared.c5;
   const S rounding_J = prepared.rounding_J;
   const S least_g_pivot = prepared.least_g_pivot;
-  const S least_S_pivot = prepared.least_S_pivot;
+  const S inv_m_plus_r_2_over_J = prepared.inv_m_plus_r_2_over_J;
+  const S r_2 = prepared.r_2;
+  const S r_2_plus_rho_2 = prepared.r_2_plus_rho_2;
+  const S S_rolling_around_3 = prepared.S_rolling_around_3;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S phi = from.phi();
@@ -1201,16 +1212,31 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   Math<S>::sincos(chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
-  const S impulse_y_rolling_around = r_minus_R * chi_dot - r * phi_dot * cos_theta - r * psi_dot;
-  const S impulse_y_rolling_along = -(zeta_dot + r * phi_dot * sin_theta * cos_chi_minus_psi
-      + r * theta_dot * sin_chi_minus_psi);
-  const S change_chi = c1 * impulse_y_rolling_around;
-  const S change_zeta = c2 * impulse_y_rolling_along;
+  const S r_phi_dot_cos_theta = r * phi_dot * cos_theta;
+  const S r_psi_dot = r * psi_dot;
+  const S r_minus_R_chi_dot = r_minus_R * chi_dot;
+  const S rough_impulse_y_rolling_around = r_minus_R_chi_dot - r_phi_dot_cos_theta - r_psi_dot;
+  const S t1 = r * phi_dot * sin_theta * cos_chi_minus_psi;
+  const S t2 = r * theta_dot * sin_chi_minus_psi;
+  const S rough_impulse_y_rolling_along = -(zeta_dot + t1 + t2);
+  const S rough_change_chi = c5 * rough_impulse_y_rolling_around;
+  const S rough_change_zeta = c2 * rough_impulse_y_rolling_along;
   const S inv_sin_theta = S(1) / sin_theta;
-  const S change_phi = c3 * impulse_y_rolling_along * inv_sin_theta * cos_chi_minus_psi;
-  const S change_psi = c3 * impulse_y_rolling_around
-      - c3 * impulse_y_rolling_along * inv_sin_theta * cos_theta * cos_chi_minus_psi;
-  const S change_theta = c3 * impulse_y_rolling_along * sin_chi_minus_psi;
+  const S rough_change_phi = c3 * rough_impulse_y_rolling_along * inv_sin_theta * cos_chi_minus_psi;
+  const S rough_change_psi = c3 * rough_impulse_y_rolling_around
+      - c3 * rough_impulse_y_rolling_along * inv_sin_theta * cos_theta * cos_chi_minus_psi;
+  const S rough_change_theta = c3 * rough_impulse_y_rolling_along * sin_chi_minus_psi;
+  const S correction_y_rolling_around = r_minus_R_chi_dot - r_phi_dot_cos_theta - r_psi_dot
+      - r * rough_change_psi - c2 * rough_impulse_y_rolling_around
+      - c4 * rough_impulse_y_rolling_along * inv_sin_theta * cos_theta * cos_chi_minus_psi;
+  const S correction_y_rolling_along = -(zeta_dot + t1 + t2 + rough_change_zeta
+      + c4 * rough_impulse_y_rolling_along);
+  const S change_chi = c5 * correction_y_rolling_around + rough_change_chi;
+  const S change_zeta = c2 * correction_y_rolling_along + rough_change_zeta;
+  const S change_phi = c3 * correction_y_rolling_along * inv_sin_theta * cos_chi_minus_psi + rough_change_phi;
+  const S change_psi = rough_change_psi - c3 * correction_y_rolling_along * inv_sin_theta * cos_theta
+      * cos_chi_minus_psi + c3 * correction_y_rolling_around;
+  const S change_theta = c3 * correction_y_rolling_along * sin_chi_minus_psi + rough_change_theta;
   const S chi_rate = chi_dot + change_chi;
   const S zeta_rate = zeta_dot + change_zeta;
   const S phi_rate = phi_dot + change_phi;
@@ -1218,7 +1244,11 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S theta_rate = theta_dot + change_theta;
 
   // Results
-  const S G_pivot_psi = J * sin_theta * sin_theta;
+  const S sin_theta_2 = sin_theta * sin_theta;
+  const S G_pivot_psi = J * sin_theta_2;
+  const S squares_rolling_around = r_2_plus_rho_2 + r_2 * cos_theta * cos_theta;
+  const S squares_rolling_along = S(1) + r_2 * sin_theta_2 * cos_chi_minus_psi * cos_chi_minus_psi
+      + r_2 * sin_chi_minus_psi * sin_chi_minus_psi;
 
   state.chi() = chi;
   state.zeta() = zeta;
@@ -1233,7 +1263,10 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(G_pivot_psi, rounding_J),
       Math<S>::at_most(least_g_pivot, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(least_S_pivot, S(0));
+  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(inv_m_plus_r_2_over_J, S(0)),
+      Math<S>::any(Math<S>::at_most(squares_rolling_around * squares_rolling_around * squares_rolling_around,
+      S(0)), Math<S>::at_most(squares_rolling_along * squares_rolling_along * squares_rolling_along, S(0)),
+      Math<S>::at_most(S_rolling_around_3, S(0))));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, chi_rate, zeta_rate, phi_rate, psi_rate, theta_rate);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
@@ -1262,17 +1295,33 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   const S inv_r = S(1) / r;
   const S inv_sin_theta_0 = S(1) / sin_theta_0;
   const S t1 = inv_r * zeta_dot_0 * cos_psi_0 - omega_r_0 * sin_psi_0;
-  const S change_psi = inv_r * (S(4) * r - S(4) * R + r * inv_sin_theta_0 * cos_theta_0 * t1);
-  const S change_theta = inv_r * (zeta_dot_0 - r * cos_psi_0 * t1) / sin_psi_0;
+  const S t2 = r * inv_sin_theta_0 * cos_theta_0 * t1;
+  const S rough_change_psi = inv_r * (S(4) * r - S(4) * R + t2);
+  const S inv_sin_psi_0 = S(1) / sin_psi_0;
+  const S t3 = r * cos_psi_0 * t1;
+  const S rough_change_theta = inv_r * inv_sin_psi_0 * (zeta_dot_0 - t3);
+  const S change_psi = rough_change_psi + inv_r * (S(4) * r - S(4) * R - r * rough_change_psi + t2);
+  const S change_theta = rough_change_theta - inv_r * inv_sin_psi_0
+      * (r * rough_change_theta * sin_psi_0 - zeta_dot_0 + t3);
 
   // Results
   const S phi_dot = -inv_sin_theta_0 * t1;
-  const S r_2 = r * r;
+  const S squares_rolling_around = r * r;
   const S inv_J = S(1) / J;
-  const S r_2_sin_psi_0_2_over_J = r_2 * inv_J * sin_psi_0 * sin_psi_0;
-  const S r_2_over_J = r_2 * inv_J;
-  const S least_S_pivot = Math<S>::select(Math<S>::less(r_2_sin_psi_0_2_over_J, r_2_over_J),
-      r_2_sin_psi_0_2_over_J, r_2_over_J);
+  const S sin_psi_0_2 = sin_psi_0 * sin_psi_0;
+  const S S_rolling_along = squares_rolling_around * inv_J * sin_psi_0_2;
+  const S S_rolling_around = squares_rolling_around * inv_J;
+  const S least_S_pivot = Math<S>::select(Math<S>::less(S_rolling_along, S_rolling_around), S_rolling_along,
+      S_rolling_around);
+  const S S_rolling_along_3 = S_rolling_along * S_rolling_along * S_rolling_along;
+  const S squares_rolling_along = squares_rolling_around * sin_psi_0_2;
+  const S squares_rolling_along_3 = squares_rolling_along * squares_rolling_along * squares_rolling_along;
+  const S S_rolling_around_3 = S_rolling_around * S_rolling_around * S_rolling_around;
+  const S squares_rolling_around_3 = squares_rolling_around * squares_rolling_around * squares_rolling_around;
+  const S t4 = Math<S>::select(Math<S>::less(S_rolling_around_3, squares_rolling_around_3),
+      S_rolling_around_3, squares_rolling_around_3);
+  const S t5 = Math<S>::select(Math<S>::less(squares_rolling_along_3, t4), squares_rolling_along_3, t4);
+  const S least_cube = Math<S>::select(Math<S>::less(S_rolling_along_3, t5), S_rolling_along_3, t5);
 
   state.chi() = S(0);
   state.zeta() = S(0);
@@ -1286,7 +1335,8 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.theta_dot() = change_theta;
 
   const Bool singular_mass_matrix = Math<S>::at_most(J, S(0));
-  const Bool dependent_constraints = Math<S>::at_most(least_S_pivot, S(0));
+  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(least_S_pivot, S(0)),
+      Math<S>::at_most(least_cube, S(0)));
   const Bool not_finite = Math<S>::not_finite(phi_0, psi_0, theta_0, zeta_dot_0, phi_dot, change_psi,
       change_theta);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);

@@ -36,7 +36,7 @@
 //
 // Operations per call
 //                      + -  *   /  sqrt  functions
-//   prepare            4    23  6  0     0
+//   prepare            6    31  6  0     0
 //   rhs                20   55  2  0     2
 //   reactions          13   45  2  0     2
 //   rhs_and_reactions  21   62  2  0     2
@@ -45,8 +45,8 @@
 //   compulsion         11   27  0  0     2
 //   residuals          12   20  0  0     2
 //   mass_matrix        3    4   0  0     0
-//   project            11   20  2  1     2
-//   initial_state      3    11  4  0     6
+//   project            22   30  1  1     2
+//   initial_state      6    19  4  0     6
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_QUATERNION_HPP
 #define GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_QUATERNION_HPP
@@ -276,34 +276,36 @@ struct Inputs {};
 /// Parameters as the functions read them, and what follows from them alone; made by prepare().
 template <class S>
 struct Prepared {
-  S m;              ///< mass of the ball
-  S r;              ///< radius of the ball
-  S R;              ///< radius of the cylinder
-  S psi_0;          ///< precession at t = 0
-  S theta_0;        ///< nutation at t = 0
-  S phi_0;          ///< spin at t = 0
-  S omega_r_0;      ///< angular velocity about the line to the contact at t = 0
-  S J;              ///< moment of inertia of the ball about a diameter
-  S m_r_2;          ///< m * r^2
-  S m_2_r_4;        ///< m^2 * r^4
-  S m_g;            ///< m * g
-  S M_chi_chi;      ///< m * (R - r)^2 + J * (R - r)^2 / r^2
-  S least_pivot;    ///< abs(r)
-  S m_rho;          ///< m * (R - r)
-  S rho;            ///< R - r
-  S rho_2;          ///< (R - r)^2
-  S half_m;         ///< 0.5 * m
-  S half_J;         ///< 0.5 * J
-  S J_2;            ///< J^2
-  S half_inv_m;     ///< 0.5 / m
-  S half_inv_J;     ///< 0.5 / J
-  S r_minus_R;      ///< r - R
-  S G_chi_chi;      ///< m * (R - r)^2
-  S c1;             ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
-  S c2;             ///< 1 / (m * (1 / m + r^2 / J))
-  S c3;             ///< r / (J * (1 / m + r^2 / J))
-  S least_g_pivot;  ///< min(J, min(m, m * (R - r)^2))
-  S least_S_pivot;  ///< 1 / m + r^2 / J
+  S m;                      ///< mass of the ball
+  S r;                      ///< radius of the ball
+  S R;                      ///< radius of the cylinder
+  S psi_0;                  ///< precession at t = 0
+  S theta_0;                ///< nutation at t = 0
+  S phi_0;                  ///< spin at t = 0
+  S omega_r_0;              ///< angular velocity about the line to the contact at t = 0
+  S J;                      ///< moment of inertia of the ball about a diameter
+  S m_r_2;                  ///< m * r^2
+  S m_2_r_4;                ///< m^2 * r^4
+  S m_g;                    ///< m * g
+  S M_chi_chi;              ///< m * (R - r)^2 + J * (R - r)^2 / r^2
+  S c1;                     ///< abs(r)
+  S m_rho;                  ///< m * (R - r)
+  S rho;                    ///< R - r
+  S rho_2;                  ///< (R - r)^2
+  S half_m;                 ///< 0.5 * m
+  S half_J;                 ///< 0.5 * J
+  S J_2;                    ///< J^2
+  S half_inv_m;             ///< 0.5 / m
+  S half_inv_J;             ///< 0.5 / J
+  S r_minus_R;              ///< r - R
+  S G_chi_chi;              ///< m * (R - r)^2
+  S c2;                     ///< 1 / (m * (1 / m + r^2 / J))
+  S c3;                     ///< r^2 / (J * (1 / m + r^2 / J))
+  S c4;                     ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
+  S c5;                     ///< r / (J * (1 / m + r^2 / J))
+  S least_g_pivot;          ///< min(J, min(m, m * (R - r)^2))
+  S inv_m_plus_r_2_over_J;  ///< 1 / m + r^2 / J
+  S least_cube;
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -450,14 +452,21 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S rho_2 = rho * rho;
   const S G_chi_chi = m * rho_2;
   const S M_chi_chi = G_chi_chi + J * rho_2 / r_2;
-  const S least_pivot = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
   const S inv_m = S(1) / m;
   const S inv_J = S(1) / J;
-  const S r_2_over_J = r_2 * inv_J;
-  const S least_S_pivot = inv_m + r_2_over_J;
-  const S inv_least_S_pivot = S(1) / least_S_pivot;
+  const S inv_m_plus_r_2_over_J = inv_m + r_2 * inv_J;
+  const S inv_inv_m_plus_r_2_over_J = S(1) / inv_m_plus_r_2_over_J;
   const S t1 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
   const S least_g_pivot = Math<S>::select(Math<S>::less(J, t1), J, t1);
+  const S squares_rolling_along = S(1) + r_2;
+  const S squares_rolling_along_3 = squares_rolling_along * squares_rolling_along * squares_rolling_along;
+  const S inv_m_plus_r_2_over_J_3 = inv_m_plus_r_2_over_J * inv_m_plus_r_2_over_J * inv_m_plus_r_2_over_J;
+  const S squares_rolling_around = r_2 + rho_2;
+  const S squares_rolling_around_3 = squares_rolling_around * squares_rolling_around * squares_rolling_around;
+  const S t2 = Math<S>::select(Math<S>::less(inv_m_plus_r_2_over_J_3, squares_rolling_around_3),
+      inv_m_plus_r_2_over_J_3, squares_rolling_around_3);
+  const S least_cube = Math<S>::select(Math<S>::less(squares_rolling_along_3, t2), squares_rolling_along_3,
+      t2);
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -472,7 +481,7 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.m_2_r_4 = m * m * r_2 * r_2;
   prepared.m_g = m * g;
   prepared.M_chi_chi = M_chi_chi;
-  prepared.least_pivot = least_pivot;
+  prepared.c1 = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
   prepared.m_rho = m * rho;
   prepared.rho = rho;
   prepared.rho_2 = rho_2;
@@ -483,11 +492,13 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r - R;
   prepared.G_chi_chi = G_chi_chi;
-  prepared.c1 = inv_m * inv_least_S_pivot / rho;
-  prepared.c2 = inv_m * inv_least_S_pivot;
-  prepared.c3 = r * inv_J * inv_least_S_pivot;
+  prepared.c2 = inv_m * inv_inv_m_plus_r_2_over_J;
+  prepared.c3 = r_2 * inv_J * inv_inv_m_plus_r_2_over_J;
+  prepared.c4 = inv_m * inv_inv_m_plus_r_2_over_J / rho;
+  prepared.c5 = r * inv_J * inv_inv_m_plus_r_2_over_J;
   prepared.least_g_pivot = least_g_pivot;
-  prepared.least_S_pivot = least_S_pivot;
+  prepared.inv_m_plus_r_2_over_J = inv_m_plus_r_2_over_J;
+  prepared.least_cube = least_cube;
   return prepared;
 }
 
@@ -503,7 +514,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
   const S& M_chi_chi = prepared.M_chi_chi;
-  const S& least_pivot = prepared.least_pivot;
+  const S& c1 = prepared.c1;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
   const S& e0 = state.e0();
@@ -569,7 +580,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
       Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
@@ -589,7 +600,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
   const S& M_chi_chi = prepared.M_chi_chi;
-  const S& least_pivot = prepared.least_pivot;
+  const S& c1 = prepared.c1;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
@@ -657,7 +668,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
       Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       excess_zeta, rolling_along_generalized_2, rolling_along_generalized_3, rho_generalized);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
@@ -678,7 +689,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
   const S& M_chi_chi = prepared.M_chi_chi;
-  const S& least_pivot = prepared.least_pivot;
+  const S& c1 = prepared.c1;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
@@ -764,7 +775,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
       Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy, excess_zeta, rolling_along_generalized_2,
       rolling_along_generalized_3, rho_generalized);
@@ -788,7 +799,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
   const S& M_chi_chi = prepared.M_chi_chi;
-  const S& least_pivot = prepared.least_pivot;
+  const S& c1 = prepared.c1;
   const S& m_rho = prepared.m_rho;
   const S& rho = prepared.rho;
   const S& chi = state.chi();
@@ -880,7 +891,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
       Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       excess_zeta, moment_rolling_along_ball_x, moment_rolling_along_ball_y, force_rho_ball_x,
       force_rho_ball_y, moment_on_ball_x, moment_on_ball_y);
@@ -1095,18 +1106,20 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
 }
 
 /// The nearest state that satisfies the constraints: unit quaternions, then the smallest change of
-/// the speeds in the mass metric (one Newton step for constraints nonlinear in the velocities).
+/// the speeds in the mass metric (two Newton steps for constraints nonlinear in the velocities).
 template <class S>
 GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepared<S>& prepared,
                                    State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
   const S r = prepared.r;
   const S r_minus_R = prepared.r_minus_R;
-  const S c1 = prepared.c1;
   const S c2 = prepared.c2;
   const S c3 = prepared.c3;
+  const S c4 = prepared.c4;
+  const S c5 = prepared.c5;
   const S least_g_pivot = prepared.least_g_pivot;
-  const S least_S_pivot = prepared.least_S_pivot;
+  const S inv_m_plus_r_2_over_J = prepared.inv_m_plus_r_2_over_J;
+  const S least_cube = prepared.least_cube;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S e0 = from.e0();
@@ -1128,16 +1141,29 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S unit = S(1) / Math<S>::sqrt(norm_squared);
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
-  const S impulse_y_rolling_around = r_minus_R * chi_dot - r * wz;
-  const S impulse_y_rolling_along = -(zeta_dot + r * (wx * sin_chi - wy * cos_chi));
-  const S change_chi = c1 * impulse_y_rolling_around;
-  const S change_zeta = c2 * impulse_y_rolling_along;
-  const S change_wx = c3 * impulse_y_rolling_along * sin_chi;
-  const S change_wz = c3 * impulse_y_rolling_around;
+  const S r_wz = r * wz;
+  const S r_minus_R_chi_dot = r_minus_R * chi_dot;
+  const S rough_impulse_y_rolling_around = r_minus_R_chi_dot - r_wz;
+  const S t1 = r * (wx * sin_chi - wy * cos_chi);
+  const S rough_impulse_y_rolling_along = -(zeta_dot + t1);
+  const S rough_change_chi = c4 * rough_impulse_y_rolling_around;
+  const S rough_change_zeta = c2 * rough_impulse_y_rolling_along;
+  const S rough_change_wx = c5 * rough_impulse_y_rolling_along * sin_chi;
+  const S rough_change_wz = c5 * rough_impulse_y_rolling_around;
+  const S correction_y_rolling_around = r_minus_R_chi_dot - r_wz - c2 * rough_impulse_y_rolling_around
+      - c3 * rough_impulse_y_rolling_around;
+  const S correction_y_rolling_along = -(zeta_dot + t1 + rough_change_zeta
+      + c3 * rough_impulse_y_rolling_along);
+  const S change_chi = c4 * correction_y_rolling_around + rough_change_chi;
+  const S change_zeta = c2 * correction_y_rolling_along + rough_change_zeta;
+  const S change_wx = c5 * correction_y_rolling_along * sin_chi + rough_change_wx;
+  const S change_wy = -(c5 * correction_y_rolling_along * cos_chi
+      + c5 * rough_impulse_y_rolling_along * cos_chi);
+  const S change_wz = c5 * correction_y_rolling_around + rough_change_wz;
   const S chi_rate = chi_dot + change_chi;
   const S zeta_rate = zeta_dot + change_zeta;
   const S wx_rate = wx + change_wx;
-  const S wy_rate = wy - c3 * impulse_y_rolling_along * cos_chi;
+  const S wy_rate = wy + change_wy;
   const S wz_rate = wz + change_wz;
 
   // Results
@@ -1159,10 +1185,11 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   state.wz() = wz_rate;
 
   const Bool singular_mass_matrix = Math<S>::at_most(least_g_pivot, S(0));
-  const Bool dependent_constraints = Math<S>::at_most(least_S_pivot, S(0));
+  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(inv_m_plus_r_2_over_J, S(0)),
+      Math<S>::at_most(least_cube, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       e0_new, e1_new, e2_new, e3_new, chi_rate, zeta_rate, wx_rate, wy_rate, wz_rate);
-  const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(1) / S(1099511627776.0)),
+  const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(9.094947017729282e-13)),
       Math<S>::less(S(1099511627776.0), norm_squared));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
 }
@@ -1189,15 +1216,21 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S inv_r = S(1) / r;
-  const S change_wy = S(7) / S(10) * inv_r;
-  const S change_wz = S(4) * inv_r * (r - R);
+  const S rough_change_wy = S(7) / S(10) * inv_r;
+  const S rough_change_wz = S(4) * inv_r * (r - R);
+  const S change_wz = rough_change_wz - inv_r * (S(4) * R - S(4) * r + r * rough_change_wz);
 
   // Results
   const S e0 = t4 * cos_half_theta_0;
   const S e1 = sin_half_theta_0 * t2;
   const S e2 = t1 * sin_half_theta_0;
   const S e3 = t3 * cos_half_theta_0;
-  const S least_S_pivot = r * r / J;
+  const S squares_rolling_around = r * r;
+  const S S_rolling_around = squares_rolling_around / J;
+  const S S_rolling_around_3 = S_rolling_around * S_rolling_around * S_rolling_around;
+  const S squares_rolling_around_3 = squares_rolling_around * squares_rolling_around * squares_rolling_around;
+  const S least_cube = Math<S>::select(Math<S>::less(S_rolling_around_3, squares_rolling_around_3),
+      S_rolling_around_3, squares_rolling_around_3);
 
   state.chi() = S(0);
   state.zeta() = S(0);
@@ -1208,12 +1241,13 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.chi_dot() = S(4);
   state.zeta_dot() = S(7) / S(10);
   state.wx() = omega_r_0;
-  state.wy() = change_wy;
+  state.wy() = rough_change_wy;
   state.wz() = change_wz;
 
   const Bool singular_mass_matrix = Math<S>::at_most(J, S(0));
-  const Bool dependent_constraints = Math<S>::at_most(least_S_pivot, S(0));
-  const Bool not_finite = Math<S>::not_finite(e0, e1, e2, e3, omega_r_0, change_wy, change_wz);
+  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(S_rolling_around, S(0)),
+      Math<S>::at_most(least_cube, S(0)));
+  const Bool not_finite = Math<S>::not_finite(e0, e1, e2, e3, omega_r_0, rough_change_wy, change_wz);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 

@@ -14,15 +14,21 @@ using support::Rational;
 
 namespace {
 
-const Rational k_largest_whole = cln::expt_pos(cln::cl_I(2), 53);
+const Rational k_range = cln::expt_pos(cln::cl_I(2), 100);
 
-bool is_whole_double(const Rational& value) { return support::is_integer(value) && cln::abs(value) <= k_largest_whole; }
+/// Whether float has it exactly: else an S that is a batch of float would be made from a literal that is rounded on the way,
+/// which compilers warn of.
+bool is_whole_float(const Rational& value) {
+  if (!support::is_integer(value) || cln::abs(value) > k_range) return false;
+  const cln::cl_I size = cln::abs(cln::numerator(value));
+  const cln::cl_I odd_part = cln::zerop(size) ? size : cln::ash(size, -cln::cl_I(cln::ord2(size)));
+  return odd_part < cln::expt_pos(cln::cl_I(2), 24);
+}
 
 // 1/2, 3/8, 0.09375: exact in binary, also in float if the numerator is small.
 bool is_dyadic(const Rational& value) {
   const cln::cl_I bottom = cln::denominator(value);
-  return cln::power2p(bottom) != 0 && bottom <= cln::expt_pos(cln::cl_I(2), 30) &&
-         cln::abs(cln::numerator(value)) < cln::expt_pos(cln::cl_I(2), 24);
+  return cln::power2p(bottom) != 0 && bottom <= k_range && is_whole_float(cln::numerator(value));
 }
 
 // The shortest text that reads back as the same double, in any locale, and is no integer literal.
@@ -54,13 +60,13 @@ Expression in_pieces(const Rational& value) {
 }  // namespace
 
 bool is_single_literal(const Rational& value) {
-  const bool is_quotient = is_whole_double(cln::numerator(value)) && is_whole_double(cln::denominator(value));
+  const bool is_quotient = is_whole_float(cln::numerator(value)) && is_whole_float(cln::denominator(value));
   return support::is_integer(value) || is_dyadic(value) || !is_quotient;
 }
 
 Expression literal(const Rational& value) {
   if (value < 0) return cpp::negated(literal(-value));
-  if (is_whole_double(value)) return whole(value);
+  if (is_whole_float(value)) return whole(value);
   if (is_dyadic(value)) return of_scalar(text_of(support::to_double(value)));
   if (is_single_literal(value)) return in_pieces(value);
   return cpp::quotient(whole(cln::numerator(value)), whole(cln::denominator(value)));

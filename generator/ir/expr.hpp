@@ -27,6 +27,9 @@ class Expr {
   /// See Graph::named.
   Expr named(const std::string& name) const { return {*graph_, graph_->named(id_, name)}; }
 
+  /// See Graph::kept_whole.
+  Expr kept_whole(const std::string& name) const { return {*graph_, graph_->kept_whole(id_, name)}; }
+
   friend bool operator==(Expr a, Expr b) { return a.id_ == b.id_; }
 
  private:

@@ -95,6 +95,12 @@ NodeId Graph::named(NodeId id, const std::string& name) {
     labels_.emplace(id.index, name);
     return id;
   }
+  return kept_whole(id, name);
+}
+
+NodeId Graph::kept_whole(NodeId id, const std::string& name) {
+  const Kind kind = (*this)[id].kind;
+  if (kind == Kind::constant || kind == Kind::symbol || kind == Kind::named) return id;
   // One wrapper for one value: under two names it would not cancel against itself.
   if (const auto known = wrappers_.find(id.index); known != wrappers_.end()) return known->second;
   Node wrapper;

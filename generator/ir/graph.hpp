@@ -48,6 +48,10 @@ class Graph {
   /// apart costs nothing and lets factors cancel. The first name stays.
   NodeId named(NodeId node, const std::string& name);
 
+  /// `node` under a name, opaque also where it is a monomial: its factors are multiplied before others join them, which
+  /// matters where a product of some of them leaves the range of numbers.
+  NodeId kept_whole(NodeId node, const std::string& name);
+
   const Node& operator[](NodeId id) const { return nodes_[id.index]; }
   std::size_t size() const { return nodes_.size(); }
 

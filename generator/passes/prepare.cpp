@@ -88,7 +88,7 @@ NodeId PreparationSplit::rebuilt(NodeId id) {
     case Kind::sum: return relabelled(id, rebuilt_sum(id));
     case Kind::product: return relabelled(id, rebuilt_product(id));
     case Kind::power: return relabelled(id, graph_.power(known(node.children[0]), node.value));
-    case Kind::named: return graph_.named(known(node.children[0]), node.name);
+    case Kind::named: return graph_.kept_whole(known(node.children[0]), node.name);
     case Kind::function:
       for (const NodeId child : node.children) children.push_back(varies(child) ? known(child) : prepared(child));
       return relabelled(id, graph_.call(node.function, children));

@@ -25,6 +25,12 @@ std::size_t sparsest_row(const Matrix& rest, const std::vector<char>& done) {
   return best;
 }
 
+// Nothing cancels against it, and what is multiplied with it later may be as small as its reciprocal is large.
+bool is_selected(Expr reciprocal) {
+  const ir::Node& node = reciprocal.graph()[reciprocal.id()];
+  return node.kind == ir::Kind::function && node.function == ir::Function::select;
+}
+
 }  // namespace
 
 Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, Expr epsilon,
@@ -54,7 +60,9 @@ void Ldl::eliminate(std::size_t pivot, Matrix& rest, const std::vector<char>& do
   const Expr inverse = reciprocal(pivot);
   for (std::size_t i = 0; i < rest.size(); ++i) {
     if (done[i] != 0 || rest[i][pivot].is_zero()) continue;
-    l_[i][pivot] = steps.name(rest[i][pivot] * inverse, prefix_ + "_factor_" + labels_[i] + "_" + labels_[pivot]);
+    const std::string name = prefix_ + "_factor_" + labels_[i] + "_" + labels_[pivot];
+    l_[i][pivot] =
+        is_selected(inverse) ? (rest[i][pivot] * inverse).kept_whole(name) : steps.name(rest[i][pivot] * inverse, name);
   }
   for (std::size_t i = 0; i < rest.size(); ++i) {
     if (done[i] != 0 || l_[i][pivot].is_zero()) continue;
@@ -79,7 +87,9 @@ Vector Ldl::solve(const Vector& right_hand_side, const std::string& name, Steps&
   }
   for (std::size_t step = order_.size(); step-- > 0;) {
     const std::size_t i = order_[step];
-    Expr value = x[i] * reciprocal(i);
+    const Expr inverse = reciprocal(i);
+    Expr value = x[i] * inverse;
+    if (is_selected(inverse)) value = value.kept_whole(name + "_z_" + labels_[i]);
     for (std::size_t later = step + 1; later < order_.size(); ++later) {
       const std::size_t j = order_[later];
       if (!l_[j][i].is_zero()) value = value - l_[j][i] * x[j];
@@ -90,9 +100,9 @@ Vector Ldl::solve(const Vector& right_hand_side, const std::string& name, Steps&
 }
 
 // Rounding alone perturbs a pivot by about n eps of its diagonal entry (Higham, Accuracy and Stability, 10.1).
-Expr Ldl::tolerance(std::size_t pivot) const {
+Expr Ldl::tolerance(std::size_t pivot, int lost) const {
   if (is_original_[pivot] != 0) return {graph_, graph_.constant(0)};
-  return support::Rational(4 * static_cast<int>(d_.size())) * epsilon_ * diagonal_[pivot];
+  return support::Rational(lost * static_cast<int>(d_.size())) * epsilon_ * diagonal_[pivot];
 }
 
 Expr Ldl::reciprocal(std::size_t pivot) const {
@@ -105,9 +115,9 @@ Expr Ldl::reciprocal(std::size_t pivot) const {
   return select(at_most(d_[pivot], tolerance(pivot)), zero, inverse);
 }
 
-Expr Ldl::breakdown() const {
+Expr Ldl::breakdown(int lost) const {
   Margins margins(graph_);
-  for (std::size_t i = 0; i < d_.size(); ++i) margins.require(d_[i], tolerance(i));
+  for (std::size_t i = 0; i < d_.size(); ++i) margins.require(d_[i], tolerance(i, lost));
   return margins.violated("least_" + prefix_ + "_pivot");
 }
 

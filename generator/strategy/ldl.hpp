@@ -30,7 +30,8 @@ class Ldl {
 
   /// Boolean: some pivot is not positive or has lost all its digits against its diagonal entry, so the matrix is singular as
   /// far as the scalar type can tell. Pivots that are diagonal entries themselves cannot cancel and are compared with 0.
-  ir::Expr breakdown() const;
+  /// `lost` is how many times its rounding error a pivot has to exceed.
+  ir::Expr breakdown(int lost = 4) const;
 
   /// Rows whose pivot vanishes identically: the matrix is singular in every configuration.
   std::vector<std::string> vanishing() const;
@@ -38,7 +39,7 @@ class Ldl {
  private:
   void eliminate(std::size_t pivot, Matrix& rest, const std::vector<char>& done, Steps& steps);
 
-  ir::Expr tolerance(std::size_t pivot) const;
+  ir::Expr tolerance(std::size_t pivot, int lost = 4) const;
   ir::Expr reciprocal(std::size_t pivot) const;
 
   ir::Graph& graph_;

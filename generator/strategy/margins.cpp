@@ -37,7 +37,7 @@ Expr Margins::violated(const std::string& least) const {
   if (!prepared.empty()) {
     Expr smallest = prepared[0];
     for (const Expr margin : prepared) smallest = select(less(margin, smallest), margin, smallest);
-    conditions.push_back(at_most(smallest.named(least), zero));
+    conditions.push_back(at_most(prepared.size() > 1 ? smallest.named(least) : smallest, zero));
   }
   return any(graph_, conditions);
 }

@@ -66,17 +66,22 @@ class MultiplierForm {
                    Dependent::drop);
   }
 
-  Vector unconstrained(Steps& steps) const {
-    steps.begin("accelerations without the nonholonomic constraints");
-    return metric_.solve(dynamics_.f, dynamics_.names.prefix + dynamics_.names.acceleration + "_free", steps);
+  /// g^-1 f
+  Vector unconstrained(const Vector& f, const std::string& name, Steps& steps) const {
+    return metric_.solve(f, name, steps);
   }
 
-  /// λ with S λ = -(b a + drift)
-  Vector multipliers(const Vector& a, const std::string& name, Steps& steps) const {
-    Vector defect;
+  /// -(b a + drift)
+  Vector defect(const Vector& a) const {
+    Vector result;
     for (std::size_t mu = 0; mu < dynamics_.l(); ++mu) {
-      defect.push_back(-(inner(epsilon_.graph(), dynamics_.b[mu], a) + dynamics_.b_drift[mu]));
+      result.push_back(-(inner(epsilon_.graph(), dynamics_.b[mu], a) + dynamics_.b_drift[mu]));
     }
+    return result;
+  }
+
+  /// λ with S λ = defect
+  Vector multipliers(const Vector& defect, const std::string& name, Steps& steps) const {
     return schur_->solve(defect, name, steps);
   }
 
@@ -94,17 +99,30 @@ class MultiplierForm {
   // of the heaviest to it: a part in a million here.
   Expr lost_inertia(Steps& steps) const {
     steps.begin("inertia that each constraint moves, against the lightest part of it, 1/S");
-    Margins margins(epsilon_.graph());
+    std::vector<Expr> conditions;
     for (std::size_t mu = 0; mu < dynamics_.l(); ++mu) {
       const Expr squares = squares_of(dynamics_.b[mu]);
       const Expr inertia = steps.name(inertia_along(dynamics_, mu, squares), name("inertia", mu));
-      margins.require(squares, support::Rational(1'000'000) * (pow(epsilon_, 2) * inertia * schur_diagonal_[mu]));
+      const Expr ratio = pow(epsilon_, 2) * inertia * schur_diagonal_[mu];
+      conditions.push_back(less(squares, support::Rational(1'000'000) * ratio));
     }
-    return margins.violated("least_" + dynamics_.names.prefix + "ratio");
+    return any(epsilon_.graph(), conditions);
   }
 
   Expr singular_metric() const { return metric_.breakdown(); }
-  Expr dependent_rows() const { return schur_->breakdown(); }
+  // Correcting once squares the relative error of a solve, eps times the digits that a pivot loses: here a part in a million.
+  // Where cubes of S or of b b leave the range of numbers, products of a factorisation do, too.
+  Expr dependent_rows() const {
+    ir::Graph& graph = epsilon_.graph();
+    const Expr zero(graph, graph.constant(0));
+    Margins margins(graph);
+    for (std::size_t mu = 0; mu < dynamics_.l(); ++mu) {
+      margins.require(pow(squares_of(dynamics_.b[mu]).kept_whole(name("squares", mu)), 3), zero);
+      margins.require(pow(schur_diagonal_[mu].kept_whole(name("S", mu)), 3), zero);
+    }
+    return any(graph, {schur_->breakdown(1000), margins.violated("least_" + dynamics_.names.prefix + "cube")});
+  }
+
   std::vector<std::string> vanishing_rows() const { return schur_->vanishing(); }
 
  private:
@@ -147,40 +165,35 @@ class MultiplierForm {
   std::optional<Ldl> schur_;
 };
 
-bool is_unforced(const Vector& f) {
-  return std::all_of(f.begin(), f.end(), [](Expr e) { return e.is_zero(); });
-}
-
 }  // namespace
 
 Solution solve_with_multipliers(const Dynamics& given, Expr epsilon, Steps& steps) {
-  ir::Graph& graph = epsilon.graph();
   const std::vector<std::string> undetermined = vanishing_pivots(given, epsilon);
   const Dynamics dynamics = undetermined.empty() ? given : completed(given, steps);
   MultiplierForm form(dynamics, epsilon, steps);
-  const NamesOfUnknowns& names = dynamics.names;
-  const bool is_corrected = !is_unforced(given.f);
-  const std::string stage = is_corrected ? "rough_" : "";
+  const std::string acceleration = dynamics.names.prefix + dynamics.names.acceleration;
+  const std::string multiplier = dynamics.names.prefix + dynamics.names.multiplier;
+  const std::string rough = dynamics.names.prefix + "rough_";
 
-  Vector a = form.unconstrained(steps);
+  steps.begin("accelerations without the nonholonomic constraints");
+  Vector a = form.unconstrained(dynamics.f, acceleration + "_free", steps);
   steps.begin("multipliers from b g^-1 b^T lambda = -(b a_free + drift), accelerations (3.4)");
-  Vector lambda = form.multipliers(a, names.prefix + stage + names.multiplier, steps);
-  a = form.moved(a, lambda, names.prefix + stage + names.acceleration, steps);
-  Expr is_lost(graph, graph.constant(0));
-  if (is_corrected) {
-    // Accelerations without constraints may be large where something is light, and leave their rounding.
-    steps.begin("corrected once, by what rounding has left of b a + drift");
-    const Vector change = form.multipliers(a, names.prefix + "correction", steps);
-    a = form.moved(a, change, names.prefix + names.acceleration, steps);
-    for (std::size_t mu = 0; mu < lambda.size(); ++mu) {
-      lambda[mu] =
-          steps.name(lambda[mu] + change[mu], names.prefix + names.multiplier + "_" + dynamics.constraints[mu]);
-    }
-    is_lost = form.lost_inertia(steps);
+  Vector lambda = form.multipliers(form.defect(a), rough + dynamics.names.multiplier, steps);
+  a = form.moved(a, lambda, rough + dynamics.names.acceleration, steps);
+
+  // Accelerations without constraints may be large where something is light, and leave their rounding.
+  steps.begin("corrected once, by what rounding has left of b a + drift");
+  const Vector change = form.multipliers(form.defect(a), dynamics.names.prefix + "correction", steps);
+  a = form.moved(a, change, acceleration, steps);
+  for (std::size_t mu = 0; mu < lambda.size(); ++mu) {
+    lambda[mu] = steps.name(lambda[mu] + change[mu], multiplier + "_" + dynamics.constraints[mu]);
   }
+  // Without forces there are no large accelerations to begin with.
+  const bool is_forced = std::any_of(given.f.begin(), given.f.end(), [](Expr f) { return !f.is_zero(); });
+  const Expr is_lost = is_forced ? form.lost_inertia(steps) : Expr(epsilon.graph(), epsilon.graph().constant(0));
   return {a,
           lambda,
-          any(graph, {form.singular_metric(), is_lost}),
+          any(epsilon.graph(), {form.singular_metric(), is_lost}),
           form.dependent_rows(),
           "multiplier form (3.4): no choice of dependent speeds is provably safe in every configuration",
           undetermined,

@@ -158,6 +158,35 @@ VelocityProblem at_state(const Dynamics& dynamics, const std::optional<Expr>& ti
   return at(dynamics, put_in);
 }
 
+/// Newton's method on the velocity constraints: one step where all are linear, `most_steps` otherwise.
+class Newton {
+ public:
+  Newton(const Dynamics& dynamics, const std::optional<Expr>& time, Expr epsilon)
+      : dynamics_(dynamics), time_(time), epsilon_(epsilon) {}
+
+  /// Changes the speeds in `moving`. The state says itself whether the constraints hold then.
+  ProjectedState run(const Vector& configuration, Vector speeds, const std::vector<std::size_t>& moving, int most_steps,
+                     Steps& steps) const {
+    VelocityProjection projection(dynamics_, moving, epsilon_);
+    Expr is_violated(epsilon_.graph(), epsilon_.graph().constant(0));
+    if (dynamics_.l() != 0) {
+      const int count = all_linear(dynamics_) ? 1 : most_steps;
+      for (int step = 0; step < count; ++step) {
+        const std::string prefix = count == 1 ? "" : "step" + std::to_string(step + 1) + "_";
+        projection.step(at_state(dynamics_, time_, configuration, speeds), prefix, speeds, steps);
+      }
+      const VelocityProblem reached = at_state(dynamics_, time_, configuration, speeds);
+      is_violated = violated(reached, speeds, projection.to_be_checked(reached), epsilon_);
+    }
+    return {configuration, speeds, projection.singular(), projection.dependent(), is_violated};
+  }
+
+ private:
+  const Dynamics& dynamics_;
+  std::optional<Expr> time_;
+  Expr epsilon_;
+};
+
 }  // namespace
 
 ProjectedState project(const Dynamics& dynamics, Expr epsilon, Steps& steps) {
@@ -167,14 +196,12 @@ ProjectedState project(const Dynamics& dynamics, Expr epsilon, Steps& steps) {
   Vector speeds;
   for (const auto& q : symbols.configuration) configuration.emplace_back(graph, graph.use(q.symbol));
   for (const auto& u : symbols.speeds) speeds.emplace_back(graph, graph.use(u.symbol));
-  Expr is_violated = normalise_quaternions(symbols, configuration, graph, steps);
-  VelocityProjection projection(dynamics, first(dynamics.n()), epsilon);
-  if (dynamics.l() != 0) {
-    projection.step(at_state(dynamics, std::nullopt, configuration, speeds), "", speeds, steps);
-    const VelocityProblem reached = at_state(dynamics, std::nullopt, configuration, speeds);
-    is_violated = any(graph, {is_violated, violated(reached, speeds, projection.to_be_checked(reached), epsilon)});
-  }
-  return {configuration, speeds, projection.singular(), projection.dependent(), is_violated};
+  const Expr is_lost = normalise_quaternions(symbols, configuration, graph, steps);
+  // From what one step of an integrator leaves, a second step arrives at rounding.
+  ProjectedState state =
+      Newton(dynamics, std::nullopt, epsilon).run(configuration, speeds, first(dynamics.n()), 2, steps);
+  state.violated_constraints = any(graph, {is_lost, state.violated_constraints});
+  return state;
 }
 
 namespace {
@@ -215,20 +242,10 @@ ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics
   ir::Graph& graph = epsilon.graph();
   const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
   Given given = given_state(model, expressions);
-  Expr is_violated = normalise_quaternions(symbols, given.configuration, graph, steps);
-  VelocityProjection projection(dynamics, given.open, epsilon);
-  if (dynamics.l() != 0) {
-    // A linear problem needs one step; a second one would only refine the rounding. Newton converges quadratically.
-    const int count = all_linear(dynamics) ? 1 : 8;
-    for (int step = 0; step < count; ++step) {
-      projection.step(at_state(dynamics, time, given.configuration, given.speeds),
-                      count == 1 ? "" : "step" + std::to_string(step + 1) + "_", given.speeds, steps);
-    }
-    const VelocityProblem reached = at_state(dynamics, time, given.configuration, given.speeds);
-    is_violated =
-        any(graph, {is_violated, violated(reached, given.speeds, projection.to_be_checked(reached), epsilon)});
-  }
-  return {given.configuration, given.speeds, projection.singular(), projection.dependent(), is_violated};
+  const Expr is_lost = normalise_quaternions(symbols, given.configuration, graph, steps);
+  ProjectedState state = Newton(dynamics, time, epsilon).run(given.configuration, given.speeds, given.open, 8, steps);
+  state.violated_constraints = any(graph, {is_lost, state.violated_constraints});
+  return state;
 }
 
 }  // namespace gaussgen::strategy

@@ -14,7 +14,7 @@ struct ProjectedState {
 };
 
 /// Quaternions to unit length, then the smallest change of the speeds in the mass metric that satisfies φ = 0:
-/// δu = -g^-1 bᵀ (b g^-1 bᵀ)^-1 φ. Exact for constraints linear in the velocities, one Newton step for others, after which
+/// δu = -g^-1 bᵀ (b g^-1 bᵀ)^-1 φ. Exact for constraints linear in the velocities, two Newton steps for others, after which
 /// `violated_constraints` tells whether it was enough.
 ProjectedState project(const Dynamics& dynamics, ir::Expr epsilon, Steps& steps);
 

@@ -1,6 +1,7 @@
 // A particle that is nearly massless follows the constraint, not its own enormous acceleration: what double finds is what
 // 100 digits find, up to a ratio beyond which status says that it is not.
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
@@ -8,10 +9,14 @@
 #include "catch_shim.hpp"
 #include "light.hpp"
 #include "only_constraints.hpp"
+#include "rope.hpp"
+#include "vanishing.hpp"
 #include "weightless_wheel.hpp"
 
 namespace light = gauss::light;
 namespace only_constraints = gauss::only_constraints;
+namespace rope = gauss::rope;
+namespace vanishing = gauss::vanishing;
 namespace weightless_wheel = gauss::weightless_wheel;
 using gauss::Status;
 
@@ -79,6 +84,82 @@ TEST_CASE("ratios of everyday and of extreme machines are ok, ratios beyond all 
   CHECK(motion_with(1e-200).status == Status::singular_mass_matrix);
   CHECK(motion_with(1e-6F).status == Status::ok);
   CHECK(motion_with(1e-12F).status == Status::singular_mass_matrix);
+}
+
+namespace {
+
+template <class S>
+struct RopeMotion {
+  Status status;
+  S error;  ///< largest, relative
+};
+
+// s = x = y: (2 M + m) a = 3 + 0.7, and the second multiplier moves y alone, with M a = 0.7 - lambda k (2 + a).
+template <class S>
+RopeMotion<S> rope_motion(S light_mass, S k) {
+  rope::Parameters<S> parameters;
+  parameters.m = light_mass;
+  parameters.k = k;
+  const rope::State<S> state{{0, 0, 0, S(0.25), 1, 1, 1, S(0.5)}};
+  rope::Derivative<S> derivative{};
+  rope::Reactions<S> reactions{};
+  const Status status = rhs_and_reactions(S(0), state, {}, prepare(parameters), derivative, reactions);
+  const S a = S(3.7) / (2 + light_mass);
+  const S lambda = (S(0.7) - a) / S(2.25);
+  S error = std::abs(reactions.second.multiplier * k / lambda - 1);
+  for (const S found : {derivative.s_ddot(), derivative.x_ddot(), derivative.y_ddot()}) {
+    error = std::max(error, std::abs(found / a - 1));
+  }
+  return {status, error};
+}
+
+template <class S>
+Status projected_rope(S light_mass, S& largest_rate) {
+  rope::Parameters<S> parameters;
+  parameters.m = light_mass;
+  rope::State<S> projected{};
+  const rope::State<S> apart{{0, 0, 0, S(0.25), 0, 1, -1, S(0.5)}};
+  const Status status = project(S(0), apart, prepare(parameters), projected);
+  largest_rate = std::max({std::abs(projected.s_dot()), std::abs(projected.x_dot()), std::abs(projected.y_dot())});
+  return status;
+}
+
+}  // namespace
+
+TEST_CASE("a light part that two constraints share is right to a part in a million, or status says that it is not") {
+  for (int exponent = 0; exponent >= -100; --exponent) {
+    INFO("mass ratio 2^" << exponent);
+    const RopeMotion<double> motion = rope_motion(std::ldexp(1.0, exponent), 1.0);
+    if (motion.status == Status::ok) CHECK(motion.error < 1e-6);
+    if (exponent >= -20) CHECK(motion.error < 1e-11);
+    if (exponent >= -38) CHECK(motion.status == Status::ok);
+    const RopeMotion<float> single = rope_motion(std::ldexp(1.0F, exponent), 1.0F);
+    if (single.status == Status::ok) CHECK(single.error < 1e-5F);
+    double rate = 0;
+    if (projected_rope(std::ldexp(1.0, exponent), rate) == Status::ok) CHECK(rate < 1e-6);
+    if (exponent >= -13) CHECK(rate < 1e-12);
+  }
+}
+
+TEST_CASE("the scale of a constraint changes its multiplier alone, unless it leaves the range of numbers") {
+  for (int exponent = -500; exponent <= 500; exponent += 4) {
+    INFO("k = 2^" << exponent);
+    const RopeMotion<double> motion = rope_motion(0.5, std::ldexp(1.0, exponent));
+    if (motion.status == Status::ok) CHECK(motion.error < 1e-12);
+    if (std::abs(exponent) <= 120) CHECK(motion.status == Status::ok);
+    if (std::abs(exponent) > 100) continue;
+    const RopeMotion<float> single = rope_motion(0.5F, std::ldexp(1.0F, exponent));
+    if (single.status == Status::ok) CHECK(single.error < 1e-5F);
+    if (std::abs(exponent) <= 16) CHECK(single.status == Status::ok);
+  }
+}
+
+TEST_CASE("a constraint that limits nothing here is no singular mass matrix, and changes no acceleration") {
+  vanishing::Derivative<double> derivative{};
+  const vanishing::State<double> state{{0, 1, 0, 0}};
+  CHECK(rhs(0.0, state, {}, prepare(vanishing::Parameters<double>{}), derivative) == Status::dependent_constraints);
+  CHECK(derivative.x_ddot() == 0.5);
+  CHECK(derivative.y_ddot() == 2);
 }
 
 // (x + y)'' = 3, and x dx - 2 y² dy = 0 differentiated once.

@@ -86,10 +86,10 @@ void says_when_a_result_overflows() {
   const auto found = results<M, double>(at);
   INFO(M::name);
   const auto finite = [](const auto& result) { return all_finite(headertest::scalars<double>(result)); };
-  CHECK((found.statuses[0] == gauss::Status::ok) == (finite(found.derivative) && finite(found.reactions)));
+  CHECK((found.statuses[0] != gauss::Status::ok || (finite(found.derivative) && finite(found.reactions))));
   typename M::template Derivative<double> derivative{};
   const gauss::Status status = rhs(at.t, at.state, at.inputs, prepare(at.parameters), derivative);
-  CHECK((status == gauss::Status::ok) == finite(derivative));
+  CHECK((status != gauss::Status::ok || finite(derivative)));
   CHECK(found.statuses[1] == gauss::Status::not_finite);
   CHECK_FALSE(finite(found.energies));
   CHECK((found.statuses[2] == gauss::Status::ok) == finite(found.projected));

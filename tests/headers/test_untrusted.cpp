@@ -1,5 +1,6 @@
 // What parameters and initial values can spoil is in the status, too: nothing that cannot be trusted looks like a result.
 
+#include <cmath>
 #include <limits>
 
 #include "catch_shim.hpp"
@@ -86,13 +87,15 @@ TEST_CASE("a given rate that contradicts a constraint over it alone is reported"
   CHECK(xsimd::all(start(Batch(4.0), Batch(0.6), batch).violated_constraints));
 }
 
-TEST_CASE("project tells a state that one step does not reach from one that it does") {
+TEST_CASE("project arrives from what an integrator leaves, and tells a state that it does not reach") {
   const auto prepared = speed_limit::prepare(speed_limit::Parameters<double>{});
   speed_limit::State<double> projected{};
-  const speed_limit::State<double> near{{0, 0, 0, 2 + 1e-9, 1e-9, 0.5}};
-  const speed_limit::State<double> far{{0, 0, 0, 3, 1, 0.5}};
-  CHECK(project(0.0, near, prepared, projected) == Status::ok);
-  CHECK(projected.x_dot() == Approx(2).epsilon(1e-15));
+  for (const double off : {1e-9, 1e-6, 1e-4}) {
+    const speed_limit::State<double> near{{0, 0, 0, 2 + off, off, 0.5}};
+    CHECK(project(0.0, near, prepared, projected) == Status::ok);
+    CHECK(std::hypot(projected.x_dot(), projected.y_dot()) == Approx(2).epsilon(1e-14));
+  }
+  const speed_limit::State<double> far{{0, 0, 0, 5, 3, 0.5}};
   CHECK(project(0.0, far, prepared, projected) == Status::violated_constraints);
 }
 
