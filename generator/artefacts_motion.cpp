@@ -106,7 +106,8 @@ namespace {
 
 const char* const k_forces_about =
     "Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the point\n"
-    "that the moment beside it names. on_<body> is the sum over all constraints, by Newton and Euler.";
+    "that the moment beside it names, or on the particle. on_<body> is the sum over all constraints, by Newton and "
+    "Euler.";
 
 /// Potentials and generalized forces: they act on coordinates, so Newton and Euler cannot tell them from constraints.
 std::string forces_without_body(const model::Model& model) {
@@ -129,7 +130,7 @@ std::string undetermined_note(const Mechanics& mechanics) {
     names += (names.empty() ? "" : ", ") + name;
   }
   if (names.empty()) return "";
-  return "\nNot stated one by one, as the bodies have fewer coordinates than freedoms: " + names + ".";
+  return "\nNot stated one by one, as the coordinates do not describe every motion of the bodies: " + names + ".";
 }
 
 void add_sums(ArtefactBuilder& builder, Mechanics& mechanics, Steps& steps) {

@@ -138,7 +138,8 @@ Artefact project_artefact(Mechanics& mechanics) {
 
 Artefact initial_state_artefact(Mechanics& mechanics) {
   ArtefactBuilder builder("initial_state",
-                          "The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints.",
+                          "The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints;\n"
+                          "what these leave open, too, is the least motion, weighed by mass.",
                           mechanics);
   Steps steps;
   const auto state = strategy::initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions,

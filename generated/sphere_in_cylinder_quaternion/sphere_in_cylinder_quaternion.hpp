@@ -785,7 +785,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 }
 
 /// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the point
-/// that the moment beside it names. on_<body> is the sum over all constraints, by Newton and Euler.
+/// that the moment beside it names, or on the particle. on_<body> is the sum over all constraints, by
+/// Newton and Euler.
 template <class S>
 GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
                                            const Prepared<S>& prepared,
@@ -1194,7 +1195,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
 }
 
-/// The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints.
+/// The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints;
+/// what these leave open, too, is the least motion, weighed by mass.
 template <class S>
 GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;

@@ -35,7 +35,6 @@ std::size_t number(const std::array<bool, 3>& used) {
 
 /// A set of coordinates and what the bodies that they move have in common.
 struct Group {
-  std::size_t coordinates = 0;
   std::size_t freedoms = 0;
   std::optional<std::array<bool, 3>> translations;
   std::optional<std::array<bool, 3>> rotations;
@@ -78,6 +77,20 @@ std::vector<std::size_t> coordinates_of(const BodyMotion& body) {
   return result;
 }
 
+// As many coordinates as directions do not describe every motion where some do the same, as x and y in [x + y, 2*(x + y), z].
+bool is_invertible(const Dynamics& dynamics, const std::vector<std::size_t>& coordinates) {
+  ir::Graph& graph = dynamics.covariant->bias[FullIndex{0}].graph();
+  Matrix G;
+  std::vector<std::string> labels;
+  for (const std::size_t i : coordinates) {
+    labels.push_back(dynamics.kinematics->symbols.label(FullIndex{i}));
+    G.emplace_back();
+    for (const std::size_t j : coordinates) G.back().push_back(dynamics.covariant->G[FullIndex{i}][FullIndex{j}]);
+  }
+  Steps unused;
+  return Ldl(G, labels, "G", {graph, graph.constant(0)}, unused).vanishing().empty();
+}
+
 }  // namespace
 
 Release::Release(const Dynamics& dynamics) {
@@ -93,11 +106,15 @@ Release::Release(const Dynamics& dynamics) {
     const std::vector<std::size_t> own = coordinates_of(body);
     if (!own.empty()) group[groups.of(own.front())].add(body);
   }
-  for (std::size_t i = 0; i < count; ++i) ++group[groups.of(i)].coordinates;
+  std::vector<std::vector<std::size_t>> members(count);
+  for (std::size_t i = 0; i < count; ++i) members[groups.of(i)].push_back(i);
   for (std::size_t i = 0; i < count; ++i) {
     const Group& mine = group[groups.of(i)];
-    released_.push_back(mine.is_uniform && mine.coordinates == mine.freedoms ? 1 : 0);
-    has_surplus_ = has_surplus_ || mine.coordinates > mine.freedoms;
+    const std::vector<std::size_t>& coordinates = members[groups.of(i)];
+    const bool is_released =
+        mine.is_uniform && coordinates.size() == mine.freedoms && is_invertible(dynamics, coordinates);
+    released_.push_back(is_released ? 1 : 0);
+    has_surplus_ = has_surplus_ || coordinates.size() > mine.freedoms;
   }
 }
 

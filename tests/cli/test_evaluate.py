@@ -124,6 +124,17 @@ class Meaning(Evaluate):
         self.assertIn("a constraint phi = 0 adds lambda * dphi/du", "".join(document["notes"]))
         self.assertNotIn("lambda", "".join(self.document("-", stdin=PARTICLE)["notes"]))
 
+    def test_coordinates_that_do_the_same_release_nothing(self):
+        model = """gauss: 1
+name: twins
+parameters: {m: 1}
+coordinates: {x: {}, y: {held_at: 0}, z: {held_at: 0.5*t}}
+particles: {p: {mass: m, position: [x + y, 2*(x + y), z]}}
+forces: {f: {generalized: {x: 2, y: 0.3}}}
+"""
+        notes = "".join(self.document("-", stdin=model)["notes"])
+        self.assertIn("as the coordinates do not describe every motion of the bodies: y, z.", notes)
+
     def test_notes_are_on_lines_of_their_own(self):
         notes = self.ok("evaluate", SKATER).split("\nnotes\n")[1].splitlines()
         self.assertEqual([note.split(":")[0].strip() for note in notes],
@@ -273,7 +284,7 @@ class Warnings(Evaluate):
         self.assertIn("status\n  ok\n", self.ok("evaluate", SPHERE))
 
     def test_forces_that_are_left_out_are_named(self):
-        left_out = "Not stated one by one, as the bodies have fewer coordinates than freedoms: platform."
+        left_out = "Not stated one by one, as the coordinates do not describe every motion of the bodies: platform."
         self.assertIn(left_out, "".join(self.document(MODELS / "rotor_on_platform.yaml")["notes"]))
         self.assertIn(left_out, self.ok("evaluate", MODELS / "rotor_on_platform.yaml"))
         self.assertNotIn("Not stated", self.ok("evaluate", SPHERE))
