@@ -67,9 +67,7 @@ class MultiplierForm {
   }
 
   /// g^-1 f
-  Vector unconstrained(const Vector& f, const std::string& name, Steps& steps) const {
-    return metric_.solve(f, name, steps);
-  }
+  Vector unconstrained(const std::string& name, Steps& steps) const { return metric_.solve(dynamics_.f, name, steps); }
 
   /// -(b a + drift)
   Vector defect(const Vector& a) const {
@@ -110,6 +108,7 @@ class MultiplierForm {
   }
 
   Expr singular_metric() const { return metric_.breakdown(); }
+
   // Correcting once squares the relative error of a solve, eps times the digits that a pivot loses: here a part in a million.
   // Where cubes of S or of b b leave the range of numbers, products of a factorisation do, too.
   Expr dependent_rows() const {
@@ -176,7 +175,7 @@ Solution solve_with_multipliers(const Dynamics& given, Expr epsilon, Steps& step
   const std::string rough = dynamics.names.prefix + "rough_";
 
   steps.begin("accelerations without the nonholonomic constraints");
-  Vector a = form.unconstrained(dynamics.f, acceleration + "_free", steps);
+  Vector a = form.unconstrained(acceleration + "_free", steps);
   steps.begin("multipliers from b g^-1 b^T lambda = -(b a_free + drift), accelerations (3.4)");
   Vector lambda = form.multipliers(form.defect(a), rough + dynamics.names.multiplier, steps);
   a = form.moved(a, lambda, rough + dynamics.names.acceleration, steps);
