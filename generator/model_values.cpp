@@ -1,5 +1,8 @@
 #include "model_values.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "evaluation.hpp"
 #include "strategy/projection.hpp"
 
@@ -18,13 +21,28 @@ constexpr int k_rank_digits = 20;
 /// Rounding of the finer run is smaller by this many orders.
 constexpr int k_more_digits = 20;
 
-int carried(int digits) { return 2 * digits + k_more_digits; }
+/// Orders of magnitude between the parameters and 1: beside a mass of 1e80 one of 1 is 80 digits below.
+int orders_apart(Mechanics& mechanics) {
+  evaluate::Evaluator<double> values(mechanics.graph, Arithmetic<double>());
+  bind_parameters(mechanics, values);
+  double least = 0;
+  double largest = 0;
+  for (const model::Parameter& parameter : mechanics.model.parameters) {
+    const std::optional<double> value = values(mechanics.expressions(parameter.value).id());
+    if (!value || *value == 0 || !std::isfinite(*value)) continue;
+    least = std::min(least, std::log10(std::abs(*value)));
+    largest = std::max(largest, std::log10(std::abs(*value)));
+  }
+  return static_cast<int>(largest - least);
+}
+
+int carried(Mechanics& mechanics, int digits) { return 2 * (digits + orders_apart(mechanics)) + k_more_digits; }
 
 }  // namespace
 
 ModelValues::ModelValues(Mechanics& mechanics, const Rational& time, int digits)
-    : values_(mechanics.graph, Arithmetic<cl_F>(carried(digits) + k_more_digits)),
-      coarse_values_(mechanics.graph, Arithmetic<cl_F>(carried(digits))),
+    : values_(mechanics.graph, Arithmetic<cl_F>(carried(mechanics, digits) + k_more_digits)),
+      coarse_values_(mechanics.graph, Arithmetic<cl_F>(carried(mechanics, digits))),
       scales_(mechanics.graph, Arithmetic<Scaled<cl_F>>(values_.arithmetic())) {
   bind(mechanics.symbols.time, number(time));
   bind_parameters(mechanics, values_);

@@ -8,7 +8,8 @@
 
 namespace gaussgen {
 
-/// Values at the model's initial state and a time, good to `digits` digits: twice as many are carried, since as many may cancel.
+/// Values at the model's initial state and a time, good to `digits` digits: twice as many are carried, since as many may cancel, and
+/// as many more as parameters are apart.
 ///
 /// What is nothing but rounding is zero here. It is recognised by computing everything twice, with different precisions: true
 /// values agree, rounding does not. (The absolute sum S of arithmetic_scale.hpp cannot tell: through the solution of a linear

@@ -124,6 +124,23 @@ class Meaning(Evaluate):
         self.assertIn("a constraint phi = 0 adds lambda * dphi/du", "".join(document["notes"]))
         self.assertNotIn("lambda", "".join(self.document("-", stdin=PARTICLE)["notes"]))
 
+    def test_parameters_of_any_size_stand_beside_each_other(self):
+        """The row of th alone, which has no mass, gives its multiplier: -0.3/1.04 for every m."""
+        model = """gauss: 1
+name: massless
+parameters: {m: 1}
+coordinates: {x: {initial: 0.2, initial_rate: 0.4}, y: {}, th: {initial: 0.6}}
+particles: {p: {mass: m, position: [x, y, 0]}}
+constraints:
+  skate: {velocity: -dot(x)*sin(th) + dot(y)*cos(th)}
+  steer: {velocity: (1 + x^2)*dot(th) - 0.5*dot(x)}
+forces: {f: {generalized: {x: 2, th: 0.3}}}
+"""
+        for mass in ("1", "1e-80", "1e80", "1e300"):
+            with self.subTest(mass=mass):
+                found = self.document("-", "--set", "m=" + mass, stdin=model)
+                self.close(found["multipliers"]["steer"]["value"], "-0.28846153846153846")
+
     def test_coordinates_that_do_the_same_release_nothing(self):
         model = """gauss: 1
 name: twins
