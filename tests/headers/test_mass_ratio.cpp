@@ -10,12 +10,14 @@
 #include "light.hpp"
 #include "only_constraints.hpp"
 #include "rope.hpp"
+#include "scaled.hpp"
 #include "vanishing.hpp"
 #include "weightless_wheel.hpp"
 
 namespace light = gauss::light;
 namespace only_constraints = gauss::only_constraints;
 namespace rope = gauss::rope;
+namespace scaled = gauss::scaled;
 namespace vanishing = gauss::vanishing;
 namespace weightless_wheel = gauss::weightless_wheel;
 using gauss::Status;
@@ -152,6 +154,46 @@ TEST_CASE("the scale of a constraint changes its multiplier alone, unless it lea
     if (single.status == Status::ok) CHECK(single.error < 1e-5F);
     if (std::abs(exponent) <= 16) CHECK(single.status == Status::ok);
   }
+}
+
+namespace {
+
+template <class S>
+Status scaled_motion(S mass, S k, S (&found)[5]) {
+  scaled::Parameters<S> parameters;
+  parameters.m = mass;
+  parameters.k = k;
+  const auto prepared = prepare(parameters);
+  scaled::State<S> state{};
+  scaled::Derivative<S> derivative{};
+  const Status start = initial_state(prepared, state);
+  const Status motion = rhs(S(0), state, {}, prepared, derivative);
+  const S values[] = {state.y_dot(), state.z_dot(), derivative.x_ddot(), derivative.y_ddot(), derivative.z_ddot()};
+  std::copy_n(values, 5, found);
+  return start == Status::ok ? motion : start;
+}
+
+template <class S>
+void scale_does_not_matter(int largest, int always_ok, S tolerance) {
+  S expected[5];
+  REQUIRE(scaled_motion(S(1), S(1), expected) == Status::ok);
+  for (const int mass : {-largest / 2, 0, largest / 2}) {
+    for (int k = -largest; k <= largest; k += 2) {
+      INFO("m = 2^" << mass << ", k = 2^" << k);
+      S found[5];
+      const Status status = scaled_motion(std::ldexp(S(1), mass), std::ldexp(S(1), k), found);
+      if (mass == 0 && std::abs(k) <= always_ok) CHECK(status == Status::ok);
+      if (status != Status::ok) continue;
+      for (int i = 0; i < 5; ++i) CHECK(std::abs(found[i] / expected[i] - 1) < tolerance);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("nor does it together with the size of all masses: factors of a small product stay together") {
+  scale_does_not_matter<double>(1000, 160, 1e-12);
+  scale_does_not_matter<float>(120, 16, 2e-5F);
 }
 
 TEST_CASE("a constraint that limits nothing here is no singular mass matrix, and changes no acceleration") {
