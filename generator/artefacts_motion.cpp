@@ -2,6 +2,8 @@
 
 #include <cctype>
 
+#include "support/suggest.hpp"
+
 namespace gaussgen {
 
 using emit::Artefact;
@@ -111,11 +113,11 @@ const char* const k_forces_about =
 
 /// Potentials and generalized forces: they act on coordinates, so Newton and Euler cannot tell them from constraints.
 std::string forces_without_body(const model::Model& model) {
-  std::string names;
+  std::vector<std::string> names;
   for (const model::Force& force : model.forces) {
-    if (!std::holds_alternative<model::UniformField>(force.law)) names += (names.empty() ? "" : ", ") + force.name.text;
+    if (!std::holds_alternative<model::UniformField>(force.law)) names.push_back(force.name.text);
   }
-  return names;
+  return support::joined(names);
 }
 
 std::string about_sum(const model::Model& model, const std::string& body) {
@@ -124,13 +126,11 @@ std::string about_sum(const model::Model& model, const std::string& body) {
 }
 
 std::string undetermined_note(const Mechanics& mechanics) {
-  std::string names;
-  for (const std::string& name :
-       strategy::undetermined_wrenches(mechanics.dynamics, mechanics.solution, mechanics.held_reactions)) {
-    names += (names.empty() ? "" : ", ") + name;
-  }
+  const std::vector<std::string> names =
+      strategy::undetermined_wrenches(mechanics.dynamics, mechanics.solution, mechanics.held_reactions);
   if (names.empty()) return "";
-  return "\nNot stated one by one, as the coordinates do not describe every motion of the bodies: " + names + ".";
+  return "\nNot stated one by one, as the coordinates do not describe every motion of the bodies: " +
+         support::joined(names) + ".";
 }
 
 void add_sums(ArtefactBuilder& builder, Mechanics& mechanics, Steps& steps) {

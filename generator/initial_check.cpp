@@ -154,10 +154,8 @@ class InitialCheck {
 
   /// Those that neither inertia nor constraints tell from each other.
   std::vector<std::string> undetermined_speeds() {
-    strategy::Matrix rows = mechanics_.dynamics.g;
-    rows.insert(rows.end(), mechanics_.dynamics.b.begin(), mechanics_.dynamics.b.end());
     std::vector<std::string> labels;
-    const auto here = values_(rows);
+    const auto here = values_(strategy::g_above_b(mechanics_.dynamics));
     if (!here) return labels;
     for (const std::size_t a : dependent_columns(*here)) labels.push_back(mechanics_.dynamics.labels[a]);
     return labels;

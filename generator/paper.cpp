@@ -8,6 +8,7 @@
 #include "lower/symbol_map.hpp"
 #include "structure_check.hpp"
 #include "support/error_codes.hpp"
+#include "support/suggest.hpp"
 
 namespace gaussgen {
 
@@ -33,12 +34,6 @@ class ParameterValues {
   ir::Graph& graph_;
   ir::Substitution put_in_;
 };
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 /// 'x', 'y' and 's'
 std::string quoted(const std::vector<std::string>& names) {
@@ -162,7 +157,7 @@ bool take_paper_route(Mechanics& mechanics, bool fold, support::Diagnostics& dia
   mechanics.solution.description =
       "the paper's route: Z with Christoffel symbols of G, " +
       (route.dependent.empty() ? std::string("stationarity (1.15)")
-                               : "elimination (3.6)-(3.8) with dependent speeds " + joined(route.dependent)) +
+                               : "elimination (3.6)-(3.8) with dependent speeds " + support::joined(route.dependent)) +
       "; inverses by factorisation";
   return true;
 }

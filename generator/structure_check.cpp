@@ -48,9 +48,7 @@ class StructureCheck {
 
   // Constraints alone determine what no mass resists, as long as they are enough; then the model is sound.
   bool is_determined() {
-    strategy::Matrix rows = mechanics_.dynamics.g;
-    rows.insert(rows.end(), mechanics_.dynamics.b.begin(), mechanics_.dynamics.b.end());
-    return generic_rank(at_generic_point_(rows)) == mechanics_.dynamics.n();
+    return generic_rank(at_generic_point_(strategy::g_above_b(mechanics_.dynamics))) == mechanics_.dynamics.n();
   }
 
   void report_undetermined() {

@@ -3,6 +3,7 @@
 #include "ir/cost.hpp"
 #include "strategy/inner.hpp"
 #include "strategy/margins.hpp"
+#include "support/suggest.hpp"
 
 namespace gaussgen::strategy {
 
@@ -134,12 +135,6 @@ Expr vanished(ir::Graph& graph, const Vector& pivots) {
   return margins.violated("least_pivot");
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 }  // namespace
 
 Solution solve_unconstrained(const Dynamics& dynamics, Expr epsilon, Steps& steps) {
@@ -192,7 +187,8 @@ Solution solve_by_elimination(const Dynamics& dynamics, const Elimination& elimi
           lambda,
           breakdown,
           vanished(graph, elimination.pivots),
-          "elimination (3.6)-(3.7) with dependent speeds " + joined(labels_of(dynamics, elimination.dependent)) +
+          "elimination (3.6)-(3.7) with dependent speeds " +
+              support::joined(labels_of(dynamics, elimination.dependent)) +
               "; safe because det b over them depends on parameters alone",
           undetermined,
           {},

@@ -58,6 +58,12 @@ void add_rows(const kinematics::Kinematics& kinematics, Dynamics& result, Steps&
 
 }  // namespace
 
+Matrix g_above_b(const Dynamics& dynamics) {
+  Matrix rows = dynamics.g;
+  rows.insert(rows.end(), dynamics.b.begin(), dynamics.b.end());
+  return rows;
+}
+
 Dynamics build_dynamics(const kinematics::Kinematics& kinematics, const kinematics::Covariant& covariant,
                         Steps& steps) {
   Dynamics result;

@@ -29,6 +29,9 @@ struct Dynamics {
   std::size_t l() const { return constraints.size(); }
 };
 
+/// The rows of g, then those of b: what inertia and constraints say together of the accelerations.
+Matrix g_above_b(const Dynamics& dynamics);
+
 Dynamics build_dynamics(const kinematics::Kinematics& kinematics, const kinematics::Covariant& covariant, Steps& steps);
 
 }  // namespace gaussgen::strategy

@@ -4,13 +4,33 @@
 
 namespace gaussgen::strategy {
 
+/// G_AB over some of y.
+inline Matrix metric_over(const Dynamics& dynamics, const std::vector<std::size_t>& coordinates) {
+  Matrix matrix;
+  for (const std::size_t i : coordinates) {
+    matrix.emplace_back();
+    for (const std::size_t j : coordinates) {
+      matrix.back().push_back(dynamics.covariant->G[kinematics::FullIndex{i}][kinematics::FullIndex{j}]);
+    }
+  }
+  return matrix;
+}
+
+inline std::vector<std::string> full_labels(const Dynamics& dynamics, const std::vector<std::size_t>& coordinates) {
+  std::vector<std::string> labels;
+  for (const std::size_t i : coordinates) {
+    labels.push_back(dynamics.kinematics->symbols.label(kinematics::FullIndex{i}));
+  }
+  return labels;
+}
+
 /// G_AB over some of y, factorised; its inverse raises indices there (theory section 1).
 class Metric {
  public:
   Metric(const Dynamics& dynamics, std::vector<std::size_t> coordinates, ir::Expr epsilon, Steps& steps)
       : coordinates_(std::move(coordinates)),
         count_(dynamics.kinematics->symbols.full_count()),
-        ldl_(begin(dynamics, steps), labels(dynamics), "G", epsilon, steps) {}
+        ldl_(begin(dynamics, steps), full_labels(dynamics, coordinates_), "G", epsilon, steps) {}
 
   /// z with G z = covariant over the chosen coordinates, and 0 for the others.
   Vector solve(const Vector& covariant, const std::string& name, Steps& steps) const {
@@ -26,21 +46,7 @@ class Metric {
  private:
   Matrix begin(const Dynamics& dynamics, Steps& steps) const {
     steps.begin("metric G_AB of released coordinates = L D L^T");
-    Matrix matrix;
-    for (const std::size_t i : coordinates_) {
-      matrix.emplace_back();
-      for (const std::size_t j : coordinates_) {
-        matrix.back().push_back(dynamics.covariant->G[kinematics::FullIndex{i}][kinematics::FullIndex{j}]);
-      }
-    }
-    return matrix;
-  }
-
-  std::vector<std::string> labels(const Dynamics& dynamics) const {
-    std::vector<std::string> all;
-    for (const std::size_t i : coordinates_)
-      all.push_back(dynamics.kinematics->symbols.label(kinematics::FullIndex{i}));
-    return all;
+    return metric_over(dynamics, coordinates_);
   }
 
   std::vector<std::size_t> coordinates_;

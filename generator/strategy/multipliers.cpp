@@ -13,11 +13,6 @@ using ir::Expr;
 
 namespace {
 
-std::vector<std::string> vanishing_pivots(const Dynamics& dynamics, Expr epsilon) {
-  Steps unused;
-  return Ldl(dynamics.g, dynamics.labels, dynamics.names.prefix + "g", epsilon, unused).vanishing();
-}
-
 Expr squares_of(const Vector& row) { return inner(row[0].graph(), row, row); }
 
 // Σ g_ii b_i² / Σ b_i²: the mean inertia of what a constraint moves, which the heaviest part of it decides.
@@ -167,7 +162,8 @@ class MultiplierForm {
 }  // namespace
 
 Solution solve_with_multipliers(const Dynamics& given, Expr epsilon, Steps& steps) {
-  const std::vector<std::string> undetermined = vanishing_pivots(given, epsilon);
+  const std::vector<std::string> undetermined =
+      vanishing_pivots(given.g, given.labels, given.names.prefix + "g", epsilon);
   const Dynamics dynamics = undetermined.empty() ? given : completed(given, steps);
   MultiplierForm form(dynamics, epsilon, steps);
   const std::string acceleration = dynamics.names.prefix + dynamics.names.acceleration;

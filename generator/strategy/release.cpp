@@ -5,6 +5,8 @@
 #include <numeric>
 #include <optional>
 
+#include "strategy/metric.hpp"
+
 namespace gaussgen::strategy {
 
 using kinematics::BodyIndex;
@@ -80,15 +82,8 @@ std::vector<std::size_t> coordinates_of(const BodyMotion& body) {
 // As many coordinates as directions do not describe every motion where some do the same, as x and y in [x + y, 2*(x + y), z].
 bool is_invertible(const Dynamics& dynamics, const std::vector<std::size_t>& coordinates) {
   ir::Graph& graph = dynamics.covariant->bias[FullIndex{0}].graph();
-  Matrix G;
-  std::vector<std::string> labels;
-  for (const std::size_t i : coordinates) {
-    labels.push_back(dynamics.kinematics->symbols.label(FullIndex{i}));
-    G.emplace_back();
-    for (const std::size_t j : coordinates) G.back().push_back(dynamics.covariant->G[FullIndex{i}][FullIndex{j}]);
-  }
-  Steps unused;
-  return Ldl(G, labels, "G", {graph, graph.constant(0)}, unused).vanishing().empty();
+  const ir::Expr zero(graph, graph.constant(0));
+  return vanishing_pivots(metric_over(dynamics, coordinates), full_labels(dynamics, coordinates), "G", zero).empty();
 }
 
 }  // namespace
@@ -108,13 +103,13 @@ Release::Release(const Dynamics& dynamics) {
   }
   std::vector<std::vector<std::size_t>> members(count);
   for (std::size_t i = 0; i < count; ++i) members[groups.of(i)].push_back(i);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Group& mine = group[groups.of(i)];
-    const std::vector<std::size_t>& coordinates = members[groups.of(i)];
-    const bool is_released =
-        mine.is_uniform && coordinates.size() == mine.freedoms && is_invertible(dynamics, coordinates);
-    released_.push_back(is_released ? 1 : 0);
-    has_surplus_ = has_surplus_ || coordinates.size() > mine.freedoms;
+  released_.assign(count, 0);
+  for (std::size_t g = 0; g < count; ++g) {
+    const std::size_t coordinates = members[g].size();
+    has_surplus_ = has_surplus_ || coordinates > group[g].freedoms;
+    if (coordinates == 0 || !group[g].is_uniform || coordinates != group[g].freedoms) continue;
+    if (!is_invertible(dynamics, members[g])) continue;
+    for (const std::size_t i : members[g]) released_[i] = 1;
   }
 }
 
