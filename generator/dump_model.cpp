@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "description.hpp"
 #include "dumps.hpp"
 #include "support/suggest.hpp"
@@ -27,7 +29,7 @@ std::string joined_names(const std::vector<model::Name>& names) {
   return support::joined(words);
 }
 
-const char* name_of(model::Frame frame) { return frame == model::Frame::space ? "space" : "body"; }
+const char* name_of(model::Axes axes) { return axes == model::Axes::space ? "space" : "body"; }
 
 class ModelText {
  public:
@@ -39,6 +41,8 @@ class ModelText {
     section("inputs", model_.inputs);
     section("coordinates", model_.coordinates);
     section("orientations", model_.orientations);
+    add_frames();
+    section("joints", model_.joints);
     section("bodies", model_.bodies);
     section("constraints", model_.constraints);
     section("forces", model_.forces);
@@ -90,21 +94,78 @@ class ModelText {
     text_ += fmt::format("    quaternion [{}], initial {}\n", joined_names({e.begin(), e.end()}),
                          written(orientation.initial));
     text_ += fmt::format("    angular velocity [{}] in the {} frame, initial {}  [rad/s]\n",
-                         joined_names({w.begin(), w.end()}), name_of(orientation.frame),
+                         joined_names({w.begin(), w.end()}), name_of(orientation.axes),
                          written(orientation.initial_angular_velocity));
   }
 
   void add(const model::Body& body) {
     text_ +=
         fmt::format("  {}: {}{}", body.name.text, body.inertia ? "rigid body" : "particle", remarks("", body.about));
-    text_ += fmt::format("    mass {}\n    position {}\n", written(body.mass), written(body.position));
+    text_ += fmt::format("    mass {}\n", written(body.mass));
+    if (is_own_frame(body)) {
+      text_ += placement(model_.frames[body.frame]);
+    } else {
+      text_ += fmt::format("    on {}, mass centre at {}\n", model_.frames[body.frame].name.text, written(body.centre));
+    }
     if (body.inertia) text_ += fmt::format("    inertia {}\n", written(*body.inertia));
-    if (const auto* euler = std::get_if<model::EulerAngles>(&body.orientation)) {
-      text_ += fmt::format("    orientation euler {} {}\n", euler->sequence, written(euler->angles));
+  }
+
+  bool is_own_frame(const model::Body& body) const {
+    return model_.frames[body.frame].name.span == body.name.span;
+  }
+
+  /// Those of bodies are shown with them.
+  void add_frames() {
+    std::vector<model::Frame> others;
+    for (const model::Frame& frame : model_.frames) {
+      const bool is_body = std::any_of(model_.bodies.begin(), model_.bodies.end(),
+                                       [&](const model::Body& body) { return body.name.span == frame.name.span; });
+      if (!is_body) others.push_back(frame);
     }
-    if (const auto* quaternion = std::get_if<model::QuaternionOrientation>(&body.orientation)) {
-      text_ += fmt::format("    orientation {}\n", model_.orientations[quaternion->index].name.text);
+    section("frames", others);
+  }
+
+  void add(const model::Frame& frame) {
+    text_ += fmt::format("  {}{}", frame.name.text, remarks("", frame.about)) + placement(frame);
+  }
+
+  std::string placement(const model::Frame& frame) const {
+    const std::string parent = frame.parent == model::k_space ? "" : " on " + model_.frames[frame.parent].name.text;
+    return fmt::format("    position {}{}\n", written(frame.position), parent) + attitude(frame);
+  }
+
+  std::string attitude(const model::Frame& frame) const {
+    if (const auto* quaternion = std::get_if<model::QuaternionOrientation>(&frame.attitude)) {
+      return fmt::format("    orientation {}\n", model_.orientations[quaternion->index].name.text);
     }
+    const auto* turns = std::get_if<model::Turns>(&frame.attitude);
+    if (turns == nullptr) return "";
+    if (turns->size() == 3) return euler_angles(*turns);
+    std::vector<std::string> words;
+    for (const model::Turn& turn : *turns) {
+      const char* letter = std::get_if<char>(&turn.axis);
+      words.push_back((letter != nullptr ? std::string(1, *letter)
+                                         : written(std::get<std::array<Ast, 3>>(turn.axis))) +
+                      " by " + written(turn.angle));
+    }
+    return fmt::format("    turned about {}\n", support::joined(words));
+  }
+
+  /// Only the format's Euler angles are three turns.
+  std::string euler_angles(const model::Turns& turns) const {
+    std::string sequence;
+    std::vector<std::string> angles;
+    for (const model::Turn& turn : turns) {
+      sequence += std::get<char>(turn.axis);
+      angles.push_back(written(turn.angle));
+    }
+    return fmt::format("    orientation euler {} [{}]\n", sequence, support::joined(angles));
+  }
+
+  void add(const model::Joint& joint) {
+    const model::Frame& frame = model_.frames[joint.frame];
+    const std::string parent = frame.parent == model::k_space ? "space" : model_.frames[frame.parent].name.text;
+    text_ += fmt::format("  {}: {} carries {}{}", joint.name.text, parent, frame.name.text, remarks("", joint.about));
   }
 
   void add(const model::VelocityConstraint& constraint) {
@@ -148,6 +209,7 @@ class ModelText {
 
   /// In the words of the file; what the file leaves out is a number.
   std::string written(const Ast& ast) const {
+    if (ast.is_derived) return derived(ast);
     const std::string_view words = source_.text(ast.span);
     if (words.empty()) return support::to_text(ast.number);
     std::string line;
@@ -158,6 +220,29 @@ class ModelText {
       if (is_blank && line.back() != ' ') line += ' ';
     }
     return line;
+  }
+
+  /// What a shorthand stands for.
+  std::string derived(const Ast& ast) const {
+    using model::AstKind;
+    std::vector<std::string> parts;
+    for (const Ast& child : ast.children) parts.push_back(written(child));
+    const auto chain = [&](const char* sign) {
+      std::string text;
+      for (const std::string& part : parts) text += (text.empty() ? "" : sign) + part;
+      return text;
+    };
+    switch (ast.kind) {
+      case AstKind::number: return support::to_text(ast.number);
+      case AstKind::symbol: return ast.name;
+      case AstKind::negate: return "-(" + parts[0] + ")";
+      case AstKind::sum: return chain(" + ");
+      case AstKind::product: return "(" + chain(")*(") + ")";
+      case AstKind::reciprocal: return "1/(" + parts[0] + ")";
+      case AstKind::power: return "(" + parts[0] + ")^" + parts[1];
+      case AstKind::call: return ast.name + "(" + parts[0] + ")";
+    }
+    return "";
   }
 
   const Model& model_;

@@ -34,7 +34,7 @@ std::string dump_body(const kinematics::BodyMotion& body, const kinematics::Symb
   }
   result += line("h", text(body.h));
   if (!body.is_rigid) return result;
-  const char* const frame = body.rotation.frame == model::Frame::space ? "space" : "body";
+  const char* const frame = body.rotation.axes == model::Axes::space ? "space" : "body";
   result += fmt::format("  in the {} frame:\n", frame) + line("omega", text(body.rotation.omega));
   for (const auto i : body.W.indices()) {
     if (!is_zero(body.W[i])) result += line("W_" + symbols.label(i), text(body.W[i]));

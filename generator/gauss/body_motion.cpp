@@ -1,7 +1,5 @@
 #include "gauss/body_motion.hpp"
 
-#include "symbolic/rotation.hpp"
-
 namespace gaussgen::gauss {
 
 namespace {
@@ -29,13 +27,13 @@ std::vector<BodyMotion> body_motions(const model::Model& model, const Chart& cha
   for (const model::Body& body : model.bodies) {
     BodyMotion motion;
     motion.mass = chart(body.mass);
-    motion.position = chart(body.position);
+    motion.position = chart.frames().point(body.frame, body.centre);
     if (body.inertia) {
       motion.is_rigid = true;
       motion.inertia = inertia_matrix(*body.inertia, chart);
-      motion.omega_body = symbolic::body_angular_velocity(model, body, chart);
+      motion.omega_body = chart.frames()(body.frame).omega_body;
       const bool is_isotropic = body.inertia->shape == Shape::isotropic;
-      motion.omega = is_isotropic ? symbolic::shortest_angular_velocity(body, chart) : motion.omega_body;
+      motion.omega = is_isotropic ? chart.frames().shortest_angular_velocity(body.frame) : motion.omega_body;
     }
     motions.push_back(motion);
   }

@@ -13,7 +13,7 @@ using model::AstKind;
 using support::Rational;
 
 Expressions::Expressions(const model::Model& model, const Symbols& symbols, ir::Graph& graph, bool fold)
-    : model_(model), symbols_(symbols), graph_(graph), fold_(fold), time_derivative_(graph) {
+    : model_(model), symbols_(symbols), graph_(graph), fold_(fold), time_derivative_(graph), frames_(model, symbols, *this) {
   seed_rates();
 }
 
@@ -44,7 +44,7 @@ void Expressions::quaternion_rates(std::size_t orientation) {
   const ir::Vector3 omega{u(0), u(1), u(2)};
   const Rational half = Rational(1) / 2;
   configuration_rates_.push_back(-half * (vector[0] * omega[0] + vector[1] * omega[1] + vector[2] * omega[2]));
-  const bool in_space = model_.orientations[orientation].frame == model::Frame::space;
+  const bool in_space = model_.orientations[orientation].axes == model::Axes::space;
   const ir::Vector3 turn = in_space ? cross(omega, vector) : cross(vector, omega);
   for (std::size_t i = 0; i < 3; ++i) configuration_rates_.push_back(half * (e(0) * omega[i] + turn[i]));
 }
@@ -105,6 +105,7 @@ Expr Expressions::resolved(const std::string& name) {
       const FreeIndex first = symbols_.first_angular_velocity[ref.index / 3];
       return symbol(symbols_.speeds[FreeIndex{first.value + ref.index % 3}].symbol);
     }
+    case model::SymbolKind::place: return frames_.origin(ref.index / 3)[ref.index % 3];
   }
   return number(0);
 }

@@ -4,7 +4,7 @@
 
 #include "ir/differentiate.hpp"
 #include "ir/vector3.hpp"
-#include "kinematics/symbols.hpp"
+#include "kinematics/frames.hpp"
 
 namespace gaussgen::kinematics {
 
@@ -14,6 +14,8 @@ class Expressions {
  public:
   /// With `fold`, parameters are replaced by their numbers.
   Expressions(const model::Model& model, const Symbols& symbols, ir::Graph& graph, bool fold = false);
+  Expressions(const Expressions&) = delete;  // the frames refer to these
+  Expressions& operator=(const Expressions&) = delete;
 
   ir::Expr operator()(const model::Ast& ast);
   ir::Vector3 operator()(const std::array<model::Ast, 3>& vector);
@@ -25,6 +27,9 @@ class Expressions {
 
   /// q̇ as functions of q and u.
   const support::Indexed<ConfigurationIndex, ir::Expr>& configuration_rates() const { return configuration_rates_; }
+
+  Frames& frames() { return frames_; }
+  ir::Graph& graph() const { return graph_; }
 
   ir::Expr number(const support::Rational& value) const { return {graph_, graph_.constant(value)}; }
   ir::Expr symbol(ir::SymbolId id) const { return {graph_, graph_.use(id)}; }
@@ -43,6 +48,7 @@ class Expressions {
   std::unordered_map<std::size_t, ir::Expr> folded_;  ///< values of parameters
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates_;
   ir::Directional time_derivative_;
+  Frames frames_;
 };
 
 /// The rational value of a constant expression, such as an exponent.

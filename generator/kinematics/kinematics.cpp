@@ -7,7 +7,7 @@ namespace gaussgen::kinematics {
 
 using ir::Expr;
 using ir::Vector3;
-using model::Frame;
+using model::Axes;
 using support::Indexed;
 
 namespace {
@@ -54,12 +54,12 @@ class Builder {
   }
 
   BodyMotion body_motion(const model::Body& body) {
-    const Vector3 position = expressions_(body.position);
+    const Vector3 position = expressions_.frames().point(body.frame, expressions_(body.centre));
     const Vector3 velocity = expressions_.rate(position);
     const Vector3 zero = ir::zero3(graph_);
     BodyMotion motion{body.name.text, expressions_(body.mass), position, velocity, jacobian(velocity),
                       expressions_.rate(velocity), zero, false, false, {zero, zero, zero},
-                      {{zero, zero, zero}, zero, Frame::space}, {}, zero};
+                      {{zero, zero, zero}, zero, Axes::space}, {}, zero};
     if (body.inertia) add_rotation(body, motion);
     return motion;
   }
@@ -70,15 +70,17 @@ class Builder {
     motion.is_rigid = true;
     motion.is_isotropic = body.inertia->shape == model::Inertia::Shape::isotropic;
     motion.inertia = inertia_matrix(*body.inertia);
-    motion.rotation = rotation_of(model_, body, symbols_, motion.is_isotropic ? preferred_frame(body) : Frame::body,
-                                  expressions_);
+    motion.rotation =
+        expressions_.frames().rotation(body.frame, motion.is_isotropic ? preferred_axes(body.frame) : Axes::body);
     motion.W = jacobian(motion.rotation.omega);
     motion.eta = expressions_.rate(motion.rotation.omega);
   }
 
-  Frame preferred_frame(const model::Body& body) const {
-    const auto* quaternion = std::get_if<model::QuaternionOrientation>(&body.orientation);
-    return quaternion != nullptr ? model_.orientations[quaternion->index].frame : Frame::space;
+  Axes preferred_axes(std::size_t frame) const {
+    const auto* quaternion = std::get_if<model::QuaternionOrientation>(&model_.frames[frame].attitude);
+    if (quaternion == nullptr) return Axes::space;
+    const Axes own = model_.orientations[quaternion->index].axes;
+    return own == Axes::space && model_.frames[frame].parent != model::k_space ? Axes::body : own;
   }
 
   ir::Matrix3 inertia_matrix(const model::Inertia& inertia) {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "kinematics/expressions.hpp"
-#include "kinematics/rotation.hpp"
+#include "kinematics/frames.hpp"
 
 namespace gaussgen::kinematics {
 

@@ -59,7 +59,7 @@ class Declaration {
                                         "unit quaternion " + orientation.name.text + ", body to space"});
     }
     symbols_.first_angular_velocity.push_back(FreeIndex{symbols_.speeds.size()});
-    const std::string frame = orientation.frame == model::Frame::space ? "space" : "body";
+    const std::string frame = orientation.axes == model::Axes::space ? "space" : "body";
     for (const model::Name& name : orientation.angular_velocity) {
       declare_speed(name.text, name.text + "_dot", name.text, "rad/s",
                     "angular velocity of " + orientation.name.text + ", " + frame + " frame");

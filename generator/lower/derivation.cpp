@@ -205,7 +205,7 @@ void add_user_items(const model::Model& model, const PaperSystem& paper, Formula
                              with_unit(coordinate.about.empty() ? "coordinate" : coordinate.about, coordinate.unit) + held});
   }
   for (const model::Orientation& orientation : model.orientations) {
-    const char* frame = orientation.frame == model::Frame::space ? "space" : "body";
+    const char* frame = orientation.axes == model::Axes::space ? "space" : "body";
     for (const model::Name& name : orientation.angular_velocity) {
       section.items.push_back({latex_indices({name.text}), name.text,
                                fmt::format("angular velocity of {}, resolved in {}", orientation.name.text, frame)});

@@ -28,6 +28,7 @@ struct Ast {
   support::Span span;
   support::Rational number = 0;  ///< kind number
   bool is_decimal = false;       ///< kind number: written with a decimal point or an exponent
+  bool is_derived = false;       ///< stands for a shorthand of the format; its span is that of the shorthand
   std::string name;              ///< kind symbol: the name; kind call: the function
   std::vector<Ast> children;
 };

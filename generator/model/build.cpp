@@ -7,6 +7,7 @@
 
 #include "model/checks.hpp"
 #include "model/fields.hpp"
+#include "model/frames.hpp"
 #include "model/names.hpp"
 #include "model/sections.hpp"
 #include "spec/reader.hpp"
@@ -36,8 +37,11 @@ void read_sections(const spec::Node& root, Reading& reading) {
   read_inputs(root, reading);
   read_coordinates(root, reading);
   read_orientations(root, reading);
+  read_frames(root, reading);
+  read_joints(root, reading);
   check_rate_names(reading);
   read_bodies(root, reading);
+  order_frames(reading);
   read_constraints(root, reading);
   read_forces(root, reading);
   read_elimination(root, reading);
@@ -47,7 +51,7 @@ void read_sections(const spec::Node& root, Reading& reading) {
 }  // namespace
 
 std::optional<Model> build_model(const support::Source& source, support::Diagnostics& diagnostics) {
-  Reading reading{source, diagnostics, {}, {}, {}, {}, false};
+  Reading reading{source, diagnostics, {}, {}, {}, {}};
   reading.model.file = base_name(source.name());
   reading.model.content_hash = content_hash(source.text());
   reading.model.symbols["t"] = {SymbolKind::time, 0};

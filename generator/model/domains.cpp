@@ -29,6 +29,7 @@ const char* kind_name(SymbolKind kind) {
     case SymbolKind::coordinate: return "the coordinate";
     case SymbolKind::quaternion_component: return "the quaternion component";
     case SymbolKind::angular_velocity: return "the angular velocity";
+    case SymbolKind::place: return "the place";
   }
   return "the symbol";
 }
@@ -42,6 +43,7 @@ bool allows(const Place& place, SymbolKind kind) {
     case SymbolKind::coordinate:
     case SymbolKind::quaternion_component: return place.coordinates;
     case SymbolKind::angular_velocity: return place.speeds;
+    case SymbolKind::place: return place.places;
   }
   return false;
 }
@@ -54,7 +56,9 @@ struct Unknown {
 class DomainCheck {
  public:
   explicit DomainCheck(Reading& reading) : reading_(reading) {
-    for (const auto& symbol : reading.model.symbols) names_.push_back(symbol.first);
+    for (const auto& [name, symbol] : reading.model.symbols) {
+      if (symbol.kind != SymbolKind::place) names_.push_back(name);
+    }
   }
 
   /// Each unknown name once, however often it is used.
@@ -107,10 +111,24 @@ class DomainCheck {
     if (rate && reading_.model.symbols.count(name.substr(0, name.size() - k_suffix)) > 0) {
       return fmt::format("write dot({}) for the rate", name.substr(0, name.size() - k_suffix));
     }
+    const std::size_t point = name.find('.');
+    if (point != std::string::npos) return hint_for_component(name.substr(0, point), name.substr(point + 1));
     if (name == "I") return "declare a moment of inertia under 'parameters', as I1 or J";
     // A file full of unknown names gets no suggestions after the first ones: each costs a search.
     const std::string near = ++searches_ <= k_most_suggestions ? support::did_you_mean(name, names_) : std::string();
     return near.empty() ? "declare it under 'parameters', 'inputs' or 'coordinates'" : near;
+  }
+
+  std::string hint_for_component(const std::string& owner, const std::string& component) {
+    if (reading_.frames.count(owner) > 0) return fmt::format("'{}' has the components x, y and z, in space", owner);
+    if (reading_.model.symbols.count(owner) > 0) {
+      return component == "dot" ? fmt::format("write dot({}) for the rate", owner)
+                                : fmt::format("'{}' has no components", owner);
+    }
+    std::vector<std::string> owners;
+    for (const auto& frame : reading_.frames) owners.push_back(frame.first);
+    const std::string near = ++searches_ <= k_most_suggestions ? support::did_you_mean(owner, owners) : std::string();
+    return near.empty() ? "a frame, a body or a point has components: declare it under 'points'" : near;
   }
 
   Reading& reading_;

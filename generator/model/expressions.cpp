@@ -6,6 +6,12 @@ namespace {
 
 using Visit = std::function<void(const Ast&, const Place&)>;
 
+/// Names such as `tip.x` are allowed, too: not in placements themselves, which they follow from.
+constexpr Place with_places(Place place) {
+  place.places = true;
+  return place;
+}
+
 constexpr Place k_parameter{"the value of a parameter", "parameters stay constant during a motion",
                             "use numbers, pi and other parameters"};
 constexpr Place k_input{"the default of an input", "it is a plain number", "use numbers and pi", false};
@@ -22,32 +28,35 @@ constexpr Place k_initial{"an initial value", "it is known before the motion sta
 constexpr Place k_mass{"the mass of a body", "masses stay constant", "use numbers and parameters"};
 constexpr Place k_inertia{"the inertia of a body", "it is constant in axes that turn with the body",
                           "use numbers and parameters"};
-constexpr Place k_position{
+constexpr Place k_centre{"a mass centre", "it is fixed in the frame of its body", "use numbers and parameters"};
+constexpr Place k_axis{"an axis", "it is fixed in its frame", "use numbers and parameters"};
+constexpr Place k_placement{
     "a position", "a place does not depend on speeds or on inputs", "use coordinates, parameters and t", true, true,
     true};
+constexpr Place k_position = with_places(k_placement);
 constexpr Place k_angle{
     "an angle", "an attitude does not depend on speeds or on inputs", "use coordinates, parameters and t", true, true,
     true};
-constexpr Place k_velocity{"a constraint",
+constexpr Place k_velocity = with_places({"a constraint",
                            "a constraint holds whatever the inputs are",
                            "use a parameter, or put the input into a force",
                            true,
                            true,
                            true,
-                           true};
+                           true});
 constexpr Place k_field{"a uniform field", "the field is the same everywhere",
                         "use parameters and t, or a potential or generalized force", true, true};
-constexpr Place k_potential{
+constexpr Place k_potential = with_places({
     "a potential", "a potential depends on places and time alone", "write a 'generalized' force instead", true, true,
-    true};
-constexpr Place k_generalized{"a generalized force", "", "", true, true, true, true, true};
-constexpr Place k_dot{"dot(...)",
+    true});
+constexpr Place k_generalized = with_places({"a generalized force", "", "", true, true, true, true, true});
+constexpr Place k_dot = with_places({"dot(...)",
                       "it is the rate of something that depends on coordinates and time; accelerations and rates of "
                       "inputs are not available",
                       "use coordinates, parameters and t inside dot(...)",
                       true,
                       true,
-                      true};
+                      true});
 
 template <class List>
 void visit_all(const List& list, const Place& place, const Visit& visit) {
@@ -71,12 +80,23 @@ void visit_motion(const Model& model, const Visit& visit) {
   }
 }
 
+void visit_frames(const Model& model, const Visit& visit) {
+  for (const Frame& frame : model.frames) {
+    visit_all(frame.position, k_placement, visit);
+    const auto* turns = std::get_if<Turns>(&frame.attitude);
+    if (turns == nullptr) continue;
+    for (const Turn& turn : *turns) {
+      visit(turn.angle, k_angle);
+      if (const auto* axis = std::get_if<std::array<Ast, 3>>(&turn.axis)) visit_all(*axis, k_axis, visit);
+    }
+  }
+}
+
 void visit_bodies(const Model& model, const Visit& visit) {
   for (const Body& body : model.bodies) {
     visit(body.mass, k_mass);
-    visit_all(body.position, k_position, visit);
+    visit_all(body.centre, k_centre, visit);
     if (body.inertia) visit_all(body.inertia->entries, k_inertia, visit);
-    if (const auto* euler = std::get_if<EulerAngles>(&body.orientation)) visit_all(euler->angles, k_angle, visit);
   }
 }
 
@@ -98,6 +118,7 @@ void for_each_expression(const Model& model, const Visit& visit) {
   for (const Parameter& parameter : model.parameters) visit(parameter.value, k_parameter);
   for (const Input& input : model.inputs) visit(input.value, k_input);
   visit_motion(model, visit);
+  visit_frames(model, visit);
   visit_bodies(model, visit);
   for (const VelocityConstraint& constraint : model.constraints) {
     visit(constraint.velocity, k_velocity);

@@ -18,6 +18,7 @@ struct Place {
   bool speeds = false;       ///< dot(...) and angular velocities
   bool inputs = false;
   const char* hint_for_coordinate = nullptr;  ///< instead of `hint`
+  bool places = false;                        ///< `tip.x`
 };
 
 /// The value of a parameter.

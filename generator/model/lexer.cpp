@@ -85,6 +85,10 @@ class Lexer {
   bool name() {
     std::size_t size = 1;
     while (is_letter(peek(size)) || is_digit(peek(size)) || peek(size) == '_') ++size;
+    // A component of a place, as in tip.x.
+    if (peek(size) == '.' && is_letter(peek(size + 1))) {
+      for (++size; is_letter(peek(size)) || is_digit(peek(size)) || peek(size) == '_';) ++size;
+    }
     std::string text = text_.text.substr(at_, size);
     push(TokenKind::name, size);
     tokens_.back().name = std::move(text);

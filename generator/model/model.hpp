@@ -48,46 +48,74 @@ struct Coordinate {
   std::optional<Ast> rate_guess;    ///< where the search for a rate that is not given starts; default 0
 };
 
-/// The frame in which a vector is resolved.
-enum class Frame { space, body };
+/// The axes in which a vector is resolved.
+enum class Axes { space, body };
 
-/// A unit quaternion (body to space, scalar first) with the angular velocity as quasi-velocity (theory §5).
-/// Each of the seven names is a symbol in expressions.
+/// A unit quaternion (turned axes to those that it starts from, scalar first) with the angular velocity as quasi-velocity
+/// (theory §5). Each of the seven names is a symbol in expressions. On a frame with a parent, "space" is the parent's axes.
 struct Orientation {
   Name name;
   std::string about;
   std::array<Name, 4> quaternion;
-  std::array<Name, 3> angular_velocity;  ///< rad/s, resolved in `frame`
-  Frame frame = Frame::space;
+  std::array<Name, 3> angular_velocity;  ///< rad/s, resolved in `axes`
+  Axes axes = Axes::space;
   std::array<Ast, 4> initial;            ///< over parameters; normalised when emitted
   std::array<std::optional<Ast>, 3> initial_angular_velocity;  ///< an empty one is open
 };
 
-/// Rotations about moving axes in the order of `sequence`: R = R_a(angle 0) R_b(angle 1) R_c(angle 2), body to space.
-struct EulerAngles {
-  std::string sequence;  ///< three letters of x, y, z, such as "zxz"
-  std::array<Ast, 3> angles;
+/// A turn about x, y or z, or about a vector over parameters (of any length but 0).
+struct Turn {
+  std::variant<char, std::array<Ast, 3>> axis = 'z';
+  Ast angle;  ///< rad, over coordinates, quaternions, parameters, t
 };
+
+/// Turns about moving axes, the first one first: R = R_0 R_1 …, from the turned axes to those at the start.
+using Turns = std::vector<Turn>;
 
 /// Index into Model::orientations.
 struct QuaternionOrientation {
   std::size_t index = 0;
 };
 
-/// Inertia about the mass centre, resolved in body axes: xx, yy, zz, xy, xz, yz.
+/// Inertia about the mass centre, resolved in the axes of its frame: xx, yy, zz, xy, xz, yz.
 struct Inertia {
   enum class Shape { isotropic, diagonal, full } shape = Shape::isotropic;
   std::array<Ast, 6> entries;  ///< isotropic: the first; diagonal: the first three
 };
 
-/// A rigid body, or a particle (no inertia, no orientation).
+using Attitude = std::variant<std::monostate, Turns, QuaternionOrientation>;
+
+/// Stands for space as the parent of a frame.
+inline constexpr std::size_t k_space = static_cast<std::size_t>(-1);
+
+/// An origin with axes: a part that joints carry, a place on it, or a body with its mass centre as the origin.
+/// `name.x`, `name.y`, `name.z` in expressions are the coordinates of the origin in space.
+struct Frame {
+  Name name;
+  std::string about;
+  std::size_t parent = k_space;  ///< index into Model::frames, always an earlier one
+  std::array<Ast, 3> position;   ///< of the origin, in the axes of the parent; over coordinates, quaternions, parameters, t
+  Attitude attitude;             ///< against the parent; std::monostate: its axes
+};
+
+enum class JointType { revolute, prismatic, cylindrical, universal, spherical, planar, free, fixed };
+
+/// Carries a frame; what it transmits is the force and moment on that frame from its parent.
+struct Joint {
+  Name name;
+  std::string about;
+  JointType type = JointType::revolute;
+  std::size_t frame = 0;  ///< index into Model::frames: the child, with its origin in the joint
+};
+
+/// A rigid body, or a particle (no inertia).
 struct Body {
   Name name;
   std::string about;
-  Ast mass;                     ///< over parameters
-  std::array<Ast, 3> position;  ///< of the mass centre, in space; over coordinates, quaternions, parameters, t
-  std::optional<Inertia> inertia;
-  std::variant<std::monostate, EulerAngles, QuaternionOrientation> orientation;
+  Ast mass;                    ///< over parameters
+  std::size_t frame = 0;       ///< index into Model::frames: what it is part of
+  std::array<Ast, 3> centre;   ///< mass centre, in the axes of the frame; over parameters
+  std::optional<Inertia> inertia;  ///< in the axes of the frame
 };
 
 /// φ_μ(y, ẏ, t) = 0 (Vujičić (3.1)), linear or nonlinear in the velocities.
@@ -127,6 +155,7 @@ enum class SymbolKind {
   coordinate,            ///< index into coordinates (free and held)
   quaternion_component,  ///< index = 4 * orientation + component
   angular_velocity,      ///< index = 3 * orientation + component
+  place,                 ///< index = 3 * frame + component: where its origin is, in space
 };
 
 struct SymbolRef {
@@ -143,6 +172,8 @@ struct Model {
   std::vector<Input> inputs;
   std::vector<Coordinate> coordinates;
   std::vector<Orientation> orientations;
+  std::vector<Frame> frames;  ///< parents first
+  std::vector<Joint> joints;
   std::vector<Body> bodies;
   std::vector<VelocityConstraint> constraints;
   std::vector<Force> forces;

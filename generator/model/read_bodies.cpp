@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "model/attitude.hpp"
 #include "model/fields.hpp"
+#include "model/frames.hpp"
 #include "model/inertia.hpp"
 #include "model/names.hpp"
 #include "model/sections.hpp"
 #include "support/error_codes.hpp"
-#include "support/suggest.hpp"
 
 namespace gaussgen::model {
 
@@ -18,60 +19,9 @@ using spec::NodeKind;
 
 namespace {
 
-const std::vector<std::string> k_body_keys = {"mass", "inertia", "position", "orientation", "about"};
-const std::vector<std::string> k_particle_keys = {"mass", "position", "about"};
-
-bool is_euler_sequence(const std::string& text) {
-  if (text.size() != 3 || text.find_first_not_of("xyz") != std::string::npos) return false;
-  return text[0] != text[1] && text[1] != text[2];
-}
-
-EulerAngles read_euler(const Node& map, support::Span owner, Reading& reading) {
-  const std::string where = "an orientation by Euler angles";
-  EulerAngles euler;
-  euler.angles.fill(broken_expression());
-  check_keys(map, where, {"euler", "angles"}, reading);
-  const Node* sequence = required(map, "euler", owner, where, reading);
-  if (sequence != nullptr && expect_scalar(*sequence, owner, "'euler'", reading)) {
-    euler.sequence = sequence->scalar.text;
-    if (!is_euler_sequence(euler.sequence)) {
-      reading.diagnostics.error(
-          code::k_unknown_word, sequence->span, fmt::format("'{}' is not a sequence of axes", euler.sequence),
-          "three letters of x, y, z without equal neighbours, such as zxz or zyx; an angle that is not "
-          "needed is 0");
-    }
-  }
-  const Node* angles = required(map, "angles", owner, where, reading);
-  // As many angles as letters: that is one mistake.
-  const bool is_reported = angles != nullptr && !euler.sequence.empty() && !is_euler_sequence(euler.sequence) &&
-                           angles->items.size() == euler.sequence.size();
-  if (angles != nullptr && !is_reported) euler.angles = read_vector(*angles, owner, "'angles'", reading);
-  return euler;
-}
-
-QuaternionOrientation find_orientation(const Node& scalar, Reading& reading) {
-  const auto found = reading.orientations.find(scalar.scalar.text);
-  if (found != reading.orientations.end()) return {found->second};
-  if (!reading.incomplete) {
-    std::vector<std::string> names;
-    for (const auto& orientation : reading.orientations) names.push_back(orientation.first);
-    const std::string near = support::did_you_mean(scalar.scalar.text, names);
-    reading.diagnostics.error(
-        code::k_wrong_reference, scalar.span, fmt::format("there is no orientation '{}'", scalar.scalar.text),
-        near.empty() ? "declare it under 'orientations', or write {euler: zxz, angles: [...]}" : near);
-  }
-  return {k_no_orientation};
-}
-
-void read_orientation(const Entry& entry, Body& body, Reading& reading) {
-  if (entry.value.kind == NodeKind::map) {
-    body.orientation = read_euler(entry.value, entry.key.span, reading);
-  } else if (expect_scalar(entry.value, entry.key.span, "'orientation'", reading)) {
-    body.orientation = find_orientation(entry.value, reading);
-  } else {
-    body.orientation = QuaternionOrientation{k_no_orientation};
-  }
-}
+const std::vector<std::string> k_body_keys = {"mass",        "inertia", "frame", "centre",
+                                              "position", "orientation", "about"};
+const std::vector<std::string> k_particle_keys = {"mass", "frame", "centre", "position", "about"};
 
 /// Inertia acts through rotation and rotation counts through inertia: one without the other is a slip.
 void check_attitude(const Entry& entry, Reading& reading) {
@@ -86,20 +36,64 @@ void check_attitude(const Entry& entry, Reading& reading) {
                                     : "add 'orientation', or list it under 'particles' without inertia");
 }
 
+/// A body with a position of its own is a frame: origin in the mass centre, placed in space.
+void place_in_space(const Entry& entry, const Node& position, Body& body, Reading& reading) {
+  Frame frame;
+  frame.name = body.name;
+  frame.about = body.about;
+  frame.position = read_vector(position, entry.key.span, "'position'", reading);
+  for (const Entry& field : entry.value.entries) {
+    if (field.key.text == "orientation") frame.attitude = read_attitude(field, reading);
+    if (field.key.text != "frame" && field.key.text != "centre") continue;
+    reading.diagnostics.error(code::k_conflicting_keys, field.key.span,
+                              fmt::format("'{}' has '{}' beside 'position'", body.name.text, field.key.text),
+                              "'position' is in space; on a frame, write 'frame' and 'centre'");
+  }
+  body.frame = add_body_frame(std::move(frame), std::nullopt, reading);
+}
+
+/// Part of a frame: of the one that has its name, or of another one, and then a frame itself.
+void place_on_frame(const Entry& entry, const std::string& where, Body& body, Reading& reading) {
+  const auto own = reading.frames.find(body.name.text);
+  const Node* named = spec::find(entry.value, "frame");
+  const std::array<Ast, 3> centre = vector_field(entry.value, "centre", reading);
+  if (spec::find(entry.value, "orientation") != nullptr) {
+    reading.diagnostics.error(code::k_conflicting_keys, spec::find(entry.value, "orientation")->span,
+                              fmt::format("{} takes its orientation from its frame", where),
+                              "remove it, or place the body in space by 'position'");
+  }
+  const bool is_own = own != reading.frames.end() && (named == nullptr || named->scalar.text == body.name.text);
+  if (is_own) {
+    body.frame = own->second;
+    body.centre = centre;
+    return;
+  }
+  if (named == nullptr) required(entry.value, "position", entry.key.span, where, reading);
+  Frame frame;
+  frame.name = body.name;
+  frame.about = body.about;
+  frame.position = centre;
+  if (named == nullptr) frame.position.fill(broken_expression());
+  body.frame = add_body_frame(std::move(frame), parent_field(entry.value, "frame", reading), reading);
+}
+
 void read_common(const Entry& entry, const std::string& where, Body& body, Reading& reading) {
   const Node* mass = required(entry.value, "mass", entry.key.span, where, reading);
   if (mass != nullptr) body.mass = read_expression(*mass, entry.key.span, reading);
-  const Node* position = required(entry.value, "position", entry.key.span, where, reading);
-  if (position != nullptr) body.position = read_vector(*position, entry.key.span, "'position'", reading);
   body.about = text_field(entry.value, "about", reading);
+  body.centre = {number(0), number(0), number(0)};
+  if (const Node* position = spec::find(entry.value, "position")) {
+    place_in_space(entry, *position, body, reading);
+  } else {
+    place_on_frame(entry, where, body, reading);
+  }
 }
 
 void read_rotation(const Entry& entry, Body& body, Reading& reading) {
   for (const Entry& field : entry.value.entries) {
     if (field.key.text == "inertia") body.inertia = read_inertia(field, reading);
-    if (field.key.text == "orientation") read_orientation(field, body, reading);
   }
-  check_attitude(entry, reading);
+  if (spec::find(entry.value, "position") != nullptr) check_attitude(entry, reading);
 }
 
 void check_unique(const Name& name, Reading& reading) {
@@ -117,13 +111,17 @@ void read_body(const Entry& entry, bool is_particle, Reading& reading) {
   Body body;
   body.name = name_of(entry.key);
   body.mass = broken_expression();
-  body.position.fill(broken_expression());
   check_name(body.name, reading);
   check_unique(body.name, reading);
   if (expect_map(entry.value, entry.key.span, where, reading)) {
     check_keys(entry.value, where, is_particle ? k_particle_keys : k_body_keys, reading);
     read_common(entry, where, body, reading);
     if (!is_particle) read_rotation(entry, body, reading);
+  } else {
+    Frame frame;
+    frame.name = body.name;
+    frame.position.fill(broken_expression());
+    body.frame = add_body_frame(std::move(frame), std::nullopt, reading);
   }
   reading.model.bodies.push_back(std::move(body));
 }

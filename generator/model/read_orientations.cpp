@@ -4,6 +4,7 @@
 
 #include "model/fields.hpp"
 #include "model/names.hpp"
+#include "model/orientation_fields.hpp"
 #include "model/sections.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
@@ -42,16 +43,16 @@ void read_names(const Entry& owner, const std::string& key, std::array<Name, N>&
   }
 }
 
-Frame read_frame(const Node& map, Reading& reading) {
+Axes read_axes(const Node& map, Reading& reading) {
   const Node* node = spec::find(map, "frame");
-  if (node == nullptr || !expect_scalar(*node, map.span, "'frame'", reading)) return Frame::body;
+  if (node == nullptr || !expect_scalar(*node, map.span, "'frame'", reading)) return Axes::body;
   const std::string& word = node->scalar.text;
   if (word != "space" && word != "body") {
     const std::string near = support::did_you_mean(word, {"space", "body"});
     reading.diagnostics.error(code::k_unknown_word, node->span, fmt::format("there is no frame '{}'", word),
                               near.empty() ? "the frame is 'space' or 'body'" : near);
   }
-  return word == "space" ? Frame::space : Frame::body;
+  return word == "space" ? Axes::space : Axes::body;
 }
 
 void read_initial(const Node& map, Orientation& orientation, Reading& reading) {
@@ -91,7 +92,7 @@ void read_orientation(const Entry& entry, Reading& reading) {
     read_names(entry, "angular_velocity", orientation.angular_velocity, SymbolKind::angular_velocity,
                "the angular velocity", reading);
     orientation.about = text_field(entry.value, "about", reading);
-    orientation.frame = read_frame(entry.value, reading);
+    orientation.axes = read_axes(entry.value, reading);
     read_initial(entry.value, orientation, reading);
     read_initial_velocity(entry.value, orientation, reading);
   } else {
@@ -100,7 +101,34 @@ void read_orientation(const Entry& entry, Reading& reading) {
   reading.model.orientations.push_back(std::move(orientation));
 }
 
+template <std::size_t N>
+void declare_components(const std::array<const char*, N>& suffixes, const Name& owner, std::array<Name, N>& names,
+                        SymbolKind kind, const std::string& what, Reading& reading) {
+  const std::size_t first = N * reading.model.orientations.size();
+  for (std::size_t i = 0; i < N; ++i) {
+    names[i] = {owner.text + suffixes[i], owner.span};
+    declare(names[i], kind, first + i, what, reading);
+  }
+}
+
 }  // namespace
+
+std::size_t add_orientation(const Name& owner, const Node& map, Reading& reading) {
+  Orientation orientation;
+  orientation.name = owner;
+  orientation.axes = Axes::body;
+  orientation.about = "of joint " + owner.text;
+  orientation.initial = {number(1), number(0), number(0), number(0)};
+  declare_components<4>({"_e0", "_e1", "_e2", "_e3"}, owner, orientation.quaternion, SymbolKind::quaternion_component,
+                        "the quaternion component", reading);
+  declare_components<3>({"_wx", "_wy", "_wz"}, owner, orientation.angular_velocity, SymbolKind::angular_velocity,
+                        "the angular velocity", reading);
+  read_initial_velocity(map, orientation, reading);
+  const std::size_t index = reading.model.orientations.size();
+  reading.orientations.emplace(owner.text, index);
+  reading.model.orientations.push_back(std::move(orientation));
+  return index;
+}
 
 void read_orientations(const Node& root, Reading& reading) {
   read_section(root, "orientations", reading, [&](const Entry& entry) { read_orientation(entry, reading); });

@@ -23,6 +23,9 @@ struct Reading {
   std::map<std::string, Declared> declared;
   std::map<std::string, support::Span> bodies;  ///< particles too
   std::map<std::string, std::size_t> orientations;
+  std::map<std::string, std::size_t> frames = {};  ///< index into Model::frames
+  /// What each of Model::frames is placed against, until order_frames has found it; empty: space.
+  std::vector<std::optional<Name>> parents = {};
   /// A section could not be read: what seems to be missing may stand in it.
   bool incomplete = false;
   std::set<std::string> refused = {};         ///< names that were declared and may not be

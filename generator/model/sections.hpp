@@ -11,6 +11,8 @@ void read_parameters(const spec::Node& root, Reading& reading);
 void read_inputs(const spec::Node& root, Reading& reading);
 void read_coordinates(const spec::Node& root, Reading& reading);
 void read_orientations(const spec::Node& root, Reading& reading);
+void read_frames(const spec::Node& root, Reading& reading);  ///< points, too
+void read_joints(const spec::Node& root, Reading& reading);
 void read_bodies(const spec::Node& root, Reading& reading);
 void read_constraints(const spec::Node& root, Reading& reading);
 void read_forces(const spec::Node& root, Reading& reading);

@@ -20,8 +20,11 @@ constexpr support::Span k_top{0, 0};
 struct Uses {
   std::set<std::size_t> coordinates;
   std::set<std::size_t> orientations;
+  std::set<std::size_t> frames;  ///< looked at
   bool unsure = false;  ///< something in a body was reported already, so nothing can be called unused
 };
+
+void collect_placement(std::size_t frame, const Model& model, Uses& uses);
 
 void collect(const Ast& ast, const Model& model, Uses& uses) {
   for (const Ast& child : ast.children) collect(child, model, uses);
@@ -33,20 +36,28 @@ void collect(const Ast& ast, const Model& model, Uses& uses) {
     uses.coordinates.insert(symbol->second.index);
   } else if (symbol->second.kind == SymbolKind::quaternion_component) {
     uses.orientations.insert(symbol->second.index / 4);
+  } else if (symbol->second.kind == SymbolKind::place) {
+    collect_placement(symbol->second.index / 3, model, uses);
+  }
+}
+
+/// What places a frame: its own motion, and that of all that carry it.
+void collect_placement(std::size_t frame, const Model& model, Uses& uses) {
+  for (std::size_t at = frame; at != k_space; at = model.frames[at].parent) {
+    if (!uses.frames.insert(at).second) return;
+    for (const Ast& component : model.frames[at].position) collect(component, model, uses);
+    if (const auto* turns = std::get_if<Turns>(&model.frames[at].attitude)) {
+      for (const Turn& turn : *turns) collect(turn.angle, model, uses);
+    } else if (const auto* quaternion = std::get_if<QuaternionOrientation>(&model.frames[at].attitude)) {
+      if (quaternion->index == k_no_orientation) uses.unsure = true;
+      uses.orientations.insert(quaternion->index);
+    }
   }
 }
 
 Uses uses_of(const Model& model) {
   Uses uses;
-  for (const Body& body : model.bodies) {
-    for (const Ast& component : body.position) collect(component, model, uses);
-    if (const auto* euler = std::get_if<EulerAngles>(&body.orientation)) {
-      for (const Ast& angle : euler->angles) collect(angle, model, uses);
-    } else if (const auto* quaternion = std::get_if<QuaternionOrientation>(&body.orientation)) {
-      if (quaternion->index == k_no_orientation) uses.unsure = true;
-      uses.orientations.insert(quaternion->index);
-    }
-  }
+  for (const Body& body : model.bodies) collect_placement(body.frame, model, uses);
   return uses;
 }
 
@@ -98,7 +109,7 @@ bool has_free_speed(const Ast& ast, bool inside_dot, const Model& model) {
     const auto symbol = model.symbols.find(ast.name);
     if (symbol == model.symbols.end() || symbol->second.kind == SymbolKind::angular_velocity) return true;
     if (!inside_dot) return false;
-    if (symbol->second.kind == SymbolKind::quaternion_component) return true;
+    if (symbol->second.kind == SymbolKind::quaternion_component || symbol->second.kind == SymbolKind::place) return true;
     return symbol->second.kind == SymbolKind::coordinate && !model.coordinates[symbol->second.index].held_at;
   }
   const bool inside = inside_dot || (ast.kind == AstKind::call && ast.name == k_dot);

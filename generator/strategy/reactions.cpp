@@ -89,7 +89,7 @@ Vector3 combination(const support::Indexed<FullIndex, Vector3>& columns, const V
 }
 
 Vector3 in_space(const BodyMotion& body, const Vector3& v) {
-  return body.rotation.frame == model::Frame::space ? v : ir::multiply(body.rotation.matrix, v);
+  return body.rotation.axes == model::Axes::space ? v : ir::multiply(body.rotation.matrix, v);
 }
 
 /// Nothing where the constraint cannot reach the body, whatever its size. (A reaction that happens to be zero is reported.)

@@ -56,6 +56,7 @@ inline constexpr ErrorCode k_empty_expression{"E039", "an expression is missing"
 // What is allowed where.
 inline constexpr ErrorCode k_not_allowed_here{"E040", "a symbol that may not appear at this place"};
 inline constexpr ErrorCode k_dot_not_allowed{"E041", "dot(...) where no velocity may appear"};
+inline constexpr ErrorCode k_cyclic_frames{"E043", "frames that are placed against each other"};
 inline constexpr ErrorCode k_cyclic_parameters{"E042", "parameters that are defined by each other"};
 
 // Mechanics.

@@ -12,6 +12,7 @@ namespace gaussgen::support {
 struct Span {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
+  friend bool operator==(Span a, Span b) { return a.begin == b.begin && a.end == b.end; }
 };
 
 /// Line and column as people count them: both from 1, columns in code points.

@@ -6,10 +6,14 @@ namespace gaussgen::symbolic {
 
 using model::Model;
 
-Chart::Chart(const Model& model) : time_(declare("t")) {
+Chart::Chart(const Model& model) : time_(declare("t")), frames_(model, *this) {
   scope_.values["pi"] = GiNaC::Pi;
   scope_.values["t"] = time_;
   scope_.dot = [this](const ex& f) { return rate_of(f); };
+  scope_.place = [this, &model](const std::string& name) {
+    const model::SymbolRef place = model.resolve(name);
+    return frames_(place.index / 3).origin[place.index % 3];
+  };
   declare_constants(model);
   declare_coordinates(model);
   for (const model::Orientation& orientation : model.orientations) declare_orientation(orientation);
@@ -65,7 +69,7 @@ void Chart::declare_orientation(const model::Orientation& orientation) {
     theta[i] = angle;
     theta_dot[i] = rate;
   }
-  orientations_.push_back({turned(e, theta, orientation.frame), angular_velocity(theta, theta_dot, orientation.frame)});
+  orientations_.push_back({turned(e, theta, orientation.axes), angular_velocity(theta, theta_dot, orientation.axes)});
   const Attitude& attitude = orientations_.back();
   for (std::size_t i = 0; i < 4; ++i) scope_.values[orientation.quaternion[i].text] = attitude.e[i];
   for (std::size_t i = 0; i < 3; ++i) scope_.values[orientation.angular_velocity[i].text] = attitude.omega[i];

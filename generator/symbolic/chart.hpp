@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/model.hpp"
+#include "symbolic/frames.hpp"
 #include "symbolic/quaternion.hpp"
 #include "symbolic/translate.hpp"
 
@@ -68,6 +69,8 @@ class Chart {
   const Quaternion& attitude(std::size_t orientation) const { return orientations_[orientation].e; }
   const Vector3& omega(std::size_t orientation) const { return orientations_[orientation].omega; }
 
+  const Frames& frames() const { return frames_; }
+
   /// Every symbol of the model by its name: parameters, inputs, t, y, rates, accelerations, quaternion components.
   const std::map<std::string, GiNaC::realsymbol>& symbols() const { return symbols_; }
 
@@ -94,6 +97,7 @@ class Chart {
   GiNaC::exmap rest_;
   Scope scope_;
   std::map<std::string, ex> formulas_;
+  Frames frames_;
 };
 
 }  // namespace gaussgen::symbolic

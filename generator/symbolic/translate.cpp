@@ -44,6 +44,7 @@ ex translate(const Ast& ast, const Scope& scope) {
   switch (ast.kind) {
     case AstKind::number: return number(ast.number);
     case AstKind::symbol: {
+      if (ast.name.find('.') != std::string::npos) return scope.place(ast.name);
       const auto found = scope.values.find(ast.name);
       GAUSS_ASSERT(found != scope.values.end(), "name {}", ast.name);
       return found->second;

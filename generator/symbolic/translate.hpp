@@ -11,10 +11,11 @@
 
 namespace gaussgen::symbolic {
 
-/// What the names of an expression mean, and what `dot` does to its argument.
+/// What the names of an expression mean, those with a point in them too, and what `dot` does to its argument.
 struct Scope {
   std::map<std::string, GiNaC::ex> values;
   std::function<GiNaC::ex(const GiNaC::ex&)> dot;
+  std::function<GiNaC::ex(const std::string&)> place;  ///< tip.x
 };
 
 GiNaC::ex translate(const model::Ast& ast, const Scope& scope);

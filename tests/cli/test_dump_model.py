@@ -60,18 +60,18 @@ bodies
   plate: rigid body  # thin
     mass m
     position [x, y, h]
-    inertia [J, J, 2*J]
     orientation attitude
+    inertia [J, J, 2*J]
   wheel: rigid body
     mass m
     position [0, 0, 0]
-    inertia J
     orientation euler zxz [a, 0, 0]
+    inertia J
   rod: rigid body
     mass m
     position [0, 0, 0]
-    inertia [[J, 0, J/9], [0, J, 0], [J/9, 0, J]]
     orientation euler xyz [a, 0, 0]
+    inertia [[J, 0, J/9], [0, J, 0], [J/9, 0, J]]
   bob: particle
     mass m
     position [x, 0, 0]

@@ -56,8 +56,11 @@ forces:
   CHECK(test::show(m.coordinates[1].initial) == "(* 1 (/ 2))");
   CHECK(test::show(*m.coordinates[1].initial_rate) == "4");
   CHECK(test::show(*m.coordinates[2].rate_guess) == "3");
-  CHECK(test::show(m.bodies[0].position[1]) == "(* rho (sin chi))");
-  CHECK(std::get<model::EulerAngles>(m.bodies[0].orientation).sequence == "zxz");
+  const model::Frame& frame = m.frames[m.bodies[0].frame];
+  CHECK(test::show(frame.position[1]) == "(* rho (sin chi))");
+  const auto& turns = std::get<model::Turns>(frame.attitude);
+  CHECK(std::get<char>(turns[0].axis) == 'z');
+  CHECK(std::get<char>(turns[1].axis) == 'x');
   CHECK(test::show(m.constraints[0].velocity) == "(+ (* (+ R (- r)) (dot chi)) (* r (dot psi)))");
   CHECK(m.constraints[0].about == "no slip");
   CHECK(test::show((*m.constraints[0].point)[2]) == "0");
@@ -77,7 +80,7 @@ TEST_CASE("initial angular velocities are a list, or a map that leaves some open
   const Built map = orientation("{v: 2}");
   REQUIRE(list.model);
   REQUIRE(map.model);
-  CHECK(list.model->orientations[0].frame == model::Frame::space);
+  CHECK(list.model->orientations[0].axes == model::Axes::space);
   CHECK(test::show(*list.model->orientations[0].initial_angular_velocity[2]) == "3");
   CHECK_FALSE(map.model->orientations[0].initial_angular_velocity[0]);
   CHECK(test::show(*map.model->orientations[0].initial_angular_velocity[1]) == "2");
@@ -109,7 +112,7 @@ TEST_CASE("an orientation defaults to the body frame and no rotation") {
   const Built built = body("inertia: 1, orientation: o");
   REQUIRE(built.model);
   const model::Orientation& orientation = built.model->orientations[0];
-  CHECK(orientation.frame == model::Frame::body);
+  CHECK(orientation.axes == model::Axes::body);
   CHECK(test::show(orientation.initial[0]) == "1");
   CHECK(test::show(orientation.initial[3]) == "0");
   CHECK_FALSE(orientation.initial_angular_velocity[0]);

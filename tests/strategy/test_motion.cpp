@@ -31,7 +31,7 @@ Vec configuration_rates(const Case& c, const kinematics::Symbols& symbols) {
     Vec3 omega;
     for (std::size_t i = 0; i < 4; ++i) e[i] = c.values.at(orientation.quaternion[i].text);
     for (std::size_t i = 0; i < 3; ++i) omega[i] = c.values.at(orientation.angular_velocity[i].text);
-    const Quaternion rate = quaternion_rate(e, omega, orientation.frame == model::Frame::space);
+    const Quaternion rate = quaternion_rate(e, omega, orientation.axes == model::Axes::space);
     rates.insert(rates.end(), rate.begin(), rate.end());
   }
   REQUIRE(rates.size() == symbols.configuration.size());

@@ -7,7 +7,7 @@ using namespace gaussgen::symbolic;
 
 namespace {
 
-constexpr model::Frame k_frames[] = {model::Frame::space, model::Frame::body};
+constexpr model::Axes k_frames[] = {model::Axes::space, model::Axes::body};
 
 /// Derivative of every component.
 Quaternion derivative(const Quaternion& e, const GiNaC::realsymbol& by) {
@@ -38,13 +38,13 @@ TEST_CASE("the rotation chart turns with the angular velocity up to first order,
   const Quaternion e{GiNaC::numeric(1, 5), GiNaC::numeric(2, 5), GiNaC::numeric(2, 5), GiNaC::numeric(4, 5)};
   const Vector3 theta_dot{2, -3, 5};
   const Vector3 bent{GiNaC::numeric(1, 2) * tau * tau, 4 * tau * tau, -tau * tau};
-  for (const model::Frame frame : k_frames) {
+  for (const model::Axes frame : k_frames) {
     const Vector3 theta = ex(tau) * theta_dot + bent;
     const Vector3 rate{theta[0].diff(tau), theta[1].diff(tau), theta[2].diff(tau)};
     const Quaternion now = symbolic::turned(e, theta, frame);
     const Quaternion rates = derivative(now, tau);
     const Quaternion conjugate{now[0], -now[1], -now[2], -now[3]};
-    const Quaternion twice = frame == model::Frame::space ? product(rates, conjugate) : product(conjugate, rates);
+    const Quaternion twice = frame == model::Axes::space ? product(rates, conjugate) : product(conjugate, rates);
     const Vector3 omega = symbolic::angular_velocity(theta, rate, frame);
     for (std::size_t i = 0; i < 3; ++i) {
       const ex error = 2 * twice[i + 1] - omega[i];

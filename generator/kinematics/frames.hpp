@@ -1,0 +1,77 @@
+#pragma once
+// Where the frames of a model are and how they turn, on the graph.
+
+#include <cstddef>
+#include <optional>
+#include <unordered_map>
+
+#include "ir/vector3.hpp"
+#include "kinematics/symbols.hpp"
+
+namespace gaussgen::kinematics {
+
+class Expressions;
+
+/// Orientation of a body: `matrix` maps components along its axes to those in space, ω is given in `axes`.
+struct Rotation {
+  ir::Matrix3 matrix;
+  ir::Vector3 omega;
+  model::Axes axes = model::Axes::space;
+};
+
+/// Frames are indices into Model::frames, or model::k_space. Each is placed once.
+class Frames {
+ public:
+  Frames(const model::Model& model, const Symbols& symbols, Expressions& expressions);
+
+  /// m, space
+  ir::Vector3 origin(std::size_t frame);
+
+  /// From components along the frame's axes to those in space.
+  ir::Matrix3 axes(std::size_t frame);
+
+  /// Where a point of the frame is, in space; `inside` along the frame's axes from its origin, m.
+  ir::Vector3 point(std::size_t frame, const ir::Vector3& inside);
+
+  /// rad/s, in space or along the frame's own axes.
+  ir::Vector3 omega(std::size_t frame, model::Axes axes);
+
+  Rotation rotation(std::size_t frame, model::Axes axes) { return {this->axes(frame), omega(frame, axes), axes}; }
+
+ private:
+  /// One turn against the axes before it, and its own angular velocity in those axes and in the turned ones.
+  struct Step {
+    ir::Matrix3 matrix;
+    ir::Vector3 before;
+    ir::Vector3 after;
+    std::optional<std::size_t> axis;  ///< about x, y or z, by `angle`
+    std::optional<ir::Expr> angle;
+  };
+
+  /// axes = base R(angle about axis). Turns about one axis that follow each other are one turn by the sum of their angles:
+  /// fewer operations, and no digits lost in sums of products.
+  struct Placed {
+    ir::Vector3 origin;
+    ir::Matrix3 base;
+    std::optional<std::size_t> axis;
+    std::optional<ir::Expr> angle;
+    ir::Matrix3 axes;
+    std::vector<Step> steps;
+  };
+
+  const Placed& placed(std::size_t frame);
+  Placed place(std::size_t frame);
+  std::vector<Step> steps_of(const model::Attitude& attitude);
+  Step turn(const model::Turn& turn);
+  Step quaternion(std::size_t orientation);
+  ir::Vector3 omega_in_space(std::size_t frame);
+  ir::Vector3 omega_in_body(std::size_t frame);
+  ir::Matrix3 identity() const;
+
+  const model::Model& model_;
+  const Symbols& symbols_;
+  Expressions& expressions_;
+  std::unordered_map<std::size_t, Placed> placed_;
+};
+
+}  // namespace gaussgen::kinematics

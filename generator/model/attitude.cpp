@@ -1,0 +1,107 @@
+#include "model/attitude.hpp"
+
+#include <fmt/format.h>
+
+#include "model/fields.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+using spec::Entry;
+using spec::Node;
+using spec::NodeKind;
+
+namespace {
+
+bool is_euler_sequence(const std::string& text) {
+  if (text.size() != 3 || text.find_first_not_of("xyz") != std::string::npos) return false;
+  return text[0] != text[1] && text[1] != text[2];
+}
+
+Turns turns_of(const std::string& sequence, std::array<Ast, 3> angles) {
+  Turns turns;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    turns.push_back({i < sequence.size() ? sequence[i] : 'z', std::move(angles[i])});
+  }
+  return turns;
+}
+
+Turns read_euler(const Node& map, support::Span owner, Reading& reading) {
+  const std::string where = "an orientation by Euler angles";
+  std::string letters = "zxz";
+  std::array<Ast, 3> values;
+  values.fill(broken_expression());
+  check_keys(map, where, {"euler", "angles"}, reading);
+  const Node* sequence = required(map, "euler", owner, where, reading);
+  bool is_faulty = false;
+  if (sequence != nullptr && expect_scalar(*sequence, owner, "'euler'", reading)) {
+    const std::string& text = sequence->scalar.text;
+    is_faulty = !is_euler_sequence(text);
+    if (is_faulty) {
+      reading.diagnostics.error(
+          code::k_unknown_word, sequence->span, fmt::format("'{}' is not a sequence of axes", text),
+          "three letters of x, y, z without equal neighbours, such as zxz or zyx; an angle that is not "
+          "needed is 0");
+    } else {
+      letters = text;
+    }
+  }
+  const Node* angles = required(map, "angles", owner, where, reading);
+  // As many angles as letters: that is one mistake.
+  const bool is_reported = angles != nullptr && is_faulty && sequence->scalar.text.size() == angles->items.size();
+  if (angles != nullptr && !is_reported) values = read_vector(*angles, owner, "'angles'", reading);
+  return turns_of(letters, std::move(values));
+}
+
+Turns read_single_turn(const Node& map, support::Span owner, Reading& reading) {
+  const std::string where = "an orientation by one angle";
+  check_keys(map, where, {"axis", "angle"}, reading);
+  Turn turn;
+  turn.angle = broken_expression();
+  const Node* axis = required(map, "axis", owner, where, reading);
+  if (axis != nullptr) turn.axis = read_axis(*axis, owner, "'axis'", reading);
+  const Node* angle = required(map, "angle", owner, where, reading);
+  if (angle != nullptr) turn.angle = read_expression(*angle, owner, reading);
+  return {turn};
+}
+
+}  // namespace
+
+std::variant<char, std::array<Ast, 3>> read_axis(const Node& node, support::Span owner, const std::string& where,
+                                                 Reading& reading) {
+  if (node.kind == NodeKind::sequence) return read_vector(node, owner, where, reading);
+  if (!expect_scalar(node, owner, where, reading)) return 'z';
+  const std::string& text = node.scalar.text;
+  if (text == "x" || text == "y" || text == "z") return text[0];
+  reading.diagnostics.error(code::k_unknown_word, node.span, fmt::format("'{}' is not an axis", text),
+                            "write x, y or z, or the direction as a list, as in [1, 0, 1]");
+  return 'z';
+}
+
+QuaternionOrientation find_orientation(const Node& scalar, Reading& reading) {
+  const auto found = reading.orientations.find(scalar.scalar.text);
+  if (found != reading.orientations.end()) return {found->second};
+  if (!reading.incomplete) {
+    std::vector<std::string> names;
+    for (const auto& orientation : reading.orientations) names.push_back(orientation.first);
+    const std::string near = support::did_you_mean(scalar.scalar.text, names);
+    reading.diagnostics.error(
+        code::k_wrong_reference, scalar.span, fmt::format("there is no orientation '{}'", scalar.scalar.text),
+        near.empty() ? "declare it under 'orientations', or write {euler: zxz, angles: [...]}" : near);
+  }
+  return {k_no_orientation};
+}
+
+Attitude read_attitude(const Entry& entry, Reading& reading) {
+  const Node& node = entry.value;
+  if (node.kind == NodeKind::map) {
+    const bool is_single = spec::find(node, "axis") != nullptr || spec::find(node, "angle") != nullptr;
+    return is_single ? read_single_turn(node, entry.key.span, reading) : read_euler(node, entry.key.span, reading);
+  }
+  if (expect_scalar(node, entry.key.span, "'orientation'", reading)) return find_orientation(node, reading);
+  return QuaternionOrientation{k_no_orientation};
+}
+
+}  // namespace gaussgen::model

@@ -1,0 +1,152 @@
+#include "model/frames.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/fields.hpp"
+#include "model/names.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+
+namespace {
+
+constexpr const char* k_space_name = "space";
+constexpr std::size_t k_unplaced = static_cast<std::size_t>(-2);
+
+class FrameOrder {
+ public:
+  explicit FrameOrder(Reading& reading)
+      : reading_(reading), model_(reading.model), position_(model_.frames.size(), k_unplaced) {}
+
+  void run() {
+    for (const std::optional<Name>& parent : reading_.parents) {
+      parent_.push_back(parent ? find_frame(*parent, reading_).value_or(k_space) : k_space);
+    }
+    for (std::size_t i = 0; i < parent_.size(); ++i) place(i);
+    std::vector<Frame> sorted;
+    for (const std::size_t i : order_) {
+      sorted.push_back(std::move(model_.frames[i]));
+      sorted.back().parent = parent_[i] == k_space ? k_space : position_[parent_[i]];
+    }
+    model_.frames = std::move(sorted);
+    for (Body& body : model_.bodies) body.frame = position_[body.frame];
+    for (Joint& joint : model_.joints) joint.frame = position_[joint.frame];
+    for (auto& entry : reading_.frames) entry.second = position_[entry.second];
+  }
+
+ private:
+  /// The frame after all that carry it: from it towards space, then back.
+  void place(std::size_t frame) {
+    std::vector<std::size_t> path;
+    for (std::size_t at = frame; at != k_space && position_[at] == k_unplaced; at = parent_[at]) {
+      const auto before = std::find(path.begin(), path.end(), at);
+      if (before != path.end()) {
+        report_cycle({before, path.end()});
+        parent_[path.back()] = k_space;
+        break;
+      }
+      path.push_back(at);
+    }
+    for (auto at = path.rbegin(); at != path.rend(); ++at) {
+      position_[*at] = order_.size();
+      order_.push_back(*at);
+    }
+  }
+
+  void report_cycle(const std::vector<std::size_t>& cycle) {
+    std::string path;
+    for (const std::size_t i : cycle) path += model_.frames[i].name.text + " -> ";
+    path += model_.frames[cycle.front()].name.text;
+    reading_.diagnostics.error(code::k_cyclic_frames, reading_.parents[cycle.front()]->span,
+                               cycle.size() == 1 ? "this is placed against itself"
+                                                 : "these carry each other, and nothing places them in space: " + path,
+                               "one of them needs the parent 'space'; a loop is closed by a constraint");
+  }
+
+  Reading& reading_;
+  Model& model_;
+  std::vector<std::size_t> parent_;
+  std::vector<std::size_t> position_;  ///< in the sorted list
+  std::vector<std::size_t> order_;
+};
+
+void refuse_second(const Name& name, const std::string& what, Reading& reading) {
+  const auto other = reading.frames.find(name.text);
+  if (other == reading.frames.end() && name.text != k_space_name) return;
+  const std::string owner =
+      other == reading.frames.end()
+          ? "space itself"
+          : fmt::format("the place in line {}", reading.line(reading.model.frames[other->second].name.span));
+  reading.diagnostics.error(code::k_name_clash, name.span, fmt::format("'{}' already names {}", name.text, owner),
+                            fmt::format("frames, points and bodies share their names; rename {}", what));
+}
+
+std::size_t add_checked_frame(Frame frame, std::optional<Name> parent, Reading& reading) {
+  const std::size_t index = reading.model.frames.size();
+  reading.frames.emplace(frame.name.text, index);
+  reading.model.frames.push_back(std::move(frame));
+  reading.parents.push_back(std::move(parent));
+  return index;
+}
+
+}  // namespace
+
+std::size_t add_frame(Frame frame, std::optional<Name> parent, const std::string& what, Reading& reading) {
+  if (check_name(frame.name, reading)) refuse_second(frame.name, what, reading);
+  return add_checked_frame(std::move(frame), std::move(parent), reading);
+}
+
+std::size_t add_body_frame(Frame frame, std::optional<Name> parent, Reading& reading) {
+  const auto other = reading.frames.find(frame.name.text);
+  const auto body = reading.bodies.find(frame.name.text);
+  // Two bodies of one name are reported where bodies are read.
+  const bool is_body = other != reading.frames.end() && body != reading.bodies.end() &&
+                       reading.model.frames[other->second].name.span == body->second;
+  if (!is_body) refuse_second(frame.name, "the body", reading);
+  return add_checked_frame(std::move(frame), std::move(parent), reading);
+}
+
+std::optional<Name> parent_field(const spec::Node& map, const std::string& key, Reading& reading) {
+  const spec::Node* node = spec::find(map, key);
+  if (node == nullptr || !expect_scalar(*node, map.span, "'" + key + "'", reading)) return std::nullopt;
+  if (node->scalar.text == k_space_name) return std::nullopt;
+  return name_of(node->scalar);
+}
+
+std::array<Ast, 3> vector_field(const spec::Node& map, const std::string& key, Reading& reading) {
+  for (const spec::Entry& entry : map.entries) {
+    if (entry.key.text == key) return read_vector(entry.value, entry.key.span, "'" + key + "'", reading);
+  }
+  return {number(0), number(0), number(0)};
+}
+
+std::optional<std::size_t> find_frame(const Name& name, Reading& reading) {
+  if (name.text == k_space_name) return k_space;
+  const auto found = reading.frames.find(name.text);
+  if (found != reading.frames.end()) return found->second;
+  if (!reading.incomplete) {
+    std::vector<std::string> names{k_space_name};
+    for (const auto& frame : reading.frames) names.push_back(frame.first);
+    const std::string near = support::did_you_mean(name.text, names);
+    reading.diagnostics.error(code::k_wrong_reference, name.span,
+                              fmt::format("there is no frame, body or point '{}'", name.text),
+                              near.empty() ? "declare it under 'frames', 'joints', 'bodies' or 'points'" : near);
+  }
+  return std::nullopt;
+}
+
+void order_frames(Reading& reading) {
+  FrameOrder(reading).run();
+  for (const auto& [name, index] : reading.frames) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      reading.model.symbols[name + "." + "xyz"[i]] = {SymbolKind::place, 3 * index + i};
+    }
+  }
+}
+
+}  // namespace gaussgen::model

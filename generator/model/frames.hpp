@@ -1,0 +1,26 @@
+#pragma once
+// What the sections that declare frames share, and their order. Private to the folder.
+
+#include "model/reading.hpp"
+
+namespace gaussgen::model {
+
+/// Enters a frame; its parent is looked up when all are known. `parent`: nothing for space.
+std::size_t add_frame(Frame frame, std::optional<Name> parent, const std::string& what, Reading& reading);
+
+/// Likewise for the frame of a body, whose name is checked with the body.
+std::size_t add_body_frame(Frame frame, std::optional<Name> parent, Reading& reading);
+
+/// The name at `key`: nothing where it is 'space' or left out.
+std::optional<Name> parent_field(const spec::Node& map, const std::string& key, Reading& reading);
+
+/// The vector at `key`; zeros when it is absent.
+std::array<Ast, 3> vector_field(const spec::Node& map, const std::string& key, Reading& reading);
+
+/// Parents found, cycles reported, Model::frames sorted (parents first), and the places of all declared as symbols.
+void order_frames(Reading& reading);
+
+/// The frame that is called so, k_space for 'space'; nothing, and a report, if there is none.
+std::optional<std::size_t> find_frame(const Name& name, Reading& reading);
+
+}  // namespace gaussgen::model

@@ -1,0 +1,278 @@
+// joints: a frame carried by another, with the coordinates of the motion between them. A coordinate that the model does not
+// declare is declared here.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "model/ast_build.hpp"
+#include "model/attitude.hpp"
+#include "model/fields.hpp"
+#include "model/frames.hpp"
+#include "model/names.hpp"
+#include "model/orientation_fields.hpp"
+#include "model/sections.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+using spec::Entry;
+using spec::Node;
+using spec::NodeKind;
+
+namespace {
+
+struct Freedom {
+  const char* suffix;  ///< of the coordinate's name after that of the joint
+  bool is_turn;
+};
+
+struct Kind {
+  const char* name;
+  JointType type;
+  std::vector<Freedom> freedoms;
+  bool has_quaternion = false;
+};
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> k_kinds{
+      {"revolute", JointType::revolute, {{"", true}}},
+      {"prismatic", JointType::prismatic, {{"", false}}},
+      {"cylindrical", JointType::cylindrical, {{"_shift", false}, {"_angle", true}}},
+      {"universal", JointType::universal, {{"_1", true}, {"_2", true}}},
+      {"spherical", JointType::spherical, {}, true},
+      {"planar", JointType::planar, {{"_1", false}, {"_2", false}, {"_angle", true}}},
+      {"free", JointType::free, {{"_x", false}, {"_y", false}, {"_z", false}}, true},
+      {"fixed", JointType::fixed, {}}};
+  return k_kinds;
+}
+
+using Axis = std::variant<char, std::array<Ast, 3>>;
+
+std::size_t index_of(char letter) { return static_cast<std::size_t>(letter - 'x'); }
+
+class JointReader {
+ public:
+  JointReader(const Entry& entry, Reading& reading)
+      : entry_(entry), map_(entry.value), name_(name_of(entry.key)), reading_(reading) {}
+
+  void run() {
+    check_name(name_, reading_);
+    check_unique();
+    where_ = fmt::format("joint '{}'", name_.text);
+    if (!expect_map(map_, name_.span, where_, reading_)) {
+      reading_.incomplete = true;
+      return;
+    }
+    if (!find_kind()) {
+      reading_.incomplete = true;
+      return;
+    }
+    check_keys(map_, where_, allowed_keys(), reading_);
+    frame_.position = vector_field(map_, "at", reading_);
+    read_axes();
+    read_coordinates();
+    read_attitude_of_child();
+    finish();
+  }
+
+ private:
+  void check_unique() {
+    for (const Joint& other : reading_.model.joints) {
+      if (other.name.text != name_.text) continue;
+      reading_.diagnostics.error(code::k_name_clash, name_.span,
+                                 fmt::format("'{}' already names the joint in line {}", name_.text,
+                                             reading_.line(other.name.span)),
+                                 "rename one of them");
+    }
+  }
+
+  bool find_kind() {
+    const Node* node = required(map_, "type", name_.span, where_, reading_);
+    if (node == nullptr || !expect_scalar(*node, name_.span, "'type'", reading_)) return false;
+    std::vector<std::string> names;
+    for (const Kind& kind : kinds()) {
+      names.emplace_back(kind.name);
+      if (node->scalar.text == kind.name) kind_ = &kind;
+    }
+    if (kind_ != nullptr) return true;
+    const std::string near = support::did_you_mean(node->scalar.text, names);
+    reading_.diagnostics.error(code::k_unknown_word, node->span,
+                               fmt::format("there is no joint of type '{}'", node->scalar.text),
+                               near.empty() ? "the types are " + support::joined(names) : near);
+    return false;
+  }
+
+  std::vector<std::string> allowed_keys() const {
+    std::vector<std::string> keys{"type", "parent", "child", "at", "about"};
+    const JointType type = kind_->type;
+    if (type == JointType::universal) keys.emplace_back("axes");
+    if (!kind_->has_quaternion && type != JointType::universal && type != JointType::fixed) keys.emplace_back("axis");
+    if (!kind_->freedoms.empty()) keys.insert(keys.end(), {"coordinates", "initial", "initial_rate"});
+    if (kind_->has_quaternion || type == JointType::fixed) keys.emplace_back("orientation");
+    if (kind_->has_quaternion) keys.emplace_back("initial_angular_velocity");
+    return keys;
+  }
+
+  void read_axes() {
+    axes_ = {Axis{'z'}, Axis{'z'}, Axis{'z'}};
+    if (kind_->type == JointType::universal) axes_ = {Axis{'x'}, Axis{'y'}};
+    for (const Entry& field : map_.entries) {
+      if (field.key.text == "axis") axes_.assign(3, read_axis(field.value, field.key.span, "'axis'", reading_));
+      if (field.key.text != "axes" || !expect_list(field.value, field.key.span, "'axes'", reading_) ||
+          !expect_length(field.value, 2, "'axes'", reading_)) {
+        continue;
+      }
+      for (std::size_t i = 0; i < 2; ++i) axes_[i] = read_axis(field.value.items[i], field.key.span, "an axis", reading_);
+    }
+    if (kind_->type == JointType::planar && !std::holds_alternative<char>(axes_[0])) {
+      reading_.diagnostics.error(code::k_unknown_word, spec::find(map_, "axis")->span,
+                                 "the axis of a planar joint is x, y or z", "turn a frame, and make it the parent");
+      axes_.assign(3, Axis{'z'});
+    }
+  }
+
+  /// The nodes of a list, or the one node of a value that may stand without brackets.
+  std::vector<const Node*> values_at(const std::string& key, std::size_t count) {
+    std::vector<const Node*> nodes;
+    const Node* node = spec::find(map_, key);
+    if (node == nullptr) return nodes;
+    if (count == 1 && node->kind == NodeKind::scalar) return {node};
+    if (!expect_list(*node, map_.span, "'" + key + "'", reading_) ||
+        !expect_length(*node, count, "'" + key + "'", reading_)) {
+      return nodes;
+    }
+    for (const Node& item : node->items) nodes.push_back(&item);
+    return nodes;
+  }
+
+  void read_coordinates() {
+    const std::size_t count = kind_->freedoms.size();
+    const auto names = values_at("coordinates", count);
+    const auto initial = values_at("initial", count);
+    const auto rates = values_at("initial_rate", count);
+    for (std::size_t i = 0; i < count; ++i) {
+      Name name{name_.text + kind_->freedoms[i].suffix, name_.span};
+      if (i < names.size() && expect_scalar(*names[i], name_.span, "a coordinate", reading_)) {
+        name = name_of(names[i]->scalar);
+      }
+      add_coordinate(name, i, i < initial.size() ? initial[i] : nullptr, i < rates.size() ? rates[i] : nullptr);
+      move_along(name, i);
+    }
+  }
+
+  void add_coordinate(const Name& name, std::size_t freedom, const Node* initial, const Node* rate) {
+    const auto known = reading_.model.symbols.find(name.text);
+    if (known != reading_.model.symbols.end() && known->second.kind == SymbolKind::coordinate) {
+      for (const Node* value : {initial, rate}) {
+        if (value == nullptr) continue;
+        const Span declared = reading_.model.coordinates[known->second.index].name.span;
+        reading_.diagnostics.error(
+            code::k_conflicting_keys, value->span,
+            fmt::format("the coordinate '{}' is declared in line {}", name.text, reading_.line(declared)),
+            "write its initial values there");
+      }
+      return;
+    }
+    Coordinate coordinate;
+    coordinate.name = name;
+    coordinate.unit = kind_->freedoms[freedom].is_turn ? "rad" : "m";
+    coordinate.about = "of joint " + name_.text;
+    coordinate.initial = initial == nullptr ? number(0) : read_expression(*initial, name.span, reading_);
+    if (rate != nullptr) coordinate.initial_rate = read_expression(*rate, name.span, reading_);
+    declare(name, SymbolKind::coordinate, reading_.model.coordinates.size(), "the coordinate", reading_);
+    reading_.model.coordinates.push_back(std::move(coordinate));
+  }
+
+  void move_along(const Name& name, std::size_t freedom) {
+    const Ast value = symbol_of(name.text, name.span);
+    if (kind_->freedoms[freedom].is_turn) {
+      turns_.push_back({axes_[std::min(freedom, axes_.size() - 1)], value});
+    } else if (kind_->type == JointType::free) {
+      shift(freedom, value);
+    } else if (kind_->type == JointType::planar) {
+      // The two axes in the plane follow its normal in cyclic order.
+      shift((index_of(std::get<char>(axes_[0])) + 1 + freedom) % 3, value);
+    } else if (const char* letter = std::get_if<char>(&axes_[0])) {
+      shift(index_of(*letter), value);
+    } else {
+      shift_along(std::get<std::array<Ast, 3>>(axes_[0]), value);
+    }
+  }
+
+  void shift(std::size_t axis, const Ast& value) {
+    Ast& at = frame_.position[axis];
+    const bool starts_at_origin = at.kind == AstKind::number && cln::zerop(at.number);
+    at = starts_at_origin ? value : sum_of(at, value);
+  }
+
+  /// value n/|n|
+  void shift_along(const std::array<Ast, 3>& direction, const Ast& value) {
+    const Ast square = sum_of(sum_of(square_of(direction[0]), square_of(direction[1])), square_of(direction[2]));
+    const Ast size = call_of("sqrt", square);
+    for (std::size_t i = 0; i < 3; ++i) {
+      shift(i, product_of(product_of(value, direction[i]), node_of(AstKind::reciprocal, size.span, {size})));
+    }
+  }
+
+  void read_attitude_of_child() {
+    if (!turns_.empty()) frame_.attitude = std::move(turns_);
+    for (const Entry& field : map_.entries) {
+      if (field.key.text != "orientation") continue;
+      if (kind_->type == JointType::fixed) {
+        frame_.attitude = read_attitude(field, reading_);
+      } else if (kind_->has_quaternion && expect_scalar(field.value, field.key.span, "'orientation'", reading_)) {
+        frame_.attitude = find_orientation(field.value, reading_);
+        refuse_second_start(field.value.scalar.text);
+      }
+    }
+    if (kind_->has_quaternion && std::holds_alternative<std::monostate>(frame_.attitude)) {
+      frame_.attitude = QuaternionOrientation{add_orientation(name_, map_, reading_)};
+    }
+  }
+
+  void refuse_second_start(const std::string& orientation) {
+    for (const Entry& field : map_.entries) {
+      if (field.key.text != "initial_angular_velocity") continue;
+      reading_.diagnostics.error(code::k_conflicting_keys, field.key.span,
+                                 fmt::format("the orientation '{}' has initial values of its own", orientation),
+                                 "write it under 'orientations'");
+    }
+  }
+
+  void finish() {
+    Joint joint{name_, text_field(map_, "about", reading_), kind_->type, 0};
+    const Node* child = required(map_, "child", name_.span, where_, reading_);
+    if (child == nullptr || !expect_scalar(*child, name_.span, "'child'", reading_)) {
+      reading_.incomplete = true;
+      return;
+    }
+    frame_.name = name_of(child->scalar);
+    frame_.about = "carried by joint " + name_.text;
+    joint.frame = add_frame(std::move(frame_), parent_field(map_, "parent", reading_), "the child", reading_);
+    reading_.model.joints.push_back(std::move(joint));
+  }
+
+  using Span = support::Span;
+
+  const Entry& entry_;
+  const Node& map_;
+  Name name_;
+  Reading& reading_;
+  std::string where_;
+  const Kind* kind_ = nullptr;
+  Frame frame_;
+  std::vector<Axis> axes_;
+  Turns turns_;
+};
+
+}  // namespace
+
+void read_joints(const Node& root, Reading& reading) {
+  read_section(root, "joints", reading, [&](const Entry& entry) { JointReader(entry, reading).run(); });
+}
+
+}  // namespace gaussgen::model
