@@ -29,7 +29,7 @@ std::string joined_names(const std::vector<model::Name>& names) {
   return support::joined(words);
 }
 
-const char* name_of(model::Axes axes) { return axes == model::Axes::space ? "space" : "body"; }
+const char* word_of(model::Axes axes) { return axes == model::Axes::space ? "space" : "body"; }
 
 class ModelText {
  public:
@@ -82,7 +82,7 @@ class ModelText {
 
   std::string start(const model::Coordinate& coordinate) const {
     const std::string guess = coordinate.rate_guess ? ", guess " + written(*coordinate.rate_guess) : "";
-    return fmt::format("initial {}, initial rate {}{}", written(coordinate.initial), written(coordinate.initial_rate),
+    return fmt::format("initial {}, initial rate {}{}", written(coordinate.start()), written(coordinate.initial_rate),
                        guess);
   }
 
@@ -94,7 +94,7 @@ class ModelText {
     text_ += fmt::format("    quaternion [{}], initial {}\n", joined_names({e.begin(), e.end()}),
                          written(orientation.initial));
     text_ += fmt::format("    angular velocity [{}] in the {} frame, initial {}  [rad/s]\n",
-                         joined_names({w.begin(), w.end()}), name_of(orientation.axes),
+                         joined_names({w.begin(), w.end()}), word_of(orientation.axes),
                          written(orientation.initial_angular_velocity));
   }
 
@@ -164,12 +164,12 @@ class ModelText {
 
   void add(const model::Joint& joint) {
     const model::Frame& frame = model_.frames[joint.frame];
-    const std::string parent = frame.parent == model::k_space ? "space" : model_.frames[frame.parent].name.text;
-    text_ += fmt::format("  {}: {} carries {}{}", joint.name.text, parent, frame.name.text, remarks("", joint.about));
+    text_ += fmt::format("  {}: {} carries {}{}", joint.name.text, name_of(frame.parent), frame.name.text, remarks("", joint.about));
   }
 
-  void add(const model::VelocityConstraint& constraint) {
-    text_ += fmt::format("  {}: {} = 0{}", constraint.name.text, written(constraint.velocity),
+  void add(const model::Constraint& constraint) {
+    text_ += fmt::format("  {}: {}{}", constraint.name.text,
+                         std::visit([this](const auto& law) { return written(law); }, constraint.law),
                          remarks("", constraint.about));
     if (constraint.point) text_ += fmt::format("    point {}\n", written(*constraint.point));
   }
@@ -177,6 +177,18 @@ class ModelText {
   void add(const model::Force& force) {
     const std::string law = std::visit([this](const auto& of_force) { return written(of_force); }, force.law);
     text_ += fmt::format("  {}: {}{}", force.name.text, law, remarks("", force.about));
+  }
+
+  std::string written(const model::VelocityLaw& law) const { return written(law.phi) + " = 0"; }
+  std::string written(const model::PositionLaw& law) const { return written(law.f) + " = 0, for positions"; }
+  std::string written(const model::SlipLaw& law) const {
+    const auto* frame = std::get_if<std::size_t>(&law.at);
+    return fmt::format("{} does not slip on {} at {} along {} of {}", name_of(law.frame), name_of(law.surface),
+                       frame != nullptr ? name_of(*frame) : written(std::get<std::array<Ast, 3>>(law.at)),
+                       written(law.direction), name_of(law.axes));
+  }
+  std::string name_of(std::size_t frame) const {
+    return frame == model::k_space ? "space" : model_.frames[frame].name.text;
   }
 
   std::string written(const model::UniformField& force) const { return "uniform " + written(force.field); }

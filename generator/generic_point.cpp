@@ -84,7 +84,7 @@ class Spread {
     for (std::size_t i = 0; i < all.size(); ++i) {
       const auto& place = mechanics_.symbols.coordinates[i];
       if (place.is_held) continue;
-      const auto at = value(all[i].initial);
+      const auto at = value(all[i].start());
       if (at)
         set(mechanics_.symbols.configuration[kinematics::ConfigurationIndex{place.index}].symbol, moved(at->value));
     }

@@ -64,7 +64,7 @@ class InitialCheck {
   }
 
   void report_violation(const Violation& violation) {
-    diagnostics_.warning(support::code::k_violating_start, model_.constraints[violation.index].velocity.span,
+    diagnostics_.warning(support::code::k_violating_start, model_.constraints[violation.index].span,
                          fmt::format("the initial state violates constraint '{}' by {}", violation.row->name,
                                      evaluate::to_decimal(violation.residual, 3)),
                          remedy(mechanics_, *violation.row, values_));
@@ -85,7 +85,7 @@ class InitialCheck {
   }
 
   void report_dependence(const Dependence& found) {
-    const model::VelocityConstraint& constraint = model_.constraints[found.index];
+    const model::Constraint& constraint = model_.constraints[found.index];
     const std::string& name = constraint.name.text;
     const auto& reported = mechanics_.solution.redundant;
     if (std::find(reported.begin(), reported.end(), name) != reported.end()) return;

@@ -32,7 +32,7 @@ void check_points(const Mechanics& mechanics, support::Diagnostics& diagnostics)
   const model::Model& model = mechanics.model;
   if (!is_wanted(model)) return;
   const std::vector<std::string> names = constraints_without_force(mechanics);
-  for (const model::VelocityConstraint& constraint : model.constraints) {
+  for (const model::Constraint& constraint : model.constraints) {
     if (!constraint.point || !contains(names, constraint.name.text)) continue;
     const support::Span span{(*constraint.point)[0].span.begin, (*constraint.point)[2].span.end};
     diagnostics.warning(

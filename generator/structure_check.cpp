@@ -40,7 +40,7 @@ class StructureCheck {
     if (generic_rank(at_generic_point_({mechanics_.dynamics.b[mu]})) > 0) return;
     idle_.push_back(model_.constraints[mu].name.text);
     diagnostics_.error(
-        support::code::k_no_velocity, model_.constraints[mu].velocity.span,
+        support::code::k_no_velocity, model_.constraints[mu].span,
         fmt::format("the constraint '{}' does not depend on any free speed: what it says of them cancels",
                     model_.constraints[mu].name.text),
         "remove it; a coordinate with a given value is declared with 'held_at'");
@@ -64,7 +64,7 @@ class StructureCheck {
 
   void report_redundant(const std::string& name) {
     if (std::find(idle_.begin(), idle_.end(), name) != idle_.end()) return;
-    for (const model::VelocityConstraint& constraint : model_.constraints) {
+    for (const model::Constraint& constraint : model_.constraints) {
       if (constraint.name.text != name) continue;
       diagnostics_.warning(
           support::code::k_redundant_constraint, constraint.name.span,

@@ -28,7 +28,7 @@ class UnitBuilder {
     add_inputs();
     add_state();
     add_held();
-    for (const model::VelocityConstraint& constraint : model_.constraints) {
+    for (const model::Constraint& constraint : model_.constraints) {
       unit_.constraints.push_back({constraint.name.text, constraint.about});
     }
     add_artefacts();
@@ -106,7 +106,7 @@ class UnitBuilder {
   }
 
   std::string line_of(const std::string& element) const {
-    for (const model::VelocityConstraint& constraint : model_.constraints) {
+    for (const model::Constraint& constraint : model_.constraints) {
       if (element == constraint.name.text) return located(constraint.name.span);
     }
     for (const model::Coordinate& coordinate : model_.coordinates) {

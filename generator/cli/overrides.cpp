@@ -95,6 +95,7 @@ class Override {
       case model::SymbolKind::coordinate:
         if (model_.coordinates[ref.index].held_at) throw UsageError(held());
         model_.coordinates[ref.index].initial = value_;
+        model_.coordinates[ref.index].guess.reset();
         return;
       case model::SymbolKind::quaternion_component:
         model_.orientations[ref.index / 4].initial[ref.index % 4] = value_;

@@ -37,6 +37,7 @@ class Holder {
   }
 
   void operator()(ConstraintRow& row) {
+    if (row.f) (*this)(*row.f);
     (*this)(row.phi);
     (*this)(row.beta);
     (*this)(row.beta_drift);

@@ -32,7 +32,7 @@ class Builder {
                       {symbols_.full_count(), number(0)},
                       {}};
     for (const model::Body& body : model_.bodies) result.bodies.push_back(body_motion(body));
-    for (const model::VelocityConstraint& constraint : model_.constraints) {
+    for (const model::Constraint& constraint : model_.constraints) {
       result.constraints.push_back(constraint_row(constraint));
     }
     for (const model::Force& force : model_.forces) std::visit([&](const auto& law) { apply(law, result); }, force.law);
@@ -97,8 +97,9 @@ class Builder {
     }
   }
 
-  ConstraintRow constraint_row(const model::VelocityConstraint& constraint) {
-    ConstraintRow row{constraint.name.text, expressions_(constraint.velocity), {}, number(0), {}, true};
+  ConstraintRow constraint_row(const model::Constraint& constraint) {
+    ConstraintRow row{constraint.name.text, {}, number(0), {}, number(0), {}, true};
+    std::visit([&](const auto& law) { state(law, row); }, constraint.law);
     for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) {
       row.beta.push_back(partial(row.phi, i));
     }
@@ -108,6 +109,30 @@ class Builder {
     row.beta_drift = expressions_.rate(row.phi);
     if (constraint.point) row.point = expressions_(*constraint.point);
     return row;
+  }
+
+  void state(const model::VelocityLaw& law, ConstraintRow& row) { row.phi = expressions_(law.phi); }
+
+  void state(const model::PositionLaw& law, ConstraintRow& row) {
+    row.f = expressions_(law.f);
+    row.phi = expressions_.rate(*row.f);
+  }
+
+  void state(const model::SlipLaw& law, ConstraintRow& row) {
+    Frames& frames = expressions_.frames();
+    const auto* place = std::get_if<std::size_t>(&law.at);
+    const Vector3 point = place != nullptr ? frames.origin(*place) : expressions_(std::get<std::array<model::Ast, 3>>(law.at));
+    const Vector3 direction = ir::multiply(frames.axes(law.axes), expressions_(law.direction));
+    row.phi = dot(direction, velocity_at(law.frame, point) - velocity_at(law.surface, point));
+    row.point = point;
+  }
+
+  /// Of the point of a frame that is at `place` now: v + ω × r.
+  Vector3 velocity_at(std::size_t frame, const Vector3& place) {
+    if (frame == model::k_space) return ir::zero3(graph_);
+    Frames& frames = expressions_.frames();
+    const Vector3 origin = frames.origin(frame);
+    return expressions_.rate(origin) + cross(frames.omega(frame, Axes::space), place - origin);
   }
 
   // Q_A = m field·J_A and V = -m field·r (theory section 6)

@@ -32,6 +32,7 @@ struct BodyMotion {
 /// φ_μ with β_μA = ∂φ_μ/∂ẏ^A and φ̇_μ = β_μA ÿ^A + Θ_μ (Vujičić (3.1), theory section 3).
 struct ConstraintRow {
   std::string name;
+  std::optional<ir::Expr> f;  ///< of an implicit holonomic constraint f = 0, φ = df/dt (theory section 4)
   ir::Expr phi;
   support::Indexed<FullIndex, ir::Expr> beta;
   ir::Expr beta_drift;

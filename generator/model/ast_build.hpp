@@ -1,7 +1,7 @@
 #pragma once
 // Expressions that a shorthand of the format stands for, at the place where the user wrote it. Private to the folder.
 
-#include "model/ast.hpp"
+#include "model/model.hpp"
 
 namespace gaussgen::model {
 
@@ -58,6 +58,18 @@ inline Ast call_of(const std::string& function, Ast argument) {
   Ast ast = node_of(AstKind::call, span, std::move(children));
   ast.name = function;
   return ast;
+}
+
+/// `tip.x`; the origin of space has none, its components are 0.
+inline Ast component_of(const Name& place, std::size_t axis) {
+  if (place.text != "space") return symbol_of(place.text + "." + "xyz"[axis], place.span);
+  return node_of(AstKind::number, place.span);
+}
+
+inline Ast distance_between(const Name& a, const Name& b) {
+  std::vector<Ast> squares;
+  for (std::size_t i = 0; i < 3; ++i) squares.push_back(square_of(difference_of(component_of(a, i), component_of(b, i))));
+  return call_of("sqrt", node_of(AstKind::sum, b.span, std::move(squares)));
 }
 
 }  // namespace gaussgen::model

@@ -44,6 +44,10 @@ constexpr Place k_velocity = with_places({"a constraint",
                            true,
                            true,
                            true});
+constexpr Place k_equation = with_places({"an equation of positions", "it is about places and time alone",
+                                          "write 'velocity:' for a constraint on velocities", true, true, true});
+constexpr Place k_direction{"a direction", "it is fixed in the axes that 'in' names",
+                            "use numbers, parameters and t, and name a frame by 'in'", true, true};
 constexpr Place k_field{"a uniform field", "the field is the same everywhere",
                         "use parameters and t, or a potential or generalized force", true, true};
 constexpr Place k_potential = with_places({
@@ -70,7 +74,8 @@ void visit_optional(const std::optional<Ast>& ast, const Place& place, const Vis
 void visit_motion(const Model& model, const Visit& visit) {
   for (const Coordinate& coordinate : model.coordinates) {
     visit_optional(coordinate.held_at, k_held, visit);
-    visit(coordinate.initial, k_initial);
+    visit_optional(coordinate.initial, k_initial, visit);
+    visit_optional(coordinate.guess, k_initial, visit);
     visit_optional(coordinate.initial_rate, k_initial, visit);
     visit_optional(coordinate.rate_guess, k_initial, visit);
   }
@@ -120,8 +125,13 @@ void for_each_expression(const Model& model, const Visit& visit) {
   visit_motion(model, visit);
   visit_frames(model, visit);
   visit_bodies(model, visit);
-  for (const VelocityConstraint& constraint : model.constraints) {
-    visit(constraint.velocity, k_velocity);
+  for (const Constraint& constraint : model.constraints) {
+    if (const auto* law = std::get_if<VelocityLaw>(&constraint.law)) visit(law->phi, k_velocity);
+    if (const auto* law = std::get_if<PositionLaw>(&constraint.law)) visit(law->f, k_equation);
+    if (const auto* law = std::get_if<SlipLaw>(&constraint.law)) {
+      visit_all(law->direction, k_direction, visit);
+      if (const auto* place = std::get_if<std::array<Ast, 3>>(&law->at)) visit_all(*place, k_position, visit);
+    }
     if (constraint.point) visit_all(*constraint.point, k_position, visit);
   }
   for (const Force& force : model.forces) visit_force(force, visit);

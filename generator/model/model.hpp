@@ -43,9 +43,13 @@ struct Coordinate {
   std::string unit;
   std::string about;
   std::optional<Ast> held_at;       ///< over parameters and t
-  Ast initial;                      ///< free coordinates: over parameters; 0 when not given
+  std::optional<Ast> initial;       ///< free coordinates: over parameters; when not given, constraints may move it
+  std::optional<Ast> guess;         ///< where the search for an open value starts; default 0
   std::optional<Ast> initial_rate;  ///< over parameters; when not given, the constraints determine it
   std::optional<Ast> rate_guess;    ///< where the search for a rate that is not given starts; default 0
+
+  /// The initial value, or where the search for it starts.
+  Ast start() const { return initial ? *initial : guess ? *guess : Ast(); }
 };
 
 /// The axes in which a vector is resolved.
@@ -60,6 +64,7 @@ struct Orientation {
   std::array<Name, 3> angular_velocity;  ///< rad/s, resolved in `axes`
   Axes axes = Axes::space;
   std::array<Ast, 4> initial;            ///< over parameters; normalised when emitted
+  bool is_open = false;                  ///< constraints may turn it from `initial`
   std::array<std::optional<Ast>, 3> initial_angular_velocity;  ///< an empty one is open
 };
 
@@ -119,11 +124,32 @@ struct Body {
 };
 
 /// φ_μ(y, ẏ, t) = 0 (Vujičić (3.1)), linear or nonlinear in the velocities.
-struct VelocityConstraint {
+struct VelocityLaw {
+  Ast phi;
+};
+
+/// f(y, t) = 0, an implicit holonomic constraint (theory §4): its row is φ = df/dt, its multiplier the reaction R of f.
+struct PositionLaw {
+  Ast f;
+};
+
+/// The point of `frame` that is at `at` now has there the velocity of the point of `surface`, along one direction.
+struct SlipLaw {
+  std::size_t frame = k_space;
+  std::size_t surface = k_space;
+  std::variant<std::size_t, std::array<Ast, 3>> at;  ///< origin of a frame, or a place in space
+  std::size_t axes = k_space;                        ///< the frame in which `direction` is resolved
+  std::array<Ast, 3> direction;                      ///< over parameters, t; of any length but 0
+};
+
+/// One row. What the file writes as one constraint may be several: `rolls` is three.
+struct Constraint {
   Name name;
   std::string about;
-  Ast velocity;
+  support::Span span;  ///< of the law
+  std::variant<VelocityLaw, PositionLaw, SlipLaw> law;
   std::optional<std::array<Ast, 3>> point;  ///< where its reaction is reported to act, in space; default: each mass centre
+  bool may_vanish = false;  ///< one of several directions; left out where it says nothing, as the third in a plane
 };
 
 /// The same acceleration on every mass: F = m * field at the mass centre.
@@ -175,7 +201,7 @@ struct Model {
   std::vector<Frame> frames;  ///< parents first
   std::vector<Joint> joints;
   std::vector<Body> bodies;
-  std::vector<VelocityConstraint> constraints;
+  std::vector<Constraint> constraints;
   std::vector<Force> forces;
   std::vector<Name> dependent;  ///< the user's choice of dependent speeds (3.6); empty: chosen by the generator
   std::vector<Name> outputs;    ///< empty: the default set

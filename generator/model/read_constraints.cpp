@@ -1,8 +1,13 @@
-// constraints on velocities, and the choice of the speeds that they determine.
+// constraints: on velocities, on positions, or between places; and the choice of the speeds that they determine.
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "model/ast_build.hpp"
+#include "model/attitude.hpp"
 #include "model/fields.hpp"
+#include "model/frames.hpp"
 #include "model/names.hpp"
 #include "model/sections.hpp"
 #include "support/error_codes.hpp"
@@ -27,28 +32,174 @@ void check_label(const Name& name, Reading& reading) {
       "both would label a reaction; rename the constraint");
 }
 
-void read_constraint(const Entry& entry, Reading& reading) {
-  const std::string where = fmt::format("constraint '{}'", entry.key.text);
-  VelocityConstraint constraint;
-  constraint.name = name_of(entry.key);
-  constraint.velocity = broken_expression();
-  check_name(constraint.name, reading);
-  check_label(constraint.name, reading);
-  if (expect_map(entry.value, entry.key.span, where, reading)) {
-    check_keys(entry.value, where, {"velocity", "point", "about"}, reading);
-    const Node* velocity = required(entry.value, "velocity", entry.key.span, where, reading);
-    if (velocity != nullptr) constraint.velocity = read_expression(*velocity, entry.key.span, reading);
-    const Node* point = spec::find(entry.value, "point");
-    if (point != nullptr) constraint.point = read_vector(*point, entry.key.span, "'point'", reading);
-    constraint.about = text_field(entry.value, "about", reading);
+const std::vector<std::string> k_laws = {"velocity", "equation", "rolls", "no_slip", "coincide", "distance"};
+
+class ConstraintReader {
+ public:
+  ConstraintReader(const Entry& entry, Reading& reading)
+      : entry_(entry), map_(entry.value), name_(name_of(entry.key)), reading_(reading) {}
+
+  void run() {
+    const std::string where = fmt::format("constraint '{}'", name_.text);
+    check_name(name_, reading_);
+    check_label(name_, reading_);
+    if (!expect_map(map_, name_.span, where, reading_)) return add(VelocityLaw{broken_expression()}, name_.span);
+    about_ = text_field(map_, "about", reading_);
+    const Entry* law = find_law(where);
+    if (law == nullptr) return add(VelocityLaw{broken_expression()}, name_.span);
+    check_keys(map_, where, allowed_beside(law->key.text), reading_);
+    read_law(*law, where);
   }
-  reading.model.constraints.push_back(std::move(constraint));
-}
+
+ private:
+  /// The key that says what kind of constraint it is; a missing, second or misspelt one is reported.
+  const Entry* find_law(const std::string& where) {
+    const Entry* law = nullptr;
+    for (const Entry& field : map_.entries) {
+      if (std::find(k_laws.begin(), k_laws.end(), field.key.text) == k_laws.end()) continue;
+      if (law != nullptr) {
+        reading_.diagnostics.error(code::k_conflicting_keys, field.key.span,
+                                   fmt::format("{} has '{}' beside '{}'", where, field.key.text, law->key.text),
+                                   "write two constraints with names of their own");
+        return nullptr;
+      }
+      law = &field;
+    }
+    if (law != nullptr) return law;
+    const std::size_t findings = reading_.diagnostics.all().size();
+    std::vector<std::string> known = k_laws;
+    known.insert(known.end(), {"on", "at", "in", "direction", "is", "point", "about"});
+    check_keys(map_, where, known, reading_);
+    if (reading_.diagnostics.all().size() == findings) {
+      reading_.diagnostics.error(code::k_missing_key, name_.span, fmt::format("{} has no law", where),
+                                 "add one of velocity: dot(x) - r*dot(phi), equation: x^2 + y^2 - L^2, rolls: body, "
+                                 "no_slip: body, coincide: [P, Q], distance: [P, Q]");
+    }
+    return nullptr;
+  }
+
+  static std::vector<std::string> allowed_beside(const std::string& law) {
+    std::vector<std::string> keys{law};
+    if (law == "velocity" || law == "equation") keys.emplace_back("point");
+    if (law == "rolls") keys.insert(keys.end(), {"on", "at"});
+    if (law == "no_slip") keys.insert(keys.end(), {"on", "at", "in", "direction"});
+    if (law == "distance") keys.emplace_back("is");
+    keys.emplace_back("about");
+    return keys;
+  }
+
+  void read_law(const Entry& law, const std::string& where) {
+    const std::string& key = law.key.text;
+    if (key == "velocity") add(VelocityLaw{read_expression(law.value, law.key.span, reading_)}, law.value.span);
+    if (key == "equation") add(PositionLaw{read_expression(law.value, law.key.span, reading_)}, law.value.span);
+    if (key == "rolls") read_rolling(law, where);
+    if (key == "no_slip") read_slip(law, where);
+    if (key == "coincide") read_coincidence(law);
+    if (key == "distance") read_distance(law);
+  }
+
+  template <class Law>
+  void add(Law law, support::Span span, const std::string& suffix = "") {
+    Constraint constraint;
+    constraint.name = {name_.text + suffix, name_.span};
+    constraint.about = about_;
+    constraint.span = span;
+    constraint.law = std::move(law);
+    constraint.may_vanish = !suffix.empty();
+    if (const Node* point = spec::find(map_, "point")) {
+      constraint.point = read_vector(*point, name_.span, "'point'", reading_);
+    }
+    reading_.model.constraints.push_back(std::move(constraint));
+  }
+
+  std::size_t frame_at(const Node& node, support::Span owner, const std::string& what) {
+    if (!expect_scalar(node, owner, what, reading_)) return k_space;
+    return find_frame(name_of(node.scalar), reading_).value_or(k_space);
+  }
+
+  /// `on` and `at` of rolling and sliding.
+  SlipLaw read_contact(const Entry& law, const std::string& where) {
+    SlipLaw contact;
+    contact.direction = {number(0), number(0), number(0)};
+    contact.frame = frame_at(law.value, law.key.span, "the body");
+    if (const Node* on = spec::find(map_, "on")) contact.surface = frame_at(*on, name_.span, "'on'");
+    const Node* at = required(map_, "at", name_.span, where, reading_);
+    if (at == nullptr || at->kind == spec::NodeKind::scalar) {
+      contact.at = at == nullptr ? k_space : frame_at(*at, name_.span, "'at'");
+    } else {
+      contact.at = read_vector(*at, name_.span, "'at'", reading_);
+    }
+    return contact;
+  }
+
+  // No slip in three directions: along those in which the motion is held already, nothing remains to be said.
+  void read_rolling(const Entry& law, const std::string& where) {
+    SlipLaw contact = read_contact(law, where);
+    contact.axes = contact.surface;
+    for (std::size_t i = 0; i < 3; ++i) {
+      SlipLaw row = contact;
+      row.direction[i] = number(1);
+      add(std::move(row), law.value.span, std::string("_") + "xyz"[i]);
+    }
+  }
+
+  void read_slip(const Entry& law, const std::string& where) {
+    SlipLaw contact = read_contact(law, where);
+    if (const Node* in = spec::find(map_, "in")) contact.axes = frame_at(*in, name_.span, "'in'");
+    const Node* direction = required(map_, "direction", name_.span, where, reading_);
+    if (direction == nullptr) return add(VelocityLaw{broken_expression()}, name_.span);
+    const auto axis = read_axis(*direction, name_.span, "'direction'", reading_);
+    if (const char* letter = std::get_if<char>(&axis)) {
+      contact.direction[static_cast<std::size_t>(*letter - 'x')] = number(1);
+    } else {
+      contact.direction = std::get<std::array<Ast, 3>>(axis);
+    }
+    add(std::move(contact), law.value.span);
+  }
+
+  /// Two places by name, or nothing after a report.
+  std::optional<std::array<Name, 2>> read_pair(const Entry& law) {
+    const std::string where = "'" + law.key.text + "'";
+    if (!expect_list(law.value, law.key.span, where, reading_) || !expect_length(law.value, 2, where, reading_)) {
+      return std::nullopt;
+    }
+    std::array<Name, 2> pair;
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!expect_scalar(law.value.items[i], law.value.span, "a place", reading_)) return std::nullopt;
+      pair[i] = name_of(law.value.items[i].scalar);
+      if (!find_frame(pair[i], reading_)) return std::nullopt;
+    }
+    return pair;
+  }
+
+  void read_coincidence(const Entry& law) {
+    const auto pair = read_pair(law);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::string suffix = std::string("_") + "xyz"[i];
+      Ast gap = pair ? difference_of(component_of((*pair)[0], i), component_of((*pair)[1], i)) : broken_expression();
+      add(PositionLaw{std::move(gap)}, law.value.span, suffix);
+    }
+  }
+
+  void read_distance(const Entry& law) {
+    const auto pair = read_pair(law);
+    const Node* length = required(map_, "is", name_.span, fmt::format("constraint '{}'", name_.text), reading_);
+    Ast value = length == nullptr ? broken_expression() : read_expression(*length, name_.span, reading_);
+    Ast distance = pair ? distance_between((*pair)[0], (*pair)[1]) : broken_expression();
+    add(PositionLaw{difference_of(std::move(distance), std::move(value))}, law.value.span);
+  }
+
+  const Entry& entry_;
+  const Node& map_;
+  Name name_;
+  std::string about_;
+  Reading& reading_;
+};
 
 }  // namespace
 
 void read_constraints(const Node& root, Reading& reading) {
-  read_section(root, "constraints", reading, [&](const Entry& entry) { read_constraint(entry, reading); });
+  read_section(root, "constraints", reading, [&](const Entry& entry) { ConstraintReader(entry, reading).run(); });
 }
 
 void read_elimination(const Node& root, Reading& reading) {

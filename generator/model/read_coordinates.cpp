@@ -15,7 +15,8 @@ using spec::Node;
 
 namespace {
 
-const std::vector<std::string> k_keys = {"unit", "about", "held_at", "initial", "initial_rate", "initial_rate_guess"};
+const std::vector<std::string> k_keys = {"unit", "about", "held_at", "initial", "initial_guess",
+                                         "initial_rate", "initial_rate_guess"};
 
 /// A held coordinate starts where its law says.
 void refuse_initial_values(const Node& map, Reading& reading) {
@@ -27,11 +28,11 @@ void refuse_initial_values(const Node& map, Reading& reading) {
   }
 }
 
-void refuse_needless_guess(const Node& map, Reading& reading) {
+void refuse_needless_guess(const Node& map, const std::string& key, const char* what, Reading& reading) {
   for (const Entry& entry : map.entries) {
-    if (entry.key.text != "initial_rate_guess") continue;
+    if (entry.key.text != key + "_guess") continue;
     reading.diagnostics.error(code::k_conflicting_keys, entry.key.span,
-                              "'initial_rate_guess' beside 'initial_rate', which determines the rate",
+                              fmt::format("'{0}_guess' beside '{0}', which determines the {1}", key, what),
                               "remove one of the two keys");
   }
 }
@@ -42,10 +43,12 @@ void read_fields(const Node& map, Coordinate& coordinate, Reading& reading) {
   coordinate.about = text_field(map, "about", reading);
   coordinate.held_at = expression_field(map, "held_at", reading);
   if (coordinate.held_at) return refuse_initial_values(map, reading);
-  coordinate.initial = expression_field(map, "initial", reading).value_or(number(0));
+  coordinate.initial = expression_field(map, "initial", reading);
+  coordinate.guess = expression_field(map, "initial_guess", reading);
   coordinate.initial_rate = expression_field(map, "initial_rate", reading);
   coordinate.rate_guess = expression_field(map, "initial_rate_guess", reading);
-  if (coordinate.initial_rate && coordinate.rate_guess) refuse_needless_guess(map, reading);
+  if (coordinate.initial && coordinate.guess) refuse_needless_guess(map, "initial", "value", reading);
+  if (coordinate.initial_rate && coordinate.rate_guess) refuse_needless_guess(map, "initial_rate", "rate", reading);
 }
 
 void read_coordinate(const Entry& entry, Reading& reading) {

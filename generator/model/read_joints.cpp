@@ -111,7 +111,7 @@ class JointReader {
     const JointType type = kind_->type;
     if (type == JointType::universal) keys.emplace_back("axes");
     if (!kind_->has_quaternion && type != JointType::universal && type != JointType::fixed) keys.emplace_back("axis");
-    if (!kind_->freedoms.empty()) keys.insert(keys.end(), {"coordinates", "initial", "initial_rate"});
+    if (!kind_->freedoms.empty()) keys.insert(keys.end(), {"coordinates", "initial", "initial_guess", "initial_rate"});
     if (kind_->has_quaternion || type == JointType::fixed) keys.emplace_back("orientation");
     if (kind_->has_quaternion) keys.emplace_back("initial_angular_velocity");
     return keys;
@@ -153,21 +153,29 @@ class JointReader {
     const std::size_t count = kind_->freedoms.size();
     const auto names = values_at("coordinates", count);
     const auto initial = values_at("initial", count);
+    const auto guesses = values_at("initial_guess", count);
     const auto rates = values_at("initial_rate", count);
     for (std::size_t i = 0; i < count; ++i) {
       Name name{name_.text + kind_->freedoms[i].suffix, name_.span};
       if (i < names.size() && expect_scalar(*names[i], name_.span, "a coordinate", reading_)) {
         name = name_of(names[i]->scalar);
       }
-      add_coordinate(name, i, i < initial.size() ? initial[i] : nullptr, i < rates.size() ? rates[i] : nullptr);
+      const auto entry = [&](const std::vector<const Node*>& nodes) { return i < nodes.size() ? nodes[i] : nullptr; };
+      add_coordinate(name, i, {entry(initial), entry(guesses), entry(rates)});
       move_along(name, i);
     }
   }
 
-  void add_coordinate(const Name& name, std::size_t freedom, const Node* initial, const Node* rate) {
+  struct Start {
+    const Node* value;
+    const Node* guess;
+    const Node* rate;
+  };
+
+  void add_coordinate(const Name& name, std::size_t freedom, const Start& start) {
     const auto known = reading_.model.symbols.find(name.text);
     if (known != reading_.model.symbols.end() && known->second.kind == SymbolKind::coordinate) {
-      for (const Node* value : {initial, rate}) {
+      for (const Node* value : {start.value, start.guess, start.rate}) {
         if (value == nullptr) continue;
         const Span declared = reading_.model.coordinates[known->second.index].name.span;
         reading_.diagnostics.error(
@@ -181,8 +189,12 @@ class JointReader {
     coordinate.name = name;
     coordinate.unit = kind_->freedoms[freedom].is_turn ? "rad" : "m";
     coordinate.about = "of joint " + name_.text;
-    coordinate.initial = initial == nullptr ? number(0) : read_expression(*initial, name.span, reading_);
-    if (rate != nullptr) coordinate.initial_rate = read_expression(*rate, name.span, reading_);
+    const auto value = [&](const Node* node) {
+      return node == nullptr ? std::optional<Ast>() : read_expression(*node, name.span, reading_);
+    };
+    coordinate.initial = value(start.value);
+    coordinate.guess = value(start.guess);
+    coordinate.initial_rate = value(start.rate);
     declare(name, SymbolKind::coordinate, reading_.model.coordinates.size(), "the coordinate", reading_);
     reading_.model.coordinates.push_back(std::move(coordinate));
   }

@@ -58,6 +58,7 @@ Axes read_axes(const Node& map, Reading& reading) {
 void read_initial(const Node& map, Orientation& orientation, Reading& reading) {
   orientation.initial = {number(1), number(0), number(0), number(0)};
   const Node* list = spec::find(map, "initial");
+  orientation.is_open = list == nullptr;
   if (list == nullptr) return;
   const std::string where = "the initial quaternion";
   if (!expect_list(*list, map.span, where, reading) || !expect_length(*list, 4, where, reading)) return;
@@ -118,6 +119,7 @@ std::size_t add_orientation(const Name& owner, const Node& map, Reading& reading
   orientation.name = owner;
   orientation.axes = Axes::body;
   orientation.about = "of joint " + owner.text;
+  orientation.is_open = true;
   orientation.initial = {number(1), number(0), number(0), number(0)};
   declare_components<4>({"_e0", "_e1", "_e2", "_e3"}, owner, orientation.quaternion, SymbolKind::quaternion_component,
                         "the quaternion component", reading);

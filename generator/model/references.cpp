@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <set>
 
 #include "model/checks.hpp"
@@ -55,6 +57,9 @@ void check_dependent(Reading& reading) {
 void check_dependent_count(Reading& reading) {
   const auto& dependent = reading.model.dependent;
   const std::size_t constraints = reading.model.constraints.size();
+  // How many of the directions of a contact say something is known later.
+  const auto& rows = reading.model.constraints;
+  if (std::any_of(rows.begin(), rows.end(), [](const Constraint& row) { return row.may_vanish; })) return;
   if (dependent.empty() || dependent.size() == constraints || reading.incomplete) return;
   reading.diagnostics.error(
       code::k_dependent_speeds, {dependent.front().span.begin, dependent.back().span.end},

@@ -64,7 +64,14 @@ Uses uses_of(const Model& model) {
 // A coordinate that no body depends on may still be determined: the angle of a wheel without inertia that rolls.
 bool is_constrained(const Model& model, std::size_t coordinate) {
   Uses uses;
-  for (const VelocityConstraint& constraint : model.constraints) collect(constraint.velocity, model, uses);
+  for (const Constraint& constraint : model.constraints) {
+    if (const auto* law = std::get_if<VelocityLaw>(&constraint.law)) collect(law->phi, model, uses);
+    if (const auto* law = std::get_if<PositionLaw>(&constraint.law)) collect(law->f, model, uses);
+    if (const auto* law = std::get_if<SlipLaw>(&constraint.law)) {
+      collect_placement(law->frame, model, uses);
+      collect_placement(law->surface, model, uses);
+    }
+  }
   return uses.unsure || uses.coordinates.count(coordinate) > 0;
 }
 
@@ -119,12 +126,20 @@ bool has_free_speed(const Ast& ast, bool inside_dot, const Model& model) {
   return false;
 }
 
-void check_velocities(Reading& reading) {
-  for (const VelocityConstraint& constraint : reading.model.constraints) {
-    if (has_free_speed(constraint.velocity, false, reading.model)) continue;
-    reading.diagnostics.error(code::k_no_velocity, constraint.velocity.span,
-                              fmt::format("no free speed appears in the constraint '{}'", constraint.name.text),
-                              "write rates as dot(x); a coordinate with a given value is declared with 'held_at'");
+void check_constraints(Reading& reading) {
+  for (const Constraint& constraint : reading.model.constraints) {
+    const auto* velocity = std::get_if<VelocityLaw>(&constraint.law);
+    if (velocity != nullptr && !has_free_speed(velocity->phi, false, reading.model)) {
+      reading.diagnostics.error(code::k_no_velocity, constraint.span,
+                                fmt::format("no free speed appears in the constraint '{}'", constraint.name.text),
+                                "write rates as dot(x); a coordinate with a given value is declared with 'held_at'");
+    }
+    const auto* position = std::get_if<PositionLaw>(&constraint.law);
+    if (position != nullptr && !has_free_speed(position->f, true, reading.model)) {
+      reading.diagnostics.error(code::k_no_velocity, constraint.span,
+                                fmt::format("no free coordinate appears in the constraint '{}'", constraint.name.text),
+                                "an equation relates coordinates; a coordinate with a given value is declared with 'held_at'");
+    }
   }
 }
 
@@ -141,7 +156,7 @@ void check_topology(Reading& reading) {
                               "add 'coordinates:' or 'orientations:'");
   }
   if (!model.bodies.empty() && !reading.incomplete) check_used(reading);
-  check_velocities(reading);
+  check_constraints(reading);
 }
 
 }  // namespace gaussgen::model

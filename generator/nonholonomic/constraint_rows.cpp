@@ -28,13 +28,53 @@ Row<HeldIndex> dual_components(const Row<FullIndex>& beta, const gauss::Metric& 
   return result;
 }
 
+/// φ_μ of a law of the model, with x free.
+class Law {
+ public:
+  explicit Law(const Chart& chart) : chart_(chart) {}
+
+  ex operator()(const model::VelocityLaw& law) const { return chart_(law.phi); }
+  ex operator()(const model::PositionLaw& law) const { return chart_.rate_of(chart_(law.f)); }
+
+  ex operator()(const model::SlipLaw& law) const {
+    const auto* place = std::get_if<std::size_t>(&law.at);
+    const Vector3 point = place != nullptr ? chart_.frames().point(*place, k_origin)
+                                           : chart_(std::get<std::array<model::Ast, 3>>(law.at));
+    const Vector3 own = chart_(law.direction);
+    const Vector3 direction =
+        law.axes == model::k_space ? own : symbolic::multiply(chart_.frames()(law.axes).axes, own);
+    return symbolic::dot(direction,
+                         symbolic::operator-(material_velocity(law.frame, point), material_velocity(law.surface, point)));
+  }
+
+ private:
+  using Vector3 = symbolic::Vector3;
+
+  /// Of what is fixed in a frame, at a place in space: d/dt of origin + A s with s constant, at s = Aᵀ (place - origin).
+  Vector3 material_velocity(std::size_t frame, const Vector3& place) const {
+    if (frame == model::k_space) return {0, 0, 0};
+    const symbolic::Placement& placement = chart_.frames()(frame);
+    Vector3 velocity = chart_.rate_of(placement.origin);
+    const Vector3 inside = symbolic::multiply(symbolic::transposed(placement.axes), symbolic::operator-(place, placement.origin));
+    for (std::size_t i = 0; i < 3; ++i) {
+      velocity[i] = velocity[i] + symbolic::dot(chart_.rate_of(placement.axes[i]), inside);
+    }
+    return velocity;
+  }
+
+  static inline const std::array<model::Ast, 3> k_origin{};
+
+  const Chart& chart_;
+};
+
 }  // namespace
 
 ConstraintRows constraint_rows(const model::Model& model, const gauss::System& system) {
   const Chart& chart = *system.chart;
   ConstraintRows rows;
-  for (const model::VelocityConstraint& constraint : model.constraints) {
-    const ex phi = chart(constraint.velocity);
+  const Law law(chart);
+  for (const model::Constraint& constraint : model.constraints) {
+    const ex phi = std::visit(law, constraint.law);
     Row<FullIndex> beta;
     for (const FullIndex A : chart.all()) beta.push_back(chart.at_attitude(phi.diff(chart[A].rate)));
     rows.names.push_back(constraint.name.text);

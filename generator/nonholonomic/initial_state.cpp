@@ -28,7 +28,7 @@ class InitialState {
  private:
   void add(const model::Coordinate& coordinate) {
     const std::string& name = coordinate.name.text;
-    set(name, coordinate.held_at ? *coordinate.held_at : coordinate.initial);
+    set(name, coordinate.held_at ? *coordinate.held_at : coordinate.start());
     if (coordinate.held_at) {
       set(name + "_dot", chart_(*coordinate.held_at).diff(chart_.time()));
     } else {

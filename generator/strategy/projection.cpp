@@ -223,7 +223,7 @@ Given given_state(const model::Model& model, kinematics::Expressions& expression
   Given given;
   for (const model::Coordinate& coordinate : model.coordinates) {
     if (coordinate.held_at) continue;
-    given.configuration.push_back(expressions(coordinate.initial));
+    given.configuration.push_back(expressions(coordinate.start()));
     add_speed(coordinate.initial_rate, coordinate.rate_guess, expressions, given);
   }
   for (const model::Orientation& orientation : model.orientations) {

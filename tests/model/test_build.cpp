@@ -53,7 +53,7 @@ forces:
   CHECK(m.parameters[3].name.text == "R");
   CHECK(test::show(m.parameters[2].value) == "(* 2 (/ 5) m (^ r 2))");
   CHECK(test::show(*m.coordinates[0].held_at) == "(+ R (- r))");
-  CHECK(test::show(m.coordinates[1].initial) == "(* 1 (/ 2))");
+  CHECK(test::show(*m.coordinates[1].initial) == "(* 1 (/ 2))");
   CHECK(test::show(*m.coordinates[1].initial_rate) == "4");
   CHECK(test::show(*m.coordinates[2].rate_guess) == "3");
   const model::Frame& frame = m.frames[m.bodies[0].frame];
@@ -61,7 +61,7 @@ forces:
   const auto& turns = std::get<model::Turns>(frame.attitude);
   CHECK(std::get<char>(turns[0].axis) == 'z');
   CHECK(std::get<char>(turns[1].axis) == 'x');
-  CHECK(test::show(m.constraints[0].velocity) == "(+ (* (+ R (- r)) (dot chi)) (* r (dot psi)))");
+  CHECK(test::show(std::get<model::VelocityLaw>(m.constraints[0].law).phi) == "(+ (* (+ R (- r)) (dot chi)) (* r (dot psi)))");
   CHECK(m.constraints[0].about == "no slip");
   CHECK(test::show((*m.constraints[0].point)[2]) == "0");
   CHECK(test::show(std::get<model::UniformField>(m.forces[0].law).field[2]) == "(- 981/100)");
@@ -94,7 +94,7 @@ TEST_CASE("a coordinate may be a bare key") {
 TEST_CASE("a free coordinate starts at zero, its rate is open") {
   const Built built(with(""));
   REQUIRE(built.model);
-  CHECK(test::show(built.model->coordinates[0].initial) == "0");
+  CHECK(test::show(built.model->coordinates[0].start()) == "0");
   CHECK_FALSE(built.model->coordinates[0].initial_rate);
   CHECK_FALSE(built.model->coordinates[0].held_at);
 }

@@ -19,7 +19,7 @@ constraints: {row: {velocity: ")" + expression + R"("}}
   const symbolic::Chart chart(model);
   GiNaC::exmap numbers;
   for (const auto& [name, symbol] : chart.symbols()) numbers[symbol] = name == "q" ? 2 : (name == "p" ? 3 : 5);
-  return chart(model.constraints[0].velocity).subs(numbers);
+  return chart(std::get<model::VelocityLaw>(model.constraints[0].law).phi).subs(numbers);
 }
 
 }  // namespace
