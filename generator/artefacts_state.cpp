@@ -34,7 +34,16 @@ void add_norms(const Mechanics& mechanics, std::vector<Field>& fields) {
   Vector norms = strategy::squared_norms(mechanics.symbols, configuration_of(mechanics));
   for (Expr& norm : norms) norm = norm - mechanics.expressions.number(1);
   if (norms.empty()) return;
-  fields.push_back({"position", "squared norm of each quaternion, less 1", {static_cast<int>(norms.size())}, ids(norms)});
+  fields.push_back({"quaternion", "squared norm of each quaternion, less 1", {static_cast<int>(norms.size())}, ids(norms)});
+}
+
+void add_positions(const Mechanics& mechanics, std::vector<Field>& fields) {
+  Vector values;
+  for (const auto& row : mechanics.kinematics.constraints) {
+    if (row.f) values.push_back(*row.f);
+  }
+  if (values.empty()) return;
+  fields.push_back({"position", "f of each equation of positions", {static_cast<int>(values.size())}, ids(values)});
 }
 
 Artefact state_artefact(ArtefactBuilder& builder, const strategy::ProjectedState& state, const Steps& steps) {
@@ -91,6 +100,7 @@ std::vector<Artefact> residuals_artefact(Mechanics& mechanics) {
   std::vector<Field> fields;
   add_norms(mechanics, fields);
   const Vector candidate = candidate_accelerations(mechanics);
+  add_positions(mechanics, fields);
   Vector velocity;
   Vector acceleration;
   for (std::size_t mu = 0; mu < mechanics.dynamics.l(); ++mu) {
@@ -101,8 +111,8 @@ std::vector<Artefact> residuals_artefact(Mechanics& mechanics) {
   }
   if (!velocity.empty()) {
     const int l = static_cast<int>(velocity.size());
-    fields.push_back({"velocity", "phi of each nonholonomic constraint (3.1)", {l}, ids(velocity)});
-    fields.push_back({"acceleration", "dphi/dt of each nonholonomic constraint", {l}, ids(acceleration)});
+    fields.push_back({"velocity", "phi of each constraint (3.1); df/dt of an equation f", {l}, ids(velocity)});
+    fields.push_back({"acceleration", "dphi/dt of each constraint", {l}, ids(acceleration)});
   }
   if (fields.empty()) return {};
   builder.result_type("Residuals");

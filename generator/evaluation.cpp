@@ -124,11 +124,19 @@ class Report {
     }
   }
 
-  // Residuals at position level are norms of quaternions; the others go by constraint.
+  /// Of the equations of positions.
+  std::string equation(std::size_t index) const {
+    for (const auto& row : mechanics_.kinematics.constraints) {
+      if (row.f && index-- == 0) return row.name;
+    }
+    return "";
+  }
+
   std::string suffix(const emit::Field& field, std::size_t index) const {
     static const char* const k_axes[] = {"x", "y", "z"};
     if (field.shape.empty()) return "";
-    if (field.name == "position") return "." + mechanics_.model.orientations.at(index).name.text;
+    if (field.name == "position") return "." + equation(index);
+    if (field.name == "quaternion") return "." + mechanics_.model.orientations.at(index).name.text;
     if (field.name == "velocity" || field.name == "acceleration")
       return "." + mechanics_.dynamics.constraints.at(index);
     if (field.shape[0] == 3 && field.values.size() == 3) return std::string(".") + k_axes[index];

@@ -8,6 +8,7 @@
 #include "evaluate/decimal.hpp"
 #include "generic_point.hpp"
 #include "open_rates.hpp"
+#include "strategy/projection.hpp"
 #include "structure_check.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
@@ -19,15 +20,18 @@ namespace gaussgen {
 namespace {
 
 constexpr int k_digits = 17;
+constexpr int k_moved_digits = 12;
+constexpr int k_shown_digits = 9;
 
 /// Accelerations hold the second derivatives of positions.
 constexpr int k_most_derivatives = 2;
 
 class InitialCheck {
  public:
-  InitialCheck(Mechanics& mechanics, support::Diagnostics& diagnostics)
+  InitialCheck(Mechanics& mechanics, bool is_emitted, support::Diagnostics& diagnostics)
       : mechanics_(mechanics),
         model_(mechanics.model),
+        is_emitted_(is_emitted),
         diagnostics_(diagnostics),
         values_(mechanics, support::Rational(0), k_digits) {}
 
@@ -64,10 +68,15 @@ class InitialCheck {
   }
 
   void report_violation(const Violation& violation) {
-    diagnostics_.warning(support::code::k_violating_start, model_.constraints[violation.index].span,
-                         fmt::format("the initial state violates constraint '{}' by {}", violation.row->name,
-                                     evaluate::to_decimal(violation.residual, 3)),
-                         remedy(mechanics_, *violation.row, values_));
+    const support::Span span = model_.constraints[violation.index].span;
+    const std::string message = fmt::format("the initial state violates constraint '{}' by {}", violation.row->name,
+                                            evaluate::to_decimal(violation.residual, 3));
+    const std::string hint = remedy(mechanics_, violation, values_);
+    if (is_emitted_) {
+      diagnostics_.error(support::code::k_impossible_start, span, message, hint);
+    } else {
+      diagnostics_.warning(support::code::k_violating_start, span, message, hint);
+    }
   }
 
   void report_choice(const OpenRates& open) {
@@ -173,14 +182,31 @@ class InitialCheck {
 
   Mechanics& mechanics_;
   const model::Model& model_;
+  bool is_emitted_;
   support::Diagnostics& diagnostics_;
   ModelValues values_;
 };
 
 }  // namespace
 
-void check_initial_state(Mechanics& mechanics, support::Diagnostics& diagnostics) {
-  InitialCheck(mechanics, diagnostics).run();
+void check_initial_state(Mechanics& mechanics, bool is_emitted, support::Diagnostics& diagnostics) {
+  InitialCheck(mechanics, is_emitted, diagnostics).run();
+}
+
+std::vector<std::string> assembled_values(Mechanics& mechanics) {
+  ModelValues values(mechanics, support::Rational(0), k_digits);
+  const strategy::Vector start = strategy::guessed_state(mechanics.model, mechanics.expressions);
+  const std::vector<InitialValue> reached = initial_values(mechanics);
+  std::vector<std::string> moved;
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const auto change = values.residual((ir::Expr(mechanics.graph, reached[i].node) - start[i]).id(), k_moved_digits);
+    const auto from = values(start[i].id());
+    const auto to = values(reached[i].node);
+    if (!change || !from || !to || cln::zerop(*change)) continue;
+    moved.push_back(fmt::format("{}: {} -> {}", reached[i].name, evaluate::to_decimal(*from, k_shown_digits),
+                                evaluate::to_decimal(*to, k_shown_digits)));
+  }
+  return moved;
 }
 
 }  // namespace gaussgen

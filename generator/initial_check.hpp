@@ -6,8 +6,11 @@
 
 namespace gaussgen {
 
-/// Warns where the initial state of the model violates a constraint, has no value, makes constraints depend on each other, or
-/// makes the mass matrix singular.
-void check_initial_state(Mechanics& mechanics, support::Diagnostics& diagnostics);
+/// Warns where the initial state of the model has no value, makes constraints depend on each other, or makes the mass matrix
+/// singular. One that violates a constraint is an error where the state is emitted.
+void check_initial_state(Mechanics& mechanics, bool is_emitted, support::Diagnostics& diagnostics);
+
+/// "theta2: 0.5 -> 0.5236": initial values that the search for a state without violations has moved from their guesses.
+std::vector<std::string> assembled_values(Mechanics& mechanics);
 
 }  // namespace gaussgen

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "dumps.hpp"
 #include "initial_check.hpp"
-#include "model/build.hpp"
 #include "model/fold_check.hpp"
 #include "paper.hpp"
 #include "point_check.hpp"
+#include "read_model.hpp"
 #include "structure_check.hpp"
 #include "unit.hpp"
 #include "value_check.hpp"
@@ -40,6 +42,11 @@ class Stages {
 
 std::string nodes(const Mechanics& mechanics) { return fmt::format("{} nodes", mechanics.graph.size()); }
 
+bool emits(const emit::Unit& unit, const std::string& output) {
+  return std::any_of(unit.artefacts.begin(), unit.artefacts.end(),
+                     [&](const emit::Artefact& artefact) { return artefact.name == output; });
+}
+
 }  // namespace
 
 const std::vector<std::string>& stage_names() {
@@ -51,8 +58,9 @@ std::optional<PipelineResult> compile(const support::Source& source, const Pipel
                                       support::Diagnostics& diagnostics, const StageObserver& observe) {
   Stages stages(observe);
 
-  const std::optional<model::Model> model = model::build_model(source, diagnostics);
+  std::optional<model::Model> model = read_model(source, diagnostics);
   if (!model) return std::nullopt;
+  if (options.assemble) open_initial_values(*model);
   stages.done("model", fmt::format("{} bytes", source.text().size()), [&] { return dump_model(*model, source); });
 
   if (options.fold) model::check_fold(*model, diagnostics);
@@ -82,7 +90,8 @@ std::optional<PipelineResult> compile(const support::Source& source, const Pipel
   stages.done("header", fmt::format("{} bytes", result.header.size()), [&] { return result.header; });
 
   // Last, so that what it adds to the graph cannot change the header.
-  check_initial_state(mechanics, diagnostics);
+  check_initial_state(mechanics, emits(unit, "initial_state"), diagnostics);
+  if (options.assemble) result.assembled = assembled_values(mechanics);
   check_points(mechanics, diagnostics);
   stages.done("check", nodes(mechanics), [] { return std::string(); });
   result.times = std::move(stages).times();

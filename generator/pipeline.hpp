@@ -21,6 +21,7 @@ enum class Route {
 struct PipelineOptions {
   std::vector<std::string> outputs;  ///< empty: those of the model; if it names none, all
   bool fold = false;
+  bool assemble = false;             ///< constraints may move given initial values
   Route route = Route::emitted;
   std::string name_space;            ///< empty: gauss::<model name>
 };
@@ -38,6 +39,7 @@ using StageObserver = std::function<void(const std::string& stage, const std::fu
 struct PipelineResult {
   std::string model_name;
   std::string header;
+  std::vector<std::string> assembled;  ///< initial values that the constraints moved, in words
   std::vector<StageTime> times;
 };
 

@@ -19,20 +19,55 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+/// In the order of the speeds: those along which the initial configuration is given.
+std::vector<bool> stated_positions(const model::Model& model) {
+  std::vector<bool> result;
+  for (const model::Coordinate& coordinate : model.coordinates) {
+    if (!coordinate.held_at) result.push_back(coordinate.initial.has_value());
+  }
+  for (const model::Orientation& orientation : model.orientations) result.insert(result.end(), 3, !orientation.is_open);
+  return result;
+}
+
+std::string remedy_of_positions(const Mechanics& mechanics, const kinematics::ConstraintRow& row, ModelValues& values) {
+  std::vector<std::string> given;
+  std::vector<std::string> open;
+  const std::vector<bool> is_given = stated_positions(mechanics.model);
+  for (const auto i : mechanics.symbols.speeds.indices()) {
+    const auto b = values(row.beta[mechanics.symbols.full(i)].id());
+    if (!b || cln::zerop(*b)) continue;
+    (is_given[i.value] ? given : open).push_back(mechanics.symbols.speeds[i].label);
+  }
+  if (!open.empty()) {
+    return fmt::format("the search for {} found nothing: give an initial_guess near the wanted position, and check "
+                       "that the parts can reach each other",
+                       joined(open));
+  }
+  if (given.empty()) return "no coordinate moves it at this position: start from another one";
+  return fmt::format("give {} an initial_guess instead of a value, or let --assemble move all values", joined(given));
+}
+
 }  // namespace
 
 std::vector<Violation> violations(const Mechanics& mechanics, ModelValues& values) {
   std::vector<Violation> result;
   for (const auto mu : mechanics.kinematics.constraints.indices()) {
     const kinematics::ConstraintRow& row = mechanics.kinematics.constraints[mu];
+    if (row.f) {
+      const std::optional<cln::cl_F> f = values.residual(row.f->id(), k_residual_digits);
+      if (f && !cln::zerop(*f)) result.push_back({mu.value, &row, true, *f});
+    }
     const std::optional<cln::cl_F> phi = values.residual(row.phi.id(), k_residual_digits);
-    if (phi && !cln::zerop(*phi)) result.push_back({mu.value, &row, *phi});
+    const bool is_reported = !result.empty() && result.back().index == mu.value;
+    if (!is_reported && phi && !cln::zerop(*phi)) result.push_back({mu.value, &row, false, *phi});
   }
   return result;
 }
 
 // An open rate is searched for by Newton's method where the constraint is nonlinear; from 0 it may have no way to go.
-std::string remedy(const Mechanics& mechanics, const kinematics::ConstraintRow& row, ModelValues& values) {
+std::string remedy(const Mechanics& mechanics, const Violation& violation, ModelValues& values) {
+  const kinematics::ConstraintRow& row = *violation.row;
+  if (violation.is_of_positions) return remedy_of_positions(mechanics, row, values);
   std::vector<std::string> given;
   std::vector<std::string> open;
   std::vector<std::string> stuck;

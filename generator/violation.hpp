@@ -8,17 +8,18 @@
 
 namespace gaussgen {
 
-/// A velocity constraint (3.1) that does not hold.
+/// A constraint (3.1), or an equation of positions, that does not hold.
 struct Violation {
   std::size_t index = 0;  ///< into Model::constraints
   const kinematics::ConstraintRow* row = nullptr;
-  cln::cl_F residual;  ///< φ_μ, not zero
+  bool is_of_positions = false;
+  cln::cl_F residual;  ///< φ_μ, or f; not zero
 };
 
 /// At the state that is bound in `values`. Rates that a user copied from a double satisfy a constraint.
 std::vector<Violation> violations(const Mechanics& mechanics, ModelValues& values);
 
 /// What to change so that the constraint holds.
-std::string remedy(const Mechanics& mechanics, const kinematics::ConstraintRow& row, ModelValues& values);
+std::string remedy(const Mechanics& mechanics, const Violation& violation, ModelValues& values);
 
 }  // namespace gaussgen

@@ -22,8 +22,8 @@ struct UnitQuaternion : QuaternionModel {
 
 // A model without quaternions has no residual of position.
 template <class Residuals>
-auto quaternion_drift(int, const Residuals& residuals) -> decltype(std::abs(residuals.position[0])) {
-  return std::abs(residuals.position[0]);
+auto quaternion_drift(int, const Residuals& residuals) -> decltype(std::abs(residuals.quaternion[0])) {
+  return std::abs(residuals.quaternion[0]);
 }
 template <class Residuals>
 double quaternion_drift(long, const Residuals&) {

@@ -381,8 +381,8 @@ struct Compulsion {
 
 template <class S>
 struct Residuals {
-  S velocity[1];      ///< phi of each nonholonomic constraint (3.1)
-  S acceleration[1];  ///< dphi/dt of each nonholonomic constraint
+  S velocity[1];      ///< phi of each constraint (3.1); df/dt of an equation f
+  S acceleration[1];  ///< dphi/dt of each constraint
 };
 
 template <class S>

@@ -422,9 +422,9 @@ struct Compulsion {
 
 template <class S>
 struct Residuals {
-  S position[1];      ///< squared norm of each quaternion, less 1
-  S velocity[2];      ///< phi of each nonholonomic constraint (3.1)
-  S acceleration[2];  ///< dphi/dt of each nonholonomic constraint
+  S quaternion[1];    ///< squared norm of each quaternion, less 1
+  S velocity[2];      ///< phi of each constraint (3.1); df/dt of an equation f
+  S acceleration[2];  ///< dphi/dt of each constraint
 };
 
 template <class S>
@@ -1032,20 +1032,20 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
 
   // Results
   const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
-  const S position_0 = norm_squared - S(1);
+  const S quaternion_0 = norm_squared - S(1);
   const S velocity_0 = r * wz - r_minus_R * chi_dot;
   const S velocity_1 = zeta_dot + r * (wx * sin_chi - wy * cos_chi);
   const S acceleration_0 = r * wz_dot + rho * chi_ddot;
   const S acceleration_1 = zeta_ddot + drift_rolling_along + r * wx_dot * sin_chi - r * wy_dot * cos_chi;
 
-  residuals.position[0] = position_0;
+  residuals.quaternion[0] = quaternion_0;
   residuals.velocity[0] = velocity_0;
   residuals.velocity[1] = velocity_1;
   residuals.acceleration[0] = acceleration_0;
   residuals.acceleration[1] = acceleration_1;
 
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
-      chi_ddot, zeta_ddot, wx_dot, wy_dot, wz_dot, position_0, velocity_0, velocity_1, acceleration_0,
+      chi_ddot, zeta_ddot, wx_dot, wy_dot, wz_dot, quaternion_0, velocity_0, velocity_1, acceleration_0,
       acceleration_1);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }

@@ -2,15 +2,15 @@
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
 #include "cli/replacement.hpp"
-#include "model/build.hpp"
 #include "paper.hpp"
+#include "read_model.hpp"
 
 namespace gaussgen::cli {
 
 int derive(const Options& options) {
   const support::Source source = read_source(options.model);
   support::Diagnostics diagnostics;
-  const auto model = model::build_model(source, diagnostics);
+  const auto model = read_model(source, diagnostics);
   std::string text;
   if (model) text = derivation_text(*model, options.format == Format::latex, diagnostics);
   const int code = report(diagnostics, source);

@@ -9,7 +9,7 @@
 #include "cli/files.hpp"
 #include "cli/overrides.hpp"
 #include "evaluation.hpp"
-#include "model/build.hpp"
+#include "read_model.hpp"
 #include "structure_check.hpp"
 #include "support/suggest.hpp"
 
@@ -105,7 +105,7 @@ std::string json(const Evaluation& evaluation, const model::Model& model, const 
 int evaluate(const Options& options) {
   const support::Source source = read_source(options.model);
   support::Diagnostics diagnostics;
-  std::optional<model::Model> model = model::build_model(source, diagnostics);
+  std::optional<model::Model> model = read_model(source, diagnostics);
   const int code = report(diagnostics, source);
   if (!model || code != k_ok) return code;
   apply_overrides(options.overrides, *model);

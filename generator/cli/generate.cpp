@@ -7,7 +7,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
 #include "cli/replacement.hpp"
-#include "model/build.hpp"
+#include "read_model.hpp"
 
 namespace gaussgen::cli {
 
@@ -56,7 +56,7 @@ void write_files(const Options& options, const PipelineResult& result) {
 /// Only the model's own text is needed for these two, so no derivation is made.
 int check_or_list(const Options& options, const support::Source& source) {
   support::Diagnostics diagnostics;
-  const auto model = model::build_model(source, diagnostics);
+  const auto model = read_model(source, diagnostics);
   const int code = report(diagnostics, source);
   if (!model || code != k_ok) return code;
   if (options.list_outputs) write_standard_output(header_path(options, model->name.text) + "\n");
@@ -83,6 +83,7 @@ int generate(const Options& options) {
     return code;
   }
   if (options.timings) print_timings(result->times);
+  for (const std::string& moved : result->assembled) std::cerr << "assembled " << moved << "\n";
   if (!options.dumps.empty()) {
     write_standard_output(dumped);
     return k_ok;

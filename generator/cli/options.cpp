@@ -76,6 +76,8 @@ void add_generate(CLI::App& app, Options& options) {
   add_list(app, "--outputs", options.pipeline.outputs, output_names(), "LIST",
            "functions to emit instead of all, with commas between: ");
   app.add_flag("--fold", options.pipeline.fold, "put the parameters in as numbers");
+  app.add_flag("--assemble", options.pipeline.assemble,
+               wrapped("let the constraints move the initial values that the model gives, and say how far"));
   add_choice<Route>(app, "--route", options.pipeline.route, {{"emitted", Route::emitted}, {"paper", Route::paper}},
                     "ROUTE", wrapped("emitted (default), or paper: its Z, Gamma and (3.7)-(3.8), term by term"));
   add_list(app, "--dump", options.dumps, stage_names(), "STAGE", "write nothing, print what comes out of a stage: ");

@@ -27,6 +27,8 @@ struct Speed {
   std::string label;              ///< what indices are called: chi, wx
   std::string unit;
   std::string about;
+
+  bool is_of_length() const { return unit == "m/s"; }
 };
 
 /// x^i, with dx^i/dt and d²x^i/dt² as symbols until c^i(t) is put in.
@@ -59,6 +61,10 @@ struct Symbols {
 
   std::size_t free_count() const { return speeds.size(); }
   std::size_t full_count() const { return speeds.size() + held.size(); }
+  /// Free coordinates whose rates are the speeds of the same index; quaternions follow.
+  std::size_t plain_count() const {
+    return first_angular_velocity.empty() ? speeds.size() : first_angular_velocity.front().value;
+  }
   FullIndex full(FreeIndex i) const { return FullIndex{i.value}; }
   FullIndex full(HeldIndex i) const { return FullIndex{speeds.size() + i.value}; }
 

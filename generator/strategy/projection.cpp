@@ -5,6 +5,7 @@
 
 #include "ir/substitute.hpp"
 #include "strategy/accelerations.hpp"
+#include "strategy/position_projection.hpp"
 #include "strategy/quaternions.hpp"
 
 namespace gaussgen::strategy {
@@ -15,6 +16,9 @@ using kinematics::ConstraintIndex;
 using kinematics::FreeIndex;
 
 namespace {
+
+/// Newton's method from a rough guess.
+constexpr int k_most_steps = 8;
 
 /// φ, b and g at one state.
 struct VelocityProblem {
@@ -189,6 +193,24 @@ class Newton {
 
 }  // namespace
 
+namespace {
+
+/// Positions first: the velocity constraints are taken where the configuration has arrived.
+ProjectedState projected(PositionProjection& positions, const Newton& velocities, Vector configuration, const Vector& speeds,
+                         const std::vector<std::size_t>& moving, int most_steps, Steps& steps) {
+  const Vector start = configuration;
+  if (positions.has_rows()) positions.run(most_steps, configuration, steps);
+  ProjectedState state = velocities.run(configuration, speeds, moving, most_steps, steps);
+  if (!positions.has_rows()) return state;
+  ir::Graph& graph = speeds[0].graph();
+  state.singular_mass_matrix = any(graph, {positions.singular(), state.singular_mass_matrix});
+  state.dependent_constraints = any(graph, {positions.dependent(), state.dependent_constraints});
+  state.violated_constraints = any(graph, {positions.violated(start, configuration), state.violated_constraints});
+  return state;
+}
+
+}  // namespace
+
 ProjectedState project(const Dynamics& dynamics, Expr epsilon, Steps& steps) {
   ir::Graph& graph = epsilon.graph();
   const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
@@ -197,9 +219,11 @@ ProjectedState project(const Dynamics& dynamics, Expr epsilon, Steps& steps) {
   for (const auto& q : symbols.configuration) configuration.emplace_back(graph, graph.use(q.symbol));
   for (const auto& u : symbols.speeds) speeds.emplace_back(graph, graph.use(u.symbol));
   const Expr is_lost = normalise_quaternions(symbols, configuration, graph, steps);
+  const std::vector<std::size_t> all = first(dynamics.n());
+  PositionProjection positions(dynamics, all, std::nullopt, epsilon);
   // From what one step of an integrator leaves, a second step arrives at rounding.
   ProjectedState state =
-      Newton(dynamics, std::nullopt, epsilon).run(configuration, speeds, first(dynamics.n()), 2, steps);
+      projected(positions, Newton(dynamics, std::nullopt, epsilon), configuration, speeds, all, 2, steps);
   state.violated_constraints = any(graph, {is_lost, state.violated_constraints});
   return state;
 }
@@ -211,6 +235,7 @@ struct Given {
   Vector configuration;
   Vector speeds;
   std::vector<std::size_t> open;
+  std::vector<std::size_t> open_positions;  ///< speeds along which the configuration may still change
 };
 
 void add_speed(const std::optional<model::Ast>& value, const std::optional<model::Ast>& guess,
@@ -224,11 +249,13 @@ Given given_state(const model::Model& model, kinematics::Expressions& expression
   for (const model::Coordinate& coordinate : model.coordinates) {
     if (coordinate.held_at) continue;
     given.configuration.push_back(expressions(coordinate.start()));
+    if (!coordinate.initial) given.open_positions.push_back(given.speeds.size());
     add_speed(coordinate.initial_rate, coordinate.rate_guess, expressions, given);
   }
   for (const model::Orientation& orientation : model.orientations) {
     for (const model::Ast& component : orientation.initial) given.configuration.push_back(expressions(component));
     for (const auto& component : orientation.initial_angular_velocity) {
+      if (orientation.is_open) given.open_positions.push_back(given.speeds.size());
       add_speed(component, std::nullopt, expressions, given);
     }
   }
@@ -237,13 +264,21 @@ Given given_state(const model::Model& model, kinematics::Expressions& expression
 
 }  // namespace
 
+Vector guessed_state(const model::Model& model, kinematics::Expressions& expressions) {
+  Given given = given_state(model, expressions);
+  given.configuration.insert(given.configuration.end(), given.speeds.begin(), given.speeds.end());
+  return given.configuration;
+}
+
 ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics, kinematics::Expressions& expressions,
                              Expr time, Expr epsilon, Steps& steps) {
   ir::Graph& graph = epsilon.graph();
   const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
   Given given = given_state(model, expressions);
   const Expr is_lost = normalise_quaternions(symbols, given.configuration, graph, steps);
-  ProjectedState state = Newton(dynamics, time, epsilon).run(given.configuration, given.speeds, given.open, 8, steps);
+  PositionProjection positions(dynamics, given.open_positions, time, epsilon);
+  ProjectedState state = projected(positions, Newton(dynamics, time, epsilon), given.configuration, given.speeds,
+                                   given.open, k_most_steps, steps);
   state.violated_constraints = any(graph, {is_lost, state.violated_constraints});
   return state;
 }

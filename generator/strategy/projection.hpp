@@ -18,6 +18,9 @@ struct ProjectedState {
 /// `violated_constraints` tells whether it was enough.
 ProjectedState project(const Dynamics& dynamics, ir::Expr epsilon, Steps& steps);
 
+/// Configuration and speeds from which the search for open initial values starts; quaternions as the model gives them.
+Vector guessed_state(const model::Model& model, kinematics::Expressions& expressions);
+
 /// The model's initial state at `time` over parameters. Rates that the model does not give are found from the constraints by the same
 /// projection restricted to them, starting from their guesses.
 ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics, kinematics::Expressions& expressions,

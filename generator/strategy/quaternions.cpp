@@ -30,6 +30,15 @@ Vector squared_norms(const kinematics::Symbols& symbols, const Vector& configura
   return result;
 }
 
+void normalise(const kinematics::Symbols& symbols, Vector& configuration) {
+  const Vector norms = squared_norms(symbols, configuration);
+  for (std::size_t k = 0; k < norms.size(); ++k) {
+    const std::size_t first = symbols.first_quaternion_component[k].value;
+    const Expr scale = pow(norms[k], Rational(-1) / 2).named("unit");
+    for (std::size_t i = 0; i < 4; ++i) configuration[first + i] = configuration[first + i] * scale;
+  }
+}
+
 Expr is_off_unit_length(ir::Graph& graph, const Vector& squared_norms) {
   return any_outside(graph, squared_norms, Rational(63) / 64, Rational(65) / 64);
 }

@@ -15,4 +15,7 @@ ir::Expr is_off_unit_length(ir::Graph& graph, const Vector& squared_norms);
 /// Boolean: some norm is a million times too large or too small, where squares soon leave the range of float.
 ir::Expr is_beyond_scaling(ir::Graph& graph, const Vector& squared_norms);
 
+/// Each quaternion divided by its norm; unnamed values.
+void normalise(const kinematics::Symbols& symbols, Vector& configuration);
+
 }  // namespace gaussgen::strategy

@@ -80,7 +80,8 @@ inline constexpr ErrorCode k_quaternion_length{"W061", "an initial quaternion th
 inline constexpr ErrorCode k_scaled_unit{"W055", "a unit that would need a conversion"};
 
 // The initial state, which is looked at when the equations are there.
-inline constexpr ErrorCode k_violating_start{"W051", "an initial state that violates a constraint"};
+inline constexpr ErrorCode k_impossible_start{"E070", "an initial state that violates a constraint, and is emitted"};
+inline constexpr ErrorCode k_violating_start{"W051", "an initial state that violates a constraint, and is not emitted"};
 inline constexpr ErrorCode k_undefined_start{"W052", "an initial state at which something has no value"};
 inline constexpr ErrorCode k_singular_start{"W053", "an initial state without accelerations"};
 inline constexpr ErrorCode k_dependent_start{"W057", "an initial state at which constraints follow from each other"};
@@ -148,6 +149,7 @@ inline constexpr ErrorCode k_all_codes[] = {
 /// What only the stages after it can find.
 inline constexpr ErrorCode k_stage_codes[] = {
     code::k_no_paper_route,
+    code::k_impossible_start,
     code::k_violating_start,
     code::k_undefined_start,
     code::k_singular_start,

@@ -29,7 +29,7 @@ std::string plane(const std::string& x, const std::string& y, const std::string&
 
 TEST_CASE("a violated constraint is shown with its residual and the rates that could be left open") {
   CHECK(found_in(plane("initial_rate: 1", "initial_rate: 0.25", "dot(x) - dot(y)")) ==
-        "m.yaml:13:21: warning[W051]: the initial state violates constraint 'skate' by 0.750\n"
+        "m.yaml:13:21: error[E070]: the initial state violates constraint 'skate' by 0.750\n"
         " 13 |   skate: {velocity: dot(x) - dot(y)}\n"
         "    |                     ^~~~~~~~~~~~~~~\n"
         "    = hint: leave x_dot or y_dot open, and the constraint determines it\n");
@@ -80,7 +80,7 @@ TEST_CASE("a violation is judged by the size of the terms, whatever the unit") {
 TEST_CASE("open rates for which the search found nothing are named") {
   CHECK_THAT(
       found_in(plane("initial_rate_guess: 1", "initial_rate_guess: 2", "dot(x)^2 + dot(y)^2 + 1")),
-      Catch::Contains("[W051]") && Catch::Contains("hint: x_dot or y_dot is open: give it an initial_rate_guess"));
+      Catch::Contains("[E070]") && Catch::Contains("hint: x_dot or y_dot is open: give it an initial_rate_guess"));
 }
 
 TEST_CASE("an angular velocity is offered by its name") {
@@ -124,7 +124,7 @@ TEST_CASE("an expression without the derivative that accelerations need is repor
 }
 
 TEST_CASE("a state that follows from singular equations is reported by the value that is undefined") {
-  CHECK_THAT(found_in(plane("initial: 0", "initial_rate: 1", "x*dot(x) + dot(y)")), Catch::Contains("warning[W05"));
+  CHECK_THAT(found_in(plane("initial: 0", "initial_rate: 1", "x*dot(x) + dot(y)")), Catch::Contains("[E070]"));
 }
 
 TEST_CASE("a chart that is singular at the initial state is reported") {

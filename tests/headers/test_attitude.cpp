@@ -71,7 +71,7 @@ TEST_CASE("residuals measure such a quaternion and project mends it, as far as i
   skater::Residuals<double> residuals_found{};
   CHECK(residuals(0.0, stretched(2.0), {}, prepare(skater::Parameters<double>{}), skater::Derivative<double>{},
                   residuals_found) == Status::ok);
-  CHECK(residuals_found.position[0] == Approx(3));
+  CHECK(residuals_found.quaternion[0] == Approx(3));
   for (const double factor : {1e-5, 0.5, 2.0, 1e5}) CHECK(of_projection(factor) == Status::ok);
   for (const float factor : {1e-5F, 0.5F, 2.0F, 1e5F}) CHECK(of_projection(factor) == Status::ok);
   for (const double factor : {0.0, 1e-200, 1e-160, 1e160, 1e200, 1e300}) CHECK(of_projection(factor) != Status::ok);

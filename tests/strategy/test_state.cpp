@@ -49,12 +49,12 @@ TEST_CASE("residuals are phi and its difference quotient along any candidate acc
   }
 }
 
-TEST_CASE("the residual at position level is the squared norm of the quaternion, less 1") {
+TEST_CASE("the residual of a quaternion is the squared norm of the quaternion, less 1") {
   for (const char* name : {"sphere_in_cylinder_quaternion", "released_top"}) {
     Case c = case_of(name, 5);
     for (const auto& component : c.model.orientations[0].quaternion) c.values.at(component.text) *= Real("1.5");
     EmittedNumbers emitted(c);
     emitted.bind_accelerations(Vec(c.bare.free_count, 0));
-    CHECK(deviation(emitted.fields("residuals").at("position"), {Real("1.25")}) < k_tolerance);
+    CHECK(deviation(emitted.fields("residuals").at("quaternion"), {Real("1.25")}) < k_tolerance);
   }
 }

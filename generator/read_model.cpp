@@ -1,0 +1,83 @@
+#include "read_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "generic_point.hpp"
+#include "model/build.hpp"
+#include "support/error_codes.hpp"
+#include "value_check.hpp"
+
+namespace gaussgen {
+
+namespace {
+
+using model::Constraint;
+
+bool may_vanish(const Constraint& constraint) { return constraint.may_vanish; }
+
+/// Names of rows with φ = 0 at every state.
+std::set<std::string> vanishing_rows(const model::Model& model) {
+  std::set<std::string> names;
+  model::Model rows = model;
+  rows.dependent.clear();
+  Mechanics mechanics(rows, {});
+  support::Diagnostics ignored;
+  check_values(mechanics, ignored);
+  if (ignored.has_errors()) return names;
+  GenericPoint at_generic_point(mechanics);
+  for (const kinematics::ConstraintRow& row : mechanics.kinematics.constraints) {
+    const auto phi = at_generic_point({{row.phi}});
+    const bool vanishes = cln::zerop(phi(0, 0)) && (!row.f || cln::zerop(at_generic_point({{*row.f}})(0, 0)));
+    if (vanishes) names.insert(row.name);
+  }
+  return names;
+}
+
+/// A constraint of which no direction is left says nothing at all.
+void report_idle(const model::Model& model, const std::set<std::string>& vanishing, support::Diagnostics& diagnostics) {
+  std::set<std::uint32_t> reported;
+  for (const Constraint& constraint : model.constraints) {
+    const auto same = [&](const Constraint& other) { return other.name.span == constraint.name.span; };
+    const bool is_idle = std::all_of(model.constraints.begin(), model.constraints.end(), [&](const Constraint& other) {
+      return !same(other) || (other.may_vanish && vanishing.count(other.name.text) > 0);
+    });
+    if (!is_idle || !reported.insert(constraint.name.span.begin).second) continue;
+    diagnostics.error(support::code::k_no_velocity, constraint.name.span,
+                      "this constraint holds in every motion that the coordinates allow: it says nothing",
+                      "remove it, or give the bodies coordinates for the motion that it is to prevent");
+  }
+}
+
+void drop_vanishing_rows(model::Model& model, support::Diagnostics& diagnostics) {
+  if (std::none_of(model.constraints.begin(), model.constraints.end(), may_vanish)) return;
+  const std::set<std::string> vanishing = vanishing_rows(model);
+  report_idle(model, vanishing, diagnostics);
+  const auto drops = [&](const Constraint& row) { return row.may_vanish && vanishing.count(row.name.text) > 0; };
+  model.constraints.erase(std::remove_if(model.constraints.begin(), model.constraints.end(), drops),
+                          model.constraints.end());
+}
+
+}  // namespace
+
+std::optional<model::Model> read_model(const support::Source& source, support::Diagnostics& diagnostics) {
+  std::optional<model::Model> model = model::build_model(source, diagnostics);
+  if (model) drop_vanishing_rows(*model, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  return model;
+}
+
+void open_initial_values(model::Model& model) {
+  for (model::Coordinate& coordinate : model.coordinates) {
+    if (coordinate.held_at) continue;
+    if (coordinate.initial) coordinate.guess = std::move(coordinate.initial);
+    if (coordinate.initial_rate) coordinate.rate_guess = std::move(coordinate.initial_rate);
+    coordinate.initial.reset();
+    coordinate.initial_rate.reset();
+  }
+  for (model::Orientation& orientation : model.orientations) orientation.is_open = true;
+}
+
+}  // namespace gaussgen

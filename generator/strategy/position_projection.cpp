@@ -1,0 +1,126 @@
+#include "strategy/position_projection.hpp"
+
+#include <algorithm>
+
+#include "ir/substitute.hpp"
+#include "strategy/accelerations.hpp"
+#include "strategy/quaternions.hpp"
+
+namespace gaussgen::strategy {
+
+using ir::Expr;
+using kinematics::ConfigurationIndex;
+using kinematics::ConstraintIndex;
+using kinematics::FreeIndex;
+
+PositionProjection::PositionProjection(const Dynamics& dynamics, std::vector<std::size_t> moving,
+                                       std::optional<Expr> time, Expr epsilon)
+    : dynamics_(dynamics),
+      moving_(std::move(moving)),
+      time_(time),
+      epsilon_(epsilon),
+      singular_(epsilon.graph(), epsilon.graph().constant(0)),
+      dependent_(singular_) {
+  for (const ConstraintIndex mu : dynamics.kinematics->constraints.indices()) {
+    if (dynamics.kinematics->constraints[mu].f) rows_.push_back(mu.value);
+  }
+}
+
+Vector PositionProjection::zeros(std::size_t count) const {
+  return Vector(count, Expr(epsilon_.graph(), epsilon_.graph().constant(0)));
+}
+
+Vector PositionProjection::at(const Vector& expressions, const Vector& configuration, const Vector& speeds) const {
+  const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
+  ir::Substitution put_in(epsilon_.graph());
+  if (time_) put_in.replace(symbols.time, *time_);
+  for (const ConfigurationIndex i : symbols.configuration.indices()) {
+    put_in.replace(symbols.configuration[i].symbol, configuration[i.value]);
+  }
+  for (const FreeIndex i : symbols.speeds.indices()) put_in.replace(symbols.speeds[i].symbol, speeds[i.value]);
+  Vector values;
+  for (const Expr expression : expressions) values.push_back(put_in(expression));
+  return values;
+}
+
+Dynamics PositionProjection::problem_at(const Vector& configuration, const std::string& prefix) const {
+  const Vector rest = zeros(dynamics_.n());
+  const auto part = [&](const Vector& row) {
+    Vector chosen;
+    for (const std::size_t i : moving_) chosen.push_back(row[i]);
+    return at(chosen, configuration, rest);
+  };
+  Dynamics problem;
+  problem.names = {prefix, "move", "push"};
+  for (const std::size_t i : moving_) {
+    problem.labels.push_back(dynamics_.labels[i]);
+    problem.g.push_back(part(dynamics_.g[i]));
+  }
+  problem.f = zeros(moving_.size());
+  for (const std::size_t mu : rows_) {
+    const Vector row = part(dynamics_.b[mu]);
+    if (std::all_of(row.begin(), row.end(), [](Expr e) { return e.is_zero(); })) continue;
+    problem.constraints.push_back(dynamics_.constraints[mu]);
+    problem.b.push_back(row);
+    const Expr f = *dynamics_.kinematics->constraints[ConstraintIndex{mu}].f;
+    problem.b_drift.push_back(at({f}, configuration, rest)[0]);
+  }
+  return problem;
+}
+
+// dq = q̇(u = δ) - q̇(u = 0): what the speeds add, without the part of given motions.
+void PositionProjection::displace(const Vector& change, Vector& configuration) const {
+  Vector speeds = zeros(dynamics_.n());
+  const Vector& rates = dynamics_.kinematics->configuration_rates.values();
+  const Vector carried = at(rates, configuration, speeds);
+  for (std::size_t j = 0; j < moving_.size(); ++j) speeds[moving_[j]] = change[j];
+  const Vector moved = at(rates, configuration, speeds);
+  for (std::size_t i = 0; i < configuration.size(); ++i) {
+    configuration[i] = configuration[i] + (moved[i] - carried[i]);
+  }
+}
+
+void PositionProjection::run(int count, Vector& configuration, Steps& steps) {
+  const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
+  for (int step = 0; step < count; ++step) {
+    const std::string prefix = "move" + std::to_string(step + 1) + "_";
+    const Dynamics problem = problem_at(configuration, prefix);
+    if (problem.l() == 0) return;
+    Steps inner_steps;
+    const Solution change = solve_with_multipliers(problem, epsilon_, inner_steps);
+    steps.begin("smallest displacement in the mass metric that satisfies the linearised equations of positions");
+    for (const Step& inner_step : inner_steps.all()) steps.append(inner_step.values);
+    displace(change.accelerations, configuration);
+    normalise(symbols, configuration);
+    for (const ConfigurationIndex i : symbols.configuration.indices()) {
+      configuration[i.value] = steps.name(configuration[i.value], prefix + symbols.configuration[i].name);
+    }
+    singular_ = any(epsilon_.graph(), {singular_, change.singular_mass_matrix});
+    dependent_ = any(epsilon_.graph(), {dependent_, change.dependent_constraints});
+  }
+}
+
+// f against what it is made of to first order, with half of the digits: Newton's method leaves rounding, or much more. Angles count
+// as 1 besides their size, since they may have gone anywhere; squares, since a condition has no sign.
+Expr PositionProjection::violated(const Vector& start, const Vector& configuration) const {
+  const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
+  const Vector rest = zeros(dynamics_.n());
+  std::vector<Expr> conditions;
+  for (const std::size_t mu : rows_) {
+    const Expr f = at({*dynamics_.kinematics->constraints[ConstraintIndex{mu}].f}, configuration, rest)[0];
+    const Vector b = at(dynamics_.b[mu], configuration, rest);
+    Expr scale = zeros(1)[0];
+    for (const FreeIndex i : symbols.speeds.indices()) {
+      if (b[i.value].is_zero()) continue;
+      Expr size(epsilon_.graph(), epsilon_.graph().constant(symbols.speeds[i].is_of_length() ? 0 : 1));
+      if (i.value < symbols.plain_count()) {
+        size += pow(start[i.value], 2) + pow(configuration[i.value], 2);
+      }
+      scale += pow(b[i.value], 2) * size;
+    }
+    conditions.push_back(less(epsilon_ * scale, pow(f, 2)));
+  }
+  return any(epsilon_.graph(), conditions);
+}
+
+}  // namespace gaussgen::strategy
