@@ -115,7 +115,10 @@ const char* const k_forces_about =
 std::string forces_without_body(const model::Model& model) {
   std::vector<std::string> names;
   for (const model::Force& force : model.forces) {
-    if (!std::holds_alternative<model::UniformField>(force.law)) names.push_back(force.name.text);
+    const bool names_none = std::holds_alternative<model::Potential>(force.law) ||
+                            std::holds_alternative<model::GeneralizedForce>(force.law) ||
+                            std::holds_alternative<model::CoordinateSpring>(force.law);
+    if (names_none) names.push_back(force.name.text);
   }
   return support::joined(names);
 }

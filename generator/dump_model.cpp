@@ -199,6 +199,24 @@ class ModelText {
     return "generalized {" + support::joined(words) + "}";
   }
 
+  std::string written(const model::PointForce& force) const {
+    return fmt::format("force {} in {} axes, on {} at {}, from {}", written(force.components), name_of(force.axes),
+                       name_of(force.frame), written(force.at), name_of(force.from));
+  }
+  std::string written(const model::Torque& torque) const {
+    return fmt::format("torque {} in {} axes, on {}, from {}", written(torque.components), name_of(torque.axes),
+                       name_of(torque.frame), name_of(torque.from));
+  }
+  std::string written(const model::Spring& spring) const {
+    return fmt::format("spring between {} and {}, stiffness {}, length {}, damping {}", name_of(spring.first),
+                       name_of(spring.second), written(spring.stiffness), or_zero(spring.length), or_zero(spring.damping));
+  }
+  std::string written(const model::CoordinateSpring& spring) const {
+    return fmt::format("spring along {}, stiffness {}, rest {}, damping {}", spring.coordinate.text,
+                       written(spring.stiffness), or_zero(spring.rest), or_zero(spring.damping));
+  }
+  std::string or_zero(const std::optional<Ast>& ast) const { return ast ? written(*ast) : "0"; }
+
   std::string written(const model::Inertia& inertia) const {
     const auto& [xx, yy, zz, xy, xz, yz] = inertia.entries;
     switch (inertia.shape) {

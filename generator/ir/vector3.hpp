@@ -17,6 +17,7 @@ inline Vector3 zero3(Graph& graph) {
 
 inline Vector3 operator+(const Vector3& a, const Vector3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 inline Vector3 operator-(const Vector3& a, const Vector3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Vector3 operator-(const Vector3& a) { return {-a[0], -a[1], -a[2]}; }
 inline Vector3 operator*(Expr factor, const Vector3& a) { return {factor * a[0], factor * a[1], factor * a[2]}; }
 
 inline Vector3 cross(const Vector3& a, const Vector3& b) {

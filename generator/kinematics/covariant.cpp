@@ -60,7 +60,7 @@ Covariant build_covariant(const Kinematics& kinematics, ir::Graph& graph) {
       result.G[j][i] = entry;
     }
     result.bias.push_back(bias_entry(kinematics, i, zero).named("bias_" + label));
-    result.Q.push_back((kinematics.field_force[i] + kinematics.other_force[i]).named("Q_" + label));
+    result.Q.push_back((kinematics.body_force[i] + kinematics.other_force[i]).named("Q_" + label));
   }
   result.kinetic_energy = kinetic_energy(kinematics, zero);
   return result;

@@ -19,6 +19,7 @@ class Expressions {
 
   ir::Expr operator()(const model::Ast& ast);
   ir::Vector3 operator()(const std::array<model::Ast, 3>& vector);
+  ir::Expr operator()(const std::string& symbol) { return resolved(symbol); }
 
   /// Total time derivative along the motion with accelerations left out: d/dt of a position expression is its velocity,
   /// of a velocity expression its part that holds no acceleration (theory, section 4: h, Θ, η).

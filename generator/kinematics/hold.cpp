@@ -30,10 +30,19 @@ class Holder {
     (*this)(body.J);
     (*this)(body.h);
     (*this)(body.force);
+    (*this)(body.moment);
     (*this)(body.rotation.matrix);
     (*this)(body.rotation.omega);
     (*this)(body.W);
     (*this)(body.eta);
+  }
+
+  void operator()(std::vector<AppliedForce>& forces) {
+    for (AppliedForce& force : forces) {
+      (*this)(force.point);
+      (*this)(force.force);
+      (*this)(force.moment);
+    }
   }
 
   void operator()(ConstraintRow& row) {
@@ -66,7 +75,8 @@ void hold_coordinates(const model::Model& model, Expressions& expressions, ir::G
   hold(kinematics.constraints);
   hold(kinematics.configuration_rates);
   hold(kinematics.potential);
-  hold(kinematics.field_force);
+  hold(kinematics.body_force);
+  hold(kinematics.applied);
   hold(kinematics.other_force);
 }
 

@@ -1,6 +1,9 @@
 #include "kinematics/kinematics.hpp"
 
+#include <algorithm>
+
 #include "ir/contract.hpp"
+#include "ir/traverse.hpp"
 #include "kinematics/hold.hpp"
 
 namespace gaussgen::kinematics {
@@ -28,6 +31,7 @@ class Builder {
                       {},
                       expressions_.configuration_rates(),
                       number(0),
+                      {},
                       {symbols_.full_count(), number(0)},
                       {symbols_.full_count(), number(0)},
                       {}};
@@ -58,7 +62,7 @@ class Builder {
     const Vector3 velocity = expressions_.rate(position);
     const Vector3 zero = ir::zero3(graph_);
     BodyMotion motion{body.name.text, expressions_(body.mass), position, velocity, jacobian(velocity),
-                      expressions_.rate(velocity), zero, false, false, {zero, zero, zero},
+                      expressions_.rate(velocity), zero, zero, false, false, {zero, zero, zero},
                       {{zero, zero, zero}, zero, Axes::space}, {}, zero};
     if (body.inertia) add_rotation(body, motion);
     return motion;
@@ -141,7 +145,7 @@ class Builder {
     for (BodyMotion& body : result.bodies) {
       body.force = body.force + body.mass * field;
       result.potential -= body.mass * dot(field, body.position);
-      for (const FullIndex i : body.J.indices()) result.field_force[i] += body.mass * dot(field, body.J[i]);
+      for (const FullIndex i : body.J.indices()) result.body_force[i] += body.mass * dot(field, body.J[i]);
     }
   }
 
@@ -155,6 +159,97 @@ class Builder {
 
   void apply(const model::GeneralizedForce& law, Kinematics& result) {
     for (const auto& [name, value] : law.components) result.other_force[component(name.text)] += expressions_(value);
+  }
+
+  void apply(const model::PointForce& law, Kinematics& result) {
+    const Vector3 point = expressions_.frames().point(law.frame, expressions_(law.at));
+    const Vector3 force = resolved(law.axes, law.components);
+    push(law.frame, point, force, ir::zero3(graph_), result);
+    push(law.from, point, -force, ir::zero3(graph_), result);
+  }
+
+  void apply(const model::Torque& law, Kinematics& result) {
+    const Vector3 moment = resolved(law.axes, law.components);
+    for (const auto& [frame, sense] : {std::pair{law.frame, 1}, std::pair{law.from, -1}}) {
+      push(frame, expressions_.frames().origin(frame), ir::zero3(graph_), number(sense) * moment, result);
+    }
+  }
+
+  // k (d - L) + c dd/dt along the line, or k d + c v for a spring without length.
+  void apply(const model::Spring& law, Kinematics& result) {
+    Frames& frames = expressions_.frames();
+    const Vector3 gap = frames.origin(law.second) - frames.origin(law.first);
+    const Vector3 opening = expressions_.rate(gap);
+    const Expr k = expressions_(law.stiffness);
+    const Expr c = law.damping ? expressions_(*law.damping) : number(0);
+    Vector3 pull = k * gap + c * opening;
+    Expr stretch_squared = dot(gap, gap);
+    if (law.length) {
+      const Expr distance = ir::pow(stretch_squared, support::Rational(1) / 2);
+      const Expr stretch = distance - expressions_(*law.length);
+      pull = ((k * stretch + c * dot(gap, opening) * ir::pow(distance, -1)) * ir::pow(distance, -1)) * gap;
+      stretch_squared = ir::pow(stretch, 2);
+    }
+    result.potential += support::Rational(1) / 2 * k * stretch_squared;
+    push(law.first, frames.origin(law.first), pull, ir::zero3(graph_), result);
+    push(law.second, frames.origin(law.second), -pull, ir::zero3(graph_), result);
+  }
+
+  void apply(const model::CoordinateSpring& law, Kinematics& result) {
+    const Expr y = expressions_(law.coordinate.text);
+    const Expr k = expressions_(law.stiffness);
+    const Expr stretch = law.rest ? y - expressions_(*law.rest) : y;
+    const Expr c = law.damping ? expressions_(*law.damping) : number(0);
+    result.potential += support::Rational(1) / 2 * k * ir::pow(stretch, 2);
+    result.other_force[component(law.coordinate.text)] -= k * stretch + c * expressions_.rate(y);
+  }
+
+  Vector3 resolved(std::size_t axes, const std::array<model::Ast, 3>& components) {
+    return ir::multiply(expressions_.frames().axes(axes), expressions_(components));
+  }
+
+  /// Q_A = F·∂v_P/∂ẏ^A + M·∂ω/∂ẏ^A (theory section 6), and the share of the body that feels it.
+  void push(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment, Kinematics& result) {
+    if (frame == model::k_space) return;
+    result.applied.push_back({frame, point, force, moment});
+    BodyMotion* body = body_of(frame, result);
+    if (body != nullptr) {
+      body->force = body->force + force;
+      body->moment = body->moment + moment + cross(point - body->position, force);
+    }
+    auto& Q = body != nullptr ? result.body_force : result.other_force;
+    const Vector3 velocity = velocity_at(frame, point);
+    const Vector3 omega = expressions_.frames().omega(frame, Axes::space);
+    for (const FullIndex i : Q.indices()) {
+      for (std::size_t x = 0; x < 3; ++x) {
+        Q[i] += force[x] * partial(velocity[x], i);
+        Q[i] += moment[x] * partial(omega[x], i);
+      }
+    }
+  }
+
+  /// The body that moves with a frame: on it, or on one to which it is fixed. A particle feels no moments, so a frame that can
+  /// turn against space is not fixed to one.
+  BodyMotion* body_of(std::size_t frame, Kinematics& result) const {
+    for (std::size_t at = frame; at != model::k_space; at = model_.frames[at].parent) {
+      for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
+        if (model_.bodies[i].frame == at) return &result.bodies[BodyIndex{i}];
+      }
+      if (!is_fixed(model_.frames[at])) return nullptr;
+    }
+    return nullptr;
+  }
+
+  bool is_fixed(const model::Frame& frame) const {
+    if (std::holds_alternative<model::QuaternionOrientation>(frame.attitude)) return false;
+    const auto is_constant = [&](const model::Ast& ast) {
+      const Expr value = expressions_(ast);
+      return ir::is_of_parameters(graph_, value.id());
+    };
+    if (!std::all_of(frame.position.begin(), frame.position.end(), is_constant)) return false;
+    const auto* turns = std::get_if<model::Turns>(&frame.attitude);
+    return turns == nullptr || std::all_of(turns->begin(), turns->end(),
+                                           [&](const model::Turn& turn) { return is_constant(turn.angle); });
   }
 
   FullIndex component(const std::string& name) const {

@@ -16,7 +16,8 @@ struct BodyMotion {
   ir::Vector3 velocity;                          ///< m/s, space
   support::Indexed<FullIndex, ir::Vector3> J;    ///< ∂v/∂ẏ^A
   ir::Vector3 h;                                 ///< m/s², space
-  ir::Vector3 force;                             ///< N, active force at the mass centre, space
+  ir::Vector3 force;                             ///< N, sum of the active forces on the body, space
+  ir::Vector3 moment;                            ///< N m, their moment about the mass centre, space
 
   bool is_rigid = false;  ///< the members below are meaningful for rigid bodies only
   bool is_isotropic = false;
@@ -40,13 +41,22 @@ struct ConstraintRow {
   bool is_linear = true;             ///< in the velocities
 };
 
+/// A force with its moment about a point, on a frame of the model, in space.
+struct AppliedForce {
+  std::size_t frame = model::k_space;
+  ir::Vector3 point;   ///< m
+  ir::Vector3 force;   ///< N
+  ir::Vector3 moment;  ///< N m, about `point`
+};
+
 struct Kinematics {
   Symbols symbols;
   support::Indexed<BodyIndex, BodyMotion> bodies;
   support::Indexed<ConstraintIndex, ConstraintRow> constraints;
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates;
   ir::Expr potential;                                 ///< J; gravity (uniform fields) included
-  support::Indexed<FullIndex, ir::Expr> field_force;  ///< Q_A of uniform fields
+  std::vector<AppliedForce> applied;                  ///< forces at places
+  support::Indexed<FullIndex, ir::Expr> body_force;   ///< Q_A of the forces in BodyMotion::force and moment
   support::Indexed<FullIndex, ir::Expr> other_force;  ///< Q_A of potentials and generalized forces, not spread on bodies
   support::Indexed<HeldIndex, ir::Expr> held_acceleration;  ///< c̈^i
 };

@@ -54,6 +54,10 @@ constexpr Place k_potential = with_places({
     "a potential", "a potential depends on places and time alone", "write a 'generalized' force instead", true, true,
     true});
 constexpr Place k_generalized = with_places({"a generalized force", "", "", true, true, true, true, true});
+constexpr Place k_force = with_places({"a force", "", "", true, true, true, true, true});
+constexpr Place k_torque = with_places({"a torque", "", "", true, true, true, true, true});
+constexpr Place k_spring{"a property of a spring", "springs are linear",
+                         "use parameters and t, or write a 'force' for another law", true, true};
 constexpr Place k_dot = with_places({"dot(...)",
                       "it is the rate of something that depends on coordinates and time; accelerations and rates of "
                       "inputs are not available",
@@ -110,6 +114,21 @@ void visit_force(const Force& force, const Visit& visit) {
   if (const auto* potential = std::get_if<Potential>(&force.law)) visit(potential->energy, k_potential);
   if (const auto* generalized = std::get_if<GeneralizedForce>(&force.law)) {
     for (const auto& component : generalized->components) visit(component.second, k_generalized);
+  }
+  if (const auto* push = std::get_if<PointForce>(&force.law)) {
+    visit_all(push->at, k_centre, visit);
+    visit_all(push->components, k_force, visit);
+  }
+  if (const auto* torque = std::get_if<Torque>(&force.law)) visit_all(torque->components, k_torque, visit);
+  if (const auto* spring = std::get_if<Spring>(&force.law)) {
+    visit(spring->stiffness, k_spring);
+    visit_optional(spring->length, k_spring, visit);
+    visit_optional(spring->damping, k_spring, visit);
+  }
+  if (const auto* spring = std::get_if<CoordinateSpring>(&force.law)) {
+    visit(spring->stiffness, k_spring);
+    visit_optional(spring->rest, k_spring, visit);
+    visit_optional(spring->damping, k_spring, visit);
   }
 }
 

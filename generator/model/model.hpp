@@ -167,10 +167,45 @@ struct GeneralizedForce {
   std::vector<std::pair<Name, Ast>> components;  ///< over everything
 };
 
+/// A force at a point of a frame, and its opposite at the same place on another one.
+struct PointForce {
+  std::size_t frame = k_space;         ///< on what it acts
+  std::array<Ast, 3> at;               ///< in the axes of `frame`, from its origin; over parameters
+  std::size_t from = k_space;          ///< what feels the opposite
+  std::size_t axes = k_space;          ///< in which `components` are resolved
+  std::array<Ast, 3> components;       ///< N; over everything
+};
+
+/// A moment on a frame, and its opposite on another one.
+struct Torque {
+  std::size_t frame = k_space;
+  std::size_t from = k_space;
+  std::size_t axes = k_space;
+  std::array<Ast, 3> components;  ///< N m; over everything
+};
+
+/// Spring and damper between the origins of two frames, along the line through them: it pulls with stiffness (d - length) +
+/// damping dd/dt. Without a length the forces are stiffness d and damping times the difference of the velocities, as vectors.
+struct Spring {
+  std::size_t first = k_space;
+  std::size_t second = k_space;
+  Ast stiffness;              ///< N/m, over parameters and t
+  std::optional<Ast> length;  ///< m, over parameters and t
+  std::optional<Ast> damping;  ///< N s/m, over parameters and t
+};
+
+/// Spring and damper along a coordinate: Q = -stiffness (y - rest) - damping dy/dt.
+struct CoordinateSpring {
+  Name coordinate;
+  Ast stiffness;
+  std::optional<Ast> rest;
+  std::optional<Ast> damping;
+};
+
 struct Force {
   Name name;
   std::string about;
-  std::variant<UniformField, Potential, GeneralizedForce> law;
+  std::variant<UniformField, Potential, GeneralizedForce, PointForce, Torque, Spring, CoordinateSpring> law;
 };
 
 enum class SymbolKind {

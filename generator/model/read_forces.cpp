@@ -1,8 +1,11 @@
-// forces: a uniform field, a potential, or generalized components; exactly one law each.
+// forces: fields, potentials, forces and torques at places, springs; exactly one law each.
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/fields.hpp"
+#include "model/frames.hpp"
 #include "model/names.hpp"
 #include "model/sections.hpp"
 #include "support/error_codes.hpp"
@@ -11,10 +14,25 @@ namespace gaussgen::model {
 
 namespace code = support::code;
 using spec::Entry;
+using spec::Node;
 
 namespace {
 
-const std::vector<std::string> k_keys = {"uniform", "potential", "generalized", "about"};
+struct Law {
+  std::string key;
+  std::vector<std::string> beside;  ///< keys that belong to it
+};
+
+const std::vector<Law>& laws() {
+  static const std::vector<Law> k_laws{
+      {"uniform", {}},
+      {"potential", {}},
+      {"generalized", {}},
+      {"force", {"on", "at", "from", "in"}},
+      {"torque", {"on", "from", "in"}},
+      {"spring", {"stiffness", "length", "rest", "damping"}}};
+  return k_laws;
+}
 
 GeneralizedForce read_components(const Entry& entry, Reading& reading) {
   GeneralizedForce force;
@@ -26,29 +44,128 @@ GeneralizedForce read_components(const Entry& entry, Reading& reading) {
   return force;
 }
 
-void read_law(const Entry& entry, Force& force, Reading& reading) {
-  if (entry.key.text == "uniform")
-    force.law = UniformField{read_vector(entry.value, entry.key.span, "'uniform'", reading)};
-  if (entry.key.text == "potential") force.law = Potential{read_expression(entry.value, entry.key.span, reading)};
-  if (entry.key.text == "generalized") force.law = read_components(entry, reading);
+std::size_t frame_field(const Node& map, const std::string& key, Reading& reading) {
+  const Node* node = spec::find(map, key);
+  if (node == nullptr || !expect_scalar(*node, map.span, "'" + key + "'", reading)) return k_space;
+  return find_frame(name_of(node->scalar), reading).value_or(k_space);
 }
 
-void check_one_law(const Entry& entry, Reading& reading) {
+/// What `on` names; it must be there.
+std::size_t acted_on(const Entry& force, const std::string& where, Reading& reading) {
+  required(force.value, "on", force.key.span, where, reading);
+  return frame_field(force.value, "on", reading);
+}
+
+PointForce read_push(const Entry& force, const Entry& law, const std::string& where, Reading& reading) {
+  PointForce push;
+  push.frame = acted_on(force, where, reading);
+  push.at = vector_field(force.value, "at", reading);
+  push.from = frame_field(force.value, "from", reading);
+  push.axes = frame_field(force.value, "in", reading);
+  push.components = read_vector(law.value, law.key.span, "'force'", reading);
+  return push;
+}
+
+Torque read_torque(const Entry& force, const Entry& law, const std::string& where, Reading& reading) {
+  Torque torque;
+  torque.frame = acted_on(force, where, reading);
+  torque.from = frame_field(force.value, "from", reading);
+  torque.axes = frame_field(force.value, "in", reading);
+  torque.components = read_vector(law.value, law.key.span, "'torque'", reading);
+  return torque;
+}
+
+Ast stiffness_of(const Entry& force) { return force.value.entries.empty() ? broken_expression() : number(0); }
+
+Spring read_spring(const Entry& force, const Node& pair, Reading& reading) {
+  Spring spring;
+  spring.stiffness = expression_field(force.value, "stiffness", reading).value_or(stiffness_of(force));
+  spring.length = expression_field(force.value, "length", reading);
+  spring.damping = expression_field(force.value, "damping", reading);
+  if (!expect_length(pair, 2, "'spring'", reading)) return spring;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!expect_scalar(pair.items[i], pair.span, "a place", reading)) continue;
+    (i == 0 ? spring.first : spring.second) = find_frame(name_of(pair.items[i].scalar), reading).value_or(k_space);
+  }
+  return spring;
+}
+
+CoordinateSpring read_coordinate_spring(const Entry& force, const Node& coordinate, Reading& reading) {
+  return {name_of(coordinate.scalar), expression_field(force.value, "stiffness", reading).value_or(stiffness_of(force)),
+          expression_field(force.value, "rest", reading), expression_field(force.value, "damping", reading)};
+}
+
+/// A list is two places, a word a coordinate.
+void read_spring_law(const Entry& entry, const Entry& law, const std::string& where, Force& force, Reading& reading) {
+  const bool is_pair = law.value.kind == spec::NodeKind::sequence;
+  const char* const misplaced = is_pair ? "rest" : "length";
+  for (const Entry& field : entry.value.entries) {
+    if (field.key.text != misplaced) continue;
+    reading.diagnostics.error(code::k_conflicting_keys, field.key.span,
+                              fmt::format("{} has '{}', which belongs to a spring {}", where, misplaced,
+                                          is_pair ? "along a coordinate" : "between two places"),
+                              is_pair ? "write 'length'" : "write 'rest'");
+  }
+  if (spec::find(entry.value, "stiffness") == nullptr && spec::find(entry.value, "damping") == nullptr) {
+    required(entry.value, "stiffness", entry.key.span, where, reading);
+  }
+  if (is_pair) {
+    force.law = read_spring(entry, law.value, reading);
+  } else if (expect_scalar(law.value, law.key.span, "'spring'", reading)) {
+    force.law = read_coordinate_spring(entry, law.value, reading);
+  }
+}
+
+void read_law(const Entry& entry, const Entry& law, const std::string& where, Force& force, Reading& reading) {
+  const std::string& key = law.key.text;
+  if (key == "uniform") force.law = UniformField{read_vector(law.value, law.key.span, "'uniform'", reading)};
+  if (key == "potential") force.law = Potential{read_expression(law.value, law.key.span, reading)};
+  if (key == "generalized") force.law = read_components(law, reading);
+  if (key == "force") force.law = read_push(entry, law, where, reading);
+  if (key == "torque") force.law = read_torque(entry, law, where, reading);
+  if (key == "spring") read_spring_law(entry, law, where, force, reading);
+}
+
+/// Those of one law, or of all.
+std::vector<std::string> keys_beside(const Entry* law) {
+  std::vector<std::string> keys;
+  std::vector<std::string> others;
+  for (const Law& one : laws()) {
+    if (law != nullptr && one.key != law->key.text) continue;
+    keys.push_back(one.key);
+    for (const std::string& key : one.beside) {
+      if (std::find(others.begin(), others.end(), key) == others.end()) others.push_back(key);
+    }
+  }
+  keys.insert(keys.end(), others.begin(), others.end());
+  keys.emplace_back("about");
+  return keys;
+}
+
+/// The one law of a force; none, a second or a misspelt one is reported.
+const Entry* find_law(const Entry& entry, const std::string& where, Reading& reading) {
   const Entry* first = nullptr;
   for (const Entry& field : entry.value.entries) {
-    const std::string& key = field.key.text;
-    if (key != "uniform" && key != "potential" && key != "generalized") continue;
+    const auto is_meant = [&](const Law& law) { return law.key == field.key.text; };
+    if (std::none_of(laws().begin(), laws().end(), is_meant)) continue;
     if (first != nullptr) {
       reading.diagnostics.error(code::k_conflicting_keys, field.key.span,
-                                fmt::format("force '{}' has '{}' beside '{}'", entry.key.text, key, first->key.text),
+                                fmt::format("{} has '{}' beside '{}'", where, field.key.text, first->key.text),
                                 "write two forces with names of their own");
-      return;
+      return first;
     }
     first = &field;
   }
-  if (first != nullptr) return;
-  reading.diagnostics.error(code::k_missing_key, entry.key.span, fmt::format("force '{}' has no law", entry.key.text),
-                            "add one of uniform: [x, y, z], potential: V, generalized: {coordinate: Q}");
+  const std::vector<std::string> keys = keys_beside(first);
+  // A law with a slip in its name is reported already.
+  const std::size_t findings = reading.diagnostics.all().size();
+  check_keys(entry.value, where, keys, reading);
+  if (first == nullptr && reading.diagnostics.all().size() == findings) {
+    reading.diagnostics.error(code::k_missing_key, entry.key.span, fmt::format("{} has no law", where),
+                              "add one of uniform: [x, y, z], potential: V, generalized: {coordinate: Q}, force: [x, y, "
+                              "z], torque: [x, y, z], spring: [P, Q]");
+  }
+  return first;
 }
 
 void read_force(const Entry& entry, Reading& reading) {
@@ -57,11 +174,7 @@ void read_force(const Entry& entry, Reading& reading) {
   force.name = name_of(entry.key);
   check_name(force.name, reading);
   if (expect_map(entry.value, entry.key.span, where, reading)) {
-    const std::size_t findings = reading.diagnostics.all().size();
-    check_keys(entry.value, where, k_keys, reading);
-    // A law with a slip in its name is reported already.
-    if (reading.diagnostics.all().size() == findings) check_one_law(entry, reading);
-    for (const Entry& field : entry.value.entries) read_law(field, force, reading);
+    if (const Entry* law = find_law(entry, where, reading)) read_law(entry, *law, where, force, reading);
     force.about = text_field(entry.value, "about", reading);
   }
   reading.model.forces.push_back(std::move(force));

@@ -34,6 +34,17 @@ bool check_speed(const Name& name, const std::string& what, Reading& reading) {
   return false;
 }
 
+void check_coordinate(const Name& name, Reading& reading) {
+  const auto symbol = reading.model.symbols.find(name.text);
+  if (symbol != reading.model.symbols.end() && symbol->second.kind == SymbolKind::coordinate) return;
+  if (symbol == reading.model.symbols.end() && reading.incomplete) return;
+  std::vector<std::string> candidates;
+  for (const Coordinate& coordinate : reading.model.coordinates) candidates.push_back(coordinate.name.text);
+  const std::string near = support::did_you_mean(name.text, candidates);
+  reading.diagnostics.error(code::k_wrong_reference, name.span, fmt::format("there is no coordinate '{}'", name.text),
+                            near.empty() ? "a spring acts along a coordinate, or between two places: [P, Q]" : near);
+}
+
 bool is_held(const std::string& name, const Model& model) {
   const SymbolRef symbol = model.resolve(name);
   return symbol.kind == SymbolKind::coordinate && model.coordinates[symbol.index].held_at.has_value();
@@ -71,6 +82,7 @@ void check_dependent_count(Reading& reading) {
 
 void check_references(Reading& reading) {
   for (const Force& force : reading.model.forces) {
+    if (const auto* spring = std::get_if<CoordinateSpring>(&force.law)) check_coordinate(spring->coordinate, reading);
     const auto* generalized = std::get_if<GeneralizedForce>(&force.law);
     if (generalized == nullptr) continue;
     for (const auto& component : generalized->components) check_speed(component.first, "'generalized'", reading);

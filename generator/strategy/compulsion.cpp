@@ -32,6 +32,11 @@ Expr square_in_inverse_inertia(const BodyMotion& body, const Vector3& n, Expr ep
   return dot(n, {solved[0], solved[1], solved[2]});
 }
 
+Vector3 along_axes_of_omega(const BodyMotion& body, const Vector3& in_space) {
+  return body.rotation.axes == model::Axes::space ? in_space
+                                                  : ir::multiply(transposed(body.rotation.matrix), in_space);
+}
+
 // All of y, or only the free coordinates where held ones repeat each other and G has no inverse: then forces along held
 // coordinates stay out of Z, which changes its value by a constant and its minimum not at all.
 std::vector<std::size_t> spreading_coordinates(const Dynamics& dynamics) {
@@ -65,6 +70,7 @@ Expr compulsion(const Dynamics& dynamics, const Vector& candidate, Expr epsilon,
     if (!body.is_rigid) continue;
     const Vector3& omega = body.rotation.omega;
     Vector3 torque = body.inertia_times(a.angular) - body.inertia_times(combination(body.W, z));
+    torque = torque - along_axes_of_omega(body, body.moment);
     if (!body.is_isotropic) torque = torque + cross(omega, body.inertia_times(omega));
     torque = steps.name(torque, "torque_" + body.name);
     twice += square_in_inverse_inertia(body, torque, epsilon, steps);

@@ -161,7 +161,7 @@ std::vector<BodyReaction> body_reactions(const Dynamics& dynamics, const Solutio
       Vector3 moment = body.inertia_times(a.angular);
       const Vector3& omega = body.rotation.omega;
       if (!body.is_isotropic) moment = moment + cross(omega, body.inertia_times(omega));
-      reaction.moment = steps.name(in_space(body, moment), "moment_on_" + body.name);
+      reaction.moment = steps.name(in_space(body, moment) - body.moment, "moment_on_" + body.name);
     }
     reactions.push_back(std::move(reaction));
   }
