@@ -23,6 +23,7 @@ coordinates:
 particles:
   p: {mass: m, position: [x, y, 0]}
 """
+NO_UNITS = PARTICLE.replace("{value: 2, unit: kg}", "2").replace("unit: m, ", "")
 BROKEN = PARTICLE.replace("mass: m", "mass: mm")
 
 

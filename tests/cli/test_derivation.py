@@ -2,7 +2,7 @@
 
 import unittest
 
-from gauss_gen import MODELS, PARTICLE, SKEW, SPHERE, Program
+from gauss_gen import MODELS, NO_UNITS, SKEW, SPHERE, Program
 
 
 class Derivation(Program):
@@ -23,14 +23,14 @@ class Derivation(Program):
                 self.assertGreater(len(self.ok("derivation", model, "--format", form)), 1000)
 
     def test_numbers_are_decimals_where_the_model_writes_decimals(self):
-        model = PARTICLE + "forces: {weight: {potential: 9.81*m*x + 1/5*y}, wind: {uniform: [0, 0.2, 0]}}\n"
+        model = NO_UNITS + "forces: {weight: {potential: 9.81*m*x + 1/5*y}, wind: {uniform: [0, 0.2, 0]}}\n"
         text = self.ok("derivation", "-", stdin=model)
         for formula in ("Q_{x} = -9.81\\,m", "\\frac{m\\,\\left(9.81 + a^{x}\\right)^{2}}{2}", "Q_{y} = -0.2 + 0.2\\,m"):
             self.assertIn(formula, text)
         self.assertNotIn("981", text.replace("9.81", ""))
 
     def test_numbers_are_fractions_elsewhere(self):
-        model = PARTICLE.replace("value: 2,", "value: 0.3,") + "forces: {f: {potential: 3/10*x + 0.5*y}}\n"
+        model = NO_UNITS.replace("m: 2", "m: 0.3") + "forces: {f: {potential: 3/10*x + 0.5*y}}\n"
         text = self.ok("derivation", "-", stdin=model)
         for formula in ("Q_{x} = -\\frac{3}{10}", "Q_{y} = -\\frac{1}{2}"):
             self.assertIn(formula, text)

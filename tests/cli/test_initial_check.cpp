@@ -12,8 +12,7 @@ namespace {
 
 /// The lines of `sections` begin at line 7.
 std::string found_in(const std::string& sections, const PipelineOptions& options = {}) {
-  const std::string head =
-      "gauss: 1\nname: start\nparameters:\n  m: {value: 2, unit: kg}\n  J: {value: 3, unit: kg*m^2}\n\n";
+  const std::string head = "gauss: 1\nname: start\nparameters:\n  m: 2\n  J: 3\n\n";
   const support::Source source("m.yaml", head + sections);
   support::Diagnostics diagnostics;
   compile(source, options, diagnostics, {});
@@ -21,7 +20,7 @@ std::string found_in(const std::string& sections, const PipelineOptions& options
 }
 
 std::string plane(const std::string& x, const std::string& y, const std::string& constraint) {
-  return "coordinates:\n  x: {unit: m, " + x + "}\n  y: {unit: m, " + y +
+  return "coordinates:\n  x: {" + x + "}\n  y: {" + y +
          "}\nparticles:\n  p: {mass: m, position: [x, y, 0]}\nconstraints:\n  skate: {velocity: " + constraint + "}\n";
 }
 
@@ -51,7 +50,7 @@ TEST_CASE("open rates that a choice gave their values are shown with them") {
         "m.yaml:8:3: warning[W059]: the constraints leave 1 of these initial rates open, and the least motion, weighed "
         "by mass, is "
         "taken: x_dot = 1.00, y_dot = -2.00\n"
-        " 8 |   x: {unit: m, initial: 0}\n"
+        " 8 |   x: {initial: 0}\n"
         "   |   ^\n"
         "   = hint: state 1 of them by initial_rate or initial_angular_velocity\n");
 }
@@ -64,7 +63,7 @@ TEST_CASE("nothing is said of open rates that constraints determine, that rest, 
 
 TEST_CASE("a rate that no constraint has, but that a mass couples to one, is a choice too") {
   const std::string cart =
-      "coordinates:\n  x: {unit: m}\n  a: {unit: rad, initial: 1}\nparticles:\n"
+      "coordinates:\n  x: {}\n  a: {initial: 1}\nparticles:\n"
       "  p: {mass: m, position: [x + sin(a), cos(a), 0]}\n  c: {mass: m, position: [x, 0, 0]}\n"
       "constraints:\n  drive: {velocity: dot(x) - 1}\n";
   CHECK_THAT(found_in(cart),
@@ -85,7 +84,7 @@ TEST_CASE("open rates for which the search found nothing are named") {
 
 TEST_CASE("an angular velocity is offered by its name") {
   const std::string text = found_in(
-      "coordinates:\n  x: {unit: m, initial_rate: 1}\norientations:\n  o:\n    quaternion: [e0, e1, e2, e3]\n"
+      "coordinates:\n  x: {initial_rate: 1}\norientations:\n  o:\n    quaternion: [e0, e1, e2, e3]\n"
       "    angular_velocity: [wx, wy, wz]\n    initial_angular_velocity: {wx: 2}\nbodies:\n  b:\n    mass: m\n"
       "    inertia: J\n    position: [x, 0, 0]\n    orientation: o\nconstraints:\n  roll: {velocity: dot(x) - wx}\n");
   CHECK_THAT(text, Catch::Contains("hint: leave x_dot or wx open,"));
@@ -98,8 +97,7 @@ TEST_CASE("a constraint without a value is reported where it stands") {
 }
 
 TEST_CASE("an expression without a value is reported at the part of it that has none") {
-  const std::string free =
-      "coordinates:\n  x: {unit: m, initial: -1}\nparticles:\n  p: {mass: m, position: [x, 0, 0]}\n";
+  const std::string free = "coordinates:\n  x: {initial: -1}\nparticles:\n  p: {mass: m, position: [x, 0, 0]}\n";
   CHECK_THAT(
       found_in(free + "forces:\n  f: {potential: 2*sqrt(x)}\n"),
       Catch::StartsWith("m.yaml:12:20: warning[W052]: this has no value at the initial state: fractional power"));
@@ -108,7 +106,7 @@ TEST_CASE("an expression without a value is reported at the part of it that has 
       Catch::StartsWith("m.yaml:12:26: warning[W052]: this has no value at the initial state: fractional power"));
   CHECK_THAT(found_in(free + "constraints:\n  c: {velocity: asin(2*x)*dot(x)}\n"),
              Catch::StartsWith("m.yaml:12:17: warning[W052]: this has no value at the initial state: inverse sine"));
-  CHECK_THAT(found_in("coordinates:\n  x: {unit: m}\n  s: {held_at: sqrt(t - 1)}\n"
+  CHECK_THAT(found_in("coordinates:\n  x: {}\n  s: {held_at: sqrt(t - 1)}\n"
                       "particles:\n  p: {mass: m, position: [x, s, 0]}\n"),
              Catch::StartsWith("m.yaml:9:16: warning[W052]: "));
 }
@@ -116,8 +114,8 @@ TEST_CASE("an expression without a value is reported at the part of it that has 
 TEST_CASE("an expression without the derivative that accelerations need is reported where it stands") {
   for (const std::string power : {"(1/2)", "(3/2)"}) {
     CHECK_THAT(
-        found_in("coordinates:\n  x: {unit: m}\n  y: {unit: m}\nparticles:\n  p: {mass: m, position: [x, y + 2*x^" +
-                 power + ", 0]}\n"),
+        found_in("coordinates:\n  x: {}\n  y: {}\nparticles:\n  p: {mass: m, position: [x, y + 2*x^" + power +
+                 ", 0]}\n"),
         Catch::StartsWith("m.yaml:11:36: warning[W053]: there are no accelerations at the initial state: a derivative "
                           "of this has no value there: division by zero\n"));
   }
@@ -128,7 +126,7 @@ TEST_CASE("a state that follows from singular equations is reported by the value
 }
 
 TEST_CASE("a chart that is singular at the initial state is reported") {
-  CHECK_THAT(found_in("coordinates:\n  r: {unit: m, initial: 0}\n  a: {unit: rad}\nparticles:\n"
+  CHECK_THAT(found_in("coordinates:\n  r: {initial: 0}\n  a: {}\nparticles:\n"
                       "  p: {mass: m, position: [r*cos(a), r*sin(a), 0]}\n"),
              Catch::StartsWith(
                  "m.yaml:9:3: warning[W053]: there are no accelerations at the initial state: the mass matrix is "
@@ -136,12 +134,12 @@ TEST_CASE("a chart that is singular at the initial state is reported") {
 }
 
 TEST_CASE("where a mass is zero, the mass is what the hint asks for") {
-  CHECK_THAT(found_in("  z: 0\ncoordinates:\n  x: {unit: m}\nparticles:\n  p: {mass: z, position: [x, 0, 0]}\n"),
+  CHECK_THAT(found_in("  z: 0\ncoordinates:\n  x: {}\nparticles:\n  p: {mass: z, position: [x, 0, 0]}\n"),
              Catch::Contains("[W053]") && Catch::Contains("hint: give 'p' a mass:"));
 }
 
 TEST_CASE("coordinates that no inertia tells apart at the initial state are named") {
-  CHECK_THAT(found_in("coordinates:\n  a: {unit: rad}\n  x: {unit: m}\nparticles:\n"
+  CHECK_THAT(found_in("coordinates:\n  a: {}\n  x: {}\nparticles:\n"
                       "  p: {mass: m, position: [x + sin(a), a^2, 0]}\n"),
              Catch::StartsWith("m.yaml:8:3: warning[W053]: ") &&
                  Catch::Contains("nothing tells the accelerations of a, x apart\n"));
@@ -159,7 +157,7 @@ TEST_CASE("constraints that follow from each other at the initial state are name
 
 TEST_CASE("a constraint that another form of it repeats is found by its numbers") {
   const std::string sleigh =
-      "coordinates:\n  x: {unit: m}\n  y: {unit: m}\n  a: {unit: rad, initial: 0.3}\nbodies:\n"
+      "coordinates:\n  x: {}\n  y: {}\n  a: {initial: 0.3}\nbodies:\n"
       "  b: {mass: m, inertia: J, position: [x + cos(a), y + sin(a), 0], orientation: {euler: zxz, angles: [a, 0, "
       "0]}}\n"
       "constraints:\n  blade: {velocity: dot(x)*sin(a) - dot(y)*cos(a)}\n";
@@ -174,7 +172,7 @@ TEST_CASE("a constraint that another form of it repeats is found by its numbers"
 
 TEST_CASE("a point at which no force is reported is named") {
   const std::string model =
-      "coordinates:\n  x: {unit: m}\n  a: {unit: rad}\nbodies:\n  b:\n    mass: m\n    inertia: J\n    position: [x, "
+      "coordinates:\n  x: {}\n  a: {}\nbodies:\n  b:\n    mass: m\n    inertia: J\n    position: [x, "
       "0, 0]\n"
       "    orientation: {euler: zxz, angles: [a, 0, 0]}\n  c:\n    mass: m\n    inertia: J\n    position: [0, x, 0]\n"
       "    orientation: {euler: zxz, angles: [2*a, 0, 0]}\nconstraints:\n  c: {velocity: dot(x) - dot(a), point: [x, "
@@ -190,7 +188,7 @@ TEST_CASE("a point at which no force is reported is named") {
 }
 
 TEST_CASE("warnings do not keep the header back") {
-  const support::Source source("m.yaml", "gauss: 1\nname: start\nparameters:\n  m: {value: 2, unit: kg}\n" +
+  const support::Source source("m.yaml", "gauss: 1\nname: start\nparameters:\n  m: 2\n" +
                                              plane("initial_rate: 1", "initial_rate: 0", "dot(x) - dot(y)"));
   support::Diagnostics diagnostics;
   const auto result = compile(source, {}, diagnostics, {});

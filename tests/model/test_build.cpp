@@ -30,20 +30,21 @@ about: A ball inside a cylinder
 parameters:
   m: {value: 0.5, unit: kg, about: mass}
   J: {value: 2/5*m*r^2, unit: kg*m^2}
-  r: 0.1
-  R: 0.6
+  r: {value: 0.1, unit: m}
+  R: {value: 0.6, unit: m}
+  d: {value: 1, unit: N*m}
 coordinates:
   rho: {unit: m, held_at: R - r, about: distance}
   chi: {unit: rad, initial: 1/2, initial_rate: 4}
-  psi: {initial_rate_guess: 3}
+  psi: {unit: rad, initial_rate_guess: 3}
 bodies:
   ball: {mass: m, inertia: J, position: [rho*cos(chi), rho*sin(chi), 0], orientation: {euler: zxz, angles: [psi, 0, 0]}}
 constraints:
   rolling: {velocity: (R - r)*dot(chi) + r*dot(psi), point: [R*cos(chi), R*sin(chi), 0], about: no slip}
 forces:
   gravity: {uniform: [0, 0, -9.81]}
-  motor: {generalized: {chi: -dot(chi), rho: 1}}
-  spring: {potential: m*chi^2/2}
+  motor: {generalized: {chi: -d, rho: 1}}
+  spring: {potential: d*chi^2/2}
 )");
   INFO(support::render(ball.diagnostics, ball.source));
   REQUIRE(ball.model);
@@ -66,7 +67,7 @@ forces:
   CHECK(test::show((*m.constraints[0].point)[2]) == "0");
   CHECK(test::show(std::get<model::UniformField>(m.forces[0].law).field[2]) == "(- 981/100)");
   CHECK(std::get<model::GeneralizedForce>(m.forces[1].law).components[1].first.text == "rho");
-  CHECK(test::show(std::get<model::Potential>(m.forces[2].law).energy) == "(* m (^ chi 2) (/ 2))");
+  CHECK(test::show(std::get<model::Potential>(m.forces[2].law).energy) == "(* d (^ chi 2) (/ 2))");
 }
 
 TEST_CASE("initial angular velocities are a list, or a map that leaves some open") {
