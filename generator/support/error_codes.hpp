@@ -71,6 +71,9 @@ inline constexpr ErrorCode k_asymmetric_inertia{"E057", "an inertia matrix that 
 inline constexpr ErrorCode k_no_velocity{"E058", "a velocity constraint that no free speed is in"};
 inline constexpr ErrorCode k_dependent_speeds{"E059", "a choice of dependent speeds that cannot be"};
 
+// Units and dimensions.
+inline constexpr ErrorCode k_malformed_unit{"E061", "a unit that is not known or cannot be read"};
+
 // What this program cannot do with a correct model.
 inline constexpr ErrorCode k_no_paper_route{"E060", "the paper's route does not take the model"};
 
