@@ -47,6 +47,7 @@ class ModelText {
     section("constraints", model_.constraints);
     section("forces", model_.forces);
     add_elimination();
+    if (!model::has_units(model_)) text_ += "units\n  none are stated, so none are checked\n";
     text_ += "outputs\n  " + (model_.outputs.empty() ? "all" : joined_names(model_.outputs)) + "\n";
     return text_;
   }

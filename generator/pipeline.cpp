@@ -85,6 +85,7 @@ std::optional<PipelineResult> compile(const support::Source& source, const Pipel
 
   PipelineResult result;
   result.model_name = model->name.text;
+  result.has_units = model::has_units(*model);
   result.header = header_in_range(mechanics.graph, unit, model->name, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   stages.done("header", fmt::format("{} bytes", result.header.size()), [&] { return result.header; });

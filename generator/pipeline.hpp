@@ -23,7 +23,7 @@ struct PipelineOptions {
   bool fold = false;
   bool assemble = false;             ///< constraints may move given initial values
   Route route = Route::emitted;
-  std::string name_space;            ///< empty: gauss::<model name>
+  std::string name_space;  ///< empty: gauss::<model name>
 };
 
 /// One stage as `--timings` shows it.
@@ -38,6 +38,7 @@ using StageObserver = std::function<void(const std::string& stage, const std::fu
 
 struct PipelineResult {
   std::string model_name;
+  bool has_units = false;  ///< of the model: whether dimensions were checked
   std::string header;
   std::vector<std::string> assembled;  ///< initial values that the constraints moved, in words
   std::vector<StageTime> times;

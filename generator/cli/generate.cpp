@@ -89,7 +89,8 @@ int generate(const Options& options) {
     return k_ok;
   }
   if (options.check) {
-    write_standard_output(fmt::format("{}: ok\n", options.model));
+    const char* const remark = result->has_units ? "" : " (it states no units, so none are checked)";
+    write_standard_output(fmt::format("{}: ok{}\n", options.model, remark));
     return k_ok;
   }
   if (options.output == "-") {

@@ -62,6 +62,7 @@ std::optional<Model> build_model(const support::Source& source, support::Diagnos
   read_sections(*root, reading);
   check_model(reading);
   check_units(reading);
+  check_dimensions(reading);
   if (diagnostics.has_errors()) return std::nullopt;
   return std::move(reading.model);
 }

@@ -23,6 +23,10 @@ void check_values(Reading& reading);
 /// There are bodies, they move, and every speed and constraint has something to act on.
 void check_topology(Reading& reading);
 
+/// Sums, functions and places get what fits them in units, where units are stated; formulas without a unit get the one that follows. Wants
+/// ordered parameters.
+void check_dimensions(Reading& reading);
+
 /// Warns of units such as deg and mm, which look like a conversion that nobody makes.
 void check_units(Reading& reading);
 

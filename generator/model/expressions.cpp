@@ -4,7 +4,12 @@ namespace gaussgen::model {
 
 namespace {
 
-using Visit = std::function<void(const Ast&, const Place&)>;
+using Visit = std::function<void(const Ast&, const Slot&)>;
+
+constexpr Place in(Quantity quantity, Place place) {
+  place.quantity = quantity;
+  return place;
+}
 
 /// Names such as `tip.x` are allowed, too: not in placements themselves, which they follow from.
 constexpr Place with_places(Place place) {
@@ -25,67 +30,69 @@ constexpr Place k_held{"'held_at'",
                        false,
                        "hold a gap instead: 'gap: {held_at: 0}', and write gap + this formula into the positions"};
 constexpr Place k_initial{"an initial value", "it is known before the motion starts", "use numbers and parameters"};
-constexpr Place k_mass{"the mass of a body", "masses stay constant", "use numbers and parameters"};
-constexpr Place k_inertia{"the inertia of a body", "it is constant in axes that turn with the body",
-                          "use numbers and parameters"};
-constexpr Place k_centre{"a mass centre", "it is fixed in the frame of its body", "use numbers and parameters"};
+constexpr Place k_mass =
+    in(Quantity::mass, {"the mass of a body", "masses stay constant", "use numbers and parameters"});
+constexpr Place k_inertia =
+    in(Quantity::inertia,
+       {"the inertia of a body", "it is constant in axes that turn with the body", "use numbers and parameters"});
+constexpr Place k_centre =
+    in(Quantity::length, {"a mass centre", "it is fixed in the frame of its body", "use numbers and parameters"});
 constexpr Place k_axis{"an axis", "it is fixed in its frame", "use numbers and parameters"};
-constexpr Place k_placement{
-    "a position", "a place does not depend on speeds or on inputs", "use coordinates, parameters and t", true, true,
-    true};
+constexpr Place k_placement = in(Quantity::length, {"a position", "a place does not depend on speeds or on inputs",
+                                                    "use coordinates, parameters and t", true, true, true});
 constexpr Place k_position = with_places(k_placement);
-constexpr Place k_angle{
-    "an angle", "an attitude does not depend on speeds or on inputs", "use coordinates, parameters and t", true, true,
-    true};
-constexpr Place k_velocity = with_places({"a constraint",
-                           "a constraint holds whatever the inputs are",
-                           "use a parameter, or put the input into a force",
-                           true,
-                           true,
-                           true,
-                           true});
+constexpr Place k_angle = in(Quantity::angle, {"an angle", "an attitude does not depend on speeds or on inputs",
+                                               "use coordinates, parameters and t", true, true, true});
+constexpr Place k_velocity = with_places({"a constraint", "a constraint holds whatever the inputs are",
+                                          "use a parameter, or put the input into a force", true, true, true, true});
 constexpr Place k_equation = with_places({"an equation of positions", "it is about places and time alone",
                                           "write 'velocity:' for a constraint on velocities", true, true, true});
 constexpr Place k_direction{"a direction", "it is fixed in the axes that 'in' names",
                             "use numbers, parameters and t, and name a frame by 'in'", true, true};
-constexpr Place k_field{"a uniform field", "the field is the same everywhere",
-                        "use parameters and t, or a potential or generalized force", true, true};
-constexpr Place k_potential = with_places({
-    "a potential", "a potential depends on places and time alone", "write a 'generalized' force instead", true, true,
-    true});
+constexpr Place k_field =
+    in(Quantity::acceleration, {"a uniform field", "the field is the same everywhere",
+                                "use parameters and t, or a potential or generalized force", true, true});
+constexpr Place k_potential =
+    with_places(in(Quantity::energy, {"a potential", "a potential depends on places and time alone",
+                                      "write a 'generalized' force instead", true, true, true}));
 constexpr Place k_generalized = with_places({"a generalized force", "", "", true, true, true, true, true});
-constexpr Place k_force = with_places({"a force", "", "", true, true, true, true, true});
-constexpr Place k_torque = with_places({"a torque", "", "", true, true, true, true, true});
+constexpr Place k_force = with_places(in(Quantity::force, {"a force", "", "", true, true, true, true, true}));
+constexpr Place k_torque = with_places(in(Quantity::torque, {"a torque", "", "", true, true, true, true, true}));
 constexpr Place k_spring{"a property of a spring", "springs are linear",
                          "use parameters and t, or write a 'force' for another law", true, true};
-constexpr Place k_dot = with_places({"dot(...)",
-                      "it is the rate of something that depends on coordinates and time; accelerations and rates of "
-                      "inputs are not available",
-                      "use coordinates, parameters and t inside dot(...)",
-                      true,
-                      true,
-                      true});
+constexpr Place k_dot =
+    with_places({"dot(...)",
+                 "it is the rate of something that depends on coordinates and time; accelerations and rates of "
+                 "inputs are not available",
+                 "use coordinates, parameters and t inside dot(...)", true, true, true});
 
 template <class List>
-void visit_all(const List& list, const Place& place, const Visit& visit) {
-  for (const Ast& ast : list) visit(ast, place);
+void visit_all(const List& list, const Slot& slot, const Visit& visit) {
+  for (const Ast& ast : list) visit(ast, slot);
 }
 
-void visit_optional(const std::optional<Ast>& ast, const Place& place, const Visit& visit) {
-  if (ast) visit(*ast, place);
+void visit_optional(const std::optional<Ast>& ast, const Slot& slot, const Visit& visit) {
+  if (ast) visit(*ast, slot);
 }
 
 void visit_motion(const Model& model, const Visit& visit) {
   for (const Coordinate& coordinate : model.coordinates) {
-    visit_optional(coordinate.held_at, k_held, visit);
-    visit_optional(coordinate.initial, k_initial, visit);
-    visit_optional(coordinate.guess, k_initial, visit);
-    visit_optional(coordinate.initial_rate, k_initial, visit);
-    visit_optional(coordinate.rate_guess, k_initial, visit);
+    const Slot value{k_initial, Quantity::owner, coordinate.name};
+    const Slot rate{k_initial, Quantity::rate_of_owner, coordinate.name};
+    visit_optional(coordinate.held_at, {k_held, Quantity::owner, coordinate.name}, visit);
+    visit_optional(coordinate.initial, value, visit);
+    visit_optional(coordinate.guess, value, visit);
+    visit_optional(coordinate.initial_rate, rate, visit);
+    visit_optional(coordinate.rate_guess, rate, visit);
   }
   for (const Orientation& orientation : model.orientations) {
-    visit_all(orientation.initial, k_initial, visit);
-    for (const auto& ast : orientation.initial_angular_velocity) visit_optional(ast, k_initial, visit);
+    for (std::size_t i = 0; i < orientation.initial.size(); ++i) {
+      visit(orientation.initial[i], {k_initial, Quantity::owner, orientation.quaternion[i]});
+    }
+    for (std::size_t i = 0; i < orientation.initial_angular_velocity.size(); ++i) {
+      visit_optional(orientation.initial_angular_velocity[i],
+                     {k_initial, Quantity::owner, orientation.angular_velocity[i]}, visit);
+    }
   }
 }
 
@@ -109,11 +116,26 @@ void visit_bodies(const Model& model, const Visit& visit) {
   }
 }
 
+void visit_constraint(const Constraint& constraint, const Visit& visit) {
+  if (const auto* law = std::get_if<VelocityLaw>(&constraint.law)) visit(law->phi, k_velocity);
+  if (const auto* law = std::get_if<PositionLaw>(&constraint.law)) {
+    // An equation of the user may be in any unit; those of shorthands, such as a distance, are about lengths.
+    visit(law->f, {k_equation, law->f.is_derived ? Quantity::length : Quantity::any});
+  }
+  if (const auto* law = std::get_if<SlipLaw>(&constraint.law)) {
+    visit_all(law->direction, k_direction, visit);
+    if (const auto* place = std::get_if<std::array<Ast, 3>>(&law->at)) visit_all(*place, k_position, visit);
+  }
+  if (constraint.point) visit_all(*constraint.point, k_position, visit);
+}
+
 void visit_force(const Force& force, const Visit& visit) {
   if (const auto* uniform = std::get_if<UniformField>(&force.law)) visit_all(uniform->field, k_field, visit);
   if (const auto* potential = std::get_if<Potential>(&force.law)) visit(potential->energy, k_potential);
   if (const auto* generalized = std::get_if<GeneralizedForce>(&force.law)) {
-    for (const auto& component : generalized->components) visit(component.second, k_generalized);
+    for (const auto& [name, value] : generalized->components) {
+      visit(value, {k_generalized, Quantity::force_on_owner, name});
+    }
   }
   if (const auto* push = std::get_if<PointForce>(&force.law)) {
     visit_all(push->at, k_centre, visit);
@@ -121,14 +143,14 @@ void visit_force(const Force& force, const Visit& visit) {
   }
   if (const auto* torque = std::get_if<Torque>(&force.law)) visit_all(torque->components, k_torque, visit);
   if (const auto* spring = std::get_if<Spring>(&force.law)) {
-    visit(spring->stiffness, k_spring);
-    visit_optional(spring->length, k_spring, visit);
-    visit_optional(spring->damping, k_spring, visit);
+    visit(spring->stiffness, {k_spring, Quantity::stiffness});
+    if (spring->length) visit(*spring->length, {k_spring, Quantity::length});
+    if (spring->damping) visit(*spring->damping, {k_spring, Quantity::damping});
   }
   if (const auto* spring = std::get_if<CoordinateSpring>(&force.law)) {
-    visit(spring->stiffness, k_spring);
-    visit_optional(spring->rest, k_spring, visit);
-    visit_optional(spring->damping, k_spring, visit);
+    visit(spring->stiffness, {k_spring, Quantity::stiffness_on_owner, spring->coordinate});
+    if (spring->rest) visit(*spring->rest, {k_spring, Quantity::owner, spring->coordinate});
+    if (spring->damping) visit(*spring->damping, {k_spring, Quantity::damping_on_owner, spring->coordinate});
   }
 }
 
@@ -138,21 +160,19 @@ const Place& parameter_place() { return k_parameter; }
 
 const Place& inside_dot() { return k_dot; }
 
-void for_each_expression(const Model& model, const Visit& visit) {
-  for (const Parameter& parameter : model.parameters) visit(parameter.value, k_parameter);
-  for (const Input& input : model.inputs) visit(input.value, k_input);
+void for_each_expression(const Model& model, const std::function<void(const Ast&, const Place&)>& visit) {
+  for_each_slot(model, [&](const Ast& ast, const Slot& slot) { visit(ast, slot.place); });
+}
+
+void for_each_slot(const Model& model, const Visit& visit) {
+  for (const Parameter& parameter : model.parameters) {
+    visit(parameter.value, {k_parameter, Quantity::owner, parameter.name});
+  }
+  for (const Input& input : model.inputs) visit(input.value, {k_input, Quantity::owner, input.name});
   visit_motion(model, visit);
   visit_frames(model, visit);
   visit_bodies(model, visit);
-  for (const Constraint& constraint : model.constraints) {
-    if (const auto* law = std::get_if<VelocityLaw>(&constraint.law)) visit(law->phi, k_velocity);
-    if (const auto* law = std::get_if<PositionLaw>(&constraint.law)) visit(law->f, k_equation);
-    if (const auto* law = std::get_if<SlipLaw>(&constraint.law)) {
-      visit_all(law->direction, k_direction, visit);
-      if (const auto* place = std::get_if<std::array<Ast, 3>>(&law->at)) visit_all(*place, k_position, visit);
-    }
-    if (constraint.point) visit_all(*constraint.point, k_position, visit);
-  }
+  for (const Constraint& constraint : model.constraints) visit_constraint(constraint, visit);
   for (const Force& force : model.forces) visit_force(force, visit);
 }
 

@@ -7,6 +7,26 @@
 
 namespace gaussgen::model {
 
+/// What an expression has to be measured in.
+enum class Quantity {
+  any,
+  angle,
+  length,
+  mass,
+  inertia,
+  acceleration,
+  energy,
+  force,
+  torque,
+  stiffness,
+  damping,
+  owner,           ///< the unit of the symbol that the value belongs to
+  rate_of_owner,   ///< per second
+  force_on_owner,  ///< what times a change of the symbol makes work
+  stiffness_on_owner,
+  damping_on_owner,
+};
+
 /// What a place allows besides numbers and `pi`, and what to tell a user who wants more.
 struct Place {
   const char* name;  ///< "the mass of a body"
@@ -19,6 +39,19 @@ struct Place {
   bool inputs = false;
   const char* hint_for_coordinate = nullptr;  ///< instead of `hint`
   bool places = false;                        ///< `tip.x`
+  Quantity quantity = Quantity::any;
+};
+
+/// A place with what differs between the expressions that stand at places of its kind.
+struct Slot {
+  // Implicit: most places say it all.
+  Slot(const Place& of) : place(of), quantity(of.quantity) {}
+  Slot(const Place& of, Quantity wanted) : place(of), quantity(wanted) {}
+  Slot(const Place& of, Quantity wanted, const Name& symbol) : place(of), quantity(wanted), owner(&symbol) {}
+
+  const Place& place;
+  Quantity quantity;
+  const Name* owner = nullptr;  ///< the declared name that the value belongs to
 };
 
 /// The value of a parameter.
@@ -28,6 +61,9 @@ const Place& parameter_place();
 const Place& inside_dot();
 
 /// In the order of the model's members.
+void for_each_slot(const Model& model, const std::function<void(const Ast&, const Slot&)>& visit);
+
+/// The same for who asks nothing about units.
 void for_each_expression(const Model& model, const std::function<void(const Ast&, const Place&)>& visit);
 
 }  // namespace gaussgen::model

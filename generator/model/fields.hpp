@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/reading.hpp"
+#include "model/unit_parser.hpp"
 
 namespace gaussgen::model {
 
@@ -27,6 +28,13 @@ const spec::Node* required(const spec::Node& map, const std::string& key, suppor
 
 /// The text at `key`; empty when the key is absent.
 std::string text_field(const spec::Node& map, const std::string& key, Reading& reading);
+
+/// Fills `unit` and `dimension` of what the map describes.
+template <class Owner>
+void read_unit(const spec::Node& map, Owner& owner, Reading& reading) {
+  owner.unit = text_field(map, "unit", reading);
+  if (!owner.unit.empty()) owner.dimension = parse_unit(spec::find(map, "unit")->scalar, reading.diagnostics);
+}
 
 /// A scalar that is a name or a word; `where` completes "… must be a single word".
 bool expect_scalar(const spec::Node& node, support::Span owner, const std::string& where, Reading& reading);

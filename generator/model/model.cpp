@@ -1,5 +1,7 @@
 #include "model/model.hpp"
 
+#include <algorithm>
+
 #include "support/assert.hpp"
 
 namespace gaussgen::model {
@@ -8,6 +10,14 @@ SymbolRef Model::resolve(const std::string& symbol) const {
   const auto found = symbols.find(symbol);
   GAUSS_ASSERT(found != symbols.end(), "symbol={}", symbol);
   return found->second;
+}
+
+bool has_units(const Model& model) {
+  const auto states_unit = [](const auto& entry) { return !entry.unit.empty(); };
+  const auto any = [&](const auto& list) { return std::any_of(list.begin(), list.end(), states_unit); };
+  return any(model.parameters) || any(model.inputs) ||
+         std::any_of(model.coordinates.begin(), model.coordinates.end(),
+                     [&](const Coordinate& coordinate) { return states_unit(coordinate) && !coordinate.is_of_joint; });
 }
 
 }  // namespace gaussgen::model

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "model/ast.hpp"
+#include "model/dimension.hpp"
 
 namespace gaussgen::model {
 
@@ -25,7 +26,8 @@ struct Parameter {
   Name name;
   Ast value;  ///< over earlier or later parameters, cycle-free; `Model::parameters` is in dependency order
   bool is_formula = false;
-  std::string unit;
+  std::string unit;                    ///< of a formula that states none: what follows from the others
+  std::optional<Dimension> dimension;  ///< of `unit`
   std::string about;
 };
 
@@ -34,6 +36,7 @@ struct Input {
   Name name;
   Ast value;
   std::string unit;
+  std::optional<Dimension> dimension;
   std::string about;
 };
 
@@ -41,12 +44,14 @@ struct Input {
 struct Coordinate {
   Name name;
   std::string unit;
+  std::optional<Dimension> dimension;
   std::string about;
   std::optional<Ast> held_at;       ///< over parameters and t
   std::optional<Ast> initial;       ///< free coordinates: over parameters; when not given, constraints may move it
   std::optional<Ast> guess;         ///< where the search for an open value starts; default 0
   std::optional<Ast> initial_rate;  ///< over parameters; when not given, the constraints determine it
   std::optional<Ast> rate_guess;    ///< where the search for a rate that is not given starts; default 0
+  bool is_of_joint = false;         ///< declared by a joint, which gives it its unit
 
   /// The initial value, or where the search for it starts.
   Ast start() const { return initial ? *initial : guess ? *guess : Ast(); }
@@ -245,5 +250,8 @@ struct Model {
   /// The declared symbol; asserts that it exists (the checks guarantee it).
   SymbolRef resolve(const std::string& symbol) const;
 };
+
+/// Whether any unit is stated; if not, no dimension was checked.
+bool has_units(const Model& model);
 
 }  // namespace gaussgen::model

@@ -39,7 +39,7 @@ void refuse_needless_guess(const Node& map, const std::string& key, const char* 
 
 void read_fields(const Node& map, Coordinate& coordinate, Reading& reading) {
   check_keys(map, fmt::format("coordinate '{}'", coordinate.name.text), k_keys, reading);
-  coordinate.unit = text_field(map, "unit", reading);
+  read_unit(map, coordinate, reading);
   coordinate.about = text_field(map, "about", reading);
   coordinate.held_at = expression_field(map, "held_at", reading);
   if (coordinate.held_at) return refuse_initial_values(map, reading);

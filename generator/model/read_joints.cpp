@@ -13,6 +13,7 @@
 #include "model/names.hpp"
 #include "model/orientation_fields.hpp"
 #include "model/sections.hpp"
+#include "model/unit_names.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
 
@@ -188,6 +189,8 @@ class JointReader {
     Coordinate coordinate;
     coordinate.name = name;
     coordinate.unit = kind_->freedoms[freedom].is_turn ? "rad" : "m";
+    coordinate.dimension = find_unit(coordinate.unit)->dimension;
+    coordinate.is_of_joint = true;
     coordinate.about = "of joint " + name_.text;
     const auto value = [&](const Node* node) {
       return node == nullptr ? std::optional<Ast>() : read_expression(*node, name.span, reading_);

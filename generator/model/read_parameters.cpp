@@ -27,7 +27,7 @@ void read_parameter(const Entry& entry, Reading& reading) {
   if (entry.value.kind == NodeKind::map) {
     check_keys(entry.value, where, k_quantity_keys, reading);
     parameter.value = read_value(entry, where, reading);
-    parameter.unit = text_field(entry.value, "unit", reading);
+    read_unit(entry.value, parameter, reading);
     parameter.about = text_field(entry.value, "about", reading);
   } else {
     parameter.value = read_expression(entry.value, entry.key.span, reading);
@@ -42,7 +42,7 @@ void read_input(const Entry& entry, Reading& reading) {
   if (entry.value.kind == NodeKind::map) {
     check_keys(entry.value, fmt::format("input '{}'", entry.key.text), k_quantity_keys, reading);
     input.value = expression_field(entry.value, "value", reading).value_or(number(0));
-    input.unit = text_field(entry.value, "unit", reading);
+    read_unit(entry.value, input, reading);
     input.about = text_field(entry.value, "about", reading);
   } else if (entry.value.kind != NodeKind::empty) {
     input.value = read_expression(entry.value, entry.key.span, reading);

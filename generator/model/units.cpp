@@ -1,40 +1,23 @@
-// Units are words of the user so far; nothing is converted. Where a word shows that a conversion is expected, say so.
+// Numbers are taken as they are. Where a unit shows that a conversion is expected, say so.
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cctype>
-
 #include "model/checks.hpp"
+#include "model/unit_lexer.hpp"
+#include "model/unit_names.hpp"
 #include "support/error_codes.hpp"
 
 namespace gaussgen::model {
 
 namespace {
 
-/// Units that people mix with metres, kilograms, seconds and radians.
-constexpr std::array<const char*, 26> k_scaled_units = {
-    "deg", "degree", "degrees", "rpm", "rev", "turn", "nm", "um",  "mm", "cm", "dm", "km", "inch",
-    "in",  "ft",     "g",       "mg",  "lb",  "ms",   "us", "min", "h",  "kN", "MN", "mN", "kJ"};
-
-constexpr const char* k_degree_sign = "\xC2\xB0";
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
 /// The first word of `unit` that stands for a multiple of an SI unit, or an empty text.
 std::string scaled_unit(const std::string& unit) {
-  if (unit.find(k_degree_sign) != std::string::npos) return k_degree_sign;
-  for (std::size_t begin = 0; begin < unit.size();) {
-    if (!is_letter(unit[begin])) {
-      ++begin;
-      continue;
-    }
-    std::size_t end = begin;
-    while (end < unit.size() && is_letter(unit[end])) ++end;
-    const std::string word = unit.substr(begin, end - begin);
-    if (std::find(k_scaled_units.begin(), k_scaled_units.end(), word) != k_scaled_units.end()) return word;
-    begin = end;
+  for (const UnitToken& token : unit_tokens(unit)) {
+    if (token.kind != UnitTokenKind::name) continue;
+    std::string word = unit.substr(token.begin, token.end - token.begin);
+    const auto known = find_unit(word);
+    if (known && !known->is_coherent) return word;
   }
   return "";
 }

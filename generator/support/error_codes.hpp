@@ -73,6 +73,9 @@ inline constexpr ErrorCode k_dependent_speeds{"E059", "a choice of dependent spe
 
 // Units and dimensions.
 inline constexpr ErrorCode k_malformed_unit{"E061", "a unit that is not known or cannot be read"};
+inline constexpr ErrorCode k_unlike_terms{"E062", "a sum of quantities that cannot be added"};
+inline constexpr ErrorCode k_argument_dimension{"E063", "the argument of a function in a wrong unit"};
+inline constexpr ErrorCode k_wrong_dimension{"E064", "an expression whose place wants another unit"};
 
 // What this program cannot do with a correct model.
 inline constexpr ErrorCode k_no_paper_route{"E060", "the paper's route does not take the model"};
@@ -81,6 +84,7 @@ inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate tha
 inline constexpr ErrorCode k_no_mass{"W056", "a body with neither mass nor inertia"};
 inline constexpr ErrorCode k_quaternion_length{"W061", "an initial quaternion that is far from unit length"};
 inline constexpr ErrorCode k_scaled_unit{"W055", "a unit that would need a conversion"};
+inline constexpr ErrorCode k_missing_unit{"W062", "names without a unit beside others that have one"};
 
 // The initial state, which is looked at when the equations are there.
 inline constexpr ErrorCode k_impossible_start{"E070", "an initial state that violates a constraint, and is emitted"};
@@ -143,8 +147,13 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_asymmetric_inertia,
     code::k_no_velocity,
     code::k_dependent_speeds,
+    code::k_malformed_unit,
+    code::k_unlike_terms,
+    code::k_argument_dimension,
+    code::k_wrong_dimension,
     code::k_idle_held_coordinate,
     code::k_scaled_unit,
+    code::k_missing_unit,
     code::k_no_mass,
     code::k_quaternion_length,
 };

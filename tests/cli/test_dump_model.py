@@ -2,19 +2,22 @@
 
 import unittest
 
-from gauss_gen import MODELS, PARTICLE, Program
+from gauss_gen import MODELS, NO_UNITS, PARTICLE, Program
 
 MODEL = """gauss: 1
 name: everything
 about: a plate and a bob
 parameters:
   m: {value: 2, unit: kg, about: of each}
-  J: 2/5*m
-inputs: {push: {value: 3, unit: N}, idle: {}}
+  l: {value: 1, unit: m}
+  w: {value: 1, unit: rad/s}
+  d: {value: 1, unit: N*m*s}
+  J: 2/5*m*l^2
+inputs: {push: {value: 3, unit: N}, idle: {unit: 1}}
 coordinates:
-  h: {unit: m, held_at: sin(t), about: height}
+  h: {unit: m, held_at: l*sin(w*t), about: height}
   x: {unit: m, initial: 1/2, initial_rate: 3}
-  y: {initial_rate_guess: 4}
+  y: {unit: m, initial_rate_guess: 4}
   a: {unit: rad}
 orientations:
   attitude: {quaternion: [e0, e1, e2, e3], angular_velocity: [p, q, r], frame: body, initial_angular_velocity: {q: 5}}
@@ -34,8 +37,8 @@ constraints:
   blade: {velocity: dot(x) - 2*dot(y), point: [x, y, 0], about: sharp}
 forces:
   gravity: {uniform: [0, 0, -9.81]}
-  spring: {potential: x^2, about: soft}
-  motor: {generalized: {x: push, p: -p}}
+  spring: {potential: m*w^2*x^2, about: soft}
+  motor: {generalized: {x: push, p: -d*p}}
 elimination: {dependent: [x]}
 outputs: [rhs, energy]
 """
@@ -43,14 +46,17 @@ outputs: [rhs, energy]
 DUMP = """model everything  # a plate and a bob
 parameters
   m = 2  [kg]  # of each
-  J = 2/5*m
+  l = 1  [m]
+  w = 1  [rad/s]
+  d = 1  [N*m*s]
+  J = 2/5*m*l^2  [kg*m^2]
 inputs
   push = 3  [N]
-  idle = 0
+  idle = 0  [1]
 coordinates
-  h: held at sin(t)  [m]  # height
+  h: held at l*sin(w*t)  [m]  # height
   x: initial 1/2, initial rate 3  [m]
-  y: initial 0, initial rate left open, guess 4
+  y: initial 0, initial rate left open, guess 4  [m]
   a: initial 0, initial rate left open  [rad]
 orientations
   attitude: unit quaternion, body to space
@@ -80,8 +86,8 @@ constraints
     point [x, y, 0]
 forces
   gravity: uniform [0, 0, -9.81]
-  spring: potential x^2  # soft
-  motor: generalized {x: push, p: -p}
+  spring: potential m*w^2*x^2  # soft
+  motor: generalized {x: push, p: -d*p}
 elimination
   dependent: x
 outputs
@@ -101,6 +107,11 @@ class DumpModel(Program):
         self.assertIn("outputs\n  all\n", text)
         self.assertNotIn("elimination", text)
         self.assertIn("  dependent: as the generator chooses\n", self.ok(MODELS / "skater_quaternion.yaml", "--dump=model"))
+
+    def test_units_that_are_not_there_are_named_as_such(self):
+        remark = "units\n  none are stated, so none are checked\n"
+        self.assertNotIn(remark, self.dump(PARTICLE))
+        self.assertIn(remark, self.dump(NO_UNITS))
 
     def test_an_expression_over_two_lines_is_one(self):
         text = PARTICLE.replace("[x, y, 0]", "[x, y,\n    x\n      + y]")

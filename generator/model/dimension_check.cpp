@@ -1,0 +1,158 @@
+// Every expression of the model in the unit of its place.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "model/checks.hpp"
+#include "model/expressions.hpp"
+#include "model/inference.hpp"
+#include "support/error_codes.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+using Kind = Measure::Kind;
+
+namespace {
+
+constexpr std::size_t k_most_names = 6;
+
+Dimension per_second() { return {{0, 0, -1}}; }
+Dimension energy() { return {{2, 1, -2}}; }
+
+Measure in(const char* unit, const Dimension& dimension) { return {Kind::known, dimension, unit}; }
+
+/// The unit of a force is that of work over that of the coordinate; an angular velocity belongs to an angle.
+Measure force_on(const Measure& owner, bool is_angular_velocity) {
+  if (is_angular_velocity) return in("N*m", energy());
+  return owner.kind == Kind::known ? known(energy() / owner.dimension) : Measure{};
+}
+
+Measure over(const Measure& a, const Measure& b) {
+  return a.kind == Kind::known && b.kind == Kind::known ? known(a.dimension / b.dimension) : Measure{};
+}
+
+Measure rate_of(const Measure& owner) {
+  return owner.kind == Kind::known ? known(owner.dimension * per_second()) : Measure{};
+}
+
+/// What a place wants; unknown where everything is right.
+Measure wanted_at(const Slot& slot, const Model& model) {
+  const Measure owner = slot.owner == nullptr ? Measure{} : measure_of(model, slot.owner->text);
+  switch (slot.quantity) {
+    case Quantity::any: return {};
+    case Quantity::angle: return in("rad", {});
+    case Quantity::length: return in("m", {{1}});
+    case Quantity::mass: return in("kg", {{0, 1}});
+    case Quantity::inertia: return in("kg*m^2", {{2, 1}});
+    case Quantity::acceleration: return in("m/s^2", {{1, 0, -2}});
+    case Quantity::energy: return in("J", energy());
+    case Quantity::force: return in("N", {{1, 1, -2}});
+    case Quantity::torque: return in("N*m", energy());
+    case Quantity::stiffness: return in("N/m", {{0, 1, -2}});
+    case Quantity::damping: return in("N*s/m", {{0, 1, -1}});
+    case Quantity::owner: return owner;
+    case Quantity::rate_of_owner: return rate_of(owner);
+    case Quantity::force_on_owner: {
+      const auto symbol = model.symbols.find(slot.owner->text);
+      return force_on(owner, symbol != model.symbols.end() && symbol->second.kind == SymbolKind::angular_velocity);
+    }
+    case Quantity::stiffness_on_owner: return over(force_on(owner, false), owner);
+    case Quantity::damping_on_owner: return over(force_on(owner, false), rate_of(owner));
+  }
+  return {};
+}
+
+std::string subject(const Slot& slot) {
+  const bool is_of_spring = slot.quantity == Quantity::stiffness_on_owner || slot.quantity == Quantity::damping_on_owner;
+  if (slot.owner == nullptr || is_of_spring) return slot.place.name;
+  const std::string name = "'" + slot.owner->text + "'";
+  if (slot.quantity == Quantity::rate_of_owner) return "the rate of " + name;
+  if (slot.quantity == Quantity::force_on_owner) return "the generalized force on " + name;
+  return name;
+}
+
+class DimensionCheck {
+ public:
+  explicit DimensionCheck(Reading& reading)
+      : reading_(reading), infer_(reading.model, reading.source, reading.diagnostics) {}
+
+  /// A formula without a unit has the one that follows from its parts, which stand before it.
+  void complete_parameters() {
+    for (Parameter& parameter : reading_.model.parameters) {
+      if (!parameter.unit.empty()) continue;
+      const Measure measure = infer_(parameter.value);
+      done_.insert(&parameter.value);
+      if (measure.kind != Kind::known) continue;
+      parameter.dimension = measure.dimension;
+      parameter.unit = unit_of(measure);
+    }
+  }
+
+  void check(const Ast& ast, const Slot& slot) {
+    if (done_.count(&ast) > 0) return;
+    // Parts that a shorthand adds up stand at this place, each by itself.
+    if (ast.is_derived && ast.kind == AstKind::sum) {
+      for (const Ast& part : ast.children) check(part, slot);
+      return;
+    }
+    const Measure wanted = wanted_at(slot, reading_.model);
+    const bool is_free = wanted.kind != Kind::known;
+    const Measure found = infer_(ast, is_free ? nullptr : &wanted.dimension);
+    if (is_free || found.kind != Kind::known || agree(found.dimension, wanted.dimension)) return;
+    infer_.report(code::k_wrong_dimension, ast,
+                  fmt::format("{} is {}, and this is {}", subject(slot), phrase(wanted), phrase(found)),
+                  hint_for(ast, wanted, found));
+  }
+
+  void report_missing() {
+    for (const Parameter& parameter : reading_.model.parameters) {
+      if (!parameter.is_formula) note_missing(parameter);
+    }
+    for (const Input& input : reading_.model.inputs) note_missing(input);
+    for (const Coordinate& coordinate : reading_.model.coordinates) note_missing(coordinate);
+    if (missing_.empty()) return;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(missing_.size(), k_most_names); ++i) {
+      names += (i == 0 ? "'" : ", '") + missing_[i]->text + "'";
+    }
+    if (missing_.size() > k_most_names) names += fmt::format(" and {} more", missing_.size() - k_most_names);
+    reading_.diagnostics.warning(code::k_missing_unit, missing_[0]->span,
+                                 fmt::format("no unit is given for {}: what is computed with {} is not checked", names,
+                                             missing_.size() == 1 ? "it" : "them"),
+                                 missing_.size() == 1 ? "add one, as in 'unit: m'; 'unit: 1' is a plain number"
+                                                      : "add theirs, as in 'unit: m'; 'unit: 1' is a plain number");
+  }
+
+ private:
+  std::string hint_for(const Ast& ast, const Measure& wanted, const Measure& found) const {
+    const std::string names = units_of_names(reading_.model, {&ast});
+    if (!is_number(found.dimension)) return names;
+    return fmt::format("multiply it by a parameter {}; {}", phrase(wanted), names);
+  }
+
+  template <class Entry>
+  void note_missing(const Entry& entry) {
+    if (entry.unit.empty()) missing_.push_back(&entry.name);
+  }
+
+  Reading& reading_;
+  Inference infer_;
+  std::set<const Ast*> done_;
+  std::vector<const Name*> missing_;
+};
+
+}  // namespace
+
+void check_dimensions(Reading& reading) {
+  if (!has_units(reading.model)) return;
+  DimensionCheck dimensions(reading);
+  dimensions.complete_parameters();
+  for_each_slot(reading.model, [&](const Ast& ast, const Slot& slot) { dimensions.check(ast, slot); });
+  // Next to errors this is of no interest.
+  if (!reading.diagnostics.has_errors()) dimensions.report_missing();
+}
+
+}  // namespace gaussgen::model
