@@ -46,6 +46,7 @@ class ArtefactBuilder {
 emit::Artefact rhs_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> reactions_artefacts(Mechanics& mechanics);
 std::vector<emit::Artefact> reaction_forces_artefact(Mechanics& mechanics);
+std::vector<emit::Artefact> joint_reactions_artefact(Mechanics& mechanics);
 
 /// What is known of a state, and states themselves.
 emit::Artefact energy_artefact(Mechanics& mechanics);

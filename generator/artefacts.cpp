@@ -11,6 +11,7 @@ const std::vector<OutputKind>& output_kinds() {
       {"rhs", "time derivative of the state"},
       {"reactions", "multiplier and generalized reaction of every constraint, alone and together with rhs"},
       {"reaction_forces", "reactions as Cartesian forces and moments on the bodies"},
+      {"joint_reactions", "force and moment that each joint transmits"},
       {"energy", "kinetic, potential and total energy"},
       {"compulsion", "Gauss's function Z of candidate accelerations"},
       {"residuals", "constraint residuals of position, velocity and acceleration"},
@@ -32,6 +33,7 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   if (name == "rhs") return one(rhs_artefact(mechanics));
   if (name == "reactions") return reactions_artefacts(mechanics);
   if (name == "reaction_forces") return reaction_forces_artefact(mechanics);
+  if (name == "joint_reactions") return joint_reactions_artefact(mechanics);
   if (name == "energy") return one(energy_artefact(mechanics));
   if (name == "compulsion") return compulsion_artefact(mechanics);
   if (name == "residuals") return residuals_artefact(mechanics);

@@ -2,6 +2,7 @@
 
 #include <cctype>
 
+#include "strategy/joint_reactions.hpp"
 #include "support/suggest.hpp"
 
 namespace gaussgen {
@@ -176,6 +177,38 @@ std::vector<Artefact> reaction_forces_artefact(Mechanics& mechanics) {
   builder.with_solution_status();
   add_single_forces(builder, mechanics, steps);
   add_sums(builder, mechanics, steps);
+  std::vector<Artefact> result;
+  result.push_back(builder.finish(steps));
+  return result;
+}
+
+namespace {
+
+/// What acts along coordinates acts in their joints.
+std::string drives(const model::Model& model) {
+  const std::string names = forces_without_body(model);
+  return names.empty() ? "" : "\nWhat acts along coordinates is part of what their joints transmit: " + names + ".";
+}
+
+}  // namespace
+
+std::vector<Artefact> joint_reactions_artefact(Mechanics& mechanics) {
+  if (mechanics.model.joints.empty()) return {};
+  ArtefactBuilder builder("joint_reactions",
+                          "Force and moment that the child of each joint feels from its parent, in space axes, the moment\n"
+                          "about the origin of the child." +
+                              drives(mechanics.model),
+                          mechanics);
+  Steps steps;
+  builder.result_type("JointReactions");
+  builder.with_solution_status();
+  for (const strategy::JointReaction& reaction :
+       strategy::joint_reactions(mechanics.model, mechanics.dynamics, mechanics.solution, steps)) {
+    builder.fields(reaction.joint, pascal(reaction.joint) + "Wrench",
+                   "on " + reaction.child + " from " + reaction.parent + " in joint " + reaction.joint,
+                   {{"force", "[N], space axes", {3}, ids(reaction.force)},
+                    {"moment", "[N*m], space axes, about the origin of " + reaction.child, {3}, ids(reaction.moment)}});
+  }
   std::vector<Artefact> result;
   result.push_back(builder.finish(steps));
   return result;

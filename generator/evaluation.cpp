@@ -35,6 +35,7 @@ class Report {
     add_accelerations();
     add_reactions();
     add_groups("reaction_forces");
+    add_groups("joint_reactions");
     add_groups("energy");
     add_groups("residuals");
     add_groups("compulsion");

@@ -109,6 +109,9 @@ class UnitBuilder {
     for (const model::Constraint& constraint : model_.constraints) {
       if (element == constraint.name.text) return located(constraint.name.span);
     }
+    for (const model::Joint& joint : model_.joints) {
+      if (element == joint.name.text) return located(joint.name.span);
+    }
     for (const model::Coordinate& coordinate : model_.coordinates) {
       if (coordinate.held_at && element == coordinate.name.text) return located(coordinate.name.span);
     }

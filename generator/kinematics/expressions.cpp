@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "kinematics/place_symbols.hpp"
 #include "support/assert.hpp"
 
 namespace gaussgen::kinematics {
@@ -105,9 +106,16 @@ Expr Expressions::resolved(const std::string& name) {
       const FreeIndex first = symbols_.first_angular_velocity[ref.index / 3];
       return symbol(symbols_.speeds[FreeIndex{first.value + ref.index % 3}].symbol);
     }
-    case model::SymbolKind::place: return frames_.origin(ref.index / 3)[ref.index % 3];
+    case model::SymbolKind::place: return place(ref.index / 3, ref.index % 3);
   }
   return number(0);
+}
+
+Expr Expressions::place(std::size_t frame, std::size_t component) {
+  if (watched_ == nullptr) return frames_.origin(frame)[component];
+  const PlaceSymbols::Component& symbols = watched_->of(frame)[component];
+  time_derivative_.seed(symbols.place, symbol(symbols.rate));
+  return symbol(symbols.place);
 }
 
 Expr Expressions::call(const Ast& ast) {

@@ -8,6 +8,8 @@
 
 namespace gaussgen::kinematics {
 
+class PlaceSymbols;
+
 /// Turns the user's expressions into nodes. They never pass through GiNaC, whose order and signs change from run to run
 /// (docs/decisions/0001).
 class Expressions {
@@ -30,6 +32,10 @@ class Expressions {
   const support::Indexed<ConfigurationIndex, ir::Expr>& configuration_rates() const { return configuration_rates_; }
 
   Frames& frames() { return frames_; }
+
+  /// From now on places in expressions are symbols of `places`; nullptr: what they are in space.
+  void watch(PlaceSymbols* places) { watched_ = places; }
+
   ir::Graph& graph() const { return graph_; }
 
   ir::Expr number(const support::Rational& value) const { return {graph_, graph_.constant(value)}; }
@@ -37,6 +43,7 @@ class Expressions {
 
  private:
   ir::Expr resolved(const std::string& name);
+  ir::Expr place(std::size_t frame, std::size_t component);
   ir::Expr folded(std::size_t parameter);
   ir::Expr call(const model::Ast& ast);
   void seed_rates();
@@ -50,6 +57,7 @@ class Expressions {
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates_;
   ir::Directional time_derivative_;
   Frames frames_;
+  PlaceSymbols* watched_ = nullptr;
 };
 
 /// The rational value of a constant expression, such as an exponent.

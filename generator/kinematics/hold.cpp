@@ -51,6 +51,10 @@ class Holder {
     (*this)(row.beta);
     (*this)(row.beta_drift);
     if (row.point) (*this)(*row.point);
+    for (ConstraintAction& action : row.actions) {
+      (*this)(action.point);
+      (*this)(action.direction);
+    }
   }
 
  private:
@@ -77,6 +81,7 @@ void hold_coordinates(const model::Model& model, Expressions& expressions, ir::G
   hold(kinematics.potential);
   hold(kinematics.body_force);
   hold(kinematics.applied);
+  for (JointPlace& joint : kinematics.joints) hold(joint.point);
   hold(kinematics.other_force);
 }
 

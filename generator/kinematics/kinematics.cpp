@@ -4,7 +4,9 @@
 
 #include "ir/contract.hpp"
 #include "ir/traverse.hpp"
+#include "ir/substitute.hpp"
 #include "kinematics/hold.hpp"
+#include "kinematics/place_symbols.hpp"
 
 namespace gaussgen::kinematics {
 
@@ -29,6 +31,8 @@ class Builder {
     Kinematics result{symbols_,
                       {},
                       {},
+                      {},
+                      {},
                       expressions_.configuration_rates(),
                       number(0),
                       {},
@@ -38,6 +42,10 @@ class Builder {
     for (const model::Body& body : model_.bodies) result.bodies.push_back(body_motion(body));
     for (const model::Constraint& constraint : model_.constraints) {
       result.constraints.push_back(constraint_row(constraint));
+    }
+    for (const model::Frame& frame : model_.frames) result.frame_names.push_back(frame.name.text);
+    for (const model::Joint& joint : model_.joints) {
+      result.joints.push_back({joint.name.text, joint.frame, expressions_.frames().origin(joint.frame)});
     }
     for (const model::Force& force : model_.forces) std::visit([&](const auto& law) { apply(law, result); }, force.law);
     return result;
@@ -102,7 +110,7 @@ class Builder {
   }
 
   ConstraintRow constraint_row(const model::Constraint& constraint) {
-    ConstraintRow row{constraint.name.text, {}, number(0), {}, number(0), {}, true};
+    ConstraintRow row{constraint.name.text, {}, number(0), {}, number(0), {}, true, {}, false};
     std::visit([&](const auto& law) { state(law, row); }, constraint.law);
     for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) {
       row.beta.push_back(partial(row.phi, i));
@@ -115,11 +123,40 @@ class Builder {
     return row;
   }
 
-  void state(const model::VelocityLaw& law, ConstraintRow& row) { row.phi = expressions_(law.phi); }
+  void state(const model::VelocityLaw& law, ConstraintRow& row) {
+    row.phi = expressions_(law.phi);
+    find_actions([&] { return expressions_(law.phi); }, row);
+  }
 
   void state(const model::PositionLaw& law, ConstraintRow& row) {
     row.f = expressions_(law.f);
     row.phi = expressions_.rate(*row.f);
+    find_actions([&] { return expressions_.rate(expressions_(law.f)); }, row);
+  }
+
+  // φ once more with the places in it as symbols: its derivatives by their rates are the forces on them per multiplier.
+  template <class Phi>
+  void find_actions(Phi phi, ConstraintRow& row) {
+    PlaceSymbols places(graph_);
+    expressions_.watch(&places);
+    const Expr watched = phi();
+    expressions_.watch(nullptr);
+    ir::Substitution put_in(graph_);
+    for (const auto& [frame, symbols] : places.all()) {
+      const Vector3 origin = expressions_.frames().origin(frame);
+      for (std::size_t i = 0; i < 3; ++i) {
+        put_in.replace(symbols[i].place, origin[i]);
+        put_in.replace(symbols[i].rate, expressions_.rate(origin[i]));
+      }
+    }
+    for (const auto& [frame, symbols] : places.all()) {
+      Vector3 direction = ir::zero3(graph_);
+      for (std::size_t i = 0; i < 3; ++i) direction[i] = put_in(ir::partial(watched, symbols[i].rate));
+      row.actions.push_back({frame, expressions_.frames().origin(frame), direction});
+    }
+    for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) {
+      row.is_of_coordinates = row.is_of_coordinates || !partial(watched, i).is_zero();
+    }
   }
 
   void state(const model::SlipLaw& law, ConstraintRow& row) {
@@ -129,6 +166,8 @@ class Builder {
     const Vector3 direction = ir::multiply(frames.axes(law.axes), expressions_(law.direction));
     row.phi = dot(direction, velocity_at(law.frame, point) - velocity_at(law.surface, point));
     row.point = point;
+    row.actions.push_back({law.frame, point, direction});
+    row.actions.push_back({law.surface, point, -direction});
   }
 
   /// Of the point of a frame that is at `place` now: v + ω × r.
@@ -211,8 +250,8 @@ class Builder {
   /// Q_A = F·∂v_P/∂ẏ^A + M·∂ω/∂ẏ^A (theory section 6), and the share of the body that feels it.
   void push(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment, Kinematics& result) {
     if (frame == model::k_space) return;
-    result.applied.push_back({frame, point, force, moment});
     BodyMotion* body = body_of(frame, result);
+    result.applied.push_back({frame, point, force, moment, body != nullptr});
     if (body != nullptr) {
       body->force = body->force + force;
       body->moment = body->moment + moment + cross(point - body->position, force);
@@ -228,16 +267,20 @@ class Builder {
     }
   }
 
-  /// The body that moves with a frame: on it, or on one to which it is fixed. A particle feels no moments, so a frame that can
-  /// turn against space is not fixed to one.
+  /// The body that moves with a frame: on it, or on one to which it is fixed, though not by a joint, whose reaction is asked for.
   BodyMotion* body_of(std::size_t frame, Kinematics& result) const {
     for (std::size_t at = frame; at != model::k_space; at = model_.frames[at].parent) {
       for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
         if (model_.bodies[i].frame == at) return &result.bodies[BodyIndex{i}];
       }
-      if (!is_fixed(model_.frames[at])) return nullptr;
+      if (is_carried_by_joint(at) || !is_fixed(model_.frames[at])) return nullptr;
     }
     return nullptr;
+  }
+
+  bool is_carried_by_joint(std::size_t frame) const {
+    return std::any_of(model_.joints.begin(), model_.joints.end(),
+                       [&](const model::Joint& joint) { return joint.frame == frame; });
   }
 
   bool is_fixed(const model::Frame& frame) const {

@@ -30,6 +30,13 @@ struct BodyMotion {
   ir::Vector3 inertia_times(const ir::Vector3& a) const;
 };
 
+/// ∂φ/∂v of a constraint on something fixed in a frame, at a place there now: times the multiplier, the force on it (theory section 4).
+struct ConstraintAction {
+  std::size_t frame = model::k_space;
+  ir::Vector3 point;      ///< m, space
+  ir::Vector3 direction;  ///< space
+};
+
 /// φ_μ with β_μA = ∂φ_μ/∂ẏ^A and φ̇_μ = β_μA ÿ^A + Θ_μ (Vujičić (3.1), theory section 3).
 struct ConstraintRow {
   std::string name;
@@ -39,6 +46,15 @@ struct ConstraintRow {
   ir::Expr beta_drift;
   std::optional<ir::Vector3> point;  ///< where the reaction acts, space
   bool is_linear = true;             ///< in the velocities
+  std::vector<ConstraintAction> actions;  ///< where the constraint is one of places
+  bool is_of_coordinates = false;         ///< it limits rates of coordinates by themselves, too
+};
+
+/// A joint of the model, in its order.
+struct JointPlace {
+  std::string name;
+  std::size_t frame = model::k_space;  ///< the child
+  ir::Vector3 point;                   ///< origin of the child, m, space
 };
 
 /// A force with its moment about a point, on a frame of the model, in space.
@@ -47,12 +63,15 @@ struct AppliedForce {
   ir::Vector3 point;   ///< m
   ir::Vector3 force;   ///< N
   ir::Vector3 moment;  ///< N m, about `point`
+  bool is_on_body = false;  ///< a body has it in its sums
 };
 
 struct Kinematics {
   Symbols symbols;
   support::Indexed<BodyIndex, BodyMotion> bodies;
   support::Indexed<ConstraintIndex, ConstraintRow> constraints;
+  std::vector<JointPlace> joints;
+  std::vector<std::string> frame_names;  ///< parallel to Model::frames
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates;
   ir::Expr potential;                                 ///< J; gravity (uniform fields) included
   std::vector<AppliedForce> applied;                  ///< forces at places

@@ -19,7 +19,7 @@ namespace {
 const std::vector<std::string> k_sections = {
     "gauss",  "name",   "about",  "parameters", "inputs",      "coordinates", "orientations", "frames",
     "joints", "points", "bodies", "particles",  "constraints", "forces",      "elimination",  "outputs"};
-const std::vector<std::string> k_outputs = {"rhs",       "reactions",   "reaction_forces", "energy",       "compulsion",
+const std::vector<std::string> k_outputs = {"rhs",       "reactions",   "reaction_forces", "joint_reactions", "energy",       "compulsion",
                                             "residuals", "mass_matrix", "project",         "initial_state"};
 
 constexpr support::Span k_top{0, 0};

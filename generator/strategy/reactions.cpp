@@ -56,7 +56,11 @@ struct Source {
   Expr size;  ///< λ_μ or R_j
   Vector components;
   const std::optional<Vector3>* point = nullptr;
+  bool is_at_places = false;  ///< forces_at_places has it
 };
+
+/// A constraint between places and nothing else says itself where its forces act.
+bool is_at_places(const kinematics::ConstraintRow& row) { return !row.actions.empty() && !row.is_of_coordinates; }
 
 std::vector<Source> sources(const Dynamics& dynamics, const Solution& solution, const Vector& held) {
   const kinematics::Kinematics& kinematics = *dynamics.kinematics;
@@ -64,13 +68,13 @@ std::vector<Source> sources(const Dynamics& dynamics, const Solution& solution, 
   std::vector<Source> all;
   for (const ConstraintIndex mu : kinematics.constraints.indices()) {
     const kinematics::ConstraintRow& row = kinematics.constraints[mu];
-    all.push_back({row.name, solution.multipliers[mu.value], row.beta.values(), &row.point});
+    all.push_back({row.name, solution.multipliers[mu.value], row.beta.values(), &row.point, is_at_places(row)});
   }
   ir::Graph& graph = kinematics.potential.graph();
   for (const HeldIndex j : symbols.held.indices()) {
     Vector unit(symbols.full_count(), Expr(graph, graph.constant(0)));
     unit[symbols.full(j).value] = Expr(graph, graph.constant(1));
-    all.push_back({symbols.held[j].name, held[j.value], unit, nullptr});
+    all.push_back({symbols.held[j].name, held[j.value], unit, nullptr, false});
   }
   return all;
 }
@@ -124,14 +128,35 @@ bool is_determined(const Source& source, const Release& release) {
 
 }  // namespace
 
+namespace {
+
+std::vector<ReactionWrench> forces_at_places(const Dynamics& dynamics, const Solution& solution, Steps& steps) {
+  std::vector<ReactionWrench> wrenches;
+  for (const ConstraintIndex mu : dynamics.kinematics->constraints.indices()) {
+    const kinematics::ConstraintRow& row = dynamics.kinematics->constraints[mu];
+    if (!is_at_places(row)) continue;
+    steps.begin("force of " + row.name + " where it acts: lambda dphi/dv", row.name);
+    for (const kinematics::ConstraintAction& action : row.actions) {
+      if (action.frame == model::k_space || is_zero(action.direction)) continue;
+      const std::string& owner = dynamics.kinematics->frame_names[action.frame];
+      wrenches.push_back({row.name, owner,
+                          steps.name(solution.multipliers[mu.value] * action.direction, "force_" + row.name + "_" + owner),
+                          {}, false});
+    }
+  }
+  return wrenches;
+}
+
+}  // namespace
+
 std::vector<ReactionWrench> reaction_wrenches(const Dynamics& dynamics, const Solution& solution, const Vector& held,
                                               Expr epsilon, Steps& steps) {
   const Release release(dynamics);
-  std::vector<ReactionWrench> wrenches;
+  std::vector<ReactionWrench> wrenches = forces_at_places(dynamics, solution, steps);
   if (release.released().empty()) return wrenches;
   const Metric metric(dynamics, release.released(), epsilon, steps);
   for (const Source& source : sources(dynamics, solution, held)) {
-    if (!is_determined(source, release)) continue;
+    if (source.is_at_places || !is_determined(source, release)) continue;
     steps.begin("direction z of " + source.name + " in the metric: G z = its covariant components");
     const Vector z = metric.solve(source.components, "z_" + source.name, steps);
     steps.begin("force and moment of " + source.name + ": m J z and I W z, times its reaction", source.name);
@@ -146,7 +171,7 @@ std::vector<std::string> undetermined_wrenches(const Dynamics& dynamics, const S
   const Release release(dynamics);
   std::vector<std::string> names;
   for (const Source& source : sources(dynamics, solution, held)) {
-    if (!is_determined(source, release)) names.push_back(source.name);
+    if (!source.is_at_places && !is_determined(source, release)) names.push_back(source.name);
   }
   return names;
 }
