@@ -78,12 +78,13 @@ class BodyCheck {
           span, fmt::format("the inertia of '{}' has a negative principal moment: {}", body_.name.text, moments),
           "products of inertia are too large for the moments; the entry in row x, column y is the integral of -x*y dm");
     } else if (J[2] - J[1] - J[0] > k_written_digits * J[2]) {
-      refuse(span,
-             fmt::format("no body has the {}moments of inertia of '{}', {}: the largest exceeds the sum of the others",
-                         is_full ? "principal " : "", body_.name.text, moments),
-             "for a flat body the largest is their sum; a body that turns about one axis only may have the same moment "
-             "three "
-             "times");
+      // The equations hold all the same, so that a textbook example with such numbers can be computed.
+      found_.push_back(
+          {Severity::warning, code::k_unreal_inertia, span,
+           fmt::format("no body has the {}moments of inertia of '{}', {}: the largest exceeds the sum of the others",
+                       is_full ? "principal " : "", body_.name.text, moments),
+           "for a flat body the largest is their sum; a body that turns about one axis only may have the same moment "
+           "three times"});
     }
   }
 

@@ -81,6 +81,7 @@ inline constexpr ErrorCode k_wrong_dimension{"E064", "an expression whose place 
 inline constexpr ErrorCode k_no_paper_route{"E060", "the paper's route does not take the model"};
 
 inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate that moves no body"};
+inline constexpr ErrorCode k_unreal_inertia{"W063", "moments of inertia that no body has"};
 inline constexpr ErrorCode k_no_mass{"W056", "a body with neither mass nor inertia"};
 inline constexpr ErrorCode k_quaternion_length{"W061", "an initial quaternion that is far from unit length"};
 inline constexpr ErrorCode k_scaled_unit{"W055", "a unit that would need a conversion"};
@@ -155,6 +156,7 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_scaled_unit,
     code::k_missing_unit,
     code::k_no_mass,
+    code::k_unreal_inertia,
     code::k_quaternion_length,
 };
 
