@@ -10,7 +10,7 @@
 
 #include "evaluate/arithmetic_scale.hpp"
 #include "evaluation.hpp"
-#include "model/build.hpp"
+#include "read_model.hpp"
 
 namespace agreement {
 
@@ -21,7 +21,7 @@ inline gaussgen::model::Model load(const std::string& file) {
   text << in.rdbuf();
   const gaussgen::support::Source source(path, text.str());
   gaussgen::support::Diagnostics diagnostics;
-  auto model = gaussgen::model::build_model(source, diagnostics);
+  auto model = gaussgen::read_model(source, diagnostics);
   if (!model) throw std::runtime_error(gaussgen::support::render(diagnostics, source));
   return *model;
 }

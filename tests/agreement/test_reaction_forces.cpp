@@ -22,7 +22,7 @@ std::map<std::string, double> forces(const gaussgen::model::Model& model) {
 gaussgen::model::Model parsed(const std::string& text) {
   const gaussgen::support::Source source("model.yaml", text);
   gaussgen::support::Diagnostics diagnostics;
-  auto model = gaussgen::model::build_model(source, diagnostics);
+  auto model = gaussgen::read_model(source, diagnostics);
   INFO(gaussgen::support::render(diagnostics, source));
   REQUIRE(model);
   return *model;

