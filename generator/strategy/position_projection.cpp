@@ -5,6 +5,7 @@
 #include "ir/substitute.hpp"
 #include "strategy/accelerations.hpp"
 #include "strategy/quaternions.hpp"
+#include "strategy/rounded.hpp"
 
 namespace gaussgen::strategy {
 
@@ -76,7 +77,7 @@ void PositionProjection::displace(const Vector& change, Vector& configuration) c
   for (std::size_t j = 0; j < moving_.size(); ++j) speeds[moving_[j]] = change[j];
   const Vector moved = at(rates, configuration, speeds);
   for (std::size_t i = 0; i < configuration.size(); ++i) {
-    configuration[i] = configuration[i] + (moved[i] - carried[i]);
+    configuration[i] = rounded(configuration[i] + (moved[i] - carried[i]));
   }
 }
 

@@ -7,6 +7,7 @@
 #include "strategy/accelerations.hpp"
 #include "strategy/position_projection.hpp"
 #include "strategy/quaternions.hpp"
+#include "strategy/rounded.hpp"
 
 namespace gaussgen::strategy {
 
@@ -50,7 +51,7 @@ class VelocityProjection {
     for (const Step& inner_step : inner_steps.all()) steps.append(inner_step.values);
     for (std::size_t j = 0; j < moving_.size(); ++j) {
       Expr& speed = speeds[moving_[j]];
-      speed = steps.name(speed + change.accelerations[j], prefix + dynamics_.labels[moving_[j]] + "_rate");
+      speed = steps.name(rounded(speed + change.accelerations[j]), prefix + dynamics_.labels[moving_[j]] + "_rate");
     }
     singular_ = any(graph(), {singular_, change.singular_mass_matrix});
     dependent_ = any(graph(), {dependent_, change.dependent_constraints});
