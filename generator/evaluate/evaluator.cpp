@@ -1,10 +1,13 @@
 #include "evaluate/evaluator.hpp"
 
+#include <algorithm>
+
 #include "evaluate/arithmetic_cln.hpp"
 #include "evaluate/arithmetic_double.hpp"
 #include "evaluate/arithmetic_scale.hpp"
 #include "ir/print.hpp"
 #include "ir/traverse.hpp"
+#include "support/assert.hpp"
 
 namespace gaussgen::evaluate {
 
@@ -16,7 +19,8 @@ using ir::NodeId;
 namespace {
 
 bool is_logical(const Node& node) {
-  return node.kind == Kind::function && (ir::is_boolean(node.function) || node.function == Function::select);
+  return node.kind == Kind::function &&
+         (ir::is_boolean(node.function) || node.function == Function::select || node.function == Function::piecewise);
 }
 
 std::string name_of(const ir::Graph& graph, NodeId id) {
@@ -86,11 +90,46 @@ Outcome<T> Evaluator<T>::of_values(const Node& node, const std::vector<T>& x) co
     case Kind::sum: return arithmetic_.sum(node.value, node.coefficients, x);
     case Kind::product: return arithmetic_.product(x);
     case Kind::power: return arithmetic_.power(x[0], node.value);
-    case Kind::function: return arithmetic_.call(node.function, x);
+    case Kind::function:
+      if (node.function == Function::table) return looked_up(node, x[0]);
+      return ir::is_choice(node.function) ? chosen(node.function, x) : arithmetic_.call(node.function, x);
     case Kind::named: return x[0];
     // Without operations; here it gets the check for overflow.
     default: return arithmetic_.sum(node.value, {}, {});
   }
+}
+
+template <class T>
+Outcome<T> Evaluator<T>::chosen(Function function, const std::vector<T>& x) const {
+  const T zero = arithmetic_.number(Rational(0));
+  const bool is_negative = arithmetic_.less(x[0], zero);
+  switch (function) {
+    case Function::abs: return is_negative ? arithmetic_.sum(0, {-1}, x) : Outcome<T>(x[0]);
+    case Function::sign:
+      return is_negative || arithmetic_.less(zero, x[0]) ? arithmetic_.number(is_negative ? -1 : 1) : zero;
+    case Function::min: return arithmetic_.less(x[1], x[0]) ? x[1] : x[0];
+    case Function::max: return arithmetic_.less(x[0], x[1]) ? x[1] : x[0];
+    default: GAUSS_ASSERT(false, "function={}", ir::name_of(function)); return zero;
+  }
+}
+
+// In the order of emitted code: the last piece that begins at or before x, then Horner's rule.
+template <class T>
+Outcome<T> Evaluator<T>::looked_up(const Node& node, const T& x) const {
+  const std::vector<support::Table::Piece>& pieces = graph_.table(node.table).pieces;
+  const auto is_beyond = [this](const T& at, const support::Table::Piece& piece) {
+    return arithmetic_.less(at, arithmetic_.number(piece.begin));
+  };
+  const auto next = std::upper_bound(pieces.begin(), pieces.end(), x, is_beyond);
+  const support::Table::Piece& piece = next == pieces.begin() ? *next : *(next - 1);
+  const std::vector<Rational> coefficients = support::derivative(piece, support::to_int(node.value));
+  const Outcome<T> u = arithmetic_.sum(-piece.begin, {1}, {x});
+  Outcome<T> value = arithmetic_.sum(coefficients.back(), {}, {});
+  for (std::size_t i = coefficients.size() - 1; i-- > 0 && u && value;) {
+    const Outcome<T> product = arithmetic_.product({*u, *value});
+    value = product ? arithmetic_.sum(coefficients[i], {1}, {*product}) : product;
+  }
+  return u ? value : u;
 }
 
 template <class T>
@@ -116,6 +155,7 @@ typename Evaluator<T>::Entry Evaluator<T>::of_condition(NodeId id) const {
         if (is_true(child)) return boolean(true);
       }
       return undefined != nullptr ? *undefined : boolean(false);
+    case Function::piecewise:
     case Function::select:
       if (!known(node.children[0]).value) return known(node.children[0]);
       return known(node.children[is_true(node.children[0]) ? 1 : 2]);

@@ -22,7 +22,7 @@ struct Trouble {
 /// Values of nodes for the symbols bound at the time; each node is computed once per binding.
 ///
 /// pi and epsilon have the values of the type unless they are bound. An undefined value makes what uses it undefined,
-/// except that `select` looks at the chosen branch only, `any` may be decided by another argument, and `not_finite`
+/// except that `select` and `piecewise` look at the chosen branch only, `any` may be decided by another argument, and `not_finite`
 /// is true for it. Instances for double, long double, cln::cl_F and Scaled<> of these are in evaluator.cpp.
 template <class T>
 class Evaluator {
@@ -53,6 +53,9 @@ class Evaluator {
   Entry of_symbol(ir::NodeId id) const;
   Entry of_condition(ir::NodeId id) const;
   Outcome<T> of_values(const ir::Node& node, const std::vector<T>& x) const;
+  /// abs, sign, min, max
+  Outcome<T> chosen(ir::Function function, const std::vector<T>& x) const;
+  Outcome<T> looked_up(const ir::Node& node, const T& x) const;
   const Entry& known(ir::NodeId id) const { return *entries_.find(id); }
   const Entry* first_undefined(const ir::Node& node) const;
   Entry boolean(bool value) const;

@@ -88,9 +88,17 @@ class Counter {
   }
 
   void add_function(const Node& node) {
-    if (node.function >= Function::less) return;
+    if (node.function >= Function::less || is_choice(node.function)) return;
+    if (node.function == Function::table) return add_table(node);
     ++count.functions;
     ++count.by_function[std::string(name_of(node.function))];
+  }
+
+  // As tables are emitted: x less the begin of its piece, then Horner's rule.
+  void add_table(const Node& node) {
+    const int degree = static_cast<int>(graph_.table(node.table).degree()) - support::to_int(node.value);
+    count.additions += 1 + degree;
+    count.multiplications += degree;
   }
 
   const Graph& graph_;

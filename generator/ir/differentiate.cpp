@@ -86,10 +86,21 @@ NodeId Directional::of_function(const Node& node) {
       const NodeId bottom = graph_.sum({graph_.power(y, 2), graph_.power(z, 2)});
       return graph_.product({top, graph_.power(bottom, -1)});
     }
-    case Function::select:
-      return graph_.call(Function::select, {node.children[0], known(node.children[1]), known(node.children[2])});
+    case Function::abs: return times_inner(graph_.call(Function::sign, {x}));
+    case Function::sign: return graph_.constant(0);
+    // Of the one that is chosen.
+    case Function::min: return chosen(graph_.call(Function::at_most, {x, node.children[1]}), node, 0);
+    case Function::max: return chosen(graph_.call(Function::at_most, {node.children[1], x}), node, 0);
+    case Function::piecewise:
+    case Function::select: return chosen(x, node, 1);
+    case Function::table: return times_inner(graph_.look_up(node.table, support::to_int(node.value) + 1, x));
     default: GAUSS_ASSERT(false, "no derivative of {}", name_of(node.function)); return x;
   }
+}
+
+NodeId Directional::chosen(NodeId condition, const Node& node, std::size_t first) {
+  const Function choice = node.function == Function::select ? Function::select : Function::piecewise;
+  return graph_.call(choice, {condition, known(node.children[first]), known(node.children[first + 1])});
 }
 
 Expr partial(Expr function, SymbolId symbol) {

@@ -19,6 +19,8 @@ class Directional {
   NodeId derivative(NodeId id);
   NodeId of_node(NodeId id);
   NodeId of_function(const Node& node);
+  /// The rate of the child `first` where the condition holds, of the next one elsewhere.
+  NodeId chosen(NodeId condition, const Node& node, std::size_t first);
   NodeId known(NodeId id) const { return memo_.at(id.index); }
 
   Graph& graph_;

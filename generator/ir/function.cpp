@@ -22,6 +22,12 @@ std::string_view name_of(Function function) {
     case Function::sinh: return "sinh";
     case Function::cosh: return "cosh";
     case Function::tanh: return "tanh";
+    case Function::abs: return "abs";
+    case Function::sign: return "sign";
+    case Function::min: return "min";
+    case Function::max: return "max";
+    case Function::piecewise: return "piecewise";
+    case Function::table: return "table";
     case Function::less: return "less";
     case Function::at_most: return "at_most";
     case Function::not_finite: return "not_finite";
@@ -33,6 +39,10 @@ std::string_view name_of(Function function) {
 
 bool is_boolean(Function function) { return function >= Function::less && function != Function::select; }
 
+bool is_choice(Function function) {
+  return (function >= Function::abs && function <= Function::piecewise) || function == Function::select;
+}
+
 Parity parity(Function function) {
   switch (function) {
     case Function::sin:
@@ -40,9 +50,11 @@ Parity parity(Function function) {
     case Function::asin:
     case Function::atan:
     case Function::sinh:
-    case Function::tanh: return Parity::odd;
+    case Function::tanh:
+    case Function::sign: return Parity::odd;
     case Function::cos:
-    case Function::cosh: return Parity::even;
+    case Function::cosh:
+    case Function::abs: return Parity::even;
     default: return Parity::none;
   }
 }
@@ -54,11 +66,15 @@ bool has_negative_sign(const Node& node) {
   return node.kind == Kind::sum && signed_content(node) < 0;
 }
 
-/// f(0) where it is rational; log and acos have theirs at 1.
+/// Of abs and sign anywhere, else f(0) where it is rational; log and acos have theirs at 1.
 bool exact_value(Function function, const Rational& at, Rational& value) {
+  if (function == Function::abs || function == Function::sign) {
+    value = function == Function::abs ? cln::abs(at) : cln::signum(at);
+    return true;
+  }
   const bool at_one = function == Function::log || function == Function::acos;
   if (at != (at_one ? 1 : 0)) return false;
-  if (function == Function::atan2 || function >= Function::less) return false;
+  if (function == Function::atan2 || function >= Function::min) return false;
   value = function == Function::cos || function == Function::exp || function == Function::cosh ? 1 : 0;
   return true;
 }
@@ -72,11 +88,47 @@ std::optional<bool> decided_comparison(const Graph& graph, Function function, co
   return function == Function::less ? a.value < b.value : a.value <= b.value;
 }
 
+/// What the larger or smaller of two is where that is known: numbers, and x beside x.
+std::optional<NodeId> decided_extreme(const Graph& graph, Function function, const std::vector<NodeId>& arguments) {
+  if (function != Function::min && function != Function::max) return std::nullopt;
+  if (arguments[0] == arguments[1]) return arguments[0];
+  const Node& a = graph[arguments[0]];
+  const Node& b = graph[arguments[1]];
+  if (a.kind != Kind::constant || b.kind != Kind::constant) return std::nullopt;
+  return arguments[(function == Function::min) == (a.value <= b.value) ? 0 : 1];
+}
+
+/// |x| is never negative: a size, or an even power.
+bool is_size(const Node& node) {
+  if (node.kind == Kind::function) return node.function == Function::abs;
+  return node.kind == Kind::power && support::is_integer(node.value / 2);
+}
+
 }  // namespace
+
+NodeId Graph::look_up(TableId table, int order, NodeId argument) {
+  const support::Table& points = this->table(table);
+  if (order > static_cast<int>(points.degree())) return is_undefined(argument) ? argument : constant(0);
+  const Node& at = (*this)[argument];
+  if (at.kind == Kind::constant) return constant(support::value_at(points, order, at.value));
+  Node node;
+  node.kind = Kind::function;
+  node.function = Function::table;
+  node.table = table;
+  node.value = order;
+  node.children = {argument};
+  return intern(std::move(node));
+}
+
+NodeId Graph::call_again(const Node& node, std::vector<NodeId> arguments) {
+  if (node.function == Function::table) return look_up(node.table, support::to_int(node.value), arguments[0]);
+  return call(node.function, std::move(arguments));
+}
 
 NodeId Graph::call(Function function, std::vector<NodeId> arguments) {
   if (const auto decided = decided_comparison(*this, function, arguments)) return constant(*decided ? 1 : 0);
-  if (function == Function::select) {
+  if (const auto extreme = decided_extreme(*this, function, arguments)) return *extreme;
+  if (function == Function::select || function == Function::piecewise) {
     if (arguments[1] == arguments[2]) return arguments[1];
     const Node& condition = (*this)[arguments[0]];
     if (condition.kind == Kind::constant) return arguments[condition.value == 0 ? 2 : 1];
@@ -84,6 +136,7 @@ NodeId Graph::call(Function function, std::vector<NodeId> arguments) {
   if (arguments.size() == 1) {
     const Node& argument = (*this)[arguments[0]];
     Rational value = 0;
+    if (function == Function::abs && is_size(argument)) return arguments[0];
     if (argument.kind == Kind::constant && exact_value(function, argument.value, value)) return constant(value);
     const Parity kind = parity(function);
     if (kind != Parity::none && has_negative_sign(argument)) {

@@ -18,6 +18,7 @@ std::size_t hash_of(const Node& node) {
   std::size_t seed = static_cast<std::size_t>(node.kind);
   seed = mix(seed, static_cast<std::size_t>(node.function));
   seed = mix(seed, node.symbol.index);
+  seed = mix(seed, node.table.index);
   seed = mix(seed, support::hash(node.value));
   for (const NodeId child : node.children) seed = mix(seed, child.index);
   for (const Rational& coefficient : node.coefficients) seed = mix(seed, support::hash(coefficient));
@@ -25,8 +26,8 @@ std::size_t hash_of(const Node& node) {
 }
 
 bool same(const Node& a, const Node& b) {
-  return a.kind == b.kind && a.function == b.function && a.symbol == b.symbol && a.value == b.value &&
-         a.children == b.children && a.coefficients == b.coefficients && a.name == b.name;
+  return a.kind == b.kind && a.function == b.function && a.symbol == b.symbol && a.table == b.table &&
+         a.value == b.value && a.children == b.children && a.coefficients == b.coefficients && a.name == b.name;
 }
 
 bool is_many_term_sum(const Node& node) {
@@ -50,6 +51,11 @@ bool can_be_flattened(const Graph& graph, NodeId id) {
 SymbolId Graph::declare(SymbolClass symbol_class, std::string name) {
   symbols_.push_back({symbol_class, std::move(name)});
   return SymbolId{static_cast<std::uint32_t>(symbols_.size() - 1)};
+}
+
+TableId Graph::declare(std::shared_ptr<const support::Table> table) {
+  tables_.push_back(std::move(table));
+  return TableId{static_cast<std::uint32_t>(tables_.size() - 1)};
 }
 
 NodeId Graph::intern(Node node) {
@@ -87,7 +93,7 @@ NodeId Graph::named(NodeId id, const std::string& name) {
     case Kind::symbol:
     case Kind::named: return id;
     case Kind::function:  // sin_theta says more than the name of a matrix entry that happens to be sin(theta)
-      if (node.function != Function::select) return id;
+      if (node.function != Function::select && node.function != Function::piecewise) return id;
       break;
     default: break;
   }

@@ -12,12 +12,14 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "ir/node.hpp"
+#include "support/table.hpp"
 
 namespace gaussgen::ir {
 
@@ -33,6 +35,10 @@ class Graph {
   const Symbol& symbol(SymbolId id) const { return symbols_[id.index]; }
   std::size_t symbol_count() const { return symbols_.size(); }
 
+  TableId declare(std::shared_ptr<const support::Table> table);
+  const support::Table& table(TableId id) const { return *tables_[id.index]; }
+  std::size_t table_count() const { return tables_.size(); }
+
   NodeId constant(const Rational& value);
   NodeId use(SymbolId id);
   NodeId sum(const std::vector<NodeId>& terms);
@@ -42,6 +48,10 @@ class Graph {
   NodeId scale(const Rational& factor, NodeId node);
   NodeId power(NodeId base, const Rational& exponent);
   NodeId call(Function function, std::vector<NodeId> arguments);
+  /// The derivative of `order` of a table; 0 beyond its degree.
+  NodeId look_up(TableId table, int order, NodeId argument);
+  /// The function of `node` at other arguments.
+  NodeId call_again(const Node& node, std::vector<NodeId> arguments);
 
   /// `node` under a name that appears in emitted code. A sum (or anything that holds one) becomes opaque: later
   /// simplification does not flatten it, so it is computed once. A monomial only gets the label, since taking it
@@ -76,6 +86,7 @@ class Graph {
   NodeId finish_sum(const Rational& constant, const std::vector<Term>& terms);
 
   std::vector<Symbol> symbols_;
+  std::vector<std::shared_ptr<const support::Table>> tables_;
   std::deque<Node> nodes_;  // references to nodes stay valid while the graph grows
   std::vector<bool> undefined_;  ///< parallel to nodes_
   std::unordered_multimap<std::size_t, NodeId> index_;

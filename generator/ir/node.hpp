@@ -25,6 +25,12 @@ struct SymbolId {
   friend bool operator==(SymbolId a, SymbolId b) { return a.index == b.index; }
 };
 
+/// Index of a declared table in its Graph.
+struct TableId {
+  std::uint32_t index = 0;
+  friend bool operator==(TableId a, TableId b) { return a.index == b.index; }
+};
+
 /// What a symbol stands for. The order of this list is the order of factors in printed products.
 enum class SymbolClass : std::uint8_t {
   pi,
@@ -57,7 +63,25 @@ enum class Kind : std::uint8_t {
 };
 
 enum class Function : std::uint8_t {
-  sin, cos, tan, asin, acos, atan, atan2, exp, log, sinh, cosh, tanh,
+  sin,
+  cos,
+  tan,
+  asin,
+  acos,
+  atan,
+  atan2,
+  exp,
+  log,
+  sinh,
+  cosh,
+  tanh,
+  // Chosen by comparisons; whatever is not a number in them, or in the condition, stays so.
+  abs,
+  sign,
+  min,
+  max,        ///< of two; of equal ones, the first
+  piecewise,  ///< condition ? a : b; the condition is `less` or `at_most`; what is not chosen may have no value
+  table,      ///< a derivative of a table, see Node::table; `value` is its order
   // Boolean values; they reach only `any` and `select`.
   less,        ///< a < b
   at_most,     ///< a <= b
@@ -68,6 +92,8 @@ enum class Function : std::uint8_t {
 
 std::string_view name_of(Function function);
 bool is_boolean(Function function);
+/// Chosen among its arguments by comparisons, without a computation: abs to piecewise, and select.
+bool is_choice(Function function);
 
 /// Of a function of one argument: f(-x) = -f(x), f(-x) = f(x), or neither.
 enum class Parity { none, odd, even };
@@ -77,6 +103,7 @@ struct Node {
   Kind kind = Kind::constant;
   Function function = Function::sin;
   SymbolId symbol;
+  TableId table;  ///< function table
   Rational value = 0;
   std::vector<NodeId> children;
   std::vector<Rational> coefficients;  ///< kind sum, parallel to children

@@ -22,7 +22,7 @@ class Printer {
       case Kind::product: return bracketed(product(node), k_product, outer);
       case Kind::power:
         return bracketed(text(node.children[0], k_atom) + "^" + number(node.value, k_atom), k_power, outer);
-      case Kind::function: return std::string(name_of(node.function)) + "(" + list(node) + ")";
+      case Kind::function: return function(node) + "(" + list(node) + ")";
     }
     return "?";
   }
@@ -58,6 +58,12 @@ class Printer {
     std::string result;
     for (const NodeId child : node.children) result += (result.empty() ? "" : "*") + text(child, k_product);
     return result;
+  }
+
+  /// A table by its name, with a prime for each derivative.
+  std::string function(const Node& node) const {
+    if (node.function != Function::table) return std::string(name_of(node.function));
+    return graph_.table(node.table).name + std::string(static_cast<std::size_t>(support::to_int(node.value)), '\'');
   }
 
   std::string list(const Node& node) const {

@@ -160,6 +160,9 @@ NodeId Graph::power(NodeId base, const Rational& exponent) {
   if (node.kind == Kind::power && (is_whole || support::is_integer(1 / node.value))) {
     return power(node.children[0], node.value * exponent);
   }
+  // |x|^2 = x^2
+  const bool is_size = node.kind == Kind::function && node.function == Function::abs;
+  if (is_size && support::is_integer(exponent / 2)) return power(node.children[0], exponent);
   if (is_whole && node.kind == Kind::product) {
     std::vector<NodeId> factors;
     for (const NodeId child : node.children) factors.push_back(power(child, exponent));

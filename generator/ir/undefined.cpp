@@ -7,7 +7,8 @@ namespace gaussgen::ir {
 namespace {
 
 bool may_ignore_arguments(Function function) {
-  return function == Function::any || function == Function::select || function == Function::not_finite;
+  return function == Function::any || function == Function::select || function == Function::piecewise ||
+         function == Function::not_finite;
 }
 
 bool is_pole_of_power(const Node& base, const Rational& exponent) {
@@ -32,8 +33,9 @@ bool is_outside_domain(const Graph& graph, const Node& node) {
 
 bool has_no_value(const Graph& graph, const Node& node) {
   const bool is_function = node.kind == Kind::function;
-  if (is_function && may_ignore_arguments(node.function)) return false;
   const auto is_undefined = [&](NodeId id) { return graph.is_undefined(id); };
+  if (is_function && node.function == Function::piecewise && is_undefined(node.children[0])) return true;
+  if (is_function && may_ignore_arguments(node.function)) return false;
   if (std::any_of(node.children.begin(), node.children.end(), is_undefined)) return true;
   if (node.kind == Kind::power) return is_pole_of_power(graph[node.children[0]], node.value);
   return is_function && is_outside_domain(graph, node);

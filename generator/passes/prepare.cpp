@@ -91,7 +91,7 @@ NodeId PreparationSplit::rebuilt(NodeId id) {
     case Kind::named: return graph_.kept_whole(known(node.children[0]), node.name);
     case Kind::function:
       for (const NodeId child : node.children) children.push_back(varies(child) ? known(child) : prepared(child));
-      return relabelled(id, graph_.call(node.function, children));
+      return relabelled(id, graph_.call_again(node, children));
     default: return id;
   }
 }
