@@ -39,6 +39,7 @@ class ModelText {
     text_ = "model " + model_.name.text + remarks("", model_.about);
     section("parameters", model_.parameters);
     section("inputs", model_.inputs);
+    section("tables", model_.tables);
     section("coordinates", model_.coordinates);
     section("orientations", model_.orientations);
     add_frames();
@@ -73,6 +74,15 @@ class ModelText {
 
   void add(const model::Input& input) {
     text_ += fmt::format("  {} = {}{}", input.name.text, written(input.value), remarks(input.unit, input.about));
+  }
+
+  void add(const model::Table& table) {
+    const std::string kind = table.kind == model::Table::Kind::spline ? "spline" : "linear";
+    const std::string outside = table.outside == model::Table::Outside::hold ? "held" : "extended";
+    const std::string of_unit = table.of_unit.text.empty() ? "" : "  [" + table.of_unit.text + "]";
+    text_ += fmt::format("  {}: {}, {} outside{}", table.name.text, kind, outside, remarks("", table.about));
+    text_ += fmt::format("    of {}{}\n    values {}{}", written(table.of), of_unit, written(table.values),
+                         remarks(table.unit.text, ""));
   }
 
   void add(const model::Coordinate& coordinate) {
@@ -229,6 +239,12 @@ class ModelText {
                        written(std::array{xz, yz, zz}));
   }
 
+  std::string written(const std::vector<Ast>& entries) const {
+    std::vector<std::string> words;
+    for (const Ast& entry : entries) words.push_back(written(entry));
+    return "[" + support::joined(words) + "]";
+  }
+
   template <class Entry, std::size_t N>
   std::string written(const std::array<Entry, N>& entries) const {
     std::vector<std::string> words;
@@ -271,7 +287,8 @@ class ModelText {
       case AstKind::product: return "(" + chain(")*(") + ")";
       case AstKind::reciprocal: return "1/(" + parts[0] + ")";
       case AstKind::power: return "(" + parts[0] + ")^" + parts[1];
-      case AstKind::call: return ast.name + "(" + parts[0] + ")";
+      case AstKind::call: return ast.name + "(" + chain(", ") + ")";
+      case AstKind::comparison: return parts[0] + " " + ast.name + " " + parts[1];
     }
     return "";
   }

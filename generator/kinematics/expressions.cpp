@@ -3,6 +3,7 @@
 #include <map>
 
 #include "kinematics/place_symbols.hpp"
+#include "model/functions.hpp"
 #include "support/assert.hpp"
 
 namespace gaussgen::kinematics {
@@ -63,6 +64,12 @@ Expr Expressions::operator()(const Ast& ast) {
     case AstKind::reciprocal: return ir::pow(children[0], -1);
     case AstKind::power: return ir::pow((*this)(ast.children[0]), constant_value(ast.children[1]));
     case AstKind::call: return call(ast);
+    case AstKind::comparison: {
+      // a > b is b < a
+      const bool is_mirrored = ast.name[0] == '>';
+      const Expr a = children[is_mirrored ? 1 : 0], b = children[is_mirrored ? 0 : 1];
+      return ast.name.size() == 1 ? ir::less(a, b) : ir::at_most(a, b);
+    }
     case AstKind::sum:
     case AstKind::product: {
       std::vector<ir::NodeId> ids;
@@ -121,15 +128,33 @@ Expr Expressions::place(std::size_t frame, std::size_t component) {
 Expr Expressions::call(const Ast& ast) {
   if (ast.name == "dot") return rate((*this)(ast.children[0]));
   if (ast.name == "sqrt") return ir::pow((*this)(ast.children[0]), Rational(1) / 2);
+  if (ast.name == model::k_piecewise) return cases(ast);
+  std::vector<ir::NodeId> arguments;
+  for (const Ast& child : ast.children) arguments.push_back((*this)(child).id());
+  if (ast.table != nullptr) return {graph_, graph_.look_up(symbols_.tables.at(ast.name), 0, arguments[0])};
   static const std::map<std::string, Function> k_functions{
       {"sin", Function::sin},   {"cos", Function::cos},   {"tan", Function::tan},     {"asin", Function::asin},
       {"acos", Function::acos}, {"atan", Function::atan}, {"atan2", Function::atan2}, {"exp", Function::exp},
-      {"log", Function::log},   {"sinh", Function::sinh}, {"cosh", Function::cosh},   {"tanh", Function::tanh}};
+      {"log", Function::log},   {"sinh", Function::sinh}, {"cosh", Function::cosh},   {"tanh", Function::tanh},
+      {"abs", Function::abs},   {"sign", Function::sign}, {"min", Function::min},     {"max", Function::max}};
   const auto found = k_functions.find(ast.name);
   GAUSS_ASSERT(found != k_functions.end(), "function={}", ast.name);
-  std::vector<ir::NodeId> arguments;
-  for (const Ast& child : ast.children) arguments.push_back((*this)(child).id());
-  return {graph_, graph_.call(found->second, arguments)};
+  const bool is_extreme = ast.name == "min" || ast.name == "max";
+  if (!is_extreme) return {graph_, graph_.call(found->second, arguments)};
+  ir::NodeId result = arguments[0];
+  for (std::size_t i = 1; i < arguments.size(); ++i) result = graph_.call(found->second, {result, arguments[i]});
+  return {graph_, result};
+}
+
+Expr Expressions::cases(const Ast& piecewise) {
+  const std::vector<Ast>& children = piecewise.children;
+  Expr result = (*this)(children.back());
+  for (std::size_t i = children.size() - 1; i >= 2; i -= 2) {
+    const Expr condition = (*this)(children[i - 2]);
+    const Expr value = (*this)(children[i - 1]);
+    result = {graph_, graph_.call(Function::piecewise, {condition.id(), value.id(), result.id()})};
+  }
+  return result;
 }
 
 Rational constant_value(const Ast& ast) {

@@ -46,6 +46,7 @@ class Expressions {
   ir::Expr place(std::size_t frame, std::size_t component);
   ir::Expr folded(std::size_t parameter);
   ir::Expr call(const model::Ast& ast);
+  ir::Expr cases(const model::Ast& piecewise);
   void seed_rates();
   void quaternion_rates(std::size_t orientation);
 

@@ -12,6 +12,9 @@ class Declaration {
 
   Symbols run() {
     using ir::SymbolClass;
+    for (const model::Table& table : model_.tables) {
+      symbols_.tables.emplace(table.name.text, graph_.declare(table.function));
+    }
     symbols_.pi = graph_.declare(SymbolClass::pi, "pi");
     symbols_.epsilon = graph_.declare(SymbolClass::epsilon, "epsilon");
     for (const model::Parameter& parameter : model_.parameters) {

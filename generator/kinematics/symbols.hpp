@@ -1,6 +1,7 @@
 #pragma once
 // The graph's symbols for a model: who is q, u, x, t, and which formula parameters expand to.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,7 @@ struct Symbols {
   ir::SymbolId epsilon;
   std::vector<ir::SymbolId> parameters;  ///< parallel to Model::parameters
   std::vector<ir::SymbolId> inputs;      ///< parallel to Model::inputs
+  std::map<std::string, ir::TableId> tables;  ///< by name; as numbered in Model::tables
   support::Indexed<ConfigurationIndex, ConfigurationVariable> configuration;
   support::Indexed<FreeIndex, Speed> speeds;
   support::Indexed<HeldIndex, HeldCoordinate> held;

@@ -1,12 +1,15 @@
 #pragma once
 // Expressions of a model file as the user wrote them, with byte spans.
 
+#include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "support/rational.hpp"
 #include "support/source.hpp"
+#include "support/table.hpp"
 
 namespace gaussgen::model {
 
@@ -19,6 +22,7 @@ enum class AstKind {
   reciprocal,  ///< 1 / a
   power,       ///< a ^ e, e an integer or rational constant expression
   call,        ///< f(a, …); `dot(a)` is the total time derivative
+  comparison,  ///< a < b; a condition of `piecewise`, and nothing else
 };
 
 /// One node. Sums and products are n-ary, so that the depth is the nesting of brackets and never the
@@ -29,9 +33,13 @@ struct Ast {
   support::Rational number = 0;  ///< kind number
   bool is_decimal = false;       ///< kind number: written with a decimal point or an exponent
   bool is_derived = false;       ///< stands for a shorthand of the format; its span is that of the shorthand
-  std::string name;              ///< kind symbol: the name; kind call: the function
+  std::string name;              ///< kind symbol: the name; kind call: the function; kind comparison: < <= > >=
+  std::shared_ptr<const support::Table> table;  ///< kind call: where the function is a table of the model
   std::vector<Ast> children;
 };
+
+/// The tables of a model by name; null where one is faulty, which is reported.
+using KnownTables = std::map<std::string, std::shared_ptr<const support::Table>>;
 
 /// Stands for an expression with a mistake that is reported already; later checks pass over it, except for the names in
 /// `readable`, the parts that could be read. No model that is handed on holds one.
@@ -40,6 +48,14 @@ inline Ast broken_expression(std::vector<Ast> readable = {}) {
   ast.kind = AstKind::symbol;
   ast.children = std::move(readable);
   return ast;
+}
+
+/// Of a comparison; of numbers that are none, nothing holds.
+template <class Number>
+bool holds(const std::string& comparison, const Number& a, const Number& b) {
+  if (comparison == "<") return a < b;
+  if (comparison == "<=") return a <= b;
+  return comparison == ">" ? b < a : b <= a;
 }
 
 inline bool is_broken(const Ast& ast) { return ast.kind == AstKind::symbol && ast.name.empty(); }

@@ -33,6 +33,7 @@ std::string content_hash(std::string_view text) {
 
 void read_sections(const spec::Node& root, Reading& reading) {
   read_header(root, reading);
+  read_tables(root, reading);  // expressions call them
   read_parameters(root, reading);
   read_inputs(root, reading);
   read_coordinates(root, reading);
@@ -51,7 +52,7 @@ void read_sections(const spec::Node& root, Reading& reading) {
 }  // namespace
 
 std::optional<Model> build_model(const support::Source& source, support::Diagnostics& diagnostics) {
-  Reading reading{source, diagnostics, {}, {}, {}, {}};
+  Reading reading{source, diagnostics, {}};
   reading.model.file = base_name(source.name());
   reading.model.content_hash = content_hash(source.text());
   reading.model.symbols["t"] = {SymbolKind::time, 0};

@@ -7,7 +7,9 @@ void check_model(Reading& reading) {
   check_domains(reading);
   order_parameters(reading);
   check_values(reading);
+  check_smoothness(reading);
   check_topology(reading);
+  check_tables_used(reading);
 }
 
 }  // namespace gaussgen::model

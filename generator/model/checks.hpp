@@ -20,6 +20,12 @@ void check_references(Reading& reading);
 /// Divisions by zero, values that are not finite, negative masses. Wants ordered parameters.
 void check_values(Reading& reading);
 
+/// Jumps and kinks stay out of what is differentiated.
+void check_smoothness(Reading& reading);
+
+/// Warns of tables that nothing uses.
+void check_tables_used(Reading& reading);
+
 /// There are bodies, they move, and every speed and constraint has something to act on.
 void check_topology(Reading& reading);
 

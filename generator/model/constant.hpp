@@ -9,9 +9,12 @@
 
 namespace gaussgen::model {
 
-/// The value when the expression is made of numbers and + - * / ^ alone and is rational; nothing
+/// The value when the expression is made of numbers, + - * / ^ and choices (abs to piecewise, tables) alone and is rational; nothing
 /// otherwise, and nothing for 1/0. The expression must have passed `growth`.
 std::optional<support::Rational> exact_value(const Ast& ast);
+
+/// A rational number for pi in the points of tables, to more than 300 digits.
+support::Rational pi_of_table();
 
 inline constexpr double k_largest_growth = 1 << 16;
 

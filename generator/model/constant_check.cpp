@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "model/constant.hpp"
 #include "model/evaluate.hpp"
 #include "model/number.hpp"
 #include "support/error_codes.hpp"
@@ -45,7 +46,7 @@ class ConstantCheck {
     if (ast.kind == AstKind::symbol) return ast.name == "pi" ? Constant{std::nullopt, std::acos(-1.0)} : Constant{};
     std::vector<Constant> parts;
     for (const Ast& child : ast.children) parts.push_back(visit(child));
-    if (!good_) return {};
+    if (!good_ || ast.kind == AstKind::comparison) return {};
     switch (ast.kind) {
       case AstKind::negate: return negated(parts[0]);
       case AstKind::reciprocal: return reciprocal(ast, parts[0]);
@@ -98,6 +99,7 @@ class ConstantCheck {
   }
 
   Constant call(const Ast& ast, const std::vector<Constant>& parts) {
+    if (const auto exact = exact_value(ast)) return finite(ast, constant(*exact));
     const std::string& name = ast.name;
     const Constant& x = parts[0];
     if (name == "log" && (x.is_negative() || x.is_zero()))

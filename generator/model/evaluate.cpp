@@ -1,5 +1,6 @@
 #include "model/evaluate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -19,11 +20,44 @@ const std::map<std::string, UnaryFunction>& unary_functions() {
   return functions;
 }
 
+bool is_nan(double value) { return std::isnan(value); }
+
+/// Not a number if one of the arguments is none.
+std::optional<double> chosen(const std::string& name, const std::vector<double>& arguments) {
+  if (name != "abs" && name != "sign" && name != "min" && name != "max") return std::nullopt;
+  if (std::any_of(arguments.begin(), arguments.end(), is_nan)) return std::nan("");
+  if (name == "abs") return std::abs(arguments[0]);
+  if (name == "sign") return arguments[0] < 0 ? -1.0 : arguments[0] > 0 ? 1.0 : 0.0;
+  if (name == "min") return *std::min_element(arguments.begin(), arguments.end());
+  return *std::max_element(arguments.begin(), arguments.end());
+}
+
 std::optional<double> call(const std::string& name, const std::vector<double>& arguments) {
+  if (const auto choice = chosen(name, arguments)) return choice;
   if (name == "atan2") return std::atan2(arguments[0], arguments[1]);
   const auto function = unary_functions().find(name);
   if (function == unary_functions().end()) return std::nullopt;
   return function->second(arguments[0]);
+}
+
+/// Conditions in their order; what is not chosen does not count, unless a symbol in it has no value.
+double chosen_case(const std::vector<double>& parts) {
+  for (std::size_t i = 0; i + 1 < parts.size(); i += 2) {
+    if (is_nan(parts[i])) return parts[i];
+    if (parts[i] != 0) return parts[i + 1];
+  }
+  return parts.back();
+}
+
+double compared(const Ast& ast, double a, double b) {
+  if (is_nan(a) || is_nan(b)) return std::nan("");
+  return holds(ast.name, a, b) ? 1.0 : 0.0;
+}
+
+std::optional<double> call(const Ast& ast, const std::vector<double>& parts) {
+  if (ast.table != nullptr) return support::value_at(*ast.table, 0, parts[0]);
+  if (ast.name == k_piecewise) return chosen_case(parts);
+  return call(ast.name, parts);
 }
 
 double combined(AstKind kind, const std::vector<double>& parts) {
@@ -50,7 +84,8 @@ std::optional<double> value_of(const Ast& ast, const Values& values) {
     case AstKind::negate: return -parts[0];
     case AstKind::reciprocal: return 1.0 / parts[0];
     case AstKind::power: return std::pow(parts[0], parts[1]);
-    case AstKind::call: return call(ast.name, parts);
+    case AstKind::call: return call(ast, parts);
+    case AstKind::comparison: return compared(ast, parts[0], parts[1]);
     default: return combined(ast.kind, parts);
   }
 }

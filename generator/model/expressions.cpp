@@ -17,18 +17,20 @@ constexpr Place with_places(Place place) {
   return place;
 }
 
+/// Derivatives by coordinates, speeds or time are taken of what stands there.
+constexpr Place differentiated(int times, Place place) {
+  place.derivatives = times;
+  return place;
+}
+
 constexpr Place k_parameter{"the value of a parameter", "parameters stay constant during a motion",
                             "use numbers, pi and other parameters"};
+constexpr Place k_points{"the points of a table", "they are numbers when the code is generated", "use numbers and pi",
+                         false};
 constexpr Place k_input{"the default of an input", "it is a plain number", "use numbers and pi", false};
-constexpr Place k_held{"'held_at'",
-                       "a held coordinate follows a given law of time",
-                       "use parameters and t",
-                       true,
-                       true,
-                       false,
-                       false,
-                       false,
-                       "hold a gap instead: 'gap: {held_at: 0}', and write gap + this formula into the positions"};
+constexpr Place k_held = differentiated(
+    2, {"'held_at'", "a held coordinate follows a given law of time", "use parameters and t", true, true, false, false,
+        false, "hold a gap instead: 'gap: {held_at: 0}', and write gap + this formula into the positions"});
 constexpr Place k_initial{"an initial value", "it is known before the motion starts", "use numbers and parameters"};
 constexpr Place k_mass =
     in(Quantity::mass, {"the mass of a body", "masses stay constant", "use numbers and parameters"});
@@ -38,23 +40,30 @@ constexpr Place k_inertia =
 constexpr Place k_centre =
     in(Quantity::length, {"a mass centre", "it is fixed in the frame of its body", "use numbers and parameters"});
 constexpr Place k_axis{"an axis", "it is fixed in its frame", "use numbers and parameters"};
-constexpr Place k_placement = in(Quantity::length, {"a position", "a place does not depend on speeds or on inputs",
-                                                    "use coordinates, parameters and t", true, true, true});
-constexpr Place k_position = with_places(k_placement);
-constexpr Place k_angle = in(Quantity::angle, {"an angle", "an attitude does not depend on speeds or on inputs",
-                                               "use coordinates, parameters and t", true, true, true});
-constexpr Place k_velocity = with_places({"a constraint", "a constraint holds whatever the inputs are",
-                                          "use a parameter, or put the input into a force", true, true, true, true});
-constexpr Place k_equation = with_places({"an equation of positions", "it is about places and time alone",
-                                          "write 'velocity:' for a constraint on velocities", true, true, true});
-constexpr Place k_direction{"a direction", "it is fixed in the axes that 'in' names",
-                            "use numbers, parameters and t, and name a frame by 'in'", true, true};
+constexpr Place k_placement =
+    differentiated(2, in(Quantity::length, {"a position", "a place does not depend on speeds or on inputs",
+                                            "use coordinates, parameters and t", true, true, true}));
+constexpr Place k_point = with_places(differentiated(
+    1, in(Quantity::length, {"the point of a constraint", "a place does not depend on speeds or on inputs",
+                             "use coordinates, parameters and t", true, true, true})));
+constexpr Place k_angle =
+    differentiated(2, in(Quantity::angle, {"an angle", "an attitude does not depend on speeds or on inputs",
+                                           "use coordinates, parameters and t", true, true, true}));
+constexpr Place k_velocity =
+    with_places(differentiated(1, {"a constraint", "a constraint holds whatever the inputs are",
+                                   "use a parameter, or put the input into a force", true, true, true, true}));
+constexpr Place k_equation =
+    with_places(differentiated(2, {"an equation of positions", "it is about places and time alone",
+                                   "write 'velocity:' for a constraint on velocities", true, true, true}));
+constexpr Place k_direction =
+    differentiated(1, {"a direction", "it is fixed in the axes that 'in' names",
+                       "use numbers, parameters and t, and name a frame by 'in'", true, true});
 constexpr Place k_field =
     in(Quantity::acceleration, {"a uniform field", "the field is the same everywhere",
                                 "use parameters and t, or a potential or generalized force", true, true});
 constexpr Place k_potential =
-    with_places(in(Quantity::energy, {"a potential", "a potential depends on places and time alone",
-                                      "write a 'generalized' force instead", true, true, true}));
+    with_places(differentiated(1, in(Quantity::energy, {"a potential", "a potential depends on places and time alone",
+                                                        "write a 'generalized' force instead", true, true, true})));
 constexpr Place k_generalized = with_places({"a generalized force", "", "", true, true, true, true, true});
 constexpr Place k_force = with_places(in(Quantity::force, {"a force", "", "", true, true, true, true, true}));
 constexpr Place k_torque = with_places(in(Quantity::torque, {"a torque", "", "", true, true, true, true, true}));
@@ -124,9 +133,9 @@ void visit_constraint(const Constraint& constraint, const Visit& visit) {
   }
   if (const auto* law = std::get_if<SlipLaw>(&constraint.law)) {
     visit_all(law->direction, k_direction, visit);
-    if (const auto* place = std::get_if<std::array<Ast, 3>>(&law->at)) visit_all(*place, k_position, visit);
+    if (const auto* place = std::get_if<std::array<Ast, 3>>(&law->at)) visit_all(*place, k_point, visit);
   }
-  if (constraint.point) visit_all(*constraint.point, k_position, visit);
+  if (constraint.point) visit_all(*constraint.point, k_point, visit);
 }
 
 void visit_force(const Force& force, const Visit& visit) {
@@ -169,6 +178,10 @@ void for_each_slot(const Model& model, const Visit& visit) {
     visit(parameter.value, {k_parameter, Quantity::owner, parameter.name});
   }
   for (const Input& input : model.inputs) visit(input.value, {k_input, Quantity::owner, input.name});
+  for (const Table& table : model.tables) {
+    visit_all(table.of, k_points, visit);
+    visit_all(table.values, k_points, visit);
+  }
   visit_motion(model, visit);
   visit_frames(model, visit);
   visit_bodies(model, visit);

@@ -70,7 +70,9 @@ std::string example_of(const std::string& key) {
                                                              {"quaternion", "[e0, e1, e2, e3]"},
                                                              {"angular_velocity", "[wx, wy, wz]"},
                                                              {"velocity", "dot(x) - r*dot(phi)"},
-                                                             {"dependent", "[x]"}};
+                                                             {"dependent", "[x]"},
+                                                             {"of", "[0, 1, 2]"},
+                                                             {"values", "[0, 3, 4]"}};
   const auto found = k_examples.find(key);
   return found == k_examples.end() ? key : fmt::format("{}: {}", key, found->second);
 }
@@ -145,7 +147,7 @@ Ast read_expression(const Node& node, Span owner, Reading& reading) {
     return broken_expression();
   }
   if (!expect(NodeKind::scalar, "an expression", node, owner, "this", reading)) return broken_expression();
-  return parse_readable(node.scalar, reading.diagnostics);
+  return parse_readable(node.scalar, reading.diagnostics, reading.tables);
 }
 
 std::optional<Ast> expression_field(const Node& map, const std::string& key, Reading& reading) {

@@ -8,8 +8,26 @@ namespace gaussgen::model {
 namespace {
 
 constexpr Function k_functions[] = {
-    {"sin", 1}, {"cos", 1}, {"tan", 1},  {"asin", 1}, {"acos", 1}, {"atan", 1}, {"atan2", 2},
-    {"exp", 1}, {"log", 1}, {"sqrt", 1}, {"sinh", 1}, {"cosh", 1}, {"tanh", 1}, {k_dot, 1},
+    {"sin", 1},
+    {"cos", 1},
+    {"tan", 1},
+    {"asin", 1},
+    {"acos", 1},
+    {"atan", 1},
+    {"atan2", 2},
+    {"exp", 1},
+    {"log", 1},
+    {"sqrt", 1},
+    {"sinh", 1},
+    {"cosh", 1},
+    {"tanh", 1},
+    {"pow", 2},
+    {"abs", 1},
+    {"sign", 1},
+    {"min", 2, k_most_arguments},
+    {"max", 2, k_most_arguments},
+    {k_piecewise, 3, k_most_arguments + 1},
+    {k_dot, 1},
 };
 
 struct Substitute {
@@ -17,18 +35,22 @@ struct Substitute {
   const char* advice;
 };
 
-constexpr const char* k_for_size = "write sqrt(x^2) for |x|";
-constexpr const char* k_for_sign = "write tanh(x/eps) with a small eps for the sign of x";
+constexpr const char* k_for_sign = "write sign(x), which is 0 at 0";
+constexpr const char* k_for_cases = "write piecewise(x < 0, a, b): a where x < 0, else b";
 
 constexpr Substitute k_substitutes[] = {
-    {"abs", k_for_size},
-    {"fabs", k_for_size},
+    {"fabs", "write abs(x) for |x|"},
     {"sgn", k_for_sign},
-    {"sign", k_for_sign},
     {"signum", k_for_sign},
-    {"max", "write (a + b + sqrt((a - b)^2))/2 for the larger of a and b"},
-    {"min", "write (a + b - sqrt((a - b)^2))/2 for the smaller of a and b"},
-    {"pow", "write x^2, or exp(b*log(a)) for a^b with a variable b"},
+    {"if", k_for_cases},
+    {"ifelse", k_for_cases},
+    {"where", k_for_cases},
+    {"select", k_for_cases},
+    {"step", "write piecewise(x < 0, 0, 1)"},
+    {"heaviside", "write piecewise(x < 0, 0, 1)"},
+    {"clip", "write min(max(x, a), b) for x between a and b"},
+    {"clamp", "write min(max(x, a), b) for x between a and b"},
+    {"cbrt", "write x^(1/3)"},
     {"ln", "write log(x), the natural logarithm"},
     {"log10", "write log(x)/log(10)"},
     {"cot", "write 1/tan(x)"},

@@ -9,9 +9,13 @@ namespace gaussgen::model {
 
 inline constexpr const char* k_dot = "dot";  ///< the total time derivative, a call of one argument
 
+inline constexpr const char* k_piecewise = "piecewise";
+inline constexpr std::size_t k_most_arguments = 64;
+
 struct Function {
   const char* name;
-  std::size_t arguments;
+  std::size_t arguments;                   ///< at least so many
+  std::size_t most_arguments = arguments;  ///< and at most
 };
 
 /// nullptr for anything else; `dot` is among them.

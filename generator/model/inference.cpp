@@ -128,6 +128,7 @@ Measure Inference::operator()(const Ast& ast, const Dimension* wanted) {
     case AstKind::reciprocal: return raised((*this)(ast.children[0]), -1);
     case AstKind::power: return raised((*this)(ast.children[0]), ast.children[1].number);
     case AstKind::call: return call(ast);
+    case AstKind::comparison: break;
   }
   return {};
 }

@@ -30,6 +30,8 @@ std::optional<TokenKind> sign(char c) {
     case '(': return TokenKind::open;
     case ')': return TokenKind::close;
     case ',': return TokenKind::comma;
+    case '<': return TokenKind::less;
+    case '>': return TokenKind::greater;
     default: return std::nullopt;
   }
 }
@@ -67,6 +69,11 @@ class Lexer {
     if (is_letter(c)) return name();
     if (c == '*' && peek(1) == '*')
       return refuse(code::k_unexpected_character, 2, "'**' is not an operator", "write ^ for a power");
+    const bool is_comparison = c == '<' || c == '>';
+    if (is_comparison && peek(1) == '=') {
+      push(c == '<' ? TokenKind::at_most : TokenKind::at_least, 2);
+      return true;
+    }
     if (const auto kind = sign(c)) {
       push(*kind, 1);
       return true;

@@ -15,7 +15,23 @@ inline constexpr std::size_t k_most_tokens = 20'000;
 inline constexpr std::size_t k_most_digits = 40;
 inline constexpr int k_largest_decimal_exponent = 400;  ///< beyond it no mantissa brings a number back into range
 
-enum class TokenKind { number, name, plus, minus, times, divide, power, open, close, comma, end };
+enum class TokenKind {
+  number,
+  name,
+  plus,
+  minus,
+  times,
+  divide,
+  power,
+  open,
+  close,
+  comma,
+  less,
+  at_most,
+  greater,
+  at_least,
+  end
+};
 
 /// `begin` and `end` are bytes of the decoded text.
 struct Token {

@@ -40,6 +40,21 @@ struct Input {
   std::string about;
 };
 
+/// A function of one argument by its points; an expression calls it by name.
+struct Table {
+  enum class Kind { linear, spline };   ///< straight between points, or the natural cubic spline
+  enum class Outside { hold, extend };  ///< beyond the points: the value at the end, or straight on
+  Name name;
+  std::string about;
+  std::vector<Ast> of;      ///< growing; numbers and pi
+  std::vector<Ast> values;  ///< likewise, one for each
+  Kind kind = Kind::linear;
+  Outside outside = Outside::hold;
+  Name of_unit;                                    ///< empty when not given
+  Name unit;                                       ///< of the values; empty when not given
+  std::shared_ptr<const support::Table> function;  ///< what calls refer to
+};
+
 /// q^α when `held_at` is empty; else the held coordinate x^i with x^i = c^i(t) (Vujičić (1.4), theory §4).
 struct Coordinate {
   Name name;
@@ -236,6 +251,7 @@ struct Model {
   std::string content_hash;  ///< FNV-1a 64 of the text, 16 hexadecimal digits
   std::vector<Parameter> parameters;
   std::vector<Input> inputs;
+  std::vector<Table> tables;
   std::vector<Coordinate> coordinates;
   std::vector<Orientation> orientations;
   std::vector<Frame> frames;  ///< parents first

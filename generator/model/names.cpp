@@ -59,7 +59,10 @@ void check_model_name(const Name& name, Reading& reading) {
   if (check_name(name, reading) && is_taken_in_gauss(name.text)) refuse_as_ours(name, reading);
 }
 
-void declare(const Name& name, SymbolKind kind, std::size_t index, const std::string& what, Reading& reading) {
+namespace {
+
+/// Enters the name among those that are declared; false if it is reserved or not the first of its name.
+bool enter(const Name& name, const std::string& what, Reading& reading) {
   const bool valid = check_name(name, reading);
   if (valid && is_reserved(name.text)) {
     reading.diagnostics.error(
@@ -67,18 +70,24 @@ void declare(const Name& name, SymbolKind kind, std::size_t index, const std::st
         fmt::format("'{}' has a fixed meaning in expressions and cannot be declared", name.text),
         name.text == "I" ? "write I1 or J for a moment of inertia" : "choose another name, such as " + name.text + "1");
     reading.refused.insert(name.text);
-    return;
+    return false;
   }
   const auto [place, is_new] = reading.declared.emplace(name.text, Declared{name.span, what});
-  if (is_new) {
-    reading.model.symbols[name.text] = {kind, index};
-    return;
-  }
+  if (is_new) return true;
   reading.diagnostics.error(
       code::k_name_clash, name.span,
       fmt::format("'{}' already names {} in line {}", name.text, place->second.what, reading.line(place->second.span)),
-      "parameters, inputs, coordinates and components of orientations share their names; rename one");
+      "parameters, inputs, tables, coordinates and components of orientations share their names; rename one");
+  return false;
 }
+
+}  // namespace
+
+void declare(const Name& name, SymbolKind kind, std::size_t index, const std::string& what, Reading& reading) {
+  if (enter(name, what, reading)) reading.model.symbols[name.text] = {kind, index};
+}
+
+bool declare_table(const Name& name, Reading& reading) { return enter(name, "the table", reading); }
 
 void check_rate_names(Reading& reading) {
   for (const auto& [name, symbol] : reading.model.symbols) {

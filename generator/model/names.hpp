@@ -16,6 +16,9 @@ void check_model_name(const Name& name, Reading& reading);
 /// A symbol of expressions; `what` is "the parameter". A faulty name is entered too, so that its uses raise no second error.
 void declare(const Name& name, SymbolKind kind, std::size_t index, const std::string& what, Reading& reading);
 
+/// A table: a function of expressions, which shares their namespace. False for a name that is refused.
+bool declare_table(const Name& name, Reading& reading);
+
 /// Names that the emitted code derives, such as chi_dot from the coordinate chi, must be free.
 void check_rate_names(Reading& reading);
 

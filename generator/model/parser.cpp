@@ -17,6 +17,9 @@ namespace code = support::code;
 
 namespace {
 
+constexpr Function k_table{"", 1};
+constexpr const char* k_misplaced_comparison = "a comparison may stand only as a condition of piecewise(...)";
+constexpr const char* k_for_cases = "write piecewise(x < 0, a, b): a where x < 0, else b";
 constexpr double k_largest_exponent_growth = 1 << 14;  // before its exact value is formed
 
 /// Recursive descent:
@@ -24,11 +27,16 @@ constexpr double k_largest_exponent_growth = 1 << 14;  // before its exact value
 ///   product = unary { (*|/) unary }
 ///   unary   = { +|- } power
 ///   power   = primary [ ^ unary ]
-///   primary = number | name | name ( sum { , sum } ) | ( sum )
+///   primary = number | name | name ( argument { , argument } ) | ( sum )
+///   argument = sum [ (<|<=|>|>=) sum ], a comparison only as a condition of piecewise
 class Parser {
  public:
-  Parser(const spec::LocatedText& text, Tokens tokens, support::Diagnostics& diagnostics)
-      : text_(text), tokens_(std::move(tokens.all)), is_cut_(tokens.is_cut), diagnostics_(diagnostics) {}
+  Parser(const spec::LocatedText& text, Tokens tokens, const KnownTables& tables, support::Diagnostics& diagnostics)
+      : text_(text),
+        tokens_(std::move(tokens.all)),
+        is_cut_(tokens.is_cut),
+        tables_(tables),
+        diagnostics_(diagnostics) {}
 
   Ast run() {
     if (token().kind == TokenKind::end) {
@@ -212,10 +220,12 @@ class Parser {
     const std::size_t first = next_;
     const std::string text = take().name;
     const bool called = token().kind == TokenKind::open;
-    const Function* function = find_function(text);
+    const Function* function = tables_.count(text) > 0 ? &k_table : find_function(text);
     if (function != nullptr && !called) {
-      refuse(code::k_function_call, span_of(tokens_[first]),
-             fmt::format("the function '{}' needs its argument in brackets", text), fmt::format("write {}(...)", text));
+      refuse(
+          code::k_function_call, span_of(tokens_[first]),
+          fmt::format("the {} '{}' needs its argument in brackets", function == &k_table ? "table" : "function", text),
+          fmt::format("write {}(...)", text));
       return broken_expression();
     }
     if (called) return call(first, text, function);
@@ -235,19 +245,94 @@ class Parser {
     Ast ast = node(AstKind::call, {});
     ast.name = text;
     if (token().kind != TokenKind::close) {
-      ast.children.push_back(sum());
-      while (accept(TokenKind::comma)) ast.children.push_back(sum());
+      ast.children.push_back(argument());
+      while (accept(TokenKind::comma)) ast.children.push_back(argument());
     }
     close(bracket);
     ast.span = span_since(first);
-    if (function != nullptr && ast.children.size() != function->arguments) {
-      note(code::k_function_call, ast.span,
-           fmt::format("'{}' takes {} argument{}, not {}", text, function->arguments,
-                       function->arguments == 1 ? "" : "s", ast.children.size()),
-           fmt::format("write {}{}", text, text == "atan2" ? "(y, x)" : "(x)") +
-               (ast.children.size() > function->arguments ? "; the decimal sign is a point" : ""));
+    return function == nullptr ? ast : checked_call(std::move(ast), *function);
+  }
+
+  Ast argument() {
+    const std::size_t first = next_;
+    Ast left = sum();
+    if (!is_comparison(token().kind)) return left;
+    Ast ast = node(AstKind::comparison, {});
+    ast.name = text_.text.substr(token().begin, token().end - token().begin);
+    ++next_;
+    ast.children.push_back(std::move(left));
+    ast.children.push_back(sum());
+    ast.span = span_since(first);
+    if (is_comparison(token().kind)) {
+      refuse(code::k_comparison, span_of(token()), "comparisons do not form chains",
+             "write piecewise(a < b, piecewise(b < c, x, y), y) for x where a < b < c, else y");
     }
     return ast;
+  }
+
+  Ast checked_call(Ast ast, const Function& function) {
+    if (!has_good_count(ast, function)) {
+      note(code::k_function_call, ast.span, fault_of_count(ast, function), hint_for_count(ast, function));
+      return ast;
+    }
+    check_conditions(ast);
+    if (&function == &k_table) {
+      ast.table = tables_.at(ast.name);
+      if (ast.table == nullptr) ++faults_;  // its own fault is reported where the table is
+    }
+    if (ast.name != "pow" || is_faulty()) return ast;
+    ast.children[1] = fold_exponent(ast.children[1]);
+    return node(AstKind::power, ast.span, std::move(ast.children));
+  }
+
+  static bool has_good_count(const Ast& ast, const Function& function) {
+    const std::size_t count = ast.children.size();
+    if (count < function.arguments || count > function.most_arguments) return false;
+    return ast.name != k_piecewise || count % 2 == 1;
+  }
+
+  static std::string fault_of_count(const Ast& ast, const Function& function) {
+    const std::size_t count = ast.children.size();
+    if (ast.name == k_piecewise && count <= function.most_arguments) {
+      return fmt::format("'piecewise' takes pairs of a condition and a value, then a last value, not {} argument{}",
+                         count, count == 1 ? "" : "s");
+    }
+    if (function.most_arguments == function.arguments) {
+      return fmt::format("'{}' takes {} argument{}, not {}", ast.name, function.arguments,
+                         function.arguments == 1 ? "" : "s", count);
+    }
+    return fmt::format("'{}' takes from {} to {} arguments, not {}", ast.name, function.arguments,
+                       function.most_arguments, count);
+  }
+
+  static std::string hint_for_count(const Ast& ast, const Function& function) {
+    if (ast.name == k_piecewise) return k_for_cases;
+    const bool is_extreme = function.most_arguments > function.arguments;
+    const char* const arguments = ast.name == "atan2" ? "(y, x)"
+                                  : ast.name == "pow" ? "(a, 2)"
+                                  : is_extreme        ? "(a, b)"
+                                                      : "(x)";
+    return fmt::format("write {}{}", ast.name, arguments) +
+           (ast.children.size() > function.most_arguments ? "; the decimal sign is a point" : "");
+  }
+
+  /// Comparisons where piecewise has its conditions, and nowhere else.
+  void check_conditions(const Ast& ast) {
+    const std::size_t count = ast.children.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Ast& child = ast.children[i];
+      const bool is_wanted = ast.name == k_piecewise && i % 2 == 0 && i + 1 < count;
+      const bool is_found = child.kind == AstKind::comparison;
+      if (is_found && !is_wanted) note(code::k_comparison, child.span, k_misplaced_comparison, k_for_cases);
+      if (!is_found && is_wanted && !is_broken(child)) {
+        note(code::k_comparison, child.span, "this condition of 'piecewise' is not a comparison", k_for_cases);
+      }
+    }
+  }
+
+  static bool is_comparison(TokenKind kind) {
+    return kind == TokenKind::less || kind == TokenKind::at_most || kind == TokenKind::greater ||
+           kind == TokenKind::at_least;
   }
 
   static std::string hint_for_function(const std::string& text) {
@@ -291,6 +376,12 @@ class Parser {
       return refuse(code::k_unbalanced_brackets, span, "this bracket closes nothing",
                     "remove it, or add the '(' that it belongs to");
     }
+    if (is_comparison(token().kind)) return refuse(code::k_comparison, span, k_misplaced_comparison, k_for_cases);
+    const bool is_word = token().name == "and" || token().name == "or" || token().name == "not";
+    if (is_word) {
+      return refuse(code::k_comparison, span, fmt::format("'{}' does not join conditions", token().name),
+                    "write piecewise(a < b, piecewise(c < d, x, y), y) for x where both hold, else y");
+    }
     if (token().kind == TokenKind::comma) {
       return refuse(code::k_expression_syntax, span, "a comma outside the arguments of a function",
                     "the decimal sign is a point: 1.5");
@@ -306,6 +397,7 @@ class Parser {
   const spec::LocatedText& text_;
   std::vector<Token> tokens_;
   bool is_cut_;
+  const KnownTables& tables_;
   support::Diagnostics& diagnostics_;
   std::size_t next_ = 0;
   int depth_ = 0;
@@ -315,12 +407,13 @@ class Parser {
 
 }  // namespace
 
-Ast parse_readable(const spec::LocatedText& text, support::Diagnostics& diagnostics) {
-  return Parser(text, tokenize(text, diagnostics), diagnostics).run();
+Ast parse_readable(const spec::LocatedText& text, support::Diagnostics& diagnostics, const KnownTables& tables) {
+  return Parser(text, tokenize(text, diagnostics), tables, diagnostics).run();
 }
 
-std::optional<Ast> parse_expression(const spec::LocatedText& text, support::Diagnostics& diagnostics) {
-  Ast ast = parse_readable(text, diagnostics);
+std::optional<Ast> parse_expression(const spec::LocatedText& text, support::Diagnostics& diagnostics,
+                                    const KnownTables& tables) {
+  Ast ast = parse_readable(text, diagnostics, tables);
   if (is_broken(ast)) return std::nullopt;
   return ast;
 }

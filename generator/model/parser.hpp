@@ -14,11 +14,12 @@ inline constexpr int k_largest_power = 64;
 
 inline constexpr const char* k_hint_for_empty_expression = "write a number or a formula; what vanishes is written as 0";
 
-/// Knows the grammar and the functions, not the names of the model. A mistake of syntax ends the expression, since what follows one
+/// Knows the grammar, the functions and the tables, not the other names of the model. A mistake of syntax ends the expression, since what follows one
 /// is guesswork; after others it goes on. An exponent is folded to one number. After a mistake: broken, with what could be read.
-Ast parse_readable(const spec::LocatedText& text, support::Diagnostics& diagnostics);
+Ast parse_readable(const spec::LocatedText& text, support::Diagnostics& diagnostics, const KnownTables& tables = {});
 
 /// The same, or nothing after a mistake.
-std::optional<Ast> parse_expression(const spec::LocatedText& text, support::Diagnostics& diagnostics);
+std::optional<Ast> parse_expression(const spec::LocatedText& text, support::Diagnostics& diagnostics,
+                                    const KnownTables& tables = {});
 
 }  // namespace gaussgen::model

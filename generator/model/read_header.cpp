@@ -16,9 +16,9 @@ namespace code = support::code;
 
 namespace {
 
-const std::vector<std::string> k_sections = {
-    "gauss",  "name",   "about",  "parameters", "inputs",      "coordinates", "orientations", "frames",
-    "joints", "points", "bodies", "particles",  "constraints", "forces",      "elimination",  "outputs"};
+const std::vector<std::string> k_sections = {"gauss",       "name",         "about",  "parameters",  "inputs", "tables",
+                                             "coordinates", "orientations", "frames", "joints",      "points", "bodies",
+                                             "particles",   "constraints",  "forces", "elimination", "outputs"};
 const std::vector<std::string> k_outputs = {"rhs",       "reactions",   "reaction_forces", "joint_reactions", "energy",       "compulsion",
                                             "residuals", "mass_matrix", "project",         "initial_state"};
 

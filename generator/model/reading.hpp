@@ -20,9 +20,10 @@ struct Reading {
   const support::Source& source;
   support::Diagnostics& diagnostics;
   Model model;
-  std::map<std::string, Declared> declared;
-  std::map<std::string, support::Span> bodies;  ///< particles too
-  std::map<std::string, std::size_t> orientations;
+  KnownTables tables = {};
+  std::map<std::string, Declared> declared = {};
+  std::map<std::string, support::Span> bodies = {};  ///< particles too
+  std::map<std::string, std::size_t> orientations = {};
   std::map<std::string, std::size_t> frames = {};  ///< index into Model::frames
   /// What each of Model::frames is placed against, until order_frames has found it; empty: space.
   std::vector<std::optional<Name>> parents = {};

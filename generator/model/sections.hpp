@@ -7,6 +7,7 @@
 namespace gaussgen::model {
 
 void read_header(const spec::Node& root, Reading& reading);
+void read_tables(const spec::Node& root, Reading& reading);
 void read_parameters(const spec::Node& root, Reading& reading);
 void read_inputs(const spec::Node& root, Reading& reading);
 void read_coordinates(const spec::Node& root, Reading& reading);

@@ -80,6 +80,12 @@ inline constexpr ErrorCode k_wrong_dimension{"E064", "an expression whose place 
 // What this program cannot do with a correct model.
 inline constexpr ErrorCode k_no_paper_route{"E060", "the paper's route does not take the model"};
 
+// Functions and tables.
+inline constexpr ErrorCode k_not_smooth{"E065", "a jump or a kink where derivatives are needed"};
+inline constexpr ErrorCode k_comparison{"E066", "a comparison out of place, or a condition that is none"};
+inline constexpr ErrorCode k_table_points{"E067", "points of a table that make no function"};
+inline constexpr ErrorCode k_unused_table{"W064", "a table that nothing uses"};
+
 inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate that moves no body"};
 inline constexpr ErrorCode k_unreal_inertia{"W063", "moments of inertia that no body has"};
 inline constexpr ErrorCode k_no_mass{"W056", "a body with neither mass nor inertia"};
@@ -152,6 +158,10 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_unlike_terms,
     code::k_argument_dimension,
     code::k_wrong_dimension,
+    code::k_not_smooth,
+    code::k_comparison,
+    code::k_table_points,
+    code::k_unused_table,
     code::k_idle_held_coordinate,
     code::k_scaled_unit,
     code::k_missing_unit,

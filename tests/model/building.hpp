@@ -43,7 +43,8 @@ inline std::string show(const gaussgen::model::Ast& ast) {
     case AstKind::product: text = "*"; break;
     case AstKind::reciprocal: text = "/"; break;
     case AstKind::power: text = "^"; break;
-    case AstKind::call: text = ast.name; break;
+    case AstKind::call:
+    case AstKind::comparison: text = ast.name; break;
   }
   for (const auto& child : ast.children) text += " " + show(child);
   return "(" + text + ")";
