@@ -79,10 +79,10 @@ class ModelText {
   void add(const model::Table& table) {
     const std::string kind = table.kind == model::Table::Kind::spline ? "spline" : "linear";
     const std::string outside = table.outside == model::Table::Outside::hold ? "held" : "extended";
-    const std::string of_unit = table.of_unit.text.empty() ? "" : "  [" + table.of_unit.text + "]";
+    const std::string of_unit = table.of_unit.empty() ? "" : "  [" + table.of_unit + "]";
     text_ += fmt::format("  {}: {}, {} outside{}", table.name.text, kind, outside, remarks("", table.about));
     text_ += fmt::format("    of {}{}\n    values {}{}", written(table.of), of_unit, written(table.values),
-                         remarks(table.unit.text, ""));
+                         remarks(table.unit, ""));
   }
 
   void add(const model::Coordinate& coordinate) {

@@ -112,18 +112,21 @@ class DimensionCheck {
       if (!parameter.is_formula) note_missing(parameter);
     }
     for (const Input& input : reading_.model.inputs) note_missing(input);
+    for (const Table& table : reading_.model.tables) note_missing(table);
     for (const Coordinate& coordinate : reading_.model.coordinates) note_missing(coordinate);
     if (missing_.empty()) return;
     std::string names;
     for (std::size_t i = 0; i < std::min(missing_.size(), k_most_names); ++i) {
-      names += (i == 0 ? "'" : ", '") + missing_[i]->text + "'";
+      names += (i == 0 ? "" : ", ") + missing_[i].text;
     }
     if (missing_.size() > k_most_names) names += fmt::format(" and {} more", missing_.size() - k_most_names);
-    reading_.diagnostics.warning(code::k_missing_unit, missing_[0]->span,
+    reading_.diagnostics.warning(code::k_missing_unit, missing_[0].span,
                                  fmt::format("no unit is given for {}: what is computed with {} is not checked", names,
                                              missing_.size() == 1 ? "it" : "them"),
-                                 missing_.size() == 1 ? "add one, as in 'unit: m'; 'unit: 1' is a plain number"
-                                                      : "add theirs, as in 'unit: m'; 'unit: 1' is a plain number");
+                                 fmt::format("add {}, as in 'unit: m'; 'unit: 1' is a plain number",
+                                             lacks_of_table_        ? "'unit', and 'of_unit' to tables"
+                                             : missing_.size() == 1 ? "one"
+                                                                    : "theirs"));
   }
 
  private:
@@ -135,13 +138,22 @@ class DimensionCheck {
 
   template <class Entry>
   void note_missing(const Entry& entry) {
-    if (entry.unit.empty()) missing_.push_back(&entry.name);
+    if (entry.unit.empty()) missing_.push_back({"'" + entry.name.text + "'", entry.name.span});
+  }
+
+  void note_missing(const Table& table) {
+    if (!table.unit.empty() && !table.of_unit.empty()) return;
+    const bool lacks_both = table.unit.empty() && table.of_unit.empty();
+    const char* const what = lacks_both ? "arguments and values" : table.unit.empty() ? "values" : "arguments";
+    lacks_of_table_ = true;
+    missing_.push_back({fmt::format("the {} of '{}'", what, table.name.text), table.name.span});
   }
 
   Reading& reading_;
   Inference infer_;
   std::set<const Ast*> done_;
-  std::vector<const Name*> missing_;
+  std::vector<Name> missing_;  ///< in words: 'x'
+  bool lacks_of_table_ = false;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "model/parser.hpp"
+#include "model/unit_parser.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
 
@@ -138,6 +139,12 @@ std::string text_field(const Node& map, const std::string& key, Reading& reading
     if (expect_scalar(entry.value, entry.key.span, "'" + key + "'", reading)) return entry.value.scalar.text;
   }
   return {};
+}
+
+std::optional<Dimension> dimension_at(const Node& map, const std::string& key, const std::string& unit,
+                                      Reading& reading) {
+  if (unit.empty()) return std::nullopt;
+  return parse_unit(spec::find(map, key)->scalar, reading.diagnostics);
 }
 
 Ast read_expression(const Node& node, Span owner, Reading& reading) {

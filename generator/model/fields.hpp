@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "model/reading.hpp"
-#include "model/unit_parser.hpp"
 
 namespace gaussgen::model {
 
@@ -29,11 +28,15 @@ const spec::Node* required(const spec::Node& map, const std::string& key, suppor
 /// The text at `key`; empty when the key is absent.
 std::string text_field(const spec::Node& map, const std::string& key, Reading& reading);
 
+/// Of the unit that text_field found at `key`; nothing when it is empty.
+std::optional<Dimension> dimension_at(const spec::Node& map, const std::string& key, const std::string& unit,
+                                      Reading& reading);
+
 /// Fills `unit` and `dimension` of what the map describes.
 template <class Owner>
 void read_unit(const spec::Node& map, Owner& owner, Reading& reading) {
   owner.unit = text_field(map, "unit", reading);
-  if (!owner.unit.empty()) owner.dimension = parse_unit(spec::find(map, "unit")->scalar, reading.diagnostics);
+  owner.dimension = dimension_at(map, "unit", owner.unit, reading);
 }
 
 /// A scalar that is a name or a word; `where` completes "… must be a single word".

@@ -127,8 +127,8 @@ Measure Inference::operator()(const Ast& ast, const Dimension* wanted) {
     case AstKind::product: return product(ast);
     case AstKind::reciprocal: return raised((*this)(ast.children[0]), -1);
     case AstKind::power: return raised((*this)(ast.children[0]), ast.children[1].number);
-    case AstKind::call: return call(ast);
-    case AstKind::comparison: break;
+    case AstKind::call: return call(ast, wanted);
+    case AstKind::comparison: return comparison(ast);
   }
   return {};
 }
@@ -136,23 +136,53 @@ Measure Inference::operator()(const Ast& ast, const Dimension* wanted) {
 Measure Inference::sum(const Ast& ast, const Dimension* wanted) {
   std::vector<Term> terms;
   for (const Ast& child : ast.children) terms.push_back({&without_sign(child), (*this)(child, wanted)});
+  // The sum of a shorthand is none of the user's.
+  return shared(terms, wanted, ast.is_derived ? nullptr : "sum");
+}
+
+/// Nothing follows from a condition.
+Measure Inference::comparison(const Ast& ast) {
+  std::vector<Term> sides;
+  for (const Ast& child : ast.children) sides.push_back({&child, (*this)(child)});
+  shared(sides, nullptr, "comparison");
+  return {};
+}
+
+/// min and max
+Measure Inference::extreme(const Ast& ast, const Dimension* wanted) {
+  std::vector<Term> arguments;
+  for (const Ast& child : ast.children) arguments.push_back({&child, (*this)(child, wanted)});
+  return shared(arguments, wanted, ast.name == "min" ? "min(...)" : "max(...)");
+}
+
+Measure Inference::cases(const Ast& ast, const Dimension* wanted) {
+  std::vector<Term> values;
+  for (const Ast& child : ast.children) {
+    if (child.kind == AstKind::comparison)
+      comparison(child);
+    else
+      values.push_back({&child, (*this)(child, wanted)});
+  }
+  return shared(values, wanted, "piecewise(...)");
+}
+
+Measure Inference::shared(const std::vector<Term>& terms, const Dimension* wanted, const char* whole) {
   const std::vector<Group> groups = grouped(terms);
   const Group* reference = reference_of(groups, wanted);
   if (reference == nullptr) return {kind_of_all(terms)};
   // One message for all terms that are wrong in the same way.
   for (const Group& group : groups) {
-    // The sum of a shorthand is none of the user's.
-    if (&group != reference && !ast.is_derived) report_unlike(*group.first, *reference->first);
+    if (&group != reference && whole != nullptr) report_unlike(*group.first, *reference->first, whole);
   }
   return groups.size() > 1 ? Measure{} : reference->first->measure;
 }
 
-void Inference::report_unlike(const Term& term, const Term& reference) {
+void Inference::report_unlike(const Term& term, const Term& reference, const char* whole) {
   const bool is_literal = term.measure.kind == Kind::literal;
   diagnostics_.error(
       code::k_unlike_terms, term.ast->span,
-      fmt::format("{} is {}, and {} in the same sum is {}", quoted(*term.ast, "this term"), phrase(term.measure),
-                  quoted(*reference.ast, "another term"), phrase(reference.measure)),
+      fmt::format("{} is {}, and {} in the same {} is {}", quoted(*term.ast, "this term"), phrase(term.measure),
+                  quoted(*reference.ast, "another term"), whole, phrase(reference.measure)),
       is_literal ? fmt::format("declare a parameter with a unit for it, as in 'a: {{value: {}, unit: {}}}'",
                                literal_text(*term.ast), unit_of(reference.measure))
                  : units_of_names(model_, {term.ast, reference.ast}));
@@ -169,15 +199,25 @@ Measure Inference::product(const Ast& ast) {
   return result;
 }
 
-Measure Inference::call(const Ast& ast) {
+Measure Inference::call(const Ast& ast, const Dimension* wanted) {
+  if (ast.table != nullptr) return table(ast);
   if (ast.name == "atan2") return atan2(ast);
+  if (ast.name == "abs") return (*this)(ast.children[0], wanted);
+  if (ast.name == "min" || ast.name == "max") return extreme(ast, wanted);
+  if (ast.name == k_piecewise) return cases(ast, wanted);
   if (ast.name == "sqrt") return raised((*this)(ast.children[0]), support::Rational(1) / 2);
   if (ast.name == k_dot) {
     const Measure inner = (*this)(ast.children[0]);
     return inner.kind == Kind::known ? known(inner.dimension / measure_of(model_, "t").dimension) : Measure{};
   }
+  return function(ast);
+}
+
+/// Of one argument, a plain number or an angle; only `sign` takes anything.
+Measure Inference::function(const Ast& ast) {
   const Measure argument = (*this)(ast.children[0]);
   if (argument.kind == Kind::literal) return argument;
+  if (ast.name == "sign") return known({});
   if (argument.kind == Kind::known && !is_number(argument.dimension)) {
     diagnostics_.error(
         code::k_argument_dimension, ast.children[0].span,
@@ -186,6 +226,21 @@ Measure Inference::call(const Ast& ast) {
         units_of_names(model_, {&ast.children[0]}));
   }
   return is_in(k_to_angles, ast.name) ? angle() : known({});
+}
+
+Measure Inference::table(const Ast& ast) {
+  const auto found = std::find_if(model_.tables.begin(), model_.tables.end(),
+                                  [&](const Table& table) { return table.function == ast.table; });
+  const Measure wanted = found == model_.tables.end() ? Measure{} : measure_of_argument(*found);
+  const bool is_free = wanted.kind != Kind::known;
+  const Measure argument = (*this)(ast.children[0], is_free ? nullptr : &wanted.dimension);
+  if (!is_free && argument.kind == Kind::known && !agree(argument.dimension, wanted.dimension)) {
+    report(
+        code::k_argument_dimension, ast.children[0],
+        fmt::format("the argument of the table '{}' is {}, and this is {}", ast.name, phrase(wanted), phrase(argument)),
+        units_of_names(model_, {&ast.children[0]}));
+  }
+  return measure_of(model_, ast.name);
 }
 
 /// Both arguments in one unit, as the sides of a triangle.

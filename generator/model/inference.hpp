@@ -14,11 +14,11 @@ class Inference {
   Inference(const Model& model, const support::Source& source, support::Diagnostics& diagnostics)
       : model_(model), source_(source), diagnostics_(diagnostics) {}
 
-  /// Reports sums and arguments that do not fit; what follows from a mistake is unknown. Where terms of a sum disagree, those in `wanted`
-  /// are right.
+  /// Reports sums, comparisons, choices and arguments that do not fit; what follows from a mistake is unknown. Where terms of a sum
+  /// disagree, those in `wanted` are right.
   Measure operator()(const Ast& ast, const Dimension* wanted = nullptr);
 
-  /// Of a sum, without its sign.
+  /// Of a sum, without its sign; or of what is compared or chosen from.
   struct Term {
     const Ast* ast;
     Measure measure;
@@ -30,9 +30,17 @@ class Inference {
  private:
   Measure sum(const Ast& ast, const Dimension* wanted);
   Measure product(const Ast& ast);
-  Measure call(const Ast& ast);
+  Measure call(const Ast& ast, const Dimension* wanted);
   Measure atan2(const Ast& ast);
-  void report_unlike(const Term& term, const Term& reference);
+  Measure comparison(const Ast& ast);
+  Measure extreme(const Ast& ast, const Dimension* wanted);
+  Measure cases(const Ast& ast, const Dimension* wanted);
+  Measure table(const Ast& ast);
+  Measure function(const Ast& ast);
+
+  /// The measure that all terms share. `whole` names in messages what they are part of; without it none is written.
+  Measure shared(const std::vector<Term>& terms, const Dimension* wanted, const char* whole);
+  void report_unlike(const Term& term, const Term& reference, const char* whole);
 
   /// The text of a term as a name for it: "'r*wx'", or `otherwise` when it is long.
   std::string quoted(const Ast& ast, const std::string& otherwise) const;

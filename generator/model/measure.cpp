@@ -18,6 +18,12 @@ Measure stated(const Entry& entry) {
   return {Measure::Kind::known, *entry.dimension, entry.unit};
 }
 
+Measure measure_of_values(const std::vector<Table>& tables, const std::string& name) {
+  const auto found =
+      std::find_if(tables.begin(), tables.end(), [&](const Table& table) { return table.name.text == name; });
+  return found == tables.end() ? Measure{} : stated(*found);
+}
+
 Dimension angular_velocity() {
   Dimension rate = power(time(), -1);
   rate.angle = 1;
@@ -26,7 +32,8 @@ Dimension angular_velocity() {
 
 void collect_names(const Ast& ast, std::vector<std::string>& names) {
   for (const Ast& child : ast.children) collect_names(child, names);
-  if (ast.kind != AstKind::symbol || ast.name == "pi" || ast.name.empty()) return;
+  const bool is_name = ast.kind == AstKind::symbol || ast.table != nullptr;
+  if (!is_name || ast.name == "pi" || ast.name.empty()) return;
   if (std::find(names.begin(), names.end(), ast.name) == names.end()) names.push_back(ast.name);
 }
 
@@ -41,7 +48,7 @@ Measure known(const Dimension& dimension) { return {Measure::Kind::known, dimens
 
 Measure measure_of(const Model& model, const std::string& symbol) {
   const auto found = model.symbols.find(symbol);
-  if (found == model.symbols.end()) return {};
+  if (found == model.symbols.end()) return measure_of_values(model.tables, symbol);
   const std::size_t index = found->second.index;
   switch (found->second.kind) {
     case SymbolKind::time: return known(time());
@@ -54,6 +61,11 @@ Measure measure_of(const Model& model, const std::string& symbol) {
     case SymbolKind::place: return {Measure::Kind::known, {{1}}, "m"};
   }
   return {};
+}
+
+Measure measure_of_argument(const Table& table) {
+  if (!table.of_dimension) return {};
+  return {Measure::Kind::known, *table.of_dimension, table.of_unit};
 }
 
 std::string unit_of(const Measure& measure) {

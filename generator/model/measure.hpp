@@ -20,8 +20,11 @@ struct Measure {
 
 Measure known(const Dimension& dimension);
 
-/// Of a name in an expression; unknown when the name has no unit or is not declared.
+/// Of a name in an expression, or of what a table gives; unknown when it has no unit or is not declared.
 Measure measure_of(const Model& model, const std::string& symbol);
+
+/// What a table has to be called with.
+Measure measure_of_argument(const Table& table);
 
 /// "m/s", "kN" as the user wrote it; "1".
 std::string unit_of(const Measure& measure);

@@ -50,8 +50,10 @@ struct Table {
   std::vector<Ast> values;  ///< likewise, one for each
   Kind kind = Kind::linear;
   Outside outside = Outside::hold;
-  Name of_unit;                                    ///< empty when not given
-  Name unit;                                       ///< of the values; empty when not given
+  std::string of_unit;                             ///< of the arguments; empty when not given
+  std::optional<Dimension> of_dimension;           ///< of `of_unit`
+  std::string unit;                                ///< of the values; empty when not given
+  std::optional<Dimension> dimension;              ///< of `unit`
   std::shared_ptr<const support::Table> function;  ///< what calls refer to
 };
 

@@ -42,13 +42,6 @@ Word choice(const spec::Node& map, const std::string& key, const std::pair<std::
   return missing;
 }
 
-Name name_field(const spec::Node& map, const std::string& key, Reading& reading) {
-  const spec::Node* node = spec::find(map, key);
-  if (node == nullptr || node->kind == spec::NodeKind::empty) return {};
-  if (!expect_scalar(*node, map.span, "'" + key + "'", reading)) return {};
-  return name_of(node->scalar);
-}
-
 /// pi as a number that serves for all digits that anyone asks for in practice.
 Ast with_number_for_pi(Ast ast) {
   for (Ast& child : ast.children) child = with_number_for_pi(std::move(child));
@@ -100,8 +93,9 @@ class TableReader {
     const Outside by_kind = table.kind == Kind::spline ? Outside::extend : Outside::hold;
     table.outside =
         choice<Outside>(map, "outside", {"hold", Outside::hold}, {"extend", Outside::extend}, by_kind, reading_);
-    table.of_unit = name_field(map, "of_unit", reading_);
-    table.unit = name_field(map, "unit", reading_);
+    table.of_unit = text_field(map, "of_unit", reading_);
+    table.of_dimension = dimension_at(map, "of_unit", table.of_unit, reading_);
+    read_unit(map, table, reading_);
     table.about = text_field(map, "about", reading_);
   }
 
@@ -190,8 +184,8 @@ class TableReader {
     text +=
         fmt::format("{} {} points, {} outside of them", is_spline ? "natural cubic spline through" : "straight between",
                     table.of.size(), table.outside == Table::Outside::hold ? "constant" : "straight");
-    if (!table.unit.text.empty()) text += fmt::format("; values in {}", table.unit.text);
-    if (!table.of_unit.text.empty()) text += fmt::format("; x in {}", table.of_unit.text);
+    if (!table.unit.empty()) text += fmt::format("; values in {}", table.unit);
+    if (!table.of_unit.empty()) text += fmt::format("; x in {}", table.of_unit);
     return text + ".";
   }
 

@@ -36,6 +36,10 @@ void check_unit(const Name& name, const std::string& unit, Reading& reading) {
 void check_units(Reading& reading) {
   for (const Parameter& parameter : reading.model.parameters) check_unit(parameter.name, parameter.unit, reading);
   for (const Input& input : reading.model.inputs) check_unit(input.name, input.unit, reading);
+  for (const Table& table : reading.model.tables) {
+    check_unit(table.name, table.unit, reading);
+    if (table.of_unit != table.unit) check_unit(table.name, table.of_unit, reading);
+  }
   for (const Coordinate& coordinate : reading.model.coordinates) check_unit(coordinate.name, coordinate.unit, reading);
 }
 

@@ -73,7 +73,7 @@ inline constexpr ErrorCode k_dependent_speeds{"E059", "a choice of dependent spe
 
 // Units and dimensions.
 inline constexpr ErrorCode k_malformed_unit{"E061", "a unit that is not known or cannot be read"};
-inline constexpr ErrorCode k_unlike_terms{"E062", "a sum of quantities that cannot be added"};
+inline constexpr ErrorCode k_unlike_terms{"E062", "a sum, comparison or choice of quantities in different units"};
 inline constexpr ErrorCode k_argument_dimension{"E063", "the argument of a function in a wrong unit"};
 inline constexpr ErrorCode k_wrong_dimension{"E064", "an expression whose place wants another unit"};
 

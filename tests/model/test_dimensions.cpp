@@ -106,6 +106,66 @@ TEST_CASE("functions take numbers") {
   CHECK(found_in("dot(x)*atan2(1, l)") == "E063");
 }
 
+TEST_CASE("what is compared or chosen from is in one unit, which the choice has") {
+  CHECK(unit_of("min(l, 2*l, 0)") == "m");
+  CHECK(unit_of("max(u, l)") == "m");
+  CHECK(unit_of("max(u, 1)") == "-");
+  CHECK(unit_of("min(2, 3)") == "-");
+  CHECK(unit_of("min(l, 1)") == "E062");
+  CHECK(unit_of("max(l, m)") == "E062");
+  CHECK(unit_of("abs(-l)") == "m");
+  CHECK(unit_of("abs(-2)") == "-");
+  CHECK(unit_of("sign(l)") == "1");
+  CHECK(unit_of("sign(u)") == "1");
+  CHECK(unit_of("pow(l, 2)*m") == "kg*m^2");
+  CHECK(unit_of("piecewise(l > 0, l, 2*l)") == "m");
+  CHECK(unit_of("piecewise(l > u, 0, l < 2*l, 0, l)") == "m");
+  CHECK(unit_of("piecewise(l > 0, 1, 2)") == "-");
+  CHECK(unit_of("piecewise(l > 0, l, m)") == "E062");
+  CHECK(unit_of("piecewise(l > m, l, 0)") == "E062");
+  CHECK(unit_of("piecewise(l > 1, l, 0)") == "E062");
+  CHECK(unit_of("piecewise(l > 0, l*(l + m), l^2)") == "E062");
+}
+
+TEST_CASE("the wanted unit decides which value of a choice is wrong") {
+  const Built built(model_with(", y: {value: u, unit: m}}\nforces: {f: {generalized: {x: 'min(m, x, F, l)'}}}"));
+  REQUIRE(built.codes() == "E062 E062");
+  CHECK(built.source.text(built.diagnostics.all()[0].span) == "m");
+  CHECK(built.source.text(built.diagnostics.all()[1].span) == "x");
+}
+
+TEST_CASE("a table takes its unit and gives its unit") {
+  const auto with = [](const std::string& units, const std::string& force) {
+    return codes("tables: {k: {of: [0, 1], values: [0, 1]" + units + "}}\nforces: {f: {generalized: {x: '" + force +
+                 "'}}}");
+  };
+  const std::string units = ", of_unit: m, unit: N";
+  CHECK(with(units, "k(x)") == k_unknown);
+  CHECK(with(units, "k(2*x - l) + k(1) + k(u)") == k_unknown);
+  CHECK(with(units, "k(a)") == "E063");
+  CHECK(with(units, "k(x/l)") == "E063");
+  CHECK(with(units, "x*k(x)") == "E064");
+  CHECK(with(units, "k(x) + x*F") == "E062");
+  CHECK(with(units, "k(k(x))") == "E063");
+  // What it lacks fits everything.
+  CHECK(with(", unit: N", "k(a) + k(F)") == k_unknown);
+  CHECK(with(", of_unit: m", "k(x) + F") == k_unknown);
+  CHECK(with(", of_unit: m", "k(a) + F") == "E063");
+  CHECK(with("", "k(a)*x") == k_unknown);
+  CHECK(with(", of_unit: metre, unit: N", "k(a)") == "E061");
+}
+
+TEST_CASE("the unit of a table asks for the check, too") {
+  const auto model = [](const std::string& units) {
+    return Built(test::k_header + "tables: {k: {of: [0, 1], values: [0, 1]" + units +
+                 "}}\ncoordinates: {x: {}}\nparticles: {p: {mass: 1, position: [x, 0, 0]}}\n" +
+                 "forces: {f: {generalized: {x: k(t)}}}\n");
+  };
+  CHECK(model("").codes().empty());
+  CHECK(model(", unit: N").codes() == "W062");
+  CHECK(model(", of_unit: m").codes() == "E063");
+}
+
 TEST_CASE("every place wants its own unit") {
   const auto body = [](const std::string& inertia, const std::string& angle) {
     return codes("bodies: {b: {mass: m, inertia: '" + inertia + "', position: [x, 0, 0], " +
