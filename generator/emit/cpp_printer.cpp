@@ -30,13 +30,7 @@ class Printer {
     comment_lines(table.comment, "///", 0);
     if (table.is_template) out += "template <class S>\n";
     out += "inline constexpr " + table.type + " " + table.name + "[] = {\n";
-    for (const std::vector<Expression>& row : table.rows) {
-      Line line(k_step);
-      const bool is_plain = row.size() == 1;
-      line.text(is_plain ? "" : "{");
-      for (std::size_t i = 0; i < row.size(); ++i) line.text(i > 0 ? ", " : "").expression(row[i]);
-      out += line.text(is_plain ? "," : "},").str() + "\n";
-    }
+    for (const std::vector<Expression>& row : table.rows) row_of_array(row, k_step);
     out += "};\n";
   }
 
@@ -53,6 +47,14 @@ class Printer {
       out += spaces(indent) + mark + (line.empty() ? "" : " " + line) + "\n";
       begin = end + 1;
     }
+  }
+
+  void row_of_array(const std::vector<Expression>& row, std::size_t indent) {
+    Line line(indent);
+    const bool is_plain = row.size() == 1;
+    line.text(is_plain ? "" : "{");
+    for (std::size_t i = 0; i < row.size(); ++i) line.text(i > 0 ? ", " : "").expression(row[i]);
+    out += line.text(is_plain ? "," : "},").str() + "\n";
   }
 
   void structure(const Struct& type, std::size_t indent) {
@@ -125,23 +127,41 @@ class Printer {
     out += "}\n";
   }
 
-  void statement(const Definition& s) {
-    finish(Line(k_step).text(s.type + " " + s.name + " = ").expression(s.value));
-  }
+  void statement(const Definition& s) { finish(Line(indent_).text(s.type + " " + s.name + " = ").expression(s.value)); }
   void statement(const Declaration& s) {
-    Line line(k_step);
+    Line line(indent_);
     line.text(s.type + " ");
     for (std::size_t i = 0; i < s.names.size(); ++i) line.text((i > 0 ? ", " : "") + s.names[i]);
     finish(line);
   }
-  void statement(const Alias& s) { finish(Line(k_step).text("using " + s.name + " = " + s.type)); }
-  void statement(const Assignment& s) { finish(Line(k_step).expression(s.target).text(" = ").expression(s.value)); }
-  void statement(const Evaluation& s) { finish(Line(k_step).expression(s.expression)); }
-  void statement(const Return& s) { finish(Line(k_step).text("return ").expression(s.value)); }
+  void statement(const Alias& s) { finish(Line(indent_).text("using " + s.name + " = " + s.type)); }
+  void statement(const Assignment& s) { finish(Line(indent_).expression(s.target).text(" = ").expression(s.value)); }
+  void statement(const Evaluation& s) { finish(Line(indent_).expression(s.expression)); }
+  void statement(const Return& s) { finish(Line(indent_).text("return ").expression(s.value)); }
   void statement(const BlankLine&) { out += "\n"; }
-  void statement(const Comment& s) { comment_lines(s.text, "//", k_step); }
+  void statement(const Comment& s) { comment_lines(s.text, "//", indent_); }
+
+  void statement(const Array& s) {
+    const std::string size = "[" + std::to_string(s.rows.size()) + "][" + std::to_string(s.rows.front().size()) + "]";
+    out += spaces(indent_) + "const " + s.type + " " + s.name + size + " = {\n";
+    for (const std::vector<Expression>& row : s.rows) row_of_array(row, indent_ + 2 * k_step);
+    out += spaces(indent_) + "};\n";
+  }
+
+  void statement(const Loop& s) {
+    const std::string& i = s.index;
+    out += spaces(indent_) + "for (int " + i + " = " + s.from + "; " + i + " < " + s.to + "; ++" + i + ") {\n";
+    indent_ += k_step;
+    for (const AnyStatement& inner : s.body) {
+      std::visit([this](const auto& one) { this->statement(one); }, inner.statement);
+    }
+    indent_ -= k_step;
+    out += spaces(indent_) + "}\n";
+  }
 
   void finish(Line line) { out += line.text(";").str() + "\n"; }
+
+  std::size_t indent_ = k_step;  ///< of statements
 };
 
 }  // namespace

@@ -76,7 +76,30 @@ struct Comment {
   std::string text;
 };
 
-using Statement = std::variant<Definition, Declaration, Alias, Assignment, Evaluation, Return, BlankLine, Comment>;
+/// `const type name[…][…] = {{…}, …};`, rows of one length.
+struct Array {
+  std::string type;
+  std::string name;
+  std::vector<std::vector<Expression>> rows;
+};
+
+struct AnyStatement;
+
+/// `for (int index = from; index < to; ++index) {…}`
+struct Loop {
+  std::string index;
+  std::string from;
+  std::string to;
+  std::vector<AnyStatement> body;
+};
+
+using Statement =
+    std::variant<Definition, Declaration, Alias, Assignment, Evaluation, Return, BlankLine, Comment, Array, Loop>;
+
+/// A Statement before the type is complete.
+struct AnyStatement {
+  Statement statement;
+};
 
 struct Argument {
   std::string type;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "emit/choice.hpp"
 #include "emit/literal.hpp"
 #include "ir/content.hpp"
 #include "ir/print.hpp"
@@ -50,7 +51,29 @@ Expression ExpressionWriter::condition(NodeId id) const {
   return node.kind == Kind::constant ? cpp::atom(node.value == 0 ? "Bool(false)" : "Bool(true)") : value(id);
 }
 
+Expression ExpressionWriter::choice(const Node& node) const {
+  const bool is_piecewise = node.function == ir::Function::piecewise;
+  const Node& compared = is_piecewise ? writing_.graph()[node.children[0]] : node;
+  std::vector<Comparand> operands;
+  for (const NodeId child : compared.children) {
+    operands.push_back({value(child), writing_.graph()[child].kind == Kind::constant});
+  }
+  switch (node.function) {
+    case ir::Function::abs: return size_of(operands[0].value);
+    case ir::Function::sign: return sign_of(operands[0].value);
+    case ir::Function::min: return smaller(operands[0], operands[1]);
+    case ir::Function::max: return larger(operands[0], operands[1]);
+    default: break;
+  }
+  const bool is_strict = compared.function == ir::Function::less;
+  return by_case({is_strict, operands[0], operands[1]}, value(node.children[1]), value(node.children[2]));
+}
+
 Expression ExpressionWriter::function(const Node& node) const {
+  if (ir::is_choice(node.function) && node.function != ir::Function::select) return choice(node);
+  if (node.function == ir::Function::table) {
+    return cpp::call(names_.of_table(node.table, support::to_int(node.value)), {value(node.children[0])});
+  }
   std::vector<Expression> arguments;
   for (const NodeId child : node.children) {
     const bool is_condition =

@@ -34,6 +34,8 @@ class ExpressionWriter {
 
   cpp::Expression symbol(const ir::Node& node) const;
   cpp::Expression function(const ir::Node& node) const;
+  /// abs to piecewise, by selections.
+  cpp::Expression choice(const ir::Node& node) const;
   cpp::Expression power(NodeId id) const;
   cpp::Expression sum(const ir::Node& node) const;
   /// factor * id, factor positive

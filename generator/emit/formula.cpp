@@ -1,5 +1,7 @@
 #include "emit/formula.hpp"
 
+#include <optional>
+
 #include "emit/cpp_printer.hpp"
 
 namespace gaussgen::emit {
@@ -48,9 +50,43 @@ Expression selection(Expression select) {
   return select;
 }
 
+bool is_call(const Expression& e, const std::string& function) {
+  return e.kind == Expression::Kind::call && e.text == "Math<S>::" + function;
+}
+
+/// b <= a for a < b.
+bool are_opposite(const Expression& one, const Expression& other) {
+  const bool are_comparisons =
+      (is_call(one, "less") && is_call(other, "at_most")) || (is_call(one, "at_most") && is_call(other, "less"));
+  return are_comparisons && print(one.operands[0]) == print(other.operands[1]) &&
+         print(one.operands[1]) == print(other.operands[0]);
+}
+
+Expression comparison(const Expression& condition) {
+  const std::string sign = is_call(condition, "less") ? " < " : " <= ";
+  return cpp::atom(print(as_formula(condition.operands[0])) + sign + print(as_formula(condition.operands[1])));
+}
+
+/// What choice.hpp writes with a third case, for what is not a number: two of several cases, minimum or maximum.
+std::optional<Expression> two_cases(const Expression& select) {
+  const Expression& condition = select.operands[0];
+  const Expression& yes = select.operands[1];
+  const Expression& rest = select.operands[2];
+  if (!is_call(rest, "select") || !are_opposite(condition, rest.operands[0])) return std::nullopt;
+  const Expression& no = rest.operands[1];
+  const std::vector<Expression> both{as_formula(yes), as_formula(no)};
+  const std::string a = print(condition.operands[0]), b = print(condition.operands[1]);
+  if (print(yes) == a && print(no) == b) return cpp::call("min", both);
+  if (print(yes) == b && print(no) == a) return cpp::call("max", both);
+  return cpp::call("piecewise", {comparison(condition), both[0], both[1]});
+}
+
 }  // namespace
 
 Expression as_formula(const Expression& expression) {
+  if (is_call(expression, "select")) {
+    if (const auto cases = two_cases(expression)) return *cases;
+  }
   Expression result = expression;
   result.text = without_scope(expression.text);
   for (Expression& operand : result.operands) operand = as_formula(operand);

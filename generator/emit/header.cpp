@@ -3,6 +3,7 @@
 #include "emit/cpp_printer.hpp"
 #include "emit/functions.hpp"
 #include "emit/identifiers.hpp"
+#include "emit/lookup.hpp"
 #include "emit/provenance.hpp"
 #include "emit/structs.hpp"
 #include "emit/tables.hpp"
@@ -43,7 +44,8 @@ class HeaderBuilder {
     const std::string guard = guard_name(file_.name_space);
     std::vector<cpp::Function> functions{prepare_function(plan_)};
     for (const Task& task : plan_.tasks) functions.push_back(artefact_function(plan_, task));
-    file_.before = {cpp::Comment{provenance_text(plan_, functions)}, cpp::BlankLine{},
+    std::vector<cpp::Function> tables = table_functions(plan_);
+    file_.before = {cpp::Comment{provenance_text(plan_, functions, costs_of(tables))}, cpp::BlankLine{},
                     cpp::Verbatim{"#ifndef " + guard + "\n#define " + guard + "\n\n"},
                     cpp::Verbatim{std::string(prelude())}, cpp::BlankLine{}};
     // A model outside of namespace gauss still needs Math, Status and their like.
@@ -51,6 +53,8 @@ class HeaderBuilder {
     file_.items.emplace_back(cpp::BlankLine{});
     if (!is_inside) add(cpp::Verbatim{"using namespace ::gauss;\n"});
     add_all(sizes(plan_));
+    // Before everything that may call them, default values included.
+    for (cpp::Function& function : tables) add(std::move(function));
     for (cpp::Struct& type : types()) add(std::move(type));
     for (cpp::Function& function : functions) add(std::move(function));
     add_all(introspection_tables(plan_));

@@ -33,6 +33,7 @@ UnitNames::UnitNames(const ir::Graph& graph, const Unit& unit) {
   for (const Entry& entry : unit.speeds) add(entry);
   for (const Entry& entry : unit.accelerations) add(entry);
   for (const std::string& rate : unit.configuration_rates) add(rate);
+  for (std::uint32_t i = 0; i < graph.table_count(); ++i) add(graph.table(ir::TableId{i}));
   bind(unit.time, "t");
   bind(unit.epsilon, "Math<S>::epsilon()");
   for (std::uint32_t i = 0; i < graph.symbol_count(); ++i) {
@@ -45,6 +46,15 @@ void UnitNames::add(const std::string& name) {
   if (texts_.count(name) != 0) return;
   const bool is_free = scope_.is_free(mangled(name));
   texts_.emplace(name, scope_.allocate(is_free ? name : name + "_"));
+}
+
+void UnitNames::add(const support::Table& table) {
+  std::vector<std::string> names{scope_.allocate(table.name)};
+  for (std::size_t order = 1; order <= table.degree(); ++order) {
+    names.push_back(scope_.allocate(table.name + "_d" + std::to_string(order)));
+  }
+  names.push_back(scope_.allocate(table.name + "_piece"));
+  tables_.push_back(std::move(names));
 }
 
 void UnitNames::add(const Entry& entry) {

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "emit/unit.hpp"
 
@@ -35,6 +36,12 @@ class UnitNames {
   const std::string& of(const std::string& name) const { return texts_.at(name); }
   const std::string& of(const Entry& entry) const { return of(entry.name); }
 
+  /// The function that gives a derivative of a table, and the one that finds the piece for all of them.
+  const std::string& of_table(ir::TableId table, int order) const {
+    return tables_.at(table.index)[static_cast<std::size_t>(order)];
+  }
+  const std::string& of_pieces(ir::TableId table) const { return tables_.at(table.index).back(); }
+
   /// As local variables call a symbol; empty if it has no name of its own.
   std::string of_symbol(SymbolId symbol) const;
   void bind(SymbolId symbol, const std::string& text) { symbols_[symbol.index] = text; }
@@ -47,10 +54,12 @@ class UnitNames {
  private:
   void add(const std::string& name);
   void add(const Entry& entry);
+  void add(const support::Table& table);
 
   NameScope scope_;
   std::map<std::string, std::string> texts_;
   std::unordered_map<std::uint32_t, std::string> symbols_;
+  std::vector<std::vector<std::string>> tables_;  ///< of each: value, derivatives, pieces
 };
 
 }  // namespace gaussgen::emit

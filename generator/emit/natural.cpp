@@ -59,9 +59,15 @@ class Namer {
 
   std::string of_function(const Node& node) const {
     if (node.function >= ir::Function::less) return {};
-    std::string name(ir::name_of(node.function));
+    std::string name = name_of_function(node);
     for (const NodeId child : node.children) name = joined(name, "_", operand(child));
     return name;
+  }
+
+  std::string name_of_function(const Node& node) const {
+    if (node.function != ir::Function::table) return std::string(ir::name_of(node.function));
+    const std::string derivative = node.value == 0 ? "" : "_d" + support::to_text(node.value);
+    return graph_.table(node.table).name + derivative;
   }
 
   std::string of_power(const Node& node) const {

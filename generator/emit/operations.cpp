@@ -22,6 +22,8 @@ bool is_free(const std::string& callee) {
 
 class Tally {
  public:
+  explicit Tally(const std::map<std::string, Operations>& callees) : callees_(callees) {}
+
   void add(const Expression& e) {
     const int count = static_cast<int>(e.operands.size());
     switch (e.kind) {
@@ -38,6 +40,7 @@ class Tally {
 
  private:
   void add_call(const std::string& callee) {
+    if (const auto own = callees_.find(callee); own != callees_.end()) return add(own->second);
     if (callee.rfind("Math<S>::", 0) != 0 || is_free(callee)) return;
     if (callee == "Math<S>::sqrt") {
       ++operations.square_roots;
@@ -45,12 +48,22 @@ class Tally {
       operations.functions += callee == "Math<S>::sincos" ? 2 : 1;
     }
   }
+
+  void add(const Operations& other) {
+    operations.additions += other.additions;
+    operations.multiplications += other.multiplications;
+    operations.divisions += other.divisions;
+    operations.square_roots += other.square_roots;
+    operations.functions += other.functions;
+  }
+
+  const std::map<std::string, Operations>& callees_;
 };
 
 }  // namespace
 
-Operations operations_of(const cpp::Function& function) {
-  Tally tally;
+Operations operations_of(const cpp::Function& function, const std::map<std::string, Operations>& callees) {
+  Tally tally(callees);
   for (const cpp::Statement& statement : function.body) {
     if (const auto* definition = std::get_if<cpp::Definition>(&statement)) tally.add(definition->value);
     if (const auto* assignment = std::get_if<cpp::Assignment>(&statement)) tally.add(assignment->value);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "emit/cpp_tree.hpp"
 
 namespace gaussgen::emit {
@@ -13,6 +16,7 @@ struct Operations {
   int functions = 0;  ///< sin, pow, …; a sine and a cosine together are two
 };
 
-Operations operations_of(const cpp::Function& function);
+/// `callees`: what calls of functions of the same header cost.
+Operations operations_of(const cpp::Function& function, const std::map<std::string, Operations>& callees = {});
 
 }  // namespace gaussgen::emit

@@ -40,10 +40,10 @@ std::string quantities(const Unit& unit) {
          table("Parameters", parameters) + table("Inputs", inputs);
 }
 
-std::string operations(const std::vector<cpp::Function>& functions) {
+std::string operations(const std::vector<cpp::Function>& functions, const std::map<std::string, Operations>& callees) {
   Rows rows{{"", "+ -", "*", "/", "sqrt", "functions"}};
   for (const cpp::Function& function : functions) {
-    const Operations count = operations_of(function);
+    const Operations count = operations_of(function, callees);
     rows.push_back({function.name, std::to_string(count.additions), std::to_string(count.multiplications),
                     std::to_string(count.divisions), std::to_string(count.square_roots), std::to_string(count.functions)});
   }
@@ -52,7 +52,8 @@ std::string operations(const std::vector<cpp::Function>& functions) {
 
 }  // namespace
 
-std::string provenance_text(const Plan& plan, const std::vector<cpp::Function>& functions) {
+std::string provenance_text(const Plan& plan, const std::vector<cpp::Function>& functions,
+                            const std::map<std::string, Operations>& callees) {
   const Unit& unit = plan.unit;
   const Provenance& provenance = unit.provenance;
   std::string text = wrapped(unit.model_name + (unit.about.empty() ? "" : ": " + unit.about), k_width);
@@ -61,7 +62,7 @@ std::string provenance_text(const Plan& plan, const std::vector<cpp::Function>& 
   text += paragraph("Command: " + provenance.command);
   if (!provenance.strategy.empty()) text += "\n" + paragraph(provenance.strategy);
   for (const std::string& note : provenance.notes) text += paragraph(note);
-  return text + quantities(unit) + operations(functions);
+  return text + quantities(unit) + operations(functions, callees);
 }
 
 }  // namespace gaussgen::emit

@@ -4,11 +4,13 @@
 #include <vector>
 
 #include "emit/cpp_tree.hpp"
+#include "emit/operations.hpp"
 #include "emit/plan.hpp"
 
 namespace gaussgen::emit {
 
 /// The text on top of the header: what it is, where it comes from, what each of `functions` costs. No date, path or host.
-std::string provenance_text(const Plan& plan, const std::vector<cpp::Function>& functions);
+std::string provenance_text(const Plan& plan, const std::vector<cpp::Function>& functions,
+                            const std::map<std::string, Operations>& callees);
 
 }  // namespace gaussgen::emit

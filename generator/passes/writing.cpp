@@ -37,11 +37,28 @@ void Writing::walk(const std::vector<NodeId>& roots) {
 
 const std::vector<NodeId>& Writing::operands(NodeId id) const {
   const Node& node = graph_[id];
+  if (const auto choice = choices_.find(id.index); choice != choices_.end()) return choice->second;
   return node.kind == Kind::power ? power_form(id).operands : node.children;
 }
 
 void Writing::decompose(NodeId id) {
-  if (graph_[id].kind == Kind::power) forms_.emplace(id.index, form_of(id));
+  const Node& node = graph_[id];
+  if (node.kind == Kind::power) forms_.emplace(id.index, form_of(id));
+  const bool is_choice = node.kind == Kind::function && ir::is_choice(node.function);
+  if (is_choice && node.function != ir::Function::select) choices_.emplace(id.index, choice_of(id));
+}
+
+// Written as comparisons and selections, which mention what they compare at least twice.
+std::vector<NodeId> Writing::choice_of(NodeId id) const {
+  const Node& node = graph_[id];
+  std::vector<NodeId> compared = node.children;
+  std::vector<NodeId> operands;
+  if (node.function == ir::Function::piecewise) {
+    operands = {node.children[1], node.children[2]};
+    compared = graph_[node.children[0]].children;
+  }
+  for (int times = 0; times < 2; ++times) operands.insert(operands.end(), compared.begin(), compared.end());
+  return operands;
 }
 
 PowerForm Writing::form_of(NodeId power) {

@@ -43,11 +43,13 @@ class Writing {
   void walk(const std::vector<NodeId>& roots);
   void decompose(NodeId id);
   PowerForm form_of(NodeId power);
+  std::vector<NodeId> choice_of(NodeId id) const;
   PowerForm integer_power(NodeId base, int exponent);
 
   Graph& graph_;
   std::unordered_set<std::uint32_t> inverted_;  ///< bases x whose 1/x is wanted anyway
   std::unordered_map<std::uint32_t, PowerForm> forms_;
+  std::unordered_map<std::uint32_t, std::vector<NodeId>> choices_;  ///< operands of abs to piecewise
   std::unordered_set<std::uint32_t> reached_;
   std::vector<NodeId> order_;
 };
