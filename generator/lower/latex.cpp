@@ -32,7 +32,7 @@ class LatexPrinter {
       case Kind::sum: return sum(node, outer);
       case Kind::product: return bracketed(scaled(1, id), k_product, outer);
       case Kind::power: return power(node, id, outer);
-      case Kind::function: return call(node, "");
+      case Kind::function: return function(node, "", outer);
     }
     return "?";
   }
@@ -160,7 +160,7 @@ class LatexPrinter {
     if (exponent == Rational(1) / 2) return "\\sqrt{" + text(base, 0) + "}";
     const Node& node = graph_[base];
     const std::string superscript = "^{" + number(exponent) + "}";
-    if (node.kind == Kind::function && node.function != ir::Function::exp) return call(node, superscript);
+    if (node.kind == Kind::function && node.function != ir::Function::exp) return function(node, superscript, k_atom);
     return text(base, k_atom) + superscript;
   }
 
@@ -169,12 +169,42 @@ class LatexPrinter {
     return bracketed(raised(node.children[0], node.value), k_power, outer);
   }
 
+  std::string function(const Node& node, const std::string& superscript, int outer) const {
+    if (node.function == ir::Function::abs) return "\\left|" + text(node.children[0], 0) + "\\right|" + superscript;
+    if (node.function == ir::Function::less) return comparison(node, " < ");
+    if (node.function == ir::Function::at_most) return comparison(node, " \\le ");
+    if (node.function == ir::Function::piecewise) return bracketed(cases(node), k_sum, outer) + superscript;
+    return call(node, superscript);
+  }
+
+  std::string comparison(const Node& node, const std::string& sign) const {
+    return text(node.children[0], k_sum) + sign + text(node.children[1], k_sum);
+  }
+
+  std::string cases(const Node& piecewise) const {
+    std::string rows;
+    const Node* node = &piecewise;
+    for (;; node = &graph_[node->children[2]]) {
+      rows += text(node->children[1], 0) + " & " + text(node->children[0], 0) + " \\\\ ";
+      const Node& rest = graph_[node->children[2]];
+      if (rest.kind != Kind::function || rest.function != ir::Function::piecewise) break;
+    }
+    return "\\begin{cases} " + rows + text(node->children[2], 0) + " & \\text{else} \\end{cases}";
+  }
+
   std::string call(const Node& node, const std::string& superscript) const {
     std::string arguments;
     for (const NodeId child : node.children) arguments += (arguments.empty() ? "" : ", ") + text(child, 0);
     const bool is_bare = node.children.size() == 1 && graph_[node.children[0]].kind == Kind::symbol;
-    return function_name(node.function) + superscript +
+    return name_of_function(node) + superscript +
            (is_bare ? "{" + arguments + "}" : "\\left(" + arguments + "\\right)");
+  }
+
+  /// A table by its name, with a prime for each derivative.
+  std::string name_of_function(const Node& node) const {
+    if (node.function != ir::Function::table) return function_name(node.function);
+    const std::string primes(static_cast<std::size_t>(support::to_int(node.value)), '\'');
+    return "\\operatorname{" + latex_text(graph_.table(node.table).name) + "}" + primes;
   }
 
   static std::string function_name(ir::Function function) {
@@ -183,6 +213,9 @@ class LatexPrinter {
       case ir::Function::acos: return "\\arccos";
       case ir::Function::atan: return "\\arctan";
       case ir::Function::log: return "\\ln";
+      case ir::Function::sign: return "\\operatorname{sgn}";
+      case ir::Function::min:
+      case ir::Function::max:
       case ir::Function::sin:
       case ir::Function::cos:
       case ir::Function::tan:

@@ -19,6 +19,10 @@ ir::Function function_named(const std::string& name) {
                                       ir::Function::log, ir::Function::sinh, ir::Function::cosh, ir::Function::tanh}) {
     if (ir::name_of(function) == name) return function;
   }
+  // symbolic/choices.hpp
+  for (const ir::Function function : {ir::Function::abs, ir::Function::sign, ir::Function::min, ir::Function::max}) {
+    if (std::string(ir::name_of(function)) + "_of" == name) return function;
+  }
   GAUSS_ASSERT(false, "GiNaC function {}", name);
   return ir::Function::sin;
 }
@@ -67,7 +71,21 @@ NodeId Lowering::power(const ex& expression) {
 }
 
 NodeId Lowering::call(const ex& expression) {
-  return graph_.call(function_named(GiNaC::ex_to<GiNaC::function>(expression).get_name()), operands(expression));
+  const std::string name = GiNaC::ex_to<GiNaC::function>(expression).get_name();
+  if (name == "table_at") return table(expression);
+  const std::vector<NodeId> nodes = operands(expression);
+  if (name != "case_less" && name != "case_at_most") return graph_.call(function_named(name), nodes);
+  const NodeId condition =
+      graph_.call(name == "case_less" ? ir::Function::less : ir::Function::at_most, {nodes[0], nodes[1]});
+  return graph_.call(ir::Function::piecewise, {condition, nodes[2], nodes[3]});
+}
+
+// The graph has the tables of the model in their order.
+NodeId Lowering::table(const ex& expression) {
+  const int index = GiNaC::ex_to<GiNaC::numeric>(expression.op(0)).to_int();
+  const int order = GiNaC::ex_to<GiNaC::numeric>(expression.op(1)).to_int();
+  GAUSS_ASSERT(static_cast<std::size_t>(index) < graph_.table_count(), "table {} of {}", index, graph_.table_count());
+  return graph_.look_up(ir::TableId{static_cast<std::uint32_t>(index)}, order, (*this)(expression.op(2)));
 }
 
 }  // namespace gaussgen::lower

@@ -25,6 +25,7 @@ class Lowering {
   ir::NodeId sum(const GiNaC::ex& expression);
   ir::NodeId power(const GiNaC::ex& expression);
   ir::NodeId call(const GiNaC::ex& expression);
+  ir::NodeId table(const GiNaC::ex& expression);
   std::vector<ir::NodeId> operands(const GiNaC::ex& expression);
 
   ir::Graph& graph_;

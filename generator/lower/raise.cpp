@@ -2,6 +2,7 @@
 
 #include "ir/traverse.hpp"
 #include "support/assert.hpp"
+#include "symbolic/choices.hpp"
 #include "symbolic/rational.hpp"
 
 namespace gaussgen::lower {
@@ -38,6 +39,17 @@ ex Raising::raised(const ir::Node& node) const {
   return 0;
 }
 
+// A comparison is part of the function that chooses by it.
+ex Raising::cases(const ir::Node& node) const {
+  const ir::Node& condition = graph_[node.children[0]];
+  const ex& a = known(condition.children[0]);
+  const ex& b = known(condition.children[1]);
+  const ex& yes = known(node.children[1]);
+  const ex& no = known(node.children[2]);
+  return condition.function == ir::Function::less ? ex(symbolic::case_less(a, b, yes, no))
+                                                  : ex(symbolic::case_at_most(a, b, yes, no));
+}
+
 ex Raising::call(const ir::Node& node) const {
   const ex& x = known(node.children[0]);
   switch (node.function) {
@@ -53,6 +65,14 @@ ex Raising::call(const ir::Node& node) const {
     case ir::Function::sinh: return GiNaC::sinh(x);
     case ir::Function::cosh: return GiNaC::cosh(x);
     case ir::Function::tanh: return GiNaC::tanh(x);
+    case ir::Function::abs: return symbolic::abs_of(x);
+    case ir::Function::sign: return symbolic::sign_of(x);
+    case ir::Function::min: return symbolic::min_of(x, known(node.children[1]));
+    case ir::Function::max: return symbolic::max_of(x, known(node.children[1]));
+    case ir::Function::less:
+    case ir::Function::at_most: return 0;
+    case ir::Function::piecewise: return cases(node);
+    case ir::Function::table: return symbolic::table_at(node.table.index, support::to_int(node.value), x);
     default: GAUSS_ASSERT(false, "function {} has no counterpart", ir::name_of(node.function)); return 0;
   }
 }

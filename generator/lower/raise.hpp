@@ -21,6 +21,7 @@ class Raising {
  private:
   GiNaC::ex raised(const ir::Node& node) const;
   GiNaC::ex call(const ir::Node& node) const;
+  GiNaC::ex cases(const ir::Node& piecewise) const;
   const GiNaC::ex& known(ir::NodeId id) const { return memo_.at(id.index); }
 
   const ir::Graph& graph_;

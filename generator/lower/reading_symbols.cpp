@@ -19,6 +19,7 @@ std::string letter_of(const symbolic::OpaqueInverse& inverse) {
 }  // namespace
 
 ReadingSymbols::ReadingSymbols(const model::Model& model, ir::Graph& graph) : graph_(graph) {
+  for (const model::Table& table : model.tables) graph_.declare(table.function);
   declare(SymbolClass::pi, "pi", "\\pi");
   for (const auto& parameter : model.parameters) {
     declare(SymbolClass::parameter, parameter.name.text, latex_name(parameter.name.text));

@@ -14,6 +14,8 @@ Chart::Chart(const Model& model) : time_(declare("t")), frames_(model, *this) {
     const model::SymbolRef place = model.resolve(name);
     return frames_(place.index / 3).origin[place.index % 3];
   };
+  for (const model::Table& table : model.tables)
+    scope_.tables.emplace(table.name.text, static_cast<unsigned>(scope_.tables.size()));
   declare_constants(model);
   declare_coordinates(model);
   for (const model::Orientation& orientation : model.orientations) declare_orientation(orientation);

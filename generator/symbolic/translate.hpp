@@ -16,6 +16,7 @@ struct Scope {
   std::map<std::string, GiNaC::ex> values;
   std::function<GiNaC::ex(const GiNaC::ex&)> dot;
   std::function<GiNaC::ex(const std::string&)> place;  ///< tip.x
+  std::map<std::string, unsigned> tables = {};         ///< index in the model
 };
 
 GiNaC::ex translate(const model::Ast& ast, const Scope& scope);

@@ -46,3 +46,33 @@ TEST_CASE("quotients, powers and signs print as mathematics", "[lower]") {
   CHECK(text(pow(a, half)) == "\\sqrt{a}");
   CHECK(text(pow(a + b, -2)) == "\\frac{1}{\\left(a + b\\right)^{2}}");
 }
+
+TEST_CASE("choices and tables print as on paper", "[lower]") {
+  ir::Graph graph;
+  const auto symbol = [&](const char* name) {
+    return Expr(graph, graph.use(graph.declare(ir::SymbolClass::configuration, name)));
+  };
+  const Expr a = symbol("a");
+  const Expr b = symbol("b");
+  const Expr one(graph, graph.constant(1));
+  auto points = std::make_shared<support::Table>();
+  points->name = "motor_torque";
+  points->pieces = {{0, {1, 2}}};
+  const ir::TableId table = graph.declare(points);
+  const auto text = [&](Expr e) {
+    return lower::latex(graph, e.id(), [&](ir::SymbolId id) { return latex_name(graph.symbol(id).name); });
+  };
+  const auto two = [&](ir::Function f, Expr x, Expr y) { return Expr(graph, graph.call(f, {x.id(), y.id()})); };
+  const auto cases = [&](Expr condition, Expr x, Expr y) {
+    return Expr(graph, graph.call(ir::Function::piecewise, {condition.id(), x.id(), y.id()}));
+  };
+  CHECK(text(call(ir::Function::abs, a - b)) == "\\left|a - b\\right|");
+  CHECK(text(pow(call(ir::Function::abs, a), 3)) == "\\left|a\\right|^{3}");
+  CHECK(text(call(ir::Function::sign, a)) == "\\operatorname{sgn}{a}");
+  CHECK(text(two(ir::Function::max, a, b)) == "\\max\\left(a, b\\right)");
+  CHECK(text(cases(less(a, b), a, cases(at_most(b, one), b, one))) ==
+        "\\begin{cases} a & a < b \\\\ b & b \\le 1 \\\\ 1 & \\text{else} \\end{cases}");
+  CHECK(text(a * cases(less(a, b), a, b)) ==
+        "a\\,\\left(\\begin{cases} a & a < b \\\\ b & \\text{else} \\end{cases}\\right)");
+  CHECK(text({graph, graph.look_up(table, 1, a.id())}) == "\\operatorname{motor\\_torque}'{a}");
+}

@@ -10,6 +10,7 @@
 #include "lower/lowering.hpp"
 #include "lower/raise.hpp"
 #include "support/assert.hpp"
+#include "symbolic/choices.hpp"
 #include "symbolic/rational.hpp"
 
 using namespace gaussgen;
@@ -152,4 +153,30 @@ TEST_CASE("pi, roots and inexact numbers", "[lower]") {
   CHECK(ir::print(f.graph, f.lower(2 * GiNaC::Pi * f.symbols[0])) == "2*pi*a");
   CHECK(ir::print(f.graph, f.lower(GiNaC::sqrt(ex(f.symbols[0])))) == "a^(1/2)");
   CHECK_THROWS_AS(f.lower(GiNaC::numeric(0.25) * f.symbols[0]), support::InternalError);
+}
+
+TEST_CASE("choices and tables go to the graph and back", "[lower]") {
+  Fixture f;
+  auto table = std::make_shared<support::Table>();
+  table->name = "k";
+  table->pieces = {{0, {1, 2, 3}}};
+  f.graph.declare(table);
+  const ex a = f.symbols[0], b = f.symbols[1];
+  const ex wanted[] = {symbolic::abs_of(a),
+                       symbolic::sign_of(a),
+                       symbolic::min_of(a, b),
+                       symbolic::max_of(b, a),
+                       symbolic::case_less(a, b, GiNaC::log(a), b),
+                       symbolic::case_at_most(a, 2, symbolic::case_less(b, 1, a, 0), b),
+                       symbolic::table_at(0, 0, a + b),
+                       symbolic::table_at(0, 2, a)};
+  for (const ex& e : wanted) {
+    const ir::NodeId node = f.lower(e);
+    INFO(ir::print(f.graph, node));
+    CHECK(f.raise(node).is_equal(e));
+    CHECK(ir::violations(f.graph, {node}).empty());
+  }
+  CHECK(ir::print(f.graph, f.lower(wanted[5])) == "piecewise(at_most(a, 2), piecewise(less(b, 1), a, 0), b)");
+  CHECK(ir::print(f.graph, f.lower(symbolic::abs_of(b - a))) == ir::print(f.graph, f.lower(symbolic::abs_of(a - b))));
+  CHECK(ir::print(f.graph, f.lower(symbolic::table_at(0, 3, a))) == "0");
 }

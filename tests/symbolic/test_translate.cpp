@@ -1,6 +1,7 @@
 #include "catch_shim.hpp"
 #include "gauss/oracle/evaluation.hpp"
 #include "support/assert.hpp"
+#include "symbolic/choices.hpp"
 #include "symbolic/rational.hpp"
 
 using namespace gaussgen;
@@ -43,4 +44,18 @@ TEST_CASE("sums, differences, quotients and powers mean what they say", "[symbol
 TEST_CASE("dot is the total time derivative", "[symbolic]") {
   CHECK(velocity("dot(q*p)").is_equal(25));
   CHECK(velocity("dot(q^2*t)").is_equal(4 * 5 * 5 + 4));
+}
+
+TEST_CASE("choices stay whole, and are differentiated case by case", "[symbolic]") {
+  const GiNaC::realsymbol x("x"), y("y");
+  CHECK(symbolic::abs_of(-x).is_equal(symbolic::abs_of(-x)));
+  CHECK(GiNaC::ex(symbolic::abs_of(x * y)).diff(x).is_equal(y * symbolic::sign_of(x * y)));
+  CHECK(GiNaC::ex(symbolic::sign_of(x)).diff(x).is_zero());
+  // The logarithm is not multiplied by 0 where it is not chosen.
+  const GiNaC::ex guarded = symbolic::case_less(0, x, x * GiNaC::log(x), y);
+  CHECK(guarded.diff(x).is_equal(symbolic::case_less(0, x, 1 + GiNaC::log(x), 0)));
+  CHECK(guarded.diff(y).is_equal(symbolic::case_less(0, x, 0, 1)));
+  CHECK(GiNaC::ex(symbolic::min_of(x, y)).diff(x).is_equal(symbolic::case_at_most(x, y, 1, 0)));
+  CHECK(GiNaC::ex(symbolic::max_of(x, y)).diff(x).is_equal(symbolic::case_at_most(y, x, 1, 0)));
+  CHECK(GiNaC::ex(symbolic::table_at(3, 0, x * x)).diff(x).is_equal(2 * x * symbolic::table_at(3, 1, x * x)));
 }
