@@ -14,6 +14,9 @@ parameters:
   d: {value: 1, unit: N*m*s}
   J: 2/5*m*l^2
 inputs: {push: {value: 3, unit: N}, idle: {unit: 1}}
+tables:
+  torque: {of: [0, 1/2], values: [3, 4], of_unit: rad/s, unit: N*m, about: of the motor}
+  hill: {of: [0, 1, 2], values: [0, 1, 0], kind: spline, of_unit: s, unit: 1}
 coordinates:
   h: {unit: m, held_at: l*sin(w*t), about: height}
   x: {unit: m, initial: 1/2, initial_rate: 3}
@@ -38,7 +41,7 @@ constraints:
 forces:
   gravity: {uniform: [0, 0, -9.81]}
   spring: {potential: m*w^2*x^2, about: soft}
-  motor: {generalized: {x: push, p: -d*p}}
+  motor: {generalized: {x: push, p: -d*p, q: torque(q)*hill(t)}}
 elimination: {dependent: [x]}
 outputs: [rhs, energy]
 """
@@ -53,6 +56,13 @@ parameters
 inputs
   push = 3  [N]
   idle = 0  [1]
+tables
+  torque: linear, held outside  # of the motor
+    of [0, 1/2]  [rad/s]
+    values [3, 4]  [N*m]
+  hill: spline, extended outside
+    of [0, 1, 2]  [s]
+    values [0, 1, 0]  [1]
 coordinates
   h: held at l*sin(w*t)  [m]  # height
   x: initial 1/2, initial rate 3  [m]
@@ -87,7 +97,7 @@ constraints
 forces
   gravity: uniform [0, 0, -9.81]
   spring: potential m*w^2*x^2  # soft
-  motor: generalized {x: push, p: -d*p}
+  motor: generalized {x: push, p: -d*p, q: torque(q)*hill(t)}
 elimination
   dependent: x
 outputs
