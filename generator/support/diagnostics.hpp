@@ -34,7 +34,12 @@ class Diagnostics {
   int errors_ = 0;
 };
 
+enum class Colour { none, ansi };
+
+/// Findings in the order of the text, no more than anybody reads. `left_out` becomes the number of the others.
+std::vector<Diagnostic> in_order(const Diagnostics& diagnostics, std::size_t& left_out);
+
 /// `file:line:col: error[E012]: message`, the source line, a caret, and `hint: …`; sorted by position.
-std::string render(const Diagnostics& diagnostics, const Source& source);
+std::string render(const Diagnostics& diagnostics, const Source& source, Colour colour = Colour::none);
 
 }  // namespace gaussgen::support

@@ -56,8 +56,8 @@ inline constexpr ErrorCode k_empty_expression{"E039", "an expression is missing"
 // What is allowed where.
 inline constexpr ErrorCode k_not_allowed_here{"E040", "a symbol that may not appear at this place"};
 inline constexpr ErrorCode k_dot_not_allowed{"E041", "dot(...) where no velocity may appear"};
-inline constexpr ErrorCode k_cyclic_frames{"E043", "frames that are placed against each other"};
 inline constexpr ErrorCode k_cyclic_parameters{"E042", "parameters that are defined by each other"};
+inline constexpr ErrorCode k_cyclic_frames{"E043", "frames that are placed against each other"};
 
 // Mechanics.
 inline constexpr ErrorCode k_no_bodies{"E050", "a model without bodies"};
@@ -144,6 +144,7 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_not_allowed_here,
     code::k_dot_not_allowed,
     code::k_cyclic_parameters,
+    code::k_cyclic_frames,
     code::k_no_bodies,
     code::k_nothing_moves,
     code::k_no_inertia,
@@ -172,16 +173,9 @@ inline constexpr ErrorCode k_all_codes[] = {
 
 /// What only the stages after it can find.
 inline constexpr ErrorCode k_stage_codes[] = {
-    code::k_no_paper_route,
-    code::k_impossible_start,
-    code::k_violating_start,
-    code::k_undefined_start,
-    code::k_singular_start,
-    code::k_dependent_start,
-    code::k_chosen_start,
-    code::k_redundant_constraint,
-    code::k_unsafe_choice,
-    code::k_idle_point,
+    code::k_no_paper_route, code::k_impossible_start, code::k_violating_start, code::k_undefined_start,
+    code::k_singular_start, code::k_dependent_start,  code::k_chosen_start,    code::k_redundant_constraint,
+    code::k_unsafe_choice,  code::k_idle_point,
 };
 
 }  // namespace gaussgen::support

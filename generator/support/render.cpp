@@ -114,7 +114,28 @@ Snippet snippet(std::string_view whole, std::uint32_t begin, std::uint32_t end) 
   return result;
 }
 
-std::string render_one(const Diagnostic& finding, const Source& source) {
+/// Escape sequences of a terminal, or nothing.
+struct Paint {
+  Colour colour = Colour::none;
+  const char* severity = "";
+
+  std::string bold(const std::string& text) const { return in("\033[1m", text); }
+  std::string strong(const std::string& text) const { return in(severity, text); }
+
+ private:
+  std::string in(const char* sequence, const std::string& text) const {
+    return colour == Colour::none ? text : sequence + text + "\033[0m";
+  }
+};
+
+std::string coloured_caret(const std::string& caret, const Paint& paint) {
+  const std::size_t begin = caret.find_first_not_of(' ');
+  return caret.substr(0, begin) + paint.strong(caret.substr(begin));
+}
+
+std::string render_one(const Diagnostic& finding, const Source& source, Colour colour) {
+  const bool is_error = finding.severity == Severity::error;
+  const Paint paint{colour, is_error ? "\033[1;31m" : "\033[1;35m"};
   const Position at = source.position(finding.span.begin);
   const std::string_view line = source.line_at(finding.span.begin);
   const auto line_start = static_cast<std::uint32_t>(line.data() - source.text().data());
@@ -125,24 +146,31 @@ std::string render_one(const Diagnostic& finding, const Source& source) {
 
   const std::string number = std::to_string(at.line);
   const std::string margin(number.size(), ' ');
+  const std::string place = fmt::format("{}:{}:{}:", harmless(source.name()), at.line, at.column);
+  const std::string kind = fmt::format("{}[{}]:", is_error ? "error" : "warning", finding.code);
   std::string text =
-      fmt::format("{}:{}:{}: {}[{}]: {}\n", harmless(source.name()), at.line, at.column,
-                  finding.severity == Severity::error ? "error" : "warning", finding.code, harmless(finding.message));
-  text += fmt::format(" {} | {}\n {} | {}\n", number, shown.line, margin, shown.caret);
-  if (!finding.hint.empty()) text += fmt::format(" {} = hint: {}\n", margin, harmless(finding.hint));
+      fmt::format("{} {} {}\n", paint.bold(place), paint.strong(kind), paint.bold(harmless(finding.message)));
+  text += fmt::format(" {} | {}\n {} | {}\n", number, shown.line, margin, coloured_caret(shown.caret, paint));
+  if (!finding.hint.empty()) text += fmt::format(" {} = {} {}\n", margin, paint.bold("hint:"), harmless(finding.hint));
   return text;
 }
 
 }  // namespace
 
-std::string render(const Diagnostics& diagnostics, const Source& source) {
+std::vector<Diagnostic> in_order(const Diagnostics& diagnostics, std::size_t& left_out) {
   std::vector<Diagnostic> sorted = diagnostics.all();
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
+  left_out = sorted.size() - std::min(sorted.size(), k_most_findings);
+  sorted.resize(sorted.size() - left_out);
+  return sorted;
+}
+
+std::string render(const Diagnostics& diagnostics, const Source& source, Colour colour) {
   std::string text;
-  const std::size_t shown = std::min(sorted.size(), k_most_findings);
-  for (std::size_t i = 0; i < shown; ++i) text += render_one(sorted[i], source);
-  if (shown < sorted.size()) text += fmt::format("... and {} more findings\n", sorted.size() - shown);
+  std::size_t left_out = 0;
+  for (const Diagnostic& finding : in_order(diagnostics, left_out)) text += render_one(finding, source, colour);
+  if (left_out > 0) text += fmt::format("... and {} more findings\n", left_out);
   return text;
 }
 
