@@ -1,7 +1,6 @@
 #pragma once
 
 #include "cli/options.hpp"
-#include "support/diagnostics.hpp"
 
 namespace gaussgen::cli {
 
@@ -9,8 +8,10 @@ namespace gaussgen::cli {
 int generate(const Options& options);
 int evaluate(const Options& options);
 int derive(const Options& options);
-
-/// Prints what was found and returns the exit code that goes with it.
-int report(const support::Diagnostics& diagnostics, const support::Source& source);
+int explain(const Options& options);
+int init(const Options& options);
+int schema();
+int completion(const Options& options);
+int manual();
 
 }  // namespace gaussgen::cli

@@ -13,7 +13,7 @@ int derive(const Options& options) {
   const auto model = read_model(source, diagnostics);
   std::string text;
   if (model) text = derivation_text(*model, options.format == Format::latex, diagnostics);
-  const int code = report(diagnostics, source);
+  const int code = report(diagnostics, source, options.messages);
   if (code != k_ok) return code;
   if (options.output.empty() || options.output == "-") {
     write_standard_output(text);

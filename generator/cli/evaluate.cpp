@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
@@ -106,17 +105,17 @@ int evaluate(const Options& options) {
   const support::Source source = read_source(options.model);
   support::Diagnostics diagnostics;
   std::optional<model::Model> model = read_model(source, diagnostics);
-  const int code = report(diagnostics, source);
+  const int code = report(diagnostics, source, options.messages);
   if (!model || code != k_ok) return code;
   apply_overrides(options.overrides, *model);
   const support::Rational time = parse_time(options.time);
   Mechanics mechanics(*model, {});
   support::Diagnostics structure;
   check_structure(mechanics, structure);
-  if (const int found = report(structure, source); found != k_ok) return found;
+  if (const int found = report(structure, source, options.messages); found != k_ok) return found;
   const Evaluation evaluation = evaluate_model(mechanics, time, options.digits);
   write_standard_output(options.format == Format::json ? json(evaluation, *model, options) : table(evaluation));
-  for (const std::string& warning : evaluation.warnings) std::cerr << "warning: " << warning << "\n";
+  for (const std::string& warning : evaluation.warnings) warn(warning, options.messages);
   return k_ok;
 }
 

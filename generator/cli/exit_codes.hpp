@@ -12,4 +12,16 @@ enum ExitCode {
   k_internal_error = 70,
 };
 
+struct ExitMeaning {
+  ExitCode code;
+  const char* meaning;
+};
+
+inline constexpr ExitMeaning k_exit_meanings[] = {{k_ok, "ok"},
+                                                  {k_model_error, "error in the model"},
+                                                  {k_usage_error, "usage"},
+                                                  {k_file_error, "input or output"},
+                                                  {k_too_large, "too large"},
+                                                  {k_internal_error, "internal error"}};
+
 }  // namespace gaussgen::cli

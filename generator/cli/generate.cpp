@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
 
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
@@ -30,13 +29,13 @@ std::string for_make(const std::string& path) {
   return result;
 }
 
-void print_timings(const std::vector<StageTime>& times) {
+void print_timings(const std::vector<StageTime>& times, const MessageOptions& messages) {
   double total = 0;
   for (const StageTime& time : times) {
-    std::cerr << fmt::format("{:<12} {:>9.3f} ms  {}\n", time.stage, time.milliseconds, time.size);
+    remark(fmt::format("{:<12} {:>9.3f} ms  {}", time.stage, time.milliseconds, time.size), messages);
     total += time.milliseconds;
   }
-  std::cerr << fmt::format("{:<12} {:>9.3f} ms\n", "total", total);
+  remark(fmt::format("{:<12} {:>9.3f} ms", "total", total), messages);
 }
 
 std::string dependencies(const std::string& header, const std::string& model) {
@@ -57,7 +56,7 @@ void write_files(const Options& options, const PipelineResult& result) {
 int check_or_list(const Options& options, const support::Source& source) {
   support::Diagnostics diagnostics;
   const auto model = read_model(source, diagnostics);
-  const int code = report(diagnostics, source);
+  const int code = report(diagnostics, source, options.messages);
   if (!model || code != k_ok) return code;
   if (options.list_outputs) write_standard_output(header_path(options, model->name.text) + "\n");
   return k_ok;
@@ -77,13 +76,13 @@ int generate(const Options& options) {
   };
   support::Diagnostics diagnostics;
   const auto result = compile(source, options.pipeline, diagnostics, observe);
-  const int code = report(diagnostics, source);
+  const int code = report(diagnostics, source, options.messages);
   if (!result || code != k_ok) {
     write_standard_output(dumped);
     return code;
   }
-  if (options.timings) print_timings(result->times);
-  for (const std::string& moved : result->assembled) std::cerr << "assembled " << moved << "\n";
+  if (options.timings) print_timings(result->times, options.messages);
+  for (const std::string& moved : result->assembled) remark("assembled " + moved, options.messages);
   if (!options.dumps.empty()) {
     write_standard_output(dumped);
     return k_ok;

@@ -5,12 +5,28 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "cli/exit_codes.hpp"
+
 namespace gaussgen::cli {
 
 const char* const k_about = "gauss-gen: equations of motion and constraint reactions as C++, by Gauss's principle\n";
+const char* const k_summary = "equations of motion and constraint reactions as C++";
+const char* const k_description =
+    "From a model in YAML, gauss-gen derives equations of motion and the forces in constraints by Gauss's principle of "
+    "least constraint, and writes them as one C++ header that needs nothing but the standard library. MODEL is a YAML "
+    "file; - stands for standard input. What is wrong with a model is said with its place and a code, which explain "
+    "explains.";
 const char* const k_about_evaluate =
     "Accelerations, multipliers, reactions, energy and residuals at the initial state, as numbers.\n";
 const char* const k_about_derivation = "The paper's objects and the final equations of a model as formulas.\n";
+const char* const k_about_explain =
+    "What the code of a message means: an example, the message, and how to put it right.\n"
+    "Without a code, all of them in one line each.\n";
+const char* const k_about_init =
+    "Writes NAME.yaml, a commented model to begin with; an existing file stays as it is.\n";
+const char* const k_about_schema =
+    "The JSON Schema (draft-07) of model files, with which editors check and complete.\n";
+const char* const k_about_completion = "A script that completes command lines of gauss-gen, for bash, zsh or fish.\n";
 const char* const k_about_status =
     "The status comes first, and numbers are to be trusted with ok only. Else it says why not:\n"
     "  singular_mass_matrix   a motion has no inertia here, or the coordinates are singular\n"
@@ -30,11 +46,19 @@ const char* const k_usage =
     "  gauss-gen [OPTIONS] MODEL              write <name>.hpp into this folder\n"
     "  gauss-gen evaluate [OPTIONS] MODEL     accelerations, reactions, energy at the initial state\n"
     "  gauss-gen derivation [OPTIONS] MODEL   Z, the metric, c, b and the final equations as formulas\n"
+    "  gauss-gen explain [CODE]               what the code of a message means, such as E012\n"
+    "  gauss-gen init [NAME]                  write NAME.yaml, a commented model to begin with\n"
+    "  gauss-gen schema                       the JSON Schema of models, for editors\n"
+    "  gauss-gen completion SHELL             completions for bash, zsh or fish\n"
     "MODEL is a YAML file; - stands for standard input.\n";
 
-const char* const k_exit_codes =
-    "evaluate and derivation have options of their own: see gauss-gen evaluate --help.\n"
-    "Exit codes: 0 ok, 1 error in the model, 2 usage, 3 input or output, 4 too large, 70 internal error.";
+std::string footer() {
+  std::string text = "Commands have options of their own: see gauss-gen evaluate --help.\nExit codes: ";
+  for (const ExitMeaning& exit : k_exit_meanings) {
+    text += fmt::format("{}{} {}", exit.code == k_ok ? "" : ", ", static_cast<int>(exit.code), exit.meaning);
+  }
+  return text + ".";
+}
 
 /// CLI11's page, with a usage that says what each command is for.
 class Help : public CLI::Formatter {
@@ -43,7 +67,11 @@ class Help : public CLI::Formatter {
 
   std::string make_usage(const CLI::App* app, std::string name) const override {
     if (app->get_parent() == nullptr) return k_usage;
-    return fmt::format("Usage: gauss-gen {} [OPTIONS] MODEL\n", name.substr(name.find_last_of(' ') + 1));
+    std::string usage = fmt::format("Usage: gauss-gen {} [OPTIONS]", name.substr(name.find_last_of(' ') + 1));
+    for (const CLI::Option* option : app->get_options()) {
+      if (!option->nonpositional()) usage += " " + option->get_type_name();
+    }
+    return usage + "\n";
   }
 
   // Both are in the usage.
@@ -55,7 +83,7 @@ class Help : public CLI::Formatter {
 
 void write_help_by(CLI::App& app) {
   app.formatter(std::make_shared<Help>());
-  app.footer(k_exit_codes);
+  app.footer(footer());
 }
 
 std::string wrapped(const std::string& text) {

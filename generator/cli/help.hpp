@@ -10,8 +10,14 @@ class App;
 namespace gaussgen::cli {
 
 extern const char* const k_about;
+extern const char* const k_summary;
+extern const char* const k_description;
 extern const char* const k_about_evaluate;
 extern const char* const k_about_derivation;
+extern const char* const k_about_explain;
+extern const char* const k_about_init;
+extern const char* const k_about_schema;
+extern const char* const k_about_completion;
 
 /// Below the options of evaluate.
 extern const char* const k_about_status;

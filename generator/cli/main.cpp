@@ -1,6 +1,5 @@
 #include <clocale>
 #include <exception>
-#include <iostream>
 #include <locale>
 #include <new>
 
@@ -15,20 +14,21 @@ namespace gaussgen::cli {
 namespace {
 
 int run(const Options& options) {
+  if (options.man) return manual();
   switch (options.command) {
     case Command::generate: return generate(options);
     case Command::evaluate: return evaluate(options);
     case Command::derivation: return derive(options);
+    case Command::explain: return explain(options);
+    case Command::init: return init(options);
+    case Command::schema: return schema();
+    case Command::completion: return completion(options);
   }
   return k_internal_error;
 }
 
-int fail(const std::string& what, int code) {
-  std::cerr << "gauss-gen: " << what << (what.empty() || what.back() != '\n' ? "\n" : "");
-  return code;
-}
-
 int guarded(const Options& options) {
+  const auto fail = [&](const std::string& what, int code) { return cli::fail(what, code, options.messages); };
   try {
     return run(options);
   } catch (const FileError& error) {

@@ -1,115 +1,17 @@
 #include "cli/options.hpp"
 
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
-#include <iostream>
 
-#include "artefacts.hpp"
 #include "cli/arguments.hpp"
+#include "cli/command_line.hpp"
 #include "cli/exit_codes.hpp"
-#include "cli/help.hpp"
 #include "cli/usage_error.hpp"
 #include "support/suggest.hpp"
-#include "version.hpp"
 
 namespace gaussgen::cli {
 
 namespace {
-
-constexpr int k_most_digits = 10000;
-[[noreturn]] void refuse(const std::string& option, const std::string& why) { throw UsageError(option + ": " + why); }
-
-/// One argument per flag, so that a list never takes the model for one of its words.
-CLI::Option* one_each(CLI::Option* option, const std::string& text) {
-  return option->option_text(text)->type_name(text)->allow_extra_args(false)->take_all();
-}
-
-void add_list(CLI::App& app, const std::string& name, std::vector<std::string>& target,
-              const std::vector<std::string>& choices, const std::string& text, const std::string& about) {
-  const auto take = [&target, choices, name](const std::vector<std::string>& words) {
-    for (const std::string& word : words) {
-      const std::string refusal = refusal_of_choice(word, choices);
-      if (!refusal.empty()) refuse(name, refusal);
-      target.push_back(word);
-    }
-  };
-  one_each(app.add_option_function<std::vector<std::string>>(name, take, wrapped(about + support::joined(choices))),
-           text)
-      ->delimiter(',');
-}
-
-template <class Choice>
-void add_choice(CLI::App& app, const std::string& name, Choice& target,
-                const std::vector<std::pair<std::string, Choice>>& choices, const std::string& text,
-                const std::string& about) {
-  const auto take = [&target, choices, name](const std::string& word) {
-    std::vector<std::string> words;
-    for (const auto& [choice, value] : choices) {
-      words.push_back(choice);
-      if (choice == word) target = value;
-    }
-    const std::string refusal = refusal_of_choice(word, words);
-    if (!refusal.empty()) refuse(name, refusal);
-  };
-  app.add_option_function<std::string>(name, take, about)->type_name(text);
-}
-
-void add_model(CLI::App& app, Options& options) { app.add_option("model", options.model); }
-
-std::vector<std::string> output_names() {
-  std::vector<std::string> names;
-  for (const OutputKind& kind : output_kinds()) names.push_back(kind.name);
-  return names;
-}
-
-void add_generate(CLI::App& app, Options& options) {
-  add_model(app, options);
-  app.add_option("-o,--output", options.output, "folder for <name>.hpp, or - for standard output")->type_name("DIR");
-  app.add_flag("--check", options.check, "write nothing, only say whether the model is right");
-  app.add_flag("--list-outputs", options.list_outputs, "write nothing, only say which header would be written");
-  app.add_option("--depfile", options.depfile, "also write what the header depends on, for make and Ninja")
-      ->type_name("FILE");
-  app.add_option("--namespace", options.pipeline.name_space, "C++ namespace instead of gauss::<name>")
-      ->type_name("NAME");
-  add_list(app, "--outputs", options.pipeline.outputs, output_names(), "LIST",
-           "functions to emit instead of all, with commas between: ");
-  app.add_flag("--fold", options.pipeline.fold, "put the parameters in as numbers");
-  app.add_flag("--assemble", options.pipeline.assemble,
-               wrapped("let the constraints move the initial values that the model gives, and say how far"));
-  add_choice<Route>(app, "--route", options.pipeline.route, {{"emitted", Route::emitted}, {"paper", Route::paper}},
-                    "ROUTE", wrapped("emitted (default), or paper: its Z, Gamma and (3.7)-(3.8), term by term"));
-  add_list(app, "--dump", options.dumps, stage_names(), "STAGE", "write nothing, print what comes out of a stage: ");
-  app.add_flag("--timings", options.timings, "say on standard error what each stage took");
-}
-
-void add_evaluate(CLI::App& app, Options& options) {
-  add_model(app, options);
-  one_each(app.add_option("--set", options.overrides,
-                          wrapped("change a parameter, an input, a coordinate or a rate, such as "
-                                  "m=2, chi=pi/4 or 'dot(chi)=2'; may be repeated")),
-           "NAME=VALUE");
-  app.add_option("--time", options.time, "time, default 0")->type_name("T");
-  app.add_option_function<int>(
-         "--digits",
-         [&options](int digits) {
-           if (digits < 1 || digits > k_most_digits)
-             refuse("--digits", fmt::format("a number from 1 to {} is needed", k_most_digits));
-           options.digits = digits;
-         },
-         "significant digits, default 17")
-      ->type_name("N");
-  add_choice<Format>(app, "--format", options.format, {{"table", Format::table}, {"json", Format::json}}, "FORMAT",
-                     "table (default) or json");
-}
-
-void add_derivation(CLI::App& app, Options& options) {
-  add_model(app, options);
-  app.add_option("-o,--output", options.output, "file instead of standard output")->type_name("FILE");
-  add_choice<Format>(app, "--format", options.format, {{"markdown", Format::markdown}, {"latex", Format::latex}},
-                     "FORMAT", "markdown (default) or latex");
-}
 
 /// The parser takes a word that is no command for the model.
 void refuse_misspelt_command(const CLI::App& app, const std::string& model) {
@@ -135,7 +37,14 @@ void check_output(const Options& options) {
   if (!refusal.empty()) refuse("-o", refusal);
 }
 
+bool reads_model(const Options& options) {
+  const Command command = options.command;
+  return (command == Command::generate && !options.man) || command == Command::evaluate ||
+         command == Command::derivation;
+}
+
 void check(const CLI::App& app, const Options& options) {
+  if (!reads_model(options)) return;
   check_output(options);
   if (options.model.empty()) throw UsageError("a model file is needed; - stands for standard input");
   const CLI::Option* name_space = app.get_option("--namespace");
@@ -146,18 +55,21 @@ void check(const CLI::App& app, const Options& options) {
     refuse("--depfile", "there is no file to depend on with -o -");
 }
 
-std::optional<Options> parse(CLI::App& app, int argc, const char* const* argv, int& exit_code) {
+/// A word on the command line is a mistake of the user before options are known; how to say so stands in it, too.
+MessageOptions messages_of(int argc, const char* const* argv) {
+  MessageOptions options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool is_next = word == "json" && std::string(argv[i - 1]) == "--diagnostics";
+    if (is_next || word == "--diagnostics=json") options.format = MessageFormat::json;
+  }
+  return options;
+}
+
+std::optional<Options> parse(int argc, const char* const* argv, int& exit_code) {
   Options options;
-  app.set_version_flag("--version", std::string("gauss-gen ") + k_version, "print the version");
-  app.set_help_flag("-h,--help", "print this page");
-  write_help_by(app);
-  add_generate(app, options);
-  // Added after the help flag and the formatter, which they inherit; the footer of the page is for the program as a whole.
-  CLI::App* evaluate = app.add_subcommand("evaluate", k_about_evaluate)->footer(k_about_status);
-  add_evaluate(*evaluate, options);
-  CLI::App* derivation = app.add_subcommand("derivation", k_about_derivation)->footer("");
-  add_derivation(*derivation, options);
-  app.require_subcommand(0, 1);
+  CommandLine line(options);
+  CLI::App& app = line.app;
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help, --version
@@ -168,12 +80,13 @@ std::optional<Options> parse(CLI::App& app, int argc, const char* const* argv, i
     throw;
   }
   if (app.get_subcommands().empty()) refuse_misspelt_command(app, options.model);
-  for (const CLI::App* command : {evaluate, derivation}) {
-    if (command->parsed()) refuse_mixture(app, *command);
+  for (const auto& [name, command] : line.commands) {
+    const CLI::App* const parsed = app.get_subcommand(name);
+    if (!parsed->parsed()) continue;
+    refuse_mixture(app, *parsed);
+    options.command = command;
   }
-  if (evaluate->parsed()) options.command = Command::evaluate;
-  if (derivation->parsed()) options.command = Command::derivation;
-  if (derivation->parsed() && options.format == Format::table) options.format = Format::markdown;
+  if (options.command == Command::derivation && options.format == Format::table) options.format = Format::markdown;
   check(app, options);
   return options;
 }
@@ -181,17 +94,15 @@ std::optional<Options> parse(CLI::App& app, int argc, const char* const* argv, i
 }  // namespace
 
 std::optional<Options> parse_options(int argc, const char* const* argv, int& exit_code) {
-  CLI::App app(k_about, "gauss-gen");
   std::string refusal;
   try {
-    return parse(app, argc, argv, exit_code);
+    return parse(argc, argv, exit_code);
   } catch (const CLI::ParseError& error) {
     refusal = error.what();
   } catch (const UsageError& error) {
     refusal = error.what();
   }
-  std::cerr << "gauss-gen: " << refusal << "\nRun gauss-gen --help for the options.\n";
-  exit_code = k_usage_error;
+  exit_code = fail(refusal, k_usage_error, messages_of(argc, argv), "Run gauss-gen --help for the options.");
   return std::nullopt;
 }
 

@@ -5,16 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "cli/messages.hpp"
 #include "pipeline.hpp"
 
 namespace gaussgen::cli {
 
-enum class Command { generate, evaluate, derivation };
-enum class Format { table, json, markdown, latex };
+enum class Command { generate, evaluate, derivation, explain, init, schema, completion };
+enum class Format { table, json, markdown, latex, text };
 
 struct Options {
   Command command = Command::generate;
   std::string model;
+  MessageOptions messages;
   PipelineOptions pipeline;
 
   // generate
@@ -24,13 +26,19 @@ struct Options {
   bool check = false;
   bool list_outputs = false;
   bool timings = false;
+  bool man = false;
 
   // evaluate, derivation
   std::vector<std::string> overrides;
   std::string time = "0";
   int digits = 17;
   Format format = Format::table;
+
+  std::string word;  ///< explain: a code; init: a name; completion: a shell
 };
+
+/// Those that `completion` writes for.
+const std::vector<std::string>& shells();
 
 /// Nothing when the program has said all there is to say (--help, --version); then `exit_code` is what to end with.
 std::optional<Options> parse_options(int argc, const char* const* argv, int& exit_code);

@@ -102,4 +102,17 @@ void Replacement::commit() {
   temporary_.clear();
 }
 
+void write_new_file(const std::string& path, const std::string& text) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) fail_on(path, errno == EEXIST ? "is there already and stays as it is" : std::strerror(errno));
+  try {
+    write_all(descriptor, text, path);
+  } catch (const FileError&) {
+    close(descriptor);
+    unlink(path.c_str());
+    throw;
+  }
+  if (close(descriptor) != 0) fail_on(path, std::strerror(errno));
+}
+
 }  // namespace gaussgen::cli

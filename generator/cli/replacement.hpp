@@ -29,4 +29,7 @@ class Replacement {
   int descriptor_ = -1;
 };
 
+/// Writes a file that must not exist yet. Throws FileError.
+void write_new_file(const std::string& path, const std::string& text);
+
 }  // namespace gaussgen::cli

@@ -6,9 +6,10 @@ import unittest
 from gauss_gen import SKEW, SOURCE, Program
 
 OPTIONS = {"": ["--output", "--check", "--list-outputs", "--depfile", "--namespace", "--outputs", "--fold", "--route", "--dump",
-                "--timings", "--help", "--version"],
-           "evaluate": ["--set", "--time", "--digits", "--format", "--help"],
-           "derivation": ["--output", "--format", "--help"]}
+                "--timings", "--diagnostics", "--color", "--man", "--help", "--version"],
+           "evaluate": ["--set", "--time", "--digits", "--format", "--diagnostics", "--color", "--help"],
+           "derivation": ["--output", "--format", "--diagnostics", "--color", "--help"],
+           "explain": ["--format", "--help"], "init": ["--help"], "schema": ["--help"], "completion": ["--help"]}
 
 
 class Help(Program):
@@ -20,6 +21,11 @@ class Help(Program):
         for page, options in self.pages():
             for option in options:
                 self.assertRegex(page, rf"(?m){option}\b.*  [A-Za-z].*$")
+
+    def test_every_command_is_in_the_usage(self):
+        page = self.ok("--help")
+        for command in filter(None, OPTIONS):
+            self.assertRegex(page, rf"(?m)^  gauss-gen {command}\b.*  [a-zA-Z].*$")
 
     def test_it_fits_100_columns(self):
         for page, _ in self.pages():

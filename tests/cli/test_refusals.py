@@ -1,7 +1,6 @@
 """Exit codes other than 0: 1 for the model, 2 for the command line, 3 for files, 4 for size; and nothing is ever written."""
 
 import os
-import pty
 import resource
 import signal
 import stat
@@ -95,17 +94,6 @@ class Model(Program):
                 result = self.run_it(*arguments)
                 self.assertIn(result.returncode, (1, 4) if model.name[0] == "e" else (0,), (model.name, result.stderr))
                 self.assertRegex(result.stderr, r":\d+:\d+: (error\[E|warning\[W)\d{3}\]: ")
-
-    def test_there_is_no_colour(self):
-        # On a terminal too: only text that a log can hold.
-        master, slave = pty.openpty()
-        self.write("m.yaml", BROKEN)
-        subprocess.run([PROGRAM, "m.yaml"], cwd=self.folder, stderr=slave, check=False, env={**os.environ, "TERM": "xterm-256color"})
-        os.close(slave)
-        shown = os.read(master, 65536)
-        os.close(master)
-        self.assertIn(b"error[E031]", shown)
-        self.assertNotIn(b"\x1b", shown)
 
 
 class Files(Program):

@@ -1,0 +1,182 @@
+#include "cli/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include "artefacts.hpp"
+#include "cli/arguments.hpp"
+#include "cli/explanations.hpp"
+#include "cli/help.hpp"
+#include "cli/usage_error.hpp"
+#include "support/suggest.hpp"
+#include "version.hpp"
+
+namespace gaussgen::cli {
+
+namespace {
+
+constexpr int k_most_digits = 10000;
+
+/// Adds options to one command.
+class Adder {
+ public:
+  Adder(CommandLine& line, CLI::App& app, Options& options) : line_(line), app_(app), options_(options) {}
+
+  void generate() {
+    add_model();
+    add_path("-o,--output", options_.output, "folder for <name>.hpp, or - for standard output", "DIR",
+             Argument::folder);
+    app_.add_flag("--check", options_.check, "write nothing, only say whether the model is right");
+    app_.add_flag("--list-outputs", options_.list_outputs, "write nothing, only say which header would be written");
+    add_path("--depfile", options_.depfile, "also write what the header depends on, for make and Ninja", "FILE",
+             Argument::file);
+    app_.add_option("--namespace", options_.pipeline.name_space, "C++ namespace instead of gauss::<name>")
+        ->type_name("NAME");
+    add_list("--outputs", options_.pipeline.outputs, output_names(), "LIST",
+             "functions to emit instead of all, with commas between: ");
+    app_.add_flag("--fold", options_.pipeline.fold, "put the parameters in as numbers");
+    app_.add_flag("--assemble", options_.pipeline.assemble,
+                  wrapped("let the constraints move the initial values that the model gives, and say how far"));
+    add_choice<Route>("--route", options_.pipeline.route, {{"emitted", Route::emitted}, {"paper", Route::paper}},
+                      "ROUTE", "emitted (default), or paper: its Z, Gamma and (3.7)-(3.8), term by term");
+    add_list("--dump", options_.dumps, stage_names(), "STAGE", "write nothing, print what comes out of a stage: ");
+    app_.add_flag("--timings", options_.timings, "say on standard error what each stage took");
+    add_messages();
+  }
+
+  void evaluate() {
+    add_model();
+    one_each(app_.add_option("--set", options_.overrides,
+                             wrapped("change a parameter, an input, a coordinate or a rate, such as "
+                                     "m=2, chi=pi/4 or 'dot(chi)=2'; may be repeated")),
+             "NAME=VALUE");
+    app_.add_option("--time", options_.time, "time, default 0")->type_name("T");
+    const auto take_digits = [&options = options_](int digits) {
+      if (digits < 1 || digits > k_most_digits)
+        refuse("--digits", fmt::format("a number from 1 to {} is needed", k_most_digits));
+      options.digits = digits;
+    };
+    app_.add_option_function<int>("--digits", take_digits, "significant digits, default 17")->type_name("N");
+    add_choice<Format>("--format", options_.format, {{"table", Format::table}, {"json", Format::json}}, "FORMAT",
+                       "table (default) or json");
+    add_messages();
+  }
+
+  void derivation() {
+    add_model();
+    add_path("-o,--output", options_.output, "file instead of standard output", "FILE", Argument::file);
+    add_choice<Format>("--format", options_.format, {{"markdown", Format::markdown}, {"latex", Format::latex}},
+                       "FORMAT", "markdown (default) or latex");
+    add_messages();
+  }
+
+  void explain() {
+    CLI::Option* const code = app_.add_option("code", options_.word, "code of a diagnostic")->type_name("[CODE]");
+    for (const support::ErrorCode& known : all_codes()) line_.choices[code].emplace_back(known.id);
+    add_choice<Format>("--format", options_.format, {{"text", Format::text}, {"markdown", Format::markdown}}, "FORMAT",
+                       "text (default) or markdown; without a code, markdown is all pages");
+  }
+
+  void init() { app_.add_option("name", options_.word, "name of the model")->type_name("[NAME]"); }
+
+  void completion() {
+    CLI::Option* const shell = app_.add_option("shell", options_.word, "shell")->type_name("SHELL");
+    line_.choices[shell] = shells();
+  }
+
+ private:
+  void add_model() { line_.arguments[app_.add_option("model", options_.model)->type_name("MODEL")] = Argument::model; }
+
+  /// How messages look, in every command that reads a model.
+  void add_messages() {
+    add_choice<MessageFormat>("--diagnostics", options_.messages.format,
+                              {{"text", MessageFormat::text}, {"json", MessageFormat::json}}, "FORMAT",
+                              "messages on standard error: text (default), or json, an object in each line");
+    add_choice<UseOfColour>(
+        "--color", options_.messages.colour,
+        {{"auto", UseOfColour::on_terminals}, {"always", UseOfColour::always}, {"never", UseOfColour::never}}, "WHEN",
+        "auto (default: on a terminal, unless NO_COLOR is set), always or never");
+  }
+
+  void add_path(const std::string& names, std::string& target, const std::string& about, const std::string& text,
+                Argument argument) {
+    line_.arguments[app_.add_option(names, target, about)->type_name(text)] = argument;
+  }
+
+  /// One argument per flag, so that a list never takes the model for one of its words.
+  static CLI::Option* one_each(CLI::Option* option, const std::string& text) {
+    return option->option_text(text)->type_name(text)->allow_extra_args(false)->take_all();
+  }
+
+  void add_list(const std::string& name, std::vector<std::string>& target, const std::vector<std::string>& choices,
+                const std::string& text, const std::string& about) {
+    const auto take = [&target, choices, name](const std::vector<std::string>& words) {
+      for (const std::string& word : words) {
+        const std::string refusal = refusal_of_choice(word, choices);
+        if (!refusal.empty()) refuse(name, refusal);
+        target.push_back(word);
+      }
+    };
+    const std::string page = wrapped(about + support::joined(choices));
+    CLI::Option* const option = app_.add_option_function<std::vector<std::string>>(name, take, page);
+    one_each(option, text)->delimiter(',');
+    line_.choices[option] = choices;
+  }
+
+  template <class Choice>
+  void add_choice(const std::string& name, Choice& target, const std::vector<std::pair<std::string, Choice>>& choices,
+                  const std::string& text, const std::string& about) {
+    std::vector<std::string> words;
+    for (const auto& choice : choices) words.push_back(choice.first);
+    const auto take = [&target, choices, words, name](const std::string& word) {
+      for (const auto& [choice, value] : choices) {
+        if (choice == word) target = value;
+      }
+      const std::string refusal = refusal_of_choice(word, words);
+      if (!refusal.empty()) refuse(name, refusal);
+    };
+    CLI::Option* const option = app_.add_option_function<std::string>(name, take, wrapped(about));
+    option->type_name(text);
+    line_.choices[option] = words;
+  }
+
+  static std::vector<std::string> output_names() {
+    std::vector<std::string> names;
+    for (const OutputKind& kind : output_kinds()) names.push_back(kind.name);
+    return names;
+  }
+
+  CommandLine& line_;
+  CLI::App& app_;
+  Options& options_;
+};
+
+}  // namespace
+
+void refuse(const std::string& option, const std::string& why) { throw UsageError(option + ": " + why); }
+
+const std::vector<std::string>& shells() {
+  static const std::vector<std::string> k_shells{"bash", "zsh", "fish"};
+  return k_shells;
+}
+
+CommandLine::CommandLine(Options& options) : app(k_about, "gauss-gen") {
+  app.set_version_flag("--version", std::string("gauss-gen ") + k_version, "print the version");
+  app.set_help_flag("-h,--help", "print this page");
+  write_help_by(app);
+  Adder(*this, app, options).generate();
+  app.add_flag("--man", options.man, "print the manual page, for man -l -");
+  // Added after the help flag and the formatter, which they inherit; the footer of the page is for the program as a whole.
+  const auto add = [&](const char* name, Command command, const char* about, const char* footer) {
+    commands[name] = command;
+    return Adder(*this, *app.add_subcommand(name, about)->footer(footer), options);
+  };
+  add("evaluate", Command::evaluate, k_about_evaluate, k_about_status).evaluate();
+  add("derivation", Command::derivation, k_about_derivation, "").derivation();
+  add("explain", Command::explain, k_about_explain, "").explain();
+  add("init", Command::init, k_about_init, "").init();
+  add("schema", Command::schema, k_about_schema, "");
+  add("completion", Command::completion, k_about_completion, "").completion();
+  app.require_subcommand(0, 1);
+}
+
+}  // namespace gaussgen::cli

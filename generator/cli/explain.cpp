@@ -1,0 +1,118 @@
+// A page for each code. The message of an example is the one that this program gives.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/commands.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/explanations.hpp"
+#include "cli/files.hpp"
+#include "cli/usage_error.hpp"
+#include "pipeline.hpp"
+#include "support/assert.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::cli {
+
+namespace {
+
+Explanation explanation_of(const support::ErrorCode& code) {
+  const auto is_meant = [&](const Page& page) { return std::string_view(page.code) == code.id; };
+  const auto page = std::find_if(pages().begin(), pages().end(), is_meant);
+  GAUSS_ASSERT(page != pages().end(), code.id);
+  return explanation_of(*page);
+}
+
+std::string message_of(const Explanation& explanation) {
+  const support::Source source("example.yaml", explanation.wrong);
+  support::Diagnostics diagnostics;
+  PipelineOptions options;
+  if (explanation.options == "--route paper") options.route = Route::paper;
+  compile(source, options, diagnostics, {});
+  return support::render(diagnostics, source);
+}
+
+std::string indented(const std::string& text) {
+  std::string result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    result += (end == begin ? "" : "    ") + text.substr(begin, end - begin) + "\n";
+    begin = end + 1;
+  }
+  return result;
+}
+
+std::string title_of(const support::ErrorCode& code) { return fmt::format("{}: {}", code.id, code.meaning); }
+
+std::string command_of(const Explanation& explanation) {
+  const std::string options = explanation.options.empty() ? "" : " " + explanation.options;
+  return fmt::format("gauss-gen{} example.yaml", options);
+}
+
+std::string page_as_text(const support::ErrorCode& code) {
+  const Explanation explanation = explanation_of(code);
+  return fmt::format("{}\n\n{}\n\nAn example; what is marked - is wrong, and + puts it right:\n\n{}\n{} says\n\n{}",
+                     title_of(code), explanation.about, indented(explanation.example), command_of(explanation),
+                     indented(message_of(explanation)));
+}
+
+std::string page_as_markdown(const support::ErrorCode& code) {
+  const Explanation explanation = explanation_of(code);
+  return fmt::format("## {}\n\n{}\n\n```diff\n{}```\n\n`{}` says\n\n{}", title_of(code), explanation.about,
+                     explanation.example, command_of(explanation), indented(message_of(explanation)));
+}
+
+std::string list() {
+  std::string text;
+  for (const support::ErrorCode& code : all_codes()) text += fmt::format("{}  {}\n", code.id, code.meaning);
+  return text + "\ngauss-gen explain CODE says more about one of them.\n";
+}
+
+std::string document() {
+  std::string text =
+      "# Errors and warnings\n\n"
+      "Written by `gauss-gen explain --format markdown` (`./run regen`); do not edit. The texts are in\n"
+      "`generator/cli/explanations/`, the messages are those of the program. In each example, what is marked `-` is\n"
+      "wrong, and `+` puts it right.\n\n";
+  for (const support::ErrorCode& code : all_codes()) text += fmt::format("- {}\n", title_of(code));
+  for (const support::ErrorCode& code : all_codes()) text += "\n" + page_as_markdown(code);
+  return text;
+}
+
+std::string in_capitals(std::string text) {
+  for (char& c : text) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return text;
+}
+
+support::ErrorCode find_code(const std::string& word) {
+  const std::string wanted = in_capitals(word);
+  std::vector<std::string> known;
+  for (const support::ErrorCode& code : all_codes()) {
+    if (wanted == code.id) return code;
+    known.emplace_back(code.id);
+  }
+  // Of digits alone, an error and a warning may be meant.
+  const bool has_error = std::find(known.begin(), known.end(), "E" + wanted) != known.end();
+  const bool has_warning = std::find(known.begin(), known.end(), "W" + wanted) != known.end();
+  std::string near = support::did_you_mean(wanted, known);
+  if (has_error || has_warning) near = fmt::format("did you mean '{}{}'?", has_error ? "E" : "W", wanted);
+  throw UsageError(
+      fmt::format("explain: there is no code '{}'; {}", word, near.empty() ? "gauss-gen explain lists them" : near));
+}
+
+}  // namespace
+
+int explain(const Options& options) {
+  const bool is_markdown = options.format == Format::markdown;
+  if (options.word.empty()) {
+    write_standard_output(is_markdown ? document() : list());
+    return k_ok;
+  }
+  const support::ErrorCode code = find_code(options.word);
+  write_standard_output(is_markdown ? page_as_markdown(code) : page_as_text(code));
+  return k_ok;
+}
+
+}  // namespace gaussgen::cli

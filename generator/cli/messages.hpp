@@ -1,0 +1,30 @@
+#pragma once
+// What is said on standard error: for people, or a line of JSON each for programs.
+
+#include <string>
+
+#include "support/diagnostics.hpp"
+
+namespace gaussgen::cli {
+
+enum class MessageFormat { text, json };
+enum class UseOfColour { on_terminals, always, never };
+
+struct MessageOptions {
+  MessageFormat format = MessageFormat::text;
+  UseOfColour colour = UseOfColour::on_terminals;
+};
+
+/// Prints what was found and returns the exit code that goes with it.
+int report(const support::Diagnostics& diagnostics, const support::Source& source, const MessageOptions& options);
+
+/// A warning without a place in the model.
+void warn(const std::string& text, const MessageOptions& options);
+
+/// A remark, neither error nor warning.
+void remark(const std::string& text, const MessageOptions& options);
+
+/// Why the program ends: not because of something in the text of a model. Returns `code`.
+int fail(const std::string& what, int code, const MessageOptions& options, const std::string& hint = {});
+
+}  // namespace gaussgen::cli
