@@ -1,7 +1,103 @@
+// The format of models as a JSON Schema, draft-07.
+
+#include <nlohmann/json.hpp>
+
 #include "cli/commands.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/files.hpp"
+#include "model/format.hpp"
 
 namespace gaussgen::cli {
 
-int schema() { return 0; }
+namespace {
+
+namespace format = model::format;
+using Json = nlohmann::ordered_json;
+
+// Letters, digits and single underscores between them.
+constexpr const char* k_name_pattern = "^[A-Za-z](_?[A-Za-z0-9])*$";
+constexpr int k_longest_name = 64;
+
+Json schema_of(const format::Map& map);
+Json schema_of(const format::Value& value);
+
+Json new_name() { return {{"type", "string"}, {"pattern", k_name_pattern}, {"maxLength", k_longest_name}}; }
+
+Json list_of(const format::Value& value) {
+  Json schema{{"type", "array"}, {"items", schema_of(*value.item)}};
+  if (value.count > 0) {
+    schema["minItems"] = value.count;
+    schema["maxItems"] = value.count;
+  }
+  return schema;
+}
+
+/// Of one shape, as YAML 1.2 reads it: an expression may be a number.
+Json schema_of_shape(const format::Value& value) {
+  switch (value.shape) {
+    case format::Shape::version: return {{"enum", {1, "1"}}};
+    case format::Shape::text: return {{"type", {"string", "number", "boolean"}}};
+    case format::Shape::expression: return {{"type", {"string", "number"}}};
+    case format::Shape::word: return {{"enum", value.words}};
+    case format::Shape::new_name: return new_name();
+    case format::Shape::name: return {{"type", "string"}};
+    case format::Shape::list: return list_of(value);
+    case format::Shape::map: return schema_of(*value.map);
+    case format::Shape::entries:
+      return {{"type", "object"}, {"propertyNames", new_name()}, {"additionalProperties", schema_of(*value.item)}};
+  }
+  return Json::object();
+}
+
+Json schema_of(const format::Value& value) {
+  Json shapes = Json::array({schema_of_shape(value)});
+  for (const format::Value& other : value.others) shapes.push_back(schema_of(other));
+  if (value.may_be_empty) shapes.push_back({{"type", "null"}});
+  return shapes.size() == 1 ? shapes[0] : Json{{"anyOf", shapes}};
+}
+
+Json condition_of(const format::Rule& rule) {
+  Json value = Json::object();
+  if (!rule.word.empty()) value = {{"const", rule.word}};
+  if (rule.when == format::When::is_list) value = {{"type", "array"}};
+  if (rule.when == format::When::is_single) value = {{"type", "string"}};
+  return {{"required", {rule.key}}, {"properties", {{rule.key, value}}}};
+}
+
+Json schema_of(const format::Rule& rule) {
+  std::vector<std::string> keys{rule.key};
+  keys.insert(keys.end(), rule.beside.begin(), rule.beside.end());
+  Json then{{"propertyNames", {{"enum", keys}}}};
+  if (!rule.required.empty()) then["required"] = rule.required;
+  for (const std::string& key : rule.one_of) then["anyOf"].push_back({{"required", {key}}});
+  for (const format::Key& key : rule.narrowed) then["properties"][key.name] = schema_of(key.value);
+  return {{"if", condition_of(rule)}, {"then", then}};
+}
+
+Json schema_of(const format::Map& map) {
+  Json schema{{"type", "object"}, {"additionalProperties", false}};
+  Json required = Json::array();
+  for (const format::Key& key : map.keys) {
+    Json property = schema_of(key.value);
+    property["description"] = key.about;
+    schema["properties"][key.name] = property;
+    if (key.need == format::Need::required) required.push_back(key.name);
+  }
+  if (!required.empty()) schema["required"] = required;
+  for (const format::Rule& rule : map.rules) schema["allOf"].push_back(schema_of(rule));
+  for (const std::string& law : map.laws) schema["oneOf"].push_back({{"required", {law}}});
+  return schema;
+}
+
+}  // namespace
+
+int schema() {
+  Json document{{"$schema", "http://json-schema.org/draft-07/schema#"},
+                {"title", "model of gauss"},
+                {"description", "Written by gauss-gen schema."}};
+  document.update(schema_of(format::model_file()));
+  write_standard_output(document.dump(2) + "\n");
+  return k_ok;
+}
 
 }  // namespace gaussgen::cli

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "model/fields.hpp"
+#include "model/format.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
 
@@ -33,7 +34,7 @@ Turns read_euler(const Node& map, support::Span owner, Reading& reading) {
   std::string letters = "zxz";
   std::array<Ast, 3> values;
   values.fill(broken_expression());
-  check_keys(map, where, {"euler", "angles"}, reading);
+  check_keys(map, where, format::keys_of(format::euler_angles()), reading);
   const Node* sequence = required(map, "euler", owner, where, reading);
   bool is_faulty = false;
   if (sequence != nullptr && expect_scalar(*sequence, owner, "'euler'", reading)) {
@@ -57,7 +58,7 @@ Turns read_euler(const Node& map, support::Span owner, Reading& reading) {
 
 Turns read_single_turn(const Node& map, support::Span owner, Reading& reading) {
   const std::string where = "an orientation by one angle";
-  check_keys(map, where, {"axis", "angle"}, reading);
+  check_keys(map, where, format::keys_of(format::single_turn()), reading);
   Turn turn;
   turn.angle = broken_expression();
   const Node* axis = required(map, "axis", owner, where, reading);

@@ -4,6 +4,7 @@
 
 #include "model/attitude.hpp"
 #include "model/fields.hpp"
+#include "model/format.hpp"
 #include "model/frames.hpp"
 #include "model/inertia.hpp"
 #include "model/names.hpp"
@@ -18,10 +19,6 @@ using spec::Node;
 using spec::NodeKind;
 
 namespace {
-
-const std::vector<std::string> k_body_keys = {"mass",        "inertia", "frame", "centre",
-                                              "position", "orientation", "about"};
-const std::vector<std::string> k_particle_keys = {"mass", "frame", "centre", "position", "about"};
 
 /// Inertia acts through rotation and rotation counts through inertia: one without the other is a slip.
 void check_attitude(const Entry& entry, Reading& reading) {
@@ -114,7 +111,7 @@ void read_body(const Entry& entry, bool is_particle, Reading& reading) {
   check_name(body.name, reading);
   check_unique(body.name, reading);
   if (expect_map(entry.value, entry.key.span, where, reading)) {
-    check_keys(entry.value, where, is_particle ? k_particle_keys : k_body_keys, reading);
+    check_keys(entry.value, where, format::keys_of(is_particle ? format::particle() : format::body()), reading);
     read_common(entry, where, body, reading);
     if (!is_particle) read_rotation(entry, body, reading);
   } else {

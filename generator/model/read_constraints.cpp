@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "model/ast_build.hpp"
 #include "model/attitude.hpp"
 #include "model/fields.hpp"
+#include "model/format.hpp"
 #include "model/frames.hpp"
 #include "model/names.hpp"
 #include "model/sections.hpp"
@@ -32,8 +31,6 @@ void check_label(const Name& name, Reading& reading) {
       "both would label a reaction; rename the constraint");
 }
 
-const std::vector<std::string> k_laws = {"velocity", "equation", "rolls", "no_slip", "coincide", "distance"};
-
 class ConstraintReader {
  public:
   ConstraintReader(const Entry& entry, Reading& reading)
@@ -47,7 +44,7 @@ class ConstraintReader {
     about_ = text_field(map_, "about", reading_);
     const Entry* law = find_law(where);
     if (law == nullptr) return add(VelocityLaw{broken_expression()}, name_.span);
-    check_keys(map_, where, allowed_beside(law->key.text), reading_);
+    check_keys(map_, where, format::keys_beside(format::constraint(), law->key.text), reading_);
     read_law(*law, where);
   }
 
@@ -56,7 +53,7 @@ class ConstraintReader {
   const Entry* find_law(const std::string& where) {
     const Entry* law = nullptr;
     for (const Entry& field : map_.entries) {
-      if (std::find(k_laws.begin(), k_laws.end(), field.key.text) == k_laws.end()) continue;
+      if (!format::is_law(format::constraint(), field.key.text)) continue;
       if (law != nullptr) {
         reading_.diagnostics.error(code::k_conflicting_keys, field.key.span,
                                    fmt::format("{} has '{}' beside '{}'", where, field.key.text, law->key.text),
@@ -67,25 +64,13 @@ class ConstraintReader {
     }
     if (law != nullptr) return law;
     const std::size_t findings = reading_.diagnostics.all().size();
-    std::vector<std::string> known = k_laws;
-    known.insert(known.end(), {"on", "at", "in", "direction", "is", "point", "about"});
-    check_keys(map_, where, known, reading_);
+    check_keys(map_, where, format::keys_of(format::constraint()), reading_);
     if (reading_.diagnostics.all().size() == findings) {
       reading_.diagnostics.error(code::k_missing_key, name_.span, fmt::format("{} has no law", where),
                                  "add one of velocity: dot(x) - r*dot(phi), equation: x^2 + y^2 - L^2, rolls: body, "
                                  "no_slip: body, coincide: [P, Q], distance: [P, Q]");
     }
     return nullptr;
-  }
-
-  static std::vector<std::string> allowed_beside(const std::string& law) {
-    std::vector<std::string> keys{law};
-    if (law == "velocity" || law == "equation") keys.emplace_back("point");
-    if (law == "rolls") keys.insert(keys.end(), {"on", "at"});
-    if (law == "no_slip") keys.insert(keys.end(), {"on", "at", "in", "direction"});
-    if (law == "distance") keys.emplace_back("is");
-    keys.emplace_back("about");
-    return keys;
   }
 
   void read_law(const Entry& law, const std::string& where) {
@@ -205,7 +190,7 @@ void read_constraints(const Node& root, Reading& reading) {
 void read_elimination(const Node& root, Reading& reading) {
   const Node* elimination = spec::find(root, "elimination");
   if (elimination == nullptr || !expect_map(*elimination, elimination->span, "'elimination'", reading)) return;
-  check_keys(*elimination, "'elimination'", {"dependent"}, reading);
+  check_keys(*elimination, "'elimination'", format::keys_of(format::elimination()), reading);
   const Node* dependent = required(*elimination, "dependent", elimination->span, "'elimination'", reading);
   if (dependent == nullptr || !expect_list(*dependent, elimination->span, "'dependent'", reading)) return;
   for (const Node& item : dependent->items) {

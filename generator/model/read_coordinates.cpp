@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "model/fields.hpp"
+#include "model/format.hpp"
 #include "model/names.hpp"
 #include "model/sections.hpp"
 #include "support/error_codes.hpp"
@@ -14,9 +15,6 @@ using spec::Entry;
 using spec::Node;
 
 namespace {
-
-const std::vector<std::string> k_keys = {"unit", "about", "held_at", "initial", "initial_guess",
-                                         "initial_rate", "initial_rate_guess"};
 
 /// A held coordinate starts where its law says.
 void refuse_initial_values(const Node& map, Reading& reading) {
@@ -38,7 +36,7 @@ void refuse_needless_guess(const Node& map, const std::string& key, const char* 
 }
 
 void read_fields(const Node& map, Coordinate& coordinate, Reading& reading) {
-  check_keys(map, fmt::format("coordinate '{}'", coordinate.name.text), k_keys, reading);
+  check_keys(map, fmt::format("coordinate '{}'", coordinate.name.text), format::keys_of(format::coordinate()), reading);
   read_unit(map, coordinate, reading);
   coordinate.about = text_field(map, "about", reading);
   coordinate.held_at = expression_field(map, "held_at", reading);

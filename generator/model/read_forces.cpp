@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "model/fields.hpp"
+#include "model/format.hpp"
 #include "model/frames.hpp"
 #include "model/names.hpp"
 #include "model/sections.hpp"
@@ -17,22 +16,6 @@ using spec::Entry;
 using spec::Node;
 
 namespace {
-
-struct Law {
-  std::string key;
-  std::vector<std::string> beside;  ///< keys that belong to it
-};
-
-const std::vector<Law>& laws() {
-  static const std::vector<Law> k_laws{
-      {"uniform", {}},
-      {"potential", {}},
-      {"generalized", {}},
-      {"force", {"on", "at", "from", "in"}},
-      {"torque", {"on", "from", "in"}},
-      {"spring", {"stiffness", "length", "rest", "damping"}}};
-  return k_laws;
-}
 
 GeneralizedForce read_components(const Entry& entry, Reading& reading) {
   GeneralizedForce force;
@@ -126,28 +109,11 @@ void read_law(const Entry& entry, const Entry& law, const std::string& where, Fo
   if (key == "spring") read_spring_law(entry, law, where, force, reading);
 }
 
-/// Those of one law, or of all.
-std::vector<std::string> keys_beside(const Entry* law) {
-  std::vector<std::string> keys;
-  std::vector<std::string> others;
-  for (const Law& one : laws()) {
-    if (law != nullptr && one.key != law->key.text) continue;
-    keys.push_back(one.key);
-    for (const std::string& key : one.beside) {
-      if (std::find(others.begin(), others.end(), key) == others.end()) others.push_back(key);
-    }
-  }
-  keys.insert(keys.end(), others.begin(), others.end());
-  keys.emplace_back("about");
-  return keys;
-}
-
 /// The one law of a force; none, a second or a misspelt one is reported.
 const Entry* find_law(const Entry& entry, const std::string& where, Reading& reading) {
   const Entry* first = nullptr;
   for (const Entry& field : entry.value.entries) {
-    const auto is_meant = [&](const Law& law) { return law.key == field.key.text; };
-    if (std::none_of(laws().begin(), laws().end(), is_meant)) continue;
+    if (!format::is_law(format::force(), field.key.text)) continue;
     if (first != nullptr) {
       reading.diagnostics.error(code::k_conflicting_keys, field.key.span,
                                 fmt::format("{} has '{}' beside '{}'", where, field.key.text, first->key.text),
@@ -156,14 +122,16 @@ const Entry* find_law(const Entry& entry, const std::string& where, Reading& rea
     }
     first = &field;
   }
-  const std::vector<std::string> keys = keys_beside(first);
+  const std::vector<std::string> keys =
+      first == nullptr ? format::keys_of(format::force()) : format::keys_beside(format::force(), first->key.text);
   // A law with a slip in its name is reported already.
   const std::size_t findings = reading.diagnostics.all().size();
   check_keys(entry.value, where, keys, reading);
   if (first == nullptr && reading.diagnostics.all().size() == findings) {
-    reading.diagnostics.error(code::k_missing_key, entry.key.span, fmt::format("{} has no law", where),
-                              "add one of uniform: [x, y, z], potential: V, generalized: {coordinate: Q}, force: [x, y, "
-                              "z], torque: [x, y, z], spring: [P, Q]");
+    reading.diagnostics.error(
+        code::k_missing_key, entry.key.span, fmt::format("{} has no law", where),
+        "add one of uniform: [x, y, z], potential: V, generalized: {coordinate: Q}, force: [x, y, "
+        "z], torque: [x, y, z], spring: [P, Q]");
   }
   return first;
 }

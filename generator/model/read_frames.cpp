@@ -4,6 +4,7 @@
 
 #include "model/attitude.hpp"
 #include "model/fields.hpp"
+#include "model/format.hpp"
 #include "model/frames.hpp"
 #include "model/sections.hpp"
 
@@ -26,7 +27,7 @@ void read_frame(const Entry& entry, Reading& reading) {
   Frame frame = begin_frame(entry);
   std::optional<Name> parent;
   if (expect_map(entry.value, entry.key.span, where, reading)) {
-    check_keys(entry.value, where, {"parent", "position", "orientation", "about"}, reading);
+    check_keys(entry.value, where, format::keys_of(format::frame()), reading);
     parent = parent_field(entry.value, "parent", reading);
     frame.position = vector_field(entry.value, "position", reading);
     frame.about = text_field(entry.value, "about", reading);
@@ -42,7 +43,7 @@ void read_point(const Entry& entry, Reading& reading) {
   Frame frame = begin_frame(entry);
   std::optional<Name> parent;
   if (expect_map(entry.value, entry.key.span, where, reading)) {
-    check_keys(entry.value, where, {"on", "at", "about"}, reading);
+    check_keys(entry.value, where, format::keys_of(format::point()), reading);
     parent = parent_field(entry.value, "on", reading);
     const Node* at = required(entry.value, "at", entry.key.span, where, reading);
     if (at != nullptr) frame.position = read_vector(*at, entry.key.span, "'at'", reading);

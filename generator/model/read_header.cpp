@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/fields.hpp"
+#include "model/format.hpp"
 #include "model/names.hpp"
 #include "model/sections.hpp"
 #include "support/error_codes.hpp"
@@ -15,12 +16,6 @@ namespace gaussgen::model {
 namespace code = support::code;
 
 namespace {
-
-const std::vector<std::string> k_sections = {"gauss",       "name",         "about",  "parameters",  "inputs", "tables",
-                                             "coordinates", "orientations", "frames", "joints",      "points", "bodies",
-                                             "particles",   "constraints",  "forces", "elimination", "outputs"};
-const std::vector<std::string> k_outputs = {"rhs",       "reactions",   "reaction_forces", "joint_reactions", "energy",       "compulsion",
-                                            "residuals", "mass_matrix", "project",         "initial_state"};
 
 constexpr support::Span k_top{0, 0};
 
@@ -43,10 +38,10 @@ void read_name(const spec::Node& root, Reading& reading) {
 void read_output(const spec::Node& item, support::Span owner, Reading& reading) {
   if (!expect_scalar(item, owner, "an output", reading)) return;
   const Name name = name_of(item.scalar);
-  if (std::find(k_outputs.begin(), k_outputs.end(), name.text) == k_outputs.end()) {
-    const std::string near = support::did_you_mean(name.text, k_outputs);
+  if (std::find(format::outputs().begin(), format::outputs().end(), name.text) == format::outputs().end()) {
+    const std::string near = support::did_you_mean(name.text, format::outputs());
     reading.diagnostics.error(code::k_unknown_word, name.span, fmt::format("there is no output '{}'", name.text),
-                              near.empty() ? "known outputs: " + support::joined(k_outputs) : near);
+                              near.empty() ? "known outputs: " + support::joined(format::outputs()) : near);
     return;
   }
   reading.model.outputs.push_back(name);
@@ -56,7 +51,7 @@ void read_output(const spec::Node& item, support::Span owner, Reading& reading) 
 
 void read_header(const spec::Node& root, Reading& reading) {
   const std::size_t errors_before = reading.diagnostics.all().size();
-  check_keys(root, "a model file", k_sections, reading);
+  check_keys(root, "a model file", format::keys_of(format::model_file()), reading);
   // An unknown section may be a declaring one with a slip in its name.
   if (reading.diagnostics.all().size() != errors_before) reading.incomplete = true;
   read_version(root, reading);

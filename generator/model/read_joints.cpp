@@ -9,6 +9,7 @@
 #include "model/ast_build.hpp"
 #include "model/attitude.hpp"
 #include "model/fields.hpp"
+#include "model/format.hpp"
 #include "model/frames.hpp"
 #include "model/names.hpp"
 #include "model/orientation_fields.hpp"
@@ -72,7 +73,7 @@ class JointReader {
       reading_.incomplete = true;
       return;
     }
-    check_keys(map_, where_, allowed_keys(), reading_);
+    check_keys(map_, where_, format::keys_beside(format::joint(), "type", kind_->name), reading_);
     frame_.position = vector_field(map_, "at", reading_);
     read_axes();
     read_coordinates();
@@ -84,38 +85,25 @@ class JointReader {
   void check_unique() {
     for (const Joint& other : reading_.model.joints) {
       if (other.name.text != name_.text) continue;
-      reading_.diagnostics.error(code::k_name_clash, name_.span,
-                                 fmt::format("'{}' already names the joint in line {}", name_.text,
-                                             reading_.line(other.name.span)),
-                                 "rename one of them");
+      reading_.diagnostics.error(
+          code::k_name_clash, name_.span,
+          fmt::format("'{}' already names the joint in line {}", name_.text, reading_.line(other.name.span)),
+          "rename one of them");
     }
   }
 
   bool find_kind() {
     const Node* node = required(map_, "type", name_.span, where_, reading_);
     if (node == nullptr || !expect_scalar(*node, name_.span, "'type'", reading_)) return false;
-    std::vector<std::string> names;
     for (const Kind& kind : kinds()) {
-      names.emplace_back(kind.name);
       if (node->scalar.text == kind.name) kind_ = &kind;
     }
     if (kind_ != nullptr) return true;
-    const std::string near = support::did_you_mean(node->scalar.text, names);
+    const std::string near = support::did_you_mean(node->scalar.text, format::joint_types());
     reading_.diagnostics.error(code::k_unknown_word, node->span,
                                fmt::format("there is no joint of type '{}'", node->scalar.text),
-                               near.empty() ? "the types are " + support::joined(names) : near);
+                               near.empty() ? "the types are " + support::joined(format::joint_types()) : near);
     return false;
-  }
-
-  std::vector<std::string> allowed_keys() const {
-    std::vector<std::string> keys{"type", "parent", "child", "at", "about"};
-    const JointType type = kind_->type;
-    if (type == JointType::universal) keys.emplace_back("axes");
-    if (!kind_->has_quaternion && type != JointType::universal && type != JointType::fixed) keys.emplace_back("axis");
-    if (!kind_->freedoms.empty()) keys.insert(keys.end(), {"coordinates", "initial", "initial_guess", "initial_rate"});
-    if (kind_->has_quaternion || type == JointType::fixed) keys.emplace_back("orientation");
-    if (kind_->has_quaternion) keys.emplace_back("initial_angular_velocity");
-    return keys;
   }
 
   void read_axes() {
@@ -127,7 +115,8 @@ class JointReader {
           !expect_length(field.value, 2, "'axes'", reading_)) {
         continue;
       }
-      for (std::size_t i = 0; i < 2; ++i) axes_[i] = read_axis(field.value.items[i], field.key.span, "an axis", reading_);
+      for (std::size_t i = 0; i < 2; ++i)
+        axes_[i] = read_axis(field.value.items[i], field.key.span, "an axis", reading_);
     }
     if (kind_->type == JointType::planar && !std::holds_alternative<char>(axes_[0])) {
       reading_.diagnostics.error(code::k_unknown_word, spec::find(map_, "axis")->span,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "model/fields.hpp"
+#include "model/format.hpp"
 #include "model/names.hpp"
 #include "model/orientation_fields.hpp"
 #include "model/sections.hpp"
@@ -18,9 +19,6 @@ using spec::NodeKind;
 using support::Span;
 
 namespace {
-
-const std::vector<std::string> k_keys = {"quaternion", "angular_velocity",         "frame",
-                                         "initial",    "initial_angular_velocity", "about"};
 
 /// Reads a list of names into `names` and declares them.
 template <std::size_t N>
@@ -87,7 +85,8 @@ void read_orientation(const Entry& entry, Reading& reading) {
   check_name(orientation.name, reading);
   reading.orientations.emplace(entry.key.text, reading.model.orientations.size());
   if (expect_map(entry.value, entry.key.span, fmt::format("orientation '{}'", entry.key.text), reading)) {
-    check_keys(entry.value, fmt::format("orientation '{}'", entry.key.text), k_keys, reading);
+    check_keys(entry.value, fmt::format("orientation '{}'", entry.key.text), format::keys_of(format::orientation()),
+               reading);
     read_names(entry, "quaternion", orientation.quaternion, SymbolKind::quaternion_component,
                "the quaternion component", reading);
     read_names(entry, "angular_velocity", orientation.angular_velocity, SymbolKind::angular_velocity,

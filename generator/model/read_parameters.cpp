@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "model/fields.hpp"
+#include "model/format.hpp"
 #include "model/names.hpp"
 #include "model/sections.hpp"
 
@@ -12,8 +13,6 @@ using spec::Entry;
 using spec::NodeKind;
 
 namespace {
-
-const std::vector<std::string> k_quantity_keys = {"value", "unit", "about"};
 
 Ast read_value(const Entry& entry, const std::string& where, Reading& reading) {
   const spec::Node* value = required(entry.value, "value", entry.key.span, where, reading);
@@ -25,7 +24,7 @@ void read_parameter(const Entry& entry, Reading& reading) {
   parameter.name = name_of(entry.key);
   const std::string where = fmt::format("parameter '{}'", entry.key.text);
   if (entry.value.kind == NodeKind::map) {
-    check_keys(entry.value, where, k_quantity_keys, reading);
+    check_keys(entry.value, where, format::keys_of(format::parameter()), reading);
     parameter.value = read_value(entry, where, reading);
     read_unit(entry.value, parameter, reading);
     parameter.about = text_field(entry.value, "about", reading);
@@ -40,7 +39,7 @@ void read_input(const Entry& entry, Reading& reading) {
   Input input;
   input.name = name_of(entry.key);
   if (entry.value.kind == NodeKind::map) {
-    check_keys(entry.value, fmt::format("input '{}'", entry.key.text), k_quantity_keys, reading);
+    check_keys(entry.value, fmt::format("input '{}'", entry.key.text), format::keys_of(format::input()), reading);
     input.value = expression_field(entry.value, "value", reading).value_or(number(0));
     read_unit(entry.value, input, reading);
     input.about = text_field(entry.value, "about", reading);

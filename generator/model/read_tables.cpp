@@ -6,6 +6,7 @@
 
 #include "model/constant.hpp"
 #include "model/fields.hpp"
+#include "model/format.hpp"
 #include "model/names.hpp"
 #include "model/points.hpp"
 #include "model/sections.hpp"
@@ -24,8 +25,6 @@ constexpr std::size_t k_most_points = 256;
 constexpr double k_most_bits = 1 << 16;  ///< of all numbers of a table together: exact splines stay quick
 constexpr double k_largest_slope = 1e290;
 constexpr double k_smallest_slope = 1e-290;
-
-const std::vector<std::string> k_keys = {"of", "values", "kind", "outside", "of_unit", "unit", "about"};
 
 /// A word out of two, or the default when the key is absent.
 template <class Word>
@@ -68,7 +67,7 @@ class TableReader {
     Table table;
     table.name = name_of(entry_.key);
     if (!expect_map(entry_.value, entry_.key.span, where_, reading_)) return table;
-    check_keys(entry_.value, where_, k_keys, reading_);
+    check_keys(entry_.value, where_, format::keys_of(format::table()), reading_);
     table.of = list("of");
     table.values = list("values");
     read_words(table);

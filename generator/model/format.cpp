@@ -1,0 +1,352 @@
+#include "model/format.hpp"
+
+#include <algorithm>
+
+namespace gaussgen::model::format {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+Value of_shape(Shape shape) {
+  Value value;
+  value.shape = shape;
+  return value;
+}
+
+Value text() {
+  Value value = of_shape(Shape::text);
+  value.may_be_empty = true;
+  return value;
+}
+
+Value expression() { return of_shape(Shape::expression); }
+
+Value name() { return of_shape(Shape::name); }
+
+Value new_name() { return of_shape(Shape::new_name); }
+
+Value word_of(Names words) {
+  Value value = of_shape(Shape::word);
+  value.words = std::move(words);
+  return value;
+}
+
+Value list_of(Value item, std::size_t count = 0) {
+  Value value = of_shape(Shape::list);
+  value.item = std::make_shared<Value>(std::move(item));
+  value.count = count;
+  return value;
+}
+
+Value vector() { return list_of(expression(), 3); }
+
+Value map_of(const Map& map) {
+  Value value = of_shape(Shape::map);
+  value.map = std::make_shared<Map>(map);
+  return value;
+}
+
+Value entries_of(Value item) {
+  Value value = of_shape(Shape::entries);
+  value.item = std::make_shared<Value>(std::move(item));
+  return value;
+}
+
+Value or_else(Value value, Value other) {
+  value.others.push_back(std::move(other));
+  return value;
+}
+
+Value or_empty(Value value) {
+  value.may_be_empty = true;
+  return value;
+}
+
+Value axis() { return or_else(word_of({"x", "y", "z"}), vector()); }
+
+Value attitude() { return or_else(or_else(name(), map_of(euler_angles())), map_of(single_turn())); }
+
+Value inertia() { return or_else(or_else(expression(), vector()), list_of(vector(), 3)); }
+
+/// What a joint says of its coordinates: one each, and one alone without brackets.
+Value for_each(const Value& item, std::size_t count) {
+  return count == 1 ? or_else(item, list_of(item, 1)) : list_of(item, count);
+}
+
+Value section(const Map& map) { return or_empty(entries_of(map_of(map))); }
+
+Key about() { return {"about", text(), "a sentence about it"}; }
+
+Key unit() { return {"unit", text(), "such as kg*m^2/s; 1 for a plain number"}; }
+
+/// x, y and z, each once after another one.
+Names euler_sequences() {
+  Names sequences;
+  for (const char a : {'x', 'y', 'z'}) {
+    for (const char b : {'x', 'y', 'z'}) {
+      for (const char c : {'x', 'y', 'z'}) {
+        if (a != b && b != c) sequences.push_back({a, b, c});
+      }
+    }
+  }
+  return sequences;
+}
+
+/// What joints of one type have besides the keys of all.
+Rule joint_rule(const char* type, std::size_t coordinates, Names more, std::vector<Key> narrowed = {}) {
+  Rule rule{"type", {"parent", "child", "at", "about"}, {}, type, When::present, std::move(narrowed)};
+  if (coordinates > 0) {
+    rule.beside.insert(rule.beside.end(), {"coordinates", "initial", "initial_guess", "initial_rate"});
+    rule.narrowed.push_back({"coordinates", for_each(name(), coordinates), ""});
+    for (const char* key : {"initial", "initial_guess", "initial_rate"}) {
+      rule.narrowed.push_back({key, for_each(expression(), coordinates), ""});
+    }
+  }
+  rule.beside.insert(rule.beside.end(), more.begin(), more.end());
+  return rule;
+}
+
+bool has(const Names& names, const std::string& wanted) {
+  return std::find(names.begin(), names.end(), wanted) != names.end();
+}
+
+}  // namespace
+
+const std::vector<std::string>& outputs() {
+  static const Names k_outputs{"rhs",        "reactions", "reaction_forces", "joint_reactions", "energy",
+                               "compulsion", "residuals", "mass_matrix",     "project",         "initial_state"};
+  return k_outputs;
+}
+
+const Map& parameter() {
+  static const Map k_map{
+      {{"value", expression(), "a number, or an expression over parameters", Need::required}, unit(), about()}};
+  return k_map;
+}
+
+const Map& input() {
+  static const Map k_map{{{"value", expression(), "a number, the default; 0 if left out"}, unit(), about()}};
+  return k_map;
+}
+
+const Map& coordinate() {
+  static const Map k_map{{unit(),
+                          about(),
+                          {"held_at", expression(), "the law of a held coordinate, over parameters and t"},
+                          {"initial", expression(), "value at the start"},
+                          {"initial_guess", expression(), "where the search for an open value starts"},
+                          {"initial_rate", expression(), "rate at the start; open if left out"},
+                          {"initial_rate_guess", expression(), "where the search for an open rate starts"}},
+                         {{"held_at", {"unit", "about"}},
+                          {"initial", {"unit", "about", "initial_rate", "initial_rate_guess"}},
+                          {"initial_rate", {"unit", "about", "initial", "initial_guess"}}}};
+  return k_map;
+}
+
+const Map& orientation() {
+  static const Map k_map{
+      {{"quaternion", list_of(new_name(), 4), "names of the components, scalar first", Need::required},
+       {"angular_velocity", list_of(new_name(), 3), "names of the components, rad/s", Need::required},
+       {"frame", word_of({"space", "body"}), "where the angular velocity is resolved"},
+       {"initial", list_of(expression(), 4), "the quaternion at the start"},
+       {"initial_angular_velocity", or_else(vector(), entries_of(expression())), "what is left out is open"},
+       about()}};
+  return k_map;
+}
+
+const Map& euler_angles() {
+  static const Map k_map{
+      {{"euler", word_of(euler_sequences()), "axes of the rotations, in their order", Need::required},
+       {"angles", vector(), "in rad; what does not turn is 0", Need::required}}};
+  return k_map;
+}
+
+const Map& single_turn() {
+  static const Map k_map{
+      {{"axis", axis(), "x, y, z or a direction", Need::required}, {"angle", expression(), "in rad", Need::required}}};
+  return k_map;
+}
+
+const Map& frame() {
+  static const Map k_map{{{"parent", name(), "the frame that it is placed against; space if left out"},
+                          {"position", vector(), "of its origin, in axes of the parent"},
+                          {"orientation", attitude(), "against the parent"},
+                          about()}};
+  return k_map;
+}
+
+const Map& point() {
+  static const Map k_map{{{"on", name(), "the frame or body that carries it; space if left out"},
+                          {"at", vector(), "in axes of what carries it", Need::required},
+                          about()}};
+  return k_map;
+}
+
+const std::vector<std::string>& joint_types() {
+  static const Names k_types{"revolute",  "prismatic", "cylindrical", "universal",
+                             "spherical", "planar",    "free",        "fixed"};
+  return k_types;
+}
+
+const Map& joint() {
+  const Key velocity{"initial_angular_velocity", or_else(vector(), entries_of(expression())),
+                     "what is left out is open"};
+  static const Map k_map{
+      {{"type", word_of(joint_types()), "which motion is left", Need::required},
+       {"parent", name(), "the frame that carries it; space if left out"},
+       {"child", name(), "the frame that it carries", Need::required},
+       {"at", vector(), "where it is, in axes of the parent"},
+       about(),
+       {"axes", list_of(axis(), 2), "of a universal joint"},
+       {"axis", axis(), "x, y, z or a direction in the parent; z if left out"},
+       {"coordinates", or_else(name(), list_of(name())), "their names"},
+       {"initial", or_else(expression(), list_of(expression())), "values at the start"},
+       {"initial_guess", or_else(expression(), list_of(expression())), "where searches start"},
+       {"initial_rate", or_else(expression(), list_of(expression())), "rates at the start"},
+       {"orientation", attitude(), "an orientation of the model; of a fixed joint any attitude"},
+       velocity},
+      {joint_rule("revolute", 1, {"axis"}), joint_rule("prismatic", 1, {"axis"}),
+       joint_rule("cylindrical", 2, {"axis"}), joint_rule("universal", 2, {"axes"}),
+       joint_rule("spherical", 0, {"orientation", "initial_angular_velocity"}, {{"orientation", name(), ""}}),
+       joint_rule("planar", 3, {"axis"}, {{"axis", word_of({"x", "y", "z"}), ""}}),
+       joint_rule("free", 3, {"orientation", "initial_angular_velocity"}, {{"orientation", name(), ""}}),
+       joint_rule("fixed", 0, {"orientation"})}};
+  return k_map;
+}
+
+const Map& body() {
+  static const Map k_map{{{"mass", expression(), "in kg, over parameters", Need::required},
+                          {"inertia", inertia(), "about the mass centre, in body axes: J, [Jx, Jy, Jz] or a matrix"},
+                          {"frame", name(), "the frame that it is part of"},
+                          {"centre", vector(), "of mass, in axes of the frame"},
+                          {"position", vector(), "of the mass centre, in space"},
+                          {"orientation", attitude(), "of the body axes in space"},
+                          about()},
+                         {{"position", {"mass", "inertia", "orientation", "about"}},
+                          {"orientation", {"mass", "inertia", "position", "about"}, {"position"}}}};
+  return k_map;
+}
+
+const Map& particle() {
+  static const Map k_map{{{"mass", expression(), "in kg, over parameters", Need::required},
+                          {"frame", name(), "the frame that it is part of"},
+                          {"centre", vector(), "where it is, in axes of the frame"},
+                          {"position", vector(), "where it is, in space"},
+                          about()},
+                         {{"position", {"mass", "about"}}}};
+  return k_map;
+}
+
+const Map& constraint() {
+  static const Map k_map{{{"velocity", expression(), "is zero along the motion"},
+                          {"equation", expression(), "of places, is zero along the motion"},
+                          {"rolls", name(), "the body that rolls without slipping"},
+                          {"no_slip", name(), "the body that does not slip in one direction"},
+                          {"coincide", list_of(name(), 2), "two places that stay together"},
+                          {"distance", list_of(name(), 2), "two places that keep their distance"},
+                          {"on", name(), "what it touches; space if left out"},
+                          {"at", or_else(vector(), name()), "where they touch: a point, or where it is"},
+                          {"in", name(), "in which axes the direction is"},
+                          {"direction", axis(), "x, y, z or three components"},
+                          {"is", expression(), "the distance"},
+                          {"point", vector(), "where its reaction is reported to act"},
+                          about()},
+                         {{"velocity", {"point", "about"}},
+                          {"equation", {"point", "about"}},
+                          {"rolls", {"on", "at", "about"}, {"at"}},
+                          {"no_slip", {"on", "at", "in", "direction", "about"}, {"at", "direction"}},
+                          {"coincide", {"about"}},
+                          {"distance", {"is", "about"}, {"is"}}},
+                         {"velocity", "equation", "rolls", "no_slip", "coincide", "distance"}};
+  return k_map;
+}
+
+const Map& force() {
+  static const Map k_map{
+      {{"uniform", vector(), "the same acceleration for every mass"},
+       {"potential", expression(), "its negative gradient is the force"},
+       {"generalized", entries_of(expression()), "along coordinates or angular velocities"},
+       {"force", vector(), "three components"},
+       {"torque", vector(), "three components"},
+       {"spring", or_else(name(), list_of(name(), 2)), "between two places, or along a coordinate"},
+       {"on", name(), "what it acts on"},
+       {"at", vector(), "where, in axes of what it acts on"},
+       {"from", name(), "what takes the opposite force"},
+       {"in", name(), "in which axes the components are"},
+       {"stiffness", expression(), "force for each length"},
+       {"length", expression(), "of the spring without force"},
+       {"rest", expression(), "value of the coordinate without force"},
+       {"damping", expression(), "force for each speed"},
+       about()},
+      {{"uniform", {"about"}},
+       {"potential", {"about"}},
+       {"generalized", {"about"}},
+       {"force", {"on", "at", "from", "in", "about"}, {"on"}},
+       {"torque", {"on", "from", "in", "about"}, {"on"}},
+       {"spring", {"stiffness", "length", "damping", "about"}, {}, "", When::is_list, {}, {"stiffness", "damping"}},
+       {"spring", {"stiffness", "rest", "damping", "about"}, {}, "", When::is_single, {}, {"stiffness", "damping"}}},
+      {"uniform", "potential", "generalized", "force", "torque", "spring"}};
+  return k_map;
+}
+
+const Map& table() {
+  static const Map k_map{{{"of", list_of(expression()), "numbers in growing order", Need::required},
+                          {"values", list_of(expression()), "numbers, one for each", Need::required},
+                          {"kind", word_of({"linear", "spline"}), "linear if left out"},
+                          {"outside", word_of({"hold", "extend"}), "what happens beyond the points"},
+                          {"of_unit", text(), "unit of the argument"},
+                          unit(),
+                          about()}};
+  return k_map;
+}
+
+const Map& elimination() {
+  static const Map k_map{{{"dependent", list_of(name()), "speeds, as many as constraints", Need::required}}};
+  return k_map;
+}
+
+const Map& model_file() {
+  static const Map k_map{
+      {{"gauss", of_shape(Shape::version), "version of the format: 1", Need::required},
+       {"name", new_name(), "of the model: the namespace and the file name", Need::required},
+       about(),
+       {"parameters", or_empty(entries_of(or_else(expression(), map_of(parameter())))),
+        "constants that a program may change at run time"},
+       {"inputs", or_empty(entries_of(or_empty(or_else(expression(), map_of(input()))))), "values of each evaluation"},
+       {"tables", section(table()), "functions by their points"},
+       {"coordinates", or_empty(entries_of(or_empty(map_of(coordinate())))), "free and held ones"},
+       {"orientations", section(orientation()), "attitudes by unit quaternion"},
+       {"frames", section(frame()), "axes placed against others"},
+       {"joints", section(joint()), "frames carried by others, with coordinates of the motion between them"},
+       {"points", section(point()), "places on frames and bodies"},
+       {"bodies", section(body()), "with mass and inertia"},
+       {"particles", section(particle()), "with mass alone"},
+       {"constraints", section(constraint()), "on velocities, on positions, between places"},
+       {"forces", section(force()), "each with one law"},
+       {"elimination", map_of(elimination()), "the choice of dependent speeds"},
+       {"outputs", or_empty(list_of(word_of(outputs()))), "what is emitted; all if left out"}}};
+  return k_map;
+}
+
+std::vector<std::string> keys_of(const Map& map) {
+  Names names;
+  for (const Key& key : map.keys) names.push_back(key.name);
+  return names;
+}
+
+std::vector<std::string> keys_beside(const Map& map, const std::string& key, const std::string& word) {
+  Names allowed{key};
+  for (const Rule& rule : map.rules) {
+    if (rule.key != key || rule.word != word) continue;
+    allowed.insert(allowed.end(), rule.beside.begin(), rule.beside.end());
+  }
+  Names names = keys_of(map);
+  names.erase(std::remove_if(names.begin(), names.end(), [&](const auto& name) { return !has(allowed, name); }),
+              names.end());
+  return names;
+}
+
+bool is_law(const Map& map, const std::string& key) { return has(map.laws, key); }
+
+}  // namespace gaussgen::model::format
