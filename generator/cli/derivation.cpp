@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
+#include "cli/guard.hpp"
 #include "cli/replacement.hpp"
 #include "paper.hpp"
 #include "read_model.hpp"
@@ -8,9 +9,11 @@
 namespace gaussgen::cli {
 
 int derive(const Options& options) {
+  std::optional<ReadingGuard> guard(options.messages);
   const support::Source source = read_source(options.model);
   support::Diagnostics diagnostics;
   const auto model = read_model(source, diagnostics);
+  guard.reset();
   std::string text;
   if (model) text = derivation_text(*model, options.format == Format::latex, diagnostics);
   const int code = report(diagnostics, source, options.messages);

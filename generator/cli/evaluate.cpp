@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
+#include "cli/guard.hpp"
 #include "cli/overrides.hpp"
 #include "evaluation.hpp"
 #include "read_model.hpp"
@@ -102,9 +103,11 @@ std::string json(const Evaluation& evaluation, const model::Model& model, const 
 }  // namespace
 
 int evaluate(const Options& options) {
+  std::optional<ReadingGuard> guard(options.messages);
   const support::Source source = read_source(options.model);
   support::Diagnostics diagnostics;
   std::optional<model::Model> model = read_model(source, diagnostics);
+  guard.reset();
   const int code = report(diagnostics, source, options.messages);
   if (!model || code != k_ok) return code;
   apply_overrides(options.overrides, *model);

@@ -5,6 +5,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
+#include "cli/guard.hpp"
 #include "cli/replacement.hpp"
 #include "read_model.hpp"
 
@@ -65,11 +66,13 @@ int check_or_list(const Options& options, const support::Source& source) {
 }  // namespace
 
 int generate(const Options& options) {
+  std::optional<ReadingGuard> guard(options.messages);
   const support::Source source = read_source(options.model);
   if (options.list_outputs) return check_or_list(options, source);
 
   std::string dumped;
   const StageObserver observe = [&](const std::string& stage, const std::function<std::string()>& dump) {
+    guard.reset();  // the first stage is that of the text
     if (std::find(options.dumps.begin(), options.dumps.end(), stage) == options.dumps.end()) return;
     if (options.dumps.size() > 1) dumped += "=== " + stage + "\n";
     dumped += dump();

@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
+#include "cli/guard.hpp"
 #include "cli/overrides.hpp"
 #include "support/assert.hpp"
 
@@ -50,6 +51,7 @@ int main(int argc, char** argv) {
   // A comma locale changes what GiNaC prints and what yaml-cpp reads; the classic one is the same everywhere.
   std::setlocale(LC_ALL, "C");
   std::locale::global(std::locale::classic());
+  gaussgen::cli::limit_memory();
   int exit_code = 0;
   const auto options = gaussgen::cli::parse_options(argc, argv, exit_code);
   return options ? gaussgen::cli::guarded(*options) : exit_code;

@@ -27,6 +27,12 @@ std::size_t columns(std::string_view text) {
   return width;
 }
 
+/// Looks at no more of it than it has to: a text may be of megabytes.
+bool is_wider(std::string_view text, std::size_t width) {
+  const std::size_t most_bytes = 4 * (width + 1);
+  return (text.size() > most_bytes && columns(text.substr(0, most_bytes)) > width) || columns(text) > width;
+}
+
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
     text.replace(at, from.size(), to);
@@ -82,14 +88,15 @@ std::string wrapped(std::string_view text, std::size_t width) {
   std::string result;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    std::string rest = comment_text(text.substr(begin, end - begin));
-    while (columns(rest) > width) {
+    const std::string line = comment_text(text.substr(begin, end - begin));
+    std::string_view rest = line;
+    while (is_wider(rest, width)) {
       const std::size_t cut = rest.rfind(' ', width);
       if (cut == std::string::npos || cut == 0) break;
       result += comment_text(rest.substr(0, cut)) + "\n";
-      rest.erase(0, cut + 1);
+      rest.remove_prefix(cut + 1);
     }
-    result += rest + (end < text.size() ? "\n" : "");
+    result += std::string(rest) + (end < text.size() ? "\n" : "");
     begin = end + 1;
   }
   return result;

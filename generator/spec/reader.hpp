@@ -9,7 +9,8 @@
 namespace gaussgen::spec {
 
 inline constexpr int k_deepest_nesting = 32;
-inline constexpr int k_most_nodes = 200'000;
+inline constexpr int k_most_nodes = 100'000;
+inline constexpr std::size_t k_longest_key = 1024;
 
 /// Stricter than YAML: one document, no repeated keys, no anchors, aliases or tags.
 std::optional<Node> read_yaml(const support::Source& source, support::Diagnostics& diagnostics);

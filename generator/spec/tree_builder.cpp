@@ -75,6 +75,7 @@ void TreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
   refuse_extras(mark, {}, anchor);
   Node node;
   node.span = {offset(mark), offset(mark)};
+  count_node(node.span);
   if (expects_key()) return refuse_key(node.span);
   add(std::move(node));
 }
@@ -119,10 +120,19 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
     i += point.size;
   }
   if (expects_key()) {
+    check_key_length(node.scalar);
     open_.back().key = std::move(node.scalar);
   } else {
     add(std::move(node));
   }
+}
+
+void TreeBuilder::check_key_length(const LocatedText& key) {
+  if (key.text.size() <= k_longest_key) return;
+  diagnostics_.error(code::k_file_too_large, {key.span.begin, key.span.begin + 1},
+                     fmt::format("a key of {} bytes; the limit is {}", key.text.size(), k_longest_key),
+                     "a key is one of the words of the format, or a name");
+  throw Stop{};
 }
 
 void TreeBuilder::OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,

@@ -12,6 +12,7 @@ namespace gaussgen::support {
 namespace {
 
 constexpr std::size_t k_most_findings = 100;
+constexpr std::size_t k_longest_text = 2000;
 constexpr int k_widest_line = 160;
 constexpr int k_columns_before_caret = 60;
 constexpr std::uint32_t k_bytes_around = 4096;
@@ -157,12 +158,31 @@ std::string render_one(const Diagnostic& finding, const Source& source, Colour c
 
 }  // namespace
 
+namespace {
+
+/// A message may quote what stands in the file, and that may be of megabytes: its middle is left out.
+void shorten(std::string& text) {
+  if (text.size() <= k_longest_text) return;
+  const auto is_continuation = [&](std::size_t i) { return i < text.size() && (text[i] & 0xC0) == 0x80; };
+  std::size_t begin = k_longest_text / 2;
+  std::size_t end = text.size() - k_longest_text / 2;
+  while (begin > 0 && is_continuation(begin)) --begin;
+  while (is_continuation(end)) ++end;
+  text.replace(begin, end - begin, " ... ");
+}
+
+}  // namespace
+
 std::vector<Diagnostic> in_order(const Diagnostics& diagnostics, std::size_t& left_out) {
   std::vector<Diagnostic> sorted = diagnostics.all();
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
   left_out = sorted.size() - std::min(sorted.size(), k_most_findings);
   sorted.resize(sorted.size() - left_out);
+  for (Diagnostic& finding : sorted) {
+    shorten(finding.message);
+    shorten(finding.hint);
+  }
   return sorted;
 }
 

@@ -1,0 +1,22 @@
+#pragma once
+// Limits that the program sets itself, so that a file made for the purpose ends with a message and not with the machine.
+
+#include "cli/messages.hpp"
+
+namespace gaussgen::cli {
+
+/// No more address space than the machine, or the container, has memory: the end is std::bad_alloc and a message. A lower
+/// limit of the user stays.
+void limit_memory();
+
+/// While it lives, ten seconds of processor time, which no text of a model needs, end the program with a message and
+/// k_too_large. What follows from a text, a derivation, may take its time.
+class ReadingGuard {
+ public:
+  explicit ReadingGuard(const MessageOptions& options);
+  ReadingGuard(const ReadingGuard&) = delete;
+  ReadingGuard& operator=(const ReadingGuard&) = delete;
+  ~ReadingGuard();
+};
+
+}  // namespace gaussgen::cli

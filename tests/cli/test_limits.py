@@ -1,0 +1,150 @@
+"""Files that were made to be too much: each ends soon and small, with a message and no signal."""
+
+import json
+import os
+import re
+import resource
+import signal
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+from gauss_gen import PARTICLE, PROGRAM, Program
+
+SECONDS = 2
+BYTES = 512 << 20
+# A busy machine, or a build with checks, takes longer: what is looked for are minutes.
+SLACK = 5
+HEAD = "gauss: 1\nname: bomb\ncoordinates: {x: {}}\nparticles: {p: {mass: 1, position: [x, 0, 0]}}\n"
+
+
+def position(text):
+    return HEAD.replace("[x,", f"[{text},")
+
+
+def rows(count, text):
+    return "".join(text.format(i=i, next=i + 1) for i in range(count))
+
+
+BOMBS = {
+    "open brackets": HEAD + "about: " + "[" * 2_000_000,
+    "open maps": HEAD + "about: " + "{a: " * 500_000,
+    "lists in lists": HEAD + "about:\n" + "- " * 1_500_000,
+    "keys of nothing": HEAD + "? " * 1_000_000,
+    "nested maps": HEAD + "about:\n" + "".join(" " * i + "a:\n" for i in range(2000)),
+    "50 MB": HEAD + "about: " + "x" * 50_000_000,
+    "one word": HEAD + "about: " + "x" * 4_000_000,
+    "one quoted word": HEAD + 'about: "' + "x" * 4_000_000 + '"',
+    "many folded lines": HEAD + "about: >\n" + "  ab\n" * 800_000,
+    "many joined lines": HEAD + "about: a\n" + "  ab\n" * 800_000,
+    "a long key": HEAD + "x" * 4_000_000 + ": 1\n",
+    "a long key in braces": "gauss: 1\nname: b\ncoordinates: {" + "x" * 4_000_000 + ": {}}\n",
+    "a key of quotes": HEAD + "'" * 4_000_000,
+    "a key of line ends": HEAD + "\r" * 4_000_000,
+    "many keys": HEAD + rows(300_000, "k{i}: 1\n"),
+    "many parameters": HEAD + "parameters:\n" + rows(49_000, "  k{i}: 1\n"),
+    "a chain of parameters": HEAD + "parameters:\n" + rows(24_000, "  k{i}: k{next} + 1\n") + "  k24000: 1\n",
+    "a power of parameters": HEAD + "parameters:\n" + rows(200, "  k{i}: k{next}*k{next}\n") + "  k200: 1\n",
+    "many unknown names": HEAD + "parameters:\n" + rows(49_000, "  k{i}: j{i}\n"),
+    "one key again and again": HEAD + "parameters: {" + "a: 1, " * 190_000 + "}",
+    "a list of a million": HEAD + "outputs: [" + "rhs, " * 800_000 + "]",
+    "a list of a million wrong words": HEAD + "outputs: [" + "rsh, " * 800_000 + "]",
+    "a list of commas": HEAD + "outputs: [" + "," * 4_000_000 + "]",
+    "many lines of a list": HEAD + "outputs:\n" + "- rhs\n" * 600_000,
+    "many frames in a row": HEAD + "frames:\n  f0: {position: [x, 0, 0]}\n" +
+                            rows(15_000, "  f{next}: {{parent: f{i}, position: [x, 0, 0]}}\n"),
+    "blank lines": HEAD + "\n" * 4_000_000,
+    "comments": HEAD + "#\n" * 2_000_000,
+    "aliases": HEAD + "about: &a x\n" + rows(190_000, "b{i}: *a\n"),
+    "laughs": "a: &a [x,x,x]\n" + "".join(f"{chr(98 + i)}: &{chr(98 + i)} [{','.join(['*' + chr(97 + i)] * 9)}]\n" for i in range(20)),
+    "documents": HEAD + "---\na\n" * 500_000,
+    "tags": HEAD + "about: " + "!a " * 1_000_000,
+    "a deep expression": position("(" * 60_000 + "x" + ")" * 60_000),
+    "signs": position("-" * 60_000 + "x"),
+    "a long sum": position("+".join(["sin(x)"] * 9000)),
+    "digits": position("9" * 60_000 + "*x"),
+    "an exponent": position("1e999999999*x"),
+    "a tower": position("((((x^64)^64)^64)^64)^64"),
+    "functions in functions": position("sin(x+" * 60 + "x" + ")" * 60),
+    "bytes": HEAD.encode() + b"\x80" * 4_000_000,
+    "marks of direction": HEAD + "\u202e" * 1_300_000,
+}
+
+
+class Limits(Program):
+    def measured(self, *arguments):
+        """Seconds, exit code, standard error."""
+        with open(self.folder / "err", "wb") as err:
+            begin = time.monotonic()
+            process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=err)
+            while process.poll() is None and time.monotonic() < begin + 60:
+                time.sleep(0.005)
+            process.kill()
+            process.wait()
+        return time.monotonic() - begin, process.returncode, (self.folder / "err").read_text(encoding="utf-8", errors="replace")
+
+    def test_every_bomb_ends_soon_with_a_message(self):
+        for what, text in BOMBS.items():
+            with self.subTest(what):
+                (self.folder / "bomb.yaml").write_bytes(text if isinstance(text, bytes) else text.encode())
+                seconds, code, said = self.measured("bomb.yaml", "--check")
+                self.assertLess(seconds, SECONDS * SLACK)
+                self.assertIn(code, (0, 1, 4), said[:1000])
+                if code != 0:
+                    self.assertRegex(said, r"bomb\.yaml:\d+:\d+: error\[E\d+\]: ")
+                self.assertLess(len(said), 100_000)
+                self.assertLess(max(map(len, said.splitlines()), default=0), 4200)
+                self.assertNotIn("\x00", said)
+
+    def test_every_bomb_fits_into_memory(self):
+        if "sanitize" in os.environ.get("GAUSS_FLAGS", ""):
+            self.skipTest("checks take memory of their own")
+
+        def limit():
+            resource.setrlimit(resource.RLIMIT_AS, (BYTES + (64 << 20), BYTES + (64 << 20)))  # its libraries, too
+
+        for what, text in BOMBS.items():
+            with self.subTest(what):
+                (self.folder / "bomb.yaml").write_bytes(text if isinstance(text, bytes) else text.encode())
+                result = self.run_it("bomb.yaml", "--list-outputs", preexec_fn=limit, errors="replace")
+                self.assertIn(result.returncode, (0, 1, 4), result.stderr[:1000])
+                self.assertNotIn("memory", result.stderr)
+
+    def test_memory_that_is_spent_is_a_message(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_AS, (40 << 20, 40 << 20))
+
+        for more in ([], ["--diagnostics=json"]):
+            said = self.refused(4, "-", *more, preexec_fn=limit, stdin=BOMBS["many parameters"])
+            if more:
+                said = json.loads(said)["message"]
+            self.assertIn("the model is too large for the memory of this machine", said)
+
+    def test_time_that_is_spent_on_a_text_is_a_message(self):
+        # Ten seconds of the processor; here the signal that ends them comes while the program waits for its text.
+        for command in ([], ["evaluate"], ["derivation"]):
+            for more in ([], ["--diagnostics=json"]):
+                process = subprocess.Popen([PROGRAM, *command, *more, "-"], stdin=subprocess.PIPE, stderr=subprocess.PIPE,
+                                           cwd=self.folder, text=True)
+                status = Path(f"/proc/{process.pid}/status")
+                while not re.search(r"(?m)^SigCgt:\s+\w*[4-7c-f]\w{6}$", status.read_text(encoding="ascii")):
+                    time.sleep(0.01)
+                process.send_signal(signal.SIGPROF)
+                _, said = process.communicate()
+                self.assertEqual(process.returncode, 4)
+                if more:
+                    said = json.loads(said)["message"]
+                self.assertRegex(said, r"too large: the text of the model takes more than 10 seconds to read; split it")
+        self.assertEqual(self.files(), [])
+
+    def test_a_message_quotes_no_more_than_anybody_reads(self):
+        text = PARTICLE.replace("mass: m", "mass: m, frame: " + "x" * 1_000_000)
+        self.assertLess(len(self.refused(1, "-", stdin=text)), 20_000)
+        said = self.refused(1, "-", "--diagnostics=json", stdin=text)
+        for line in said.splitlines():
+            self.assertLess(len(json.loads(line)["message"]), 2100)
+
+
+if __name__ == "__main__":
+    unittest.main()
