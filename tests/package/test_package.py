@@ -49,6 +49,14 @@ class Package(unittest.TestCase):
         shutil.copy(SOURCE / "examples/turntable.cpp", self.source)
         shutil.copy(SOURCE / "models/sphere_turntable.yaml", self.source)
 
+    def test_manual_completions_and_schema_are_installed(self):
+        printed = {"man/man1/gauss-gen.1": ["--man"], "bash-completion/completions/gauss-gen": ["completion", "bash"],
+                   "zsh/site-functions/_gauss-gen": ["completion", "zsh"],
+                   "fish/vendor_completions.d/gauss-gen.fish": ["completion", "fish"], "gauss/gauss.schema.json": ["schema"]}
+        for file, command in printed.items():
+            text = (self.prefix / "share" / file).read_text(encoding="utf-8")
+            self.assertEqual(text, run(self.prefix / "bin/gauss-gen", *command), file)
+
     def configure(self, generator):
         run(CMAKE, "-S", self.source, "-B", self.build, "-G", generator, f"-DCMAKE_PREFIX_PATH={self.prefix}",
             f"-DCMAKE_CXX_COMPILER={os.environ['GAUSS_CXX']}")
