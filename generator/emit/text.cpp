@@ -11,7 +11,9 @@ namespace {
 constexpr char32_t k_line_separator = 0x2028;
 constexpr char32_t k_paragraph_separator = 0x2029;
 
-bool breaks_line(char32_t c) { return c < 0x20 || support::is_control(c) || c == k_line_separator || c == k_paragraph_separator; }
+bool breaks_line(char32_t c) {
+  return c < 0x20 || support::is_control(c) || c == k_line_separator || c == k_paragraph_separator;
+}
 
 bool is_harmless(const support::CodePoint& point) {
   return point.valid && !breaks_line(point.value) && !support::is_invisible(point.value);
