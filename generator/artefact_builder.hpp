@@ -23,7 +23,8 @@ class ArtefactBuilder {
   emit::Artefact& artefact() { return artefact_; }
 
   void result_type(const std::string& type);
-  void fields(const std::string& name, const std::string& type, const std::string& about, std::vector<emit::Field> fields);
+  void fields(const std::string& name, const std::string& type, const std::string& about,
+              std::vector<emit::Field> fields);
 
   /// A state whose quaternions are not of unit length is what the function is for; others say that they do not trust it.
   void with_any_quaternion();

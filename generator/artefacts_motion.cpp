@@ -194,11 +194,12 @@ std::string drives(const model::Model& model) {
 
 std::vector<Artefact> joint_reactions_artefact(Mechanics& mechanics) {
   if (mechanics.model.joints.empty()) return {};
-  ArtefactBuilder builder("joint_reactions",
-                          "Force and moment that the child of each joint feels from its parent, in space axes, the moment\n"
-                          "about the origin of the child." +
-                              drives(mechanics.model),
-                          mechanics);
+  ArtefactBuilder builder(
+      "joint_reactions",
+      "Force and moment that the child of each joint feels from its parent, in space axes, the moment\n"
+      "about the origin of the child." +
+          drives(mechanics.model),
+      mechanics);
   Steps steps;
   builder.result_type("JointReactions");
   builder.with_solution_status();

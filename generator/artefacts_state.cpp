@@ -19,7 +19,8 @@ namespace {
 
 Vector candidate_accelerations(const Mechanics& mechanics) {
   Vector candidate;
-  for (const auto& speed : mechanics.symbols.speeds) candidate.push_back(mechanics.expressions.symbol(speed.acceleration));
+  for (const auto& speed : mechanics.symbols.speeds)
+    candidate.push_back(mechanics.expressions.symbol(speed.acceleration));
   return candidate;
 }
 
@@ -34,7 +35,8 @@ void add_norms(const Mechanics& mechanics, std::vector<Field>& fields) {
   Vector norms = strategy::squared_norms(mechanics.symbols, configuration_of(mechanics));
   for (Expr& norm : norms) norm = norm - mechanics.expressions.number(1);
   if (norms.empty()) return;
-  fields.push_back({"quaternion", "squared norm of each quaternion, less 1", {static_cast<int>(norms.size())}, ids(norms)});
+  fields.push_back(
+      {"quaternion", "squared norm of each quaternion, less 1", {static_cast<int>(norms.size())}, ids(norms)});
 }
 
 void add_positions(const Mechanics& mechanics, std::vector<Field>& fields) {
@@ -62,29 +64,33 @@ Artefact state_artefact(ArtefactBuilder& builder, const strategy::ProjectedState
 }  // namespace
 
 Artefact energy_artefact(Mechanics& mechanics) {
-  ArtefactBuilder builder("energy", "Kinetic energy, potential energy of uniform fields and potentials, and their sum.", mechanics);
+  ArtefactBuilder builder("energy", "Kinetic energy, potential energy of uniform fields and potentials, and their sum.",
+                          mechanics);
   Steps steps;
   steps.begin("energies");
   builder.result_type("Energy");
   builder.artefact().takes_inputs = false;
   const Expr kinetic = steps.name(mechanics.covariant.kinetic_energy, "kinetic_energy");
   const Expr potential = steps.name(mechanics.kinematics.potential, "potential_energy");
-  builder.fields("", "", "", {{"kinetic", "[J]", {}, {kinetic.id()}},
-                              {"potential", "[J]", {}, {potential.id()}},
-                              {"total", "[J]", {}, {(kinetic + potential).id()}}});
+  builder.fields("", "", "",
+                 {{"kinetic", "[J]", {}, {kinetic.id()}},
+                  {"potential", "[J]", {}, {potential.id()}},
+                  {"total", "[J]", {}, {(kinetic + potential).id()}}});
   return builder.finish(steps);
 }
 
 std::vector<Artefact> compulsion_artefact(Mechanics& mechanics) {
   if (has_massless_body(mechanics)) return {};
-  ArtefactBuilder builder("compulsion",
-                          "Gauss's function Z_w (1.18) of candidate accelerations, as a complete square over the bodies:\n"
-                          "least, among all accelerations that the constraints allow, at those of rhs.",
-                          mechanics);
+  ArtefactBuilder builder(
+      "compulsion",
+      "Gauss's function Z_w (1.18) of candidate accelerations, as a complete square over the bodies:\n"
+      "least, among all accelerations that the constraints allow, at those of rhs.",
+      mechanics);
   Steps steps;
   builder.result_type("Compulsion");
   builder.artefact().takes_accelerations = true;
-  const Expr Z = strategy::compulsion(mechanics.dynamics, candidate_accelerations(mechanics), mechanics.epsilon(), steps);
+  const Expr Z =
+      strategy::compulsion(mechanics.dynamics, candidate_accelerations(mechanics), mechanics.epsilon(), steps);
   builder.fields("", "", "", {{"Z", "[N^2/kg]", {}, {Z.id()}}});
   std::vector<Artefact> result;
   result.push_back(builder.finish(steps));
@@ -137,20 +143,22 @@ Artefact mass_matrix_artefact(Mechanics& mechanics) {
 }
 
 Artefact project_artefact(Mechanics& mechanics) {
-  ArtefactBuilder builder("project",
-                          "The nearest state that satisfies the constraints: unit quaternions, then the smallest change of\n"
-                          "the speeds in the mass metric (two Newton steps for constraints nonlinear in the velocities).",
-                          mechanics);
+  ArtefactBuilder builder(
+      "project",
+      "The nearest state that satisfies the constraints: unit quaternions, then the smallest change of\n"
+      "the speeds in the mass metric (two Newton steps for constraints nonlinear in the velocities).",
+      mechanics);
   Steps steps;
   const auto state = strategy::project(mechanics.dynamics, mechanics.epsilon(), steps);
   return state_artefact(builder, state, steps);
 }
 
 Artefact initial_state_artefact(Mechanics& mechanics) {
-  ArtefactBuilder builder("initial_state",
-                          "The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints;\n"
-                          "what these leave open, too, is the least motion, weighed by mass.",
-                          mechanics);
+  ArtefactBuilder builder(
+      "initial_state",
+      "The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints;\n"
+      "what these leave open, too, is the least motion, weighed by mass.",
+      mechanics);
   Steps steps;
   const auto state = strategy::initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions,
                                              mechanics.expressions.number(0), mechanics.epsilon(), steps);

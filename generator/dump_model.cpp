@@ -121,9 +121,7 @@ class ModelText {
     if (body.inertia) text_ += fmt::format("    inertia {}\n", written(*body.inertia));
   }
 
-  bool is_own_frame(const model::Body& body) const {
-    return model_.frames[body.frame].name.span == body.name.span;
-  }
+  bool is_own_frame(const model::Body& body) const { return model_.frames[body.frame].name.span == body.name.span; }
 
   /// Those of bodies are shown with them.
   void add_frames() {
@@ -155,8 +153,7 @@ class ModelText {
     std::vector<std::string> words;
     for (const model::Turn& turn : *turns) {
       const char* letter = std::get_if<char>(&turn.axis);
-      words.push_back((letter != nullptr ? std::string(1, *letter)
-                                         : written(std::get<std::array<Ast, 3>>(turn.axis))) +
+      words.push_back((letter != nullptr ? std::string(1, *letter) : written(std::get<std::array<Ast, 3>>(turn.axis))) +
                       " by " + written(turn.angle));
     }
     return fmt::format("    turned about {}\n", support::joined(words));
@@ -175,7 +172,8 @@ class ModelText {
 
   void add(const model::Joint& joint) {
     const model::Frame& frame = model_.frames[joint.frame];
-    text_ += fmt::format("  {}: {} carries {}{}", joint.name.text, name_of(frame.parent), frame.name.text, remarks("", joint.about));
+    text_ += fmt::format("  {}: {} carries {}{}", joint.name.text, name_of(frame.parent), frame.name.text,
+                         remarks("", joint.about));
   }
 
   void add(const model::Constraint& constraint) {
@@ -220,7 +218,8 @@ class ModelText {
   }
   std::string written(const model::Spring& spring) const {
     return fmt::format("spring between {} and {}, stiffness {}, length {}, damping {}", name_of(spring.first),
-                       name_of(spring.second), written(spring.stiffness), or_zero(spring.length), or_zero(spring.damping));
+                       name_of(spring.second), written(spring.stiffness), or_zero(spring.length),
+                       or_zero(spring.damping));
   }
   std::string written(const model::CoordinateSpring& spring) const {
     return fmt::format("spring along {}, stiffness {}, rest {}, damping {}", spring.coordinate.text,

@@ -43,7 +43,8 @@ std::string dump_body(const kinematics::BodyMotion& body, const kinematics::Symb
 }
 
 std::string dump_row(const kinematics::ConstraintRow& row, const kinematics::Symbols& symbols) {
-  std::string result = fmt::format("constraint {}: dphi/dt = beta_A d2y^A/dt2 + drift\n", row.name) + line("phi", text(row.phi));
+  std::string result =
+      fmt::format("constraint {}: dphi/dt = beta_A d2y^A/dt2 + drift\n", row.name) + line("phi", text(row.phi));
   for (const auto i : row.beta.indices()) {
     if (!row.beta[i].is_zero()) result += line("beta_" + symbols.label(i), text(row.beta[i]));
   }
@@ -80,8 +81,9 @@ std::string dump_artefacts(const Mechanics& mechanics, const emit::Unit& unit) {
       for (const emit::Field& field : group.fields) roots.insert(roots.end(), field.values.begin(), field.values.end());
     }
     const auto count = ir::count_operations(mechanics.graph, roots);
-    result += fmt::format("{:<18} {:>5} operations: {} + -, {} *, {} /, {} sqrt, {} functions\n", artefact.name, count.total(),
-                          count.additions, count.multiplications, count.divisions, count.square_roots, count.functions);
+    result += fmt::format("{:<18} {:>5} operations: {} + -, {} *, {} /, {} sqrt, {} functions\n", artefact.name,
+                          count.total(), count.additions, count.multiplications, count.divisions, count.square_roots,
+                          count.functions);
   }
   return result;
 }

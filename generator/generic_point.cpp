@@ -34,7 +34,8 @@ class Scatter {
 
 /// Later attempts stay nearer to the start: there at least a sound model has values.
 Scatter scatter_of(int attempt) {
-  return {17U + 1000U * static_cast<std::uint32_t>(attempt), Rational(1) / cln::expt_pos(cln::cl_I(8), cln::cl_I(attempt + 1))};
+  return {17U + 1000U * static_cast<std::uint32_t>(attempt),
+          Rational(1) / cln::expt_pos(cln::cl_I(8), cln::cl_I(attempt + 1))};
 }
 
 /// What stands for a node that has no value anywhere. Not from Scatter: its numbers, side by side in a matrix, would depend on

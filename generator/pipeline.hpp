@@ -21,7 +21,7 @@ enum class Route {
 struct PipelineOptions {
   std::vector<std::string> outputs;  ///< empty: those of the model; if it names none, all
   bool fold = false;
-  bool assemble = false;             ///< constraints may move given initial values
+  bool assemble = false;  ///< constraints may move given initial values
   Route route = Route::emitted;
   std::string name_space;  ///< empty: gauss::<model name>
 };

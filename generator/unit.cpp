@@ -43,7 +43,8 @@ class UnitBuilder {
       const model::Parameter& parameter = model_.parameters[i];
       unit_.parameters.push_back(
           {{mechanics_.symbols.parameters[i], parameter.name.text, parameter.unit, parameter.about},
-           mechanics_.expressions(parameter.value).id(), parameter.is_formula});
+           mechanics_.expressions(parameter.value).id(),
+           parameter.is_formula});
     }
   }
 
@@ -73,8 +74,8 @@ class UnitBuilder {
   void add_held() {
     for (const auto& held : mechanics_.symbols.held) {
       const model::Coordinate& coordinate = model_.coordinates[held.model_index];
-      unit_.held.push_back({held.name, coordinate.unit, coordinate.about,
-                            std::string(source_.text(coordinate.held_at->span))});
+      unit_.held.push_back(
+          {held.name, coordinate.unit, coordinate.about, std::string(source_.text(coordinate.held_at->span))});
     }
   }
 
@@ -94,7 +95,8 @@ class UnitBuilder {
     for (const OutputKind& kind : output_kinds()) {
       const bool is_wanted = kind.name == "rhs" || std::find(wanted.begin(), wanted.end(), kind.name) != wanted.end();
       if (!is_wanted) continue;
-      for (emit::Artefact& artefact : build_artefact(kind.name, mechanics_)) unit_.artefacts.push_back(std::move(artefact));
+      for (emit::Artefact& artefact : build_artefact(kind.name, mechanics_))
+        unit_.artefacts.push_back(std::move(artefact));
     }
     for (emit::Artefact& artefact : unit_.artefacts) point_to_model_lines(artefact);
   }

@@ -39,9 +39,10 @@ std::string remedy_of_positions(const Mechanics& mechanics, const kinematics::Co
     (is_given[i.value] ? given : open).push_back(mechanics.symbols.speeds[i].label);
   }
   if (!open.empty()) {
-    return fmt::format("the search for {} found nothing: give an initial_guess near the wanted position, and check "
-                       "that the parts can reach each other",
-                       joined(open));
+    return fmt::format(
+        "the search for {} found nothing: give an initial_guess near the wanted position, and check "
+        "that the parts can reach each other",
+        joined(open));
   }
   if (given.empty()) return "no coordinate moves it at this position: start from another one";
   return fmt::format("give {} an initial_guess instead of a value, or let --assemble move all values", joined(given));

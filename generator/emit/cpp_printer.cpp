@@ -120,7 +120,8 @@ class Printer {
       }
       line += argument;
     }
-    out += line + (function.arguments.empty() ? ")" : "") + (function.suffix.empty() ? "" : " " + function.suffix) + " {\n";
+    out += line + (function.arguments.empty() ? ")" : "") + (function.suffix.empty() ? "" : " " + function.suffix) +
+           " {\n";
     for (const Statement& statement : function.body) {
       std::visit([this](const auto& s) { this->statement(s); }, statement);
     }

@@ -173,7 +173,8 @@ int multiplications(const std::vector<Item>& items, const Rational& divisor) {
 // Pulled out where that saves a multiplication: a/2 + b/2 is 0.5 (a + b), but 1 + 2 x stays.
 Rational common_factor(const Node& sum, const std::vector<Item>& items) {
   Rational content = cln::abs(ir::signed_content(sum));
-  const bool all_negative = std::all_of(items.begin(), items.end(), [](const Item& item) { return item.coefficient < 0; });
+  const bool all_negative =
+      std::all_of(items.begin(), items.end(), [](const Item& item) { return item.coefficient < 0; });
   const int inside = multiplications(items, content) + (is_single_literal(content) ? 1 : 2);
   if (items.size() == 1 || inside >= multiplications(items, 1)) content = 1;
   return all_negative ? Rational(-content) : content;

@@ -31,7 +31,8 @@ NodeId Directional::of_node(NodeId id) {
     }
     case Kind::sum: {
       std::vector<Term> terms;
-      for (std::size_t i = 0; i < node.children.size(); ++i) terms.push_back({node.coefficients[i], known(node.children[i])});
+      for (std::size_t i = 0; i < node.children.size(); ++i)
+        terms.push_back({node.coefficients[i], known(node.children[i])});
       return graph_.linear(0, terms);
     }
     case Kind::product: {

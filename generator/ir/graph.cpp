@@ -11,7 +11,9 @@ namespace {
 
 constexpr std::size_t k_mix = 0x9E3779B97F4A7C15U;
 
-std::size_t mix(std::size_t seed, std::size_t value) { return (seed ^ (value + k_mix + (seed << 6U) + (seed >> 2U))) * k_mix; }
+std::size_t mix(std::size_t seed, std::size_t value) {
+  return (seed ^ (value + k_mix + (seed << 6U) + (seed >> 2U))) * k_mix;
+}
 
 // Child ids enter the hash, so its value depends on creation order; it is used for look-up only.
 std::size_t hash_of(const Node& node) {

@@ -87,11 +87,11 @@ class Graph {
 
   std::vector<Symbol> symbols_;
   std::vector<std::shared_ptr<const support::Table>> tables_;
-  std::deque<Node> nodes_;  // references to nodes stay valid while the graph grows
+  std::deque<Node> nodes_;       // references to nodes stay valid while the graph grows
   std::vector<bool> undefined_;  ///< parallel to nodes_
   std::unordered_multimap<std::size_t, NodeId> index_;
   std::unordered_map<std::uint32_t, std::string> labels_;
-  std::unordered_map<std::uint32_t, NodeId> wrappers_;  ///< value -> its named node
+  std::unordered_map<std::uint32_t, NodeId> wrappers_;     ///< value -> its named node
   mutable std::unordered_map<std::uint64_t, int> orders_;  ///< of pairs of nested functions, lower index first
 };
 

@@ -34,17 +34,17 @@ struct TableId {
 /// What a symbol stands for. The order of this list is the order of factors in printed products.
 enum class SymbolClass : std::uint8_t {
   pi,
-  epsilon,       ///< rounding unit of the scalar type of the run
-  parameter,     ///< plain run-time constant
+  epsilon,    ///< rounding unit of the scalar type of the run
+  parameter,  ///< plain run-time constant
   time,
-  configuration, ///< q: free coordinates and quaternion components
-  held,          ///< x^i, replaced by c^i(t) before anything is emitted
-  speed,         ///< u: rates of free coordinates and angular velocity components
-  held_rate,     ///< dx^i/dt, likewise replaced
-  acceleration,  ///< du/dt where a caller supplies it (compulsion, residuals)
+  configuration,  ///< q: free coordinates and quaternion components
+  held,           ///< x^i, replaced by c^i(t) before anything is emitted
+  speed,          ///< u: rates of free coordinates and angular velocity components
+  held_rate,      ///< dx^i/dt, likewise replaced
+  acceleration,   ///< du/dt where a caller supplies it (compulsion, residuals)
   held_acceleration,
   input,
-  opaque,        ///< a value bound later, such as an entry of an inverse on the paper's route
+  opaque,  ///< a value bound later, such as an entry of an inverse on the paper's route
 };
 
 struct Symbol {
@@ -55,11 +55,11 @@ struct Symbol {
 enum class Kind : std::uint8_t {
   constant,  ///< value
   symbol,
-  sum,       ///< value + Σ coefficients[i] * children[i]
-  product,   ///< Π children[i]
-  power,     ///< children[0] ^ value, value rational, neither 0 nor 1
+  sum,      ///< value + Σ coefficients[i] * children[i]
+  product,  ///< Π children[i]
+  power,    ///< children[0] ^ value, value rational, neither 0 nor 1
   function,
-  named,     ///< children[0] under a name: opaque to simplification, so that shared parts stay shared
+  named,  ///< children[0] under a name: opaque to simplification, so that shared parts stay shared
 };
 
 enum class Function : std::uint8_t {

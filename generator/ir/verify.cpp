@@ -74,8 +74,9 @@ class Verifier {
     if (node.function == Function::piecewise && !is_comparison(graph_[node.children[0]]))
       report(id, "a choice without a comparison");
     const Node& argument = graph_[node.children[0]];
-    const bool is_negative = argument.kind == Kind::constant ? argument.value < 0
-                                                             : argument.kind == Kind::sum && signed_content(argument) < 0;
+    const bool is_negative = argument.kind == Kind::constant
+                                 ? argument.value < 0
+                                 : argument.kind == Kind::sum && signed_content(argument) < 0;
     if (is_negative && parity(node.function) != Parity::none) report(id, "sign inside an odd or even function");
   }
 

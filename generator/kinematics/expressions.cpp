@@ -15,7 +15,12 @@ using model::AstKind;
 using support::Rational;
 
 Expressions::Expressions(const model::Model& model, const Symbols& symbols, ir::Graph& graph, bool fold)
-    : model_(model), symbols_(symbols), graph_(graph), fold_(fold), time_derivative_(graph), frames_(model, symbols, *this) {
+    : model_(model),
+      symbols_(symbols),
+      graph_(graph),
+      fold_(fold),
+      time_derivative_(graph),
+      frames_(model, symbols, *this) {
   seed_rates();
 }
 
@@ -38,7 +43,9 @@ void Expressions::seed_rates() {
 // ė = ½ (0, ω) ∘ e with ω in space, ė = ½ e ∘ (0, ω) with ω in the body (Wittenburg, Dynamics of Multibody Systems, 2.2).
 void Expressions::quaternion_rates(std::size_t orientation) {
   const ConfigurationIndex first = symbols_.first_quaternion_component[orientation];
-  const auto e = [&](std::size_t i) { return symbol(symbols_.configuration[ConfigurationIndex{first.value + i}].symbol); };
+  const auto e = [&](std::size_t i) {
+    return symbol(symbols_.configuration[ConfigurationIndex{first.value + i}].symbol);
+  };
   const auto u = [&](std::size_t i) {
     return symbol(symbols_.speeds[FreeIndex{symbols_.first_angular_velocity[orientation].value + i}].symbol);
   };
@@ -97,8 +104,7 @@ Expr Expressions::resolved(const std::string& name) {
   switch (ref.kind) {
     case model::SymbolKind::time: return symbol(symbols_.time);
     case model::SymbolKind::pi: return symbol(symbols_.pi);
-    case model::SymbolKind::parameter:
-      return fold_ ? folded(ref.index) : symbol(symbols_.parameters[ref.index]);
+    case model::SymbolKind::parameter: return fold_ ? folded(ref.index) : symbol(symbols_.parameters[ref.index]);
     case model::SymbolKind::input: return symbol(symbols_.inputs[ref.index]);
     case model::SymbolKind::coordinate: {
       const Symbols::Place& place = symbols_.coordinates[ref.index];

@@ -90,7 +90,8 @@ Vector3 Frames::omega(std::size_t frame, Axes axes) {
 // From space outwards, so that long chains need no stack.
 const Frames::Placed& Frames::placed(std::size_t frame) {
   std::vector<std::size_t> path;
-  for (std::size_t at = frame; at != k_space && placed_.count(at) == 0; at = model_.frames[at].parent) path.push_back(at);
+  for (std::size_t at = frame; at != k_space && placed_.count(at) == 0; at = model_.frames[at].parent)
+    path.push_back(at);
   for (auto at = path.rbegin(); at != path.rend(); ++at) placed_.emplace(*at, place(*at));
   return placed_.at(frame);
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "ir/contract.hpp"
-#include "ir/traverse.hpp"
 #include "ir/substitute.hpp"
+#include "ir/traverse.hpp"
 #include "kinematics/hold.hpp"
 #include "kinematics/place_symbols.hpp"
 
@@ -69,9 +69,20 @@ class Builder {
     const Vector3 position = expressions_.frames().point(body.frame, expressions_(body.centre));
     const Vector3 velocity = expressions_.rate(position);
     const Vector3 zero = ir::zero3(graph_);
-    BodyMotion motion{body.name.text, expressions_(body.mass), position, velocity, jacobian(velocity),
-                      expressions_.rate(velocity), zero, zero, false, false, {zero, zero, zero},
-                      {{zero, zero, zero}, zero, Axes::space}, {}, zero};
+    BodyMotion motion{body.name.text,
+                      expressions_(body.mass),
+                      position,
+                      velocity,
+                      jacobian(velocity),
+                      expressions_.rate(velocity),
+                      zero,
+                      zero,
+                      false,
+                      false,
+                      {zero, zero, zero},
+                      {{zero, zero, zero}, zero, Axes::space},
+                      {},
+                      zero};
     if (body.inertia) add_rotation(body, motion);
     return motion;
   }
@@ -162,7 +173,8 @@ class Builder {
   void state(const model::SlipLaw& law, ConstraintRow& row) {
     Frames& frames = expressions_.frames();
     const auto* place = std::get_if<std::size_t>(&law.at);
-    const Vector3 point = place != nullptr ? frames.origin(*place) : expressions_(std::get<std::array<model::Ast, 3>>(law.at));
+    const Vector3 point =
+        place != nullptr ? frames.origin(*place) : expressions_(std::get<std::array<model::Ast, 3>>(law.at));
     const Vector3 direction = ir::multiply(frames.axes(law.axes), expressions_(law.direction));
     row.phi = dot(direction, velocity_at(law.frame, point) - velocity_at(law.surface, point));
     row.point = point;
@@ -291,8 +303,8 @@ class Builder {
     };
     if (!std::all_of(frame.position.begin(), frame.position.end(), is_constant)) return false;
     const auto* turns = std::get_if<model::Turns>(&frame.attitude);
-    return turns == nullptr || std::all_of(turns->begin(), turns->end(),
-                                           [&](const model::Turn& turn) { return is_constant(turn.angle); });
+    return turns == nullptr ||
+           std::all_of(turns->begin(), turns->end(), [&](const model::Turn& turn) { return is_constant(turn.angle); });
   }
 
   FullIndex component(const std::string& name) const {

@@ -12,19 +12,19 @@ namespace gaussgen::kinematics {
 struct BodyMotion {
   std::string name;
   ir::Expr mass;
-  ir::Vector3 position;                          ///< m, space
-  ir::Vector3 velocity;                          ///< m/s, space
-  support::Indexed<FullIndex, ir::Vector3> J;    ///< ∂v/∂ẏ^A
-  ir::Vector3 h;                                 ///< m/s², space
-  ir::Vector3 force;                             ///< N, sum of the active forces on the body, space
-  ir::Vector3 moment;                            ///< N m, their moment about the mass centre, space
+  ir::Vector3 position;                        ///< m, space
+  ir::Vector3 velocity;                        ///< m/s, space
+  support::Indexed<FullIndex, ir::Vector3> J;  ///< ∂v/∂ẏ^A
+  ir::Vector3 h;                               ///< m/s², space
+  ir::Vector3 force;                           ///< N, sum of the active forces on the body, space
+  ir::Vector3 moment;                          ///< N m, their moment about the mass centre, space
 
   bool is_rigid = false;  ///< the members below are meaningful for rigid bodies only
   bool is_isotropic = false;
-  ir::Matrix3 inertia;                           ///< kg m², about the mass centre, in the frame of ω
+  ir::Matrix3 inertia;  ///< kg m², about the mass centre, in the frame of ω
   Rotation rotation;
-  support::Indexed<FullIndex, ir::Vector3> W;    ///< ∂ω/∂ẏ^A, in the frame of ω
-  ir::Vector3 eta;                               ///< 1/s²
+  support::Indexed<FullIndex, ir::Vector3> W;  ///< ∂ω/∂ẏ^A, in the frame of ω
+  ir::Vector3 eta;                             ///< 1/s²
 
   /// I a, where an isotropic tensor is a factor in every frame.
   ir::Vector3 inertia_times(const ir::Vector3& a) const;
@@ -44,8 +44,8 @@ struct ConstraintRow {
   ir::Expr phi;
   support::Indexed<FullIndex, ir::Expr> beta;
   ir::Expr beta_drift;
-  std::optional<ir::Vector3> point;  ///< where the reaction acts, space
-  bool is_linear = true;             ///< in the velocities
+  std::optional<ir::Vector3> point;       ///< where the reaction acts, space
+  bool is_linear = true;                  ///< in the velocities
   std::vector<ConstraintAction> actions;  ///< where the constraint is one of places
   bool is_of_coordinates = false;         ///< it limits rates of coordinates by themselves, too
 };
@@ -60,9 +60,9 @@ struct JointPlace {
 /// A force with its moment about a point, on a frame of the model, in space.
 struct AppliedForce {
   std::size_t frame = model::k_space;
-  ir::Vector3 point;   ///< m
-  ir::Vector3 force;   ///< N
-  ir::Vector3 moment;  ///< N m, about `point`
+  ir::Vector3 point;        ///< m
+  ir::Vector3 force;        ///< N
+  ir::Vector3 moment;       ///< N m, about `point`
   bool is_on_body = false;  ///< a body has it in its sums
 };
 
@@ -73,14 +73,16 @@ struct Kinematics {
   std::vector<JointPlace> joints;
   std::vector<std::string> frame_names;  ///< parallel to Model::frames
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates;
-  ir::Expr potential;                                 ///< J; gravity (uniform fields) included
-  std::vector<AppliedForce> applied;                  ///< forces at places
-  support::Indexed<FullIndex, ir::Expr> body_force;   ///< Q_A of the forces in BodyMotion::force and moment
-  support::Indexed<FullIndex, ir::Expr> other_force;  ///< Q_A of potentials and generalized forces, not spread on bodies
+  ir::Expr potential;                                ///< J; gravity (uniform fields) included
+  std::vector<AppliedForce> applied;                 ///< forces at places
+  support::Indexed<FullIndex, ir::Expr> body_force;  ///< Q_A of the forces in BodyMotion::force and moment
+  support::Indexed<FullIndex, ir::Expr>
+      other_force;  ///< Q_A of potentials and generalized forces, not spread on bodies
   support::Indexed<HeldIndex, ir::Expr> held_acceleration;  ///< c̈^i
 };
 
 /// Builds everything with x^i free, then puts x^i = c^i(t) in (theory section 3: derivatives first, x = c afterwards).
-Kinematics build_kinematics(const model::Model& model, ir::Graph& graph, Expressions& expressions, const Symbols& symbols);
+Kinematics build_kinematics(const model::Model& model, ir::Graph& graph, Expressions& expressions,
+                            const Symbols& symbols);
 
 }  // namespace gaussgen::kinematics

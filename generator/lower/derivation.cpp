@@ -179,7 +179,8 @@ std::string with_unit(const std::string& about, const std::string& unit) {
 
 void add_constants(const model::Model& model, const PaperSystem& paper, FormulaWriter& write, Derivation& derivation) {
   if (model.parameters.empty() && model.inputs.empty()) return;
-  Section section{"Parameters and inputs", "", "What the formulas below hold besides coordinates and time.", {}, {}, {}};
+  Section section{
+      "Parameters and inputs", "", "What the formulas below hold besides coordinates and time.", {}, {}, {}};
   const auto add = [&](const std::string& name, const std::string& about, const std::string& unit, const char* kind) {
     section.items.push_back({latex_indices({name}), name, with_unit(about.empty() ? kind : about, unit)});
   };
@@ -201,8 +202,9 @@ void add_user_items(const model::Model& model, const PaperSystem& paper, Formula
       "Coordinates", "", "Free coordinates $q^\\alpha$, then the held ones with their values $x^i = c^i$.", {}, {}, {}};
   for (const model::Coordinate& coordinate : model.coordinates) {
     const std::string held = coordinate.held_at ? " (held)" : "";
-    section.items.push_back({latex_indices({coordinate.name.text}), coordinate.name.text,
-                             with_unit(coordinate.about.empty() ? "coordinate" : coordinate.about, coordinate.unit) + held});
+    section.items.push_back(
+        {latex_indices({coordinate.name.text}), coordinate.name.text,
+         with_unit(coordinate.about.empty() ? "coordinate" : coordinate.about, coordinate.unit) + held});
   }
   for (const model::Orientation& orientation : model.orientations) {
     const char* frame = orientation.axes == model::Axes::space ? "space" : "body";

@@ -68,7 +68,8 @@ inline Ast component_of(const Name& place, std::size_t axis) {
 
 inline Ast distance_between(const Name& a, const Name& b) {
   std::vector<Ast> squares;
-  for (std::size_t i = 0; i < 3; ++i) squares.push_back(square_of(difference_of(component_of(a, i), component_of(b, i))));
+  for (std::size_t i = 0; i < 3; ++i)
+    squares.push_back(square_of(difference_of(component_of(a, i), component_of(b, i))));
   return call_of("sqrt", node_of(AstKind::sum, b.span, std::move(squares)));
 }
 

@@ -66,7 +66,8 @@ Measure wanted_at(const Slot& slot, const Model& model) {
 }
 
 std::string subject(const Slot& slot) {
-  const bool is_of_spring = slot.quantity == Quantity::stiffness_on_owner || slot.quantity == Quantity::damping_on_owner;
+  const bool is_of_spring =
+      slot.quantity == Quantity::stiffness_on_owner || slot.quantity == Quantity::damping_on_owner;
   if (slot.owner == nullptr || is_of_spring) return slot.place.name;
   const std::string name = "'" + slot.owner->text + "'";
   if (slot.quantity == Quantity::rate_of_owner) return "the rate of " + name;

@@ -140,6 +140,11 @@ std::optional<std::size_t> find_frame(const Name& name, Reading& reading) {
   return std::nullopt;
 }
 
+std::size_t frame_at(const spec::Node& node, support::Span owner, const std::string& what, Reading& reading) {
+  if (!expect_scalar(node, owner, what, reading)) return k_space;
+  return find_frame(name_of(node.scalar), reading).value_or(k_space);
+}
+
 void order_frames(Reading& reading) {
   FrameOrder(reading).run();
   for (const auto& [name, index] : reading.frames) {

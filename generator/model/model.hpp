@@ -85,8 +85,8 @@ struct Orientation {
   std::array<Name, 4> quaternion;
   std::array<Name, 3> angular_velocity;  ///< rad/s, resolved in `axes`
   Axes axes = Axes::space;
-  std::array<Ast, 4> initial;            ///< over parameters; normalised when emitted
-  bool is_open = false;                  ///< constraints may turn it from `initial`
+  std::array<Ast, 4> initial;                                  ///< over parameters; normalised when emitted
+  bool is_open = false;                                        ///< constraints may turn it from `initial`
   std::array<std::optional<Ast>, 3> initial_angular_velocity;  ///< an empty one is open
 };
 
@@ -121,8 +121,9 @@ struct Frame {
   Name name;
   std::string about;
   std::size_t parent = k_space;  ///< index into Model::frames, always an earlier one
-  std::array<Ast, 3> position;   ///< of the origin, in the axes of the parent; over coordinates, quaternions, parameters, t
-  Attitude attitude;             ///< against the parent; std::monostate: its axes
+  std::array<Ast, 3>
+      position;       ///< of the origin, in the axes of the parent; over coordinates, quaternions, parameters, t
+  Attitude attitude;  ///< against the parent; std::monostate: its axes
 };
 
 enum class JointType { revolute, prismatic, cylindrical, universal, spherical, planar, free, fixed };
@@ -139,9 +140,9 @@ struct Joint {
 struct Body {
   Name name;
   std::string about;
-  Ast mass;                    ///< over parameters
-  std::size_t frame = 0;       ///< index into Model::frames: what it is part of
-  std::array<Ast, 3> centre;   ///< mass centre, in the axes of the frame; over parameters
+  Ast mass;                        ///< over parameters
+  std::size_t frame = 0;           ///< index into Model::frames: what it is part of
+  std::array<Ast, 3> centre;       ///< mass centre, in the axes of the frame; over parameters
   std::optional<Inertia> inertia;  ///< in the axes of the frame
 };
 
@@ -170,7 +171,8 @@ struct Constraint {
   std::string about;
   support::Span span;  ///< of the law
   std::variant<VelocityLaw, PositionLaw, SlipLaw> law;
-  std::optional<std::array<Ast, 3>> point;  ///< where its reaction is reported to act, in space; default: each mass centre
+  std::optional<std::array<Ast, 3>>
+      point;                ///< where its reaction is reported to act, in space; default: each mass centre
   bool may_vanish = false;  ///< one of several directions; left out where it says nothing, as the third in a plane
 };
 
@@ -191,11 +193,11 @@ struct GeneralizedForce {
 
 /// A force at a point of a frame, and its opposite at the same place on another one.
 struct PointForce {
-  std::size_t frame = k_space;         ///< on what it acts
-  std::array<Ast, 3> at;               ///< in the axes of `frame`, from its origin; over parameters
-  std::size_t from = k_space;          ///< what feels the opposite
-  std::size_t axes = k_space;          ///< in which `components` are resolved
-  std::array<Ast, 3> components;       ///< N; over everything
+  std::size_t frame = k_space;    ///< on what it acts
+  std::array<Ast, 3> at;          ///< in the axes of `frame`, from its origin; over parameters
+  std::size_t from = k_space;     ///< what feels the opposite
+  std::size_t axes = k_space;     ///< in which `components` are resolved
+  std::array<Ast, 3> components;  ///< N; over everything
 };
 
 /// A moment on a frame, and its opposite on another one.
@@ -211,8 +213,8 @@ struct Torque {
 struct Spring {
   std::size_t first = k_space;
   std::size_t second = k_space;
-  Ast stiffness;              ///< N/m, over parameters and t
-  std::optional<Ast> length;  ///< m, over parameters and t
+  Ast stiffness;               ///< N/m, over parameters and t
+  std::optional<Ast> length;   ///< m, over parameters and t
   std::optional<Ast> damping;  ///< N s/m, over parameters and t
 };
 

@@ -97,20 +97,15 @@ class ConstraintReader {
     reading_.model.constraints.push_back(std::move(constraint));
   }
 
-  std::size_t frame_at(const Node& node, support::Span owner, const std::string& what) {
-    if (!expect_scalar(node, owner, what, reading_)) return k_space;
-    return find_frame(name_of(node.scalar), reading_).value_or(k_space);
-  }
-
   /// `on` and `at` of rolling and sliding.
   SlipLaw read_contact(const Entry& law, const std::string& where) {
     SlipLaw contact;
     contact.direction = {number(0), number(0), number(0)};
-    contact.frame = frame_at(law.value, law.key.span, "the body");
-    if (const Node* on = spec::find(map_, "on")) contact.surface = frame_at(*on, name_.span, "'on'");
+    contact.frame = frame_at(law.value, law.key.span, "the body", reading_);
+    if (const Node* on = spec::find(map_, "on")) contact.surface = frame_at(*on, name_.span, "'on'", reading_);
     const Node* at = required(map_, "at", name_.span, where, reading_);
     if (at == nullptr || at->kind == spec::NodeKind::scalar) {
-      contact.at = at == nullptr ? k_space : frame_at(*at, name_.span, "'at'");
+      contact.at = at == nullptr ? k_space : frame_at(*at, name_.span, "'at'", reading_);
     } else {
       contact.at = read_vector(*at, name_.span, "'at'", reading_);
     }
@@ -130,7 +125,7 @@ class ConstraintReader {
 
   void read_slip(const Entry& law, const std::string& where) {
     SlipLaw contact = read_contact(law, where);
-    if (const Node* in = spec::find(map_, "in")) contact.axes = frame_at(*in, name_.span, "'in'");
+    if (const Node* in = spec::find(map_, "in")) contact.axes = frame_at(*in, name_.span, "'in'", reading_);
     const Node* direction = required(map_, "direction", name_.span, where, reading_);
     if (direction == nullptr) return add(VelocityLaw{broken_expression()}, name_.span);
     const auto axis = read_axis(*direction, name_.span, "'direction'", reading_);

@@ -29,8 +29,7 @@ GeneralizedForce read_components(const Entry& entry, Reading& reading) {
 
 std::size_t frame_field(const Node& map, const std::string& key, Reading& reading) {
   const Node* node = spec::find(map, key);
-  if (node == nullptr || !expect_scalar(*node, map.span, "'" + key + "'", reading)) return k_space;
-  return find_frame(name_of(node->scalar), reading).value_or(k_space);
+  return node == nullptr ? k_space : frame_at(*node, map.span, "'" + key + "'", reading);
 }
 
 /// What `on` names; it must be there.
@@ -67,8 +66,7 @@ Spring read_spring(const Entry& force, const Node& pair, Reading& reading) {
   spring.damping = expression_field(force.value, "damping", reading);
   if (!expect_length(pair, 2, "'spring'", reading)) return spring;
   for (std::size_t i = 0; i < 2; ++i) {
-    if (!expect_scalar(pair.items[i], pair.span, "a place", reading)) continue;
-    (i == 0 ? spring.first : spring.second) = find_frame(name_of(pair.items[i].scalar), reading).value_or(k_space);
+    (i == 0 ? spring.first : spring.second) = frame_at(pair.items[i], pair.span, "a place", reading);
   }
   return spring;
 }

@@ -21,7 +21,7 @@ struct Uses {
   std::set<std::size_t> coordinates;
   std::set<std::size_t> orientations;
   std::set<std::size_t> frames;  ///< looked at
-  bool unsure = false;  ///< something in a body was reported already, so nothing can be called unused
+  bool unsure = false;           ///< something in a body was reported already, so nothing can be called unused
 };
 
 void collect_placement(std::size_t frame, const Model& model, Uses& uses);
@@ -116,7 +116,8 @@ bool has_free_speed(const Ast& ast, bool inside_dot, const Model& model) {
     const auto symbol = model.symbols.find(ast.name);
     if (symbol == model.symbols.end() || symbol->second.kind == SymbolKind::angular_velocity) return true;
     if (!inside_dot) return false;
-    if (symbol->second.kind == SymbolKind::quaternion_component || symbol->second.kind == SymbolKind::place) return true;
+    if (symbol->second.kind == SymbolKind::quaternion_component || symbol->second.kind == SymbolKind::place)
+      return true;
     return symbol->second.kind == SymbolKind::coordinate && !model.coordinates[symbol->second.index].held_at;
   }
   const bool inside = inside_dot || (ast.kind == AstKind::call && ast.name == k_dot);
@@ -136,9 +137,10 @@ void check_constraints(Reading& reading) {
     }
     const auto* position = std::get_if<PositionLaw>(&constraint.law);
     if (position != nullptr && !has_free_speed(position->f, true, reading.model)) {
-      reading.diagnostics.error(code::k_no_velocity, constraint.span,
-                                fmt::format("no free coordinate appears in the constraint '{}'", constraint.name.text),
-                                "an equation relates coordinates; a coordinate with a given value is declared with 'held_at'");
+      reading.diagnostics.error(
+          code::k_no_velocity, constraint.span,
+          fmt::format("no free coordinate appears in the constraint '{}'", constraint.name.text),
+          "an equation relates coordinates; a coordinate with a given value is declared with 'held_at'");
     }
   }
 }

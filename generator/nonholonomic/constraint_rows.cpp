@@ -43,8 +43,8 @@ class Law {
     const Vector3 own = chart_(law.direction);
     const Vector3 direction =
         law.axes == model::k_space ? own : symbolic::multiply(chart_.frames()(law.axes).axes, own);
-    return symbolic::dot(direction,
-                         symbolic::operator-(material_velocity(law.frame, point), material_velocity(law.surface, point)));
+    return symbolic::dot(
+        direction, symbolic::operator-(material_velocity(law.frame, point), material_velocity(law.surface, point)));
   }
 
  private:
@@ -55,7 +55,8 @@ class Law {
     if (frame == model::k_space) return {0, 0, 0};
     const symbolic::Placement& placement = chart_.frames()(frame);
     Vector3 velocity = chart_.rate_of(placement.origin);
-    const Vector3 inside = symbolic::multiply(symbolic::transposed(placement.axes), symbolic::operator-(place, placement.origin));
+    const Vector3 inside =
+        symbolic::multiply(symbolic::transposed(placement.axes), symbolic::operator-(place, placement.origin));
     for (std::size_t i = 0; i < 3; ++i) {
       velocity[i] = velocity[i] + symbolic::dot(chart_.rate_of(placement.axes[i]), inside);
     }

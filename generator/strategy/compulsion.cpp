@@ -33,8 +33,7 @@ Expr square_in_inverse_inertia(const BodyMotion& body, const Vector3& n, Expr ep
 }
 
 Vector3 along_axes_of_omega(const BodyMotion& body, const Vector3& in_space) {
-  return body.rotation.axes == model::Axes::space ? in_space
-                                                  : ir::multiply(transposed(body.rotation.matrix), in_space);
+  return body.rotation.axes == model::Axes::space ? in_space : ir::multiply(transposed(body.rotation.matrix), in_space);
 }
 
 // All of y, or only the free coordinates where held ones repeat each other and G has no inverse: then forces along held

@@ -80,8 +80,8 @@ class JointSums {
 
 }  // namespace
 
-std::vector<JointReaction> joint_reactions(const model::Model& model, const Dynamics& dynamics, const Solution& solution,
-                                           Steps& steps) {
+std::vector<JointReaction> joint_reactions(const model::Model& model, const Dynamics& dynamics,
+                                           const Solution& solution, Steps& steps) {
   std::vector<JointReaction> reactions;
   JointSums sums(model, dynamics, solution, steps);
   for (const kinematics::JointPlace& joint : dynamics.kinematics->joints) reactions.push_back(sums.of(joint));

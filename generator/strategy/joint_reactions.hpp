@@ -16,7 +16,7 @@ struct JointReaction {
 /// By Newton and Euler for all that the joint carries: m a and d(I ω)/dt less the forces at places and those of constraints between
 /// places. What acts along coordinates (generalized forces, potentials, springs along a coordinate, held coordinates, constraints on
 /// rates) acts in the joints of these coordinates, and is part of what they transmit.
-std::vector<JointReaction> joint_reactions(const model::Model& model, const Dynamics& dynamics, const Solution& solution,
-                                           Steps& steps);
+std::vector<JointReaction> joint_reactions(const model::Model& model, const Dynamics& dynamics,
+                                           const Solution& solution, Steps& steps);
 
 }  // namespace gaussgen::strategy

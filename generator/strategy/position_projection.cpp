@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "ir/substitute.hpp"
 #include "strategy/accelerations.hpp"
 #include "strategy/quaternions.hpp"
 #include "strategy/rounded.hpp"
+#include "strategy/state_values.hpp"
 
 namespace gaussgen::strategy {
 
@@ -32,13 +32,7 @@ Vector PositionProjection::zeros(std::size_t count) const {
 }
 
 Vector PositionProjection::at(const Vector& expressions, const Vector& configuration, const Vector& speeds) const {
-  const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
-  ir::Substitution put_in(epsilon_.graph());
-  if (time_) put_in.replace(symbols.time, *time_);
-  for (const ConfigurationIndex i : symbols.configuration.indices()) {
-    put_in.replace(symbols.configuration[i].symbol, configuration[i.value]);
-  }
-  for (const FreeIndex i : symbols.speeds.indices()) put_in.replace(symbols.speeds[i].symbol, speeds[i.value]);
+  ir::Substitution put_in = state_values(dynamics_.kinematics->symbols, time_, configuration, speeds);
   Vector values;
   for (const Expr expression : expressions) values.push_back(put_in(expression));
   return values;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
-#include "ir/substitute.hpp"
 #include "strategy/accelerations.hpp"
 #include "strategy/position_projection.hpp"
 #include "strategy/quaternions.hpp"
 #include "strategy/rounded.hpp"
+#include "strategy/state_values.hpp"
 
 namespace gaussgen::strategy {
 
@@ -153,13 +153,7 @@ std::vector<std::size_t> first(std::size_t count) {
 /// The problem at the state reached so far.
 VelocityProblem at_state(const Dynamics& dynamics, const std::optional<Expr>& time, const Vector& configuration,
                          const Vector& speeds) {
-  const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
-  ir::Substitution put_in(speeds[0].graph());
-  if (time) put_in.replace(symbols.time, *time);
-  for (const ConfigurationIndex i : symbols.configuration.indices()) {
-    put_in.replace(symbols.configuration[i].symbol, configuration[i.value]);
-  }
-  for (const FreeIndex i : symbols.speeds.indices()) put_in.replace(symbols.speeds[i].symbol, speeds[i.value]);
+  ir::Substitution put_in = state_values(dynamics.kinematics->symbols, time, configuration, speeds);
   return at(dynamics, put_in);
 }
 
@@ -197,8 +191,8 @@ class Newton {
 namespace {
 
 /// Positions first: the velocity constraints are taken where the configuration has arrived.
-ProjectedState projected(PositionProjection& positions, const Newton& velocities, Vector configuration, const Vector& speeds,
-                         const std::vector<std::size_t>& moving, int most_steps, Steps& steps) {
+ProjectedState projected(PositionProjection& positions, const Newton& velocities, Vector configuration,
+                         const Vector& speeds, const std::vector<std::size_t>& moving, int most_steps, Steps& steps) {
   const Vector start = configuration;
   if (positions.has_rows()) positions.run(most_steps, configuration, steps);
   ProjectedState state = velocities.run(configuration, speeds, moving, most_steps, steps);

@@ -139,9 +139,12 @@ std::vector<ReactionWrench> forces_at_places(const Dynamics& dynamics, const Sol
     for (const kinematics::ConstraintAction& action : row.actions) {
       if (action.frame == model::k_space || is_zero(action.direction)) continue;
       const std::string& owner = dynamics.kinematics->frame_names[action.frame];
-      wrenches.push_back({row.name, owner,
-                          steps.name(solution.multipliers[mu.value] * action.direction, "force_" + row.name + "_" + owner),
-                          {}, false});
+      wrenches.push_back(
+          {row.name,
+           owner,
+           steps.name(solution.multipliers[mu.value] * action.direction, "force_" + row.name + "_" + owner),
+           {},
+           false});
     }
   }
   return wrenches;

@@ -14,7 +14,7 @@ Matrix generalized_reactions(const Dynamics& dynamics, const Solution& solution,
 /// else about the mass centre of the body.
 struct ReactionWrench {
   std::string constraint;  ///< held coordinate or velocity constraint
-  std::string body;  ///< or the frame or point that feels it there
+  std::string body;        ///< or the frame or point that feels it there
   ir::Vector3 force;
   std::optional<ir::Vector3> moment;  ///< rigid bodies only
   bool about_point = false;

@@ -25,7 +25,9 @@ Matrix3 rotation(const Vector3& n, const ex& angle) {
   return transposed(columns);
 }
 
-Matrix3 step(const model::Turn& turn, const Chart& chart) { return rotation(direction(turn, chart), chart(turn.angle)); }
+Matrix3 step(const model::Turn& turn, const Chart& chart) {
+  return rotation(direction(turn, chart), chart(turn.angle));
+}
 
 /// α̇ n, in the axes before the turn and in those after it.
 Vector3 part(const model::Turn& turn, const Chart& chart) {

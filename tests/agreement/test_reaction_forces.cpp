@@ -55,42 +55,42 @@ TEST_CASE("single reactions on a body add up to its Newton-Euler reaction") {
 }
 
 TEST_CASE("a driven rod pushes each of two beads by twice m Omega dx/dt, though it is one constraint") {
-  const auto all = forces(parsed(std::string(k_head) +
-                                 "parameters: {m: 1, Om: 2}\n"
-                                 "coordinates:\n"
-                                 "  phi: {held_at: Om*t}\n"
-                                 "  x1: {initial: 1, initial_rate: 1}\n"
-                                 "  x2: {initial: 1, initial_rate: -1}\n"
-                                 "particles:\n"
-                                 "  one: {mass: m, position: [x1*cos(phi), x1*sin(phi), 0]}\n"
-                                 "  two: {mass: m, position: [x2*cos(phi), x2*sin(phi), 0]}\n"));
+  const auto all = forces(parsed(std::string(k_head) + "parameters: {m: 1, Om: 2}\n"
+                                                       "coordinates:\n"
+                                                       "  phi: {held_at: Om*t}\n"
+                                                       "  x1: {initial: 1, initial_rate: 1}\n"
+                                                       "  x2: {initial: 1, initial_rate: -1}\n"
+                                                       "particles:\n"
+                                                       "  one: {mass: m, position: [x1*cos(phi), x1*sin(phi), 0]}\n"
+                                                       "  two: {mass: m, position: [x2*cos(phi), x2*sin(phi), 0]}\n"));
   CHECK(all.at("on_one.force.y") == Approx(4));
   CHECK(all.at("on_two.force.y") == Approx(-4));
   CHECK_FALSE(names_one_by_one(all, "phi"));
 }
 
 TEST_CASE("a rod between a cart on its rail and a bob is not split, since the rail is no coordinate") {
-  const auto all = forces(parsed(std::string(k_head) +
-                                 "coordinates:\n"
-                                 "  s: {held_at: 0.8}\n"
-                                 "  x: {initial_rate: 0.3}\n"
-                                 "  theta: {initial: 0.6, initial_rate: 0.5}\n"
-                                 "particles:\n"
-                                 "  cart: {mass: 2, position: [x, 0, 0]}\n"
-                                 "  bob: {mass: 1, position: [x + s*sin(theta), 0, -s*cos(theta)]}\n"
-                                 "forces: {gravity: {uniform: [0, 0, -9.81]}}\n"));
+  const auto all =
+      forces(parsed(std::string(k_head) + "coordinates:\n"
+                                          "  s: {held_at: 0.8}\n"
+                                          "  x: {initial_rate: 0.3}\n"
+                                          "  theta: {initial: 0.6, initial_rate: 0.5}\n"
+                                          "particles:\n"
+                                          "  cart: {mass: 2, position: [x, 0, 0]}\n"
+                                          "  bob: {mass: 1, position: [x + s*sin(theta), 0, -s*cos(theta)]}\n"
+                                          "forces: {gravity: {uniform: [0, 0, -9.81]}}\n"));
   CHECK_FALSE(names_one_by_one(all, "s"));
   CHECK(all.at("on_cart.force.x") == Approx(-all.at("on_bob.force.x")));  // the rod is all that acts along x
 }
 
-TEST_CASE("a pendulum on a driven pivot has its rod and pivot forces, though two held coordinates act on one particle") {
-  const auto all = forces(parsed(std::string(k_head) +
-                                 "coordinates:\n"
-                                 "  u: {held_at: 0.1*sin(3*t)}\n"
-                                 "  s: {held_at: 0.8}\n"
-                                 "  theta: {initial: 0.5, initial_rate: 1.1}\n"
-                                 "particles: {bob: {mass: 2, position: [s*sin(theta), 0, u - s*cos(theta)]}}\n"
-                                 "forces: {gravity: {uniform: [0, 0, -9.81]}}\n"));
+TEST_CASE(
+    "a pendulum on a driven pivot has its rod and pivot forces, though two held coordinates act on one particle") {
+  const auto all =
+      forces(parsed(std::string(k_head) + "coordinates:\n"
+                                          "  u: {held_at: 0.1*sin(3*t)}\n"
+                                          "  s: {held_at: 0.8}\n"
+                                          "  theta: {initial: 0.5, initial_rate: 1.1}\n"
+                                          "particles: {bob: {mass: 2, position: [s*sin(theta), 0, u - s*cos(theta)]}}\n"
+                                          "forces: {gravity: {uniform: [0, 0, -9.81]}}\n"));
   CHECK_FALSE(names_one_by_one(all, "u"));
   // At t = 0 the pivot does not accelerate: the rod carries m (l theta'^2 + g cos theta) towards it.
   const double tension = 2 * (0.8 * 1.1 * 1.1 + 9.81 * std::cos(0.5));

@@ -76,7 +76,8 @@ double error(const Reference& expected, const std::vector<Answer>& answers, cons
     for (std::size_t p = 0; p < k_parts.size(); ++p) {
       const Wide scale = expected.scales[s][p];
       if (scale == 0) continue;
-      const Wide now = headertest::largest_difference(answers[s].parts[p], expected.answers[s].parts[p]) / (eps * scale);
+      const Wide now =
+          headertest::largest_difference(answers[s].parts[p], expected.answers[s].parts[p]) / (eps * scale);
       if (!(now <= worst)) worst = now;
     }
   }

@@ -21,7 +21,8 @@ using headertest::Wide;
 constexpr std::size_t k_states = 50;
 
 /// Relative to size + sensitivity, of each state, the smallest first.
-std::vector<double> differences(const Computed& plain, const Computed& other, const headertest::Sensitivity& sensitivity) {
+std::vector<double> differences(const Computed& plain, const Computed& other,
+                                const headertest::Sensitivity& sensitivity) {
   const auto samples = headertest::random_samples(plain, k_states, false);
   REQUIRE(samples.size() == k_states);
   const auto expected = plain.answers(samples);
@@ -52,7 +53,8 @@ void agree(const char* variant, const std::vector<Computed>& others, double bar_
     INFO(variant << ", " << plain[m].name);
     const std::vector<double> found = differences(plain[m], others[m], sensitivities.at(m));
     const double most = found[found.size() * 8 / 10];
-    std::printf("%-8s %-32s %8.3g in eight of ten states, %8.3g in all\n", variant, plain[m].name.c_str(), most, found.back());
+    std::printf("%-8s %-32s %8.3g in eight of ten states, %8.3g in all\n", variant, plain[m].name.c_str(), most,
+                found.back());
     CHECK(most <= bar_of_most);
     CHECK(found.back() <= bar_of_all);
   }

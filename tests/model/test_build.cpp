@@ -62,7 +62,8 @@ forces:
   const auto& turns = std::get<model::Turns>(frame.attitude);
   CHECK(std::get<char>(turns[0].axis) == 'z');
   CHECK(std::get<char>(turns[1].axis) == 'x');
-  CHECK(test::show(std::get<model::VelocityLaw>(m.constraints[0].law).phi) == "(+ (* (+ R (- r)) (dot chi)) (* r (dot psi)))");
+  CHECK(test::show(std::get<model::VelocityLaw>(m.constraints[0].law).phi) ==
+        "(+ (* (+ R (- r)) (dot chi)) (* r (dot psi)))");
   CHECK(m.constraints[0].about == "no slip");
   CHECK(test::show((*m.constraints[0].point)[2]) == "0");
   CHECK(test::show(std::get<model::UniformField>(m.forces[0].law).field[2]) == "(- 981/100)");

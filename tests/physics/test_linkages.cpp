@@ -50,27 +50,28 @@ TEST_CASE("a four-bar linkage moves and transmits the forces of the reference in
   REQUIRE(start.alpha() == number(file["initial"]["crank"]));
   REQUIRE(start.alpha_dot() == number(file["initial"]["crank_rate"]));
 
-  physics::follow<FourBar>(
-      file["expected"]["samples"], prepared, inputs, start, [&](const auto& sample, double t, const auto& state) {
-        CHECK(state.alpha() == close_to(sample["crank"], 10));
-        CHECK(state.alpha_dot() == close_to(sample["crank_rate"], 100));
-        CHECK(state.alpha() + state.beta() == close_to(sample["coupler"], 10));
-        CHECK(state.gamma() == close_to(sample["rocker"], 10));
-        bar4::JointReactions<double> joints;
-        REQUIRE(joint_reactions(t, state, inputs, prepared, joints) == gauss::Status::ok);
-        check_in_plane(joints.O.force, sample["F_O_on_crank"]);
-        check_in_plane(joints.A.force, sample["F_A_on_coupler"]);
-        check_in_plane(joints.C.force, sample["F_C_on_rocker"]);
-        bar4::ReactionForces<double> forces;
-        REQUIRE(reaction_forces(t, state, inputs, prepared, forces) == gauss::Status::ok);
-        std::array<double, 3> on_coupler{};
-        for (std::size_t i = 0; i < 3; ++i) on_coupler[i] = forces.loop_x.force_on_B[i] + forces.loop_y.force_on_B[i];
-        check_in_plane(on_coupler, sample["F_B_on_coupler"]);
-        // Pins without friction transmit no moment.
-        for (const auto* moment : {&joints.O.moment, &joints.A.moment, &joints.C.moment}) {
-          CHECK((*moment)[2] == Approx(0).margin(1e-8));
-        }
-      });
+  physics::follow<FourBar>(file["expected"]["samples"], prepared, inputs, start,
+                           [&](const auto& sample, double t, const auto& state) {
+                             CHECK(state.alpha() == close_to(sample["crank"], 10));
+                             CHECK(state.alpha_dot() == close_to(sample["crank_rate"], 100));
+                             CHECK(state.alpha() + state.beta() == close_to(sample["coupler"], 10));
+                             CHECK(state.gamma() == close_to(sample["rocker"], 10));
+                             bar4::JointReactions<double> joints;
+                             REQUIRE(joint_reactions(t, state, inputs, prepared, joints) == gauss::Status::ok);
+                             check_in_plane(joints.O.force, sample["F_O_on_crank"]);
+                             check_in_plane(joints.A.force, sample["F_A_on_coupler"]);
+                             check_in_plane(joints.C.force, sample["F_C_on_rocker"]);
+                             bar4::ReactionForces<double> forces;
+                             REQUIRE(reaction_forces(t, state, inputs, prepared, forces) == gauss::Status::ok);
+                             std::array<double, 3> on_coupler{};
+                             for (std::size_t i = 0; i < 3; ++i)
+                               on_coupler[i] = forces.loop_x.force_on_B[i] + forces.loop_y.force_on_B[i];
+                             check_in_plane(on_coupler, sample["F_B_on_coupler"]);
+                             // Pins without friction transmit no moment.
+                             for (const auto* moment : {&joints.O.moment, &joints.A.moment, &joints.C.moment}) {
+                               CHECK((*moment)[2] == Approx(0).margin(1e-8));
+                             }
+                           });
 }
 
 TEST_CASE("a double pendulum of rods swings as the reference says, with the forces in pivot and elbow") {

@@ -54,19 +54,18 @@ TEST_CASE("a particle in a bowl moves as the reference says, and the bowl presse
   bowl::State<double> start;
   REQUIRE(initial_state(prepared, start) == gauss::Status::ok);
   CHECK(start.z() == Approx(parameters.a));  // the surface says so, at x = 1
-  physics::follow<Bowl>(file["expected"]["samples"], prepared, inputs, start,
-                        [&](const auto& sample, double t, const auto& state) {
-                          CHECK(state.x() == close_to(sample["xy"][0], 10));
-                          CHECK(state.y() == close_to(sample["xy"][1], 10));
-                          CHECK(state.x_dot() == close_to(sample["vxy"][0], 10));
-                          CHECK(state.z() - parameters.a * (state.x() * state.x() + state.y() * state.y()) ==
-                                Approx(0).margin(1e-14));
-                          bowl::ReactionForces<double> forces;
-                          REQUIRE(reaction_forces(t, state, inputs, prepared, forces) == gauss::Status::ok);
-                          const auto& N = forces.surface.force_on_bead;
-                          CHECK(std::sqrt(N[0] * N[0] + N[1] * N[1] + N[2] * N[2]) == close_to(sample["N"], 100));
-                          CHECK(N[2] > 0);
-                        });
+  physics::follow<Bowl>(
+      file["expected"]["samples"], prepared, inputs, start, [&](const auto& sample, double t, const auto& state) {
+        CHECK(state.x() == close_to(sample["xy"][0], 10));
+        CHECK(state.y() == close_to(sample["xy"][1], 10));
+        CHECK(state.x_dot() == close_to(sample["vxy"][0], 10));
+        CHECK(state.z() - parameters.a * (state.x() * state.x() + state.y() * state.y()) == Approx(0).margin(1e-14));
+        bowl::ReactionForces<double> forces;
+        REQUIRE(reaction_forces(t, state, inputs, prepared, forces) == gauss::Status::ok);
+        const auto& N = forces.surface.force_on_bead;
+        CHECK(std::sqrt(N[0] * N[0] + N[1] * N[1] + N[2] * N[2]) == close_to(sample["N"], 100));
+        CHECK(N[2] > 0);
+      });
 }
 
 TEST_CASE("a spherical pendulum in Cartesian coordinates swings as its elliptic functions say, string included") {

@@ -31,22 +31,22 @@ TEST_CASE("a thin disc rolls as its reduced equations say, contact force include
   REQUIRE(start.theta() == number(file["initial"]["theta"]));
   REQUIRE(start.theta_dot() == number(file["initial"]["omega"][0]));
 
-  physics::follow<Disc>(
-      file["expected"]["general"], prepared, inputs, start, [&](const auto& sample, double t, const auto& state) {
-        CHECK(state.theta() == close_to(sample["theta"], 10));
-        CHECK(state.psi() == close_to(sample["psi"], 10));
-        CHECK(state.phi() == close_to(sample["phi"], 10));
-        CHECK(state.x() == close_to(sample["centre_xy"][0], 10));
-        CHECK(state.y() == close_to(sample["centre_xy"][1], 10));
-        CHECK(state.psi_dot() * std::sin(state.theta()) == close_to(sample["omega"][1], 10));
-        disc::ReactionForces<double> forces;
-        REQUIRE(reaction_forces(t, state, inputs, prepared, forces) == gauss::Status::ok);
-        CHECK(forces.rim_x.force_on_disc[0] == close_to(sample["contact_force_xyz"][0], 100));
-        CHECK(forces.rim_y.force_on_disc[1] == close_to(sample["contact_force_xyz"][1], 100));
-        disc::Reactions<double> found;
-        REQUIRE(reactions(t, state, inputs, prepared, found) == gauss::Status::ok);
-        CHECK(found.gap.generalized == close_to(sample["contact_force_xyz"][2], 100));
-      });
+  physics::follow<Disc>(file["expected"]["general"], prepared, inputs, start,
+                        [&](const auto& sample, double t, const auto& state) {
+                          CHECK(state.theta() == close_to(sample["theta"], 10));
+                          CHECK(state.psi() == close_to(sample["psi"], 10));
+                          CHECK(state.phi() == close_to(sample["phi"], 10));
+                          CHECK(state.x() == close_to(sample["centre_xy"][0], 10));
+                          CHECK(state.y() == close_to(sample["centre_xy"][1], 10));
+                          CHECK(state.psi_dot() * std::sin(state.theta()) == close_to(sample["omega"][1], 10));
+                          disc::ReactionForces<double> forces;
+                          REQUIRE(reaction_forces(t, state, inputs, prepared, forces) == gauss::Status::ok);
+                          CHECK(forces.rim_x.force_on_disc[0] == close_to(sample["contact_force_xyz"][0], 100));
+                          CHECK(forces.rim_y.force_on_disc[1] == close_to(sample["contact_force_xyz"][1], 100));
+                          disc::Reactions<double> found;
+                          REQUIRE(reactions(t, state, inputs, prepared, found) == gauss::Status::ok);
+                          CHECK(found.gap.generalized == close_to(sample["contact_force_xyz"][2], 100));
+                        });
 }
 
 TEST_CASE("Chaplygin's sphere rolls as its reduced equations say, contact force included") {
