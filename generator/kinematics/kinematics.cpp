@@ -152,6 +152,7 @@ class Builder {
     expressions_.watch(&places);
     const Expr watched = phi();
     expressions_.watch(nullptr);
+    if (places.all().empty()) return;
     ir::Substitution put_in(graph_);
     for (const auto& [frame, symbols] : places.all()) {
       const Vector3 origin = expressions_.frames().origin(frame);
@@ -177,7 +178,6 @@ class Builder {
         place != nullptr ? frames.origin(*place) : expressions_(std::get<std::array<model::Ast, 3>>(law.at));
     const Vector3 direction = ir::multiply(frames.axes(law.axes), expressions_(law.direction));
     row.phi = dot(direction, velocity_at(law.frame, point) - velocity_at(law.surface, point));
-    row.point = point;
     row.actions.push_back({law.frame, point, direction});
     row.actions.push_back({law.surface, point, -direction});
   }
