@@ -81,14 +81,15 @@ function(gauss_add_model)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/gauss/${ARG_TARGET})
   file(MAKE_DIRECTORY ${folder})
   set(header ${folder}/${name}.hpp)
-  # gauss-gen leaves an unchanged header alone, so that nothing is compiled again; the stamp says that it was run. No
-  # depfile: a model is one file, and a depfile would name the header, where build tools want the stamp.
+  # gauss-gen leaves an unchanged header alone, so that nothing is compiled again; the stamp says that it was run. The
+  # depfile names the files of submodels.
   add_custom_command(
     OUTPUT ${header}.stamp
     BYPRODUCTS ${header}
-    COMMAND gauss::gauss-gen ${model} -o ${folder} ${options}
+    COMMAND gauss::gauss-gen ${model} -o ${folder} --depfile ${header}.d --depfile-target ${header}.stamp ${options}
     COMMAND ${CMAKE_COMMAND} -E touch ${header}.stamp
     DEPENDS ${model} gauss::gauss-gen
+    DEPFILE ${header}.d
     COMMENT "Generating ${name}.hpp"
     VERBATIM)
 

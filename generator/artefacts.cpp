@@ -17,7 +17,8 @@ const std::vector<OutputKind>& output_kinds() {
       {"residuals", "constraint residuals of position, velocity and acceleration"},
       {"mass_matrix", "the metric of the free speeds"},
       {"project", "nearest state that satisfies the constraints"},
-      {"initial_state", "the model's initial state"}};
+      {"initial_state", "the model's initial state"},
+      {"quantities", "what the model names under 'quantities'"}};
   return k_kinds;
 }
 
@@ -40,6 +41,7 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   if (name == "mass_matrix") return one(mass_matrix_artefact(mechanics));
   if (name == "project") return one(project_artefact(mechanics));
   if (name == "initial_state") return one(initial_state_artefact(mechanics));
+  if (name == "quantities") return quantities_artefact(mechanics);
   return {};
 }
 

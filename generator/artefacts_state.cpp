@@ -129,6 +129,27 @@ std::vector<Artefact> residuals_artefact(Mechanics& mechanics) {
   return result;
 }
 
+std::vector<Artefact> quantities_artefact(Mechanics& mechanics) {
+  const std::vector<model::NamedQuantity>& quantities = mechanics.model.quantities;
+  if (quantities.empty()) return {};
+  ArtefactBuilder builder("quantities", "What the model names under 'quantities', at a state.", mechanics);
+  builder.result_type("Quantities");
+  std::vector<Field> fields;
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    const model::NamedQuantity& quantity = quantities[i];
+    const std::vector<Expr>& values = mechanics.kinematics.quantities[i];
+    std::vector<int> shape;
+    if (values.size() > 1) shape.push_back(static_cast<int>(values.size()));
+    const std::string unit = quantity.unit.empty() ? "" : "[" + quantity.unit + "]";
+    const std::string about = unit + (unit.empty() || quantity.about.empty() ? "" : " ") + quantity.about;
+    fields.push_back({quantity.name.text, about, shape, ids(values)});
+  }
+  builder.fields("", "", "", std::move(fields));
+  std::vector<Artefact> result;
+  result.push_back(builder.finish({}));
+  return result;
+}
+
 Artefact mass_matrix_artefact(Mechanics& mechanics) {
   ArtefactBuilder builder("mass_matrix", "The metric g of the free speeds (1.10).", mechanics);
   builder.result_type("MassMatrix");

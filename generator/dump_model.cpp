@@ -47,6 +47,7 @@ class ModelText {
     section("bodies", model_.bodies);
     section("constraints", model_.constraints);
     section("forces", model_.forces);
+    section("quantities", model_.quantities);
     add_elimination();
     if (!model::has_units(model_)) text_ += "units\n  none are stated, so none are checked\n";
     text_ += "outputs\n  " + (model_.outputs.empty() ? "all" : joined_names(model_.outputs)) + "\n";
@@ -74,6 +75,11 @@ class ModelText {
 
   void add(const model::Input& input) {
     text_ += fmt::format("  {} = {}{}", input.name.text, written(input.value), remarks(input.unit, input.about));
+  }
+
+  void add(const model::NamedQuantity& quantity) {
+    const std::string value = quantity.values.size() == 1 ? written(quantity.values.front()) : written(quantity.values);
+    text_ += fmt::format("  {} = {}{}", quantity.name.text, value, remarks(quantity.unit, quantity.about));
   }
 
   void add(const model::Table& table) {
@@ -121,14 +127,18 @@ class ModelText {
     if (body.inertia) text_ += fmt::format("    inertia {}\n", written(*body.inertia));
   }
 
-  bool is_own_frame(const model::Body& body) const { return model_.frames[body.frame].name.span == body.name.span; }
+  bool is_own_frame(const model::Body& body) const {
+    return model_.frames[body.frame].name.text == body.name.text &&
+           model_.frames[body.frame].name.span == body.name.span;
+  }
 
   /// Those of bodies are shown with them.
   void add_frames() {
     std::vector<model::Frame> others;
     for (const model::Frame& frame : model_.frames) {
-      const bool is_body = std::any_of(model_.bodies.begin(), model_.bodies.end(),
-                                       [&](const model::Body& body) { return body.name.span == frame.name.span; });
+      const bool is_body = std::any_of(model_.bodies.begin(), model_.bodies.end(), [&](const model::Body& body) {
+        return body.name.text == frame.name.text && body.name.span == frame.name.span;
+      });
       if (!is_body) others.push_back(frame);
     }
     section("frames", others);
@@ -256,7 +266,7 @@ class ModelText {
   /// In the words of the file; what the file leaves out is a number.
   std::string written(const Ast& ast) const {
     if (ast.is_derived) return derived(ast);
-    const std::string_view words = source_.text(ast.span);
+    const std::string_view words = ast.text.empty() ? source_.text(ast.span) : ast.text;
     if (words.empty()) return support::to_text(ast.number);
     std::string line;
     // An expression may go over several lines of the file.

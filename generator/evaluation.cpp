@@ -39,6 +39,7 @@ class Report {
     add_groups("energy");
     add_groups("residuals");
     add_groups("compulsion");
+    add_groups("quantities");
     add_status();
     return std::move(result_);
   }

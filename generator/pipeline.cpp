@@ -54,7 +54,7 @@ const std::vector<std::string>& stage_names() {
   return k_names;
 }
 
-std::optional<PipelineResult> compile(const support::Source& source, const PipelineOptions& options,
+std::optional<PipelineResult> compile(support::Source& source, const PipelineOptions& options,
                                       support::Diagnostics& diagnostics, const StageObserver& observe) {
   Stages stages(observe);
 

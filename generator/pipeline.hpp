@@ -45,7 +45,7 @@ struct PipelineResult {
 };
 
 /// Nothing when the model has errors; they are in `diagnostics`.
-std::optional<PipelineResult> compile(const support::Source& source, const PipelineOptions& options,
+std::optional<PipelineResult> compile(support::Source& source, const PipelineOptions& options,
                                       support::Diagnostics& diagnostics, const StageObserver& observe);
 
 /// Stage names for `--dump`, in order.

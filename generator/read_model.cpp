@@ -36,15 +36,20 @@ std::set<std::string> vanishing_rows(const model::Model& model) {
   return names;
 }
 
+/// Of the constraint of which this is one direction: without _x, _y, _z.
+std::string name_in_file(const Constraint& row) {
+  return row.may_vanish ? row.name.text.substr(0, row.name.text.size() - 2) : row.name.text;
+}
+
 /// A constraint of which no direction is left says nothing at all.
 void report_idle(const model::Model& model, const std::set<std::string>& vanishing, support::Diagnostics& diagnostics) {
-  std::set<std::uint32_t> reported;
+  std::set<std::string> reported;
   for (const Constraint& constraint : model.constraints) {
-    const auto same = [&](const Constraint& other) { return other.name.span == constraint.name.span; };
+    const auto same = [&](const Constraint& other) { return name_in_file(other) == name_in_file(constraint); };
     const bool is_idle = std::all_of(model.constraints.begin(), model.constraints.end(), [&](const Constraint& other) {
       return !same(other) || (other.may_vanish && vanishing.count(other.name.text) > 0);
     });
-    if (!is_idle || !reported.insert(constraint.name.span.begin).second) continue;
+    if (!is_idle || !reported.insert(name_in_file(constraint)).second) continue;
     diagnostics.error(support::code::k_no_velocity, constraint.name.span,
                       "this constraint holds in every motion that the coordinates allow: it says nothing",
                       "remove it, or give the bodies coordinates for the motion that it is to prevent");
@@ -62,7 +67,7 @@ void drop_vanishing_rows(model::Model& model, support::Diagnostics& diagnostics)
 
 }  // namespace
 
-std::optional<model::Model> read_model(const support::Source& source, support::Diagnostics& diagnostics) {
+std::optional<model::Model> read_model(support::Source& source, support::Diagnostics& diagnostics) {
   std::optional<model::Model> model = model::build_model(source, diagnostics);
   if (model) drop_vanishing_rows(*model, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;

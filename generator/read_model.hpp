@@ -10,7 +10,7 @@ namespace gaussgen {
 
 /// The checked model without the rows that say nothing: of the three directions of a contact or of a coincidence, those in which
 /// coordinates hold the motion already. Nothing when the file has errors.
-std::optional<model::Model> read_model(const support::Source& source, support::Diagnostics& diagnostics);
+std::optional<model::Model> read_model(support::Source& source, support::Diagnostics& diagnostics);
 
 /// Every given initial value becomes the guess of a search, so that constraints may move it (`--assemble`).
 void open_initial_values(model::Model& model);

@@ -74,8 +74,9 @@ class UnitBuilder {
   void add_held() {
     for (const auto& held : mechanics_.symbols.held) {
       const model::Coordinate& coordinate = model_.coordinates[held.model_index];
-      unit_.held.push_back(
-          {held.name, coordinate.unit, coordinate.about, std::string(source_.text(coordinate.held_at->span))});
+      const model::Ast& law = *coordinate.held_at;
+      const std::string text = law.text.empty() ? std::string(source_.text(law.span)) : law.text;
+      unit_.held.push_back({held.name, coordinate.unit, coordinate.about, text});
     }
   }
 
@@ -120,9 +121,7 @@ class UnitBuilder {
     return "";
   }
 
-  std::string located(support::Span span) const {
-    return ", model line " + std::to_string(source_.position(span.begin).line);
-  }
+  std::string located(support::Span span) const { return ", model " + source_.line_text(span.begin); }
 
   void add_provenance() {
     emit::Provenance& provenance = unit_.provenance;

@@ -29,6 +29,9 @@ class Adder {
     app_.add_flag("--list-outputs", options_.list_outputs, "write nothing, only say which header would be written");
     add_path("--depfile", options_.depfile, "also write what the header depends on, for make and Ninja", "FILE",
              Argument::file);
+    app_.add_option("--depfile-target", options_.depfile_target,
+                    wrapped("what depends on them there, instead of the header: a stamp, as a build tool may want"))
+        ->type_name("NAME");
     app_.add_option("--namespace", options_.pipeline.name_space, "C++ namespace instead of gauss::<name>")
         ->type_name("NAME");
     add_list("--outputs", options_.pipeline.outputs, output_names(), "LIST",

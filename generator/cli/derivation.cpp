@@ -10,7 +10,7 @@ namespace gaussgen::cli {
 
 int derive(const Options& options) {
   std::optional<ReadingGuard> guard(options.messages);
-  const support::Source source = read_source(options.model);
+  support::Source source = read_source(options.model);
   support::Diagnostics diagnostics;
   const auto model = read_model(source, diagnostics);
   guard.reset();

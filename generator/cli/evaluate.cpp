@@ -104,7 +104,7 @@ std::string json(const Evaluation& evaluation, const model::Model& model, const 
 
 int evaluate(const Options& options) {
   std::optional<ReadingGuard> guard(options.messages);
-  const support::Source source = read_source(options.model);
+  support::Source source = read_source(options.model);
   support::Diagnostics diagnostics;
   std::optional<model::Model> model = read_model(source, diagnostics);
   guard.reset();

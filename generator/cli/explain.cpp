@@ -8,6 +8,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/explanations.hpp"
 #include "cli/files.hpp"
+#include "cli/texts.hpp"
 #include "cli/usage_error.hpp"
 #include "pipeline.hpp"
 #include "support/assert.hpp"
@@ -26,7 +27,13 @@ Explanation explanation_of(const support::ErrorCode& code) {
 }
 
 std::string message_of(const Explanation& explanation) {
-  const support::Source source("example.yaml", explanation.wrong);
+  // Beside it is what `gauss-gen init` writes.
+  const auto read_other = [](const std::string& path, std::string& why) -> std::optional<std::string> {
+    if (path == k_starter_name + std::string(".yaml")) return starter_called(k_starter_name);
+    why = "No such file or directory";
+    return std::nullopt;
+  };
+  support::Source source("example.yaml", explanation.wrong, read_other);
   support::Diagnostics diagnostics;
   PipelineOptions options;
   if (explanation.options == "--route paper") options.route = Route::paper;

@@ -39,22 +39,27 @@ void print_timings(const std::vector<StageTime>& times, const MessageOptions& me
   remark(fmt::format("{:<12} {:>9.3f} ms", "total", total), messages);
 }
 
-std::string dependencies(const std::string& header, const std::string& model) {
-  return for_make(header) + ":" + (model == "-" ? "" : " " + for_make(model)) + "\n";
+std::string dependencies(const std::string& target, const Options& options, const support::Source& source) {
+  std::string line = for_make(target) + ":";
+  std::vector<std::string> files = source.names();
+  if (options.model == "-") files.erase(files.begin());
+  for (const std::string& file : files) line += " " + for_make(file);
+  return line + "\n";
 }
 
 // Both are written before the first is put in place: a full disk leaves everything as it was.
-void write_files(const Options& options, const PipelineResult& result) {
+void write_files(const Options& options, const PipelineResult& result, const support::Source& source) {
   const std::string path = header_path(options, result.model_name);
   Replacement header(path, result.header);
   if (options.depfile.empty()) return header.commit();
-  Replacement depfile(options.depfile, dependencies(path, options.model));
+  const std::string& target = options.depfile_target.empty() ? path : options.depfile_target;
+  Replacement depfile(options.depfile, dependencies(target, options, source));
   header.commit();
   depfile.commit();
 }
 
 /// Only the model's own text is needed for these two, so no derivation is made.
-int check_or_list(const Options& options, const support::Source& source) {
+int check_or_list(const Options& options, support::Source& source) {
   support::Diagnostics diagnostics;
   const auto model = read_model(source, diagnostics);
   const int code = report(diagnostics, source, options.messages);
@@ -67,7 +72,7 @@ int check_or_list(const Options& options, const support::Source& source) {
 
 int generate(const Options& options) {
   std::optional<ReadingGuard> guard(options.messages);
-  const support::Source source = read_source(options.model);
+  support::Source source = read_source(options.model);
   if (options.list_outputs) return check_or_list(options, source);
 
   std::string dumped;
@@ -99,7 +104,7 @@ int generate(const Options& options) {
     write_standard_output(result->header);
     return k_ok;
   }
-  write_files(options, *result);
+  write_files(options, *result, source);
   return k_ok;
 }
 

@@ -14,17 +14,7 @@ namespace gaussgen::cli {
 
 namespace {
 
-constexpr const char* k_usual_name = "pendulum";
 constexpr std::string_view k_ending = ".yaml";
-
-std::string with_name(const std::string& name) {
-  const std::string place = "@name@";
-  std::string text = starter();
-  for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at + name.size())) {
-    text.replace(at, place.size(), name);
-  }
-  return text;
-}
 
 std::string without_ending(const std::string& name) {
   const bool has_ending =
@@ -42,7 +32,8 @@ void check_name(const std::string& name) {
                      "' is not a name for a model: write letters, digits and _, as in double_pendulum");
   }
   support::Diagnostics diagnostics;
-  model::build_model({name, with_name(name)}, diagnostics);
+  support::Source source(name, starter_called(name));
+  model::build_model(source, diagnostics);
   if (!diagnostics.has_errors()) return;
   const support::Diagnostic& first = diagnostics.all().front();
   throw UsageError("init: " + first.message + "; " + first.hint);
@@ -51,10 +42,10 @@ void check_name(const std::string& name) {
 }  // namespace
 
 int init(const Options& options) {
-  const std::string name = options.word.empty() ? k_usual_name : without_ending(options.word);
+  const std::string name = options.word.empty() ? k_starter_name : without_ending(options.word);
   check_name(name);
   const std::string path = name + std::string(k_ending);
-  write_new_file(path, with_name(name));
+  write_new_file(path, starter_called(name));
   write_standard_output("wrote " + path + "; look at it with: gauss-gen evaluate " + path + "\n");
   return k_ok;
 }

@@ -42,13 +42,13 @@ Json located(const support::Diagnostic& finding, const support::Source& source) 
   object["code"] = finding.code;
   object["message"] = finding.message;
   object["hint"] = finding.hint;
-  object["file"] = source.name();
+  object["file"] = source.name_at(finding.span.begin);
   object["line"] = begin.line;
   object["column"] = begin.column;
   object["end_line"] = end.line;
   object["end_column"] = end.column;
-  object["begin"] = finding.span.begin;
-  object["end"] = last;
+  object["begin"] = source.offset_in_file(finding.span.begin);
+  object["end"] = source.offset_in_file(finding.span.begin) + (last - finding.span.begin);
   return object;
 }
 

@@ -51,6 +51,8 @@ void check(const CLI::App& app, const Options& options) {
   const std::string refusal = name_space->count() == 0 ? "" : refusal_of_namespace(options.pipeline.name_space);
   if (!refusal.empty()) refuse("--namespace", refusal);
   if (app.count("--depfile") != 0 && options.depfile.empty()) refuse("--depfile", "a file name is needed");
+  if (app.count("--depfile-target") != 0 && (options.depfile.empty() || options.depfile_target.empty()))
+    refuse("--depfile-target", "it is a word in the file of --depfile");
   if (app.count("--depfile") != 0 && options.output == "-")
     refuse("--depfile", "there is no file to depend on with -o -");
 }

@@ -22,6 +22,7 @@ struct Options {
   // generate
   std::string output;  ///< folder, "-" for standard output; empty: the working folder
   std::string depfile;
+  std::string depfile_target;      ///< empty: the header
   std::vector<std::string> dumps;  ///< stages
   bool check = false;
   bool list_outputs = false;

@@ -14,8 +14,8 @@ namespace {
 namespace format = model::format;
 using Json = nlohmann::ordered_json;
 
-// Letters, digits and single underscores between them.
-constexpr const char* k_name_pattern = "^[A-Za-z](_?[A-Za-z0-9])*$";
+// Letters, digits, indices such as $i and $(i - 1), and single underscores between them.
+constexpr const char* k_name_pattern = R"(^[A-Za-z](_?([A-Za-z0-9]|\$[A-Za-z]|\$\([^$]*\)))*$)";
 constexpr int k_longest_name = 64;
 
 Json schema_of(const format::Map& map);

@@ -83,6 +83,9 @@ void hold_coordinates(const model::Model& model, Expressions& expressions, ir::G
   hold(kinematics.applied);
   for (JointPlace& joint : kinematics.joints) hold(joint.point);
   hold(kinematics.other_force);
+  for (std::vector<Expr>& values : kinematics.quantities) {
+    for (Expr& value : values) hold(value);
+  }
 }
 
 }  // namespace gaussgen::kinematics

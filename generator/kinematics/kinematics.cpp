@@ -38,6 +38,7 @@ class Builder {
                       {},
                       {symbols_.full_count(), number(0)},
                       {symbols_.full_count(), number(0)},
+                      {},
                       {}};
     for (const model::Body& body : model_.bodies) result.bodies.push_back(body_motion(body));
     for (const model::Constraint& constraint : model_.constraints) {
@@ -48,6 +49,10 @@ class Builder {
       result.joints.push_back({joint.name.text, joint.frame, expressions_.frames().origin(joint.frame)});
     }
     for (const model::Force& force : model_.forces) std::visit([&](const auto& law) { apply(law, result); }, force.law);
+    for (const model::NamedQuantity& quantity : model_.quantities) {
+      result.quantities.emplace_back();
+      for (const model::Ast& value : quantity.values) result.quantities.back().push_back(expressions_(value));
+    }
     return result;
   }
 

@@ -79,6 +79,7 @@ struct Kinematics {
   support::Indexed<FullIndex, ir::Expr>
       other_force;  ///< Q_A of potentials and generalized forces, not spread on bodies
   support::Indexed<HeldIndex, ir::Expr> held_acceleration;  ///< c̈^i
+  std::vector<std::vector<ir::Expr>> quantities;            ///< parallel to Model::quantities
 };
 
 /// Builds everything with x^i free, then puts x^i = c^i(t) in (theory section 3: derivatives first, x = c afterwards).

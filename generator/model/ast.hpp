@@ -32,6 +32,7 @@ struct Ast {
   support::Span span;
   support::Rational number = 0;  ///< kind number
   bool is_decimal = false;       ///< kind number: written with a decimal point or an exponent
+  std::string text = {};         ///< of a whole expression, where it is not what the file has at `span`
   bool is_derived = false;       ///< stands for a shorthand of the format; its span is that of the shorthand
   std::string name;              ///< kind symbol: the name; kind call: the function; kind comparison: < <= > >=
   std::shared_ptr<const support::Table> table;  ///< kind call: where the function is a table of the model

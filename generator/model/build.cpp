@@ -10,6 +10,7 @@
 #include "model/frames.hpp"
 #include "model/names.hpp"
 #include "model/sections.hpp"
+#include "model/submodels.hpp"
 #include "spec/reader.hpp"
 
 namespace gaussgen::model {
@@ -45,22 +46,24 @@ void read_sections(const spec::Node& root, Reading& reading) {
   order_frames(reading);
   read_constraints(root, reading);
   read_forces(root, reading);
+  read_quantities(root, reading);
   read_elimination(root, reading);
   read_outputs(root, reading);
 }
 
 }  // namespace
 
-std::optional<Model> build_model(const support::Source& source, support::Diagnostics& diagnostics) {
+std::optional<Model> build_model(support::Source& source, support::Diagnostics& diagnostics) {
   Reading reading{source, diagnostics, {}};
   reading.model.file = base_name(source.name());
-  reading.model.content_hash = content_hash(source.text());
   reading.model.symbols["t"] = {SymbolKind::time, 0};
   reading.model.symbols["pi"] = {SymbolKind::pi, 0};
 
   const auto root = spec::read_yaml(source, diagnostics);
   if (!root || !expect_map(*root, root->span, "a model file", reading)) return std::nullopt;
-  read_sections(*root, reading);
+  const spec::Node whole = with_submodels(*root, source, reading);
+  reading.model.content_hash = content_hash(source.text());
+  read_sections(whole, reading);
   check_model(reading);
   check_units(reading);
   check_dimensions(reading);

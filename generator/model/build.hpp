@@ -8,7 +8,7 @@
 
 namespace gaussgen::model {
 
-/// Nothing when there was an error; all errors of the text are in `diagnostics`.
-std::optional<Model> build_model(const support::Source& source, support::Diagnostics& diagnostics);
+/// Nothing when there was an error; all errors of the text are in `diagnostics`. Texts of submodels are put behind `source`.
+std::optional<Model> build_model(support::Source& source, support::Diagnostics& diagnostics);
 
 }  // namespace gaussgen::model

@@ -43,6 +43,10 @@ Measure wanted_at(const Slot& slot, const Model& model) {
   const Measure owner = slot.owner == nullptr ? Measure{} : measure_of(model, slot.owner->text);
   switch (slot.quantity) {
     case Quantity::any: return {};
+    case Quantity::stated: {
+      const std::optional<Dimension>& stated = slot.stated->dimension;
+      return stated ? in(slot.stated->unit.c_str(), *stated) : Measure{};
+    }
     case Quantity::angle: return in("rad", {});
     case Quantity::length: return in("m", {{1}});
     case Quantity::mass: return in("kg", {{0, 1}});
@@ -89,6 +93,25 @@ class DimensionCheck {
       if (measure.kind != Kind::known) continue;
       parameter.dimension = measure.dimension;
       parameter.unit = unit_of(measure);
+    }
+  }
+
+  /// Likewise a quantity, if its components have one unit.
+  void complete_quantities() {
+    for (NamedQuantity& quantity : reading_.model.quantities) {
+      if (!quantity.unit.empty()) continue;
+      std::vector<Measure> measures;
+      for (const Ast& value : quantity.values) {
+        measures.push_back(infer_(value));
+        done_.insert(&value);
+      }
+      const Measure& first = measures.front();
+      const bool is_one = std::all_of(measures.begin(), measures.end(), [&](const Measure& measure) {
+        return measure.kind == Kind::known && agree(measure.dimension, first.dimension);
+      });
+      if (!is_one) continue;
+      quantity.dimension = first.dimension;
+      quantity.unit = unit_of(first);
     }
   }
 
@@ -163,6 +186,7 @@ void check_dimensions(Reading& reading) {
   if (!has_units(reading.model)) return;
   DimensionCheck dimensions(reading);
   dimensions.complete_parameters();
+  dimensions.complete_quantities();
   for_each_slot(reading.model, [&](const Ast& ast, const Slot& slot) { dimensions.check(ast, slot); });
   // Next to errors this is of no interest.
   if (!reading.diagnostics.has_errors()) dimensions.report_missing();

@@ -67,6 +67,7 @@ constexpr Place k_potential =
 constexpr Place k_generalized = with_places({"a generalized force", "", "", true, true, true, true, true});
 constexpr Place k_force = with_places(in(Quantity::force, {"a force", "", "", true, true, true, true, true}));
 constexpr Place k_torque = with_places(in(Quantity::torque, {"a torque", "", "", true, true, true, true, true}));
+constexpr Place k_quantity = with_places({"a quantity", "", "", true, true, true, true, true});
 constexpr Place k_spring{"a property of a spring", "springs are linear",
                          "use parameters and t, or write a 'force' for another law", true, true};
 constexpr Place k_dot =
@@ -187,6 +188,7 @@ void for_each_slot(const Model& model, const Visit& visit) {
   visit_bodies(model, visit);
   for (const Constraint& constraint : model.constraints) visit_constraint(constraint, visit);
   for (const Force& force : model.forces) visit_force(force, visit);
+  for (const NamedQuantity& quantity : model.quantities) visit_all(quantity.values, {k_quantity, quantity}, visit);
 }
 
 }  // namespace gaussgen::model

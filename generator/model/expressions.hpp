@@ -10,6 +10,7 @@ namespace gaussgen::model {
 /// What an expression has to be measured in.
 enum class Quantity {
   any,
+  stated,  ///< the unit that stands beside the value
   angle,
   length,
   mass,
@@ -49,10 +50,13 @@ struct Slot {
   Slot(const Place& of) : place(of), quantity(of.quantity) {}
   Slot(const Place& of, Quantity wanted) : place(of), quantity(wanted) {}
   Slot(const Place& of, Quantity wanted, const Name& symbol) : place(of), quantity(wanted), owner(&symbol) {}
+  Slot(const Place& of, const NamedQuantity& beside)
+      : place(of), quantity(Quantity::stated), owner(&beside.name), stated(&beside) {}
 
   const Place& place;
   Quantity quantity;
-  const Name* owner = nullptr;  ///< the declared name that the value belongs to
+  const Name* owner = nullptr;            ///< the declared name that the value belongs to
+  const NamedQuantity* stated = nullptr;  ///< of Quantity::stated
 };
 
 /// The value of a parameter.

@@ -73,6 +73,7 @@ std::string example_of(const std::string& key) {
                                                              {"velocity", "dot(x) - r*dot(phi)"},
                                                              {"dependent", "[x]"},
                                                              {"of", "[0, 1, 2]"},
+                                                             {"file", "leg.yaml"},
                                                              {"values", "[0, 3, 4]"}};
   const auto found = k_examples.find(key);
   return found == k_examples.end() ? key : fmt::format("{}: {}", key, found->second);
@@ -154,7 +155,10 @@ Ast read_expression(const Node& node, Span owner, Reading& reading) {
     return broken_expression();
   }
   if (!expect(NodeKind::scalar, "an expression", node, owner, "this", reading)) return broken_expression();
-  return parse_readable(node.scalar, reading.diagnostics, reading.tables);
+  Ast ast = parse_readable(node.scalar, reading.diagnostics, reading.tables);
+  // Repetition and submodels change names.
+  if (reading.source.text(node.span) != node.scalar.text) ast.text = node.scalar.text;
+  return ast;
 }
 
 std::optional<Ast> expression_field(const Node& map, const std::string& key, Reading& reading) {

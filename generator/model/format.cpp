@@ -74,7 +74,17 @@ Value for_each(const Value& item, std::size_t count) {
   return count == 1 ? or_else(item, list_of(item, 1)) : list_of(item, count);
 }
 
-Value section(const Map& map) { return or_empty(entries_of(map_of(map))); }
+/// An entry of a section, of which there may be several.
+Map repeatable(Map map) {
+  map.keys.push_back(
+      {"count", or_else(expression(), list_of(expression())), "how many of it there are; $i in texts is its number"});
+  for (Rule& rule : map.rules) rule.beside.push_back("count");
+  return map;
+}
+
+Value entry(const Map& map) { return map_of(repeatable(map)); }
+
+Value section(const Map& map) { return or_empty(entries_of(entry(map))); }
 
 Key about() { return {"about", text(), "a sentence about it"}; }
 
@@ -114,8 +124,9 @@ bool has(const Names& names, const std::string& wanted) {
 }  // namespace
 
 const std::vector<std::string>& outputs() {
-  static const Names k_outputs{"rhs",        "reactions", "reaction_forces", "joint_reactions", "energy",
-                               "compulsion", "residuals", "mass_matrix",     "project",         "initial_state"};
+  static const Names k_outputs{"rhs",     "reactions",     "reaction_forces", "joint_reactions",
+                               "energy",  "compulsion",    "residuals",       "mass_matrix",
+                               "project", "initial_state", "quantities"};
   return k_outputs;
 }
 
@@ -301,6 +312,23 @@ const Map& table() {
   return k_map;
 }
 
+const Map& submodel() {
+  static const Map k_map{{{"file", text(), "path of its model file, relative to this one", Need::required},
+                          {"on", name(), "the frame that carries what stands in space there"},
+                          {"parameters", entries_of(expression()), "values of its parameters"},
+                          {"without", list_of(name()), "entries that are left out"},
+                          about()}};
+  return k_map;
+}
+
+const Map& quantity() {
+  static const Map k_map{
+      {{"value", or_else(expression(), vector()), "over everything; three components for a vector", Need::required},
+       unit(),
+       about()}};
+  return k_map;
+}
+
 const Map& elimination() {
   static const Map k_map{{{"dependent", list_of(name()), "speeds, as many as constraints", Need::required}}};
   return k_map;
@@ -311,11 +339,13 @@ const Map& model_file() {
       {{"gauss", of_shape(Shape::version), "version of the format: 1", Need::required},
        {"name", new_name(), "of the model: the namespace and the file name", Need::required},
        about(),
-       {"parameters", or_empty(entries_of(or_else(expression(), map_of(parameter())))),
+       {"counts", or_empty(entries_of(expression())), "whole numbers, $n in texts"},
+       {"submodels", section(submodel()), "parts in files of their own"},
+       {"parameters", or_empty(entries_of(or_else(expression(), entry(parameter())))),
         "constants that a program may change at run time"},
-       {"inputs", or_empty(entries_of(or_empty(or_else(expression(), map_of(input()))))), "values of each evaluation"},
+       {"inputs", or_empty(entries_of(or_empty(or_else(expression(), entry(input()))))), "values of each evaluation"},
        {"tables", section(table()), "functions by their points"},
-       {"coordinates", or_empty(entries_of(or_empty(map_of(coordinate())))), "free and held ones"},
+       {"coordinates", or_empty(entries_of(or_empty(entry(coordinate())))), "free and held ones"},
        {"orientations", section(orientation()), "attitudes by unit quaternion"},
        {"frames", section(frame()), "axes placed against others"},
        {"joints", section(joint()), "frames carried by others, with coordinates of the motion between them"},
@@ -324,6 +354,8 @@ const Map& model_file() {
        {"particles", section(particle()), "with mass alone"},
        {"constraints", section(constraint()), "on velocities, on positions, between places"},
        {"forces", section(force()), "each with one law"},
+       {"quantities", or_empty(entries_of(or_else(or_else(expression(), vector()), entry(quantity())))),
+        "what else the emitted code shall tell of a state"},
        {"elimination", map_of(elimination()), "the choice of dependent speeds"},
        {"outputs", or_empty(list_of(word_of(outputs()))), "what is emitted; all if left out"}}};
   return k_map;

@@ -76,6 +76,8 @@ const Map& particle();
 const Map& constraint();
 const Map& force();
 const Map& table();
+const Map& submodel();
+const Map& quantity();
 const Map& elimination();
 const Map& euler_angles();
 const Map& single_turn();

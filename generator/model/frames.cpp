@@ -81,7 +81,7 @@ void refuse_second(const Name& name, const std::string& what, Reading& reading) 
   const std::string owner =
       other == reading.frames.end()
           ? "space itself"
-          : fmt::format("the place in line {}", reading.line(reading.model.frames[other->second].name.span));
+          : fmt::format("the place in {}", reading.line_text(reading.model.frames[other->second].name.span));
   reading.diagnostics.error(code::k_name_clash, name.span, fmt::format("'{}' already names {}", name.text, owner),
                             fmt::format("frames, points and bodies share their names; rename {}", what));
 }

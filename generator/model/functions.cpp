@@ -28,6 +28,7 @@ constexpr Function k_functions[] = {
     {"max", 2, k_most_arguments},
     {k_piecewise, 3, k_most_arguments + 1},
     {k_dot, 1},
+    {k_distance, 2},
 };
 
 struct Substitute {

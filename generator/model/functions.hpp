@@ -9,6 +9,7 @@ namespace gaussgen::model {
 
 inline constexpr const char* k_dot = "dot";  ///< the total time derivative, a call of one argument
 
+inline constexpr const char* k_distance = "distance";  ///< of two places by name
 inline constexpr const char* k_piecewise = "piecewise";
 inline constexpr std::size_t k_most_arguments = 64;
 

@@ -15,7 +15,7 @@ SymbolRef Model::resolve(const std::string& symbol) const {
 bool has_units(const Model& model) {
   const auto states_unit = [](const auto& entry) { return !entry.unit.empty(); };
   const auto any = [&](const auto& list) { return std::any_of(list.begin(), list.end(), states_unit); };
-  return any(model.parameters) || any(model.inputs) || any(model.tables) ||
+  return any(model.parameters) || any(model.inputs) || any(model.tables) || any(model.quantities) ||
          std::any_of(model.tables.begin(), model.tables.end(),
                      [](const Table& table) { return !table.of_unit.empty(); }) ||
          std::any_of(model.coordinates.begin(), model.coordinates.end(),

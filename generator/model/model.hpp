@@ -232,6 +232,15 @@ struct Force {
   std::variant<UniformField, Potential, GeneralizedForce, PointForce, Torque, Spring, CoordinateSpring> law;
 };
 
+/// What a user of the emitted code wants to know of a state: one expression, or the three components of a vector.
+struct NamedQuantity {
+  Name name;
+  std::vector<Ast> values;  ///< over everything
+  std::string unit;         ///< when not given: what follows from the values
+  std::optional<Dimension> dimension;
+  std::string about;
+};
+
 enum class SymbolKind {
   time,                  ///< `t`
   pi,                    ///< `pi`
@@ -263,6 +272,7 @@ struct Model {
   std::vector<Body> bodies;
   std::vector<Constraint> constraints;
   std::vector<Force> forces;
+  std::vector<NamedQuantity> quantities;
   std::vector<Name> dependent;  ///< the user's choice of dependent speeds (3.6); empty: chosen by the generator
   std::vector<Name> outputs;    ///< empty: the default set
   std::map<std::string, SymbolRef> symbols;

@@ -76,7 +76,7 @@ bool enter(const Name& name, const std::string& what, Reading& reading) {
   if (is_new) return true;
   reading.diagnostics.error(
       code::k_name_clash, name.span,
-      fmt::format("'{}' already names {} in line {}", name.text, place->second.what, reading.line(place->second.span)),
+      fmt::format("'{}' already names {} in {}", name.text, place->second.what, reading.line_text(place->second.span)),
       "parameters, inputs, tables, coordinates and components of orientations share their names; rename one");
   return false;
 }
@@ -97,7 +97,7 @@ void check_rate_names(Reading& reading) {
     const Declared& owner = reading.declared.at(name);
     reading.diagnostics.error(
         code::k_rate_clash, clash->second.span,
-        fmt::format("'{}' is the name of the rate of '{}' of line {}", clash->first, name, reading.line(owner.span)),
+        fmt::format("'{}' is the name of the rate of '{}' of {}", clash->first, name, reading.line_text(owner.span)),
         fmt::format("rename it; in expressions the rate is written dot({})", name));
   }
 }

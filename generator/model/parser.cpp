@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/ast_build.hpp"
 #include "model/constant.hpp"
 #include "model/functions.hpp"
 #include "model/lexer.hpp"
@@ -280,9 +281,28 @@ class Parser {
       ast.table = tables_.at(ast.name);
       if (ast.table == nullptr) ++faults_;  // its own fault is reported where the table is
     }
+    if (ast.name == k_distance) return distance(ast);
     if (ast.name != "pow" || is_faulty()) return ast;
     ast.children[1] = fold_exponent(ast.children[1]);
     return node(AstKind::power, ast.span, std::move(ast.children));
+  }
+
+  /// Of two places: the root of the sum of squares.
+  Ast distance(const Ast& ast) {
+    std::vector<Name> places;
+    for (const Ast& child : ast.children) {
+      const bool is_name = child.kind == AstKind::symbol && child.name.find('.') == std::string::npos;
+      if (is_name && !is_broken(child)) places.push_back({child.name, child.span});
+    }
+    if (places.size() == 2) {
+      Ast root = distance_between(places[0], places[1]);
+      root.span = ast.span;
+      root.is_derived = false;  // as a whole it is what the user wrote
+      return root;
+    }
+    note(code::k_function_call, ast.span, "'distance' takes the names of two places",
+         "write distance(P, Q) for two frames, points or bodies");
+    return ast;
   }
 
   static bool has_good_count(const Ast& ast, const Function& function) {

@@ -98,7 +98,7 @@ void check_unique(const Name& name, Reading& reading) {
   if (is_new) return;
   reading.diagnostics.error(
       code::k_name_clash, name.span,
-      fmt::format("'{}' already names the body in line {}", name.text, reading.line(place->second)),
+      fmt::format("'{}' already names the body in {}", name.text, reading.line_text(place->second)),
       "bodies and particles share their names; rename one");
 }
 

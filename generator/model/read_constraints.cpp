@@ -27,7 +27,7 @@ void check_label(const Name& name, Reading& reading) {
   if (!coordinate.held_at) return;
   reading.diagnostics.error(
       code::k_name_clash, name.span,
-      fmt::format("'{}' already names the held coordinate in line {}", name.text, reading.line(coordinate.name.span)),
+      fmt::format("'{}' already names the held coordinate in {}", name.text, reading.line_text(coordinate.name.span)),
       "both would label a reaction; rename the constraint");
 }
 

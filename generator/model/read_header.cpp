@@ -19,15 +19,6 @@ namespace {
 
 constexpr support::Span k_top{0, 0};
 
-void read_version(const spec::Node& root, Reading& reading) {
-  const spec::Node* version = required(root, "gauss", k_top, "a model file", reading);
-  if (version == nullptr || !expect_scalar(*version, k_top, "'gauss'", reading)) return;
-  if (version->scalar.text == "1") return;
-  reading.diagnostics.error(code::k_format_version, version->span,
-                            fmt::format("this program does not read format version '{}'", version->scalar.text),
-                            "write 'gauss: 1'");
-}
-
 void read_name(const spec::Node& root, Reading& reading) {
   const spec::Node* name = required(root, "name", k_top, "a model file", reading);
   if (name == nullptr || !expect_scalar(*name, k_top, "'name'", reading)) return;
@@ -48,6 +39,15 @@ void read_output(const spec::Node& item, support::Span owner, Reading& reading) 
 }
 
 }  // namespace
+
+void read_version(const spec::Node& root, Reading& reading) {
+  const spec::Node* version = required(root, "gauss", k_top, "a model file", reading);
+  if (version == nullptr || !expect_scalar(*version, k_top, "'gauss'", reading)) return;
+  if (version->scalar.text == "1") return;
+  reading.diagnostics.error(code::k_format_version, version->span,
+                            fmt::format("this program does not read format version '{}'", version->scalar.text),
+                            "write 'gauss: 1'");
+}
 
 void read_header(const spec::Node& root, Reading& reading) {
   const std::size_t errors_before = reading.diagnostics.all().size();

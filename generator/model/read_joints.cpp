@@ -87,7 +87,7 @@ class JointReader {
       if (other.name.text != name_.text) continue;
       reading_.diagnostics.error(
           code::k_name_clash, name_.span,
-          fmt::format("'{}' already names the joint in line {}", name_.text, reading_.line(other.name.span)),
+          fmt::format("'{}' already names the joint in {}", name_.text, reading_.line_text(other.name.span)),
           "rename one of them");
     }
   }
@@ -170,7 +170,7 @@ class JointReader {
         const Span declared = reading_.model.coordinates[known->second.index].name.span;
         reading_.diagnostics.error(
             code::k_conflicting_keys, value->span,
-            fmt::format("the coordinate '{}' is declared in line {}", name.text, reading_.line(declared)),
+            fmt::format("the coordinate '{}' is declared in {}", name.text, reading_.line_text(declared)),
             "write its initial values there");
       }
       return;

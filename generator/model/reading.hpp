@@ -32,7 +32,7 @@ struct Reading {
   std::set<std::string> refused = {};         ///< names that were declared and may not be
   std::set<std::uint32_t> unknown_keys = {};  ///< where keys begin that were reported
 
-  std::uint32_t line(support::Span span) const { return source.line(span.begin); }
+  std::string line_text(support::Span span) const { return source.line_text(span.begin); }
 };
 
 /// Index of an orientation that was named but not found.

@@ -6,6 +6,7 @@
 
 namespace gaussgen::model {
 
+void read_version(const spec::Node& root, Reading& reading);
 void read_header(const spec::Node& root, Reading& reading);
 void read_tables(const spec::Node& root, Reading& reading);
 void read_parameters(const spec::Node& root, Reading& reading);
@@ -17,6 +18,7 @@ void read_joints(const spec::Node& root, Reading& reading);
 void read_bodies(const spec::Node& root, Reading& reading);
 void read_constraints(const spec::Node& root, Reading& reading);
 void read_forces(const spec::Node& root, Reading& reading);
+void read_quantities(const spec::Node& root, Reading& reading);
 void read_elimination(const spec::Node& root, Reading& reading);
 void read_outputs(const spec::Node& root, Reading& reading);
 

@@ -21,6 +21,30 @@ LocatedText located(std::string text, std::uint32_t begin) {
   return result;
 }
 
+namespace {
+
+void shift(support::Span& span, std::uint32_t distance) {
+  span.begin += distance;
+  span.end += distance;
+}
+
+void shift(LocatedText& text, std::uint32_t distance) {
+  shift(text.span, distance);
+  for (std::uint32_t& byte : text.origin) byte += distance;
+}
+
+}  // namespace
+
+void shift(Node& node, std::uint32_t distance) {
+  shift(node.span, distance);
+  shift(node.scalar, distance);
+  for (Node& item : node.items) shift(item, distance);
+  for (Entry& entry : node.entries) {
+    shift(entry.key, distance);
+    shift(entry.value, distance);
+  }
+}
+
 const Node* find(const Node& map, const std::string& key) {
   for (const Entry& entry : map.entries) {
     if (entry.key.text == key) return &entry.value;

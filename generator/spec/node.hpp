@@ -43,6 +43,9 @@ struct Entry {
   Node value;
 };
 
+/// Moves every span by `distance`.
+void shift(Node& node, std::uint32_t distance);
+
 /// The value at `key`, or nullptr.
 const Node* find(const Node& map, const std::string& key);
 

@@ -51,4 +51,17 @@ std::optional<Node> read_yaml(const support::Source& source, support::Diagnostic
   return root;
 }
 
+std::optional<Node> read_yaml_behind(support::Source& source, const std::string& name, const std::string& text,
+                                     support::Diagnostics& diagnostics) {
+  support::Diagnostics found;
+  std::optional<Node> root = read_yaml({name, text}, found);
+  const std::uint32_t begin = source.add(name, text);
+  for (support::Diagnostic finding : found.all()) {
+    finding.span = {finding.span.begin + begin, finding.span.end + begin};
+    diagnostics.add(std::move(finding));
+  }
+  if (root) shift(*root, begin);
+  return root;
+}
+
 }  // namespace gaussgen::spec

@@ -15,4 +15,8 @@ inline constexpr std::size_t k_longest_key = 1024;
 /// Stricter than YAML: one document, no repeated keys, no anchors, aliases or tags.
 std::optional<Node> read_yaml(const support::Source& source, support::Diagnostics& diagnostics);
 
+/// The same of another file, whose text is put behind those of `source`; its spans count from there.
+std::optional<Node> read_yaml_behind(support::Source& source, const std::string& name, const std::string& text,
+                                     support::Diagnostics& diagnostics);
+
 }  // namespace gaussgen::spec

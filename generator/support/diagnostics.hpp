@@ -24,6 +24,7 @@ struct Diagnostic {
 class Diagnostics {
  public:
   void error(std::string code, Span span, std::string message, std::string hint = {});
+  void add(Diagnostic finding);
   void warning(std::string code, Span span, std::string message, std::string hint = {});
 
   bool has_errors() const { return errors_ > 0; }

@@ -93,6 +93,11 @@ inline constexpr ErrorCode k_quaternion_length{"W061", "an initial quaternion th
 inline constexpr ErrorCode k_scaled_unit{"W055", "a unit that would need a conversion"};
 inline constexpr ErrorCode k_missing_unit{"W062", "names without a unit beside others that have one"};
 
+// Repetition and submodels.
+inline constexpr ErrorCode k_index{"E090", "an index or a count that cannot be worked out"};
+inline constexpr ErrorCode k_submodel_file{"E091", "the file of a submodel cannot be taken"};
+inline constexpr ErrorCode k_submodel_fit{"E092", "a submodel that does not fit into the model"};
+
 // The initial state, which is looked at when the equations are there.
 inline constexpr ErrorCode k_impossible_start{"E070", "an initial state that violates a constraint, and is emitted"};
 inline constexpr ErrorCode k_violating_start{"W051", "an initial state that violates a constraint, and is not emitted"};
@@ -163,6 +168,9 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_comparison,
     code::k_table_points,
     code::k_unused_table,
+    code::k_index,
+    code::k_submodel_file,
+    code::k_submodel_fit,
     code::k_idle_held_coordinate,
     code::k_scaled_unit,
     code::k_missing_unit,

@@ -147,7 +147,7 @@ std::string render_one(const Diagnostic& finding, const Source& source, Colour c
 
   const std::string number = std::to_string(at.line);
   const std::string margin(number.size(), ' ');
-  const std::string place = fmt::format("{}:{}:{}:", harmless(source.name()), at.line, at.column);
+  const std::string place = fmt::format("{}:{}:{}:", harmless(source.name_at(finding.span.begin)), at.line, at.column);
   const std::string kind = fmt::format("{}[{}]:", is_error ? "error" : "warning", finding.code);
   std::string text =
       fmt::format("{} {} {}\n", paint.bold(place), paint.strong(kind), paint.bold(harmless(finding.message)));
@@ -177,6 +177,11 @@ std::vector<Diagnostic> in_order(const Diagnostics& diagnostics, std::size_t& le
   std::vector<Diagnostic> sorted = diagnostics.all();
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
+  // Copies of an entry have the same mistakes.
+  const auto same = [](const Diagnostic& a, const Diagnostic& b) {
+    return a.span == b.span && a.code == b.code && a.message == b.message;
+  };
+  sorted.erase(std::unique(sorted.begin(), sorted.end(), same), sorted.end());
   left_out = sorted.size() - std::min(sorted.size(), k_most_findings);
   sorted.resize(sorted.size() - left_out);
   for (Diagnostic& finding : sorted) {

@@ -2,24 +2,22 @@
 // Models, and random states of them.
 
 #include <cmath>
-#include <fstream>
 #include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "evaluate/arithmetic_scale.hpp"
 #include "evaluation.hpp"
 #include "read_model.hpp"
+#include "support/files.hpp"
 
 namespace agreement {
 
 inline gaussgen::model::Model load(const std::string& file) {
   const std::string path = std::string(GAUSS_SOURCE_DIR) + "/models/" + file + ".yaml";
-  std::ifstream in(path);
-  std::stringstream text;
-  text << in.rdbuf();
-  const gaussgen::support::Source source(path, text.str());
+  std::string why;
+  gaussgen::support::Source source(path, gaussgen::support::read_file(path, why).value(),
+                                   gaussgen::support::read_regular_file);
   gaussgen::support::Diagnostics diagnostics;
   auto model = gaussgen::read_model(source, diagnostics);
   if (!model) throw std::runtime_error(gaussgen::support::render(diagnostics, source));

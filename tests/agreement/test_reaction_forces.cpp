@@ -20,7 +20,7 @@ std::map<std::string, double> forces(const gaussgen::model::Model& model) {
 }
 
 gaussgen::model::Model parsed(const std::string& text) {
-  const gaussgen::support::Source source("model.yaml", text);
+  gaussgen::support::Source source("model.yaml", text);
   gaussgen::support::Diagnostics diagnostics;
   auto model = gaussgen::read_model(source, diagnostics);
   INFO(gaussgen::support::render(diagnostics, source));

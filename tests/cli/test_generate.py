@@ -115,6 +115,16 @@ class Depfile(Program):
         self.ok("a #1 $x.yaml", "-o", "o p", "--depfile", "m.d")
         self.assertEqual((self.folder / "m.d").read_text(), "o\\ p/particle.hpp: a\\ \\#1\\ $$x.yaml\n")
 
+    def test_it_names_the_files_of_submodels_and_another_target(self):
+        (self.folder / "parts").mkdir()
+        self.write("parts/point.yaml", PARTICLE)
+        self.write("m.yaml", "gauss: 1\nname: two\nsubmodels:\n  p_$i: {count: 2, file: parts/point.yaml}\n")
+        self.ok("m.yaml", "--depfile", "m.d", "--depfile-target", "a stamp")
+        self.assertEqual((self.folder / "m.d").read_text(), "a\\ stamp: m.yaml parts/point.yaml\n")
+        # The header of a model that stands alone follows nothing else.
+        self.ok("parts/point.yaml", "--depfile", "m.d")
+        self.assertEqual((self.folder / "m.d").read_text(), "particle.hpp: parts/point.yaml\n")
+
     def test_standard_input_is_nothing_to_depend_on(self):
         self.ok("-", "--depfile", "m.d", stdin=PARTICLE)
         self.assertEqual((self.folder / "m.d").read_text(), "particle.hpp:\n")

@@ -5,7 +5,7 @@ import unittest
 
 from gauss_gen import SKEW, SOURCE, Program
 
-OPTIONS = {"": ["--output", "--check", "--list-outputs", "--depfile", "--namespace", "--outputs", "--fold", "--route", "--dump",
+OPTIONS = {"": ["--output", "--check", "--list-outputs", "--depfile", "--depfile-target", "--namespace", "--outputs", "--fold", "--route", "--dump",
                 "--timings", "--diagnostics", "--color", "--man", "--help", "--version"],
            "evaluate": ["--set", "--time", "--digits", "--format", "--diagnostics", "--color", "--help"],
            "derivation": ["--output", "--format", "--diagnostics", "--color", "--help"],

@@ -13,7 +13,7 @@ namespace {
 /// The lines of `sections` begin at line 7.
 std::string found_in(const std::string& sections, const PipelineOptions& options = {}) {
   const std::string head = "gauss: 1\nname: start\nparameters:\n  m: 2\n  J: 3\n\n";
-  const support::Source source("m.yaml", head + sections);
+  support::Source source("m.yaml", head + sections);
   support::Diagnostics diagnostics;
   compile(source, options, diagnostics, {});
   return support::render(diagnostics, source);
@@ -188,8 +188,8 @@ TEST_CASE("a point at which no force is reported is named") {
 }
 
 TEST_CASE("warnings do not keep the header back") {
-  const support::Source source("m.yaml", "gauss: 1\nname: start\nparameters:\n  m: 2\n" +
-                                             plane("initial_rate: 1", "initial_rate: 0", "dot(x) - dot(y)"));
+  support::Source source("m.yaml", "gauss: 1\nname: start\nparameters:\n  m: 2\n" +
+                                       plane("initial_rate: 1", "initial_rate: 0", "dot(x) - dot(y)"));
   support::Diagnostics diagnostics;
   const auto result = compile(source, {}, diagnostics, {});
   REQUIRE(result);

@@ -20,6 +20,7 @@ SHAPE = {f"E{i:03}" for i in (*range(4, 8), *range(9, 17))}
 BEYOND_A_SCHEMA = [
     r"(body|particle) '\w+' needs the key 'position'",  # unless a frame has its name
     r"'initial_angular_velocity' has no key ",  # its keys are names of the model
+    r"'\w+' is there already",  # written out by 'count'
 ]
 
 # {value: max(a, b)}: the program puts together what YAML takes apart at the comma, and other readers of YAML do not.
@@ -131,7 +132,7 @@ class Schema(Program):
 
     def test_every_model_of_the_project_is_accepted(self):
         models = [*MODELS.rglob("*.yaml"), *(SOURCE / "tests").rglob("*.yaml")]
-        models = [path for path in models if path.parent.name != "diagnostics"]
+        models = [path for path in models if "diagnostics" not in path.parts]
         self.assertGreaterEqual(len(models), 10)
         for path in models:
             with self.subTest(path.name):
@@ -146,7 +147,11 @@ class Schema(Program):
         found = set()
         for path in sorted((SOURCE / "tests/diagnostics").glob("*.yaml")):
             text = path.with_suffix(".txt").read_text(encoding="utf-8", errors="replace")
-            codes = set(re.findall(r" (?:error|warning)\[(\w+)\]", text))
+            # Of this file, not of those that it names.
+            found_here = re.findall(rf"(?m)/{path.name}:\d+:\d+: (?:error|warning)\[(\w+)\]: (.*)", text)
+            codes = {code for code, said in found_here if not any(re.match(known, said) for known in BEYOND_A_SCHEMA)}
+            if not codes:
+                continue
             with self.subTest(path.name):
                 accepted = self.accepts_text(path.read_bytes())
                 if codes & SHAPE:
@@ -158,6 +163,7 @@ class Schema(Program):
 
     def test_program_and_schema_judge_every_slip_of_shape_alike(self):
         """Whatever the program says of keys and kinds, the schema says; and what the schema rejects, the program does."""
+        self.write("part.yaml", PART)
         document = self.load(EVERYTHING)
         self.assertEqual(self.run_it("--list-outputs", "-", stdin=json.dumps(document)).stderr.count("error["), 0)
         slips = list(slips_in(document))
@@ -173,11 +179,23 @@ class Schema(Program):
                     self.assertTrue(accepted, "the schema rejects it")
 
 
+PART = """
+gauss: 1
+name: part
+parameters: {r: 1}
+joints: {hinge: {type: revolute, child: bar}}
+bodies: {bar: {mass: 1, inertia: 1, centre: [r, 0, 0]}}
+forces: {gravity: {uniform: [0, 0, -9]}}
+"""
+
 # Every section, every law, every type of joint.
 EVERYTHING = """
 gauss: 1
 name: everything
 about: all keys of the format
+counts: {n: 2}
+submodels:
+  s_$i: {count: n, file: part.yaml, on: a, parameters: {r: L}, without: [gravity], about: part}
 parameters: {m: {value: 1, unit: kg, about: mass}, J: 1, L: {value: 2}}
 inputs: {F: {value: 1}, G: 2}
 tables:
@@ -218,6 +236,8 @@ bodies:
 particles:
   p1: {mass: m, position: [x, y, h], about: particle}
   p2: {mass: m, frame: k3, centre: [0, 0, 1]}
+  p3_$i_$j: {count: [n, 2], mass: $(i*j), position: [x, y, h]}
+  p4_$i: {count: n, mass: m, position: [x, y, h]}
 constraints:
   c1: {velocity: dot(x) - dot(y), point: [x, 0, 0], about: law}
   c2: {equation: x - y - L}
@@ -233,6 +253,7 @@ forces:
   f5: {torque: [0, 0, 1], on: b1, from: a, in: a}
   f6: {spring: [P, Q], stiffness: 1, length: 1, damping: 1}
   f7: {spring: x, stiffness: 1, rest: 1}
+quantities: {h: x, v: [x, y, 0], w: {value: dot(x), unit: m/s, about: rate}}
 outputs: [rhs, energy]
 """
 

@@ -14,7 +14,7 @@ namespace {
 support::Source source_of(const std::string& sections) { return {"m.yaml", "gauss: 1\nname: structure\n" + sections}; }
 
 std::string found_in(const std::string& sections, const PipelineOptions& options = {}) {
-  const support::Source source = source_of(sections);
+  support::Source source = source_of(sections);
   support::Diagnostics diagnostics;
   const auto result = compile(source, options, diagnostics, {});
   CHECK(result.has_value() == !diagnostics.has_errors());
@@ -28,7 +28,7 @@ std::string on_the_papers_route(const std::string& sections) {
 }
 
 std::string of_derivation(const std::string& sections) {
-  const support::Source source = source_of(sections);
+  support::Source source = source_of(sections);
   support::Diagnostics diagnostics;
   const auto model = model::build_model(source, diagnostics);
   REQUIRE(model);

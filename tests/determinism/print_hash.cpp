@@ -16,6 +16,7 @@
 #include "model/build.hpp"
 #include "paper.hpp"
 #include "pipeline.hpp"
+#include "support/files.hpp"
 
 using namespace gaussgen;
 
@@ -46,10 +47,11 @@ std::vector<GiNaC::ex> unused_symbols(std::mt19937& random) {
 
 support::Source source_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  return {path, std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>())};
+  return {path, std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()),
+          support::read_regular_file};
 }
 
-void add_headers(const support::Source& source, Hash& hash) {
+void add_headers(support::Source& source, Hash& hash) {
   for (const Route route : {Route::emitted, Route::paper}) {
     for (const bool fold : {false, true}) {
       PipelineOptions options;
@@ -66,7 +68,7 @@ void add_headers(const support::Source& source, Hash& hash) {
   }
 }
 
-void add_derivations(const support::Source& source, Hash& hash) {
+void add_derivations(support::Source& source, Hash& hash) {
   support::Diagnostics diagnostics;
   const auto model = model::build_model(source, diagnostics);
   for (const bool latex : {false, true}) hash.add(derivation_text(*model, latex, diagnostics));
@@ -81,7 +83,7 @@ int main(int argc, char** argv) {
   Hash hash;
   for (int i = 2; i < argc; ++i) {
     for (GiNaC::ex& symbol : unused_symbols(random)) unused.push_back(std::move(symbol));
-    const support::Source source = source_of(argv[i]);
+    support::Source source = source_of(argv[i]);
     add_headers(source, hash);
     add_derivations(source, hash);
   }

@@ -13,6 +13,7 @@
 #include "catch_shim.hpp"
 #include "model/build.hpp"
 #include "support/error_codes.hpp"
+#include "support/files.hpp"
 
 namespace fs = std::filesystem;
 using namespace gaussgen;
@@ -28,8 +29,16 @@ std::string read(const fs::path& path) {
   return text.str();
 }
 
+/// Messages name files from the root of the project, wherever that is.
+support::Source source_of(const fs::path& path) {
+  const auto read_part = [](const std::string& name, std::string& why) {
+    return support::read_regular_file(std::string(GAUSS_SOURCE_DIR) + "/" + name, why);
+  };
+  return {"tests/diagnostics/" + path.filename().string(), read(path), read_part};
+}
+
 std::string rendered(const fs::path& path) {
-  const support::Source source("tests/diagnostics/" + path.filename().string(), read(path));
+  support::Source source = source_of(path);
   support::Diagnostics diagnostics;
   const bool built = model::build_model(source, diagnostics).has_value();
   CHECK(built == !diagnostics.has_errors());
@@ -76,7 +85,7 @@ TEST_CASE("a file is named after a code that it raises") {
 
 TEST_CASE("every finding says what to do") {
   for (const fs::path& path : cases()) {
-    const support::Source source("m.yaml", read(path));
+    support::Source source = source_of(path);
     support::Diagnostics diagnostics;
     model::build_model(source, diagnostics);
     for (const support::Diagnostic& found : diagnostics.all()) {

@@ -4,9 +4,8 @@
 #include <ginac/ginac.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <sstream>
+#include <string>
 #include <vector>
 
 #include "gauss/oracle/route_symbols.hpp"
@@ -14,6 +13,7 @@
 #include "lower/derivation.hpp"
 #include "lower/paper_route.hpp"
 #include "model/build.hpp"
+#include "support/files.hpp"
 
 using namespace gaussgen;
 
@@ -30,10 +30,8 @@ void print(const ir::Graph& graph, const char* what, const std::vector<std::stri
 
 int main(int argc, char** argv) {
   const std::vector<GiNaC::realsymbol> unused(argc > 2 ? static_cast<std::size_t>(std::atoi(argv[2])) : 0);
-  std::ifstream file(argv[1]);
-  std::stringstream text;
-  text << file.rdbuf();
-  const support::Source source(argv[1], text.str());
+  std::string why;
+  support::Source source(argv[1], support::read_file(argv[1], why).value(), support::read_regular_file);
   support::Diagnostics diagnostics;
   const auto model = model::build_model(source, diagnostics);
   if (!model) {

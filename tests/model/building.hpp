@@ -21,7 +21,10 @@ struct Built {
   std::optional<gaussgen::model::Model> model;
 
   explicit Built(const std::string& text, const std::string& name = "m.yaml")
-      : source(name, text), model(gaussgen::model::build_model(source, diagnostics)) {}
+      : Built(gaussgen::support::Source(name, text)) {}
+
+  explicit Built(gaussgen::support::Source of)
+      : source(std::move(of)), model(gaussgen::model::build_model(source, diagnostics)) {}
 
   /// All codes in the order of the checks: "E031 E040".
   std::string codes() const {

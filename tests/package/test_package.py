@@ -106,6 +106,32 @@ class Package(unittest.TestCase):
         self.make()
         self.assert_pendulum(2 * LENGTH)
 
+    def assert_follows_the_files_of_submodels(self, generator):
+        (self.source / "parts").mkdir()
+        part = self.source / "parts/rod.yaml"
+        part.write_text(f"gauss: 1\nname: rod\nparameters:\n  length: {{value: {LENGTH}, unit: m}}\n", encoding="utf-8")
+        self.edit(f"value: {LENGTH}", "value: rod_length")
+        with open(self.source / "pendulum.yaml", "a", encoding="utf-8") as model:
+            model.write("submodels: {rod: {file: parts/rod.yaml}}\n")
+        self.configure(generator)
+        self.make()
+        self.assert_pendulum(LENGTH)
+        self.assertNotIn("Generating", self.make())
+        part.write_text(part.read_text().replace(str(LENGTH), str(2 * LENGTH)), encoding="utf-8")
+        self.assertIn("Generating pendulum.hpp", self.make())
+        self.assert_pendulum(2 * LENGTH)
+        self.assertNotIn("Generating", self.make())
+
+    def test_the_files_of_submodels_are_followed_with_ninja(self):
+        if not shutil.which("ninja"):
+            self.skipTest("there is no ninja on this machine")
+        self.assert_follows_the_files_of_submodels("Ninja")
+
+    def test_the_files_of_submodels_are_followed_with_make(self):
+        if not shutil.which("make"):
+            self.skipTest("there is no make on this machine")
+        self.assert_follows_the_files_of_submodels("Unix Makefiles")
+
     def test_a_model_may_be_one_flow_mapping(self):
         # The braces in words hide the name from all but the generator.
         flow = ('{gauss: 1, about: "a {", name: pendulum, parameters: {m: {value: 1, about: "}"}, l: 0.8, g: 9.81}, '

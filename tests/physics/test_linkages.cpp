@@ -28,6 +28,20 @@ void check_in_plane(const Found& found, const reference::Json& expected, double 
   CHECK(found[2] == Approx(0).margin(1e-12));
 }
 
+/// Where the end of the lower rod is, and how fast, from the angles of both rods against the vertical.
+void check_tip(double t, const rods::State<double>& state, const rods::Prepared<double>& prepared, double l1, double l2) {
+  const double a = state.pivot(), b = a + state.elbow();
+  const double a_dot = state.pivot_dot(), b_dot = a_dot + state.elbow_dot();
+  rods::Quantities<double> found;
+  REQUIRE(quantities(t, state, {}, prepared, found) == gauss::Status::ok);
+  CHECK(found.tip[0] == Approx(l1 * std::sin(a) + l2 * std::sin(b)).margin(1e-14));
+  CHECK(found.tip[1] == Approx(-l1 * std::cos(a) - l2 * std::cos(b)).margin(1e-14));
+  CHECK(found.tip[2] == 0);
+  CHECK(found.reach == Approx(std::sqrt(l1 * l1 + l2 * l2 + 2 * l1 * l2 * std::cos(a - b))));
+  const double square = l1 * l1 * a_dot * a_dot + l2 * l2 * b_dot * b_dot + 2 * l1 * l2 * a_dot * b_dot * std::cos(a - b);
+  CHECK(found.speed == Approx(std::sqrt(square)).margin(1e-12));
+}
+
 }  // namespace
 
 TEST_CASE("a four-bar linkage moves and transmits the forces of the reference in all four joints") {
@@ -99,6 +113,7 @@ TEST_CASE("a double pendulum of rods swings as the reference says, with the forc
                           REQUIRE(joint_reactions(t, state, inputs, prepared, joints) == gauss::Status::ok);
                           check_in_plane(joints.pivot.force, sample["pivot_force_xy"]);
                           check_in_plane(joints.elbow.force, sample["elbow_force_on_rod2_xy"]);
+                          check_tip(t, state, prepared, number(file["params"]["l1"]), number(file["params"]["l2"]));
                           CHECK(joints.pivot.moment[2] == Approx(0).margin(1e-12));
                           CHECK(joints.elbow.moment[2] == Approx(0).margin(1e-12));
                         });

@@ -68,7 +68,7 @@ PaperNumbers::PaperNumbers(const model::Model& model, const nonholonomic::PaperS
 }
 
 model::Model model_of_text(const std::string& text) {
-  const support::Source source("model.yaml", text);
+  support::Source source("model.yaml", text);
   support::Diagnostics diagnostics;
   auto model = model::build_model(source, diagnostics);
   INFO(support::render(diagnostics, source));

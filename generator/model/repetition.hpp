@@ -1,0 +1,11 @@
+#pragma once
+// `count: 3`: an entry of which there are several, with `$i` in its name and its texts. Private to the folder.
+
+#include "model/reading.hpp"
+
+namespace gaussgen::model {
+
+/// The same file with every entry written out, and without `counts`.
+spec::Node repeated(const spec::Node& root, Reading& reading);
+
+}  // namespace gaussgen::model

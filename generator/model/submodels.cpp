@@ -1,0 +1,300 @@
+#include "model/submodels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "model/fields.hpp"
+#include "model/format.hpp"
+#include "model/names.hpp"
+#include "model/renaming.hpp"
+#include "model/repetition.hpp"
+#include "model/sections.hpp"
+#include "spec/reader.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+using spec::Entry;
+using spec::Node;
+using spec::NodeKind;
+
+namespace {
+
+constexpr const char* k_submodels = "submodels";
+constexpr std::size_t k_most_files = 64;
+constexpr std::size_t k_deepest = 8;
+
+Node* find_in(Node& map, const std::string& key) {
+  for (Entry& entry : map.entries) {
+    if (entry.key.text == key) return &entry.value;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> names_in(const Node* section) {
+  std::vector<std::string> names;
+  if (section == nullptr) return names;
+  for (const Entry& entry : section->entries) names.push_back(entry.key.text);
+  return names;
+}
+
+/// A path in a file is relative to that file.
+std::string beside(const std::string& file, const std::string& path) {
+  const std::size_t slash = file.find_last_of('/');
+  return path.empty() || path.front() == '/' || slash == std::string::npos ? path : file.substr(0, slash + 1) + path;
+}
+
+Node scalar_of(const spec::LocatedText& text) {
+  Node node;
+  node.kind = NodeKind::scalar;
+  node.span = text.span;
+  node.scalar = text;
+  return node;
+}
+
+class Submodels {
+ public:
+  Submodels(support::Source& source, Reading& reading) : source_(source), reading_(reading) {}
+
+  /// `file` is the name of the file in which `root` stands.
+  Node assembled(const Node& root, std::string file) {
+    Node result = repeated(root, reading_);
+    const Node* section = spec::find(result, k_submodels);
+    if (section == nullptr) return result;
+    const Node parts = *section;
+    auto& entries = result.entries;
+    entries.erase(
+        std::find_if(entries.begin(), entries.end(), [](const Entry& e) { return e.key.text == k_submodels; }));
+    if (parts.kind == NodeKind::empty) return result;
+    if (!expect_map(parts, parts.span, "'submodels'", reading_)) {
+      reading_.incomplete = true;
+      return result;
+    }
+    for (const Entry& part : parts.entries) take(part, file, result);
+    return result;
+  }
+
+ private:
+  void take(const Entry& part, const std::string& file, Node& model) {
+    const std::string where = fmt::format("submodel '{}'", part.key.text);
+    if (check_name(name_of(part.key), reading_) && expect_map(part.value, part.key.span, where, reading_)) {
+      check_keys(part.value, where, format::keys_of(format::submodel()), reading_);
+      text_field(part.value, "about", reading_);  // for readers of the file
+      const Node* path = required(part.value, "file", part.key.span, where, reading_);
+      if (path != nullptr && expect_scalar(*path, part.key.span, "'file'", reading_)) {
+        std::optional<Node> content = read(beside(file, path->scalar.text), path->span);
+        if (content && fit(part, *content)) return merge(std::move(*content), model);
+      }
+    }
+    // What other parts of the model miss may stand in it.
+    reading_.incomplete = true;
+  }
+
+  std::nullopt_t refuse(support::Span at, std::string message, std::string hint) {
+    reading_.diagnostics.error(code::k_submodel_file, at, std::move(message), std::move(hint));
+    return std::nullopt;
+  }
+
+  /// The file with its own repetitions and submodels written out; read once, however often it is taken.
+  std::optional<Node> read(const std::string& path, support::Span at) {
+    if (std::find(open_.begin(), open_.end(), path) != open_.end() || path == source_.name())
+      return refuse(at, fmt::format("'{}' is a submodel of itself", path),
+                    "take the common part into a file of its own");
+    if (const auto known = files_.find(path); known != files_.end()) return known->second;
+    if (open_.size() >= k_deepest || files_.size() >= k_most_files)
+      return refuse(at, "too many files", fmt::format("{} files, {} deep, are the limit", k_most_files, k_deepest));
+    open_.push_back(path);
+    std::optional<Node> content = read_new(path, at);
+    open_.pop_back();
+    files_[path] = content;
+    return content;
+  }
+
+  std::optional<Node> read_new(const std::string& path, support::Span at) {
+    std::string why;
+    const std::optional<std::string> text = source_.read(path, why);
+    if (!text) return refuse(at, fmt::format("'{}': {}", path, why), "the path is relative to the file that names it");
+    const std::optional<Node> root = spec::read_yaml_behind(source_, path, *text, reading_.diagnostics);
+    if (!root || !expect_map(*root, root->span, "a model file", reading_)) return std::nullopt;
+    Node content = assembled(*root, path);
+    read_version(content, reading_);
+    check_keys(content, "a model file", format::keys_of(format::model_file()), reading_);
+    return content;
+  }
+
+  /// Names, parameters and place of the part as the model around it wants them.
+  bool fit(const Entry& part, Node& content) {
+    const std::size_t errors = reading_.diagnostics.all().size();
+    drop_header(content);
+    leave_out(part, content);
+    // Before values of the model around come in, whose names stay.
+    const Node* on = spec::find(part.value, "on");
+    if (on != nullptr) {
+      if (!expect_scalar(*on, part.key.span, "'on'", reading_)) return false;
+      check_place(part, content);
+    }
+    check_fields(part, content);
+    check_parameters(part, content);
+    prefix_names(content, part.key.text + "_");
+    set_parameters(part, content);
+    if (on != nullptr) mount(content, on->scalar);
+    return reading_.diagnostics.all().size() == errors;
+  }
+
+  static void drop_header(Node& content) {
+    const auto is_header = [](const Entry& entry) {
+      static const std::vector<std::string> k_header{"gauss", "name", "about", "elimination", "outputs"};
+      return std::find(k_header.begin(), k_header.end(), entry.key.text) != k_header.end();
+    };
+    auto& entries = content.entries;
+    entries.erase(std::remove_if(entries.begin(), entries.end(), is_header), entries.end());
+  }
+
+  void leave_out(const Entry& part, Node& content) {
+    const Node* names = spec::find(part.value, "without");
+    if (names == nullptr || !expect_list(*names, part.key.span, "'without'", reading_)) return;
+    for (const Node& name : names->items) {
+      if (!expect_scalar(name, names->span, "what is left out", reading_)) continue;
+      if (!leave_out(name.scalar.text, content))
+        reading_.diagnostics.error(code::k_submodel_fit, name.span,
+                                   fmt::format("submodel '{}' has no entry '{}'", part.key.text, name.scalar.text),
+                                   "'without' names entries of its sections, such as a force");
+    }
+  }
+
+  static bool leave_out(const std::string& name, Node& content) {
+    bool is_found = false;
+    for (Entry& section : content.entries) {
+      auto& entries = section.value.entries;
+      const auto last =
+          std::remove_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key.text == name; });
+      is_found = is_found || last != entries.end();
+      entries.erase(last, entries.end());
+    }
+    return is_found;
+  }
+
+  /// A field acts on every mass of the model, and the model around has its own gravity.
+  void check_fields(const Entry& part, const Node& content) {
+    const Node* forces = spec::find(content, "forces");
+    if (forces == nullptr) return;
+    for (const Entry& force : forces->entries) {
+      if (force.value.kind != NodeKind::map || spec::find(force.value, "uniform") == nullptr) continue;
+      reading_.diagnostics.error(
+          code::k_submodel_fit, part.key.span,
+          fmt::format("'{}' of submodel '{}' would act on every mass of the model", force.key.text, part.key.text),
+          fmt::format("add 'without: [{}]', and let the model have its own", force.key.text));
+    }
+  }
+
+  /// Bodies with a position of their own cannot be put on a frame.
+  void check_place(const Entry& part, const Node& content) {
+    for (const char* section : {"bodies", "particles"}) {
+      const Node* bodies = spec::find(content, section);
+      if (bodies == nullptr) continue;
+      for (const Entry& body : bodies->entries) {
+        if (body.value.kind != NodeKind::map || spec::find(body.value, "position") == nullptr) continue;
+        reading_.diagnostics.error(
+            code::k_submodel_fit, part.key.span,
+            fmt::format("'{}' of submodel '{}' has its position in space, so nothing can carry it", body.key.text,
+                        part.key.text),
+            "place it on a frame or a joint there, or leave 'on' out");
+      }
+    }
+  }
+
+  void check_parameters(const Entry& part, const Node& content) {
+    const Node* values = spec::find(part.value, "parameters");
+    if (values == nullptr || !expect_map(*values, part.key.span, "'parameters'", reading_)) return;
+    const std::vector<std::string> known = names_in(spec::find(content, "parameters"));
+    for (const Entry& value : values->entries) {
+      if (std::find(known.begin(), known.end(), value.key.text) != known.end()) continue;
+      const std::string near = support::did_you_mean(value.key.text, known);
+      reading_.diagnostics.error(code::k_submodel_fit, value.key.span,
+                                 fmt::format("submodel '{}' has no parameter '{}'", part.key.text, value.key.text),
+                                 !near.empty()   ? near
+                                 : known.empty() ? "it has none"
+                                                 : "it has " + support::joined(known));
+    }
+  }
+
+  void set_parameters(const Entry& part, Node& content) {
+    const Node* values = spec::find(part.value, "parameters");
+    Node* parameters = find_in(content, "parameters");
+    if (values == nullptr || parameters == nullptr) return;
+    for (const Entry& value : values->entries) {
+      Node* parameter = find_in(*parameters, part.key.text + "_" + value.key.text);
+      if (parameter == nullptr) continue;
+      Node* inner = parameter->kind == NodeKind::map ? find_in(*parameter, "value") : parameter;
+      if (inner != nullptr) *inner = value.value;
+    }
+  }
+
+  /// What stands in space stands on the frame now.
+  static void mount(Node& content, const spec::LocatedText& frame) {
+    const std::pair<const char*, const char*> k_sections[] = {
+        {"frames", "parent"}, {"joints", "parent"}, {"points", "on"}};
+    for (const auto& [section, key] : k_sections) {
+      Node* entries = find_in(content, section);
+      if (entries == nullptr) continue;
+      for (Entry& entry : entries->entries) {
+        if (entry.value.kind == NodeKind::empty) entry.value.kind = NodeKind::map;
+        if (entry.value.kind != NodeKind::map) continue;
+        Node* parent = find_in(entry.value, key);
+        if (parent == nullptr) {
+          spec::LocatedText name = frame;
+          name.text = key;
+          name.origin.assign(name.text.size(), frame.span.begin);
+          entry.value.entries.push_back({std::move(name), scalar_of(frame)});
+        } else if (parent->kind == NodeKind::scalar && parent->scalar.text == "space") {
+          *parent = scalar_of(frame);
+        }
+      }
+    }
+  }
+
+  void merge(Node content, Node& model) {
+    for (Entry& section : content.entries) {
+      if (section.value.kind == NodeKind::empty) continue;
+      Node* own = find_in(model, section.key.text);
+      if (own != nullptr && own->kind == NodeKind::map && section.value.kind == NodeKind::map) {
+        for (Entry& entry : section.value.entries) add(std::move(entry), *own);
+      } else if (own == nullptr || own->kind == NodeKind::empty) {
+        if (own != nullptr) {
+          *own = std::move(section.value);
+        } else {
+          model.entries.push_back(std::move(section));
+        }
+      }
+    }
+  }
+
+  void add(Entry entry, Node& section) {
+    const auto same = std::find_if(section.entries.begin(), section.entries.end(),
+                                   [&](const Entry& other) { return other.key.text == entry.key.text; });
+    if (same == section.entries.end()) return section.entries.push_back(std::move(entry));
+    reading_.diagnostics.error(code::k_name_clash, same->key.span,
+                               fmt::format("'{}' is also a name that a submodel brings, of {}", entry.key.text,
+                                           reading_.line_text(entry.key.span)),
+                               "rename one of the two");
+  }
+
+  support::Source& source_;
+  Reading& reading_;
+  std::map<std::string, std::optional<Node>> files_;
+  std::vector<std::string> open_;  ///< files that are being read, the outermost first
+};
+
+}  // namespace
+
+Node with_submodels(const Node& root, support::Source& source, Reading& reading) {
+  return Submodels(source, reading).assembled(root, source.name());
+}
+
+}  // namespace gaussgen::model
