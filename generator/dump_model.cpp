@@ -41,6 +41,7 @@ class ModelText {
     section("inputs", model_.inputs);
     section("tables", model_.tables);
     section("coordinates", model_.coordinates);
+    section("speeds", model_.speeds);
     section("orientations", model_.orientations);
     add_frames();
     section("joints", model_.joints);
@@ -77,6 +78,15 @@ class ModelText {
     text_ += fmt::format("  {} = {}{}", input.name.text, written(input.value), remarks(input.unit, input.about));
   }
 
+  void add(const model::Speed& speed) {
+    const auto owner =
+        std::find_if(model_.coordinates.begin(), model_.coordinates.end(), [&](const model::Coordinate& coordinate) {
+          return coordinate.speed && &model_.speeds[*coordinate.speed] == &speed;
+        });
+    text_ += fmt::format("  {} = {}, initial {}{}", speed.name.text, written(speed.is), written(owner->initial_rate),
+                         remarks(speed.unit, speed.about));
+  }
+
   void add(const model::NamedQuantity& quantity) {
     const std::string value = quantity.values.size() == 1 ? written(quantity.values.front()) : written(quantity.values);
     text_ += fmt::format("  {} = {}{}", quantity.name.text, value, remarks(quantity.unit, quantity.about));
@@ -98,6 +108,7 @@ class ModelText {
   }
 
   std::string start(const model::Coordinate& coordinate) const {
+    if (coordinate.speed) return "initial " + written(coordinate.start());
     const std::string guess = coordinate.rate_guess ? ", guess " + written(*coordinate.rate_guess) : "";
     return fmt::format("initial {}, initial rate {}{}", written(coordinate.start()), written(coordinate.initial_rate),
                        guess);

@@ -27,9 +27,12 @@ strategy::Solution solved(const Mechanics& mechanics, const MechanicsOptions& op
 }
 
 // Rates of coordinates are speeds and need no name; those of quaternions are expressions.
-void name_quaternion_rates(Mechanics& mechanics) {
-  if (mechanics.symbols.first_quaternion_component.empty()) return;
-  mechanics.steps.begin("rates of the quaternions: half the product with (0, omega) (theory.md, section 5)");
+void name_rates(Mechanics& mechanics) {
+  const bool has_quaternions = !mechanics.symbols.first_quaternion_component.empty();
+  if (!has_quaternions && mechanics.model.speeds.empty()) return;
+  mechanics.steps.begin(mechanics.model.speeds.empty()
+                            ? "rates of the quaternions: half the product with (0, omega) (theory.md, section 5)"
+                            : "rates of the configuration from the speeds (theory.md, section 5)");
   for (const auto i : mechanics.symbols.configuration.indices()) {
     ir::Expr& rate = mechanics.kinematics.configuration_rates[i];
     rate = mechanics.steps.name(rate, mechanics.symbols.configuration[i].name + "_dot");
@@ -47,7 +50,7 @@ Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& 
       dynamics(strategy::build_dynamics(kinematics, covariant, steps)),
       solution(solved(*this, options, steps)),
       held_reactions(strategy::held_reactions(dynamics, solution, steps)) {
-  name_quaternion_rates(*this);
+  name_rates(*this);
 }
 
 }  // namespace gaussgen

@@ -128,6 +128,9 @@ support::Span span_of_speed(const model::Model& model, const std::string& label)
   for (const model::Coordinate& coordinate : model.coordinates) {
     if (coordinate.name.text == label) return coordinate.name.span;
   }
+  for (const model::Speed& speed : model.speeds) {
+    if (speed.name.text == label) return speed.name.span;
+  }
   for (const model::Orientation& orientation : model.orientations) {
     for (const model::Name& name : orientation.angular_velocity) {
       if (name.text == label) return name.span;

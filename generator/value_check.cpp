@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "emit/header.hpp"
+#include "generic_point.hpp"
 #include "ir/substitute.hpp"
 #include "ir/traverse.hpp"
 #include "model/expressions.hpp"
@@ -41,10 +42,25 @@ class ValueCheck {
       is_good = false;
       report(innermost(ast));
     });
-    if (is_good) check_equations();
+    if (is_good) check_speeds();
+    if (is_good && !diagnostics_.has_errors()) check_equations();
   }
 
  private:
+  void check_speeds() {
+    const kinematics::Expressions& expressions = mechanics_.expressions;
+    if (mechanics_.model.speeds.empty()) return;
+    const bool is_found = expressions.has_rates();
+    if (is_found &&
+        generic_rank(GenericPoint(mechanics_)(expressions.speed_matrix())) == mechanics_.model.speeds.size())
+      return;
+    diagnostics_.error(
+        support::code::k_speeds, mechanics_.model.speeds.front().name.span, "the rates do not follow from the speeds",
+        is_found ? "one of them follows from the others; say something else by it"
+                 : "speeds are linear in rates, independent of each other, and no more than four rates are "
+                   "coupled in their definitions");
+  }
+
   Expr held(const Ast& ast) { return hold_(mechanics_.expressions(ast)); }
   bool has_value(Expr expression) const { return !mechanics_.graph.is_undefined(expression.id()); }
   bool has_value(const Ast& ast) { return has_value(held(ast)); }

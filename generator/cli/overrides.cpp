@@ -77,6 +77,8 @@ class Override {
     for (model::Coordinate& coordinate : model_.coordinates) {
       if (coordinate.name.text + "_dot" != rate) continue;
       if (coordinate.held_at) throw UsageError(held());
+      if (coordinate.speed)
+        throw UsageError(fmt::format("--set: '{}' follows from the speeds of the model; set these", name_));
       coordinate.initial_rate = value_;
       return true;
     }
@@ -99,6 +101,11 @@ class Override {
         return;
       case model::SymbolKind::quaternion_component:
         model_.orientations[ref.index / 4].initial[ref.index % 4] = value_;
+        return;
+      case model::SymbolKind::speed:
+        for (model::Coordinate& coordinate : model_.coordinates) {
+          if (coordinate.speed == ref.index) coordinate.initial_rate = value_;
+        }
         return;
       case model::SymbolKind::angular_velocity:
         model_.orientations[ref.index / 3].initial_angular_velocity[ref.index % 3] = value_;

@@ -2,7 +2,9 @@
 
 #include <map>
 
+#include "ir/substitute.hpp"
 #include "kinematics/place_symbols.hpp"
+#include "kinematics/solve_sparse.hpp"
 #include "model/functions.hpp"
 #include "support/assert.hpp"
 
@@ -24,16 +26,65 @@ Expressions::Expressions(const model::Model& model, const Symbols& symbols, ir::
   seed_rates();
 }
 
+// u = Y q̇ + Z, so q̇ = Y⁻¹ (u - Z), for the coordinates whose rates are in the definitions of the speeds.
+std::vector<Expr> Expressions::rates_from_speeds() {
+  std::vector<ir::SymbolId> rates;
+  std::vector<Expr> u;
+  defining_.emplace(graph_);
+  for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
+    const model::Coordinate& coordinate = model_.coordinates[i];
+    const Symbols::Place& place = symbols_.coordinates[i];
+    if (place.is_held) {
+      const HeldCoordinate& held = symbols_.held[HeldIndex{place.index}];
+      defining_->seed(held.symbol, symbol(held.rate));
+    } else if (coordinate.speed) {
+      rates.push_back(graph_.declare(ir::SymbolClass::speed, coordinate.name.text + "_dot"));
+      u.push_back(symbol(symbols_.speeds[FreeIndex{place.index}].symbol));
+      defining_->seed(symbols_.configuration[ConfigurationIndex{place.index}].symbol, symbol(rates.back()));
+    }
+  }
+  for (std::size_t i = 0; i < model_.orientations.size(); ++i) {
+    const std::array<Expr, 4> of_quaternion = quaternion_rates(i);
+    for (std::size_t k = 0; k < of_quaternion.size(); ++k) {
+      const ConfigurationIndex e{symbols_.first_quaternion_component[i].value + k};
+      defining_->seed(symbols_.configuration[e].symbol, of_quaternion[k]);
+    }
+  }
+  defining_->seed(symbols_.time, number(1));
+  ir::Substitution at_rest(graph_);
+  for (const ir::SymbolId rate : rates) at_rest.replace(rate, number(0));
+  for (std::size_t i = 0; i < model_.speeds.size(); ++i) {
+    const Expr is = (*this)(model_.speeds[i].is);
+    speed_matrix_.emplace_back();
+    for (const ir::SymbolId rate : rates) speed_matrix_.back().push_back(ir::partial(is, rate));
+    u[i] = u[i] - at_rest(is);
+  }
+  defining_.reset();
+  for (const auto& row : speed_matrix_) {
+    for (const Expr entry : row) has_rates_ = has_rates_ && at_rest(entry).id() == entry.id();
+  }
+  auto solution = has_rates_ ? solve_sparse(speed_matrix_, u) : std::nullopt;
+  has_rates_ = solution.has_value();
+  return solution.value_or(u);
+}
+
 void Expressions::seed_rates() {
-  for (const Symbols::Place& place : symbols_.coordinates) {
+  const std::vector<Expr> from_speeds = model_.speeds.empty() ? std::vector<Expr>() : rates_from_speeds();
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < symbols_.coordinates.size(); ++i) {
+    const Symbols::Place& place = symbols_.coordinates[i];
     if (place.is_held) {
       const HeldCoordinate& held = symbols_.held[HeldIndex{place.index}];
       time_derivative_.seed(held.symbol, symbol(held.rate));
+    } else if (model_.coordinates[i].speed) {
+      configuration_rates_.push_back(from_speeds[next++]);
     } else {
       configuration_rates_.push_back(symbol(symbols_.speeds[FreeIndex{place.index}].symbol));
     }
   }
-  for (std::size_t i = 0; i < model_.orientations.size(); ++i) quaternion_rates(i);
+  for (std::size_t i = 0; i < model_.orientations.size(); ++i) {
+    for (const Expr rate : quaternion_rates(i)) configuration_rates_.push_back(rate);
+  }
   for (const ConfigurationIndex i : configuration_rates_.indices()) {
     time_derivative_.seed(symbols_.configuration[i].symbol, configuration_rates_[i]);
   }
@@ -41,7 +92,7 @@ void Expressions::seed_rates() {
 }
 
 // ė = ½ (0, ω) ∘ e with ω in space, ė = ½ e ∘ (0, ω) with ω in the body (Wittenburg, Dynamics of Multibody Systems, 2.2).
-void Expressions::quaternion_rates(std::size_t orientation) {
+std::array<Expr, 4> Expressions::quaternion_rates(std::size_t orientation) {
   const ConfigurationIndex first = symbols_.first_quaternion_component[orientation];
   const auto e = [&](std::size_t i) {
     return symbol(symbols_.configuration[ConfigurationIndex{first.value + i}].symbol);
@@ -52,10 +103,11 @@ void Expressions::quaternion_rates(std::size_t orientation) {
   const ir::Vector3 vector{e(1), e(2), e(3)};
   const ir::Vector3 omega{u(0), u(1), u(2)};
   const Rational half = Rational(1) / 2;
-  configuration_rates_.push_back(-half * (vector[0] * omega[0] + vector[1] * omega[1] + vector[2] * omega[2]));
+  const Expr scalar = -half * (vector[0] * omega[0] + vector[1] * omega[1] + vector[2] * omega[2]);
   const bool in_space = model_.orientations[orientation].axes == model::Axes::space;
   const ir::Vector3 turn = in_space ? cross(omega, vector) : cross(vector, omega);
-  for (std::size_t i = 0; i < 3; ++i) configuration_rates_.push_back(half * (e(0) * omega[i] + turn[i]));
+  const auto component = [&](std::size_t i) { return half * (e(0) * omega[i] + turn[i]); };
+  return {scalar, component(0), component(1), component(2)};
 }
 
 Expr Expressions::operator()(const Ast& ast) {
@@ -119,6 +171,12 @@ Expr Expressions::resolved(const std::string& name) {
       const FreeIndex first = symbols_.first_angular_velocity[ref.index / 3];
       return symbol(symbols_.speeds[FreeIndex{first.value + ref.index % 3}].symbol);
     }
+    case model::SymbolKind::speed:
+      for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
+        if (model_.coordinates[i].speed != ref.index) continue;
+        return symbol(symbols_.speeds[FreeIndex{symbols_.coordinates[i].index}].symbol);
+      }
+      return number(0);
     case model::SymbolKind::place: return place(ref.index / 3, ref.index % 3);
   }
   return number(0);

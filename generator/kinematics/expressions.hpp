@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <unordered_map>
 
 #include "ir/differentiate.hpp"
@@ -25,11 +26,15 @@ class Expressions {
 
   /// Total time derivative along the motion with accelerations left out: d/dt of a position expression is its velocity,
   /// of a velocity expression its part that holds no acceleration (theory, section 4: h, Θ, η).
-  ir::Expr rate(ir::Expr expression) { return time_derivative_(expression); }
+  ir::Expr rate(ir::Expr expression) { return (defining_ ? *defining_ : time_derivative_)(expression); }
   ir::Vector3 rate(const ir::Vector3& v) { return {rate(v[0]), rate(v[1]), rate(v[2])}; }
 
   /// q̇ as functions of q and u.
   const support::Indexed<ConfigurationIndex, ir::Expr>& configuration_rates() const { return configuration_rates_; }
+
+  /// ∂u/∂q̇ of the speeds that the model defines, which have to have an inverse that is found; empty without them.
+  const std::vector<std::vector<ir::Expr>>& speed_matrix() const { return speed_matrix_; }
+  bool has_rates() const { return has_rates_; }
 
   Frames& frames() { return frames_; }
 
@@ -48,7 +53,8 @@ class Expressions {
   ir::Expr call(const model::Ast& ast);
   ir::Expr cases(const model::Ast& piecewise);
   void seed_rates();
-  void quaternion_rates(std::size_t orientation);
+  std::vector<ir::Expr> rates_from_speeds();
+  std::array<ir::Expr, 4> quaternion_rates(std::size_t orientation);
 
   const model::Model& model_;
   const Symbols& symbols_;
@@ -57,6 +63,9 @@ class Expressions {
   std::unordered_map<std::size_t, ir::Expr> folded_;  ///< values of parameters
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates_;
   ir::Directional time_derivative_;
+  std::optional<ir::Directional> defining_;  ///< with the rates as symbols, where they are not known yet
+  std::vector<std::vector<ir::Expr>> speed_matrix_;
+  bool has_rates_ = true;
   Frames frames_;
   PlaceSymbols* watched_ = nullptr;
 };

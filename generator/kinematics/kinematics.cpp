@@ -214,7 +214,7 @@ class Builder {
   }
 
   void apply(const model::GeneralizedForce& law, Kinematics& result) {
-    for (const auto& [name, value] : law.components) result.other_force[component(name.text)] += expressions_(value);
+    for (const auto& [name, value] : law.components) act_along(velocity_of(name.text), expressions_(value), result);
   }
 
   void apply(const model::PointForce& law, Kinematics& result) {
@@ -257,7 +257,7 @@ class Builder {
     const Expr stretch = law.rest ? y - expressions_(*law.rest) : y;
     const Expr c = law.damping ? expressions_(*law.damping) : number(0);
     result.potential += support::Rational(1) / 2 * k * ir::pow(stretch, 2);
-    result.other_force[component(law.coordinate.text)] -= k * stretch + c * expressions_.rate(y);
+    act_along(expressions_.rate(y), -(k * stretch + c * expressions_.rate(y)), result);
   }
 
   Vector3 resolved(std::size_t axes, const std::array<model::Ast, 3>& components) {
@@ -312,13 +312,15 @@ class Builder {
            std::all_of(turns->begin(), turns->end(), [&](const model::Turn& turn) { return is_constant(turn.angle); });
   }
 
-  FullIndex component(const std::string& name) const {
-    const model::SymbolRef ref = model_.resolve(name);
-    if (ref.kind == model::SymbolKind::angular_velocity) {
-      return FullIndex{symbols_.first_angular_velocity[ref.index / 3].value + ref.index % 3};
-    }
-    const Symbols::Place& place = symbols_.coordinates[ref.index];
-    return place.is_held ? symbols_.full(HeldIndex{place.index}) : symbols_.full(FreeIndex{place.index});
+  /// The rate of a coordinate, an angular velocity or a speed: what times the generalized force is power.
+  Expr velocity_of(const std::string& name) {
+    const bool is_coordinate = model_.resolve(name).kind == model::SymbolKind::coordinate;
+    return is_coordinate ? expressions_.rate(expressions_(name)) : expressions_(name);
+  }
+
+  /// Q_A = Q ∂v/∂ẏ^A
+  void act_along(Expr velocity, Expr force, Kinematics& result) {
+    for (const FullIndex i : result.other_force.indices()) result.other_force[i] += force * partial(velocity, i);
   }
 
   const model::Model& model_;

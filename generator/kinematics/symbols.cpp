@@ -44,6 +44,12 @@ class Declaration {
     symbols_.coordinates.push_back({false, symbols_.speeds.size()});
     symbols_.configuration.push_back(
         {graph_.declare(SymbolClass::configuration, name), name, coordinate.unit, coordinate.about});
+    if (coordinate.speed) {
+      const model::Speed& speed = model_.speeds[*coordinate.speed];
+      declare_speed(speed.name.text, speed.name.text + "_dot", speed.name.text, speed.unit, speed.about);
+      symbols_.speeds[FreeIndex{symbols_.speeds.size() - 1}].replaces_rate = true;
+      return;
+    }
     declare_speed(name + "_dot", name + "_ddot", name, rate_unit(coordinate.unit), "rate of " + name);
   }
 

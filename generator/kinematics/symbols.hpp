@@ -29,6 +29,8 @@ struct Speed {
   std::string unit;
   std::string about;
 
+  bool replaces_rate = false;  ///< of the coordinate with its index
+
   bool is_of_length() const { return unit == "m/s"; }
 };
 
@@ -63,7 +65,7 @@ struct Symbols {
 
   std::size_t free_count() const { return speeds.size(); }
   std::size_t full_count() const { return speeds.size() + held.size(); }
-  /// Free coordinates whose rates are the speeds of the same index; quaternions follow.
+  /// Free coordinates; the speeds of the same index are their rates, or take their place. Quaternions follow.
   std::size_t plain_count() const {
     return first_angular_velocity.empty() ? speeds.size() : first_angular_velocity.front().value;
   }

@@ -20,6 +20,7 @@ std::vector<ir::NodeId> lowered(const symbolic::Row<Index>& row, PaperLowering& 
 }  // namespace
 
 std::string paper_route_obstacle(const model::Model& model) {
+  if (!model.speeds.empty()) return "it is written in the rates of coordinates, and this model has 'speeds'";
   const std::size_t full_count = model.coordinates.size() + 3 * model.orientations.size();
   if (full_count <= gauss::k_largest_full_count) return "";
   return fmt::format("the paper's route takes up to {} coordinates; this model has {}", gauss::k_largest_full_count,

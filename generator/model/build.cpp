@@ -41,6 +41,7 @@ void read_sections(const spec::Node& root, Reading& reading) {
   read_orientations(root, reading);
   read_frames(root, reading);
   read_joints(root, reading);
+  read_speeds(root, reading);
   check_rate_names(reading);
   read_bodies(root, reading);
   order_frames(reading);

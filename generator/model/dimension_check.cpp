@@ -61,6 +61,8 @@ Measure wanted_at(const Slot& slot, const Model& model) {
     case Quantity::rate_of_owner: return rate_of(owner);
     case Quantity::force_on_owner: {
       const auto symbol = model.symbols.find(slot.owner->text);
+      const bool is_speed = symbol != model.symbols.end() && symbol->second.kind == SymbolKind::speed;
+      if (is_speed) return owner.kind == Kind::known ? known(energy() * per_second() / owner.dimension) : Measure{};
       return force_on(owner, symbol != model.symbols.end() && symbol->second.kind == SymbolKind::angular_velocity);
     }
     case Quantity::stiffness_on_owner: return over(force_on(owner, false), owner);
@@ -93,6 +95,17 @@ class DimensionCheck {
       if (measure.kind != Kind::known) continue;
       parameter.dimension = measure.dimension;
       parameter.unit = unit_of(measure);
+    }
+  }
+
+  void complete_speeds() {
+    for (Speed& speed : reading_.model.speeds) {
+      if (!speed.unit.empty()) continue;
+      const Measure measure = infer_(speed.is);
+      done_.insert(&speed.is);
+      if (measure.kind != Kind::known) continue;
+      speed.dimension = measure.dimension;
+      speed.unit = unit_of(measure);
     }
   }
 
@@ -186,6 +199,7 @@ void check_dimensions(Reading& reading) {
   if (!has_units(reading.model)) return;
   DimensionCheck dimensions(reading);
   dimensions.complete_parameters();
+  dimensions.complete_speeds();
   dimensions.complete_quantities();
   for_each_slot(reading.model, [&](const Ast& ast, const Slot& slot) { dimensions.check(ast, slot); });
   // Next to errors this is of no interest.

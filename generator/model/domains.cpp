@@ -29,6 +29,7 @@ const char* kind_name(SymbolKind kind) {
     case SymbolKind::coordinate: return "the coordinate";
     case SymbolKind::quaternion_component: return "the quaternion component";
     case SymbolKind::angular_velocity: return "the angular velocity";
+    case SymbolKind::speed: return "the speed";
     case SymbolKind::place: return "the place";
   }
   return "the symbol";
@@ -43,6 +44,7 @@ bool allows(const Place& place, SymbolKind kind) {
     case SymbolKind::coordinate:
     case SymbolKind::quaternion_component: return place.coordinates;
     case SymbolKind::angular_velocity: return place.speeds;
+    case SymbolKind::speed: return place.speeds && !place.defines_speeds;
     case SymbolKind::place: return place.places;
   }
   return false;

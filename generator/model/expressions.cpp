@@ -31,6 +31,18 @@ constexpr Place k_input{"the default of an input", "it is a plain number", "use 
 constexpr Place k_held = differentiated(
     2, {"'held_at'", "a held coordinate follows a given law of time", "use parameters and t", true, true, false, false,
         false, "hold a gap instead: 'gap: {held_at: 0}', and write gap + this formula into the positions"});
+constexpr Place k_speed = [] {
+  Place place{"a speed",
+              "it says how rates make it up",
+              "use rates such as dot(x), angular velocities, coordinates, parameters and t",
+              true,
+              true,
+              true,
+              true};
+  place.defines_speeds = true;
+  place.derivatives = 1;
+  return place;
+}();
 constexpr Place k_initial{"an initial value", "it is known before the motion starts", "use numbers and parameters"};
 constexpr Place k_mass =
     in(Quantity::mass, {"the mass of a body", "masses stay constant", "use numbers and parameters"});
@@ -86,9 +98,11 @@ void visit_optional(const std::optional<Ast>& ast, const Slot& slot, const Visit
 }
 
 void visit_motion(const Model& model, const Visit& visit) {
+  for (const Speed& speed : model.speeds) visit(speed.is, {k_speed, Quantity::owner, speed.name});
   for (const Coordinate& coordinate : model.coordinates) {
     const Slot value{k_initial, Quantity::owner, coordinate.name};
-    const Slot rate{k_initial, Quantity::rate_of_owner, coordinate.name};
+    const Slot rate = coordinate.speed ? Slot{k_initial, Quantity::owner, model.speeds[*coordinate.speed].name}
+                                       : Slot{k_initial, Quantity::rate_of_owner, coordinate.name};
     visit_optional(coordinate.held_at, {k_held, Quantity::owner, coordinate.name}, visit);
     visit_optional(coordinate.initial, value, visit);
     visit_optional(coordinate.guess, value, visit);

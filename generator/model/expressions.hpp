@@ -40,6 +40,7 @@ struct Place {
   bool inputs = false;
   const char* hint_for_coordinate = nullptr;  ///< instead of `hint`
   bool places = false;                        ///< `tip.x`
+  bool defines_speeds = false;                ///< rates are allowed, speeds are not yet
   int derivatives = 0;                        ///< by coordinates, speeds or time, that are taken of what stands here
   Quantity quantity = Quantity::any;
 };

@@ -74,6 +74,7 @@ std::string example_of(const std::string& key) {
                                                              {"dependent", "[x]"},
                                                              {"of", "[0, 1, 2]"},
                                                              {"file", "leg.yaml"},
+                                                             {"is", "dot(x)*cos(psi) + dot(y)*sin(psi)"},
                                                              {"values", "[0, 3, 4]"}};
   const auto found = k_examples.find(key);
   return found == k_examples.end() ? key : fmt::format("{}: {}", key, found->second);

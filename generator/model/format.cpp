@@ -321,6 +321,16 @@ const Map& submodel() {
   return k_map;
 }
 
+const Map& speed() {
+  static const Map k_map{{{"is", expression(), "linear in rates dot(x)", Need::required},
+                          {"initial", expression(), "value at the start; open if left out"},
+                          {"initial_guess", expression(), "where the search for an open value starts"},
+                          unit(),
+                          about()},
+                         {{"initial", {"is", "unit", "about"}}}};
+  return k_map;
+}
+
 const Map& quantity() {
   static const Map k_map{
       {{"value", or_else(expression(), vector()), "over everything; three components for a vector", Need::required},
@@ -346,6 +356,7 @@ const Map& model_file() {
        {"inputs", or_empty(entries_of(or_empty(or_else(expression(), entry(input()))))), "values of each evaluation"},
        {"tables", section(table()), "functions by their points"},
        {"coordinates", or_empty(entries_of(or_empty(entry(coordinate())))), "free and held ones"},
+       {"speeds", section(speed()), "velocities that stand in the state instead of rates"},
        {"orientations", section(orientation()), "attitudes by unit quaternion"},
        {"frames", section(frame()), "axes placed against others"},
        {"joints", section(joint()), "frames carried by others, with coordinates of the motion between them"},

@@ -78,6 +78,7 @@ const Map& force();
 const Map& table();
 const Map& submodel();
 const Map& quantity();
+const Map& speed();
 const Map& elimination();
 const Map& euler_angles();
 const Map& single_turn();

@@ -63,15 +63,27 @@ struct Coordinate {
   std::string unit;
   std::optional<Dimension> dimension;
   std::string about;
-  std::optional<Ast> held_at;       ///< over parameters and t
-  std::optional<Ast> initial;       ///< free coordinates: over parameters; when not given, constraints may move it
-  std::optional<Ast> guess;         ///< where the search for an open value starts; default 0
-  std::optional<Ast> initial_rate;  ///< over parameters; when not given, the constraints determine it
-  std::optional<Ast> rate_guess;    ///< where the search for a rate that is not given starts; default 0
-  bool is_of_joint = false;         ///< declared by a joint, which gives it its unit
+  std::optional<Ast> held_at;  ///< over parameters and t
+  std::optional<Ast> initial;  ///< free coordinates: over parameters; when not given, constraints may move it
+  std::optional<Ast> guess;    ///< where the search for an open value starts; default 0
+  std::optional<std::size_t>
+      speed;  ///< index into Model::speeds: of the speed that takes the place of the rate in the state
+  std::optional<Ast>
+      initial_rate;  ///< of the rate, or of `speed`; over parameters; when not given, the constraints determine it
+  std::optional<Ast> rate_guess;  ///< where the search for a rate that is not given starts; default 0
+  bool is_of_joint = false;       ///< declared by a joint, which gives it its unit
 
   /// The initial value, or where the search for it starts.
   Ast start() const { return initial ? *initial : guess ? *guess : Ast(); }
+};
+
+/// A quasi-velocity: in the state it takes the place of a rate (theory section 5). As many as the rates in them.
+struct Speed {
+  Name name;
+  Ast is;  ///< linear in rates; over coordinates, parameters, t
+  std::string unit;
+  std::optional<Dimension> dimension;
+  std::string about;
 };
 
 /// The axes in which a vector is resolved.
@@ -249,6 +261,7 @@ enum class SymbolKind {
   coordinate,            ///< index into coordinates (free and held)
   quaternion_component,  ///< index = 4 * orientation + component
   angular_velocity,      ///< index = 3 * orientation + component
+  speed,                 ///< index into speeds
   place,                 ///< index = 3 * frame + component: where its origin is, in space
 };
 
@@ -266,6 +279,7 @@ struct Model {
   std::vector<Input> inputs;
   std::vector<Table> tables;
   std::vector<Coordinate> coordinates;
+  std::vector<Speed> speeds;
   std::vector<Orientation> orientations;
   std::vector<Frame> frames;  ///< parents first
   std::vector<Joint> joints;

@@ -43,7 +43,7 @@ bool refuse_as_ours(const Name& name, Reading& reading) {
 
 bool moves(SymbolKind kind) {
   return kind == SymbolKind::coordinate || kind == SymbolKind::quaternion_component ||
-         kind == SymbolKind::angular_velocity;
+         kind == SymbolKind::angular_velocity || kind == SymbolKind::speed;
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ bool enter(const Name& name, const std::string& what, Reading& reading) {
   reading.diagnostics.error(
       code::k_name_clash, name.span,
       fmt::format("'{}' already names {} in {}", name.text, place->second.what, reading.line_text(place->second.span)),
-      "parameters, inputs, tables, coordinates and components of orientations share their names; rename one");
+      "parameters, inputs, tables, coordinates, speeds and components of orientations share their names; rename one");
   return false;
 }
 

@@ -15,7 +15,9 @@ namespace code = support::code;
 
 namespace {
 
-bool is_speed(SymbolKind kind) { return kind == SymbolKind::coordinate || kind == SymbolKind::angular_velocity; }
+bool is_speed(SymbolKind kind) {
+  return kind == SymbolKind::coordinate || kind == SymbolKind::angular_velocity || kind == SymbolKind::speed;
+}
 
 bool check_speed(const Name& name, const std::string& what, Reading& reading) {
   const auto symbol = reading.model.symbols.find(name.text);

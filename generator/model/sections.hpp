@@ -12,6 +12,7 @@ void read_tables(const spec::Node& root, Reading& reading);
 void read_parameters(const spec::Node& root, Reading& reading);
 void read_inputs(const spec::Node& root, Reading& reading);
 void read_coordinates(const spec::Node& root, Reading& reading);
+void read_speeds(const spec::Node& root, Reading& reading);  ///< after all that declares coordinates
 void read_orientations(const spec::Node& root, Reading& reading);
 void read_frames(const spec::Node& root, Reading& reading);  ///< points, too
 void read_joints(const spec::Node& root, Reading& reading);

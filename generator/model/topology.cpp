@@ -114,7 +114,10 @@ void check_used(Reading& reading) {
 bool has_free_speed(const Ast& ast, bool inside_dot, const Model& model) {
   if (ast.kind == AstKind::symbol) {
     const auto symbol = model.symbols.find(ast.name);
-    if (symbol == model.symbols.end() || symbol->second.kind == SymbolKind::angular_velocity) return true;
+    if (symbol == model.symbols.end() || symbol->second.kind == SymbolKind::angular_velocity ||
+        symbol->second.kind == SymbolKind::speed) {
+      return true;
+    }
     if (!inside_dot) return false;
     if (symbol->second.kind == SymbolKind::quaternion_component || symbol->second.kind == SymbolKind::place)
       return true;

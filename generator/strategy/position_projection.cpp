@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ir/differentiate.hpp"
 #include "strategy/accelerations.hpp"
 #include "strategy/quaternions.hpp"
 #include "strategy/rounded.hpp"
@@ -95,6 +96,17 @@ void PositionProjection::run(int count, Vector& configuration, Steps& steps) {
   }
 }
 
+/// ∂f/∂q of a coordinate whose rate is no speed, times the size of q; squares.
+Expr PositionProjection::along_coordinate(std::size_t mu, std::size_t i, const Vector& start,
+                                          const Vector& configuration) const {
+  const kinematics::ConfigurationVariable& q = dynamics_.kinematics->symbols.configuration[ConfigurationIndex{i}];
+  const Expr gradient = ir::partial(*dynamics_.kinematics->constraints[ConstraintIndex{mu}].f, q.symbol);
+  if (gradient.is_zero()) return zeros(1)[0];
+  const Expr size = pow(start[i], 2) + pow(configuration[i], 2);
+  const Expr one(epsilon_.graph(), epsilon_.graph().constant(q.unit == "m" ? 0 : 1));
+  return pow(at({gradient}, configuration, zeros(dynamics_.n()))[0], 2) * (size + one);
+}
+
 // f against what it is made of to first order, with half of the digits: Newton's method leaves rounding, or much more. Angles count
 // as 1 besides their size, since they may have gone anywhere; squares, since a condition has no sign.
 Expr PositionProjection::violated(const Vector& start, const Vector& configuration) const {
@@ -108,10 +120,13 @@ Expr PositionProjection::violated(const Vector& start, const Vector& configurati
     for (const FreeIndex i : symbols.speeds.indices()) {
       if (b[i.value].is_zero()) continue;
       Expr size(epsilon_.graph(), epsilon_.graph().constant(symbols.speeds[i].is_of_length() ? 0 : 1));
-      if (i.value < symbols.plain_count()) {
+      if (i.value < symbols.plain_count() && !symbols.speeds[i].replaces_rate) {
         size += pow(start[i.value], 2) + pow(configuration[i.value], 2);
       }
       scale += pow(b[i.value], 2) * size;
+    }
+    for (const FreeIndex i : symbols.speeds.indices()) {
+      if (symbols.speeds[i].replaces_rate) scale += along_coordinate(mu, i.value, start, configuration);
     }
     conditions.push_back(less(epsilon_ * scale, pow(f, 2)));
   }

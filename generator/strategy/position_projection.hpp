@@ -27,6 +27,7 @@ class PositionProjection {
   ir::Expr violated(const Vector& start, const Vector& configuration) const;
 
  private:
+  ir::Expr along_coordinate(std::size_t mu, std::size_t i, const Vector& start, const Vector& configuration) const;
   Dynamics problem_at(const Vector& configuration, const std::string& prefix) const;
   void displace(const Vector& change, Vector& configuration) const;
   Vector at(const Vector& expressions, const Vector& configuration, const Vector& speeds) const;

@@ -241,10 +241,14 @@ void add_speed(const std::optional<model::Ast>& value, const std::optional<model
 
 Given given_state(const model::Model& model, kinematics::Expressions& expressions) {
   Given given;
+  // A speed moves all of them.
+  const bool are_open = std::none_of(model.coordinates.begin(), model.coordinates.end(),
+                                     [](const auto& coordinate) { return coordinate.speed && coordinate.initial; });
   for (const model::Coordinate& coordinate : model.coordinates) {
     if (coordinate.held_at) continue;
     given.configuration.push_back(expressions(coordinate.start()));
-    if (!coordinate.initial) given.open_positions.push_back(given.speeds.size());
+    const bool is_open = coordinate.speed ? are_open : !coordinate.initial;
+    if (is_open) given.open_positions.push_back(given.speeds.size());
     add_speed(coordinate.initial_rate, coordinate.rate_guess, expressions, given);
   }
   for (const model::Orientation& orientation : model.orientations) {

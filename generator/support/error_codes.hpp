@@ -80,6 +80,9 @@ inline constexpr ErrorCode k_wrong_dimension{"E064", "an expression whose place 
 // What this program cannot do with a correct model.
 inline constexpr ErrorCode k_no_paper_route{"E060", "the paper's route does not take the model"};
 
+// Quasi-velocities.
+inline constexpr ErrorCode k_speeds{"E068", "speeds from which the rates do not follow"};
+
 // Functions and tables.
 inline constexpr ErrorCode k_not_smooth{"E065", "a jump or a kink where derivatives are needed"};
 inline constexpr ErrorCode k_comparison{"E066", "a comparison out of place, or a condition that is none"};
@@ -167,6 +170,7 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_not_smooth,
     code::k_comparison,
     code::k_table_points,
+    code::k_speeds,
     code::k_unused_table,
     code::k_index,
     code::k_submodel_file,

@@ -201,9 +201,12 @@ inputs: {F: {value: 1}, G: 2}
 tables:
   T: {of: [0, 1, 2], values: [0, 1, 4], kind: spline, outside: hold, of_unit: m, unit: N, about: a curve}
 coordinates:
-  x: {unit: m, about: along, initial: 1, initial_rate: 1}
-  y: {initial_guess: 1, initial_rate_guess: 1}
+  x: {unit: m, about: along, initial: 1}
+  z: {initial: 1, initial_rate: 1}
+  y: {initial_guess: 1}
+  z2: {initial_rate_guess: 1}
   h: {held_at: L}
+speeds: {u1: {is: dot(x), unit: m/s, initial: 1, about: s}, u2: {is: dot(y), initial_guess: 1}}
 orientations:
   o: {quaternion: [e0, e1, e2, e3], angular_velocity: [wx, wy, wz], frame: space, initial: [1, 0, 0, 0],
       initial_angular_velocity: [0, 0, 0]}
@@ -234,7 +237,7 @@ bodies:
   k6: {mass: m, inertia: J}
   k7: {mass: m, inertia: J}
 particles:
-  p1: {mass: m, position: [x, y, h], about: particle}
+  p1: {mass: m, position: [x + z, y + z2, h], about: particle}
   p2: {mass: m, frame: k3, centre: [0, 0, 1]}
   p3_$i_$j: {count: [n, 2], mass: $(i*j), position: [x, y, h]}
   p4_$i: {count: n, mass: m, position: [x, y, h]}

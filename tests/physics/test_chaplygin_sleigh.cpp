@@ -1,11 +1,14 @@
 #include "catch_shim.hpp"
 #include "chaplygin_sleigh.hpp"
+#include "chaplygin_sleigh_speeds.hpp"
 #include "follow.hpp"
 
 namespace sleigh = gauss::chaplygin_sleigh;
+namespace in_speeds = gauss::chaplygin_sleigh_speeds;
 using physics::close_to;
 
 GAUSS_MODEL(Sleigh, sleigh);
+GAUSS_MODEL(SleighInSpeeds, in_speeds);
 
 namespace {
 
@@ -54,4 +57,31 @@ TEST_CASE("Chaplygin's sleigh turns around and runs forwards as its closed form 
                             // It acts at the blade, which is the point that the model states.
                             CHECK(forces.blade.moment_on_sleigh[2] == Approx(0).margin(1e-12));
                           });
+}
+
+TEST_CASE("the sleigh in speeds along its axes runs the same way, with the same reaction") {
+  const auto file = reference::read("chaplygin_sleigh");
+  in_speeds::Parameters<double> parameters;
+  parameters.m = reference::number(file["params"]["m"]);
+  parameters.Jc = reference::number(file["params"]["I"]);
+  parameters.a = reference::number(file["params"]["a"]);
+  const auto prepared = prepare(parameters);
+  in_speeds::State<double> start;
+  REQUIRE(initial_state(prepared, start) == gauss::Status::ok);
+  REQUIRE(start.u() == reference::number(file["initial"]["u"]));
+  REQUIRE(start.w() == 0);
+  REQUIRE(start.theta_dot() == reference::number(file["initial"]["omega"]));
+
+  const in_speeds::Inputs<double> inputs;
+  physics::follow<SleighInSpeeds>(file["expected"]["samples"], prepared, inputs, start,
+                                  [&](const auto& sample, double t, const auto& state) {
+                                    CHECK(state.u() == close_to(sample["u"]));
+                                    CHECK(state.theta_dot() == close_to(sample["omega"]));
+                                    CHECK(state.theta() == close_to(sample["theta"]));
+                                    CHECK(state.x() == close_to(sample["blade_xy"][0]));
+                                    CHECK(state.y() == close_to(sample["blade_xy"][1]));
+                                    in_speeds::Reactions<double> found;
+                                    REQUIRE(reactions(t, state, inputs, prepared, found) == gauss::Status::ok);
+                                    CHECK(found.blade.multiplier == close_to(sample["lateral_reaction"]));
+                                  });
 }

@@ -1,0 +1,135 @@
+// speeds: quasi-velocities, which stand in the state instead of the rates that they are made of.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "model/fields.hpp"
+#include "model/format.hpp"
+#include "model/functions.hpp"
+#include "model/names.hpp"
+#include "model/sections.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+using spec::Entry;
+
+namespace {
+
+/// Free coordinates whose rates are in the expression.
+void collect_rates(const Ast& ast, bool inside_dot, const Model& model, std::set<std::size_t>& coordinates) {
+  if (ast.kind == AstKind::symbol && inside_dot) {
+    const auto symbol = model.symbols.find(ast.name);
+    const bool is_coordinate = symbol != model.symbols.end() && symbol->second.kind == SymbolKind::coordinate;
+    if (is_coordinate && !model.coordinates[symbol->second.index].held_at) coordinates.insert(symbol->second.index);
+  }
+  const bool inside = inside_dot || (ast.kind == AstKind::call && ast.name == k_dot);
+  for (const Ast& child : ast.children) collect_rates(child, inside, model, coordinates);
+}
+
+/// Initial values of a speed, until it has its place in the state.
+struct Start {
+  std::optional<Ast> initial;
+  std::optional<Ast> guess;
+};
+
+class SpeedReader {
+ public:
+  explicit SpeedReader(Reading& reading) : reading_(reading), model_(reading.model) {}
+
+  void read(const Entry& entry) {
+    const std::string where = fmt::format("speed '{}'", entry.key.text);
+    Speed speed;
+    speed.name = name_of(entry.key);
+    Start start;
+    speed.is = broken_expression();
+    if (expect_map(entry.value, entry.key.span, where, reading_)) {
+      check_keys(entry.value, where, format::keys_of(format::speed()), reading_);
+      if (const spec::Node* is = required(entry.value, "is", entry.key.span, where, reading_))
+        speed.is = read_expression(*is, entry.key.span, reading_);
+      read_unit(entry.value, speed, reading_);
+      speed.about = text_field(entry.value, "about", reading_);
+      start = read_start(entry.value);
+    }
+    declare(speed.name, SymbolKind::speed, model_.speeds.size(), "the speed", reading_);
+    model_.speeds.push_back(std::move(speed));
+    starts_.push_back(std::move(start));
+  }
+
+  /// Each takes the place of one of the rates that they are made of, in the order of both.
+  void place() {
+    std::set<std::size_t> coordinates;
+    for (const Speed& speed : model_.speeds) {
+      std::set<std::size_t> own;
+      collect_rates(speed.is, false, model_, own);
+      if (own.empty() && !is_broken(speed.is) && !reading_.incomplete) refuse_without_rates(speed);
+      coordinates.insert(own.begin(), own.end());
+    }
+    if (reading_.diagnostics.has_errors()) return;
+    if (coordinates.size() != model_.speeds.size()) return refuse_count(coordinates);
+    std::size_t index = 0;
+    for (const std::size_t i : coordinates) {
+      Coordinate& coordinate = model_.coordinates[i];
+      if (coordinate.initial_rate || coordinate.rate_guess) refuse_rate(coordinate);
+      coordinate.speed = index;
+      coordinate.initial_rate = std::move(starts_[index].initial);
+      coordinate.rate_guess = std::move(starts_[index].guess);
+      ++index;
+    }
+  }
+
+ private:
+  Start read_start(const spec::Node& map) {
+    Start start{expression_field(map, "initial", reading_), expression_field(map, "initial_guess", reading_)};
+    if (start.initial && start.guess) {
+      reading_.diagnostics.error(code::k_conflicting_keys, map.entries.back().key.span,
+                                 "'initial_guess' beside 'initial', which determines the value",
+                                 "remove one of the two keys");
+    }
+    return start;
+  }
+
+  void refuse_without_rates(const Speed& speed) {
+    reading_.diagnostics.error(code::k_speeds, speed.name.span,
+                               fmt::format("no rate of a free coordinate is in the speed '{}'", speed.name.text),
+                               "write rates as dot(x), as in 'is: dot(x)*cos(psi) + dot(y)*sin(psi)'");
+  }
+
+  void refuse_count(const std::set<std::size_t>& coordinates) {
+    std::vector<std::string> rates;
+    for (const std::size_t i : coordinates) rates.push_back("dot(" + model_.coordinates[i].name.text + ")");
+    const bool lacks = coordinates.size() > model_.speeds.size();
+    reading_.diagnostics.error(
+        code::k_speeds, model_.speeds.front().name.span,
+        fmt::format("the number of speeds is {}, and that of the rates in them {}: {}", model_.speeds.size(),
+                    rates.size(), support::joined(rates)),
+        lacks ? fmt::format("the rates have to follow from the speeds: add one, as in '{}_rate: {{is: {}}}'",
+                            model_.coordinates[*coordinates.rbegin()].name.text, rates.back())
+              : "remove speeds that follow from the others");
+  }
+
+  void refuse_rate(const Coordinate& coordinate) {
+    reading_.diagnostics.error(
+        code::k_conflicting_keys, coordinate.name.span,
+        fmt::format("the rate of '{}' follows from the speeds, and has an initial value here", coordinate.name.text),
+        "give the speeds their initial values instead");
+  }
+
+  Reading& reading_;
+  Model& model_;
+  std::vector<Start> starts_;
+};
+
+}  // namespace
+
+void read_speeds(const spec::Node& root, Reading& reading) {
+  SpeedReader reader(reading);
+  read_section(root, "speeds", reading, [&](const Entry& entry) { reader.read(entry); });
+  if (!reading.model.speeds.empty()) reader.place();
+}
+
+}  // namespace gaussgen::model
