@@ -50,12 +50,22 @@ const char* hint_for_kind(NodeKind wanted) {
   }
 }
 
+/// "m:2" is one word to YAML.
+bool lacks_blank(const Node& node) {
+  const std::string& text = node.scalar.text;
+  const std::size_t colon = text.find(':');
+  return node.kind == NodeKind::scalar && node.plain && colon != std::string::npos && colon + 1 < text.size() &&
+         text.find(' ') == std::string::npos;
+}
+
 bool expect(NodeKind kind, const char* wanted, const Node& node, Span owner, const std::string& where,
             Reading& reading) {
   if (node.kind == kind) return true;
   reading.diagnostics.error(code::k_wrong_kind, place_of(node, owner),
                             fmt::format("{} must be {}, and here is {}", where, wanted, kind_text(node)),
-                            hint_for_kind(kind));
+                            kind == NodeKind::map && lacks_blank(node)
+                                ? "write a blank behind the ':', as in 'key: value'"
+                                : hint_for_kind(kind));
   return false;
 }
 
@@ -73,6 +83,14 @@ std::string example_of(const std::string& key) {
                                                              {"velocity", "dot(x) - r*dot(phi)"},
                                                              {"dependent", "[x]"},
                                                              {"of", "[0, 1, 2]"},
+                                                             {"type", "revolute"},
+                                                             {"child", "rod"},
+                                                             {"at", "[0, 0, 0]"},
+                                                             {"is", "2"},
+                                                             {"axis", "z"},
+                                                             {"angle", "psi"},
+                                                             {"direction", "x"},
+                                                             {"stiffness", "100"},
                                                              {"values", "[0, 3, 4]"}};
   const auto found = k_examples.find(key);
   return found == k_examples.end() ? key : fmt::format("{}: {}", key, found->second);

@@ -182,6 +182,11 @@ class Parser {
     }
     const bool small =
         cln::abs(cln::numerator(*value)) <= k_largest_power && cln::denominator(*value) <= k_largest_power;
+    if (!small && cln::abs(*value) <= k_largest_power) {
+      return without_value(exponent.span,
+                           fmt::format("the exponent {} is no simple fraction", support::to_text(*value)),
+                           hint_for_size() + ", as in x^(1/3)");
+    }
     if (!small) {
       return without_value(exponent.span, fmt::format("the exponent {} is too large", support::to_text(*value)),
                            hint_for_size());
@@ -336,6 +341,9 @@ class Parser {
   }
 
   static std::string hint_for_function(const std::string& text) {
+    // np.sin, math.sin: the function of a library.
+    const std::string bare = text.substr(text.rfind('.') + 1);
+    if (bare != text && find_function(bare) != nullptr) return fmt::format("write {}(...)", bare);
     std::string what = substitute_for(text);
     if (what.empty()) {
       const std::string near = support::did_you_mean(text, function_names());
