@@ -47,7 +47,8 @@ int main() {
   Words words;
   words.add(format::model_file());
   for (const std::string& name : function_names()) words.add(name + "(");
-  for (const char* const sign : {"^(1/2)", "e308", "\\xEF\\xBB\\xBF", "\\xE2\\x88\\x92", "kg*m^2", "rad/s", "dot(", "\\x00", "<<: ", "&a ", "*a"})
+  for (const char* const sign : {"^(1/2)", "e308", "\\xEF\\xBB\\xBF", "\\xE2\\x88\\x92", "kg*m^2", "rad/s", "dot(",
+                                 "\\x00", "<<: ", "&a ", "*a"})
     words.add(sign);
   words.print();
 }

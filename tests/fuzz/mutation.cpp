@@ -11,9 +11,10 @@ bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 
 
 /// Values that numbers and expressions trip over.
 const std::vector<std::string> k_values = {
-    "0",      "-1",      "1e308",      "1e-308",  "1e999",  "x",         "dot(x)",      "t",          "pi",
-    "1/0",    "sqrt(-1)", "x/(y - y)", "x^(1/2)", "x^64",   "min(x, y)", "piecewise(x > 0, x, 0)", "[]", "{}",
-    "[x, y]", "[0, 0, 0]", "~",        "\"\"",    "abs(x)", "log(x)",    "space",       "body",       "tip.x"};
+    "0",     "-1",   "1e308",    "1e-308",    "1e999",   "x",    "dot(x)",    "t",
+    "pi",    "1/0",  "sqrt(-1)", "x/(y - y)", "x^(1/2)", "x^64", "min(x, y)", "piecewise(x > 0, x, 0)",
+    "[]",    "{}",   "[x, y]",   "[0, 0, 0]", "~",       "\"\"", "abs(x)",    "log(x)",
+    "space", "body", "tip.x"};
 
 }  // namespace
 
