@@ -115,7 +115,6 @@ int evaluate(const Options& options) {
   Mechanics mechanics(*model, {});
   support::Diagnostics structure;
   check_structure(mechanics, structure);
-  if (!structure.has_errors()) report_redundant(mechanics, structure);
   if (const int found = report(structure, source, options.messages); found != k_ok) return found;
   const Evaluation evaluation = evaluate_model(mechanics, time, options.digits);
   write_standard_output(options.format == Format::json ? json(evaluation, *model, options) : table(evaluation));
