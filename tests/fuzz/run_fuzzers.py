@@ -6,10 +6,12 @@ Exit code 0: nothing found, 1: something found (its path is printed), 77: this m
 import argparse
 import os
 import re
+import resource
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -20,7 +22,8 @@ SKIPPED = 77
 
 # An input may take 2 s and 512 MB. Instrumented code is five times slower; its checks and what they keep back of freed
 # memory take 512 MB more.
-LIMITS = ["-timeout=10", "-rss_limit_mb=1024", "-malloc_limit_mb=512"]
+SECONDS = 10
+LIMITS = [f"-timeout={SECONDS}", "-rss_limit_mb=1024", "-malloc_limit_mb=512"]
 
 
 def say(text):
@@ -68,28 +71,56 @@ def environment():
     return {**os.environ, **quiet}
 
 
+def run(name, arguments, log):
+    command = [BUILD / "bin" / f"fuzz_{name}", *LIMITS, f"-artifact_prefix={FINDINGS}/{name}-", *arguments]
+    with open(log, "w", encoding="utf-8", errors="replace") as out:
+        return subprocess.run(list(map(str, command)), stdout=out, stderr=out, env=environment(), cwd=BUILD,
+                              check=False).returncode
+
+
+def is_slow(name, path):
+    """Whether it takes the time of a processor, and not that of a busy machine."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    run(name, ["-timeout=600", path], BUILD / "again.log")
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before > SECONDS
+
+
+def report(name, before):
+    """What is new among the findings and holds when it is looked at again."""
+    found = []
+    for path in sorted(set(FINDINGS.iterdir()) - before):
+        if "slow-unit" in path.name or ("timeout" in path.name and not is_slow(name, path)):
+            path.unlink()
+            continue
+        found.append(path)
+        say(f"found: {path.relative_to(ROOT)}; again: build/fuzz/bin/fuzz_{name} {path.relative_to(ROOT)}")
+    return found
+
+
 def fuzz(name, seeds, longest, seconds, is_fresh):
-    """True if nothing was found."""
+    """True if nothing was found. A finding ends libFuzzer, so it begins again as long as there is time."""
     corpus = BUILD / "corpus" / name
     if is_fresh:
         shutil.rmtree(corpus, ignore_errors=True)
     corpus.mkdir(parents=True, exist_ok=True)
-    before = set(FINDINGS.iterdir())
     log = BUILD / f"{name}.log"
-    command = [BUILD / "bin" / f"fuzz_{name}", f"-max_total_time={seconds}", f"-max_len={longest}",
-               "-seed=1" if is_fresh else "-seed=0", f"-dict={BUILD}/words.dict", "-print_final_stats=1",
-               f"-artifact_prefix={FINDINGS}/{name}-", *LIMITS, corpus, *seeds]
-    with open(log, "w", encoding="utf-8", errors="replace") as out:
-        code = subprocess.run(list(map(str, command)), stdout=out, stderr=out, env=environment(), cwd=BUILD, check=False).returncode
-    text = log.read_text(encoding="utf-8", errors="replace")
-    executed = re.search(r"stat::number_of_executed_units: *(\d+)", text)
-    say(f"{name}: {executed.group(1) if executed else '?'} inputs in {seconds} s; log: {log.relative_to(ROOT)}")
-    new = sorted(path for path in FINDINGS.iterdir() if path not in before and "slow-unit" not in path.name)
-    for path in new:
-        say(f"found: {path.relative_to(ROOT)}; again: build/fuzz/bin/fuzz_{name} {path.relative_to(ROOT)}")
-    if code != 0:
-        print(text[-6000:])
-    return code == 0 and not new
+    end = time.monotonic() + seconds
+    is_clean = True
+    while True:
+        before = set(FINDINGS.iterdir())
+        left = max(1, int(end - time.monotonic()))
+        code = run(name, [f"-max_total_time={left}", f"-max_len={longest}", f"-seed={int(is_fresh)}", f"-dict={BUILD}/words.dict",
+                          "-print_final_stats=1", corpus, *seeds], log)
+        text = log.read_text(encoding="utf-8", errors="replace")
+        executed = re.search(r"stat::number_of_executed_units: *(\d+)", text)
+        say(f"{name}: {executed.group(1) if executed else '?'} inputs; log: {log.relative_to(ROOT)}")
+        new = set(FINDINGS.iterdir()) - before
+        found = report(name, before)
+        if found or (code != 0 and not new):
+            is_clean = False
+            print(text[-3000:])
+        if code == 0 or time.monotonic() + 10 > end:
+            return is_clean
 
 
 def main():
