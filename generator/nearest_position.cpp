@@ -18,7 +18,7 @@ using Vector = std::vector<double>;
 
 constexpr int k_most_steps = 400;
 constexpr double k_solved = 1e-11;     ///< f of what it is made of
-constexpr double k_violated = 1e-6;    ///< likewise, and of the largest among the equations
+constexpr double k_violated = 1e-6;    ///< likewise, of the largest among the equations, and of that at the start
 constexpr double k_stationary = 1e-6;  ///< Jᵀ f of the largest f and ∂f
 constexpr double k_first_step = 1e-3;
 constexpr double k_most_damping = 1e12;
@@ -67,6 +67,7 @@ class Search {
   std::optional<Contradiction> run() {
     auto here = start();
     if (here) remember_sizes(*here);
+    const double at_start = here ? std::sqrt(here->square()) : 0;
     double damping = 1e-3;
     for (int i = 0; here && i < k_most_steps && !is_solved(*here) && damping < k_most_damping; ++i) {
       const Vector from = q_;
@@ -82,7 +83,8 @@ class Search {
       }
     }
     if (!here || !is_stationary(*here)) return std::nullopt;
-    return contradiction(*here);
+    // What only goes slowly, as x² does, has come far.
+    return std::sqrt(here->square()) > k_violated * at_start ? contradiction(*here) : std::nullopt;
   }
 
  private:

@@ -150,6 +150,9 @@ TEST_CASE("constraints that follow from each other at the initial state are name
   CHECK_THAT(found_in(plane("", "", "dot(x) - dot(y)") + more),
              Catch::StartsWith("m.yaml:14:3: warning[W057]: constraint 'again' follows from constraint 'skate' at the "
                                "initial state\n"));
+  // At a state that violates them nothing is known of accelerations.
+  CHECK_THAT(found_in(plane("initial_rate: 1", "initial_rate: 2", "dot(x) - dot(y)") + more),
+             Catch::Contains("E070") && Catch::Contains("W057") && !Catch::Contains("E080"));
   // In motion they ask different accelerations: y would have to stay 0.
   CHECK_THAT(found_in(plane("initial_rate: 1", "initial_rate: 1", "dot(x) - dot(y)") + more),
              Catch::StartsWith("m.yaml:14:3: error[E080]: no accelerations satisfy constraints 'skate' and 'again' "
@@ -192,6 +195,9 @@ TEST_CASE("constraints that ask different things of one motion are named, and no
                                         !Catch::Contains("E070") && !Catch::Contains("W05"));
   CHECK_THAT(found_in(model + sum + "outputs: [rhs]\n"), Catch::StartsWith("m.yaml:15:3: warning[W080]: " + said) &&
                                                              !Catch::Contains("E070") && !Catch::Contains("W05"));
+  // Initial values that are wrong for both are no contradiction between them.
+  CHECK_THAT(found_in(plane("initial_rate: 5", "", "dot(x) - 1") + "  again: {velocity: 2*dot(x) - 2}\n"),
+             Catch::Contains("E070") && Catch::Contains("W054") && !Catch::Contains("E080"));
   // Agreement to the digits of double is agreement.
   CHECK_THAT(found_in(plane("", "", "dot(x) - 1/3") + "  again: {velocity: dot(x) - 0.3333333333333333}\n"),
              Catch::StartsWith("m.yaml:14:3: warning[W054]"));
@@ -220,6 +226,10 @@ TEST_CASE("positions that nothing satisfies are named with what is missing, othe
   CHECK_THAT(found_in(point + "  right: {distance: [p, far], is: 2}\n"), Catch::Contains("[E080]"));
   CHECK_FALSE(Catch::Contains("E080").match(found_in(point + "  right: {distance: [p, far], is: 3}\n")));  // they touch
   CHECK(found_in(point + "  right: {distance: [p, far], is: 4}\n").empty());
+  // A search that gets there slowly gets there.
+  CHECK_FALSE(Catch::Contains("E080").match(found_in(
+      "coordinates:\n  x: {initial_guess: 1}\nparticles:\n  p: {mass: m, position: [x, 0, 0]}\nconstraints:\n  c: "
+      "{equation: x^4}\n")));
   // By symmetry the gradient vanishes, and yet there is a solution.
   CHECK_THAT(found_in("coordinates:\n  x: {}\nparticles:\n  p: {mass: m, position: [x, 0, 0]}\nconstraints:\n  c: "
                       "{equation: x^2 - 1}\n"),
