@@ -68,16 +68,25 @@ std::uint32_t begin_of(const support::Source& source, std::string_view line) {
   return static_cast<std::uint32_t>(line.data() - source.text().data());
 }
 
-/// about: 'the ball's mass'
-std::optional<Finding> text_behind_quote(const support::Source& source, std::uint32_t offset) {
+/// about: 'the ball's mass', and x: {} free
+std::optional<Finding> text_behind_end(const support::Source& source, std::uint32_t offset) {
   const std::string_view line = source.line_at(offset);
   const std::string_view before = line.substr(0, offset - begin_of(source, line));
   const std::size_t last = before.find_last_not_of(' ');
-  if (last == std::string_view::npos || (before[last] != '\'' && before[last] != '"')) return std::nullopt;
-  return Finding{{offset, offset + 1},
-                 "the quoted text ends before this, but the line goes on",
-                 before[last] == '"' ? "inside \"...\" a quotation mark is written \\\""
-                                     : "inside '...' an apostrophe is written twice: ''"};
+  const Span here{offset, offset + 1};
+  switch (last == std::string_view::npos ? ' ' : before[last]) {
+    case '"':
+      return Finding{here, "the quoted text ends before this, but the line goes on",
+                     "inside \"...\" a quotation mark is written \\\""};
+    case '\'':
+      return Finding{here, "the quoted text ends before this, but the line goes on",
+                     "inside '...' an apostrophe is written twice: ''"};
+    case '}':
+    case ']':
+      return Finding{here, "text behind a closing bracket",
+                     "remove it; a text or an expression that begins with '{' or '[' needs quotes"};
+    default: return std::nullopt;
+  }
 }
 
 /// {mass: 1 position: [x, 0, 0]}: what comes before a second ':' is a key.
@@ -113,7 +122,7 @@ std::optional<Finding> line_without_colon(const support::Source& source, std::ui
 /// What people mean where YAML says something else.
 std::optional<Finding> likely_slip(const support::Source& source, std::uint32_t offset, const std::string& text) {
   if (offset >= source.text().size()) return std::nullopt;
-  if (text.find("end of map not found") != std::string::npos) return text_behind_quote(source, offset);
+  if (text.find("end of map not found") != std::string::npos) return text_behind_end(source, offset);
   if (text.find("end of map flow") != std::string::npos) return key_without_comma(source, offset);
   if (text.find("illegal map value") != std::string::npos) return line_without_colon(source, offset);
   return std::nullopt;
