@@ -43,8 +43,9 @@ def has_libfuzzer():
 
 def build():
     launcher = "ccache" if shutil.which("ccache") else ""
-    commands = [["cmake", "--preset", "fuzz", f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}"], ["cmake", "--build", "--preset", "fuzz"]]
-    for command in commands:
+    configure = ["cmake", "--preset", "fuzz", f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}"]
+    compile_all = ["cmake", "--build", "--preset", "fuzz", "--parallel", str(os.cpu_count() or 1)]
+    for command in (configure, compile_all):
         done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             sys.exit(done.stdout[-4000:] + done.stderr[-4000:])
