@@ -1,38 +1,136 @@
 #include "dependence.hpp"
 
+#include <algorithm>
+
 #include "generic_point.hpp"
 
 namespace gaussgen {
 
 namespace {
 
-/// Rows up to and with `last`.
-evaluate::Matrix upper(const evaluate::Matrix& matrix, std::size_t last) {
-  evaluate::Matrix result(last + 1, matrix.columns(), matrix(0, 0));
-  for (std::size_t i = 0; i <= last; ++i) {
-    for (std::size_t j = 0; j < matrix.columns(); ++j) result(i, j) = matrix(i, j);
+using cln::cl_F;
+using evaluate::Matrix;
+using evaluate::Vector;
+using Rows = std::vector<std::size_t>;
+
+/// Rates that a user copied from a double satisfy a constraint.
+constexpr int k_residual_digits = 13;
+
+/// A combination of residuals that cancel to so many digits is zero.
+constexpr int k_combined_digits = 9;
+
+/// A coefficient that is smaller, for rows and columns of like size, is rounding.
+constexpr int k_coefficient_digits = 18;
+
+Matrix selected(const Matrix& matrix, const Rows& rows) {
+  Matrix result(rows.size(), matrix.columns(), matrix(0, 0));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t j = 0; j < matrix.columns(); ++j) result(i, j) = matrix(rows[i], j);
   }
   return result;
 }
 
-/// For each row, whether those before it give it.
+/// Those that the solution does not leave out, then those that it does.
+Rows in_order(const Mechanics& mechanics) {
+  const auto& redundant = mechanics.solution.redundant;
+  Rows order(mechanics.dynamics.l());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) {
+    return std::find(redundant.begin(), redundant.end(), mechanics.dynamics.constraints[i]) == redundant.end();
+  });
+  return order;
+}
+
+/// Rows that those before them in `order` give; `independent` becomes the others, in that order.
 template <class Rank>
-std::vector<bool> dependent_rows(const evaluate::Matrix& matrix, Rank rank) {
-  std::vector<bool> dependent;
-  std::size_t before = 0;
-  for (std::size_t i = 0; i < matrix.rows(); ++i) {
-    const std::size_t with = rank(upper(matrix, i));
-    dependent.push_back(with == before);
-    before = with;
+Rows dependent_rows(const Matrix& matrix, const Rows& order, Rank rank, Rows& independent) {
+  Rows dependent;
+  independent.clear();
+  for (const std::size_t row : order) {
+    independent.push_back(row);
+    if (rank(selected(matrix, independent)) == independent.size()) continue;
+    independent.pop_back();
+    dependent.push_back(row);
   }
   return dependent;
 }
 
-bool is_zero_row(const evaluate::Matrix& matrix, std::size_t i) {
-  for (std::size_t j = 0; j < matrix.columns(); ++j) {
-    if (!cln::zerop(matrix(i, j))) return false;
+cl_F power_of_ten(int digits, const cl_F& like) {
+  return cln::cl_float(cln::expt(support::Rational(10), digits), like);
+}
+
+/// Σ coefficients[i] b_rows[i] = 0, with no row in it that could be left out; the dependent one comes last.
+struct Combination {
+  Rows rows;
+  Vector coefficients;
+
+  /// Whether Σ c_μ x_μ is zero, up to a small part of what is in it.
+  bool cancels(const Vector& x) const {
+    cl_F sum = cln::cl_float(0, x[0]);
+    cl_F size = sum;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const cl_F part = coefficients[i] * x[i];
+      sum = sum + part;
+      size = size + cln::abs(part);
+    }
+    return cln::abs(sum) * power_of_ten(k_combined_digits, sum) <= size;
   }
-  return true;
+};
+
+/// One over the largest entry, so that rows in different units are of like size.
+cl_F weight(const Matrix& matrix, std::size_t row) {
+  cl_F largest = cln::cl_float(0, matrix(0, 0));
+  for (std::size_t j = 0; j < matrix.columns(); ++j) largest = cln::max(largest, cln::abs(matrix(row, j)));
+  return cln::zerop(largest) ? cln::cl_float(1, largest) : cln::recip(largest);
+}
+
+/// c with R Rᵀ c = R b for independent rows R: where b is a combination of them, that one.
+std::optional<Vector> coefficients_of(const Matrix& r, const Vector& b) {
+  return r.rows() == 0 ? Vector{}
+                       : evaluate::solve(evaluate::multiply(r, evaluate::transposed(r)), evaluate::multiply(r, b));
+}
+
+Combination combination(const Matrix& matrix, const Rows& independent, std::size_t dependent) {
+  Matrix r = selected(matrix, independent);
+  Vector b;
+  const cl_F last = weight(matrix, dependent);
+  for (std::size_t j = 0; j < matrix.columns(); ++j) {
+    for (std::size_t i = 0; i < r.rows(); ++i) r(i, j) = weight(matrix, independent[i]) * matrix(independent[i], j);
+    b.push_back(last * matrix(dependent, j));
+  }
+  const std::optional<Vector> c = coefficients_of(r, b);
+  Combination found;
+  for (std::size_t i = 0; c && i < independent.size(); ++i) {
+    if (cln::abs((*c)[i]) * power_of_ten(k_coefficient_digits, last) < cln::cl_float(1, last)) continue;
+    found.rows.push_back(independent[i]);
+    found.coefficients.push_back(-(*c)[i] * weight(matrix, independent[i]));
+  }
+  found.rows.push_back(dependent);
+  found.coefficients.push_back(last);
+  return found;
+}
+
+/// Of an undefined node it is not known that it is not zero.
+cl_F residual(ModelValues& values, ir::Expr node) {
+  return values.residual(node.id(), k_residual_digits).value_or(values.number(support::Rational(0)));
+}
+
+Agreement agreement_of(const Combination& combination, const Mechanics& mechanics, ModelValues& values) {
+  const auto& constraints = mechanics.kinematics.constraints;
+  Vector velocities;
+  Vector accelerations;
+  bool is_linear = true;
+  bool is_satisfied = true;
+  for (const std::size_t row : combination.rows) {
+    const kinematics::ConstraintRow& constraint = constraints[kinematics::ConstraintIndex{row}];
+    velocities.push_back(residual(values, constraint.phi));
+    accelerations.push_back(residual(values, mechanics.dynamics.b_drift[row]));
+    is_linear = is_linear && constraint.is_linear;
+    is_satisfied = is_satisfied && cln::zerop(velocities.back());
+  }
+  if (is_linear && !combination.cancels(velocities)) return Agreement::contradictory_velocities;
+  const bool agree = !is_satisfied || combination.cancels(accelerations);
+  return agree ? Agreement::agree : Agreement::contradictory_accelerations;
 }
 
 }  // namespace
@@ -41,15 +139,47 @@ std::vector<Dependence> dependences(Mechanics& mechanics, ModelValues& values) {
   if (mechanics.dynamics.l() == 0 || mechanics.dynamics.n() == 0) return {};
   const auto here = values(mechanics.dynamics.b);
   if (!here) return {};
-  const std::vector<bool> dependent = dependent_rows(*here, [&](const auto& rows) { return values.rank(rows); });
+  const Rows order = in_order(mechanics);
+  Rows independent;
+  const Rows dependent = dependent_rows(
+      *here, order, [&](const Matrix& rows) { return values.rank(rows); }, independent);
   std::vector<Dependence> result;
-  for (std::size_t mu = 0; mu < dependent.size(); ++mu) {
-    if (dependent[mu]) result.push_back({mu, is_zero_row(*here, mu), false});
+  for (const std::size_t row : dependent) {
+    Combination found = combination(*here, independent, row);
+    const Agreement agreement = agreement_of(found, mechanics, values);
+    found.rows.pop_back();
+    result.push_back({row, std::move(found.rows), false, agreement});
   }
   if (result.empty()) return result;
-  const std::vector<bool> everywhere = dependent_rows(GenericPoint(mechanics)(mechanics.dynamics.b), generic_rank);
-  for (Dependence& found : result) found.everywhere = everywhere[found.index];
+  const Rows everywhere =
+      dependent_rows(GenericPoint(mechanics)(mechanics.dynamics.b), order, generic_rank, independent);
+  for (Dependence& found : result) {
+    found.everywhere = std::find(everywhere.begin(), everywhere.end(), found.index) != everywhere.end();
+  }
   return result;
+}
+
+std::string names_of(const Mechanics& mechanics, const std::vector<std::size_t>& constraints) {
+  std::string text = constraints.size() == 1 ? "constraint " : "constraints ";
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == constraints.size() ? " and " : ", ";
+    text += "'" + mechanics.dynamics.constraints[constraints[i]] + "'";
+  }
+  return text;
+}
+
+std::string dependence_in(const Mechanics& mechanics, const Dependence& found) {
+  const std::string name = names_of(mechanics, {found.index});
+  return name + (found.others.empty() ? " limits no free speed" : " follows from " + names_of(mechanics, found.others));
+}
+
+std::string contradiction_in(const Mechanics& mechanics, const Dependence& found) {
+  if (found.agreement == Agreement::agree) return {};
+  std::vector<std::size_t> all = found.others;
+  all.push_back(found.index);
+  const bool is_of_velocities = found.agreement == Agreement::contradictory_velocities;
+  return (is_of_velocities ? "no velocities satisfy " : "no accelerations satisfy ") + names_of(mechanics, all) +
+         (all.size() == 1 ? "" : " together");
 }
 
 }  // namespace gaussgen

@@ -178,9 +178,10 @@ class Report {
     const std::size_t before = result_.warnings.size();
     const std::vector<Dependence> found = dependences(mechanics_, value_of_);
     for (const Dependence& dependence : found) {
-      result_.warnings.push_back("constraint '" + mechanics_.dynamics.constraints[dependence.index] +
-                                 (dependence.is_empty ? "' limits no free speed" : "' follows from the others") +
-                                 " here: multipliers are not unique");
+      const std::string contradiction = contradiction_in(mechanics_, dependence);
+      result_.warnings.push_back(contradiction.empty()
+                                     ? dependence_in(mechanics_, dependence) + " here: multipliers are not unique"
+                                     : contradiction + " here: accelerations cannot be trusted");
     }
     if (found.empty() && value_of_.is_true(mechanics_.solution.dependent_constraints)) {
       result_.warnings.push_back("constraints depend on each other here: multipliers are not unique");
@@ -213,6 +214,7 @@ template void bind_parameters(Mechanics&, evaluate::Evaluator<cl_F>&);
 template void bind_parameters(Mechanics&, evaluate::Evaluator<double>&);
 template void bind_parameters(Mechanics&, evaluate::Evaluator<long double>&);
 template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<cl_F>>&);
+template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<double>>&);
 
 Evaluation evaluate_model(Mechanics& mechanics, const support::Rational& time, int digits) {
   return Report(mechanics, time, digits).run();

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "dependence.hpp"
+#include "constraint_check.hpp"
 #include "evaluate/decimal.hpp"
 #include "generic_point.hpp"
 #include "open_rates.hpp"
@@ -42,10 +42,15 @@ class InitialCheck {
     for (const UndefinedPart& part : undefined) report_undefined(part);
     if (undefined.empty() && !has_state) report_undefined_state(state);
     const std::vector<Violation> violated = violations(mechanics_, values_);
-    for (const Violation& violation : violated) report_violation(violation);
-    if (!undefined.empty() || !has_state) return;
+    ConstraintCheck constraints(mechanics_, values_, is_emitted_, diagnostics_);
+    constraints.report_positions(violated);
+    constraints.report_contradictions();
+    for (const Violation& violation : violated) {
+      if (!constraints.is_contradictory(violation.index)) report_violation(violation);
+    }
+    if (!undefined.empty() || !has_state) return report_redundant(mechanics_, diagnostics_);
     if (violated.empty()) report_choice(chosen_rates(mechanics_, state, values_));
-    for (const Dependence& found : dependences(mechanics_, values_)) report_dependence(found);
+    constraints.report_redundant();
     report_singular();
   }
 
@@ -91,24 +96,6 @@ class InitialCheck {
             "the constraints leave {} of these initial rates open, and the least motion, weighed by mass, is taken: {}",
             open.freedom, support::joined(values)),
         fmt::format("state {} of them by initial_rate or initial_angular_velocity", open.freedom));
-  }
-
-  void report_dependence(const Dependence& found) {
-    const model::Constraint& constraint = model_.constraints[found.index];
-    const std::string& name = constraint.name.text;
-    const auto& reported = mechanics_.solution.redundant;
-    if (std::find(reported.begin(), reported.end(), name) != reported.end()) return;
-    if (found.everywhere) {
-      diagnostics_.warning(support::code::k_redundant_constraint, constraint.name.span,
-                           fmt::format("constraint '{}' follows from the others: multipliers are not unique", name),
-                           "remove it; status says dependent_constraints");
-      return;
-    }
-    diagnostics_.warning(support::code::k_dependent_start, constraint.name.span,
-                         found.is_empty
-                             ? fmt::format("constraint '{}' limits no free speed at the initial state", name)
-                             : fmt::format("constraint '{}' follows from the others at the initial state", name),
-                         "multipliers are not unique there: start from another state, or remove a constraint");
   }
 
   // A pivot that is zero from the start divides; one that cancels is flagged.

@@ -121,6 +121,7 @@ std::string derivation_text(const model::Model& model, bool latex, support::Diag
   Mechanics mechanics(model, {});
   check_structure(mechanics, diagnostics);
   if (diagnostics.has_errors()) return "";
+  report_redundant(mechanics, diagnostics);
   if (const auto obstacle = obstacle_in(mechanics)) {
     report_obstacle(*obstacle, diagnostics);
     return "";

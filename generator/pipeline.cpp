@@ -94,6 +94,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   check_initial_state(mechanics, emits(unit, "initial_state"), diagnostics);
   if (options.assemble) result.assembled = assembled_values(mechanics);
   check_points(mechanics, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
   stages.done("check", nodes(mechanics), [] { return std::string(); });
   result.times = std::move(stages).times();
   return result;

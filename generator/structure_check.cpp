@@ -31,14 +31,12 @@ class StructureCheck {
   void run() {
     for (std::size_t mu = 0; mu < model_.constraints.size(); ++mu) check_gradient(mu);
     if (!mechanics_.solution.undetermined.empty()) report_undetermined();
-    for (const std::string& name : mechanics_.solution.redundant) report_redundant(name);
     if (!model_.dependent.empty()) check_choice();
   }
 
  private:
   void check_gradient(std::size_t mu) {
     if (generic_rank(at_generic_point_({mechanics_.dynamics.b[mu]})) > 0) return;
-    idle_.push_back(model_.constraints[mu].name.text);
     diagnostics_.error(
         support::code::k_no_velocity, model_.constraints[mu].span,
         fmt::format("the constraint '{}' does not depend on any free speed: what it says of them cancels",
@@ -59,17 +57,6 @@ class StructureCheck {
           fmt::format("nothing determines the acceleration of '{}': the mass matrix is singular in every configuration",
                       label),
           "give what it moves a mass, or remove a coordinate that others already describe");
-    }
-  }
-
-  void report_redundant(const std::string& name) {
-    if (std::find(idle_.begin(), idle_.end(), name) != idle_.end()) return;
-    for (const model::Constraint& constraint : model_.constraints) {
-      if (constraint.name.text != name) continue;
-      diagnostics_.warning(
-          support::code::k_redundant_constraint, constraint.name.span,
-          fmt::format("constraint '{}' follows from the others: its multiplier is returned as 0", name),
-          "accelerations are right if the constraints agree; status says dependent_constraints");
     }
   }
 
@@ -97,7 +84,6 @@ class StructureCheck {
   const model::Model& model_;
   support::Diagnostics& diagnostics_;
   GenericPoint at_generic_point_;
-  std::vector<std::string> idle_;  ///< constraints that are reported
 };
 
 }  // namespace
@@ -105,6 +91,17 @@ class StructureCheck {
 void check_structure(Mechanics& mechanics, support::Diagnostics& diagnostics) {
   check_values(mechanics, diagnostics);
   if (!diagnostics.has_errors()) StructureCheck(mechanics, diagnostics).run();
+}
+
+void report_redundant(const Mechanics& mechanics, support::Diagnostics& diagnostics) {
+  const auto& redundant = mechanics.solution.redundant;
+  for (const model::Constraint& constraint : mechanics.model.constraints) {
+    const std::string& name = constraint.name.text;
+    if (std::find(redundant.begin(), redundant.end(), name) == redundant.end()) continue;
+    diagnostics.warning(support::code::k_redundant_constraint, constraint.name.span,
+                        fmt::format("constraint '{}' follows from the others: its multiplier is returned as 0", name),
+                        "accelerations are right if the constraints agree; status says dependent_constraints");
+  }
 }
 
 void check_choice(const Mechanics& mechanics, support::Diagnostics& diagnostics) {

@@ -6,9 +6,12 @@
 
 namespace gaussgen {
 
-/// Errors for expressions without a value, for constraints without a gradient and for speeds that nothing determines; a warning
-/// for every constraint that follows from the others.
+/// Errors for expressions without a value, for constraints without a gradient and for speeds that nothing determines.
 void check_structure(Mechanics& mechanics, support::Diagnostics& diagnostics);
+
+/// A warning for every constraint that follows from the others in every configuration; where there is an initial state,
+/// ConstraintCheck says more.
+void report_redundant(const Mechanics& mechanics, support::Diagnostics& diagnostics);
 
 /// A warning where the emitted route does not take the dependent speeds that the model chooses, as they are not safe.
 void check_choice(const Mechanics& mechanics, support::Diagnostics& diagnostics);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/fields.hpp"
 #include "model/format.hpp"
 #include "support/error_codes.hpp"
@@ -56,6 +58,8 @@ Turns read_euler(const Node& map, support::Span owner, Reading& reading) {
   return turns_of(letters, std::move(values));
 }
 
+bool is_zero(const Ast& ast) { return ast.kind == AstKind::number && cln::zerop(ast.number); }
+
 Turns read_single_turn(const Node& map, support::Span owner, Reading& reading) {
   const std::string where = "an orientation by one angle";
   check_keys(map, where, format::keys_of(format::single_turn()), reading);
@@ -70,9 +74,19 @@ Turns read_single_turn(const Node& map, support::Span owner, Reading& reading) {
 
 }  // namespace
 
+void refuse_zero_axis(support::Span span, Reading& reading) {
+  reading.diagnostics.error(code::k_undefined_value, span, "this vector is zero, so it has no direction",
+                            "write x, y or z, or a vector that is not zero, as in [1, 0, 1]");
+}
+
 std::variant<char, std::array<Ast, 3>> read_axis(const Node& node, support::Span owner, const std::string& where,
                                                  Reading& reading) {
-  if (node.kind == NodeKind::sequence) return read_vector(node, owner, where, reading);
+  if (node.kind == NodeKind::sequence) {
+    auto axis = read_vector(node, owner, where, reading);
+    if (!std::all_of(axis.begin(), axis.end(), is_zero)) return axis;
+    refuse_zero_axis(node.span, reading);
+    return 'z';
+  }
   if (!expect_scalar(node, owner, where, reading)) return 'z';
   const std::string& text = node.scalar.text;
   if (text == "x" || text == "y" || text == "z") return text[0];

@@ -9,6 +9,9 @@ namespace gaussgen::model {
 Attitude read_attitude(const spec::Entry& entry, Reading& reading);
 
 /// x, y, z, or three components over parameters; `where` names the key in messages.
+/// An error for a direction that is none.
+void refuse_zero_axis(support::Span span, Reading& reading);
+
 std::variant<char, std::array<Ast, 3>> read_axis(const spec::Node& node, support::Span owner, const std::string& where,
                                                  Reading& reading);
 

@@ -115,6 +115,7 @@ class DomainCheck {
     }
     const std::size_t point = name.find('.');
     if (point != std::string::npos) return hint_for_component(name.substr(0, point), name.substr(point + 1));
+    if (name == "e") return "write exp(x) for e^x; Euler's number itself is exp(1)";
     if (name == "I") return "declare a moment of inertia under 'parameters', as I1 or J";
     // A file full of unknown names gets no suggestions after the first ones: each costs a search.
     const std::string near = ++searches_ <= k_most_suggestions ? support::did_you_mean(name, names_) : std::string();

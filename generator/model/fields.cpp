@@ -50,17 +50,28 @@ const char* hint_for_kind(NodeKind wanted) {
   }
 }
 
+/// "m:2" is one word to YAML.
+bool lacks_blank(const Node& node) {
+  const std::string& text = node.scalar.text;
+  const std::size_t colon = text.find(':');
+  return node.kind == NodeKind::scalar && node.plain && colon != std::string::npos && colon + 1 < text.size() &&
+         text.find(' ') == std::string::npos;
+}
+
 bool expect(NodeKind kind, const char* wanted, const Node& node, Span owner, const std::string& where,
             Reading& reading) {
   if (node.kind == kind) return true;
   reading.diagnostics.error(code::k_wrong_kind, place_of(node, owner),
                             fmt::format("{} must be {}, and here is {}", where, wanted, kind_text(node)),
-                            hint_for_kind(kind));
+                            kind == NodeKind::map && lacks_blank(node)
+                                ? "write a blank behind the ':', as in 'key: value'"
+                                : hint_for_kind(kind));
   return false;
 }
 
 /// How each key that has to be there may look.
-std::string example_of(const std::string& key) {
+std::string example_of(const std::string& key, const std::string& where) {
+  if (key == "is" && where.rfind("speed", 0) == 0) return "is: dot(x)*cos(psi) + dot(y)*sin(psi)";
   static const std::map<std::string, const char*> k_examples{{"gauss", "1"},
                                                              {"name", "pendulum"},
                                                              {"value", "0.5"},
@@ -74,7 +85,14 @@ std::string example_of(const std::string& key) {
                                                              {"dependent", "[x]"},
                                                              {"of", "[0, 1, 2]"},
                                                              {"file", "leg.yaml"},
-                                                             {"is", "dot(x)*cos(psi) + dot(y)*sin(psi)"},
+                                                             {"type", "revolute"},
+                                                             {"child", "rod"},
+                                                             {"at", "[0, 0, 0]"},
+                                                             {"is", "2"},
+                                                             {"axis", "z"},
+                                                             {"angle", "psi"},
+                                                             {"direction", "x"},
+                                                             {"stiffness", "100"},
                                                              {"values", "[0, 3, 4]"}};
   const auto found = k_examples.find(key);
   return found == k_examples.end() ? key : fmt::format("{}: {}", key, found->second);
@@ -131,7 +149,7 @@ const Node* required(const Node& map, const std::string& key, Span owner, const 
   const Node* node = spec::find(map, key);
   if (node == nullptr && !has_misspelt(map, key, reading))
     reading.diagnostics.error(code::k_missing_key, owner, fmt::format("{} needs the key '{}'", where, key),
-                              fmt::format("add it, as in '{}'", example_of(key)));
+                              fmt::format("add it, as in '{}'", example_of(key, where)));
   return node;
 }
 

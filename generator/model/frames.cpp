@@ -83,7 +83,9 @@ void refuse_second(const Name& name, const std::string& what, Reading& reading) 
           ? "space itself"
           : fmt::format("the place in {}", reading.line_text(reading.model.frames[other->second].name.span));
   reading.diagnostics.error(code::k_name_clash, name.span, fmt::format("'{}' already names {}", name.text, owner),
-                            fmt::format("frames, points and bodies share their names; rename {}", what));
+                            what == k_child
+                                ? "a frame is the child of one joint; a loop is closed by a constraint"
+                                : fmt::format("frames, points and bodies share their names; rename {}", what));
 }
 
 std::size_t add_checked_frame(Frame frame, std::optional<Name> parent, Reading& reading) {

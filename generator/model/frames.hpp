@@ -5,6 +5,8 @@
 
 namespace gaussgen::model {
 
+inline constexpr const char* k_child = "the child";  ///< what a frame of a joint is
+
 /// Enters a frame; its parent is looked up when all are known. `parent`: nothing for space.
 std::size_t add_frame(Frame frame, std::optional<Name> parent, const std::string& what, Reading& reading);
 

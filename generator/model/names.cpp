@@ -19,14 +19,23 @@ namespace {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_name_character(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; }
 
+/// For "spring-rate" and "spring rate".
+std::string joined_by_underscore(std::string name) {
+  for (char& c : name) c = c == '-' || c == ' ' || c == '.' ? '_' : c;
+  const bool is_name = std::all_of(name.begin(), name.end(), is_name_character) && is_letter(name.front()) &&
+                       name.size() <= k_longest_name && name.back() != '_' && name.find("__") == std::string::npos;
+  return is_name ? ", such as " + name : std::string();
+}
+
 /// Empty when the name is valid.
 std::string fault_of(const std::string& name) {
   if (name.empty()) return "it is empty";
   for (std::size_t i = 0; i < name.size(); ++i) {
     const support::CodePoint point = support::code_point_at(name, i);
-    if (point.value >= 0x80) return advise(point.value).hint;
+    if (point.value >= 0x80) return fmt::format("{}; this has {}", advise(point.value).hint, advise(point.value).name);
   }
-  if (!std::all_of(name.begin(), name.end(), is_name_character)) return "a name has ASCII letters, digits and '_' only";
+  if (!std::all_of(name.begin(), name.end(), is_name_character))
+    return "a name has ASCII letters, digits and '_' only" + joined_by_underscore(name);
   if (!is_letter(name.front())) return "a name begins with a letter";
   if (name.size() > k_longest_name) return fmt::format("a name has at most {} characters", k_longest_name);
   if (name.back() == '_') return "a name does not end with '_'";
@@ -64,6 +73,7 @@ namespace {
 /// Enters the name among those that are declared; false if it is reserved or not the first of its name.
 bool enter(const Name& name, const std::string& what, Reading& reading) {
   const bool valid = check_name(name, reading);
+  if (name.text.empty()) return false;  // it stands for an expression that is reported
   if (valid && is_reserved(name.text)) {
     reading.diagnostics.error(
         code::k_reserved_name, name.span,

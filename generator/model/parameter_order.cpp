@@ -98,8 +98,8 @@ void order_parameters(Reading& reading) {
   }
   model.parameters = std::move(sorted);
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
-    SymbolRef& symbol = model.symbols[model.parameters[i].name.text];
-    if (symbol.kind == SymbolKind::parameter) symbol.index = i;
+    const auto symbol = model.symbols.find(model.parameters[i].name.text);  // none for a name that was refused
+    if (symbol != model.symbols.end() && symbol->second.kind == SymbolKind::parameter) symbol->second.index = i;
   }
 }
 

@@ -183,6 +183,11 @@ class Parser {
     }
     const bool small =
         cln::abs(cln::numerator(*value)) <= k_largest_power && cln::denominator(*value) <= k_largest_power;
+    if (!small && cln::abs(*value) <= k_largest_power) {
+      return without_value(exponent.span,
+                           fmt::format("the exponent {} is no simple fraction", support::to_text(*value)),
+                           hint_for_size() + ", as in x^(1/3)");
+    }
     if (!small) {
       return without_value(exponent.span, fmt::format("the exponent {} is too large", support::to_text(*value)),
                            hint_for_size());
@@ -238,7 +243,7 @@ class Parser {
   Ast call(std::size_t first, const std::string& text, const Function* function) {
     if (function == nullptr) {
       note(code::k_function_call, span_of(tokens_[first]), fmt::format("'{}' is not a function", text),
-           hint_for_function(text));
+           hint_for_function(text, has_comma(first + 1)));
     }
     const Level level(*this);
     if (is_over_) return broken_expression();
@@ -355,11 +360,26 @@ class Parser {
            kind == TokenKind::at_least;
   }
 
-  static std::string hint_for_function(const std::string& text) {
+  /// Whether several arguments follow the bracket.
+  bool has_comma(std::size_t bracket) const {
+    int depth = 0;
+    for (std::size_t i = bracket; i < tokens_.size(); ++i) {
+      depth += tokens_[i].kind == TokenKind::open ? 1 : tokens_[i].kind == TokenKind::close ? -1 : 0;
+      if (depth == 0) return false;
+      if (depth == 1 && tokens_[i].kind == TokenKind::comma) return true;
+    }
+    return false;
+  }
+
+  static std::string hint_for_function(const std::string& text, bool has_several) {
+    // np.sin, math.sin: the function of a library.
+    const std::string bare = text.substr(text.rfind('.') + 1);
+    if (bare != text && find_function(bare) != nullptr) return fmt::format("write {}(...)", bare);
     std::string what = substitute_for(text);
     if (what.empty()) {
       const std::string near = support::did_you_mean(text, function_names());
       if (!near.empty()) return near;
+      if (has_several) return "the functions are " + support::joined(function_names());
       what = fmt::format("for a product write {}*(...)", text);
     }
     return what + "; the functions are " + support::joined(function_names());

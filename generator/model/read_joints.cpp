@@ -256,7 +256,7 @@ class JointReader {
     }
     frame_.name = name_of(child->scalar);
     frame_.about = "carried by joint " + name_.text;
-    joint.frame = add_frame(std::move(frame_), parent_field(map_, "parent", reading_), "the child", reading_);
+    joint.frame = add_frame(std::move(frame_), parent_field(map_, "parent", reading_), k_child, reading_);
     reading_.model.joints.push_back(std::move(joint));
   }
 

@@ -158,7 +158,7 @@ void check_topology(Reading& reading) {
   }
   if (nothing_moves && !reading.incomplete) {
     reading.diagnostics.error(code::k_nothing_moves, k_top, "the model has no coordinates, so nothing can move",
-                              "add 'coordinates:' or 'orientations:'");
+                              "add 'coordinates:', 'orientations:', or 'joints:' that move");
   }
   if (!model.bodies.empty() && !reading.incomplete) check_used(reading);
   check_constraints(reading);

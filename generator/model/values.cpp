@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "model/attitude.hpp"
 #include "model/checks.hpp"
 #include "model/constant_check.hpp"
 #include "model/evaluate.hpp"
@@ -79,12 +80,37 @@ void check_quaternion(const Orientation& orientation, const Values& values, Read
   }
 }
 
+/// A vector of parameters that are zero; one of zeros is reported where it is read.
+void check_direction(const std::array<Ast, 3>& direction, const Values& values, Reading& reading) {
+  bool has_parameter = false;
+  for (const Ast& component : direction) {
+    const auto value = value_of(component, values);
+    if (!value || *value != 0) return;
+    has_parameter = has_parameter || component.kind != AstKind::number;
+  }
+  if (has_parameter) refuse_zero_axis({direction[0].span.begin, direction[2].span.end}, reading);
+}
+
+void check_directions(const Values& values, Reading& reading) {
+  for (const Frame& frame : reading.model.frames) {
+    const Turns* const turns = std::get_if<Turns>(&frame.attitude);
+    for (std::size_t i = 0; turns != nullptr && i < turns->size(); ++i) {
+      if (const auto* axis = std::get_if<std::array<Ast, 3>>(&(*turns)[i].axis))
+        check_direction(*axis, values, reading);
+    }
+  }
+  for (const Constraint& constraint : reading.model.constraints) {
+    if (const auto* law = std::get_if<SlipLaw>(&constraint.law)) check_direction(law->direction, values, reading);
+  }
+}
+
 }  // namespace
 
 void check_values(Reading& reading) {
   const Values values = checked_parameters(reading);
   check_expressions(values, reading);
   check_bodies(values, reading);
+  check_directions(values, reading);
   for (const Orientation& orientation : reading.model.orientations) check_quaternion(orientation, values, reading);
 }
 

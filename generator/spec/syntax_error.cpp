@@ -58,6 +58,76 @@ std::optional<std::uint32_t> tab_near(const support::Source& source, std::uint32
   return std::nullopt;
 }
 
+struct Finding {
+  Span span;
+  const char* message;
+  const char* hint;
+};
+
+std::uint32_t begin_of(const support::Source& source, std::string_view line) {
+  return static_cast<std::uint32_t>(line.data() - source.text().data());
+}
+
+/// about: 'the ball's mass', and x: {} free
+std::optional<Finding> text_behind_end(const support::Source& source, std::uint32_t offset) {
+  const std::string_view line = source.line_at(offset);
+  const std::string_view before = line.substr(0, offset - begin_of(source, line));
+  const std::size_t last = before.find_last_not_of(' ');
+  const Span here{offset, offset + 1};
+  switch (last == std::string_view::npos ? ' ' : before[last]) {
+    case '"':
+      return Finding{here, "the quoted text ends before this, but the line goes on",
+                     "inside \"...\" a quotation mark is written \\\""};
+    case '\'':
+      return Finding{here, "the quoted text ends before this, but the line goes on",
+                     "inside '...' an apostrophe is written twice: ''"};
+    case '}':
+    case ']':
+      return Finding{here, "text behind a closing bracket",
+                     "remove it; a text or an expression that begins with '{' or '[' needs quotes"};
+    default: return std::nullopt;
+  }
+}
+
+/// {mass: 1 position: [x, 0, 0]}: what comes before a second ':' is a key.
+std::optional<Finding> key_without_comma(const support::Source& source, std::uint32_t offset) {
+  const std::string_view line = source.line_at(offset);
+  const std::string_view before = line.substr(0, offset - begin_of(source, line));
+  if (source.text().substr(offset, 1) != ":" || before.find('{') == std::string_view::npos) return std::nullopt;
+  const std::size_t blank = before.find_last_of(" {,");
+  const auto key = static_cast<std::uint32_t>(begin_of(source, line) + blank + 1);
+  if (key == offset) return std::nullopt;
+  return Finding{{key, offset},
+                 "a ',' is missing before this key, or a '}'",
+                 "commas stand between the entries of {...}; quote a text that contains ': '"};
+}
+
+/// "k 3" or "k = 3" before a line that is right: to YAML it belongs to the text before it.
+std::optional<Finding> line_without_colon(const support::Source& source, std::uint32_t offset) {
+  std::uint32_t at = begin_of(source, source.line_at(offset));
+  while (at > 0) {
+    const std::string_view line = source.line_at(at - 1);
+    at = begin_of(source, line);
+    const std::size_t first = line.find_first_not_of(" \r");
+    if (first == std::string_view::npos || line[first] == '#') continue;
+    if (line.find_first_of(":[]{}-'\"") != std::string_view::npos) return std::nullopt;
+    const std::size_t last = line.find_last_not_of(" \r");
+    return Finding{{at + static_cast<std::uint32_t>(first), at + static_cast<std::uint32_t>(last) + 1},
+                   "a key without ':'",
+                   "write 'key: value'"};
+  }
+  return std::nullopt;
+}
+
+/// What people mean where YAML says something else.
+std::optional<Finding> likely_slip(const support::Source& source, std::uint32_t offset, const std::string& text) {
+  if (offset >= source.text().size()) return std::nullopt;
+  if (text.find("end of map not found") != std::string::npos) return text_behind_end(source, offset);
+  if (text.find("end of map flow") != std::string::npos) return key_without_comma(source, offset);
+  if (text.find("illegal map value") != std::string::npos) return line_without_colon(source, offset);
+  return std::nullopt;
+}
+
 }  // namespace
 
 void report_syntax_error(const support::Source& source, std::uint32_t offset, const std::string& text,
@@ -66,6 +136,10 @@ void report_syntax_error(const support::Source& source, std::uint32_t offset, co
   if (const auto tab = tab_near(source, offset)) {
     diagnostics.error(code::k_tab_indentation, {*tab, *tab + 1}, "a tab in the indentation",
                       "YAML indents with spaces only");
+    return;
+  }
+  if (const auto slip = likely_slip(source, offset, text)) {
+    diagnostics.error(code::k_yaml_syntax, slip->span, slip->message, slip->hint);
     return;
   }
   for (const Wording& wording : k_wordings) {

@@ -104,6 +104,9 @@ inline constexpr ErrorCode k_submodel_fit{"E092", "a submodel that does not fit 
 // The initial state, which is looked at when the equations are there.
 inline constexpr ErrorCode k_impossible_start{"E070", "an initial state that violates a constraint, and is emitted"};
 inline constexpr ErrorCode k_violating_start{"W051", "an initial state that violates a constraint, and is not emitted"};
+inline constexpr ErrorCode k_contradiction{"E080", "constraints that no motion satisfies together"};
+inline constexpr ErrorCode k_contradictory_start{
+    "W080", "an initial state at which no motion satisfies the constraints, and that is not emitted"};
 inline constexpr ErrorCode k_undefined_start{"W052", "an initial state at which something has no value"};
 inline constexpr ErrorCode k_singular_start{"W053", "an initial state without accelerations"};
 inline constexpr ErrorCode k_dependent_start{"W057", "an initial state at which constraints follow from each other"};
@@ -187,7 +190,7 @@ inline constexpr ErrorCode k_all_codes[] = {
 inline constexpr ErrorCode k_stage_codes[] = {
     code::k_no_paper_route, code::k_impossible_start, code::k_violating_start, code::k_undefined_start,
     code::k_singular_start, code::k_dependent_start,  code::k_chosen_start,    code::k_redundant_constraint,
-    code::k_unsafe_choice,  code::k_idle_point,
+    code::k_unsafe_choice,  code::k_idle_point,       code::k_contradiction,   code::k_contradictory_start,
 };
 
 }  // namespace gaussgen::support

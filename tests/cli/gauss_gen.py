@@ -37,8 +37,9 @@ class Program(unittest.TestCase):
 
     def run_it(self, *arguments, stdin=None, **more):
         more.setdefault("timeout", 60)
+        more.setdefault("text", True)
         more.setdefault("cwd", self.folder)
-        return subprocess.run([PROGRAM, *map(str, arguments)], input=stdin, capture_output=True, text=True, check=False,
+        return subprocess.run([PROGRAM, *map(str, arguments)], input=stdin, capture_output=True, check=False,
                               **more)
 
     def ok(self, *arguments, **more):

@@ -312,7 +312,7 @@ class Warnings(Evaluate):
 
     def test_constraints_that_depend_on_each_other_are_named(self):
         result = self.run_it("evaluate", "-", stdin=DOUBLED)
-        self.assertIn("warning: constraint 'again' follows from the others here: multipliers are not unique", result.stderr)
+        self.assertIn("warning: constraint 'again' follows from constraint 'blade' here: multipliers are not unique", result.stderr)
 
     def test_a_model_from_standard_input_works(self):
         self.assertIn("x_ddot", self.ok("evaluate", "-", stdin=PARTICLE))

@@ -147,10 +147,16 @@ TEST_CASE("coordinates that no inertia tells apart at the initial state are name
 
 TEST_CASE("constraints that follow from each other at the initial state are named") {
   const std::string more = "  again: {velocity: dot(x) - (1 + y)*dot(y)}\n";
-  const std::string model = plane("initial_rate: 1", "initial_rate: 1", "dot(x) - dot(y)") + more;
-  CHECK_THAT(found_in(model),
-             Catch::StartsWith(
-                 "m.yaml:14:3: warning[W057]: constraint 'again' follows from the others at the initial state\n"));
+  CHECK_THAT(found_in(plane("", "", "dot(x) - dot(y)") + more),
+             Catch::StartsWith("m.yaml:14:3: warning[W057]: constraint 'again' follows from constraint 'skate' at the "
+                               "initial state\n"));
+  // At a state that violates them nothing is known of accelerations.
+  CHECK_THAT(found_in(plane("initial_rate: 1", "initial_rate: 2", "dot(x) - dot(y)") + more),
+             Catch::Contains("E070") && Catch::Contains("W057") && !Catch::Contains("E080"));
+  // In motion they ask different accelerations: y would have to stay 0.
+  CHECK_THAT(found_in(plane("initial_rate: 1", "initial_rate: 1", "dot(x) - dot(y)") + more),
+             Catch::StartsWith("m.yaml:14:3: error[E080]: no accelerations satisfy constraints 'skate' and 'again' "
+                               "together at the initial state\n"));
   CHECK_THAT(found_in(plane("initial: 0", "initial_rate: 0", "x*dot(x)")),
              Catch::Contains("warning[W057]: constraint 'skate' limits no free speed at the initial state\n"));
 }
@@ -165,9 +171,69 @@ TEST_CASE("a constraint that another form of it repeats is found by its numbers"
        {"(dot(x)*sin(a) - dot(y)*cos(a))*cos(a)", "dot(x)*(1 - cos(2*a))/2 - dot(y)*sin(2*a)/2"}) {
     INFO(again);
     CHECK_THAT(found_in(sleigh + "  again: {velocity: '" + again + "'}\n"),
-               Catch::StartsWith("m.yaml:15:3: warning[W054]: constraint 'again' follows from the others"));
+               Catch::StartsWith("m.yaml:15:3: warning[W054]: constraint 'again' follows from constraint 'blade', and "
+                                 "agrees: multipliers are not unique\n"));
   }
   CHECK(found_in(sleigh).empty());
+}
+
+TEST_CASE("the fewest constraints that give a redundant one are named") {
+  const std::string others = "  side: {velocity: dot(y)}\n";
+  CHECK_THAT(found_in(plane("", "", "dot(x) - 1") + others + "  sum: {velocity: 2*dot(x) + dot(y) - 2}\n"),
+             Catch::Contains("'sum' follows from constraints 'skate' and 'side', and agrees"));
+  CHECK_THAT(found_in(plane("", "", "dot(x) - 1") + others + "  again: {velocity: 3*dot(y)}\n"),
+             Catch::Contains("'again' follows from constraint 'side', and agrees"));
+}
+
+TEST_CASE("constraints that ask different things of one motion are named, and nothing else is said of them") {
+  const std::string model = plane("", "", "dot(x) - 1") + "  other: {velocity: dot(y) - 1}\n";
+  CHECK_FALSE(Catch::Contains("E080").match(found_in(model)));
+  const std::string sum = "  sum: {velocity: dot(x) + dot(y) - 3}\n";
+  const std::string said =
+      "no velocities satisfy constraints 'skate', 'other' and 'sum' together at the initial state\n";
+  CHECK_THAT(found_in(model + sum), Catch::StartsWith("m.yaml:15:3: error[E080]: " + said) &&
+                                        !Catch::Contains("E070") && !Catch::Contains("W05"));
+  CHECK_THAT(found_in(model + sum + "outputs: [rhs]\n"), Catch::StartsWith("m.yaml:15:3: warning[W080]: " + said) &&
+                                                             !Catch::Contains("E070") && !Catch::Contains("W05"));
+  // Initial values that are wrong for both are no contradiction between them.
+  CHECK_THAT(found_in(plane("initial_rate: 5", "", "dot(x) - 1") + "  again: {velocity: 2*dot(x) - 2}\n"),
+             Catch::Contains("E070") && Catch::Contains("W054") && !Catch::Contains("E080"));
+  // Agreement to the digits of double is agreement.
+  CHECK_THAT(found_in(plane("", "", "dot(x) - 1/3") + "  again: {velocity: dot(x) - 0.3333333333333333}\n"),
+             Catch::StartsWith("m.yaml:14:3: warning[W054]"));
+  // What a nonlinear constraint asks is not seen from its gradient at a state that violates it.
+  CHECK_THAT(found_in(plane("initial_rate: 2", "initial_rate: 0", "dot(x)^2 + dot(y)^2 - 1") +
+                      "  again: {velocity: sqrt(dot(x)^2 + dot(y)^2) - 1}\n"),
+             Catch::Contains("E070") && !Catch::Contains("E080"));
+}
+
+TEST_CASE("accelerations that contradict each other are seen where velocities agree") {
+  const std::string model = plane("", "", "dot(x) - t") + "  other: {velocity: dot(x) - 2*t}\n";
+  CHECK_THAT(found_in(model), Catch::StartsWith("m.yaml:14:3: error[E080]: no accelerations satisfy constraints "
+                                                "'skate' and 'other' together at the initial state\n"));
+  CHECK_THAT(found_in(model + "outputs: [rhs]\n"), Catch::StartsWith("m.yaml:14:3: warning[W080]"));
+}
+
+TEST_CASE("positions that nothing satisfies are named with what is missing, others are only not found") {
+  const std::string point =
+      "coordinates:\n  x: {initial_guess: 1}\n  y: {initial_guess: 1}\nparticles:\n"
+      "  p: {mass: m, position: [x, y, 0]}\npoints:\n  far: {on: space, at: [4, 0, 0]}\n"
+      "constraints:\n  left: {distance: [p, space], is: 1}\n";
+  CHECK_THAT(found_in(point + "  right: {equation: x - 3}\n"),
+             Catch::Contains("error[E080]: no position near the initial one satisfies constraints 'left' and 'right' "
+                             "together: the nearest violates them by ") &&
+                 !Catch::Contains("E070"));
+  CHECK_THAT(found_in(point + "  right: {distance: [p, far], is: 2}\n"), Catch::Contains("[E080]"));
+  CHECK_FALSE(Catch::Contains("E080").match(found_in(point + "  right: {distance: [p, far], is: 3}\n")));  // they touch
+  CHECK(found_in(point + "  right: {distance: [p, far], is: 4}\n").empty());
+  // A search that gets there slowly gets there.
+  CHECK_FALSE(Catch::Contains("E080").match(found_in(
+      "coordinates:\n  x: {initial_guess: 1}\nparticles:\n  p: {mass: m, position: [x, 0, 0]}\nconstraints:\n  c: "
+      "{equation: x^4}\n")));
+  // By symmetry the gradient vanishes, and yet there is a solution.
+  CHECK_THAT(found_in("coordinates:\n  x: {}\nparticles:\n  p: {mass: m, position: [x, 0, 0]}\nconstraints:\n  c: "
+                      "{equation: x^2 - 1}\n"),
+             Catch::Contains("E070") && !Catch::Contains("E080"));
 }
 
 TEST_CASE("a point at which no force is reported is named") {
@@ -187,9 +253,13 @@ TEST_CASE("a point at which no force is reported is named") {
   CHECK(found_in(model + "outputs: [rhs]\n").empty());
 }
 
-TEST_CASE("warnings do not keep the header back") {
-  support::Source source("m.yaml", "gauss: 1\nname: start\nparameters:\n  m: 2\n" +
-                                       plane("initial_rate: 1", "initial_rate: 0", "dot(x) - dot(y)"));
+TEST_CASE("warnings do not keep the header back, errors do") {
+  const std::string model = plane("initial_rate: 1", "initial_rate: 0", "dot(x) - dot(y)");
+  const std::string head = "gauss: 1\nname: start\nparameters:\n  m: 2\n";
+  support::Diagnostics errors;
+  support::Source faulty("m.yaml", head + model);
+  CHECK_FALSE(compile(faulty, {}, errors, {}));
+  support::Source source("m.yaml", head + model + "outputs: [rhs]\n");
   support::Diagnostics diagnostics;
   const auto result = compile(source, {}, diagnostics, {});
   REQUIRE(result);

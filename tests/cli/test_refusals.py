@@ -89,11 +89,16 @@ class Model(Program):
         self.assertEqual(old.read_text(), "old")
 
     def test_no_faulty_model_is_an_internal_error(self):
+        # `evaluate` shows numbers of a bad start, too, and warns of them.
+        about_start = {"e070", "e080", "w051", "w052", "w053", "w054", "w057", "w058", "w059", "w060", "w080"}
         for model in sorted((SOURCE / "tests/diagnostics").glob("*.yaml")):
             for arguments in ([model], ["evaluate", model]):
                 result = self.run_it(*arguments)
-                self.assertIn(result.returncode, (1, 4) if model.name[0] == "e" else (0,), (model.name, result.stderr))
-                self.assertRegex(result.stderr, r":\d+:\d+: (error\[E|warning\[W)\d{3}\]: ")
+                is_warned = len(arguments) > 1 and model.name[:4] in about_start
+                is_error = model.name[0] == "e" and not is_warned
+                self.assertIn(result.returncode, (1, 4) if is_error else (0,), (model.name, result.stderr))
+                if not is_warned:
+                    self.assertRegex(result.stderr, r":\d+:\d+: (error\[E|warning\[W)\d{3}\]: ")
 
 
 class Files(Program):

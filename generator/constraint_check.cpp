@@ -1,0 +1,84 @@
+#include "constraint_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "nearest_position.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen {
+
+namespace code = support::code;
+
+ConstraintCheck::ConstraintCheck(Mechanics& mechanics, ModelValues& values, bool is_emitted,
+                                 support::Diagnostics& diagnostics)
+    : mechanics_(mechanics),
+      is_emitted_(is_emitted),
+      diagnostics_(diagnostics),
+      dependences_(dependences(mechanics, values)) {}
+
+void ConstraintCheck::report(const std::vector<std::size_t>& constraints, const std::string& message,
+                             const std::string& hint) {
+  contradictory_.insert(constraints.begin(), constraints.end());
+  const support::Span span = mechanics_.model.constraints[constraints.back()].name.span;
+  if (is_emitted_) {
+    diagnostics_.error(code::k_contradiction, span, message, hint);
+  } else {
+    diagnostics_.warning(code::k_contradictory_start, span, message, hint);
+  }
+}
+
+void ConstraintCheck::report_positions(const std::vector<Violation>& violated) {
+  const auto is_of_positions = [](const Violation& violation) { return violation.is_of_positions; };
+  if (std::none_of(violated.begin(), violated.end(), is_of_positions)) return;
+  const auto found = contradictory_positions(mechanics_);
+  if (!found) return;
+  for (const Violation& violation : violated) {
+    if (violation.is_of_positions) contradictory_.insert(violation.index);  // by where the first search gave up
+  }
+  std::vector<std::string> residuals;
+  for (const double residual : found->residuals) residuals.push_back(fmt::format("{:.3g}", residual));
+  const bool is_one = found->constraints.size() == 1;
+  report(found->constraints,
+         fmt::format("no position near the initial one satisfies {}{}: the nearest violates {} by {}",
+                     names_of(mechanics_, found->constraints), is_one ? "" : " together", is_one ? "it" : "them",
+                     support::joined(residuals)),
+         "check lengths and places in what they relate, or begin near another position");
+}
+
+void ConstraintCheck::report_contradictions() {
+  for (const Dependence& found : dependences_) {
+    if (found.agreement == Agreement::agree || is_contradictory(found.index)) continue;
+    std::vector<std::size_t> all = found.others;
+    all.push_back(found.index);
+    report(all, contradiction_in(mechanics_, found) + " at the initial state",
+           found.everywhere
+               ? "they limit the same motion and ask different things of it: correct one of them, or remove it"
+               : "start from another state, or remove a constraint");
+  }
+}
+
+void ConstraintCheck::report_redundant() {
+  for (const Dependence& found : dependences_) {
+    if (!is_contradictory(found.index)) report_redundant(found);
+  }
+}
+
+void ConstraintCheck::report_redundant(const Dependence& found) {
+  const model::Name& name = mechanics_.model.constraints[found.index].name;
+  const auto& redundant = mechanics_.solution.redundant;
+  const bool is_left_out = std::find(redundant.begin(), redundant.end(), name.text) != redundant.end();
+  if (found.everywhere) {
+    diagnostics_.warning(code::k_redundant_constraint, name.span,
+                         dependence_in(mechanics_, found) + ", and agrees: " +
+                             (is_left_out ? "its multiplier is returned as 0" : "multipliers are not unique"),
+                         "remove it; accelerations are right, and status says dependent_constraints");
+    return;
+  }
+  diagnostics_.warning(code::k_dependent_start, name.span, dependence_in(mechanics_, found) + " at the initial state",
+                       "multipliers are not unique there: start from another state, or remove a constraint");
+}
+
+}  // namespace gaussgen

@@ -1,0 +1,40 @@
+#pragma once
+// What is said of constraints that follow from each other, or contradict each other, at the initial state.
+
+#include <set>
+
+#include "dependence.hpp"
+#include "support/diagnostics.hpp"
+#include "violation.hpp"
+
+namespace gaussgen {
+
+class ConstraintCheck {
+ public:
+  /// At the state that is bound in `values`. A contradiction is an error if code starts there.
+  ConstraintCheck(Mechanics& mechanics, ModelValues& values, bool is_emitted, support::Diagnostics& diagnostics);
+
+  /// Equations of positions that nothing near satisfies, if there are violated ones among `violated`.
+  void report_positions(const std::vector<Violation>& violated);
+
+  /// Velocities or accelerations that nothing satisfies.
+  void report_contradictions();
+
+  /// Constraints that follow from others and agree with them.
+  void report_redundant();
+
+  /// Whether a contradiction with the constraint in it is reported; its own violation says nothing more.
+  bool is_contradictory(std::size_t constraint) const { return contradictory_.count(constraint) > 0; }
+
+ private:
+  void report(const std::vector<std::size_t>& constraints, const std::string& message, const std::string& hint);
+  void report_redundant(const Dependence& found);
+
+  Mechanics& mechanics_;
+  bool is_emitted_;
+  support::Diagnostics& diagnostics_;
+  std::vector<Dependence> dependences_;
+  std::set<std::size_t> contradictory_;
+};
+
+}  // namespace gaussgen

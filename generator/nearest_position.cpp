@@ -1,0 +1,237 @@
+#include "nearest_position.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evaluate/arithmetic_scale.hpp"
+#include "evaluate/evaluator.hpp"
+#include "evaluation.hpp"
+#include "strategy/projection.hpp"
+
+namespace gaussgen {
+
+namespace {
+
+using Number = evaluate::Scaled<double>;
+using Values = evaluate::Evaluator<Number>;
+using Vector = std::vector<double>;
+
+constexpr int k_most_steps = 400;
+constexpr double k_solved = 1e-11;     ///< f of what it is made of
+constexpr double k_violated = 1e-6;    ///< likewise, of the largest among the equations, and of that at the start
+constexpr double k_stationary = 1e-6;  ///< Jᵀ f of the largest f and ∂f
+constexpr double k_first_step = 1e-3;
+constexpr double k_most_damping = 1e12;
+
+/// Equations f = 0 at one position.
+struct Linearised {
+  Vector f;               ///< times the weights
+  Vector size;            ///< of what f is made of, likewise
+  std::vector<Vector> j;  ///< rows ∂f/∂(displacement along the speeds), likewise
+
+  double square() const {
+    double sum = 0;
+    for (const double value : f) sum += value * value;
+    return sum;
+  }
+};
+
+/// x of A x = b for a symmetric positive definite A, by elimination.
+Vector solved(std::vector<Vector> a, Vector b) {
+  const std::size_t n = b.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double factor = a[i][k] / a[k][k];
+      for (std::size_t j = k; j < n; ++j) a[i][j] -= factor * a[k][j];
+      b[i] -= factor * b[k];
+    }
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k][j] * b[j];
+    b[k] /= a[k][k];
+  }
+  return b;
+}
+
+/// Levenberg's and Marquardt's method for the least Σ f².
+class Search {
+ public:
+  explicit Search(Mechanics& mechanics)
+      : mechanics_(mechanics), values_(mechanics.graph, evaluate::Arithmetic<Number>(evaluate::Arithmetic<double>())) {
+    for (const auto mu : mechanics.kinematics.constraints.indices()) {
+      if (mechanics.kinematics.constraints[mu].f) rows_.push_back(mu);
+    }
+    weights_.assign(rows_.size(), 1);
+  }
+
+  std::optional<Contradiction> run() {
+    auto here = start();
+    if (here) remember_sizes(*here);
+    const double at_start = here ? std::sqrt(here->square()) : 0;
+    double damping = 1e-3;
+    for (int i = 0; here && i < k_most_steps && !is_solved(*here) && damping < k_most_damping; ++i) {
+      const Vector from = q_;
+      move(step(*here, damping));
+      auto there = linearised();
+      const bool is_better = there && there->square() < here->square();
+      damping *= is_better ? 0.2 : 5;
+      if (is_better) {
+        here = std::move(there);
+        remember_sizes(*here);
+      } else {
+        set(from);
+      }
+    }
+    if (!here || !is_stationary(*here)) return std::nullopt;
+    // What only goes slowly, as x² does, has come far.
+    return std::sqrt(here->square()) > k_violated * at_start ? contradiction(*here) : std::nullopt;
+  }
+
+ private:
+  std::optional<Linearised> start() {
+    bind_parameters(mechanics_, values_);
+    bind(mechanics_.symbols.time, 0);
+    Vector q;
+    const strategy::Vector all = strategy::guessed_state(mechanics_.model, mechanics_.expressions);
+    for (std::size_t i = 0; i < mechanics_.symbols.configuration.size(); ++i) {
+      const auto value = values_(all[i].id());
+      if (!value) return std::nullopt;
+      q.push_back(value->value);
+    }
+    set(std::move(q));
+    leave_symmetry();
+    const auto first = linearised();
+    if (!first) return std::nullopt;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      double largest = 0;
+      for (const double entry : first->j[i]) largest = std::max(largest, std::abs(entry));
+      if (largest > 0) weights_[i] = 1 / largest;
+    }
+    return linearised();
+  }
+
+  /// The largest derivatives so far along each speed: where one vanishes, its unit is known all the same.
+  void remember_sizes(const Linearised& at) {
+    sizes_.resize(at.j[0].size(), 0);
+    for (const Vector& row : at.j) {
+      for (std::size_t k = 0; k < row.size(); ++k) sizes_[k] = std::max(sizes_[k], std::abs(row[k]));
+    }
+  }
+
+  /// Where a derivative vanishes by symmetry, as that of x² - 1 at 0, a search does not find its way.
+  void leave_symmetry() {
+    Vector displacement;
+    for (std::size_t i = 0; i < mechanics_.symbols.speeds.size(); ++i) {
+      const bool is_plain = i < mechanics_.symbols.plain_count();
+      const double size = is_plain && q_[i] != 0 ? std::abs(q_[i]) : 1;
+      displacement.push_back(k_first_step * size * (1 + 0.37 * static_cast<double>(i)));
+    }
+    move(displacement);
+  }
+
+  void bind(ir::SymbolId symbol, double value) { values_.bind(symbol, {value, std::abs(value)}); }
+
+  /// Quaternions become of unit length.
+  void set(Vector q) {
+    for (const auto first : mechanics_.symbols.first_quaternion_component) {
+      double square = 0;
+      for (std::size_t i = 0; i < 4; ++i) square += q[first.value + i] * q[first.value + i];
+      for (std::size_t i = 0; i < 4; ++i) q[first.value + i] /= std::sqrt(square);
+    }
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      bind(mechanics_.symbols.configuration[kinematics::ConfigurationIndex{i}].symbol, q[i]);
+    }
+    q_ = std::move(q);
+  }
+
+  void move(const Vector& along_speeds) {
+    for (const auto i : mechanics_.symbols.speeds.indices())
+      bind(mechanics_.symbols.speeds[i].symbol, along_speeds[i.value]);
+    Vector q = q_;
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      const auto rate = values_(mechanics_.kinematics.configuration_rates[kinematics::ConfigurationIndex{i}].id());
+      if (rate) q[i] += rate->value;
+    }
+    set(std::move(q));
+  }
+
+  std::optional<Linearised> linearised() {
+    Linearised result;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const kinematics::ConstraintRow& row = mechanics_.kinematics.constraints[rows_[i]];
+      const auto f = values_(row.f->id());
+      if (!f || !std::isfinite(f->value)) return std::nullopt;
+      result.f.push_back(weights_[i] * f->value);
+      result.size.push_back(weights_[i] * f->scale);
+      result.j.emplace_back();
+      for (const auto alpha : mechanics_.symbols.speeds.indices()) {
+        const auto entry = values_(row.beta[mechanics_.symbols.full(alpha)].id());
+        if (!entry || !std::isfinite(entry->value)) return std::nullopt;
+        result.j.back().push_back(weights_[i] * entry->value);
+      }
+    }
+    return result;
+  }
+
+  Vector step(const Linearised& at, double damping) const {
+    const std::size_t n = at.j[0].size();
+    std::vector<Vector> a(n, Vector(n, 0));
+    Vector b(n, 0);
+    for (std::size_t row = 0; row < at.f.size(); ++row) {
+      for (std::size_t i = 0; i < n; ++i) {
+        b[i] -= at.j[row][i] * at.f[row];
+        for (std::size_t k = 0; k < n; ++k) a[i][k] += at.j[row][i] * at.j[row][k];
+      }
+    }
+    for (std::size_t i = 0; i < n; ++i) a[i][i] += damping * (sizes_[i] > 0 ? sizes_[i] * sizes_[i] : 1.0);
+    return solved(std::move(a), std::move(b));
+  }
+
+  static bool is_solved(const Linearised& at) {
+    for (std::size_t i = 0; i < at.f.size(); ++i) {
+      if (std::abs(at.f[i]) > k_solved * at.size[i]) return false;
+    }
+    return true;
+  }
+
+  bool is_stationary(const Linearised& at) const {
+    double largest = 0;
+    for (const double f : at.f) largest = std::max(largest, std::abs(f));
+    for (std::size_t k = 0; k < sizes_.size(); ++k) {
+      double sum = 0;
+      for (std::size_t i = 0; i < at.f.size(); ++i) sum += at.j[i][k] * at.f[i];
+      if (std::abs(sum) > k_stationary * sizes_[k] * largest) return false;
+    }
+    return true;
+  }
+
+  std::optional<Contradiction> contradiction(const Linearised& at) const {
+    double largest = 0;
+    for (const double f : at.f) largest = std::max(largest, std::abs(f));
+    Contradiction found;
+    bool is_clear = false;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (std::abs(at.f[i]) <= k_violated * largest) continue;
+      is_clear = is_clear || std::abs(at.f[i]) > k_violated * at.size[i];
+      found.constraints.push_back(rows_[i].value);
+      found.residuals.push_back(at.f[i] / weights_[i]);
+    }
+    return is_clear ? std::optional<Contradiction>(found) : std::nullopt;
+  }
+
+  Mechanics& mechanics_;
+  Values values_;
+  std::vector<kinematics::ConstraintIndex> rows_;
+  Vector weights_;  ///< per row, so that all are in units of displacements
+  Vector q_;
+  Vector sizes_;  ///< of derivatives along each speed
+};
+
+}  // namespace
+
+std::optional<Contradiction> contradictory_positions(Mechanics& mechanics) {
+  if (mechanics.dynamics.n() == 0) return std::nullopt;
+  return Search(mechanics).run();
+}
+
+}  // namespace gaussgen
