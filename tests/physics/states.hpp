@@ -14,7 +14,8 @@ template <class Model>
 typename Model::template State<double> state_of(const reference::Json& named) {
   typename Model::template State<double> state{};
   for (int i = 0; i < Model::n_q; ++i) state.values[i] = reference::number(named.at(Model::coordinates[i].name));
-  for (int i = 0; i < Model::n_v; ++i) state.values[Model::n_q + i] = reference::number(named.at(Model::speeds[i].name));
+  for (int i = 0; i < Model::n_v; ++i)
+    state.values[Model::n_q + i] = reference::number(named.at(Model::speeds[i].name));
   return state;
 }
 

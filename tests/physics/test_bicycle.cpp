@@ -70,7 +70,8 @@ std::array<Real, 2> slope(const bike::Prepared<Real>& p, Real v, std::size_t k) 
 
 }  // namespace
 
-TEST_CASE("a bicycle leans, steers and rolls as Newton and Euler say, with the forces in axles, head set and contacts") {
+TEST_CASE(
+    "a bicycle leans, steers and rolls as Newton and Euler say, with the forces in axles, head set and contacts") {
   const auto file = reference::read("bicycle");
   const auto prepared = prepare(bike::Parameters<double>{});
   for (const auto& sample : file["expected"]["states"]) {
@@ -118,8 +119,10 @@ TEST_CASE("small leans and steers of a bicycle have the matrices and the eigenva
     for (std::size_t k = 0; k < 4; ++k) {
       for (std::size_t i = 0; i < 2; ++i) {
         const Real found = matrix("M", i, 0) * slopes[k][0] + matrix("M", i, 1) * slopes[k][1];
-        const Real expected = k < 2 ? -g * matrix("K0", i, k) - v * v * matrix("K2", i, k) : -v * matrix("C1", i, k - 2);
-        CHECK(static_cast<double>(found - expected) == Approx(0).margin(1e-10 * static_cast<double>(1000 + 100 * v * v)));
+        const Real expected =
+            k < 2 ? -g * matrix("K0", i, k) - v * v * matrix("K2", i, k) : -v * matrix("C1", i, k - 2);
+        CHECK(static_cast<double>(found - expected) ==
+              Approx(0).margin(1e-10 * static_cast<double>(1000 + 100 * v * v)));
       }
     }
     for (const auto& pair : entry["eigenvalues_re_im"]) {
