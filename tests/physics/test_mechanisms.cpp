@@ -1,6 +1,7 @@
 // Linkages, gimbals, driven pendulums and a cart, against Newton's and Euler's equations of their bodies (tools/oracles).
 #include "cart_with_wheels.hpp"
 #include "gyroscope_in_gimbals.hpp"
+#include "iftomm_a02.hpp"
 #include "pendulum_moving_pivot.hpp"
 #include "pendulum_varying_length.hpp"
 #include "slider_crank.hpp"
@@ -17,12 +18,14 @@ namespace gyro = gauss::gyroscope_in_gimbals;
 namespace length = gauss::pendulum_varying_length;
 namespace pivot = gauss::pendulum_moving_pivot;
 namespace cart = gauss::cart_with_wheels;
+namespace bars = gauss::iftomm_a02;
 
 GAUSS_MODEL(Crank, crank);
 GAUSS_MODEL(Gyro, gyro);
 GAUSS_MODEL(Length, length);
 GAUSS_MODEL(Pivot, pivot);
 GAUSS_MODEL(Cart, cart);
+GAUSS_MODEL(Bars, bars);
 
 namespace {
 
@@ -220,4 +223,36 @@ TEST_CASE(
   cart::State<double> start;
   REQUIRE(initial_state(prepared, start) == gauss::Status::ok);
   check_motion<Cart>(file, prepared, cart::Inputs<double>{}, start, check_forces);
+}
+
+TEST_CASE("the bars of an N-four-bar mechanism swing as the reference says until they lie flat, and keep their energy") {
+  const auto file = reference::read("iftomm_a02_n_four_bar");
+  bars::Parameters<double> p;
+  p.L = number(file["params"]["L"]);
+  p.m = number(file["params"]["m"]);
+  p.g = number(file["params"]["g"]);
+  const auto prepared = prepare(p);
+  bars::State<double> start;
+  REQUIRE(initial_state(prepared, start) == gauss::Status::ok);
+  const auto model = gauss::integrate::bind_model<Bars>(prepared, bars::Inputs<double>{});
+  gauss::simulate::Simulation simulation(model, start);
+
+  const Json sample = file["expected"]["N2"]["samples"][0];
+  REQUIRE(number(sample["t"]) == 0.5);
+  REQUIRE(simulation.advance_to(0.5));
+  bars::State<double> state = simulation.state();
+  CHECK(p.L * std::cos(state.theta0()) == physics::close_to(sample["x"], 10));
+  CHECK(p.L * std::sin(state.theta0()) == physics::close_to(sample["y"], 10));
+  CHECK(-p.L * std::sin(state.theta0()) * state.theta0_dot() == physics::close_to(sample["vx"], 10));
+  CHECK(p.L * std::cos(state.theta0()) * state.theta0_dot() == physics::close_to(sample["vy"], 10));
+
+  // Flat at 0.714 s. Until then the closed form has theta'^2 = (v/L)^2 + 2 (g/L) (b/a) (1 - y/L).
+  const double b_over_a = (3.0 / 2 + 2) / (3.0 / 3 + 2);
+  for (const double t : {0.6, 0.65, 0.7, 0.71}) {
+    REQUIRE(simulation.advance_to(t));
+    state = simulation.state();
+    const double squared = std::pow(p.v / p.L, 2) + 2 * p.g / p.L * b_over_a * (1 - std::sin(state.theta0()));
+    for (const double rate : {state.theta0_dot(), state.theta1_dot(), state.theta2_dot()})
+      CHECK(rate * rate == Approx(squared).epsilon(1e-9));
+  }
 }

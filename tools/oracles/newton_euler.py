@@ -98,7 +98,7 @@ class System:
             I = np.diag(I * np.ones(3, dtype=real))
         at = frame.at(centre)
         I = at.R @ I @ at.R.T
-        self.bodies.append((real(mass), I, at, mass * self.gravity.copy(), -cross(at.w, I @ at.w)))
+        self.bodies.append((real(mass), I, at, real(mass) * self.gravity, -cross(at.w, I @ at.w)))
         return len(self.bodies) - 1
 
     def frame(self, body):
