@@ -225,7 +225,8 @@ TEST_CASE(
   check_motion<Cart>(file, prepared, cart::Inputs<double>{}, start, check_forces);
 }
 
-TEST_CASE("the bars of an N-four-bar mechanism swing as the reference says until they lie flat, and keep their energy") {
+TEST_CASE(
+    "the bars of an N-four-bar mechanism swing as the reference says until they lie flat, and keep their energy") {
   const auto file = reference::read("iftomm_a02_n_four_bar");
   bars::Parameters<double> p;
   p.L = number(file["params"]["L"]);

@@ -9,7 +9,7 @@ import reference_file
 from newton_euler import EX, EY, EZ, GROUND, Frame, System, number, real, solve, vec
 
 PARAMS = {"r": "0.1", "l": "0.35", "e": "0.02", "rc": "0.03", "lc": "0.12", "mc": "1.8", "mr": "0.7", "ms": "0.5",
-          "Jc": "0.004", "Jr": "0.009", "g": "9.81"}
+          "Jc": "0.004", "Jr": "0.009", "Js": "0.0004", "g": "9.81"}
 P = {key: number(value) for key, value in PARAMS.items()}
 NAMES = ["alpha", "beta", "s"]
 
@@ -30,7 +30,7 @@ def accelerations(q, u, torque, push):
     s = System(-P["g"] * EY)
     c = s.body(P["mc"], P["Jc"], crank, P["rc"] * EX)
     r = s.body(P["mr"], P["Jr"], rod, P["lc"] * EX)
-    b = s.body(P["ms"], 0, slider)
+    b = s.body(P["ms"], P["Js"], slider)
     s.hinge("O", GROUND, c, crank.r, EZ)
     s.hinge("A", c, r, rod.r, EZ)
     s.pin("guide", GROUND, b, slider.r, (EY, EZ))
