@@ -7,7 +7,7 @@ import random
 import numpy as np
 
 import reference_file
-from newton_euler import EX, EY, EZ, GROUND, ZERO, Frame, System, cross, number, pi, real, solve, unit, vec
+from newton_euler import EX, EY, EZ, Frame, System, cross, number, pi, real, solve, vec
 
 PARAMS = json.loads((reference_file.FOLDER / "bicycle_whipple_linear.json").read_text())["params"]
 P = {key: number(value) for key, value in PARAMS.items()}
@@ -117,7 +117,8 @@ def published():
         {"lean": "-0.6068425835418", "steer": "-0.4859824687093", "rear_turn": "-8.9129896614890"})
     found = {"yaw": "-0.8353281706379", "lean": "7.8555281128244", "pitch": "-0.1205543897884",
              "steer": "4.6198904039403", "rear_turn": "-1.8472554144217", "front_turn": "-2.4548072904550"}
-    return {"t": 0, "state": {**reference_file.state_entry(NAMES, state), "z": 0, "z_dot": 0}, "accelerations": {f"{n}_ddot": a for n, a in found.items()},
+    return {"t": 0, "state": {**reference_file.state_entry(NAMES, state), "z": 0, "z_dot": 0},
+            "accelerations": {f"{n}_ddot": a for n, a in found.items()},
             "source": "Basu-Mandal, Chatterjee, Papadopoulos 2007, Proc. R. Soc. A 463:1983-2003, Table 1"}
 
 

@@ -128,7 +128,7 @@ class System:
         return cross(w, cross(w, place - self.frame(body).r))
 
     def pin(self, name, first, second, place, directions=(EX, EY, EZ), moves=ZERO):
-        """The material places of both bodies stay together; force on the second, never the ground. `moves`: further relative acceleration."""
+        """The material places of both bodies stay together; force on the second, never the ground. `moves`: relative acceleration."""
         for n in directions:
             entries = [self._entry(b, n, place, s) for b, s in ((second, 1), (first, -1)) if b is not GROUND]
             right = -n @ self._centripetal(second, place)

@@ -6,7 +6,7 @@ import random
 import numpy as np
 
 import reference_file
-from newton_euler import EX, EY, EZ, GROUND, Frame, System, across, number, real, vec
+from newton_euler import EY, EZ, GROUND, Frame, System, across, number, real, vec
 
 LENGTH = {"m": "0.4", "l": "0.9", "stroke": "0.15", "Omega": "6.2", "g": "9.81"}
 PIVOT = {"m": "0.3", "l": "0.4", "stroke": "0.02", "Omega": "200", "g": "9.81"}

@@ -6,7 +6,7 @@ import random
 import numpy as np
 
 import reference_file
-from newton_euler import EX, EY, EZ, GROUND, Frame, System, number, real, solve, vec
+from newton_euler import EX, EY, EZ, GROUND, Frame, System, number, real
 
 PARAMS = {"r": "0.1", "l": "0.35", "e": "0.02", "rc": "0.03", "lc": "0.12", "mc": "1.8", "mr": "0.7", "ms": "0.5",
           "Jc": "0.004", "Jr": "0.009", "Js": "0.0004", "g": "9.81"}
