@@ -25,9 +25,11 @@ COMMANDS = {
 
 def run(arguments, **more):
     result = subprocess.run([PROGRAM, *arguments], capture_output=True, check=False, timeout=120, **more)
-    if result.returncode != 0 or result.stderr:
+    # Where a pivot of the paper's route vanishes at the initial state, it warns (W053): of the cart, whose roll and pitch are 0.
+    may_warn = "--route=paper" in arguments
+    if result.returncode != 0 or (result.stderr and not may_warn):
         raise AssertionError(f"{arguments}: exit code {result.returncode}: {result.stderr.decode()}")
-    return hashlib.sha256(result.stdout).hexdigest()
+    return hashlib.sha256(result.stdout + result.stderr).hexdigest()
 
 
 def cases(commands=tuple(COMMANDS)):
