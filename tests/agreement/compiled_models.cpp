@@ -5,6 +5,11 @@
 #include <type_traits>
 
 #include "headers/plain_models.hpp"
+#include "large_headers.inc"
+
+#define GAUSS_TESTED_MODEL(name_space) GAUSS_MAKE_TESTED(name_space)
+#include "large_models.inc"
+#undef GAUSS_TESTED_MODEL
 
 namespace agreement {
 
@@ -103,6 +108,7 @@ CompiledModel compiled_model() {
 const std::vector<CompiledModel>& compiled_models() {
   static const std::vector<CompiledModel> k_models{
 #define GAUSS_TESTED_MODEL(name_space) compiled_model<name_space::Tested>(),
+#include "large_models.inc"
 #include "plain_models.inc"
 #undef GAUSS_TESTED_MODEL
   };

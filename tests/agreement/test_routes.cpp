@@ -206,7 +206,8 @@ class Comparison {
         papers_(routes_by_partition(model_, emitted_)),
         evaluator_(emitted_.graph, Arithmetic<double>()),
         other_(multipliers_.graph, Arithmetic<double>()) {
-    REQUIRE((!papers_.empty() || choices(emitted_.dynamics.n(), emitted_.dynamics.l()) > k_most_choices));
+    const bool is_left_out = choices(emitted_.dynamics.n(), emitted_.dynamics.l()) > k_most_choices;
+    REQUIRE((!papers_.empty() || is_left_out || !model_.speeds.empty()));
     gaussgen::bind_parameters(emitted_, evaluator_);
     gaussgen::bind_parameters(multipliers_, other_);
     tally_.partitions = static_cast<int>(papers_.size());

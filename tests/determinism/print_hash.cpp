@@ -13,6 +13,7 @@
 #include <iterator>
 #include <random>
 
+#include "lower/paper_route.hpp"
 #include "model/build.hpp"
 #include "paper.hpp"
 #include "pipeline.hpp"
@@ -51,8 +52,14 @@ support::Source source_of(const std::string& path) {
           support::read_regular_file};
 }
 
+bool has_paper_route(support::Source& source) {
+  support::Diagnostics diagnostics;
+  return lower::paper_route_obstacle(model::build_model(source, diagnostics).value()).empty();
+}
+
 void add_headers(support::Source& source, Hash& hash) {
   for (const Route route : {Route::emitted, Route::paper}) {
+    if (route == Route::paper && !has_paper_route(source)) continue;
     for (const bool fold : {false, true}) {
       PipelineOptions options;
       options.route = route;
@@ -85,7 +92,7 @@ int main(int argc, char** argv) {
     for (GiNaC::ex& symbol : unused_symbols(random)) unused.push_back(std::move(symbol));
     support::Source source = source_of(argv[i]);
     add_headers(source, hash);
-    add_derivations(source, hash);
+    if (has_paper_route(source)) add_derivations(source, hash);
   }
   std::printf("%016llx\n", static_cast<unsigned long long>(hash.value()));
 }

@@ -4,7 +4,7 @@ import os
 import subprocess
 import unittest
 
-from same_bytes import MODELS
+from same_bytes import LARGE, MODELS
 
 SEEDS = range(30)
 
@@ -13,7 +13,7 @@ class Serials(unittest.TestCase):
     def test_other_serial_numbers_print_the_same_bytes(self):
         found = {}
         for seed in SEEDS:
-            result = subprocess.run([os.environ["GAUSS_PRINT_HASH"], str(seed), *map(str, MODELS)], capture_output=True, text=True,
+            result = subprocess.run([os.environ["GAUSS_PRINT_HASH"], str(seed), *(str(path) for path in MODELS if path.stem not in LARGE)], capture_output=True, text=True,
                                     check=True, timeout=300)
             found.setdefault(result.stdout, []).append(seed)
         self.assertEqual(len(found), 1, f"seeds by what they print: {found}")
