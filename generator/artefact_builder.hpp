@@ -55,6 +55,7 @@ std::vector<emit::Artefact> compulsion_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> residuals_artefact(Mechanics& mechanics);
 emit::Artefact mass_matrix_artefact(Mechanics& mechanics);
 emit::Artefact project_artefact(Mechanics& mechanics);
+std::vector<emit::Artefact> inverse_dynamics_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> quantities_artefact(Mechanics& mechanics);
 emit::Artefact initial_state_artefact(Mechanics& mechanics);
 

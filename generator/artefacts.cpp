@@ -18,7 +18,8 @@ const std::vector<OutputKind>& output_kinds() {
       {"mass_matrix", "the metric of the free speeds"},
       {"project", "nearest state that satisfies the constraints"},
       {"initial_state", "the model's initial state"},
-      {"quantities", "what the model names under 'quantities'"}};
+      {"quantities", "what the model names under 'quantities'"},
+      {"inverse_dynamics", "forces and inputs that make given accelerations", false}};
   return k_kinds;
 }
 
@@ -41,6 +42,7 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   if (name == "mass_matrix") return one(mass_matrix_artefact(mechanics));
   if (name == "project") return one(project_artefact(mechanics));
   if (name == "initial_state") return one(initial_state_artefact(mechanics));
+  if (name == "inverse_dynamics" && has_state) return inverse_dynamics_artefact(mechanics);
   if (name == "quantities") return quantities_artefact(mechanics);
   return {};
 }

@@ -13,6 +13,7 @@ namespace gaussgen {
 struct OutputKind {
   std::string name;
   std::string about;
+  bool is_usual = true;  ///< emitted where nothing is said of outputs
 };
 
 const std::vector<OutputKind>& output_kinds();

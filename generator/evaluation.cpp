@@ -26,8 +26,9 @@ const char* const k_unit_of_multiplier = "power per phi: N where phi is in m/s, 
 
 class Report {
  public:
-  Report(Mechanics& mechanics, const support::Rational& time, int digits)
-      : mechanics_(mechanics), digits_(digits), value_of_(mechanics, time, digits) {}
+  Report(Mechanics& mechanics, const support::Rational& time, int digits,
+         const std::optional<WantedAccelerations>& wanted)
+      : mechanics_(mechanics), digits_(digits), value_of_(mechanics, time, digits), wanted_(wanted) {}
 
   Evaluation run() {
     warn_of_parameters();
@@ -41,6 +42,7 @@ class Report {
     add_groups("compulsion");
     add_groups("quantities");
     add_status();
+    if (wanted_) add_inverse_dynamics();
     return std::move(result_);
   }
 
@@ -107,6 +109,34 @@ class Report {
       result_.warnings.push_back("accelerations are undefined here: the coordinates may be singular");
   }
 
+  // Last, since other groups are about the accelerations that were found.
+  void add_inverse_dynamics() {
+    std::vector<std::pair<ir::SymbolId, NodeId>> given;
+    for (const auto& speed : mechanics_.symbols.speeds) {
+      const auto found = wanted_->find(speed.acceleration_name);
+      const support::Rational value = found == wanted_->end() ? support::Rational(0) : found->second;
+      given.emplace_back(speed.acceleration, mechanics_.graph.constant(value));
+      add("wanted", speed.acceleration_name, {speed.unit.empty() ? "" : speed.unit + "^2", ""}, given.back().second);
+    }
+    value_of_.bind(given);
+    warn_of_impossible_accelerations();
+    add_groups("inverse_dynamics");
+  }
+
+  void warn_of_impossible_accelerations() {
+    const strategy::Dynamics& dynamics = mechanics_.dynamics;
+    for (std::size_t mu = 0; mu < dynamics.l(); ++mu) {
+      Expr sum = dynamics.b_drift[mu];
+      for (std::size_t i = 0; i < dynamics.n(); ++i)
+        sum += dynamics.b[mu][i] *
+               mechanics_.expressions.symbol(mechanics_.symbols.speeds[kinematics::FreeIndex{i}].acceleration);
+      const auto residual = value_of_.residual(sum.id(), digits_);
+      if (!residual || cln::zerop(*residual)) continue;
+      result_.warnings.push_back("the wanted accelerations violate constraint '" + dynamics.constraints[mu] + "' by " +
+                                 evaluate::to_decimal(*residual, 3));
+    }
+  }
+
   void add_reactions() {
     for (std::size_t mu = 0; mu < mechanics_.dynamics.l(); ++mu) {
       add("multipliers", mechanics_.dynamics.constraints[mu], {"", k_unit_of_multiplier},
@@ -141,6 +171,7 @@ class Report {
     if (field.name == "quaternion") return "." + mechanics_.model.orientations.at(index).name.text;
     if (field.name == "velocity" || field.name == "acceleration")
       return "." + mechanics_.dynamics.constraints.at(index);
+    if (field.name == "missing" || field.name == "reached") return "." + mechanics_.dynamics.labels.at(index);
     if (field.shape[0] == 3 && field.values.size() == 3) return std::string(".") + k_axes[index];
     return "[" + std::to_string(index) + "]";
   }
@@ -192,6 +223,7 @@ class Report {
   Mechanics& mechanics_;
   int digits_;
   ModelValues value_of_;
+  const std::optional<WantedAccelerations>& wanted_;
   Evaluation result_;
 };
 
@@ -216,8 +248,9 @@ template void bind_parameters(Mechanics&, evaluate::Evaluator<long double>&);
 template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<cl_F>>&);
 template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<double>>&);
 
-Evaluation evaluate_model(Mechanics& mechanics, const support::Rational& time, int digits) {
-  return Report(mechanics, time, digits).run();
+Evaluation evaluate_model(Mechanics& mechanics, const support::Rational& time, int digits,
+                          const std::optional<WantedAccelerations>& wanted) {
+  return Report(mechanics, time, digits, wanted).run();
 }
 
 }  // namespace gaussgen

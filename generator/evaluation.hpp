@@ -1,6 +1,8 @@
 #pragma once
 // A model at one state, in as many digits as wanted and without a compiler: `gauss-gen evaluate`.
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +29,12 @@ struct Evaluation {
   std::vector<std::string> notes;  ///< what a group holds, and what is left out of it on purpose
 };
 
+/// Accelerations of which the forces and inputs are asked for, by their names; others are 0.
+using WantedAccelerations = std::map<std::string, support::Rational>;
+
 /// At the initial state of `mechanics.model` and time `time`, with `digits` decimal digits.
-Evaluation evaluate_model(Mechanics& mechanics, const support::Rational& time, int digits);
+Evaluation evaluate_model(Mechanics& mechanics, const support::Rational& time, int digits,
+                          const std::optional<WantedAccelerations>& wanted = std::nullopt);
 
 /// Binds parameters and inputs to their values in the model.
 template <class T>

@@ -85,7 +85,9 @@ class UnitBuilder {
     std::vector<std::string> names;
     for (const model::Name& name : model_.outputs) names.push_back(name.text);
     if (names.empty()) {
-      for (const OutputKind& kind : output_kinds()) names.push_back(kind.name);
+      for (const OutputKind& kind : output_kinds()) {
+        if (kind.is_usual) names.push_back(kind.name);
+      }
     }
     return names;
   }

@@ -52,6 +52,12 @@ class Adder {
                              wrapped("change a parameter, an input, a coordinate or a rate, such as "
                                      "m=2, chi=pi/4 or 'dot(chi)=2'; may be repeated")),
              "NAME=VALUE");
+    app_.add_flag("--equilibrium", options_.at_equilibrium,
+                  wrapped("go from the initial position to one at which the model stays at rest, and evaluate there"));
+    one_each(app_.add_option("--accelerate", options_.accelerations,
+                             wrapped("show the forces and inputs that make this acceleration, such as theta=2, wx=0; "
+                                     "those not named are 0; may be repeated")),
+             "NAME=A");
     app_.add_option("--time", options_.time, "time, default 0")->type_name("T");
     const auto take_digits = [&options = options_](int digits) {
       if (digits < 1 || digits > k_most_digits)

@@ -8,6 +8,7 @@
 #include "cli/files.hpp"
 #include "cli/guard.hpp"
 #include "cli/overrides.hpp"
+#include "equilibrium.hpp"
 #include "evaluation.hpp"
 #include "read_model.hpp"
 #include "structure_check.hpp"
@@ -112,11 +113,20 @@ int evaluate(const Options& options) {
   if (!model || code != k_ok) return code;
   apply_overrides(options.overrides, *model);
   const support::Rational time = parse_time(options.time);
-  Mechanics mechanics(*model, {});
+  std::optional<WantedAccelerations> wanted;
+  if (!options.accelerations.empty()) wanted = parse_accelerations(options.accelerations, *model);
   support::Diagnostics structure;
-  check_structure(mechanics, structure);
+  {
+    Mechanics mechanics(*model, {});
+    check_structure(mechanics, structure);
+  }
   if (const int found = report(structure, source, options.messages); found != k_ok) return found;
-  const Evaluation evaluation = evaluate_model(mechanics, time, options.digits);
+  if (options.at_equilibrium) {
+    const std::string failure = go_to_equilibrium(*model, time, options.digits);
+    if (!failure.empty()) return fail(failure, k_model_error, options.messages);
+  }
+  Mechanics mechanics(*model, {});
+  const Evaluation evaluation = evaluate_model(mechanics, time, options.digits, wanted);
   write_standard_output(options.format == Format::json ? json(evaluation, *model, options) : table(evaluation));
   for (const std::string& warning : evaluation.warnings) warn(warning, options.messages);
   return k_ok;

@@ -31,6 +31,8 @@ struct Options {
 
   // evaluate, derivation
   std::vector<std::string> overrides;
+  std::vector<std::string> accelerations;  ///< NAME=VALUE
+  bool at_equilibrium = false;
   std::string time = "0";
   int digits = 17;
   Format format = Format::table;

@@ -167,6 +167,38 @@ Assignment split(const std::string& text, const model::Model& model) {
 
 }  // namespace
 
+namespace {
+
+/// What emitted code calls the acceleration of a coordinate, an angular velocity component or a speed.
+std::string acceleration_name(const std::string& name, const model::Model& model) {
+  const auto symbol = model.symbols.find(name);
+  const bool is_known = symbol != model.symbols.end();
+  if (is_known && symbol->second.kind == model::SymbolKind::coordinate) {
+    const model::Coordinate& coordinate = model.coordinates[symbol->second.index];
+    if (!coordinate.held_at && !coordinate.speed) return name + "_ddot";
+  }
+  const bool is_speed = is_known && (symbol->second.kind == model::SymbolKind::angular_velocity ||
+                                     symbol->second.kind == model::SymbolKind::speed);
+  if (is_speed) return name + "_dot";
+  throw UsageError(fmt::format("--accelerate: '{}' is no free coordinate, angular velocity component or speed", name));
+}
+
+}  // namespace
+
+std::map<std::string, support::Rational> parse_accelerations(const std::vector<std::string>& assignments,
+                                                             const model::Model& model) {
+  std::map<std::string, support::Rational> wanted;
+  for (const std::string& text : assignments) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) throw UsageError(fmt::format("--accelerate: expected name=value, not '{}'", text));
+    const std::string name = trimmed(text.substr(0, equals));
+    const auto value = model::exact_value(parsed("--accelerate " + name, text.substr(equals + 1)));
+    if (!value) throw UsageError(fmt::format("--accelerate {}: a number is needed", name));
+    wanted[acceleration_name(name, model)] = *value;
+  }
+  return wanted;
+}
+
 void apply_overrides(const std::vector<std::string>& assignments, model::Model& model) {
   std::vector<Assignment> all;
   for (const std::string& text : assignments) {

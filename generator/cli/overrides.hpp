@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,11 @@ namespace gaussgen::cli {
 /// quaternion component, or an initial rate, written dot(chi), chi_dot or, for angular velocities, by name. The value is an
 /// expression over parameters. All are applied before any is judged by the values of parameters. Throws UsageError.
 void apply_overrides(const std::vector<std::string>& assignments, model::Model& model);
+
+/// Assignments such as theta=2: the acceleration of a free coordinate, an angular velocity component or a speed, a number. By the
+/// names that emitted code has for them. Throws UsageError.
+std::map<std::string, support::Rational> parse_accelerations(const std::vector<std::string>& assignments,
+                                                             const model::Model& model);
 
 /// The value of --time: a number, or sums, products and quotients of numbers.
 support::Rational parse_time(const std::string& text);

@@ -126,7 +126,7 @@ bool has(const Names& names, const std::string& wanted) {
 const std::vector<std::string>& outputs() {
   static const Names k_outputs{"rhs",     "reactions",     "reaction_forces", "joint_reactions",
                                "energy",  "compulsion",    "residuals",       "mass_matrix",
-                               "project", "initial_state", "quantities"};
+                               "project", "initial_state", "quantities",      "inverse_dynamics"};
   return k_outputs;
 }
 

@@ -53,13 +53,22 @@ class Repetition {
       if (is_section(entry.key.text) && entry.value.kind == NodeKind::map) {
         result.entries.push_back({entry.key, section(entry.value)});
       } else {
-        result.entries.push_back({entry.key, with_indices(entry.value, counts_, reading_.diagnostics)});
+        result.entries.push_back({entry.key, texts(entry)});
       }
     }
     return result;
   }
 
  private:
+  /// Of what is no section. In a name that is to be refused anyway, a `$` is no index.
+  Node texts(const Entry& entry) {
+    if (entry.key.text != "name" || entry.value.kind != NodeKind::scalar)
+      return with_indices(entry.value, counts_, reading_.diagnostics);
+    Node name = entry.value;
+    name.scalar = with_indices(name.scalar, counts_, UnknownIndex::keep, reading_.diagnostics);
+    return name;
+  }
+
   void read_counts(const Node& root) {
     read_section(root, k_counts, reading_, [&](const Entry& entry) {
       const bool is_index = entry.key.text == "i" || entry.key.text == "j" || entry.key.text == "k";

@@ -7,7 +7,7 @@ from gauss_gen import SKEW, SOURCE, Program
 
 OPTIONS = {"": ["--output", "--check", "--list-outputs", "--depfile", "--depfile-target", "--namespace", "--outputs", "--fold", "--route", "--dump",
                 "--timings", "--diagnostics", "--color", "--man", "--help", "--version"],
-           "evaluate": ["--set", "--time", "--digits", "--format", "--diagnostics", "--color", "--help"],
+           "evaluate": ["--set", "--equilibrium", "--accelerate", "--time", "--digits", "--format", "--diagnostics", "--color", "--help"],
            "derivation": ["--output", "--format", "--diagnostics", "--color", "--help"],
            "explain": ["--format", "--help"], "init": ["--help"], "schema": ["--help"], "completion": ["--help"]}
 

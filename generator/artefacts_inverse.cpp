@@ -1,0 +1,60 @@
+#include "artefact_builder.hpp"
+#include "strategy/inverse_dynamics.hpp"
+
+namespace gaussgen {
+
+using emit::Artefact;
+using emit::Field;
+using strategy::Steps;
+using strategy::Vector;
+
+namespace {
+
+const char* const k_about =
+    "What makes given accelerations, which satisfy the constraints. missing: least generalized forces to be added to\n"
+    "those at these inputs; reactions stay what they are then.";
+const char* const k_about_inputs =
+    "\nneeded: what the inputs have to be instead, and the accelerations that result: the given ones, unless there are "
+    "too "
+    "few inputs.";
+
+void add_inputs(ArtefactBuilder& builder, const Mechanics& mechanics, const strategy::Drives& drives) {
+  std::vector<Field> fields;
+  for (std::size_t k = 0; k < drives.inputs.size(); ++k) {
+    const model::Input& input = mechanics.model.inputs[drives.inputs[k]];
+    fields.push_back({input.name.text, input.unit.empty() ? "" : "[" + input.unit + "]", {}, {drives.values[k].id()}});
+  }
+  builder.fields("needed", "NeededInputs", "what the inputs have to be", std::move(fields));
+}
+
+}  // namespace
+
+std::vector<Artefact> inverse_dynamics_artefact(Mechanics& mechanics) {
+  Vector wanted;
+  for (const auto& speed : mechanics.symbols.speeds) wanted.push_back(mechanics.expressions.symbol(speed.acceleration));
+  Steps steps;
+  const int n = static_cast<int>(mechanics.dynamics.n());
+  const Vector missing = strategy::missing_forces(mechanics.dynamics, wanted, mechanics.solution.accelerations, steps);
+  const auto drives = strategy::drives(mechanics.dynamics, wanted, mechanics.epsilon(), steps);
+
+  ArtefactBuilder builder("inverse_dynamics", std::string(k_about) + (drives ? k_about_inputs : ""), mechanics);
+  builder.result_type("InverseDynamics");
+  builder.artefact().takes_accelerations = true;
+  std::vector<Field> fields{{"missing", "generalized forces along the speeds", {n}, ids(missing)}};
+  if (drives) fields.push_back({"reached", "accelerations that the inputs make", {n}, ids(drives->accelerations)});
+  builder.fields("", "", "", std::move(fields));
+  if (drives) add_inputs(builder, mechanics, *drives);
+  builder.with_solution_status();
+  if (drives) {
+    emit::StatusNodes& status = builder.artefact().status;
+    ir::Graph& graph = mechanics.graph;
+    const auto either = [&](ir::NodeId a, ir::Expr b) { return ir::any(graph, {ir::Expr(graph, a), b}).id(); };
+    status.singular_mass_matrix = either(status.singular_mass_matrix, drives->singular_mass_matrix);
+    status.dependent_constraints = either(status.dependent_constraints, drives->dependent_constraints);
+  }
+  std::vector<Artefact> result;
+  result.push_back(builder.finish(steps));
+  return result;
+}
+
+}  // namespace gaussgen

@@ -1,0 +1,320 @@
+#include "equilibrium.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "evaluation.hpp"
+#include "ir/substitute.hpp"
+#include "model_values.hpp"
+#include "strategy/projection.hpp"
+
+namespace gaussgen {
+
+using cln::cl_F;
+using ir::Expr;
+using kinematics::ConfigurationIndex;
+using kinematics::FreeIndex;
+
+namespace {
+
+constexpr int k_most_steps = 200;
+constexpr int k_more_digits = 15;
+constexpr int k_most_descents = 4;
+constexpr int k_steps_of_descent = 300;
+constexpr double k_shortest_descent = 1e-4;
+constexpr double k_solved = 1e-12;        ///< of the largest term, in double
+constexpr double k_rank = 1e-10;          ///< of the largest singular value
+constexpr double k_largest_step = 0.5;    ///< of angles, and of lengths in units of themselves
+constexpr double k_shortest_step = 1e-6;  ///< of a full step
+
+double to_double(const cl_F& value) { return cln::double_approx(value); }
+
+class Search {
+ public:
+  Search(const model::Model& model, const support::Rational& time, int digits)
+      : mechanics_(model, {}),
+        digits_(digits),
+        values_(mechanics_.graph, evaluate::Arithmetic<cl_F>(digits + k_more_digits)) {
+    bind_parameters(mechanics_, values_);
+    values_.bind(mechanics_.symbols.time, values_.arithmetic().number(time));
+    pose();
+  }
+
+  /// The position; nothing, with the reason in `why`.
+  std::optional<std::vector<support::Rational>> run(std::string& why) {
+    if (!start()) {
+      why = "the initial position has no value";
+      return std::nullopt;
+    }
+    double left = approach();
+    // From far away: let it sink, and try again.
+    for (int i = 0; i < k_most_descents && !(left <= k_solved); ++i) {
+      if (i == 0) start();
+      sink();
+      left = approach();
+    }
+    if (!(left <= k_solved)) {
+      why = fmt::format("no equilibrium was found near the initial position: forces of {:.1e} of the largest remain",
+                        left);
+      return std::nullopt;
+    }
+    polish();
+    std::vector<support::Rational> result;
+    // What is left of Newton's method beyond the digits that are asked for is no part of the answer.
+    const support::Rational grid = cln::expt(support::Rational(10), digits_ + k_more_digits / 2);
+    for (const cl_F& q : position_) result.push_back(cln::round1(cln::rational(q) * grid) / grid);
+    return result;
+  }
+
+ private:
+  struct Linearised {
+    Eigen::MatrixXd matrix;
+    std::vector<cl_F> residual;
+    Eigen::VectorXd scale;  ///< of each row
+    bool is_defined = true;
+
+    double norm() const {
+      double largest = 0;
+      for (std::size_t i = 0; i < residual.size(); ++i)
+        largest = std::max(largest, std::abs(to_double(residual[i])) / scale[static_cast<Eigen::Index>(i)]);
+      return largest;
+    }
+  };
+
+  /// f + bᵀ λ at rest, then the equations of positions, and their derivatives along each speed and by each multiplier.
+  void pose() {
+    const strategy::Dynamics& dynamics = mechanics_.dynamics;
+    ir::Graph& graph = mechanics_.graph;
+    ir::Substitution at_rest(graph);
+    for (const auto& speed : mechanics_.symbols.speeds) at_rest.replace(speed.symbol, mechanics_.expressions.number(0));
+    for (std::size_t mu = 0; mu < dynamics.l(); ++mu)
+      lambda_.push_back(graph.declare(ir::SymbolClass::input, "multiplier_" + std::to_string(mu + 1)));
+    for (std::size_t a = 0; a < dynamics.n(); ++a) {
+      terms_.push_back({at_rest(dynamics.f[a])});
+      for (std::size_t mu = 0; mu < dynamics.l(); ++mu)
+        terms_.back().push_back(at_rest(dynamics.b[mu][a]) * mechanics_.expressions.symbol(lambda_[mu]));
+    }
+    for (const auto& row : mechanics_.kinematics.constraints) {
+      if (row.f) terms_.push_back({*row.f});
+    }
+    for (const std::vector<Expr>& terms : terms_) {
+      Expr sum = terms.front();
+      for (std::size_t i = 1; i < terms.size(); ++i) sum += terms[i];
+      equations_.push_back(sum);
+    }
+    for (const FreeIndex a : mechanics_.symbols.speeds.indices()) derivatives_.push_back(along_speed(a));
+    for (const ir::SymbolId multiplier : lambda_) {
+      derivatives_.emplace_back();
+      for (const Expr equation : equations_) derivatives_.back().push_back(ir::partial(equation, multiplier));
+    }
+  }
+
+  std::vector<Expr> along_speed(FreeIndex a) {
+    ir::Directional along(mechanics_.graph);
+    rates_.emplace_back();
+    for (const ConfigurationIndex i : mechanics_.symbols.configuration.indices()) {
+      rates_.back().push_back(
+          ir::partial(mechanics_.kinematics.configuration_rates[i], mechanics_.symbols.speeds[a].symbol));
+      along.seed(mechanics_.symbols.configuration[i].symbol, rates_.back().back());
+    }
+    std::vector<Expr> column;
+    for (const Expr equation : equations_) column.push_back(along(equation));
+    return column;
+  }
+
+  bool start() {
+    for (const auto& speed : mechanics_.symbols.speeds)
+      values_.bind(speed.symbol, values_.arithmetic().number(support::Rational(0)));
+    const strategy::Vector guess = strategy::guessed_state(mechanics_.model, mechanics_.expressions);
+    std::vector<cl_F> position;
+    for (std::size_t i = 0; i < mechanics_.symbols.configuration.size(); ++i) {
+      const auto value = values_(guess[i].id());
+      if (!value) return false;
+      position.push_back(*value);
+    }
+    set(std::move(position), std::vector<cl_F>(lambda_.size(), values_.arithmetic().number(support::Rational(0))));
+    return true;
+  }
+
+  void set(std::vector<cl_F> position, std::vector<cl_F> multipliers) {
+    for (const auto first : mechanics_.symbols.first_quaternion_component) normalise(&position[first.value]);
+    for (const ConfigurationIndex i : mechanics_.symbols.configuration.indices())
+      values_.bind(mechanics_.symbols.configuration[i].symbol, position[i.value]);
+    for (std::size_t mu = 0; mu < lambda_.size(); ++mu) values_.bind(lambda_[mu], multipliers[mu]);
+    position_ = std::move(position);
+    multipliers_ = std::move(multipliers);
+  }
+
+  static void normalise(cl_F* e) {
+    const cl_F norm = cln::sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + e[3] * e[3]);
+    for (int i = 0; i < 4; ++i) e[i] = e[i] / norm;
+  }
+
+  Linearised linearised() {
+    const auto rows = static_cast<Eigen::Index>(equations_.size());
+    const auto columns = static_cast<Eigen::Index>(derivatives_.size());
+    Linearised at{Eigen::MatrixXd::Zero(rows, columns), {}, Eigen::VectorXd::Zero(rows), true};
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const std::size_t row = static_cast<std::size_t>(i);
+      const auto value = values_(equations_[row].id());
+      at.is_defined = at.is_defined && value.has_value();
+      at.residual.push_back(value.value_or(values_.arithmetic().number(support::Rational(0))));
+      for (Eigen::Index j = 0; j < columns; ++j) {
+        const auto entry = values_(derivatives_[static_cast<std::size_t>(j)][row].id());
+        at.is_defined = at.is_defined && entry.has_value();
+        if (entry) at.matrix(i, j) = to_double(*entry);
+      }
+      // What the sum is made of, and what a displacement by 1 changes.
+      at.scale[i] = at.matrix.row(i).lpNorm<Eigen::Infinity>();
+      for (const Expr term : terms_[row]) {
+        if (const auto size = values_(term.id())) at.scale[i] = std::max(at.scale[i], std::abs(to_double(*size)));
+      }
+      if (at.scale[i] == 0) at.scale[i] = 1;
+    }
+    return at;
+  }
+
+  /// The least change in columns of one size with matrix * change = -residual, in units of `unit`.
+  Eigen::VectorXd change(const Linearised& at, const cl_F& unit) const {
+    Eigen::VectorXd right(at.matrix.rows());
+    for (Eigen::Index i = 0; i < right.size(); ++i)
+      right[i] = -to_double(at.residual[static_cast<std::size_t>(i)] / unit) / at.scale[i];
+    Eigen::MatrixXd matrix = at.scale.cwiseInverse().asDiagonal() * at.matrix;
+    Eigen::VectorXd sizes = matrix.colwise().norm();
+    for (double& size : sizes) size = size > 0 ? 1 / size : 1;
+    matrix = matrix * sizes.asDiagonal();
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+    decomposition.setThreshold(k_rank);
+    decomposition.compute(matrix);
+    return sizes.asDiagonal() * decomposition.solve(right);
+  }
+
+  void move(const Eigen::VectorXd& change, const cl_F& unit) {
+    std::vector<cl_F> position = position_;
+    for (std::size_t a = 0; a < rates_.size(); ++a) {
+      const cl_F along = unit * values_.arithmetic().number(change[static_cast<Eigen::Index>(a)]);
+      for (std::size_t i = 0; i < position.size(); ++i) {
+        if (const auto rate = values_(rates_[a][i].id())) position[i] = position[i] + *rate * along;
+      }
+    }
+    std::vector<cl_F> multipliers = multipliers_;
+    for (std::size_t mu = 0; mu < multipliers.size(); ++mu) {
+      const double by = change[static_cast<Eigen::Index>(rates_.size() + mu)];
+      multipliers[mu] = multipliers[mu] + unit * values_.arithmetic().number(by);
+    }
+    set(std::move(position), std::move(multipliers));
+  }
+
+  /// A step of Newton's method may leave the neighbourhood in which it means anything.
+  double allowed(const Eigen::VectorXd& change) const {
+    double largest = 0;
+    for (std::size_t a = 0; a < rates_.size(); ++a) {
+      const bool is_length = mechanics_.symbols.speeds[FreeIndex{a}].is_of_length();
+      const double size = is_length ? 1 + std::abs(to_double(position_[a])) : 1;
+      largest = std::max(largest, std::abs(change[static_cast<Eigen::Index>(a)]) / size);
+    }
+    return largest > k_largest_step ? k_largest_step / largest : 1;
+  }
+
+  /// What remains, of the largest terms.
+  double approach() {
+    const cl_F one = values_.arithmetic().number(support::Rational(1));
+    Linearised here = linearised();
+    for (int i = 0; i < k_most_steps && here.is_defined && here.norm() > k_solved; ++i) {
+      const Eigen::VectorXd full = change(here, one);
+      const auto from = std::pair(position_, multipliers_);
+      double part = allowed(full);
+      Linearised there = here;
+      for (bool is_better = false; !is_better && part > k_shortest_step; part /= 2) {
+        set(from.first, from.second);
+        move(part * full, one);
+        there = linearised();
+        is_better = there.is_defined && there.norm() < here.norm() * (1 - part / 10);
+      }
+      // Where no shorter step helps, the last one leads out of a valley.
+      here = std::move(there);
+    }
+    return here.is_defined ? here.norm() : HUGE_VAL;
+  }
+
+  /// Along the accelerations that the model has at rest, as through syrup: forces of springs and weights do work there until they
+  /// are in balance. Steps are short, and shorter where the way turns back.
+  void sink() {
+    const cl_F one = values_.arithmetic().number(support::Rational(1));
+    double limit = k_largest_step / 4;
+    Eigen::VectorXd before = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rates_.size() + lambda_.size()));
+    for (int i = 0; i < k_steps_of_descent && limit > k_shortest_descent; ++i) {
+      Eigen::VectorXd way = Eigen::VectorXd::Zero(before.size());
+      for (std::size_t a = 0; a < rates_.size(); ++a) {
+        const auto acceleration = values_(mechanics_.solution.accelerations[a].id());
+        if (acceleration) way[static_cast<Eigen::Index>(a)] = to_double(*acceleration);
+      }
+      const double largest = way.lpNorm<Eigen::Infinity>();
+      if (!(largest > 0)) return;
+      way *= limit / largest;
+      if (way.dot(before) < 0) limit /= 2;
+      move(way, one);
+      before = way;
+    }
+  }
+
+  /// With the matrix in double, each step is good for some ten digits.
+  void polish() {
+    for (int done = 0; done < digits_ + k_more_digits; done += 8) {
+      const Linearised here = linearised();
+      cl_F unit = values_.arithmetic().number(support::Rational(0));
+      for (const cl_F& value : here.residual) unit = cln::max(unit, cln::abs(value));
+      if (cln::zerop(unit)) return;
+      move(change(here, unit), unit);
+    }
+  }
+
+  Mechanics mechanics_;
+  int digits_;
+  evaluate::Evaluator<cl_F> values_;
+  std::vector<ir::SymbolId> lambda_;
+  std::vector<std::vector<Expr>> terms_;  ///< of each equation
+  std::vector<Expr> equations_;
+  std::vector<std::vector<Expr>> derivatives_;  ///< by speeds, then multipliers, of each equation
+  std::vector<std::vector<Expr>> rates_;        ///< ∂q̇/∂u by speeds, of each q
+  std::vector<cl_F> position_;
+  std::vector<cl_F> multipliers_;
+};
+
+model::Ast number(const support::Rational& value, support::Span span) {
+  model::Ast ast;
+  ast.number = value;
+  ast.span = span;
+  return ast;
+}
+
+/// The position, and all speeds 0.
+void set_start(model::Model& model, const std::vector<support::Rational>& position) {
+  std::size_t next = 0;
+  for (model::Coordinate& coordinate : model.coordinates) {
+    if (coordinate.held_at) continue;
+    coordinate.initial = number(position[next++], coordinate.name.span);
+    coordinate.initial_rate = number(0, coordinate.name.span);
+    coordinate.guess.reset();
+    coordinate.rate_guess.reset();
+  }
+  for (model::Orientation& orientation : model.orientations) {
+    for (model::Ast& component : orientation.initial) component = number(position[next++], orientation.name.span);
+    orientation.is_open = false;
+    for (auto& component : orientation.initial_angular_velocity) component = number(0, orientation.name.span);
+  }
+}
+
+}  // namespace
+
+std::string go_to_equilibrium(model::Model& model, const support::Rational& time, int digits) {
+  std::string why;
+  const auto position = Search(model, time, digits).run(why);
+  if (!position) return why;
+  set_start(model, *position);
+  return "";
+}
+
+}  // namespace gaussgen

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "strategy/dynamics.hpp"
+
+namespace gaussgen::strategy {
+
+/// Inputs that take part in forces, with what they have to be.
+struct Drives {
+  std::vector<std::size_t> inputs;  ///< index into Symbols::inputs
+  Vector values;
+  Vector accelerations;  ///< that they make
+  ir::Expr singular_mass_matrix;
+  ir::Expr dependent_constraints;
+};
+
+/// Generalized forces that have to be added for the accelerations `wanted` instead of `found`: g (wanted - found). Where both satisfy
+/// the constraints, these are the least ones as the inverse of g measures forces, and reactions stay what they are.
+Vector missing_forces(const Dynamics& dynamics, const Vector& wanted, const Vector& found, Steps& steps);
+
+/// The inputs u of f = f_0 + B u that make `wanted`. They are the multipliers of the servo constraints Bᵀ a = Bᵀ `wanted`: Gauss's
+/// principle with these beside the constraints asks for the least change of the free motion, and where inputs and constraints are as
+/// many as speeds nothing but `wanted` is left. Nothing without inputs in forces, or where they are not linear in them.
+std::optional<Drives> drives(const Dynamics& dynamics, const Vector& wanted, ir::Expr epsilon, Steps& steps);
+
+}  // namespace gaussgen::strategy

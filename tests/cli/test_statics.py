@@ -1,0 +1,88 @@
+"""`gauss-gen evaluate --equilibrium` and `--accelerate`, against statics by hand."""
+
+import json
+import math
+import unittest
+from fractions import Fraction
+
+from gauss_gen import MODELS, Program
+
+HEAD = "gauss: 1\nname: statics\n"
+SPRING = HEAD + """parameters: {m: 2, k: 30, g: 10}
+coordinates: {z: {initial: 0.5, initial_rate: 3}}
+particles: {p: {mass: m, position: [0, 0, z]}}
+forces: {gravity: {uniform: [0, 0, -g]}, spring: {spring: z, stiffness: k}}
+"""
+# A lamp of mass m on two ropes of length L, whose ends are 2*a apart.
+LAMP = HEAD + """parameters: {m: 3, L: 1.3, a: 0.5, g: 10}
+coordinates: {x: {initial_guess: 0.1}, y: {initial_guess: -1}}
+particles: {lamp: {mass: m, position: [x, y, 0]}}
+points: {left: {at: [-a, 0, 0]}, right: {at: [a, 0, 0]}}
+constraints: {left_rope: {distance: [lamp, left], is: L}, right_rope: {distance: [lamp, right], is: L}}
+forces: {gravity: {uniform: [0, -g, 0]}}
+"""
+FALLING = HEAD + """coordinates: {z: {}}
+particles: {p: {mass: 1, position: [0, 0, z]}}
+forces: {gravity: {uniform: [0, 0, -9.81]}}
+"""
+
+
+class Statics(Program):
+    def at_equilibrium(self, text_or_path, *more):
+        is_text = isinstance(text_or_path, str)
+        out = self.ok("evaluate", "-" if is_text else text_or_path, "--equilibrium", "--format=json", *more,
+                      stdin=text_or_path if is_text else None)
+        return json.loads(out)
+
+    def test_a_weight_on_a_spring(self):
+        found = self.at_equilibrium(SPRING, "--digits=40")
+        self.assertLess(abs(Fraction(found["state"]["z"]["value"]) + Fraction(2, 3)), Fraction(1, 10**39))
+        self.assertEqual(float(found["state"]["z_dot"]["value"]), 0)
+        self.assertEqual(found["status"], "ok")
+
+    def test_the_ropes_of_a_lamp_carry_it(self):
+        found = self.at_equilibrium(LAMP)
+        self.assertAlmostEqual(float(found["state"]["y"]["value"]), -1.2, 15)
+        self.assertAlmostEqual(float(found["state"]["x"]["value"]), 0, 15)
+        for rope in ("left_rope", "right_rope"):
+            # Positive where it pushes: a rope pulls with m g/2 over the cosine of its slope, 1.2/1.3.
+            self.assertAlmostEqual(float(found["multipliers"][rope]["value"]), -15 * 1.3 / 1.2, 12)
+
+    def test_a_bead_on_a_turning_hoop_is_in_relative_equilibrium(self):
+        found = self.at_equilibrium(MODELS / "bead_on_hoop.yaml", "--set", "theta=1")
+        self.assertAlmostEqual(float(found["state"]["theta"]["value"]), math.acos(9.81 / (36 * 0.5)), 14)
+
+    def test_pendulums_sink_from_where_their_moment_is_greatest(self):
+        found = self.at_equilibrium(MODELS / "double_pendulum.yaml")
+        self.assertEqual([float(found["state"][name]["value"]) for name in ("pivot", "elbow")], [0, 0])
+        self.assertAlmostEqual(float(found["joint_reactions"]["pivot.force.y"]["value"]), 2.1 * 9.81, 13)
+
+    def test_a_loop_stays_closed(self):
+        found = self.at_equilibrium(MODELS / "four_bar.yaml")
+        self.assertEqual(found["status"], "ok")
+        for name in ("alpha_ddot", "beta_ddot", "gamma_ddot"):
+            self.assertLess(abs(float(found["accelerations"][name]["value"])), 1e-15)
+
+    def test_what_falls_has_none(self):
+        self.assertIn("no equilibrium was found near the initial position",
+                      self.refused(1, "evaluate", "-", "--equilibrium", stdin=FALLING))
+
+
+class InverseDynamics(Program):
+    def test_the_force_that_holds_a_weight_and_the_one_that_lifts_it(self):
+        for wanted, force in (("z=0", 9.81), ("z=2", 11.81), ("z=-9.81", 0)):
+            found = json.loads(self.ok("evaluate", "-", "--accelerate", wanted, "--format=json", stdin=FALLING))
+            self.assertAlmostEqual(float(found["inverse_dynamics"]["missing.z"]["value"]), force, 14)
+
+    def test_accelerations_that_constraints_forbid_are_named(self):
+        error = self.run_it("evaluate", "-", "--accelerate", "x=1", stdin=LAMP).stderr
+        self.assertIn("the wanted accelerations violate constraint 'left_rope' by ", error)
+
+    def test_names_and_numbers_are_checked(self):
+        for wrong, message in (("q=1", "'q' is no free coordinate"), ("z", "expected name=value"), ("z=z", "a number is needed"),
+                               ("m=1", "'m' is no free coordinate")):
+            self.assertIn(message, self.refused(2, "evaluate", "-", "--accelerate", wrong, stdin=SPRING))
+
+
+if __name__ == "__main__":
+    unittest.main()
