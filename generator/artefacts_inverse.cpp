@@ -34,7 +34,7 @@ std::vector<Artefact> inverse_dynamics_artefact(Mechanics& mechanics) {
   for (const auto& speed : mechanics.symbols.speeds) wanted.push_back(mechanics.expressions.symbol(speed.acceleration));
   Steps steps;
   const int n = static_cast<int>(mechanics.dynamics.n());
-  const Vector missing = strategy::missing_forces(mechanics.dynamics, wanted, mechanics.solution.accelerations, steps);
+  const Vector missing = strategy::missing_forces(mechanics.dynamics, wanted, mechanics.solution.multipliers, steps);
   const auto drives = strategy::drives(mechanics.dynamics, wanted, mechanics.epsilon(), steps);
 
   ArtefactBuilder builder("inverse_dynamics", std::string(k_about) + (drives ? k_about_inputs : ""), mechanics);
@@ -44,7 +44,7 @@ std::vector<Artefact> inverse_dynamics_artefact(Mechanics& mechanics) {
   if (drives) fields.push_back({"reached", "accelerations that the inputs make", {n}, ids(drives->accelerations)});
   builder.fields("", "", "", std::move(fields));
   if (drives) add_inputs(builder, mechanics, *drives);
-  builder.with_solution_status();
+  if (mechanics.dynamics.l() > 0) builder.with_solution_status();
   if (drives) {
     emit::StatusNodes& status = builder.artefact().status;
     ir::Graph& graph = mechanics.graph;

@@ -48,22 +48,22 @@ Rational trusted() { return Rational(1) / cln::expt_pos(cln::cl_I(10), k_trusted
 template <class Values>
 class Spread {
  public:
-  Spread(Mechanics& mechanics, Values& values, int attempt)
-      : mechanics_(mechanics), values_(values), scatter_(scatter_of(attempt)) {}
+  Spread(Motion& motion, Values& values, int attempt)
+      : motion_(motion), values_(values), scatter_(scatter_of(attempt)) {}
 
   void run() {
-    bind(mechanics_.symbols.time, Rational(0));
+    bind(motion_.symbols.time, Rational(0));
     parameters();
-    for (const ir::SymbolId input : mechanics_.symbols.inputs) bind(input, Rational(0));
+    for (const ir::SymbolId input : motion_.symbols.inputs) bind(input, Rational(0));
     coordinates();
     orientations();
-    for (const kinematics::Speed& speed : mechanics_.symbols.speeds) bind(speed.symbol, Rational(1));
+    for (const kinematics::Speed& speed : motion_.symbols.speeds) bind(speed.symbol, Rational(1));
   }
 
  private:
   using Number = Scaled<cl_F>;
 
-  std::optional<Number> value(const model::Ast& ast) { return values_(mechanics_.expressions(ast).id()); }
+  std::optional<Number> value(const model::Ast& ast) { return values_(motion_.expressions(ast).id()); }
   cl_F number(const Rational& exact) const { return values_.arithmetic().number(exact).value; }
   void set(ir::SymbolId symbol, const cl_F& at) { values_.bind(symbol, values_.arithmetic().input(at)); }
 
@@ -72,27 +72,26 @@ class Spread {
 
   // A formula goes on holding: what follows from it holds in every configuration, too.
   void parameters() {
-    const auto& all = mechanics_.model.parameters;
+    const auto& all = motion_.model.parameters;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (const auto at = value(all[i].value)) {
-        set(mechanics_.symbols.parameters[i], all[i].is_formula ? at->value : moved(at->value));
+        set(motion_.symbols.parameters[i], all[i].is_formula ? at->value : moved(at->value));
       }
     }
   }
 
   void coordinates() {
-    const auto& all = mechanics_.model.coordinates;
+    const auto& all = motion_.model.coordinates;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto& place = mechanics_.symbols.coordinates[i];
+      const auto& place = motion_.symbols.coordinates[i];
       if (place.is_held) continue;
       const auto at = value(all[i].start());
-      if (at)
-        set(mechanics_.symbols.configuration[kinematics::ConfigurationIndex{place.index}].symbol, moved(at->value));
+      if (at) set(motion_.symbols.configuration[kinematics::ConfigurationIndex{place.index}].symbol, moved(at->value));
     }
   }
 
   void orientations() {
-    const auto& all = mechanics_.model.orientations;
+    const auto& all = motion_.model.orientations;
     for (std::size_t i = 0; i < all.size(); ++i) {
       std::vector<cl_F> e;
       cl_F square = number(Rational(0));
@@ -102,15 +101,15 @@ class Spread {
         e.push_back(moved(at->value));
         square = square + e.back() * e.back();
       }
-      const std::size_t first = mechanics_.symbols.first_quaternion_component[i].value;
+      const std::size_t first = motion_.symbols.first_quaternion_component[i].value;
       for (std::size_t j = 0; j < e.size(); ++j) {
-        const auto& component = mechanics_.symbols.configuration[kinematics::ConfigurationIndex{first + j}];
+        const auto& component = motion_.symbols.configuration[kinematics::ConfigurationIndex{first + j}];
         set(component.symbol, e[j] / cln::sqrt(square));
       }
     }
   }
 
-  Mechanics& mechanics_;
+  Motion& motion_;
   Values& values_;
   Scatter scatter_;
 };
@@ -126,8 +125,8 @@ evaluate::Matrix without_column(const evaluate::Matrix& matrix, std::size_t drop
 }  // namespace
 
 GenericPoint::Values GenericPoint::values_near_start(int attempt) const {
-  Values values(mechanics_.graph, Arithmetic<Number>(Arithmetic<cl_F>(k_digits)));
-  Spread<Values>(mechanics_, values, attempt).run();
+  Values values(motion_.graph, Arithmetic<Number>(Arithmetic<cl_F>(k_digits)));
+  Spread<Values>(motion_, values, attempt).run();
   return values;
 }
 

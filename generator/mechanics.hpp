@@ -8,28 +8,34 @@
 namespace gaussgen {
 
 struct MechanicsOptions {
-  bool fold = false;                ///< parameters become numbers
-  bool force_multipliers = false;   ///< the multiplier form (3.4) even where a safe partition exists (a check)
+  bool fold = false;               ///< parameters become numbers
+  bool force_multipliers = false;  ///< the multiplier form (3.4) even where a safe partition exists (a check)
 };
 
-/// Not copyable: `dynamics` refers to `kinematics` and `covariant`, all of them to `graph`.
-struct Mechanics {
-  Mechanics(const model::Model& model, const MechanicsOptions& options);
-  Mechanics(const Mechanics&) = delete;
-  Mechanics& operator=(const Mechanics&) = delete;
+/// A model on the graph as far as geometry goes: velocities and constraint rows. Not copyable: the others refer to `graph`.
+struct Motion {
+  Motion(const model::Model& model, bool fold);
+  Motion(const Motion&) = delete;
+  Motion& operator=(const Motion&) = delete;
 
   const model::Model& model;
   ir::Graph graph;
   kinematics::Symbols symbols;
   kinematics::Expressions expressions;
   kinematics::Kinematics kinematics;
+
+  ir::Expr epsilon() const { return expressions.symbol(symbols.epsilon); }
+};
+
+/// With what follows for forces and accelerations: `dynamics` refers to `kinematics` and `covariant`.
+struct Mechanics : Motion {
+  Mechanics(const model::Model& model, const MechanicsOptions& options);
+
   kinematics::Covariant covariant;
   strategy::Steps steps;  ///< of everything up to the held reactions
   strategy::Dynamics dynamics;
   strategy::Solution solution;
   strategy::Vector held_reactions;
-
-  ir::Expr epsilon() const { return expressions.symbol(symbols.epsilon); }
 };
 
 }  // namespace gaussgen

@@ -8,7 +8,6 @@
 #include "generic_point.hpp"
 #include "model/build.hpp"
 #include "support/error_codes.hpp"
-#include "value_check.hpp"
 
 namespace gaussgen {
 
@@ -18,20 +17,16 @@ using model::Constraint;
 
 bool may_vanish(const Constraint& constraint) { return constraint.may_vanish; }
 
-/// Names of rows with φ = 0 at every state.
+/// Names of rows with φ = 0 at every state. What has no value is reported later.
 std::set<std::string> vanishing_rows(const model::Model& model) {
   std::set<std::string> names;
-  model::Model rows = model;
-  rows.dependent.clear();
-  Mechanics mechanics(rows, {});
-  support::Diagnostics ignored;
-  check_values(mechanics, ignored);
-  if (ignored.has_errors()) return names;
-  GenericPoint at_generic_point(mechanics);
-  for (const kinematics::ConstraintRow& row : mechanics.kinematics.constraints) {
-    const auto phi = at_generic_point({{row.phi}});
-    const bool vanishes = cln::zerop(phi(0, 0)) && (!row.f || cln::zerop(at_generic_point({{*row.f}})(0, 0)));
-    if (vanishes) names.insert(row.name);
+  Motion motion(model, false);
+  GenericPoint at_generic_point(motion);
+  const auto vanishes = [&](ir::Expr expression) {
+    return !motion.graph.is_undefined(expression.id()) && cln::zerop(at_generic_point({{expression}})(0, 0));
+  };
+  for (const kinematics::ConstraintRow& row : motion.kinematics.constraints) {
+    if (vanishes(row.phi) && (!row.f || vanishes(*row.f))) names.insert(row.name);
   }
   return names;
 }

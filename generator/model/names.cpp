@@ -99,16 +99,27 @@ void declare(const Name& name, SymbolKind kind, std::size_t index, const std::st
 
 bool declare_table(const Name& name, Reading& reading) { return enter(name, "the table", reading); }
 
+namespace {
+
+void refuse_rate_name(const std::string& rate, const std::string& of, const char* what, const std::string& written,
+                      Reading& reading) {
+  const auto clash = reading.declared.find(rate);
+  if (clash == reading.declared.end()) return;
+  const Declared& owner = reading.declared.at(of);
+  reading.diagnostics.error(
+      code::k_rate_clash, clash->second.span,
+      fmt::format("'{}' is the name of the {} of '{}' of {}", rate, what, of, reading.line_text(owner.span)), written);
+}
+
+}  // namespace
+
 void check_rate_names(Reading& reading) {
   for (const auto& [name, symbol] : reading.model.symbols) {
     if (!moves(symbol.kind)) continue;
-    const auto clash = reading.declared.find(name + "_dot");
-    if (clash == reading.declared.end()) continue;
-    const Declared& owner = reading.declared.at(name);
-    reading.diagnostics.error(
-        code::k_rate_clash, clash->second.span,
-        fmt::format("'{}' is the name of the rate of '{}' of {}", clash->first, name, reading.line_text(owner.span)),
-        fmt::format("rename it; in expressions the rate is written dot({})", name));
+    refuse_rate_name(name + "_dot", name, "rate",
+                     fmt::format("rename it; in expressions the rate is written dot({})", name), reading);
+    if (symbol.kind == SymbolKind::coordinate)
+      refuse_rate_name(name + "_ddot", name, "acceleration", "rename it: emitted code calls accelerations so", reading);
   }
 }
 

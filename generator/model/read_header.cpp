@@ -40,9 +40,9 @@ void read_output(const spec::Node& item, support::Span owner, Reading& reading) 
 
 }  // namespace
 
-void read_version(const spec::Node& root, Reading& reading) {
-  const spec::Node* version = required(root, "gauss", k_top, "a model file", reading);
-  if (version == nullptr || !expect_scalar(*version, k_top, "'gauss'", reading)) return;
+void read_version(const spec::Node& root, support::Span owner, Reading& reading) {
+  const spec::Node* version = required(root, "gauss", owner, "a model file", reading);
+  if (version == nullptr || !expect_scalar(*version, owner, "'gauss'", reading)) return;
   if (version->scalar.text == "1") return;
   reading.diagnostics.error(code::k_format_version, version->span,
                             fmt::format("this program does not read format version '{}'", version->scalar.text),
@@ -54,7 +54,7 @@ void read_header(const spec::Node& root, Reading& reading) {
   check_keys(root, "a model file", format::keys_of(format::model_file()), reading);
   // An unknown section may be a declaring one with a slip in its name.
   if (reading.diagnostics.all().size() != errors_before) reading.incomplete = true;
-  read_version(root, reading);
+  read_version(root, k_top, reading);
   read_name(root, reading);
   reading.model.about = text_field(root, "about", reading);
 }

@@ -123,7 +123,7 @@ class Submodels {
     const std::optional<Node> root = spec::read_yaml_behind(source_, path, *text, reading_.diagnostics);
     if (!root || !expect_map(*root, root->span, "a model file", reading_)) return std::nullopt;
     Node content = assembled(*root, path);
-    read_version(content, reading_);
+    read_version(content, {root->span.begin, root->span.begin}, reading_);
     check_keys(content, "a model file", format::keys_of(format::model_file()), reading_);
     return content;
   }

@@ -40,13 +40,13 @@ Expr product(const Vector& row, const Vector& column) {
 
 }  // namespace
 
-Vector missing_forces(const Dynamics& dynamics, const Vector& wanted, const Vector& found, Steps& steps) {
-  steps.begin("g (wanted - found): what is missing along each speed");
-  Vector change;
-  for (std::size_t i = 0; i < dynamics.n(); ++i) change.push_back(wanted[i] - found[i]);
+Vector missing_forces(const Dynamics& dynamics, const Vector& wanted, const Vector& multipliers, Steps& steps) {
+  steps.begin("g a - f less what the constraints do: what is missing along each speed");
   Vector forces;
   for (std::size_t i = 0; i < dynamics.n(); ++i) {
-    forces.push_back(steps.name(product(dynamics.g[i], change), "missing_" + dynamics.labels[i]));
+    Expr force = product(dynamics.g[i], wanted) - dynamics.f[i];
+    for (std::size_t mu = 0; mu < dynamics.l(); ++mu) force -= dynamics.b[mu][i] * multipliers[mu];
+    forces.push_back(steps.name(force, "missing_" + dynamics.labels[i]));
   }
   return forces;
 }
