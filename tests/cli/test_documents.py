@@ -73,6 +73,26 @@ class Documents(Program):
                 for number in re.findall(r"`([^`]*)`", tolerance):
                     self.assertRegex(test + margins, rf"\b{number}\b")
 
+    def test_files_that_recipes_name_are_there(self):
+        recipes = (SOURCE / "CONTRIBUTING.md").read_text(encoding="utf-8").partition("## Recipes")[2].partition("\n## ")[0]
+        self.assertGreaterEqual(len(re.findall(r"(?m)^\*\*", recipes)), 10)
+        named = [name for name in re.findall(r"`([\w.<>-]+/[\w./<>-]*)`", recipes) if not name.startswith("./")]
+        self.assertGreater(len(named), 40)
+        for name in named:
+            with self.subTest(name):
+                self.assertTrue(list(SOURCE.glob(re.sub(r"<\w+>", "*", name.rstrip("/")))))
+
+    def test_words_of_code_in_recipes_are_in_the_files_that_they_name(self):
+        for file, words in {"generator/model/model.hpp": ["JointType", "Spring", "Force"],
+                            "generator/model/format.cpp": ["joint_types", "joint_rule", "outputs"],
+                            "generator/artefacts.cpp": ["output_kinds", "build_artefact"],
+                            "generator/artefacts_motion.cpp": ["CoordinateSpring"],
+                            "generator/emit/plan.cpp": ["PreparationSplit"],
+                            "generator/emit/functions.cpp": ["schedule", "share"]}.items():
+            text = (SOURCE / file).read_text(encoding="utf-8")
+            for word in words:
+                self.assertRegex(text, rf"\b{word}\b", file)
+
     def test_links_of_documents_lead_somewhere(self):
         for page in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *sorted((SOURCE / "docs").rglob("*.md"))]:
             text = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
