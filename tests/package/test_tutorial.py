@@ -41,6 +41,13 @@ class Tutorial(unittest.TestCase):
         for language, place, content in page.blocks(PAGE):
             self.assertTrue(place or language in ("console", "sh"), content)
 
+    def test_each_file_is_named_in_the_text_before_it(self):
+        """Where the page is shown, the first line of a block is not."""
+        for match in page.FENCE.finditer(PAGE):
+            name = match[2].removeprefix(">>").partition(":")[0]
+            if name:
+                self.assertIn(f"`{name}`", PAGE[:match.start()].rstrip().rpartition("\n\n")[2])
+
     def test_every_command_prints_what_the_page_shows(self):
         self.assertGreater(len(self.steps), 15)
         for command, shown, printed in self.steps:
