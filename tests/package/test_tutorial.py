@@ -3,6 +3,7 @@
 import math
 import os
 import re
+import shutil
 import tempfile
 import unittest
 from pathlib import Path
@@ -26,7 +27,8 @@ class Tutorial(unittest.TestCase):
         folder = Path(home.name) / "work"
         folder.mkdir()
         environment = {**os.environ, "PATH": f"{prefix}/bin:{os.environ['PATH']}", "CMAKE_PREFIX_PATH": str(prefix),
-                       "CXX": os.environ["GAUSS_CXX"], "LC_ALL": "C.UTF-8"}
+                       "CXX": os.environ["GAUSS_CXX"], "LC_ALL": "C.UTF-8",
+                       "CMAKE_GENERATOR": "Unix Makefiles" if shutil.which("make") else "Ninja"}
         cls.steps = list(page.follow(PAGE, folder, environment))
 
     def rows(self, program):
