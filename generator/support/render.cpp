@@ -173,13 +173,22 @@ void shorten(std::string& text) {
 
 }  // namespace
 
+namespace {
+
+std::string without_numbers(std::string text) {
+  text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; }), text.end());
+  return text;
+}
+
+}  // namespace
+
 std::vector<Diagnostic> in_order(const Diagnostics& diagnostics, std::size_t& left_out) {
   std::vector<Diagnostic> sorted = diagnostics.all();
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
-  // Copies of an entry have the same mistakes.
+  // Copies of an entry have the same mistakes, up to the indices in their names.
   const auto same = [](const Diagnostic& a, const Diagnostic& b) {
-    return a.span == b.span && a.code == b.code && a.message == b.message;
+    return a.span == b.span && a.code == b.code && without_numbers(a.message) == without_numbers(b.message);
   };
   sorted.erase(std::unique(sorted.begin(), sorted.end(), same), sorted.end());
   left_out = sorted.size() - std::min(sorted.size(), k_most_findings);

@@ -2,10 +2,11 @@
 
 import json
 import math
+import re
 import textwrap
 import unittest
 
-from gauss_gen import SOURCE, Program
+from gauss_gen import MODELS, SOURCE, Program
 
 
 def models_in(page):
@@ -20,6 +21,12 @@ def models_in(page):
             found[text.splitlines()[1].split()[1]] = text
         block = []
     return found
+
+
+def anchors_of(page):
+    """What a heading is called in a link."""
+    headings = re.findall(r"(?m)^#+ (.*)$", page.read_text(encoding="utf-8"))
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 
 class Documents(Program):
@@ -43,6 +50,61 @@ class Documents(Program):
                   ("reactions", "z"): m * g * math.cos(alpha)}
         for (group, name), value in stated.items():
             self.assertAlmostEqual(float(document[group][name]["value"]), value, 12, name)
+
+    def test_every_function_of_a_header_is_in_the_page_of_headers(self):
+        page = (SOURCE / "docs/emitted-code.md").read_text(encoding="utf-8")
+        outputs = re.search(r"--outputs LIST .*?:\s+(.*?)\n  --", self.ok("--help"), re.S)[1]
+        names = {"prepare", "rhs_and_reactions", *re.findall(r"\w+", outputs)}
+        self.assertGreaterEqual(names, {"rhs", "quantities", "project"})
+        self.assertEqual(names, set(re.findall(r"(?m)^\| `(\w+)` \|", page.partition("## Status")[0])))
+
+    def test_every_model_is_in_the_table_of_oracles(self):
+        page = (SOURCE / "docs/verification.md").read_text(encoding="utf-8").partition("## Models")[2]
+        rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in page.splitlines() if line.startswith("| `")]
+        models = sorted(str(path.relative_to(MODELS).with_suffix("")) for path in MODELS.rglob("*.yaml"))
+        self.assertEqual([row[0].strip("`") for row in rows], models)
+        margins = (SOURCE / "tests/physics/follow.hpp").read_text(encoding="utf-8")
+        for model, oracle, where, tolerance in rows:
+            with self.subTest(model):
+                test = (SOURCE / where.strip("`")).read_text(encoding="utf-8")
+                for reference in re.findall(r"`(\w+)\.json`", oracle):
+                    self.assertTrue((SOURCE / f"tests/reference/{reference}.json").is_file())
+                    self.assertIn(f'"{reference}"', test)
+                for number in re.findall(r"`([^`]*)`", tolerance):
+                    self.assertRegex(test + margins, rf"\b{number}\b")
+
+    def test_files_that_recipes_name_are_there(self):
+        recipes = (SOURCE / "CONTRIBUTING.md").read_text(encoding="utf-8").partition("## Recipes")[2].partition("\n## ")[0]
+        self.assertGreaterEqual(len(re.findall(r"(?m)^\*\*", recipes)), 10)
+        named = [name for name in re.findall(r"`([\w.<>-]+/[\w./<>-]*)`", recipes) if not name.startswith("./")]
+        self.assertGreater(len(named), 40)
+        for name in named:
+            with self.subTest(name):
+                self.assertTrue(list(SOURCE.glob(re.sub(r"<\w+>", "*", name.rstrip("/")))))
+
+    def test_words_of_code_in_recipes_are_in_the_files_that_they_name(self):
+        for file, words in {"generator/model/model.hpp": ["JointType", "Spring", "Force"],
+                            "generator/model/format.cpp": ["joint_types", "joint_rule", "outputs"],
+                            "generator/artefacts.cpp": ["output_kinds", "build_artefact"],
+                            "generator/artefacts_motion.cpp": ["CoordinateSpring"],
+                            "generator/emit/plan.cpp": ["PreparationSplit"],
+                            "generator/emit/functions.cpp": ["schedule", "share"]}.items():
+            text = (SOURCE / file).read_text(encoding="utf-8")
+            for word in words:
+                self.assertRegex(text, rf"\b{word}\b", file)
+
+    def test_links_of_documents_lead_somewhere(self):
+        for page in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *sorted((SOURCE / "docs").rglob("*.md"))]:
+            text = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
+            for target in re.findall(r"\]\(([^)\s]+)\)", re.sub(r"`[^`\n]*`", "", text)):
+                if "://" in target:
+                    continue
+                path, _, anchor = target.partition("#")
+                file = page.parent / path if path else page
+                with self.subTest(f"{page.name}: {target}"):
+                    self.assertTrue(file.exists())
+                    if anchor:
+                        self.assertIn(anchor, anchors_of(file))
 
     def test_a_planar_body_and_a_wheel_are_written_as_stated(self):
         page = (SOURCE / "docs/model-format.md").read_text(encoding="utf-8")

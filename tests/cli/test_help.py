@@ -39,14 +39,14 @@ class Help(Program):
     def test_the_exit_codes_are_stated(self):
         self.assertIn("0 ok, 1 error in the model, 2 usage, 3 input or output, 4 too large, 70 internal", self.ok("-h"))
 
-    def test_every_status_of_evaluate_is_stated_there_and_in_the_readme(self):
+    def test_every_status_of_evaluate_is_stated_there_and_in_the_documents(self):
         code = (SOURCE / "generator/evaluation.cpp").read_text()
         found = set(re.findall(r'doubt\("(\w+)"\)', code))
         self.assertGreaterEqual(found, {"not_finite", "impossible_bodies"})
-        page, readme = self.ok("evaluate", "--help"), (SOURCE / "README.md").read_text()
+        page, document = self.ok("evaluate", "--help"), (SOURCE / "docs/emitted-code.md").read_text()
         for status in found:
             self.assertRegex(page, rf"(?m)^  {status}  +[a-z]")
-            self.assertIn(f"`{status}`", readme)
+            self.assertIn(f"`{status}`", document)
 
     def test_it_needs_no_model_and_looks_at_none(self):
         self.assertEqual(self.ok("--help"), self.ok("nowhere.yaml", "--help"))

@@ -4,14 +4,13 @@ import math
 import os
 import re
 import shutil
-import subprocess
 import tempfile
 import textwrap
 import unittest
 from pathlib import Path
 
-CMAKE = os.environ["CMAKE"]
-BINARY = os.environ["GAUSS_BINARY_DIR"]
+from installed import CMAKE, install, run
+
 SOURCE = Path(os.environ["GAUSS_SOURCE_DIR"])
 CONSUMER = SOURCE / "tests/package/consumer"
 README = (SOURCE / "README.md").read_text(encoding="utf-8")
@@ -23,21 +22,13 @@ M, LENGTH, G, THETA = 1, 0.8, 9.81, 0.5  # as in the README
 PRINTED = 1e-4  # relative: six digits
 
 
-def run(*command):
-    result = subprocess.run([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                            check=False, timeout=300)
-    if result.returncode != 0:
-        raise AssertionError(f"{command}:\n{result.stdout}")
-    return result.stdout
-
-
 class Package(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory(prefix="gauss package ")
         cls.addClassCleanup(folder.cleanup)
         cls.prefix = Path(folder.name) / "prefix"
-        run(CMAKE, "--install", BINARY, "--prefix", cls.prefix)
+        install(cls.prefix)
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="gauss consumer ")
