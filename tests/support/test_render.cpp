@@ -97,6 +97,18 @@ TEST_CASE("a message stays in one line") {
 
 TEST_CASE("after a hundred findings the rest is counted") {
   Diagnostics diagnostics;
-  for (int i = 0; i < 103; ++i) diagnostics.error("E031", {0, 1}, "again");
-  CHECK(render(diagnostics, Source("m.yaml", "a")).find("and 3 more findings") != std::string::npos);
+  for (std::uint32_t i = 0; i < 103; ++i) diagnostics.error("E031", {i, i + 1}, "again");
+  CHECK(render(diagnostics, Source("m.yaml", std::string(103, 'a'))).find("and 3 more findings") != std::string::npos);
+}
+
+TEST_CASE("the same mistake in copies of an entry is shown once") {
+  Diagnostics diagnostics;
+  for (const char* name : {"p_1", "p_2", "p_13"})
+    diagnostics.error("E010", {0, 1}, std::string("particle '") + name + "' is odd");
+  diagnostics.error("E010", {0, 1}, "particle 'q' is odd");
+  const std::string text = render(diagnostics, Source("m.yaml", "a"));
+  CHECK(text.find("'p_1'") != std::string::npos);
+  CHECK(text.find("'p_2'") == std::string::npos);
+  CHECK(text.find("'p_13'") == std::string::npos);
+  CHECK(text.find("'q'") != std::string::npos);
 }
