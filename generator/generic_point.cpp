@@ -48,7 +48,7 @@ Rational trusted() { return Rational(1) / cln::expt_pos(cln::cl_I(10), k_trusted
 template <class Values>
 class Spread {
  public:
-  Spread(Motion& motion, Values& values, int attempt)
+  Spread(KinematicModel& motion, Values& values, int attempt)
       : motion_(motion), values_(values), scatter_(scatter_of(attempt)) {}
 
   void run() {
@@ -109,7 +109,7 @@ class Spread {
     }
   }
 
-  Motion& motion_;
+  KinematicModel& motion_;
   Values& values_;
   Scatter scatter_;
 };

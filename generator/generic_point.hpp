@@ -13,7 +13,7 @@ namespace gaussgen {
 /// expressions can tell this: sin(2x) - 2 sin(x) cos(x) is zero in any form.
 class GenericPoint {
  public:
-  explicit GenericPoint(Motion& motion) : motion_(motion) {}
+  explicit GenericPoint(KinematicModel& motion) : motion_(motion) {}
 
   /// What is nothing but rounding is zero in it. Where entries have no value at any point that was tried, only their pattern
   /// counts: equal expressions are equal numbers, others are not.
@@ -27,7 +27,7 @@ class GenericPoint {
   static std::optional<evaluate::Matrix> matrix_of(const strategy::Matrix& matrix, Values& values,
                                                    bool replaces_undefined);
 
-  Motion& motion_;
+  KinematicModel& motion_;
 };
 
 /// Number of independent rows, whatever the units of rows and columns.

@@ -41,14 +41,14 @@ void name_rates(Mechanics& mechanics) {
 
 }  // namespace
 
-Motion::Motion(const model::Model& checked_model, bool fold)
+KinematicModel::KinematicModel(const model::Model& checked_model, bool fold)
     : model(checked_model),
       symbols(kinematics::declare_symbols(model, graph)),
       expressions(model, symbols, graph, fold),
       kinematics(kinematics::build_kinematics(model, graph, expressions, symbols)) {}
 
 Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& options)
-    : Motion(checked_model, options.fold),
+    : KinematicModel(checked_model, options.fold),
       covariant(kinematics::build_covariant(kinematics, graph)),
       dynamics(strategy::build_dynamics(kinematics, covariant, steps)),
       solution(solved(*this, options, steps)),

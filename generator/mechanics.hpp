@@ -13,10 +13,10 @@ struct MechanicsOptions {
 };
 
 /// A model on the graph as far as geometry goes: velocities and constraint rows. Not copyable: the others refer to `graph`.
-struct Motion {
-  Motion(const model::Model& model, bool fold);
-  Motion(const Motion&) = delete;
-  Motion& operator=(const Motion&) = delete;
+struct KinematicModel {
+  KinematicModel(const model::Model& model, bool fold);
+  KinematicModel(const KinematicModel&) = delete;
+  KinematicModel& operator=(const KinematicModel&) = delete;
 
   const model::Model& model;
   ir::Graph graph;
@@ -28,7 +28,7 @@ struct Motion {
 };
 
 /// With what follows for forces and accelerations: `dynamics` refers to `kinematics` and `covariant`.
-struct Mechanics : Motion {
+struct Mechanics : KinematicModel {
   Mechanics(const model::Model& model, const MechanicsOptions& options);
 
   kinematics::Covariant covariant;

@@ -20,7 +20,7 @@ bool may_vanish(const Constraint& constraint) { return constraint.may_vanish; }
 /// Names of rows with φ = 0 at every state. What has no value is reported later.
 std::set<std::string> vanishing_rows(const model::Model& model) {
   std::set<std::string> names;
-  Motion motion(model, false);
+  KinematicModel motion(model, false);
   GenericPoint at_generic_point(motion);
   const auto vanishes = [&](ir::Expr expression) {
     return !motion.graph.is_undefined(expression.id()) && cln::zerop(at_generic_point({{expression}})(0, 0));
