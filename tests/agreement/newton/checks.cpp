@@ -119,12 +119,16 @@ class Rows {
   double largest_ = 0;
 };
 
-double largest_violation(const Setting& setting, const std::vector<double>& units) {
+double largest_violation(Setting& setting, const std::vector<double>& units) {
   Rows rows;
   for (Eigen::Index mu = 0; mu < setting.beta.rows(); ++mu) {
     Sum sum;
     double square = 0;
     sum.add(setting.drift[mu]);
+    // Accelerations of places that the constraint takes the difference of.
+    for (const Load& action : setting.actions[static_cast<std::size_t>(mu)]) {
+      sum.size += action.force.norm() * setting.motion.origin(action.frame).second.norm();
+    }
     for (std::size_t i = 0; i < setting.course.free_count(); ++i) {
       const double beta = setting.beta(mu, index(i));
       sum.add(beta * setting.specimen.a[i]);
@@ -147,9 +151,12 @@ Sum unexplained(std::size_t i, Setting& setting) {
   return sum;
 }
 
-void add_reactions(std::size_t i, const Setting& setting, Sum& sum) {
+void add_reactions(std::size_t i, Setting& setting, Sum& sum) {
   for (std::size_t mu = 0; mu < setting.specimen.lambda.size(); ++mu) {
-    sum.add(-setting.specimen.lambda[mu] * setting.beta(index(mu), index(i)));
+    const double lambda = setting.specimen.lambda[mu];
+    sum.add(-lambda * setting.beta(index(mu), index(i)));
+    // Forces on places that move together do large works against each other.
+    sum.size += std::fabs(lambda) * work_of_loads(setting.actions[mu], setting.displaced[i]).size;
   }
   if (i >= setting.course.free_count()) sum.add(-setting.specimen.R[i - setting.course.free_count()]);
 }
@@ -184,6 +191,9 @@ double of_admissible(Setting& setting, const std::vector<double>& units) {
   std::vector<Sum> works;
   for (std::size_t i = 0; i < n; ++i) {
     works.push_back(work_on_bodies(i, setting));
+    Sum reactions;
+    add_reactions(i, setting, reactions);
+    works.back().size += reactions.size;
     b.col(index(i)) /= units[i];
   }
   for (Eigen::Index mu = 0; mu < setting.beta.rows(); ++mu) b.row(mu).normalize();
