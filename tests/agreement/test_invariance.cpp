@@ -31,6 +31,20 @@ class WithZ {
 
   double Z() { return specimen.value(Z_); }
 
+  /// Of the metric of all coordinates, held ones too, with a diagonal of 1: Z spreads forces along coordinates by its inverse.
+  double condition_of_metric() {
+    const auto& G = specimen.mechanics.covariant.G;
+    const auto n = static_cast<Eigen::Index>(G.size());
+    Eigen::MatrixXd metric(n, n);
+    for (const auto i : G.indices()) {
+      for (const auto j : G.indices()) {
+        metric(static_cast<Eigen::Index>(i.value), static_cast<Eigen::Index>(j.value)) = specimen.value(G[i][j].id());
+      }
+    }
+    const Eigen::VectorXd unit = metric.diagonal().cwiseSqrt().cwiseInverse();
+    return agreement::condition(unit.asDiagonal() * metric * unit.asDiagonal());
+  }
+
   Specimen specimen;
 
  private:
@@ -93,7 +107,12 @@ void compare(WithZ& old, WithZ& changed, Worst& worst) {
   const double forces = size + largest(old.specimen.lambda) + largest(old.specimen.R);
   agreement::take(worst.accelerations, difference(a, b) / (bar * size));
   const double Z = old.Z();
-  agreement::take(worst.Z, std::fabs(Z - changed.Z()) / (bar * (Z + size * size)));
+  const double full = std::max({1.0, old.condition_of_metric(), changed.condition_of_metric()});
+  const double bar_of_Z = std::max(bar, 100 * agreement::k_eps * full);
+  // Near a pole of the angles, held ones among them, that metric has no inverse, though the one of the motion has.
+  if (full < agreement::k_largest_condition) {
+    agreement::take(worst.Z, std::fabs(Z - changed.Z()) / (bar_of_Z * (Z + size * size)));
+  }
   agreement::take(worst.multipliers, difference(old.specimen.lambda, changed.specimen.lambda) / (bar * forces));
   agreement::take(worst.reactions, difference(old.specimen.R, changed.specimen.R) / (bar * forces));
   const auto wrenches = [&](const std::vector<Wrench>& x, const std::vector<Wrench>& y, double& figure) {
