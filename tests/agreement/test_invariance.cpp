@@ -24,7 +24,8 @@ class WithZ {
   explicit WithZ(gaussgen::model::Model model) : specimen(std::move(model)) {
     gaussgen::strategy::Vector found;
     auto& mechanics = specimen.mechanics;
-    for (const auto& speed : mechanics.symbols.speeds) found.push_back(mechanics.expressions.symbol(speed.acceleration));
+    for (const auto& speed : mechanics.symbols.speeds)
+      found.push_back(mechanics.expressions.symbol(speed.acceleration));
     gaussgen::strategy::Steps steps;
     Z_ = gaussgen::strategy::compulsion(mechanics.dynamics, found, mechanics.epsilon(), steps).id();
   }
@@ -153,8 +154,8 @@ TEST_CASE("Z, accelerations of bodies, multipliers, reactions and forces are the
     for (const auto kind : {Change::Kind::affine, Change::Kind::curved}) {
       const Worst worst = run(file, kind);
       const char* name = kind == Change::Kind::affine ? "affine" : "curved";
-      std::printf("%-30s %-7s %9.2g %9.2g %9.2g %9.2g %9.2g %9.2g %9d\n", file.c_str(), name, worst.Z, worst.accelerations,
-                  worst.multipliers, worst.reactions, worst.bodies, worst.joints, worst.left_out);
+      std::printf("%-30s %-7s %9.2g %9.2g %9.2g %9.2g %9.2g %9.2g %9d\n", file.c_str(), name, worst.Z,
+                  worst.accelerations, worst.multipliers, worst.reactions, worst.bodies, worst.joints, worst.left_out);
       INFO(file << ", " << name);
       CHECK(worst.all() <= 1);
       CHECK(worst.left_out <= k_states / 20);

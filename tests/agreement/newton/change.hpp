@@ -25,11 +25,11 @@ class Change {
   struct Row {
     std::size_t coordinate = 0;  ///< into Model::coordinates
     bool has_speed = false;
-    std::vector<int> factors;    ///< by rows
+    std::vector<int> factors;  ///< by rows
     int shift = 0;
-    int bend = 0;                ///< of the sine
-    std::size_t bent_by = 0;     ///< the row in the sine
-    int drift = 0;               ///< of time
+    int bend = 0;             ///< of the sine
+    std::size_t bent_by = 0;  ///< the row in the sine
+    int drift = 0;            ///< of time
   };
 
   gaussgen::model::Ast expression(const Row& row) const;

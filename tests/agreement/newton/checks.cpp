@@ -29,9 +29,7 @@ class Balance {
     moment_size_ += moment;
   }
 
-  double deviation() const {
-    return std::max(ratio(force_.norm(), force_size_), ratio(moment_.norm(), moment_size_));
-  }
+  double deviation() const { return std::max(ratio(force_.norm(), force_size_), ratio(moment_.norm(), moment_size_)); }
 
  private:
   Vector3d force_ = Vector3d::Zero();
@@ -95,7 +93,8 @@ std::vector<double> units(Setting& setting) {
   for (Motion& displaced : setting.displaced) {
     double square = 0;
     for (const auto& body : setting.model.bodies) {
-      square += setting.motion(body.mass).value * displaced.point(body.frame, displaced(body.centre)).rate.squaredNorm();
+      square +=
+          setting.motion(body.mass).value * displaced.point(body.frame, displaced(body.centre)).rate.squaredNorm();
       if (!body.inertia) continue;
       const Vector3d turn = setting.motion.axes(body.frame).value.transpose() * displaced.omega(body.frame).value;
       square += turn.dot(inertia(body, setting.motion) * turn);
@@ -125,9 +124,13 @@ double largest_violation(Setting& setting, const std::vector<double>& units) {
     Sum sum;
     double square = 0;
     sum.add(setting.drift[mu]);
-    // Accelerations of places that the constraint takes the difference of.
+    // Accelerations of the places on which it acts, in parts that may cancel.
     for (const Load& action : setting.actions[static_cast<std::size_t>(mu)]) {
-      sum.size += action.force.norm() * setting.motion.origin(action.frame).second.norm();
+      const Vector origin = setting.motion.origin(action.frame);
+      const Vector omega = setting.motion.omega(action.frame);
+      const double arm = (action.point - origin.value).norm();
+      const double turning = arm * (omega.rate.norm() + omega.value.squaredNorm());
+      sum.size += action.force.norm() * (origin.second.norm() + turning);
     }
     for (std::size_t i = 0; i < setting.course.free_count(); ++i) {
       const double beta = setting.beta(mu, index(i));

@@ -51,13 +51,13 @@ class Course {
 
   const gaussgen::model::Model& model_;
   State state_;
-  Values fixed_;                    ///< constants, time, held coordinates
-  std::vector<std::size_t> free_;   ///< indices into Model::coordinates
-  std::vector<std::size_t> held_;   ///< likewise
-  std::vector<std::size_t> slow_;   ///< of free_, those whose rate follows from speeds
-  std::vector<double> rates_;       ///< of free_
-  Eigen::MatrixXd from_speeds_;     ///< ∂q̇/∂u of slow_
-  Eigen::VectorXd drift_;           ///< q̇ of slow_ where all u vanish
+  Values fixed_;                   ///< constants, time, held coordinates
+  std::vector<std::size_t> free_;  ///< indices into Model::coordinates
+  std::vector<std::size_t> held_;  ///< likewise
+  std::vector<std::size_t> slow_;  ///< of free_, those whose rate follows from speeds
+  std::vector<double> rates_;      ///< of free_
+  Eigen::MatrixXd from_speeds_;    ///< ∂q̇/∂u of slow_
+  Eigen::VectorXd drift_;          ///< q̇ of slow_ where all u vanish
 };
 
 }  // namespace agreement::newton

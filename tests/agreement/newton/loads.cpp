@@ -69,7 +69,8 @@ class Loads {
     }
   }
 
-  void add(std::size_t frame, const Vector3d& point, const Vector3d& force, const Vector3d& moment, bool has_potential) {
+  void add(std::size_t frame, const Vector3d& point, const Vector3d& force, const Vector3d& moment,
+           bool has_potential) {
     if (frame != k_space) result_.push_back({frame, point, force, moment, has_potential, nullptr});
   }
 
@@ -233,8 +234,8 @@ Number phi(const Constraint& constraint, Motion& motion) {
     return i == k_space ? zero : motion.velocity_at(i, place);
   };
   const Vector slipping = velocity_of(slip.frame) - velocity_of(slip.surface);
-  return {direction.value.dot(slipping.value),
-          direction.rate.dot(slipping.value) + direction.value.dot(slipping.rate), 0};
+  return {direction.value.dot(slipping.value), direction.rate.dot(slipping.value) + direction.value.dot(slipping.rate),
+          0};
 }
 
 // The acceleration of a place enters dφ/dt with the factor with which its velocity enters φ.
@@ -242,7 +243,8 @@ std::vector<Load> actions(const Model& model, const Constraint& constraint, Moti
   std::vector<Load> result;
   if (const auto* slip = std::get_if<gaussgen::model::SlipLaw>(&constraint.law)) {
     const auto* frame = std::get_if<std::size_t>(&slip->at);
-    const Vector3d place = (frame != nullptr ? motion.origin(*frame) : motion(std::get<std::array<Ast, 3>>(slip->at))).value;
+    const Vector3d place =
+        (frame != nullptr ? motion.origin(*frame) : motion(std::get<std::array<Ast, 3>>(slip->at))).value;
     const Vector3d direction = motion.axes(slip->axes).value * motion(slip->direction).value;
     result.push_back({slip->frame, place, direction, Vector3d::Zero(), false, nullptr});
     result.push_back({slip->surface, place, -direction, Vector3d::Zero(), false, nullptr});
@@ -260,7 +262,8 @@ std::vector<Load> actions(const Model& model, const Constraint& constraint, Moti
         Motion pushed(model, std::move(values));
         return phi(constraint, pushed).rate;
       };
-      result.push_back({ref.index / 3, at.value, (with(1) - with(0)) * Vector3d::Unit(i), Vector3d::Zero(), false, nullptr});
+      result.push_back(
+          {ref.index / 3, at.value, (with(1) - with(0)) * Vector3d::Unit(i), Vector3d::Zero(), false, nullptr});
     }
   }
   std::vector<Load> felt;

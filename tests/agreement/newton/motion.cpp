@@ -188,8 +188,8 @@ Vector Motion::omega(std::size_t frame) {
   const auto axial = [](const Matrix3d& m) -> Vector3d {
     return Vector3d(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)) / 2;
   };
-  return {axial(R.rate * R.value.transpose()),
-          axial(R.second * R.value.transpose() + R.rate * R.rate.transpose()), Vector3d::Constant(k_unknown)};
+  return {axial(R.rate * R.value.transpose()), axial(R.second * R.value.transpose() + R.rate * R.rate.transpose()),
+          Vector3d::Constant(k_unknown)};
 }
 
 Vector Motion::velocity_at(std::size_t frame, const Vector& place) {

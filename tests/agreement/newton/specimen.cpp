@@ -8,13 +8,15 @@ namespace agreement::newton {
 using gaussgen::evaluate::Arithmetic;
 
 Specimen::Specimen(gaussgen::model::Model read)
-    : model(std::move(read)), mechanics(model, {}), fixed(constants(model)), evaluator_(mechanics.graph, Arithmetic<double>()) {
+    : model(std::move(read)),
+      mechanics(model, {}),
+      fixed(constants(model)),
+      evaluator_(mechanics.graph, Arithmetic<double>()) {
   gaussgen::strategy::Steps steps;
   for (const auto& body : gaussgen::strategy::body_reactions(mechanics.dynamics, mechanics.solution, steps)) {
     bodies_.push_back({body.force, body.moment.value_or(gaussgen::ir::zero3(mechanics.graph))});
   }
-  for (const auto& joint :
-       gaussgen::strategy::joint_reactions(model, mechanics.dynamics, mechanics.solution, steps)) {
+  for (const auto& joint : gaussgen::strategy::joint_reactions(model, mechanics.dynamics, mechanics.solution, steps)) {
     joints_.push_back({joint.force, joint.moment});
   }
   add_energy_rate();
