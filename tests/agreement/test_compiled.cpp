@@ -80,7 +80,8 @@ class Reference {
   double error(NodeId node, double compiled) {
     const Scaled<cl_F> reference = (*this)(node);
     // A row that nothing enters but its own zero, as that of a height beside forces of order 1, is left with 1e-30 of theirs.
-    if (std::fabs(gaussgen::evaluate::to_double(reference.scale)) < k_nothing && std::fabs(compiled) < k_nothing) return 0;
+    if (std::fabs(gaussgen::evaluate::to_double(reference.scale)) < k_nothing && std::fabs(compiled) < k_nothing)
+      return 0;
     if (cln::zerop(reference.scale)) return compiled == 0 ? 0 : HUGE_VAL;
     return gaussgen::evaluate::to_double(cln::abs(exact_.number(compiled) - reference.value) / reference.scale) / k_eps;
   }

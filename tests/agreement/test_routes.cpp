@@ -9,84 +9,35 @@
 #include <limits>
 
 #include "catch_shim.hpp"
+#include "conditioning.hpp"
 #include "model_files.hpp"
-#include "models.hpp"
 #include "paper.hpp"
 
 namespace {
 
+using agreement::condition;
+using agreement::k_eps;
+using agreement::k_largest_condition;
+using agreement::matrix;
+using agreement::nodes;
+using agreement::Scaling;
+using agreement::scaling;
 using agreement::State;
+using agreement::take;
+using agreement::values;
 using gaussgen::Mechanics;
 using gaussgen::evaluate::Arithmetic;
 using gaussgen::evaluate::Evaluator;
 
 constexpr int k_states = 1000;
-constexpr double k_largest_condition = 1e8;
-constexpr double k_eps = 2.220446049250313e-16;
 
 struct Answer {
   Eigen::VectorXd a, lambda, R;
 };
 
-Eigen::VectorXd values(Evaluator<double>& evaluator, const std::vector<gaussgen::ir::NodeId>& nodes) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(nodes.size()));
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const auto value = evaluator(nodes[i]);
-    result[static_cast<Eigen::Index>(i)] = value ? *value : std::nan("");
-  }
-  return result;
-}
-
-std::vector<gaussgen::ir::NodeId> nodes(const gaussgen::strategy::Vector& v) {
-  std::vector<gaussgen::ir::NodeId> result;
-  for (const auto e : v) result.push_back(e.id());
-  return result;
-}
-
-Eigen::MatrixXd matrix(Evaluator<double>& evaluator, const gaussgen::strategy::Matrix& m, Eigen::Index columns) {
-  Eigen::MatrixXd result(static_cast<Eigen::Index>(m.size()), columns);
-  for (Eigen::Index i = 0; i < result.rows(); ++i)
-    result.row(i) = values(evaluator, nodes(m[static_cast<std::size_t>(i)]));
-  return result;
-}
-
 double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0.0 : v.cwiseAbs().maxCoeff(); }
 
-/// The problem in units in which masses and constraint rows are of size 1.
-struct Scaling {
-  Eigen::VectorXd speed;       ///< sqrt(g_αα)
-  Eigen::VectorXd constraint;  ///< length of each row of b in the mass metric
-  double condition = 1;        ///< of the scaled g and, with constraints, of the scaled [g bᵀ; b 0]
-};
-
-double condition(const Eigen::MatrixXd& m) {
-  const Eigen::VectorXd s = Eigen::JacobiSVD<Eigen::MatrixXd>(m).singularValues();
-  return s.size() == 0 ? 1.0 : s[0] / s[s.size() - 1];
-}
-
 double largest_stretch(const Eigen::MatrixXd& m) { return Eigen::JacobiSVD<Eigen::MatrixXd>(m).singularValues()[0]; }
-
-Scaling scaling(Evaluator<double>& evaluator, const gaussgen::strategy::Dynamics& dynamics) {
-  const auto n = static_cast<Eigen::Index>(dynamics.n());
-  const auto l = static_cast<Eigen::Index>(dynamics.l());
-  const Eigen::MatrixXd g = matrix(evaluator, dynamics.g, n);
-  const Eigen::MatrixXd b = matrix(evaluator, dynamics.b, n);
-  Scaling result;
-  result.speed = g.diagonal().cwiseSqrt();
-  const Eigen::VectorXd inverse = result.speed.cwiseInverse();
-  const Eigen::MatrixXd scaled_g = inverse.asDiagonal() * g * inverse.asDiagonal();
-  const Eigen::MatrixXd rows = b * inverse.asDiagonal();
-  result.constraint = rows.rowwise().norm();
-  Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(n + l, n + l);
-  kkt.topLeftCorner(n, n) = scaled_g;
-  if (l > 0) {
-    const Eigen::MatrixXd unit_rows = result.constraint.cwiseInverse().asDiagonal() * rows;
-    kkt.bottomLeftCorner(l, n) = unit_rows;
-    kkt.topRightCorner(n, l) = unit_rows.transpose();
-  }
-  result.condition = std::max(condition(scaled_g), condition(kkt));
-  return result;
-}
 
 /// g and b in scaled units, and which speeds the paper's route makes dependent.
 struct ScaledSystem {
@@ -189,11 +140,6 @@ double room_for_fixed_order(const std::string& file) {
   if (file == "cart_with_wheels") return 100;
   if (file == "iftomm_a02") return 10;
   return 1;
-}
-
-// NaN compares false everywhere: take it as a failure.
-void take(double& worst, double now) {
-  if (!(now <= worst)) worst = now;
 }
 
 class Comparison {
