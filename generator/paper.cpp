@@ -114,7 +114,9 @@ void report_obstacle(const Obstacle& obstacle, support::Diagnostics& diagnostics
 }  // namespace
 
 lower::PaperRoute paper_route(Mechanics& mechanics) {
-  return lower::build_paper_route(mechanics.model, mechanics.graph, lower::symbols_of(mechanics.graph));
+  GenericPoint at_generic_point(mechanics);
+  const auto vanishes = [&](ir::Expr expression) { return cln::zerop(at_generic_point({{expression}})(0, 0)); };
+  return lower::build_paper_route(mechanics.model, mechanics.graph, lower::symbols_of(mechanics.graph), vanishes);
 }
 
 std::string derivation_text(const model::Model& model, bool latex, support::Diagnostics& diagnostics) {

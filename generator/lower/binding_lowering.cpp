@@ -132,7 +132,7 @@ std::vector<std::vector<NodeId>> PaperLowering::factorised(const OpaqueInverse& 
     matrix.push_back(std::move(lowered));
   }
   const ExprMatrix entries =
-      inverse.is_symmetric ? inverse_by_ldlt(matrix, names) : inverse_by_elimination(matrix, names);
+      inverse.is_symmetric ? inverse_by_ldlt(matrix, names) : inverse_by_elimination(matrix, names, style_.vanishes);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) result[i][j] = entries[i][j].id();
   }

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "lower/factorise.hpp"
 #include "lower/lowering.hpp"
 #include "lower/symbol_map.hpp"
 #include "nonholonomic/reduction.hpp"
@@ -17,6 +18,7 @@ struct LoweringStyle {
   /// Inverses are unrolled factorisations and definitions carry their names; else inverses are opaque symbols that are
   /// declared here, and definitions are written out: for reading.
   bool computed = true;
+  Vanishes vanishes = nullptr;  ///< for the pivots of these
 };
 
 class PaperLowering {

@@ -80,10 +80,11 @@ namespace {
 
 class Elimination {
  public:
-  Elimination(ExprMatrix matrix, const MatrixNames& names)
+  Elimination(ExprMatrix matrix, const MatrixNames& names, const Vanishes& vanishes)
       : m_(std::move(matrix)),
         right_(constant_matrix(m_[0][0].graph(), m_.size(), 1)),
         names_(names),
+        vanishes_(vanishes),
         row_used_(m_.size(), false),
         column_used_(m_.size(), false),
         row_of_column_(m_.size()) {}
@@ -105,8 +106,11 @@ class Elimination {
     int best = -1;
     for (std::size_t i = 0; i < m_.size(); ++i) {
       for (std::size_t j = 0; j < m_.size(); ++j) {
-        if (row_used_[i] || column_used_[j] || pivot_rank(m_[i][j]) <= best) continue;
-        best = pivot_rank(m_[i][j]);
+        if (row_used_[i] || column_used_[j]) continue;
+        const int rank = pivot_rank(m_[i][j]);
+        // Where columns are equal, what is left of one is zero without a simplification that shows it.
+        if (rank <= best || (vanishes_ && vanishes_(m_[i][j]))) continue;
+        best = rank;
         pivot_row_ = i;
         pivot_column_ = j;
       }
@@ -139,6 +143,7 @@ class Elimination {
   ExprMatrix m_;
   ExprMatrix right_;
   const MatrixNames& names_;
+  const Vanishes& vanishes_;
   std::vector<bool> row_used_;
   std::vector<bool> column_used_;
   std::vector<std::size_t> row_of_column_;
@@ -148,8 +153,8 @@ class Elimination {
 
 }  // namespace
 
-ExprMatrix inverse_by_elimination(ExprMatrix matrix, const MatrixNames& names) {
-  return Elimination(std::move(matrix), names).inverse();
+ExprMatrix inverse_by_elimination(ExprMatrix matrix, const MatrixNames& names, const Vanishes& vanishes) {
+  return Elimination(std::move(matrix), names, vanishes).inverse();
 }
 
 }  // namespace gaussgen::lower

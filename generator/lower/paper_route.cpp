@@ -27,7 +27,8 @@ std::string paper_route_obstacle(const model::Model& model) {
                      full_count);
 }
 
-PaperRoute build_paper_route(const model::Model& model, ir::Graph& graph, const SymbolMap& symbols) {
+PaperRoute build_paper_route(const model::Model& model, ir::Graph& graph, const SymbolMap& symbols,
+                             const Vanishes& vanishes) {
   PaperRoute route;
   route.obstacle = paper_route_obstacle(model);
   if (!route.obstacle.empty()) return route;
@@ -37,7 +38,9 @@ PaperRoute build_paper_route(const model::Model& model, ir::Graph& graph, const 
     return route;
   }
   const symbolic::Chart& chart = paper->chart();
-  PaperLowering lower(*paper, graph, symbols, {});
+  LoweringStyle style;
+  style.vanishes = vanishes;
+  PaperLowering lower(*paper, graph, symbols, style);
   for (const symbolic::FreeIndex a : chart.free()) {
     route.speeds.push_back(chart[a].label);
     route.accelerations.push_back(lower(chart[a].acceleration));

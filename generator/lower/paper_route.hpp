@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lower/factorise.hpp"
 #include "lower/symbol_map.hpp"
 #include "model/model.hpp"
 
@@ -30,6 +31,7 @@ std::string paper_route_obstacle(const model::Model& model);
 inline constexpr const char* k_dependent_constraints =
     "the nonholonomic constraints do not determine the dependent speeds at the initial state";
 
-PaperRoute build_paper_route(const model::Model& model, ir::Graph& graph, const SymbolMap& symbols);
+PaperRoute build_paper_route(const model::Model& model, ir::Graph& graph, const SymbolMap& symbols,
+                             const Vanishes& vanishes = nullptr);
 
 }  // namespace gaussgen::lower

@@ -60,7 +60,9 @@ std::optional<Model> build_model(support::Source& source, support::Diagnostics& 
   reading.model.symbols["t"] = {SymbolKind::time, 0};
   reading.model.symbols["pi"] = {SymbolKind::pi, 0};
 
-  const auto root = spec::read_yaml(source, diagnostics);
+  // Other files stand behind it when it is read once more.
+  const support::Source own = source.first();
+  const auto root = spec::read_yaml(own, diagnostics);
   if (!root || !expect_map(*root, root->span, "a model file", reading)) return std::nullopt;
   const spec::Node whole = with_submodels(*root, source, reading);
   reading.model.content_hash = content_hash(source.text());

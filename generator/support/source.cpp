@@ -32,6 +32,11 @@ std::uint32_t Source::add(std::string name, const std::string& text) {
   return begin;
 }
 
+Source Source::first() const {
+  const std::size_t end = files_.size() > 1 ? files_[1].begin - 1 : text_.size();
+  return {name(), text_.substr(0, end)};
+}
+
 std::vector<std::string> Source::names() const {
   std::vector<std::string> names;
   for (const File& file : files_) names.push_back(file.name);

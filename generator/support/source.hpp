@@ -45,6 +45,8 @@ class Source {
 
   /// Of all files.
   std::string_view text() const { return text_; }
+  /// The first one alone; its offsets are the same.
+  Source first() const;
   std::string_view text(Span span) const;
 
   /// In its file.

@@ -42,8 +42,11 @@ class Processes(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="gauss determinism ") as folder:
             for process in range(PROCESSES - 1):
                 # Relative to another folder, too.
-                found = same_bytes.hashes(WRITTEN, cwd=[folder, "/"][process % 2], **surroundings(chance))
-                self.assertEqual(same_bytes.differences(expected, found), [], f"process {process}")
+                # What GiNaC derives takes most of the time: ten processes do that, too.
+                commands = WRITTEN if process % 5 == 0 else ("emitted", "folded")
+                found = same_bytes.hashes(commands, cwd=[folder, "/"][process % 2], **surroundings(chance))
+                wanted = {name: value for name, value in expected.items() if name in found}
+                self.assertEqual(same_bytes.differences(wanted, found), [], f"process {process}")
 
 
 class Locales(unittest.TestCase):

@@ -92,7 +92,8 @@ void says_when_a_result_overflows() {
   CHECK((status != gauss::Status::ok || finite(derivative)));
   CHECK(found.statuses[1] == gauss::Status::not_finite);
   CHECK_FALSE(finite(found.energies));
-  CHECK((found.statuses[2] == gauss::Status::ok) == finite(found.projected));
+  // Equations of positions may be violated by a state that is finite.
+  CHECK((found.statuses[2] != gauss::Status::ok || finite(found.projected)));
 }
 
 }  // namespace

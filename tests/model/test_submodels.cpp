@@ -95,3 +95,16 @@ TEST_CASE("a model that names no submodels reads no other file") {
   const Built built(gaussgen::support::Source("m.yaml", test::with(""), read));
   CHECK(built.model);
 }
+
+TEST_CASE("a source whose submodels have been read can be read once more") {
+  const Files files{{"m.yaml", k_header + "submodels: {a: {file: p.yaml}}\n"},
+                    {"p.yaml", k_header + test::k_x + test::k_particle}};
+  const auto read = [&](const std::string& path, std::string&) { return std::optional(files.at(path)); };
+  gaussgen::support::Source source("m.yaml", files.at("m.yaml"), read);
+  gaussgen::support::Diagnostics diagnostics;
+  const auto first = gaussgen::model::build_model(source, diagnostics);
+  const auto second = gaussgen::model::build_model(source, diagnostics);
+  REQUIRE(first);
+  REQUIRE(second);
+  CHECK(first->content_hash == second->content_hash);
+}
