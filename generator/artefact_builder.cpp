@@ -27,6 +27,13 @@ strategy::Vector configuration_of(const Mechanics& mechanics) {
   return configuration;
 }
 
+strategy::Vector candidate_accelerations(const Mechanics& mechanics) {
+  strategy::Vector candidate;
+  for (const auto& speed : mechanics.symbols.speeds)
+    candidate.push_back(mechanics.expressions.symbol(speed.acceleration));
+  return candidate;
+}
+
 ArtefactBuilder::ArtefactBuilder(std::string name, std::string about, Mechanics& mechanics) : mechanics_(mechanics) {
   artefact_.name = std::move(name);
   artefact_.about = std::move(about);

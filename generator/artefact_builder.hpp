@@ -15,6 +15,9 @@ std::vector<emit::NodeId> ids(const ir::Vector3& v);
 /// Coordinates and quaternions as the caller gives them.
 strategy::Vector configuration_of(const Mechanics& mechanics);
 
+/// Accelerations as the caller gives them.
+strategy::Vector candidate_accelerations(const Mechanics& mechanics);
+
 /// Fills the parts that every artefact has.
 class ArtefactBuilder {
  public:

@@ -15,8 +15,7 @@ const char* const k_about =
     "those at these inputs; reactions stay what they are then.";
 const char* const k_about_inputs =
     "\nneeded: what the inputs have to be instead, and the accelerations that result: the given ones, unless there are "
-    "too "
-    "few inputs.";
+    "too few inputs.";
 
 void add_inputs(ArtefactBuilder& builder, const Mechanics& mechanics, const strategy::Drives& drives) {
   std::vector<Field> fields;
@@ -30,8 +29,7 @@ void add_inputs(ArtefactBuilder& builder, const Mechanics& mechanics, const stra
 }  // namespace
 
 std::vector<Artefact> inverse_dynamics_artefact(Mechanics& mechanics) {
-  Vector wanted;
-  for (const auto& speed : mechanics.symbols.speeds) wanted.push_back(mechanics.expressions.symbol(speed.acceleration));
+  const Vector wanted = candidate_accelerations(mechanics);
   Steps steps;
   const int n = static_cast<int>(mechanics.dynamics.n());
   const Vector missing = strategy::missing_forces(mechanics.dynamics, wanted, mechanics.solution.multipliers, steps);

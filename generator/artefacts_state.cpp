@@ -17,13 +17,6 @@ using strategy::Vector;
 
 namespace {
 
-Vector candidate_accelerations(const Mechanics& mechanics) {
-  Vector candidate;
-  for (const auto& speed : mechanics.symbols.speeds)
-    candidate.push_back(mechanics.expressions.symbol(speed.acceleration));
-  return candidate;
-}
-
 bool has_massless_body(const Mechanics& mechanics) {
   return std::any_of(mechanics.kinematics.bodies.begin(), mechanics.kinematics.bodies.end(), [](const auto& body) {
     return body.mass.is_zero() || (body.is_rigid && (body.inertia[0][0].is_zero() || body.inertia[1][1].is_zero() ||

@@ -79,11 +79,9 @@ class ModelText {
   }
 
   void add(const model::Speed& speed) {
-    const auto owner =
-        std::find_if(model_.coordinates.begin(), model_.coordinates.end(), [&](const model::Coordinate& coordinate) {
-          return coordinate.speed && &model_.speeds[*coordinate.speed] == &speed;
-        });
-    text_ += fmt::format("  {} = {}, initial {}{}", speed.name.text, written(speed.is), written(owner->initial_rate),
+    const auto index = static_cast<std::size_t>(&speed - model_.speeds.data());
+    const model::Coordinate& owner = model_.coordinates[model_.coordinate_of_speed(index)];
+    text_ += fmt::format("  {} = {}, initial {}{}", speed.name.text, written(speed.is), written(owner.initial_rate),
                          remarks(speed.unit, speed.about));
   }
 
@@ -277,7 +275,7 @@ class ModelText {
   /// In the words of the file; what the file leaves out is a number.
   std::string written(const Ast& ast) const {
     if (ast.is_derived) return derived(ast);
-    const std::string_view words = ast.text.empty() ? source_.text(ast.span) : ast.text;
+    const std::string_view words = model::words_of(ast, source_);
     if (words.empty()) return support::to_text(ast.number);
     std::string line;
     // An expression may go over several lines of the file.

@@ -1,5 +1,6 @@
 #include "nearest_position.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -35,23 +36,6 @@ struct Linearised {
     return sum;
   }
 };
-
-/// x of A x = b for a symmetric positive definite A, by elimination.
-Vector solved(std::vector<Vector> a, Vector b) {
-  const std::size_t n = b.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const double factor = a[i][k] / a[k][k];
-      for (std::size_t j = k; j < n; ++j) a[i][j] -= factor * a[k][j];
-      b[i] -= factor * b[k];
-    }
-  }
-  for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k][j] * b[j];
-    b[k] /= a[k][k];
-  }
-  return b;
-}
 
 /// Levenberg's and Marquardt's method for the least Σ f².
 class Search {
@@ -174,17 +158,20 @@ class Search {
   }
 
   Vector step(const Linearised& at, double damping) const {
-    const std::size_t n = at.j[0].size();
-    std::vector<Vector> a(n, Vector(n, 0));
-    Vector b(n, 0);
-    for (std::size_t row = 0; row < at.f.size(); ++row) {
-      for (std::size_t i = 0; i < n; ++i) {
-        b[i] -= at.j[row][i] * at.f[row];
-        for (std::size_t k = 0; k < n; ++k) a[i][k] += at.j[row][i] * at.j[row][k];
-      }
+    const auto n = static_cast<Eigen::Index>(at.j[0].size());
+    const auto rows = static_cast<Eigen::Index>(at.f.size());
+    Eigen::MatrixXd j(rows, n);
+    for (Eigen::Index i = 0; i < rows; ++i)
+      j.row(i) = Eigen::VectorXd::Map(at.j[static_cast<std::size_t>(i)].data(), n);
+    Eigen::MatrixXd a = j.transpose() * j;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double size = sizes_[static_cast<std::size_t>(i)];
+      a(i, i) += damping * (size > 0 ? size * size : 1.0);
     }
-    for (std::size_t i = 0; i < n; ++i) a[i][i] += damping * (sizes_[i] > 0 ? sizes_[i] * sizes_[i] : 1.0);
-    return solved(std::move(a), std::move(b));
+    const Eigen::VectorXd right = -(j.transpose() * Eigen::VectorXd::Map(at.f.data(), rows));
+    Vector result(at.j[0].size());
+    Eigen::VectorXd::Map(result.data(), n) = a.ldlt().solve(right);
+    return result;
   }
 
   static bool is_solved(const Linearised& at) {

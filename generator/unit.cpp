@@ -74,9 +74,8 @@ class UnitBuilder {
   void add_held() {
     for (const auto& held : mechanics_.symbols.held) {
       const model::Coordinate& coordinate = model_.coordinates[held.model_index];
-      const model::Ast& law = *coordinate.held_at;
-      const std::string text = law.text.empty() ? std::string(source_.text(law.span)) : law.text;
-      unit_.held.push_back({held.name, coordinate.unit, coordinate.about, text});
+      const std::string_view law = model::words_of(*coordinate.held_at, source_);
+      unit_.held.push_back({held.name, coordinate.unit, coordinate.about, std::string(law)});
     }
   }
 

@@ -115,17 +115,15 @@ int evaluate(const Options& options) {
   const support::Rational time = parse_time(options.time);
   std::optional<WantedAccelerations> wanted;
   if (!options.accelerations.empty()) wanted = parse_accelerations(options.accelerations, *model);
+  Mechanics mechanics(*model, {});
   support::Diagnostics structure;
-  {
-    Mechanics mechanics(*model, {});
-    check_structure(mechanics, structure);
-  }
+  check_structure(mechanics, structure);
   if (const int found = report(structure, source, options.messages); found != k_ok) return found;
+  // Only initial values change, which the equations do not hold.
   if (options.at_equilibrium) {
     const std::string failure = go_to_equilibrium(*model, time, options.digits);
     if (!failure.empty()) return fail(failure, k_model_error, options.messages);
   }
-  Mechanics mechanics(*model, {});
   const Evaluation evaluation = evaluate_model(mechanics, time, options.digits, wanted);
   write_standard_output(options.format == Format::json ? json(evaluation, *model, options) : table(evaluation));
   for (const std::string& warning : evaluation.warnings) warn(warning, options.messages);

@@ -9,6 +9,7 @@
 #include "cli/texts.hpp"
 #include "cli/usage_error.hpp"
 #include "model/build.hpp"
+#include "support/characters.hpp"
 
 namespace gaussgen::cli {
 
@@ -24,9 +25,7 @@ std::string without_ending(const std::string& name) {
 
 /// What the model would say of it, and it goes into a text that has a syntax.
 void check_name(const std::string& name) {
-  const bool is_word = std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-  });
+  const bool is_word = std::all_of(name.begin(), name.end(), support::is_name_character);
   if (name.empty() || !is_word) {
     throw UsageError("init: '" + name +
                      "' is not a name for a model: write letters, digits and _, as in double_pendulum");

@@ -103,9 +103,7 @@ class Override {
         model_.orientations[ref.index / 4].initial[ref.index % 4] = value_;
         return;
       case model::SymbolKind::speed:
-        for (model::Coordinate& coordinate : model_.coordinates) {
-          if (coordinate.speed == ref.index) coordinate.initial_rate = value_;
-        }
+        model_.coordinates[model_.coordinate_of_speed(ref.index)].initial_rate = value_;
         return;
       case model::SymbolKind::angular_velocity:
         model_.orientations[ref.index / 3].initial_angular_velocity[ref.index % 3] = value_;
@@ -147,6 +145,20 @@ void relocate(model::Ast& ast, support::Span span) {
   for (model::Ast& child : ast.children) relocate(child, span);
 }
 
+struct NameAndText {
+  std::string name;
+  std::string text;  ///< of the value
+};
+
+NameAndText at_equals(const char* option, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos)
+    throw UsageError(fmt::format("{}: expected name=value, not '{}'", option, assignment));
+  const std::string name = trimmed(assignment.substr(0, equals));
+  if (name.empty()) throw UsageError(fmt::format("{}: a name is missing before '=' in '{}'", option, assignment));
+  return {name, assignment.substr(equals + 1)};
+}
+
 struct Assignment {
   std::string name;
   std::string option;  ///< for messages
@@ -154,20 +166,13 @@ struct Assignment {
 };
 
 Assignment split(const std::string& text, const model::Model& model) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) throw UsageError(fmt::format("--set: expected name=value, not '{}'", text));
-  const std::string name = trimmed(text.substr(0, equals));
-  if (name.empty()) throw UsageError(fmt::format("--set: a name is missing before '=' in '{}'", text));
-  const std::string option = "--set " + name;
-  Assignment result{name, option, parsed(option, text.substr(equals + 1))};
+  const NameAndText given = at_equals("--set", text);
+  const std::string option = "--set " + given.name;
+  Assignment result{given.name, option, parsed(option, given.text)};
   refuse_other_symbols(option, result.value, model);
   relocate(result.value, model.name.span);
   return result;
 }
-
-}  // namespace
-
-namespace {
 
 /// What emitted code calls the acceleration of a coordinate, an angular velocity component or a speed.
 std::string acceleration_name(const std::string& name, const model::Model& model) {
@@ -189,12 +194,10 @@ std::map<std::string, support::Rational> parse_accelerations(const std::vector<s
                                                              const model::Model& model) {
   std::map<std::string, support::Rational> wanted;
   for (const std::string& text : assignments) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) throw UsageError(fmt::format("--accelerate: expected name=value, not '{}'", text));
-    const std::string name = trimmed(text.substr(0, equals));
-    const auto value = model::exact_value(parsed("--accelerate " + name, text.substr(equals + 1)));
-    if (!value) throw UsageError(fmt::format("--accelerate {}: a number is needed", name));
-    wanted[acceleration_name(name, model)] = *value;
+    const NameAndText given = at_equals("--accelerate", text);
+    const auto value = model::exact_value(parsed("--accelerate " + given.name, given.text));
+    if (!value) throw UsageError(fmt::format("--accelerate {}: a number is needed", given.name));
+    wanted[acceleration_name(given.name, model)] = *value;
   }
   return wanted;
 }

@@ -2,8 +2,11 @@
 
 #include "ir/order.hpp"
 #include "ir/graph.hpp"
+#include "support/characters.hpp"
 
 namespace gaussgen::ir {
+
+using support::is_digit;
 
 namespace {
 
@@ -33,8 +36,6 @@ bool is_nested(const Graph& graph, const Node& node) {
   const Kind argument = graph[node.children[0]].kind;
   return argument != Kind::symbol && argument != Kind::constant;
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::size_t digits_end(const std::string& text, std::size_t from) {
   while (from < text.size() && is_digit(text[from])) ++from;

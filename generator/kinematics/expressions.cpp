@@ -26,6 +26,18 @@ Expressions::Expressions(const model::Model& model, const Symbols& symbols, ir::
   seed_rates();
 }
 
+void Expressions::seed_what_speeds_leave(ir::Directional& derivative) {
+  for (const HeldCoordinate& held : symbols_.held) derivative.seed(held.symbol, symbol(held.rate));
+  for (std::size_t i = 0; i < model_.orientations.size(); ++i) {
+    const std::array<Expr, 4> rates = quaternion_rates(i);
+    for (std::size_t k = 0; k < rates.size(); ++k) {
+      const ConfigurationIndex e{symbols_.first_quaternion_component[i].value + k};
+      derivative.seed(symbols_.configuration[e].symbol, rates[k]);
+    }
+  }
+  derivative.seed(symbols_.time, number(1));
+}
+
 // u = Y q̇ + Z, so q̇ = Y⁻¹ (u - Z), for the coordinates whose rates are in the definitions of the speeds.
 std::vector<Expr> Expressions::rates_from_speeds() {
   std::vector<ir::SymbolId> rates;
@@ -34,23 +46,13 @@ std::vector<Expr> Expressions::rates_from_speeds() {
   for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
     const model::Coordinate& coordinate = model_.coordinates[i];
     const Symbols::Place& place = symbols_.coordinates[i];
-    if (place.is_held) {
-      const HeldCoordinate& held = symbols_.held[HeldIndex{place.index}];
-      defining_->seed(held.symbol, symbol(held.rate));
-    } else if (coordinate.speed) {
+    if (coordinate.speed) {
       rates.push_back(graph_.declare(ir::SymbolClass::speed, coordinate.name.text + "_dot"));
       u.push_back(symbol(symbols_.speeds[FreeIndex{place.index}].symbol));
       defining_->seed(symbols_.configuration[ConfigurationIndex{place.index}].symbol, symbol(rates.back()));
     }
   }
-  for (std::size_t i = 0; i < model_.orientations.size(); ++i) {
-    const std::array<Expr, 4> of_quaternion = quaternion_rates(i);
-    for (std::size_t k = 0; k < of_quaternion.size(); ++k) {
-      const ConfigurationIndex e{symbols_.first_quaternion_component[i].value + k};
-      defining_->seed(symbols_.configuration[e].symbol, of_quaternion[k]);
-    }
-  }
-  defining_->seed(symbols_.time, number(1));
+  seed_what_speeds_leave(*defining_);
   ir::Substitution at_rest(graph_);
   for (const ir::SymbolId rate : rates) at_rest.replace(rate, number(0));
   for (std::size_t i = 0; i < model_.speeds.size(); ++i) {
@@ -73,14 +75,10 @@ void Expressions::seed_rates() {
   std::size_t next = 0;
   for (std::size_t i = 0; i < symbols_.coordinates.size(); ++i) {
     const Symbols::Place& place = symbols_.coordinates[i];
-    if (place.is_held) {
-      const HeldCoordinate& held = symbols_.held[HeldIndex{place.index}];
-      time_derivative_.seed(held.symbol, symbol(held.rate));
-    } else if (model_.coordinates[i].speed) {
-      configuration_rates_.push_back(from_speeds[next++]);
-    } else {
-      configuration_rates_.push_back(symbol(symbols_.speeds[FreeIndex{place.index}].symbol));
-    }
+    if (place.is_held) continue;
+    const bool is_replaced = model_.coordinates[i].speed.has_value();
+    configuration_rates_.push_back(is_replaced ? from_speeds[next++]
+                                               : symbol(symbols_.speeds[FreeIndex{place.index}].symbol));
   }
   for (std::size_t i = 0; i < model_.orientations.size(); ++i) {
     for (const Expr rate : quaternion_rates(i)) configuration_rates_.push_back(rate);
@@ -88,7 +86,7 @@ void Expressions::seed_rates() {
   for (const ConfigurationIndex i : configuration_rates_.indices()) {
     time_derivative_.seed(symbols_.configuration[i].symbol, configuration_rates_[i]);
   }
-  time_derivative_.seed(symbols_.time, number(1));
+  seed_what_speeds_leave(time_derivative_);
 }
 
 // ė = ½ (0, ω) ∘ e with ω in space, ė = ½ e ∘ (0, ω) with ω in the body (Wittenburg, Dynamics of Multibody Systems, 2.2).
@@ -171,12 +169,10 @@ Expr Expressions::resolved(const std::string& name) {
       const FreeIndex first = symbols_.first_angular_velocity[ref.index / 3];
       return symbol(symbols_.speeds[FreeIndex{first.value + ref.index % 3}].symbol);
     }
-    case model::SymbolKind::speed:
-      for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
-        if (model_.coordinates[i].speed != ref.index) continue;
-        return symbol(symbols_.speeds[FreeIndex{symbols_.coordinates[i].index}].symbol);
-      }
-      return number(0);
+    case model::SymbolKind::speed: {
+      const Symbols::Place& place = symbols_.coordinates[model_.coordinate_of_speed(ref.index)];
+      return symbol(symbols_.speeds[FreeIndex{place.index}].symbol);
+    }
     case model::SymbolKind::place: return place(ref.index / 3, ref.index % 3);
   }
   return number(0);

@@ -53,6 +53,8 @@ class Expressions {
   ir::Expr call(const model::Ast& ast);
   ir::Expr cases(const model::Ast& piecewise);
   void seed_rates();
+  /// Rates of held coordinates, of quaternions and of t, which no speed of the model replaces.
+  void seed_what_speeds_leave(ir::Directional& derivative);
   std::vector<ir::Expr> rates_from_speeds();
   std::array<ir::Expr, 4> quaternion_rates(std::size_t orientation);
 

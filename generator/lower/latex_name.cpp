@@ -1,4 +1,5 @@
 #include "lower/latex_name.hpp"
+#include "support/characters.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,14 +7,14 @@
 
 namespace gaussgen::lower {
 
+using support::is_digit;
+
 namespace {
 
 constexpr std::array<std::string_view, 34> k_greek = {
     "alpha", "beta",  "gamma",  "delta", "epsilon", "zeta",  "eta",     "theta", "iota", "kappa", "lambda", "mu",
     "nu",    "xi",    "pi",     "rho",   "sigma",   "tau",   "upsilon", "phi",   "chi",  "psi",   "omega",  "Gamma",
     "Delta", "Theta", "Lambda", "Xi",    "Pi",      "Sigma", "Upsilon", "Phi",   "Psi",  "Omega"};
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// A word without digits and underscores.
 std::string word(const std::string& text, const char* font) {

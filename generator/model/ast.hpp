@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,11 @@ bool holds(const std::string& comparison, const Number& a, const Number& b) {
   if (comparison == "<") return a < b;
   if (comparison == "<=") return a <= b;
   return comparison == ">" ? b < a : b <= a;
+}
+
+/// A whole expression as the file has it, or as repetition and submodels made it.
+inline std::string_view words_of(const Ast& ast, const support::Source& source) {
+  return ast.text.empty() ? source.text(ast.span) : std::string_view(ast.text);
 }
 
 inline bool is_broken(const Ast& ast) { return ast.kind == AstKind::symbol && ast.name.empty(); }

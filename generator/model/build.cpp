@@ -62,9 +62,9 @@ std::optional<Model> build_model(support::Source& source, support::Diagnostics& 
 
   // Other files stand behind it when it is read once more.
   const support::Source own = source.first();
-  const auto root = spec::read_yaml(own, diagnostics);
+  auto root = spec::read_yaml(own, diagnostics);
   if (!root || !expect_map(*root, root->span, "a model file", reading)) return std::nullopt;
-  const spec::Node whole = with_submodels(*root, source, reading);
+  const spec::Node whole = with_submodels(*std::move(root), source, reading);
   reading.model.content_hash = content_hash(source.text());
   read_sections(whole, reading);
   check_model(reading);

@@ -88,25 +88,11 @@ class DimensionCheck {
 
   /// A formula without a unit has the one that follows from its parts, which stand before it.
   void complete_parameters() {
-    for (Parameter& parameter : reading_.model.parameters) {
-      if (!parameter.unit.empty()) continue;
-      const Measure measure = infer_(parameter.value);
-      done_.insert(&parameter.value);
-      if (measure.kind != Kind::known) continue;
-      parameter.dimension = measure.dimension;
-      parameter.unit = unit_of(measure);
-    }
+    for (Parameter& parameter : reading_.model.parameters) complete(parameter, parameter.value);
   }
 
   void complete_speeds() {
-    for (Speed& speed : reading_.model.speeds) {
-      if (!speed.unit.empty()) continue;
-      const Measure measure = infer_(speed.is);
-      done_.insert(&speed.is);
-      if (measure.kind != Kind::known) continue;
-      speed.dimension = measure.dimension;
-      speed.unit = unit_of(measure);
-    }
+    for (Speed& speed : reading_.model.speeds) complete(speed, speed.is);
   }
 
   /// Likewise a quantity, if its components have one unit.
@@ -167,6 +153,16 @@ class DimensionCheck {
   }
 
  private:
+  template <class Owner>
+  void complete(Owner& owner, const Ast& value) {
+    if (!owner.unit.empty()) return;
+    const Measure measure = infer_(value);
+    done_.insert(&value);
+    if (measure.kind != Kind::known) return;
+    owner.dimension = measure.dimension;
+    owner.unit = unit_of(measure);
+  }
+
   std::string hint_for(const Ast& ast, const Measure& wanted, const Measure& found) const {
     const std::string names = units_of_names(reading_.model, {&ast});
     if (!is_number(found.dimension)) return names;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/rewriting.hpp"
+#include "support/characters.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
 
@@ -14,12 +15,12 @@ namespace gaussgen::model {
 
 namespace code = support::code;
 
+using support::is_digit;
+using support::is_letter;
+
 namespace {
 
 constexpr int k_deepest = 16;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 std::string known_names(const Indices& indices, const char* otherwise) {
   std::vector<std::string> names;
@@ -154,20 +155,19 @@ spec::LocatedText with_indices(const spec::LocatedText& text, const Indices& ind
   return std::move(result).result();
 }
 
-spec::Node with_indices(const spec::Node& node, const Indices& indices, support::Diagnostics& diagnostics) {
-  spec::Node result = node;
+spec::Node with_indices(spec::Node node, const Indices& indices, support::Diagnostics& diagnostics) {
   if (node.kind == spec::NodeKind::scalar)
-    result.scalar = with_indices(node.scalar, indices, UnknownIndex::error, diagnostics);
-  for (spec::Node& item : result.items) item = with_indices(item, indices, diagnostics);
-  for (spec::Entry& entry : result.entries) {
+    node.scalar = with_indices(node.scalar, indices, UnknownIndex::error, diagnostics);
+  for (spec::Node& item : node.items) item = with_indices(std::move(item), indices, diagnostics);
+  for (spec::Entry& entry : node.entries) {
     entry.key = with_indices(entry.key, indices, UnknownIndex::error, diagnostics);
     if (entry.key.text == "about" && entry.value.kind == spec::NodeKind::scalar) {
       entry.value.scalar = with_indices(entry.value.scalar, indices, UnknownIndex::keep, diagnostics);
     } else {
-      entry.value = with_indices(entry.value, indices, diagnostics);
+      entry.value = with_indices(std::move(entry.value), indices, diagnostics);
     }
   }
-  return result;
+  return node;
 }
 
 std::optional<std::int64_t> whole_number(const spec::LocatedText& text, const Indices& indices,

@@ -23,7 +23,7 @@ spec::LocatedText with_indices(const spec::LocatedText& text, const Indices& ind
                                support::Diagnostics& diagnostics);
 
 /// Every text of the tree likewise; in `about` a `$` may be a dollar.
-spec::Node with_indices(const spec::Node& node, const Indices& indices, support::Diagnostics& diagnostics);
+spec::Node with_indices(spec::Node node, const Indices& indices, support::Diagnostics& diagnostics);
 
 /// A whole number, or a formula over `indices` without `$`; nothing after a report.
 std::optional<std::int64_t> whole_number(const spec::LocatedText& text, const Indices& indices,

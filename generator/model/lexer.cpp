@@ -7,6 +7,7 @@
 
 #include "model/character_name.hpp"
 #include "model/number.hpp"
+#include "support/characters.hpp"
 #include "support/error_codes.hpp"
 #include "support/utf8.hpp"
 
@@ -14,10 +15,11 @@ namespace gaussgen::model {
 
 namespace code = support::code;
 
+using support::is_digit;
+using support::is_letter;
+
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 std::optional<TokenKind> sign(char c) {

@@ -12,6 +12,13 @@ SymbolRef Model::resolve(const std::string& symbol) const {
   return found->second;
 }
 
+std::size_t Model::coordinate_of_speed(std::size_t speed) const {
+  const auto owner = std::find_if(coordinates.begin(), coordinates.end(),
+                                  [&](const Coordinate& coordinate) { return coordinate.speed == speed; });
+  GAUSS_ASSERT(owner != coordinates.end(), "speed {}", speed);
+  return static_cast<std::size_t>(owner - coordinates.begin());
+}
+
 bool has_units(const Model& model) {
   const auto states_unit = [](const auto& entry) { return !entry.unit.empty(); };
   const auto any = [&](const auto& list) { return std::any_of(list.begin(), list.end(), states_unit); };

@@ -293,6 +293,9 @@ struct Model {
 
   /// The declared symbol; asserts that it exists (the checks guarantee it).
   SymbolRef resolve(const std::string& symbol) const;
+
+  /// Index of the coordinate whose rate this speed replaces; asserts that it exists.
+  std::size_t coordinate_of_speed(std::size_t speed) const;
 };
 
 /// Whether any unit is stated; if not, no dimension was checked.

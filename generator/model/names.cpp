@@ -7,6 +7,7 @@
 #include "model/character_name.hpp"
 #include "model/emitted_names.hpp"
 #include "model/functions.hpp"
+#include "support/characters.hpp"
 #include "support/error_codes.hpp"
 #include "support/utf8.hpp"
 
@@ -14,10 +15,10 @@ namespace gaussgen::model {
 
 namespace code = support::code;
 
-namespace {
+using support::is_letter;
+using support::is_name_character;
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_name_character(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; }
+namespace {
 
 /// For "spring-rate" and "spring rate".
 std::string joined_by_underscore(std::string name) {

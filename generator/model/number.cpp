@@ -6,15 +6,16 @@
 #include <utility>
 
 #include "model/lexer.hpp"
+#include "support/characters.hpp"
 
 namespace gaussgen::model {
 
 using support::Integer;
 using support::Rational;
 
-namespace {
+using support::is_digit;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+namespace {
 
 std::size_t digits_at(std::string_view text, std::size_t at) {
   std::size_t end = at;

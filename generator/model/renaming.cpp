@@ -5,18 +5,18 @@
 #include "model/format.hpp"
 #include "model/functions.hpp"
 #include "model/rewriting.hpp"
+#include "support/characters.hpp"
 
 namespace gaussgen::model {
 
 using format::Shape;
 using spec::Node;
 using spec::NodeKind;
+using support::is_digit;
+using support::is_letter;
+using support::is_name_character;
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool continues_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
 bool stays(const std::string& name) { return name == "space" || is_reserved(name); }
 
@@ -83,13 +83,13 @@ class Renaming {
     Rewriting result(text);
     while (!result.is_done()) {
       if (is_digit(result.peek())) {
-        while (continues_name(result.peek()) || result.peek() == '.') result.keep(1);
+        while (is_name_character(result.peek()) || result.peek() == '.') result.keep(1);
       } else if (is_letter(result.peek())) {
         std::size_t size = 1;
-        while (continues_name(result.peek(size))) ++size;
+        while (is_name_character(result.peek(size))) ++size;
         if (!stays(text.text.substr(result.at(), size))) result.put(prefix_);
         result.keep(size);
-        while (continues_name(result.peek()) || result.peek() == '.') result.keep(1);
+        while (is_name_character(result.peek()) || result.peek() == '.') result.keep(1);
       } else {
         result.keep(1);
       }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "model/format.hpp"
 #include "model/indices.hpp"
 #include "spec/reader.hpp"
+#include "support/characters.hpp"
 #include "support/error_codes.hpp"
 
 namespace gaussgen::model {
@@ -26,13 +28,6 @@ constexpr const char* k_counts = "counts";
 constexpr std::int64_t k_most_copies = 10'000;
 constexpr std::array k_index_names{"i", "j", "k"};
 
-std::size_t size_of(const Node& node) {
-  std::size_t size = 1;
-  for (const Node& item : node.items) size += size_of(item);
-  for (const Entry& entry : node.entries) size += size_of(entry.value);
-  return size;
-}
-
 bool is_section(const std::string& key) {
   for (const format::Key& section : format::model_file().keys) {
     if (section.name == key) return section.value.shape == format::Shape::entries && key != k_counts;
@@ -44,34 +39,36 @@ class Repetition {
  public:
   explicit Repetition(Reading& reading) : reading_(reading) {}
 
-  Node run(const Node& root) {
+  Node run(Node root) {
     read_counts(root);
-    Node result = root;
-    result.entries.clear();
-    for (const Entry& entry : root.entries) {
+    for (Entry& entry : taken_from(root)) {
       if (entry.key.text == k_counts) continue;
-      if (is_section(entry.key.text) && entry.value.kind == NodeKind::map) {
-        result.entries.push_back({entry.key, section(entry.value)});
-      } else {
-        result.entries.push_back({entry.key, texts(entry)});
-      }
+      const bool is_repeatable = is_section(entry.key.text) && entry.value.kind == NodeKind::map;
+      entry.value = is_repeatable ? section(std::move(entry.value)) : texts(entry.key.text, std::move(entry.value));
+      root.entries.push_back(std::move(entry));
     }
-    return result;
+    return root;
   }
 
  private:
   /// Of what is no section. In a name that is to be refused anyway, a `$` is no index.
-  Node texts(const Entry& entry) {
-    if (entry.key.text != "name" || entry.value.kind != NodeKind::scalar)
-      return with_indices(entry.value, counts_, reading_.diagnostics);
-    Node name = entry.value;
-    name.scalar = with_indices(name.scalar, counts_, UnknownIndex::keep, reading_.diagnostics);
-    return name;
+  Node texts(const std::string& key, Node value) {
+    if (key != "name" || value.kind != NodeKind::scalar)
+      return with_indices(std::move(value), counts_, reading_.diagnostics);
+    value.scalar = with_indices(value.scalar, counts_, UnknownIndex::keep, reading_.diagnostics);
+    return value;
+  }
+
+  static std::vector<Entry> taken_from(Node& map) {
+    std::vector<Entry> entries;
+    entries.swap(map.entries);
+    return entries;
   }
 
   void read_counts(const Node& root) {
     read_section(root, k_counts, reading_, [&](const Entry& entry) {
-      const bool is_index = entry.key.text == "i" || entry.key.text == "j" || entry.key.text == "k";
+      const bool is_index =
+          std::find(k_index_names.begin(), k_index_names.end(), entry.key.text) != k_index_names.end();
       if (is_index || !is_word(entry.key.text)) {
         reading_.diagnostics.error(code::k_invalid_name, entry.key.span,
                                    fmt::format("'{}' cannot be the name of a count", entry.key.text),
@@ -84,11 +81,8 @@ class Repetition {
   }
 
   static bool is_word(const std::string& text) {
-    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-    for (const char c : text) {
-      if (!is_letter(c) && (c < '0' || c > '9')) return false;
-    }
-    return !text.empty() && is_letter(text.front());
+    const auto belongs = [](char c) { return support::is_letter(c) || support::is_digit(c); };
+    return !text.empty() && support::is_letter(text.front()) && std::all_of(text.begin(), text.end(), belongs);
   }
 
   std::optional<std::int64_t> read_count(const Node& node, support::Span owner) {
@@ -102,17 +96,15 @@ class Repetition {
     return std::nullopt;
   }
 
-  Node section(const Node& section) {
-    Node result = section;
-    result.entries.clear();
+  Node section(Node section) {
     names_.clear();
-    for (const Entry& entry : section.entries) {
+    for (Entry& entry : taken_from(section)) {
       const Node* count = entry.value.kind == NodeKind::map ? spec::find(entry.value, k_count) : nullptr;
-      const bool is_whole = count == nullptr ? add(entry, counts_, result) : copy(entry, *count, result);
+      const bool is_whole = count == nullptr ? add(std::move(entry), counts_, section) : copy(entry, *count, section);
       // What other parts of the model miss may be an entry that is left out here.
       if (!is_whole) reading_.incomplete = true;
     }
-    return result;
+    return section;
   }
 
   /// One `count` gives $i, a list of them $i, $j, $k.
@@ -152,22 +144,22 @@ class Repetition {
   }
 
   /// False when going on makes no sense.
-  bool add(const Entry& pattern, const Indices& indices, Node& section) {
-    nodes_ += size_of(pattern.value);
+  bool add(Entry entry, const Indices& indices, Node& section) {
+    const support::Span place = entry.key.span;
+    nodes_ += spec::size_of(entry.value);
     if (nodes_ > static_cast<std::size_t>(spec::k_most_nodes)) {
-      reading_.diagnostics.error(code::k_file_too_large, pattern.key.span,
+      reading_.diagnostics.error(code::k_file_too_large, place,
                                  fmt::format("written out, the model has more than {} values", spec::k_most_nodes),
                                  "make fewer copies");
       return false;
     }
     const std::size_t findings = reading_.diagnostics.all().size();
-    Entry entry{with_indices(pattern.key, indices, UnknownIndex::error, reading_.diagnostics),
-                with_indices(pattern.value, indices, reading_.diagnostics)};
+    entry.key = with_indices(entry.key, indices, UnknownIndex::error, reading_.diagnostics);
+    entry.value = with_indices(std::move(entry.value), indices, reading_.diagnostics);
     // What is wrong with one copy is wrong with all.
     if (reading_.diagnostics.all().size() != findings) return false;
     if (!names_.insert(entry.key.text).second) {
-      reading_.diagnostics.error(code::k_duplicate_key, pattern.key.span,
-                                 fmt::format("'{}' is there already", entry.key.text),
+      reading_.diagnostics.error(code::k_duplicate_key, place, fmt::format("'{}' is there already", entry.key.text),
                                  "what 'count' repeats has the index in its name, as in link_$i");
       return false;
     }
@@ -183,6 +175,6 @@ class Repetition {
 
 }  // namespace
 
-spec::Node repeated(const Node& root, Reading& reading) { return Repetition(reading).run(root); }
+spec::Node repeated(Node root, Reading& reading) { return Repetition(reading).run(std::move(root)); }
 
 }  // namespace gaussgen::model

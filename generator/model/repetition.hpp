@@ -6,6 +6,6 @@
 namespace gaussgen::model {
 
 /// The same file with every entry written out, and without `counts`.
-spec::Node repeated(const spec::Node& root, Reading& reading);
+spec::Node repeated(spec::Node root, Reading& reading);
 
 }  // namespace gaussgen::model

@@ -29,13 +29,7 @@ namespace {
 constexpr const char* k_submodels = "submodels";
 constexpr std::size_t k_most_files = 64;
 constexpr std::size_t k_deepest = 8;
-
-Node* find_in(Node& map, const std::string& key) {
-  for (Entry& entry : map.entries) {
-    if (entry.key.text == key) return &entry.value;
-  }
-  return nullptr;
-}
+constexpr std::size_t k_most_nodes = spec::k_most_nodes;
 
 std::vector<std::string> names_in(const Node* section) {
   std::vector<std::string> names;
@@ -63,14 +57,14 @@ class Submodels {
   Submodels(support::Source& source, Reading& reading) : source_(source), reading_(reading) {}
 
   /// `file` is the name of the file in which `root` stands.
-  Node assembled(const Node& root, std::string file) {
-    Node result = repeated(root, reading_);
-    const Node* section = spec::find(result, k_submodels);
-    if (section == nullptr) return result;
-    const Node parts = *section;
+  Node assembled(Node root, const std::string& file) {
+    Node result = repeated(std::move(root), reading_);
     auto& entries = result.entries;
-    entries.erase(
-        std::find_if(entries.begin(), entries.end(), [](const Entry& e) { return e.key.text == k_submodels; }));
+    const auto section =
+        std::find_if(entries.begin(), entries.end(), [](const Entry& e) { return e.key.text == k_submodels; });
+    if (section == entries.end()) return result;
+    const Node parts = std::move(section->value);
+    entries.erase(section);
     if (parts.kind == NodeKind::empty) return result;
     if (!expect_map(parts, parts.span, "'submodels'", reading_)) {
       reading_.incomplete = true;
@@ -82,6 +76,7 @@ class Submodels {
 
  private:
   void take(const Entry& part, const std::string& file, Node& model) {
+    if (nodes_ > k_most_nodes) return;
     const std::string where = fmt::format("submodel '{}'", part.key.text);
     if (check_name(name_of(part.key), reading_) && expect_map(part.value, part.key.span, where, reading_)) {
       check_keys(part.value, where, format::keys_of(format::submodel()), reading_);
@@ -89,11 +84,21 @@ class Submodels {
       const Node* path = required(part.value, "file", part.key.span, where, reading_);
       if (path != nullptr && expect_scalar(*path, part.key.span, "'file'", reading_)) {
         std::optional<Node> content = read(beside(file, path->scalar.text), path->span);
-        if (content && fit(part, *content)) return merge(std::move(*content), model);
+        if (content && fit(part, *content) && has_room(part, *content)) return merge(std::move(*content), model);
       }
     }
     // What other parts of the model miss may stand in it.
     reading_.incomplete = true;
+  }
+
+  /// Copies of copies are many with a few lines.
+  bool has_room(const Entry& part, const Node& content) {
+    nodes_ += spec::size_of(content);
+    if (nodes_ <= k_most_nodes) return true;
+    reading_.diagnostics.error(code::k_file_too_large, part.key.span,
+                               fmt::format("with its submodels, the model has more than {} values", k_most_nodes),
+                               "take fewer of them");
+    return false;
   }
 
   std::nullopt_t refuse(support::Span at, std::string message, std::string hint) {
@@ -120,10 +125,11 @@ class Submodels {
     std::string why;
     const std::optional<std::string> text = source_.read(path, why);
     if (!text) return refuse(at, fmt::format("'{}': {}", path, why), "the path is relative to the file that names it");
-    const std::optional<Node> root = spec::read_yaml_behind(source_, path, *text, reading_.diagnostics);
+    std::optional<Node> root = spec::read_yaml_behind(source_, path, *text, reading_.diagnostics);
     if (!root || !expect_map(*root, root->span, "a model file", reading_)) return std::nullopt;
-    Node content = assembled(*root, path);
-    read_version(content, {root->span.begin, root->span.begin}, reading_);
+    const support::Span top{root->span.begin, root->span.begin};
+    Node content = assembled(*std::move(root), path);
+    read_version(content, top, reading_);
     check_keys(content, "a model file", format::keys_of(format::model_file()), reading_);
     return content;
   }
@@ -226,12 +232,12 @@ class Submodels {
 
   void set_parameters(const Entry& part, Node& content) {
     const Node* values = spec::find(part.value, "parameters");
-    Node* parameters = find_in(content, "parameters");
+    Node* parameters = spec::find(content, "parameters");
     if (values == nullptr || parameters == nullptr) return;
     for (const Entry& value : values->entries) {
-      Node* parameter = find_in(*parameters, part.key.text + "_" + value.key.text);
+      Node* parameter = spec::find(*parameters, part.key.text + "_" + value.key.text);
       if (parameter == nullptr) continue;
-      Node* inner = parameter->kind == NodeKind::map ? find_in(*parameter, "value") : parameter;
+      Node* inner = parameter->kind == NodeKind::map ? spec::find(*parameter, "value") : parameter;
       if (inner != nullptr) *inner = value.value;
     }
   }
@@ -241,12 +247,12 @@ class Submodels {
     const std::pair<const char*, const char*> k_sections[] = {
         {"frames", "parent"}, {"joints", "parent"}, {"points", "on"}};
     for (const auto& [section, key] : k_sections) {
-      Node* entries = find_in(content, section);
+      Node* entries = spec::find(content, section);
       if (entries == nullptr) continue;
       for (Entry& entry : entries->entries) {
         if (entry.value.kind == NodeKind::empty) entry.value.kind = NodeKind::map;
         if (entry.value.kind != NodeKind::map) continue;
-        Node* parent = find_in(entry.value, key);
+        Node* parent = spec::find(entry.value, key);
         if (parent == nullptr) {
           spec::LocatedText name = frame;
           name.text = key;
@@ -262,7 +268,7 @@ class Submodels {
   void merge(Node content, Node& model) {
     for (Entry& section : content.entries) {
       if (section.value.kind == NodeKind::empty) continue;
-      Node* own = find_in(model, section.key.text);
+      Node* own = spec::find(model, section.key.text);
       if (own != nullptr && own->kind == NodeKind::map && section.value.kind == NodeKind::map) {
         for (Entry& entry : section.value.entries) add(std::move(entry), *own);
       } else if (own == nullptr || own->kind == NodeKind::empty) {
@@ -288,13 +294,16 @@ class Submodels {
   support::Source& source_;
   Reading& reading_;
   std::map<std::string, std::optional<Node>> files_;
+  std::size_t nodes_ = 0;          ///< of all that was merged
   std::vector<std::string> open_;  ///< files that are being read, the outermost first
 };
 
 }  // namespace
 
-Node with_submodels(const Node& root, support::Source& source, Reading& reading) {
-  return Submodels(source, reading).assembled(root, source.name());
+Node with_submodels(Node root, support::Source& source, Reading& reading) {
+  // A copy: the names of a source move when it takes another file.
+  const std::string file = source.name();
+  return Submodels(source, reading).assembled(std::move(root), file);
 }
 
 }  // namespace gaussgen::model

@@ -7,6 +7,6 @@ namespace gaussgen::model {
 
 /// The file with all repetitions and submodels written out: what is left are the sections that every model has. The texts of
 /// other files are put behind that of `source`.
-spec::Node with_submodels(const spec::Node& root, support::Source& source, Reading& reading);
+spec::Node with_submodels(spec::Node root, support::Source& source, Reading& reading);
 
 }  // namespace gaussgen::model

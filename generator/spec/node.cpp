@@ -35,6 +35,13 @@ void shift(LocatedText& text, std::uint32_t distance) {
 
 }  // namespace
 
+std::size_t size_of(const Node& node) {
+  std::size_t size = 1;
+  for (const Node& item : node.items) size += size_of(item);
+  for (const Entry& entry : node.entries) size += size_of(entry.value);
+  return size;
+}
+
 void shift(Node& node, std::uint32_t distance) {
   shift(node.span, distance);
   shift(node.scalar, distance);
@@ -45,11 +52,20 @@ void shift(Node& node, std::uint32_t distance) {
   }
 }
 
-const Node* find(const Node& map, const std::string& key) {
-  for (const Entry& entry : map.entries) {
+namespace {
+
+template <class Map>
+auto found(Map& map, const std::string& key) -> decltype(&map.entries[0].value) {
+  for (auto& entry : map.entries) {
     if (entry.key.text == key) return &entry.value;
   }
   return nullptr;
 }
+
+}  // namespace
+
+const Node* find(const Node& map, const std::string& key) { return found(map, key); }
+
+Node* find(Node& map, const std::string& key) { return found(map, key); }
 
 }  // namespace gaussgen::spec

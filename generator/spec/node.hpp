@@ -43,10 +43,14 @@ struct Entry {
   Node value;
 };
 
+/// Values in it, itself among them.
+std::size_t size_of(const Node& node);
+
 /// Moves every span by `distance`.
 void shift(Node& node, std::uint32_t distance);
 
 /// The value at `key`, or nullptr.
 const Node* find(const Node& map, const std::string& key);
+Node* find(Node& map, const std::string& key);
 
 }  // namespace gaussgen::spec

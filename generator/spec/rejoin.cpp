@@ -1,9 +1,12 @@
 #include "spec/rejoin.hpp"
+#include "support/characters.hpp"
 
 #include <algorithm>
 #include <iterator>
 
 namespace gaussgen::spec {
+
+using support::is_digit;
 
 namespace {
 
@@ -19,8 +22,6 @@ int open_brackets(const std::string& text, int open) {
 }
 
 bool is_plain(const Node& node) { return node.kind == NodeKind::scalar && node.plain; }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// 0,8 without a blank: such a comma is no separator, and a key that begins with a digit is none either.
 bool is_decimal_comma(const LocatedText& head, const LocatedText& tail) {

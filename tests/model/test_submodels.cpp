@@ -108,3 +108,14 @@ TEST_CASE("a source whose submodels have been read can be read once more") {
   REQUIRE(second);
   CHECK(first->content_hash == second->content_hash);
 }
+
+TEST_CASE("submodels of submodels of submodels, sixty each, are refused") {
+  const auto sixty = [](const std::string& file) {
+    return k_header + "submodels: {s_$i: {count: 60, file: " + file + "}}\n";
+  };
+  const std::string codes = with_files({{"m.yaml", sixty("a.yaml")},
+                                        {"a.yaml", sixty("b.yaml")},
+                                        {"b.yaml", sixty("c.yaml")},
+                                        {"c.yaml", k_header + test::k_x + test::k_particle}});
+  CHECK(codes == "E003");
+}
