@@ -21,7 +21,7 @@ const char* const k_about_multipliers =
     "multipliers: lambda of (3.4): a constraint phi = 0 adds lambda * dphi/du to the equation of motion of each speed "
     "u.";
 
-// The language of models knows no unit of phi, and a power is lambda * phi in all of them.
+// Where names in phi have no units; a power is lambda * phi in all of them.
 const char* const k_unit_of_multiplier = "power per phi: N where phi is in m/s, N*m where it is in rad/s";
 
 class Report {
@@ -139,7 +139,8 @@ class Report {
 
   void add_reactions() {
     for (std::size_t mu = 0; mu < mechanics_.dynamics.l(); ++mu) {
-      add("multipliers", mechanics_.dynamics.constraints[mu], {"", k_unit_of_multiplier},
+      const std::string& unit = mechanics_.kinematics.constraints[kinematics::ConstraintIndex{mu}].unit;
+      add("multipliers", mechanics_.dynamics.constraints[mu], {unit, unit.empty() ? k_unit_of_multiplier : ""},
           mechanics_.solution.multipliers[mu].id());
     }
     if (mechanics_.dynamics.l() > 0) result_.notes.push_back(k_about_multipliers);

@@ -156,6 +156,9 @@ NameAndText at_equals(const char* option, const std::string& assignment) {
     throw UsageError(fmt::format("{}: expected name=value, not '{}'", option, assignment));
   const std::string name = trimmed(assignment.substr(0, equals));
   if (name.empty()) throw UsageError(fmt::format("{}: a name is missing before '=' in '{}'", option, assignment));
+  if (assignment.find('=', equals + 1) != std::string::npos)
+    throw UsageError(
+        fmt::format("{}: one value each, as in {} a=1 {} b=2, not '{}'", option, option, option, assignment));
   return {name, assignment.substr(equals + 1)};
 }
 

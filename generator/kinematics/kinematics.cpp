@@ -126,7 +126,8 @@ class Builder {
   }
 
   ConstraintRow constraint_row(const model::Constraint& constraint) {
-    ConstraintRow row{constraint.name.text, {}, number(0), {}, number(0), {}, true, {}, false};
+    ConstraintRow row{
+        constraint.name.text, constraint.multiplier_unit, {}, number(0), {}, number(0), {}, true, {}, false};
     std::visit([&](const auto& law) { state(law, row); }, constraint.law);
     for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) {
       row.beta.push_back(partial(row.phi, i));
@@ -284,15 +285,36 @@ class Builder {
     }
   }
 
-  /// The body that moves with a frame: on it, or on one to which it is fixed, though not by a joint, whose reaction is asked for.
+  /// The body that feels what acts on a frame: on it, or on one to which it is fixed, though not by a joint, whose reaction is
+  /// asked for. Else the only one that is fixed to the same frame: of several, nobody said which.
   BodyMotion* body_of(std::size_t frame, Kinematics& result) const {
     for (std::size_t at = frame; at != model::k_space; at = model_.frames[at].parent) {
       for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
         if (model_.bodies[i].frame == at) return &result.bodies[BodyIndex{i}];
       }
-      if (is_carried_by_joint(at) || !is_fixed(model_.frames[at])) return nullptr;
+      if (!is_fixed_to_parent(at)) return only_body_on(at, result);
     }
     return nullptr;
+  }
+
+  BodyMotion* only_body_on(std::size_t root, Kinematics& result) const {
+    BodyMotion* only = nullptr;
+    for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
+      if (root_of(model_.bodies[i].frame) != root) continue;
+      if (only != nullptr) return nullptr;
+      only = &result.bodies[BodyIndex{i}];
+    }
+    return only;
+  }
+
+  /// The first frame below space, or below a motion or a joint, that a frame is fixed to.
+  std::size_t root_of(std::size_t frame) const {
+    while (frame != model::k_space && is_fixed_to_parent(frame)) frame = model_.frames[frame].parent;
+    return frame;
+  }
+
+  bool is_fixed_to_parent(std::size_t frame) const {
+    return !is_carried_by_joint(frame) && is_fixed(model_.frames[frame]);
   }
 
   bool is_carried_by_joint(std::size_t frame) const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "model/ast_build.hpp"
 #include "model/fields.hpp"
 #include "model/format.hpp"
 #include "support/error_codes.hpp"
@@ -79,6 +80,20 @@ void refuse_zero_axis(support::Span span, Reading& reading) {
                             "write x, y or z, or a vector that is not zero, as in [1, 0, 1]");
 }
 
+namespace {
+
+/// -x, -y, -z
+std::array<Ast, 3> opposite(char axis, support::Span span) {
+  std::array<Ast, 3> components;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    components[i] = node_of(AstKind::number, span);
+    components[i].number = "xyz"[i] == axis ? -1 : 0;
+  }
+  return components;
+}
+
+}  // namespace
+
 std::variant<char, std::array<Ast, 3>> read_axis(const Node& node, support::Span owner, const std::string& where,
                                                  Reading& reading) {
   if (node.kind == NodeKind::sequence) {
@@ -89,9 +104,11 @@ std::variant<char, std::array<Ast, 3>> read_axis(const Node& node, support::Span
   }
   if (!expect_scalar(node, owner, where, reading)) return 'z';
   const std::string& text = node.scalar.text;
-  if (text == "x" || text == "y" || text == "z") return text[0];
+  const auto is_letter = [](char c) { return c == 'x' || c == 'y' || c == 'z'; };
+  if (text.size() == 1 && is_letter(text[0])) return text[0];
+  if (text.size() == 2 && text[0] == '-' && is_letter(text[1])) return opposite(text[1], node.span);
   reading.diagnostics.error(code::k_unknown_word, node.span, fmt::format("'{}' is not an axis", text),
-                            "write x, y or z, or the direction as a list, as in [1, 0, 1]");
+                            "write x, y, z, -x, -y or -z, or the direction as a list, as in [1, 0, 1]");
   return 'z';
 }
 

@@ -20,7 +20,9 @@ namespace {
 constexpr std::size_t k_most_names = 6;
 
 Dimension per_second() { return {{0, 0, -1}}; }
+Dimension length() { return {{1}}; }
 Dimension energy() { return {{2, 1, -2}}; }
+Dimension power() { return energy() * per_second(); }
 
 Measure in(const char* unit, const Dimension& dimension) { return {Kind::known, dimension, unit}; }
 
@@ -48,7 +50,7 @@ Measure wanted_at(const Slot& slot, const Model& model) {
       return stated ? in(slot.stated->unit.c_str(), *stated) : Measure{};
     }
     case Quantity::angle: return in("rad", {});
-    case Quantity::length: return in("m", {{1}});
+    case Quantity::length: return in("m", length());
     case Quantity::mass: return in("kg", {{0, 1}});
     case Quantity::inertia: return in("kg*m^2", {{2, 1}});
     case Quantity::acceleration: return in("m/s^2", {{1, 0, -2}});
@@ -62,7 +64,7 @@ Measure wanted_at(const Slot& slot, const Model& model) {
     case Quantity::force_on_owner: {
       const auto symbol = model.symbols.find(slot.owner->text);
       const bool is_speed = symbol != model.symbols.end() && symbol->second.kind == SymbolKind::speed;
-      if (is_speed) return owner.kind == Kind::known ? known(energy() * per_second() / owner.dimension) : Measure{};
+      if (is_speed) return owner.kind == Kind::known ? known(power() / owner.dimension) : Measure{};
       return force_on(owner, symbol != model.symbols.end() && symbol->second.kind == SymbolKind::angular_velocity);
     }
     case Quantity::stiffness_on_owner: return over(force_on(owner, false), owner);
@@ -100,10 +102,7 @@ class DimensionCheck {
     for (NamedQuantity& quantity : reading_.model.quantities) {
       if (!quantity.unit.empty()) continue;
       std::vector<Measure> measures;
-      for (const Ast& value : quantity.values) {
-        measures.push_back(infer_(value));
-        done_.insert(&value);
-      }
+      for (const Ast& value : quantity.values) measures.push_back(inferred(value));
       const Measure& first = measures.front();
       const bool is_one = std::all_of(measures.begin(), measures.end(), [&](const Measure& measure) {
         return measure.kind == Kind::known && agree(measure.dimension, first.dimension);
@@ -111,6 +110,13 @@ class DimensionCheck {
       if (!is_one) continue;
       quantity.dimension = first.dimension;
       quantity.unit = unit_of(first);
+    }
+  }
+
+  void complete_multipliers() {
+    for (Constraint& constraint : reading_.model.constraints) {
+      const Measure unit = std::visit([&](const auto& law) { return multiplier_of(law); }, constraint.law);
+      if (unit.kind == Kind::known) constraint.multiplier_unit = unit_of(unit);
     }
   }
 
@@ -153,11 +159,32 @@ class DimensionCheck {
   }
 
  private:
+  /// λ φ is a power.
+  Measure multiplier_of(const VelocityLaw& law) { return over(known(power()), inferred(law.phi)); }
+
+  /// R f is an energy.
+  Measure multiplier_of(const PositionLaw& law) {
+    // The f of a shorthand is a length.
+    return law.f.is_derived ? known(energy() / length()) : over(known(energy()), inferred(law.f));
+  }
+
+  Measure multiplier_of(const SlipLaw& law) {
+    const auto is_plain = [&](const Ast& component) {
+      const Measure measure = inferred(component);
+      return measure.kind == Kind::literal || (measure.kind == Kind::known && is_number(measure.dimension));
+    };
+    return std::all_of(law.direction.begin(), law.direction.end(), is_plain) ? known(energy() / length()) : Measure{};
+  }
+
+  Measure inferred(const Ast& ast) {
+    done_.insert(&ast);
+    return infer_(ast);
+  }
+
   template <class Owner>
   void complete(Owner& owner, const Ast& value) {
     if (!owner.unit.empty()) return;
-    const Measure measure = infer_(value);
-    done_.insert(&value);
+    const Measure measure = inferred(value);
     if (measure.kind != Kind::known) return;
     owner.dimension = measure.dimension;
     owner.unit = unit_of(measure);
@@ -197,6 +224,7 @@ void check_dimensions(Reading& reading) {
   dimensions.complete_parameters();
   dimensions.complete_speeds();
   dimensions.complete_quantities();
+  dimensions.complete_multipliers();
   for_each_slot(reading.model, [&](const Ast& ast, const Slot& slot) { dimensions.check(ast, slot); });
   // Next to errors this is of no interest.
   if (!reading.diagnostics.has_errors()) dimensions.report_missing();

@@ -25,8 +25,48 @@ Span place_of(const Node& node, Span owner) {
   return node.kind == NodeKind::scalar ? node.span : Span{node.span.begin, node.span.begin + 1};
 }
 
+/// What other tools and books call a key.
+constexpr std::pair<const char*, const char*> k_other_words[] = {
+    {"holonomic", "equation"},
+    {"nonholonomic", "velocity"},
+    {"loop", "coincide"},
+    {"com", "centre"},
+    {"mass_centre", "centre"},
+    {"center_of_mass", "centre"},
+    {"moment_of_inertia", "inertia"},
+    {"rotation", "orientation"},
+    {"attitude", "orientation"},
+    {"damper", "damping"},
+    {"viscosity", "damping"},
+    {"rest_length", "length"},
+    {"contact", "rolls"},
+    {"description", "about"},
+    {"doc", "about"},
+    {"body", "child"},
+    {"origin", "position"},
+    {"offset", "at"},
+    {"default", "value"},
+    {"q", "coordinates"},
+    {"dof", "coordinates"},
+    {"prescribed", "held_at"},
+    {"locked", "held_at"},
+    {"formula", "value"},
+    {"expression", "value"},
+    {"gravity", "uniform"},
+    {"moment", "torque"},
+};
+
+std::string in_our_words(const std::string& key, const std::vector<std::string>& allowed) {
+  for (const auto& [word, ours] : k_other_words) {
+    if (key == word && std::find(allowed.begin(), allowed.end(), ours) != allowed.end())
+      return fmt::format("did you mean '{}'?", ours);
+  }
+  return "";
+}
+
 std::string hint_for_key(const Node& map, const spec::Entry& entry, const std::vector<std::string>& allowed) {
-  const std::string near = support::did_you_mean(entry.key.text, allowed);
+  std::string near = support::did_you_mean(entry.key.text, allowed);
+  if (near.empty()) near = in_our_words(entry.key.text, allowed);
   // {about: of the centre, from the axis}: the second half arrives as a key without value, and something stands before it.
   const bool has_no_value = near.empty() && map.flow && entry.value.kind == NodeKind::empty;
   if (has_no_value && &entry == &map.entries.front())

@@ -63,7 +63,7 @@ Value or_empty(Value value) {
   return value;
 }
 
-Value axis() { return or_else(word_of({"x", "y", "z"}), vector()); }
+Value axis() { return or_else(word_of({"x", "y", "z", "-x", "-y", "-z"}), vector()); }
 
 Value attitude() { return or_else(or_else(name(), map_of(euler_angles())), map_of(single_turn())); }
 

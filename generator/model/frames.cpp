@@ -88,6 +88,18 @@ void refuse_second(const Name& name, const std::string& what, Reading& reading) 
                                 : fmt::format("frames, points and bodies share their names; rename {}", what));
 }
 
+std::string hint_for_unknown(const std::string& name, const Reading& reading) {
+  for (const Joint& joint : reading.model.joints) {
+    if (joint.name.text == name && joint.frame != k_space)
+      return fmt::format("'{}' is a joint; the frame that it carries is '{}'", name,
+                         reading.model.frames[joint.frame].name.text);
+  }
+  std::vector<std::string> names{k_space_name};
+  for (const auto& frame : reading.frames) names.push_back(frame.first);
+  const std::string near = support::did_you_mean(name, names);
+  return near.empty() ? "declare it under 'frames', 'joints', 'bodies' or 'points'" : near;
+}
+
 std::size_t add_checked_frame(Frame frame, std::optional<Name> parent, Reading& reading) {
   const std::size_t index = reading.model.frames.size();
   reading.frames.emplace(frame.name.text, index);
@@ -132,12 +144,9 @@ std::optional<std::size_t> find_frame(const Name& name, Reading& reading) {
   const auto found = reading.frames.find(name.text);
   if (found != reading.frames.end()) return found->second;
   if (!reading.incomplete) {
-    std::vector<std::string> names{k_space_name};
-    for (const auto& frame : reading.frames) names.push_back(frame.first);
-    const std::string near = support::did_you_mean(name.text, names);
     reading.diagnostics.error(code::k_wrong_reference, name.span,
                               fmt::format("there is no frame, body or point '{}'", name.text),
-                              near.empty() ? "declare it under 'frames', 'joints', 'bodies' or 'points'" : near);
+                              hint_for_unknown(name.text, reading));
   }
   return std::nullopt;
 }

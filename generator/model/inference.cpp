@@ -223,9 +223,17 @@ Measure Inference::function(const Ast& ast) {
         code::k_argument_dimension, ast.children[0].span,
         fmt::format("'{}' takes {}, and this is {}", ast.name,
                     is_in(k_of_angles, ast.name) ? "an angle in rad" : "a plain number", phrase(argument)),
-        units_of_names(model_, {&ast.children[0]}));
+        hint_for_argument(ast, argument));
   }
   return is_in(k_to_angles, ast.name) ? angle() : known({});
+}
+
+/// In sin(2*t) the 2 has a unit, too.
+std::string Inference::hint_for_argument(const Ast& call, const Measure& argument) const {
+  const Measure wanted = is_in(k_of_angles, call.name) ? angle() : known({});
+  const std::string factor = unit_of(known(wanted.dimension / argument.dimension));
+  const std::string names = units_of_names(model_, {&call.children[0]});
+  return names + (names.empty() ? "" : "; ") + fmt::format("multiply it by a parameter in {}", factor);
 }
 
 Measure Inference::table(const Ast& ast) {

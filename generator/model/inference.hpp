@@ -45,6 +45,7 @@ class Inference {
   /// The text of a term as a name for it: "'r*wx'", or `otherwise` when it is long.
   std::string quoted(const Ast& ast, const std::string& otherwise) const;
   std::string literal_text(const Ast& ast) const;
+  std::string hint_for_argument(const Ast& call, const Measure& argument) const;
 
   const Model& model_;
   const support::Source& source_;

@@ -184,8 +184,9 @@ struct Constraint {
   support::Span span;  ///< of the law
   std::variant<VelocityLaw, PositionLaw, SlipLaw> law;
   std::optional<std::array<Ast, 3>>
-      point;                ///< where its reaction is reported to act, in space; default: each mass centre
-  bool may_vanish = false;  ///< one of several directions; left out where it says nothing, as the third in a plane
+      point;                    ///< where its reaction is reported to act, in space; default: each mass centre
+  std::string multiplier_unit;  ///< power per φ, energy per f; empty when a name in it has no unit
+  bool may_vanish = false;      ///< one of several directions; left out where it says nothing, as the third in a plane
 };
 
 /// The same acceleration on every mass: F = m * field at the mass centre.

@@ -61,7 +61,8 @@ Uses uses_of(const Model& model) {
   return uses;
 }
 
-// A coordinate that no body depends on may still be determined: the angle of a wheel without inertia that rolls.
+// A coordinate that no body depends on may still be determined, as the angle of a wheel without inertia that rolls, or move
+// others, as a turntable does.
 bool is_constrained(const Model& model, std::size_t coordinate) {
   Uses uses;
   for (const Constraint& constraint : model.constraints) {
@@ -88,13 +89,13 @@ void check_used(Reading& reading) {
   if (uses.unsure) return;
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& coordinate = model.coordinates[i];
-    if (uses.coordinates.count(i) > 0 || !owns_name(model, i)) continue;
+    if (uses.coordinates.count(i) > 0 || !owns_name(model, i) || is_constrained(model, i)) continue;
     if (coordinate.held_at) {
       reading.diagnostics.warning(
           code::k_idle_held_coordinate, coordinate.name.span,
           fmt::format("no body depends on the held coordinate '{}'", coordinate.name.text),
-          "write positions with it, or remove it: as it is, its reaction does no more than balance forces");
-    } else if (!is_constrained(model, i)) {
+          "write positions or constraints with it, or remove it: as it is, its reaction does no more than balance forces");
+    } else {
       reading.diagnostics.error(
           code::k_no_inertia, coordinate.name.span,
           fmt::format("nothing gives the coordinate '{}' inertia: no body depends on it", coordinate.name.text),

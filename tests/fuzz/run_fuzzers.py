@@ -41,10 +41,12 @@ def has_libfuzzer():
             return False
 
 
-def build():
+def build(*targets):
+    """All of the preset, or these targets."""
     launcher = "ccache" if shutil.which("ccache") else ""
     configure = ["cmake", "--preset", "fuzz", f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}"]
-    compile_all = ["cmake", "--build", "--preset", "fuzz", "--parallel", str(os.cpu_count() or 1)]
+    compile_all = ["cmake", "--build", "--preset", "fuzz", "--parallel", str(os.cpu_count() or 1),
+                   *(["--target", *targets] if targets else [])]
     for command in (configure, compile_all):
         done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
         if done.returncode != 0:

@@ -18,13 +18,15 @@ enum class Outcome {
   model_failed,    ///< the model's status at the state reached is not ok
   step_too_small,  ///< the model's status or the error asks for steps below rounding of the time
   too_many_steps,
+  constraints_lost,  ///< projection moves the state by more than errors of steps explain, however short the steps
 };
 
 constexpr const char* name(Outcome outcome) noexcept {
   return outcome == Outcome::running          ? "running"
          : outcome == Outcome::model_failed   ? "model failed"
          : outcome == Outcome::step_too_small ? "step too small"
-                                              : "too many steps";
+         : outcome == Outcome::too_many_steps ? "too many steps"
+                                              : "constraints lost";
 }
 
 template <class Scalar>
@@ -34,6 +36,7 @@ struct Settings {
   Scalar first_step = 0;      ///< 0: chosen from the rates at the start
   long most_steps = 10'000'000;
   bool project = true;
+  Scalar most_projected = 1000;  ///< a projection that moves a component by more tolerances is refused
 };
 
 template <class Status>
@@ -58,6 +61,7 @@ class Simulation {
              const Settings<Scalar>& settings = {})
       : model_(model), settings_(settings), system_(model_), t_(start_time), step_(settings.first_step) {
     std::copy_n(start.values, Model::size, x_.begin());
+    if (settings_.project) project_start();
     scale_.fill(settings_.smallest_scale);
     grow_scale();
   }
@@ -96,6 +100,16 @@ class Simulation {
     State state;
     std::copy(x.begin(), x.end(), state.values);
     return state;
+  }
+
+  /// What a start misses the constraints by is no error of a step.
+  void project_start() {
+    State start = as_state(x_);
+    report_.status = model_.projection(t_, start);
+    if (report_.status == Status{})
+      std::copy_n(start.values, Model::size, x_.begin());
+    else
+      report_.outcome = Outcome::model_failed;
   }
 
   template <class OnStep>
@@ -140,18 +154,30 @@ class Simulation {
     after = before;
     Status status = system_.trouble();
     if (is_accurate && status == Status{} && settings_.project) status = model_.projection(time, after);
-    if (status == Status{}) return is_accurate;
+    jumped_ = status == Status{} && is_accurate && !is_near(before, after);
+    if (status == Status{} && !jumped_) return is_accurate;
     // A shorter step may stay on this side of the trouble.
     report_.status = status;
     step_ = std::min(step_, dt / 5);
     return false;
   }
 
+  /// Where constraints lose their rank, projection may take any part of the motion away.
+  bool is_near(const State& before, const State& after) const {
+    const Scalar unit =
+        settings_.most_projected * std::max(settings_.tolerance, std::numeric_limits<Scalar>::epsilon());
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      if (!(std::abs(after.values[i] - before.values[i]) <= unit * scale_[i])) return false;
+    }
+    return true;
+  }
+
   void reject(const Scalar& dt) {
     ++report_.rejected;
     system_.forget_trouble();
     const Scalar rounding = std::numeric_limits<Scalar>::epsilon() * std::max(Scalar(1), std::abs(t_));
-    if (dt <= 4 * rounding || !(step_ > 0)) report_.outcome = Outcome::step_too_small;
+    if (dt > 4 * rounding && step_ > 0) return;
+    report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::step_too_small;
   }
 
   void grow_scale() {
@@ -171,6 +197,7 @@ class Simulation {
   System system_;
   Scalar t_;
   Scalar step_;
+  bool jumped_ = false;  ///< the last trial, by its projection
   Array x_{};
   Array scale_{};
   integrate::Fehlberg78<Scalar, Model::size> stepper_ =
