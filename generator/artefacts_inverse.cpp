@@ -26,6 +26,14 @@ void add_inputs(ArtefactBuilder& builder, const Mechanics& mechanics, const stra
   builder.fields("needed", "NeededInputs", "what the inputs have to be", std::move(fields));
 }
 
+std::vector<std::size_t> sought_inputs(const model::Model& model) {
+  std::vector<std::size_t> sought;
+  for (std::size_t k = 0; k < model.inputs.size(); ++k) {
+    if (!model.inputs[k].is_load) sought.push_back(k);
+  }
+  return sought;
+}
+
 }  // namespace
 
 std::vector<Artefact> inverse_dynamics_artefact(Mechanics& mechanics) {
@@ -33,7 +41,8 @@ std::vector<Artefact> inverse_dynamics_artefact(Mechanics& mechanics) {
   Steps steps;
   const int n = static_cast<int>(mechanics.dynamics.n());
   const Vector missing = strategy::missing_forces(mechanics.dynamics, wanted, mechanics.solution.multipliers, steps);
-  const auto drives = strategy::drives(mechanics.dynamics, wanted, mechanics.epsilon(), steps);
+  const auto drives =
+      strategy::drives(mechanics.dynamics, wanted, sought_inputs(mechanics.model), mechanics.epsilon(), steps);
 
   ArtefactBuilder builder("inverse_dynamics", std::string(k_about) + (drives ? k_about_inputs : ""), mechanics);
   builder.result_type("InverseDynamics");

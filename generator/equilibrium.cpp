@@ -13,6 +13,7 @@
 namespace gaussgen {
 
 using cln::cl_F;
+using evaluate::Paired;
 using ir::Expr;
 using kinematics::ConfigurationIndex;
 using kinematics::FreeIndex;
@@ -25,6 +26,7 @@ constexpr int k_most_descents = 4;
 constexpr int k_steps_of_descent = 300;
 constexpr double k_shortest_descent = 1e-4;
 constexpr double k_solved = 1e-12;        ///< of the largest term, in double
+constexpr double k_balanced = 1e-6;       ///< after the last digits, of the largest term at the start
 constexpr double k_rank = 1e-10;          ///< of the largest singular value
 constexpr double k_largest_step = 0.5;    ///< of angles, and of lengths in units of themselves
 constexpr double k_shortest_step = 1e-6;  ///< of a full step
@@ -36,9 +38,9 @@ class Search {
   Search(const model::Model& model, const support::Rational& time, int digits)
       : mechanics_(model, {}),
         digits_(digits),
-        values_(mechanics_.graph, evaluate::Arithmetic<cl_F>(digits + k_more_digits)) {
+        values_(mechanics_.graph, evaluate::Arithmetic<Paired>(digits + k_more_digits, k_more_digits)) {
     bind_parameters(mechanics_, values_);
-    values_.bind(mechanics_.symbols.time, values_.arithmetic().number(time));
+    bind(mechanics_.symbols.time, number(time));
     pose();
   }
 
@@ -46,6 +48,11 @@ class Search {
   std::optional<std::vector<support::Rational>> run(std::string& why) {
     if (!start()) {
       why = "the initial position has no value";
+      return std::nullopt;
+    }
+    const Linearised at_start = linearised();
+    if (!at_start.is_defined) {
+      why = "at rest at the initial position there is no force: " + undefined_part();
       return std::nullopt;
     }
     double left = approach();
@@ -61,6 +68,10 @@ class Search {
       return std::nullopt;
     }
     polish();
+    if (!is_balanced(at_start)) {
+      why = "no equilibrium was found near the initial position: towards the nearest one forces grow without bound";
+      return std::nullopt;
+    }
     std::vector<support::Rational> result;
     // What is left of Newton's method beyond the digits that are asked for is no part of the answer.
     const support::Rational grid = cln::expt(support::Rational(10), digits_ + k_more_digits / 2);
@@ -124,25 +135,53 @@ class Search {
     return column;
   }
 
+  template <class Number>
+  cl_F number(const Number& value) const {
+    return values_.arithmetic().fine().number(value);
+  }
+
+  void bind(ir::SymbolId symbol, const cl_F& value) { values_.bind(symbol, values_.arithmetic().number(value)); }
+
+  std::optional<cl_F> value_of(ir::NodeId node) {
+    const auto value = values_(node);
+    return value ? std::optional<cl_F>(value->fine) : std::nullopt;
+  }
+
+  std::string undefined_part() {
+    for (const Expr equation : equations_) {
+      if (const auto trouble = values_.trouble(equation.id())) return trouble->reason + " in " + trouble->name;
+    }
+    return "a derivative has no value";
+  }
+
+  /// A pole looks like an equilibrium to whoever measures forces by how fast they change.
+  bool is_balanced(const Linearised& at_start) {
+    const Linearised here = linearised();
+    for (std::size_t i = 0; i < here.residual.size(); ++i) {
+      const double size = at_start.scale[static_cast<Eigen::Index>(i)];
+      if (!(std::abs(to_double(here.residual[i])) <= k_balanced * size)) return false;
+    }
+    return here.is_defined;
+  }
+
   bool start() {
-    for (const auto& speed : mechanics_.symbols.speeds)
-      values_.bind(speed.symbol, values_.arithmetic().number(support::Rational(0)));
+    for (const auto& speed : mechanics_.symbols.speeds) bind(speed.symbol, number(support::Rational(0)));
     const strategy::Vector guess = strategy::guessed_state(mechanics_.model, mechanics_.expressions);
     std::vector<cl_F> position;
     for (std::size_t i = 0; i < mechanics_.symbols.configuration.size(); ++i) {
-      const auto value = values_(guess[i].id());
+      const auto value = value_of(guess[i].id());
       if (!value) return false;
       position.push_back(*value);
     }
-    set(std::move(position), std::vector<cl_F>(lambda_.size(), values_.arithmetic().number(support::Rational(0))));
+    set(std::move(position), std::vector<cl_F>(lambda_.size(), number(support::Rational(0))));
     return true;
   }
 
   void set(std::vector<cl_F> position, std::vector<cl_F> multipliers) {
     for (const auto first : mechanics_.symbols.first_quaternion_component) normalise(&position[first.value]);
     for (const ConfigurationIndex i : mechanics_.symbols.configuration.indices())
-      values_.bind(mechanics_.symbols.configuration[i].symbol, position[i.value]);
-    for (std::size_t mu = 0; mu < lambda_.size(); ++mu) values_.bind(lambda_[mu], multipliers[mu]);
+      bind(mechanics_.symbols.configuration[i].symbol, position[i.value]);
+    for (std::size_t mu = 0; mu < lambda_.size(); ++mu) bind(lambda_[mu], multipliers[mu]);
     position_ = std::move(position);
     multipliers_ = std::move(multipliers);
   }
@@ -158,18 +197,18 @@ class Search {
     Linearised at{Eigen::MatrixXd::Zero(rows, columns), {}, Eigen::VectorXd::Zero(rows), true};
     for (Eigen::Index i = 0; i < rows; ++i) {
       const std::size_t row = static_cast<std::size_t>(i);
-      const auto value = values_(equations_[row].id());
+      const auto value = value_of(equations_[row].id());
       at.is_defined = at.is_defined && value.has_value();
-      at.residual.push_back(value.value_or(values_.arithmetic().number(support::Rational(0))));
+      at.residual.push_back(value.value_or(number(support::Rational(0))));
       for (Eigen::Index j = 0; j < columns; ++j) {
-        const auto entry = values_(derivatives_[static_cast<std::size_t>(j)][row].id());
+        const auto entry = value_of(derivatives_[static_cast<std::size_t>(j)][row].id());
         at.is_defined = at.is_defined && entry.has_value();
         if (entry) at.matrix(i, j) = to_double(*entry);
       }
       // What the sum is made of, and what a displacement by 1 changes.
       at.scale[i] = at.matrix.row(i).lpNorm<Eigen::Infinity>();
       for (const Expr term : terms_[row]) {
-        if (const auto size = values_(term.id())) at.scale[i] = std::max(at.scale[i], std::abs(to_double(*size)));
+        if (const auto size = value_of(term.id())) at.scale[i] = std::max(at.scale[i], std::abs(to_double(*size)));
       }
       if (at.scale[i] == 0) at.scale[i] = 1;
     }
@@ -194,15 +233,15 @@ class Search {
   void move(const Eigen::VectorXd& change, const cl_F& unit) {
     std::vector<cl_F> position = position_;
     for (std::size_t a = 0; a < rates_.size(); ++a) {
-      const cl_F along = unit * values_.arithmetic().number(change[static_cast<Eigen::Index>(a)]);
+      const cl_F along = unit * number(change[static_cast<Eigen::Index>(a)]);
       for (std::size_t i = 0; i < position.size(); ++i) {
-        if (const auto rate = values_(rates_[a][i].id())) position[i] = position[i] + *rate * along;
+        if (const auto rate = value_of(rates_[a][i].id())) position[i] = position[i] + *rate * along;
       }
     }
     std::vector<cl_F> multipliers = multipliers_;
     for (std::size_t mu = 0; mu < multipliers.size(); ++mu) {
       const double by = change[static_cast<Eigen::Index>(rates_.size() + mu)];
-      multipliers[mu] = multipliers[mu] + unit * values_.arithmetic().number(by);
+      multipliers[mu] = multipliers[mu] + unit * number(by);
     }
     set(std::move(position), std::move(multipliers));
   }
@@ -220,7 +259,7 @@ class Search {
 
   /// What remains, of the largest terms.
   double approach() {
-    const cl_F one = values_.arithmetic().number(support::Rational(1));
+    const cl_F one = number(support::Rational(1));
     Linearised here = linearised();
     for (int i = 0; i < k_most_steps && here.is_defined && here.norm() > k_solved; ++i) {
       const Eigen::VectorXd full = change(here, one);
@@ -242,13 +281,13 @@ class Search {
   /// Along the accelerations that the model has at rest, as through syrup: forces of springs and weights do work there until they
   /// are in balance. Steps are short, and shorter where the way turns back.
   void sink() {
-    const cl_F one = values_.arithmetic().number(support::Rational(1));
+    const cl_F one = number(support::Rational(1));
     double limit = k_largest_step / 4;
     Eigen::VectorXd before = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rates_.size() + lambda_.size()));
     for (int i = 0; i < k_steps_of_descent && limit > k_shortest_descent; ++i) {
       Eigen::VectorXd way = Eigen::VectorXd::Zero(before.size());
       for (std::size_t a = 0; a < rates_.size(); ++a) {
-        const auto acceleration = values_(mechanics_.solution.accelerations[a].id());
+        const auto acceleration = value_of(mechanics_.solution.accelerations[a].id());
         if (acceleration) way[static_cast<Eigen::Index>(a)] = to_double(*acceleration);
       }
       const double largest = way.lpNorm<Eigen::Infinity>();
@@ -264,7 +303,7 @@ class Search {
   void polish() {
     for (int done = 0; done < digits_ + k_more_digits; done += 8) {
       const Linearised here = linearised();
-      cl_F unit = values_.arithmetic().number(support::Rational(0));
+      cl_F unit = number(support::Rational(0));
       for (const cl_F& value : here.residual) unit = cln::max(unit, cln::abs(value));
       if (cln::zerop(unit)) return;
       move(change(here, unit), unit);
@@ -273,7 +312,7 @@ class Search {
 
   Mechanics mechanics_;
   int digits_;
-  evaluate::Evaluator<cl_F> values_;
+  evaluate::Evaluator<Paired> values_;
   std::vector<ir::SymbolId> lambda_;
   std::vector<std::vector<Expr>> terms_;  ///< of each equation
   std::vector<Expr> equations_;

@@ -7,6 +7,7 @@
 #include "evaluate/decimal.hpp"
 #include "model/impossible.hpp"
 #include "model_values.hpp"
+#include "strategy/projection.hpp"
 #include "violation.hpp"
 
 namespace gaussgen {
@@ -111,16 +112,31 @@ class Report {
 
   // Last, since other groups are about the accelerations that were found.
   void add_inverse_dynamics() {
-    std::vector<std::pair<ir::SymbolId, NodeId>> given;
+    strategy::Vector wanted;
+    std::vector<std::size_t> open;
     for (const auto& speed : mechanics_.symbols.speeds) {
       const auto found = wanted_->find(speed.acceleration_name);
-      const support::Rational value = found == wanted_->end() ? support::Rational(0) : found->second;
-      given.emplace_back(speed.acceleration, mechanics_.graph.constant(value));
-      add("wanted", speed.acceleration_name, {speed.unit.empty() ? "" : speed.unit + "^2", ""}, given.back().second);
+      if (found == wanted_->end()) open.push_back(wanted.size());
+      wanted.push_back(mechanics_.expressions.number(found == wanted_->end() ? support::Rational(0) : found->second));
     }
-    value_of_.bind(given);
+    strategy::Steps steps;
+    const strategy::Vector completed =
+        strategy::completed_accelerations(mechanics_.dynamics, wanted, open, mechanics_.epsilon(), steps);
+    // Where the named ones determine all others and more, nothing is least.
+    if (!want(completed)) want(wanted);
+    for (const auto& speed : mechanics_.symbols.speeds) {
+      add("wanted", speed.acceleration_name, {speed.unit.empty() ? "" : speed.unit + "^2", ""},
+          mechanics_.expressions.symbol(speed.acceleration).id());
+    }
     warn_of_impossible_accelerations();
     add_groups("inverse_dynamics");
+  }
+
+  bool want(const strategy::Vector& accelerations) {
+    std::vector<std::pair<ir::SymbolId, NodeId>> given;
+    for (const auto i : mechanics_.symbols.speeds.indices())
+      given.emplace_back(mechanics_.symbols.speeds[i].acceleration, accelerations[i.value].id());
+    return value_of_.bind(given);
   }
 
   void warn_of_impossible_accelerations() {
@@ -134,6 +150,7 @@ class Report {
       if (!residual || cln::zerop(*residual)) continue;
       result_.warnings.push_back("the wanted accelerations violate constraint '" + dynamics.constraints[mu] + "' by " +
                                  evaluate::to_decimal(*residual, 3));
+      doubt("violated_constraints");
     }
   }
 
@@ -244,6 +261,7 @@ void bind_parameters(Mechanics& mechanics, evaluate::Evaluator<T>& evaluator) {
 }
 
 template void bind_parameters(Mechanics&, evaluate::Evaluator<cl_F>&);
+template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Paired>&);
 template void bind_parameters(Mechanics&, evaluate::Evaluator<double>&);
 template void bind_parameters(Mechanics&, evaluate::Evaluator<long double>&);
 template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<cl_F>>&);

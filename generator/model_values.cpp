@@ -10,6 +10,7 @@ namespace gaussgen {
 
 using cln::cl_F;
 using evaluate::Arithmetic;
+using evaluate::Paired;
 using evaluate::Scaled;
 using support::Rational;
 
@@ -41,22 +42,16 @@ int carried(Mechanics& mechanics, int digits) { return 2 * (digits + orders_apar
 }  // namespace
 
 ModelValues::ModelValues(Mechanics& mechanics, const Rational& time, int digits)
-    : values_(mechanics.graph, Arithmetic<cl_F>(carried(mechanics, digits) + k_more_digits)),
-      coarse_values_(mechanics.graph, Arithmetic<cl_F>(carried(mechanics, digits))),
-      scales_(mechanics.graph, Arithmetic<Scaled<cl_F>>(values_.arithmetic())) {
-  bind(mechanics.symbols.time, number(time));
+    : values_(mechanics.graph, Arithmetic<Paired>(carried(mechanics, digits), k_more_digits)),
+      scales_(mechanics.graph, Arithmetic<Scaled<cl_F>>(values_.arithmetic().fine())) {
+  bind(mechanics.symbols.time, values_.arithmetic().number(time));
   bind_parameters(mechanics, values_);
-  bind_parameters(mechanics, coarse_values_);
   bind_parameters(mechanics, scales_);
 }
 
 std::optional<cl_F> ModelValues::operator()(ir::NodeId node) {
-  const std::optional<cl_F> fine = values_(node);
-  const std::optional<cl_F> coarse = coarse_values_(node);
-  if (!fine || !coarse) return fine;
-  const cl_F difference = cln::abs(*fine - number(*coarse));
-  const bool is_rounding = difference + difference > cln::abs(*fine);
-  return is_rounding ? number(Rational(0)) : *fine;
+  const std::optional<Paired> value = values_(node);
+  return value ? std::optional<cl_F>(value->fine) : std::nullopt;
 }
 
 // A node without a first-order bound, such as sqrt(x) at 0, is taken as it is.
@@ -69,14 +64,14 @@ std::optional<cl_F> ModelValues::residual(ir::NodeId node, int digits) {
 }
 
 bool ModelValues::is_true(ir::Expr condition) {
-  const std::optional<cl_F> value = values_(condition.id());
+  const std::optional<Paired> value = values_(condition.id());
   return value && values_.arithmetic().is_true(*value);
 }
 
 bool ModelValues::bind(const std::vector<std::pair<ir::SymbolId, ir::NodeId>>& nodes) {
-  std::vector<cl_F> found;
+  std::vector<Paired> found;
   for (const auto& [symbol, node] : nodes) {
-    const std::optional<cl_F> value = (*this)(node);
+    const std::optional<Paired> value = values_(node);
     if (!value) return false;
     found.push_back(*value);
   }
@@ -84,10 +79,9 @@ bool ModelValues::bind(const std::vector<std::pair<ir::SymbolId, ir::NodeId>>& n
   return true;
 }
 
-void ModelValues::bind(ir::SymbolId symbol, const cl_F& value) {
+void ModelValues::bind(ir::SymbolId symbol, const Paired& value) {
   values_.bind(symbol, value);
-  coarse_values_.bind(symbol, coarse_values_.arithmetic().number(value));
-  scales_.bind(symbol, scales_.arithmetic().input(value));
+  scales_.bind(symbol, scales_.arithmetic().input(value.fine));
 }
 
 std::optional<evaluate::Matrix> ModelValues::operator()(const strategy::Matrix& matrix) {

@@ -1,6 +1,7 @@
 #pragma once
 // Numbers of a model at one state, each with a bound on what rounding can have done to it.
 
+#include "evaluate/arithmetic_paired.hpp"
 #include "evaluate/arithmetic_scale.hpp"
 #include "evaluate/dense.hpp"
 #include "evaluate/evaluator.hpp"
@@ -11,8 +12,7 @@ namespace gaussgen {
 /// Values at the model's initial state and a time, good to `digits` digits: twice as many are carried, since as many may cancel, and
 /// as many more as parameters are apart.
 ///
-/// What is nothing but rounding is zero here. It is recognised by computing everything twice, with different precisions: true
-/// values agree, rounding does not. (The absolute sum S of arithmetic_scale.hpp cannot tell: through the solution of a linear
+/// What is nothing but rounding is zero here, see Arithmetic<Paired>. (The absolute sum S of arithmetic_scale.hpp cannot tell: through the solution of a linear
 /// system it grows into a bound that is larger than the value by hundreds of orders.)
 class ModelValues {
  public:
@@ -36,17 +36,16 @@ class ModelValues {
   /// In the precision that is carried.
   template <class Number>
   cln::cl_F number(const Number& value) const {
-    return values_.arithmetic().number(value);
+    return values_.arithmetic().fine().number(value);
   }
 
   /// Gives symbols the values of nodes, all found before the first is given; false, and nothing given, if one is undefined.
   bool bind(const std::vector<std::pair<ir::SymbolId, ir::NodeId>>& nodes);
 
  private:
-  void bind(ir::SymbolId symbol, const cln::cl_F& value);
+  void bind(ir::SymbolId symbol, const evaluate::Paired& value);
 
-  evaluate::Evaluator<cln::cl_F> values_;
-  evaluate::Evaluator<cln::cl_F> coarse_values_;
+  evaluate::Evaluator<evaluate::Paired> values_;
   evaluate::Evaluator<evaluate::Scaled<cln::cl_F>> scales_;
 };
 

@@ -61,7 +61,8 @@ std::string rows(const std::vector<EvaluatedValue>& values) {
   for (const EvaluatedValue& value : values) {
     if (value.group != group) text += "\n" + value.group + "\n";
     // What holds for several rows, such as the components of a force, stands at the first of them.
-    text += line_of(value, widths, value.about == about ? "" : value.about);
+    const bool is_said = value.about == about && value.group != "state";
+    text += line_of(value, widths, is_said ? "" : value.about);
     group = value.group;
     about = value.about;
   }
@@ -126,7 +127,11 @@ int evaluate(const Options& options) {
   }
   const Evaluation evaluation = evaluate_model(mechanics, time, options.digits, wanted);
   write_standard_output(options.format == Format::json ? json(evaluation, *model, options) : table(evaluation));
-  for (const std::string& warning : evaluation.warnings) warn(warning, options.messages);
+  for (const std::string& warning : evaluation.warnings) {
+    const auto is_same = [&](const support::Diagnostic& found) { return found.message == warning; };
+    const bool is_reported = std::any_of(diagnostics.all().begin(), diagnostics.all().end(), is_same);
+    if (!is_reported) warn(warning, options.messages);
+  }
   return k_ok;
 }
 

@@ -93,7 +93,10 @@ class Override {
         model_.parameters[ref.index].value = value_;
         model_.parameters[ref.index].is_formula = false;
         return;
-      case model::SymbolKind::input: model_.inputs[ref.index].value = value_; return;
+      case model::SymbolKind::input:
+        model_.inputs[ref.index].value = value_;
+        model_.inputs[ref.index].is_load = true;
+        return;
       case model::SymbolKind::coordinate:
         if (model_.coordinates[ref.index].held_at) throw UsageError(held());
         model_.coordinates[ref.index].initial = value_;

@@ -33,6 +33,7 @@ inline constexpr const char* k_logarithm = "logarithm of a number that is not po
 inline constexpr const char* k_arc = "inverse sine or cosine of a number outside [-1, 1]";
 inline constexpr const char* k_direction = "direction of a vector of length zero";
 inline constexpr const char* k_pole = "pole of the tangent";
+inline constexpr const char* k_rounding = "rounding leaves no digit of the number";
 inline constexpr const char* k_no_bound = "the value has no first-order error bound here";
 inline constexpr const char* k_unbound = "the symbol has no value";
 }  // namespace reason

@@ -4,6 +4,7 @@
 
 #include "evaluate/arithmetic_cln.hpp"
 #include "evaluate/arithmetic_double.hpp"
+#include "evaluate/arithmetic_paired.hpp"
 #include "evaluate/arithmetic_scale.hpp"
 #include "ir/print.hpp"
 #include "ir/traverse.hpp"
@@ -184,6 +185,7 @@ typename Evaluator<T>::Entry Evaluator<T>::boolean(bool value) const {
 template class Evaluator<double>;
 template class Evaluator<long double>;
 template class Evaluator<cln::cl_F>;
+template class Evaluator<Paired>;
 template class Evaluator<Scaled<double>>;
 template class Evaluator<Scaled<long double>>;
 template class Evaluator<Scaled<cln::cl_F>>;

@@ -23,7 +23,7 @@ struct Trouble {
 ///
 /// pi and epsilon have the values of the type unless they are bound. An undefined value makes what uses it undefined,
 /// except that `select` and `piecewise` look at the chosen branch only, `any` may be decided by another argument, and `not_finite`
-/// is true for it. Instances for double, long double, cln::cl_F and Scaled<> of these are in evaluator.cpp.
+/// is true for it. Instances for double, long double, cln::cl_F, Scaled<> of these and Paired are in evaluator.cpp.
 template <class T>
 class Evaluator {
  public:

@@ -38,6 +38,7 @@ struct Input {
   std::string unit;
   std::optional<Dimension> dimension;
   std::string about;
+  bool is_load = false;  ///< inverse dynamics takes its value as it is
 };
 
 /// A function of one argument by its points; an expression calls it by name.

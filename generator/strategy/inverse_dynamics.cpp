@@ -51,8 +51,10 @@ Vector missing_forces(const Dynamics& dynamics, const Vector& wanted, const Vect
   return forces;
 }
 
-std::optional<Drives> drives(const Dynamics& dynamics, const Vector& wanted, Expr epsilon, Steps& steps) {
-  const std::vector<ir::SymbolId>& inputs = dynamics.kinematics->symbols.inputs;
+std::optional<Drives> drives(const Dynamics& dynamics, const Vector& wanted, const std::vector<std::size_t>& sought,
+                             Expr epsilon, Steps& steps) {
+  std::vector<ir::SymbolId> inputs;
+  for (const std::size_t k : sought) inputs.push_back(dynamics.kinematics->symbols.inputs[k]);
   const Expr never(epsilon.graph(), epsilon.graph().constant(0));
   Drives result{{}, {}, {}, never, never};
   std::vector<Vector> columns;
@@ -62,7 +64,7 @@ std::optional<Drives> drives(const Dynamics& dynamics, const Vector& wanted, Exp
     without_inputs.replace(inputs[k], never);
     if (is_zero(column)) continue;
     columns.push_back(std::move(column));
-    result.inputs.push_back(k);
+    result.inputs.push_back(sought[k]);
   }
   if (columns.empty() || !is_linear(columns, inputs)) return std::nullopt;
 

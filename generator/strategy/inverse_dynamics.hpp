@@ -22,7 +22,9 @@ Vector missing_forces(const Dynamics& dynamics, const Vector& wanted, const Vect
 
 /// The inputs u of f = f_0 + B u that make `wanted`. They are the multipliers of the servo constraints Bᵀ a = Bᵀ `wanted`: Gauss's
 /// principle with these beside the constraints asks for the least change of the free motion, and where inputs and constraints are as
-/// many as speeds nothing but `wanted` is left. Nothing without inputs in forces, or where they are not linear in them.
-std::optional<Drives> drives(const Dynamics& dynamics, const Vector& wanted, ir::Expr epsilon, Steps& steps);
+/// many as speeds nothing but `wanted` is left. Only the inputs in `sought`, by their index, are found. Nothing where none of these is
+/// in forces, or where they are not linear in them.
+std::optional<Drives> drives(const Dynamics& dynamics, const Vector& wanted, const std::vector<std::size_t>& sought,
+                             ir::Expr epsilon, Steps& steps);
 
 }  // namespace gaussgen::strategy

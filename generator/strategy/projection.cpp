@@ -21,7 +21,7 @@ namespace {
 /// Newton's method from a rough guess.
 constexpr int k_most_steps = 8;
 
-/// φ, b and g at one state.
+/// φ, b and g at one state; or b a + its drift, for accelerations.
 struct VelocityProblem {
   Vector phi;
   Matrix b;
@@ -221,6 +221,16 @@ ProjectedState project(const Dynamics& dynamics, Expr epsilon, Steps& steps) {
       projected(positions, Newton(dynamics, std::nullopt, epsilon), configuration, speeds, all, 2, steps);
   state.violated_constraints = any(graph, {is_lost, state.violated_constraints});
   return state;
+}
+
+Vector completed_accelerations(const Dynamics& dynamics, Vector accelerations, const std::vector<std::size_t>& open,
+                               Expr epsilon, Steps& steps) {
+  VelocityProblem at{dynamics.b_drift, dynamics.b, dynamics.g};
+  for (std::size_t mu = 0; mu < dynamics.l(); ++mu) {
+    for (std::size_t i = 0; i < dynamics.n(); ++i) at.phi[mu] += dynamics.b[mu][i] * accelerations[i];
+  }
+  VelocityProjection(dynamics, open, epsilon).step(at, "", accelerations, steps);
+  return accelerations;
 }
 
 namespace {

@@ -18,6 +18,10 @@ struct ProjectedState {
 /// `violated_constraints` tells whether it was enough.
 ProjectedState project(const Dynamics& dynamics, ir::Expr epsilon, Steps& steps);
 
+/// `accelerations` with those in `open` changed so that the constraints hold, by the least change in the mass metric.
+Vector completed_accelerations(const Dynamics& dynamics, Vector accelerations, const std::vector<std::size_t>& open,
+                               ir::Expr epsilon, Steps& steps);
+
 /// Configuration and speeds from which the search for open initial values starts; quaternions as the model gives them.
 Vector guessed_state(const model::Model& model, kinematics::Expressions& expressions);
 
