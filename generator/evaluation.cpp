@@ -182,21 +182,26 @@ class Report {
     return "";
   }
 
-  std::string suffix(const emit::Field& field, std::size_t index) const {
+  /// Which constraint, orientation or speed an entry is about.
+  std::string owner(const std::string& output, const emit::Field& field, std::size_t index) const {
+    if (output == "inverse_dynamics") return mechanics_.dynamics.labels.at(index);
+    if (output != "residuals") return "";
+    if (field.name == "position") return equation(index);
+    if (field.name == "quaternion") return mechanics_.model.orientations.at(index).name.text;
+    return mechanics_.dynamics.constraints.at(index);
+  }
+
+  std::string suffix(const std::string& output, const emit::Field& field, std::size_t index) const {
     static const char* const k_axes[] = {"x", "y", "z"};
     if (field.shape.empty()) return "";
-    if (field.name == "position") return "." + equation(index);
-    if (field.name == "quaternion") return "." + mechanics_.model.orientations.at(index).name.text;
-    if (field.name == "velocity" || field.name == "acceleration")
-      return "." + mechanics_.dynamics.constraints.at(index);
-    if (field.name == "missing" || field.name == "reached") return "." + mechanics_.dynamics.labels.at(index);
+    if (const std::string name = owner(output, field, index); !name.empty()) return "." + name;
     if (field.shape[0] == 3 && field.values.size() == 3) return std::string(".") + k_axes[index];
     return "[" + std::to_string(index) + "]";
   }
 
   void add_field(const std::string& output, const emit::Group& group, const emit::Field& field) {
     for (std::size_t i = 0; i < field.values.size(); ++i) {
-      const std::string name = (group.name.empty() ? "" : group.name + ".") + field.name + suffix(field, i);
+      const std::string name = (group.name.empty() ? "" : group.name + ".") + field.name + suffix(output, field, i);
       add(output, name, describe(group, field), field.values[i]);
     }
   }

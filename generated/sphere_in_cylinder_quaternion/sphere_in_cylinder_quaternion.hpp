@@ -370,12 +370,12 @@ template <class S>
 struct Reactions {
   /// nonholonomic constraint rolling_around, model line 44
   struct RollingAroundReaction {
-    S multiplier;      ///< lambda of (3.4): the constraint adds lambda * dphi/du to the equations of motion
+    S multiplier;      ///< lambda of (3.4) [N]: the constraint adds lambda * dphi/du to the equations of motion
     S generalized[5];  ///< lambda * dphi/du for each speed, in the order of the state
   } rolling_around;
   /// nonholonomic constraint rolling_along, model line 48
   struct RollingAlongReaction {
-    S multiplier;      ///< lambda of (3.4): the constraint adds lambda * dphi/du to the equations of motion
+    S multiplier;      ///< lambda of (3.4) [N]: the constraint adds lambda * dphi/du to the equations of motion
     S generalized[5];  ///< lambda * dphi/du for each speed, in the order of the state
   } rolling_along;
   /// held coordinate rho, model line 20

@@ -144,6 +144,8 @@ NodeId Graph::call(Function function, std::vector<NodeId> arguments) {
       return kind == Parity::odd ? scale(-1, mirrored) : mirrored;
     }
   }
+  const bool is_number = !is_boolean(function) && function != Function::select && function != Function::piecewise;
+  if (const auto undefined = first_undefined(arguments); undefined && is_number) return *undefined;
   Node node;
   node.kind = Kind::function;
   node.function = function;

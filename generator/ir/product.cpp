@@ -35,7 +35,7 @@ class FactorCollector {
       const Rational content = signed_content(node);
       coefficient_ = coefficient_ * content;
       merge(graph_.scale(1 / content, id), 1);
-    } else if (node.kind == Kind::power && !graph_.is_undefined(id)) {
+    } else if (node.kind == Kind::power) {
       merge(node.children[0], node.value);
     } else {
       merge(id, 1);
@@ -98,18 +98,18 @@ std::optional<NodeId> Graph::first_undefined(const std::vector<NodeId>& nodes) c
 }
 
 NodeId Graph::product(const std::vector<NodeId>& nodes) {
-  const auto base_of = [this](NodeId id) {
-    return (*this)[id].kind == Kind::power && !is_undefined(id) ? (*this)[id].children[0] : id;
-  };
+  // Neither 0/0 = 0 nor (1/0)^0 = 1; and what has no value takes no more room than it has to.
+  if (const auto undefined = first_undefined(nodes)) return *undefined;
+  const auto base_of = [this](NodeId id) { return (*this)[id].kind == Kind::power ? (*this)[id].children[0] : id; };
   FactorCollector collector(*this);
   for (const NodeId node : nodes) collector.multiply(node);
-  if (collector.coefficient() == 0) return first_undefined(nodes).value_or(constant(0));
+  if (collector.coefficient() == 0) return constant(0);
 
   // x^(1/2) x^(1/2) is x again, which may itself be a product, a sum or a power: then collect once more.
   std::vector<NodeId> factors;
   bool settled = true;
   for (const Factor& factor : collector.factors()) {
-    if (factor.exponent == 0 && !is_undefined(factor.base)) continue;
+    if (factor.exponent == 0) continue;
     const NodeId node = power(factor.base, factor.exponent);
     settled = settled && base_of(node) == factor.base && can_be_factor((*this)[node]);
     factors.push_back(node);

@@ -33,11 +33,7 @@ class TermCollector {
   std::vector<Term> terms() const {
     std::vector<Term> kept;
     for (const Term& term : terms_) {
-      if (term.coefficient != 0) {
-        kept.push_back(term);
-      } else if (graph_.is_undefined(term.node)) {
-        kept.push_back({1, term.node});  // 1/0 - 1/0 is not 0
-      }
+      if (term.coefficient != 0) kept.push_back(term);
     }
     return kept;
   }
@@ -69,6 +65,10 @@ NodeId Graph::sum(const std::vector<NodeId>& nodes) {
 }
 
 NodeId Graph::linear(const Rational& constant, const std::vector<Term>& terms) {
+  std::vector<NodeId> nodes;
+  nodes.reserve(terms.size());
+  for (const Term& term : terms) nodes.push_back(term.node);
+  if (const auto undefined = first_undefined(nodes)) return *undefined;  // 1/0 - 1/0 is not 0
   TermCollector collector(*this);
   for (const Term& term : terms) collector.add(term.coefficient, term.node);
   Rational total = collector.constant() + constant;

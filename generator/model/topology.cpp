@@ -16,6 +16,9 @@ namespace {
 
 constexpr support::Span k_top{0, 0};
 
+/// Of coordinates and of constraint rows: matrices have the square of that, and deriving a thousand takes minutes.
+constexpr std::size_t k_most_rows = 1000;
+
 /// Which coordinates and orientations the attitudes and positions of bodies depend on.
 struct Uses {
   std::set<std::size_t> coordinates;
@@ -91,10 +94,10 @@ void check_used(Reading& reading) {
     const Coordinate& coordinate = model.coordinates[i];
     if (uses.coordinates.count(i) > 0 || !owns_name(model, i) || is_constrained(model, i)) continue;
     if (coordinate.held_at) {
-      reading.diagnostics.warning(
-          code::k_idle_held_coordinate, coordinate.name.span,
-          fmt::format("no body depends on the held coordinate '{}'", coordinate.name.text),
-          "write positions or constraints with it, or remove it: as it is, its reaction does no more than balance forces");
+      reading.diagnostics.warning(code::k_idle_held_coordinate, coordinate.name.span,
+                                  fmt::format("no body depends on the held coordinate '{}'", coordinate.name.text),
+                                  "write positions or constraints with it, or remove it: as it is, its reaction does "
+                                  "no more than balance forces");
     } else {
       reading.diagnostics.error(
           code::k_no_inertia, coordinate.name.span,
@@ -149,9 +152,28 @@ void check_constraints(Reading& reading) {
   }
 }
 
+void refuse_many(const char* what, const Name& first_beyond, Reading& reading) {
+  reading.diagnostics.error(code::k_file_too_large, first_beyond.span,
+                            fmt::format("the model has more than {} {}", k_most_rows, what),
+                            "no more than that can be derived in reasonable time; make fewer copies");
+}
+
+/// A `count` makes many with a few letters.
+bool has_reasonable_size(Reading& reading) {
+  const Model& model = reading.model;
+  const bool has_many_coordinates = model.coordinates.size() > k_most_rows;
+  const bool has_many_orientations = 3 * model.orientations.size() > k_most_rows;
+  const bool has_many_constraints = model.constraints.size() > k_most_rows;
+  if (has_many_coordinates) refuse_many("coordinates", model.coordinates[k_most_rows].name, reading);
+  if (has_many_orientations) refuse_many("angular velocities", model.orientations[k_most_rows / 3].name, reading);
+  if (has_many_constraints) refuse_many("constraints", model.constraints[k_most_rows].name, reading);
+  return !has_many_coordinates && !has_many_orientations && !has_many_constraints;
+}
+
 }  // namespace
 
 void check_topology(Reading& reading) {
+  if (!has_reasonable_size(reading)) return;
   const Model& model = reading.model;
   const bool nothing_moves = model.coordinates.empty() && model.orientations.empty();
   if (model.bodies.empty() && !reading.incomplete) {

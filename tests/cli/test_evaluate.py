@@ -71,9 +71,90 @@ class Table(Evaluate):
             for digits in (1, 17, 50):
                 self.assertNotRegex(self.ok("evaluate", model, "--digits", digits), r"e-\d\d", (model, digits))
 
+    def test_a_pole_at_an_angle_that_is_rounded_is_a_pole(self):
+        one = "gauss: 1\nname: pole\ncoordinates: {a: {initial: pi/2}}\nparticles: {p: {mass: 1, position: [a, 0, 0]}}\n"
+        sleigh = """gauss: 1
+name: sleigh
+coordinates: {x: {initial_rate: 1}, y: {}, a: {initial: pi/2}}
+bodies: {b: {mass: 1, inertia: 1, position: [x, y, 0], orientation: {axis: z, angle: a}}}
+constraints: {blade: {velocity: dot(y) - dot(x)*tan(a)}}
+"""
+        speed = """gauss: 1
+name: speed
+coordinates: {x: {}, a: {initial: pi/2}}
+speeds: {u: {is: dot(x)*cos(a), initial: 1}}
+bodies: {b: {mass: 1, inertia: 1, position: [x, 0, 0], orientation: {axis: z, angle: a}}}
+"""
+        forces = ["tan(a)", "1/cos(a)", "log(cos(a)^2)", "cos(a)^(-1/2)", "atan2(cos(a), 0)", "sin(10^200*a/7)"]
+        for text in [sleigh, speed, *(f"{one}forces: {{f: {{generalized: {{a: '{force}'}}}}}}\n" for force in forces)]:
+            found = self.document("-", stdin=text)
+            self.assertEqual(found["status"], "not_finite", text)
+        parameter = one + "parameters: {c: pi/2, k: 1/cos(c)}\nforces: {f: {generalized: {a: k}}}\n"
+        self.assertEqual(self.document("-", stdin=parameter)["status"], "not_finite")
+
+    def test_jumps_at_an_angle_that_is_rounded_are_where_they_are(self):
+        text = """gauss: 1
+name: jumps
+coordinates: {a: {initial: pi}}
+particles: {p: {mass: 1, position: [a, 0, 0]}}
+quantities: {direction: "atan2(sin(a), cos(a))", sense: sign(sin(a)), case: "piecewise(sin(a) >= 0, 1, 2)", root: sqrt(-sin(a))}
+"""
+        found = {name: float(entry["value"]) for name, entry in self.document("-", stdin=text)["quantities"].items()}
+        self.assertEqual(found, {"direction": 3.141592653589793, "sense": 0, "case": 1, "root": 0})
+
     def test_a_value_that_is_small_but_not_rounding_is_shown(self):
         self.assertRegex(self.ok("evaluate", SPHERE, "--set", "zeta=1e-250"), r"(?m)^  zeta +1\.0000000000000000e-250")
         self.close(self.value("energy", "potential", SPHERE, "--set", "zeta=1e-250"), Fraction(4905, 10**253))
+
+
+class Forces(Evaluate):
+    TROLLEY = """gauss: 1
+name: trolley
+parameters: {F: 3, m: 2}
+joints: {rail: {type: prismatic, axis: x, child: slide, coordinates: x}, swing: {type: revolute, parent: slide, child: arm, axis: y}}
+coordinates: {x: {held_at: 0}}
+bodies: {block: {mass: m, inertia: 1, frame: slide, centre: [0, 0, -1]}, rod: {mass: 1, inertia: 1, frame: arm, centre: [0, 0, -1]}}
+points: {hook: {on: slide, at: [0, 0, 1]}}
+forces: {push: {force: [F, 0, 0], on: %s}}
+"""
+
+    def test_a_force_on_a_frame_is_felt_by_the_only_body_on_it(self):
+        # The rail alone keeps the block from moving along it: it feels -F, whatever name its frame, the block or the hook has.
+        for place in ("slide", "hook", "block"):
+            found = self.document("-", stdin=self.TROLLEY % place)
+            self.assertEqual(float(found["reaction_forces"]["on_block.force.x"]["value"]), -3, place)
+            self.assertEqual(float(found["joint_reactions"]["rail.force.x"]["value"]), -3, place)
+        found = self.document("-", stdin=self.TROLLEY % "hook")
+        # About the mass centre, 2 below the hook, the push turns the block by 2 F, which the rail takes.
+        self.assertEqual(float(found["reaction_forces"]["on_block.moment.y"]["value"]), -6)
+
+    def test_multipliers_have_units(self):
+        text = """gauss: 1
+name: units
+parameters: {m: {value: 1, unit: kg}, r: {value: 2, unit: m}, J: {value: 1, unit: kg*m^2}}
+coordinates: {x: {unit: m, initial: 2}, y: {unit: m}, phi: {unit: rad}, psi: {unit: rad}}
+particles: {p: {mass: m, position: [x, y, 0]}}
+bodies: {w: {mass: m, inertia: J, position: [0, 0, r*phi], orientation: {axis: z, angle: phi}}, v: {mass: m, inertia: J, position: [0, 0, 0], orientation: {axis: z, angle: psi}}}
+points: {o: {}}
+constraints:
+  force: {velocity: dot(y) - r*dot(phi)}
+  moment: {velocity: dot(psi) - dot(phi)}
+  tension: {equation: x^2 + y^2 - r^2}
+"""
+        found = self.document("-", stdin=text)["multipliers"]
+        self.assertEqual({name: entry["unit"] for name, entry in found.items()}, {"force": "N", "moment": "N*m", "tension": "N/m"})
+        self.assertEqual(self.document(MODELS / "rolling_disc.yaml")["multipliers"]["rim_x"]["unit"], "N")
+        self.assertEqual(self.document(MODELS / "four_bar.yaml")["multipliers"].popitem()[1]["unit"], "N")
+
+
+class Quantities(Evaluate):
+    def test_their_names_are_the_users(self):
+        text = "gauss: 1\nname: m\ncoordinates: {x: {initial: 2}}\nparticles: {p: {mass: 1, position: [x, 0, 0]}}\n" \
+               "quantities: {position: [x, 1, 0], velocity: [dot(x), 0, 0], quaternion: [1, 2, x], missing: [x, x, x]}\n"
+        found = self.document("-", stdin=text)["quantities"]
+        self.assertEqual(float(found["position.x"]["value"]), 2)
+        self.assertEqual(float(found["quaternion.y"]["value"]), 2)
+        self.assertEqual(len(found), 12)
 
 
 class Json(Evaluate):

@@ -75,8 +75,39 @@ class InverseDynamics(Program):
             self.assertAlmostEqual(float(found["inverse_dynamics"]["missing.z"]["value"]), force, 14)
 
     def test_accelerations_that_constraints_forbid_are_named(self):
-        error = self.run_it("evaluate", "-", "--accelerate", "x=1", stdin=LAMP).stderr
-        self.assertIn("the wanted accelerations violate constraint 'left_rope' by ", error)
+        done = self.run_it("evaluate", "-", "--accelerate", "x=1", stdin=LAMP)
+        self.assertIn("the wanted accelerations violate constraint 'left_rope' by ", done.stderr)
+        self.assertIn("not to be trusted: violated_constraints", done.stdout)
+
+    def test_accelerations_that_are_not_named_follow_from_the_constraints(self):
+        # A bar of length 1 between x and y, at 3/5 and 4/5: x x'' + y y'' = -(x'^2 + y'^2).
+        bar = HEAD + """parameters: {m: 2}
+inputs: {F: 0, G: 0}
+coordinates: {x: {initial: 0.6, initial_rate: 4}, y: {initial: 0.8, initial_rate: -3}}
+particles: {p: {mass: m, position: [x, 0, 0]}, q: {mass: m, position: [0, y, 0]}}
+constraints: {bar: {distance: [p, q], is: 1}}
+forces: {push: {generalized: {x: F, y: G}}}
+"""
+        found = json.loads(self.ok("evaluate", "-", "--accelerate", "x=1", "--set", "G=5", "--format=json", stdin=bar))
+        self.assertEqual(found["status"], "ok")
+        y = (-25 - 0.6) / 0.8
+        self.assertAlmostEqual(float(found["wanted"]["y_ddot"]["value"]), y, 12)
+        # The bar takes what G and the inertia of q leave along y, and hands it to x: F = m x'' - (m y'' - G) x/y.
+        self.assertNotIn("needed.G", found["inverse_dynamics"])
+        self.assertAlmostEqual(float(found["inverse_dynamics"]["needed.F"]["value"]), 2 - (2 * y - 5) * 0.6 / 0.8, 12)
+        for name, value in (("x", 1), ("y", y)):
+            self.assertAlmostEqual(float(found["inverse_dynamics"][f"reached.{name}"]["value"]), value, 12)
+
+    def test_forces_without_a_value_at_rest_are_named(self):
+        drag = HEAD + "coordinates: {z: {}}\nparticles: {p: {mass: 1, position: [0, 0, z]}}\n" \
+                      "forces: {drag: {generalized: {z: -dot(z)/sqrt(dot(z)^2)}}}\n"
+        self.assertIn("at rest at the initial position there is no force: division by zero", self.refused(1, "evaluate", "-", "--equilibrium", stdin=drag))
+
+    def test_a_pole_of_a_force_is_no_equilibrium(self):
+        for start in ("pi/2", "1.5"):
+            pole = HEAD + f"coordinates: {{q: {{initial: {start}}}}}\nparticles: {{p: {{mass: 1, position: [q, 0, 0]}}}}\n" \
+                          "forces: {f: {generalized: {q: 1/cos(q)}}}\n"
+            self.refused(1, "evaluate", "-", "--equilibrium", stdin=pole)
 
     def test_names_and_numbers_are_checked(self):
         for wrong, message in (("q=1", "'q' is no free coordinate"), ("z", "expected name=value"), ("z=z", "a number is needed"),

@@ -97,7 +97,7 @@ TEST_CASE_METHOD(Fixture, "rational powers of numbers are exact or stay", "[ir]"
 
 TEST_CASE_METHOD(Fixture, "a division by zero stays visible", "[ir]") {
   CHECK(text(number(1) / (x - x)) == "0^(-1)");
-  CHECK(text(y / (x - x)) == "0^(-1)*y");
+  CHECK(text(y / (x - x)) == "0^(-1)");
 }
 
 TEST_CASE_METHOD(Fixture, "what has no value is never folded away", "[ir]") {

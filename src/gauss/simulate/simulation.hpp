@@ -102,14 +102,10 @@ class Simulation {
     return state;
   }
 
-  /// What a start misses the constraints by is no error of a step.
+  /// What a start misses the constraints by is no error of a step. Where it cannot be mended, the first step will tell.
   void project_start() {
     State start = as_state(x_);
-    report_.status = model_.projection(t_, start);
-    if (report_.status == Status{})
-      std::copy_n(start.values, Model::size, x_.begin());
-    else
-      report_.outcome = Outcome::model_failed;
+    if (model_.projection(t_, start) == Status{}) std::copy_n(start.values, Model::size, x_.begin());
   }
 
   template <class OnStep>
