@@ -135,6 +135,42 @@ class Package(unittest.TestCase):
         self.assertNotIn("Generating", self.make())
         self.assert_pendulum(LENGTH)
 
+    def configuring_fails(self):
+        """What CMake says, on one line, since it breaks lines where it likes."""
+        try:
+            self.configure(ANY_GENERATOR)
+        except AssertionError as error:
+            return " ".join(str(error).split())
+        return self.fail("it was configured")
+
+    def test_a_model_file_that_is_not_there_is_named_with_its_target(self):
+        self.edit("MODEL pendulum.yaml", "MODEL nowhere.yaml", file="CMakeLists.txt")
+        self.assertIn(f"gauss_add_model(app): there is no model file '{self.source}/nowhere.yaml'", self.configuring_fails())
+
+    def test_a_model_file_that_cmake_cannot_name_is_refused(self):
+        (self.source / "pendulum.yaml").rename(self.source / "pendu;lum.yaml")
+        self.edit("MODEL pendulum.yaml", 'MODEL "pendu;lum.yaml"', file="CMakeLists.txt")
+        self.assertIn(f"CMake takes paths apart at ';': rename '{self.source}/pendu;lum.yaml'", self.configuring_fails())
+
+    def test_two_models_of_one_name_in_a_target_are_refused(self):
+        shutil.copy(self.source / "pendulum.yaml", self.source / "other.yaml")
+        call = "gauss_add_model(TARGET app MODEL pendulum.yaml)"
+        self.edit(call, f"{call}\ngauss_add_model(TARGET app MODEL other.yaml)", file="CMakeLists.txt")
+        said = self.configuring_fails()
+        self.assertIn("are both called 'pendulum', so both would be pendulum.hpp; give one another `name:`", said)
+        self.assertNotIn("add_custom_command", said)
+
+    def test_nothing_is_generated_twice_in_a_folder_with_a_dollar(self):
+        for generator, program in (("Ninja", "ninja"), ("Unix Makefiles", "make")):
+            if not shutil.which(program):
+                continue
+            with self.subTest(generator):
+                self.source = self.source.rename(self.source.parent / f"{program} $o")
+                self.build = self.source / f"build {program}"
+                self.configure(generator)
+                self.assertIn("Generating pendulum.hpp", self.make())
+                self.assertNotIn("Generating pendulum", self.make())
+
     def test_a_simulation_builds_with_the_installed_headers(self):
         self.configure(ANY_GENERATOR)
         self.make("turntable")
