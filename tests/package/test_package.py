@@ -1,4 +1,4 @@
-"""cmake --install, then find_package(gauss) in the project in consumer/, with the model and the program that the README shows."""
+"""cmake --install, then find_package(gauss) in the project, with the model and the program, that the README shows."""
 
 import math
 import os
@@ -15,6 +15,7 @@ SOURCE = Path(os.environ["GAUSS_SOURCE_DIR"])
 CONSUMER = SOURCE / "tests/package/consumer"
 README = (SOURCE / "README.md").read_text(encoding="utf-8")
 PENDULUM = textwrap.dedent(re.search(r"^    gauss: 1\n(?:    .*\n)+", README, re.M)[0])
+PROJECT = re.search(r"^```cmake\n(.*?)^```", README, re.M | re.S)[1]
 MAIN = re.search(r"^```cpp\n(.*?)^```", README, re.M | re.S)[1]
 ANY_GENERATOR = "Ninja" if shutil.which("ninja") else "Unix Makefiles"
 
@@ -35,6 +36,7 @@ class Package(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.source, self.build = Path(folder.name) / "source", Path(folder.name) / "build"
         shutil.copytree(CONSUMER, self.source)
+        (self.source / "CMakeLists.txt").write_text(PROJECT + "include(turntable.cmake)\n", encoding="utf-8")
         (self.source / "main.cpp").write_text(MAIN, encoding="utf-8")
         (self.source / "pendulum.yaml").write_text(PENDULUM, encoding="utf-8")
         shutil.copy(SOURCE / "examples/turntable.cpp", self.source)
