@@ -51,8 +51,10 @@ class Package(unittest.TestCase):
             self.assertEqual(text, run(self.prefix / "bin/gauss-gen", *command), file)
 
     def configure(self, generator):
-        run(CMAKE, "-S", self.source, "-B", self.build, "-G", generator, f"-DCMAKE_PREFIX_PATH={self.prefix}",
-            f"-DCMAKE_CXX_COMPILER={os.environ['GAUSS_CXX']}")
+        said = run(CMAKE, "-S", self.source, "-B", self.build, "-G", generator, f"-DCMAKE_PREFIX_PATH={self.prefix}",
+                   f"-DCMAKE_CXX_COMPILER={os.environ['GAUSS_CXX']}")
+        self.assertNotIn("No project() command is present", said)
+        self.assertNotIn("No cmake_minimum_required command is present", said)
 
     def make(self, target="app"):
         return run(CMAKE, "--build", self.build, "--target", target)
