@@ -29,7 +29,7 @@ function(_gauss_name_by_generator model result)
   get_target_property(is_imported gauss::gauss-gen IMPORTED)
   if(is_imported)
     get_target_property(generator gauss::gauss-gen LOCATION)
-    execute_process(COMMAND ${generator} --list-outputs ${model} OUTPUT_VARIABLE header ERROR_QUIET
+    execute_process(COMMAND "${generator}" --list-outputs "${model}" OUTPUT_VARIABLE header ERROR_QUIET
                     OUTPUT_STRIP_TRAILING_WHITESPACE)
   endif()
   get_filename_component(name "${header}" NAME_WE)
@@ -38,15 +38,37 @@ endfunction()
 
 # The name that a model file gives, which is that of its header; the name of the file where that cannot be told.
 function(_gauss_model_name model result)
-  _gauss_name_by_generator(${model} name)
+  _gauss_name_by_generator("${model}" name)
   if(NOT name)
-    file(READ ${model} text)
+    file(READ "${model}" text)
     _gauss_name_in_text("${text}" name)
   endif()
   if(NOT name)
-    get_filename_component(name ${model} NAME_WE)
+    get_filename_component(name "${model}" NAME_WE)
   endif()
   set(${result} ${name} PARENT_SCOPE)
+endfunction()
+
+# The path of the model, or an error in our words.
+function(_gauss_model_path target path result)
+  get_filename_component(model "${path}" ABSOLUTE)
+  if(model MATCHES ";")
+    message(FATAL_ERROR "gauss_add_model(${target}): CMake takes paths apart at ';': rename '${model}'")
+  endif()
+  if(NOT EXISTS "${model}" OR IS_DIRECTORY "${model}")
+    message(FATAL_ERROR "gauss_add_model(${target}): there is no model file '${model}'")
+  endif()
+  set(${result} "${model}" PARENT_SCOPE)
+endfunction()
+
+# Both headers would be one file, and one #include.
+function(_gauss_refuse_second_of_name target name model)
+  get_property(other GLOBAL PROPERTY _gauss_model_${target}_${name})
+  if(other)
+    message(FATAL_ERROR "gauss_add_model(${target}): '${other}' and '${model}' are both called '${name}', so both would be "
+                        "${name}.hpp; give one another `name:`, or a target of its own")
+  endif()
+  set_property(GLOBAL PROPERTY _gauss_model_${target}_${name} "${model}")
 endfunction()
 
 function(gauss_add_model)
@@ -57,10 +79,11 @@ function(gauss_add_model)
   if(NOT TARGET ${ARG_TARGET})
     message(FATAL_ERROR "gauss_add_model: no target '${ARG_TARGET}'; call it after add_executable or add_library")
   endif()
-  get_filename_component(model ${ARG_MODEL} ABSOLUTE)
-  _gauss_model_name(${model} name)
+  _gauss_model_path("${ARG_TARGET}" "${ARG_MODEL}" model)
+  _gauss_model_name("${model}" name)
+  _gauss_refuse_second_of_name("${ARG_TARGET}" "${name}" "${model}")
   # Another name in the model file is another header.
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${model})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${model}")
 
   set(options)
   if(ARG_FOLD)
@@ -78,18 +101,24 @@ function(gauss_add_model)
   endif()
 
   # A folder per target, so that two targets may generate the same model with different options.
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/gauss/${ARG_TARGET})
-  file(MAKE_DIRECTORY ${folder})
-  set(header ${folder}/${name}.hpp)
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/gauss/${ARG_TARGET}")
+  file(MAKE_DIRECTORY "${folder}")
+  set(header "${folder}/${name}.hpp")
+  # CMake (3.25) rewrites depfiles and loses what protects a `$`; a file that is never found would be generated at every build.
+  set(depfile DEPFILE "${header}.d")
+  if("${header}${model}" MATCHES "[$]")
+    message(STATUS "gauss_add_model(${ARG_TARGET}): files of submodels are not followed in a folder with a '$' in its name")
+    set(depfile)
+  endif()
   # gauss-gen leaves an unchanged header alone, so that nothing is compiled again; the stamp says that it was run. The
   # depfile names the files of submodels.
   add_custom_command(
-    OUTPUT ${header}.stamp
-    BYPRODUCTS ${header}
-    COMMAND gauss::gauss-gen ${model} -o ${folder} --depfile ${header}.d --depfile-target ${header}.stamp ${options}
-    COMMAND ${CMAKE_COMMAND} -E touch ${header}.stamp
-    DEPENDS ${model} gauss::gauss-gen
-    DEPFILE ${header}.d
+    OUTPUT "${header}.stamp"
+    BYPRODUCTS "${header}"
+    COMMAND gauss::gauss-gen "${model}" -o "${folder}" --depfile "${header}.d" --depfile-target "${header}.stamp" ${options}
+    COMMAND "${CMAKE_COMMAND}" -E touch "${header}.stamp"
+    DEPENDS "${model}" gauss::gauss-gen
+    ${depfile}
     COMMENT "Generating ${name}.hpp"
     VERBATIM)
 
@@ -98,6 +127,6 @@ function(gauss_add_model)
   if(type STREQUAL "INTERFACE_LIBRARY")
     set(visibility INTERFACE)
   endif()
-  target_sources(${ARG_TARGET} PRIVATE ${header}.stamp)
-  target_include_directories(${ARG_TARGET} ${visibility} ${folder})
+  target_sources(${ARG_TARGET} PRIVATE "${header}.stamp")
+  target_include_directories(${ARG_TARGET} ${visibility} "${folder}")
 endfunction()

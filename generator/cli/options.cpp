@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 #include "cli/arguments.hpp"
 #include "cli/command_line.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/files.hpp"
 #include "cli/usage_error.hpp"
 #include "support/suggest.hpp"
 
@@ -29,6 +31,15 @@ void refuse_mixture(const CLI::App& app, const CLI::App& command) {
     if (option->count() == 0) continue;
     if (!option->nonpositional()) throw UsageError("the model goes after '" + command.get_name() + "'");
     refuse(option->get_name(), "does not go before '" + command.get_name() + "', which has options of its own");
+  }
+}
+
+/// A variable of a shell script that is not set, as in -o "$FOLDER": it is not the same as nothing at all.
+void refuse_empty_words(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    const std::vector<std::string>& words = option->results();
+    if (std::find(words.begin(), words.end(), "") == words.end()) continue;
+    refuse(option->nonpositional() ? option->get_name() : app.get_name(), "what is given for it is empty");
   }
 }
 
@@ -75,7 +86,9 @@ std::optional<Options> parse(int argc, const char* const* argv, int& exit_code) 
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help, --version
-    exit_code = app.exit(request);
+    std::ostringstream page;
+    exit_code = app.exit(request, page);
+    write_standard_output(page.str());
     return std::nullopt;
   } catch (const CLI::ExtrasError&) {
     refuse_misspelt_command(app, options.model);
@@ -90,6 +103,8 @@ std::optional<Options> parse(int argc, const char* const* argv, int& exit_code) 
   }
   if (options.command == Command::derivation && options.format == Format::table) options.format = Format::markdown;
   check(app, options);
+  refuse_empty_words(app);
+  for (const CLI::App* command : app.get_subcommands()) refuse_empty_words(*command);
   return options;
 }
 
@@ -99,6 +114,9 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   std::string refusal;
   try {
     return parse(argc, argv, exit_code);
+  } catch (const FileError& error) {
+    exit_code = fail(error.what(), k_file_error, messages_of(argc, argv));
+    return std::nullopt;
   } catch (const CLI::ParseError& error) {
     refusal = error.what();
   } catch (const UsageError& error) {

@@ -14,8 +14,10 @@ namespace {
 namespace format = model::format;
 using Json = nlohmann::ordered_json;
 
-// Letters, digits, indices such as $i and $(i - 1), and single underscores between them.
-constexpr const char* k_name_pattern = R"(^[A-Za-z](_?([A-Za-z0-9]|\$[A-Za-z]|\$\([^$]*\)))*$)";
+// Letters, digits, indices such as $i and $(i - 1), and single underscores between them; no word that YAML takes for
+// another value.
+constexpr const char* k_name_pattern =
+    R"(^(?!(true|True|TRUE|false|False|FALSE|null|Null|NULL)$)[A-Za-z](_?([A-Za-z0-9]|\$[A-Za-z]|\$\([^$]*\)))*$)";
 constexpr int k_longest_name = 64;
 
 Json schema_of(const format::Map& map);

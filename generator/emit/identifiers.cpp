@@ -3,6 +3,8 @@
 #include <cctype>
 #include <unordered_set>
 
+#include "emit/macros.hpp"
+
 namespace gaussgen::emit {
 
 namespace {
@@ -21,20 +23,6 @@ const NameSet k_keywords = {
     "switch", "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "typeof",
     "union", "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq"};
 
-// Macros of the C and C++ standard libraries, of Unix and of Windows, function-like ones too: accessors are called.
-const NameSet k_macros = {
-    "BUFSIZ", "CHAR_BIT", "CHAR_MAX", "CHAR_MIN", "CLOCKS_PER_SEC", "DBL_DIG", "DBL_EPSILON", "DBL_MAX", "DBL_MIN",
-    "DOMAIN", "EDOM", "EOF", "ERANGE", "ERROR", "EXIT_FAILURE", "EXIT_SUCCESS", "FALSE", "FLT_EPSILON", "FLT_MAX",
-    "FLT_MIN", "FP_FAST_FMA", "FP_INFINITE", "FP_NAN", "FP_NORMAL", "FP_SUBNORMAL", "FP_ZERO", "HUGE", "HUGE_VAL",
-    "HUGE_VALF", "HUGE_VALL", "I", "IN", "INFINITY", "INT_MAX", "INT_MIN", "LDBL_EPSILON", "LONG_MAX", "LONG_MIN",
-    "MAXFLOAT", "MB_CUR_MAX", "M_1_PI", "M_2_PI", "M_2_SQRTPI", "M_E", "M_LN10", "M_LN2", "M_LOG10E", "M_LOG2E", "M_PI",
-    "M_PI_2", "M_PI_4", "M_SQRT1_2", "M_SQRT2", "NAN", "NDEBUG", "NULL", "OPTIONAL", "OUT", "OVERFLOW", "PLOSS",
-    "RAND_MAX", "SING", "TLOSS", "TRUE", "UINT_MAX", "UNDERFLOW", "WIN32", "X_TLOSS", "_Complex_I", "_Imaginary_I",
-    "_A", "_B", "_C", "_L", "_N", "_P", "_S", "_U", "_X", "alloca", "assert", "cdecl", "complex", "errno", "far", "fpclassify", "huge",
-    "i386", "imaginary", "interface", "isfinite", "isgreater", "isinf", "isless", "isnan", "isnormal", "isunordered",
-    "linux", "major", "makedev", "math_errhandling", "max", "min", "minor", "near", "noreturn", "offsetof", "pascal",
-    "setjmp", "signbit", "small", "stderr", "stdin", "stdout", "sun", "unix", "va_arg", "va_end", "va_start", "vax"};
-
 // Template parameter, types, arguments, tables and members of emitted code, and what it reaches by these names.
 const NameSet k_own_names = {
     "Bool", "Derivative", "Inputs", "Math", "Parameters", "Prepared", "Quantity", "S", "State", "Status", "StatusOf",
@@ -46,7 +34,7 @@ const NameSet k_own_names = {
 }  // namespace
 
 bool is_reserved(std::string_view name) {
-  return k_keywords.count(name) != 0 || k_macros.count(name) != 0 || k_own_names.count(name) != 0;
+  return k_keywords.count(name) != 0 || is_macro(name) || k_own_names.count(name) != 0;
 }
 
 std::string mangled(const std::string& name) {

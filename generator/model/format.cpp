@@ -20,6 +20,8 @@ Value text() {
   return value;
 }
 
+Value path() { return of_shape(Shape::text); }
+
 Value expression() { return of_shape(Shape::expression); }
 
 Value name() { return of_shape(Shape::name); }
@@ -313,7 +315,7 @@ const Map& table() {
 }
 
 const Map& submodel() {
-  static const Map k_map{{{"file", text(), "path of its model file, relative to this one", Need::required},
+  static const Map k_map{{{"file", path(), "path of its model file, relative to this one", Need::required},
                           {"on", name(), "the frame that carries what stands in space there"},
                           {"parameters", entries_of(expression()), "values of its parameters"},
                           {"without", list_of(name()), "entries that are left out"},

@@ -28,6 +28,17 @@ std::string joined_by_underscore(std::string name) {
   return is_name ? ", such as " + name : std::string();
 }
 
+/// What YAML reads wherever such a word has no quotes; empty for words that are texts.
+std::string read_by_yaml(const std::string& name) {
+  for (const char* word : {"true", "True", "TRUE", "false", "False", "FALSE"}) {
+    if (name == word) return "a logical value";
+  }
+  for (const char* word : {"null", "Null", "NULL"}) {
+    if (name == word) return "nothing";
+  }
+  return {};
+}
+
 /// Empty when the name is valid.
 std::string fault_of(const std::string& name) {
   if (name.empty()) return "it is empty";
@@ -41,6 +52,8 @@ std::string fault_of(const std::string& name) {
   if (name.size() > k_longest_name) return fmt::format("a name has at most {} characters", k_longest_name);
   if (name.back() == '_') return "a name does not end with '_'";
   if (name.find("__") != std::string::npos) return "a name has no '__' in it";
+  if (const std::string other = read_by_yaml(name); !other.empty())
+    return fmt::format("to YAML it is {}, not a text; choose another name, such as {}1", other, name);
   return {};
 }
 

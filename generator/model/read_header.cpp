@@ -7,7 +7,9 @@
 #include "model/fields.hpp"
 #include "model/format.hpp"
 #include "model/names.hpp"
+#include "model/number.hpp"
 #include "model/sections.hpp"
+#include "support/characters.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
 
@@ -38,12 +40,20 @@ void read_output(const spec::Node& item, support::Span owner, Reading& reading) 
   reading.model.outputs.push_back(name);
 }
 
+/// To YAML, 1 and 1.0 are one number, so a schema cannot tell them apart. In quotes it is the text that counts.
+bool is_version_1(const spec::Node& version) {
+  const std::string& text = version.scalar.text;
+  if (!version.plain || text.empty() || !support::is_digit(text.front())) return text == "1";
+  const NumberScan scan = scan_number(text);
+  return scan.problem.empty() && scan.size == text.size() && scan.value == support::Rational(1);
+}
+
 }  // namespace
 
 void read_version(const spec::Node& root, support::Span owner, Reading& reading) {
   const spec::Node* version = required(root, "gauss", owner, "a model file", reading);
   if (version == nullptr || !expect_scalar(*version, owner, "'gauss'", reading)) return;
-  if (version->scalar.text == "1") return;
+  if (is_version_1(*version)) return;
   reading.diagnostics.error(code::k_format_version, version->span,
                             fmt::format("this program does not read format version '{}'", version->scalar.text),
                             "write 'gauss: 1'");

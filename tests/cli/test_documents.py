@@ -43,13 +43,48 @@ class Documents(Program):
                 self.ok("-", "--check", stdin=text)
 
     def test_the_ball_on_the_slope_moves_as_stated(self):
-        document = json.loads(self.ok("evaluate", "-", "--format=json", stdin=self.models["ball_on_slope"]))
+        found = self.evaluated("ball_on_slope")
         m, g, alpha = 0.5, 9.81, math.pi / 6
-        stated = {("accelerations", "x_ddot"): 5 / 7 * g * math.sin(alpha),
-                  ("multipliers", "rolling_x"): -2 / 7 * m * g * math.sin(alpha),
-                  ("reactions", "z"): m * g * math.cos(alpha)}
-        for (group, name), value in stated.items():
-            self.assertAlmostEqual(float(document[group][name]["value"]), value, 12, name)
+        stated = {"accelerations.x_ddot": 5 / 7 * g * math.sin(alpha), "multipliers.rolling_x": -2 / 7 * m * g * math.sin(alpha),
+                  "reactions.z": m * g * math.cos(alpha)}
+        for name, value in stated.items():
+            self.assertAlmostEqual(found[name], value, 12, name)
+
+    def evaluated(self, name, *settings):
+        """group.name: value, of a model in the documents."""
+        document = json.loads(self.ok("evaluate", "-", "--format=json", *settings, stdin=self.models[name]))
+        self.assertEqual(document["status"], "ok")
+        return {f"{group}.{key}": float(entry["value"]) for group in ("state", "accelerations", "multipliers", "reactions")
+                for key, entry in document.get(group, {}).items()}
+
+    def test_the_driven_turntable_does_what_the_page_says(self):
+        found = self.evaluated("driven_turntable")
+        m, omega, x, y = 0.7, 3, 0.5, 0.1
+        ax, ay = -2 / 7 * omega * 0.8, 2 / 7 * omega * 0.3
+        stated = {"accelerations.x_ddot": ax, "accelerations.y_ddot": ay, "multipliers.contact_x": m * ax,
+                  "multipliers.contact_y": m * ay, "reactions.turn": m * (x * ay - y * ax)}
+        for name, value in stated.items():
+            self.assertAlmostEqual(found[name], value, 12, name)
+
+    def test_the_ball_in_the_bowl_does_what_the_page_says(self):
+        self.assertNotEqual(self.evaluated("ball_in_bowl")["multipliers.along"], 0)
+        found = self.evaluated("ball_in_bowl", "--set", "Omega=0", "--set", "dot(psi)=0")
+        m, g, theta = 0.7, 9.81, 0.5
+        stated = {"accelerations.theta_ddot": -5 / 7 * g * math.sin(theta) / 0.8, "reactions.s": -m * g * math.cos(theta),
+                  "multipliers.along": 2 / 7 * m * g * math.sin(theta)}
+        for name, value in stated.items():
+            self.assertAlmostEqual(found[name], value, 12, name)
+
+    def test_the_friction_of_the_page_is_0_at_rest(self):
+        page = (SOURCE / "docs/model-format.md").read_text(encoding="utf-8")
+        drag = textwrap.dedent(re.search(r"(?m)^    drag:\n(?:     .*\n)+", page)[0])
+        self.models["puck"] = ("gauss: 1\nname: puck\nparameters: {m: {value: 2, unit: kg}, F: {value: 3, unit: N}}\n"
+                               "coordinates: {x: {unit: m, initial_rate: 3}, y: {unit: m, initial_rate: 4}}\n"
+                               "particles: {puck: {mass: m, position: [x, y, 0]}}\nforces:\n" + textwrap.indent(drag, "  "))
+        moving, at_rest = self.evaluated("puck"), self.evaluated("puck", "--set", "dot(x)=0", "--set", "dot(y)=0")
+        for name, part in (("accelerations.x_ddot", 0.6), ("accelerations.y_ddot", 0.8)):
+            self.assertAlmostEqual(moving[name], -1.5 * part, 12)
+            self.assertEqual(at_rest[name], 0)
 
     def test_every_function_of_a_header_is_in_the_page_of_headers(self):
         page = (SOURCE / "docs/emitted-code.md").read_text(encoding="utf-8")

@@ -46,8 +46,33 @@ ROLES = {
         host, coordinates=", ".join(f"z{i}: {{}}" for i in range(len(names))),
         particles=", ".join(f"p{i}: {{mass: 1, position: [z{i}, 0, 0]}}" for i in range(len(names))),
         constraints=", ".join(f"'{n}': {{velocity: dot(z{i}) - x_host*dot(y_host)}}" for i, n in enumerate(names))),
+    "joint": lambda names, host: model(host) + (
+        "joints: {" + ", ".join(f"'{n}': {{type: prismatic, child: f{i}, axis: x}}" for i, n in enumerate(names)) +
+        "}\nbodies: {" + ", ".join(f"f{i}: {{mass: 1, inertia: 1}}" for i in range(len(names))) + "}\n"),
+    "frame": lambda names, host: model(host) + (
+        "frames: {" + ", ".join(f"'{n}': {{position: [x_host, {i}, 0]}}" for i, n in enumerate(names)) +
+        "}\nbodies: {" + ", ".join(f"'{n}': {{mass: 1, inertia: 1}}" for n in names) + "}\n"),
+    "point": lambda names, host: model(host) + (
+        "points: {" + ", ".join(f"'{n}': {{on: p_host, at: [1, {i}, 0]}}" for i, n in enumerate(names)) +
+        "}\nquantities: {" + ", ".join(f"q{i}: {n}.x" for i, n in enumerate(names)) + "}\n"),
+    "table": lambda names, host: model(host) + (
+        "tables: {" + ", ".join(f"'{n}': {{of: [0, 1, 2], values: [0, 1, {i}]}}" for i, n in enumerate(names)) +
+        "}\nquantities: {" + ", ".join(f"q{i}: '{n}(x_host)'" for i, n in enumerate(names)) + "}\n"),
+    "quantity": lambda names, host: model(host) + (
+        "quantities: {" + ", ".join(f"'{n}': [x_host, {i}, 0]" for i, n in enumerate(names)) + "}\n"),
+    "speed": lambda names, host: model(
+        host, coordinates=", ".join(f"z{i}: {{}}" for i in range(len(names))),
+        particles=", ".join(f"p{i}: {{mass: 1, position: [z{i}, 0, 0]}}" for i in range(len(names)))) + (
+        "speeds: {w_host: {is: dot(x_host)}, v_host: {is: dot(y_host)}, " +
+        ", ".join(f"'{n}': {{is: 2*dot(z{i})}}" for i, n in enumerate(names)) + "}\n"),
+    "orientation": lambda names, host: model(host) + (
+        "orientations: {" + ", ".join(f"'{n}': {{quaternion: [a{i}, b{i}, c{i}, d{i}], angular_velocity: [p{i}, q{i}, r{i}]}}"
+                                      for i, n in enumerate(names)) +
+        "}\nbodies: {" + ", ".join(f"k{i}: {{mass: 1, inertia: 1, position: [0, 0, 0], orientation: '{n}'}}"
+                                   for i, n in enumerate(names)) + "}\n"),
 }
-LARGEST = {"parameter": 400, "input": 400, "coordinate": 25, "held coordinate": 12, "body": 40, "constraint": 12}
+LARGEST = {"parameter": 400, "input": 400, "coordinate": 25, "held coordinate": 12, "body": 40, "constraint": 12, "joint": 25,
+           "frame": 40, "point": 100, "table": 100, "quantity": 100, "speed": 12, "orientation": 12}
 
 
 def without_comments(header):
@@ -59,7 +84,8 @@ class Names(Program):
         text = without_comments(self.ok("-", "-o", "-", stdin=EVERYTHING))
         names = {n for n in re.findall(r"[A-Za-z]\w*", text) if "__" not in n and not n.endswith("_") and len(n) < 60}
         self.assertGreater(len(names), 200)
-        return sorted(names | {"int", "class", "linux", "main", "printf", "std", "gauss", "errno", "NULL", "GAUSS_MODEL_HOST_HPP"})
+        return sorted(names | {"int", "class", "linux", "main", "printf", "std", "gauss", "errno", "NULL", "BYTE_ORDER",
+                              "SEEK_SET", "issubnormal", "GAUSS_MODEL_HOST_HPP"})
 
     def accepted(self, role, names, host):
         """A header with those of `names` that are not refused; those are checked to be refused with a hint."""

@@ -32,6 +32,12 @@ USAGE = {
     "another name of the compiler": [SKEW, "--namespace", "_a"],
     "a dependency of standard output": [SKEW, "-o", "-", "--depfile", "m.d"],
     "an option without its argument": [SKEW, "-o"],
+    "an empty folder": [SKEW, "-o", ""],
+    "an empty folder, in one word": [SKEW, "--output="],
+    "an empty file": ["derivation", SKEW, "-o", ""],
+    "an empty model": [""],
+    "an empty name": ["init", ""],
+    "an empty code": ["explain", ""],
     "an option of evaluate": [SKEW, "--digits", "3"],
     "an option before a command": ["--fold", "evaluate", SKEW],
     "a model before a command": [SKEW, "evaluate", SKEW],
@@ -121,7 +127,8 @@ class Files(Program):
             self.assertRegex(self.refused(3, SKEW, *arguments), r"^gauss-gen: .*: \w")
 
     def test_a_full_disk_is_an_error(self):
-        for arguments in ([SKEW, "-o", "-"], ["evaluate", SKEW], ["derivation", SKEW], [SKEW, "--dump=model"], [SKEW, "--check"]):
+        for arguments in ([SKEW, "-o", "-"], ["evaluate", SKEW], ["derivation", SKEW], [SKEW, "--dump=model"], [SKEW, "--check"], ["--help"],
+                          ["evaluate", "--help"], ["--version"], ["--man"], ["schema"], ["completion", "bash"], ["explain"]):
             with open("/dev/full", "w", encoding="ascii") as full:
                 result = subprocess.run([PROGRAM, *map(str, arguments)], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
             self.assertEqual((result.returncode, result.stderr), (3, "gauss-gen: standard output: cannot be written\n"))

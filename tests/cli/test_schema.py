@@ -78,6 +78,10 @@ def changed(document, path, change):
     return copy
 
 
+# What YAML reads as something else than a text, or as nothing.
+OTHER_VALUES = (None, True, 1.0, 1, "", [], {})
+
+
 def slips_in(document):
     """The document with one slip in its shape, in every place: (what, document)."""
     def put(value):
@@ -91,8 +95,8 @@ def slips_in(document):
             continue
         if isinstance(path[-1], str):
             yield f"{where}: left out", changed(document, path, lambda owner, key: owner.pop(key))
-        for other in ([value], {"a": value}, "oneword", *([] if isinstance(value, (list, dict)) else [7])):
-            yield f"{where}: {type(other).__name__}", changed(document, path, put(other))
+        for other in ([value], {"a": value}, "oneword", *([] if isinstance(value, (list, dict)) else [7]), *OTHER_VALUES):
+            yield f"{where}: {json.dumps(other)[:20]}", changed(document, path, put(other))
         if isinstance(value, list):
             yield f"{where}: longer", changed(document, path, lambda owner, key: owner[key].append(owner[key][-1]))
             yield f"{where}: shorter", changed(document, path, lambda owner, key: owner[key].pop())

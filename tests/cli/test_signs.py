@@ -81,7 +81,7 @@ class Signs(Program):
     def test_the_multiplier_follows_the_words_and_the_force_does_not(self):
         model, text = next((model, text) for name, model, text in structures() if name == "brake.yaml")
         variants = [cells for cells in rows(text) if cells[0].startswith("road:")]
-        self.assertEqual(len(variants), 6)
+        self.assertEqual(len(variants), 7)
         for line, multiplier, force in variants:
             with self.subTest(line):
                 values = self.values(re.sub(r"^  road: .*", "  " + line, model, flags=re.M))

@@ -10,7 +10,8 @@ TEST_CASE("valid names stay as they are") {
 
 TEST_CASE("keywords, alternative tokens, macros and our own names get an underscore") {
   for (const std::string name : {"new", "and", "xor_eq", "co_await", "char8_t", "I", "linux", "unix", "EOF", "NAN", "M_PI", "errno",
-                                 "major", "minor", "values", "state", "out", "prepared", "S", "t", "min"}) {
+                                 "major", "minor", "BYTE_ORDER", "M_PIl", "SEEK_SET",
+                                 "issubnormal", "BOOST_VERSION", "rad1", "values", "state", "out", "prepared", "S", "t", "min"}) {
     CHECK(mangled(name) == name + "_");
   }
 }

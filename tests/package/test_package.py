@@ -1,4 +1,4 @@
-"""cmake --install, then find_package(gauss) in the project in consumer/, with the model and the program that the README shows."""
+"""cmake --install, then find_package(gauss) in the project, with the model and the program, that the README shows."""
 
 import math
 import os
@@ -15,6 +15,7 @@ SOURCE = Path(os.environ["GAUSS_SOURCE_DIR"])
 CONSUMER = SOURCE / "tests/package/consumer"
 README = (SOURCE / "README.md").read_text(encoding="utf-8")
 PENDULUM = textwrap.dedent(re.search(r"^    gauss: 1\n(?:    .*\n)+", README, re.M)[0])
+PROJECT = re.search(r"^```cmake\n(.*?)^```", README, re.M | re.S)[1]
 MAIN = re.search(r"^```cpp\n(.*?)^```", README, re.M | re.S)[1]
 ANY_GENERATOR = "Ninja" if shutil.which("ninja") else "Unix Makefiles"
 
@@ -35,6 +36,7 @@ class Package(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.source, self.build = Path(folder.name) / "source", Path(folder.name) / "build"
         shutil.copytree(CONSUMER, self.source)
+        (self.source / "CMakeLists.txt").write_text(PROJECT + "include(turntable.cmake)\n", encoding="utf-8")
         (self.source / "main.cpp").write_text(MAIN, encoding="utf-8")
         (self.source / "pendulum.yaml").write_text(PENDULUM, encoding="utf-8")
         shutil.copy(SOURCE / "examples/turntable.cpp", self.source)
@@ -49,8 +51,10 @@ class Package(unittest.TestCase):
             self.assertEqual(text, run(self.prefix / "bin/gauss-gen", *command), file)
 
     def configure(self, generator):
-        run(CMAKE, "-S", self.source, "-B", self.build, "-G", generator, f"-DCMAKE_PREFIX_PATH={self.prefix}",
-            f"-DCMAKE_CXX_COMPILER={os.environ['GAUSS_CXX']}")
+        said = run(CMAKE, "-S", self.source, "-B", self.build, "-G", generator, f"-DCMAKE_PREFIX_PATH={self.prefix}",
+                   f"-DCMAKE_CXX_COMPILER={os.environ['GAUSS_CXX']}")
+        self.assertNotIn("No project() command is present", said)
+        self.assertNotIn("No cmake_minimum_required command is present", said)
 
     def make(self, target="app"):
         return run(CMAKE, "--build", self.build, "--target", target)
@@ -134,6 +138,42 @@ class Package(unittest.TestCase):
         self.assertIn("Generating pendulum.hpp", self.make())
         self.assertNotIn("Generating", self.make())
         self.assert_pendulum(LENGTH)
+
+    def configuring_fails(self):
+        """What CMake says, on one line, since it breaks lines where it likes."""
+        try:
+            self.configure(ANY_GENERATOR)
+        except AssertionError as error:
+            return " ".join(str(error).split())
+        return self.fail("it was configured")
+
+    def test_a_model_file_that_is_not_there_is_named_with_its_target(self):
+        self.edit("MODEL pendulum.yaml", "MODEL nowhere.yaml", file="CMakeLists.txt")
+        self.assertIn(f"gauss_add_model(app): there is no model file '{self.source}/nowhere.yaml'", self.configuring_fails())
+
+    def test_a_model_file_that_cmake_cannot_name_is_refused(self):
+        (self.source / "pendulum.yaml").rename(self.source / "pendu;lum.yaml")
+        self.edit("MODEL pendulum.yaml", 'MODEL "pendu;lum.yaml"', file="CMakeLists.txt")
+        self.assertIn(f"CMake takes paths apart at ';': rename '{self.source}/pendu;lum.yaml'", self.configuring_fails())
+
+    def test_two_models_of_one_name_in_a_target_are_refused(self):
+        shutil.copy(self.source / "pendulum.yaml", self.source / "other.yaml")
+        call = "gauss_add_model(TARGET app MODEL pendulum.yaml)"
+        self.edit(call, f"{call}\ngauss_add_model(TARGET app MODEL other.yaml)", file="CMakeLists.txt")
+        said = self.configuring_fails()
+        self.assertIn("are both called 'pendulum', so both would be pendulum.hpp; give one another `name:`", said)
+        self.assertNotIn("add_custom_command", said)
+
+    def test_nothing_is_generated_twice_in_a_folder_with_a_dollar(self):
+        for generator, program in (("Ninja", "ninja"), ("Unix Makefiles", "make")):
+            if not shutil.which(program):
+                continue
+            with self.subTest(generator):
+                self.source = self.source.rename(self.source.parent / f"{program} $o")
+                self.build = self.source / f"build {program}"
+                self.configure(generator)
+                self.assertIn("Generating pendulum.hpp", self.make())
+                self.assertNotIn("Generating pendulum", self.make())
 
     def test_a_simulation_builds_with_the_installed_headers(self):
         self.configure(ANY_GENERATOR)
