@@ -66,6 +66,19 @@ void ConstraintCheck::report_redundant() {
   }
 }
 
+namespace {
+
+/// A row of `rolls` or `coincide` has no entry of its own.
+const char* remedy_for_redundant(const model::Constraint& row) {
+  if (!row.may_vanish) return "remove it; accelerations are right, and status says dependent_constraints";
+  return std::holds_alternative<model::SlipLaw>(row.law)
+             ? "it is one of the three rows of 'rolls': write two 'no_slip' along the tangents instead, 'in' a frame "
+               "at the contact"
+             : "it is one of the three rows of 'coincide': write 'equation' for those that are needed instead";
+}
+
+}  // namespace
+
 void ConstraintCheck::report_redundant(const Dependence& found) {
   const model::Name& name = mechanics_.model.constraints[found.index].name;
   const auto& redundant = mechanics_.solution.redundant;
@@ -74,7 +87,7 @@ void ConstraintCheck::report_redundant(const Dependence& found) {
     diagnostics_.warning(code::k_redundant_constraint, name.span,
                          dependence_in(mechanics_, found) + ", and agrees: " +
                              (is_left_out ? "its multiplier is returned as 0" : "multipliers are not unique"),
-                         "remove it; accelerations are right, and status says dependent_constraints");
+                         remedy_for_redundant(mechanics_.model.constraints[found.index]));
     return;
   }
   diagnostics_.warning(code::k_dependent_start, name.span, dependence_in(mechanics_, found) + " at the initial state",

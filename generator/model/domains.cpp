@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -115,6 +116,10 @@ class DomainCheck {
     }
     const std::size_t point = name.find('.');
     if (point != std::string::npos) return hint_for_component(name.substr(0, point), name.substr(point + 1));
+    const auto& quantities = reading_.model.quantities;
+    const bool is_output = std::any_of(quantities.begin(), quantities.end(),
+                                       [&](const NamedQuantity& quantity) { return quantity.name.text == name; });
+    if (is_output) return "'quantities' are outputs: write here what it stands for";
     if (name == "e") return "write exp(x) for e^x; Euler's number itself is exp(1)";
     if (name == "I") return "declare a moment of inertia under 'parameters', as I1 or J";
     // A file full of unknown names gets no suggestions after the first ones: each costs a search.

@@ -129,6 +129,7 @@ std::string example_of(const std::string& key, const std::string& where) {
                                                              {"child", "rod"},
                                                              {"at", "[0, 0, 0]"},
                                                              {"is", "2"},
+                                                             {"on", "arm"},
                                                              {"axis", "z"},
                                                              {"angle", "psi"},
                                                              {"direction", "x"},

@@ -167,11 +167,13 @@ class JointReader {
     if (known != reading_.model.symbols.end() && known->second.kind == SymbolKind::coordinate) {
       for (const Node* value : {start.value, start.guess, start.rate}) {
         if (value == nullptr) continue;
-        const Span declared = reading_.model.coordinates[known->second.index].name.span;
+        const Coordinate& coordinate = reading_.model.coordinates[known->second.index];
         reading_.diagnostics.error(
             code::k_conflicting_keys, value->span,
-            fmt::format("the coordinate '{}' is declared in {}", name.text, reading_.line_text(declared)),
-            "write its initial values there");
+            fmt::format("the coordinate '{}' is declared in {}", name.text, reading_.line_text(coordinate.name.span)),
+            coordinate.held_at
+                ? "what is held takes none: declare the others under 'coordinates', with theirs"
+                : "write its initial values there, and declare those of this joint there that have some");
       }
       return;
     }
