@@ -34,11 +34,16 @@ Arithmetic<Paired>::Arithmetic(int digits, int more) : fine_(digits + more), coa
 Result Arithmetic<Paired>::settled(const Numbers& fine, const Numbers& coarse, const cl_F& size) const {
   if (!fine) return Result::undefined(fine.reason());
   if (!coarse) return Result::undefined(coarse.reason());
-  const cl_F apart = cln::abs(*fine - fine_.number(*coarse));
-  if (apart + apart <= cln::abs(*fine)) return Paired{*fine, *coarse};
-  const cl_F rounding = fine_.number(cln::expt(Rational(10), -k_digits_of_rounding));
-  return apart <= rounding * size ? Result(number(Rational(0))) : Result::undefined(reason::k_rounding);
+  const Paired value{*fine, *coarse};
+  const cl_F distance = apart(value);
+  if (distance + distance <= cln::abs(value.fine)) return value;
+  return distance <= rounding() * size ? Result(number(Rational(0))) : Result::undefined(reason::k_rounding);
 }
+
+cl_F Arithmetic<Paired>::apart(const Paired& x) const { return cln::abs(x.fine - fine_.number(x.coarse)); }
+
+/// Of 1, where it has no digits left.
+cl_F Arithmetic<Paired>::rounding() const { return fine_.number(cln::expt(Rational(10), -k_digits_of_rounding)); }
 
 Result Arithmetic<Paired>::sum(const Rational& constant, const std::vector<Rational>& coefficients,
                                const std::vector<Paired>& x) const {
@@ -70,6 +75,9 @@ Paired Arithmetic<Paired>::within_arc(const Paired& x) const {
 
 Result Arithmetic<Paired>::call(ir::Function function, const std::vector<Paired>& x) const {
   using ir::Function;
+  const bool is_of_angle = function == Function::sin || function == Function::cos || function == Function::tan;
+  // Two angles that have nothing to do with each other may have similar sines.
+  if (is_of_angle && apart(x[0]) > rounding()) return Result::undefined(reason::k_rounding);
   if (function == Function::tan) {
     const Result bottom = call(Function::cos, x);
     if (!bottom) return bottom;

@@ -42,6 +42,8 @@ class Arithmetic<Paired> {
   using Numbers = Outcome<cln::cl_F>;
 
   Outcome<Paired> settled(const Numbers& fine, const Numbers& coarse, const cln::cl_F& size) const;
+  cln::cl_F apart(const Paired& x) const;
+  cln::cl_F rounding() const;
   Paired within_arc(const Paired& x) const;
   cln::cl_F integer(int value) const { return fine_.number(Rational(value)); }
 

@@ -173,7 +173,7 @@ bool has_reasonable_size(Reading& reading) {
 }  // namespace
 
 void check_topology(Reading& reading) {
-  if (!has_reasonable_size(reading)) return;
+  if (!reading.incomplete && !has_reasonable_size(reading)) return;
   const Model& model = reading.model;
   const bool nothing_moves = model.coordinates.empty() && model.orientations.empty();
   if (model.bodies.empty() && !reading.incomplete) {

@@ -88,7 +88,7 @@ coordinates: {x: {}, a: {initial: pi/2}}
 speeds: {u: {is: dot(x)*cos(a), initial: 1}}
 bodies: {b: {mass: 1, inertia: 1, position: [x, 0, 0], orientation: {axis: z, angle: a}}}
 """
-        forces = ["tan(a)", "1/cos(a)", "log(cos(a)^2)", "cos(a)^(-1/2)", "atan2(cos(a), 0)", "sin(10^200*a/7)"]
+        forces = ["tan(a)", "1/cos(a)", "log(cos(a)^2)", "cos(a)^(-1/2)", "atan2(cos(a), 0)", "sin(1e200*a/7)"]
         for text in [sleigh, speed, *(f"{one}forces: {{f: {{generalized: {{a: '{force}'}}}}}}\n" for force in forces)]:
             self.assertEqual(self.status_of(text), "not_finite", text)
         parameter = one + "parameters: {c: pi/2, k: 1/cos(c)}\nforces: {f: {generalized: {a: k}}}\n"

@@ -94,7 +94,7 @@ TEST_CASE("IFToMM A01: a pendulum in Cartesian coordinates keeps to its elliptic
   const auto file = reference::read("iftomm_a01_pendulum");
   const auto prepared = prepare(bar::Parameters<double>{});
   const bar::Inputs<double> inputs;
-  bar::State<double> start;
+  bar::State<double> start{};
   start.x() = number(file["initial"]["x"]);
   start.y() = number(file["initial"]["y"]);
   reference::Json samples = file["expected"]["samples"];

@@ -33,6 +33,7 @@ struct Prepared {
   S wall = 1e300;        // the model fails beyond it
   S hole = 1e300;        // rates beyond it are NaN, with status ok: a model that lies
   S projected = -1e300;  // projection moves lower states up to here; NaN: it fails
+  S ledge = 1e300;       // projection moves higher states up by 1
 };
 
 template <class S>
@@ -45,7 +46,7 @@ Status rhs(const S&, const State<S>& state, const Inputs<S>&, const Prepared<S>&
 template <class S>
 Status project(const S&, const State<S>& from, const Prepared<S>& p, State<S>& state) {
   if (std::isnan(p.projected)) return Status::dependent_constraints;
-  state.values[0] = std::max(from.values[0], p.projected);
+  state.values[0] = std::max(from.values[0], p.projected) + (from.values[0] > p.ledge ? 1 : 0);
   return Status::ok;
 }
 
@@ -155,10 +156,12 @@ TEST_CASE("a NaN is never accepted, whatever status comes with it") {
   CHECK(simulation.report().outcome != Outcome::running);
 }
 
-TEST_CASE("every accepted step is projected, and the observer sees both states") {
+TEST_CASE("the start and every accepted step are projected, and the observer sees both states") {
   Prepared prepared;
   prepared.projected = 5;
+  prepared.rate = -1e-12;
   gauss::simulate::Simulation simulation(model_with(prepared), State{{0.0}});
+  CHECK(simulation.state().values[0] == 5);
   std::vector<double> before, after;
   REQUIRE(simulation.advance_to(1, [&](double, const State& from, const State& to) {
     before.push_back(from.values[0]);
@@ -166,7 +169,23 @@ TEST_CASE("every accepted step is projected, and the observer sees both states")
   }));
   REQUIRE(static_cast<long>(after.size()) == simulation.report().steps);
   CHECK(before.front() < 5);
-  CHECK(*std::min_element(after.begin(), after.end()) >= 5);
+  CHECK(*std::min_element(after.begin(), after.end()) == 5);
+}
+
+TEST_CASE("a projection that jumps however short the step stops the simulation, unless it is allowed to") {
+  Prepared prepared;
+  prepared.ledge = 0.5;
+  gauss::simulate::Simulation simulation(model_with(prepared), State{{0.0}});
+  CHECK_FALSE(simulation.advance_to(1));
+  CHECK(simulation.report().outcome == Outcome::constraints_lost);
+  CHECK(simulation.time() == Approx(0.5));
+  CHECK(simulation.state().values[0] == Approx(0.5));
+
+  gauss::simulate::Settings<double> settings;
+  settings.most_projected = 1e300;
+  gauss::simulate::Simulation patient(model_with(prepared), State{{0.0}}, 0.0, settings);
+  CHECK(patient.advance_to(1));
+  CHECK(patient.state().values[0] > 2);
 }
 
 TEST_CASE("a projection that fails stops the simulation") {
