@@ -1,6 +1,7 @@
 """gauss-gen evaluate: numbers at one state."""
 
 import json
+import math
 import re
 import unittest
 from fractions import Fraction
@@ -129,6 +130,19 @@ forces: {push: {force: [F, 0, 0], on: %s}}
         found = self.document("-", stdin=self.TROLLEY % "hook")
         # About the mass centre, 2 below the hook, the push turns the block by 2 F, which the rail takes.
         self.assertEqual(float(found["reaction_forces"]["on_block.moment.y"]["value"]), -6)
+
+    def test_an_axis_may_point_backwards(self):
+        arm = """gauss: 1
+name: arm
+joints: {a: {type: revolute, child: arm, axis: %s, initial: 0.4, initial_rate: 1}}
+bodies: {arm: {mass: 2, inertia: [1, 2, 2.5], centre: [0.5, 0, 0]}}
+forces: {gravity: {uniform: [0, 0, -9.81]}}
+"""
+        found = {axis: self.document("-", stdin=arm % axis) for axis in ("y", "-y", "[0, -1, 0]")}
+        self.assertEqual(found["-y"], found["[0, -1, 0]"])
+        # With the y axis a positive angle lowers the arm; with the opposite one it raises it: m g l cos(a) / (J + m l^2).
+        for axis, sign in (("y", 1), ("-y", -1)):
+            self.close(Fraction(found[axis]["accelerations"]["a_ddot"]["value"]), sign * Fraction(2 * 9.81 * 0.5 * math.cos(0.4) / 2.5), 14)
 
     def test_multipliers_have_units(self):
         text = """gauss: 1
