@@ -21,6 +21,7 @@ BEYOND_A_SCHEMA = [
     r"(body|particle) '\w+' needs the key 'position'",  # unless a frame has its name
     r"'initial_angular_velocity' has no key ",  # its keys are names of the model
     r"the rate of '\w+' follows from the speeds",  # of which the keys are elsewhere
+    r"the coordinate '\w+' is declared in line",  # in another section
     r"'\w+' is there already",  # written out by 'count'
 ]
 
