@@ -6,7 +6,7 @@ import unittest
 
 from same_bytes import LARGE, MODELS
 
-SEEDS = range(30)
+SEEDS = range(20)
 
 
 class Serials(unittest.TestCase):
