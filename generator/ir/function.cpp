@@ -144,6 +144,7 @@ NodeId Graph::call(Function function, std::vector<NodeId> arguments) {
       return kind == Parity::odd ? scale(-1, mirrored) : mirrored;
     }
   }
+  // A condition stays a condition for those that choose by it, and they may do without what they do not choose.
   const bool is_number = !is_boolean(function) && function != Function::select && function != Function::piecewise;
   if (const auto undefined = first_undefined(arguments); undefined && is_number) return *undefined;
   Node node;

@@ -65,10 +65,11 @@ NodeId Graph::sum(const std::vector<NodeId>& nodes) {
 }
 
 NodeId Graph::linear(const Rational& constant, const std::vector<Term>& terms) {
-  std::vector<NodeId> nodes;
-  nodes.reserve(terms.size());
-  for (const Term& term : terms) nodes.push_back(term.node);
-  if (const auto undefined = first_undefined(nodes)) return *undefined;  // 1/0 - 1/0 is not 0
+  std::vector<NodeId> undefined;
+  for (const Term& term : terms) {
+    if (is_undefined(term.node)) undefined.push_back(term.node);
+  }
+  if (const auto first = first_undefined(undefined)) return *first;  // 1/0 - 1/0 is not 0
   TermCollector collector(*this);
   for (const Term& term : terms) collector.add(term.coefficient, term.node);
   Rational total = collector.constant() + constant;
