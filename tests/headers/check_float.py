@@ -20,7 +20,7 @@ def main():
     compiler, objdump, source = sys.argv[1:]
     with tempfile.TemporaryDirectory() as folder:
         built = os.path.join(folder, "float.o")
-        subprocess.run([compiler, "-std=c++17", "-O2", "-c", source, "-o", built], check=True)
+        subprocess.run([compiler, "-std=c++17", "-O1", "-c", source, "-o", built], check=True)
         listing = subprocess.run([objdump, "-d", "-r", "-C", built], check=True, capture_output=True, text=True).stdout
     calls = {name for name in CALL.findall(listing)}
     if not calls & {name + "f" for name in FUNCTIONS}:
