@@ -15,11 +15,12 @@ using gaussgen::evaluate::Evaluator;
 inline constexpr double k_eps = 2.220446049250313e-16;
 inline constexpr double k_largest_condition = 1e8;
 
-inline Eigen::VectorXd values(Evaluator<double>& evaluator, const std::vector<gaussgen::ir::NodeId>& nodes) {
+template <class T>
+Eigen::VectorXd values(Evaluator<T>& evaluator, const std::vector<gaussgen::ir::NodeId>& nodes) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(nodes.size()));
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto value = evaluator(nodes[i]);
-    result[static_cast<Eigen::Index>(i)] = value ? *value : std::nan("");
+    result[static_cast<Eigen::Index>(i)] = value ? static_cast<double>(*value) : std::nan("");
   }
   return result;
 }

@@ -31,6 +31,13 @@ struct State {
   std::vector<double> speeds;
 };
 
+/// How far a result moves per relative change of the time: with Omega t in it, its rounding counts Omega t times.
+inline constexpr double k_time_shift = 0x1p-26;
+inline State later(State state) {
+  state.time *= 1 + k_time_shift;
+  return state;
+}
+
 /// States away from the poles of Euler angles only by chance; speeds need not satisfy the constraints, since every form
 /// solves the same linear problem at any speeds.
 class RandomStates {
@@ -60,8 +67,13 @@ class RandomStates {
 
 /// A double in the number type of an evaluator.
 inline double as(const gaussgen::evaluate::Arithmetic<double>&, double value) { return value; }
+inline long double as(const gaussgen::evaluate::Arithmetic<long double>&, double value) { return value; }
 inline cln::cl_F as(const gaussgen::evaluate::Arithmetic<cln::cl_F>& arithmetic, double value) {
   return arithmetic.number(value);
+}
+inline gaussgen::evaluate::Scaled<double> as(
+    const gaussgen::evaluate::Arithmetic<gaussgen::evaluate::Scaled<double>>& arithmetic, double value) {
+  return arithmetic.input(value);
 }
 inline gaussgen::evaluate::Scaled<cln::cl_F> as(
     const gaussgen::evaluate::Arithmetic<gaussgen::evaluate::Scaled<cln::cl_F>>& arithmetic, double value) {

@@ -28,13 +28,17 @@ constexpr double k_largest_condition = 1e8;
 constexpr double k_eps = 2.220446049250313e-16;
 constexpr double k_nothing = 1e-20;
 
-/// 50 digits with absolute sums; every input is a double and taken as exact.
+/// 50 digits, alone and with absolute sums; every input is a double and taken as exact.
 class Reference {
  public:
   explicit Reference(Mechanics& mechanics)
-      : mechanics_(mechanics), exact_(k_digits), evaluator_(mechanics.graph, Arithmetic<Scaled<cl_F>>(exact_)) {}
+      : mechanics_(mechanics),
+        exact_(k_digits),
+        values_(mechanics.graph, exact_),
+        evaluator_(mechanics.graph, Arithmetic<Scaled<cl_F>>(exact_)) {}
 
   void bind(SymbolId symbol, double value) {
+    values_.bind(symbol, exact_.number(value));
     evaluator_.bind(symbol, evaluator_.arithmetic().input(exact_.number(value)));
   }
 
@@ -48,6 +52,7 @@ class Reference {
 
   /// Plain parameters as compiled; formulas follow from them.
   void bind_parameters(const std::vector<double>& plain) {
+    gaussgen::bind_parameters(mechanics_, values_);
     gaussgen::bind_parameters(mechanics_, evaluator_);
     std::size_t next = 0;
     const auto& parameters = mechanics_.model.parameters;
@@ -56,29 +61,24 @@ class Reference {
         bind(mechanics_.symbols.parameters[i], plain.at(next++));
         continue;
       }
-      const auto value = evaluator_(mechanics_.expressions(parameters[i].value).id());
-      evaluator_.bind(mechanics_.symbols.parameters[i], *value);
+      const NodeId formula = mechanics_.expressions(parameters[i].value).id();
+      values_.bind(mechanics_.symbols.parameters[i], *values_(formula));
+      evaluator_.bind(mechanics_.symbols.parameters[i], *evaluator_(formula));
     }
     REQUIRE(next == plain.size());
   }
 
-  Scaled<cl_F> operator()(NodeId node) {
-    const auto value = evaluator_(node);
-    REQUIRE(value);
-    return *value;
-  }
-
-  bool has_bound(NodeId node) { return evaluator_(node).has_value(); }
-
-  double value(NodeId node) { return gaussgen::evaluate::to_double((*this)(node).value); }
+  double value(NodeId node) { return gaussgen::evaluate::to_double(exact_value(node)); }
 
   double difference(NodeId node, double compiled) {
-    return gaussgen::evaluate::to_double(exact_.number(compiled) - (*this)(node).value);
+    return gaussgen::evaluate::to_double(exact_.number(compiled) - exact_value(node));
   }
 
   /// |compiled - exact| / (eps S)
   double error(NodeId node, double compiled) {
-    const Scaled<cl_F> reference = (*this)(node);
+    const auto bounded = evaluator_(node);
+    REQUIRE(bounded);
+    const Scaled<cl_F>& reference = *bounded;
     // A row that nothing enters but its own zero, as that of a height beside forces of order 1, is left with 1e-30 of theirs.
     if (std::fabs(gaussgen::evaluate::to_double(reference.scale)) < k_nothing && std::fabs(compiled) < k_nothing)
       return 0;
@@ -87,8 +87,15 @@ class Reference {
   }
 
  private:
+  cl_F exact_value(NodeId node) {
+    const auto value = values_(node);
+    REQUIRE(value);
+    return *value;
+  }
+
   Mechanics& mechanics_;
   Arithmetic<cl_F> exact_;
+  Evaluator<cl_F> values_;
   Evaluator<Scaled<cl_F>> evaluator_;
 };
 
@@ -232,9 +239,6 @@ double largest(const std::vector<double>& values) {
   return result;
 }
 
-/// A law in time loses the digits of its argument: Omega t is 2000 here, and its rounding is part of the sine.
-double room_for_time(const std::string& file) { return file == "pendulum_moving_pivot" ? 1000 : 1; }
-
 /// One compiled model beside the same model in 50 digits.
 class Measurement {
  public:
@@ -273,7 +277,7 @@ class Measurement {
       bind_forces(system_, forces, reference_);
     }
     for (const Expr& row : system_.rows) take(worst_.backward, reference_.error(row.id(), 0));
-    measure_solved(forces);
+    measure_solved(state, forces);
   }
 
   void bind_accelerations(const std::vector<double>& a) {
@@ -291,24 +295,34 @@ class Measurement {
 
   // Wrenches and Z contain G^-1. Lengths are of order 1, so the largest of forces and moments is a size for both; that of Z
   // is its value where nothing accelerates, from which it comes down.
-  void measure_solved(const std::vector<double>& forces) {
+  void measure_solved(const agreement::State& state, const std::vector<double>& forces) {
     const double condition = condition_of_metric(mechanics_, reference_);
     if (!(condition <= k_largest_condition)) {
       ++worst_.ill_conditioned;
       return;
     }
-    const double bar = 100 * condition * k_eps * room_for_time(compiled_.file);
+    const std::vector<double> off = solved_errors();
+    reference_.bind(agreement::later(state));
+    const std::vector<double> off_later = solved_errors();
+    reference_.bind(state);
+    bind_accelerations(std::vector<double>(mechanics_.dynamics.n(), 0.0));
+    for (std::size_t i = 0; i < off.size(); ++i) {
+      const bool is_Z = !Z_.empty() && i + 1 == off.size();
+      const double size = is_Z ? compiled_.compulsion().at(0) + reference_.value(Z_[0]) : largest(forces);
+      const double per_time = std::fabs(off_later[i] - off[i]) / agreement::k_time_shift;
+      take(worst_.solved, std::fabs(off[i]) / (100 * k_eps * (condition * size + per_time)));
+    }
+  }
+
+  /// How far compiled wrenches are off, and Z at the end.
+  std::vector<double> solved_errors() {
+    std::vector<double> off;
     // Without constraints nothing but the forces along coordinates would be in them, and no such output is emitted.
     if (compiled_.reactions) {
-      for (const Expr& row : system_.wrenches)
-        take(worst_.solved, std::fabs(reference_.value(row.id())) / (bar * largest(forces)));
+      for (const Expr& row : system_.wrenches) off.push_back(reference_.value(row.id()));
     }
-    // The bounds of eliminations within eliminations grow beyond all numbers: of the arm, Z itself has a value but no bound.
-    if (Z_.empty() || !reference_.has_bound(Z_[0])) return;
-    const double compiled = compiled_.compulsion().at(0);
-    const double off = std::fabs(reference_.difference(Z_[0], compiled));
-    bind_accelerations(std::vector<double>(mechanics_.dynamics.n(), 0.0));
-    take(worst_.solved, off / (bar * (compiled + reference_.value(Z_[0]))));
+    if (!Z_.empty()) off.push_back(reference_.difference(Z_[0], compiled_.compulsion().at(0)));
+    return off;
   }
 
   const CompiledModel& compiled_;

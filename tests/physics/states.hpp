@@ -19,6 +19,13 @@ typename Model::template State<double> state_of(const reference::Json& named) {
   return state;
 }
 
+/// x_ddot of x_dot, p_dot of p
+inline std::string acceleration_of(const std::string& speed) {
+  const std::string rate = "_dot";
+  if (speed.size() <= rate.size() || speed.substr(speed.size() - rate.size()) != rate) return speed + rate;
+  return speed.substr(0, speed.size() - rate.size()) + "_ddot";
+}
+
 /// Accelerations at a state, to `tolerance` of the largest; those that the file does not name are not compared.
 template <class Model, class Inputs, class Prepared>
 void check_accelerations(const reference::Json& sample, const Inputs& inputs, const Prepared& prepared,
@@ -29,8 +36,8 @@ void check_accelerations(const reference::Json& sample, const Inputs& inputs, co
   double size = 1;
   for (const auto& value : sample["accelerations"]) size = std::max(size, std::abs(reference::number(value)));
   std::size_t compared = 0;
-  for (int i = 0; i < Model::n_q; ++i) {
-    const std::string name = std::string(Model::coordinates[i].name) + "_ddot";
+  for (int i = 0; i < Model::n_v; ++i) {
+    const std::string name = acceleration_of(Model::speeds[i].name);
     if (!sample["accelerations"].contains(name)) continue;
     INFO(name);
     CHECK(found.values[Model::n_q + i] ==
@@ -71,6 +78,31 @@ void check_joint(const reference::Json& forces, const std::string& name, const W
   INFO(name);
   check_vector(forces.at(name), found.force, margin);
   if (forces.contains(name + ".moment")) check_vector(forces.at(name + ".moment"), found.moment, margin);
+}
+
+/// At a state accelerations and forces are good to rounding; along a motion they carry what the integration leaves.
+inline constexpr double k_state = 1e-12;
+inline constexpr double k_motion = 1e-10;
+
+/// `check_forces(sample, state, inputs, prepared, margin)` at the states of a file and along its motion.
+template <class Model, class Prepared, class Inputs, class CheckForces>
+void check_motion(const reference::Json& file, const Prepared& prepared, const Inputs& inputs,
+                  const typename Model::template State<double>& start, CheckForces&& check_forces) {
+  follow<Model>(file["expected"]["motion"], prepared, inputs, start,
+                         [&](const auto& sample, double, const auto& state) {
+                           check_state<Model>(sample["state"], state, k_motion);
+                           check_forces(sample, state, inputs, k_motion * size_of_forces(sample["forces"]));
+                         });
+}
+
+template <class Model, class Prepared, class InputsOf, class CheckForces>
+void check_states(const reference::Json& file, const Prepared& prepared, InputsOf&& inputs_of, CheckForces&& check_forces) {
+  REQUIRE(file["expected"]["states"].size() >= 4);
+  for (const auto& sample : file["expected"]["states"]) {
+    const auto inputs = inputs_of(sample);
+    check_accelerations<Model>(sample, inputs, prepared, k_state);
+    check_forces(sample, state_of<Model>(sample["state"]), inputs, k_state * size_of_forces(sample["forces"]));
+  }
 }
 
 }  // namespace physics

@@ -10,6 +10,8 @@
 #include "two_loops.hpp"
 
 using physics::check_joint;
+using physics::check_motion;
+using physics::check_states;
 using physics::check_vector;
 using physics::size_of_forces;
 using reference::Json;
@@ -30,35 +32,6 @@ GAUSS_MODEL(Cart, cart);
 GAUSS_MODEL(Bars, bars);
 GAUSS_MODEL(TwoLoops, gauss::two_loops);
 GAUSS_MODEL(FortyLoops, gauss::iftomm_a02_parallel);
-
-namespace {
-
-/// At a state accelerations and forces are good to rounding; along a motion they carry what the integration leaves.
-constexpr double k_state = 1e-12;
-constexpr double k_motion = 1e-10;
-
-/// `check_forces(sample, state, inputs, prepared, margin)` at the states of a file and along its motion.
-template <class Model, class Prepared, class Inputs, class CheckForces>
-void check_motion(const Json& file, const Prepared& prepared, const Inputs& inputs,
-                  const typename Model::template State<double>& start, CheckForces&& check_forces) {
-  physics::follow<Model>(file["expected"]["motion"], prepared, inputs, start,
-                         [&](const auto& sample, double, const auto& state) {
-                           physics::check_state<Model>(sample["state"], state, k_motion);
-                           check_forces(sample, state, inputs, k_motion * size_of_forces(sample["forces"]));
-                         });
-}
-
-template <class Model, class Prepared, class InputsOf, class CheckForces>
-void check_states(const Json& file, const Prepared& prepared, InputsOf&& inputs_of, CheckForces&& check_forces) {
-  REQUIRE(file["expected"]["states"].size() >= 4);
-  for (const auto& sample : file["expected"]["states"]) {
-    const auto inputs = inputs_of(sample);
-    physics::check_accelerations<Model>(sample, inputs, prepared, k_state);
-    check_forces(sample, physics::state_of<Model>(sample["state"]), inputs, k_state * size_of_forces(sample["forces"]));
-  }
-}
-
-}  // namespace
 
 TEST_CASE("a slider-crank moves as Newton and Euler say, with the forces in its pins and the guide's normal force") {
   const auto file = reference::read("slider_crank");

@@ -26,35 +26,42 @@ def text(value):
     return np.format_float_scientific(real(value), precision=18, unique=False)
 
 
-def named(names, values, suffix=""):
-    return {name + suffix: value for name, value in zip(names, values)}
+def named(names, values):
+    return dict(zip(names, values))
 
 
-def state_entry(names, state):
+def rates_of(names):
+    return [name + "_dot" for name in names]
+
+
+def state_entry(names, speeds, state):
     n = len(names)
-    return {**named(names, state[:n]), **named(names, state[n:], "_dot")}
+    return {**named(names, state[:n]), **named(speeds, state[n:])}
 
 
-def follow(names, accelerations, start, times, step):
-    """Samples of the motion, and by how much they change with half the step. accelerations(t, q, u) -> (u', forces)."""
-    n = len(names)
+def follow(names, accelerations, start, times, step, speeds=None, rates=lambda q, u: u):
+    """Samples of the motion, and by how much they change with half the step. accelerations(t, q, u) -> (u', forces); u are the
+    rates of q unless `speeds` names them and rates(q, u) gives q'."""
+    n, speeds = len(names), speeds or rates_of(names)
 
     def rate(t, y):
-        return np.concatenate([y[n:], accelerations(t, y[:n], y[n:])[0]])
+        return np.concatenate([rates(y[:n], y[n:]), accelerations(t, y[:n], y[n:])[0]])
 
     fine = integrate(rate, start, times, step / 2)
     coarse = integrate(rate, start, times, step)
     off = max(float(np.max(np.abs(a - b))) for a, b in zip(fine, coarse))
     samples = []
     for t, y in zip(times, fine):
-        samples.append({"t": t, "state": state_entry(names, y), "forces": accelerations(real(t), y[:n], y[n:])[1]})
+        samples.append({"t": t, "state": state_entry(names, speeds, y), "forces": accelerations(real(t), y[:n], y[n:])[1]})
     return samples, off
 
 
-def at_state(names, accelerations, state, t=0):
-    n = len(names)
+def at_state(names, accelerations, state, t=0, speeds=None):
+    """An acceleration is named after its speed: x_ddot after x_dot, p_dot after p."""
+    n, speeds = len(names), speeds or rates_of(names)
     found, forces = accelerations(real(t), state[:n], state[n:])
-    return {"t": t, "state": state_entry(names, state), "accelerations": named(names, found, "_ddot"), "forces": forces}
+    changes = [speed[:-4] + "_ddot" if speed.endswith("_dot") else speed + "_dot" for speed in speeds]
+    return {"t": t, "state": state_entry(names, speeds, state), "accelerations": named(changes, found), "forces": forces}
 
 
 def write(name, title, conventions, params, states, motion, off, tolerance, published=None):
