@@ -111,12 +111,27 @@ void report_obstacle(const Obstacle& obstacle, support::Diagnostics& diagnostics
                         "take the emitted route: gauss-gen without 'derivation' and without --route=paper");
 }
 
+/// With the rates that speeds of the model's own replace: the paper's route is written in rates.
+lower::SymbolMap symbols_with_rates(const Mechanics& mechanics) {
+  lower::SymbolMap symbols = lower::symbols_of(mechanics.graph);
+  kinematics::ConfigurationIndex next{0};
+  for (const model::Coordinate& coordinate : mechanics.model.coordinates) {
+    if (coordinate.held_at) continue;
+    if (coordinate.speed) {
+      const ir::Expr rate = mechanics.kinematics.configuration_rates[next];
+      symbols.values.emplace(coordinate.name.text + "_dot", rate.id());
+    }
+    ++next.value;
+  }
+  return symbols;
+}
+
 }  // namespace
 
 lower::PaperRoute paper_route(Mechanics& mechanics) {
   GenericPoint at_generic_point(mechanics);
   const auto vanishes = [&](ir::Expr expression) { return cln::zerop(at_generic_point({{expression}})(0, 0)); };
-  return lower::build_paper_route(mechanics.model, mechanics.graph, lower::symbols_of(mechanics.graph), vanishes);
+  return lower::build_paper_route(mechanics.model, mechanics.graph, symbols_with_rates(mechanics), vanishes);
 }
 
 std::string derivation_text(const model::Model& model, bool latex, support::Diagnostics& diagnostics) {

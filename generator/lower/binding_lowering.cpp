@@ -98,6 +98,7 @@ NodeId PaperLowering::resolve(const GiNaC::symbol& symbol) {
 }
 
 NodeId PaperLowering::chart_symbol(const std::string& name) {
+  if (const auto known = symbols_.values.find(name); known != symbols_.values.end()) return known->second;
   if (const auto known = symbols_.ids.find(name); known != symbols_.ids.end()) return graph_.use(known->second);
   const auto formula = paper_.chart().formulas().find(name);
   GAUSS_ASSERT(formula != paper_.chart().formulas().end(), "no symbol for {}", name);

@@ -222,6 +222,29 @@ void add_user_items(const model::Model& model, const PaperSystem& paper, Formula
   derivation.sections.push_back(std::move(section));
 }
 
+void add_speeds(const model::Model& model, const PaperSystem& paper, FormulaWriter& write, Derivation& derivation) {
+  if (model.speeds.empty()) return;
+  Section section{"Speeds",
+                  "",
+                  "The model has these in the place of rates. Z does not depend on that choice; the derivation keeps to "
+                  "the rates, from which the speeds follow.",
+                  {},
+                  {},
+                  {}};
+  for (const model::Speed& speed : model.speeds) {
+    section.items.push_back(
+        {latex_indices({speed.name.text}), speed.name.text, with_unit(speed.about.empty() ? "speed" : speed.about, speed.unit)});
+  }
+  for (const FreeIndex a : paper.chart().free()) {
+    const std::optional<symbolic::ChartSpeed>& speed = paper.chart().speed_instead(a);
+    if (!speed) continue;
+    Formula formula = write({latex_indices({speed->name}), {}, {}}, paper.chart().at_attitude(speed->is));
+    formula.plain.replace(0, formula.plain.find(" = "), speed->name);
+    section.formulas.push_back(std::move(formula));
+  }
+  derivation.sections.push_back(std::move(section));
+}
+
 }  // namespace
 
 Derivation derive(const model::Model& model) {
@@ -238,6 +261,7 @@ Derivation derive(const model::Model& model) {
   derivation.about = model.about;
   add_constants(model, *paper, write, derivation);
   add_user_items(model, *paper, write, derivation);
+  add_speeds(model, *paper, write, derivation);
   SystemSections system(*paper, write);
   derivation.sections.push_back(system.metric_of_free());
   if (paper->chart().held_count() > 0) {

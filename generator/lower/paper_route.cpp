@@ -20,7 +20,6 @@ std::vector<ir::NodeId> lowered(const symbolic::Row<Index>& row, PaperLowering& 
 }  // namespace
 
 std::string paper_route_obstacle(const model::Model& model) {
-  if (!model.speeds.empty()) return "it is written in the rates of coordinates, and this model has 'speeds'";
   const std::size_t full_count = model.coordinates.size() + 3 * model.orientations.size();
   if (full_count <= gauss::k_largest_full_count) return "";
   return fmt::format("the paper's route takes up to {} coordinates; this model has {}", gauss::k_largest_full_count,
@@ -42,8 +41,9 @@ PaperRoute build_paper_route(const model::Model& model, ir::Graph& graph, const 
   style.vanishes = vanishes;
   PaperLowering lower(*paper, graph, symbols, style);
   for (const symbolic::FreeIndex a : chart.free()) {
-    route.speeds.push_back(chart[a].label);
-    route.accelerations.push_back(lower(chart[a].acceleration));
+    const std::optional<symbolic::ChartSpeed>& speed = chart.speed_instead(a);
+    route.speeds.push_back(speed ? speed->name : chart[a].label);
+    route.accelerations.push_back(lower(speed ? chart.at_attitude(chart.rate_of(speed->is)) : chart[a].acceleration));
   }
   for (const symbolic::HeldIndex i : chart.held()) route.held.push_back(chart[i].label);
   for (const symbolic::FreeIndex a : paper->partition.dependent) route.dependent.push_back(chart[a].label);

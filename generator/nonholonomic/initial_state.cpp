@@ -7,6 +7,7 @@ namespace gaussgen::nonholonomic {
 
 using gauss::Chart;
 using gauss::ex;
+using symbolic::FreeIndex;
 
 namespace {
 
@@ -22,6 +23,7 @@ class InitialState {
     for (const model::Input& input : model_.inputs) set(input.name.text, input.value);
     for (const model::Coordinate& coordinate : model_.coordinates) add(coordinate);
     for (const model::Orientation& orientation : model_.orientations) add(orientation);
+    take_rates_from_speeds();
     return state_;
   }
 
@@ -41,6 +43,31 @@ class InitialState {
     for (std::size_t i = 0; i < 4; ++i) set(orientation.quaternion[i].text, orientation.initial[i]);
     for (std::size_t i = 0; i < 3; ++i) {
       set_rate(orientation.angular_velocity[i].text, orientation.initial_angular_velocity[i]);
+    }
+  }
+
+  /// u = M q̇ + r, solved for q̇: what `add` took for rates are the speeds of the model's own.
+  void take_rates_from_speeds() {
+    std::vector<FreeIndex> replaced;
+    for (const FreeIndex a : chart_.free()) {
+      if (chart_.speed_instead(a)) replaced.push_back(a);
+    }
+    if (replaced.empty()) return;
+    const auto n = static_cast<unsigned>(replaced.size());
+    GiNaC::matrix M(n, n), rates(n, 1), rest(n, 1);
+    GiNaC::exmap at_zero = state_;
+    for (const FreeIndex a : replaced) at_zero[chart_[a].rate] = 0;
+    for (unsigned i = 0; i < n; ++i) {
+      const ex& is = chart_.speed_instead(replaced[i])->is;
+      for (unsigned j = 0; j < n; ++j) M(i, j) = evaluate(chart_.at_attitude(is.diff(chart_[replaced[j]].rate)), state_);
+      rest(i, 0) = state_[chart_[replaced[i]].rate] - evaluate(chart_.at_attitude(is), at_zero);
+      rates(i, 0) = GiNaC::symbol();
+    }
+    try {
+      const GiNaC::matrix solved = M.solve(rates, rest);
+      for (unsigned i = 0; i < n; ++i) state_[chart_[replaced[i]].rate] = solved(i, 0);
+    } catch (const std::runtime_error&) {
+      // The speeds do not determine the rates at the start: any rates serve, since they only choose a partition.
     }
   }
 

@@ -25,6 +25,7 @@ Chart::Chart(const Model& model) : time_(declare("t")), frames_(model, *this) {
     const std::string& name = held.name.text;
     all_.push_back({name, symbols_.at(name), declare(name + "_dot"), declare(name + "_ddot"), (*this)(*held.held_at)});
   }
+  declare_speeds(model);
   for (const ChartCoordinate& coordinate : all_) rest_[coordinate.rate] = 0;
 }
 
@@ -75,6 +76,18 @@ void Chart::declare_orientation(const model::Orientation& orientation) {
   const Attitude& attitude = orientations_.back();
   for (std::size_t i = 0; i < 4; ++i) scope_.values[orientation.quaternion[i].text] = attitude.e[i];
   for (std::size_t i = 0; i < 3; ++i) scope_.values[orientation.angular_velocity[i].text] = attitude.omega[i];
+}
+
+void Chart::declare_speeds(const Model& model) {
+  for (const model::Speed& speed : model.speeds) scope_.values[speed.name.text] = (*this)(speed.is);
+  for (const model::Coordinate& coordinate : model.coordinates) {
+    if (coordinate.held_at) continue;
+    speeds_.push_back(std::nullopt);
+    if (!coordinate.speed) continue;
+    const std::string& name = model.speeds[*coordinate.speed].name.text;
+    speeds_[FreeIndex{speeds_.size() - 1}] = ChartSpeed{name, scope_.values.at(name)};
+  }
+  while (speeds_.size() < free_count()) speeds_.push_back(std::nullopt);
 }
 
 FullIndex Chart::find(const std::string& label) const {

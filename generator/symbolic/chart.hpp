@@ -28,6 +28,12 @@ struct ChartCoordinate {
   std::optional<ex> held_at;       ///< c^i(t)
 };
 
+/// A speed that the model puts in the place of a rate: u(q, q̇, t). The chart itself keeps to the rates.
+struct ChartSpeed {
+  std::string name;
+  ex is;
+};
+
 /// Order of the speeds: free coordinates as declared, then the angular velocities as declared.
 class Chart {
  public:
@@ -50,6 +56,9 @@ class Chart {
 
   /// The index with this label.
   FullIndex find(const std::string& label) const;
+
+  /// What the model has instead of the rate; empty where it has the rate itself.
+  const std::optional<ChartSpeed>& speed_instead(FreeIndex i) const { return speeds_[i]; }
 
   /// A user's expression over the chart: quaternion components and angular velocities depend on θ.
   ex operator()(const model::Ast& ast) const { return translate(ast, scope_); }
@@ -87,10 +96,12 @@ class Chart {
   void declare_constants(const model::Model& model);
   void declare_coordinates(const model::Model& model);
   void declare_orientation(const model::Orientation& orientation);
+  void declare_speeds(const model::Model& model);
 
   std::map<std::string, GiNaC::realsymbol> symbols_;  // first: the others are declared in it
   support::Indexed<FreeIndex, std::string> free_;
   support::Indexed<FullIndex, ChartCoordinate> all_;
+  support::Indexed<FreeIndex, std::optional<ChartSpeed>> speeds_;
   GiNaC::realsymbol time_;
   std::vector<Attitude> orientations_;
   GiNaC::exmap attitude_origin_;

@@ -13,8 +13,6 @@ MODELS = sorted((Path(os.environ["GAUSS_SOURCE_DIR"]) / "models").rglob("*.yaml"
 
 # The paper's route takes seconds of these, and would take minutes of fifty processes.
 LARGE = {"bicycle", "cart_with_wheels", "iftomm_a02", "robot_arm"}
-# In speeds of their own, which it does not take.
-IN_SPEEDS = {"chaplygin_sleigh_speeds"}
 BY_PAPER = {"paper", "folded paper", "markdown", "latex", "stages"}
 
 COMMANDS = {
@@ -40,7 +38,7 @@ def cases(commands=tuple(COMMANDS), without=frozenset()):
     """Name and arguments of everything that must not change."""
     for model in MODELS:
         for command in commands:
-            if model.stem in without or (command in BY_PAPER and model.stem in LARGE | IN_SPEEDS):
+            if model.stem in without or (command in BY_PAPER and model.stem in LARGE):
                 continue
             form = COMMANDS[command]
             yield f"{model.stem}, {command}", [part.format(model=model) for part in form]
