@@ -6,8 +6,8 @@ namespace {
 
 class ForceCollector {
  public:
-  ForceCollector(const std::vector<BodyMotion>& bodies, const Chart& chart)
-      : bodies_(bodies), chart_(chart), Q_(chart.full_count(), ex(0)) {}
+  ForceCollector(const model::Model& model, const std::vector<BodyMotion>& bodies, const Chart& chart)
+      : model_(model), bodies_(bodies), chart_(chart), Q_(chart.full_count(), ex(0)) {}
 
   void operator()(const model::UniformField& field) {
     const Vector3 f = chart_(field.field);
@@ -29,19 +29,13 @@ class ForceCollector {
   void operator()(const model::PointForce& law) {
     const Vector3 force = in_space(law.axes, law.components);
     const Vector3 r = chart_.frames().point(law.frame, law.at);
-    work_along(r, law.frame, force, 1);
-    if (law.from == model::k_space) return;
-    // The opposite acts on the point of the other frame that is there now: it moves along by ∂v/∂ẏ = ∂r_0/∂y + ∂(A s)/∂y.
-    const symbolic::Placement& other = chart_.frames()(law.from);
-    const Vector3 inside = symbolic::multiply(symbolic::transposed(other.axes), symbolic::operator-(r, other.origin));
-    for (const FullIndex A : chart_.all()) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Vector3& row = other.axes[i];
-        ex shift = other.origin[i].diff(chart_[A].y);
-        for (std::size_t j = 0; j < 3; ++j) shift += row[j].diff(chart_[A].y) * inside[j];
-        Q_[A] -= force[i] * shift;
-      }
+    const std::size_t pushed = model::pushed_by_force_on(model_, law.frame);
+    if (pushed == law.frame) {
+      work_along(r, law.frame, force, 1);
+    } else {
+      work_on_material(r, pushed, force, 1);
     }
+    work_on_material(r, model::pushed_by_force_on(model_, law.from), force, -1);
   }
 
   void operator()(const model::Torque& law) {
@@ -58,12 +52,14 @@ class ForceCollector {
     const ex k = chart_(law.stiffness);
     const ex c = law.damping ? chart_(*law.damping) : ex(0);
     const ex distance = GiNaC::pow(symbolic::dot(gap, gap), GiNaC::numeric(1, 2));
-    const ex stretch = law.length ? ex(distance - chart_(*law.length)) : distance;
+    const ex length = law.length ? chart_(*law.length) : ex(0);
+    const ex stretch = distance - length;
     const ex V = k * GiNaC::pow(stretch, 2) / 2;
     for (const FullIndex A : chart_.all()) {
       Q_[A] -= V.diff(chart_[A].y);
       const Vector3 along = symbolic::each(gap, [&](const ex& f) { return f.diff(chart_[A].y); });
-      Q_[A] -= c * (law.length ? ex(symbolic::dot(gap, opening) * symbolic::dot(gap, along) / symbolic::dot(gap, gap))
+      const ex stretching = symbolic::dot(gap, opening) - distance * chart_.rate_of(length);
+      Q_[A] -= c * (law.length ? ex(stretching * symbolic::dot(gap, along) / symbolic::dot(gap, gap))
                                : symbolic::dot(opening, along));
     }
   }
@@ -71,7 +67,7 @@ class ForceCollector {
   void operator()(const model::CoordinateSpring& law) {
     const FullIndex A = chart_.find(law.coordinate.text);
     const ex stretch = law.rest ? ex(chart_[A].y - chart_(*law.rest)) : ex(chart_[A].y);
-    Q_[A] -= chart_(law.stiffness) * stretch + (law.damping ? chart_(*law.damping) : ex(0)) * chart_[A].rate;
+    Q_[A] -= chart_(law.stiffness) * stretch + (law.damping ? chart_(*law.damping) : ex(0)) * chart_.rate_of(stretch);
   }
 
   const Row<FullIndex>& sum() const { return Q_; }
@@ -93,6 +89,21 @@ class ForceCollector {
     }
   }
 
+  /// On what is at r of the frame now: it moves along by ∂v/∂ẏ = ∂r_0/∂y + ∂(A s)/∂y with a constant s.
+  void work_on_material(const Vector3& r, std::size_t frame, const Vector3& force, int sense) {
+    if (frame == model::k_space) return;
+    const symbolic::Placement& placed = chart_.frames()(frame);
+    const Vector3 inside = symbolic::multiply(symbolic::transposed(placed.axes), symbolic::operator-(r, placed.origin));
+    for (const FullIndex A : chart_.all()) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vector3& row = placed.axes[i];
+        ex shift = placed.origin[i].diff(chart_[A].y);
+        for (std::size_t j = 0; j < 3; ++j) shift += row[j].diff(chart_[A].y) * inside[j];
+        Q_[A] += sense * force[i] * shift;
+      }
+    }
+  }
+
   void turn(std::size_t frame, const Vector3& moment, int sense) {
     if (frame == model::k_space) return;
     const symbolic::Placement& placement = chart_.frames()(frame);
@@ -102,6 +113,7 @@ class ForceCollector {
     }
   }
 
+  const model::Model& model_;
   const std::vector<BodyMotion>& bodies_;
   const Chart& chart_;
   Row<FullIndex> Q_;
@@ -111,7 +123,7 @@ class ForceCollector {
 
 Row<FullIndex> active_force(const model::Model& model, const std::vector<BodyMotion>& bodies, const Chart& chart,
                             symbolic::Bindings& bindings) {
-  ForceCollector collector(bodies, chart);
+  ForceCollector collector(model, bodies, chart);
   for (const model::Force& force : model.forces) std::visit(collector, force.law);
   Row<FullIndex> Q;
   for (const FullIndex A : chart.all()) {

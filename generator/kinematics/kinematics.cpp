@@ -221,8 +221,8 @@ class Builder {
   void apply(const model::PointForce& law, Kinematics& result) {
     const Vector3 point = expressions_.frames().point(law.frame, expressions_(law.at));
     const Vector3 force = resolved(law.axes, law.components);
-    push(law.frame, point, force, ir::zero3(graph_), result);
-    push(law.from, point, -force, ir::zero3(graph_), result);
+    push(pushed(law.frame), point, force, ir::zero3(graph_), result);
+    push(pushed(law.from), point, -force, ir::zero3(graph_), result);
   }
 
   void apply(const model::Torque& law, Kinematics& result) {
@@ -232,7 +232,12 @@ class Builder {
     }
   }
 
-  // k (d - L) + c dd/dt along the line, or k d + c v for a spring without length.
+  /// Of a point that is fixed, the motion is that of its frame, too.
+  std::size_t pushed(std::size_t frame) const {
+    return frame == model::k_space || is_fixed(model_.frames[frame]) ? frame : model::pushed_by_force_on(model_, frame);
+  }
+
+  // k s + c ds/dt along the line, where s = d - L is the stretch, or k d + c v for a spring without length.
   void apply(const model::Spring& law, Kinematics& result) {
     Frames& frames = expressions_.frames();
     const Vector3 gap = frames.origin(law.second) - frames.origin(law.first);
@@ -243,8 +248,10 @@ class Builder {
     Expr stretch_squared = dot(gap, gap);
     if (law.length) {
       const Expr distance = ir::pow(stretch_squared, support::Rational(1) / 2);
-      const Expr stretch = distance - expressions_(*law.length);
-      pull = ((k * stretch + c * dot(gap, opening) * ir::pow(distance, -1)) * ir::pow(distance, -1)) * gap;
+      const Expr length = expressions_(*law.length);
+      const Expr stretch = distance - length;
+      const Expr stretching = dot(gap, opening) * ir::pow(distance, -1) - expressions_.rate(length);
+      pull = ((k * stretch + c * stretching) * ir::pow(distance, -1)) * gap;
       stretch_squared = ir::pow(stretch, 2);
     }
     result.potential += support::Rational(1) / 2 * k * stretch_squared;
@@ -258,7 +265,7 @@ class Builder {
     const Expr stretch = law.rest ? y - expressions_(*law.rest) : y;
     const Expr c = law.damping ? expressions_(*law.damping) : number(0);
     result.potential += support::Rational(1) / 2 * k * ir::pow(stretch, 2);
-    act_along(expressions_.rate(y), -(k * stretch + c * expressions_.rate(y)), result);
+    act_along(expressions_.rate(y), -(k * stretch + c * expressions_.rate(stretch)), result);
   }
 
   Vector3 resolved(std::size_t axes, const std::array<model::Ast, 3>& components) {

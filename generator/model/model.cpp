@@ -19,6 +19,15 @@ std::size_t Model::coordinate_of_speed(std::size_t speed) const {
   return static_cast<std::size_t>(owner - coordinates.begin());
 }
 
+std::size_t pushed_by_force_on(const Model& model, std::size_t frame) {
+  const auto carries_body = [&](std::size_t at) {
+    return std::any_of(model.bodies.begin(), model.bodies.end(), [&](const Body& body) { return body.frame == at; });
+  };
+  while (frame != k_space && model.frames[frame].is_point && model.frames[frame].parent != k_space && !carries_body(frame))
+    frame = model.frames[frame].parent;
+  return frame;
+}
+
 bool has_units(const Model& model) {
   const auto states_unit = [](const auto& entry) { return !entry.unit.empty(); };
   const auto any = [&](const auto& list) { return std::any_of(list.begin(), list.end(), states_unit); };

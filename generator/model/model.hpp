@@ -137,6 +137,7 @@ struct Frame {
   std::array<Ast, 3>
       position;       ///< of the origin, in the axes of the parent; over coordinates, quaternions, parameters, t
   Attitude attitude;  ///< against the parent; std::monostate: its axes
+  bool is_point = false;  ///< a place on the parent, which says nothing of how anything moves there
 };
 
 enum class JointType { revolute, prismatic, cylindrical, universal, spherical, planar, free, fixed };
@@ -299,6 +300,10 @@ struct Model {
   /// Index of the coordinate whose rate this speed replaces; asserts that it exists.
   std::size_t coordinate_of_speed(std::size_t speed) const;
 };
+
+/// What a force on a frame acts on: for a point, the frame that it is on, since the contact of a wheel wanders over it and its material
+/// does not. A point in space, or one that carries a body, is its own.
+std::size_t pushed_by_force_on(const Model& model, std::size_t frame);
 
 /// Whether any unit is stated; if not, no dimension was checked.
 bool has_units(const Model& model);

@@ -41,6 +41,7 @@ void read_frame(const Entry& entry, Reading& reading) {
 void read_point(const Entry& entry, Reading& reading) {
   const std::string where = fmt::format("point '{}'", entry.key.text);
   Frame frame = begin_frame(entry);
+  frame.is_point = true;
   std::optional<Name> parent;
   if (expect_map(entry.value, entry.key.span, where, reading)) {
     check_keys(entry.value, where, format::keys_of(format::point()), reading);

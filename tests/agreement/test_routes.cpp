@@ -328,10 +328,12 @@ TEST_CASE("emitted route, multiplier form and paper's route agree to 100 kappa e
   }
 }
 
-TEST_CASE("the three agree on speeds of the model's own, over rates of held coordinates, beside a nonlinear constraint") {
-  const Tally tally = Comparison("../tests/agreement/models/speeds_over_held").run();
-  CHECK(tally.compared == k_states);
-  CHECK(tally.partitions >= 5);
-  CHECK(tally.worst_multiplier_form <= 1);
-  CHECK(tally.worst_paper <= 1);
+TEST_CASE("the three agree on speeds of the model's own over rates of held coordinates, on points that wander, on springs that wind") {
+  for (const char* file : {"agreement/models/speeds_over_held", "physics/forces/sliding_wheel", "physics/forces/winch"}) {
+    INFO(file);
+    const Tally tally = Comparison(std::string("../tests/") + file).run();
+    CHECK(tally.compared == k_states);
+    CHECK(tally.worst_multiplier_form <= 1);
+    CHECK(tally.worst_paper <= 1);
+  }
 }

@@ -41,8 +41,8 @@ class Loads {
   void apply(const gaussgen::model::PointForce& law) {
     const Vector3d point = motion_.point(law.frame, motion_(law.at)).value;
     const Vector3d force = motion_.axes(law.axes).value * motion_(law.components).value;
-    add(law.frame, point, force, Vector3d::Zero(), false);
-    add(law.from, point, -force, Vector3d::Zero(), false);
+    add(pushed(law.frame), point, force, Vector3d::Zero(), false);
+    add(pushed(law.from), point, -force, Vector3d::Zero(), false);
   }
 
   void apply(const gaussgen::model::Torque& law) {
@@ -61,13 +61,15 @@ class Loads {
       const double distance = gap.value.norm();
       const Vector3d along = gap.value / distance;
       elastic = k * (distance - motion_(*law.length).value) * along;
-      damping = c * gap.rate.dot(along) * along;
+      damping = c * (gap.rate.dot(along) - motion_(*law.length).rate) * along;
     }
     for (const auto& [force, has_potential] : {std::pair{elastic, true}, std::pair{damping, false}}) {
       add(law.first, motion_.origin(law.first).value, force, Vector3d::Zero(), has_potential);
       add(law.second, motion_.origin(law.second).value, -force, Vector3d::Zero(), has_potential);
     }
   }
+
+  std::size_t pushed(std::size_t frame) const { return gaussgen::model::pushed_by_force_on(model_, frame); }
 
   void add(std::size_t frame, const Vector3d& point, const Vector3d& force, const Vector3d& moment,
            bool has_potential) {
@@ -171,7 +173,7 @@ WorkAlong work_along_coordinates(const Model& model, Motion& motion, Motion& dis
       }
     } else if (const auto* spring = std::get_if<gaussgen::model::CoordinateSpring>(&force.law)) {
       const double along = displaced.values().at(spring->coordinate.text).rate;
-      const double rate = motion.values().at(spring->coordinate.text).rate;
+      const double rate = stretch_of(*spring, motion).rate;
       result.of_potentials.add(-motion(spring->stiffness).value * stretch_of(*spring, motion).value * along);
       if (spring->damping) result.others.add(-motion(*spring->damping).value * rate * along);
     }
