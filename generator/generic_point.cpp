@@ -44,6 +44,11 @@ Rational substitute_for(ir::NodeId id) { return Rational(1) / cln::cl_I(static_c
 
 Rational trusted() { return Rational(1) / cln::expt_pos(cln::cl_I(10), k_trusted_digits); }
 
+cl_F plain(const cl_F& x) { return x; }
+cl_F plain(const Scaled<cl_F>& x) { return x.value; }
+cl_F exact(const Arithmetic<cl_F>&, const cl_F& x) { return x; }
+Scaled<cl_F> exact(const Arithmetic<Scaled<cl_F>>& arithmetic, const cl_F& x) { return arithmetic.input(x); }
+
 /// Binds the symbols of a model one after the other.
 template <class Values>
 class Spread {
@@ -61,11 +66,12 @@ class Spread {
   }
 
  private:
-  using Number = Scaled<cl_F>;
-
-  std::optional<Number> value(const model::Ast& ast) { return values_(motion_.expressions(ast).id()); }
-  cl_F number(const Rational& exact) const { return values_.arithmetic().number(exact).value; }
-  void set(ir::SymbolId symbol, const cl_F& at) { values_.bind(symbol, values_.arithmetic().input(at)); }
+  std::optional<cl_F> value(const model::Ast& ast) {
+    const auto found = values_(motion_.expressions(ast).id());
+    return found ? std::optional<cl_F>(plain(*found)) : std::nullopt;
+  }
+  cl_F number(const Rational& rational) const { return plain(values_.arithmetic().number(rational)); }
+  void set(ir::SymbolId symbol, const cl_F& at) { values_.bind(symbol, exact(values_.arithmetic(), at)); }
 
   cl_F moved(const cl_F& at) { return at + number(scatter_()) * (cln::zerop(at) ? number(Rational(1)) : cln::abs(at)); }
   void bind(ir::SymbolId symbol, const Rational& near) { set(symbol, moved(number(near))); }
@@ -75,7 +81,7 @@ class Spread {
     const auto& all = motion_.model.parameters;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (const auto at = value(all[i].value)) {
-        set(motion_.symbols.parameters[i], all[i].is_formula ? at->value : moved(at->value));
+        set(motion_.symbols.parameters[i], all[i].is_formula ? *at : moved(*at));
       }
     }
   }
@@ -86,7 +92,7 @@ class Spread {
       const auto& place = motion_.symbols.coordinates[i];
       if (place.is_held) continue;
       const auto at = value(all[i].start());
-      if (at) set(motion_.symbols.configuration[kinematics::ConfigurationIndex{place.index}].symbol, moved(at->value));
+      if (at) set(motion_.symbols.configuration[kinematics::ConfigurationIndex{place.index}].symbol, moved(*at));
     }
   }
 
@@ -98,7 +104,7 @@ class Spread {
       for (const model::Ast& component : all[i].initial) {
         const auto at = value(component);
         if (!at) return;
-        e.push_back(moved(at->value));
+        e.push_back(moved(*at));
         square = square + e.back() * e.back();
       }
       const std::size_t first = motion_.symbols.first_quaternion_component[i].value;
@@ -157,6 +163,24 @@ std::optional<evaluate::Matrix> GenericPoint::matrix_of(const strategy::Matrix& 
     }
   }
   return result;
+}
+
+bool VanishesEverywhere::operator()(ir::Expr expression) {
+  for (int attempt = 0; attempt < k_attempts; ++attempt) {
+    if (attempt == static_cast<int>(points_.size())) points_.push_back({values(attempt, k_digits), values(attempt, 2 * k_digits)});
+    const std::optional<cl_F> coarse = points_[static_cast<std::size_t>(attempt)].coarse(expression.id());
+    const std::optional<cl_F> fine = points_[static_cast<std::size_t>(attempt)].fine(expression.id());
+    if (!coarse || !fine) continue;
+    const cl_F distance = cln::abs(*fine - Arithmetic<cl_F>(2 * k_digits).number(*coarse));
+    return distance + distance >= cln::abs(*fine);
+  }
+  return false;
+}
+
+VanishesEverywhere::Values VanishesEverywhere::values(int attempt, int digits) {
+  Values values(motion_.graph, Arithmetic<cl_F>(digits));
+  Spread<Values>(motion_, values, attempt).run();
+  return values;
 }
 
 std::size_t generic_rank(const evaluate::Matrix& matrix) {

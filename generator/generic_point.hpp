@@ -30,6 +30,27 @@ class GenericPoint {
   KinematicModel& motion_;
 };
 
+/// Whether an expression is zero there, also one that came out of many divisions, through which the bounds of GenericPoint grow
+/// beyond its value: in two precisions what is not zero agrees, and rounding does not.
+class VanishesEverywhere {
+ public:
+  explicit VanishesEverywhere(KinematicModel& motion) : motion_(motion) {}
+
+  bool operator()(ir::Expr expression);
+
+ private:
+  using Values = evaluate::Evaluator<cln::cl_F>;
+  struct Point {
+    Values coarse;
+    Values fine;
+  };
+
+  Values values(int attempt, int digits);
+
+  KinematicModel& motion_;
+  std::vector<Point> points_;  ///< by attempt
+};
+
 /// Number of independent rows, whatever the units of rows and columns.
 std::size_t generic_rank(const evaluate::Matrix& matrix);
 

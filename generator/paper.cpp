@@ -129,9 +129,9 @@ lower::SymbolMap symbols_with_rates(const Mechanics& mechanics) {
 }  // namespace
 
 lower::PaperRoute paper_route(Mechanics& mechanics) {
-  GenericPoint at_generic_point(mechanics);
-  const auto vanishes = [&](ir::Expr expression) { return cln::zerop(at_generic_point({{expression}})(0, 0)); };
-  return lower::build_paper_route(mechanics.model, mechanics.graph, symbols_with_rates(mechanics), vanishes);
+  VanishesEverywhere vanishes(mechanics);
+  return lower::build_paper_route(mechanics.model, mechanics.graph, symbols_with_rates(mechanics),
+                                  [&](ir::Expr expression) { return vanishes(expression); });
 }
 
 std::string derivation_text(const model::Model& model, bool latex, support::Diagnostics& diagnostics) {

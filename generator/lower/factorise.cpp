@@ -1,5 +1,7 @@
 #include "lower/factorise.hpp"
 
+#include <stdexcept>
+
 #include "ir/traverse.hpp"
 #include "support/assert.hpp"
 
@@ -115,7 +117,7 @@ class Elimination {
         pivot_column_ = j;
       }
     }
-    GAUSS_ASSERT(best >= 0, "{} is singular by structure", names_.name);
+    if (best < 0) throw std::domain_error(names_.name + " has no inverse anywhere");
     row_used_[pivot_row_] = column_used_[pivot_column_] = true;
     row_of_column_[pivot_column_] = pivot_row_;
   }
