@@ -12,7 +12,7 @@ namespace {
 
 const char* const k_about =
     "What makes given accelerations, which satisfy the constraints. missing: least generalized forces to be added to\n"
-    "those at these inputs; reactions stay what they are then.";
+    "those at these inputs; multipliers stay what they are then.";
 const char* const k_about_inputs =
     "\nneeded: what the inputs have to be instead, and the accelerations that result: the given ones, unless there are "
     "too few inputs.";

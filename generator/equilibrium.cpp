@@ -44,8 +44,12 @@ class Search {
     pose();
   }
 
-  /// The position; nothing, with the reason in `why`.
-  std::optional<std::vector<support::Rational>> run(std::string& why) {
+  struct Rest {
+    std::vector<support::Rational> position, speeds;
+  };
+
+  /// Nothing, with the reason in `why`.
+  std::optional<Rest> run(std::string& why) {
     if (!start()) {
       why = "the initial position has no value";
       return std::nullopt;
@@ -72,11 +76,11 @@ class Search {
       why = "no equilibrium was found near the initial position: towards the nearest one forces grow without bound";
       return std::nullopt;
     }
-    std::vector<support::Rational> result;
-    // What is left of Newton's method beyond the digits that are asked for is no part of the answer.
-    const support::Rational grid = cln::expt(support::Rational(10), digits_ + k_more_digits / 2);
-    for (const cl_F& q : position_) result.push_back(cln::round1(cln::rational(q) * grid) / grid);
-    return result;
+    Rest rest;
+    for (const cl_F& q : position_) rest.position.push_back(rounded(q));
+    for (const Expr speed : mechanics_.kinematics.speeds_at_rest)
+      rest.speeds.push_back(rounded(value_of(speed.id()).value_or(number(support::Rational(0)))));
+    return rest;
   }
 
  private:
@@ -94,12 +98,20 @@ class Search {
     }
   };
 
+  // What is left of Newton's method beyond the digits that are asked for is no part of the answer.
+  support::Rational rounded(const cl_F& value) const {
+    const support::Rational grid = cln::expt(support::Rational(10), digits_ + k_more_digits / 2);
+    return cln::round1(cln::rational(value) * grid) / grid;
+  }
+
   /// f + bᵀ λ at rest, then the equations of positions, and their derivatives along each speed and by each multiplier.
   void pose() {
     const strategy::Dynamics& dynamics = mechanics_.dynamics;
     ir::Graph& graph = mechanics_.graph;
     ir::Substitution at_rest(graph);
-    for (const auto& speed : mechanics_.symbols.speeds) at_rest.replace(speed.symbol, mechanics_.expressions.number(0));
+    for (const FreeIndex a : mechanics_.symbols.speeds.indices())
+      at_rest.replace(mechanics_.symbols.speeds[a].symbol, mechanics_.kinematics.speeds_at_rest[a]);
+    for (const Expr acceleration : mechanics_.solution.accelerations) accelerations_.push_back(at_rest(acceleration));
     for (std::size_t mu = 0; mu < dynamics.l(); ++mu)
       lambda_.push_back(graph.declare(ir::SymbolClass::input, "multiplier_" + std::to_string(mu + 1)));
     for (std::size_t a = 0; a < dynamics.n(); ++a) {
@@ -165,7 +177,6 @@ class Search {
   }
 
   bool start() {
-    for (const auto& speed : mechanics_.symbols.speeds) bind(speed.symbol, number(support::Rational(0)));
     const strategy::Vector guess = strategy::guessed_state(mechanics_.model, mechanics_.expressions);
     std::vector<cl_F> position;
     for (std::size_t i = 0; i < mechanics_.symbols.configuration.size(); ++i) {
@@ -287,7 +298,7 @@ class Search {
     for (int i = 0; i < k_steps_of_descent && limit > k_shortest_descent; ++i) {
       Eigen::VectorXd way = Eigen::VectorXd::Zero(before.size());
       for (std::size_t a = 0; a < rates_.size(); ++a) {
-        const auto acceleration = value_of(mechanics_.solution.accelerations[a].id());
+        const auto acceleration = value_of(accelerations_[a].id());
         if (acceleration) way[static_cast<Eigen::Index>(a)] = to_double(*acceleration);
       }
       const double largest = way.lpNorm<Eigen::Infinity>();
@@ -313,6 +324,7 @@ class Search {
   Mechanics mechanics_;
   int digits_;
   evaluate::Evaluator<Paired> values_;
+  std::vector<Expr> accelerations_;  ///< at rest
   std::vector<ir::SymbolId> lambda_;
   std::vector<std::vector<Expr>> terms_;  ///< of each equation
   std::vector<Expr> equations_;
@@ -329,13 +341,13 @@ model::Ast number(const support::Rational& value, support::Span span) {
   return ast;
 }
 
-/// The position, and all speeds 0.
-void set_start(model::Model& model, const std::vector<support::Rational>& position) {
+void set_start(model::Model& model, const Search::Rest& rest) {
+  const std::vector<support::Rational>& position = rest.position;
   std::size_t next = 0;
   for (model::Coordinate& coordinate : model.coordinates) {
     if (coordinate.held_at) continue;
+    coordinate.initial_rate = number(rest.speeds[next], coordinate.name.span);
     coordinate.initial = number(position[next++], coordinate.name.span);
-    coordinate.initial_rate = number(0, coordinate.name.span);
     coordinate.guess.reset();
     coordinate.rate_guess.reset();
   }
@@ -350,9 +362,9 @@ void set_start(model::Model& model, const std::vector<support::Rational>& positi
 
 std::string go_to_equilibrium(model::Model& model, const support::Rational& time, int digits) {
   std::string why;
-  const auto position = Search(model, time, digits).run(why);
-  if (!position) return why;
-  set_start(model, *position);
+  const auto rest = Search(model, time, digits).run(why);
+  if (!rest) return why;
+  set_start(model, *rest);
   return "";
 }
 

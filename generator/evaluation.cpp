@@ -35,6 +35,8 @@ class Report {
     warn_of_parameters();
     if (!set_state()) return std::move(result_);
     add_accelerations();
+    const strategy::Vector free = mechanics_.solution.accelerations;
+    if (wanted_) take_wanted_accelerations();
     add_reactions();
     add_groups("reaction_forces");
     add_groups("joint_reactions");
@@ -43,6 +45,7 @@ class Report {
     add_groups("compulsion");
     add_groups("quantities");
     add_status();
+    mechanics_.solution.accelerations = free;
     if (wanted_) add_inverse_dynamics();
     return std::move(result_);
   }
@@ -110,8 +113,9 @@ class Report {
       result_.warnings.push_back("accelerations are undefined here: the coordinates may be singular");
   }
 
-  // Last, since other groups are about the accelerations that were found.
-  void add_inverse_dynamics() {
+  // From here on everything is about the motion that is wanted, made by the forces `missing`: the least ones leave multipliers as they
+  // are, while held coordinates and joints carry what this motion takes.
+  void take_wanted_accelerations() {
     strategy::Vector wanted;
     std::vector<std::size_t> open;
     for (const auto& speed : mechanics_.symbols.speeds) {
@@ -124,12 +128,28 @@ class Report {
         strategy::completed_accelerations(mechanics_.dynamics, wanted, open, mechanics_.epsilon(), steps);
     // Where the named ones determine all others and more, nothing is least.
     if (!want(completed)) want(wanted);
+    strategy::Vector& accelerations = mechanics_.solution.accelerations;
+    for (const auto i : mechanics_.symbols.speeds.indices())
+      accelerations[i.value] = mechanics_.expressions.symbol(mechanics_.symbols.speeds[i].acceleration);
+    mechanics_.held_reactions = strategy::held_reactions(mechanics_.dynamics, mechanics_.solution, steps);
+  }
+
+  void add_inverse_dynamics() {
     for (const auto& speed : mechanics_.symbols.speeds) {
       add("wanted", speed.acceleration_name, {speed.unit.empty() ? "" : speed.unit + "^2", ""},
           mechanics_.expressions.symbol(speed.acceleration).id());
     }
     warn_of_impossible_accelerations();
     add_groups("inverse_dynamics");
+    for (const emit::Artefact& artefact : build_artefact("inverse_dynamics", mechanics_)) warn_of_drives(artefact.status);
+  }
+
+  void warn_of_drives(const emit::StatusNodes& status) {
+    const auto is_true = [&](NodeId condition) { return value_of_.is_true(Expr(mechanics_.graph, condition)); };
+    const bool is_known = std::find(result_.doubts.begin(), result_.doubts.end(), "dependent_constraints") != result_.doubts.end();
+    if (is_known || !is_true(status.dependent_constraints)) return;
+    result_.warnings.push_back("inputs do the same here: those that are needed are not unique");
+    doubt("dependent_constraints");
   }
 
   bool want(const strategy::Vector& accelerations) {

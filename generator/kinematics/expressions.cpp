@@ -55,11 +55,16 @@ std::vector<Expr> Expressions::rates_from_speeds() {
   seed_what_speeds_leave(*defining_);
   ir::Substitution at_rest(graph_);
   for (const ir::SymbolId rate : rates) at_rest.replace(rate, number(0));
+  ir::Substitution unturned(graph_);
+  for (const FreeIndex first : symbols_.first_angular_velocity) {
+    for (std::size_t i = 0; i < 3; ++i) unturned.replace(symbols_.speeds[FreeIndex{first.value + i}].symbol, number(0));
+  }
   for (std::size_t i = 0; i < model_.speeds.size(); ++i) {
     const Expr is = (*this)(model_.speeds[i].is);
     speed_matrix_.emplace_back();
     for (const ir::SymbolId rate : rates) speed_matrix_.back().push_back(ir::partial(is, rate));
     u[i] = u[i] - at_rest(is);
+    speeds_at_rest_.push_back(unturned(at_rest(is)));
   }
   defining_.reset();
   for (const auto& row : speed_matrix_) {

@@ -36,6 +36,9 @@ class Expressions {
   const std::vector<std::vector<ir::Expr>>& speed_matrix() const { return speed_matrix_; }
   bool has_rates() const { return has_rates_; }
 
+  /// What these speeds are where no coordinate moves that is not held: 0, but for those that are measured against something.
+  const std::vector<ir::Expr>& speeds_at_rest() const { return speeds_at_rest_; }
+
   Frames& frames() { return frames_; }
 
   /// From now on places in expressions are symbols of `places`; nullptr: what they are in space.
@@ -67,6 +70,7 @@ class Expressions {
   ir::Directional time_derivative_;
   std::optional<ir::Directional> defining_;  ///< with the rates as symbols, where they are not known yet
   std::vector<std::vector<ir::Expr>> speed_matrix_;
+  std::vector<ir::Expr> speeds_at_rest_;
   bool has_rates_ = true;
   Frames frames_;
   PlaceSymbols* watched_ = nullptr;

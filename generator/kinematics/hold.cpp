@@ -78,6 +78,7 @@ void hold_coordinates(const model::Model& model, Expressions& expressions, ir::G
   hold(kinematics.bodies);
   hold(kinematics.constraints);
   hold(kinematics.configuration_rates);
+  hold(kinematics.speeds_at_rest);
   hold(kinematics.potential);
   hold(kinematics.body_force);
   hold(kinematics.applied);

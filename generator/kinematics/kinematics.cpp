@@ -34,6 +34,7 @@ class Builder {
                       {},
                       {},
                       expressions_.configuration_rates(),
+                      speeds_at_rest(),
                       number(0),
                       {},
                       {symbols_.full_count(), number(0)},
@@ -339,6 +340,14 @@ class Builder {
     const auto* turns = std::get_if<model::Turns>(&frame.attitude);
     return turns == nullptr ||
            std::all_of(turns->begin(), turns->end(), [&](const model::Turn& turn) { return is_constant(turn.angle); });
+  }
+
+  support::Indexed<FreeIndex, Expr> speeds_at_rest() const {
+    support::Indexed<FreeIndex, Expr> result;
+    std::size_t own = 0;
+    for (const Speed& speed : symbols_.speeds)
+      result.push_back(speed.replaces_rate ? expressions_.speeds_at_rest()[own++] : number(0));
+    return result;
   }
 
   /// The rate of a coordinate, an angular velocity or a speed: what times the generalized force is power.

@@ -74,6 +74,7 @@ struct Kinematics {
   std::vector<JointPlace> joints;
   std::vector<std::string> frame_names;  ///< parallel to Model::frames
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates;
+  support::Indexed<FreeIndex, ir::Expr> speeds_at_rest;
   ir::Expr potential;                                ///< J; gravity (uniform fields) included
   std::vector<AppliedForce> applied;                 ///< forces at places
   support::Indexed<FullIndex, ir::Expr> body_force;  ///< Q_A of the forces in BodyMotion::force and moment

@@ -17,7 +17,7 @@ struct Drives {
 
 /// Generalized forces that have to be added for the accelerations `wanted`: g a - f - bᵀ λ with the multipliers of the motion without
 /// them. Where `wanted` satisfies the constraints, these are the least ones as the inverse of g measures forces, since g times the
-/// change of the accelerations they are at right angles to every bᵀ μ; and reactions stay what they are.
+/// change of the accelerations they are at right angles to every bᵀ μ; and multipliers stay what they are.
 Vector missing_forces(const Dynamics& dynamics, const Vector& wanted, const Vector& multipliers, Steps& steps);
 
 /// The inputs u of f = f_0 + B u that make `wanted`. They are the multipliers of the servo constraints Bᵀ a = Bᵀ `wanted`: Gauss's

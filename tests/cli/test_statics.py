@@ -63,6 +63,20 @@ class Statics(Program):
         for name in ("alpha_ddot", "beta_ddot", "gamma_ddot"):
             self.assertLess(abs(float(found["accelerations"][name]["value"])), 1e-15)
 
+    def test_at_rest_a_speed_against_a_belt_is_that_of_the_belt(self):
+        # The belt drags the block to c v/k, where u = dot(x) - v is -v, not 0.
+        belt = HEAD + """parameters: {k: 10, v: 0.5, c: 2}
+coordinates: {x: {initial: 0.3}, s: {held_at: v*t}}
+speeds: {u: {is: dot(x) - dot(s), initial: 0}}
+particles: {p: {mass: 1, position: [x, 0, 0]}, q: {mass: 1, position: [s, 0, 0]}}
+forces: {spring: {spring: x, stiffness: k}, friction: {generalized: {u: -c*u}}}
+"""
+        found = self.at_equilibrium(belt)
+        self.assertEqual(found["status"], "ok")
+        self.assertAlmostEqual(float(found["state"]["x"]["value"]), 0.1, 15)
+        self.assertEqual(float(found["state"]["u"]["value"]), -0.5)
+        self.assertAlmostEqual(float(found["accelerations"]["u_dot"]["value"]), 0, 15)
+
     def test_what_falls_has_none(self):
         self.assertIn("no equilibrium was found near the initial position",
                       self.refused(1, "evaluate", "-", "--equilibrium", stdin=FALLING))
@@ -73,6 +87,29 @@ class InverseDynamics(Program):
         for wanted, force in (("z=0", 9.81), ("z=2", 11.81), ("z=-9.81", 0)):
             found = json.loads(self.ok("evaluate", "-", "--accelerate", wanted, "--format=json", stdin=FALLING))
             self.assertAlmostEqual(float(found["inverse_dynamics"]["missing.z"]["value"]), force, 14)
+
+    def test_reactions_are_those_of_the_motion_that_is_wanted(self):
+        # A bob on a rod that is held at 30 degrees on a cart: its moment is m l (g sin + a cos), with the force that makes a = 3 and without a word.
+        crane = HEAD + """parameters: {M: 3, m: 2, l: 1, g: 10}
+inputs: {F: 0}
+coordinates: {x: {}, phi: {held_at: pi/6}}
+particles: {cart: {mass: M, position: [x, 0, 0]}, bob: {mass: m, position: [x + l*sin(phi), 0, -l*cos(phi)]}}
+forces: {gravity: {uniform: [0, 0, -g]}, push: {generalized: {x: F}}}
+"""
+        for load in ("F=0", "F=15"):
+            found = json.loads(self.ok("evaluate", "-", "--accelerate", "x=3", "--set", load, "--format=json", stdin=crane))
+            self.assertAlmostEqual(float(found["reactions"]["phi"]["value"]), 10 + 3 * math.sqrt(3), 13)
+            self.assertAlmostEqual(float(found["reaction_forces"]["on_bob.force.z"]["value"]), 20, 13)
+
+    def test_inputs_that_do_the_same_are_not_unique(self):
+        twins = HEAD + """inputs: {F: 0, G: 0}
+coordinates: {x: {}}
+particles: {p: {mass: 2, position: [x, 0, 0]}}
+forces: {push: {generalized: {x: F + 3*G}}}
+"""
+        done = self.run_it("evaluate", "-", "--accelerate", "x=6", stdin=twins)
+        self.assertIn("those that are needed are not unique", done.stderr)
+        self.assertIn("not to be trusted: dependent_constraints", done.stdout)
 
     def test_accelerations_that_constraints_forbid_are_named(self):
         done = self.run_it("evaluate", "-", "--accelerate", "x=1", stdin=LAMP)
