@@ -7,6 +7,7 @@
 #include "constraint_check.hpp"
 #include "evaluate/decimal.hpp"
 #include "generic_point.hpp"
+#include "ir/contract.hpp"
 #include "open_rates.hpp"
 #include "strategy/projection.hpp"
 #include "structure_check.hpp"
@@ -101,7 +102,25 @@ class InitialCheck {
   // A pivot that is zero from the start divides; one that cancels is flagged.
   void report_singular() {
     const bool is_singular = values_.is_true(mechanics_.solution.singular_mass_matrix);
-    if (is_singular || (!has_accelerations() && !report_pole())) report_undetermined();
+    if (is_singular || (!has_accelerations() && !report_pole() && !report_slack_spring())) report_undetermined();
+  }
+
+  /// Whether there are no accelerations since a spring that has a length has none at this position.
+  bool report_slack_spring() {
+    kinematics::Frames& frames = mechanics_.expressions.frames();
+    for (const model::Force& force : model_.forces) {
+      const auto* spring = std::get_if<model::Spring>(&force.law);
+      if (spring == nullptr || !spring->length) continue;
+      const ir::Vector3 gap = frames.origin(spring->second) - frames.origin(spring->first);
+      const auto square = values_(ir::dot(gap, gap).id());
+      if (!square || !cln::zerop(*square)) continue;
+      diagnostics_.warning(support::code::k_singular_start, force.name.span,
+                           "there are no accelerations at the initial state: both ends of this spring are at the same place, so that "
+                           "it pulls in no direction",
+                           "start with its ends apart; a spring without 'length' needs no direction");
+      return true;
+    }
+    return false;
   }
 
   bool has_accelerations() {

@@ -40,18 +40,35 @@ struct Linearised {
 /// Levenberg's and Marquardt's method for the least Σ f².
 class Search {
  public:
-  explicit Search(Mechanics& mechanics)
-      : mechanics_(mechanics), values_(mechanics.graph, evaluate::Arithmetic<Number>(evaluate::Arithmetic<double>())) {
+  /// Along the speeds that are `movable`.
+  Search(Mechanics& mechanics, std::vector<bool> movable)
+      : mechanics_(mechanics),
+        movable_(std::move(movable)),
+        values_(mechanics.graph, evaluate::Arithmetic<Number>(evaluate::Arithmetic<double>())) {
     for (const auto mu : mechanics.kinematics.constraints.indices()) {
       if (mechanics.kinematics.constraints[mu].f) rows_.push_back(mu);
     }
     weights_.assign(rows_.size(), 1);
   }
 
-  std::optional<Contradiction> run() {
+  std::optional<Contradiction> contradiction() {
     auto here = start();
-    if (here) remember_sizes(*here);
     const double at_start = here ? std::sqrt(here->square()) : 0;
+    here = descend(std::move(here));
+    if (!here || !is_stationary(*here)) return std::nullopt;
+    // What only goes slowly, as x² does, has come far.
+    return std::sqrt(here->square()) > k_violated * at_start ? contradiction_at(*here) : std::nullopt;
+  }
+
+  /// The configuration; nothing where the equations are not satisfied in the end.
+  std::optional<Vector> solution() {
+    const auto here = descend(start());
+    return here && is_solved(*here) ? std::optional<Vector>(q_) : std::nullopt;
+  }
+
+ private:
+  std::optional<Linearised> descend(std::optional<Linearised> here) {
+    if (here) remember_sizes(*here);
     double damping = 1e-3;
     for (int i = 0; here && i < k_most_steps && !is_solved(*here) && damping < k_most_damping; ++i) {
       const Vector from = q_;
@@ -66,12 +83,9 @@ class Search {
         set(from);
       }
     }
-    if (!here || !is_stationary(*here)) return std::nullopt;
-    // What only goes slowly, as x² does, has come far.
-    return std::sqrt(here->square()) > k_violated * at_start ? contradiction(*here) : std::nullopt;
+    return here;
   }
 
- private:
   std::optional<Linearised> start() {
     bind_parameters(mechanics_, values_);
     bind(mechanics_.symbols.time, 0);
@@ -108,7 +122,7 @@ class Search {
     for (std::size_t i = 0; i < mechanics_.symbols.speeds.size(); ++i) {
       const bool is_plain = i < mechanics_.symbols.plain_count();
       const double size = is_plain && q_[i] != 0 ? std::abs(q_[i]) : 1;
-      displacement.push_back(k_first_step * size * (1 + 0.37 * static_cast<double>(i)));
+      displacement.push_back(movable_[i] ? k_first_step * size * (1 + 0.37 * static_cast<double>(i)) : 0);
     }
     move(displacement);
   }
@@ -129,8 +143,10 @@ class Search {
   }
 
   void move(const Vector& along_speeds) {
-    for (const auto i : mechanics_.symbols.speeds.indices())
-      bind(mechanics_.symbols.speeds[i].symbol, along_speeds[i.value]);
+    for (const auto i : mechanics_.symbols.speeds.indices()) {
+      const auto at_rest = values_(mechanics_.kinematics.speeds_at_rest[i].id());
+      bind(mechanics_.symbols.speeds[i].symbol, (at_rest ? at_rest->value : 0) + along_speeds[i.value]);
+    }
     Vector q = q_;
     for (std::size_t i = 0; i < q.size(); ++i) {
       const auto rate = values_(mechanics_.kinematics.configuration_rates[kinematics::ConfigurationIndex{i}].id());
@@ -151,7 +167,7 @@ class Search {
       for (const auto alpha : mechanics_.symbols.speeds.indices()) {
         const auto entry = values_(row.beta[mechanics_.symbols.full(alpha)].id());
         if (!entry || !std::isfinite(entry->value)) return std::nullopt;
-        result.j.back().push_back(weights_[i] * entry->value);
+        result.j.back().push_back(movable_[alpha.value] ? weights_[i] * entry->value : 0);
       }
     }
     return result;
@@ -192,7 +208,7 @@ class Search {
     return true;
   }
 
-  std::optional<Contradiction> contradiction(const Linearised& at) const {
+  std::optional<Contradiction> contradiction_at(const Linearised& at) const {
     double largest = 0;
     for (const double f : at.f) largest = std::max(largest, std::abs(f));
     Contradiction found;
@@ -207,6 +223,7 @@ class Search {
   }
 
   Mechanics& mechanics_;
+  std::vector<bool> movable_;
   Values values_;
   std::vector<kinematics::ConstraintIndex> rows_;
   Vector weights_;  ///< per row, so that all are in units of displacements
@@ -218,7 +235,12 @@ class Search {
 
 std::optional<Contradiction> contradictory_positions(Mechanics& mechanics) {
   if (mechanics.dynamics.n() == 0) return std::nullopt;
-  return Search(mechanics).run();
+  return Search(mechanics, std::vector<bool>(mechanics.dynamics.n(), true)).contradiction();
+}
+
+std::optional<std::vector<double>> nearest_position(Mechanics& mechanics, const std::vector<bool>& movable) {
+  if (std::find(movable.begin(), movable.end(), true) == movable.end()) return std::nullopt;
+  return Search(mechanics, movable).solution();
 }
 
 }  // namespace gaussgen

@@ -1,5 +1,6 @@
 #pragma once
-// Equations of positions that nothing satisfies: lengths that do not meet, a point on two surfaces that do not touch.
+// Positions that satisfy the equations of positions, found from farther away than the emitted code can; and equations that nothing
+// satisfies: lengths that do not meet, a point on two surfaces that do not touch.
 
 #include <cstddef>
 #include <optional>
@@ -18,5 +19,9 @@ struct Contradiction {
 
 /// By a search from the initial position, with every coordinate free to move; nothing where it finds a solution, or no answer.
 std::optional<Contradiction> contradictory_positions(Mechanics& mechanics);
+
+/// A configuration that satisfies all equations of positions, reached from the guesses along the speeds that are `movable`; nothing where
+/// the search finds none.
+std::optional<std::vector<double>> nearest_position(Mechanics& mechanics, const std::vector<bool>& movable);
 
 }  // namespace gaussgen

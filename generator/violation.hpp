@@ -20,6 +20,6 @@ struct Violation {
 std::vector<Violation> violations(const Mechanics& mechanics, ModelValues& values);
 
 /// What to change so that the constraint holds.
-std::string remedy(const Mechanics& mechanics, const Violation& violation, ModelValues& values);
+std::string remedy(Mechanics& mechanics, const Violation& violation, ModelValues& values);
 
 }  // namespace gaussgen

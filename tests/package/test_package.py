@@ -101,6 +101,12 @@ class Package(unittest.TestCase):
         self.make()
         self.assert_pendulum(2 * LENGTH)
 
+    def test_a_header_of_a_former_name_is_not_left_for_includes_to_find(self):
+        self.configure(ANY_GENERATOR)
+        self.make()
+        self.edit("name: pendulum", "name: swing")
+        self.assertIn("pendulum.hpp", self.fails(self.make))
+
     def assert_follows_the_files_of_submodels(self, generator):
         (self.source / "parts").mkdir()
         part = self.source / "parts/rod.yaml"
@@ -139,13 +145,16 @@ class Package(unittest.TestCase):
         self.assertNotIn("Generating", self.make())
         self.assert_pendulum(LENGTH)
 
-    def configuring_fails(self):
+    def fails(self, act, *arguments):
         """What CMake says, on one line, since it breaks lines where it likes."""
         try:
-            self.configure(ANY_GENERATOR)
+            act(*arguments)
         except AssertionError as error:
             return " ".join(str(error).split())
-        return self.fail("it was configured")
+        return self.fail("it went well")
+
+    def configuring_fails(self):
+        return self.fails(self.configure, ANY_GENERATOR)
 
     def test_a_model_file_that_is_not_there_is_named_with_its_target(self):
         self.edit("MODEL pendulum.yaml", "MODEL nowhere.yaml", file="CMakeLists.txt")
