@@ -108,6 +108,7 @@ void read_body(const Entry& entry, bool is_particle, Reading& reading) {
   Body body;
   body.name = name_of(entry.key);
   body.mass = broken_expression();
+  body.is_particle = is_particle;
   check_name(body.name, reading);
   check_unique(body.name, reading);
   if (expect_map(entry.value, entry.key.span, where, reading)) {
