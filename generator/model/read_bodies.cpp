@@ -65,7 +65,10 @@ void place_on_frame(const Entry& entry, const std::string& where, Body& body, Re
     body.centre = centre;
     return;
   }
-  if (named == nullptr) required(entry.value, "position", entry.key.span, where, reading);
+  if (named == nullptr && !reading.incomplete) {
+    required(entry.value, "position", entry.key.span, where, reading,
+             fmt::format("; or 'frame', as no frame and no child of a joint is called '{}'", body.name.text));
+  }
   Frame frame;
   frame.name = body.name;
   frame.about = body.about;
