@@ -57,7 +57,8 @@ Artefact state_artefact(ArtefactBuilder& builder, const strategy::ProjectedState
 }  // namespace
 
 Artefact energy_artefact(Mechanics& mechanics) {
-  ArtefactBuilder builder("energy", "Kinetic energy, potential energy of uniform fields and potentials, and their sum.",
+  ArtefactBuilder builder("energy",
+                          "Kinetic energy, potential energy of uniform fields, potentials and springs, and their sum.",
                           mechanics);
   Steps steps;
   steps.begin("energies");

@@ -85,6 +85,25 @@ class InitialCheck {
     }
   }
 
+  /// Those that state initial values of the open rates.
+  std::string keys_of(const OpenRates& open) const {
+    bool has_rate = false, has_angular_velocity = false, has_speed = false;
+    for (const OpenRate& rate : open.rates) {
+      const model::SymbolKind kind = model_.resolve(rate.label).kind;
+      has_rate = has_rate || kind == model::SymbolKind::coordinate;
+      has_angular_velocity = has_angular_velocity || kind == model::SymbolKind::angular_velocity;
+      has_speed = has_speed || kind == model::SymbolKind::speed;
+    }
+    std::string keys;
+    const auto add = [&](bool is_used, const char* key) {
+      if (is_used) keys += (keys.empty() ? "" : " or ") + std::string(key);
+    };
+    add(has_rate, "initial_rate");
+    add(has_angular_velocity, "initial_angular_velocity");
+    add(has_speed, "'initial' of the speed");
+    return keys;
+  }
+
   void report_choice(const OpenRates& open) {
     if (open.rates.empty()) return;
     std::vector<std::string> values;
@@ -96,7 +115,7 @@ class InitialCheck {
         fmt::format(
             "the constraints leave {} of these initial rates open, and the least motion, weighed by mass, is taken: {}",
             open.freedom, support::joined(values)),
-        fmt::format("state {} of them by initial_rate or initial_angular_velocity", open.freedom));
+        fmt::format("state {} of them by {}", open.freedom, keys_of(open)));
   }
 
   // A pivot that is zero from the start divides; one that cancels is flagged.

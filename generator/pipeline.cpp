@@ -7,6 +7,7 @@
 #include "dumps.hpp"
 #include "initial_check.hpp"
 #include "model/fold_check.hpp"
+#include "output_check.hpp"
 #include "paper.hpp"
 #include "point_check.hpp"
 #include "read_model.hpp"
@@ -79,6 +80,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   stages.done("strategy", nodes(mechanics), [&] { return dump_strategy(mechanics); });
 
   const emit::Unit unit = build_unit(mechanics, source, options);
+  check_outputs(mechanics, unit, options, diagnostics);
   check_range(mechanics.graph, unit, model->name, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   stages.done("artefacts", nodes(mechanics), [&] { return dump_artefacts(mechanics, unit); });

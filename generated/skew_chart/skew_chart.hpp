@@ -1023,7 +1023,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
-/// Kinetic energy, potential energy of uniform fields and potentials, and their sum.
+/// Kinetic energy, potential energy of uniform fields, potentials and springs, and their sum.
 template <class S>
 GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepared<S>& prepared,
                                   Energy<S>& energy) noexcept {

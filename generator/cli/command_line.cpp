@@ -25,8 +25,8 @@ class Adder {
     add_model();
     add_path("-o,--output", options_.output, "folder for <name>.hpp, or - for standard output", "DIR",
              Argument::folder);
-    app_.add_flag("--check", options_.check, "write nothing, only say whether the model is right");
-    app_.add_flag("--list-outputs", options_.list_outputs, "write nothing, only say which header would be written");
+    add_flag("--check", options_.check, "write nothing, only say whether the model is right");
+    add_flag("--list-outputs", options_.list_outputs, "write nothing, only say which header would be written");
     add_path("--depfile", options_.depfile, "also write what the header depends on, for make and Ninja", "FILE",
              Argument::file);
     app_.add_option("--depfile-target", options_.depfile_target,
@@ -36,13 +36,13 @@ class Adder {
         ->type_name("NAME");
     add_list("--outputs", options_.pipeline.outputs, output_names(), "LIST",
              "functions to emit instead of all, with commas between: ");
-    app_.add_flag("--fold", options_.pipeline.fold, "put the parameters in as numbers");
-    app_.add_flag("--assemble", options_.pipeline.assemble,
-                  wrapped("let the constraints move the initial values that the model gives, and say how far"));
+    add_flag("--fold", options_.pipeline.fold, "put the parameters in as numbers");
+    add_flag("--assemble", options_.pipeline.assemble,
+             wrapped("let the constraints move the initial values that the model gives, and say how far"));
     add_choice<Route>("--route", options_.pipeline.route, {{"emitted", Route::emitted}, {"paper", Route::paper}},
                       "ROUTE", "emitted (default), or paper: its Z, Gamma and (3.7)-(3.8), term by term");
     add_list("--dump", options_.dumps, stage_names(), "STAGE", "write nothing, print what comes out of a stage: ");
-    app_.add_flag("--timings", options_.timings, "say on standard error what each stage took");
+    add_flag("--timings", options_.timings, "say on standard error what each stage took");
     add_messages();
   }
 
@@ -52,8 +52,8 @@ class Adder {
                              wrapped("change a parameter, an input, a coordinate or a rate, such as "
                                      "m=2, chi=pi/4 or 'dot(chi)=2'; may be repeated")),
              "NAME=VALUE");
-    app_.add_flag("--equilibrium", options_.at_equilibrium,
-                  wrapped("go from the initial position to one at which the model stays at rest, and evaluate there"));
+    add_flag("--equilibrium", options_.at_equilibrium,
+             wrapped("go from the initial position to one at which the model stays at rest, and evaluate there"));
     one_each(app_.add_option("--accelerate", options_.accelerations,
                              wrapped("show the forces and inputs that make this acceleration, such as theta=2, wx=0; "
                                      "those not named are 0; may be repeated")),
@@ -94,6 +94,11 @@ class Adder {
 
  private:
   void add_model() { line_.arguments[app_.add_option("model", options_.model)->type_name("MODEL")] = Argument::model; }
+
+  /// `--check=no` is refused, not taken for `--check`.
+  CLI::Option* add_flag(const std::string& name, bool& target, const std::string& about) {
+    return app_.add_flag(name, target, about)->disable_flag_override();
+  }
 
   /// How messages look, in every command that reads a model.
   void add_messages() {
@@ -173,7 +178,7 @@ CommandLine::CommandLine(Options& options) : app(k_about, "gauss-gen") {
   app.set_help_flag("-h,--help", "print this page");
   write_help_by(app);
   Adder(*this, app, options).generate();
-  app.add_flag("--man", options.man, "print the manual page, for man -l -");
+  app.add_flag("--man", options.man, "print the manual page, for man -l -")->disable_flag_override();
   // Added after the help flag and the formatter, which they inherit; the footer of the page is for the program as a whole.
   const auto add = [&](const char* name, Command command, const char* about, const char* footer) {
     commands[name] = command;

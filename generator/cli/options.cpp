@@ -1,5 +1,7 @@
 #include "cli/options.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
@@ -15,14 +17,40 @@ namespace gaussgen::cli {
 
 namespace {
 
+/// What other programs call what is here an option or a command.
+std::string in_our_words(const std::string& word) {
+  if (word == "check" || word == "validate" || word == "lint") return "did you mean '--check'?";
+  if (word == "eval" || word == "run" || word == "solve") return "did you mean 'evaluate'?";
+  if (word == "derive") return "did you mean 'derivation'?";
+  if (word == "new" || word == "create") return "did you mean 'init'?";
+  if (word == "generate" || word == "gen" || word == "compile" || word == "build")
+    return "a header is written without a command: gauss-gen MODEL";
+  return "";
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
 /// The parser takes a word that is no command for the model.
 void refuse_misspelt_command(const CLI::App& app, const std::string& model) {
   std::error_code error;
   if (std::filesystem::exists(model, error)) return;
-  std::vector<std::string> commands;
-  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
-  const std::string near = support::did_you_mean(model, commands);
+  std::string near = support::did_you_mean(model, command_names(app));
+  if (near.empty()) near = in_our_words(model);
   if (!near.empty()) throw UsageError("there is no command or file '" + model + "'; " + near);
+}
+
+/// A word before the model that is no file and looks like none.
+void refuse_unknown_command(const CLI::App& app, const std::string& model) {
+  std::error_code error;
+  const std::vector<std::string> rest = app.remaining();
+  const bool are_words = !rest.empty() && rest.front().rfind("-", 0) != 0;
+  if (!are_words || model.find_first_of("./\\") != std::string::npos || std::filesystem::exists(model, error)) return;
+  throw UsageError(
+      fmt::format("there is no command or file '{}'; the commands are {}", model, support::joined(command_names(app))));
 }
 
 // What stands before the name of a command belongs to generation, and would be forgotten.
@@ -79,6 +107,12 @@ MessageOptions messages_of(int argc, const char* const* argv) {
   return options;
 }
 
+/// Of a flag, such as --check=no: what it says is that it is there.
+void refuse_value_of_flag(const std::string& message) {
+  if (message.find("flag override") == std::string::npos) return;
+  refuse("--" + message.substr(0, message.find(' ')), "it takes no value; leave it out to say no");
+}
+
 std::optional<Options> parse(int argc, const char* const* argv, int& exit_code) {
   Options options;
   CommandLine line(options);
@@ -90,8 +124,12 @@ std::optional<Options> parse(int argc, const char* const* argv, int& exit_code) 
     exit_code = app.exit(request, page);
     write_standard_output(page.str());
     return std::nullopt;
+  } catch (const CLI::ArgumentMismatch& error) {
+    refuse_value_of_flag(error.what());
+    throw;
   } catch (const CLI::ExtrasError&) {
     refuse_misspelt_command(app, options.model);
+    refuse_unknown_command(app, options.model);
     throw;
   }
   if (app.get_subcommands().empty()) refuse_misspelt_command(app, options.model);

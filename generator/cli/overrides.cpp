@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "model/constant.hpp"
 #include "model/constant_check.hpp"
@@ -191,6 +193,13 @@ std::string acceleration_name(const std::string& name, const model::Model& model
   const bool is_speed = is_known && (symbol->second.kind == model::SymbolKind::angular_velocity ||
                                      symbol->second.kind == model::SymbolKind::speed);
   if (is_speed) return name + "_dot";
+  for (const char* ending : {"_ddot", "_dot"}) {
+    const std::size_t stem = name.size() - std::min(name.size(), std::string_view(ending).size());
+    const auto owner = model.symbols.find(name.substr(0, stem));
+    if (name.substr(stem) != ending || owner == model.symbols.end()) continue;
+    throw UsageError(fmt::format("--accelerate: write '{}' for its acceleration, as in --accelerate {}=1, not '{}'",
+                                 owner->first, owner->first, name));
+  }
   throw UsageError(fmt::format("--accelerate: '{}' is no free coordinate, angular velocity component or speed", name));
 }
 

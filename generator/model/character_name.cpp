@@ -19,7 +19,7 @@ constexpr Known k_known[] = {
     {'[', "", "round brackets group; '[...]' is a list of the file format"},
     {'{', "", "round brackets group; '{...}' is a map of the file format"},
     {'\'', "", "write the time derivative of x as dot(x)"},
-    {'%', "", "write 12/100 for twelve percent"},
+    {'%', "", "write 12/100 for twelve percent, and $(i%2) for the remainder of an index"},
     {'!', "", "the factorial is not available"},
     {'|', "", "write sqrt(x^2) for the absolute value"},
     {'_', "", "a name begins with a letter"},

@@ -51,6 +51,9 @@ constexpr Place k_inertia =
        {"the inertia of a body", "it is constant in axes that turn with the body", "use numbers and parameters"});
 constexpr Place k_centre =
     in(Quantity::length, {"a mass centre", "it is fixed in the frame of its body", "use numbers and parameters"});
+constexpr Place k_place_of_force =
+    in(Quantity::length, {"the place of a force", "it is fixed in the axes of what 'on' names",
+                          "use numbers and parameters; a place that moves there is declared under 'points'"});
 constexpr Place k_axis{"an axis", "it is fixed in its frame", "use numbers and parameters"};
 constexpr Place k_placement =
     differentiated(2, in(Quantity::length, {"a position", "a place does not depend on speeds or on inputs",
@@ -162,7 +165,7 @@ void visit_force(const Force& force, const Visit& visit) {
     }
   }
   if (const auto* push = std::get_if<PointForce>(&force.law)) {
-    visit_all(push->at, k_centre, visit);
+    visit_all(push->at, k_place_of_force, visit);
     visit_all(push->components, k_force, visit);
   }
   if (const auto* torque = std::get_if<Torque>(&force.law)) visit_all(torque->components, k_torque, visit);

@@ -7,6 +7,7 @@
 
 #include "model/parser.hpp"
 #include "model/unit_parser.hpp"
+#include "support/characters.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
 
@@ -43,6 +44,9 @@ constexpr std::pair<const char*, const char*> k_other_words[] = {
     {"description", "about"},
     {"doc", "about"},
     {"body", "child"},
+    {"body", "bodies"},
+    {"bodys", "bodies"},
+    {"constants", "parameters"},
     {"origin", "position"},
     {"offset", "at"},
     {"default", "value"},
@@ -139,9 +143,28 @@ std::string example_of(const std::string& key, const std::string& where) {
   return found == k_examples.end() ? key : fmt::format("{}: {}", key, found->second);
 }
 
+bool is_whole_number(const Node& node) {
+  return node.kind == NodeKind::scalar && !node.scalar.text.empty() &&
+         node.scalar.text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// [0,5, 0, 1]: too many entries, with numbers that no blank parts; or twice as many, all of them numbers.
+bool has_decimal_commas(const Node& list, std::size_t length) {
+  if (!list.flow || list.items.size() <= length) return false;
+  std::size_t tight = 0;
+  for (std::size_t i = 0; i + 1 < list.items.size(); ++i) {
+    const Node& second = list.items[i + 1];
+    const bool is_number = list.items[i].kind == NodeKind::scalar && !list.items[i].scalar.text.empty() &&
+                           support::is_digit(list.items[i].scalar.text.back()) && is_whole_number(second);
+    if (is_number && list.items[i].span.end + 1 == second.span.begin) ++tight;
+  }
+  const bool are_all_tight = tight + 1 == list.items.size();
+  return are_all_tight ? list.items.size() == 2 * length : tight > 0;
+}
+
 std::string hint_for_count(const Node& list, std::size_t length) {
   if (list.items.size() < length) return fmt::format("write all {}; what vanishes is written as 0", length);
-  return list.flow ? "a comma separates entries; the decimal sign is a point" : fmt::format("keep {} of them", length);
+  return fmt::format("keep {} of them", length);
 }
 
 }  // namespace
@@ -168,11 +191,14 @@ bool expect_scalar(const Node& node, Span owner, const std::string& where, Readi
   return expect(NodeKind::scalar, "a single value", node, owner, where, reading);
 }
 
-bool expect_length(const Node& list, std::size_t length, const std::string& where, Reading& reading) {
+bool expect_length(const Node& list, std::size_t length, const std::string& where, Reading& reading,
+                   const std::string& hint) {
   if (list.items.size() == length) return true;
   reading.diagnostics.error(code::k_wrong_count, list.span,
                             fmt::format("{} needs {} entries, and here are {}", where, length, list.items.size()),
-                            hint_for_count(list, length));
+                            has_decimal_commas(list, length) ? "a comma separates entries; the decimal sign is a point"
+                            : hint.empty()                   ? hint_for_count(list, length)
+                                                             : hint);
   return false;
 }
 
@@ -186,11 +212,12 @@ void check_keys(const Node& map, const std::string& where, const std::vector<std
   }
 }
 
-const Node* required(const Node& map, const std::string& key, Span owner, const std::string& where, Reading& reading) {
+const Node* required(const Node& map, const std::string& key, Span owner, const std::string& where, Reading& reading,
+                     const std::string& more) {
   const Node* node = spec::find(map, key);
   if (node == nullptr && !has_misspelt(map, key, reading))
     reading.diagnostics.error(code::k_missing_key, owner, fmt::format("{} needs the key '{}'", where, key),
-                              fmt::format("add it, as in '{}'", example_of(key, where)));
+                              fmt::format("add it, as in '{}'{}", example_of(key, where), more));
   return node;
 }
 

@@ -16,14 +16,17 @@ std::string kind_text(const spec::Node& node);
 /// `where` names the map in messages: "body 'ball'".
 bool expect_map(const spec::Node& node, support::Span owner, const std::string& where, Reading& reading);
 bool expect_list(const spec::Node& node, support::Span owner, const std::string& where, Reading& reading);
-bool expect_length(const spec::Node& list, std::size_t length, const std::string& where, Reading& reading);
+
+/// `hint` says what the entries are, where it is not plain.
+bool expect_length(const spec::Node& list, std::size_t length, const std::string& where, Reading& reading,
+                   const std::string& hint = "");
 
 void check_keys(const spec::Node& map, const std::string& where, const std::vector<std::string>& allowed,
                 Reading& reading);
 
-/// The value at `key`; a missing one is reported at `owner`.
+/// The value at `key`; a missing one is reported at `owner`, with `more` behind the hint to add it.
 const spec::Node* required(const spec::Node& map, const std::string& key, support::Span owner, const std::string& where,
-                           Reading& reading);
+                           Reading& reading, const std::string& more = "");
 
 /// The text at `key`; empty when the key is absent.
 std::string text_field(const spec::Node& map, const std::string& key, Reading& reading);

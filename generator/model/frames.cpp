@@ -94,6 +94,9 @@ std::string hint_for_unknown(const std::string& name, const Reading& reading) {
       return fmt::format("'{}' is a joint; the frame that it carries is '{}'", name,
                          reading.model.frames[joint.frame].name.text);
   }
+  const auto symbol = reading.model.symbols.find(name);
+  if (symbol != reading.model.symbols.end() && symbol->second.kind == SymbolKind::coordinate)
+    return fmt::format("'{}' is a coordinate, not a place; a force along it is 'generalized: {{{}: F}}'", name, name);
   std::vector<std::string> names{k_space_name};
   for (const auto& frame : reading.frames) names.push_back(frame.first);
   const std::string near = support::did_you_mean(name, names);

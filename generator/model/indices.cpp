@@ -61,6 +61,9 @@ class Formula {
     --depth_;
     if (!inner) return std::nullopt;
     if (c == '-') return -*inner;
+    if (next() != ')' && text_.text.find(')', at_) != std::string::npos)
+      return refuse(at_, "only whole numbers stand in the brackets of an index",
+                    "as in $(i - 1), with + - * / % and brackets");
     if (next() != ')') return refuse(begin, "this bracket is never closed", "an index is written $i or $(i - 1)");
     ++at_;
     return inner;

@@ -158,6 +158,7 @@ struct Body {
   std::size_t frame = 0;           ///< index into Model::frames: what it is part of
   std::array<Ast, 3> centre;       ///< mass centre, in the axes of the frame; over parameters
   std::optional<Inertia> inertia;  ///< in the axes of the frame
+  bool is_particle = false;        ///< has none, and says so
 };
 
 /// φ_μ(y, ẏ, t) = 0 (Vujičić (3.1)), linear or nonlinear in the velocities.

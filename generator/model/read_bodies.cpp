@@ -65,7 +65,10 @@ void place_on_frame(const Entry& entry, const std::string& where, Body& body, Re
     body.centre = centre;
     return;
   }
-  if (named == nullptr) required(entry.value, "position", entry.key.span, where, reading);
+  if (named == nullptr && !reading.incomplete) {
+    required(entry.value, "position", entry.key.span, where, reading,
+             fmt::format("; or 'frame', as no frame and no child of a joint is called '{}'", body.name.text));
+  }
   Frame frame;
   frame.name = body.name;
   frame.about = body.about;
@@ -108,6 +111,7 @@ void read_body(const Entry& entry, bool is_particle, Reading& reading) {
   Body body;
   body.name = name_of(entry.key);
   body.mass = broken_expression();
+  body.is_particle = is_particle;
   check_name(body.name, reading);
   check_unique(body.name, reading);
   if (expect_map(entry.value, entry.key.span, where, reading)) {

@@ -52,6 +52,9 @@ const std::vector<Kind>& kinds() {
   return k_kinds;
 }
 
+constexpr const char* k_attitude_starts =
+    "an attitude has its 'initial' under 'orientations', and 'orientation' names it here";
+
 using Axis = std::variant<char, std::array<Ast, 3>>;
 
 std::size_t index_of(char letter) { return static_cast<std::size_t>(letter - 'x'); }
@@ -73,7 +76,7 @@ class JointReader {
       reading_.incomplete = true;
       return;
     }
-    check_keys(map_, where_, format::keys_beside(format::joint(), "type", kind_->name), reading_);
+    check_joint_keys();
     frame_.position = vector_field(map_, "at", reading_);
     read_axes();
     read_coordinates();
@@ -129,14 +132,43 @@ class JointReader {
   std::vector<const Node*> values_at(const std::string& key, std::size_t count) {
     std::vector<const Node*> nodes;
     const Node* node = spec::find(map_, key);
-    if (node == nullptr) return nodes;
+    if (node == nullptr || count == 0) return nodes;
     if (count == 1 && node->kind == NodeKind::scalar) return {node};
     if (!expect_list(*node, map_.span, "'" + key + "'", reading_) ||
-        !expect_length(*node, count, "'" + key + "'", reading_)) {
+        !expect_length(*node, count, "'" + key + "'", reading_, hint_for_entries())) {
       return nodes;
     }
     for (const Node& item : node->items) nodes.push_back(&item);
     return nodes;
+  }
+
+  std::string default_name(const Freedom& freedom) const { return name_.text + freedom.suffix; }
+
+  std::string hint_for_entries() const {
+    std::vector<std::string> names;
+    for (const Freedom& freedom : kind_->freedoms) names.push_back(default_name(freedom));
+    return fmt::format("one for each coordinate, by default called {}{}", support::joined(names),
+                       kind_->has_quaternion ? fmt::format("; {}", k_attitude_starts) : "");
+  }
+
+  /// What people write for a spherical joint, which has no coordinates.
+  void check_joint_keys() {
+    std::vector<std::string> allowed = format::keys_beside(format::joint(), "type", kind_->name);
+    if (kind_->type == JointType::spherical) {
+      for (const char* key : {"coordinates", "initial", "initial_guess", "initial_rate"}) {
+        for (const Entry& field : map_.entries) {
+          if (field.key.text == key) refuse_of_spherical(field.key);
+        }
+        allowed.push_back(key);
+      }
+    }
+    check_keys(map_, where_, allowed, reading_);
+  }
+
+  void refuse_of_spherical(const spec::LocatedText& key) {
+    reading_.diagnostics.error(code::k_unknown_key, key.span,
+                               fmt::format("{} is spherical and has no key '{}'", where_, key.text),
+                               std::string("it has a quaternion in place of coordinates; ") + k_attitude_starts);
   }
 
   void read_coordinates() {
@@ -146,7 +178,7 @@ class JointReader {
     const auto guesses = values_at("initial_guess", count);
     const auto rates = values_at("initial_rate", count);
     for (std::size_t i = 0; i < count; ++i) {
-      Name name{name_.text + kind_->freedoms[i].suffix, name_.span};
+      Name name{default_name(kind_->freedoms[i]), name_.span};
       if (i < names.size() && expect_scalar(*names[i], name_.span, "a coordinate", reading_)) {
         name = name_of(names[i]->scalar);
       }

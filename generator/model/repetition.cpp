@@ -74,9 +74,11 @@ class Repetition {
                                    fmt::format("'{}' cannot be the name of a count", entry.key.text),
                                    is_index ? "$i, $j and $k count the copies of an entry"
                                             : "it has letters and digits only, and begins with a letter");
-        return;
       }
-      if (const auto count = read_count(entry.value, entry.key.span)) counts_[entry.key.text] = *count;
+      // One that is refused is known all the same: what uses it has no fault of its own.
+      const auto count = read_count(entry.value, entry.key.span);
+      counts_[entry.key.text] = count.value_or(1);
+      if (!count) reading_.incomplete = true;
     });
   }
 

@@ -54,7 +54,7 @@ class SmoothnessCheck {
   /// `dots`: how many dot(...) stand around it.
   void visit(const Ast& ast, int dots) {
     const bool is_dot = ast.kind == AstKind::call && ast.name == k_dot;
-    if (const auto fault = fault_of(ast)) {
+    if (const auto fault = fault_of(ast, dots)) {
       if (place_.derivatives + dots > fault->derivatives) return report(ast, *fault, dots);
     }
     for (const Ast& child : ast.children) visit(child, dots + (is_dot ? 1 : 0));
@@ -62,7 +62,7 @@ class SmoothnessCheck {
 
  private:
   /// Of functions that are not smooth in what varies.
-  std::optional<Fault> fault_of(const Ast& ast) const {
+  std::optional<Fault> fault_of(const Ast& ast, int dots) const {
     if (ast.kind != AstKind::call) return std::nullopt;
     if (ast.table != nullptr) return varying(ast, fault_of_table(*ast.table));
     if (ast.name == "abs")
@@ -74,7 +74,7 @@ class SmoothnessCheck {
                            fmt::format("write (a + b {} sqrt((a - b)^2 + eps^2))/2 with a small eps for {}(a, b)",
                                        ast.name == "min" ? "-" : "+", ast.name)});
     }
-    if (ast.name == k_piecewise) return of_cases(ast);
+    if (ast.name == k_piecewise) return of_cases(ast, dots);
     return std::nullopt;
   }
 
@@ -84,13 +84,19 @@ class SmoothnessCheck {
   }
 
   /// Cases that the parameters decide do not change during a motion.
-  std::optional<Fault> of_cases(const Ast& ast) const {
+  std::optional<Fault> of_cases(const Ast& ast, int dots) const {
     for (std::size_t i = 0; i + 1 < ast.children.size(); i += 2) {
       if (!varies(ast.children[i], reading_.model)) continue;
-      return Fault{0, "piecewise(...) may jump between its cases",
-                   "write a table with 'kind: spline', or a generalized force in place of a potential"};
+      return Fault{0, "piecewise(...) may jump between its cases", hint_for_cases(dots)};
     }
     return std::nullopt;
+  }
+
+  std::string hint_for_cases(int dots) const {
+    std::string hint = "write a table with 'kind: spline'";
+    if (place_.quantity == Quantity::energy) hint += ", or a generalized force in place of a potential";
+    if (dots == 1 && place_.derivatives == 0) hint += ", or the rate of each case: piecewise(c, dot(a), dot(b))";
+    return hint;
   }
 
   void report(const Ast& ast, const Fault& fault, int dots) {

@@ -114,6 +114,29 @@ void check_used(Reading& reading) {
   }
 }
 
+/// Whether the axes of the frame move against space.
+bool turns(std::size_t frame, const Model& model) {
+  Uses uses;
+  for (std::size_t at = frame; at != k_space; at = model.frames[at].parent) {
+    if (std::holds_alternative<QuaternionOrientation>(model.frames[at].attitude)) return true;
+    const auto* turns = std::get_if<Turns>(&model.frames[at].attitude);
+    for (std::size_t i = 0; turns != nullptr && i < turns->size(); ++i) collect((*turns)[i].angle, model, uses);
+  }
+  return !uses.coordinates.empty() || !uses.orientations.empty();
+}
+
+/// On a frame, inertia may be left out, and then is 0: with what turns, that is forgotten more often than meant.
+void check_inertia_stated(Reading& reading) {
+  if (reading.incomplete || reading.diagnostics.has_errors()) return;
+  for (const Body& body : reading.model.bodies) {
+    if (body.inertia || body.is_particle || !turns(body.frame, reading.model)) continue;
+    reading.diagnostics.warning(
+        code::k_forgotten_inertia, body.name.span,
+        fmt::format("'{}' turns with its frame and states no inertia: 0 is taken", body.name.text),
+        "add 'inertia' about the mass centre, as 0 if it has none, or list it under 'particles'");
+  }
+}
+
 /// Whether a free speed, or a name that is reported already, is in the expression.
 bool has_free_speed(const Ast& ast, bool inside_dot, const Model& model) {
   if (ast.kind == AstKind::symbol) {
@@ -185,6 +208,7 @@ void check_topology(Reading& reading) {
   }
   if (!model.bodies.empty() && !reading.incomplete) check_used(reading);
   check_constraints(reading);
+  check_inertia_stated(reading);
 }
 
 }  // namespace gaussgen::model

@@ -41,6 +41,8 @@ void check_units(Reading& reading) {
     if (table.of_unit != table.unit) check_unit(table.name, table.of_unit, reading);
   }
   for (const Coordinate& coordinate : reading.model.coordinates) check_unit(coordinate.name, coordinate.unit, reading);
+  for (const Speed& speed : reading.model.speeds) check_unit(speed.name, speed.unit, reading);
+  for (const NamedQuantity& quantity : reading.model.quantities) check_unit(quantity.name, quantity.unit, reading);
 }
 
 }  // namespace gaussgen::model

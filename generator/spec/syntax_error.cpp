@@ -1,8 +1,11 @@
 #include "spec/syntax_error.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
+#include <vector>
 
+#include "spec/foreign_space.hpp"
 #include "support/error_codes.hpp"
 
 namespace gaussgen::spec {
@@ -68,6 +71,12 @@ std::uint32_t begin_of(const support::Source& source, std::string_view line) {
   return static_cast<std::uint32_t>(line.data() - source.text().data());
 }
 
+/// Where the text of a line begins.
+std::uint32_t text_begin(const support::Source& source, std::uint32_t offset) {
+  const std::string_view line = source.line_at(offset);
+  return begin_of(source, line) + static_cast<std::uint32_t>(std::min(line.find_first_not_of(' '), line.size()));
+}
+
 /// about: 'the ball's mass', and x: {} free
 std::optional<Finding> text_behind_end(const support::Source& source, std::uint32_t offset) {
   const std::string_view line = source.line_at(offset);
@@ -119,6 +128,77 @@ std::optional<Finding> line_without_colon(const support::Source& source, std::ui
   return std::nullopt;
 }
 
+/// Walks over the brackets of the file, past comments and quoted texts.
+class BracketWalk {
+ public:
+  explicit BracketWalk(const support::Source& source) : source_(source), text_(source.text()) {}
+
+  /// If some bracket is never closed: the one that is open where a line begins that is indented no deeper than its own.
+  std::optional<std::uint32_t> never_closed() {
+    std::optional<std::uint32_t> found;
+    while (at_ < text_.size()) {
+      if (is_at_line_start() && !found && !open_.empty() && is_dedented()) found = open_.back();
+      step();
+    }
+    if (open_.empty() || is_mixed_up_) return std::nullopt;
+    return found ? found : open_.back();
+  }
+
+ private:
+  void step() {
+    const char c = text_[at_];
+    const char before = at_ == 0 ? '\n' : text_[at_ - 1];
+    const bool begins_word = std::string_view(" \n[{,:").find(before) != std::string_view::npos;
+    if (c == '#' && (before == ' ' || before == '\n')) return skip_to('\n');
+    if ((c == '"' || c == '\'') && begins_word) return skip_quoted(c);
+    const bool opens = c == '{' || c == '[';
+    if (opens && (begins_word || !open_.empty())) open_.push_back(static_cast<std::uint32_t>(at_));
+    if ((c == '}' || c == ']') && !open_.empty()) close(c);
+    ++at_;
+  }
+
+  void close(char c) {
+    is_mixed_up_ = is_mixed_up_ || (text_[open_.back()] == '{') != (c == '}');
+    open_.pop_back();
+  }
+
+  void skip_to(char end) { at_ = std::min(text_.find(end, at_ + 1), text_.size()); }
+
+  void skip_quoted(char quote) {
+    do {
+      skip_to(quote);
+    } while (quote == '"' && at_ < text_.size() && text_[at_ - 1] == '\\');
+    if (at_ < text_.size()) ++at_;
+  }
+
+  bool is_at_line_start() const { return at_ == 0 || text_[at_ - 1] == '\n'; }
+
+  static std::size_t indentation(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
+
+  bool is_dedented() const {
+    const std::string_view line = source_.line_at(static_cast<std::uint32_t>(at_));
+    const std::size_t first = indentation(line);
+    if (first == line.size() || std::string_view("#\r}]").find(line[first]) != std::string_view::npos) return false;
+    return first <= indentation(source_.line_at(open_.back()));
+  }
+
+  const support::Source& source_;
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::vector<std::uint32_t> open_;
+  bool is_mixed_up_ = false;  ///< a '}' stands where ']' is due, or the other way round
+};
+
+/// a: {mass: 1, position: [x, 0, 0] and then the next line: YAML notices it there.
+std::optional<Finding> open_bracket(const support::Source& source, std::uint32_t offset) {
+  const auto bracket = BracketWalk(source).never_closed();
+  if (!bracket || *bracket >= offset) return std::nullopt;
+  const bool is_map = source.text()[*bracket] == '{';
+  return Finding{{*bracket, *bracket + 1},
+                 is_map ? "this '{' is never closed" : "this '[' is never closed",
+                 is_map ? "add the missing '}'" : "add the missing ']'"};
+}
+
 /// What people mean where YAML says something else.
 std::optional<Finding> likely_slip(const support::Source& source, std::uint32_t offset, const std::string& text) {
   if (offset >= source.text().size()) return std::nullopt;
@@ -130,6 +210,12 @@ std::optional<Finding> likely_slip(const support::Source& source, std::uint32_t 
 
 }  // namespace
 
+bool report_open_bracket(const support::Source& source, std::uint32_t offset, support::Diagnostics& diagnostics) {
+  const auto bracket = open_bracket(source, offset);
+  if (bracket) diagnostics.error(code::k_yaml_syntax, bracket->span, bracket->message, bracket->hint);
+  return bracket.has_value();
+}
+
 void report_syntax_error(const support::Source& source, std::uint32_t offset, const std::string& text,
                          support::Diagnostics& diagnostics) {
   const Span here{offset, offset + 1};
@@ -138,6 +224,8 @@ void report_syntax_error(const support::Source& source, std::uint32_t offset, co
                       "YAML indents with spaces only");
     return;
   }
+  if (refuse_foreign_space(source, text_begin(source, offset), diagnostics)) return;
+  if (report_open_bracket(source, offset, diagnostics)) return;
   if (const auto slip = likely_slip(source, offset, text)) {
     diagnostics.error(code::k_yaml_syntax, slip->span, slip->message, slip->hint);
     return;

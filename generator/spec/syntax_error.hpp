@@ -11,4 +11,7 @@ namespace gaussgen::spec {
 void report_syntax_error(const support::Source& source, std::uint32_t offset, const std::string& text,
                          support::Diagnostics& diagnostics);
 
+/// True, and a report, if a bracket before `offset` is never closed.
+bool report_open_bracket(const support::Source& source, std::uint32_t offset, support::Diagnostics& diagnostics);
+
 }  // namespace gaussgen::spec

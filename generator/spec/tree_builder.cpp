@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
+#include <string_view>
 #include <utility>
 
+#include "spec/foreign_space.hpp"
 #include "spec/reader.hpp"
 #include "spec/rejoin.hpp"
+#include "spec/syntax_error.hpp"
 #include "spec/text_check.hpp"
 #include "support/error_codes.hpp"
 #include "support/utf8.hpp"
@@ -24,6 +28,27 @@ const char* const k_quoted_tag = "!";
 
 bool is_explicit_tag(const std::string& tag, bool quoted) {
   return !tag.empty() && tag != k_plain_tag && !(tag == k_quoted_tag && quoted);
+}
+
+/// The '%' of LaTeX or MATLAB at the beginning of a line: to YAML a directive for the next document.
+std::optional<std::uint32_t> percent_before(const support::Source& source, std::uint32_t document) {
+  std::uint32_t at = document;
+  while (at > 0) {
+    const std::string_view line = source.line_at(at - 1);
+    at = static_cast<std::uint32_t>(line.data() - source.text().data());
+    if (!line.empty() && line.front() == '%') return at;
+    const std::size_t first = line.find_first_not_of(" \r");
+    if (first != std::string_view::npos && line[first] != '#') return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// What YAML takes for nothing, as `null` is, although a word stands there.
+std::string word_for_nothing(std::string_view text, std::uint32_t at) {
+  for (const char* word : {"null", "Null", "NULL"}) {
+    if (text.substr(at, 4) == word) return word;
+  }
+  return {};
 }
 
 }  // namespace
@@ -44,6 +69,11 @@ bool TreeBuilder::expects_key() const {
 void TreeBuilder::OnDocumentStart(const YAML::Mark& mark) {
   if (++documents_ == 1) return;
   const std::uint32_t at = offset(mark);
+  if (const auto comment = percent_before(source_, at)) {
+    diagnostics_.error(code::k_several_documents, {*comment, *comment + 1},
+                       "a line that begins with '%' ends the document", "comments begin with #");
+    throw Stop{};
+  }
   diagnostics_.error(code::k_several_documents, {at, at + 3}, "a second document begins here; a file holds one model",
                      "put each model in a file of its own");
   throw Stop{};
@@ -96,6 +126,7 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
   refuse_extras(mark, tag, anchor);
   const std::uint32_t at = offset(mark);
   const ScalarStyle style = style_at(source_.text(), at, tag == k_quoted_tag);
+  if (refuse_foreign_space(source_, at, diagnostics_)) throw Stop{};
   if ((style == ScalarStyle::single_quoted || style == ScalarStyle::double_quoted) &&
       !quote_is_closed(source_.text(), at, style)) {
     diagnostics_.error(code::k_yaml_syntax, {at, at + 1}, "this quote is never closed",
@@ -157,6 +188,7 @@ void TreeBuilder::open(const YAML::Mark& mark, NodeKind kind, YAML::EmitterStyle
     throw Stop{};
   }
   if (expects_key()) {
+    if (report_open_bracket(source_, at, diagnostics_)) throw Stop{};
     diagnostics_.error(code::k_yaml_syntax, {at, at + 1}, "a key must be a single word, not a list or a map",
                        "quote a text that begins with '[' or '{'");
     throw Stop{};
@@ -169,7 +201,14 @@ void TreeBuilder::open(const YAML::Mark& mark, NodeKind kind, YAML::EmitterStyle
 }
 
 void TreeBuilder::refuse_key(Span span) {
-  diagnostics_.error(code::k_yaml_syntax, span, "a key is missing here", "each line of a map reads 'key: value'");
+  const std::string word = word_for_nothing(source_.text(), span.begin);
+  if (word.empty()) {
+    diagnostics_.error(code::k_yaml_syntax, span, "a key is missing here", "each line of a map reads 'key: value'");
+  } else {
+    const Span here{span.begin, span.begin + static_cast<std::uint32_t>(word.size())};
+    diagnostics_.error(code::k_yaml_syntax, here, fmt::format("to YAML, '{}' is nothing, and no name", word),
+                       fmt::format("choose another name, such as {}1", word));
+  }
   open_.back().bad_key = true;
 }
 

@@ -92,6 +92,7 @@ inline constexpr ErrorCode k_unused_table{"W064", "a table that nothing uses"};
 inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate that moves no body"};
 inline constexpr ErrorCode k_unreal_inertia{"W063", "moments of inertia that no body has"};
 inline constexpr ErrorCode k_no_mass{"W056", "a body with neither mass nor inertia"};
+inline constexpr ErrorCode k_forgotten_inertia{"W065", "a body that turns and states no inertia"};
 inline constexpr ErrorCode k_quaternion_length{"W061", "an initial quaternion that is far from unit length"};
 inline constexpr ErrorCode k_scaled_unit{"W055", "a unit that would need a conversion"};
 inline constexpr ErrorCode k_missing_unit{"W062", "names without a unit beside others that have one"};
@@ -116,6 +117,7 @@ inline constexpr ErrorCode k_chosen_start{"W059", "initial rates that the constr
 inline constexpr ErrorCode k_redundant_constraint{"W054", "a constraint that follows from the others"};
 inline constexpr ErrorCode k_unsafe_choice{"W060", "a choice of dependent speeds that breaks down somewhere"};
 inline constexpr ErrorCode k_idle_point{"W058", "the point of a constraint whose force is not determined"};
+inline constexpr ErrorCode k_empty_output{"W066", "an output that is empty for this model"};
 
 }  // namespace code
 
@@ -182,6 +184,7 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_scaled_unit,
     code::k_missing_unit,
     code::k_no_mass,
+    code::k_forgotten_inertia,
     code::k_unreal_inertia,
     code::k_quaternion_length,
 };
@@ -191,6 +194,7 @@ inline constexpr ErrorCode k_stage_codes[] = {
     code::k_no_paper_route, code::k_impossible_start, code::k_violating_start, code::k_undefined_start,
     code::k_singular_start, code::k_dependent_start,  code::k_chosen_start,    code::k_redundant_constraint,
     code::k_unsafe_choice,  code::k_idle_point,       code::k_contradiction,   code::k_contradictory_start,
+    code::k_empty_output,
 };
 
 }  // namespace gaussgen::support

@@ -52,7 +52,7 @@ TEST_CASE("open rates that a choice gave their values are shown with them") {
         "taken: x_dot = 1.00, y_dot = -2.00\n"
         " 8 |   x: {initial: 0}\n"
         "   |   ^\n"
-        "   = hint: state 1 of them by initial_rate or initial_angular_velocity\n");
+        "   = hint: state 1 of them by initial_rate\n");
 }
 
 TEST_CASE("nothing is said of open rates that constraints determine, that rest, or that keep their guesses") {

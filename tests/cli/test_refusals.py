@@ -31,6 +31,9 @@ USAGE = {
     "a name of the compiler": [SKEW, "--namespace", "a__b"],
     "another name of the compiler": [SKEW, "--namespace", "_a"],
     "a dependency of standard output": [SKEW, "-o", "-", "--depfile", "m.d"],
+    "a value for a flag": [SKEW, "--check=no"],
+    "a value for a flag of evaluate": ["evaluate", SKEW, "--equilibrium=yes"],
+    "a word that is no command": ["frob", SKEW],
     "an option without its argument": [SKEW, "-o"],
     "an empty folder": [SKEW, "-o", ""],
     "an empty folder, in one word": [SKEW, "--output="],
@@ -64,6 +67,10 @@ class CommandLine(Program):
         self.assertIn("there is no command or file 'evaluat'; did you mean 'evaluate'?", self.refused(2, "evaluat", SKEW))
         self.assertIn("did you mean 'evaluate'?", self.refused(2, "evaluat", SKEW, "--set", "m1=2"))
         self.assertIn("did you mean 'derivation'?", self.refused(2, "derivaton"))
+        self.assertIn("did you mean '--check'?", self.refused(2, "check", SKEW))
+        self.assertIn("did you mean 'evaluate'?", self.refused(2, "eval", SKEW))
+        self.assertIn("there is no command or file 'frob'; the commands are evaluate, ", self.refused(2, "frob", SKEW))
+        self.assertIn("--equilibrium: it takes no value", self.refused(2, "evaluate", SKEW, "--equilibrium=yes"))
         self.write("evaluat", PARTICLE)
         self.ok("evaluat", "--check")
         self.assertIn("skew.yaml: No such file", self.refused(3, "skew.yaml"))
@@ -96,11 +103,12 @@ class Model(Program):
 
     def test_no_faulty_model_is_an_internal_error(self):
         # `evaluate` shows numbers of a bad start, too, and warns of them.
-        about_start = {"e070", "e080", "w051", "w052", "w053", "w054", "w057", "w058", "w059", "w060", "w080"}
+        # Of outputs it knows nothing.
+        not_of_evaluate = {"w066", "e070", "e080", "w051", "w052", "w053", "w054", "w057", "w058", "w059", "w060", "w080"}
         for model in sorted((SOURCE / "tests/diagnostics").glob("*.yaml")):
             for arguments in ([model], ["evaluate", model]):
                 result = self.run_it(*arguments)
-                is_warned = len(arguments) > 1 and model.name[:4] in about_start
+                is_warned = len(arguments) > 1 and model.name[:4] in not_of_evaluate
                 is_error = model.name[0] == "e" and not is_warned
                 self.assertIn(result.returncode, (1, 4) if is_error else (0,), (model.name, result.stderr))
                 if not is_warned:

@@ -148,7 +148,8 @@ forces: {push: {generalized: {x: F, y: G}}}
 
     def test_names_and_numbers_are_checked(self):
         for wrong, message in (("q=1", "'q' is no free coordinate"), ("z", "expected name=value"), ("z=z", "a number is needed"),
-                               ("m=1", "'m' is no free coordinate")):
+                               ("m=1", "'m' is no free coordinate"), ("z_ddot=1", "write 'z' for its acceleration, as in --accelerate z=1"),
+                               ("z_dot=1", "not 'z_dot'")):
             self.assertIn(message, self.refused(2, "evaluate", "-", "--accelerate", wrong, stdin=SPRING))
 
 

@@ -1,0 +1,69 @@
+#include "output_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "support/error_codes.hpp"
+
+namespace gaussgen {
+
+namespace {
+
+struct Absence {
+  const char* why;
+  const char* hint;
+};
+
+/// As `build_artefact` decides.
+Absence absence_of(const std::string& output) {
+  if (output == "reactions" || output == "reaction_forces") {
+    return {"it has no constraint and no held coordinate",
+            "what joints transmit is 'joint_reactions'; else remove it from the outputs"};
+  }
+  if (output == "joint_reactions") {
+    return {"it has no joints", "forces of constraints are in 'reaction_forces'; else remove it from the outputs"};
+  }
+  if (output == "residuals") {
+    return {"it has no constraint and no quaternion", "there is nothing to satisfy: remove it from the outputs"};
+  }
+  if (output == "quantities") {
+    return {"it names none", "write what you want to know under 'quantities', or remove it from the outputs"};
+  }
+  if (output == "compulsion") {
+    return {"a body in it has no mass or no inertia, which Z divides by",
+            "give it some, or remove it from the outputs; what has no inertia stands under 'particles'"};
+  }
+  return {"no coordinate is free, so it has no state", "remove it from the outputs"};
+}
+
+bool has(const emit::Unit& unit, const std::string& output) {
+  return std::any_of(unit.artefacts.begin(), unit.artefacts.end(),
+                     [&](const emit::Artefact& artefact) { return artefact.name == output; });
+}
+
+/// Those of the command line stand nowhere in the file: the model itself is meant.
+std::vector<model::Name> asked_for(const model::Model& model, const PipelineOptions& options) {
+  if (options.outputs.empty()) return model.outputs;
+  std::vector<model::Name> names;
+  for (const std::string& output : options.outputs) names.push_back({output, model.name.span});
+  return names;
+}
+
+}  // namespace
+
+void check_outputs(const Mechanics& mechanics, const emit::Unit& unit, const PipelineOptions& options,
+                   support::Diagnostics& diagnostics) {
+  std::set<std::string> seen;
+  for (const model::Name& name : asked_for(mechanics.model, options)) {
+    if (!seen.insert(name.text).second || has(unit, name.text)) continue;
+    const Absence absence = absence_of(name.text);
+    diagnostics.warning(
+        support::code::k_empty_output, name.span,
+        fmt::format("the output '{}' is left out, as this model has nothing for it: {}", name.text, absence.why),
+        absence.hint);
+  }
+}
+
+}  // namespace gaussgen
