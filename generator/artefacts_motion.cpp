@@ -192,6 +192,14 @@ std::string drives(const model::Model& model) {
   return names.empty() ? "" : "\nWhat acts along coordinates is part of what their joints transmit: " + names + ".";
 }
 
+/// Rigid bodies do not say what a loop carries in directions in which it is closed anyway, such as across its plane.
+std::string indeterminate(const model::Model& model) {
+  const auto& rows = model.idle_closures;
+  if (rows.empty()) return "";
+  return "\nNot unique: the loop is closed in the directions " + support::joined(rows) +
+         " anyway and carries nothing there,\nso what joints carry in these directions depends on where the loop is cut.";
+}
+
 }  // namespace
 
 std::vector<Artefact> joint_reactions_artefact(Mechanics& mechanics) {
@@ -200,7 +208,7 @@ std::vector<Artefact> joint_reactions_artefact(Mechanics& mechanics) {
       "joint_reactions",
       "Force and moment that the child of each joint feels from its parent, in space axes, the moment\n"
       "about the origin of the child." +
-          drives(mechanics.model),
+          drives(mechanics.model) + indeterminate(mechanics.model),
       mechanics);
   Steps steps;
   builder.result_type("JointReactions");

@@ -289,6 +289,7 @@ struct Model {
   std::vector<Joint> joints;
   std::vector<Body> bodies;
   std::vector<Constraint> constraints;
+  std::vector<std::string> idle_closures;  ///< rows of `coincide` that hold in every motion and are left out
   std::vector<Force> forces;
   std::vector<NamedQuantity> quantities;
   std::vector<Name> dependent;  ///< the user's choice of dependent speeds (3.6); empty: chosen by the generator

@@ -98,7 +98,7 @@ class Documents(Program):
         rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in page.splitlines() if line.startswith("| `")]
         models = sorted(str(path.relative_to(MODELS).with_suffix("")) for path in MODELS.rglob("*.yaml"))
         self.assertEqual([row[0].strip("`") for row in rows], models)
-        margins = (SOURCE / "tests/physics/follow.hpp").read_text(encoding="utf-8")
+        margins = "".join((SOURCE / f"tests/physics/{shared}.hpp").read_text(encoding="utf-8") for shared in ("follow", "states"))
         for model, oracle, where, tolerance in rows:
             with self.subTest(model):
                 test = (SOURCE / where.strip("`")).read_text(encoding="utf-8")
