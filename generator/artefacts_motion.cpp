@@ -197,7 +197,8 @@ std::string indeterminate(const model::Model& model) {
   const auto& rows = model.idle_closures;
   if (rows.empty()) return "";
   return "\nNot unique: the loop is closed in the directions " + support::joined(rows) +
-         " anyway and carries nothing there,\nso what joints carry in these directions depends on where the loop is cut.";
+         " anyway and carries nothing there,\nso what joints carry in these directions depends on where the loop is "
+         "cut.";
 }
 
 }  // namespace

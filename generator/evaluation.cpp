@@ -141,12 +141,14 @@ class Report {
     }
     warn_of_impossible_accelerations();
     add_groups("inverse_dynamics");
-    for (const emit::Artefact& artefact : build_artefact("inverse_dynamics", mechanics_)) warn_of_drives(artefact.status);
+    for (const emit::Artefact& artefact : build_artefact("inverse_dynamics", mechanics_))
+      warn_of_drives(artefact.status);
   }
 
   void warn_of_drives(const emit::StatusNodes& status) {
     const auto is_true = [&](NodeId condition) { return value_of_.is_true(Expr(mechanics_.graph, condition)); };
-    const bool is_known = std::find(result_.doubts.begin(), result_.doubts.end(), "dependent_constraints") != result_.doubts.end();
+    const bool is_known =
+        std::find(result_.doubts.begin(), result_.doubts.end(), "dependent_constraints") != result_.doubts.end();
     if (is_known || !is_true(status.dependent_constraints)) return;
     result_.warnings.push_back("inputs do the same here: those that are needed are not unique");
     doubt("dependent_constraints");

@@ -167,7 +167,8 @@ std::optional<evaluate::Matrix> GenericPoint::matrix_of(const strategy::Matrix& 
 
 bool VanishesEverywhere::operator()(ir::Expr expression) {
   for (int attempt = 0; attempt < k_attempts; ++attempt) {
-    if (attempt == static_cast<int>(points_.size())) points_.push_back({values(attempt, k_digits), values(attempt, 2 * k_digits)});
+    if (attempt == static_cast<int>(points_.size()))
+      points_.push_back({values(attempt, k_digits), values(attempt, 2 * k_digits)});
     const std::optional<cl_F> coarse = points_[static_cast<std::size_t>(attempt)].coarse(expression.id());
     const std::optional<cl_F> fine = points_[static_cast<std::size_t>(attempt)].fine(expression.id());
     if (!coarse || !fine) continue;

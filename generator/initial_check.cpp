@@ -133,10 +133,11 @@ class InitialCheck {
       const ir::Vector3 gap = frames.origin(spring->second) - frames.origin(spring->first);
       const auto square = values_(ir::dot(gap, gap).id());
       if (!square || !cln::zerop(*square)) continue;
-      diagnostics_.warning(support::code::k_singular_start, force.name.span,
-                           "there are no accelerations at the initial state: both ends of this spring are at the same place, so that "
-                           "it pulls in no direction",
-                           "start with its ends apart; a spring without 'length' needs no direction");
+      diagnostics_.warning(
+          support::code::k_singular_start, force.name.span,
+          "there are no accelerations at the initial state: both ends of this spring are at the same place, so that "
+          "it pulls in no direction",
+          "start with its ends apart; a spring without 'length' needs no direction");
       return true;
     }
     return false;

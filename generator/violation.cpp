@@ -55,7 +55,8 @@ std::string remedy_of_positions(Mechanics& mechanics, const kinematics::Constrai
   }
   if (!open.empty()) {
     const std::string nearby = position_nearby(mechanics, is_given);
-    if (!nearby.empty()) return "from the guesses the search does not come near enough; give these an initial_guess: " + nearby;
+    if (!nearby.empty())
+      return "from the guesses the search does not come near enough; give these an initial_guess: " + nearby;
     return fmt::format(
         "the search for {} found nothing: give an initial_guess near the wanted position, and check "
         "that the parts can reach each other",

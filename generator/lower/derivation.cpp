@@ -224,16 +224,17 @@ void add_user_items(const model::Model& model, const PaperSystem& paper, Formula
 
 void add_speeds(const model::Model& model, const PaperSystem& paper, FormulaWriter& write, Derivation& derivation) {
   if (model.speeds.empty()) return;
-  Section section{"Speeds",
-                  "",
-                  "The model has these in the place of rates. Z does not depend on that choice; the derivation keeps to "
-                  "the rates, from which the speeds follow.",
-                  {},
-                  {},
-                  {}};
+  Section section{
+      "Speeds",
+      "",
+      "The model has these in the place of rates. Z does not depend on that choice; the derivation keeps to "
+      "the rates, from which the speeds follow.",
+      {},
+      {},
+      {}};
   for (const model::Speed& speed : model.speeds) {
-    section.items.push_back(
-        {latex_indices({speed.name.text}), speed.name.text, with_unit(speed.about.empty() ? "speed" : speed.about, speed.unit)});
+    section.items.push_back({latex_indices({speed.name.text}), speed.name.text,
+                             with_unit(speed.about.empty() ? "speed" : speed.about, speed.unit)});
   }
   for (const FreeIndex a : paper.chart().free()) {
     const std::optional<symbolic::ChartSpeed>& speed = paper.chart().speed_instead(a);

@@ -13,7 +13,8 @@ namespace gaussgen::lower {
 struct PaperRoute {
   std::string obstacle;  ///< why this route does not take the model; then everything else is empty
 
-  std::vector<std::string> speeds;        ///< labels: free coordinates (or speeds of their own) as declared, then angular velocities
+  std::vector<std::string>
+      speeds;  ///< labels: free coordinates (or speeds of their own) as declared, then angular velocities
   std::vector<ir::NodeId> accelerations;  ///< q̈^α and du/dt, in this order
   std::vector<std::string> constraints;   ///< as declared
   std::vector<ir::NodeId> lambda;         ///< λ_μ (3.4)
@@ -21,8 +22,9 @@ struct PaperRoute {
   std::vector<ir::NodeId> R_x;            ///< R_j = A_j - Q_j - λ_μ β_μj (3.5)
   std::vector<ir::NodeId> R_x_up;         ///< R^i = э^ij R_j, from (3.8)
   ir::NodeId Z_w;                         ///< (1.13) without R: Gauss's function up to a term free of accelerations
-  std::vector<std::string> dependent;     ///< the rates eliminated (3.6); this route never eliminates speeds of the model's own
-  bool partition_is_safe = true;          ///< det b_μρ is shown never to vanish
+  std::vector<std::string>
+      dependent;                  ///< the rates eliminated (3.6); this route never eliminates speeds of the model's own
+  bool partition_is_safe = true;  ///< det b_μρ is shown never to vanish
 };
 
 /// Why this route does not take a model of this size; empty when it does.

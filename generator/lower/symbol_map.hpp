@@ -11,7 +11,8 @@ namespace gaussgen::lower {
 /// quaternion component, angular velocity `wx`. A formula parameter may be absent; then its formula is taken.
 struct SymbolMap {
   std::map<std::string, ir::SymbolId> ids;
-  std::map<std::string, ir::NodeId> values = {};  ///< what is no symbol there: rates, where the model has speeds instead
+  std::map<std::string, ir::NodeId> values =
+      {};  ///< what is no symbol there: rates, where the model has speeds instead
 };
 
 /// All symbols of a graph by their names.

@@ -135,8 +135,8 @@ struct Frame {
   std::string about;
   std::size_t parent = k_space;  ///< index into Model::frames, always an earlier one
   std::array<Ast, 3>
-      position;       ///< of the origin, in the axes of the parent; over coordinates, quaternions, parameters, t
-  Attitude attitude;  ///< against the parent; std::monostate: its axes
+      position;           ///< of the origin, in the axes of the parent; over coordinates, quaternions, parameters, t
+  Attitude attitude;      ///< against the parent; std::monostate: its axes
   bool is_point = false;  ///< a place on the parent, which says nothing of how anything moves there
 };
 

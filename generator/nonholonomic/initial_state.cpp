@@ -59,7 +59,8 @@ class InitialState {
     for (const FreeIndex a : replaced) at_zero[chart_[a].rate] = 0;
     for (unsigned i = 0; i < n; ++i) {
       const ex& is = chart_.speed_instead(replaced[i])->is;
-      for (unsigned j = 0; j < n; ++j) M(i, j) = evaluate(chart_.at_attitude(is.diff(chart_[replaced[j]].rate)), state_);
+      for (unsigned j = 0; j < n; ++j)
+        M(i, j) = evaluate(chart_.at_attitude(is.diff(chart_[replaced[j]].rate)), state_);
       rest(i, 0) = state_[chart_[replaced[i]].rate] - evaluate(chart_.at_attitude(is), at_zero);
       rates(i, 0) = GiNaC::symbol();
     }

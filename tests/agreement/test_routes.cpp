@@ -205,15 +205,19 @@ class Comparison {
     bind(emitted_.symbols, state, evaluator_);
     bind(multipliers_.symbols, state, other_);
     bind(emitted_.symbols, state, sums_);
-    Compared now{state, scaling(evaluator_, emitted_.dynamics), {sums_of(emitted_.dynamics.f), sums_of(at_rest_)},
-                 answer(emitted_, evaluator_), {}};
+    Compared now{state,
+                 scaling(evaluator_, emitted_.dynamics),
+                 {sums_of(emitted_.dynamics.f), sums_of(at_rest_)},
+                 answer(emitted_, evaluator_),
+                 {}};
     if (!(now.scale.condition <= k_largest_condition)) {
       ++tally_.ill_conditioned;
       std::printf("  %s: state %d has kappa = %.1e\n", file_.c_str(), index, now.scale.condition);
       return;
     }
     ++tally_.compared;
-    take(tally_.worst_multiplier_form, difference(now.ours, answer(multipliers_, other_), now.sums, now.scale) / bar(now));
+    take(tally_.worst_multiplier_form,
+         difference(now.ours, answer(multipliers_, other_), now.sums, now.scale) / bar(now));
     const auto n = static_cast<Eigen::Index>(emitted_.dynamics.n());
     const Eigen::MatrixXd J = matrix(evaluator_, rates_by_speeds_, n).inverse();
     const ScaledSystem system = scaled_system(J.transpose() * matrix(evaluator_, emitted_.dynamics.g, n) * J,
@@ -328,8 +332,11 @@ TEST_CASE("emitted route, multiplier form and paper's route agree to 100 kappa e
   }
 }
 
-TEST_CASE("the three agree on speeds of the model's own over rates of held coordinates, on points that wander, on springs that wind") {
-  for (const char* file : {"agreement/models/speeds_over_held", "physics/forces/sliding_wheel", "physics/forces/winch"}) {
+TEST_CASE(
+    "the three agree on speeds of the model's own over rates of held coordinates, on points that wander, on springs "
+    "that wind") {
+  for (const char* file :
+       {"agreement/models/speeds_over_held", "physics/forces/sliding_wheel", "physics/forces/winch"}) {
     INFO(file);
     const Tally tally = Comparison(std::string("../tests/") + file).run();
     CHECK(tally.compared == k_states);

@@ -89,14 +89,15 @@ template <class Model, class Prepared, class Inputs, class CheckForces>
 void check_motion(const reference::Json& file, const Prepared& prepared, const Inputs& inputs,
                   const typename Model::template State<double>& start, CheckForces&& check_forces) {
   follow<Model>(file["expected"]["motion"], prepared, inputs, start,
-                         [&](const auto& sample, double, const auto& state) {
-                           check_state<Model>(sample["state"], state, k_motion);
-                           check_forces(sample, state, inputs, k_motion * size_of_forces(sample["forces"]));
-                         });
+                [&](const auto& sample, double, const auto& state) {
+                  check_state<Model>(sample["state"], state, k_motion);
+                  check_forces(sample, state, inputs, k_motion * size_of_forces(sample["forces"]));
+                });
 }
 
 template <class Model, class Prepared, class InputsOf, class CheckForces>
-void check_states(const reference::Json& file, const Prepared& prepared, InputsOf&& inputs_of, CheckForces&& check_forces) {
+void check_states(const reference::Json& file, const Prepared& prepared, InputsOf&& inputs_of,
+                  CheckForces&& check_forces) {
   REQUIRE(file["expected"]["states"].size() >= 4);
   for (const auto& sample : file["expected"]["states"]) {
     const auto inputs = inputs_of(sample);

@@ -38,7 +38,8 @@ TEST_CASE("a rotor on a driven platform turns as Euler says, and the drive gives
   check_motion<Rotor>(file, prepared, rotor::Inputs<double>{}, start, check_forces);
 }
 
-TEST_CASE("a body on a skate, its attitude a quaternion, moves as Newton and Euler say, on the forces of ice and blade") {
+TEST_CASE(
+    "a body on a skate, its attitude a quaternion, moves as Newton and Euler say, on the forces of ice and blade") {
   const auto file = reference::read("skater_quaternion");
   const auto prepared = prepare(skater::Parameters<double>{});
   const auto check_forces = [&](const Json& sample, const skater::State<double>& state,
@@ -69,7 +70,8 @@ TEST_CASE("forces with kinks, jumps and tables, and a clutch that is nonlinear i
     const Json& expected = sample["forces"];
     CHECK(found.z.generalized == Approx(number(expected["z"][2])).epsilon(0).margin(margin));
     CHECK(found.clutch.generalized[0] == Approx(number(expected["clutch"][0])).epsilon(0).margin(margin));
-    const double along_rod = number(expected["r"][0]) * std::sin(state.phi()) - number(expected["r"][2]) * std::cos(state.phi());
+    const double along_rod =
+        number(expected["r"][0]) * std::sin(state.phi()) - number(expected["r"][2]) * std::cos(state.phi());
     CHECK(found.r.generalized == Approx(along_rod).epsilon(0).margin(margin));
   };
   const auto inputs_of = [](const Json& sample) {

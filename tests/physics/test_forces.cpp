@@ -7,7 +7,9 @@
 namespace wheel = gauss::sliding_wheel;
 namespace winch = gauss::winch;
 
-TEST_CASE("a force at the contact of a wheel turns the wheel, wherever on it the contact is, and its opposite pushes the slab") {
+TEST_CASE(
+    "a force at the contact of a wheel turns the wheel, wherever on it the contact is, and its opposite pushes the "
+    "slab") {
   const wheel::Parameters<double> p;
   const auto prepared = prepare(p);
   wheel::State<double> state{};

@@ -41,7 +41,8 @@ GeneralizedForce written_out(const gaussgen::model::CoordinateSpring& law) {
   const Ast y = named(law.coordinate.text);
   const Ast stretch = law.rest ? many(AstKind::sum, {y, negated(*law.rest)}) : y;
   Ast force = negated(times(law.stiffness, stretch));
-  if (law.damping) force = many(AstKind::sum, {force, negated(times(*law.damping, many(AstKind::call, {stretch}, "dot")))});
+  if (law.damping)
+    force = many(AstKind::sum, {force, negated(times(*law.damping, many(AstKind::call, {stretch}, "dot")))});
   return {{{law.coordinate, force}}};
 }
 
