@@ -233,9 +233,13 @@ class Builder {
     }
   }
 
-  /// Of a point that is fixed, the motion is that of its frame, too.
+  /// Of points that are fixed, the motion is that of their frame, too.
   std::size_t pushed(std::size_t frame) const {
-    return frame == model::k_space || is_fixed(model_.frames[frame]) ? frame : model::pushed_by_force_on(model_, frame);
+    const std::size_t carrier = model::pushed_by_force_on(model_, frame);
+    for (std::size_t at = frame; at != carrier; at = model_.frames[at].parent) {
+      if (!is_fixed(model_.frames[at])) return carrier;
+    }
+    return frame;
   }
 
   // k s + c ds/dt along the line, where s = d - L is the stretch, or k d + c v for a spring without length.
