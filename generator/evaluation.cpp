@@ -35,7 +35,6 @@ class Report {
     warn_of_parameters();
     if (!set_state()) return std::move(result_);
     add_accelerations();
-    const strategy::Vector free = mechanics_.solution.accelerations;
     if (wanted_) take_wanted_accelerations();
     add_reactions();
     add_groups("reaction_forces");
@@ -45,7 +44,6 @@ class Report {
     add_groups("compulsion");
     add_groups("quantities");
     add_status();
-    mechanics_.solution.accelerations = free;
     if (wanted_) add_inverse_dynamics();
     return std::move(result_);
   }
@@ -140,16 +138,16 @@ class Report {
           mechanics_.expressions.symbol(speed.acceleration).id());
     }
     warn_of_impossible_accelerations();
-    add_groups("inverse_dynamics");
-    for (const emit::Artefact& artefact : build_artefact("inverse_dynamics", mechanics_))
+    for (const emit::Artefact& artefact : build_artefact("inverse_dynamics", mechanics_)) {
+      add_artefact("inverse_dynamics", artefact);
       warn_of_drives(artefact.status);
+    }
   }
 
   void warn_of_drives(const emit::StatusNodes& status) {
-    const auto is_true = [&](NodeId condition) { return value_of_.is_true(Expr(mechanics_.graph, condition)); };
     const bool is_known =
         std::find(result_.doubts.begin(), result_.doubts.end(), "dependent_constraints") != result_.doubts.end();
-    if (is_known || !is_true(status.dependent_constraints)) return;
+    if (is_known || !value_of_.is_true(Expr(mechanics_.graph, status.dependent_constraints))) return;
     result_.warnings.push_back("inputs do the same here: those that are needed are not unique");
     doubt("dependent_constraints");
   }
@@ -229,11 +227,13 @@ class Report {
   }
 
   void add_groups(const std::string& output) {
-    for (const emit::Artefact& artefact : build_artefact(output, mechanics_)) {
-      result_.notes.push_back(output + ": " + on_one_line(artefact.about));
-      for (const emit::Group& group : artefact.groups) {
-        for (const emit::Field& field : group.fields) add_field(output, group, field);
-      }
+    for (const emit::Artefact& artefact : build_artefact(output, mechanics_)) add_artefact(output, artefact);
+  }
+
+  void add_artefact(const std::string& output, const emit::Artefact& artefact) {
+    result_.notes.push_back(output + ": " + on_one_line(artefact.about));
+    for (const emit::Group& group : artefact.groups) {
+      for (const emit::Field& field : group.fields) add_field(output, group, field);
     }
   }
 

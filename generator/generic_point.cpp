@@ -6,6 +6,7 @@ namespace gaussgen {
 
 using cln::cl_F;
 using evaluate::Arithmetic;
+using evaluate::Paired;
 using evaluate::Scaled;
 using support::Rational;
 
@@ -44,9 +45,9 @@ Rational substitute_for(ir::NodeId id) { return Rational(1) / cln::cl_I(static_c
 
 Rational trusted() { return Rational(1) / cln::expt_pos(cln::cl_I(10), k_trusted_digits); }
 
-cl_F plain(const cl_F& x) { return x; }
+cl_F plain(const Paired& x) { return x.fine; }
 cl_F plain(const Scaled<cl_F>& x) { return x.value; }
-cl_F exact(const Arithmetic<cl_F>&, const cl_F& x) { return x; }
+Paired exact(const Arithmetic<Paired>& arithmetic, const cl_F& x) { return arithmetic.number(x); }
 Scaled<cl_F> exact(const Arithmetic<Scaled<cl_F>>& arithmetic, const cl_F& x) { return arithmetic.input(x); }
 
 /// Binds the symbols of a model one after the other.
@@ -167,19 +168,15 @@ std::optional<evaluate::Matrix> GenericPoint::matrix_of(const strategy::Matrix& 
 
 bool VanishesEverywhere::operator()(ir::Expr expression) {
   for (int attempt = 0; attempt < k_attempts; ++attempt) {
-    if (attempt == static_cast<int>(points_.size()))
-      points_.push_back({values(attempt, k_digits), values(attempt, 2 * k_digits)});
-    const std::optional<cl_F> coarse = points_[static_cast<std::size_t>(attempt)].coarse(expression.id());
-    const std::optional<cl_F> fine = points_[static_cast<std::size_t>(attempt)].fine(expression.id());
-    if (!coarse || !fine) continue;
-    const cl_F distance = cln::abs(*fine - Arithmetic<cl_F>(2 * k_digits).number(*coarse));
-    return distance + distance >= cln::abs(*fine);
+    if (attempt == static_cast<int>(points_.size())) points_.push_back(values(attempt));
+    const auto value = points_[static_cast<std::size_t>(attempt)](expression.id());
+    if (value) return cln::zerop(value->fine);
   }
   return false;
 }
 
-VanishesEverywhere::Values VanishesEverywhere::values(int attempt, int digits) {
-  Values values(motion_.graph, Arithmetic<cl_F>(digits));
+VanishesEverywhere::Values VanishesEverywhere::values(int attempt) {
+  Values values(motion_.graph, Arithmetic<Paired>(k_digits, k_digits));
   Spread<Values>(motion_, values, attempt).run();
   return values;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // What holds in every configuration, seen at one configuration that nothing singles out.
 
+#include "evaluate/arithmetic_paired.hpp"
 #include "evaluate/arithmetic_scale.hpp"
 #include "evaluate/dense.hpp"
 #include "evaluate/evaluator.hpp"
@@ -31,7 +32,7 @@ class GenericPoint {
 };
 
 /// Whether an expression is zero there, also one that came out of many divisions, through which the bounds of GenericPoint grow
-/// beyond its value: in two precisions what is not zero agrees, and rounding does not.
+/// beyond its value: see Arithmetic<Paired>.
 class VanishesEverywhere {
  public:
   explicit VanishesEverywhere(KinematicModel& motion) : motion_(motion) {}
@@ -39,16 +40,12 @@ class VanishesEverywhere {
   bool operator()(ir::Expr expression);
 
  private:
-  using Values = evaluate::Evaluator<cln::cl_F>;
-  struct Point {
-    Values coarse;
-    Values fine;
-  };
+  using Values = evaluate::Evaluator<evaluate::Paired>;
 
-  Values values(int attempt, int digits);
+  Values values(int attempt);
 
   KinematicModel& motion_;
-  std::vector<Point> points_;  ///< by attempt
+  std::vector<Values> points_;  ///< by attempt
 };
 
 /// Number of independent rows, whatever the units of rows and columns.

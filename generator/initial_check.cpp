@@ -46,8 +46,11 @@ class InitialCheck {
     ConstraintCheck constraints(mechanics_, values_, is_emitted_, diagnostics_);
     constraints.report_positions(violated);
     constraints.report_contradictions();
+    std::optional<std::string> nearby;  // one search for all
     for (const Violation& violation : violated) {
-      if (!constraints.is_contradictory(violation.index)) report_violation(violation);
+      if (constraints.is_contradictory(violation.index)) continue;
+      if (violation.is_of_positions && !nearby) nearby = position_nearby(mechanics_);
+      report_violation(violation, nearby.value_or(""));
     }
     if (!undefined.empty() || !has_state) return report_redundant(mechanics_, diagnostics_);
     if (violated.empty()) report_choice(chosen_rates(mechanics_, state, values_));
@@ -73,11 +76,11 @@ class InitialCheck {
     }
   }
 
-  void report_violation(const Violation& violation) {
+  void report_violation(const Violation& violation, const std::string& nearby) {
     const support::Span span = model_.constraints[violation.index].span;
     const std::string message = fmt::format("the initial state violates constraint '{}' by {}", violation.row->name,
                                             evaluate::to_decimal(violation.residual, 3));
-    const std::string hint = remedy(mechanics_, violation, values_);
+    const std::string hint = remedy(mechanics_, violation, values_, nearby);
     if (is_emitted_) {
       diagnostics_.error(support::code::k_impossible_start, span, message, hint);
     } else {

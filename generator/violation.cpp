@@ -31,10 +31,11 @@ std::vector<bool> stated_positions(const model::Model& model) {
   return result;
 }
 
-/// "x = 0.5, y = -1.2": open values of a position that there is; empty where none was found.
-std::string position_nearby(Mechanics& mechanics, const std::vector<bool>& is_given) {
+}  // namespace
+
+std::string position_nearby(Mechanics& mechanics) {
   std::vector<bool> is_open;
-  for (const bool given : is_given) is_open.push_back(!given);
+  for (const bool given : stated_positions(mechanics.model)) is_open.push_back(!given);
   const auto position = nearest_position(mechanics, is_open);
   std::vector<std::string> values;
   for (std::size_t i = 0; position && i < mechanics.symbols.plain_count(); ++i) {
@@ -44,7 +45,10 @@ std::string position_nearby(Mechanics& mechanics, const std::vector<bool>& is_gi
   return support::joined(values);
 }
 
-std::string remedy_of_positions(Mechanics& mechanics, const kinematics::ConstraintRow& row, ModelValues& values) {
+namespace {
+
+std::string remedy_of_positions(const Mechanics& mechanics, const kinematics::ConstraintRow& row, ModelValues& values,
+                                const std::string& nearby) {
   std::vector<std::string> given;
   std::vector<std::string> open;
   const std::vector<bool> is_given = stated_positions(mechanics.model);
@@ -54,7 +58,6 @@ std::string remedy_of_positions(Mechanics& mechanics, const kinematics::Constrai
     (is_given[i.value] ? given : open).push_back(mechanics.symbols.speeds[i].label);
   }
   if (!open.empty()) {
-    const std::string nearby = position_nearby(mechanics, is_given);
     if (!nearby.empty())
       return "from the guesses the search does not come near enough; give these an initial_guess: " + nearby;
     return fmt::format(
@@ -84,9 +87,10 @@ std::vector<Violation> violations(const Mechanics& mechanics, ModelValues& value
 }
 
 // An open rate is searched for by Newton's method where the constraint is nonlinear; from 0 it may have no way to go.
-std::string remedy(Mechanics& mechanics, const Violation& violation, ModelValues& values) {
+std::string remedy(const Mechanics& mechanics, const Violation& violation, ModelValues& values,
+                   const std::string& nearby) {
   const kinematics::ConstraintRow& row = *violation.row;
-  if (violation.is_of_positions) return remedy_of_positions(mechanics, row, values);
+  if (violation.is_of_positions) return remedy_of_positions(mechanics, row, values, nearby);
   std::vector<std::string> given;
   std::vector<std::string> open;
   std::vector<std::string> stuck;

@@ -31,13 +31,6 @@ struct State {
   std::vector<double> speeds;
 };
 
-/// How far a result moves per relative change of the time: with Omega t in it, its rounding counts Omega t times.
-inline constexpr double k_time_shift = 0x1p-26;
-inline State later(State state) {
-  state.time *= 1 + k_time_shift;
-  return state;
-}
-
 /// States away from the poles of Euler angles only by chance; speeds need not satisfy the constraints, since every form
 /// solves the same linear problem at any speeds.
 class RandomStates {

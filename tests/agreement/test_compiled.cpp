@@ -28,6 +28,13 @@ constexpr double k_largest_condition = 1e8;
 constexpr double k_eps = 2.220446049250313e-16;
 constexpr double k_nothing = 1e-20;
 
+/// How far a result moves per relative change of the time: with Omega t in it, its rounding counts Omega t times.
+constexpr double k_time_shift = 0x1p-26;
+agreement::State later(agreement::State state) {
+  state.time *= 1 + k_time_shift;
+  return state;
+}
+
 /// 50 digits, alone and with absolute sums; every input is a double and taken as exact.
 class Reference {
  public:
@@ -302,14 +309,14 @@ class Measurement {
       return;
     }
     const std::vector<double> off = solved_errors();
-    reference_.bind(agreement::later(state));
+    reference_.bind(later(state));
     const std::vector<double> off_later = solved_errors();
     reference_.bind(state);
     bind_accelerations(std::vector<double>(mechanics_.dynamics.n(), 0.0));
     for (std::size_t i = 0; i < off.size(); ++i) {
       const bool is_Z = !Z_.empty() && i + 1 == off.size();
       const double size = is_Z ? compiled_.compulsion().at(0) + reference_.value(Z_[0]) : largest(forces);
-      const double per_time = std::fabs(off_later[i] - off[i]) / agreement::k_time_shift;
+      const double per_time = std::fabs(off_later[i] - off[i]) / k_time_shift;
       take(worst_.solved, std::fabs(off[i]) / (100 * k_eps * (condition * size + per_time)));
     }
   }

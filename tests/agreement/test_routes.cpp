@@ -216,8 +216,9 @@ class Comparison {
       return;
     }
     ++tally_.compared;
-    take(tally_.worst_multiplier_form,
-         difference(now.ours, answer(multipliers_, other_), now.sums, now.scale) / bar(now));
+    take(tally_.worst_multiplier_form, difference(now.ours, answer(multipliers_, other_),
+                                                  {values(evaluator_, nodes(emitted_.dynamics.f)), {}}, now.scale) /
+                                           bar(now));
     const auto n = static_cast<Eigen::Index>(emitted_.dynamics.n());
     const Eigen::MatrixXd J = matrix(evaluator_, rates_by_speeds_, n).inverse();
     const ScaledSystem system = scaled_system(J.transpose() * matrix(evaluator_, emitted_.dynamics.g, n) * J,
