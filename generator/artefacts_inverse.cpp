@@ -17,6 +17,9 @@ const char* const k_about_inputs =
     "\nneeded: what the inputs have to be instead, and the accelerations that result: the given ones, unless there are "
     "too few inputs.";
 
+const char* const k_about_no_inputs =
+    "\nneeded inputs are not found: none acts along a speed, or forces are not linear in them.";
+
 void add_inputs(ArtefactBuilder& builder, const Mechanics& mechanics, const strategy::Drives& drives) {
   std::vector<Field> fields;
   for (std::size_t k = 0; k < drives.inputs.size(); ++k) {
@@ -41,10 +44,11 @@ std::vector<Artefact> inverse_dynamics_artefact(Mechanics& mechanics) {
   Steps steps;
   const int n = static_cast<int>(mechanics.dynamics.n());
   const Vector missing = strategy::missing_forces(mechanics.dynamics, wanted, mechanics.solution.multipliers, steps);
-  const auto drives =
-      strategy::drives(mechanics.dynamics, wanted, sought_inputs(mechanics.model), mechanics.epsilon(), steps);
+  const std::vector<std::size_t> sought = sought_inputs(mechanics.model);
+  const auto drives = strategy::drives(mechanics.dynamics, wanted, sought, mechanics.epsilon(), steps);
+  const char* const about_inputs = drives ? k_about_inputs : sought.empty() ? "" : k_about_no_inputs;
 
-  ArtefactBuilder builder("inverse_dynamics", std::string(k_about) + (drives ? k_about_inputs : ""), mechanics);
+  ArtefactBuilder builder("inverse_dynamics", std::string(k_about) + about_inputs, mechanics);
   builder.result_type("InverseDynamics");
   builder.artefact().takes_accelerations = true;
   std::vector<Field> fields{{"missing", "generalized forces along the speeds", {n}, ids(missing)}};

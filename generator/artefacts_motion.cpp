@@ -2,6 +2,7 @@
 
 #include <cctype>
 
+#include "description.hpp"
 #include "strategy/joint_reactions.hpp"
 #include "support/suggest.hpp"
 
@@ -39,11 +40,6 @@ std::vector<NodeId> derivative_of(const Mechanics& mechanics) {
 }
 
 std::string quantity(const std::string& unit) { return unit.empty() ? "" : " [" + unit + "]"; }
-
-std::string generalized_unit(const std::string& coordinate_unit) {
-  if (coordinate_unit == "m") return "N";
-  return coordinate_unit == "rad" || coordinate_unit == "1" ? "N*m" : "";
-}
 
 void add_reaction_fields(ArtefactBuilder& builder, Mechanics& mechanics, Steps& steps) {
   const auto generalized = strategy::generalized_reactions(mechanics.dynamics, mechanics.solution, steps);

@@ -27,6 +27,14 @@ Description describe(const emit::Group& group, const emit::Field& field) {
   return result;
 }
 
+std::string generalized_unit(const std::string& unit) {
+  if (unit == "m" || unit == "m/s") return "N";
+  for (const char* const turn : {"rad", "1", "rad/s", "1/s"}) {
+    if (unit == turn) return "N*m";
+  }
+  return "";
+}
+
 std::string on_one_line(std::string about) {
   std::replace(about.begin(), about.end(), '\n', ' ');
   return about;

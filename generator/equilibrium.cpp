@@ -30,6 +30,7 @@ constexpr double k_balanced = 1e-6;       ///< after the last digits, of the lar
 constexpr double k_rank = 1e-10;          ///< of the largest singular value
 constexpr double k_largest_step = 0.5;    ///< of angles, and of lengths in units of themselves
 constexpr double k_shortest_step = 1e-6;  ///< of a full step
+constexpr int k_later = 731;              ///< ms: no part of anybody's period
 
 double to_double(const cl_F& value) { return cln::double_approx(value); }
 
@@ -40,12 +41,13 @@ class Search {
         digits_(digits),
         values_(mechanics_.graph, evaluate::Arithmetic<Paired>(digits + k_more_digits, k_more_digits)) {
     bind_parameters(mechanics_, values_);
-    bind(mechanics_.symbols.time, number(time));
+    set_time(time);
     pose();
   }
 
   struct Rest {
     std::vector<support::Rational> position, speeds;
+    bool lasts = true;
   };
 
   /// Nothing, with the reason in `why`.
@@ -80,6 +82,7 @@ class Search {
     for (const cl_F& q : position_) rest.position.push_back(rounded(q));
     for (const Expr speed : mechanics_.kinematics.speeds_at_rest)
       rest.speeds.push_back(rounded(value_of(speed.id()).value_or(number(support::Rational(0)))));
+    rest.lasts = is_at_rest_at(time_ + support::Rational(k_later) / 1000);
     return rest;
   }
 
@@ -174,6 +177,23 @@ class Search {
       if (!(std::abs(to_double(here.residual[i])) <= k_balanced * size)) return false;
     }
     return here.is_defined;
+  }
+
+  /// Multipliers may be others then.
+  bool is_at_rest_at(const support::Rational& time) {
+    const std::vector<cl_F> before = position_;
+    set_time(time);
+    if (!(approach() <= k_solved)) return false;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const double moved = std::abs(to_double(position_[i] - before[i]));
+      if (!(moved <= k_balanced * (1 + std::abs(to_double(before[i]))))) return false;
+    }
+    return true;
+  }
+
+  void set_time(const support::Rational& time) {
+    time_ = time;
+    bind(mechanics_.symbols.time, number(time));
   }
 
   bool start() {
@@ -322,6 +342,7 @@ class Search {
   }
 
   Mechanics mechanics_;
+  support::Rational time_;
   int digits_;
   evaluate::Evaluator<Paired> values_;
   std::vector<Expr> accelerations_;  ///< at rest
@@ -360,12 +381,13 @@ void set_start(model::Model& model, const Search::Rest& rest) {
 
 }  // namespace
 
-std::string go_to_equilibrium(model::Model& model, const support::Rational& time, int digits) {
-  std::string why;
-  const auto rest = Search(model, time, digits).run(why);
-  if (!rest) return why;
+Equilibrium go_to_equilibrium(model::Model& model, const support::Rational& time, int digits) {
+  Equilibrium result;
+  const auto rest = Search(model, time, digits).run(result.failure);
+  if (!rest) return result;
   set_start(model, *rest);
-  return "";
+  result.lasts = rest->lasts;
+  return result;
 }
 
 }  // namespace gaussgen

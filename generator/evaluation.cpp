@@ -219,10 +219,19 @@ class Report {
     return "[" + std::to_string(index) + "]";
   }
 
+  /// Of the forces and accelerations along speeds, which differ in their units.
+  std::string unit_along(std::size_t speed, const emit::Field& field) const {
+    const std::string& unit = mechanics_.symbols.speeds[kinematics::FreeIndex{speed}].unit;
+    if (field.name == "missing") return generalized_unit(unit);
+    return unit.empty() ? "" : unit + "^2";
+  }
+
   void add_field(const std::string& output, const emit::Group& group, const emit::Field& field) {
     for (std::size_t i = 0; i < field.values.size(); ++i) {
       const std::string name = (group.name.empty() ? "" : group.name + ".") + field.name + suffix(output, field, i);
-      add(output, name, describe(group, field), field.values[i]);
+      Description description = describe(group, field);
+      if (output == "inverse_dynamics" && !field.shape.empty()) description.unit = unit_along(i, field);
+      add(output, name, description, field.values[i]);
     }
   }
 

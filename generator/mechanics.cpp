@@ -41,14 +41,15 @@ void name_rates(Mechanics& mechanics) {
 
 }  // namespace
 
-KinematicModel::KinematicModel(const model::Model& checked_model, bool fold)
+KinematicModel::KinematicModel(const model::Model& checked_model, bool fold, std::size_t most_nodes)
     : model(checked_model),
+      graph(most_nodes),
       symbols(kinematics::declare_symbols(model, graph)),
       expressions(model, symbols, graph, fold),
       kinematics(kinematics::build_kinematics(model, graph, expressions, symbols)) {}
 
 Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& options)
-    : KinematicModel(checked_model, options.fold),
+    : KinematicModel(checked_model, options.fold, options.most_nodes),
       covariant(kinematics::build_covariant(kinematics, graph)),
       dynamics(strategy::build_dynamics(kinematics, covariant, steps)),
       solution(solved(*this, options, steps)),

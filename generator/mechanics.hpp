@@ -10,11 +10,12 @@ namespace gaussgen {
 struct MechanicsOptions {
   bool fold = false;               ///< parameters become numbers
   bool force_multipliers = false;  ///< the multiplier form (3.4) even where a safe partition exists (a check)
+  std::size_t most_nodes = ir::k_most_nodes;
 };
 
 /// A model on the graph as far as geometry goes: velocities and constraint rows. Not copyable: the others refer to `graph`.
 struct KinematicModel {
-  KinematicModel(const model::Model& model, bool fold);
+  KinematicModel(const model::Model& model, bool fold, std::size_t most_nodes = ir::k_most_nodes);
   KinematicModel(const KinematicModel&) = delete;
   KinematicModel& operator=(const KinematicModel&) = delete;
 

@@ -33,6 +33,11 @@ class Stages {
 
   std::vector<StageTime> times() && { return std::move(times_); }
 
+  /// What is made now, or the last check.
+  std::string under_way() const {
+    return times_.size() < stage_names().size() ? stage_names()[times_.size()] : "check";
+  }
+
  private:
   using Clock = std::chrono::steady_clock;
 
@@ -55,10 +60,10 @@ const std::vector<std::string>& stage_names() {
   return k_names;
 }
 
-std::optional<PipelineResult> compile(support::Source& source, const PipelineOptions& options,
-                                      support::Diagnostics& diagnostics, const StageObserver& observe) {
-  Stages stages(observe);
+namespace {
 
+std::optional<PipelineResult> compile(support::Source& source, const PipelineOptions& options,
+                                      support::Diagnostics& diagnostics, Stages& stages) {
   std::optional<model::Model> model = read_model(source, diagnostics);
   if (!model) return std::nullopt;
   if (options.assemble) open_initial_values(*model);
@@ -68,7 +73,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   if (diagnostics.has_errors()) return std::nullopt;
 
   // The emitted route: theory section 4 on the graph.
-  Mechanics mechanics(*model, {options.fold, false});
+  Mechanics mechanics(*model, {options.fold, false, options.most_nodes});
   check_structure(mechanics, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   stages.done("kinematics", nodes(mechanics), [&] { return dump_kinematics(mechanics); });
@@ -100,6 +105,19 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   stages.done("check", nodes(mechanics), [] { return std::string(); });
   result.times = std::move(stages).times();
   return result;
+}
+
+}  // namespace
+
+std::optional<PipelineResult> compile(support::Source& source, const PipelineOptions& options,
+                                      support::Diagnostics& diagnostics, const StageObserver& observe) {
+  Stages stages(observe);
+  try {
+    return compile(source, options, diagnostics, stages);
+  } catch (const ir::TooManyNodes& error) {
+    throw ir::TooManyNodes(
+        fmt::format("{} in the stage '{}'; --max-nodes allows more", error.what(), stages.under_way()));
+  }
 }
 
 }  // namespace gaussgen

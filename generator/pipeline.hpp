@@ -24,6 +24,7 @@ struct PipelineOptions {
   bool assemble = false;  ///< constraints may move given initial values
   Route route = Route::emitted;
   std::string name_space;  ///< empty: gauss::<model name>
+  std::size_t most_nodes = ir::k_most_nodes;
 };
 
 /// One stage as `--timings` shows it.
@@ -44,7 +45,8 @@ struct PipelineResult {
   std::vector<StageTime> times;
 };
 
-/// Nothing when the model has errors; they are in `diagnostics`.
+/// Nothing when the model has errors; they are in `diagnostics`. Throws ir::TooManyNodes, which says
+/// in which stage.
 std::optional<PipelineResult> compile(support::Source& source, const PipelineOptions& options,
                                       support::Diagnostics& diagnostics, const StageObserver& observe);
 

@@ -7,6 +7,7 @@
 
 #include "generic_point.hpp"
 #include "model/build.hpp"
+#include "model/unused.hpp"
 #include "support/error_codes.hpp"
 
 namespace gaussgen {
@@ -67,7 +68,9 @@ void drop_vanishing_rows(model::Model& model, support::Diagnostics& diagnostics)
 
 std::optional<model::Model> read_model(support::Source& source, support::Diagnostics& diagnostics) {
   std::optional<model::Model> model = model::build_model(source, diagnostics);
-  if (model) drop_vanishing_rows(*model, diagnostics);
+  if (!model) return std::nullopt;
+  model::check_uses(*model, source, diagnostics);
+  drop_vanishing_rows(*model, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   return model;
 }

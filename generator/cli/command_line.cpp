@@ -41,6 +41,15 @@ class Adder {
              wrapped("let the constraints move the initial values that the model gives, and say how far"));
     add_choice<Route>("--route", options_.pipeline.route, {{"emitted", Route::emitted}, {"paper", Route::paper}},
                       "ROUTE", "emitted (default), or paper: its Z, Gamma and (3.7)-(3.8), term by term");
+    const auto take_nodes = [&options = options_](long long nodes) {
+      if (nodes < 1) refuse("--max-nodes", "a number from 1 is needed");
+      options.pipeline.most_nodes = static_cast<std::size_t>(nodes);
+    };
+    app_.add_option_function<long long>(
+            "--max-nodes", take_nodes,
+            wrapped(fmt::format("stop, with exit code 4, when the derivation has more nodes; default {}",
+                                ir::k_most_nodes)))
+        ->type_name("N");
     add_list("--dump", options_.dumps, stage_names(), "STAGE", "write nothing, print what comes out of a stage: ");
     add_flag("--timings", options_.timings, "say on standard error what each stage took");
     add_messages();

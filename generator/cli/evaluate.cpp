@@ -122,8 +122,10 @@ int evaluate(const Options& options) {
   if (const int found = report(structure, source, options.messages); found != k_ok) return found;
   // Only initial values change, which the equations do not hold.
   if (options.at_equilibrium) {
-    const std::string failure = go_to_equilibrium(*model, time, options.digits);
-    if (!failure.empty()) return fail(failure, k_model_error, options.messages);
+    const Equilibrium found = go_to_equilibrium(*model, time, options.digits);
+    if (!found.failure.empty()) return fail(found.failure, k_model_error, options.messages);
+    if (!found.lasts)
+      warn("this equilibrium is one of this instant: forces or laws in time soon move it", options.messages);
   }
   const Evaluation evaluation = evaluate_model(mechanics, time, options.digits, wanted);
   write_standard_output(options.format == Format::json ? json(evaluation, *model, options) : table(evaluation));

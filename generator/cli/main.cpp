@@ -36,6 +36,8 @@ int guarded(const Options& options) {
     return fail(error.what(), k_file_error);
   } catch (const UsageError& error) {
     return fail(error.what(), k_usage_error);
+  } catch (const ir::TooManyNodes& error) {
+    return fail(std::string("the model is too large: ") + error.what(), k_too_large);
   } catch (const std::bad_alloc&) {
     return fail("the model is too large for the memory of this machine", k_too_large);
   } catch (const std::exception& error) {

@@ -1,5 +1,7 @@
 #include "ir/graph.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "ir/undefined.hpp"
@@ -66,6 +68,7 @@ NodeId Graph::intern(Node node) {
   for (auto it = first; it != last; ++it) {
     if (same(nodes_[it->second.index], node)) return it->second;
   }
+  if (nodes_.size() >= most_nodes_) throw TooManyNodes(fmt::format("more than {} nodes", most_nodes_));
   const NodeId id{static_cast<std::uint32_t>(nodes_.size())};
   undefined_.push_back(has_no_value(*this, node));
   nodes_.push_back(std::move(node));

@@ -14,6 +14,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -23,6 +24,16 @@
 
 namespace gaussgen::ir {
 
+/// More have no use: the text of a function of this size is beyond what compilers take, and the memory beyond what most
+/// machines have (some 4 GB).
+inline constexpr std::size_t k_most_nodes = 5'000'000;
+
+/// A graph has as many nodes as it may.
+class TooManyNodes : public std::length_error {
+ public:
+  using std::length_error::length_error;
+};
+
 /// coefficient * node
 struct Term {
   Rational coefficient;
@@ -31,6 +42,9 @@ struct Term {
 
 class Graph {
  public:
+  /// Throws TooManyNodes when it would have more than `most_nodes`, as its copies do.
+  explicit Graph(std::size_t most_nodes = k_most_nodes) : most_nodes_(most_nodes) {}
+
   SymbolId declare(SymbolClass symbol_class, std::string name);
   const Symbol& symbol(SymbolId id) const { return symbols_[id.index]; }
   std::size_t symbol_count() const { return symbols_.size(); }
@@ -85,6 +99,7 @@ class Graph {
   /// `terms` without repetitions and in canonical order.
   NodeId finish_sum(const Rational& constant, const std::vector<Term>& terms);
 
+  std::size_t most_nodes_;
   std::vector<Symbol> symbols_;
   std::vector<std::shared_ptr<const support::Table>> tables_;
   std::deque<Node> nodes_;       // references to nodes stay valid while the graph grows

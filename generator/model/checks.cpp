@@ -9,7 +9,6 @@ void check_model(Reading& reading) {
   check_values(reading);
   check_smoothness(reading);
   check_topology(reading);
-  check_tables_used(reading);
 }
 
 }  // namespace gaussgen::model

@@ -23,9 +23,6 @@ void check_values(Reading& reading);
 /// Jumps and kinks stay out of what is differentiated.
 void check_smoothness(Reading& reading);
 
-/// Warns of tables that nothing uses.
-void check_tables_used(Reading& reading);
-
 /// There are bodies, they move, and every speed and constraint has something to act on.
 void check_topology(Reading& reading);
 

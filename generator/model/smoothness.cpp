@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <set>
-
 #include "model/checks.hpp"
 #include "model/expressions.hpp"
 #include "model/functions.hpp"
@@ -109,28 +107,11 @@ class SmoothnessCheck {
   Reading& reading_;
 };
 
-void collect_calls(const Ast& ast, std::set<const support::Table*>& called) {
-  if (ast.table != nullptr) called.insert(ast.table.get());
-  for (const Ast& child : ast.children) collect_calls(child, called);
-}
-
 }  // namespace
 
 void check_smoothness(Reading& reading) {
   for_each_expression(reading.model,
                       [&](const Ast& ast, const Place& place) { SmoothnessCheck(place, reading).visit(ast, 0); });
-}
-
-void check_tables_used(Reading& reading) {
-  std::set<const support::Table*> called;
-  for_each_expression(reading.model, [&](const Ast& ast, const Place&) { collect_calls(ast, called); });
-  if (reading.incomplete || reading.diagnostics.has_errors()) return;
-  for (const Table& table : reading.model.tables) {
-    if (called.count(table.function.get()) > 0) continue;
-    reading.diagnostics.warning(code::k_unused_table, table.name.span,
-                                fmt::format("no expression uses the table '{}'", table.name.text),
-                                fmt::format("write {}(x), or remove it", table.name.text));
-  }
 }
 
 }  // namespace gaussgen::model

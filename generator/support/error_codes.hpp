@@ -87,7 +87,7 @@ inline constexpr ErrorCode k_speeds{"E068", "speeds from which the rates do not 
 inline constexpr ErrorCode k_not_smooth{"E065", "a jump or a kink where derivatives are needed"};
 inline constexpr ErrorCode k_comparison{"E066", "a comparison out of place, or a condition that is none"};
 inline constexpr ErrorCode k_table_points{"E067", "points of a table that make no function"};
-inline constexpr ErrorCode k_unused_table{"W064", "a table that nothing uses"};
+inline constexpr ErrorCode k_unused{"W064", "a table, parameter or input that nothing uses"};
 
 inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate that moves no body"};
 inline constexpr ErrorCode k_unreal_inertia{"W063", "moments of inertia that no body has"};
@@ -176,7 +176,7 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_comparison,
     code::k_table_points,
     code::k_speeds,
-    code::k_unused_table,
+    code::k_unused,
     code::k_index,
     code::k_submodel_file,
     code::k_submodel_fit,

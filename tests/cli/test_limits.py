@@ -118,6 +118,25 @@ class Limits(Program):
                 said = json.loads(said)["message"]
             self.assertIn("the model is too large for the memory of this machine", said)
 
+    def test_a_derivation_that_grows_too_large_ends_with_its_stage(self):
+        # At every bound up to what the particle needs, some stage is the first that is too large.
+        (self.folder / "m.yaml").write_text(PARTICLE, encoding="utf-8")
+        stages = []
+        for nodes in range(1, 1000):
+            result = self.run_it("m.yaml", "--max-nodes", str(nodes))
+            if result.returncode == 0:
+                break
+            self.assertEqual(result.returncode, 4, result.stderr)
+            said = re.fullmatch(f"gauss-gen: the model is too large: more than {nodes} nodes in the stage '(\\w+)'; "
+                                "--max-nodes allows more\n", result.stderr)
+            self.assertTrue(said, result.stderr)
+            stages.append(said[1])
+            self.assertEqual(self.files(), ["m.yaml"])
+        self.assertEqual(sorted(set(stages), key=stages.index), ["kinematics", "artefacts", "header"])
+        self.assertEqual(self.files(), ["m.yaml", "particle.hpp"])
+        for wrong in ("0", "-1", "many"):
+            self.refused(2, "m.yaml", "--max-nodes", wrong)
+
     def test_time_that_is_spent_on_a_text_is_a_message(self):
         # Ten seconds of the processor; here the signal that ends them comes while the program waits for its text.
         for command in ([], ["evaluate"], ["derivation"]):

@@ -46,7 +46,10 @@ class Macros(Program):
         refused = set(re.findall(r"error\[E02[01]\]: '(\w+)'", self.run_it("-", "--list-outputs", stdin=text).stderr))
         for name in refused:
             text = text.replace(f"  '{name}': 1\n", "")
-        header = re.sub(r'"(\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', "", self.ok("-", "-o", "-", stdin=text), flags=re.S)
+        # Nothing uses them, which each gets a word for.
+        done = self.run_it("-", "-o", "-", stdin=text)
+        self.assertEqual((done.returncode, set(re.findall(r"\[(\w+)\]: ", done.stderr))), (0, {"W064"}))
+        header = re.sub(r'"(\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', "", done.stdout, flags=re.S)
         words = set(re.findall(r"[A-Za-z]\w*", header))
         self.assertLessEqual({name + "_" for name in ("EOF", "errno")}, words)
         return [name for name in names if name in words]

@@ -77,6 +77,20 @@ forces: {spring: {spring: x, stiffness: k}, friction: {generalized: {u: -c*u}}}
         self.assertEqual(float(found["state"]["u"]["value"]), -0.5)
         self.assertAlmostEqual(float(found["accelerations"]["u_dot"]["value"]), 0, 15)
 
+    def test_an_equilibrium_of_an_instant_says_so(self):
+        # What acts on y through the bar changes with time, and moves nothing; what acts on x does.
+        pulled = HEAD + """coordinates: {x: {initial: 0.6}, y: {initial: 0.8}}
+particles: {p: {mass: 1, position: [x, 0, 0]}, q: {mass: 1, position: [0, y, 0]}}
+forces: {spring: {generalized: {x: -3*(x - 0.5)}}, pull: {generalized: {x: LAW, y: 2}}}
+constraints: {stop: {equation: y - 0.8}}
+"""
+        for law, lasts in (("1", True), ("1 + t", False)):
+            for of_y, text in (("2", pulled), ("2 + t^2", pulled.replace("y: 2}", "y: 2 + t^2}"))):
+                with self.subTest(law=law, of_y=of_y):
+                    done = self.run_it("evaluate", "-", "--equilibrium", stdin=text.replace("LAW", law))
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    self.assertEqual("this equilibrium is one of this instant" in done.stderr, not lasts)
+
     def test_what_falls_has_none(self):
         self.assertIn("no equilibrium was found near the initial position",
                       self.refused(1, "evaluate", "-", "--equilibrium", stdin=FALLING))
@@ -110,6 +124,27 @@ forces: {push: {generalized: {x: F + 3*G}}}
         done = self.run_it("evaluate", "-", "--accelerate", "x=6", stdin=twins)
         self.assertIn("those that are needed are not unique", done.stderr)
         self.assertIn("not to be trusted: dependent_constraints", done.stdout)
+
+    def test_what_is_missing_has_the_unit_of_its_speed(self):
+        units = HEAD + """parameters: {m: {value: 1, unit: kg}, J: {value: 1, unit: kg*m^2}}
+coordinates: {x: {unit: m}, phi: {unit: rad}}
+frames: {arm: {orientation: {axis: z, angle: phi}}}
+bodies: {arm: {mass: m, inertia: J}}
+particles: {p: {mass: m, position: [x, 0, 0]}}
+"""
+        found = json.loads(self.ok("evaluate", "-", "--accelerate", "x=1", "--format=json", stdin=units))
+        self.assertEqual(found["inverse_dynamics"]["missing.x"]["unit"], "N")
+        self.assertEqual(found["inverse_dynamics"]["missing.phi"]["unit"], "N*m")
+
+    def test_inputs_that_cannot_be_found_get_a_word(self):
+        squared = HEAD + """inputs: {F: 1}
+coordinates: {x: {}}
+particles: {p: {mass: 2, position: [x, 0, 0]}}
+forces: {push: {generalized: {x: F^2}}}
+"""
+        for model, word in ((squared, True), (squared.replace("F^2", "F"), False), (FALLING, False)):
+            shown = self.ok("evaluate", "-", "--accelerate", "x=1" if model != FALLING else "z=1", stdin=model)
+            self.assertEqual("needed inputs are not found: none acts along a speed, or forces are not linear in them" in shown, word)
 
     def test_accelerations_that_constraints_forbid_are_named(self):
         done = self.run_it("evaluate", "-", "--accelerate", "x=1", stdin=LAMP)

@@ -106,7 +106,7 @@ TEST_CASE("a table shares its name with nothing and is called with one argument"
   CHECK(codes_of("tables: {x_dot: " + points + "}\nforces: {f: {generalized: {x: x_dot(x)}}}\n") == "E023");
   CHECK(codes_of("tables: {k: " + points + "}\nforces: {f: {generalized: {x: k}}}\n") == "E036");
   CHECK(codes_of("tables: {k: " + points + "}\nforces: {f: {generalized: {x: \"k(x, 1)\"}}}\n") == "E036");
-  CHECK(codes_of("tables: {k: " + points + "}\n") == "W064");
+  CHECK(codes_of("tables: {k: " + points + "}\n").empty());
   CHECK(codes_of("tables: {k: " + points +
                  ", h: {of: [0, k(1)], values: [0, 1]}}\nforces: {f: {generalized: {x: k(x)}}}\n")
             .find("E036") != std::string::npos);

@@ -1,0 +1,73 @@
+// Names that are declared, and that nothing uses: mostly something was forgotten, or misspelt as another name that exists.
+
+#include "model/unused.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "model/expressions.hpp"
+#include "support/error_codes.hpp"
+
+namespace gaussgen::model {
+
+namespace {
+
+/// What expressions name.
+class Uses {
+ public:
+  explicit Uses(const Model& model) {
+    for_each_expression(model, [&](const Ast& ast, const Place&) { collect(ast); });
+  }
+
+  bool has(const Name& name) const { return names_.count(name.text) > 0; }
+  bool has(const support::Table* table) const { return tables_.count(table) > 0; }
+
+ private:
+  void collect(const Ast& ast) {
+    if (ast.kind == AstKind::symbol) names_.insert(ast.name);
+    if (ast.table != nullptr) tables_.insert(ast.table.get());
+    for (const Ast& child : ast.children) collect(child);
+  }
+
+  std::set<std::string> names_;
+  std::set<const support::Table*> tables_;
+};
+
+/// Of the first file alone: a model may take a part without all that is in it. What stands for many is reported once.
+class Reporter {
+ public:
+  Reporter(const support::Source& source, support::Diagnostics& diagnostics)
+      : source_(source), diagnostics_(diagnostics) {}
+
+  void report(const Name& name, const char* kind, const std::string& hint) {
+    if (source_.name_at(name.span.begin) != source_.name() || !reported_.insert(name.span.begin).second) return;
+    diagnostics_.warning(support::code::k_unused, name.span,
+                         fmt::format("no expression uses the {} '{}'", kind, name.text), hint);
+  }
+
+ private:
+  const support::Source& source_;
+  support::Diagnostics& diagnostics_;
+  std::set<std::uint32_t> reported_;
+};
+
+}  // namespace
+
+void check_uses(const Model& model, const support::Source& source, support::Diagnostics& diagnostics) {
+  const Uses uses(model);
+  Reporter reporter(source, diagnostics);
+  for (const Table& table : model.tables) {
+    if (uses.has(table.function.get())) continue;
+    reporter.report(table.name, "table", fmt::format("write {}(x), or remove it", table.name.text));
+  }
+  for (const Parameter& parameter : model.parameters) {
+    if (!uses.has(parameter.name)) reporter.report(parameter.name, "parameter", "use it, or remove it");
+  }
+  for (const Input& input : model.inputs) {
+    if (uses.has(input.name)) continue;
+    reporter.report(input.name, "input", "a force, a law in time or a quantity may use it; else remove it");
+  }
+}
+
+}  // namespace gaussgen::model
