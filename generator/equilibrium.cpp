@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "evaluation.hpp"
@@ -69,8 +70,13 @@ class Search {
       left = approach();
     }
     if (!(left <= k_solved)) {
-      why = fmt::format("no equilibrium was found near the initial position: forces of {:.1e} of the largest remain",
-                        left);
+      const std::string mover = what_moves_it();
+      why =
+          mover.empty()
+              ? fmt::format(
+                    "no equilibrium was found near the initial position: forces of {:.1e} of the largest remain", left)
+              : fmt::format("no position was found near the initial one at which constraint '{}' lets the model rest",
+                            mover);
       return std::nullopt;
     }
     polish();
@@ -107,13 +113,17 @@ class Search {
     return cln::round1(cln::rational(value) * grid) / grid;
   }
 
-  /// f + bᵀ λ at rest, then the equations of positions, and their derivatives along each speed and by each multiplier.
+  /// f - g u̇ + bᵀ λ at rest, then the equations of positions, then φ and b u̇ + its drift at rest, which are zero in every position
+  /// unless a constraint drives the model. u̇ is how speeds at rest change with time: those against what moves.
   void pose() {
     const strategy::Dynamics& dynamics = mechanics_.dynamics;
     ir::Graph& graph = mechanics_.graph;
     ir::Substitution at_rest(graph);
-    for (const FreeIndex a : mechanics_.symbols.speeds.indices())
+    strategy::Vector changes;
+    for (const FreeIndex a : mechanics_.symbols.speeds.indices()) {
       at_rest.replace(mechanics_.symbols.speeds[a].symbol, mechanics_.kinematics.speeds_at_rest[a]);
+      changes.push_back(ir::partial(mechanics_.kinematics.speeds_at_rest[a], mechanics_.symbols.time));
+    }
     for (const Expr acceleration : mechanics_.solution.accelerations) accelerations_.push_back(at_rest(acceleration));
     for (std::size_t mu = 0; mu < dynamics.l(); ++mu)
       lambda_.push_back(graph.declare(ir::SymbolClass::input, "multiplier_" + std::to_string(mu + 1)));
@@ -121,9 +131,16 @@ class Search {
       terms_.push_back({at_rest(dynamics.f[a])});
       for (std::size_t mu = 0; mu < dynamics.l(); ++mu)
         terms_.back().push_back(at_rest(dynamics.b[mu][a]) * mechanics_.expressions.symbol(lambda_[mu]));
+      for (std::size_t b = 0; b < dynamics.n(); ++b) terms_.back().push_back(-at_rest(dynamics.g[a][b]) * changes[b]);
     }
     for (const auto& row : mechanics_.kinematics.constraints) {
       if (row.f) terms_.push_back({*row.f});
+    }
+    for (std::size_t mu = 0; mu < dynamics.l(); ++mu) {
+      add_drive(mu, {at_rest(mechanics_.kinematics.constraints[kinematics::ConstraintIndex{mu}].phi)});
+      std::vector<Expr> drift{at_rest(dynamics.b_drift[mu])};
+      for (std::size_t b = 0; b < dynamics.n(); ++b) drift.push_back(at_rest(dynamics.b[mu][b]) * changes[b]);
+      add_drive(mu, std::move(drift));
     }
     for (const std::vector<Expr>& terms : terms_) {
       Expr sum = terms.front();
@@ -135,6 +152,26 @@ class Search {
       derivatives_.emplace_back();
       for (const Expr equation : equations_) derivatives_.back().push_back(ir::partial(equation, multiplier));
     }
+  }
+
+  void add_drive(std::size_t constraint, std::vector<Expr> terms) {
+    if (std::all_of(terms.begin(), terms.end(), [](Expr term) { return term.is_zero(); })) return;
+    drives_.emplace_back(terms_.size(), constraint);
+    terms_.push_back(std::move(terms));
+  }
+
+  /// The constraint that asks for motion most; empty if none does.
+  std::string what_moves_it() {
+    const Linearised here = linearised();
+    double largest = k_balanced;
+    std::string name;
+    for (const auto& [row, constraint] : drives_) {
+      const double asked = std::abs(to_double(here.residual[row])) / here.scale[static_cast<Eigen::Index>(row)];
+      if (!(asked > largest)) continue;
+      largest = asked;
+      name = mechanics_.dynamics.constraints[constraint];
+    }
+    return name;
   }
 
   std::vector<Expr> along_speed(FreeIndex a) {
@@ -348,6 +385,8 @@ class Search {
   std::vector<Expr> accelerations_;  ///< at rest
   std::vector<ir::SymbolId> lambda_;
   std::vector<std::vector<Expr>> terms_;  ///< of each equation
+  std::vector<std::pair<std::size_t, std::size_t>>
+      drives_;  ///< rows of these that a constraint may drive, and its index
   std::vector<Expr> equations_;
   std::vector<std::vector<Expr>> derivatives_;  ///< by speeds, then multipliers, of each equation
   std::vector<std::vector<Expr>> rates_;        ///< ∂q̇/∂u by speeds, of each q

@@ -96,7 +96,8 @@ class PairFinder {
 
 }  // namespace
 
-std::optional<Replacement> find_pythagorean_pair(Graph& graph, const Rational& constant, const std::vector<Term>& terms) {
+std::optional<Replacement> find_pythagorean_pair(Graph& graph, const Rational& constant,
+                                                 const std::vector<Term>& terms) {
   if (terms.size() + (constant == 0 ? 0U : 1U) < 2) return std::nullopt;
   return PairFinder(graph, constant, terms).find();
 }

@@ -15,6 +15,7 @@ struct Replacement {
 
 /// Looks for c P sin² x + c P cos² x (becomes c P) and c P - c P cos² x (becomes c P sin² x, which also keeps the
 /// digits that the difference loses near x = 0; likewise with sin and cos exchanged). P may be 1.
-std::optional<Replacement> find_pythagorean_pair(Graph& graph, const Rational& constant, const std::vector<Term>& terms);
+std::optional<Replacement> find_pythagorean_pair(Graph& graph, const Rational& constant,
+                                                 const std::vector<Term>& terms);
 
 }  // namespace gaussgen::ir

@@ -1,11 +1,17 @@
 #include "ir/substitute.hpp"
 
+#include "ir/rounded.hpp"
 #include "ir/traverse.hpp"
 
 namespace gaussgen::ir {
 
 void Substitution::replace(SymbolId symbol, Expr by) {
   replacements_.insert_or_assign(symbol.index, by.id());
+  memo_.clear();
+}
+
+void Substitution::round_numbers() {
+  rounds_ = true;
   memo_.clear();
 }
 
@@ -28,7 +34,10 @@ NodeId Substitution::rebuilt(NodeId id) {
   for (const NodeId child : node.children) children.push_back(memo_.at(child.index));
   if (children == node.children) return id;
   const std::string label = node.kind == Kind::named ? "" : graph_.label(id);
-  const auto relabelled = [&](NodeId result) { return label.empty() ? result : graph_.named(result, label); };
+  const auto relabelled = [&](NodeId result) {
+    if (rounds_) result = rounded({graph_, result}).id();
+    return label.empty() ? result : graph_.named(result, label);
+  };
   switch (node.kind) {
     case Kind::sum: {
       std::vector<Term> terms;

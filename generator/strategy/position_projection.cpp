@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "ir/differentiate.hpp"
+#include "ir/rounded.hpp"
 #include "strategy/accelerations.hpp"
 #include "strategy/quaternions.hpp"
-#include "strategy/rounded.hpp"
 #include "strategy/state_values.hpp"
 
 namespace gaussgen::strategy {
@@ -59,7 +59,7 @@ Dynamics PositionProjection::problem_at(const Vector& configuration, const std::
     problem.constraints.push_back(dynamics_.constraints[mu]);
     problem.b.push_back(row);
     const Expr f = *dynamics_.kinematics->constraints[ConstraintIndex{mu}].f;
-    problem.b_drift.push_back(at({f}, configuration, rest)[0]);
+    problem.b_drift.push_back(without_rounding(at({f}, configuration, rest)[0]));
   }
   return problem;
 }
@@ -114,7 +114,8 @@ Expr PositionProjection::violated(const Vector& start, const Vector& configurati
   const Vector rest = zeros(dynamics_.n());
   std::vector<Expr> conditions;
   for (const std::size_t mu : rows_) {
-    const Expr f = at({*dynamics_.kinematics->constraints[ConstraintIndex{mu}].f}, configuration, rest)[0];
+    const Expr f =
+        without_rounding(at({*dynamics_.kinematics->constraints[ConstraintIndex{mu}].f}, configuration, rest)[0]);
     const Vector b = at(dynamics_.b[mu], configuration, rest);
     Expr scale = zeros(1)[0];
     for (const FreeIndex i : symbols.speeds.indices()) {

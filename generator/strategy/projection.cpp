@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "ir/rounded.hpp"
 #include "strategy/accelerations.hpp"
 #include "strategy/position_projection.hpp"
 #include "strategy/quaternions.hpp"
-#include "strategy/rounded.hpp"
 #include "strategy/state_values.hpp"
 
 namespace gaussgen::strategy {
@@ -115,7 +115,7 @@ Expr violated(const VelocityProblem& at, const Vector& speeds, const std::vector
 
 VelocityProblem at(const Dynamics& dynamics, ir::Substitution& put_in) {
   VelocityProblem problem;
-  for (const auto& row : dynamics.kinematics->constraints) problem.phi.push_back(put_in(row.phi));
+  for (const auto& row : dynamics.kinematics->constraints) problem.phi.push_back(without_rounding(put_in(row.phi)));
   for (const Vector& row : dynamics.b) {
     problem.b.emplace_back();
     for (const Expr e : row) problem.b.back().push_back(put_in(e));

@@ -27,6 +27,15 @@ std::string plane(const std::string& x, const std::string& y, const std::string&
 
 }  // namespace
 
+TEST_CASE("a start that follows from a table, whose numbers have hundreds of digits, can be emitted") {
+  const std::string cam =
+      "tables:\n  lift: {of: [0, pi, 2*pi], values: [0, 0.02, 0], kind: spline}\ncoordinates:\n"
+      "  phi: {initial: 1.5, initial_rate: 2}\n  h: {}\nparticles:\n  p: {mass: m, position: [phi, 0, h]}\n"
+      "constraints:\n  contact: {equation: h - ";
+  for (const char* const height : {"m - lift(phi)", "m*lift(phi)", "sqrt(m + lift(phi))", "sin(lift(phi)*m)^2"})
+    CHECK(found_in(cam + height + "}\n").empty());
+}
+
 TEST_CASE("a violated constraint is shown with its residual and the rates that could be left open") {
   CHECK(found_in(plane("initial_rate: 1", "initial_rate: 0.25", "dot(x) - dot(y)")) ==
         "m.yaml:13:21: error[E070]: the initial state violates constraint 'skate' by 0.750\n"

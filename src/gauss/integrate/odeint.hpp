@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 #include <limits>
 
 #include "gauss/integrate/bound_model.hpp"
+#include "gauss/integrate/prince_dormand87.hpp"
 
 namespace gauss::integrate {
 
@@ -71,17 +71,17 @@ class ScaledError {
   const Array* scale_;
 };
 
-/// Order 8, with a step that follows the estimate of order 7 (Fehlberg 1968). No dense output.
+/// Order 8, with a step that follows the estimate of order 7. No dense output.
 template <class Scalar, std::size_t n>
-using Fehlberg78 = boost::numeric::odeint::controlled_runge_kutta<
-    boost::numeric::odeint::runge_kutta_fehlberg78<std::array<Scalar, n>, Scalar>, ScaledError<Scalar, n>>;
+using Stepper = boost::numeric::odeint::controlled_runge_kutta<PrinceDormand87<std::array<Scalar, n>, Scalar>,
+                                                               ScaledError<Scalar, n>>;
 
 template <class Scalar, std::size_t n>
-Fehlberg78<Scalar, n> make_fehlberg78(const ScaledError<Scalar, n>& error) {
+Stepper<Scalar, n> make_stepper(const ScaledError<Scalar, n>& error) {
   // The controller copies a stepper. A static one is zero, where a temporary would have its scratch space copied
   // uninitialised, which compilers warn of.
-  static const typename Fehlberg78<Scalar, n>::stepper_type k_blank;
-  return {error, typename Fehlberg78<Scalar, n>::step_adjuster_type(), k_blank};
+  static const typename Stepper<Scalar, n>::stepper_type k_blank;
+  return {error, typename Stepper<Scalar, n>::step_adjuster_type(), k_blank};
 }
 
 }  // namespace gauss::integrate

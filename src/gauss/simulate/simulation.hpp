@@ -34,6 +34,8 @@ struct Settings {
   Scalar tolerance = Scalar(1e-12);  ///< error of one step, relative to the scale of each component
   Scalar smallest_scale = 1;  ///< the scale is the largest size so far, but no less than this, in the component's unit
   Scalar first_step = 0;      ///< 0: chosen from the rates at the start
+  Scalar longest_step =
+      0;  ///< 0: none. A pulse that is shorter than a step may lie between the times at which it looks
   long most_steps = 10'000'000;
   bool project = true;
   Scalar most_projected = 1000;  ///< a projection that moves a component by more tolerances is refused
@@ -121,6 +123,7 @@ class Simulation {
     if (step_ <= Scalar(0)) step_ = first_step(rates);
     while (report_.outcome == Outcome::running) {
       // The controller's step is kept for afterwards when this one is cut off to arrive at `end`.
+      if (settings_.longest_step > Scalar(0)) step_ = std::min(step_, settings_.longest_step);
       const Scalar wanted = step_;
       const bool arrives = t_ + wanted >= end;
       const Scalar dt = arrives ? end - t_ : wanted;
@@ -196,8 +199,8 @@ class Simulation {
   bool jumped_ = false;  ///< the last trial, by its projection
   Array x_{};
   Array scale_{};
-  integrate::Fehlberg78<Scalar, Model::size> stepper_ =
-      integrate::make_fehlberg78(integrate::ScaledError<Scalar, Model::size>(settings_.tolerance, scale_));
+  integrate::Stepper<Scalar, Model::size> stepper_ =
+      integrate::make_stepper(integrate::ScaledError<Scalar, Model::size>(settings_.tolerance, scale_));
   Report<Status> report_;
 };
 
