@@ -32,6 +32,7 @@ class StructureCheck {
     for (std::size_t mu = 0; mu < model_.constraints.size(); ++mu) check_gradient(mu);
     if (!mechanics_.solution.undetermined.empty()) report_undetermined();
     if (!model_.dependent.empty()) check_choice();
+    for (const std::size_t force : mechanics_.kinematics.idle_forces) report_idle(model_.forces[force]);
   }
 
  private:
@@ -42,6 +43,14 @@ class StructureCheck {
         fmt::format("the constraint '{}' does not depend on any free speed: what it says of them cancels",
                     model_.constraints[mu].name.text),
         "remove it; a coordinate with a given value is declared with 'held_at'");
+  }
+
+  void report_idle(const model::Force& force) {
+    const bool is_torque = std::holds_alternative<model::Torque>(force.law);
+    diagnostics_.warning(
+        support::code::k_idle_force, force.name.span, fmt::format("nothing feels the force '{}'", force.name.text),
+        is_torque ? "a particle and what does not turn take no torque; let it act on a body or a frame that turns"
+                  : "let it act on something that moves, or remove it; between a place and itself it vanishes");
   }
 
   // Constraints alone determine what no mass resists, as long as they are enough; then the model is sound.

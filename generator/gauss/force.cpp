@@ -23,7 +23,13 @@ class ForceCollector {
   }
 
   void operator()(const model::GeneralizedForce& force) {
-    for (const auto& [name, value] : force.components) Q_[chart_.find(name.text)] += chart_(value);
+    for (const auto& [name, value] : force.components) {
+      if (model_.resolve(name.text).kind == model::SymbolKind::speed) {
+        act_along_speed(name, chart_(value));
+      } else {
+        Q_[chart_.find(name.text)] += chart_(value);
+      }
+    }
   }
 
   void operator()(const model::PointForce& law) {
@@ -76,6 +82,15 @@ class ForceCollector {
   Vector3 in_space(std::size_t axes, const std::array<model::Ast, 3>& components) const {
     const Vector3 own = chart_(components);
     return axes == model::k_space ? own : symbolic::multiply(chart_.frames()(axes).axes, own);
+  }
+
+  /// Q_A = Q ∂u/∂ẏ^A
+  void act_along_speed(const model::Name& name, const ex& force) {
+    model::Ast speed;
+    speed.kind = model::AstKind::symbol;
+    speed.name = name.text;
+    const ex u = chart_(speed);
+    for (const FullIndex A : chart_.all()) Q_[A] += force * u.diff(chart_[A].rate);
   }
 
   Vector3 origin(std::size_t frame) const {

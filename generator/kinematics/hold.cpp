@@ -49,6 +49,7 @@ class Holder {
     if (row.f) (*this)(*row.f);
     (*this)(row.phi);
     (*this)(row.beta);
+    (*this)(row.carried);
     (*this)(row.beta_drift);
     if (row.point) (*this)(*row.point);
     for (ConstraintAction& action : row.actions) {
@@ -84,6 +85,7 @@ void hold_coordinates(const model::Model& model, Expressions& expressions, ir::G
   hold(kinematics.applied);
   for (JointPlace& joint : kinematics.joints) hold(joint.point);
   hold(kinematics.other_force);
+  hold(kinematics.carried_force);
   for (std::vector<Expr>& values : kinematics.quantities) {
     for (Expr& value : values) hold(value);
   }

@@ -39,17 +39,25 @@ class Builder {
                       {},
                       {symbols_.full_count(), number(0)},
                       {symbols_.full_count(), number(0)},
+                      {symbols_.full_count(), number(0)},
+                      {},
                       {},
                       {}};
     for (const model::Body& body : model_.bodies) result.bodies.push_back(body_motion(body));
     for (const model::Constraint& constraint : model_.constraints) {
       result.constraints.push_back(constraint_row(constraint));
+      find_carried(result.constraints[ConstraintIndex{result.constraints.size() - 1}], result);
     }
     for (const model::Frame& frame : model_.frames) result.frame_names.push_back(frame.name.text);
     for (const model::Joint& joint : model_.joints) {
       result.joints.push_back({joint.name.text, joint.frame, expressions_.frames().origin(joint.frame)});
     }
-    for (const model::Force& force : model_.forces) std::visit([&](const auto& law) { apply(law, result); }, force.law);
+    for (std::size_t i = 0; i < model_.forces.size(); ++i) {
+      const std::vector<ir::NodeId> before = felt(result);
+      const std::size_t applied = result.applied.size();
+      std::visit([&](const auto& law) { apply(law, result); }, model_.forces[i].law);
+      if (felt(result) == before && !reaches_joint(result, applied)) result.idle_forces.push_back(i);
+    }
     for (const model::NamedQuantity& quantity : model_.quantities) {
       result.quantities.emplace_back();
       for (const model::Ast& value : quantity.values) result.quantities.back().push_back(expressions_(value));
@@ -58,6 +66,31 @@ class Builder {
   }
 
  private:
+  /// What forces add to.
+  static std::vector<ir::NodeId> felt(const Kinematics& result) {
+    std::vector<ir::NodeId> sums;
+    for (const Expr Q : result.body_force) sums.push_back(Q.id());
+    for (const Expr Q : result.other_force) sums.push_back(Q.id());
+    for (const BodyMotion& body : result.bodies) {
+      for (const Expr component : body.force) sums.push_back(component.id());
+      if (!body.is_rigid) continue;
+      for (const Expr component : body.moment) sums.push_back(component.id());
+    }
+    return sums;
+  }
+
+  /// Whether a joint carries something on which one of the forces from `begin` on acts.
+  bool reaches_joint(const Kinematics& result, std::size_t begin) const {
+    const auto is_zero = [](const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); };
+    return std::any_of(result.applied.begin() + static_cast<std::ptrdiff_t>(begin), result.applied.end(),
+                       [&](const AppliedForce& applied) {
+                         if (is_zero(applied.force) && is_zero(applied.moment)) return false;
+                         std::size_t at = applied.frame;
+                         while (at != model::k_space && !is_carried_by_joint(at)) at = model_.frames[at].parent;
+                         return at != model::k_space;
+                       });
+  }
+
   Expr number(int value) const { return expressions_.number(value); }
 
   Expr partial(Expr function, FullIndex i) { return along_rate_[i.value](function); }
@@ -128,7 +161,7 @@ class Builder {
 
   ConstraintRow constraint_row(const model::Constraint& constraint) {
     ConstraintRow row{
-        constraint.name.text, constraint.multiplier_unit, {}, number(0), {}, number(0), {}, true, {}, false};
+        constraint.name.text, constraint.multiplier_unit, {}, number(0), {}, number(0), {}, true, {}, false, {}};
     std::visit([&](const auto& law) { state(law, row); }, constraint.law);
     for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) {
       row.beta.push_back(partial(row.phi, i));
@@ -277,16 +310,11 @@ class Builder {
     return ir::multiply(expressions_.frames().axes(axes), expressions_(components));
   }
 
-  /// Q_A = F·∂v_P/∂ẏ^A + M·∂ω/∂ẏ^A (theory section 6), and the share of the body that feels it.
-  void push(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment, Kinematics& result) {
-    if (frame == model::k_space) return;
-    BodyMotion* body = body_of(frame, result);
-    result.applied.push_back({frame, point, force, moment, body != nullptr});
-    if (body != nullptr) {
-      body->force = body->force + force;
-      body->moment = body->moment + moment + cross(point - body->position, force);
-    }
-    auto& Q = body != nullptr ? result.body_force : result.other_force;
+  using Components = support::Indexed<FullIndex, Expr>;
+
+  /// Q_A = F·∂v_P/∂ẏ^A + M·∂ω/∂ẏ^A (theory section 6)
+  Components generalized(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment) {
+    Components Q(symbols_.full_count(), number(0));
     const Vector3 velocity = velocity_at(frame, point);
     const Vector3 omega = expressions_.frames().omega(frame, Axes::space);
     for (const FullIndex i : Q.indices()) {
@@ -294,6 +322,44 @@ class Builder {
         Q[i] += force[x] * partial(velocity[x], i);
         Q[i] += moment[x] * partial(omega[x], i);
       }
+    }
+    return Q;
+  }
+
+  /// Both, and the share of the body that feels it. At a place that wanders over a body the body feels it where the place is now; what it
+  /// does along the way of the place no body feels.
+  void push(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment, Kinematics& result) {
+    if (frame == model::k_space) return;
+    const std::size_t carrier = pushed(frame);
+    BodyMotion* body = body_of(carrier, result);
+    result.applied.push_back({frame, point, force, moment, body != nullptr});
+    const Components all = generalized(frame, point, force, moment);
+    Components felt(symbols_.full_count(), number(0));
+    if (body != nullptr) {
+      body->force = body->force + force;
+      body->moment = body->moment + moment + cross(point - body->position, force);
+      felt = carrier == frame ? all : generalized(carrier, point, force, moment);
+    }
+    for (const FullIndex i : all.indices()) {
+      result.body_force[i] += felt[i];
+      result.other_force[i] += all[i] - felt[i];
+      result.carried_force[i] += all[i] - felt[i];
+    }
+  }
+
+  void find_carried(ConstraintRow& row, Kinematics& result) {
+    row.carried = Components(symbols_.full_count(), number(0));
+    for (const ConstraintAction& action : row.actions) {
+      if (action.frame == model::k_space) continue;
+      const std::size_t carrier = pushed(action.frame);
+      const bool is_felt = body_of(carrier, result) != nullptr;
+      if (is_felt && carrier == action.frame) continue;
+      const Vector3 none = ir::zero3(graph_);
+      const Components all = generalized(action.frame, action.point, action.direction, none);
+      for (const FullIndex i : all.indices()) row.carried[i] += all[i];
+      if (!is_felt) continue;
+      const Components felt = generalized(carrier, action.point, action.direction, none);
+      for (const FullIndex i : all.indices()) row.carried[i] -= felt[i];
     }
   }
 

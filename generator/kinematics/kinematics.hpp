@@ -45,10 +45,11 @@ struct ConstraintRow {
   ir::Expr phi;
   support::Indexed<FullIndex, ir::Expr> beta;
   ir::Expr beta_drift;
-  std::optional<ir::Vector3> point;       ///< where the reaction acts, space
-  bool is_linear = true;                  ///< in the velocities
-  std::vector<ConstraintAction> actions;  ///< where the constraint is one of places
-  bool is_of_coordinates = false;         ///< it limits rates of coordinates by themselves, too
+  std::optional<ir::Vector3> point;               ///< where the reaction acts, space
+  bool is_linear = true;                          ///< in the velocities
+  std::vector<ConstraintAction> actions;          ///< where the constraint is one of places
+  bool is_of_coordinates = false;                 ///< it limits rates of coordinates by themselves, too
+  support::Indexed<FullIndex, ir::Expr> carried;  ///< the part of beta that is of places on which no body feels it
 };
 
 /// A joint of the model, in its order.
@@ -75,11 +76,13 @@ struct Kinematics {
   std::vector<std::string> frame_names;  ///< parallel to Model::frames
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates;
   support::Indexed<FreeIndex, ir::Expr> speeds_at_rest;
-  ir::Expr potential;                                ///< J; gravity (uniform fields) included
-  std::vector<AppliedForce> applied;                 ///< forces at places
-  support::Indexed<FullIndex, ir::Expr> body_force;  ///< Q_A of the forces in BodyMotion::force and moment
+  ir::Expr potential;                                 ///< J; gravity (uniform fields) included
+  std::vector<AppliedForce> applied;                  ///< forces at places
+  support::Indexed<FullIndex, ir::Expr> body_force;   ///< Q_A of the forces in BodyMotion::force and moment
+  support::Indexed<FullIndex, ir::Expr> other_force;  ///< Q_A of all other forces, not spread on bodies
   support::Indexed<FullIndex, ir::Expr>
-      other_force;  ///< Q_A of potentials and generalized forces, not spread on bodies
+      carried_force;                     ///< the part of other_force that is of places on which no body feels it
+  std::vector<std::size_t> idle_forces;  ///< of Model::forces: no body, coordinate or joint feels them
   support::Indexed<HeldIndex, ir::Expr> held_acceleration;  ///< c̈^i
   std::vector<std::vector<ir::Expr>> quantities;            ///< parallel to Model::quantities
 };

@@ -36,13 +36,30 @@ Vector3 along_axes_of_omega(const BodyMotion& body, const Vector3& in_space) {
   return body.rotation.axes == model::Axes::space ? in_space : ir::multiply(transposed(body.rotation.matrix), in_space);
 }
 
-// All of y, or only the free coordinates where held ones repeat each other and G has no inverse: then forces along held
+std::vector<std::size_t> first(std::size_t count) {
+  std::vector<std::size_t> indices(count);
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  return indices;
+}
+
+// All of y, or only the free coordinates where G has no inverse, as where held ones repeat each other: then forces along held
 // coordinates stay out of Z, which changes its value by a constant and its minimum not at all.
 std::vector<std::size_t> spreading_coordinates(const Dynamics& dynamics) {
   const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
-  std::vector<std::size_t> all(Release(dynamics).has_surplus() ? symbols.free_count() : symbols.full_count());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return all;
+  std::vector<std::size_t> all = first(symbols.full_count());
+  return is_invertible(dynamics, all) ? all : first(symbols.free_count());
+}
+
+// Of forces that no body feels. What acts on parts without mass does so along free coordinates only: along held ones these parts are
+// held.
+Vector forces_without_body(const Dynamics& dynamics) {
+  const kinematics::Kinematics& kinematics = *dynamics.kinematics;
+  Vector spread = kinematics.other_force.values();
+  for (const kinematics::HeldIndex j : kinematics.symbols.held.indices()) {
+    const kinematics::FullIndex row = kinematics.symbols.full(j);
+    spread[row.value] -= kinematics.carried_force[row];
+  }
+  return spread;
 }
 
 }  // namespace
@@ -50,7 +67,7 @@ std::vector<std::size_t> spreading_coordinates(const Dynamics& dynamics) {
 Expr compulsion(const Dynamics& dynamics, const Vector& candidate, Expr epsilon, Steps& steps) {
   const kinematics::Kinematics& kinematics = *dynamics.kinematics;
   ir::Graph& graph = kinematics.potential.graph();
-  const Vector& spread = kinematics.other_force.values();
+  const Vector spread = forces_without_body(dynamics);
   const bool has_spread = std::any_of(spread.begin(), spread.end(), [](Expr e) { return !e.is_zero(); });
   Vector z(spread.size(), Expr(graph, graph.constant(0)));
   if (has_spread) {

@@ -72,9 +72,16 @@ std::vector<Source> sources(const Dynamics& dynamics, const Solution& solution, 
   }
   ir::Graph& graph = kinematics.potential.graph();
   for (const HeldIndex j : symbols.held.indices()) {
+    // What acts on parts without mass, which this coordinate moves, it takes itself: the bodies feel the rest.
+    const FullIndex row = symbols.full(j);
+    Expr passed_on = held[j.value] + kinematics.carried_force[row];
+    for (const ConstraintIndex mu : kinematics.constraints.indices()) {
+      if (is_at_places(kinematics.constraints[mu]))
+        passed_on += solution.multipliers[mu.value] * kinematics.constraints[mu].carried[row];
+    }
     Vector unit(symbols.full_count(), Expr(graph, graph.constant(0)));
-    unit[symbols.full(j).value] = Expr(graph, graph.constant(1));
-    all.push_back({symbols.held[j].name, held[j.value], unit, nullptr, false});
+    unit[row.value] = Expr(graph, graph.constant(1));
+    all.push_back({symbols.held[j].name, passed_on, unit, nullptr, false});
   }
   return all;
 }

@@ -79,14 +79,13 @@ std::vector<std::size_t> coordinates_of(const BodyMotion& body) {
   return result;
 }
 
-// As many coordinates as directions do not describe every motion where some do the same, as x and y in [x + y, 2*(x + y), z].
+}  // namespace
+
 bool is_invertible(const Dynamics& dynamics, const std::vector<std::size_t>& coordinates) {
   ir::Graph& graph = dynamics.covariant->bias[FullIndex{0}].graph();
   const ir::Expr zero(graph, graph.constant(0));
   return vanishing_pivots(metric_over(dynamics, coordinates), full_labels(dynamics, coordinates), "G", zero).empty();
 }
-
-}  // namespace
 
 Release::Release(const Dynamics& dynamics) {
   const kinematics::Kinematics& kinematics = *dynamics.kinematics;
@@ -106,7 +105,6 @@ Release::Release(const Dynamics& dynamics) {
   released_.assign(count, 0);
   for (std::size_t g = 0; g < count; ++g) {
     const std::size_t coordinates = members[g].size();
-    has_surplus_ = has_surplus_ || coordinates > group[g].freedoms;
     if (coordinates == 0 || !group[g].is_uniform || coordinates != group[g].freedoms) continue;
     if (!is_invertible(dynamics, members[g])) continue;
     for (const std::size_t i : members[g]) released_[i] = 1;

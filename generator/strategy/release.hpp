@@ -22,12 +22,11 @@ class Release {
   /// All released coordinates, in order.
   std::vector<std::size_t> released() const;
 
-  /// Some group has more coordinates than directions in which its bodies move: some do the same, and G has no inverse.
-  bool has_surplus() const { return has_surplus_; }
-
  private:
   std::vector<char> released_;
-  bool has_surplus_ = false;
 };
+
+/// Whether G over these has an inverse: not where some do the same, as x and y in [x + y, 2*(x + y), z].
+bool is_invertible(const Dynamics& dynamics, const std::vector<std::size_t>& coordinates);
 
 }  // namespace gaussgen::strategy

@@ -89,6 +89,7 @@ inline constexpr ErrorCode k_comparison{"E066", "a comparison out of place, or a
 inline constexpr ErrorCode k_table_points{"E067", "points of a table that make no function"};
 inline constexpr ErrorCode k_unused{"W064", "a table, parameter or input that nothing uses"};
 
+inline constexpr ErrorCode k_idle_force{"W067", "a force that nothing feels"};
 inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate that moves no body"};
 inline constexpr ErrorCode k_unreal_inertia{"W063", "moments of inertia that no body has"};
 inline constexpr ErrorCode k_no_mass{"W056", "a body with neither mass nor inertia"};
@@ -180,6 +181,7 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_index,
     code::k_submodel_file,
     code::k_submodel_fit,
+    code::k_idle_force,
     code::k_idle_held_coordinate,
     code::k_scaled_unit,
     code::k_missing_unit,

@@ -1,0 +1,25 @@
+#pragma once
+// Where a model starts: open positions that satisfy the constraints, found from as far away as it takes.
+
+#include <string>
+#include <vector>
+
+#include "mechanics.hpp"
+
+namespace gaussgen {
+
+/// A guess of the model that a longer search has replaced.
+struct FoundGuess {
+  std::string name;
+  double value = 0;
+};
+
+/// Emitted code takes eight steps of Newton's method from the guesses. Where these do not arrive and a longer search does, the position
+/// that it finds takes the place of the guesses, angles within half a turn of them; given values stay. Nothing where the
+/// guesses serve, or where no search helps.
+std::vector<FoundGuess> improve_guesses(Mechanics& mechanics, model::Model& model);
+
+/// `--assemble`: given values become guesses where they and the open ones do not satisfy the constraints: first the rates, then all.
+void assemble(Mechanics& mechanics, model::Model& model);
+
+}  // namespace gaussgen
