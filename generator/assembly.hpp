@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mechanics.hpp"
+#include "support/diagnostics.hpp"
 
 namespace gaussgen {
 
@@ -18,6 +19,9 @@ struct FoundGuess {
 /// that it finds takes the place of the guesses, angles within half a turn of them; given values stay. Nothing where the
 /// guesses serve, or where no search helps.
 std::vector<FoundGuess> improve_guesses(Mechanics& mechanics, model::Model& model);
+
+/// Warns of them.
+void report_found(const std::vector<FoundGuess>& found, const model::Model& model, support::Diagnostics& diagnostics);
 
 /// `--assemble`: given values become guesses where they and the open ones do not satisfy the constraints: first the rates, then all.
 void assemble(Mechanics& mechanics, model::Model& model);

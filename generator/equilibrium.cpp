@@ -233,15 +233,27 @@ class Search {
     bind(mechanics_.symbols.time, number(time));
   }
 
-  bool start() {
-    const strategy::Vector guess = strategy::guessed_state(mechanics_.model, mechanics_.expressions);
+  /// Of a state.
+  std::optional<std::vector<cl_F>> position_of(const std::vector<ir::NodeId>& state) {
     std::vector<cl_F> position;
     for (std::size_t i = 0; i < mechanics_.symbols.configuration.size(); ++i) {
-      const auto value = value_of(guess[i].id());
-      if (!value) return false;
+      const auto value = value_of(state[i]);
+      if (!value) return std::nullopt;
       position.push_back(*value);
     }
-    set(std::move(position), std::vector<cl_F>(lambda_.size(), number(support::Rational(0))));
+    return position;
+  }
+
+  /// Where the model starts, or at its guesses if these lead nowhere.
+  bool start() {
+    std::vector<ir::NodeId> initial, guess;
+    for (const InitialValue& value : initial_values(mechanics_)) initial.push_back(value.node);
+    for (const Expr value : strategy::guessed_state(mechanics_.model, mechanics_.expressions))
+      guess.push_back(value.id());
+    auto position = position_of(initial);
+    if (!position) position = position_of(guess);
+    if (!position) return false;
+    set(*std::move(position), std::vector<cl_F>(lambda_.size(), number(support::Rational(0))));
     return true;
   }
 

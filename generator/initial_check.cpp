@@ -29,10 +29,10 @@ constexpr int k_most_derivatives = 2;
 
 class InitialCheck {
  public:
-  InitialCheck(Mechanics& mechanics, bool is_emitted, support::Diagnostics& diagnostics)
+  InitialCheck(Mechanics& mechanics, const StartOptions& options, support::Diagnostics& diagnostics)
       : mechanics_(mechanics),
         model_(mechanics.model),
-        is_emitted_(is_emitted),
+        options_(options),
         diagnostics_(diagnostics),
         values_(mechanics, support::Rational(0), k_digits) {}
 
@@ -43,17 +43,14 @@ class InitialCheck {
     for (const UndefinedPart& part : undefined) report_undefined(part);
     if (undefined.empty() && !has_state) report_undefined_state(state);
     const std::vector<Violation> violated = violations(mechanics_, values_);
-    ConstraintCheck constraints(mechanics_, values_, is_emitted_, diagnostics_);
+    ConstraintCheck constraints(mechanics_, values_, options_.is_emitted, diagnostics_);
     constraints.report_positions(violated);
     constraints.report_contradictions();
-    std::optional<std::string> nearby;  // one search for all
     for (const Violation& violation : violated) {
-      if (constraints.is_contradictory(violation.index)) continue;
-      if (violation.is_of_positions && !nearby) nearby = position_nearby(mechanics_);
-      report_violation(violation, nearby.value_or(""));
+      if (!constraints.is_contradictory(violation.index)) report_violation(violation);
     }
     if (!undefined.empty() || !has_state) return report_redundant(mechanics_, diagnostics_);
-    if (violated.empty()) report_choice(chosen_rates(mechanics_, state, values_));
+    if (violated.empty() && !options_.is_assembled) report_choice(chosen_rates(mechanics_, state, values_));
     constraints.report_redundant();
     report_singular();
   }
@@ -76,12 +73,12 @@ class InitialCheck {
     }
   }
 
-  void report_violation(const Violation& violation, const std::string& nearby) {
+  void report_violation(const Violation& violation) {
     const support::Span span = model_.constraints[violation.index].span;
     const std::string message = fmt::format("the initial state violates constraint '{}' by {}", violation.row->name,
                                             evaluate::to_decimal(violation.residual, 3));
-    const std::string hint = remedy(mechanics_, violation, values_, nearby);
-    if (is_emitted_) {
+    const std::string hint = remedy(mechanics_, violation, values_);
+    if (options_.is_emitted) {
       diagnostics_.error(support::code::k_impossible_start, span, message, hint);
     } else {
       diagnostics_.warning(support::code::k_violating_start, span, message, hint);
@@ -211,20 +208,19 @@ class InitialCheck {
 
   Mechanics& mechanics_;
   const model::Model& model_;
-  bool is_emitted_;
+  StartOptions options_;
   support::Diagnostics& diagnostics_;
   ModelValues values_;
 };
 
 }  // namespace
 
-void check_initial_state(Mechanics& mechanics, bool is_emitted, support::Diagnostics& diagnostics) {
-  InitialCheck(mechanics, is_emitted, diagnostics).run();
+void check_initial_state(Mechanics& mechanics, const StartOptions& options, support::Diagnostics& diagnostics) {
+  InitialCheck(mechanics, options, diagnostics).run();
 }
 
-std::vector<std::string> assembled_values(Mechanics& mechanics) {
+std::vector<std::string> assembled_values(Mechanics& mechanics, const strategy::Vector& start) {
   ModelValues values(mechanics, support::Rational(0), k_digits);
-  const strategy::Vector start = strategy::guessed_state(mechanics.model, mechanics.expressions);
   const std::vector<InitialValue> reached = initial_values(mechanics);
   std::vector<std::string> moved;
   for (std::size_t i = 0; i < reached.size(); ++i) {

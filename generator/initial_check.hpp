@@ -6,11 +6,17 @@
 
 namespace gaussgen {
 
+struct StartOptions {
+  bool is_emitted = false;
+  bool is_assembled = false;  ///< given rates may have become guesses: that constraints choose is wanted
+};
+
 /// Warns where the initial state of the model has no value, makes constraints depend on each other, or makes the mass matrix
 /// singular. One that violates a constraint is an error where the state is emitted.
-void check_initial_state(Mechanics& mechanics, bool is_emitted, support::Diagnostics& diagnostics);
+void check_initial_state(Mechanics& mechanics, const StartOptions& options, support::Diagnostics& diagnostics);
 
-/// "theta2: 0.5 -> 0.5236": initial values that the search for a state without violations has moved from their guesses.
-std::vector<std::string> assembled_values(Mechanics& mechanics);
+/// "theta2: 0.5 -> 0.5236": initial values that the search for a state without violations has moved from `given`, which
+/// is strategy::guessed_state of the model as it was read.
+std::vector<std::string> assembled_values(Mechanics& mechanics, const strategy::Vector& given);
 
 }  // namespace gaussgen

@@ -18,11 +18,14 @@ using Values = evaluate::Evaluator<Number>;
 using Vector = std::vector<double>;
 
 constexpr int k_most_steps = 400;
+constexpr int k_emitted_steps = 8;     ///< as in strategy/projection.cpp
+constexpr double k_arrived = 1e-13;    ///< likewise to k_solved
 constexpr double k_solved = 1e-11;     ///< f of what it is made of
 constexpr double k_violated = 1e-6;    ///< likewise, of the largest among the equations, and of that at the start
 constexpr double k_stationary = 1e-6;  ///< Jᵀ f of the largest f and ∂f
 constexpr double k_first_step = 1e-3;
 constexpr double k_most_damping = 1e12;
+constexpr double k_turn = 6.283185307179586;
 
 /// Equations f = 0 at one position.
 struct Linearised {
@@ -52,7 +55,7 @@ class Search {
   }
 
   std::optional<Contradiction> contradiction() {
-    auto here = start();
+    auto here = start_beside_guess();
     const double at_start = here ? std::sqrt(here->square()) : 0;
     here = descend(std::move(here));
     if (!here || !is_stationary(*here)) return std::nullopt;
@@ -60,10 +63,33 @@ class Search {
     return std::sqrt(here->square()) > k_violated * at_start ? contradiction_at(*here) : std::nullopt;
   }
 
-  /// The configuration; nothing where the equations are not satisfied in the end.
-  std::optional<Vector> solution() {
-    const auto here = descend(start());
-    return here && is_solved(*here) ? std::optional<Vector>(q_) : std::nullopt;
+  Approach emitted() {
+    auto here = start();
+    for (int i = 0; here && i < k_emitted_steps; ++i) {
+      move(least_in_metric(*here));
+      here = linearised();
+    }
+    return {q_, here && is_solved(*here, k_arrived)};
+  }
+
+  Approach longest() {
+    const auto here = descend(start_beside_guess());
+    if (!here || !is_solved(*here)) return {q_, false};
+    unwind();
+    return {q_, true};
+  }
+
+  bool speeds_fit(const Vector& position, const std::vector<bool>& open) {
+    if (!start()) return false;
+    set(position);
+    Vector u = speeds();
+    auto here = of_speeds(u, open);
+    for (int i = 0; here && i < k_emitted_steps; ++i) {
+      const Vector change = least_change(*here);
+      for (std::size_t k = 0; k < u.size(); ++k) u[k] += change[k];
+      here = of_speeds(u, open);
+    }
+    return here && is_solved(*here);
   }
 
  private:
@@ -97,6 +123,12 @@ class Search {
       q.push_back(value->value);
     }
     set(std::move(q));
+    guess_ = q_;
+    return linearised();
+  }
+
+  std::optional<Linearised> start_beside_guess() {
+    if (!start()) return std::nullopt;
     leave_symmetry();
     const auto first = linearised();
     if (!first) return std::nullopt;
@@ -173,6 +205,91 @@ class Search {
     return result;
   }
 
+  /// Of the guess.
+  Vector speeds() {
+    const strategy::Vector all = strategy::guessed_state(mechanics_.model, mechanics_.expressions);
+    Vector u;
+    for (std::size_t i = mechanics_.symbols.configuration.size(); i < all.size(); ++i) {
+      const auto value = values_(all[i].id());
+      u.push_back(value ? value->value : 0);
+    }
+    return u;
+  }
+
+  /// φ and ∂φ/∂u over the speeds that are `open`.
+  std::optional<Linearised> of_speeds(const Vector& u, const std::vector<bool>& open) {
+    for (const auto i : mechanics_.symbols.speeds.indices()) bind(mechanics_.symbols.speeds[i].symbol, u[i.value]);
+    Linearised result;
+    for (const kinematics::ConstraintRow& row : mechanics_.kinematics.constraints) {
+      const auto phi = values_(row.phi.id());
+      if (!phi || !std::isfinite(phi->value)) return std::nullopt;
+      result.f.push_back(phi->value);
+      result.size.push_back(phi->scale);
+      result.j.emplace_back();
+      for (const auto alpha : mechanics_.symbols.speeds.indices()) {
+        const auto entry = values_(row.beta[mechanics_.symbols.full(alpha)].id());
+        if (!entry || !std::isfinite(entry->value)) return std::nullopt;
+        result.j.back().push_back(open[alpha.value] ? entry->value : 0);
+      }
+    }
+    return result;
+  }
+
+  /// Angles by whole turns to their guesses, where that changes no equation.
+  void unwind() {
+    const Vector wound = q_;
+    Vector q = q_;
+    for (std::size_t i = 0; i < mechanics_.symbols.plain_count(); ++i) {
+      const auto& variable = mechanics_.symbols.configuration[kinematics::ConfigurationIndex{i}];
+      if (variable.unit == "rad" || variable.unit.empty()) q[i] = guess_[i] + std::remainder(q[i] - guess_[i], k_turn);
+    }
+    set(std::move(q));
+    const auto here = linearised();
+    if (!here || !is_solved(*here)) set(wound);
+  }
+
+  static Eigen::MatrixXd matrix(const std::vector<Vector>& rows, std::size_t columns) {
+    Eigen::MatrixXd result(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      result.row(static_cast<Eigen::Index>(i)) =
+          Eigen::VectorXd::Map(rows[i].data(), static_cast<Eigen::Index>(columns));
+    return result;
+  }
+
+  static Vector least_change(const Linearised& at) {
+    const std::size_t n = count_of(at);
+    const Eigen::MatrixXd j = matrix(at.j, n);
+    const Eigen::VectorXd f = Eigen::VectorXd::Map(at.f.data(), static_cast<Eigen::Index>(at.f.size()));
+    Vector change(n, 0);
+    if (!at.f.empty())
+      Eigen::VectorXd::Map(change.data(), static_cast<Eigen::Index>(n)) = -j.completeOrthogonalDecomposition().solve(f);
+    return change;
+  }
+
+  static std::size_t count_of(const Linearised& at) { return at.j.empty() ? 0 : at.j[0].size(); }
+
+  /// G δ + Jᵀ λ = 0, J δ = -f.
+  Vector least_in_metric(const Linearised& at) {
+    const std::size_t n = count_of(at);
+    const auto size = static_cast<Eigen::Index>(n);
+    const auto rows = static_cast<Eigen::Index>(at.f.size());
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size + rows, size + rows);
+    for (std::size_t a = 0; a < n; ++a) {
+      for (std::size_t b = 0; b < n; ++b) {
+        const bool is_moving = movable_[a] && movable_[b];
+        const auto entry = is_moving ? values_(mechanics_.dynamics.g[a][b].id()) : std::nullopt;
+        all(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) = entry ? entry->value : 0;
+      }
+    }
+    const Eigen::MatrixXd j = matrix(at.j, n);
+    all.bottomLeftCorner(rows, size) = j;
+    all.topRightCorner(size, rows) = j.transpose();
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(size + rows);
+    right.tail(rows) = -Eigen::VectorXd::Map(at.f.data(), rows);
+    const Eigen::VectorXd solved = all.completeOrthogonalDecomposition().solve(right);
+    return Vector(solved.data(), solved.data() + size);
+  }
+
   Vector step(const Linearised& at, double damping) const {
     const auto n = static_cast<Eigen::Index>(at.j[0].size());
     const auto rows = static_cast<Eigen::Index>(at.f.size());
@@ -190,9 +307,9 @@ class Search {
     return result;
   }
 
-  static bool is_solved(const Linearised& at) {
+  static bool is_solved(const Linearised& at, double part = k_solved) {
     for (std::size_t i = 0; i < at.f.size(); ++i) {
-      if (std::abs(at.f[i]) > k_solved * at.size[i]) return false;
+      if (std::abs(at.f[i]) > part * at.size[i]) return false;
     }
     return true;
   }
@@ -228,6 +345,7 @@ class Search {
   std::vector<kinematics::ConstraintIndex> rows_;
   Vector weights_;  ///< per row, so that all are in units of displacements
   Vector q_;
+  Vector guess_;
   Vector sizes_;  ///< of derivatives along each speed
 };
 
@@ -238,9 +356,16 @@ std::optional<Contradiction> contradictory_positions(Mechanics& mechanics) {
   return Search(mechanics, std::vector<bool>(mechanics.dynamics.n(), true)).contradiction();
 }
 
-std::optional<std::vector<double>> nearest_position(Mechanics& mechanics, const std::vector<bool>& movable) {
-  if (std::find(movable.begin(), movable.end(), true) == movable.end()) return std::nullopt;
-  return Search(mechanics, movable).solution();
+Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable) {
+  return Search(mechanics, movable).emitted();
+}
+
+Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable) {
+  return Search(mechanics, movable).longest();
+}
+
+bool speeds_fit(Mechanics& mechanics, const std::vector<double>& position, const std::vector<bool>& open) {
+  return Search(mechanics, std::vector<bool>(open.size(), false)).speeds_fit(position, open);
 }
 
 }  // namespace gaussgen

@@ -20,8 +20,19 @@ struct Contradiction {
 /// By a search from the initial position, with every coordinate free to move; nothing where it finds a solution, or no answer.
 std::optional<Contradiction> contradictory_positions(Mechanics& mechanics);
 
-/// A configuration that satisfies all equations of positions, reached from the guesses along the speeds that are `movable`; nothing where
-/// the search finds none.
-std::optional<std::vector<double>> nearest_position(Mechanics& mechanics, const std::vector<bool>& movable);
+/// Along the speeds that are `movable`, from the guesses of the model.
+struct Approach {
+  std::vector<double> position;  ///< the configuration that it came to
+  bool is_solved = false;        ///< it satisfies all equations of positions
+};
+
+/// Eight steps of Newton's method, each the least one in the mass metric, as emitted code takes them.
+Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable);
+
+/// As many damped steps as it takes; angles end within half a turn of their guesses.
+Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable);
+
+/// Whether, at this position, speeds that are `open` can be chosen such that all constraints hold: Newton's method finds them.
+bool speeds_fit(Mechanics& mechanics, const std::vector<double>& position, const std::vector<bool>& open);
 
 }  // namespace gaussgen

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "assembly.hpp"
 #include "dumps.hpp"
 #include "initial_check.hpp"
 #include "model/fold_check.hpp"
@@ -11,6 +12,7 @@
 #include "paper.hpp"
 #include "point_check.hpp"
 #include "read_model.hpp"
+#include "strategy/projection.hpp"
 #include "structure_check.hpp"
 #include "unit.hpp"
 #include "value_check.hpp"
@@ -66,7 +68,6 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
                                       support::Diagnostics& diagnostics, Stages& stages) {
   std::optional<model::Model> model = read_model(source, diagnostics);
   if (!model) return std::nullopt;
-  if (options.assemble) open_initial_values(*model);
   stages.done("model", fmt::format("{} bytes", source.text().size()), [&] { return dump_model(*model, source); });
 
   if (options.fold) model::check_fold(*model, diagnostics);
@@ -76,6 +77,12 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   Mechanics mechanics(*model, {options.fold, false, options.most_nodes});
   check_structure(mechanics, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
+  const strategy::Vector given = strategy::guessed_state(*model, mechanics.expressions);
+  if (options.assemble) {
+    assemble(mechanics, *model);
+  } else {
+    report_found(improve_guesses(mechanics, *model), *model, diagnostics);
+  }
   stages.done("kinematics", nodes(mechanics), [&] { return dump_kinematics(mechanics); });
 
   // The paper's route in GiNaC replaces the result where it is asked for; otherwise it is made for its dump only.
@@ -98,8 +105,8 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   stages.done("header", fmt::format("{} bytes", result.header.size()), [&] { return result.header; });
 
   // Last, so that what it adds to the graph cannot change the header.
-  check_initial_state(mechanics, emits(unit, "initial_state"), diagnostics);
-  if (options.assemble) result.assembled = assembled_values(mechanics);
+  check_initial_state(mechanics, {emits(unit, "initial_state"), options.assemble}, diagnostics);
+  if (options.assemble) result.assembled = assembled_values(mechanics, given);
   check_points(mechanics, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   stages.done("check", nodes(mechanics), [] { return std::string(); });

@@ -75,15 +75,4 @@ std::optional<model::Model> read_model(support::Source& source, support::Diagnos
   return model;
 }
 
-void open_initial_values(model::Model& model) {
-  for (model::Coordinate& coordinate : model.coordinates) {
-    if (coordinate.held_at) continue;
-    if (coordinate.initial) coordinate.guess = std::move(coordinate.initial);
-    if (coordinate.initial_rate) coordinate.rate_guess = std::move(coordinate.initial_rate);
-    coordinate.initial.reset();
-    coordinate.initial_rate.reset();
-  }
-  for (model::Orientation& orientation : model.orientations) orientation.is_open = true;
-}
-
 }  // namespace gaussgen

@@ -12,7 +12,4 @@ namespace gaussgen {
 /// coordinates hold the motion already. Nothing when the file has errors.
 std::optional<model::Model> read_model(support::Source& source, support::Diagnostics& diagnostics);
 
-/// Every given initial value becomes the guess of a search, so that constraints may move it (`--assemble`).
-void open_initial_values(model::Model& model);
-
 }  // namespace gaussgen

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "nearest_position.hpp"
 #include "open_rates.hpp"
 #include "support/suggest.hpp"
 
@@ -31,24 +30,7 @@ std::vector<bool> stated_positions(const model::Model& model) {
   return result;
 }
 
-}  // namespace
-
-std::string position_nearby(Mechanics& mechanics) {
-  std::vector<bool> is_open;
-  for (const bool given : stated_positions(mechanics.model)) is_open.push_back(!given);
-  const auto position = nearest_position(mechanics, is_open);
-  std::vector<std::string> values;
-  for (std::size_t i = 0; position && i < mechanics.symbols.plain_count(); ++i) {
-    const std::string& name = mechanics.symbols.configuration[kinematics::ConfigurationIndex{i}].name;
-    if (is_open[i]) values.push_back(fmt::format("{} = {:.6g}", name, (*position)[i]));
-  }
-  return support::joined(values);
-}
-
-namespace {
-
-std::string remedy_of_positions(const Mechanics& mechanics, const kinematics::ConstraintRow& row, ModelValues& values,
-                                const std::string& nearby) {
+std::string remedy_of_positions(const Mechanics& mechanics, const kinematics::ConstraintRow& row, ModelValues& values) {
   std::vector<std::string> given;
   std::vector<std::string> open;
   const std::vector<bool> is_given = stated_positions(mechanics.model);
@@ -58,8 +40,6 @@ std::string remedy_of_positions(const Mechanics& mechanics, const kinematics::Co
     (is_given[i.value] ? given : open).push_back(mechanics.symbols.speeds[i].label);
   }
   if (!open.empty()) {
-    if (!nearby.empty())
-      return "from the guesses the search does not come near enough; give these an initial_guess: " + nearby;
     return fmt::format(
         "the search for {} found nothing: give an initial_guess near the wanted position, and check "
         "that the parts can reach each other",
@@ -87,10 +67,9 @@ std::vector<Violation> violations(const Mechanics& mechanics, ModelValues& value
 }
 
 // An open rate is searched for by Newton's method where the constraint is nonlinear; from 0 it may have no way to go.
-std::string remedy(const Mechanics& mechanics, const Violation& violation, ModelValues& values,
-                   const std::string& nearby) {
+std::string remedy(const Mechanics& mechanics, const Violation& violation, ModelValues& values) {
   const kinematics::ConstraintRow& row = *violation.row;
-  if (violation.is_of_positions) return remedy_of_positions(mechanics, row, values, nearby);
+  if (violation.is_of_positions) return remedy_of_positions(mechanics, row, values);
   std::vector<std::string> given;
   std::vector<std::string> open;
   std::vector<std::string> stuck;

@@ -20,11 +20,6 @@ struct Violation {
 std::vector<Violation> violations(const Mechanics& mechanics, ModelValues& values);
 
 /// What to change so that the constraint holds.
-/// `nearby`: see position_nearby.
-std::string remedy(const Mechanics& mechanics, const Violation& violation, ModelValues& values,
-                   const std::string& nearby);
-
-/// "x = 0.5, y = -1.2": open values of a position that satisfies all equations of positions; empty where none was found.
-std::string position_nearby(Mechanics& mechanics);
+std::string remedy(const Mechanics& mechanics, const Violation& violation, ModelValues& values);
 
 }  // namespace gaussgen

@@ -61,6 +61,8 @@ class Adder {
                              wrapped("change a parameter, an input, a coordinate or a rate, such as "
                                      "m=2, chi=pi/4 or 'dot(chi)=2'; may be repeated")),
              "NAME=VALUE");
+    add_flag("--assemble", options_.pipeline.assemble,
+             wrapped("let the constraints move the initial values that the model gives, and say how far"));
     add_flag("--equilibrium", options_.at_equilibrium,
              wrapped("go from the initial position to one at which the model stays at rest, and evaluate there"));
     one_each(app_.add_option("--accelerate", options_.accelerations,

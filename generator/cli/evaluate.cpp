@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "assembly.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
@@ -10,7 +11,9 @@
 #include "cli/overrides.hpp"
 #include "equilibrium.hpp"
 #include "evaluation.hpp"
+#include "initial_check.hpp"
 #include "read_model.hpp"
+#include "strategy/projection.hpp"
 #include "structure_check.hpp"
 #include "support/suggest.hpp"
 
@@ -102,6 +105,14 @@ std::string json(const Evaluation& evaluation, const model::Model& model, const 
   return document.dump(2) + "\n";
 }
 
+/// Open positions, and with `--assemble` given ones too, satisfy the constraints.
+void set_start(Mechanics& mechanics, model::Model& model, const Options& options, support::Diagnostics& diagnostics) {
+  if (!options.pipeline.assemble) return report_found(improve_guesses(mechanics, model), model, diagnostics);
+  const strategy::Vector given = strategy::guessed_state(model, mechanics.expressions);
+  assemble(mechanics, model);
+  for (const std::string& moved : assembled_values(mechanics, given)) remark("assembled " + moved, options.messages);
+}
+
 }  // namespace
 
 int evaluate(const Options& options) {
@@ -119,15 +130,18 @@ int evaluate(const Options& options) {
   Mechanics mechanics(*model, {});
   support::Diagnostics structure;
   check_structure(mechanics, structure);
+  if (!structure.has_errors()) set_start(mechanics, *model, options, structure);
   if (const int found = report(structure, source, options.messages); found != k_ok) return found;
+  std::vector<std::string> doubts;
   // Only initial values change, which the equations do not hold.
   if (options.at_equilibrium) {
     const Equilibrium found = go_to_equilibrium(*model, time, options.digits);
     if (!found.failure.empty()) return fail(found.failure, k_model_error, options.messages);
     if (!found.lasts)
-      warn("this equilibrium is one of this instant: forces or laws in time soon move it", options.messages);
+      doubts.emplace_back("this equilibrium is one of this instant: forces or laws in time soon move it");
   }
-  const Evaluation evaluation = evaluate_model(mechanics, time, options.digits, wanted);
+  Evaluation evaluation = evaluate_model(mechanics, time, options.digits, wanted);
+  evaluation.warnings.insert(evaluation.warnings.begin(), doubts.begin(), doubts.end());
   write_standard_output(options.format == Format::json ? json(evaluation, *model, options) : table(evaluation));
   for (const std::string& warning : evaluation.warnings) {
     const auto is_same = [&](const support::Diagnostic& found) { return found.message == warning; };

@@ -279,6 +279,26 @@ Vector guessed_state(const model::Model& model, kinematics::Expressions& express
   return given.configuration;
 }
 
+namespace {
+
+std::vector<bool> marked(const std::vector<std::size_t>& indices, std::size_t count) {
+  std::vector<bool> result(count, false);
+  for (const std::size_t i : indices) result[i] = true;
+  return result;
+}
+
+}  // namespace
+
+std::vector<bool> open_positions(const model::Model& model, kinematics::Expressions& expressions) {
+  const Given given = given_state(model, expressions);
+  return marked(given.open_positions, given.speeds.size());
+}
+
+std::vector<bool> open_speeds(const model::Model& model, kinematics::Expressions& expressions) {
+  const Given given = given_state(model, expressions);
+  return marked(given.open, given.speeds.size());
+}
+
 ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics, kinematics::Expressions& expressions,
                              Expr time, Expr epsilon, Steps& steps) {
   ir::Graph& graph = epsilon.graph();

@@ -25,6 +25,12 @@ Vector completed_accelerations(const Dynamics& dynamics, Vector accelerations, c
 /// Configuration and speeds from which the search for open initial values starts; quaternions as the model gives them.
 Vector guessed_state(const model::Model& model, kinematics::Expressions& expressions);
 
+/// Speeds along which the search may change the configuration: those whose initial position the model leaves open.
+std::vector<bool> open_positions(const model::Model& model, kinematics::Expressions& expressions);
+
+/// Speeds that the model leaves to the constraints.
+std::vector<bool> open_speeds(const model::Model& model, kinematics::Expressions& expressions);
+
 /// The model's initial state at `time` over parameters. Rates that the model does not give are found from the constraints by the same
 /// projection restricted to them, starting from their guesses.
 ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics, kinematics::Expressions& expressions,

@@ -90,6 +90,45 @@ constraints: {stop: {equation: y - 0.8}}
                     done = self.run_it("evaluate", "-", "--equilibrium", stdin=text.replace("LAW", law))
                     self.assertEqual(done.returncode, 0, done.stderr)
                     self.assertEqual("this equilibrium is one of this instant" in done.stderr, not lasts)
+                    done = self.run_it("evaluate", "-", "--equilibrium", "--format=json", stdin=text.replace("LAW", law))
+                    self.assertEqual(len(json.loads(done.stdout)["warnings"]), 0 if lasts else 1)
+
+    def test_what_a_constraint_drives_has_none(self):
+        # Velocities that grow from 0, a belt that starts to move under a wheel, a position that is a law in time.
+        driven = HEAD + "coordinates: {x: {initial: 1}}\nparticles: {p: {mass: 1, position: [x, 0, 0]}}\nconstraints: {c: {LAW}}\n"
+        for law in ("velocity: dot(x) - t", "velocity: dot(x) - 2", "velocity: dot(x) - sin(t)", "equation: x - 1 - t^2"):
+            self.assertIn("at which constraint 'c' lets the model rest",
+                          self.refused(1, "evaluate", "-", "--equilibrium", stdin=driven.replace("LAW", law)))
+        done = self.run_it("evaluate", "-", "--equilibrium", stdin=driven.replace("LAW", "velocity: dot(x) - t^2"))
+        self.assertIn("this equilibrium is one of this instant", done.stderr)
+        belt = HEAD + """parameters: {r: 0.1}
+coordinates: {b: {held_at: "LAW"}, x: {}, phi: {}}
+joints: {drive: {type: prismatic, axis: x, child: belt, coordinates: b}}
+frames: {axle: {position: [x, 0, r]}, wheel: {parent: axle, orientation: {axis: y, angle: phi}}}
+points: {contact: {on: axle, at: [0, 0, -r]}}
+bodies: {wheel: {mass: 2, inertia: 0.01}}
+constraints: {road: {rolls: wheel, on: belt, at: contact}}
+"""
+        self.assertIn("at which constraint 'road_x' lets the model rest",
+                      self.refused(1, "evaluate", "-", "--equilibrium", stdin=belt.replace("LAW", "3*t^2/2")))
+        self.ok("evaluate", "-", "--equilibrium", stdin=belt.replace("LAW", "3"))
+
+    def test_a_constraint_that_drives_only_elsewhere_says_where_to_rest(self):
+        field = HEAD + "coordinates: {x: {initial: 1}}\nparticles: {p: {mass: 1, position: [x, 0, 0]}}\n" \
+                       "constraints: {c: {velocity: dot(x) - x + 0.3}}\n"
+        found = json.loads(self.ok("evaluate", "-", "--equilibrium", "--format=json", stdin=field))
+        self.assertAlmostEqual(float(found["state"]["x"]["value"]), 0.3, 15)
+
+    def test_where_all_rests_it_stays_where_it_starts(self):
+        # No force: the assembled start is an equilibrium itself.
+        rods = HEAD + """coordinates: {x: {initial: 1}, y: {}, z: {}}
+particles: {p: {mass: 1, position: [x, 0, 0]}, q: {mass: 1, position: [y, 0, z]}}
+constraints: {rod: {equation: (x - y)^2 + z^2 - 4}, rail: {equation: z - 1}}
+"""
+        start = json.loads(self.ok("evaluate", "-", "--format=json", stdin=rods))
+        rest = json.loads(self.ok("evaluate", "-", "--equilibrium", "--format=json", stdin=rods))
+        for name in ("x", "y", "z"):
+            self.assertAlmostEqual(float(rest["state"][name]["value"]), float(start["state"][name]["value"]), 15)
 
     def test_what_falls_has_none(self):
         self.assertIn("no equilibrium was found near the initial position",

@@ -1,0 +1,108 @@
+#include "assembly.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generic_point.hpp"
+#include "nearest_position.hpp"
+#include "strategy/projection.hpp"
+#include "structure_check.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen {
+
+namespace {
+
+model::Ast number(double value, support::Span span) {
+  model::Ast ast;
+  ast.number = cln::rational(cln::cl_DF(value));
+  ast.span = span;
+  return ast;
+}
+
+bool has_equations_of_positions(const Mechanics& mechanics) {
+  const auto& rows = mechanics.kinematics.constraints;
+  return std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.f.has_value(); });
+}
+
+bool any(const std::vector<bool>& flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); }
+
+/// Guesses of what is open become this position; what changed by it.
+std::vector<FoundGuess> take(const std::vector<double>& position, const std::vector<bool>& movable,
+                             const Mechanics& mechanics, model::Model& model) {
+  std::vector<FoundGuess> found;
+  std::size_t next = 0;
+  for (model::Coordinate& coordinate : model.coordinates) {
+    if (coordinate.held_at) continue;
+    const std::size_t i = next++;
+    if (!movable[i] || coordinate.initial) continue;
+    coordinate.guess = number(position[i], coordinate.name.span);
+    found.push_back({coordinate.name.text, position[i]});
+  }
+  for (std::size_t k = 0; k < model.orientations.size(); ++k) {
+    model::Orientation& orientation = model.orientations[k];
+    const std::size_t first = mechanics.symbols.first_quaternion_component[k].value;
+    if (!orientation.is_open) continue;
+    for (std::size_t i = 0; i < 4; ++i) {
+      orientation.initial[i] = number(position[first + i], orientation.name.span);
+      found.push_back({orientation.quaternion[i].text, position[first + i]});
+    }
+  }
+  return found;
+}
+
+void open_positions(model::Model& model) {
+  for (model::Coordinate& coordinate : model.coordinates) {
+    if (coordinate.held_at || !coordinate.initial) continue;
+    coordinate.guess = std::move(coordinate.initial);
+    coordinate.initial.reset();
+  }
+  for (model::Orientation& orientation : model.orientations) orientation.is_open = true;
+}
+
+void open_rates(model::Model& model) {
+  for (model::Coordinate& coordinate : model.coordinates) {
+    if (coordinate.held_at || !coordinate.initial_rate) continue;
+    coordinate.rate_guess = std::move(coordinate.initial_rate);
+    coordinate.initial_rate.reset();
+  }
+}
+
+}  // namespace
+
+std::vector<FoundGuess> improve_guesses(Mechanics& mechanics, model::Model& model) {
+  const std::vector<bool> movable = strategy::open_positions(model, mechanics.expressions);
+  if (!has_equations_of_positions(mechanics) || !any(movable)) return {};
+  if (emitted_approach(mechanics, movable).is_solved) return {};
+  const Approach found = long_approach(mechanics, movable);
+  return found.is_solved ? take(found.position, movable, mechanics, model) : std::vector<FoundGuess>();
+}
+
+void report_found(const std::vector<FoundGuess>& found, const model::Model& model, support::Diagnostics& diagnostics) {
+  if (found.empty()) return;
+  std::vector<std::string> values;
+  for (const FoundGuess& guess : found) values.push_back(fmt::format("{} = {:.6g}", guess.name, guess.value));
+  diagnostics.warning(support::code::k_far_start, span_of_speed(model, found.front().name),
+                      "emitted code would not get from these guesses to a position that satisfies the constraints; it "
+                      "starts from one that a longer search has found",
+                      "write it down as initial_guess: " + support::joined(values));
+}
+
+void assemble(Mechanics& mechanics, model::Model& model) {
+  kinematics::Expressions& expressions = mechanics.expressions;
+  improve_guesses(mechanics, model);
+  Approach start = emitted_approach(mechanics, strategy::open_positions(model, expressions));
+  if (!start.is_solved) {
+    // What is open goes as far as it gets, and then all moves as little as it must.
+    const std::vector<bool> movable = strategy::open_positions(model, expressions);
+    if (any(movable)) take(long_approach(mechanics, movable).position, movable, mechanics, model);
+    open_positions(model);
+    improve_guesses(mechanics, model);
+    start = emitted_approach(mechanics, strategy::open_positions(model, expressions));
+  }
+  if (!speeds_fit(mechanics, start.position, strategy::open_speeds(model, expressions))) open_rates(model);
+}
+
+}  // namespace gaussgen

@@ -1,0 +1,88 @@
+"""What acts on parts without mass: who feels it, by hand."""
+
+import json
+import unittest
+
+from gauss_gen import Program
+
+HEAD = "gauss: 1\nname: plate\n"
+PLATE = HEAD + """coordinates: {h: {held_at: 0}, x: {initial: 0.4}, y: {}}
+joints:
+  lift: {type: prismatic, axis: z, child: plate, coordinates: h}
+  sx: {type: prismatic, axis: x, parent: plate, child: slide, coordinates: x}
+  sy: {type: prismatic, axis: y, parent: slide, child: puck, coordinates: y}
+points: {mast: {on: plate, at: [0, 0, 0.3]}}
+particles: {puck: {mass: 1, frame: puck}}
+"""
+TABLE = HEAD + """coordinates: {turn: {held_at: 0}}
+joints:
+  motor: {type: revolute, axis: z, child: table, coordinates: turn}
+  sx: {type: prismatic, axis: x, parent: table, child: slide, coordinates: x, initial: 1}
+  sy: {type: prismatic, axis: y, parent: slide, child: puck, coordinates: y, initial: 0.2}
+points: {o: {on: table, at: [0.1, 0, 0]}}
+"""
+
+
+class Massless(Program):
+    def found(self, text):
+        found = json.loads(self.ok("evaluate", "-", "--format=json", stdin=text))
+        self.assertEqual(found["status"], "ok")
+        return found
+
+    def check(self, text, reaction, forces, compulsion):
+        """The reaction of the drive, forces on the puck along z, and Gauss's function."""
+        found = self.found(text)
+        self.assertAlmostEqual(float(found["reactions"]["h"]["value"]), reaction, 13)
+        of = found["reaction_forces"]
+        for name, value in forces.items():
+            self.assertAlmostEqual(float(of[f"{name}.force_on_puck.z"]["value"]), value, 13)
+        self.assertAlmostEqual(float(of["on_puck.force.z"]["value"]), sum(forces.values()), 13)
+        self.assertAlmostEqual(float(found["joint_reactions"]["sy.force.z"]["value"]), forces["h"], 13)
+        self.assertAlmostEqual(float(found["compulsion"]["Z"]["value"]), compulsion, 12)
+
+    def test_a_load_on_the_plate_is_held_by_its_drive_and_not_felt_by_the_puck(self):
+        self.check(PLATE + "forces: {load: {force: [0, 0, -7], on: plate}}\n", 7, {"h": 0}, 0)
+
+    def test_what_pulls_at_the_plate_is_taken_off_what_the_drive_passes_on(self):
+        # The weight is 10. A rope up to the mast of the plate, at 3/5, takes 6 of it, for its pull along x is the 8 of the push.
+        rope = "constraints: {rope: {distance: [puck, mast], is: 0.5}}\n"
+        forces = "forces: {g: {uniform: [0, 0, -10]}, push: {force: [8, 0, 0], on: puck}}\n"
+        self.check(PLATE + rope + forces, 10, {"h": 4, "rope": 6}, (10**2 + 8**2) / 2)
+        # A jack between both presses the puck up by 8, and the plate down: Z has what is left of the weight, 2.
+        jack = "forces: {g: {uniform: [0, 0, -10]}, jack: {force: [0, 0, 8], on: puck, from: plate}}\n"
+        self.check(PLATE + jack, 10, {"h": 2}, 2)
+
+    def test_a_torque_on_the_table_turns_nothing_that_it_carries(self):
+        for load in ("{torque: [0, 0, 1], on: table}", "{spring: [table, o], stiffness: 3, length: 0.2}"):
+            found = self.found(TABLE + "bodies: {puck: {mass: 1, inertia: 0.1}}\nforces: {f: " + load + "}\n")
+            self.assertEqual(float(found["reaction_forces"]["on_puck.moment.z"]["value"]), 0)
+            self.assertEqual(float(found["compulsion"]["Z"]["value"]), 0)
+
+    def test_gausss_function_has_a_value_where_bodies_share_a_place(self):
+        # 2 Z is Σ (F - m a)²/m, with F of the spring on the place that both share, which names neither.
+        two = TABLE.replace("held_at: 0", "held_at: 3*t") + """particles: {puck: {mass: 1, frame: puck}, load: {mass: 2, frame: puck}}
+forces: {s: {spring: [puck, o], stiffness: 40}}
+"""
+        found = self.found(two)
+        self.assertAlmostEqual(float(found["accelerations"]["x_ddot"]["value"]), 9 - 40 * 0.9 / 3, 12)
+        self.assertNotIn("undefined", found["compulsion"]["Z"]["value"])
+
+    def test_a_spring_at_a_place_that_wanders_over_a_body_is_no_constraint_on_it(self):
+        wander = HEAD + """coordinates: {x: {initial: 1}, y: {initial: 0.2}, h: {held_at: 0}}
+joints:
+  c: {type: prismatic, axis: z, child: C, coordinates: h}
+  a: {type: prismatic, axis: x, child: A, coordinates: x}
+  b: {type: prismatic, axis: z, child: B, coordinates: y}
+bodies: {A: {mass: 1, inertia: 1}, B: {mass: 1, inertia: 1}, C: {mass: 1, inertia: 1}}
+points: {p: {on: A, at: [0, Y, 1]}, o: {on: space, at: [0, 3, 0]}}
+forces: {s: {spring: [p, o], stiffness: 10, length: 1}}
+"""
+        moving, still = self.found(wander.replace("Y", "y")), self.found(wander.replace("Y", "0.2"))
+        for name in ("force.x", "force.y", "force.z", "moment.x", "moment.y", "moment.z"):
+            on_body = float(moving["reaction_forces"][f"on_A.{name}"]["value"])
+            self.assertAlmostEqual(on_body, float(still["reaction_forces"][f"on_A.{name}"]["value"]), 12)
+            self.assertAlmostEqual(on_body, float(moving["joint_reactions"][f"a.{name}"]["value"]), 12)
+
+
+if __name__ == "__main__":
+    unittest.main()
