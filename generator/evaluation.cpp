@@ -22,6 +22,11 @@ const char* const k_about_multipliers =
     "multipliers: lambda of (3.4): a constraint phi = 0 adds lambda * dphi/du to the equation of motion of each speed "
     "u.";
 
+const char* const k_about_wanted =
+    "wanted: accelerations are those at the inputs given; reactions, forces and moments are those of the wanted "
+    "motion, made "
+    "by what is missing.";
+
 // Where names in phi have no units; a power is lambda * phi in all of them.
 const char* const k_unit_of_multiplier = "power per phi: N where phi is in m/s, N*m where it is in rad/s";
 
@@ -138,6 +143,7 @@ class Report {
           mechanics_.expressions.symbol(speed.acceleration).id());
     }
     warn_of_impossible_accelerations();
+    result_.notes.push_back(k_about_wanted);
     for (const emit::Artefact& artefact : build_artefact("inverse_dynamics", mechanics_)) {
       add_artefact("inverse_dynamics", artefact);
       warn_of_drives(artefact.status);

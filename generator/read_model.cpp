@@ -69,7 +69,7 @@ void drop_vanishing_rows(model::Model& model, support::Diagnostics& diagnostics)
 std::optional<model::Model> read_model(support::Source& source, support::Diagnostics& diagnostics) {
   std::optional<model::Model> model = model::build_model(source, diagnostics);
   if (!model) return std::nullopt;
-  model::check_uses(*model, source, diagnostics);
+  if (!model->leaves_out) model::check_uses(*model, source, diagnostics);
   drop_vanishing_rows(*model, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   return model;

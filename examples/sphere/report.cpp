@@ -64,7 +64,7 @@ void print_introduction(const Data& data, const Plan& plan) {
       "gauss-gen has turned two descriptions of this ball into C++, equations of motion and contact forces:\n"
       "  models/sphere_in_cylinder.yaml             attitude by Euler angles\n"
       "  models/sphere_in_cylinder_quaternion.yaml  attitude by a unit quaternion\n"
-      "Both were compiled into this program and are now integrated over %g s: Fehlberg 7(8), error of a\n"
+      "Both were compiled into this program and are now integrated over %g s: Prince-Dormand 8(7), error of a\n"
       "step at most %g of each component's scale, and after each step the state is put back onto\n"
       "the constraints. The solution is known in closed form (Routh), so every figure can be checked.\n",
       plan.duration, plan.tolerance);

@@ -35,7 +35,7 @@ class Adder {
     app_.add_option("--namespace", options_.pipeline.name_space, "C++ namespace instead of gauss::<name>")
         ->type_name("NAME");
     add_list("--outputs", options_.pipeline.outputs, output_names(), "LIST",
-             "functions to emit instead of all, with commas between: ");
+             "functions to emit instead of all but inverse_dynamics, with commas between: ");
     add_flag("--fold", options_.pipeline.fold, "put the parameters in as numbers");
     add_flag("--assemble", options_.pipeline.assemble,
              wrapped("let the constraints move the initial values that the model gives, and say how far"));
@@ -66,8 +66,8 @@ class Adder {
     add_flag("--equilibrium", options_.at_equilibrium,
              wrapped("go from the initial position to one at which the model stays at rest, and evaluate there"));
     one_each(app_.add_option("--accelerate", options_.accelerations,
-                             wrapped("show the forces and inputs that make this acceleration, such as theta=2, wx=0; "
-                                     "those not named are 0; may be repeated")),
+                             wrapped("show the forces and inputs that make this acceleration, such as theta=2; may be "
+                                     "repeated for others, and those not named are 0")),
              "NAME=A");
     app_.add_option("--time", options_.time, "time, default 0")->type_name("T");
     const auto take_digits = [&options = options_](int digits) {

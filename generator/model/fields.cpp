@@ -71,6 +71,10 @@ std::string in_our_words(const std::string& key, const std::vector<std::string>&
 std::string hint_for_key(const Node& map, const spec::Entry& entry, const std::vector<std::string>& allowed) {
   std::string near = support::did_you_mean(entry.key.text, allowed);
   if (near.empty()) near = in_our_words(entry.key.text, allowed);
+  const bool is_of_joint = std::find(allowed.begin(), allowed.end(), "coordinates") != allowed.end() &&
+                           std::find(allowed.begin(), allowed.end(), "child") != allowed.end();
+  if (near.empty() && is_of_joint && entry.key.text == "held_at")
+    return "declare the coordinate under 'coordinates' with 'held_at', and name it here with 'coordinates'";
   // {about: of the centre, from the axis}: the second half arrives as a key without value, and something stands before it.
   const bool has_no_value = near.empty() && map.flow && entry.value.kind == NodeKind::empty;
   if (has_no_value && &entry == &map.entries.front())
@@ -86,11 +90,12 @@ bool has_misspelt(const Node& map, const std::string& key, const Reading& readin
   });
 }
 
-const char* hint_for_kind(NodeKind wanted) {
+const char* hint_for_kind(NodeKind wanted, bool empty) {
   switch (wanted) {
     case NodeKind::map: return "write 'key: value' pairs, indented below it or in {...}";
     case NodeKind::sequence: return "write the entries in brackets, as in [a, b, c]";
-    default: return "write the value itself, without brackets or braces around it";
+    default:
+      return empty ? "write the value behind the ':'" : "write the value itself, without brackets or braces around it";
   }
 }
 
@@ -109,7 +114,7 @@ bool expect(NodeKind kind, const char* wanted, const Node& node, Span owner, con
                             fmt::format("{} must be {}, and here is {}", where, wanted, kind_text(node)),
                             kind == NodeKind::map && lacks_blank(node)
                                 ? "write a blank behind the ':', as in 'key: value'"
-                                : hint_for_kind(kind));
+                                : hint_for_kind(kind, node.kind == NodeKind::empty));
   return false;
 }
 

@@ -97,6 +97,9 @@ std::string hint_for_unknown(const std::string& name, const Reading& reading) {
   const auto symbol = reading.model.symbols.find(name);
   if (symbol != reading.model.symbols.end() && symbol->second.kind == SymbolKind::coordinate)
     return fmt::format("'{}' is a coordinate, not a place; a force along it is 'generalized: {{{}: F}}'", name, name);
+  const std::size_t sign = name.find_first_of("+-");
+  if (sign != std::string::npos)
+    return "a name has no signs; with an index, arithmetic stands in brackets, as in link_$(i-1)";
   std::vector<std::string> names{k_space_name};
   for (const auto& frame : reading.frames) names.push_back(frame.first);
   const std::string near = support::did_you_mean(name, names);

@@ -45,7 +45,7 @@ class BodyCheck {
 
   void refuse_negative(const Ast& ast, const char* what) {
     const auto value = value_of(ast, values_);
-    if (!value || !(*value < 0)) return;
+    if (!value || !std::isfinite(*value) || !(*value < 0)) return;
     refuse(ast.span, fmt::format("{} of '{}' is negative: {}", what, body_.name.text, *value),
            "check the signs of the parameters in it");
   }

@@ -55,6 +55,13 @@ bool same_expression(const Ast& a, const Ast& b) {
 Inertia read_inertia(const spec::Entry& entry, Reading& reading) {
   Inertia inertia;
   const Node& node = entry.value;
+  if (node.kind == NodeKind::map) {
+    reading.diagnostics.error(code::k_wrong_kind, entry.key.span, "'inertia' is a map",
+                              "write J, the three moments [Jx, Jy, Jz], or the matrix [[Jx, Jxy, Jxz], [Jxy, Jy, Jyz], "
+                              "[Jxz, Jyz, Jz]], about the mass centre");
+    inertia.entries[0] = broken_expression();
+    return inertia;
+  }
   if (node.kind != NodeKind::sequence) {
     inertia.entries[0] = read_expression(node, entry.key.span, reading);
     return inertia;

@@ -111,6 +111,13 @@ class Lexer {
 
   bool unexpected() {
     if (peek() == '.' && is_letter(peek(1))) {
+      const bool is_behind_name =
+          !tokens_.empty() && tokens_.back().kind == TokenKind::name && tokens_.back().end == at_;
+      if (is_behind_name)
+        return refuse(
+            code::k_unexpected_character, 1, fmt::format("'{}' has no parts", tokens_.back().name),
+            "a place has the components x, y and z, as in tip.x; forces of constraints are in the results, no part "
+            "of expressions");
       return refuse(code::k_malformed_number, 2, "values that are infinite or not a number are not accepted",
                     "write a finite number");
     }

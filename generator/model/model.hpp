@@ -279,6 +279,7 @@ struct Model {
   std::string about;
   std::string file;          ///< base name of the model file, or "<stdin>"
   std::string content_hash;  ///< FNV-1a 64 of the text, 16 hexadecimal digits
+  bool leaves_out = false;   ///< an entry with count 0: what it would use may stand unused
   std::vector<Parameter> parameters;
   std::vector<Input> inputs;
   std::vector<Table> tables;

@@ -430,8 +430,10 @@ class Parser {
     const bool apart = next_ > 0 && tokens_[next_ - 1].end < token().begin;
     const bool unit_like = after_number && apart && token().kind == TokenKind::name;
     refuse(code::k_implicit_product, span, "an operator is missing before this",
-           unit_like ? fmt::format("write * for a product; a unit goes into 'unit: {}'", token().name)
-                     : "write * for a product");
+           unit_like
+               ? "write * for a product; numbers are in SI units and radians, such as 30*pi/180, and a unit stands "
+                 "beside them where the entry has a key 'unit'"
+               : "write * for a product");
   }
 
   const spec::LocatedText& text_;

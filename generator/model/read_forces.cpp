@@ -139,7 +139,11 @@ void read_force(const Entry& entry, Reading& reading) {
   Force force;
   force.name = name_of(entry.key);
   check_name(force.name, reading);
-  if (expect_map(entry.value, entry.key.span, where, reading)) {
+  if (entry.value.kind == spec::NodeKind::sequence) {
+    reading.diagnostics.error(code::k_wrong_kind, entry.key.span, where + " is a list",
+                              "a field that acts on every mass is written {uniform: [0, 0, -g]}, a force at a place "
+                              "{force: [Fx, Fy, Fz], on: body}");
+  } else if (expect_map(entry.value, entry.key.span, where, reading)) {
     if (const Entry* law = find_law(entry, where, reading)) read_law(entry, *law, where, force, reading);
     force.about = text_field(entry.value, "about", reading);
   }

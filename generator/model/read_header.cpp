@@ -21,9 +21,15 @@ namespace {
 
 constexpr support::Span k_top{0, 0};
 
+support::Span key_of(const spec::Node& map, const std::string& key) {
+  const auto found = std::find_if(map.entries.begin(), map.entries.end(),
+                                  [&](const spec::Entry& entry) { return entry.key.text == key; });
+  return found == map.entries.end() ? k_top : found->key.span;
+}
+
 void read_name(const spec::Node& root, Reading& reading) {
   const spec::Node* name = required(root, "name", k_top, "a model file", reading);
-  if (name == nullptr || !expect_scalar(*name, k_top, "'name'", reading)) return;
+  if (name == nullptr || !expect_scalar(*name, key_of(root, "name"), "'name'", reading)) return;
   reading.model.name = name_of(name->scalar);
   check_model_name(reading.model.name, reading);
 }
@@ -52,7 +58,7 @@ bool is_version_1(const spec::Node& version) {
 
 void read_version(const spec::Node& root, support::Span owner, Reading& reading) {
   const spec::Node* version = required(root, "gauss", owner, "a model file", reading);
-  if (version == nullptr || !expect_scalar(*version, owner, "'gauss'", reading)) return;
+  if (version == nullptr || !expect_scalar(*version, key_of(root, "gauss"), "'gauss'", reading)) return;
   if (is_version_1(*version)) return;
   reading.diagnostics.error(code::k_format_version, version->span,
                             fmt::format("this program does not read format version '{}'", version->scalar.text),

@@ -51,9 +51,9 @@ class Repetition {
   }
 
  private:
-  /// Of what is no section. In a name that is to be refused anyway, a `$` is no index.
+  /// Of what is no section. In a text, and in a name that is to be refused anyway, a `$` is no index.
   Node texts(const std::string& key, Node value) {
-    if (key != "name" || value.kind != NodeKind::scalar)
+    if ((key != "name" && key != "about") || value.kind != NodeKind::scalar)
       return with_indices(std::move(value), counts_, reading_.diagnostics);
     value.scalar = with_indices(value.scalar, counts_, UnknownIndex::keep, reading_.diagnostics);
     return value;
@@ -126,6 +126,7 @@ class Repetition {
       copies *= *limit;
       if (copies > k_most_copies) return too_many(entry);
     }
+    if (copies == 0) reading_.model.leaves_out = true;
     Entry pattern = entry;
     auto& fields = pattern.value.entries;
     for (auto field = fields.begin(); field != fields.end();)

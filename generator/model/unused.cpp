@@ -66,7 +66,7 @@ void check_uses(const Model& model, const support::Source& source, support::Diag
   }
   for (const Input& input : model.inputs) {
     if (uses.has(input.name)) continue;
-    reporter.report(input.name, "input", "a force, a law in time or a quantity may use it; else remove it");
+    reporter.report(input.name, "input", "let a force or a quantity use it, or remove it");
   }
 }
 

@@ -194,10 +194,10 @@ inline constexpr ErrorCode k_all_codes[] = {
 
 /// What only the stages after it can find.
 inline constexpr ErrorCode k_stage_codes[] = {
-    code::k_no_paper_route, code::k_impossible_start, code::k_violating_start, code::k_undefined_start,
-    code::k_singular_start, code::k_dependent_start,  code::k_chosen_start,    code::k_redundant_constraint,
-    code::k_unsafe_choice,  code::k_idle_point,       code::k_contradiction,   code::k_contradictory_start,
-    code::k_empty_output,
+    code::k_no_paper_route,       code::k_impossible_start, code::k_violating_start, code::k_undefined_start,
+    code::k_singular_start,       code::k_dependent_start,  code::k_far_start,       code::k_chosen_start,
+    code::k_redundant_constraint, code::k_unsafe_choice,    code::k_idle_point,      code::k_contradiction,
+    code::k_contradictory_start,  code::k_empty_output,
 };
 
 }  // namespace gaussgen::support

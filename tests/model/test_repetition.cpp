@@ -51,6 +51,25 @@ TEST_CASE("indices are worked out in whole numbers, and stay one factor when neg
   CHECK(value("$((((((((((((((((((1))))))))))))))))))") == "E090");
 }
 
+TEST_CASE("copies may not make a model of more values than a file may have") {
+  const auto codes = [](const std::string& count) {
+    const std::string copies = ": {count: " + count + ", value: 1, about: a}\n";
+    return Built(test::with("parameters:\n  a_$i" + copies + "  b_$i" + copies + "  c_$i" + copies + "  d_$i" + copies))
+        .codes();
+  };
+  CHECK(codes("2000").empty());
+  CHECK(codes("10000") == "E003");
+}
+
+TEST_CASE("a dollar in a text is a dollar where it is no index") {
+  const Built built(k_header +
+                    "about: costs $USD and $5\nparameters: {a_$i: {count: 1, value: 1, about: $i of $USD}}\n" +
+                    test::k_x + test::k_particle);
+  REQUIRE(built.model);
+  CHECK(built.model->about == "costs $USD and $5");
+  CHECK(built.model->parameters[0].about == "1 of $USD");
+}
+
 TEST_CASE("a count of 0 leaves nothing, and one beyond the limits is refused") {
   const auto codes = [](const std::string& count) {
     return Built(test::with("parameters: {a_$i: {count: " + count + ", value: 1}}\n")).codes();

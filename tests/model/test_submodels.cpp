@@ -57,6 +57,37 @@ TEST_CASE("a submodel takes values of its parameters from the model around it, a
   CHECK(text.find("left_hip: trunk carries left_bone") != std::string::npos);
 }
 
+TEST_CASE(
+    "what stands in space in a submodel stands on its frame: frames without a word, points, and what names space") {
+  const std::string part =
+      k_header +
+      "frames:\n  fork:\n  arm: {parent: space, position: [0, 0, 1]}\n"
+      "points: {tip: {at: [0, 1, 0]}, far: {on: space, at: [0, 2, 0]}, own: {on: arm, at: [0, 3, 0]}}\n"
+      "joints: {turn: {type: revolute, child: wheel}}\nbodies: {wheel: {mass: 1, inertia: 1}}\n"
+      "outputs: [rhs]\nelimination: {dependent: [turn]}\nabout: of the part\n";
+  const std::string around = k_header + "frames: {trunk: {position: [0, 0, 3]}}\n";
+  const std::string by_hand =
+      k_header +
+      "frames:\n  trunk: {position: [0, 0, 3]}\n  a_fork: {parent: trunk}\n  a_arm: {parent: trunk, position: [0, 0, "
+      "1]}\n"
+      "points: {a_tip: {on: trunk, at: [0, 1, 0]}, a_far: {on: trunk, at: [0, 2, 0]}, a_own: {on: a_arm, at: [0, 3, "
+      "0]}}\n"
+      "joints: {a_turn: {type: revolute, parent: trunk, child: a_wheel}}\nbodies: {a_wheel: {mass: 1, inertia: 1}}\n";
+  CHECK(with_files({{"m.yaml", around + "submodels: {a: {file: p.yaml, on: trunk}}\n"}, {"p.yaml", part}}) ==
+        test::written_out(by_hand));
+}
+
+TEST_CASE("entries are left out of every section, and each has to be in one") {
+  const auto codes = [](const std::string& names) {
+    return with_files({{"m.yaml", k_header + "submodels: {left: {file: leg.yaml, without: [" + names + "]}}\n"},
+                       {"leg.yaml", k_leg}});
+  };
+  const std::string text = codes("motor, push");
+  CHECK(text.find("motor") == std::string::npos);
+  CHECK(text.find("left_bone") != std::string::npos);
+  CHECK(codes("push, pull") == "E092");
+}
+
 TEST_CASE("paths are relative to the file that names them, and submodels have submodels") {
   const Files files{{"d/m.yaml", k_header + "submodels: {a: {file: e/b.yaml}}\n"},
                     {"d/e/b.yaml", k_header + "submodels: {b: {file: c.yaml}}\n"},

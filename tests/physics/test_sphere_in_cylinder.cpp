@@ -157,7 +157,7 @@ TEMPLATE_TEST_CASE("no drift of the ball's constraints is left after projection,
   const auto model = ball.bound();
   const auto drift = [&](bool project) {
     gauss::simulate::Settings<double> settings;
-    settings.tolerance = 1e-8;
+    settings.tolerance = 1e-6;
     settings.project = project;
     gauss::simulate::Simulation simulation(model, ball.start(), 0.0, settings);
     double largest = 0;
