@@ -39,7 +39,7 @@ std::vector<FoundGuess> take(const std::vector<double>& position, const std::vec
     const std::size_t i = next++;
     if (!movable[i] || coordinate.initial) continue;
     coordinate.guess = number(position[i], coordinate.name.span);
-    found.push_back({coordinate.name.text, position[i]});
+    found.push_back({coordinate.name.text, position[i], false});
   }
   for (std::size_t k = 0; k < model.orientations.size(); ++k) {
     model::Orientation& orientation = model.orientations[k];
@@ -47,7 +47,7 @@ std::vector<FoundGuess> take(const std::vector<double>& position, const std::vec
     if (!orientation.is_open) continue;
     for (std::size_t i = 0; i < 4; ++i) {
       orientation.initial[i] = number(position[first + i], orientation.name.span);
-      found.push_back({orientation.quaternion[i].text, position[first + i]});
+      found.push_back({orientation.quaternion[i].text, position[first + i], true});
     }
   }
   return found;
@@ -72,37 +72,40 @@ void open_rates(model::Model& model) {
 
 }  // namespace
 
-std::vector<FoundGuess> improve_guesses(Mechanics& mechanics, model::Model& model) {
+std::vector<FoundGuess> improve_guesses(Mechanics& mechanics, model::Model& model, double time) {
   const std::vector<bool> movable = strategy::open_positions(model, mechanics.expressions);
   if (!has_equations_of_positions(mechanics) || !any(movable)) return {};
-  if (emitted_approach(mechanics, movable).is_solved) return {};
-  const Approach found = long_approach(mechanics, movable);
+  if (emitted_approach(mechanics, movable, time).is_solved) return {};
+  const Approach found = long_approach(mechanics, movable, time);
   return found.is_solved ? take(found.position, movable, mechanics, model) : std::vector<FoundGuess>();
 }
 
 void report_found(const std::vector<FoundGuess>& found, const model::Model& model, support::Diagnostics& diagnostics) {
   if (found.empty()) return;
   std::vector<std::string> values;
-  for (const FoundGuess& guess : found) values.push_back(fmt::format("{} = {:.6g}", guess.name, guess.value));
+  for (const FoundGuess& guess : found) {
+    if (!guess.is_of_quaternion) values.push_back(fmt::format("{} = {:.6g}", guess.name, guess.value));
+  }
   diagnostics.warning(support::code::k_far_start, span_of_speed(model, found.front().name),
                       "emitted code would not get from these guesses to a position that satisfies the constraints; it "
                       "starts from one that a longer search has found",
-                      "write it down as initial_guess: " + support::joined(values));
+                      values.empty() ? "give the orientation an 'initial' that is nearer"
+                                     : "write it down as initial_guess: " + support::joined(values));
 }
 
-void assemble(Mechanics& mechanics, model::Model& model) {
+void assemble(Mechanics& mechanics, model::Model& model, double time) {
   kinematics::Expressions& expressions = mechanics.expressions;
-  improve_guesses(mechanics, model);
-  Approach start = emitted_approach(mechanics, strategy::open_positions(model, expressions));
+  improve_guesses(mechanics, model, time);
+  Approach start = emitted_approach(mechanics, strategy::open_positions(model, expressions), time);
   if (!start.is_solved) {
     // What is open goes as far as it gets, and then all moves as little as it must.
     const std::vector<bool> movable = strategy::open_positions(model, expressions);
-    if (any(movable)) take(long_approach(mechanics, movable).position, movable, mechanics, model);
+    if (any(movable)) take(long_approach(mechanics, movable, time).position, movable, mechanics, model);
     open_positions(model);
-    improve_guesses(mechanics, model);
-    start = emitted_approach(mechanics, strategy::open_positions(model, expressions));
+    improve_guesses(mechanics, model, time);
+    start = emitted_approach(mechanics, strategy::open_positions(model, expressions), time);
   }
-  if (!speeds_fit(mechanics, start.position, strategy::open_speeds(model, expressions))) open_rates(model);
+  if (!speeds_fit(mechanics, start.position, strategy::open_speeds(model, expressions), time)) open_rates(model);
 }
 
 }  // namespace gaussgen

@@ -13,17 +13,18 @@ namespace gaussgen {
 struct FoundGuess {
   std::string name;
   double value = 0;
+  bool is_of_quaternion = false;
 };
 
 /// Emitted code takes eight steps of Newton's method from the guesses. Where these do not arrive and a longer search does, the position
 /// that it finds takes the place of the guesses, angles within half a turn of them; given values stay. Nothing where the
 /// guesses serve, or where no search helps.
-std::vector<FoundGuess> improve_guesses(Mechanics& mechanics, model::Model& model);
+std::vector<FoundGuess> improve_guesses(Mechanics& mechanics, model::Model& model, double time = 0);
 
 /// Warns of them.
 void report_found(const std::vector<FoundGuess>& found, const model::Model& model, support::Diagnostics& diagnostics);
 
 /// `--assemble`: given values become guesses where they and the open ones do not satisfy the constraints: first the rates, then all.
-void assemble(Mechanics& mechanics, model::Model& model);
+void assemble(Mechanics& mechanics, model::Model& model, double time = 0);
 
 }  // namespace gaussgen

@@ -219,8 +219,9 @@ void check_initial_state(Mechanics& mechanics, const StartOptions& options, supp
   InitialCheck(mechanics, options, diagnostics).run();
 }
 
-std::vector<std::string> assembled_values(Mechanics& mechanics, const strategy::Vector& start) {
-  ModelValues values(mechanics, support::Rational(0), k_digits);
+std::vector<std::string> assembled_values(Mechanics& mechanics, const strategy::Vector& start,
+                                          const support::Rational& time) {
+  ModelValues values(mechanics, time, k_digits);
   const std::vector<InitialValue> reached = initial_values(mechanics);
   std::vector<std::string> moved;
   for (std::size_t i = 0; i < reached.size(); ++i) {

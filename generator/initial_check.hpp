@@ -17,6 +17,7 @@ void check_initial_state(Mechanics& mechanics, const StartOptions& options, supp
 
 /// "theta2: 0.5 -> 0.5236": initial values that the search for a state without violations has moved from `given`, which
 /// is strategy::guessed_state of the model as it was read.
-std::vector<std::string> assembled_values(Mechanics& mechanics, const strategy::Vector& given);
+std::vector<std::string> assembled_values(Mechanics& mechanics, const strategy::Vector& given,
+                                          const support::Rational& time = 0);
 
 }  // namespace gaussgen

@@ -44,9 +44,10 @@ struct Linearised {
 class Search {
  public:
   /// Along the speeds that are `movable`.
-  Search(Mechanics& mechanics, std::vector<bool> movable)
+  Search(Mechanics& mechanics, std::vector<bool> movable, double time)
       : mechanics_(mechanics),
         movable_(std::move(movable)),
+        time_(time),
         values_(mechanics.graph, evaluate::Arithmetic<Number>(evaluate::Arithmetic<double>())) {
     for (const auto mu : mechanics.kinematics.constraints.indices()) {
       if (mechanics.kinematics.constraints[mu].f) rows_.push_back(mu);
@@ -114,7 +115,7 @@ class Search {
 
   std::optional<Linearised> start() {
     bind_parameters(mechanics_, values_);
-    bind(mechanics_.symbols.time, 0);
+    bind(mechanics_.symbols.time, time_);
     Vector q;
     const strategy::Vector all = strategy::guessed_state(mechanics_.model, mechanics_.expressions);
     for (std::size_t i = 0; i < mechanics_.symbols.configuration.size(); ++i) {
@@ -341,6 +342,7 @@ class Search {
 
   Mechanics& mechanics_;
   std::vector<bool> movable_;
+  double time_;
   Values values_;
   std::vector<kinematics::ConstraintIndex> rows_;
   Vector weights_;  ///< per row, so that all are in units of displacements
@@ -353,19 +355,19 @@ class Search {
 
 std::optional<Contradiction> contradictory_positions(Mechanics& mechanics) {
   if (mechanics.dynamics.n() == 0) return std::nullopt;
-  return Search(mechanics, std::vector<bool>(mechanics.dynamics.n(), true)).contradiction();
+  return Search(mechanics, std::vector<bool>(mechanics.dynamics.n(), true), 0).contradiction();
 }
 
-Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable) {
-  return Search(mechanics, movable).emitted();
+Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time) {
+  return Search(mechanics, movable, time).emitted();
 }
 
-Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable) {
-  return Search(mechanics, movable).longest();
+Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time) {
+  return Search(mechanics, movable, time).longest();
 }
 
-bool speeds_fit(Mechanics& mechanics, const std::vector<double>& position, const std::vector<bool>& open) {
-  return Search(mechanics, std::vector<bool>(open.size(), false)).speeds_fit(position, open);
+bool speeds_fit(Mechanics& mechanics, const std::vector<double>& position, const std::vector<bool>& open, double time) {
+  return Search(mechanics, std::vector<bool>(open.size(), false), time).speeds_fit(position, open);
 }
 
 }  // namespace gaussgen

@@ -20,19 +20,19 @@ struct Contradiction {
 /// By a search from the initial position, with every coordinate free to move; nothing where it finds a solution, or no answer.
 std::optional<Contradiction> contradictory_positions(Mechanics& mechanics);
 
-/// Along the speeds that are `movable`, from the guesses of the model.
+/// Along the speeds that are `movable`, from the guesses of the model, at a time.
 struct Approach {
   std::vector<double> position;  ///< the configuration that it came to
   bool is_solved = false;        ///< it satisfies all equations of positions
 };
 
 /// Eight steps of Newton's method, each the least one in the mass metric, as emitted code takes them.
-Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable);
+Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time);
 
 /// As many damped steps as it takes; angles end within half a turn of their guesses.
-Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable);
+Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time);
 
 /// Whether, at this position, speeds that are `open` can be chosen such that all constraints hold: Newton's method finds them.
-bool speeds_fit(Mechanics& mechanics, const std::vector<double>& position, const std::vector<bool>& open);
+bool speeds_fit(Mechanics& mechanics, const std::vector<double>& position, const std::vector<bool>& open, double time);
 
 }  // namespace gaussgen

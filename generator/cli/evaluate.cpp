@@ -106,11 +106,14 @@ std::string json(const Evaluation& evaluation, const model::Model& model, const 
 }
 
 /// Open positions, and with `--assemble` given ones too, satisfy the constraints.
-void set_start(Mechanics& mechanics, model::Model& model, const Options& options, support::Diagnostics& diagnostics) {
-  if (!options.pipeline.assemble) return report_found(improve_guesses(mechanics, model), model, diagnostics);
+void set_start(Mechanics& mechanics, model::Model& model, const support::Rational& at, const Options& options,
+               support::Diagnostics& diagnostics) {
+  const double time = support::to_double(at);
+  if (!options.pipeline.assemble) return report_found(improve_guesses(mechanics, model, time), model, diagnostics);
   const strategy::Vector given = strategy::guessed_state(model, mechanics.expressions);
-  assemble(mechanics, model);
-  for (const std::string& moved : assembled_values(mechanics, given)) remark("assembled " + moved, options.messages);
+  assemble(mechanics, model, time);
+  for (const std::string& moved : assembled_values(mechanics, given, at))
+    remark("assembled " + moved, options.messages);
 }
 
 }  // namespace
@@ -130,7 +133,7 @@ int evaluate(const Options& options) {
   Mechanics mechanics(*model, {});
   support::Diagnostics structure;
   check_structure(mechanics, structure);
-  if (!structure.has_errors()) set_start(mechanics, *model, options, structure);
+  if (!structure.has_errors()) set_start(mechanics, *model, time, options, structure);
   if (const int found = report(structure, source, options.messages); found != k_ok) return found;
   std::vector<std::string> doubts;
   // Only initial values change, which the equations do not hold.
