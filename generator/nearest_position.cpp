@@ -257,21 +257,20 @@ class Search {
     return result;
   }
 
-  static Vector least_change(const Linearised& at) {
-    const std::size_t n = count_of(at);
+  Vector least_change(const Linearised& at) const {
+    const std::size_t n = movable_.size();
+    Vector change(n, 0);
+    if (n == 0 || at.f.empty()) return change;
     const Eigen::MatrixXd j = matrix(at.j, n);
     const Eigen::VectorXd f = Eigen::VectorXd::Map(at.f.data(), static_cast<Eigen::Index>(at.f.size()));
-    Vector change(n, 0);
-    if (!at.f.empty())
-      Eigen::VectorXd::Map(change.data(), static_cast<Eigen::Index>(n)) = -j.completeOrthogonalDecomposition().solve(f);
+    Eigen::VectorXd::Map(change.data(), static_cast<Eigen::Index>(n)) = -j.completeOrthogonalDecomposition().solve(f);
     return change;
   }
 
-  static std::size_t count_of(const Linearised& at) { return at.j.empty() ? 0 : at.j[0].size(); }
-
   /// G δ + Jᵀ λ = 0, J δ = -f.
   Vector least_in_metric(const Linearised& at) {
-    const std::size_t n = count_of(at);
+    const std::size_t n = movable_.size();
+    if (n == 0 || at.f.empty()) return Vector(n, 0);
     const auto size = static_cast<Eigen::Index>(n);
     const auto rows = static_cast<Eigen::Index>(at.f.size());
     Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size + rows, size + rows);

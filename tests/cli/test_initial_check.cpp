@@ -246,6 +246,14 @@ TEST_CASE("positions that nothing satisfies are named with what is missing, othe
              Catch::Contains("[W068]") && Catch::Contains("x = 1\n") && !Catch::Contains("E070"));
 }
 
+TEST_CASE("where nothing constrains, nothing is moved") {
+  PipelineOptions options;
+  options.assemble = true;
+  const std::string particle = "particles:\n  p: {mass: m, position: [x, 0, 0]}\n";
+  CHECK(found_in("coordinates:\n  x: {initial: 2, initial_rate: 1}\n" + particle, options).empty());
+  CHECK(found_in("coordinates:\n  x: {held_at: 2}\n" + particle, options).empty());
+}
+
 TEST_CASE("what is given is moved only where the rest cannot satisfy the constraints") {
   const std::string bars =
       "coordinates:\n  a: {initial: 2, initial_rate: 3}\n  b: {initial_guess: 1}\n  c: {initial_guess: -1.5}\n"
