@@ -1,10 +1,12 @@
 #include "assembly.hpp"
 
+#include <cln/dfloat.h>
+#include <cln/float.h>
+#include <cln/real.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "generic_point.hpp"
 #include "nearest_position.hpp"
 #include "strategy/projection.hpp"
 #include "structure_check.hpp"

@@ -24,7 +24,8 @@ std::vector<FoundGuess> improve_guesses(Mechanics& mechanics, model::Model& mode
 /// Warns of them.
 void report_found(const std::vector<FoundGuess>& found, const model::Model& model, support::Diagnostics& diagnostics);
 
-/// `--assemble`: given values become guesses where they and the open ones do not satisfy the constraints: first the rates, then all.
+/// `--assemble`: given positions become guesses where they and the open ones do not satisfy the equations of positions, and given rates
+/// where they and the open ones do not satisfy the constraints there.
 void assemble(Mechanics& mechanics, model::Model& model, double time = 0);
 
 }  // namespace gaussgen

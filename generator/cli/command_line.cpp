@@ -37,8 +37,7 @@ class Adder {
     add_list("--outputs", options_.pipeline.outputs, output_names(), "LIST",
              "functions to emit instead of all but inverse_dynamics, with commas between: ");
     add_flag("--fold", options_.pipeline.fold, "put the parameters in as numbers");
-    add_flag("--assemble", options_.pipeline.assemble,
-             wrapped("let the constraints move the initial values that the model gives, and say how far"));
+    add_assemble();
     add_choice<Route>("--route", options_.pipeline.route, {{"emitted", Route::emitted}, {"paper", Route::paper}},
                       "ROUTE", "emitted (default), or paper: its Z, Gamma and (3.7)-(3.8), term by term");
     const auto take_nodes = [&options = options_](long long nodes) {
@@ -61,8 +60,7 @@ class Adder {
                              wrapped("change a parameter, an input, a coordinate or a rate, such as "
                                      "m=2, chi=pi/4 or 'dot(chi)=2'; may be repeated")),
              "NAME=VALUE");
-    add_flag("--assemble", options_.pipeline.assemble,
-             wrapped("let the constraints move the initial values that the model gives, and say how far"));
+    add_assemble();
     add_flag("--equilibrium", options_.at_equilibrium,
              wrapped("go from the initial position to one at which the model stays at rest, and evaluate there"));
     one_each(app_.add_option("--accelerate", options_.accelerations,
@@ -105,6 +103,11 @@ class Adder {
 
  private:
   void add_model() { line_.arguments[app_.add_option("model", options_.model)->type_name("MODEL")] = Argument::model; }
+
+  void add_assemble() {
+    add_flag("--assemble", options_.pipeline.assemble,
+             wrapped("let the constraints move the initial values that the model gives, and say how far"));
+  }
 
   /// `--check=no` is refused, not taken for `--check`.
   CLI::Option* add_flag(const std::string& name, bool& target, const std::string& about) {
