@@ -17,12 +17,7 @@ namespace gaussgen {
 
 namespace {
 
-model::Ast number(double value, support::Span span) {
-  model::Ast ast;
-  ast.number = cln::rational(cln::cl_DF(value));
-  ast.span = span;
-  return ast;
-}
+model::Ast number(double value, support::Span span) { return model::number(cln::rational(cln::cl_DF(value)), span); }
 
 bool has_equations_of_positions(const Mechanics& mechanics) {
   const auto& rows = mechanics.kinematics.constraints;

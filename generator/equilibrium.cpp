@@ -70,13 +70,7 @@ class Search {
       left = approach();
     }
     if (!(left <= k_solved)) {
-      const std::string mover = what_moves_it();
-      why =
-          mover.empty()
-              ? fmt::format(
-                    "no equilibrium was found near the initial position: forces of {:.1e} of the largest remain", left)
-              : fmt::format("no position was found near the initial one at which constraint '{}' lets the model rest",
-                            mover);
+      why = why_not(left);
       return std::nullopt;
     }
     polish();
@@ -204,6 +198,15 @@ class Search {
       if (const auto trouble = values_.trouble(equation.id())) return trouble->reason + " in " + trouble->name;
     }
     return "a derivative has no value";
+  }
+
+  std::string why_not(double left) {
+    const std::string none = "no equilibrium was found near the initial position: ";
+    if (!std::isfinite(left)) return none + "the search ends where there is no force: " + undefined_part();
+    const std::string mover = what_moves_it();
+    if (mover.empty()) return none + fmt::format("forces of {:.1e} of the largest remain", left);
+    return fmt::format("no position was found near the initial one at which constraint '{}' lets the model rest",
+                       mover);
   }
 
   /// A pole looks like an equilibrium to whoever measures forces by how fast they change.
@@ -406,27 +409,21 @@ class Search {
   std::vector<cl_F> multipliers_;
 };
 
-model::Ast number(const support::Rational& value, support::Span span) {
-  model::Ast ast;
-  ast.number = value;
-  ast.span = span;
-  return ast;
-}
-
 void set_start(model::Model& model, const Search::Rest& rest) {
   const std::vector<support::Rational>& position = rest.position;
   std::size_t next = 0;
   for (model::Coordinate& coordinate : model.coordinates) {
     if (coordinate.held_at) continue;
-    coordinate.initial_rate = number(rest.speeds[next], coordinate.name.span);
-    coordinate.initial = number(position[next++], coordinate.name.span);
+    coordinate.initial_rate = model::number(rest.speeds[next], coordinate.name.span);
+    coordinate.initial = model::number(position[next++], coordinate.name.span);
     coordinate.guess.reset();
     coordinate.rate_guess.reset();
   }
   for (model::Orientation& orientation : model.orientations) {
-    for (model::Ast& component : orientation.initial) component = number(position[next++], orientation.name.span);
+    for (model::Ast& component : orientation.initial)
+      component = model::number(position[next++], orientation.name.span);
     orientation.is_open = false;
-    for (auto& component : orientation.initial_angular_velocity) component = number(0, orientation.name.span);
+    for (auto& component : orientation.initial_angular_velocity) component = model::number(0, orientation.name.span);
   }
 }
 

@@ -26,7 +26,7 @@ struct Approach {
   bool is_solved = false;        ///< it satisfies all equations of positions
 };
 
-/// Eight steps of Newton's method, each the least one in the mass metric, as emitted code takes them.
+/// The steps of Newton's method that emitted code takes, each the least one in the mass metric.
 Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time);
 
 /// As many damped steps as it takes; angles end within half a turn of their guesses.

@@ -326,24 +326,36 @@ class Builder {
     return Q;
   }
 
-  /// Both, and the share of the body that feels it. At a place that wanders over a body the body feels it where the place is now; what it
-  /// does along the way of the place no body feels.
+  /// What acts at a place does this along the coordinates. At a place that wanders over a body the body feels it where the place is
+  /// now; what it does along the way of the place no body feels, and on a part without mass nothing of it.
+  struct Effect {
+    Components felt, unfelt;
+  };
+
+  Effect effect(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment, bool is_felt) {
+    const Components all = generalized(frame, point, force, moment);
+    const Components none(symbols_.full_count(), number(0));
+    if (!is_felt) return {none, all};
+    const std::size_t carrier = pushed(frame);
+    if (carrier == frame) return {all, none};
+    Effect result{generalized(carrier, point, force, moment), all};
+    for (const FullIndex i : all.indices()) result.unfelt[i] -= result.felt[i];
+    return result;
+  }
+
   void push(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment, Kinematics& result) {
     if (frame == model::k_space) return;
-    const std::size_t carrier = pushed(frame);
-    BodyMotion* body = body_of(carrier, result);
+    BodyMotion* body = body_of(pushed(frame), result);
     result.applied.push_back({frame, point, force, moment, body != nullptr});
-    const Components all = generalized(frame, point, force, moment);
-    Components felt(symbols_.full_count(), number(0));
     if (body != nullptr) {
       body->force = body->force + force;
       body->moment = body->moment + moment + cross(point - body->position, force);
-      felt = carrier == frame ? all : generalized(carrier, point, force, moment);
     }
-    for (const FullIndex i : all.indices()) {
+    const auto [felt, unfelt] = effect(frame, point, force, moment, body != nullptr);
+    for (const FullIndex i : felt.indices()) {
       result.body_force[i] += felt[i];
-      result.other_force[i] += all[i] - felt[i];
-      result.carried_force[i] += all[i] - felt[i];
+      result.other_force[i] += unfelt[i];
+      result.carried_force[i] += unfelt[i];
     }
   }
 
@@ -351,15 +363,9 @@ class Builder {
     row.carried = Components(symbols_.full_count(), number(0));
     for (const ConstraintAction& action : row.actions) {
       if (action.frame == model::k_space) continue;
-      const std::size_t carrier = pushed(action.frame);
-      const bool is_felt = body_of(carrier, result) != nullptr;
-      if (is_felt && carrier == action.frame) continue;
-      const Vector3 none = ir::zero3(graph_);
-      const Components all = generalized(action.frame, action.point, action.direction, none);
-      for (const FullIndex i : all.indices()) row.carried[i] += all[i];
-      if (!is_felt) continue;
-      const Components felt = generalized(carrier, action.point, action.direction, none);
-      for (const FullIndex i : all.indices()) row.carried[i] -= felt[i];
+      const bool is_felt = body_of(pushed(action.frame), result) != nullptr;
+      const Components unfelt = effect(action.frame, action.point, action.direction, ir::zero3(graph_), is_felt).unfelt;
+      for (const FullIndex i : unfelt.indices()) row.carried[i] += unfelt[i];
     }
   }
 

@@ -40,6 +40,13 @@ struct Ast {
   std::vector<Ast> children;
 };
 
+inline Ast number(support::Rational value, support::Span span = {}) {
+  Ast ast;
+  ast.span = span;
+  ast.number = std::move(value);
+  return ast;
+}
+
 /// The tables of a model by name; null where one is faulty, which is reported.
 using KnownTables = std::map<std::string, std::shared_ptr<const support::Table>>;
 

@@ -268,12 +268,6 @@ std::array<Ast, 3> read_vector(const Node& node, Span owner, const std::string& 
   return vector;
 }
 
-Ast number(int value) {
-  Ast ast;
-  ast.number = value;
-  return ast;
-}
-
 Name name_of(const spec::LocatedText& text) { return {text.text, text.span}; }
 
 }  // namespace gaussgen::model

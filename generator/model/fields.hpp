@@ -53,8 +53,6 @@ std::optional<Ast> expression_field(const spec::Node& map, const std::string& ke
 /// Three components.
 std::array<Ast, 3> read_vector(const spec::Node& node, support::Span owner, const std::string& where, Reading& reading);
 
-Ast number(int value);
-
 Name name_of(const spec::LocatedText& text);
 
 /// A section of the file: each entry goes to `read(entry)`. An absent or empty section is fine.

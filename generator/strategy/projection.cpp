@@ -18,9 +18,6 @@ using kinematics::FreeIndex;
 
 namespace {
 
-/// Newton's method from a rough guess.
-constexpr int k_most_steps = 8;
-
 /// φ, b and g at one state; or b a + its drift, for accelerations.
 struct VelocityProblem {
   Vector phi;
@@ -307,7 +304,7 @@ ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics
   const Expr is_lost = normalise_quaternions(symbols, given.configuration, graph, steps);
   PositionProjection positions(dynamics, given.open_positions, time, epsilon);
   ProjectedState state = projected(positions, Newton(dynamics, time, epsilon), given.configuration, given.speeds,
-                                   given.open, k_most_steps, steps);
+                                   given.open, k_steps_to_start, steps);
   state.violated_constraints = any(graph, {is_lost, state.violated_constraints});
   return state;
 }

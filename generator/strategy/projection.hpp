@@ -13,6 +13,9 @@ struct ProjectedState {
   ir::Expr violated_constraints;
 };
 
+/// Of Newton's method from the guesses of a model to its initial state.
+constexpr int k_steps_to_start = 8;
+
 /// Quaternions to unit length, then the smallest change of the speeds in the mass metric that satisfies φ = 0:
 /// δu = -g^-1 bᵀ (b g^-1 bᵀ)^-1 φ. Exact for constraints linear in the velocities, two Newton steps for others, after which
 /// `violated_constraints` tells whether it was enough.

@@ -299,6 +299,19 @@ class Set(Evaluate):
         self.close(self.value("state", "zeta", SPHERE, "--set", "zeta=2*R"), Fraction("1.2"))
         self.close(self.value("state", "chi", SPHERE, "--set", "chi=pi/4"), "0.78539816339744831")
 
+    def test_a_guess_of_a_speed_chooses_among_two(self):
+        for guess in (3, -3):
+            model = """
+gauss: 1
+name: two
+coordinates: {x: {}, y: {}}
+speeds: {u: {is: dot(x) + dot(y), initial_guess: GUESS}, w: {is: dot(x) - dot(y), initial: 1}}
+particles: {p: {mass: 1, position: [x, y, 0]}}
+constraints: {c: {velocity: u^2 + w^2 - 5}}
+"""
+            out = self.ok("evaluate", "-", "--format=json", stdin=model.replace("GUESS", str(guess)))
+            self.assertAlmostEqual(float(json.loads(out)["state"]["u"]["value"]), 2 if guess > 0 else -2, 14)
+
     def test_the_last_of_two_counts(self):
         self.close(self.value("state", "zeta", SPHERE, "--set", "zeta=2", "--set", "zeta=3"), 3)
 

@@ -21,6 +21,18 @@ points: {left: {at: [-a, 0, 0]}, right: {at: [a, 0, 0]}}
 constraints: {left_rope: {distance: [lamp, left], is: L}, right_rope: {distance: [lamp, right], is: L}}
 forces: {gravity: {uniform: [0, -g, 0]}}
 """
+PLATE = HEAD + """joints: {ball: {type: spherical, child: plate}}
+points:
+  left: {on: plate, at: [1, 0.3, 0]}
+  right: {on: plate, at: [-1, 0.4, 0.2]}
+  nail: {at: [2, 1, 3]}
+  hook: {at: [-1.5, 0.5, 2]}
+bodies: {plate: {mass: 2, inertia: [1, 2, 2.5], centre: [0.1, 0.5, -0.3]}}
+forces:
+  gravity: {uniform: [0, 0, -9.81]}
+  one: {spring: [left, nail], stiffness: 30, length: 0.7}
+  two: {spring: [right, hook], stiffness: 20, length: 0.5}
+"""
 FALLING = HEAD + """coordinates: {z: {}}
 particles: {p: {mass: 1, position: [0, 0, z]}}
 forces: {gravity: {uniform: [0, 0, -9.81]}}
@@ -56,6 +68,27 @@ class Statics(Program):
         found = self.at_equilibrium(MODELS / "double_pendulum.yaml")
         self.assertEqual([float(found["state"][name]["value"]) for name in ("pivot", "elbow")], [0, 0])
         self.assertAlmostEqual(float(found["joint_reactions"]["pivot.force.y"]["value"]), 2.1 * 9.81, 13)
+
+    def test_a_plate_turns_until_its_weight_and_two_springs_balance(self):
+        found = self.at_equilibrium(PLATE)
+        w, *v = (float(found["state"][f"ball_e{i}"]["value"]) for i in range(4))
+
+        def cross(a, b):
+            return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+        def turned(r):  # r + 2 w v x r + 2 v x (v x r)
+            once = cross(v, r)
+            return [x + 2 * w * y + 2 * z for x, y, z in zip(r, once, cross(v, once))]
+
+        moment = cross(turned([0.1, 0.5, -0.3]), [0, 0, -2 * 9.81])
+        for at, end, stiffness, length in (([1, 0.3, 0], [2, 1, 3], 30, 0.7), ([-1, 0.4, 0.2], [-1.5, 0.5, 2], 20, 0.5)):
+            place = turned(at)
+            gap = [b - a for a, b in zip(place, end)]
+            pull = stiffness * (1 - length / math.hypot(*gap))
+            moment = [m + c for m, c in zip(moment, cross(place, [pull * x for x in gap]))]
+        self.assertAlmostEqual(math.hypot(w, *v), 1, 15)
+        for component in moment:
+            self.assertAlmostEqual(component, 0, 12)
 
     def test_a_loop_stays_closed(self):
         found = self.at_equilibrium(MODELS / "four_bar.yaml")
@@ -208,6 +241,10 @@ forces: {push: {generalized: {x: F, y: G}}}
         self.assertAlmostEqual(float(found["inverse_dynamics"]["needed.F"]["value"]), 2 - (2 * y - 5) * 0.6 / 0.8, 12)
         for name, value in (("x", 1), ("y", y)):
             self.assertAlmostEqual(float(found["inverse_dynamics"][f"reached.{name}"]["value"]), value, 12)
+        # m x'' = N x and m y'' = N y + G with N = -m (x'^2 + y'^2) - G y: the push of the bar as it is.
+        push = -50 - 5 * 0.8
+        self.assertAlmostEqual(float(found["inverse_dynamics"]["missing.x"]["value"]), 2 - push * 0.6, 12)
+        self.assertAlmostEqual(float(found["inverse_dynamics"]["missing.y"]["value"]), 2 * y - 5 - push * 0.8, 12)
 
     def test_forces_without_a_value_at_rest_are_named(self):
         drag = HEAD + "coordinates: {z: {}}\nparticles: {p: {mass: 1, position: [0, 0, z]}}\n" \
@@ -219,6 +256,17 @@ forces: {push: {generalized: {x: F, y: G}}}
             pole = HEAD + f"coordinates: {{q: {{initial: {start}}}}}\nparticles: {{p: {{mass: 1, position: [q, 0, 0]}}}}\n" \
                           "forces: {f: {generalized: {q: 1/cos(q)}}}\n"
             self.refused(1, "evaluate", "-", "--equilibrium", stdin=pole)
+
+    def test_a_search_that_leaves_all_positions_with_forces_says_why(self):
+        funnel = """
+gauss: 1
+name: funnel
+coordinates: {x: {initial: 1}}
+particles: {p: {mass: 1, position: [x, 0, 0]}}
+forces: {pull: {potential: -1/x}}
+"""
+        self.assertIn("the search ends where there is no force: division by zero",
+                      self.refused(1, "evaluate", "-", "--equilibrium", stdin=funnel))
 
     def test_names_and_numbers_are_checked(self):
         for wrong, message in (("q=1", "'q' is no free coordinate"), ("z", "expected name=value"), ("z=z", "a number is needed"),

@@ -59,6 +59,8 @@ TEST_CASE_METHOD(Fixture, "an arc of what is 1 up to rounding is one of 1", "[ev
   const Expr one = 3 * pow(call(Function::exp, call(Function::log, root)), 2);
   CHECK(value(call(Function::acos, one)) == 0);
   CHECK(value(call(Function::asin, -1 * one)) == Approx(-1.5707963267948966));
+  CHECK(value(call(Function::less, one, number(1))) == 0);
+  CHECK(value(call(Function::less, number(1), one)) == 0);
   bind(Rational(10) / 9);
   CHECK(trouble(call(Function::asin, x)) == reason::k_arc);
 }
