@@ -97,7 +97,7 @@ int generate(const Options& options) {
   }
   if (options.check) {
     const char* const remark = result->has_units ? "" : " (it states no units, so none are checked)";
-    write_standard_output(fmt::format("{}: ok{}\n", options.model, remark));
+    write_standard_output(fmt::format("{}: ok{}\n", source.name(), remark));
     return k_ok;
   }
   if (options.output == "-") {

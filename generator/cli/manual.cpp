@@ -13,6 +13,21 @@ namespace gaussgen::cli {
 
 namespace {
 
+struct Example {
+  const char* command;
+  const char* about;
+};
+
+constexpr Example k_examples[] = {
+    {"gauss-gen init pendulum", "writes a model to begin with"},
+    {"gauss-gen pendulum.yaml -o include", "writes include/pendulum.hpp"},
+    {"gauss-gen evaluate pendulum.yaml --set theta=pi/3", "accelerations and reactions there, without a compiler"},
+    {"gauss-gen evaluate crane.yaml --equilibrium", "where it rests, and what its constraints carry there"},
+    {"gauss-gen evaluate arm.yaml --accelerate elbow=2", "forces and inputs that make this motion"},
+    {"gauss-gen explain E041", "what is wrong, with an example and its cure"},
+};
+constexpr const char* k_see_also = "README.md, the tutorial and the reference of the format in the folder doc/gauss";
+
 /// Text that troff shows as it is.
 std::string shown(const std::string& text) {
   std::string result;
@@ -77,7 +92,10 @@ std::string page() {
     text += fmt::format(".TP\n{}\n{}\n", static_cast<int>(exit.code), shown(exit.meaning));
   text += ".SH ENVIRONMENT\n.TP\n" + bold("NO_COLOR") + "\nif set to anything, messages have no colour\n";
   text += ".TP\n" + bold("TERM") + "\nwith dumb, or without it, messages have no colour\n";
-  return text;
+  text += ".SH EXAMPLES\n";
+  for (const Example& example : k_examples)
+    text += fmt::format(".TP\n{}\n{}\n", bold(example.command), shown(example.about));
+  return text + ".SH SEE ALSO\n" + shown(k_see_also) + "\n";
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ class Model(Program):
         names = [f"x{i}" for i in range(13)]
         text = PARTICLE.split("coordinates:")[0] + "coordinates:\n" + "".join(f"  {name}: {{unit: m}}\n" for name in names)
         text += "particles:\n" + "".join(f"  p{name}: {{mass: m, position: [{name}, 0, 0]}}\n" for name in names)
-        self.assertEqual(self.ok("-", "--check", stdin=text), "-: ok\n")
+        self.assertEqual(self.ok("-", "--check", stdin=text), "<stdin>: ok\n")
         for arguments in (["-", "--route=paper"], ["derivation", "-"]):
             self.assertTrue(self.refused(1, *arguments, stdin=text).startswith("<stdin>:2:7: error[E060]: "))
 

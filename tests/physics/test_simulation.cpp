@@ -256,3 +256,12 @@ TEST_CASE("inputs may be a function of time and state") {
   REQUIRE(simulation.advance_to(1));
   CHECK(simulation.state().values[0] == Approx(1.0));
 }
+
+TEST_CASE("a time before the present one is not reached, nor one that is no number") {
+  gauss::simulate::Simulation simulation(model_with(Prepared{}), State{{0.0}}, 3.0);
+  CHECK_FALSE(simulation.advance_to(2));
+  CHECK_FALSE(simulation.advance_to(std::numeric_limits<double>::quiet_NaN()));
+  CHECK(simulation.time() == 3);
+  CHECK(simulation.advance_to(3));
+  CHECK(simulation.advance_to(4));
+}

@@ -71,7 +71,8 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Integrates to `end`, where the last step is shortened to arrive. False: it did not get there, see report().
+  /// Integrates to `end`, where the last step is shortened to arrive. False: it did not get there, see report(); or `end` is no time from
+  /// here on.
   bool advance_to(const Scalar& end) {
     return advance_to(end, [](const Scalar&, const State&, const State&) {});
   }
@@ -87,7 +88,7 @@ class Simulation {
       }
     }
     report_.calls = system_.calls();
-    return report_.outcome == Outcome::running;
+    return report_.outcome == Outcome::running && t_ == end;
   }
 
   const Scalar& time() const { return t_; }
