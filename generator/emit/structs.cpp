@@ -5,6 +5,8 @@
 #include "emit/formula.hpp"
 #include "emit/literal.hpp"
 #include "emit/text.hpp"
+#include "ir/node_table.hpp"
+#include "ir/traverse.hpp"
 
 namespace gaussgen::emit {
 
@@ -12,6 +14,29 @@ namespace {
 
 std::string described(const std::string& unit, const std::string& about) {
   return comment_text((unit.empty() ? "" : "[" + unit + "] ") + about);
+}
+
+/// Whether an expression stays small without names for what is shared in it; a choice repeats what it compares.
+bool is_small(const ir::Graph& graph, NodeId value) {
+  constexpr std::size_t k_copies_in_choice = 4, k_most_nodes = 10'000;
+  ir::NodeTable<std::size_t> sizes;
+  for (const NodeId id : ir::post_order(graph, {value})) {
+    const ir::Node& node = graph[id];
+    const bool is_choice = node.kind == ir::Kind::function && ir::is_choice(node.function);
+    std::size_t size = 1;
+    for (const NodeId child : node.children) size += (is_choice ? k_copies_in_choice : 1) * *sizes.find(child);
+    if (size > k_most_nodes) return false;
+    sizes[id] = size;
+  }
+  return true;
+}
+
+/// What a prepared value is, where that takes a few words.
+std::string formula_of(Plan& plan, NodeId value) {
+  if (!is_small(plan.graph, value)) return {};
+  const passes::Writing writing(plan.graph, {value});
+  const std::string formula = cpp::print(as_formula(ExpressionWriter(writing, plan.names).value(value)));
+  return formula.size() > 60 ? std::string() : formula;
 }
 
 /// A default value, with its decimal form where it is written as a quotient.
@@ -62,7 +87,8 @@ cpp::Struct inputs_struct(Plan& plan) {
   cpp::Struct type;
   type.comment = "What a caller supplies at each call.";
   type.name = "Inputs";
-  for (const InputEntry& input : plan.unit.inputs) type.members.push_back(member_with_default(plan, input.entry, input.value));
+  for (const InputEntry& input : plan.unit.inputs)
+    type.members.push_back(member_with_default(plan, input.entry, input.value));
   return type;
 }
 
@@ -71,12 +97,8 @@ cpp::Struct prepared_struct(Plan& plan) {
   type.comment = "Parameters as the functions read them, and what follows from them alone; made by prepare().";
   type.name = "Prepared";
   for (const PreparedMember& member : plan.prepared) {
-    std::string comment = comment_text(member.about);
-    if (!member.is_plain && !member.is_formula) {
-      const passes::Writing writing(plan.graph, {member.value});
-      comment = cpp::print(as_formula(ExpressionWriter(writing, plan.names).value(member.value)));
-      if (comment.size() > 60) comment.clear();
-    }
+    const bool is_found = !member.is_plain && !member.is_formula;
+    const std::string comment = is_found ? formula_of(plan, member.value) : comment_text(member.about);
     type.members.push_back({"S", member.name, {}, std::nullopt, comment});
   }
   return type;

@@ -57,6 +57,9 @@ BOMBS = {
     "many lines of a list": HEAD + "outputs:\n" + "- rhs\n" * 600_000,
     "many frames in a row": HEAD + "frames:\n  f0: {position: [x, 0, 0]}\n" +
                             rows(15_000, "  f{next}: {{parent: f{i}, position: [x, 0, 0]}}\n"),
+    "a mass of its own for each of many": "gauss: 1\nname: bomb\nparameters: {m_$i: {count: 60, value: $(i)}}\n"
+                                          "coordinates: {x_$i: {count: 60}}\n"
+                                          "particles: {p_$i: {count: 60, mass: m_$i, position: [x_$i, 0, 0]}}\n",
     "blank lines": HEAD + "\n" * 4_000_000,
     "comments": HEAD + "#\n" * 2_000_000,
     "aliases": HEAD + "about: &a x\n" + rows(190_000, "b{i}: *a\n"),
