@@ -35,9 +35,13 @@ Result Arithmetic<Paired>::settled(const Numbers& fine, const Numbers& coarse, c
   if (!fine) return Result::undefined(fine.reason());
   if (!coarse) return Result::undefined(coarse.reason());
   const Paired value{*fine, *coarse};
-  const cl_F distance = apart(value);
-  if (distance + distance <= cln::abs(value.fine)) return value;
-  return distance <= rounding() * size ? Result(number(Rational(0))) : Result::undefined(reason::k_rounding);
+  if (is_known(value) || apart(value) > rounding() * size) return value;
+  return number(Rational(0));
+}
+
+bool Arithmetic<Paired>::is_known(const Paired& x) const {
+  const cl_F distance = apart(x);
+  return distance + distance <= cln::abs(x.fine);
 }
 
 cl_F Arithmetic<Paired>::apart(const Paired& x) const { return cln::abs(x.fine - fine_.number(x.coarse)); }
@@ -62,6 +66,8 @@ Result Arithmetic<Paired>::product(const std::vector<Paired>& x) const {
 }
 
 Result Arithmetic<Paired>::power(const Paired& x, const Rational& exponent) const {
+  const bool has_bound = support::is_integer(exponent) && cln::plusp(exponent);
+  if (!has_bound && !is_known(x)) return Result::undefined(reason::k_rounding);
   const Numbers fine = fine_.power(x.fine, exponent);
   return settled(fine, coarse_.power(x.coarse, exponent), fine ? cln::abs(*fine) : integer(0));
 }
@@ -83,6 +89,9 @@ Result Arithmetic<Paired>::call(ir::Function function, const std::vector<Paired>
     if (!bottom) return bottom;
     if (cln::zerop(bottom->fine)) return Result::undefined(reason::k_pole);
   }
+  const bool has_bound = function != Function::log && function != Function::atan2;
+  if (!has_bound && !std::all_of(x.begin(), x.end(), [this](const Paired& entry) { return is_known(entry); }))
+    return Result::undefined(reason::k_rounding);
   const bool is_arc = function == Function::asin || function == Function::acos;
   const std::vector<Paired> at = is_arc ? std::vector{within_arc(x[0])} : x;
   return settled(fine_.call(function, fine_of(at)), coarse_.call(function, coarse_of(at)), integer(1));
@@ -90,7 +99,7 @@ Result Arithmetic<Paired>::call(ir::Function function, const std::vector<Paired>
 
 bool Arithmetic<Paired>::less(const Paired& a, const Paired& b) const {
   const Result apart = sum(0, {1, -1}, {b, a});
-  return apart && cln::plusp(apart->fine);
+  return apart && is_known(*apart) && cln::plusp(apart->fine);
 }
 
 }  // namespace gaussgen::evaluate

@@ -12,8 +12,9 @@ struct Paired {
 };
 
 /// After each operation that may cancel, a number that both precisions do not agree about to half of its size is 0 where it is small
-/// beside what it was made of, and undefined where it is not. So cos(pi/2) is 0, 1/cos(pi/2) a division by zero, and
-/// sin(10^200 x) has no value unless x has 200 digits.
+/// beside what it was made of. Where it is not, it is not known, which is no harm in a sum with larger ones, as that of a state and the
+/// last step of Newton's method; in what has no bound beside zero it is undefined. So cos(pi/2) is 0, 1/cos(pi/2) a division by
+/// zero, and sin(10^200 x) has no value unless x has 200 digits.
 template <>
 class Arithmetic<Paired> {
  public:
@@ -37,6 +38,8 @@ class Arithmetic<Paired> {
   Outcome<Paired> call(ir::Function function, const std::vector<Paired>& x) const;
   bool less(const Paired& a, const Paired& b) const;
   bool is_true(const Paired& x) const { return fine_.is_true(x.fine); }
+  /// Both precisions agree about it, to half of its size.
+  bool is_known(const Paired& x) const;
 
  private:
   using Numbers = Outcome<cln::cl_F>;

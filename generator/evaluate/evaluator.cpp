@@ -24,6 +24,14 @@ bool is_logical(const Node& node) {
          (ir::is_boolean(node.function) || node.function == Function::select || node.function == Function::piecewise);
 }
 
+/// Whether a value may be handed out.
+template <class T>
+bool is_known(const Arithmetic<T>&, const T&) {
+  return true;
+}
+
+bool is_known(const Arithmetic<Paired>& arithmetic, const Paired& value) { return arithmetic.is_known(value); }
+
 std::string name_of(const ir::Graph& graph, NodeId id) {
   if (!graph[id].name.empty()) return graph[id].name;
   const std::string& label = graph.label(id);
@@ -40,8 +48,7 @@ void Evaluator<T>::bind(ir::SymbolId symbol, T value) {
 
 template <class T>
 std::optional<T> Evaluator<T>::operator()(NodeId node) {
-  compute({node});
-  return known(node).value;
+  return evaluate({node}).front();
 }
 
 template <class T>
@@ -49,7 +56,10 @@ std::vector<std::optional<T>> Evaluator<T>::evaluate(const std::vector<NodeId>& 
   compute(nodes);
   std::vector<std::optional<T>> values;
   values.reserve(nodes.size());
-  for (const NodeId node : nodes) values.push_back(known(node).value);
+  for (const NodeId node : nodes) {
+    const std::optional<T>& value = known(node).value;
+    values.push_back(value && is_known(arithmetic_, *value) ? value : std::nullopt);
+  }
   return values;
 }
 
@@ -57,7 +67,8 @@ template <class T>
 std::optional<Trouble> Evaluator<T>::trouble(NodeId node) {
   compute({node});
   const Entry& entry = known(node);
-  if (entry.value) return std::nullopt;
+  if (entry.value && is_known(arithmetic_, *entry.value)) return std::nullopt;
+  if (entry.value) return Trouble{node, name_of(graph_, node), reason::k_rounding};
   return Trouble{entry.origin, name_of(graph_, entry.origin), entry.reason};
 }
 

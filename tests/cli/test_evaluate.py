@@ -312,6 +312,31 @@ constraints: {c: {velocity: u^2 + w^2 - 5}}
             out = self.ok("evaluate", "-", "--format=json", stdin=model.replace("GUESS", str(guess)))
             self.assertAlmostEqual(float(json.loads(out)["state"]["u"]["value"]), 2 if guess > 0 else -2, 14)
 
+    def test_a_start_that_newton_finds_to_all_digits_has_a_value(self):
+        # A slotted lever, turned by a pin on a crank: the last steps of the search are nothing but rounding, at each instant another
+        # way.
+        lever = """
+gauss: 1
+name: lever
+parameters: {r: 0.1, d: 0.25}
+coordinates: {phi: {held_at: 6*t}}
+joints:
+  crank: {type: revolute, child: crank, axis: -y, at: [0, 0, d], coordinates: phi}
+  pin: {type: revolute, parent: crank, at: [r, 0, 0], child: block, axis: -y, coordinates: beta}
+  lever: {type: revolute, child: lever, axis: -y, coordinates: a, initial_guess: 1.2}
+  ram: {type: prismatic, child: ram, at: [0, 0, 0.5], axis: x, coordinates: x}
+bodies: {lever: {mass: 0, inertia: 0.05}, block: {mass: 0.3, inertia: 0}, ram: {mass: 5, inertia: 0}}
+constraints:
+  slot: {equation: block.x*sin(a) - block.z*cos(a)}
+  turn: {equation: phi + beta - a}
+  top: {equation: ram.x*sin(a) - ram.z*cos(a)}
+quantities: {rate: dot(a), form: 6*(r^2 + r*d*sin(phi))/(r^2 + d^2 + 2*r*d*sin(phi))}
+"""
+        for time in ("0.3", "0.3102", "1.0857", "1/2"):
+            found = self.document("-", "--time", time, stdin=lever)
+            self.assertEqual(found["status"], "ok", time)
+            self.close(found["quantities"]["rate"]["value"], found["quantities"]["form"]["value"])
+
     def test_the_last_of_two_counts(self):
         self.close(self.value("state", "zeta", SPHERE, "--set", "zeta=2", "--set", "zeta=3"), 3)
 
