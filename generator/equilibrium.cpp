@@ -6,246 +6,108 @@
 #include <algorithm>
 #include <cmath>
 
+#include "description.hpp"
+#include "evaluate/arithmetic_scale.hpp"
 #include "evaluation.hpp"
-#include "ir/substitute.hpp"
 #include "model_values.hpp"
+#include "rest_equations.hpp"
 #include "strategy/projection.hpp"
 
 namespace gaussgen {
 
 using cln::cl_F;
+using evaluate::Arithmetic;
 using evaluate::Paired;
+using evaluate::Scaled;
 using ir::Expr;
 using kinematics::ConfigurationIndex;
 using kinematics::FreeIndex;
+using support::Rational;
 
 namespace {
 
 constexpr int k_most_steps = 200;
+constexpr int k_patience = 30;  ///< steps in which less than a tenth is won
 constexpr int k_more_digits = 15;
 constexpr int k_most_descents = 4;
 constexpr int k_steps_of_descent = 300;
 constexpr double k_shortest_descent = 1e-4;
-constexpr double k_solved = 1e-12;        ///< of the largest term, in double
-constexpr double k_balanced = 1e-6;       ///< after the last digits, of the largest term at the start
-constexpr double k_rank = 1e-10;          ///< of the largest singular value
-constexpr double k_largest_step = 0.5;    ///< of angles, and of lengths in units of themselves
-constexpr double k_shortest_step = 1e-6;  ///< of a full step
-constexpr int k_later = 731;              ///< ms: no part of anybody's period
+constexpr double k_rough = 1e-10;          ///< of the largest term, where double is enough
+constexpr double k_solved = 1e-12;         ///< likewise, with more digits
+constexpr double k_near = 1e-4;            ///< likewise: rounding of double may be in the way, and nothing else
+constexpr double k_balanced = 1e-6;        ///< after the last digits, of the largest term at the start
+constexpr double k_rank = 1e-10;           ///< of the largest singular value
+constexpr double k_largest_step = 0.5;     ///< of angles, and of lengths in units of themselves
+constexpr double k_largest_damping = 0.2;  ///< root of it, of a column of size 1
+constexpr double k_most_damping = 1e8;     ///< times the usual
+constexpr double k_least_column = 0.1;     ///< of the largest: however heavy, what could move does
+constexpr double k_ease = 10;              ///< of multipliers: they take what they can before anything moves
+constexpr int k_later = 731;               ///< ms: no part of anybody's period
 
+/// In which numbers a search goes.
+template <class T>
+struct Kind;
+
+template <>
+struct Kind<double> {
+  using Real = double;
+  static double plain(double value) { return value; }
+  static double number(const Arithmetic<double>& arithmetic, const Rational& value) { return arithmetic.number(value); }
+  static double number(const Arithmetic<double>&, double value) { return value; }
+  static double wrapped(const Arithmetic<double>&, double value) { return value; }
+};
+
+template <>
+struct Kind<Paired> {
+  using Real = cl_F;
+  static const cl_F& plain(const Paired& value) { return value.fine; }
+  template <class Number>
+  static cl_F number(const Arithmetic<Paired>& arithmetic, const Number& value) {
+    return arithmetic.fine().number(value);
+  }
+  static Paired wrapped(const Arithmetic<Paired>& arithmetic, const cl_F& value) { return arithmetic.number(value); }
+};
+
+double to_double(double value) { return value; }
 double to_double(const cl_F& value) { return cln::double_approx(value); }
 
+template <class Real>
+void normalise(Real* e) {
+  using std::sqrt;
+  const Real norm = sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + e[3] * e[3]);
+  for (int i = 0; i < 4; ++i) e[i] = e[i] / norm;
+}
+
+template <class T>
 class Search {
  public:
-  Search(const model::Model& model, const support::Rational& time, int digits)
-      : mechanics_(model, {}),
-        digits_(digits),
-        values_(mechanics_.graph, evaluate::Arithmetic<Paired>(digits + k_more_digits, k_more_digits)) {
+  using Real = typename Kind<T>::Real;
+
+  Search(Mechanics& mechanics, const RestEquations& rest, const Rational& time, Arithmetic<T> arithmetic)
+      : mechanics_(mechanics),
+        rest_(rest),
+        values_(mechanics.graph, std::move(arithmetic)),
+        sizes_(mechanics.graph, Arithmetic<Scaled<double>>(Arithmetic<double>())) {
     bind_parameters(mechanics_, values_);
+    bind_parameters(mechanics_, sizes_);
     set_time(time);
-    pose();
   }
 
-  struct Rest {
-    std::vector<support::Rational> position, speeds;
-    bool lasts = true;
-  };
-
-  /// Nothing, with the reason in `why`.
-  std::optional<Rest> run(std::string& why) {
-    if (!start()) {
-      why = "the initial position has no value";
-      return std::nullopt;
-    }
-    const Linearised at_start = linearised();
-    if (!at_start.is_defined) {
-      why = "at rest at the initial position there is no force: " + undefined_part();
-      return std::nullopt;
-    }
-    double left = approach();
-    // From far away: let it sink, and try again.
-    for (int i = 0; i < k_most_descents && !(left <= k_solved); ++i) {
-      if (i == 0) start();
-      sink();
-      left = approach();
-    }
-    if (!(left <= k_solved)) {
-      why = why_not(left);
-      return std::nullopt;
-    }
-    polish();
-    if (!is_balanced(at_start)) {
-      why = "no equilibrium was found near the initial position: towards the nearest one forces grow without bound";
-      return std::nullopt;
-    }
-    Rest rest;
-    for (const cl_F& q : position_) rest.position.push_back(rounded(q));
-    for (const Expr speed : mechanics_.kinematics.speeds_at_rest)
-      rest.speeds.push_back(rounded(value_of(speed.id()).value_or(number(support::Rational(0)))));
-    rest.lasts = is_at_rest_at(time_ + support::Rational(k_later) / 1000);
-    return rest;
-  }
-
- private:
   struct Linearised {
     Eigen::MatrixXd matrix;
-    std::vector<cl_F> residual;
+    std::vector<Real> residual;
     Eigen::VectorXd scale;  ///< of each row
     bool is_defined = true;
 
+    double size(std::size_t row) const {
+      return std::abs(to_double(residual[row])) / scale[static_cast<Eigen::Index>(row)];
+    }
     double norm() const {
       double largest = 0;
-      for (std::size_t i = 0; i < residual.size(); ++i)
-        largest = std::max(largest, std::abs(to_double(residual[i])) / scale[static_cast<Eigen::Index>(i)]);
+      for (std::size_t i = 0; i < residual.size(); ++i) largest = std::max(largest, size(i));
       return largest;
     }
   };
-
-  // What is left of Newton's method beyond the digits that are asked for is no part of the answer.
-  support::Rational rounded(const cl_F& value) const {
-    const support::Rational grid = cln::expt(support::Rational(10), digits_ + k_more_digits / 2);
-    return cln::round1(cln::rational(value) * grid) / grid;
-  }
-
-  /// f - g u̇ + bᵀ λ at rest, then the equations of positions, then φ and b u̇ + its drift at rest, which are zero in every position
-  /// unless a constraint drives the model. u̇ is how speeds at rest change with time: those against what moves.
-  void pose() {
-    const strategy::Dynamics& dynamics = mechanics_.dynamics;
-    ir::Graph& graph = mechanics_.graph;
-    ir::Substitution at_rest(graph);
-    strategy::Vector changes;
-    for (const FreeIndex a : mechanics_.symbols.speeds.indices()) {
-      at_rest.replace(mechanics_.symbols.speeds[a].symbol, mechanics_.kinematics.speeds_at_rest[a]);
-      changes.push_back(ir::partial(mechanics_.kinematics.speeds_at_rest[a], mechanics_.symbols.time));
-    }
-    for (const Expr acceleration : mechanics_.solution.accelerations) accelerations_.push_back(at_rest(acceleration));
-    for (std::size_t mu = 0; mu < dynamics.l(); ++mu)
-      lambda_.push_back(graph.declare(ir::SymbolClass::input, "multiplier_" + std::to_string(mu + 1)));
-    for (std::size_t a = 0; a < dynamics.n(); ++a) {
-      terms_.push_back({at_rest(dynamics.f[a])});
-      for (std::size_t mu = 0; mu < dynamics.l(); ++mu)
-        terms_.back().push_back(at_rest(dynamics.b[mu][a]) * mechanics_.expressions.symbol(lambda_[mu]));
-      for (std::size_t b = 0; b < dynamics.n(); ++b) terms_.back().push_back(-at_rest(dynamics.g[a][b]) * changes[b]);
-    }
-    for (const auto& row : mechanics_.kinematics.constraints) {
-      if (row.f) terms_.push_back({*row.f});
-    }
-    for (std::size_t mu = 0; mu < dynamics.l(); ++mu) {
-      add_drive(mu, {at_rest(mechanics_.kinematics.constraints[kinematics::ConstraintIndex{mu}].phi)});
-      std::vector<Expr> drift{at_rest(dynamics.b_drift[mu])};
-      for (std::size_t b = 0; b < dynamics.n(); ++b) drift.push_back(at_rest(dynamics.b[mu][b]) * changes[b]);
-      add_drive(mu, std::move(drift));
-    }
-    for (const std::vector<Expr>& terms : terms_) {
-      Expr sum = terms.front();
-      for (std::size_t i = 1; i < terms.size(); ++i) sum += terms[i];
-      equations_.push_back(sum);
-    }
-    for (const FreeIndex a : mechanics_.symbols.speeds.indices()) derivatives_.push_back(along_speed(a));
-    for (const ir::SymbolId multiplier : lambda_) {
-      derivatives_.emplace_back();
-      for (const Expr equation : equations_) derivatives_.back().push_back(ir::partial(equation, multiplier));
-    }
-  }
-
-  void add_drive(std::size_t constraint, std::vector<Expr> terms) {
-    if (std::all_of(terms.begin(), terms.end(), [](Expr term) { return term.is_zero(); })) return;
-    drives_.emplace_back(terms_.size(), constraint);
-    terms_.push_back(std::move(terms));
-  }
-
-  /// The constraint that asks for motion most; empty if none does.
-  std::string what_moves_it() {
-    const Linearised here = linearised();
-    double largest = k_balanced;
-    std::string name;
-    for (const auto& [row, constraint] : drives_) {
-      const double asked = std::abs(to_double(here.residual[row])) / here.scale[static_cast<Eigen::Index>(row)];
-      if (!(asked > largest)) continue;
-      largest = asked;
-      name = mechanics_.dynamics.constraints[constraint];
-    }
-    return name;
-  }
-
-  std::vector<Expr> along_speed(FreeIndex a) {
-    ir::Directional along(mechanics_.graph);
-    rates_.emplace_back();
-    for (const ConfigurationIndex i : mechanics_.symbols.configuration.indices()) {
-      rates_.back().push_back(
-          ir::partial(mechanics_.kinematics.configuration_rates[i], mechanics_.symbols.speeds[a].symbol));
-      along.seed(mechanics_.symbols.configuration[i].symbol, rates_.back().back());
-    }
-    std::vector<Expr> column;
-    for (const Expr equation : equations_) column.push_back(along(equation));
-    return column;
-  }
-
-  template <class Number>
-  cl_F number(const Number& value) const {
-    return values_.arithmetic().fine().number(value);
-  }
-
-  void bind(ir::SymbolId symbol, const cl_F& value) { values_.bind(symbol, values_.arithmetic().number(value)); }
-
-  std::optional<cl_F> value_of(ir::NodeId node) {
-    const auto value = values_(node);
-    return value ? std::optional<cl_F>(value->fine) : std::nullopt;
-  }
-
-  std::string undefined_part() {
-    for (const Expr equation : equations_) {
-      if (const auto trouble = values_.trouble(equation.id())) return trouble->reason + " in " + trouble->name;
-    }
-    return "a derivative has no value";
-  }
-
-  std::string why_not(double left) {
-    const std::string none = "no equilibrium was found near the initial position: ";
-    if (!std::isfinite(left)) return none + "the search ends where there is no force: " + undefined_part();
-    const std::string mover = what_moves_it();
-    if (mover.empty()) return none + fmt::format("forces of {:.1e} of the largest remain", left);
-    return fmt::format("no position was found near the initial one at which constraint '{}' lets the model rest",
-                       mover);
-  }
-
-  /// A pole looks like an equilibrium to whoever measures forces by how fast they change.
-  bool is_balanced(const Linearised& at_start) {
-    const Linearised here = linearised();
-    for (std::size_t i = 0; i < here.residual.size(); ++i) {
-      const double size = at_start.scale[static_cast<Eigen::Index>(i)];
-      if (!(std::abs(to_double(here.residual[i])) <= k_balanced * size)) return false;
-    }
-    return here.is_defined;
-  }
-
-  /// Multipliers may be others then.
-  bool is_at_rest_at(const support::Rational& time) {
-    const std::vector<cl_F> before = position_;
-    set_time(time);
-    if (!(approach() <= k_solved)) return false;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      const double moved = std::abs(to_double(position_[i] - before[i]));
-      if (!(moved <= k_balanced * (1 + std::abs(to_double(before[i]))))) return false;
-    }
-    return true;
-  }
-
-  void set_time(const support::Rational& time) {
-    time_ = time;
-    bind(mechanics_.symbols.time, number(time));
-  }
-
-  /// Of a state.
-  std::optional<std::vector<cl_F>> position_of(const std::vector<ir::NodeId>& state) {
-    std::vector<cl_F> position;
-    for (std::size_t i = 0; i < mechanics_.symbols.configuration.size(); ++i) {
-      const auto value = value_of(state[i]);
-      if (!value) return std::nullopt;
-      position.push_back(*value);
-    }
-    return position;
-  }
 
   /// Where the model starts, or at its guesses if these lead nowhere.
   bool start() {
@@ -256,107 +118,63 @@ class Search {
     auto position = position_of(initial);
     if (!position) position = position_of(guess);
     if (!position) return false;
-    set(*std::move(position), std::vector<cl_F>(lambda_.size(), number(support::Rational(0))));
+    set(*std::move(position), std::vector<Real>(rest_.multipliers.size(), number(0.0)));
     return true;
   }
 
-  void set(std::vector<cl_F> position, std::vector<cl_F> multipliers) {
+  void set(std::vector<Real> position, std::vector<Real> multipliers) {
     for (const auto first : mechanics_.symbols.first_quaternion_component) normalise(&position[first.value]);
     for (const ConfigurationIndex i : mechanics_.symbols.configuration.indices())
       bind(mechanics_.symbols.configuration[i].symbol, position[i.value]);
-    for (std::size_t mu = 0; mu < lambda_.size(); ++mu) bind(lambda_[mu], multipliers[mu]);
+    for (std::size_t mu = 0; mu < multipliers.size(); ++mu) bind(rest_.multipliers[mu], multipliers[mu]);
     position_ = std::move(position);
     multipliers_ = std::move(multipliers);
   }
 
-  static void normalise(cl_F* e) {
-    const cl_F norm = cln::sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + e[3] * e[3]);
-    for (int i = 0; i < 4; ++i) e[i] = e[i] / norm;
+  void set_time(const Rational& time) { bind(mechanics_.symbols.time, number(time)); }
+
+  const std::vector<Real>& position() const { return position_; }
+  const std::vector<Real>& multipliers() const { return multipliers_; }
+
+  template <class Number>
+  Real number(const Number& value) const {
+    return Kind<T>::number(values_.arithmetic(), value);
+  }
+
+  std::optional<Real> value_of(ir::NodeId node) {
+    const auto value = values_(node);
+    return value ? std::optional<Real>(Kind<T>::plain(*value)) : std::nullopt;
   }
 
   Linearised linearised() {
-    const auto rows = static_cast<Eigen::Index>(equations_.size());
-    const auto columns = static_cast<Eigen::Index>(derivatives_.size());
-    Linearised at{Eigen::MatrixXd::Zero(rows, columns), {}, Eigen::VectorXd::Zero(rows), true};
-    for (Eigen::Index i = 0; i < rows; ++i) {
+    Linearised at{{}, {}, Eigen::VectorXd::Zero(rows()), true};
+    at.matrix = Eigen::MatrixXd::Zero(rows(), columns());
+    for (Eigen::Index i = 0; i < rows(); ++i) {
       const std::size_t row = static_cast<std::size_t>(i);
-      const auto value = value_of(equations_[row].id());
-      at.is_defined = at.is_defined && value.has_value();
-      at.residual.push_back(value.value_or(number(support::Rational(0))));
-      for (Eigen::Index j = 0; j < columns; ++j) {
-        const auto entry = value_of(derivatives_[static_cast<std::size_t>(j)][row].id());
-        at.is_defined = at.is_defined && entry.has_value();
+      for (Eigen::Index j = 0; j < columns(); ++j) {
+        const auto entry = value_of(rest_.derivatives[row][static_cast<std::size_t>(j)].id());
+        at.is_defined = at.is_defined && entry.has_value() && std::isfinite(to_double(*entry));
         if (entry) at.matrix(i, j) = to_double(*entry);
       }
       // What the sum is made of, and what a displacement by 1 changes.
-      at.scale[i] = at.matrix.row(i).lpNorm<Eigen::Infinity>();
-      for (const Expr term : terms_[row]) {
-        if (const auto size = value_of(term.id())) at.scale[i] = std::max(at.scale[i], std::abs(to_double(*size)));
-      }
+      at.scale[i] = at.matrix.row(i).template lpNorm<Eigen::Infinity>();
+      if (const auto size = sizes_(rest_.equations[row].id())) at.scale[i] = std::max(at.scale[i], size->scale);
       if (at.scale[i] == 0) at.scale[i] = 1;
+      at.is_defined = at.is_defined && std::isfinite(at.scale[i]);
     }
+    at.is_defined = find_residual(at) && at.is_defined;
     return at;
   }
 
-  /// The least change in columns of one size with matrix * change = -residual, in units of `unit`.
-  Eigen::VectorXd change(const Linearised& at, const cl_F& unit) const {
-    Eigen::VectorXd right(at.matrix.rows());
-    for (Eigen::Index i = 0; i < right.size(); ++i)
-      right[i] = -to_double(at.residual[static_cast<std::size_t>(i)] / unit) / at.scale[i];
-    Eigen::MatrixXd matrix = at.scale.cwiseInverse().asDiagonal() * at.matrix;
-    Eigen::VectorXd sizes = matrix.colwise().norm();
-    for (double& size : sizes) size = size > 0 ? 1 / size : 1;
-    matrix = matrix * sizes.asDiagonal();
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(k_rank);
-    decomposition.compute(matrix);
-    return sizes.asDiagonal() * decomposition.solve(right);
-  }
-
-  void move(const Eigen::VectorXd& change, const cl_F& unit) {
-    std::vector<cl_F> position = position_;
-    for (std::size_t a = 0; a < rates_.size(); ++a) {
-      const cl_F along = unit * number(change[static_cast<Eigen::Index>(a)]);
-      for (std::size_t i = 0; i < position.size(); ++i) {
-        if (const auto rate = value_of(rates_[a][i].id())) position[i] = position[i] + *rate * along;
-      }
-    }
-    std::vector<cl_F> multipliers = multipliers_;
-    for (std::size_t mu = 0; mu < multipliers.size(); ++mu) {
-      const double by = change[static_cast<Eigen::Index>(rates_.size() + mu)];
-      multipliers[mu] = multipliers[mu] + unit * number(by);
-    }
-    set(std::move(position), std::move(multipliers));
-  }
-
-  /// A step of Newton's method may leave the neighbourhood in which it means anything.
-  double allowed(const Eigen::VectorXd& change) const {
-    double largest = 0;
-    for (std::size_t a = 0; a < rates_.size(); ++a) {
-      const bool is_length = mechanics_.symbols.speeds[FreeIndex{a}].is_of_length();
-      const double size = is_length ? 1 + std::abs(to_double(position_[a])) : 1;
-      largest = std::max(largest, std::abs(change[static_cast<Eigen::Index>(a)]) / size);
-    }
-    return largest > k_largest_step ? k_largest_step / largest : 1;
-  }
-
   /// What remains, of the largest terms.
-  double approach() {
-    const cl_F one = number(support::Rational(1));
+  double approach(double enough) {
     Linearised here = linearised();
-    for (int i = 0; i < k_most_steps && here.is_defined && here.norm() > k_solved; ++i) {
-      const Eigen::VectorXd full = change(here, one);
-      const auto from = std::pair(position_, multipliers_);
-      double part = allowed(full);
-      Linearised there = here;
-      for (bool is_better = false; !is_better && part > k_shortest_step; part /= 2) {
-        set(from.first, from.second);
-        move(part * full, one);
-        there = linearised();
-        is_better = there.is_defined && there.norm() < here.norm() * (1 - part / 10);
-      }
-      // Where no shorter step helps, the last one leads out of a valley.
-      here = std::move(there);
+    double damping = 1, best = HUGE_VAL;
+    for (int i = 0, since = 0; i < k_most_steps && here.is_defined && here.norm() > enough; ++i) {
+      since = here.norm() < 0.9 * best ? 0 : since + 1;
+      best = std::min(best, here.norm());
+      if (since > k_patience || !improve(here, damping)) break;
+      here = linearised();
     }
     return here.is_defined ? here.norm() : HUGE_VAL;
   }
@@ -364,52 +182,332 @@ class Search {
   /// Along the accelerations that the model has at rest, as through syrup: forces of springs and weights do work there until they
   /// are in balance. Steps are short, and shorter where the way turns back.
   void sink() {
-    const cl_F one = number(support::Rational(1));
     double limit = k_largest_step / 4;
-    Eigen::VectorXd before = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rates_.size() + lambda_.size()));
+    Eigen::VectorXd before = Eigen::VectorXd::Zero(columns());
     for (int i = 0; i < k_steps_of_descent && limit > k_shortest_descent; ++i) {
       Eigen::VectorXd way = Eigen::VectorXd::Zero(before.size());
-      for (std::size_t a = 0; a < rates_.size(); ++a) {
-        const auto acceleration = value_of(accelerations_[a].id());
+      for (std::size_t a = 0; a < rest_.accelerations.size(); ++a) {
+        const auto acceleration = value_of(rest_.accelerations[a].id());
         if (acceleration) way[static_cast<Eigen::Index>(a)] = to_double(*acceleration);
       }
       const double largest = way.lpNorm<Eigen::Infinity>();
-      if (!(largest > 0)) return;
+      if (!(largest > 0) || !std::isfinite(largest)) return;
       way *= limit / largest;
       if (way.dot(before) < 0) limit /= 2;
-      move(way, one);
+      move(way, number(1.0));
       before = way;
     }
   }
 
-  /// With the matrix in double, each step is good for some ten digits.
-  void polish() {
-    for (int done = 0; done < digits_ + k_more_digits; done += 8) {
+  /// With the matrix in double, each step is good for some eight digits.
+  void polish(int digits) {
+    using std::abs;
+    for (int done = 0; done < digits; done += 8) {
       const Linearised here = linearised();
-      cl_F unit = number(support::Rational(0));
-      for (const cl_F& value : here.residual) unit = cln::max(unit, cln::abs(value));
-      if (cln::zerop(unit)) return;
-      move(change(here, unit), unit);
+      Real unit = number(0.0);
+      for (const Real& value : here.residual) {
+        if (abs(value) > unit) unit = abs(value);
+      }
+      if (unit == number(0.0)) return;
+      move(least_change(here, unit), unit);
     }
   }
 
-  Mechanics mechanics_;
-  support::Rational time_;
-  int digits_;
-  evaluate::Evaluator<Paired> values_;
-  std::vector<Expr> accelerations_;  ///< at rest
-  std::vector<ir::SymbolId> lambda_;
-  std::vector<std::vector<Expr>> terms_;  ///< of each equation
-  std::vector<std::pair<std::size_t, std::size_t>>
-      drives_;  ///< rows of these that a constraint may drive, and its index
-  std::vector<Expr> equations_;
-  std::vector<std::vector<Expr>> derivatives_;  ///< by speeds, then multipliers, of each equation
-  std::vector<std::vector<Expr>> rates_;        ///< ∂q̇/∂u by speeds, of each q
-  std::vector<cl_F> position_;
-  std::vector<cl_F> multipliers_;
+  /// A pole looks like an equilibrium to whoever measures forces by how fast they change.
+  bool is_balanced(const Eigen::VectorXd& scale_at_start) {
+    const Linearised here = linearised();
+    for (std::size_t i = 0; i < here.residual.size(); ++i) {
+      const double size = scale_at_start[static_cast<Eigen::Index>(i)];
+      if (!(std::abs(to_double(here.residual[i])) <= k_balanced * size)) return false;
+    }
+    return here.is_defined;
+  }
+
+  /// The constraint that asks for motion most; empty if none does.
+  std::string what_moves_it() {
+    const Linearised here = linearised();
+    double largest = k_balanced;
+    std::string name;
+    for (const auto& [row, constraint] : rest_.drives) {
+      if (!(here.size(row) > largest)) continue;
+      largest = here.size(row);
+      name = mechanics_.dynamics.constraints[constraint];
+    }
+    return name;
+  }
+
+  /// Along the speed where most of the forces remains, of their size.
+  std::string where_most_remains() {
+    const Linearised here = linearised();
+    std::size_t most = 0;
+    for (std::size_t a = 0; a < mechanics_.dynamics.n(); ++a) {
+      if (here.size(a) > here.size(most)) most = a;
+    }
+    const std::string unit = generalized_unit(mechanics_.symbols.speeds[FreeIndex{most}].unit);
+    return fmt::format("{:.3g}{}{} along '{}' are not in balance", to_double(here.residual[most]),
+                       unit.empty() ? "" : " ", unit, mechanics_.dynamics.labels[most]);
+  }
+
+  std::string undefined_part() {
+    for (const Expr equation : rest_.equations) {
+      if (const auto trouble = values_.trouble(equation.id())) return trouble->reason + " in " + trouble->name;
+    }
+    return "a derivative has no value";
+  }
+
+ private:
+  Eigen::Index rows() const { return static_cast<Eigen::Index>(rest_.equations.size()); }
+  Eigen::Index columns() const { return static_cast<Eigen::Index>(mechanics_.dynamics.n() + rest_.multipliers.size()); }
+
+  void bind(ir::SymbolId symbol, const Real& value) {
+    values_.bind(symbol, Kind<T>::wrapped(values_.arithmetic(), value));
+    const double rounded = to_double(value);
+    sizes_.bind(symbol, {rounded, std::abs(rounded)});
+  }
+
+  /// Of a state.
+  std::optional<std::vector<Real>> position_of(const std::vector<ir::NodeId>& state) {
+    std::vector<Real> position;
+    for (std::size_t i = 0; i < mechanics_.symbols.configuration.size(); ++i) {
+      const auto value = value_of(state[i]);
+      if (!value) return std::nullopt;
+      position.push_back(*value);
+    }
+    return position;
+  }
+
+  bool find_residual(Linearised& at) {
+    bool is_defined = true;
+    at.residual.clear();
+    for (const Expr equation : rest_.equations) {
+      const auto value = value_of(equation.id());
+      is_defined = is_defined && value.has_value() && std::isfinite(to_double(*value));
+      at.residual.push_back(value.value_or(number(0.0)));
+    }
+    return is_defined;
+  }
+
+  /// Per unknown, so that all are of like size: displacements as masses measure them.
+  Eigen::VectorXd weights(const Eigen::MatrixXd& matrix) {
+    Eigen::VectorXd result = Eigen::VectorXd::Ones(columns());
+    const Eigen::VectorXd effects = matrix.colwise().norm();
+    double largest = 0;
+    for (std::size_t a = 0; a < rest_.metric.size(); ++a) {
+      const Eigen::Index j = static_cast<Eigen::Index>(a);
+      const auto mass = value_of(rest_.metric[a].id());
+      const double g = mass ? to_double(*mass) : 0;
+      result[j] = g > 0 ? 1 / std::sqrt(g) : 0;
+      largest = std::max(largest, result[j] * effects[j]);
+    }
+    for (Eigen::Index j = 0; j < columns(); ++j) {
+      const bool is_multiplier = j >= static_cast<Eigen::Index>(rest_.metric.size());
+      if (effects[j] == 0) {
+        result[j] = 0;
+      } else if (is_multiplier || result[j] == 0 || largest == 0) {
+        result[j] = (is_multiplier ? k_ease : 1) / effects[j];
+      } else {
+        result[j] = std::max(result[j] / largest, k_least_column / effects[j]);
+      }
+    }
+    return result;
+  }
+
+  Eigen::VectorXd right_of(const Linearised& at, const Real& unit) const {
+    Eigen::VectorXd right(rows());
+    for (Eigen::Index i = 0; i < right.size(); ++i)
+      right[i] = -to_double(at.residual[static_cast<std::size_t>(i)] / unit) / at.scale[i];
+    return right;
+  }
+
+  /// The least change with matrix * change = -residual, in units of `unit`.
+  Eigen::VectorXd least_change(const Linearised& at, const Real& unit) {
+    const Eigen::MatrixXd matrix = at.scale.cwiseInverse().asDiagonal() * at.matrix;
+    const Eigen::VectorXd weight = weights(matrix);
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+    decomposition.setThreshold(k_rank);
+    decomposition.compute(matrix * weight.asDiagonal());
+    return weight.asDiagonal() * decomposition.solve(right_of(at, unit));
+  }
+
+  /// Least |matrix * change + residual|² + damping |change|²: with a damping like the square of the residual it ends near where it began,
+  /// also where equilibria lie side by side and Newton's method runs along them. [Yamashita, Fukushima: Computing Suppl. 15 (2001)
+  /// 239-249]
+  Eigen::VectorXd damped_change(const Linearised& at, double damping) {
+    const Eigen::MatrixXd matrix = at.scale.cwiseInverse().asDiagonal() * at.matrix;
+    const Eigen::VectorXd weight = weights(matrix);
+    Eigen::MatrixXd stacked(rows() + columns(), columns());
+    stacked << matrix * weight.asDiagonal(), std::sqrt(damping) * Eigen::MatrixXd::Identity(columns(), columns());
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(rows() + columns());
+    right.head(rows()) = right_of(at, number(1.0));
+    return weight.asDiagonal() * stacked.colPivHouseholderQr().solve(right);
+  }
+
+  /// Moves to where less remains; false if it finds no such place.
+  bool improve(const Linearised& here, double& damping) {
+    const auto from = std::pair(position_, multipliers_);
+    Linearised there = here;
+    for (; damping <= k_most_damping; damping *= 8) {
+      const double remains = std::min(here.norm(), k_largest_damping);
+      const Eigen::VectorXd full = damped_change(here, damping * remains * remains);
+      set(from.first, from.second);
+      move(allowed(full) * full, number(1.0));
+      if (find_residual(there) && there.norm() < here.norm()) {
+        damping = std::max(damping / 8, 1.0);
+        return true;
+      }
+    }
+    set(from.first, from.second);
+    return false;
+  }
+
+  void move(const Eigen::VectorXd& change, const Real& unit) {
+    std::vector<Real> position = position_;
+    for (std::size_t i = 0; i < position.size(); ++i) {
+      for (std::size_t a = 0; a < rest_.rates[i].size(); ++a) {
+        const Real along = unit * number(change[static_cast<Eigen::Index>(a)]);
+        if (const auto rate = value_of(rest_.rates[i][a].id())) position[i] = position[i] + *rate * along;
+      }
+    }
+    std::vector<Real> multipliers = multipliers_;
+    for (std::size_t mu = 0; mu < multipliers.size(); ++mu) {
+      const double by = change[static_cast<Eigen::Index>(mechanics_.dynamics.n() + mu)];
+      multipliers[mu] = multipliers[mu] + unit * number(by);
+    }
+    set(std::move(position), std::move(multipliers));
+  }
+
+  /// A step may leave the neighbourhood in which it means anything.
+  double allowed(const Eigen::VectorXd& change) const {
+    double largest = 0;
+    for (std::size_t a = 0; a < mechanics_.dynamics.n(); ++a) {
+      const bool is_length = mechanics_.symbols.speeds[FreeIndex{a}].is_of_length();
+      const double size = is_length ? 1 + std::abs(to_double(position_[a])) : 1;
+      largest = std::max(largest, std::abs(change[static_cast<Eigen::Index>(a)]) / size);
+    }
+    return largest > k_largest_step ? k_largest_step / largest : 1;
+  }
+
+  Mechanics& mechanics_;
+  const RestEquations& rest_;
+  evaluate::Evaluator<T> values_;
+  evaluate::Evaluator<Scaled<double>> sizes_;
+  std::vector<Real> position_;
+  std::vector<Real> multipliers_;
 };
 
-void set_start(model::Model& model, const Search::Rest& rest) {
+/// First in double, where looking around is cheap, then with all digits from where that ends.
+class Equilibration {
+ public:
+  Equilibration(Mechanics& mechanics, const Rational& time, int digits)
+      : mechanics_(mechanics),
+        rest_(mechanics),
+        time_(time),
+        digits_(digits),
+        fine_(mechanics, rest_, time, Arithmetic<Paired>(digits + k_more_digits, k_more_digits)),
+        rough_(mechanics, rest_, time, Arithmetic<double>()) {}
+
+  struct Rest {
+    std::vector<Rational> position, speeds, multipliers;
+    bool lasts = true;
+  };
+
+  /// Nothing, with the reason in `why`.
+  std::optional<Rest> run(std::string& why) {
+    if (!fine_.start()) {
+      why = "the initial position has no value";
+      return std::nullopt;
+    }
+    const auto at_start = fine_.linearised();
+    if (!at_start.is_defined) {
+      why = "at rest at the initial position there is no force: " + fine_.undefined_part();
+      return std::nullopt;
+    }
+    if (!come_near(why)) return std::nullopt;
+    fine_.polish(digits_ + k_more_digits);
+    if (!fine_.is_balanced(at_start.scale)) {
+      why = "no equilibrium was found near the initial position: towards the nearest one forces grow without bound";
+      return std::nullopt;
+    }
+    return found();
+  }
+
+ private:
+  bool come_near(std::string& why) {
+    const double left = rough_.start() ? look_around() : HUGE_VAL;
+    if (left <= k_near) {
+      fine_.set(precise(rough_.position()), precise(rough_.multipliers()));
+      if (fine_.approach(k_solved) <= k_solved) return true;
+    }
+    why = why_not(left);
+    return false;
+  }
+
+  double look_around() {
+    double left = rough_.approach(k_rough);
+    // From far away: let it sink, and try again.
+    for (int i = 0; i < k_most_descents && !(left <= k_near); ++i) {
+      if (i == 0) rough_.start();
+      rough_.sink();
+      left = rough_.approach(k_rough);
+    }
+    return left;
+  }
+
+  std::string why_not(double left) {
+    const std::string none = "no equilibrium was found near the initial position: ";
+    if (!std::isfinite(left)) return none + "the search ends where there is no force: " + rough_.undefined_part();
+    const std::string mover = rough_.what_moves_it();
+    if (mover.empty()) return none + "where the search ends, " + rough_.where_most_remains();
+    return fmt::format("no position was found near the initial one at which constraint '{}' lets the model rest",
+                       mover);
+  }
+
+  std::vector<cl_F> precise(const std::vector<double>& values) const {
+    std::vector<cl_F> result;
+    for (const double value : values) result.push_back(fine_.number(value));
+    return result;
+  }
+
+  Rest found() {
+    Rest rest;
+    for (const cl_F& q : fine_.position()) rest.position.push_back(rounded(q, 1));
+    for (const Expr speed : mechanics_.kinematics.speeds_at_rest)
+      rest.speeds.push_back(rounded(fine_.value_of(speed.id()).value_or(fine_.number(0.0)), 1));
+    Rational largest = 0;
+    for (const cl_F& lambda : fine_.multipliers()) largest = cln::max(largest, cln::abs(cln::rational(lambda)));
+    for (const cl_F& lambda : fine_.multipliers()) rest.multipliers.push_back(rounded(lambda, largest));
+    rest.lasts = is_at_rest_later();
+    return rest;
+  }
+
+  // What is left of the search beyond the digits that are asked for is no part of the answer.
+  Rational rounded(const cl_F& value, const Rational& unit) const {
+    if (cln::zerop(unit)) return 0;
+    const Rational grid = cln::expt(Rational(10), digits_ + k_more_digits / 2) / unit;
+    return cln::round1(cln::rational(value) * grid) / grid;
+  }
+
+  /// Multipliers may be others then.
+  bool is_at_rest_later() {
+    const std::vector<cl_F> before = fine_.position();
+    fine_.set_time(time_ + Rational(k_later) / 1000);
+    if (!(fine_.approach(k_solved) <= k_solved)) return false;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const double moved = std::abs(to_double(fine_.position()[i] - before[i]));
+      if (!(moved <= k_balanced * (1 + std::abs(to_double(before[i]))))) return false;
+    }
+    return true;
+  }
+
+  Mechanics& mechanics_;
+  RestEquations rest_;
+  Rational time_;
+  int digits_;
+  Search<Paired> fine_;
+  Search<double> rough_;
+};
+
+void set_start(model::Model& model, const Equilibration::Rest& rest) {
   const std::vector<support::Rational>& position = rest.position;
   std::size_t next = 0;
   for (model::Coordinate& coordinate : model.coordinates) {
@@ -429,12 +527,13 @@ void set_start(model::Model& model, const Search::Rest& rest) {
 
 }  // namespace
 
-Equilibrium go_to_equilibrium(model::Model& model, const support::Rational& time, int digits) {
+Equilibrium go_to_equilibrium(Mechanics& mechanics, model::Model& model, const Rational& time, int digits) {
   Equilibrium result;
-  const auto rest = Search(model, time, digits).run(result.failure);
+  const auto rest = Equilibration(mechanics, time, digits).run(result.failure);
   if (!rest) return result;
   set_start(model, *rest);
   result.lasts = rest->lasts;
+  result.multipliers = rest->multipliers;
   return result;
 }
 

@@ -2,8 +2,9 @@
 // Statics: where a model stays when it is let go at rest.
 
 #include <string>
+#include <vector>
 
-#include "model/model.hpp"
+#include "mechanics.hpp"
 #include "support/rational.hpp"
 
 namespace gaussgen {
@@ -11,12 +12,14 @@ namespace gaussgen {
 struct Equilibrium {
   std::string failure;  ///< why there is none; empty
   bool lasts = true;    ///< not only at this instant: laws and forces in time would move it soon
+  /// λ of each constraint, which no mass has a part in: where the mass matrix is singular, they have values all the same.
+  std::vector<support::Rational> multipliers;
 };
 
-/// Changes the initial state of the model to one with all free speeds 0 in which nothing accelerates: f(y, 0) + bᵀ λ = 0 with all
-/// constraints satisfied and no drift in them, by Newton's method over positions and multipliers from the initial position, each step the
-/// least one where several would do. Held coordinates move as their laws say, so it may be a relative equilibrium. Good to
-/// `digits` digits.
-Equilibrium go_to_equilibrium(model::Model& model, const support::Rational& time, int digits);
+/// Changes the initial state of `model`, from which `mechanics` was made, to one with all free speeds 0 in which nothing accelerates:
+/// f(y, 0) + bᵀ λ = 0 with all constraints satisfied and no drift in them. From the initial position, by Levenberg's and Marquardt's
+/// method over positions and multipliers, which goes the shorter way, as masses measure it, where many positions would do. Held
+/// coordinates move as their laws say, so it may be a relative equilibrium. Good to `digits` digits.
+Equilibrium go_to_equilibrium(Mechanics& mechanics, model::Model& model, const support::Rational& time, int digits);
 
 }  // namespace gaussgen

@@ -5,6 +5,7 @@
 #include "dependence.hpp"
 #include "description.hpp"
 #include "evaluate/decimal.hpp"
+#include "ir/differentiate.hpp"
 #include "model/impossible.hpp"
 #include "model_values.hpp"
 #include "strategy/projection.hpp"
@@ -33,12 +34,18 @@ const char* const k_unit_of_multiplier = "power per phi: N where phi is in m/s, 
 class Report {
  public:
   Report(Mechanics& mechanics, const support::Rational& time, int digits,
-         const std::optional<WantedAccelerations>& wanted)
-      : mechanics_(mechanics), digits_(digits), value_of_(mechanics, time, digits), wanted_(wanted) {}
+         const std::optional<WantedAccelerations>& wanted, const std::optional<RestingMultipliers>& resting)
+      : mechanics_(mechanics),
+        digits_(digits),
+        value_of_(mechanics, time, digits),
+        wanted_(wanted),
+        resting_(resting),
+        singular_mass_matrix_(mechanics.solution.singular_mass_matrix) {}
 
   Evaluation run() {
     warn_of_parameters();
     if (!set_state()) return std::move(result_);
+    if (resting_) take_rest();
     add_accelerations();
     if (wanted_) take_wanted_accelerations();
     add_reactions();
@@ -46,7 +53,7 @@ class Report {
     add_groups("joint_reactions");
     add_groups("energy");
     add_groups("residuals");
-    add_groups("compulsion");
+    if (!rests_without_mass()) add_groups("compulsion");
     add_groups("quantities");
     add_status();
     if (wanted_) add_inverse_dynamics();
@@ -56,7 +63,7 @@ class Report {
  private:
   void add(const std::string& group, const std::string& name, const Description& description, NodeId node) {
     const auto& [unit, about] = description;
-    const std::optional<cl_F> value = group == "residuals" ? value_of_.residual(node, digits_) : value_of_(node);
+    const std::optional<cl_F> value = ought_to_vanish(group) ? value_of_.residual(node, digits_) : value_of_(node);
     if (value) {
       result_.values.push_back({group, name, unit, about, evaluate::to_decimal(*value, digits_), true});
       return;
@@ -65,6 +72,14 @@ class Report {
     result_.values.push_back({group, name, unit, about, trouble->reason + " in " + trouble->name, false});
     doubt("not_finite");
   }
+
+  // Where the model rests, forces in balance leave what the last digit of the position makes of them.
+  bool ought_to_vanish(const std::string& group) const {
+    return group == "residuals" || (resting_ && (group == "reactions" || group == "joint_reactions"));
+  }
+
+  /// Then nothing can be raised by the metric, as Z asks for.
+  bool rests_without_mass() { return resting_ && value_of_.is_true(singular_mass_matrix_); }
 
   void doubt(const std::string& status) {
     if (std::find(result_.doubts.begin(), result_.doubts.end(), status) == result_.doubts.end()) {
@@ -114,6 +129,18 @@ class Report {
     }
     if (!value_of_.bind(found))
       result_.warnings.push_back("accelerations are undefined here: the coordinates may be singular");
+  }
+
+  void take_rest() {
+    if (rests_without_mass())
+      result_.warnings.push_back("the mass matrix is singular here: in motion, accelerations cannot be trusted");
+    for (const auto a : mechanics_.symbols.speeds.indices())
+      mechanics_.solution.accelerations[a.value] =
+          ir::partial(mechanics_.kinematics.speeds_at_rest[a], mechanics_.symbols.time);
+    for (std::size_t mu = 0; mu < resting_->size(); ++mu)
+      mechanics_.solution.multipliers[mu] = mechanics_.expressions.number((*resting_)[mu]);
+    strategy::Steps steps;
+    mechanics_.held_reactions = strategy::held_reactions(mechanics_.dynamics, mechanics_.solution, steps);
   }
 
   // From here on everything is about the motion that is wanted, made by the forces `missing`: the least ones leave multipliers as they
@@ -253,7 +280,7 @@ class Report {
   }
 
   void add_status() {
-    if (value_of_.is_true(mechanics_.solution.singular_mass_matrix)) {
+    if (!resting_ && value_of_.is_true(singular_mass_matrix_)) {
       result_.warnings.push_back("the mass matrix is singular here: accelerations cannot be trusted");
       doubt("singular_mass_matrix");
     }
@@ -274,7 +301,7 @@ class Report {
                                      ? dependence_in(mechanics_, dependence) + " here: multipliers are not unique"
                                      : contradiction + " here: accelerations cannot be trusted");
     }
-    if (found.empty() && value_of_.is_true(mechanics_.solution.dependent_constraints)) {
+    if (found.empty() && !resting_ && value_of_.is_true(mechanics_.solution.dependent_constraints)) {
       result_.warnings.push_back("constraints depend on each other here: multipliers are not unique");
     }
     if (result_.warnings.size() > before) doubt("dependent_constraints");
@@ -284,6 +311,8 @@ class Report {
   int digits_;
   ModelValues value_of_;
   const std::optional<WantedAccelerations>& wanted_;
+  const std::optional<RestingMultipliers>& resting_;
+  Expr singular_mass_matrix_;
   Evaluation result_;
 };
 
@@ -310,8 +339,9 @@ template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<c
 template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<double>>&);
 
 Evaluation evaluate_model(Mechanics& mechanics, const support::Rational& time, int digits,
-                          const std::optional<WantedAccelerations>& wanted) {
-  return Report(mechanics, time, digits, wanted).run();
+                          const std::optional<WantedAccelerations>& wanted,
+                          const std::optional<RestingMultipliers>& resting) {
+  return Report(mechanics, time, digits, wanted, resting).run();
 }
 
 }  // namespace gaussgen

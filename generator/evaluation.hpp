@@ -32,9 +32,14 @@ struct Evaluation {
 /// Accelerations of which the forces and inputs are asked for, by their names; others are 0.
 using WantedAccelerations = std::map<std::string, support::Rational>;
 
-/// At the initial state of `mechanics.model` and time `time`, with `digits` decimal digits.
+/// λ of each constraint where a model rests.
+using RestingMultipliers = std::vector<support::Rational>;
+
+/// At the initial state of `mechanics.model` and time `time`, with `digits` decimal digits; with `resting` multipliers in the rest that this
+/// state is, in which masses have no part. Changes `mechanics` then, and with `wanted` accelerations.
 Evaluation evaluate_model(Mechanics& mechanics, const support::Rational& time, int digits,
-                          const std::optional<WantedAccelerations>& wanted = std::nullopt);
+                          const std::optional<WantedAccelerations>& wanted = std::nullopt,
+                          const std::optional<RestingMultipliers>& resting = std::nullopt);
 
 /// Binds parameters and inputs to their values in the model.
 template <class T>

@@ -136,14 +136,16 @@ int evaluate(const Options& options) {
   if (!structure.has_errors()) set_start(mechanics, *model, time, options, structure);
   if (const int found = report(structure, source, options.messages); found != k_ok) return found;
   std::vector<std::string> doubts;
+  std::optional<RestingMultipliers> resting;
   // Only initial values change, which the equations do not hold.
   if (options.at_equilibrium) {
-    const Equilibrium found = go_to_equilibrium(*model, time, options.digits);
+    const Equilibrium found = go_to_equilibrium(mechanics, *model, time, options.digits);
     if (!found.failure.empty()) return fail(found.failure, k_model_error, options.messages);
+    resting = found.multipliers;
     if (!found.lasts)
       doubts.emplace_back("this equilibrium is one of this instant: forces or laws in time soon move it");
   }
-  Evaluation evaluation = evaluate_model(mechanics, time, options.digits, wanted);
+  Evaluation evaluation = evaluate_model(mechanics, time, options.digits, wanted, resting);
   evaluation.warnings.insert(evaluation.warnings.begin(), doubts.begin(), doubts.end());
   write_standard_output(options.format == Format::json ? json(evaluation, *model, options) : table(evaluation));
   for (const std::string& warning : evaluation.warnings) {

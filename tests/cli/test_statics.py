@@ -163,8 +163,52 @@ constraints: {rod: {equation: (x - y)^2 + z^2 - 4}, rail: {equation: z - 1}}
         for name in ("x", "y", "z"):
             self.assertAlmostEqual(float(rest["state"][name]["value"]), float(start["state"][name]["value"]), 15)
 
+    def test_statics_need_no_mass(self):
+        # A load on a slider without mass: where it hangs across the slider, nothing is accelerated along it.
+        for axis, pull, angle in (("x", (0, -9.81), 0), ("[4, 0, 3]", (0.6 * 9.81, -0.8 * 9.81), -math.atan(0.75))):
+            slider = HEAD + f"""joints:
+  slide: {{type: prismatic, child: slider, axis: {axis}, initial: 0.1}}
+  hinge: {{type: revolute, parent: slider, child: rod, axis: y, initial: 0.4}}
+particles: {{b: {{mass: 2, frame: rod, centre: [0, 0, -1]}}}}
+forces:
+  gravity: {{uniform: [{pull[0]}, 0, {pull[1]}]}}
+  centring: {{spring: slide, stiffness: 30}}
+"""
+            found = json.loads(self.run_it("evaluate", "-", "--equilibrium", "--format=json", stdin=slider).stdout)
+            self.assertEqual(found["status"], "ok")
+            self.assertEqual(found["warnings"] != [], axis == "x")
+            self.assertAlmostEqual(float(found["state"]["hinge"]["value"]), angle, 14)
+            for joint in ("slide", "hinge"):
+                for name, force in zip("xyz", (-2 * pull[0], 0, -2 * pull[1])):
+                    self.assertAlmostEqual(float(found["joint_reactions"][f"{joint}.force.{name}"]["value"]), force, 13)
+                    self.assertEqual(float(found["joint_reactions"][f"{joint}.moment.{name}"]["value"]), 0)
+            self.assertEqual({float(a["value"]) for a in found["accelerations"].values()}, {0})
+
+    def test_of_equilibria_side_by_side_it_finds_one_nearby(self):
+        # A load on a rope that a constant force holds, whatever the length of the rope.
+        rope = HEAD + """parameters: {m: 3, g: 9.81}
+coordinates: {l: {initial: 4}, a: {initial: 0.1}, b: {initial: 0.2}}
+particles: {load: {mass: m, position: [l*sin(a), l*cos(a)*sin(b), -l*cos(a)*cos(b)]}}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+  winch: {generalized: {l: -m*g}}
+"""
+        found = self.at_equilibrium(rope)
+        self.assertEqual(found["status"], "ok")
+        self.assertAlmostEqual(float(found["state"]["l"]["value"]), 4, delta=1)
+        for angle in "ab":
+            self.assertAlmostEqual(float(found["state"][angle]["value"]), 0, 12)
+
+    def test_heavy_and_light_find_their_places(self):
+        pair = HEAD + """coordinates: {x: {initial: 3}, y: {initial: 5}}
+particles: {heavy: {mass: 10^12, position: [x, 0, 0]}, light: {mass: 1, position: [0, y, 0]}}
+forces: {one: {spring: x, stiffness: 1, rest: -2}, two: {spring: y, stiffness: 1, rest: 7}}
+"""
+        found = self.at_equilibrium(pair)
+        self.assertEqual([float(found["state"][name]["value"]) for name in "xy"], [-2, 7])
+
     def test_what_falls_has_none(self):
-        self.assertIn("no equilibrium was found near the initial position",
+        self.assertIn("no equilibrium was found near the initial position: where the search ends, -9.81 along 'z' are not in balance",
                       self.refused(1, "evaluate", "-", "--equilibrium", stdin=FALLING))
 
 
