@@ -50,20 +50,32 @@ std::vector<FoundGuess> take(const std::vector<double>& position, const std::vec
   return found;
 }
 
-void open_positions(model::Model& model) {
-  for (model::Coordinate& coordinate : model.coordinates) {
-    if (coordinate.held_at || !coordinate.initial) continue;
-    coordinate.guess = std::move(coordinate.initial);
-    coordinate.initial.reset();
-  }
-  for (model::Orientation& orientation : model.orientations) orientation.is_open = true;
+void open(std::optional<model::Ast>& value, std::optional<model::Ast>& guess) {
+  if (!value) return;
+  guess = std::move(value);
+  value.reset();
 }
 
-void open_rates(model::Model& model) {
+/// Along these speeds.
+void open_positions(model::Model& model, const std::vector<bool>& chosen) {
+  std::size_t next = 0;
   for (model::Coordinate& coordinate : model.coordinates) {
-    if (coordinate.held_at || !coordinate.initial_rate) continue;
-    coordinate.rate_guess = std::move(coordinate.initial_rate);
-    coordinate.initial_rate.reset();
+    if (!coordinate.held_at && chosen[next++]) open(coordinate.initial, coordinate.guess);
+  }
+  for (model::Orientation& orientation : model.orientations) {
+    for (std::size_t i = 0; i < 3; ++i) orientation.is_open = chosen[next++] || orientation.is_open;
+  }
+}
+
+void open_rates(model::Model& model, const std::vector<bool>& chosen) {
+  std::size_t next = 0;
+  for (model::Coordinate& coordinate : model.coordinates) {
+    if (!coordinate.held_at && chosen[next++]) open(coordinate.initial_rate, coordinate.rate_guess);
+  }
+  for (model::Orientation& orientation : model.orientations) {
+    for (auto& component : orientation.initial_angular_velocity) {
+      if (chosen[next++]) component.reset();
+    }
   }
 }
 
@@ -92,17 +104,25 @@ void report_found(const std::vector<FoundGuess>& found, const model::Model& mode
 
 void assemble(Mechanics& mechanics, model::Model& model, double time) {
   kinematics::Expressions& expressions = mechanics.expressions;
+  const std::vector<bool> all(mechanics.dynamics.n(), true);
   improve_guesses(mechanics, model, time);
   Approach start = emitted_approach(mechanics, strategy::open_positions(model, expressions), time);
   if (!start.is_solved) {
-    // What is open goes as far as it gets, and then all moves as little as it must.
+    // What is open goes as far as it gets, then what has to moves too, as little as it must, and then all.
     const std::vector<bool> movable = strategy::open_positions(model, expressions);
     if (any(movable)) take(long_approach(mechanics, movable, time).position, movable, mechanics, model);
-    open_positions(model);
-    improve_guesses(mechanics, model, time);
-    start = emitted_approach(mechanics, strategy::open_positions(model, expressions), time);
+    for (const auto& chosen : {needed_displacements(mechanics, movable, time), all}) {
+      if (start.is_solved) break;
+      open_positions(model, chosen);
+      improve_guesses(mechanics, model, time);
+      start = emitted_approach(mechanics, strategy::open_positions(model, expressions), time);
+    }
   }
-  if (!speeds_fit(mechanics, start.position, strategy::open_speeds(model, expressions), time)) open_rates(model);
+  const std::vector<bool> open = strategy::open_speeds(model, expressions);
+  for (const auto& chosen : {needed_changes(mechanics, start.position, open, time), all}) {
+    if (!speeds_fit(mechanics, start.position, strategy::open_speeds(model, expressions), time))
+      open_rates(model, chosen);
+  }
 }
 
 }  // namespace gaussgen

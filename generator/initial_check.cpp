@@ -225,10 +225,12 @@ std::vector<std::string> assembled_values(Mechanics& mechanics, const strategy::
   const std::vector<InitialValue> reached = initial_values(mechanics);
   std::vector<std::string> moved;
   for (std::size_t i = 0; i < reached.size(); ++i) {
-    const auto change = values.residual((ir::Expr(mechanics.graph, reached[i].node) - start[i]).id(), k_moved_digits);
     const auto from = values(start[i].id());
     const auto to = values(reached[i].node);
-    if (!change || !from || !to || cln::zerop(*change)) continue;
+    if (!from || !to) continue;
+    const cln::cl_F size =
+        values.number(cln::expt(support::Rational(10), -k_moved_digits)) * cln::max(cln::abs(*from), cln::abs(*to));
+    if (cln::abs(*to - *from) <= size) continue;
     moved.push_back(fmt::format("{}: {} -> {}", reached[i].name, evaluate::to_decimal(*from, k_shown_digits),
                                 evaluate::to_decimal(*to, k_shown_digits)));
   }

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "position_equations.hpp"
 #include "strategy/projection.hpp"
@@ -19,6 +20,7 @@ constexpr double k_solved = 1e-11;     ///< f of what it is made of
 constexpr double k_violated = 1e-6;    ///< likewise, of the largest among the equations, and of that at the start
 constexpr double k_stationary = 1e-6;  ///< Jᵀ f of the largest f and ∂f
 constexpr double k_most_damping = 1e12;
+constexpr double k_part = 1e-9;  ///< of the largest: less is rounding
 
 Eigen::Map<const Eigen::VectorXd> mapped(const Vector& v) { return {v.data(), static_cast<Eigen::Index>(v.size())}; }
 
@@ -112,6 +114,45 @@ class Descent {
   Vector sizes_;
 };
 
+Eigen::MatrixXd columns_of(const Eigen::MatrixXd& matrix, const std::vector<bool>& chosen, bool value) {
+  Eigen::MatrixXd result(matrix.rows(), std::count(chosen.begin(), chosen.end(), value));
+  Eigen::Index next = 0;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    if (chosen[k] == value) result.col(next++) = matrix.col(static_cast<Eigen::Index>(k));
+  }
+  return result;
+}
+
+/// Rows of combinations of equations that no open unknown has a part in.
+Eigen::MatrixXd without_open(const Eigen::MatrixXd& open) {
+  if (open.cols() == 0) return Eigen::MatrixXd::Identity(open.rows(), open.rows());
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd(open, Eigen::ComputeFullU);
+  svd.setThreshold(k_part);
+  return svd.matrixU().rightCols(open.rows() - svd.rank()).transpose();
+}
+
+/// Unknowns that are not open and in which the least change is not zero, each in the size in which it matters.
+std::vector<bool> needed(const Linearised& at, const std::vector<bool>& open) {
+  std::vector<bool> result(open.size(), false);
+  Eigen::MatrixXd j = matrix(at.j, open.size());
+  Eigen::VectorXd f = mapped(at.f);
+  const Eigen::VectorXd rows = j.rowwise().lpNorm<Eigen::Infinity>().cwiseMax(std::numeric_limits<double>::min());
+  j = rows.cwiseInverse().asDiagonal() * j;
+  f = f.cwiseQuotient(rows);
+  const Eigen::MatrixXd combined = without_open(columns_of(j, open, true));
+  Eigen::MatrixXd given = combined * columns_of(j, open, false);
+  const Eigen::VectorXd sizes = given.colwise().norm().cwiseMax(std::numeric_limits<double>::min()).transpose();
+  given = given * sizes.cwiseInverse().asDiagonal();
+  if (given.size() == 0) return result;
+  const Eigen::VectorXd change = given.completeOrthogonalDecomposition().solve(combined * f);
+  const double largest = change.lpNorm<Eigen::Infinity>();
+  Eigen::Index next = 0;
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    if (!open[k]) result[k] = std::abs(change[next++]) > k_part * largest;
+  }
+  return result;
+}
+
 bool start_beside_guess(PositionEquations& equations) {
   if (!equations.start()) return false;
   equations.leave_symmetry();
@@ -181,6 +222,21 @@ bool speeds_fit(Mechanics& mechanics, const std::vector<double>& position, const
     here = equations.of_speeds(u, open);
   }
   return here && here->is_solved(k_solved);
+}
+
+std::vector<bool> needed_displacements(Mechanics& mechanics, const std::vector<bool>& open, double time) {
+  PositionEquations equations(mechanics, std::vector<bool>(open.size(), true), time);
+  const auto here = equations.start() ? equations.linearised() : std::nullopt;
+  return here && !here->f.empty() ? needed(*here, open) : std::vector<bool>(open.size(), false);
+}
+
+std::vector<bool> needed_changes(Mechanics& mechanics, const std::vector<double>& position,
+                                 const std::vector<bool>& open, double time) {
+  PositionEquations equations(mechanics, std::vector<bool>(open.size(), true), time);
+  if (!equations.start()) return std::vector<bool>(open.size(), false);
+  equations.set(position);
+  const auto here = equations.of_speeds(equations.speeds(), std::vector<bool>(open.size(), true));
+  return here && !here->f.empty() ? needed(*here, open) : std::vector<bool>(open.size(), false);
 }
 
 }  // namespace gaussgen

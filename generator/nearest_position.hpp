@@ -35,4 +35,12 @@ Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable, d
 /// Whether, at this position, speeds that are `open` can be chosen such that all constraints hold: Newton's method finds them.
 bool speeds_fit(Mechanics& mechanics, const std::vector<double>& position, const std::vector<bool>& open, double time);
 
+/// What has to move beside what is `open`, so that all equations of positions hold to first order, from the guesses of the model: the
+/// speeds along which the least such displacement goes.
+std::vector<bool> needed_displacements(Mechanics& mechanics, const std::vector<bool>& open, double time);
+
+/// Likewise the speeds that have to change at a position, so that all constraints hold.
+std::vector<bool> needed_changes(Mechanics& mechanics, const std::vector<double>& position,
+                                 const std::vector<bool>& open, double time);
+
 }  // namespace gaussgen

@@ -254,27 +254,46 @@ TEST_CASE("where nothing constrains, nothing is moved") {
   CHECK(found_in("coordinates:\n  x: {held_at: 2}\n" + particle, options).empty());
 }
 
+/// What `--assemble` moves, in words.
+std::vector<std::string> assembled(const std::string& text) {
+  support::Source source("m.yaml", "gauss: 1\nname: assembled\nparameters: {m: 2}\n" + text);
+  support::Diagnostics diagnostics;
+  PipelineOptions options;
+  options.assemble = true;
+  const auto result = compile(source, options, diagnostics, {});
+  CHECK(support::render(diagnostics, source) == "");
+  return result ? result->assembled : std::vector<std::string>{"refused"};
+}
+
 TEST_CASE("what is given is moved only where the rest cannot satisfy the constraints") {
-  const std::string bars =
-      "coordinates:\n  a: {initial: 2, initial_rate: 3}\n  b: {initial_guess: 1}\n  c: {initial_guess: -1.5}\n"
-      "particles:\n  p: {mass: m, position: [cos(a), 0, sin(a)]}\nconstraints:\n"
-      "  x: {equation: cos(a) + 2*cos(b) - 1.7*cos(c) - REACH}\n  z: {equation: sin(a) + 2*sin(b) - 1.7*sin(c)}\n";
-  const auto assembled = [&](std::string reach) {
-    std::string text = "gauss: 1\nname: bars\nparameters: {m: 2}\n" + bars;
-    text.replace(text.find("REACH"), 5, reach);
-    support::Source source("m.yaml", text);
-    support::Diagnostics diagnostics;
-    PipelineOptions options;
-    options.assemble = true;
-    const auto result = compile(source, options, diagnostics, {});
-    CHECK(support::render(diagnostics, source) == "");
-    std::string moved;
-    for (const std::string& value : result->assembled) moved += value.substr(0, value.find(':')) + " ";
-    return moved;
+  const auto moved = [&](const std::string& reach) {
+    std::string text =
+        "coordinates:\n  a: {initial: 2, initial_rate: 3}\n  b: {initial_guess: 1}\n  c: {initial_guess: -1.5}\n"
+        "particles:\n  p: {mass: m, position: [cos(a), 0, sin(a)]}\nconstraints:\n"
+        "  x: {equation: cos(a) + 2*cos(b) - 1.7*cos(c) - REACH}\n  z: {equation: sin(a) + 2*sin(b) - 1.7*sin(c)}\n";
+    std::string names;
+    for (const std::string& value : assembled(text.replace(text.find("REACH"), 5, reach)))
+      names += value.substr(0, value.find(':')) + " ";
+    return names;
   };
-  CHECK(assembled("1.5") == "b c b_dot c_dot ");
+  CHECK(moved("1.5") == "b c b_dot c_dot ");
   // Out of reach at a = 2.
-  CHECK(assembled("4.2").find("a ") == 0);
+  CHECK(moved("4.2").find("a ") == 0);
+}
+
+TEST_CASE("of given rates those move that have to, and it is said") {
+  const std::string particle = "particles:\n  p: {mass: m, position: [x, y, z]}\nconstraints:\n";
+  CHECK(assembled("coordinates: {x: {initial_rate: 5}, y: {initial_rate: 2}, z: {}}\n" + particle +
+                  "  across: {velocity: dot(y)}\n  along: {velocity: dot(z) - dot(x)}\n") ==
+        std::vector<std::string>{"y_dot: 2.00000000 -> 0", "z_dot: 0 -> 5.00000000"});
+  // x stays, though only together with y and z does it satisfy all: the others can do it without.
+  CHECK(assembled("coordinates: {x: {initial_rate: 1}, y: {initial_rate: 2}, z: {initial_rate: 3}}\n" + particle +
+                  "  met: {velocity: dot(x) - 1}\n  missed: {velocity: dot(y) + dot(z) - 1}\n") ==
+        std::vector<std::string>{"y_dot: 2.00000000 -> 0", "z_dot: 3.00000000 -> 1.00000000"});
+  // Of a quaternion joint, too.
+  CHECK(assembled("joints:\n  ball: {type: spherical, child: top, initial_angular_velocity: [1, 2, 3]}\n"
+                  "bodies:\n  top: {mass: m, inertia: [1, 1, 1]}\nconstraints:\n  blade: {velocity: ball_wz - 2}\n") ==
+        std::vector<std::string>{"ball_wz: 3.00000000 -> 2.00000000"});
 }
 
 TEST_CASE("a point at which no force is reported is named") {
