@@ -13,6 +13,9 @@ using evaluate::Matrix;
 using evaluate::Vector;
 using Rows = std::vector<std::size_t>;
 
+constexpr int k_beside_root = 100;
+constexpr int k_violated_digits = 8;
+
 /// Rates that a user copied from a double satisfy a constraint.
 constexpr int k_residual_digits = 13;
 
@@ -135,14 +138,33 @@ Agreement agreement_of(const Combination& combination, const Mechanics& mechanic
 
 }  // namespace
 
+namespace {
+
+/// Rows that are dependent up to this part are taken as dependent. Where a position misses its equations, a search may have come near one
+/// at which they are dependent and not into it, as where two roots are one: unless derivatives are larger than the root of what is
+/// left by far, nobody can tell (Kantorovich's condition). One that is violated is another matter.
+cl_F part_of_rank(const Mechanics& mechanics, ModelValues& values) {
+  cl_F part = values.least_part();
+  const cl_F violated = values.number(cln::expt(support::Rational(10), -k_violated_digits));
+  for (const kinematics::ConstraintRow& row : mechanics.kinematics.constraints) {
+    const auto left = row.f ? values.relative_residual(row.f->id()) : std::nullopt;
+    if (left && cln::plusp(*left) && *left < violated)
+      part = cln::max(part, values.number(support::Rational(k_beside_root)) * cln::sqrt(*left));
+  }
+  return part;
+}
+
+}  // namespace
+
 std::vector<Dependence> dependences(Mechanics& mechanics, ModelValues& values) {
   if (mechanics.dynamics.l() == 0 || mechanics.dynamics.n() == 0) return {};
   const auto here = values(mechanics.dynamics.b);
   if (!here) return {};
   const Rows order = in_order(mechanics);
+  const cl_F part = part_of_rank(mechanics, values);
   Rows independent;
   const Rows dependent = dependent_rows(
-      *here, order, [&](const Matrix& rows) { return values.rank(rows); }, independent);
+      *here, order, [&](const Matrix& rows) { return values.rank(rows, part); }, independent);
   std::vector<Dependence> result;
   for (const std::size_t row : dependent) {
     Combination found = combination(*here, independent, row);

@@ -96,8 +96,17 @@ std::optional<evaluate::Matrix> ModelValues::operator()(const strategy::Matrix& 
   return result;
 }
 
-std::size_t ModelValues::rank(const evaluate::Matrix& matrix) const {
-  return evaluate::rank(evaluate::equilibrated(matrix), number(cln::expt(Rational(10), -k_rank_digits)));
+cl_F ModelValues::least_part() const { return number(cln::expt(Rational(10), -k_rank_digits)); }
+
+std::optional<cl_F> ModelValues::relative_residual(ir::NodeId node) {
+  const std::optional<cl_F> value = (*this)(node);
+  if (!value || cln::zerop(*value)) return value;
+  const std::optional<Scaled<cl_F>> scaled = scales_(node);
+  return scaled && !cln::zerop(scaled->scale) ? std::optional<cl_F>(cln::abs(*value) / scaled->scale) : std::nullopt;
+}
+
+std::size_t ModelValues::rank(const evaluate::Matrix& matrix, const cl_F& part) const {
+  return evaluate::rank(evaluate::equilibrated(matrix), part);
 }
 
 std::vector<InitialValue> initial_values(Mechanics& mechanics) {

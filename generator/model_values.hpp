@@ -27,8 +27,15 @@ class ModelValues {
   /// Empty if an entry is undefined; the matrix has a row and a column.
   std::optional<evaluate::Matrix> operator()(const strategy::Matrix& matrix);
 
-  /// Of such a matrix, whatever the units of rows and columns.
-  std::size_t rank(const evaluate::Matrix& matrix) const;
+  /// How much of what a sum is made of is left of it, where it ought to vanish.
+  std::optional<cln::cl_F> relative_residual(ir::NodeId node);
+
+  /// Of such a matrix, whatever the units of rows and columns; what is smaller than `part` of it is nothing.
+  std::size_t rank(const evaluate::Matrix& matrix, const cln::cl_F& part) const;
+  std::size_t rank(const evaluate::Matrix& matrix) const { return rank(matrix, least_part()); }
+
+  /// For values without errors.
+  cln::cl_F least_part() const;
 
   std::optional<evaluate::Trouble> trouble(ir::NodeId node) { return values_.trouble(node); }
   bool is_true(ir::Expr condition);

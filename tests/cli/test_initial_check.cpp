@@ -265,6 +265,19 @@ std::vector<std::string> assembled(const std::string& text) {
   return result ? result->assembled : std::vector<std::string>{"refused"};
 }
 
+TEST_CASE("a search that comes near a position where constraints are dependent says so, though it does not get there") {
+  const auto bars = [](const std::string& reach) {
+    return found_in(
+        "joints:\n  A: {type: revolute, child: one, axis: y, initial_guess: 0.6}\n"
+        "  B: {type: revolute, parent: one, child: two, at: [1, 0, 0], axis: y, initial_guess: 0.1}\n"
+        "particles:\n  p: {mass: m, frame: one, centre: [1, 0, 0]}\n  q: {mass: m, frame: two, centre: [1, 0, 0]}\n"
+        "constraints:\n  x: {equation: q.x - 1.6*" +
+        reach + "}\n  z: {equation: q.z + 1.2*" + reach + "}\n");
+  };
+  CHECK_THAT(bars("1"), Catch::Contains("constraint 'z' follows from constraint 'x' at the initial state"));
+  CHECK(bars("0.999").find("follows") == std::string::npos);
+}
+
 TEST_CASE("what is given is moved only where the rest cannot satisfy the constraints") {
   const auto moved = [&](const std::string& reach) {
     std::string text =
