@@ -73,7 +73,18 @@ const char* remedy_for_redundant(const model::Constraint& row) {
   if (!row.may_vanish) return "remove it; accelerations are right, and status says dependent_constraints";
   return std::holds_alternative<model::SlipLaw>(row.law)
              ? "it is one of the three rows of 'rolls': write 'no_slip' in the directions that are needed instead"
-             : "it is one of the three rows of 'coincide': write 'equation' for those that are needed instead";
+             : "it is one of the three rows of 'coincide': 'in: frame' with an axis across the plane of a loop leaves "
+               "it out, or "
+               "write 'equation' for those that are needed";
+}
+
+const char* remedy_at_start(const model::Constraint& row) {
+  const auto* position = std::get_if<model::PositionLaw>(&row.law);
+  return position != nullptr && position->is_coincidence
+             ? "multipliers are not unique there: start from another state; in a loop whose plane turns, 'in: frame' "
+               "with an axis "
+               "across that plane leaves this row out"
+             : "multipliers are not unique there: start from another state, or remove a constraint";
 }
 
 }  // namespace
@@ -90,7 +101,7 @@ void ConstraintCheck::report_redundant(const Dependence& found) {
     return;
   }
   diagnostics_.warning(code::k_dependent_start, name.span, dependence_in(mechanics_, found) + " at the initial state",
-                       "multipliers are not unique there: start from another state, or remove a constraint");
+                       remedy_at_start(mechanics_.model.constraints[found.index]));
 }
 
 }  // namespace gaussgen

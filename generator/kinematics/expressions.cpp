@@ -179,6 +179,7 @@ Expr Expressions::resolved(const std::string& name) {
       return symbol(symbols_.speeds[FreeIndex{place.index}].symbol);
     }
     case model::SymbolKind::place: return place(ref.index / 3, ref.index % 3);
+    case model::SymbolKind::axis: return frames_.axes(ref.index / 9)[ref.index % 3][ref.index / 3 % 3];
   }
   return number(0);
 }

@@ -183,6 +183,7 @@ class Builder {
     row.f = expressions_(law.f);
     row.phi = expressions_.rate(*row.f);
     find_actions([&] { return expressions_.rate(expressions_(law.f)); }, row);
+    if (law.is_coincidence) row.is_of_coordinates = false;
   }
 
   // φ once more with the places in it as symbols: its derivatives by their rates are the forces on them per multiplier.

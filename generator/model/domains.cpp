@@ -32,6 +32,7 @@ const char* kind_name(SymbolKind kind) {
     case SymbolKind::angular_velocity: return "the angular velocity";
     case SymbolKind::speed: return "the speed";
     case SymbolKind::place: return "the place";
+    case SymbolKind::axis: return "the axis";
   }
   return "the symbol";
 }
@@ -46,7 +47,8 @@ bool allows(const Place& place, SymbolKind kind) {
     case SymbolKind::quaternion_component: return place.coordinates;
     case SymbolKind::angular_velocity: return place.speeds;
     case SymbolKind::speed: return place.speeds && !place.defines_speeds;
-    case SymbolKind::place: return place.places;
+    case SymbolKind::place:
+    case SymbolKind::axis: return place.places;
   }
   return false;
 }
@@ -60,7 +62,7 @@ class DomainCheck {
  public:
   explicit DomainCheck(Reading& reading) : reading_(reading) {
     for (const auto& [name, symbol] : reading.model.symbols) {
-      if (symbol.kind != SymbolKind::place) names_.push_back(name);
+      if (symbol.kind != SymbolKind::place && symbol.kind != SymbolKind::axis) names_.push_back(name);
     }
   }
 

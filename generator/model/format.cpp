@@ -260,7 +260,7 @@ const Map& constraint() {
                           {"distance", list_of(name(), 2), "two places that keep their distance"},
                           {"on", name(), "what it touches; space if left out"},
                           {"at", or_else(vector(), name()), "where they touch: a point, or where it is"},
-                          {"in", name(), "in which axes the direction is"},
+                          {"in", name(), "in which axes directions are"},
                           {"direction", axis(), "x, y, z or three components"},
                           {"is", expression(), "the distance"},
                           {"point", vector(), "where its reaction is reported to act"},
@@ -269,7 +269,7 @@ const Map& constraint() {
                           {"equation", {"point", "about"}},
                           {"rolls", {"on", "at", "about"}, {"at"}},
                           {"no_slip", {"on", "at", "in", "direction", "about"}, {"at", "direction"}},
-                          {"coincide", {"about"}},
+                          {"coincide", {"in", "about"}},
                           {"distance", {"is", "about"}, {"is"}}},
                          {"velocity", "equation", "rolls", "no_slip", "coincide", "distance"}};
   return k_map;

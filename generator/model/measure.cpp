@@ -60,6 +60,7 @@ Measure measure_of(const Model& model, const std::string& symbol) {
     case SymbolKind::angular_velocity: return known(angular_velocity());
     case SymbolKind::speed: return stated(model.speeds.at(index));
     case SymbolKind::place: return {Measure::Kind::known, {{1}}, "m"};
+    case SymbolKind::axis: return known({});
   }
   return {};
 }

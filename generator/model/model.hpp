@@ -169,6 +169,7 @@ struct VelocityLaw {
 /// f(y, t) = 0, an implicit holonomic constraint (theory §4): its row is φ = df/dt, its multiplier the reaction R of f.
 struct PositionLaw {
   Ast f;
+  bool is_coincidence = false;  ///< a component of the way from one place to another, so that all that turns has no arm
 };
 
 /// The point of `frame` that is at `at` now has there the velocity of the point of `surface`, along one direction.
@@ -267,6 +268,7 @@ enum class SymbolKind {
   angular_velocity,      ///< index = 3 * orientation + component
   speed,                 ///< index into speeds
   place,                 ///< index = 3 * frame + component: where its origin is, in space
+  axis,                  ///< index = 9 * frame + 3 * axis + component, in space; no name of a model file
 };
 
 struct SymbolRef {

@@ -155,11 +155,25 @@ class ConstraintReader {
 
   void read_coincidence(const Entry& law) {
     const auto pair = read_pair(law);
+    const Node* in = spec::find(map_, "in");
+    const std::size_t axes = in == nullptr ? k_space : frame_at(*in, name_.span, "'in'", reading_);
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::string suffix = std::string("_") + "xyz"[i];
-      Ast gap = pair ? difference_of(component_of((*pair)[0], i), component_of((*pair)[1], i)) : broken_expression();
-      add(PositionLaw{std::move(gap)}, law.value.span, suffix);
+      Ast gap = pair ? gap_along(*pair, axes, i) : broken_expression();
+      add(PositionLaw{std::move(gap), true}, law.value.span, std::string("_") + "xyz"[i]);
     }
+  }
+
+  /// (P - Q)·e for an axis e of a frame.
+  Ast gap_along(const std::array<Name, 2>& pair, std::size_t frame, std::size_t axis) {
+    const auto gap = [&](std::size_t i) { return difference_of(component_of(pair[0], i), component_of(pair[1], i)); };
+    if (frame == k_space) return gap(axis);
+    std::vector<Ast> terms;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::string name = fmt::format("{}.{}:{}", reading_.model.frames[frame].name.text, "xyz"[axis], "xyz"[i]);
+      reading_.model.symbols[name] = {SymbolKind::axis, 9 * frame + 3 * axis + i};
+      terms.push_back(product_of(symbol_of(name, pair[0].span), gap(i)));
+    }
+    return node_of(AstKind::sum, pair[0].span, std::move(terms));
   }
 
   void read_distance(const Entry& law) {

@@ -41,6 +41,8 @@ void collect(const Ast& ast, const Model& model, Uses& uses) {
     uses.orientations.insert(symbol->second.index / 4);
   } else if (symbol->second.kind == SymbolKind::place) {
     collect_placement(symbol->second.index / 3, model, uses);
+  } else if (symbol->second.kind == SymbolKind::axis) {
+    collect_placement(symbol->second.index / 9, model, uses);
   }
 }
 

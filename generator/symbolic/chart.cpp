@@ -12,6 +12,8 @@ Chart::Chart(const Model& model) : time_(declare("t")), frames_(model, *this) {
   scope_.dot = [this](const ex& f) { return rate_of(f); };
   scope_.place = [this, &model](const std::string& name) {
     const model::SymbolRef place = model.resolve(name);
+    if (place.kind == model::SymbolKind::axis)
+      return frames_(place.index / 9).axes[place.index % 3][place.index / 3 % 3];
     return frames_(place.index / 3).origin[place.index % 3];
   };
   for (const model::Table& table : model.tables)

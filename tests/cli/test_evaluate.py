@@ -299,6 +299,30 @@ class Set(Evaluate):
         self.close(self.value("state", "zeta", SPHERE, "--set", "zeta=2*R"), Fraction("1.2"))
         self.close(self.value("state", "chi", SPHERE, "--set", "chi=pi/4"), "0.78539816339744831")
 
+    def test_a_loop_moves_in_a_tilted_plane_as_in_a_level_one(self):
+        bars = """gauss: 1
+name: bars
+frames: {base: {orientation: TURN}}
+joints:
+  a: {type: revolute, parent: base, child: one, initial_guess: 1.2, initial_rate: 2}
+  b: {type: revolute, parent: one, child: two, at: [1, 0, 0], initial_guess: -1}
+  c: {type: revolute, parent: base, child: three, at: [2.2, 0, 0], initial_guess: 1.5}
+bodies:
+  one: {mass: 1, inertia: 0.1, centre: [0.5, 0, 0]}
+  two: {mass: 2, inertia: 0.3, centre: [1, 0, 0]}
+  three: {mass: 3, inertia: 0.2, centre: [0.6, 0, 0]}
+points: {p: {on: two, at: [2, 0, 0]}, q: {on: three, at: [1.2, 0, 0]}}
+constraints: {close: {coincide: [p, q], in: base}}
+forces: {weight: {force: [0, -9.81, 0], on: two, in: base}}
+"""
+        level, tilted = (self.document("-", stdin=bars.replace("TURN", turn)) for turn in ("{axis: z, angle: 0}", "{euler: xyz, angles: [0.7, 0.4, -0.3]}"))
+        for found in (level, tilted):
+            self.assertEqual(found["status"], "ok")
+            self.assertEqual(list(found["multipliers"]), ["close_x", "close_y"])
+        for group in ("accelerations", "multipliers"):
+            for name, entry in level[group].items():
+                self.close(tilted[group][name]["value"], entry["value"])
+
     def test_a_guess_of_a_speed_chooses_among_two(self):
         for guess in (3, -3):
             model = """

@@ -199,6 +199,35 @@ forces:
         for angle in "ab":
             self.assertAlmostEqual(float(found["state"][angle]["value"]), 0, 12)
 
+    def test_a_governor_swings_out_in_a_plane_that_turns(self):
+        governor = HEAD + """parameters: {m: 1, M: 2, l: 0.2, e: 0.03, g: 9.81}
+coordinates: {psi: {held_at: 1 + 12*t}}
+joints:
+  spindle: {type: revolute, child: shaft, axis: z, coordinates: psi}
+  pin_$i: {count: 2, type: revolute, parent: shaft, child: arm_$i, at: [e*(3 - 2*$i), 0, 0], axis: y, initial_guess: -0.6*(3 - 2*$i)}
+  knee_$i: {count: 2, type: revolute, parent: arm_$i, child: link_$i, at: [0, 0, -l], axis: y, initial_guess: 1.2*(3 - 2*$i)}
+  slide: {type: prismatic, parent: shaft, child: sleeve, axis: z, initial: -1.6*l}
+particles:
+  ball_$i: {count: 2, mass: m, frame: arm_$i, centre: [0, 0, -l]}
+  weight: {mass: M, frame: sleeve, centre: [0, 0, 0]}
+points:
+  foot_$i: {count: 2, on: link_$i, at: [0, 0, -l]}
+  ear_$i: {count: 2, on: sleeve, at: [e*(3 - 2*$i), 0, 0]}
+constraints: {close_$i: {count: 2, coincide: [foot_$i, ear_$i], in: shaft}}
+forces: {gravity: {uniform: [0, 0, -g]}}
+"""
+        found = self.at_equilibrium(governor)
+        self.assertEqual(found["status"], "ok")
+        angle = float(found["state"]["pin_2"]["value"])
+        self.assertAlmostEqual(144 * (0.03 + 0.2 * math.sin(angle)), 3 * 9.81 * math.tan(angle), 12)
+        # Each link carries half of the sleeve, along itself.
+        self.assertAlmostEqual(float(found["multipliers"]["close_2_z"]["value"]), -9.81, 12)
+        self.assertAlmostEqual(float(found["multipliers"]["close_2_x"]["value"]), 9.81 * math.tan(angle), 12)
+        # Along the axes of the shaft; in space it has turned by 1.
+        for axis, part in (("x", math.cos(1)), ("y", math.sin(1))):
+            force = float(found["reaction_forces"][f"close_2_x.force_on_foot_2.{axis}"]["value"])
+            self.assertAlmostEqual(force, 9.81 * math.tan(angle) * part, 12)
+
     def test_heavy_and_light_find_their_places(self):
         pair = HEAD + """coordinates: {x: {initial: 3}, y: {initial: 5}}
 particles: {heavy: {mass: 10^12, position: [x, 0, 0]}, light: {mass: 1, position: [0, y, 0]}}

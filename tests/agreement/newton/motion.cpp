@@ -97,6 +97,11 @@ Vector Motion::operator()(const std::array<Ast, 3>& components) {
 Number Motion::named(const std::string& name) {
   if (const auto found = values_.find(name); found != values_.end()) return found->second;
   const gaussgen::model::SymbolRef ref = model_.resolve(name);
+  if (ref.kind == gaussgen::model::SymbolKind::axis) {
+    const Matrix all = axes(ref.index / 9);
+    const auto row = static_cast<Eigen::Index>(ref.index % 3), column = static_cast<Eigen::Index>(ref.index / 3 % 3);
+    return {all.value(row, column), all.rate(row, column), all.second(row, column)};
+  }
   if (ref.kind != gaussgen::model::SymbolKind::place) throw std::logic_error("no value of " + name);
   const Vector at = origin(ref.index / 3);
   const auto i = static_cast<Eigen::Index>(ref.index % 3);
