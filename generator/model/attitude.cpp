@@ -8,7 +8,6 @@
 #include "model/fields.hpp"
 #include "model/format.hpp"
 #include "support/error_codes.hpp"
-#include "support/suggest.hpp"
 
 namespace gaussgen::model {
 
@@ -115,10 +114,10 @@ std::variant<char, std::array<Ast, 3>> read_axis(const Node& node, support::Span
 QuaternionOrientation find_orientation(const Node& scalar, Reading& reading) {
   const auto found = reading.orientations.find(scalar.scalar.text);
   if (found != reading.orientations.end()) return {found->second};
-  if (!reading.incomplete) {
+  if (!reading.unread.may_declare(scalar.scalar.text)) {
     std::vector<std::string> names;
     for (const auto& orientation : reading.orientations) names.push_back(orientation.first);
-    const std::string near = support::did_you_mean(scalar.scalar.text, names);
+    const std::string near = did_you_mean(name_of(scalar.scalar), names, reading);
     reading.diagnostics.error(
         code::k_wrong_reference, scalar.span, fmt::format("there is no orientation '{}'", scalar.scalar.text),
         near.empty() ? "declare it under 'orientations', or write {euler: zxz, angles: [...]}" : near);

@@ -70,6 +70,7 @@ std::optional<Model> build_model(support::Source& source, support::Diagnostics& 
   check_model(reading);
   check_units(reading);
   check_dimensions(reading);
+  diagnostics = reading.copies.in_own_names(diagnostics, source);
   if (diagnostics.has_errors()) return std::nullopt;
   return std::move(reading.model);
 }

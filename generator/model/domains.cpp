@@ -9,9 +9,9 @@
 
 #include "model/checks.hpp"
 #include "model/expressions.hpp"
+#include "model/fields.hpp"
 #include "model/functions.hpp"
 #include "support/error_codes.hpp"
-#include "support/suggest.hpp"
 
 namespace gaussgen::model {
 
@@ -71,7 +71,7 @@ class DomainCheck {
     for (const auto& [name, unknown] : unknown_) {
       const std::string more = unknown.uses == 1 ? "" : fmt::format(", used {} times", unknown.uses);
       reading_.diagnostics.error(code::k_unknown_name, unknown.first, fmt::format("unknown name '{}'{}", name, more),
-                                 hint_for(name));
+                                 hint_for({name, unknown.first}));
     }
   }
 
@@ -104,32 +104,38 @@ class DomainCheck {
 
   void note_unknown(const Ast& ast) {
     // A reserved name that was declared is reported at its declaration.
-    if (reading_.incomplete || reading_.refused.count(ast.name) > 0) return;
+    if (reading_.unread.may_declare(ast.name) || reading_.refused.count(ast.name) > 0) return;
     const auto [unknown, is_new] = unknown_.emplace(ast.name, Unknown{ast.span, 0});
     ++unknown->second.uses;
     if (!is_new && ast.span.begin < unknown->second.first.begin) unknown->second.first = ast.span;
   }
 
-  std::string hint_for(const std::string& name) {
+  std::string hint_for(const Name& unknown) {
+    const std::string& name = unknown.text;
+    const std::string prefix = reading_.copies.prefix_of(name, unknown.span.begin, reading_.source);
+    const std::string own = name.substr(prefix.size());
     constexpr std::size_t k_suffix = 4;
     const bool rate = name.size() > k_suffix && name.compare(name.size() - k_suffix, k_suffix, "_dot") == 0;
     if (rate && reading_.model.symbols.count(name.substr(0, name.size() - k_suffix)) > 0) {
       return fmt::format("write dot({}) for the rate", name.substr(0, name.size() - k_suffix));
     }
     const std::size_t point = name.find('.');
-    if (point != std::string::npos) return hint_for_component(name.substr(0, point), name.substr(point + 1));
+    if (point != std::string::npos)
+      return hint_for_component({name.substr(0, point), unknown.span}, name.substr(point + 1));
     const auto& quantities = reading_.model.quantities;
     const bool is_output = std::any_of(quantities.begin(), quantities.end(),
                                        [&](const NamedQuantity& quantity) { return quantity.name.text == name; });
     if (is_output) return "'quantities' are outputs: write here what it stands for";
-    if (name == "e") return "write exp(x) for e^x; Euler's number itself is exp(1)";
-    if (name == "I") return "declare a moment of inertia under 'parameters', as I1 or J";
+    if (own == "e") return "write exp(x) for e^x; Euler's number itself is exp(1)";
+    if (own == "I") return "declare a moment of inertia under 'parameters', as I1 or J";
     // A file full of unknown names gets no suggestions after the first ones: each costs a search.
-    const std::string near = ++searches_ <= k_most_suggestions ? support::did_you_mean(name, names_) : std::string();
+    const std::string near =
+        ++searches_ <= k_most_suggestions ? did_you_mean(unknown, names_, reading_) : std::string();
     return near.empty() ? "declare it under 'parameters', 'inputs' or 'coordinates'" : near;
   }
 
-  std::string hint_for_component(const std::string& owner, const std::string& component) {
+  std::string hint_for_component(const Name& name, const std::string& component) {
+    const std::string& owner = name.text;
     if (reading_.frames.count(owner) > 0) return fmt::format("'{}' has the components x, y and z, in space", owner);
     if (reading_.model.symbols.count(owner) > 0) {
       return component == "dot" ? fmt::format("write dot({}) for the rate", owner)
@@ -137,7 +143,7 @@ class DomainCheck {
     }
     std::vector<std::string> owners;
     for (const auto& frame : reading_.frames) owners.push_back(frame.first);
-    const std::string near = ++searches_ <= k_most_suggestions ? support::did_you_mean(owner, owners) : std::string();
+    const std::string near = ++searches_ <= k_most_suggestions ? did_you_mean(name, owners, reading_) : std::string();
     return near.empty() ? "a frame, a body or a point has components: declare it under 'points'" : near;
   }
 

@@ -270,4 +270,15 @@ std::array<Ast, 3> read_vector(const Node& node, Span owner, const std::string& 
 
 Name name_of(const spec::LocatedText& text) { return {text.text, text.span}; }
 
+std::string did_you_mean(const Name& name, const std::vector<std::string>& candidates, const Reading& reading) {
+  const std::string prefix = reading.copies.prefix_of(name.text, name.span.begin, reading.source);
+  if (prefix.empty()) return support::did_you_mean(name.text, candidates);
+  std::vector<std::string> own;
+  for (const std::string& candidate : candidates) {
+    if (candidate.compare(0, prefix.size(), prefix) == 0) own.push_back(candidate.substr(prefix.size()));
+  }
+  const std::string near = support::closest(name.text.substr(prefix.size()), own);
+  return near.empty() ? near : fmt::format("did you mean '{}{}'?", prefix, near);
+}
+
 }  // namespace gaussgen::model

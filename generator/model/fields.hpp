@@ -55,13 +55,16 @@ std::array<Ast, 3> read_vector(const spec::Node& node, support::Span owner, cons
 
 Name name_of(const spec::LocatedText& text);
 
+/// "did you mean 'psi'?", or an empty text; in the file of a submodel, of the names of its own.
+std::string did_you_mean(const Name& name, const std::vector<std::string>& candidates, const Reading& reading);
+
 /// A section of the file: each entry goes to `read(entry)`. An absent or empty section is fine.
 template <class Read>
 void read_section(const spec::Node& root, const std::string& key, Reading& reading, Read read) {
   for (const spec::Entry& entry : root.entries) {
     if (entry.key.text != key || entry.value.kind == spec::NodeKind::empty) continue;
     if (!expect_map(entry.value, entry.key.span, "'" + key + "'", reading)) {
-      reading.incomplete = true;
+      reading.unread.add(entry);
       continue;
     }
     for (const spec::Entry& item : entry.value.entries) read(item);

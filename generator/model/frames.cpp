@@ -7,7 +7,6 @@
 #include "model/fields.hpp"
 #include "model/names.hpp"
 #include "support/error_codes.hpp"
-#include "support/suggest.hpp"
 
 namespace gaussgen::model {
 
@@ -88,7 +87,8 @@ void refuse_second(const Name& name, const std::string& what, Reading& reading) 
                                 : fmt::format("frames, points and bodies share their names; rename {}", what));
 }
 
-std::string hint_for_unknown(const std::string& name, const Reading& reading) {
+std::string hint_for_unknown(const Name& unknown, const Reading& reading) {
+  const std::string& name = unknown.text;
   for (const Joint& joint : reading.model.joints) {
     if (joint.name.text == name && joint.frame != k_space)
       return fmt::format("'{}' is a joint; the frame that it carries is '{}'", name,
@@ -102,7 +102,7 @@ std::string hint_for_unknown(const std::string& name, const Reading& reading) {
     return "a name has no signs; with an index, arithmetic stands in brackets, as in link_$(i-1)";
   std::vector<std::string> names{k_space_name};
   for (const auto& frame : reading.frames) names.push_back(frame.first);
-  const std::string near = support::did_you_mean(name, names);
+  const std::string near = did_you_mean(unknown, names, reading);
   return near.empty() ? "declare it under 'frames', 'joints', 'bodies' or 'points'" : near;
 }
 
@@ -149,10 +149,10 @@ std::optional<std::size_t> find_frame(const Name& name, Reading& reading) {
   if (name.text == k_space_name) return k_space;
   const auto found = reading.frames.find(name.text);
   if (found != reading.frames.end()) return found->second;
-  if (!reading.incomplete) {
+  if (!reading.unread.may_declare_frame(name.text)) {
     reading.diagnostics.error(code::k_wrong_reference, name.span,
                               fmt::format("there is no frame, body or point '{}'", name.text),
-                              hint_for_unknown(name.text, reading));
+                              hint_for_unknown(name, reading));
   }
   return std::nullopt;
 }

@@ -65,7 +65,7 @@ void place_on_frame(const Entry& entry, const std::string& where, Body& body, Re
     body.centre = centre;
     return;
   }
-  if (named == nullptr && !reading.incomplete) {
+  if (named == nullptr && !reading.unread.may_declare_frame(body.name.text)) {
     required(entry.value, "position", entry.key.span, where, reading,
              fmt::format("; or 'frame', as no frame and no child of a joint is called '{}'", body.name.text));
   }

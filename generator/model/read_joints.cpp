@@ -69,13 +69,12 @@ class JointReader {
     check_unique();
     where_ = fmt::format("joint '{}'", name_.text);
     if (!expect_map(map_, name_.span, where_, reading_)) {
-      reading_.incomplete = true;
+      // Its child may have any name.
+      reading_.unread.add(entry_);
+      reading_.unread.add_any_frame();
       return;
     }
-    if (!find_kind()) {
-      reading_.incomplete = true;
-      return;
-    }
+    if (!find_kind()) return add_unknown_kind();
     check_joint_keys();
     frame_.position = vector_field(map_, "at", reading_);
     read_axes();
@@ -96,17 +95,26 @@ class JointReader {
   }
 
   bool find_kind() {
-    const Node* node = required(map_, "type", name_.span, where_, reading_);
-    if (node == nullptr || !expect_scalar(*node, name_.span, "'type'", reading_)) return false;
+    const Node* given = spec::find(map_, "type");
     for (const Kind& kind : kinds()) {
-      if (node->scalar.text == kind.name) kind_ = &kind;
+      if (given != nullptr && given->kind == NodeKind::scalar && given->scalar.text == kind.name) kind_ = &kind;
     }
     if (kind_ != nullptr) return true;
+    check_keys(map_, where_, format::keys_of(format::joint()), reading_);
+    const Node* node = required(map_, "type", name_.span, where_, reading_);
+    if (node == nullptr || !expect_scalar(*node, name_.span, "'type'", reading_)) return false;
     const std::string near = support::did_you_mean(node->scalar.text, format::joint_types());
     reading_.diagnostics.error(code::k_unknown_word, node->span,
                                fmt::format("there is no joint of type '{}'", node->scalar.text),
                                near.empty() ? "the types are " + support::joined(format::joint_types()) : near);
     return false;
+  }
+
+  /// The child is there, with coordinates of which nothing is known but how their names begin.
+  void add_unknown_kind() {
+    reading_.unread.add(entry_);
+    frame_.position = vector_field(map_, "at", reading_);
+    finish();
   }
 
   void read_axes() {
@@ -282,10 +290,10 @@ class JointReader {
   }
 
   void finish() {
-    Joint joint{name_, text_field(map_, "about", reading_), kind_->type, 0};
+    Joint joint{name_, text_field(map_, "about", reading_), kind_ == nullptr ? JointType::fixed : kind_->type, 0};
     const Node* child = required(map_, "child", name_.span, where_, reading_);
     if (child == nullptr || !expect_scalar(*child, name_.span, "'child'", reading_)) {
-      reading_.incomplete = true;
+      reading_.unread.add_any_frame();
       return;
     }
     frame_.name = name_of(child->scalar);

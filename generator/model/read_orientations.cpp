@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/fields.hpp"
 #include "model/format.hpp"
 #include "model/names.hpp"
@@ -20,6 +22,15 @@ using support::Span;
 
 namespace {
 
+/// A list that is too short, or that is not there, lacks names of which nothing is known.
+void note_unread(const Entry& owner, std::size_t size, std::size_t wanted, Reading& reading) {
+  const bool has_unknown_key =
+      std::any_of(owner.value.entries.begin(), owner.value.entries.end(),
+                  [&](const Entry& field) { return reading.unknown_keys.count(field.key.span.begin) > 0; });
+  if (size < wanted && !has_unknown_key) return reading.unread.add_everything();
+  reading.unread.add(owner);
+}
+
 /// Reads a list of names into `names` and declares them.
 template <std::size_t N>
 void read_names(const Entry& owner, const std::string& key, std::array<Name, N>& names, SymbolKind kind,
@@ -29,13 +40,13 @@ void read_names(const Entry& owner, const std::string& key, std::array<Name, N>&
       required(owner.value, key, owner.key.span, fmt::format("orientation '{}'", owner.key.text), reading);
   const bool usable =
       list != nullptr && expect_list(*list, owner.key.span, where, reading) && expect_length(*list, N, where, reading);
-  if (!usable) {
-    reading.incomplete = true;
-    return;
-  }
+  if (!usable) return note_unread(owner, list == nullptr ? 0 : list->items.size(), N, reading);
   const std::size_t first = N * reading.model.orientations.size();
   for (std::size_t i = 0; i < N; ++i) {
-    if (!expect_scalar(list->items[i], list->span, "a component", reading)) continue;
+    if (!expect_scalar(list->items[i], list->span, "a component", reading)) {
+      reading.unread.add(list->items[i]);
+      continue;
+    }
     names[i] = name_of(list->items[i].scalar);
     declare(names[i], kind, first + i, what, reading);
   }
@@ -96,7 +107,7 @@ void read_orientation(const Entry& entry, Reading& reading) {
     read_initial(entry.value, orientation, reading);
     read_initial_velocity(entry.value, orientation, reading);
   } else {
-    reading.incomplete = true;
+    reading.unread.add_everything();
   }
   reading.model.orientations.push_back(std::move(orientation));
 }

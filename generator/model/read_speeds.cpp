@@ -66,7 +66,7 @@ class SpeedReader {
     for (const Speed& speed : model_.speeds) {
       std::set<std::size_t> own;
       collect_rates(speed.is, false, model_, own);
-      if (own.empty() && !is_broken(speed.is) && !reading_.incomplete) refuse_without_rates(speed);
+      if (own.empty() && !is_broken(speed.is) && !reading_.unread.any()) refuse_without_rates(speed);
       coordinates.insert(own.begin(), own.end());
     }
     if (reading_.diagnostics.has_errors()) return;

@@ -5,7 +5,9 @@
 #include <set>
 #include <string>
 
+#include "model/copies.hpp"
 #include "model/model.hpp"
+#include "model/unread.hpp"
 #include "spec/node.hpp"
 #include "support/diagnostics.hpp"
 
@@ -27,8 +29,8 @@ struct Reading {
   std::map<std::string, std::size_t> frames = {};  ///< index into Model::frames
   /// What each of Model::frames is placed against, until order_frames has found it; empty: space.
   std::vector<std::optional<Name>> parents = {};
-  /// A section could not be read: what seems to be missing may stand in it.
-  bool incomplete = false;
+  Unread unread = {};
+  Copies copies = {};
   std::set<std::string> refused = {};         ///< names that were declared and may not be
   std::set<std::uint32_t> unknown_keys = {};  ///< where keys begin that were reported
 

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "model/checks.hpp"
+#include "model/fields.hpp"
 #include "support/error_codes.hpp"
-#include "support/suggest.hpp"
 
 namespace gaussgen::model {
 
@@ -22,12 +22,12 @@ bool is_speed(SymbolKind kind) {
 bool check_speed(const Name& name, const std::string& what, Reading& reading) {
   const auto symbol = reading.model.symbols.find(name.text);
   if (symbol != reading.model.symbols.end() && is_speed(symbol->second.kind)) return true;
-  if (symbol == reading.model.symbols.end() && reading.incomplete) return false;
+  if (symbol == reading.model.symbols.end() && reading.unread.may_declare(name.text)) return false;
   std::vector<std::string> candidates;
   for (const auto& [candidate, reference] : reading.model.symbols) {
     if (is_speed(reference.kind)) candidates.push_back(candidate);
   }
-  const std::string near = support::did_you_mean(name.text, candidates);
+  const std::string near = did_you_mean(name, candidates, reading);
   reading.diagnostics.error(
       code::k_wrong_reference, name.span,
       fmt::format("'{}' is not a coordinate or an angular velocity component, which {} needs", name.text, what),
@@ -38,10 +38,10 @@ bool check_speed(const Name& name, const std::string& what, Reading& reading) {
 void check_coordinate(const Name& name, Reading& reading) {
   const auto symbol = reading.model.symbols.find(name.text);
   if (symbol != reading.model.symbols.end() && symbol->second.kind == SymbolKind::coordinate) return;
-  if (symbol == reading.model.symbols.end() && reading.incomplete) return;
+  if (symbol == reading.model.symbols.end() && reading.unread.may_declare(name.text)) return;
   std::vector<std::string> candidates;
   for (const Coordinate& coordinate : reading.model.coordinates) candidates.push_back(coordinate.name.text);
-  const std::string near = support::did_you_mean(name.text, candidates);
+  const std::string near = did_you_mean(name, candidates, reading);
   reading.diagnostics.error(code::k_wrong_reference, name.span, fmt::format("there is no coordinate '{}'", name.text),
                             near.empty() ? "a spring acts along a coordinate, or between two places: [P, Q]" : near);
 }
@@ -72,7 +72,7 @@ void check_dependent_count(Reading& reading) {
   // How many of the directions of a contact say something is known later.
   const auto& rows = reading.model.constraints;
   if (std::any_of(rows.begin(), rows.end(), [](const Constraint& row) { return row.may_vanish; })) return;
-  if (dependent.empty() || dependent.size() == constraints || reading.incomplete) return;
+  if (dependent.empty() || dependent.size() == constraints || reading.unread.any()) return;
   reading.diagnostics.error(
       code::k_dependent_speeds, {dependent.front().span.begin, dependent.back().span.end},
       fmt::format("the number of dependent speeds is {}, that of constraints {}", dependent.size(), constraints),

@@ -78,7 +78,8 @@ class Repetition {
       // One that is refused is known all the same: what uses it has no fault of its own.
       const auto count = read_count(entry.value, entry.key.span);
       counts_[entry.key.text] = count.value_or(1);
-      if (!count) reading_.incomplete = true;
+      // How many names it makes is open.
+      if (!count) reading_.unread.add_everything();
     });
   }
 
@@ -102,9 +103,8 @@ class Repetition {
     names_.clear();
     for (Entry& entry : taken_from(section)) {
       const Node* count = entry.value.kind == NodeKind::map ? spec::find(entry.value, k_count) : nullptr;
-      const bool is_whole = count == nullptr ? add(std::move(entry), counts_, section) : copy(entry, *count, section);
-      // What other parts of the model miss may be an entry that is left out here.
-      if (!is_whole) reading_.incomplete = true;
+      const bool is_whole = count == nullptr ? add(entry, counts_, section) : copy(entry, *count, section);
+      if (!is_whole) reading_.unread.add(entry);
     }
     return section;
   }

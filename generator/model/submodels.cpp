@@ -52,6 +52,13 @@ Node scalar_of(const spec::LocatedText& text) {
   return node;
 }
 
+/// What a file brings.
+struct Part {
+  Node root;
+  bool is_whole = true;  ///< all of it could be read
+  Copies copies = {};    ///< of its files
+};
+
 class Submodels {
  public:
   Submodels(support::Source& source, Reading& reading) : source_(source), reading_(reading) {}
@@ -67,7 +74,7 @@ class Submodels {
     entries.erase(section);
     if (parts.kind == NodeKind::empty) return result;
     if (!expect_map(parts, parts.span, "'submodels'", reading_)) {
-      reading_.incomplete = true;
+      reading_.unread.add_everything();
       return result;
     }
     for (const Entry& part : parts.entries) take(part, file, result);
@@ -76,19 +83,24 @@ class Submodels {
 
  private:
   void take(const Entry& part, const std::string& file, Node& model) {
-    if (nodes_ > k_most_nodes) return;
+    if (nodes_ > k_most_nodes) return reading_.unread.add_owner(part.key.text);
     const std::string where = fmt::format("submodel '{}'", part.key.text);
     if (check_name(name_of(part.key), reading_) && expect_map(part.value, part.key.span, where, reading_)) {
       check_keys(part.value, where, format::keys_of(format::submodel()), reading_);
       text_field(part.value, "about", reading_);  // for readers of the file
       const Node* path = required(part.value, "file", part.key.span, where, reading_);
       if (path != nullptr && expect_scalar(*path, part.key.span, "'file'", reading_)) {
-        std::optional<Node> content = read(beside(file, path->scalar.text), path->span);
-        if (content && fit(part, *content) && has_room(part, *content)) return merge(std::move(*content), model);
+        std::optional<Part> content = read(beside(file, path->scalar.text), path->span);
+        if (content && has_room(part, content->root)) {
+          if (!content->is_whole) reading_.unread.add_owner(part.key.text);
+          reading_.copies.add(content->copies, part.key.text + "_");
+          fit(part, content->root);
+          return merge(std::move(content->root), model);
+        }
       }
     }
     // What other parts of the model miss may stand in it.
-    reading_.incomplete = true;
+    reading_.unread.add_owner(part.key.text);
   }
 
   /// Copies of copies are many with a few lines.
@@ -107,7 +119,7 @@ class Submodels {
   }
 
   /// The file with its own repetitions and submodels written out; read once, however often it is taken.
-  std::optional<Node> read(const std::string& path, support::Span at) {
+  std::optional<Part> read(const std::string& path, support::Span at) {
     if (std::find(open_.begin(), open_.end(), path) != open_.end() || path == source_.name())
       return refuse(at, fmt::format("'{}' is a submodel of itself", path),
                     "take the common part into a file of its own");
@@ -115,48 +127,57 @@ class Submodels {
     if (open_.size() >= k_deepest || files_.size() >= k_most_files)
       return refuse(at, "too many files", fmt::format("{} files, {} deep, are the limit", k_most_files, k_deepest));
     open_.push_back(path);
-    std::optional<Node> content = read_new(path, at);
+    std::optional<Part> content = read_new(path, at);
     open_.pop_back();
     files_[path] = content;
     return content;
   }
 
-  std::optional<Node> read_new(const std::string& path, support::Span at) {
+  std::optional<Part> read_new(const std::string& path, support::Span at) {
     std::string why;
     const std::optional<std::string> text = source_.read(path, why);
     if (!text) return refuse(at, fmt::format("'{}': {}", path, why), "the path is relative to the file that names it");
     std::optional<Node> root = spec::read_yaml_behind(source_, path, *text, reading_.diagnostics);
     if (!root || !expect_map(*root, root->span, "a model file", reading_)) return std::nullopt;
     const support::Span top{root->span.begin, root->span.begin};
-    Node content = assembled(*std::move(root), path);
-    read_version(content, top, reading_);
-    check_keys(content, "a model file", format::keys_of(format::model_file()), reading_);
-    return content;
+    // Its names, and those that it lacks, get the name of the submodel in front.
+    Unread unread_around;
+    Copies copies_around;
+    std::swap(unread_around, reading_.unread);
+    std::swap(copies_around, reading_.copies);
+    Part part;
+    part.root = assembled(*std::move(root), path);
+    read_version(part.root, top, reading_);
+    check_sections(part.root, reading_);
+    part.is_whole = !reading_.unread.any();
+    part.copies.add(top.begin - source_.offset_in_file(top.begin), "");
+    part.copies.add(reading_.copies, "");
+    std::swap(unread_around, reading_.unread);
+    std::swap(copies_around, reading_.copies);
+    return part;
   }
 
-  /// Names, parameters and place of the part as the model around it wants them.
-  bool fit(const Entry& part, Node& content) {
-    const std::size_t errors = reading_.diagnostics.all().size();
+  /// Names, parameters and place of the part as the model around it wants them; as far as it fits, after a report.
+  void fit(const Entry& part, Node& content) {
     drop_header(content);
     leave_out(part, content);
     // Before values of the model around come in, whose names stay.
     const Node* on = spec::find(part.value, "on");
-    if (on != nullptr) {
-      if (!expect_scalar(*on, part.key.span, "'on'", reading_)) return false;
-      check_place(part, content);
-    }
+    if (on != nullptr && !expect_scalar(*on, part.key.span, "'on'", reading_)) on = nullptr;
+    if (on != nullptr) check_place(part, content);
     check_fields(part, content);
     check_parameters(part, content);
     prefix_names(content, part.key.text + "_");
     set_parameters(part, content);
     if (on != nullptr) mount(content, on->scalar);
-    return reading_.diagnostics.all().size() == errors;
   }
 
-  static void drop_header(Node& content) {
-    const auto is_header = [](const Entry& entry) {
+  /// With the keys that are unknown, which are reported.
+  void drop_header(Node& content) const {
+    const auto is_header = [this](const Entry& entry) {
       static const std::vector<std::string> k_header{"gauss", "name", "about", "elimination", "outputs"};
-      return std::find(k_header.begin(), k_header.end(), entry.key.text) != k_header.end();
+      return std::find(k_header.begin(), k_header.end(), entry.key.text) != k_header.end() ||
+             reading_.unknown_keys.count(entry.key.span.begin) > 0;
     };
     auto& entries = content.entries;
     entries.erase(std::remove_if(entries.begin(), entries.end(), is_header), entries.end());
@@ -293,7 +314,7 @@ class Submodels {
 
   support::Source& source_;
   Reading& reading_;
-  std::map<std::string, std::optional<Node>> files_;
+  std::map<std::string, std::optional<Part>> files_;
   std::size_t nodes_ = 0;          ///< of all that was merged
   std::vector<std::string> open_;  ///< files that are being read, the outermost first
 };

@@ -129,7 +129,7 @@ bool turns(std::size_t frame, const Model& model) {
 
 /// On a frame, inertia may be left out, and then is 0: with what turns, that is forgotten more often than meant.
 void check_inertia_stated(Reading& reading) {
-  if (reading.incomplete || reading.diagnostics.has_errors()) return;
+  if (reading.unread.any() || reading.diagnostics.has_errors()) return;
   for (const Body& body : reading.model.bodies) {
     if (body.inertia || body.is_particle || !turns(body.frame, reading.model)) continue;
     reading.diagnostics.warning(
@@ -198,17 +198,17 @@ bool has_reasonable_size(Reading& reading) {
 }  // namespace
 
 void check_topology(Reading& reading) {
-  if (!reading.incomplete && !has_reasonable_size(reading)) return;
+  if (!reading.unread.any() && !has_reasonable_size(reading)) return;
   const Model& model = reading.model;
   const bool nothing_moves = model.coordinates.empty() && model.orientations.empty();
-  if (model.bodies.empty() && !reading.incomplete) {
+  if (model.bodies.empty() && !reading.unread.any()) {
     reading.diagnostics.error(code::k_no_bodies, k_top, "the model has no bodies", "add 'bodies:' or 'particles:'");
   }
-  if (nothing_moves && !reading.incomplete) {
+  if (nothing_moves && !reading.unread.any()) {
     reading.diagnostics.error(code::k_nothing_moves, k_top, "the model has no coordinates, so nothing can move",
                               "add 'coordinates:', 'orientations:', or 'joints:' that move");
   }
-  if (!model.bodies.empty() && !reading.incomplete) check_used(reading);
+  if (!model.bodies.empty() && !reading.unread.any()) check_used(reading);
   check_constraints(reading);
   check_inertia_stated(reading);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -223,6 +224,19 @@ void TreeBuilder::OnMapEnd() {
   close();
 }
 
+namespace {
+
+void add_missing(std::vector<Entry>& sections, Entry repeated) {
+  const auto first = std::find_if(sections.begin(), sections.end(),
+                                  [&](const Entry& section) { return section.key.text == repeated.key.text; });
+  if (first->value.kind != NodeKind::map || repeated.value.kind != NodeKind::map) return;
+  for (Entry& entry : repeated.value.entries) {
+    if (find(first->value, entry.key.text) == nullptr) first->value.entries.push_back(std::move(entry));
+  }
+}
+
+}  // namespace
+
 void TreeBuilder::drop_repeated_keys(std::vector<Entry>& entries) {
   std::map<std::string, Span> first;
   std::vector<Entry> kept;
@@ -235,6 +249,8 @@ void TreeBuilder::drop_repeated_keys(std::vector<Entry>& entries) {
           code::k_duplicate_key, entry.key.span,
           fmt::format("the key '{}' is already in line {}", entry.key.text, source_.line(place->second.begin)),
           "remove one of the two or rename it");
+      // What a second section declares is there: it is not unknown in what follows.
+      if (open_.size() == 1) add_missing(kept, std::move(entry));
     }
   }
   entries = std::move(kept);

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "support/diagnostics.hpp"
@@ -187,10 +189,11 @@ std::vector<Diagnostic> in_order(const Diagnostics& diagnostics, std::size_t& le
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
   // Copies of an entry have the same mistakes, up to the indices in their names.
-  const auto same = [](const Diagnostic& a, const Diagnostic& b) {
-    return a.span == b.span && a.code == b.code && without_numbers(a.message) == without_numbers(b.message);
+  std::set<std::tuple<std::uint32_t, std::uint32_t, std::string, std::string>> seen;
+  const auto is_copy = [&](const Diagnostic& finding) {
+    return !seen.emplace(finding.span.begin, finding.span.end, finding.code, without_numbers(finding.message)).second;
   };
-  sorted.erase(std::unique(sorted.begin(), sorted.end(), same), sorted.end());
+  sorted.erase(std::remove_if(sorted.begin(), sorted.end(), is_copy), sorted.end());
   left_out = sorted.size() - std::min(sorted.size(), k_most_findings);
   sorted.resize(sorted.size() - left_out);
   for (Diagnostic& finding : sorted) {

@@ -1,0 +1,63 @@
+#include "model/unread.hpp"
+
+#include <algorithm>
+
+#include "support/characters.hpp"
+
+namespace gaussgen::model {
+
+using support::is_letter;
+using support::is_name_character;
+
+namespace {
+
+bool begins(const std::string& name, const std::string& with) { return name.compare(0, with.size(), with) == 0; }
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (!is_letter(text[at])) continue;
+    const std::size_t begin = at;
+    while (at < text.size() && is_name_character(text[at])) ++at;
+    const bool has_index = at < text.size() && text[at] == '$';
+    words.push_back(text.substr(begin, at - begin + (has_index ? 1 : 0)));
+  }
+  return words;
+}
+
+}  // namespace
+
+void Unread::add(const spec::Entry& part) {
+  for (const std::string& word : words_of(part.key.text)) add_owner(word);
+  add(part.value);
+}
+
+void Unread::add(const spec::Node& part) {
+  for (const std::string& word : words_of(part.scalar.text)) add_owner(word);
+  for (const spec::Node& item : part.items) add(item);
+  for (const spec::Entry& entry : part.entries) add(entry);
+}
+
+void Unread::add_owner(const std::string& name) {
+  const std::size_t index = name.find('$');
+  if (index != std::string::npos) {
+    beginnings_.insert(name.substr(0, index));
+    return;
+  }
+  names_.insert(name);
+  beginnings_.insert(name + "_");
+}
+
+void Unread::add_everything() {
+  is_any_frame_ = true;
+  beginnings_.insert("");
+}
+
+bool Unread::may_declare(const std::string& name) const {
+  const std::string owner = name.substr(0, name.find('.'));
+  if (owner.size() < name.size() && is_any_frame_) return true;
+  return names_.count(owner) > 0 || std::any_of(beginnings_.begin(), beginnings_.end(),
+                                                [&](const std::string& beginning) { return begins(owner, beginning); });
+}
+
+}  // namespace gaussgen::model

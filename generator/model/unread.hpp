@@ -1,0 +1,36 @@
+#pragma once
+// What parts of a model that could not be read may have declared: such names are not called unknown. Private to the folder.
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "spec/node.hpp"
+
+namespace gaussgen::model {
+
+class Unread {
+ public:
+  /// Any word in it may be a name, and the beginning of names that follow from it, as those of a joint's coordinates do.
+  void add(const spec::Entry& part);
+  void add(const spec::Node& part);
+
+  /// `leg` brings leg_hip; an index may end it, as in leg_$i.
+  void add_owner(const std::string& name);
+
+  void add_everything();
+  void add_any_frame() { is_any_frame_ = true; }
+
+  /// Whether something is missing at all: then nothing can be counted.
+  bool any() const { return is_any_frame_ || !names_.empty() || !beginnings_.empty(); }
+
+  bool may_declare(const std::string& name) const;
+  bool may_declare_frame(const std::string& name) const { return is_any_frame_ || may_declare(name); }
+
+ private:
+  std::set<std::string> names_;
+  std::set<std::string> beginnings_;
+  bool is_any_frame_ = false;
+};
+
+}  // namespace gaussgen::model
