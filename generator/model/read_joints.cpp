@@ -136,18 +136,27 @@ class JointReader {
     }
   }
 
-  /// The nodes of a list, or the one node of a value that may stand without brackets.
-  std::vector<const Node*> values_at(const std::string& key, std::size_t count) {
-    std::vector<const Node*> nodes;
-    const Node* node = spec::find(map_, key);
-    if (node == nullptr || count == 0) return nodes;
-    if (count == 1 && node->kind == NodeKind::scalar) return {node};
-    if (!expect_list(*node, map_.span, "'" + key + "'", reading_) ||
-        !expect_length(*node, count, "'" + key + "'", reading_, hint_for_entries())) {
-      return nodes;
+  struct Value {
+    const Node* node = nullptr;
+    support::Span list;  ///< in which it stands
+  };
+
+  /// The entries of a list, or the one value that may stand without brackets; as many as coordinates, null if absent.
+  std::vector<Value> values_at(const std::string& key, std::size_t count) {
+    std::vector<Value> values(count);
+    for (const Entry& field : map_.entries) {
+      if (field.key.text != key || count == 0) continue;
+      const Node& node = field.value;
+      if (count == 1 && node.kind == NodeKind::scalar) {
+        values[0] = {&node, node.span};
+      } else if (expect_list(node, field.key.span, "'" + key + "'", reading_) &&
+                 expect_length(node, count, "'" + key + "'", reading_, hint_for_entries())) {
+        for (std::size_t i = 0; i < count; ++i) values[i] = {&node.items[i], node.span};
+      } else {
+        reading_.unread.add(node);
+      }
     }
-    for (const Node& item : node->items) nodes.push_back(&item);
-    return nodes;
+    return values;
   }
 
   std::string default_name(const Freedom& freedom) const { return name_.text + freedom.suffix; }
@@ -187,29 +196,28 @@ class JointReader {
     const auto rates = values_at("initial_rate", count);
     for (std::size_t i = 0; i < count; ++i) {
       Name name{default_name(kind_->freedoms[i]), name_.span};
-      if (i < names.size() && expect_scalar(*names[i], name_.span, "a coordinate", reading_)) {
-        name = name_of(names[i]->scalar);
+      if (names[i].node != nullptr && expect_scalar(*names[i].node, names[i].list, "a coordinate", reading_)) {
+        name = name_of(names[i].node->scalar);
       }
-      const auto entry = [&](const std::vector<const Node*>& nodes) { return i < nodes.size() ? nodes[i] : nullptr; };
-      add_coordinate(name, i, {entry(initial), entry(guesses), entry(rates)});
+      add_coordinate(name, i, {initial[i], guesses[i], rates[i]});
       move_along(name, i);
     }
   }
 
   struct Start {
-    const Node* value;
-    const Node* guess;
-    const Node* rate;
+    Value value;
+    Value guess;
+    Value rate;
   };
 
   void add_coordinate(const Name& name, std::size_t freedom, const Start& start) {
     const auto known = reading_.model.symbols.find(name.text);
     if (known != reading_.model.symbols.end() && known->second.kind == SymbolKind::coordinate) {
-      for (const Node* value : {start.value, start.guess, start.rate}) {
-        if (value == nullptr) continue;
+      for (const Value& value : {start.value, start.guess, start.rate}) {
+        if (value.node == nullptr) continue;
         const Coordinate& coordinate = reading_.model.coordinates[known->second.index];
         reading_.diagnostics.error(
-            code::k_conflicting_keys, value->span,
+            code::k_conflicting_keys, value.node->span,
             fmt::format("the coordinate '{}' is declared in {}", name.text, reading_.line_text(coordinate.name.span)),
             coordinate.held_at
                 ? "what is held takes none: declare the others under 'coordinates', with theirs"
@@ -223,8 +231,8 @@ class JointReader {
     coordinate.dimension = find_unit(coordinate.unit)->dimension;
     coordinate.is_of_joint = true;
     coordinate.about = "of joint " + name_.text;
-    const auto value = [&](const Node* node) {
-      return node == nullptr ? std::optional<Ast>() : read_expression(*node, name.span, reading_);
+    const auto value = [&](const Value& given) {
+      return given.node == nullptr ? std::optional<Ast>() : read_expression(*given.node, given.list, reading_);
     };
     coordinate.initial = value(start.value);
     coordinate.guess = value(start.guess);

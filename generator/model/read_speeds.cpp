@@ -113,8 +113,9 @@ class SpeedReader {
   }
 
   void refuse_rate(const Coordinate& coordinate) {
+    const Ast& value = coordinate.initial_rate ? *coordinate.initial_rate : *coordinate.rate_guess;
     reading_.diagnostics.error(
-        code::k_conflicting_keys, coordinate.name.span,
+        code::k_conflicting_keys, value.span,
         fmt::format("the rate of '{}' follows from the speeds, and has an initial value here", coordinate.name.text),
         "give the speeds their initial values instead");
   }
