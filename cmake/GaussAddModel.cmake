@@ -64,6 +64,9 @@ endfunction()
 # Both headers would be one file, and one #include.
 function(_gauss_refuse_second_of_name target name model)
   get_property(other GLOBAL PROPERTY _gauss_model_${target}_${name})
+  if("${other}" STREQUAL "${model}")
+    message(FATAL_ERROR "gauss_add_model(${target}): '${model}' is added twice; for two sets of options, add it to two targets")
+  endif()
   if(other)
     message(FATAL_ERROR "gauss_add_model(${target}): '${other}' and '${model}' are both called '${name}', so both would be "
                         "${name}.hpp; give one another `name:`, or a target of its own")
@@ -138,12 +141,21 @@ function(gauss_add_model)
   endif()
   # gauss-gen leaves an unchanged header alone, so that nothing is compiled again; the stamp says that it was run. The
   # depfile names the files of submodels.
+  set(byproducts BYPRODUCTS "${header}")
+  set(missing)
+  if(CMAKE_GENERATOR MATCHES "Makefiles")
+    # make does not look for byproducts. A rule that makes nothing, and that runs only where there is no header, lets the rule
+    # of the stamp make one; the time of the header plays no part.
+    add_custom_command(OUTPUT "${header}" COMMAND "${CMAKE_COMMAND}" -E true COMMENT "" VERBATIM)
+    set(byproducts)
+    set(missing "${header}")
+  endif()
   add_custom_command(
     OUTPUT "${header}.stamp"
-    BYPRODUCTS "${header}"
+    ${byproducts}
     COMMAND gauss::gauss-gen "${model}" -o "${folder}" --depfile "${header}.d" --depfile-target "${header}.stamp" ${options}
     COMMAND "${CMAKE_COMMAND}" -E touch "${header}.stamp"
-    DEPENDS "${model}" gauss::gauss-gen
+    DEPENDS "${model}" gauss::gauss-gen ${missing}
     ${depfile}
     COMMENT "Generating ${name}.hpp"
     VERBATIM)

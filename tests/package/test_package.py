@@ -80,6 +80,21 @@ class Package(unittest.TestCase):
         self.edit(f"value: {LENGTH}", f"value: {2 * LENGTH}")
         self.assertIn("Generating pendulum.hpp", self.make())
         self.assert_pendulum(2 * LENGTH)
+        self.assert_unchanged_header_is_left_alone()
+        self.assert_deleted_header_comes_back()
+
+    def assert_unchanged_header_is_left_alone(self):
+        (self.source / "pendulum.yaml").touch()
+        said = self.make()
+        self.assertIn("Generating pendulum.hpp", said)
+        self.assertNotIn("Building", said)
+        self.assertNotIn("Generating", self.make())
+
+    def assert_deleted_header_comes_back(self):
+        (self.build / "gauss/app/pendulum.hpp").unlink()
+        self.assertIn("Generating pendulum.hpp", self.make())
+        self.assert_pendulum(2 * LENGTH)
+        self.assertNotIn("Generating", self.make())
 
     def test_the_program_of_the_readme_runs_and_follows_its_model_with_ninja(self):
         if not shutil.which("ninja"):
@@ -172,6 +187,11 @@ class Package(unittest.TestCase):
         said = self.configuring_fails()
         self.assertIn("are both called 'pendulum', so both would be pendulum.hpp; give one another `name:`", said)
         self.assertNotIn("add_custom_command", said)
+
+    def test_a_model_that_is_added_twice_is_refused(self):
+        call = "gauss_add_model(TARGET app MODEL pendulum.yaml)"
+        self.edit(call, f"{call}\n{call}", file="CMakeLists.txt")
+        self.assertIn(f"'{self.source}/pendulum.yaml' is added twice", self.configuring_fails())
 
     def test_nothing_is_generated_twice_in_a_folder_with_a_dollar(self):
         for generator, program in (("Ninja", "ninja"), ("Unix Makefiles", "make")):
