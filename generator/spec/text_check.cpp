@@ -29,6 +29,18 @@ std::string describe(char32_t value) {
                      static_cast<std::uint32_t>(value));
 }
 
+/// To YAML a CR alone ends no line, whatever editors show.
+bool check_line_ends(const support::Source& source, support::Diagnostics& diagnostics) {
+  const std::string_view text = source.text();
+  for (std::size_t i = text.find('\r'); i != std::string_view::npos; i = text.find('\r', i + 1)) {
+    if (i + 1 < text.size() && text[i + 1] == '\n') continue;
+    diagnostics.error(code::k_yaml_syntax, {offset32(i), offset32(i) + 1}, "a line ends with CR alone here",
+                      "save the file with LF, or CR and LF, at the end of each line");
+    return false;
+  }
+  return true;
+}
+
 bool check_characters(const support::Source& source, support::Diagnostics& diagnostics) {
   const std::string_view text = source.text();
   for (std::size_t i = byte_order_mark(text); i < text.size();) {
@@ -67,7 +79,7 @@ bool check_text(const support::Source& source, support::Diagnostics& diagnostics
     diagnostics.error(code::k_encoding, {0, 0}, "the file is encoded in UTF-16 or UTF-32", k_save_as_utf8);
     return false;
   }
-  return check_characters(source, diagnostics);
+  return check_characters(source, diagnostics) && check_line_ends(source, diagnostics);
 }
 
 }  // namespace gaussgen::spec

@@ -140,11 +140,14 @@ std::string render_one(const Diagnostic& finding, const Source& source, Colour c
   const bool is_error = finding.severity == Severity::error;
   const Paint paint{colour, is_error ? "\033[1;31m" : "\033[1;35m"};
   const Position at = source.position(finding.span.begin);
-  const std::string_view line = source.line_at(finding.span.begin);
-  const auto line_start = static_cast<std::uint32_t>(line.data() - source.text().data());
-  const auto limit = static_cast<std::uint32_t>(line.size());
-  const std::uint32_t begin = std::min(finding.span.begin - line_start, limit);
-  const std::uint32_t end = std::min(std::max(finding.span.end, finding.span.begin) - line_start, limit);
+  const std::uint32_t line_start = source.shown_start(finding.span.begin);
+  std::string_view line = source.line_at(finding.span.begin);
+  line.remove_prefix(line_start - static_cast<std::uint32_t>(line.data() - source.text().data()));
+  const auto inside = [&](std::uint32_t offset) {
+    return std::min(std::max(offset, line_start) - line_start, static_cast<std::uint32_t>(line.size()));
+  };
+  const std::uint32_t begin = inside(finding.span.begin);
+  const std::uint32_t end = inside(std::max(finding.span.end, finding.span.begin));
   const Snippet shown = snippet(line, begin, end);
 
   const std::string number = std::to_string(at.line);

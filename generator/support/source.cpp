@@ -68,10 +68,16 @@ std::string Source::line_text(std::uint32_t offset) const {
 }
 
 Position Source::position(std::uint32_t offset) const {
-  const std::string_view before = text({line_starts_[line_index(offset)], offset});
+  const std::string_view before = text({shown_start(offset), offset});
   // Continuation bytes of UTF-8 (10xxxxxx) do not start a column.
   const auto column = std::count_if(before.begin(), before.end(), [](char c) { return (c & 0xC0) != 0x80; });
   return {line(offset), static_cast<std::uint32_t>(column) + 1};
+}
+
+std::uint32_t Source::shown_start(std::uint32_t offset) const {
+  const std::uint32_t start = line_starts_[line_index(offset)];
+  const bool has_mark = start == file_at(offset).begin && text({start, start + 3}) == "\xEF\xBB\xBF";
+  return has_mark ? start + 3 : start;
 }
 
 std::string_view Source::line_at(std::uint32_t offset) const {

@@ -62,6 +62,9 @@ class Source {
   /// The line that holds `offset`, without its line break.
   std::string_view line_at(std::uint32_t offset) const;
 
+  /// Where the line that holds `offset` begins for people, to whom a byte order mark is nothing.
+  std::uint32_t shown_start(std::uint32_t offset) const;
+
  private:
   struct File {
     std::string name;
