@@ -60,6 +60,14 @@ std::string refusal_of_choice(const std::string& word, const std::vector<std::st
   return fmt::format("there is no '{}'; {}", word, near.empty() ? "choose from " + support::joined(choices) : near);
 }
 
+std::optional<long long> whole_number(const std::string& text, long long least, long long most) {
+  constexpr std::size_t k_most_digits = 18;
+  const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  if (!is_number || text.size() > k_most_digits) return std::nullopt;
+  const long long value = std::stoll(text);
+  return value < least || value > most ? std::nullopt : std::optional(value);
+}
+
 std::string refusal_of_namespace(const std::string& text) {
   if (text.size() > k_longest_namespace)
     return fmt::format("a namespace of more than {} characters", k_longest_namespace);

@@ -15,6 +15,7 @@ namespace gaussgen::cli {
 namespace {
 
 constexpr int k_most_digits = 10000;
+constexpr long long k_most_nodes = 1'000'000'000;  // beyond that, no machine has the memory
 
 /// Adds options to one command.
 class Adder {
@@ -40,11 +41,10 @@ class Adder {
     add_assemble();
     add_choice<Route>("--route", options_.pipeline.route, {{"emitted", Route::emitted}, {"paper", Route::paper}},
                       "ROUTE", "emitted (default), or paper: its Z, Gamma and (3.7)-(3.8), term by term");
-    const auto take_nodes = [&options = options_](long long nodes) {
-      if (nodes < 1) refuse("--max-nodes", "a number from 1 is needed");
-      options.pipeline.most_nodes = static_cast<std::size_t>(nodes);
+    const auto take_nodes = [&options = options_](const std::string& nodes) {
+      options.pipeline.most_nodes = static_cast<std::size_t>(number_of("--max-nodes", nodes, k_most_nodes));
     };
-    app_.add_option_function<long long>(
+    app_.add_option_function<std::string>(
             "--max-nodes", take_nodes,
             wrapped(fmt::format("stop, with exit code 4, when the derivation has more nodes; default {}",
                                 ir::k_most_nodes)))
@@ -68,12 +68,10 @@ class Adder {
                                      "repeated for others, and those not named are 0")),
              "NAME=A");
     app_.add_option("--time", options_.time, "time, default 0")->type_name("T");
-    const auto take_digits = [&options = options_](int digits) {
-      if (digits < 1 || digits > k_most_digits)
-        refuse("--digits", fmt::format("a number from 1 to {} is needed", k_most_digits));
-      options.digits = digits;
+    const auto take_digits = [&options = options_](const std::string& digits) {
+      options.digits = static_cast<int>(number_of("--digits", digits, k_most_digits));
     };
-    app_.add_option_function<int>("--digits", take_digits, "significant digits, default 17")->type_name("N");
+    app_.add_option_function<std::string>("--digits", take_digits, "significant digits, default 17")->type_name("N");
     add_choice<Format>("--format", options_.format, {{"table", Format::table}, {"json", Format::json}}, "FORMAT",
                        "table (default) or json");
     add_messages();
@@ -107,6 +105,12 @@ class Adder {
   void add_assemble() {
     add_flag("--assemble", options_.pipeline.assemble,
              wrapped("let the constraints move the initial values that the model gives, and say how far"));
+  }
+
+  static long long number_of(const std::string& option, const std::string& text, long long most) {
+    const auto number = whole_number(text, 1, most);
+    if (!number) refuse(option, fmt::format("a number from 1 to {} is needed, not '{}'", most, text));
+    return *number;
   }
 
   /// `--check=no` is refused, not taken for `--check`.

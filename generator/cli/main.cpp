@@ -35,7 +35,7 @@ int guarded(const Options& options) {
   } catch (const FileError& error) {
     return fail(error.what(), k_file_error);
   } catch (const UsageError& error) {
-    return fail(error.what(), k_usage_error);
+    return cli::fail(error, options.messages);
   } catch (const ir::TooManyNodes& error) {
     return fail(std::string("the model is too large: ") + error.what(), k_too_large);
   } catch (const std::bad_alloc&) {

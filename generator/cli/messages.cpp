@@ -102,4 +102,16 @@ int fail(const std::string& what, int code, const MessageOptions& options, const
   return code;
 }
 
+int fail(const UsageError& error, const MessageOptions& options) {
+  if (options.format == MessageFormat::text || error.findings().empty())
+    return fail(error.what(), k_usage_error, options);
+  for (const support::Diagnostic& finding : error.findings()) {
+    print({{"severity", "error"},
+           {"code", finding.code},
+           {"message", error.option() + ": " + finding.message},
+           {"hint", finding.hint}});
+  }
+  return k_usage_error;
+}
+
 }  // namespace gaussgen::cli

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/usage_error.hpp"
 #include "support/diagnostics.hpp"
 
 namespace gaussgen::cli {
@@ -26,5 +27,8 @@ void remark(const std::string& text, const MessageOptions& options);
 
 /// Why the program ends: not because of something in the text of a model. Returns `code`.
 int fail(const std::string& what, int code, const MessageOptions& options, const std::string& hint = {});
+
+/// Likewise, because of the command line.
+int fail(const UsageError& error, const MessageOptions& options);
 
 }  // namespace gaussgen::cli

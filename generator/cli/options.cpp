@@ -107,10 +107,53 @@ MessageOptions messages_of(int argc, const char* const* argv) {
   return options;
 }
 
-/// Of a flag, such as --check=no: what it says is that it is there.
-void refuse_value_of_flag(const std::string& message) {
-  if (message.find("flag override") == std::string::npos) return;
-  refuse("--" + message.substr(0, message.find(' ')), "it takes no value; leave it out to say no");
+bool has(const std::string& message, const char* part) { return message.find(part) != std::string::npos; }
+
+/// In place of the words of the parser: `--check=no`, `-o a -o b`, and -o at the end.
+void refuse_mismatch(const std::string& message) {
+  if (has(message, "flag override"))
+    refuse("--" + message.substr(0, message.find(' ')), "it takes no value; leave it out to say no");
+  const std::string option = message.substr(0, message.find(':'));
+  if (has(message, "At Most 1")) refuse(option, "it is given more than once");
+  if (has(message, "missing")) refuse(option, "a value is missing behind it");
+}
+
+const CLI::App& chosen(const CLI::App& app) {
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  return commands.empty() ? app : *commands.front();
+}
+
+bool has_option(const CLI::App& app, const std::string& word) {
+  return app.get_option_no_throw(word) != nullptr && !app.get_option_no_throw(word)->get_positional();
+}
+
+void refuse_unknown_option(const CLI::App& app, const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (has_option(*command, name))
+      throw UsageError(fmt::format("'{}' is an option of {}, and goes after that word", name, command->get_name()));
+  }
+  if (has_option(app, name)) throw UsageError(fmt::format("'{}' is no option of this command", name));
+  std::vector<std::string> known;
+  for (const CLI::Option* option : chosen(app).get_options()) {
+    if (!option->get_lnames().empty()) known.push_back("--" + option->get_lnames().front());
+  }
+  const std::string near = support::did_you_mean(name, known);
+  throw UsageError(fmt::format("there is no option '{}'{}{}", name, near.empty() ? "" : "; ", near));
+}
+
+/// The parser keeps the words that it does not take in another order.
+[[noreturn]] void refuse_rest(const CLI::App& app, int argc, const char* const* argv) {
+  std::vector<std::string> rest = app.remaining(true);
+  std::vector<std::string> in_order;
+  for (int i = 1; i < argc; ++i) {
+    const auto found = std::find(rest.begin(), rest.end(), argv[i]);
+    if (found == rest.end()) continue;
+    in_order.push_back("'" + *found + "'");
+    if (found->size() > 1 && found->front() == '-' && *found != "--") refuse_unknown_option(app, *found);
+    rest.erase(found);
+  }
+  throw UsageError("not expected here: " + support::joined(in_order));
 }
 
 std::optional<Options> parse(int argc, const char* const* argv, int& exit_code) {
@@ -125,12 +168,12 @@ std::optional<Options> parse(int argc, const char* const* argv, int& exit_code) 
     write_standard_output(page.str());
     return std::nullopt;
   } catch (const CLI::ArgumentMismatch& error) {
-    refuse_value_of_flag(error.what());
+    refuse_mismatch(error.what());
     throw;
   } catch (const CLI::ExtrasError&) {
     refuse_misspelt_command(app, options.model);
     refuse_unknown_command(app, options.model);
-    throw;
+    refuse_rest(app, argc, argv);
   }
   if (app.get_subcommands().empty()) refuse_misspelt_command(app, options.model);
   for (const auto& [name, command] : line.commands) {

@@ -47,7 +47,8 @@ model::Ast parsed(const std::string& option, const std::string& text) {
   support::Diagnostics diagnostics;
   const std::optional<model::Ast> ast = model::parse_expression(spec::located(text), diagnostics);
   if (ast) model::check_constants(*ast, diagnostics);
-  if (!ast || diagnostics.has_errors()) throw UsageError(support::render(diagnostics, source));
+  if (!ast || diagnostics.has_errors())
+    throw UsageError(support::render(diagnostics, source), option, diagnostics.all());
   return *ast;
 }
 

@@ -49,6 +49,11 @@ class Json(Program):
                     self.assertLessEqual(found["end"], size + 3)
                     self.assertLessEqual((found["line"], found["column"]), (found["end_line"], found["end_column"]))
 
+    def test_an_expression_on_the_command_line_is_found_fault_with_as_one_in_a_model(self):
+        code, [found] = self.lines("evaluate", SKEW, "--set", "m=2*")
+        self.assertEqual((code, found["code"], list(found)), (2, "E033", ["severity", "code", "message", "hint"]))
+        self.assertEqual(found["message"], "--set m: the expression stops where an operand should follow")
+
     def test_columns_count_characters_and_spans_bytes(self):
         text = PARTICLE.replace("mass: m", 'about: "ä€", mass: mm')
         _, [found] = self.lines("-", stdin=text)

@@ -63,6 +63,20 @@ class CommandLine(Program):
         self.assertIn("did you mean 'paper'?", self.refused(2, SKEW, "--route", "papr"))
         self.assertIn("choose from model, kinematics, paper", self.refused(2, SKEW, "--dump", "nothing"))
 
+    def test_the_words_are_ours_and_not_those_of_the_parser(self):
+        for arguments, words in (
+                ([SKEW, "--max-nodes", "9" * 20], "--max-nodes: a number from 1 to 1000000000 is needed, not '99999999999999999999'"),
+                (["evaluate", SKEW, "--digits", "many"], "--digits: a number from 1 to 10000 is needed, not 'many'"),
+                ([SKEW, "-o"], "--output: a value is missing behind it"),
+                ([SKEW, "-o", "a", "--output", "b"], "--output: it is given more than once"),
+                ([SKEW, "b", "a"], "not expected here: 'b', 'a'"),
+                ([SKEW, "--bogus", "x"], "there is no option '--bogus'"),
+                ([SKEW, "--chek"], "there is no option '--chek'; did you mean '--check'?"),
+                ([SKEW, "--digits", "3"], "'--digits' is an option of evaluate, and goes after that word"),
+                (["evaluate", SKEW, "--fold"], "'--fold' is no option of this command")):
+            with self.subTest(words):
+                self.assertEqual(self.refused(2, *arguments).splitlines()[0], "gauss-gen: " + words)
+
     def test_a_misspelt_command_is_not_taken_for_a_model(self):
         self.assertIn("there is no command or file 'evaluat'; did you mean 'evaluate'?", self.refused(2, "evaluat", SKEW))
         self.assertIn("did you mean 'evaluate'?", self.refused(2, "evaluat", SKEW, "--set", "m1=2"))
