@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
+#include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
@@ -19,11 +21,12 @@ std::string header_path(const Options& options, const std::string& model_name) {
   return options.output.back() == '/' ? options.output + file : options.output + "/" + file;
 }
 
-/// Make's syntax: blanks, # and $ in names are escaped.
+/// Make's syntax: blanks, # and $ in names are escaped. A ':' is not, as by compilers: CMake would look for a file with a '\'.
 std::string for_make(const std::string& path) {
   std::string result;
   for (const char c : path) {
-    if (c == ' ' || c == '#' || c == '\\') result += '\\';
+    if (c == '\n') refuse("--depfile", "make has no way to write a file name with a line break");
+    if (std::string_view(" \t#\\").find(c) != std::string_view::npos) result += '\\';
     if (c == '$') result += '$';
     result += c;
   }

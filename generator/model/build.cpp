@@ -18,7 +18,7 @@ namespace gaussgen::model {
 namespace {
 
 std::string base_name(const std::string& path) {
-  const std::size_t slash = path.find_last_of("/\\");
+  const std::size_t slash = path.rfind('/');
   return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 

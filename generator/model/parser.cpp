@@ -64,7 +64,7 @@ class Parser {
       if (++parser_.depth_ > k_deepest_expression) {
         parser_.refuse(code::k_expression_limit, parser_.span_of(parser_.token()),
                        fmt::format("the expression is nested more than {} deep", k_deepest_expression),
-                       "name a part of it as a parameter, or write out fewer brackets");
+                       "write it with fewer brackets; a part in which nothing moves may be a parameter");
       }
     }
     Level(const Level&) = delete;

@@ -89,7 +89,7 @@ class Submodels {
       check_keys(part.value, where, format::keys_of(format::submodel()), reading_);
       text_field(part.value, "about", reading_);  // for readers of the file
       const Node* path = required(part.value, "file", part.key.span, where, reading_);
-      if (path != nullptr && expect_scalar(*path, part.key.span, "'file'", reading_)) {
+      if (path != nullptr && expect_scalar(*path, part.key.span, "'file'", reading_) && has_name(*path)) {
         std::optional<Part> content = read(beside(file, path->scalar.text), path->span);
         if (content && has_room(part, content->root)) {
           if (!content->is_whole) reading_.unread.add_owner(part.key.text);
@@ -101,6 +101,12 @@ class Submodels {
     }
     // What other parts of the model miss may stand in it.
     reading_.unread.add_owner(part.key.text);
+  }
+
+  bool has_name(const Node& path) {
+    if (!path.scalar.text.empty()) return true;
+    refuse(path.span, "the name of the file is empty", "write it, as in 'file: leg.yaml'");
+    return false;
   }
 
   /// Copies of copies are many with a few lines.

@@ -115,6 +115,11 @@ class Depfile(Program):
         self.ok("a #1 $x.yaml", "-o", "o p", "--depfile", "m.d")
         self.assertEqual((self.folder / "m.d").read_text(), "o\\ p/particle.hpp: a\\ \\#1\\ $$x.yaml\n")
 
+    def test_a_line_break_in_a_name_is_refused(self):
+        self.write("a\nb.yaml", PARTICLE)
+        self.assertIn("--depfile: make has no way to write", self.refused(2, "a\nb.yaml", "--depfile", "m.d"))
+        self.assertFalse((self.folder / "m.d").exists())
+
     def test_it_names_the_files_of_submodels_and_another_target(self):
         (self.folder / "parts").mkdir()
         self.write("parts/point.yaml", PARTICLE)
@@ -131,6 +136,10 @@ class Depfile(Program):
 
 
 class Contents(Program):
+    def test_a_backslash_parts_no_folder_from_a_file(self):
+        self.write("a\\b.yaml", PARTICLE)
+        self.assertIn(" from a\\b.yaml (content hash ", self.ok("a\\b.yaml", "-o", "-"))
+
     def test_a_namespace_is_used_as_given(self):
         for name in ("acme", "acme::models", "a1::b_2", "gauss::mine"):
             self.assertIn(f"\nnamespace {name} {{\n", self.ok(SKEW, "-o", "-", "--namespace", name))
