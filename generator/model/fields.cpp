@@ -83,13 +83,6 @@ std::string hint_for_key(const Node& map, const spec::Entry& entry, const std::v
   return near + (near.empty() ? "" : " ") + "allowed here: " + support::joined(allowed);
 }
 
-/// An unknown key near `key` is reported already, with `key` as the suggestion.
-bool has_misspelt(const Node& map, const std::string& key, const Reading& reading) {
-  return std::any_of(map.entries.begin(), map.entries.end(), [&](const spec::Entry& entry) {
-    return reading.unknown_keys.count(entry.key.span.begin) > 0 && support::closest(entry.key.text, {key}) == key;
-  });
-}
-
 const char* hint_for_kind(NodeKind wanted, bool empty) {
   switch (wanted) {
     case NodeKind::map: return "write 'key: value' pairs, indented below it or in {...}";
@@ -214,7 +207,15 @@ void check_keys(const Node& map, const std::string& where, const std::vector<std
     reading.diagnostics.error(code::k_unknown_key, entry.key.span, fmt::format("{} has no key '{}'", where, key),
                               hint_for_key(map, entry, allowed));
     reading.unknown_keys.insert(entry.key.span.begin);
+    // It may be a declaring one with a slip in its name, or an entry that has lost its indentation.
+    reading.unread.add(entry);
   }
+}
+
+bool has_misspelt(const Node& map, const std::string& key, const Reading& reading) {
+  return std::any_of(map.entries.begin(), map.entries.end(), [&](const spec::Entry& entry) {
+    return reading.unknown_keys.count(entry.key.span.begin) > 0 && support::closest(entry.key.text, {key}) == key;
+  });
 }
 
 const Node* required(const Node& map, const std::string& key, Span owner, const std::string& where, Reading& reading,

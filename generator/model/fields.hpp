@@ -24,6 +24,9 @@ bool expect_length(const spec::Node& list, std::size_t length, const std::string
 void check_keys(const spec::Node& map, const std::string& where, const std::vector<std::string>& allowed,
                 Reading& reading);
 
+/// An unknown key near `key` is reported already, with `key` as the suggestion.
+bool has_misspelt(const spec::Node& map, const std::string& key, const Reading& reading);
+
 /// The value at `key`; a missing one is reported at `owner`, with `more` behind the hint to add it.
 const spec::Node* required(const spec::Node& map, const std::string& key, support::Span owner, const std::string& where,
                            Reading& reading, const std::string& more = "");

@@ -25,6 +25,7 @@ void check_attitude(const Entry& entry, Reading& reading) {
   const Node* inertia = spec::find(entry.value, "inertia");
   const Node* orientation = spec::find(entry.value, "orientation");
   if ((inertia == nullptr) == (orientation == nullptr)) return;
+  if (has_misspelt(entry.value, inertia == nullptr ? "inertia" : "orientation", reading)) return;
   const bool turning = orientation != nullptr;
   reading.diagnostics.error(code::k_inertia_without_attitude, entry.key.span,
                             fmt::format("body '{}' has {}", entry.key.text,
@@ -54,7 +55,7 @@ void place_on_frame(const Entry& entry, const std::string& where, Body& body, Re
   const auto own = reading.frames.find(body.name.text);
   const Node* named = spec::find(entry.value, "frame");
   const std::array<Ast, 3> centre = vector_field(entry.value, "centre", reading);
-  if (spec::find(entry.value, "orientation") != nullptr) {
+  if (spec::find(entry.value, "orientation") != nullptr && !has_misspelt(entry.value, "position", reading)) {
     reading.diagnostics.error(code::k_conflicting_keys, spec::find(entry.value, "orientation")->span,
                               fmt::format("{} takes its orientation from its frame", where),
                               "remove it, or place the body in space by 'position'");

@@ -65,16 +65,8 @@ void read_version(const spec::Node& root, support::Span owner, Reading& reading)
                             "write 'gauss: 1'");
 }
 
-void check_sections(const spec::Node& root, Reading& reading) {
-  check_keys(root, "a model file", format::keys_of(format::model_file()), reading);
-  // It may be a declaring section with a slip in its name, or an entry that has lost its indentation.
-  for (const spec::Entry& entry : root.entries) {
-    if (reading.unknown_keys.count(entry.key.span.begin) > 0) reading.unread.add(entry);
-  }
-}
-
 void read_header(const spec::Node& root, Reading& reading) {
-  check_sections(root, reading);
+  check_keys(root, "a model file", format::keys_of(format::model_file()), reading);
   read_version(root, k_top, reading);
   read_name(root, reading);
   reading.model.about = text_field(root, "about", reading);

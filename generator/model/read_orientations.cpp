@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "model/fields.hpp"
 #include "model/format.hpp"
 #include "model/names.hpp"
@@ -23,11 +21,8 @@ using support::Span;
 namespace {
 
 /// A list that is too short, or that is not there, lacks names of which nothing is known.
-void note_unread(const Entry& owner, std::size_t size, std::size_t wanted, Reading& reading) {
-  const bool has_unknown_key =
-      std::any_of(owner.value.entries.begin(), owner.value.entries.end(),
-                  [&](const Entry& field) { return reading.unknown_keys.count(field.key.span.begin) > 0; });
-  if (size < wanted && !has_unknown_key) return reading.unread.add_everything();
+void note_unread(const Entry& owner, std::size_t size, const std::string& key, std::size_t wanted, Reading& reading) {
+  if (size < wanted && !has_misspelt(owner.value, key, reading)) return reading.unread.add_everything();
   reading.unread.add(owner);
 }
 
@@ -40,7 +35,7 @@ void read_names(const Entry& owner, const std::string& key, std::array<Name, N>&
       required(owner.value, key, owner.key.span, fmt::format("orientation '{}'", owner.key.text), reading);
   const bool usable =
       list != nullptr && expect_list(*list, owner.key.span, where, reading) && expect_length(*list, N, where, reading);
-  if (!usable) return note_unread(owner, list == nullptr ? 0 : list->items.size(), N, reading);
+  if (!usable) return note_unread(owner, list == nullptr ? 0 : list->items.size(), key, N, reading);
   const std::size_t first = N * reading.model.orientations.size();
   for (std::size_t i = 0; i < N; ++i) {
     if (!expect_scalar(list->items[i], list->span, "a component", reading)) {

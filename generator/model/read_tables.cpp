@@ -205,6 +205,13 @@ void read_tables(const spec::Node& root, Reading& reading) {
     if (declare_table(table.name, reading)) tables.emplace(table.name.text, table.function);
     reading.model.tables.push_back(std::move(table));
   });
+  for (const Entry& section : root.entries) {
+    const bool is_misspelt = reading.unknown_keys.count(section.key.span.begin) > 0 &&
+                             support::closest(section.key.text, {"tables"}) == "tables";
+    for (const Entry& table : section.value.entries) {
+      if (is_misspelt) tables.emplace(table.key.text, nullptr);
+    }
+  }
   reading.tables = std::move(tables);
 }
 

@@ -13,6 +13,7 @@
 #include "spec/reader.hpp"
 #include "support/characters.hpp"
 #include "support/error_codes.hpp"
+#include "support/suggest.hpp"
 
 namespace gaussgen::model {
 
@@ -35,6 +36,21 @@ bool is_section(const std::string& key) {
   return false;
 }
 
+bool is_known(const std::string& key) {
+  const std::vector<std::string> keys = format::keys_of(format::model_file());
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+/// The entry of this name; else one with a slip in it, which is reported later: its value is the one that is meant.
+const Entry* meant_by(const std::string& key, const Node& map) {
+  const Entry* near = nullptr;
+  for (const Entry& entry : map.entries) {
+    if (entry.key.text == key) return &entry;
+    if (!is_known(entry.key.text) && support::closest(entry.key.text, {key}) == key) near = &entry;
+  }
+  return near;
+}
+
 class Repetition {
  public:
   explicit Repetition(Reading& reading) : reading_(reading) {}
@@ -53,6 +69,7 @@ class Repetition {
  private:
   /// Of what is no section. In a text, and in a name that is to be refused anyway, a `$` is no index.
   Node texts(const std::string& key, Node value) {
+    if (!is_known(key)) return value;  // it is reported, and `$i` in it may have been right
     if ((key != "name" && key != "about") || value.kind != NodeKind::scalar)
       return with_indices(std::move(value), counts_, reading_.diagnostics);
     value.scalar = with_indices(value.scalar, counts_, UnknownIndex::keep, reading_.diagnostics);
@@ -66,7 +83,9 @@ class Repetition {
   }
 
   void read_counts(const Node& root) {
-    read_section(root, k_counts, reading_, [&](const Entry& entry) {
+    const Entry* const counts = meant_by(k_counts, root);
+    if (counts == nullptr) return;
+    read_section(root, counts->key.text, reading_, [&](const Entry& entry) {
       const bool is_index =
           std::find(k_index_names.begin(), k_index_names.end(), entry.key.text) != k_index_names.end();
       if (is_index || !is_word(entry.key.text)) {
@@ -102,8 +121,8 @@ class Repetition {
   Node section(Node section) {
     names_.clear();
     for (Entry& entry : taken_from(section)) {
-      const Node* count = entry.value.kind == NodeKind::map ? spec::find(entry.value, k_count) : nullptr;
-      const bool is_whole = count == nullptr ? add(entry, counts_, section) : copy(entry, *count, section);
+      const Entry* count = entry.value.kind == NodeKind::map ? meant_by(k_count, entry.value) : nullptr;
+      const bool is_whole = count == nullptr ? add(entry, counts_, section) : copy(entry, count->value, section);
       if (!is_whole) reading_.unread.add(entry);
     }
     return section;

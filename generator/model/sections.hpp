@@ -8,8 +8,6 @@ namespace gaussgen::model {
 
 /// A missing one is reported at `owner`.
 void read_version(const spec::Node& root, support::Span owner, Reading& reading);
-/// Its keys, without what is in them.
-void check_sections(const spec::Node& root, Reading& reading);
 void read_header(const spec::Node& root, Reading& reading);
 void read_tables(const spec::Node& root, Reading& reading);
 void read_parameters(const spec::Node& root, Reading& reading);

@@ -154,7 +154,7 @@ class Submodels {
     Part part;
     part.root = assembled(*std::move(root), path);
     read_version(part.root, top, reading_);
-    check_sections(part.root, reading_);
+    check_keys(part.root, "a model file", format::keys_of(format::model_file()), reading_);
     part.is_whole = !reading_.unread.any();
     part.copies.add(top.begin - source_.offset_in_file(top.begin), "");
     part.copies.add(reading_.copies, "");

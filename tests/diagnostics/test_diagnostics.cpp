@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "catch_shim.hpp"
+#include "model/build.hpp"
 #include "pipeline.hpp"
 #include "support/error_codes.hpp"
 #include "support/files.hpp"
@@ -60,6 +61,23 @@ std::vector<fs::path> cases() {
 }
 
 fs::path expectation_of(fs::path model) { return model.replace_extension(".txt"); }
+
+/// Where keys of these names stand in the text of a model.
+std::vector<std::size_t> ends_of_keys(const std::string& text) {
+  std::vector<std::size_t> ends;
+  for (const char* key : {"gauss",       "name",   "parameters", "coordinates", "orientations", "joints", "frames",
+                          "points",      "bodies", "particles",  "constraints", "forces",       "speeds", "submodels",
+                          "counts",      "count",  "tables",     "inputs",      "quantities",   "type",   "child",
+                          "parent",      "mass",   "quaternion", "position",    "at",           "on",     "file",
+                          "orientation", "value",  "angles",     "axis",        "centre",       "held_at"}) {
+    const std::string word = std::string(key) + ":";
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+      const char before = at == 0 ? '\n' : text[at - 1];
+      if (std::string(" \n{").find(before) != std::string::npos) ends.push_back(at + word.size() - 1);
+    }
+  }
+  return ends;
+}
 
 bool updating() { return std::getenv("GAUSS_UPDATE") != nullptr; }
 
@@ -119,5 +137,29 @@ TEST_CASE("no expected text is left without its model") {
     INFO(entry.path().filename().string());
     fs::path model = entry.path();
     CHECK(fs::exists(model.replace_extension(".yaml")));
+  }
+}
+
+TEST_CASE("a slip in a key brings no errors but those about keys") {
+  const fs::path models = fs::path(GAUSS_SOURCE_DIR) / "models";
+  const auto read_part = [&](const std::string& name, std::string& why) {
+    return support::read_regular_file((models / name).string(), why);
+  };
+  for (const auto& entry : fs::directory_iterator(models)) {
+    if (entry.path().extension() != ".yaml") continue;
+    const std::string text = read(entry.path());
+    for (const std::size_t end : ends_of_keys(text)) {
+      INFO(entry.path().filename().string() << ", byte " << end);
+      support::Source source(entry.path().filename().string(), std::string(text).insert(end, "q"), read_part);
+      support::Diagnostics found;
+      model::build_model(source, found);
+      const support::Source& place = source;
+      for (const support::Diagnostic& finding : found.all()) {
+        INFO(place.line_text(finding.span.begin) << ": " << finding.message);
+        const bool is_about_keys =
+            finding.code == support::code::k_unknown_key.id || finding.code == support::code::k_missing_key.id;
+        CHECK((is_about_keys || finding.severity == support::Severity::warning));
+      }
+    }
   }
 }
