@@ -29,7 +29,7 @@ std::string describe(char32_t value) {
                      static_cast<std::uint32_t>(value));
 }
 
-/// To YAML a CR alone ends no line, whatever editors show.
+/// YAML takes a CR alone for the end of a line, yaml-cpp and what counts lines do not.
 bool check_line_ends(const support::Source& source, support::Diagnostics& diagnostics) {
   const std::string_view text = source.text();
   for (std::size_t i = text.find('\r'); i != std::string_view::npos; i = text.find('\r', i + 1)) {
