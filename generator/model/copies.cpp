@@ -18,7 +18,7 @@ using support::is_name_character;
 
 namespace {
 
-using Prefixes = std::set<std::string>;
+using Prefixes = Copies::Prefixes;
 
 constexpr std::size_t k_most_named = 3;
 
@@ -30,11 +30,6 @@ std::string longest_prefix(const std::string& name, const Prefixes& prefixes) {
   return {};
 }
 
-struct OwnText {
-  std::string text;
-  std::string prefix;  ///< that was in it
-};
-
 /// Values of parameters differ between copies; of all else, the first that is wrong stands for the others.
 bool is_about_values(const std::string& code) {
   namespace known = support::code;
@@ -45,28 +40,59 @@ bool is_about_values(const std::string& code) {
   return false;
 }
 
-/// `kept` are names of files, in which a word may look like a name of a copy.
-OwnText without_prefixes(const std::string& text, const Prefixes& prefixes, const std::vector<std::string>& kept) {
-  OwnText result;
-  for (std::size_t at = 0; at < text.size();) {
-    std::size_t size = 1;
-    const auto file = std::find_if(kept.begin(), kept.end(), [&](const std::string& name) {
-      return !name.empty() && text.compare(at, name.size(), name) == 0;
-    });
-    if (file != kept.end()) {
-      size = file->size();
-    } else if (is_name_character(text[at])) {
-      while (is_name_character(text[std::min(at + size, text.size() - 1)]) && at + size < text.size()) ++size;
-      const std::string prefix = is_letter(text[at]) ? longest_prefix(text.substr(at, size), prefixes) : std::string();
-      if (!prefix.empty()) result.prefix = prefix;
-      at += prefix.size();
-      size -= prefix.size();
+struct OwnText {
+  std::string text;
+  std::string prefix;  ///< that was in it
+};
+
+/// Takes prefixes off the words of a text; names of files stay, in which a word may look like a name of a copy.
+class Stripping {
+ public:
+  Stripping(const std::string& text, const Prefixes& prefixes, const std::vector<std::string>& files)
+      : text_(text), prefixes_(prefixes), files_(files) {}
+
+  OwnText run() {
+    if (prefixes_.empty()) return {text_, ""};
+    while (at_ < text_.size()) {
+      if (const std::size_t size = size_of_file_name(); size > 0) {
+        keep(size);
+      } else if (is_name_character(text_[at_])) {
+        word();
+      } else {
+        keep(1);
+      }
     }
-    result.text.append(text, at, size);
-    at += size;
+    return std::move(result_);
   }
-  return result;
-}
+
+ private:
+  std::size_t size_of_file_name() const {
+    const auto file = std::find_if(files_.begin(), files_.end(), [&](const std::string& name) {
+      return !name.empty() && text_.compare(at_, name.size(), name) == 0;
+    });
+    return file == files_.end() ? 0 : file->size();
+  }
+
+  void word() {
+    std::size_t size = 1;
+    while (at_ + size < text_.size() && is_name_character(text_[at_ + size])) ++size;
+    const std::string prefix = is_letter(text_[at_]) ? longest_prefix(text_.substr(at_, size), prefixes_) : "";
+    if (!prefix.empty()) result_.prefix = prefix;
+    at_ += prefix.size();
+    keep(size - prefix.size());
+  }
+
+  void keep(std::size_t size) {
+    result_.text.append(text_, at_, size);
+    at_ += size;
+  }
+
+  const std::string& text_;
+  const Prefixes& prefixes_;
+  const std::vector<std::string>& files_;
+  std::size_t at_ = 0;
+  OwnText result_;
+};
 
 std::string words_for(const Prefixes& copies) {
   std::vector<std::string> names;
@@ -78,7 +104,20 @@ std::string words_for(const Prefixes& copies) {
                      others == 0 ? "" : fmt::format(" and {} more", others));
 }
 
+using Place = std::tuple<std::uint32_t, std::uint32_t, std::string, std::string>;
+
+struct OwnFinding {
+  Diagnostic finding;
+  Prefixes copies;  ///< of which it is said
+};
+
 }  // namespace
+
+const Prefixes& Copies::prefixes_at(std::uint32_t at, const support::Source& source) const {
+  static const Prefixes k_none;
+  const auto file = prefixes_.find(at - source.offset_in_file(at));
+  return file == prefixes_.end() ? k_none : file->second;
+}
 
 void Copies::add(const Copies& inside, const std::string& prefix) {
   for (const auto& [file, prefixes] : inside.prefixes_) {
@@ -87,38 +126,30 @@ void Copies::add(const Copies& inside, const std::string& prefix) {
 }
 
 std::string Copies::prefix_of(const std::string& name, std::uint32_t at, const support::Source& source) const {
-  const auto file = prefixes_.find(at - source.offset_in_file(at));
-  return file == prefixes_.end() ? std::string() : longest_prefix(name, file->second);
+  return longest_prefix(name, prefixes_at(at, source));
 }
 
 support::Diagnostics Copies::in_own_names(const support::Diagnostics& found, const support::Source& source) const {
   const std::vector<std::string> files = source.names();
-  using Place = std::tuple<std::uint32_t, std::uint32_t, std::string, std::string>;
-  std::map<Place, Prefixes> copies_at;  // copies of which something is said
-  std::vector<std::pair<Diagnostic, Place>> own;
-  for (Diagnostic finding : found.all()) {
-    const auto file = prefixes_.find(finding.span.begin - source.offset_in_file(finding.span.begin));
-    Place place;
-    if (file != prefixes_.end()) {
-      const OwnText message = without_prefixes(finding.message, file->second, files);
-      finding.message = message.text;
-      finding.hint = without_prefixes(finding.hint, file->second, files).text;
-      place = {finding.span.begin, finding.span.end, finding.code, finding.message};
-      const bool is_new = copies_at.count(place) == 0;
-      if (!message.prefix.empty()) copies_at[place].insert(message.prefix);
-      if (!is_new) continue;
+  std::vector<OwnFinding> own;
+  std::map<Place, std::size_t> known;  // index into `own`
+  for (const Diagnostic& finding : found.all()) {
+    const Prefixes& prefixes = prefixes_at(finding.span.begin, source);
+    const OwnText message = Stripping(finding.message, prefixes, files).run();
+    const Place place{finding.span.begin, finding.span.end, finding.code, message.text};
+    const auto [first, is_new] = known.emplace(place, own.size());
+    if (is_new) {
+      own.push_back({finding, {}});
+      own.back().finding.message = message.text;
+      own.back().finding.hint = Stripping(finding.hint, prefixes, files).run().text;
     }
-    own.emplace_back(std::move(finding), std::move(place));
+    if (!message.prefix.empty()) own[first->second].copies.insert(message.prefix);
   }
   support::Diagnostics result;
-  for (auto& [finding, place] : own) {
-    const auto copies = copies_at.find(place);
-    if (copies != copies_at.end()) {
-      const auto& all = prefixes_.at(finding.span.begin - source.offset_in_file(finding.span.begin));
-      if (is_about_values(finding.code) && copies->second.size() < all.size())
-        finding.message += words_for(copies->second);
-    }
-    result.add(std::move(finding));
+  for (OwnFinding& of : own) {
+    const bool is_of_some = !of.copies.empty() && of.copies.size() < prefixes_at(of.finding.span.begin, source).size();
+    if (is_of_some && is_about_values(of.finding.code)) of.finding.message += words_for(of.copies);
+    result.add(std::move(of.finding));
   }
   return result;
 }

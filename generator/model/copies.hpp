@@ -15,6 +15,8 @@ namespace gaussgen::model {
 /// What the names of each file have in front, in each copy of it; a file is told by the offset of its first byte.
 class Copies {
  public:
+  using Prefixes = std::set<std::string>;
+
   void add(std::uint32_t file, const std::string& prefix) { prefixes_[file].insert(prefix); }
 
   /// Those of the files of a submodel, which gets `prefix` in front.
@@ -27,7 +29,9 @@ class Copies {
   support::Diagnostics in_own_names(const support::Diagnostics& found, const support::Source& source) const;
 
  private:
-  std::map<std::uint32_t, std::set<std::string>> prefixes_;
+  const Prefixes& prefixes_at(std::uint32_t at, const support::Source& source) const;
+
+  std::map<std::uint32_t, Prefixes> prefixes_;
 };
 
 }  // namespace gaussgen::model
