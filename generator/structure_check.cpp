@@ -30,6 +30,8 @@ class StructureCheck {
 
   void run() {
     for (std::size_t mu = 0; mu < model_.constraints.size(); ++mu) check_gradient(mu);
+    if (!diagnostics_.has_errors()) check_equations(mechanics_, diagnostics_);
+    if (diagnostics_.has_errors()) return;
     if (!mechanics_.solution.undetermined.empty()) report_undetermined();
     if (!model_.dependent.empty()) check_choice();
     for (const std::size_t force : mechanics_.kinematics.idle_forces) report_idle(model_.forces[force]);
@@ -38,11 +40,21 @@ class StructureCheck {
  private:
   void check_gradient(std::size_t mu) {
     if (generic_rank(at_generic_point_({mechanics_.dynamics.b[mu]})) > 0) return;
+    const auto* position = std::get_if<model::PositionLaw>(&model_.constraints[mu].law);
+    if (position != nullptr && position->is_coincidence) return report_apart(model_.constraints[mu]);
     diagnostics_.error(
         support::code::k_no_velocity, model_.constraints[mu].span,
         fmt::format("the constraint '{}' does not depend on any free speed: what it says of them cancels",
                     model_.constraints[mu].name.text),
         "remove it; a coordinate with a given value is declared with 'held_at'");
+  }
+
+  void report_apart(const model::Constraint& row) {
+    diagnostics_.error(support::code::k_no_velocity, row.span,
+                       fmt::format("these places never coincide: they are apart along the direction of '{}', in which "
+                                   "no free coordinate moves them",
+                                   row.name.text),
+                       "place them such that they can meet, as in one plane across the axes of a planar loop");
   }
 
   void report_idle(const model::Force& force) {

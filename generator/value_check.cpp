@@ -43,7 +43,19 @@ class ValueCheck {
       report(innermost(ast));
     });
     if (is_good) check_speeds();
-    if (is_good && !diagnostics_.has_errors()) check_equations();
+  }
+
+  // Each expression has a value, but a derivative of one has none: sqrt(s) with s held at 0.
+  void check_equations() {
+    const model::Model& model = mechanics_.model;
+    for (const auto i : mechanics_.symbols.speeds.indices()) {
+      if (has_value(mechanics_.solution.accelerations[i.value])) continue;
+      diagnostics_.error(
+          support::code::k_undefined_value, model.name.span,
+          fmt::format("the acceleration of '{}' has no value in any configuration", mechanics_.symbols.speeds[i].label),
+          "a derivative has a pole at the values that coordinates are held at");
+      return;
+    }
   }
 
  private:
@@ -81,19 +93,6 @@ class ValueCheck {
     diagnostics_.error(support::code::k_undefined_value, is_quotient ? ast.children[0].span : ast.span, what,
                        has_held ? "check names and signs in it; held coordinates have their values here"
                                 : "check names and signs in it");
-  }
-
-  // Each expression has a value, but a derivative of one has none: sqrt(s) with s held at 0.
-  void check_equations() {
-    const model::Model& model = mechanics_.model;
-    for (const auto i : mechanics_.symbols.speeds.indices()) {
-      if (has_value(mechanics_.solution.accelerations[i.value])) continue;
-      diagnostics_.error(
-          support::code::k_undefined_value, model.name.span,
-          fmt::format("the acceleration of '{}' has no value in any configuration", mechanics_.symbols.speeds[i].label),
-          "a derivative has a pole at the values that coordinates are held at");
-      return;
-    }
   }
 
   Mechanics& mechanics_;
@@ -152,6 +151,10 @@ void refuse_range(const model::Name& model, const std::string& name, support::Di
 }  // namespace
 
 void check_values(Mechanics& mechanics, support::Diagnostics& diagnostics) { ValueCheck(mechanics, diagnostics).run(); }
+
+void check_equations(Mechanics& mechanics, support::Diagnostics& diagnostics) {
+  ValueCheck(mechanics, diagnostics).check_equations();
+}
 
 void check_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
                  support::Diagnostics& diagnostics) {

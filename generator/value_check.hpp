@@ -8,8 +8,11 @@
 namespace gaussgen {
 
 /// An error for every expression that has no finite real value in any configuration, such as x/(y - y), at its innermost
-/// part; else for every speed and constraint whose equation has none, such as that of a root taken where it begins.
+/// part; else for speeds that do not stand for as many rates.
 void check_values(Mechanics& mechanics, support::Diagnostics& diagnostics);
+
+/// An error where a speed's equation of motion has none, such as with a root taken where it begins.
+void check_equations(Mechanics& mechanics, support::Diagnostics& diagnostics);
 
 /// An error when numbers of the model multiply to one beyond the range of double, from which emitted code reads its constants.
 void check_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
