@@ -26,6 +26,8 @@ class ConstraintCheck {
   /// Whether a contradiction with the constraint in it is reported; its own violation says nothing more.
   bool is_contradictory(std::size_t constraint) const { return contradictory_.count(constraint) > 0; }
 
+  bool has_dependent() const { return !dependences_.empty(); }
+
  private:
   void report(const std::vector<std::size_t>& constraints, const std::string& message, const std::string& hint);
   void report_redundant(const Dependence& found);

@@ -52,7 +52,7 @@ class InitialCheck {
     if (!undefined.empty() || !has_state) return report_redundant(mechanics_, diagnostics_);
     if (violated.empty() && !options_.is_assembled) report_choice(chosen_rates(mechanics_, state, values_));
     constraints.report_redundant();
-    report_singular();
+    report_singular(constraints.has_dependent());
   }
 
  private:
@@ -119,9 +119,10 @@ class InitialCheck {
   }
 
   // A pivot that is zero from the start divides; one that cancels is flagged.
-  void report_singular() {
+  void report_singular(bool has_dependent) {
     const bool is_singular = values_.is_true(mechanics_.solution.singular_mass_matrix);
-    if (is_singular || (!has_accelerations() && !report_pole() && !report_slack_spring())) report_undetermined();
+    if (is_singular || (!has_accelerations() && !report_pole() && !report_slack_spring()))
+      report_undetermined(has_dependent);
   }
 
   /// Whether there are no accelerations since a spring that has a length has none at this position.
@@ -162,17 +163,20 @@ class InitialCheck {
     return false;
   }
 
-  void report_undetermined() {
+  void report_undetermined(bool has_dependent) {
     const std::vector<std::string> labels = undetermined_speeds();
     const std::vector<std::string> massless = massless_bodies();
-    std::string cause = "the mass matrix is singular";
+    const bool is_by_constraints = labels.empty() && has_dependent;
+    std::string cause = is_by_constraints ? "constraints depend on each other, and some motion has no mass of its own"
+                                          : "the mass matrix is singular";
     if (labels.size() == 1) cause += fmt::format(", nothing determines the acceleration of '{}'", labels[0]);
     if (labels.size() > 1)
       cause += fmt::format(", nothing tells the accelerations of {} apart", support::joined(labels));
     diagnostics_.warning(
         support::code::k_singular_start, labels.empty() ? model_.name.span : span_of_speed(model_, labels[0]),
         "there are no accelerations at the initial state: " + cause,
-        massless.empty()
+        is_by_constraints ? "start from another state, or leave out what says the same twice"
+        : massless.empty()
             ? "where coordinates do not describe every motion, start elsewhere; a quaternion has no such places"
             : fmt::format("give {} a mass: what is without mass and moves alone has no acceleration",
                           support::joined(massless)));

@@ -278,6 +278,19 @@ TEST_CASE("a search that comes near a position where constraints are dependent s
   CHECK(bars("0.999").find("follows") == std::string::npos);
 }
 
+TEST_CASE("where constraints depend on each other, no mass is said to be missing") {
+  const std::string text = found_in(
+      "joints:\n  mast: {type: revolute, child: mast, initial: 0}\n"
+      "  A: {type: revolute, parent: mast, child: a, axis: y, initial: 0.5}\n"
+      "  B: {type: revolute, parent: a, child: b, at: [1, 0, 0], axis: y, initial_guess: -1}\n"
+      "  S: {type: prismatic, parent: mast, child: s, axis: x, initial_guess: 1.6}\n"
+      "bodies:\n  a: {mass: m, inertia: 0.1, centre: [0.5, 0, 0]}\n  b: {mass: m, inertia: 0.1, centre: [0.5, 0, 0]}\n"
+      "points: {tip: {on: b, at: [1, 0, 0]}}\nconstraints: {close: {coincide: [tip, s]}}\n");
+  CHECK_THAT(text, Catch::Contains("[W053]: there are no accelerations at the initial state: constraints depend on "
+                                   "each other, and some motion has no mass of its own"));
+  CHECK_THAT(text, Catch::Contains("in a loop whose plane turns, 'in: frame' with an axis across that plane"));
+}
+
 TEST_CASE("what is given is moved only where the rest cannot satisfy the constraints") {
   const auto moved = [&](const std::string& reach) {
     std::string text =
