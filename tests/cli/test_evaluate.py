@@ -131,6 +131,15 @@ forces: {push: {force: [F, 0, 0], on: %s}}
         # About the mass centre, 2 below the hook, the push turns the block by 2 F, which the rail takes.
         self.assertEqual(float(found["reaction_forces"]["on_block.moment.y"]["value"]), -6)
 
+    def test_of_two_bodies_on_a_frame_nobody_said_which_feels_a_force_on_it(self):
+        two = self.TROLLEY.replace("bodies: {", "bodies: {crate: {mass: 1, inertia: 1, frame: slide, centre: [1, 0, 0]}, ")
+        found = self.document("-", stdin=two % "hook")
+        for body in ("block", "crate"):
+            self.assertEqual(float(found["reaction_forces"][f"on_{body}.force.x"]["value"]), 0, body)
+        self.assertEqual(float(found["joint_reactions"]["rail.force.x"]["value"]), -3)
+        found = self.document("-", stdin=two % "crate")
+        self.assertEqual(float(found["reaction_forces"]["on_crate.force.x"]["value"]), -3)
+
     def test_an_axis_may_point_backwards(self):
         arm = """gauss: 1
 name: arm
