@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dependence.hpp"
+#include "described_motion.hpp"
 #include "description.hpp"
 #include "evaluate/decimal.hpp"
 #include "ir/differentiate.hpp"
@@ -132,8 +133,13 @@ class Report {
   }
 
   void take_rest() {
-    if (rests_without_mass())
+    if (!describes_all_motion(mechanics_, value_of_)) {
+      result_.warnings.push_back(
+          "the coordinates do not describe every motion here: along the others, forces may be out of balance");
+      doubt("singular_mass_matrix");
+    } else if (rests_without_mass()) {
       result_.warnings.push_back("the mass matrix is singular here: in motion, accelerations cannot be trusted");
+    }
     for (const auto a : mechanics_.symbols.speeds.indices())
       mechanics_.solution.accelerations[a.value] =
           ir::partial(mechanics_.kinematics.speeds_at_rest[a], mechanics_.symbols.time);

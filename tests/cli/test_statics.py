@@ -184,6 +184,21 @@ forces:
                     self.assertEqual(float(found["joint_reactions"][f"{joint}.moment.{name}"]["value"]), 0)
             self.assertEqual({float(a["value"]) for a in found["accelerations"].values()}, {0})
 
+    def test_where_coordinates_do_not_describe_all_motion_nothing_is_known_to_rest(self):
+        # At the pole no angle moves the bob along y, and so nothing there tells that the wind does.
+        bob = HEAD + """coordinates: {theta: {initial: 0.2}, phi: {}}
+particles: {bob: {mass: 2, position: [sin(theta)*cos(phi), sin(theta)*sin(phi), -cos(theta)]}}
+forces: {gravity: {uniform: [0, 0, -9.81]}, wind: {uniform: [0, WIND, 0]}}
+"""
+        for wind in ("0", "1"):
+            found = json.loads(self.run_it("evaluate", "-", "--equilibrium", "--format=json", stdin=bob.replace("WIND", wind)).stdout or "{}")
+            if found and abs(float(found["state"]["theta"]["value"])) < 1e-9:
+                self.assertIn("singular_mass_matrix", found["status"])
+                self.assertIn("the coordinates do not describe every motion here", found["warnings"][0])
+        # A ball that rolls in an upright cylinder falls, whatever Euler angles say of it.
+        found = self.run_it("evaluate", MODELS / "sphere_in_cylinder.yaml", "--equilibrium")
+        self.assertTrue(found.returncode == 1 or "not to be trusted" in found.stdout)
+
     def test_of_equilibria_side_by_side_it_finds_one_nearby(self):
         # A load on a rope that a constant force holds, whatever the length of the rope.
         rope = HEAD + """parameters: {m: 3, g: 9.81}
