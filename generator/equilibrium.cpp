@@ -102,6 +102,11 @@ class Search {
     double size(std::size_t row) const {
       return std::abs(to_double(residual[row])) / scale[static_cast<Eigen::Index>(row)];
     }
+    double square() const {
+      double sum = 0;
+      for (std::size_t i = 0; i < residual.size(); ++i) sum += size(i) * size(i);
+      return sum;
+    }
     double norm() const {
       double largest = 0;
       for (std::size_t i = 0; i < residual.size(); ++i) largest = std::max(largest, size(i));
@@ -165,6 +170,9 @@ class Search {
     at.is_defined = find_residual(at) && at.is_defined;
     return at;
   }
+
+  /// From here on, constraints on velocities are in no way, as where they drive the model out of its place.
+  void go_anywhere() { goes_anywhere_ = true; }
 
   /// What remains, of the largest terms.
   double approach(double enough) {
@@ -302,7 +310,8 @@ class Search {
     for (Eigen::Index j = 0; j < columns(); ++j) {
       const bool is_multiplier = j >= static_cast<Eigen::Index>(rest_.metric.size());
       if (effects[j] == 0) {
-        result[j] = 0;
+        // It moves with what does have an effect, where a constraint says so.
+        result[j] = result[j] > 0 && largest > 0 ? result[j] / largest : 1;
       } else if (is_multiplier || result[j] == 0 || largest == 0) {
         result[j] = (is_multiplier ? k_ease : 1) / effects[j];
       } else {
@@ -310,6 +319,29 @@ class Search {
       }
     }
     return result;
+  }
+
+  /// Orthonormal changes, in units of the weights, of all unknowns that constraints on velocities allow: what rolls moves as it turns.
+  Eigen::MatrixXd allowed_ways(const Eigen::VectorXd& weight) {
+    const auto n = static_cast<Eigen::Index>(mechanics_.dynamics.n());
+    const auto count = static_cast<Eigen::Index>(rest_.held.size());
+    if (count == 0 || n == 0 || goes_anywhere_) return Eigen::MatrixXd::Identity(columns(), columns());
+    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(count, n);
+    for (Eigen::Index mu = 0; mu < count; ++mu) {
+      for (Eigen::Index a = 0; a < n; ++a) {
+        const auto entry = value_of(rest_.held[static_cast<std::size_t>(mu)][static_cast<std::size_t>(a)].id());
+        b(mu, a) = (entry ? to_double(*entry) : 0) * weight[a];
+      }
+      const double size = b.row(mu).norm();
+      if (size > 0) b.row(mu) /= size;
+    }
+    Eigen::JacobiSVD<Eigen::MatrixXd> svd(b, Eigen::ComputeFullV);
+    svd.setThreshold(k_rank);
+    const Eigen::Index free = n - svd.rank();
+    Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(columns(), free + columns() - n);
+    ways.topLeftCorner(n, free) = svd.matrixV().rightCols(free);
+    ways.bottomRightCorner(columns() - n, columns() - n).setIdentity();
+    return ways;
   }
 
   Eigen::VectorXd right_of(const Linearised& at, const Real& unit) const {
@@ -325,8 +357,9 @@ class Search {
     const Eigen::VectorXd weight = weights(matrix);
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
     decomposition.setThreshold(k_rank);
-    decomposition.compute(matrix * weight.asDiagonal());
-    return weight.asDiagonal() * decomposition.solve(right_of(at, unit));
+    const Eigen::MatrixXd ways = weight.asDiagonal() * allowed_ways(weight);
+    decomposition.compute(matrix * ways);
+    return ways * decomposition.solve(right_of(at, unit));
   }
 
   /// Least |matrix * change + residual|² + damping |change|²: with a damping like the square of the residual it ends near where it began,
@@ -335,11 +368,13 @@ class Search {
   Eigen::VectorXd damped_change(const Linearised& at, double damping) {
     const Eigen::MatrixXd matrix = at.scale.cwiseInverse().asDiagonal() * at.matrix;
     const Eigen::VectorXd weight = weights(matrix);
-    Eigen::MatrixXd stacked(rows() + columns(), columns());
-    stacked << matrix * weight.asDiagonal(), std::sqrt(damping) * Eigen::MatrixXd::Identity(columns(), columns());
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(rows() + columns());
+    const Eigen::MatrixXd ways = weight.asDiagonal() * allowed_ways(weight);
+    const Eigen::Index count = ways.cols();
+    Eigen::MatrixXd stacked(rows() + count, count);
+    stacked << matrix * ways, std::sqrt(damping) * Eigen::MatrixXd::Identity(count, count);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(rows() + count);
     right.head(rows()) = right_of(at, number(1.0));
-    return weight.asDiagonal() * stacked.colPivHouseholderQr().solve(right);
+    return ways * stacked.colPivHouseholderQr().solve(right);
   }
 
   /// Moves to where less remains; false if it finds no such place.
@@ -351,7 +386,7 @@ class Search {
       const Eigen::VectorXd full = damped_change(here, damping * remains * remains);
       set(from.first, from.second);
       move(allowed(full) * full, number(1.0));
-      if (find_residual(there) && there.norm() < here.norm()) {
+      if (find_residual(there) && there.square() < here.square()) {
         damping = std::max(damping / 8, 1.0);
         return true;
       }
@@ -393,6 +428,7 @@ class Search {
   evaluate::Evaluator<Scaled<double>> sizes_;
   std::vector<Real> position_;
   std::vector<Real> multipliers_;
+  bool goes_anywhere_ = false;
 };
 
 /// First in double, where looking around is cheap, then with all digits from where that ends.
@@ -433,7 +469,12 @@ class Equilibration {
 
  private:
   bool come_near(std::string& why) {
-    const double left = rough_.start() ? look_around() : HUGE_VAL;
+    double left = rough_.start() ? look_around() : HUGE_VAL;
+    if (!(left <= k_near) && !rest_.held.empty()) {
+      rough_.go_anywhere();
+      fine_.go_anywhere();
+      left = rough_.start() ? look_around() : HUGE_VAL;
+    }
     if (left <= k_near) {
       fine_.set(precise(rough_.position()), precise(rough_.multipliers()));
       if (fine_.approach(k_solved) <= k_solved) return true;

@@ -243,6 +243,31 @@ forces: {gravity: {uniform: [0, 0, -g]}}
             force = float(found["reaction_forces"][f"close_2_x.force_on_foot_2.{axis}"]["value"])
             self.assertAlmostEqual(force, 9.81 * math.tan(angle) * part, 12)
 
+    def test_what_rolls_moves_as_it_turns(self):
+        # A cart on two wheels, each with a spring: x = r a = r b all the way, (k + K)/r^2 x = m g sin.
+        cart = HEAD + """coordinates: {x: {}, a: {}, b: {}}
+bodies:
+  cart: {mass: 5, inertia: 0, position: [x, 0, 0], orientation: {axis: y, angle: 0}}
+  front: {mass: 1, inertia: 0.01, position: [x + 1, 0, 0], orientation: {axis: y, angle: a}}
+  rear: {mass: 1, inertia: 0.01, position: [x - 1, 0, 0], orientation: {axis: y, angle: b}}
+constraints: {front_rolls: {velocity: dot(x) - 0.2*dot(a)}, rear_rolls: {velocity: dot(x) - 0.2*dot(b)}}
+forces: {slope: {uniform: [2, 0, -9.81]}, one: {spring: a, stiffness: 4}, other: {spring: b, stiffness: 1}}
+"""
+        found = self.at_equilibrium(cart)
+        for group, name, value in (("state", "x", 0.112), ("state", "a", 0.56), ("state", "b", 0.56),
+                                   ("multipliers", "front_rolls", -11.2), ("multipliers", "rear_rolls", -2.8)):
+            self.assertAlmostEqual(float(found[group][name]["value"]), value, 12)
+
+    def test_what_is_at_rest_stays(self):
+        brake = HEAD + """coordinates: {x: {initial: 0.2}}
+particles: {p: {mass: 1, position: [x, 0, 0]}}
+constraints: {brake: {velocity: dot(x)}}
+forces: {pull: {spring: x, stiffness: 500}}
+"""
+        found = self.at_equilibrium(brake)
+        self.assertAlmostEqual(float(found["state"]["x"]["value"]), 0.2, 15)
+        self.assertAlmostEqual(float(found["multipliers"]["brake"]["value"]), 100, 12)
+
     def test_heavy_and_light_find_their_places(self):
         pair = HEAD + """coordinates: {x: {initial: 3}, y: {initial: 5}}
 particles: {heavy: {mass: 10^12, position: [x, 0, 0]}, light: {mass: 1, position: [0, y, 0]}}
