@@ -89,6 +89,13 @@ std::vector<FoundGuess> improve_guesses(Mechanics& mechanics, model::Model& mode
   return found.is_solved ? take(found.position, movable, mechanics, model) : std::vector<FoundGuess>();
 }
 
+void refine_guesses(Mechanics& mechanics, model::Model& model, double time) {
+  const std::vector<bool> movable = strategy::open_positions(model, mechanics.expressions);
+  if (!has_equations_of_positions(mechanics) || !any(movable)) return;
+  const Approach found = emitted_approach(mechanics, movable, time);
+  if (found.is_solved) take(found.position, movable, mechanics, model);
+}
+
 void report_found(const std::vector<FoundGuess>& found, const model::Model& model, support::Diagnostics& diagnostics) {
   if (found.empty()) return;
   std::vector<std::string> values;

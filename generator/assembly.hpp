@@ -24,6 +24,9 @@ std::vector<FoundGuess> improve_guesses(Mechanics& mechanics, model::Model& mode
 /// Warns of them.
 void report_found(const std::vector<FoundGuess>& found, const model::Model& model, support::Diagnostics& diagnostics);
 
+/// Where emitted code would find a position from the guesses: they become what double holds of it.
+void refine_guesses(Mechanics& mechanics, model::Model& model, double time);
+
 /// `--assemble`: given positions become guesses where they and the open ones do not satisfy the equations of positions, and given rates
 /// where they and the open ones do not satisfy the constraints there.
 void assemble(Mechanics& mechanics, model::Model& model, double time = 0);

@@ -32,6 +32,21 @@ const char* const k_about_wanted =
 // Where names in phi have no units; a power is lambda * phi in all of them.
 const char* const k_unit_of_multiplier = "power per phi: N where phi is in m/s, N*m where it is in rad/s";
 
+constexpr int k_beyond_digits = 5;
+constexpr int k_violated_digits = 8;
+
+/// An equation that an open position does not satisfy in all digits, as where roots lie side by side.
+const kinematics::ConstraintRow* not_reached(Mechanics& mechanics, ModelValues& values, int digits) {
+  const std::vector<bool> open = strategy::open_positions(mechanics.model, mechanics.expressions);
+  if (std::find(open.begin(), open.end(), true) == open.end()) return nullptr;
+  const cl_F rounding = values.number(cln::expt(support::Rational(10), -digits - k_beyond_digits));
+  for (const auto& row : mechanics.kinematics.constraints) {
+    const auto left = row.f ? values.relative_residual(row.f->id()) : std::nullopt;
+    if (left && *left > rounding) return &row;
+  }
+  return nullptr;
+}
+
 class Report {
  public:
   Report(Mechanics& mechanics, const support::Rational& time, int digits,
@@ -291,11 +306,23 @@ class Report {
       doubt("singular_mass_matrix");
     }
     warn_of_dependence();
+    if (result_.doubts.empty()) warn_of_slow_search();
     for (const Violation& violation : violations(mechanics_, value_of_)) {
       result_.warnings.push_back("the initial state violates constraint '" + violation.row->name + "' by " +
                                  evaluate::to_decimal(violation.residual, 3));
       doubt("violated_constraints");
     }
+  }
+
+  void warn_of_slow_search() {
+    const kinematics::ConstraintRow* row = resting_ ? nullptr : not_reached(mechanics_, value_of_, digits_);
+    if (row == nullptr) return;
+    const cl_F large = value_of_.number(cln::expt(support::Rational(10), -k_violated_digits));
+    const bool is_violated = *value_of_.relative_residual(row->f->id()) > large;
+    result_.warnings.push_back(
+        "the search for the initial position does not come to where '" + row->name +
+        "' holds: " + (is_violated ? "it may have no solution" : "constraints depend on each other there"));
+    doubt(is_violated ? "violated_constraints" : "dependent_constraints");
   }
 
   void warn_of_dependence() {
@@ -343,6 +370,12 @@ template void bind_parameters(Mechanics&, evaluate::Evaluator<double>&);
 template void bind_parameters(Mechanics&, evaluate::Evaluator<long double>&);
 template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<cl_F>>&);
 template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<double>>&);
+
+bool is_start_reached(Mechanics& mechanics, const support::Rational& time, int digits) {
+  ModelValues values(mechanics, time, digits);
+  return !bind_initial_values(mechanics, initial_values(mechanics), values) ||
+         not_reached(mechanics, values, digits) == nullptr;
+}
 
 Evaluation evaluate_model(Mechanics& mechanics, const support::Rational& time, int digits,
                           const std::optional<WantedAccelerations>& wanted,

@@ -32,6 +32,9 @@ struct Evaluation {
 /// Accelerations of which the forces and inputs are asked for, by their names; others are 0.
 using WantedAccelerations = std::map<std::string, support::Rational>;
 
+/// Whether open positions satisfy their equations in all digits after the steps that emitted code takes.
+bool is_start_reached(Mechanics& mechanics, const support::Rational& time, int digits);
+
 /// λ of each constraint where a model rests.
 using RestingMultipliers = std::vector<support::Rational>;
 

@@ -133,7 +133,10 @@ int evaluate(const Options& options) {
   Mechanics mechanics(*model, {});
   support::Diagnostics structure;
   check_structure(mechanics, structure);
-  if (!structure.has_errors()) set_start(mechanics, *model, time, options, structure);
+  if (!structure.has_errors()) {
+    set_start(mechanics, *model, time, options, structure);
+    if (!is_start_reached(mechanics, time, options.digits)) refine_guesses(mechanics, *model, support::to_double(time));
+  }
   if (const int found = report(structure, source, options.messages); found != k_ok) return found;
   std::vector<std::string> doubts;
   std::optional<RestingMultipliers> resting;

@@ -370,6 +370,23 @@ quantities: {rate: dot(a), form: 6*(r^2 + r*d*sin(phi))/(r^2 + d^2 + 2*r*d*sin(p
             self.assertEqual(found["status"], "ok", time)
             self.close(found["quantities"]["rate"]["value"], found["quantities"]["form"]["value"])
 
+    def test_a_search_that_comes_beside_a_position_says_so(self):
+        toggle = """gauss: 1
+name: toggle
+coordinates: {x: {initial_guess: 1.1}, z: {initial_guess: 0.3}}
+particles: {p: {mass: 1, position: [x, 0, z]}}
+points: {A: {at: [0, 0, 0]}, B: {at: [SPAN, 0, 0]}}
+constraints: {c: {distance: [p, A], is: 1}, d: {distance: [p, B], is: 1}}
+forces: {gravity: {uniform: [0, 0, -9.81]}}
+"""
+        # Stretched, the rods say the same of the height, and no force in them holds the weight.
+        done = self.run_it("evaluate", "-", stdin=toggle.replace("SPAN", "2"))
+        self.assertIn("not to be trusted: dependent_constraints", done.stdout)
+        self.assertIn("does not come to where 'c' holds: constraints depend on each other there", done.stderr)
+        found = self.document("-", stdin=toggle.replace("SPAN", "1.99"))
+        self.assertEqual(found["status"], "ok")
+        self.close(found["multipliers"]["c"]["value"], 9.81 / 2 / math.sqrt(1 - 0.995**2), 12)
+
     def test_the_last_of_two_counts(self):
         self.close(self.value("state", "zeta", SPHERE, "--set", "zeta=2", "--set", "zeta=3"), 3)
 
