@@ -13,7 +13,10 @@ using evaluate::Matrix;
 using evaluate::Vector;
 using Rows = std::vector<std::size_t>;
 
+/// Times the root of what is left of an equation: smaller derivatives may vanish where it holds.
 constexpr int k_beside_root = 100;
+
+/// An equation of which more is left is violated.
 constexpr int k_violated_digits = 8;
 
 /// Rates that a user copied from a double satisfy a constraint.
@@ -135,10 +138,6 @@ Agreement agreement_of(const Combination& combination, const Mechanics& mechanic
   const bool agree = !is_satisfied || combination.cancels(accelerations);
   return agree ? Agreement::agree : Agreement::contradictory_accelerations;
 }
-
-}  // namespace
-
-namespace {
 
 /// Rows that are dependent up to this part are taken as dependent. Where a position misses its equations, a search may have come near one
 /// at which they are dependent and not into it, as where two roots are one: unless derivatives are larger than the root of what is

@@ -351,39 +351,50 @@ class Search {
     return right;
   }
 
-  /// The least change with matrix * change = -residual, in units of `unit`.
-  Eigen::VectorXd least_change(const Linearised& at, const Real& unit) {
+  /// Rows and unknowns in units of their sizes: change = ways * z.
+  struct Weighted {
+    Eigen::MatrixXd matrix;
+    Eigen::MatrixXd ways;
+  };
+
+  /// At the position that `at` is of.
+  Weighted weighted(const Linearised& at) {
     const Eigen::MatrixXd matrix = at.scale.cwiseInverse().asDiagonal() * at.matrix;
     const Eigen::VectorXd weight = weights(matrix);
+    const Eigen::MatrixXd ways = weight.asDiagonal() * allowed_ways(weight);
+    return {matrix * ways, ways};
+  }
+
+  /// The least change with matrix * change = -residual, in units of `unit`.
+  Eigen::VectorXd least_change(const Linearised& at, const Real& unit) {
+    const Weighted problem = weighted(at);
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
     decomposition.setThreshold(k_rank);
-    const Eigen::MatrixXd ways = weight.asDiagonal() * allowed_ways(weight);
-    decomposition.compute(matrix * ways);
-    return ways * decomposition.solve(right_of(at, unit));
+    decomposition.compute(problem.matrix);
+    return problem.ways * decomposition.solve(right_of(at, unit));
   }
 
   /// Least |matrix * change + residual|² + damping |change|²: with a damping like the square of the residual it ends near where it began,
   /// also where equilibria lie side by side and Newton's method runs along them. [Yamashita, Fukushima: Computing Suppl. 15 (2001)
   /// 239-249]
-  Eigen::VectorXd damped_change(const Linearised& at, double damping) {
-    const Eigen::MatrixXd matrix = at.scale.cwiseInverse().asDiagonal() * at.matrix;
-    const Eigen::VectorXd weight = weights(matrix);
-    const Eigen::MatrixXd ways = weight.asDiagonal() * allowed_ways(weight);
-    const Eigen::Index count = ways.cols();
-    Eigen::MatrixXd stacked(rows() + count, count);
-    stacked << matrix * ways, std::sqrt(damping) * Eigen::MatrixXd::Identity(count, count);
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(rows() + count);
-    right.head(rows()) = right_of(at, number(1.0));
-    return ways * stacked.colPivHouseholderQr().solve(right);
+  static Eigen::VectorXd damped_change(const Weighted& problem, const Eigen::VectorXd& right, double damping) {
+    const Eigen::Index count = problem.ways.cols();
+    Eigen::MatrixXd stacked(right.size() + count, count);
+    stacked << problem.matrix, std::sqrt(damping) * Eigen::MatrixXd::Identity(count, count);
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(right.size() + count);
+    all.head(right.size()) = right;
+    return problem.ways * stacked.colPivHouseholderQr().solve(all);
   }
 
   /// Moves to where less remains; false if it finds no such place.
   bool improve(const Linearised& here, double& damping) {
     const auto from = std::pair(position_, multipliers_);
+    const Weighted problem = weighted(here);
+    const Eigen::VectorXd right = right_of(here, number(1.0));
+    const double remains = std::min(here.norm(), k_largest_damping);
     Linearised there = here;
     for (; damping <= k_most_damping; damping *= 8) {
-      const double remains = std::min(here.norm(), k_largest_damping);
-      const Eigen::VectorXd full = damped_change(here, damping * remains * remains);
+      const Eigen::VectorXd full = damped_change(problem, right, damping * remains * remains);
       set(from.first, from.second);
       move(allowed(full) * full, number(1.0));
       if (find_residual(there) && there.square() < here.square()) {

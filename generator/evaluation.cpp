@@ -35,10 +35,14 @@ const char* const k_unit_of_multiplier = "power per phi: N where phi is in m/s, 
 constexpr int k_beyond_digits = 5;
 constexpr int k_violated_digits = 8;
 
+bool has_open_positions(Mechanics& mechanics) {
+  const std::vector<bool> open = strategy::open_positions(mechanics.model, mechanics.expressions);
+  return std::find(open.begin(), open.end(), true) != open.end();
+}
+
 /// An equation that an open position does not satisfy in all digits, as where roots lie side by side.
 const kinematics::ConstraintRow* not_reached(Mechanics& mechanics, ModelValues& values, int digits) {
-  const std::vector<bool> open = strategy::open_positions(mechanics.model, mechanics.expressions);
-  if (std::find(open.begin(), open.end(), true) == open.end()) return nullptr;
+  if (!has_open_positions(mechanics)) return nullptr;
   const cl_F rounding = values.number(cln::expt(support::Rational(10), -digits - k_beyond_digits));
   for (const auto& row : mechanics.kinematics.constraints) {
     const auto left = row.f ? values.relative_residual(row.f->id()) : std::nullopt;
@@ -372,6 +376,7 @@ template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<c
 template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<double>>&);
 
 bool is_start_reached(Mechanics& mechanics, const support::Rational& time, int digits) {
+  if (!has_open_positions(mechanics)) return true;
   ModelValues values(mechanics, time, digits);
   return !bind_initial_values(mechanics, initial_values(mechanics), values) ||
          not_reached(mechanics, values, digits) == nullptr;
