@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "description.hpp"
 #include "evaluate/arithmetic_scale.hpp"
@@ -34,13 +35,18 @@ constexpr int k_steps_of_descent = 300;
 constexpr double k_shortest_descent = 1e-4;
 constexpr double k_rough = 1e-10;          ///< of the largest term, where double is enough
 constexpr double k_solved = 1e-12;         ///< likewise, with more digits
+constexpr double k_wanted = 1e-20;         ///< likewise, if it can be had: where nothing is stiff, places need it
 constexpr double k_near = 1e-4;            ///< likewise: rounding of double may be in the way, and nothing else
 constexpr double k_balanced = 1e-6;        ///< after the last digits, of the largest term at the start
+constexpr double k_faded = 1e-3;           ///< play along a speed: no place at all
+constexpr double k_flat = 1e-12;           ///< likewise: fewer digits than are shown
+constexpr int k_least_digits = 17;         ///< of a start that is to satisfy its constraints
 constexpr double k_rank = 1e-10;           ///< of the largest singular value
 constexpr double k_largest_step = 0.5;     ///< of angles, and of lengths in units of themselves
 constexpr double k_largest_damping = 0.2;  ///< root of it, of a column of size 1
 constexpr double k_most_damping = 1e8;     ///< times the usual
 constexpr double k_least_column = 0.1;     ///< of the largest: however heavy, what could move does
+constexpr double k_seen = 0.01;            ///< of the largest column so far
 constexpr double k_ease = 10;              ///< of multipliers: they take what they can before anything moves
 constexpr int k_later = 731;               ///< ms: no part of anybody's period
 
@@ -123,6 +129,7 @@ class Search {
     auto position = position_of(initial);
     if (!position) position = position_of(guess);
     if (!position) return false;
+    seen_effects_.resize(0);
     set(*std::move(position), std::vector<Real>(rest_.multipliers.size(), number(0.0)));
     return true;
   }
@@ -168,6 +175,7 @@ class Search {
       at.is_defined = at.is_defined && std::isfinite(at.scale[i]);
     }
     at.is_defined = find_residual(at) && at.is_defined;
+    if (at.is_defined) effects_of(at.scale.cwiseInverse().asDiagonal() * at.matrix);
     return at;
   }
 
@@ -209,13 +217,9 @@ class Search {
 
   /// With the matrix in double, each step is good for some eight digits.
   void polish(int digits) {
-    using std::abs;
     for (int done = 0; done < digits; done += 8) {
       const Linearised here = linearised();
-      Real unit = number(0.0);
-      for (const Real& value : here.residual) {
-        if (abs(value) > unit) unit = abs(value);
-      }
+      const Real unit = largest_residual(here);
       if (unit == number(0.0)) return;
       move(least_change(here, unit), unit);
     }
@@ -229,6 +233,29 @@ class Search {
       if (!(std::abs(to_double(here.residual[i])) <= k_balanced * size)) return false;
     }
     return here.is_defined;
+  }
+
+  struct Play {
+    double size = 0;    ///< m or rad, of 1 and the place itself
+    std::string along;  ///< a speed
+  };
+
+  /// How far the last forces, of which only rounding is left, would still move it: far, where nothing is stiff and forces only fade.
+  Play play() {
+    const Linearised here = linearised();
+    const Weighted problem = weighted(here);
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+    decomposition.setThreshold(std::numeric_limits<double>::min());
+    decomposition.compute(problem.matrix);
+    Real unit = largest_residual(here);
+    if (unit == number(0.0)) return {};
+    const Eigen::VectorXd change = problem.ways * decomposition.solve(right_of(here, unit));
+    Play result;
+    for (std::size_t a = 0; a < mechanics_.dynamics.n(); ++a) {
+      const double size = std::abs(to_double(unit) * change[static_cast<Eigen::Index>(a)]) / reach(a);
+      if (size > result.size) result = {size, mechanics_.dynamics.labels[a]};
+    }
+    return result;
   }
 
   /// The constraint that asks for motion most; empty if none does.
@@ -295,10 +322,21 @@ class Search {
     return is_defined;
   }
 
+  /// Of each unknown; of a displacement the largest so far. What acts less and less as forces come to balance, as a heading that turns
+  /// forces of contact about, is not free to go far for that.
+  Eigen::VectorXd effects_of(const Eigen::MatrixXd& matrix) {
+    Eigen::VectorXd effects = matrix.colwise().norm();
+    const auto n = static_cast<Eigen::Index>(mechanics_.dynamics.n());
+    if (seen_effects_.size() == 0) seen_effects_ = Eigen::VectorXd::Zero(n);
+    seen_effects_ = seen_effects_.cwiseMax(effects.head(n));
+    effects.head(n) = effects.head(n).cwiseMax(k_seen * seen_effects_);
+    return effects;
+  }
+
   /// Per unknown, so that all are of like size: displacements as masses measure them.
   Eigen::VectorXd weights(const Eigen::MatrixXd& matrix) {
     Eigen::VectorXd result = Eigen::VectorXd::Ones(columns());
-    const Eigen::VectorXd effects = matrix.colwise().norm();
+    const Eigen::VectorXd effects = effects_of(matrix);
     double largest = 0;
     for (std::size_t a = 0; a < rest_.metric.size(); ++a) {
       const Eigen::Index j = static_cast<Eigen::Index>(a);
@@ -342,6 +380,15 @@ class Search {
     ways.topLeftCorner(n, free) = svd.matrixV().rightCols(free);
     ways.bottomRightCorner(columns() - n, columns() - n).setIdentity();
     return ways;
+  }
+
+  Real largest_residual(const Linearised& at) const {
+    using std::abs;
+    Real largest = number(0.0);
+    for (const Real& value : at.residual) {
+      if (abs(value) > largest) largest = abs(value);
+    }
+    return largest;
   }
 
   Eigen::VectorXd right_of(const Linearised& at, const Real& unit) const {
@@ -425,12 +472,15 @@ class Search {
   /// A step may leave the neighbourhood in which it means anything.
   double allowed(const Eigen::VectorXd& change) const {
     double largest = 0;
-    for (std::size_t a = 0; a < mechanics_.dynamics.n(); ++a) {
-      const bool is_length = mechanics_.symbols.speeds[FreeIndex{a}].is_of_length();
-      const double size = is_length ? 1 + std::abs(to_double(position_[a])) : 1;
-      largest = std::max(largest, std::abs(change[static_cast<Eigen::Index>(a)]) / size);
-    }
+    for (std::size_t a = 0; a < mechanics_.dynamics.n(); ++a)
+      largest = std::max(largest, std::abs(change[static_cast<Eigen::Index>(a)]) / reach(a));
     return largest > k_largest_step ? k_largest_step / largest : 1;
+  }
+
+  /// What counts as a long way along a speed.
+  double reach(std::size_t a) const {
+    const bool is_length = mechanics_.symbols.speeds[FreeIndex{a}].is_of_length();
+    return is_length ? 1 + std::abs(to_double(position_[a])) : 1;
   }
 
   Mechanics& mechanics_;
@@ -439,6 +489,7 @@ class Search {
   evaluate::Evaluator<Scaled<double>> sizes_;
   std::vector<Real> position_;
   std::vector<Real> multipliers_;
+  Eigen::VectorXd seen_effects_;
   bool goes_anywhere_ = false;
 };
 
@@ -449,13 +500,14 @@ class Equilibration {
       : mechanics_(mechanics),
         rest_(mechanics),
         time_(time),
-        digits_(digits),
-        fine_(mechanics, rest_, time, Arithmetic<Paired>(digits + k_more_digits, k_more_digits)),
+        digits_(std::max(digits, k_least_digits)),
+        fine_(mechanics, rest_, time, Arithmetic<Paired>(digits_ + k_more_digits, k_more_digits)),
         rough_(mechanics, rest_, time, Arithmetic<double>()) {}
 
   struct Rest {
     std::vector<Rational> position, speeds, multipliers;
     bool lasts = true;
+    Search<Paired>::Play play;
   };
 
   /// Nothing, with the reason in `why`.
@@ -475,7 +527,15 @@ class Equilibration {
       why = "no equilibrium was found near the initial position: towards the nearest one forces grow without bound";
       return std::nullopt;
     }
-    return found();
+    Rest rest = found();
+    rest.play = fine_.play();
+    if (!(rest.play.size <= k_faded)) {
+      why = fmt::format("no equilibrium was found near the initial position: along '{}' forces fade, and do not vanish",
+                        rest.play.along);
+      return std::nullopt;
+    }
+    rest.lasts = is_at_rest_later();
+    return rest;
   }
 
  private:
@@ -488,7 +548,7 @@ class Equilibration {
     }
     if (left <= k_near) {
       fine_.set(precise(rough_.position()), precise(rough_.multipliers()));
-      if (fine_.approach(k_solved) <= k_solved) return true;
+      if (fine_.approach(k_wanted) <= k_solved) return true;
     }
     why = why_not(left);
     return false;
@@ -528,7 +588,6 @@ class Equilibration {
     Rational largest = 0;
     for (const cl_F& lambda : fine_.multipliers()) largest = cln::max(largest, cln::abs(cln::rational(lambda)));
     for (const cl_F& lambda : fine_.multipliers()) rest.multipliers.push_back(rounded(lambda, largest));
-    rest.lasts = is_at_rest_later();
     return rest;
   }
 
@@ -584,7 +643,13 @@ Equilibrium go_to_equilibrium(Mechanics& mechanics, model::Model& model, const R
   const auto rest = Equilibration(mechanics, time, digits).run(result.failure);
   if (!rest) return result;
   set_start(model, *rest);
-  result.lasts = rest->lasts;
+  if (!rest->lasts)
+    result.doubts.push_back("this equilibrium is one of this instant: forces or laws in time soon move it");
+  if (rest->play.size > k_flat) {
+    result.doubts.push_back(
+        fmt::format("nothing is stiff along '{}' at this equilibrium: where it is, is known to about {:.0e} only",
+                    rest->play.along, rest->play.size));
+  }
   result.multipliers = rest->multipliers;
   return result;
 }

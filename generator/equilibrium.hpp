@@ -10,8 +10,8 @@
 namespace gaussgen {
 
 struct Equilibrium {
-  std::string failure;  ///< why there is none; empty
-  bool lasts = true;    ///< not only at this instant: laws and forces in time would move it soon
+  std::string failure;              ///< why there is none; empty
+  std::vector<std::string> doubts;  ///< that it lasts, or is where it is found
   /// λ of each constraint, which no mass has a part in: where the mass matrix is singular, they have values all the same.
   std::vector<support::Rational> multipliers;
 };

@@ -145,8 +145,7 @@ int evaluate(const Options& options) {
     const Equilibrium found = go_to_equilibrium(mechanics, *model, time, options.digits);
     if (!found.failure.empty()) return fail(found.failure, k_model_error, options.messages);
     resting = found.multipliers;
-    if (!found.lasts)
-      doubts.emplace_back("this equilibrium is one of this instant: forces or laws in time soon move it");
+    doubts = found.doubts;
   }
   Evaluation evaluation = evaluate_model(mechanics, time, options.digits, wanted, resting);
   evaluation.warnings.insert(evaluation.warnings.begin(), doubts.begin(), doubts.end());

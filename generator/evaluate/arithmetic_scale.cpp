@@ -38,20 +38,36 @@ Outcome<Scaled<T>> Arithmetic<Scaled<T>>::sum(const Rational& constant, const st
   return joined(base_.sum(constant, coefficients, values_of(x)), base_.sum(cln::abs(constant), sizes, scales_of(x)));
 }
 
+// Π s_i counts errors of second order in full: of the square of a sine of a large angle, the square of the angle. Where that is more
+// than the first order, Σ s_i Π |v_j| over the other factors, it is the first order that counts.
 template <class T>
 Outcome<Scaled<T>> Arithmetic<Scaled<T>>::product(const std::vector<Scaled<T>>& x) const {
-  return joined(base_.product(values_of(x)), base_.product(scales_of(x)));
+  T size = base_.number(Rational(1));
+  T first_order = base_.number(Rational(0));
+  for (const Scaled<T>& factor : x) {
+    const T own = magnitude(factor.value);
+    first_order = first_order * own + size * factor.scale;
+    size = size * own;
+  }
+  return joined(base_.product(values_of(x)), lesser(base_.product(scales_of(x)), first_order));
 }
 
 template <class T>
 Outcome<Scaled<T>> Arithmetic<Scaled<T>>::power(const Scaled<T>& x, const Rational& exponent) const {
   const Outcome<T> value = base_.power(x.value, exponent);
-  if (exponent > 0 && support::is_integer(exponent)) return joined(value, base_.power(x.scale, exponent));
+  const bool is_whole = exponent > 0 && support::is_integer(exponent);
   if (!value || !base_.is_true(x.scale)) return joined(value, value);
   const Outcome<T> slope_of = base_.power(x.value, exponent - 1);
   if (!slope_of) return joined(value, slope_of);
   const T size = magnitude(*slope_of) * base_.number(cln::abs(exponent));
-  return joined(value, base_.product({size, x.scale}));
+  const Outcome<T> first_order = base_.product({size, x.scale});
+  if (!is_whole || !first_order) return joined(value, first_order);
+  return joined(value, lesser(base_.power(x.scale, exponent), *first_order));
+}
+
+template <class T>
+Outcome<T> Arithmetic<Scaled<T>>::lesser(const Outcome<T>& a, const T& b) const {
+  return a && *a < b ? a : b;
 }
 
 template <class T>

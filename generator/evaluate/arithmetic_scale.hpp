@@ -8,7 +8,8 @@
 namespace gaussgen::evaluate {
 
 /// A value v and its scale s >= |v|:
-///   constants and symbols |v|, sums |c| + Σ |c_i| s_i, products Π s_i, whole positive powers likewise;
+///   constants and symbols |v|, sums |c| + Σ |c_i| s_i, products Π s_i, or Σ s_i Π |v_j| (j ≠ i) where that is less, whole positive
+///   powers likewise;
 ///   everything else max(|f(v)|, Σ |∂f/∂x_i| s_i), the first-order bound.
 template <class T>
 struct Scaled {
@@ -38,6 +39,7 @@ class Arithmetic<Scaled<T>> {
  private:
   T magnitude(const T& x) const { return x < base_.number(Rational(0)) ? T(-x) : x; }
   Outcome<Scaled<T>> joined(const Outcome<T>& value, const Outcome<T>& scale) const;
+  Outcome<T> lesser(const Outcome<T>& a, const T& b) const;
   Outcome<T> slope(ir::Function function, const T& x) const;
   Outcome<T> spread(ir::Function function, const std::vector<Scaled<T>>& x) const;
 

@@ -49,6 +49,7 @@ class Holder {
     if (row.f) (*this)(*row.f);
     (*this)(row.phi);
     (*this)(row.beta);
+    (*this)(row.beside);
     (*this)(row.carried);
     (*this)(row.beta_drift);
     if (row.point) (*this)(*row.point);

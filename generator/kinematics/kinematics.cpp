@@ -7,6 +7,7 @@
 #include "ir/traverse.hpp"
 #include "kinematics/hold.hpp"
 #include "kinematics/place_symbols.hpp"
+#include "model/rate.hpp"
 
 namespace gaussgen::kinematics {
 
@@ -66,6 +67,8 @@ class Builder {
   }
 
  private:
+  using Components = support::Indexed<FullIndex, Expr>;
+
   /// What forces add to.
   static std::vector<ir::NodeId> felt(const Kinematics& result) {
     std::vector<ir::NodeId> sums;
@@ -161,7 +164,7 @@ class Builder {
 
   ConstraintRow constraint_row(const model::Constraint& constraint) {
     ConstraintRow row{
-        constraint.name.text, constraint.multiplier_unit, {}, number(0), {}, number(0), {}, true, {}, false, {}};
+        constraint.name.text, constraint.multiplier_unit, {}, number(0), {}, number(0), {}, true, {}, {}, {}};
     std::visit([&](const auto& law) { state(law, row); }, constraint.law);
     for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) {
       row.beta.push_back(partial(row.phi, i));
@@ -169,6 +172,7 @@ class Builder {
     for (const FullIndex i : row.beta.indices()) {
       for (const FullIndex j : row.beta.indices()) row.is_linear = row.is_linear && partial(row.beta[i], j).is_zero();
     }
+    if (row.actions.empty()) row.beside = row.beta;
     row.beta_drift = expressions_.rate(row.phi);
     if (constraint.point) row.point = expressions_(*constraint.point);
     return row;
@@ -181,9 +185,9 @@ class Builder {
 
   void state(const model::PositionLaw& law, ConstraintRow& row) {
     row.f = expressions_(law.f);
-    row.phi = expressions_.rate(*row.f);
-    find_actions([&] { return expressions_.rate(expressions_(law.f)); }, row);
-    if (law.is_coincidence) row.is_of_coordinates = false;
+    const model::Ast phi = model::rate_of(law);
+    row.phi = expressions_(phi);
+    find_actions([&] { return expressions_(phi); }, row);
   }
 
   // φ once more with the places in it as symbols: its derivatives by their rates are the forces on them per multiplier.
@@ -208,7 +212,7 @@ class Builder {
       row.actions.push_back({frame, expressions_.frames().origin(frame), direction});
     }
     for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) {
-      row.is_of_coordinates = row.is_of_coordinates || !partial(watched, i).is_zero();
+      row.beside.push_back(put_in(partial(watched, i)));
     }
   }
 
@@ -221,6 +225,7 @@ class Builder {
     row.phi = dot(direction, velocity_at(law.frame, point) - velocity_at(law.surface, point));
     row.actions.push_back({law.frame, point, direction});
     row.actions.push_back({law.surface, point, -direction});
+    row.beside = Components(symbols_.full_count(), number(0));
   }
 
   /// Of the point of a frame that is at `place` now: v + ω × r.
@@ -310,8 +315,6 @@ class Builder {
   Vector3 resolved(std::size_t axes, const std::array<model::Ast, 3>& components) {
     return ir::multiply(expressions_.frames().axes(axes), expressions_(components));
   }
-
-  using Components = support::Indexed<FullIndex, Expr>;
 
   /// Q_A = F·∂v_P/∂ẏ^A + M·∂ω/∂ẏ^A (theory section 6)
   Components generalized(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment) {

@@ -48,7 +48,7 @@ struct ConstraintRow {
   std::optional<ir::Vector3> point;               ///< where the reaction acts, space
   bool is_linear = true;                          ///< in the velocities
   std::vector<ConstraintAction> actions;          ///< where the constraint is one of places
-  bool is_of_coordinates = false;                 ///< it limits rates of coordinates by themselves, too
+  support::Indexed<FullIndex, ir::Expr> beside;   ///< the part of beta that is of no place
   support::Indexed<FullIndex, ir::Expr> carried;  ///< the part of beta that is of places on which no body feels it
 };
 

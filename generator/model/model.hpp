@@ -169,7 +169,8 @@ struct VelocityLaw {
 /// f(y, t) = 0, an implicit holonomic constraint (theory §4): its row is φ = df/dt, its multiplier the reaction R of f.
 struct PositionLaw {
   Ast f;
-  bool is_coincidence = false;  ///< a component of the way from one place to another, so that all that turns has no arm
+  bool is_coincidence = false;  ///< a component of the way from one place to another
+  std::optional<Ast> phi = {};  ///< instead of df/dt: the same where f = 0
 };
 
 /// The point of `frame` that is at `at` now has there the velocity of the point of `surface`, along one direction.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/ast_build.hpp"
 #include "model/attitude.hpp"
 #include "model/constant.hpp"
@@ -158,8 +160,9 @@ class ConstraintReader {
     const Node* in = spec::find(map_, "in");
     const std::size_t axes = in == nullptr ? k_space : frame_at(*in, name_.span, "'in'", reading_);
     for (std::size_t i = 0; i < 3; ++i) {
-      Ast gap = pair ? gap_along(*pair, axes, i) : broken_expression();
-      add(PositionLaw{std::move(gap), true}, law.value.span, std::string("_") + "xyz"[i]);
+      PositionLaw row{pair ? gap_along(*pair, axes, i) : broken_expression(), true};
+      if (pair) row.phi = closing_along(*pair, axes, i);
+      add(std::move(row), law.value.span, std::string("_") + "xyz"[i]);
     }
   }
 
@@ -168,12 +171,56 @@ class ConstraintReader {
     const auto gap = [&](std::size_t i) { return difference_of(component_of(pair[0], i), component_of(pair[1], i)); };
     if (frame == k_space) return gap(axis);
     std::vector<Ast> terms;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::string name = fmt::format("{}.{}:{}", reading_.model.frames[frame].name.text, "xyz"[axis], "xyz"[i]);
-      reading_.model.symbols[name] = {SymbolKind::axis, 9 * frame + 3 * axis + i};
-      terms.push_back(product_of(symbol_of(name, pair[0].span), gap(i)));
-    }
+    for (std::size_t i = 0; i < 3; ++i) terms.push_back(product_of(axis_of(frame, axis, i, pair[0].span), gap(i)));
     return node_of(AstKind::sum, pair[0].span, std::move(terms));
+  }
+
+  /// A component in space of an axis of a frame.
+  Ast axis_of(std::size_t frame, std::size_t axis, std::size_t component, support::Span span) {
+    const std::string name =
+        fmt::format("{}.{}:{}", reading_.model.frames[frame].name.text, "xyz"[axis], "xyz"[component]);
+    reading_.model.symbols[name] = {SymbolKind::axis, 9 * frame + 3 * axis + component};
+    return symbol_of(name, span);
+  }
+
+  /// e·c_k d((P - Q)·c_k)/dt over the axes c of what carries both places. Before they meet, as in a search for a start, (P - Q)·e also
+  /// changes as e turns, and as all that carries the loop turns: neither closes it.
+  std::optional<Ast> closing_along(const std::array<Name, 2>& pair, std::size_t frame, std::size_t axis) {
+    const std::size_t carrier = common_carrier(*find_frame(pair[0], reading_), *find_frame(pair[1], reading_));
+    if (frame == carrier) return std::nullopt;
+    const support::Span span = pair[0].span;
+    std::vector<Ast> terms;
+    for (std::size_t k = 0; k < 3; ++k) {
+      Ast closing = call_of("dot", gap_along(pair, carrier, k));
+      if (carrier == k_space) {
+        terms.push_back(product_of(axis_of(frame, axis, k, span), std::move(closing)));
+      } else if (frame == k_space) {
+        terms.push_back(product_of(axis_of(carrier, k, axis, span), std::move(closing)));
+      } else {
+        std::vector<Ast> inner;
+        for (std::size_t i = 0; i < 3; ++i)
+          inner.push_back(product_of(axis_of(frame, axis, i, span), axis_of(carrier, k, i, span)));
+        terms.push_back(product_of(node_of(AstKind::sum, span, std::move(inner)), std::move(closing)));
+      }
+    }
+    return node_of(AstKind::sum, span, std::move(terms));
+  }
+
+  /// The last frame from which the chains to both part. (A ring of frames, which is an error, ends in space.)
+  std::size_t common_carrier(std::size_t a, std::size_t b) const {
+    const std::vector<std::size_t> ways = carriers_of(a);
+    for (const std::size_t frame : carriers_of(b)) {
+      if (std::find(ways.begin(), ways.end(), frame) != ways.end()) return frame;
+    }
+    return k_space;
+  }
+
+  std::vector<std::size_t> carriers_of(std::size_t frame) const {
+    std::vector<std::size_t> result;
+    for (; frame != k_space && result.size() < reading_.model.frames.size();
+         frame = reading_.model.frames[frame].parent)
+      result.push_back(frame);
+    return result;
   }
 
   void read_distance(const Entry& law) {

@@ -1,5 +1,7 @@
 #include "nonholonomic/constraint_rows.hpp"
 
+#include "model/rate.hpp"
+
 namespace gaussgen::nonholonomic {
 
 namespace {
@@ -34,7 +36,7 @@ class Law {
   explicit Law(const Chart& chart) : chart_(chart) {}
 
   ex operator()(const model::VelocityLaw& law) const { return chart_(law.phi); }
-  ex operator()(const model::PositionLaw& law) const { return chart_.rate_of(chart_(law.f)); }
+  ex operator()(const model::PositionLaw& law) const { return chart_(model::rate_of(law)); }
 
   ex operator()(const model::SlipLaw& law) const {
     const auto* place = std::get_if<std::size_t>(&law.at);

@@ -1,5 +1,7 @@
 #include "strategy/reactions.hpp"
 
+#include <algorithm>
+
 #include "strategy/inner.hpp"
 #include "strategy/metric.hpp"
 #include "strategy/release.hpp"
@@ -56,11 +58,12 @@ struct Source {
   Expr size;  ///< λ_μ or R_j
   Vector components;
   const std::optional<Vector3>* point = nullptr;
-  bool is_at_places = false;  ///< forces_at_places has it
-};
 
-/// A constraint between places and nothing else says itself where its forces act.
-bool is_at_places(const kinematics::ConstraintRow& row) { return !row.actions.empty() && !row.is_of_coordinates; }
+  /// A constraint between places and nothing else says itself where its forces act: forces_at_places has them all.
+  bool is_at_places() const {
+    return std::all_of(components.begin(), components.end(), [](Expr component) { return component.is_zero(); });
+  }
+};
 
 std::vector<Source> sources(const Dynamics& dynamics, const Solution& solution, const Vector& held) {
   const kinematics::Kinematics& kinematics = *dynamics.kinematics;
@@ -68,7 +71,7 @@ std::vector<Source> sources(const Dynamics& dynamics, const Solution& solution, 
   std::vector<Source> all;
   for (const ConstraintIndex mu : kinematics.constraints.indices()) {
     const kinematics::ConstraintRow& row = kinematics.constraints[mu];
-    all.push_back({row.name, solution.multipliers[mu.value], row.beta.values(), &row.point, is_at_places(row)});
+    all.push_back({row.name, solution.multipliers[mu.value], row.beside.values(), &row.point});
   }
   ir::Graph& graph = kinematics.potential.graph();
   for (const HeldIndex j : symbols.held.indices()) {
@@ -76,12 +79,11 @@ std::vector<Source> sources(const Dynamics& dynamics, const Solution& solution, 
     const FullIndex row = symbols.full(j);
     Expr passed_on = held[j.value] + kinematics.carried_force[row];
     for (const ConstraintIndex mu : kinematics.constraints.indices()) {
-      if (is_at_places(kinematics.constraints[mu]))
-        passed_on += solution.multipliers[mu.value] * kinematics.constraints[mu].carried[row];
+      passed_on += solution.multipliers[mu.value] * kinematics.constraints[mu].carried[row];
     }
     Vector unit(symbols.full_count(), Expr(graph, graph.constant(0)));
     unit[row.value] = Expr(graph, graph.constant(1));
-    all.push_back({symbols.held[j].name, passed_on, unit, nullptr, false});
+    all.push_back({symbols.held[j].name, passed_on, unit, nullptr});
   }
   return all;
 }
@@ -122,6 +124,23 @@ std::optional<ReactionWrench> wrench_on(const BodyMotion& body, const Source& so
   return wrench;
 }
 
+/// A body that feels a constraint at a place of its own, too, feels both: the force at the place with its moment.
+void add_at_place(ReactionWrench& wrench, const ReactionWrench& at_place, const Source& source, const BodyMotion& body,
+                  Steps& steps) {
+  const std::string suffix = "all_" + source.name + "_" + body.name;
+  wrench.force = steps.name(wrench.force + at_place.force, "force_" + suffix);
+  if (!wrench.moment) return;
+  const Vector3& about = wrench.about_point ? **source.point : body.position;
+  wrench.moment = steps.name(*wrench.moment + cross(*at_place.at - about, at_place.force), "moment_" + suffix);
+}
+
+/// Beside the others of its constraint.
+void insert(ReactionWrench wrench, std::vector<ReactionWrench>& wrenches) {
+  const auto last = std::find_if(wrenches.rbegin(), wrenches.rend(),
+                                 [&](const ReactionWrench& other) { return other.constraint == wrench.constraint; });
+  wrenches.insert(last == wrenches.rend() ? wrenches.end() : last.base(), std::move(wrench));
+}
+
 }  // namespace
 
 namespace {
@@ -141,7 +160,7 @@ std::vector<ReactionWrench> forces_at_places(const Dynamics& dynamics, const Sol
   std::vector<ReactionWrench> wrenches;
   for (const ConstraintIndex mu : dynamics.kinematics->constraints.indices()) {
     const kinematics::ConstraintRow& row = dynamics.kinematics->constraints[mu];
-    if (!is_at_places(row)) continue;
+    if (row.actions.empty()) continue;
     steps.begin("force of " + row.name + " where it acts: lambda dphi/dv", row.name);
     for (const kinematics::ConstraintAction& action : row.actions) {
       if (action.frame == model::k_space || is_zero(action.direction)) continue;
@@ -151,7 +170,8 @@ std::vector<ReactionWrench> forces_at_places(const Dynamics& dynamics, const Sol
            owner,
            steps.name(solution.multipliers[mu.value] * action.direction, "force_" + row.name + "_" + owner),
            {},
-           false});
+           false,
+           action.point});
     }
   }
   return wrenches;
@@ -166,12 +186,22 @@ std::vector<ReactionWrench> reaction_wrenches(const Dynamics& dynamics, const So
   if (release.released().empty()) return wrenches;
   const Metric metric(dynamics, release.released(), epsilon, steps);
   for (const Source& source : sources(dynamics, solution, held)) {
-    if (source.is_at_places || !is_determined(source, release)) continue;
+    if (source.is_at_places() || !is_determined(source, release)) continue;
     steps.begin("direction z of " + source.name + " in the metric: G z = its covariant components");
     const Vector z = metric.solve(source.components, "z_" + source.name, steps);
     steps.begin("force and moment of " + source.name + ": m J z and I W z, times its reaction", source.name);
     for (const BodyMotion& body : dynamics.kinematics->bodies) {
-      if (auto wrench = wrench_on(body, source, z, steps)) wrenches.push_back(std::move(*wrench));
+      auto wrench = wrench_on(body, source, z, steps);
+      if (!wrench) continue;
+      const auto at_place = std::find_if(wrenches.begin(), wrenches.end(), [&](const ReactionWrench& other) {
+        return other.at && other.constraint == source.name && other.body == body.name;
+      });
+      if (at_place == wrenches.end()) {
+        insert(std::move(*wrench), wrenches);
+      } else {
+        add_at_place(*wrench, *at_place, source, body, steps);
+        *at_place = std::move(*wrench);
+      }
     }
   }
   return wrenches;
@@ -181,7 +211,7 @@ std::vector<std::string> undetermined_wrenches(const Dynamics& dynamics, const S
   const Release release(dynamics);
   std::vector<std::string> names;
   for (const Source& source : sources(dynamics, solution, held)) {
-    if (!source.is_at_places && !is_determined(source, release)) names.push_back(source.name);
+    if (!source.is_at_places() && !is_determined(source, release)) names.push_back(source.name);
   }
   return names;
 }

@@ -18,6 +18,7 @@ struct ReactionWrench {
   ir::Vector3 force;
   std::optional<ir::Vector3> moment;  ///< rigid bodies only
   bool about_point = false;
+  std::optional<ir::Vector3> at = {};  ///< where the force acts, if at a place that the constraint names
 };
 
 /// The force and moment of each constraint on each body that it reaches, for constraints over released coordinates

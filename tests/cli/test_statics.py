@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import unittest
 from fractions import Fraction
 
@@ -275,6 +276,40 @@ forces: {one: {spring: x, stiffness: 1, rest: -2}, two: {spring: y, stiffness: 1
 """
         found = self.at_equilibrium(pair)
         self.assertEqual([float(found["state"][name]["value"]) for name in "xy"], [-2, 7])
+
+    def test_forces_that_only_fade_have_none(self):
+        bead = HEAD + """coordinates: {x: {initial: 0.1}}
+particles: {p: {mass: 1, position: [x, 0, 0]}}
+forces: {push: {force: [5, 0, 0], on: p}, rope: {force: ["PULL", 0, 0], on: p}}
+"""
+        for pull in ("-5*x/sqrt(x^2 + 1)", "-5*tanh(x)", "-5 - 5*exp(-x)"):
+            error = self.refused(1, "evaluate", "-", "--equilibrium", stdin=bead.replace("PULL", pull))
+            self.assertRegex(error, "along 'x' (forces fade, and do not vanish|are not in balance)")
+        found = self.at_equilibrium(bead.replace("PULL", "-6*tanh(x)"))
+        self.assertAlmostEqual(float(found["state"]["x"]["value"]), math.atanh(5 / 6), 15)
+
+    def test_where_nothing_is_stiff_the_place_is_known_to_fewer_digits(self):
+        # An inverted pendulum whose spring is just as stiff as its weight turns it: sin(a) - a, flat at 0.
+        pendulum = HEAD + """coordinates: {a: {initial: 0.4}}
+particles: {p: {mass: 1, position: [2*sin(a), 0, 2*cos(a)]}}
+forces: {gravity: {uniform: [0, 0, -10]}, s: {spring: a, stiffness: STIFFNESS}}
+"""
+        done = self.run_it("evaluate", "-", "--equilibrium", "--format=json", stdin=pendulum.replace("STIFFNESS", "20"))
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, r"nothing is stiff along 'a' at this equilibrium: where it is, is known to about \de-\d+ only")
+        claim = float(re.search(r"about (\S+) only", done.stderr)[1])
+        self.assertLess(abs(float(json.loads(done.stdout)["state"]["a"]["value"])), 5 * claim)
+        self.assertLess(claim, 1e-7)
+        self.at_equilibrium(pendulum.replace("STIFFNESS", "21"))
+
+    def test_few_digits_are_rounded_and_not_wrong(self):
+        for digits in (1, 2, 5):
+            self.assertEqual(self.at_equilibrium(MODELS / "four_bar.yaml", f"--digits={digits}")["status"], "ok")
+
+    def test_what_no_force_turns_keeps_its_heading(self):
+        # A coin falls on its edge; which way it looks then, nothing says.
+        found = self.at_equilibrium(MODELS / "rolling_disc.yaml")
+        self.assertAlmostEqual(float(found["state"]["psi"]["value"]), 0, 5)
 
     def test_what_falls_has_none(self):
         self.assertIn("no equilibrium was found near the initial position: where the search ends, -9.81 along 'z' are not in balance",

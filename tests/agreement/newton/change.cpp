@@ -110,6 +110,7 @@ void Change::rewrite(gaussgen::model::Constraint& constraint) const {
     rewrite(velocity->phi);
   } else if (auto* position = std::get_if<gaussgen::model::PositionLaw>(&constraint.law)) {
     rewrite(position->f);
+    if (position->phi) rewrite(*position->phi);
   } else if (auto* at = std::get_if<std::array<Ast, 3>>(&std::get<gaussgen::model::SlipLaw>(constraint.law).at)) {
     rewrite(*at);
   }
