@@ -15,7 +15,23 @@ namespace code = support::code;
 namespace {
 
 constexpr const char* k_space_name = "space";
+constexpr const char* k_body = "the body";
 constexpr std::size_t k_unplaced = static_cast<std::size_t>(-2);
+
+void refuse_second(const Name& name, const std::string& what, Reading& reading) {
+  const auto other = reading.frames.find(name.text);
+  if (other == reading.frames.end() && name.text != k_space_name) return;
+  const std::string owner =
+      other == reading.frames.end()
+          ? "space itself"
+          : fmt::format("the place in {}", reading.line_text(reading.model.frames[other->second].name.span));
+  // What is on the second one is not seen, since the name finds the first.
+  reading.has_unknown_carrier = true;
+  reading.diagnostics.error(code::k_name_clash, name.span, fmt::format("'{}' already names {}", name.text, owner),
+                            what == k_child
+                                ? "a frame is the child of one joint; a loop is closed by a constraint"
+                                : fmt::format("frames, points and bodies share their names; rename {}", what));
+}
 
 class FrameOrder {
  public:
@@ -23,8 +39,9 @@ class FrameOrder {
       : reading_(reading), model_(reading.model), position_(model_.frames.size(), k_unplaced) {}
 
   void run() {
-    for (const std::optional<Name>& parent : reading_.parents) {
-      parent_.push_back(parent ? find_frame(*parent, reading_).value_or(k_space) : k_space);
+    for (const std::optional<Name>& parent : reading_.parents) find(parent);
+    for (const std::size_t i : reading_.second) {
+      if (is_known_[i]) refuse_second(model_.frames[i].name, k_body, reading_);
     }
     for (std::size_t i = 0; i < parent_.size(); ++i) place(i);
     std::vector<Frame> sorted;
@@ -39,6 +56,13 @@ class FrameOrder {
   }
 
  private:
+  void find(const std::optional<Name>& parent) {
+    const auto found = parent ? find_frame(*parent, reading_) : k_space;
+    if (!found) reading_.has_unknown_carrier = true;
+    is_known_.push_back(found.has_value());
+    parent_.push_back(found.value_or(k_space));
+  }
+
   /// The frame after all that carry it: from it towards space, then back.
   void place(std::size_t frame) {
     std::vector<std::size_t> path;
@@ -70,22 +94,10 @@ class FrameOrder {
   Reading& reading_;
   Model& model_;
   std::vector<std::size_t> parent_;
+  std::vector<bool> is_known_;         ///< the parent
   std::vector<std::size_t> position_;  ///< in the sorted list
   std::vector<std::size_t> order_;
 };
-
-void refuse_second(const Name& name, const std::string& what, Reading& reading) {
-  const auto other = reading.frames.find(name.text);
-  if (other == reading.frames.end() && name.text != k_space_name) return;
-  const std::string owner =
-      other == reading.frames.end()
-          ? "space itself"
-          : fmt::format("the place in {}", reading.line_text(reading.model.frames[other->second].name.span));
-  reading.diagnostics.error(code::k_name_clash, name.span, fmt::format("'{}' already names {}", name.text, owner),
-                            what == k_child
-                                ? "a frame is the child of one joint; a loop is closed by a constraint"
-                                : fmt::format("frames, points and bodies share their names; rename {}", what));
-}
 
 std::string hint_for_unknown(const Name& unknown, const Reading& reading) {
   const std::string& name = unknown.text;
@@ -127,13 +139,20 @@ std::size_t add_body_frame(Frame frame, std::optional<Name> parent, Reading& rea
   // Two bodies of one name are reported where bodies are read.
   const bool is_body = other != reading.frames.end() && body != reading.bodies.end() &&
                        reading.model.frames[other->second].name.span == body->second;
-  if (!is_body) refuse_second(frame.name, "the body", reading);
+  // With a slip in 'frame', the body may be meant to be on the frame of its name: that is known when places are.
+  const bool is_second = !is_body && parent && other != reading.frames.end();
+  if (is_second) reading.second.push_back(reading.model.frames.size());
+  if (!is_second && !is_body) refuse_second(frame.name, k_body, reading);
   return add_checked_frame(std::move(frame), std::move(parent), reading);
 }
 
 std::optional<Name> parent_field(const spec::Node& map, const std::string& key, Reading& reading) {
   const spec::Node* node = spec::find(map, key);
-  if (node == nullptr || !expect_scalar(*node, map.span, "'" + key + "'", reading)) return std::nullopt;
+  if (node == nullptr) return std::nullopt;
+  if (!expect_scalar(*node, map.span, "'" + key + "'", reading)) {
+    reading.has_unknown_carrier = true;
+    return std::nullopt;
+  }
   if (node->scalar.text == k_space_name) return std::nullopt;
   return name_of(node->scalar);
 }
@@ -157,9 +176,14 @@ std::optional<std::size_t> find_frame(const Name& name, Reading& reading) {
   return std::nullopt;
 }
 
+std::optional<std::size_t> find_frame_at(const spec::Node& node, support::Span owner, const std::string& what,
+                                         Reading& reading) {
+  if (!expect_scalar(node, owner, what, reading)) return std::nullopt;
+  return find_frame(name_of(node.scalar), reading);
+}
+
 std::size_t frame_at(const spec::Node& node, support::Span owner, const std::string& what, Reading& reading) {
-  if (!expect_scalar(node, owner, what, reading)) return k_space;
-  return find_frame(name_of(node.scalar), reading).value_or(k_space);
+  return find_frame_at(node, owner, what, reading).value_or(k_space);
 }
 
 void order_frames(Reading& reading) {

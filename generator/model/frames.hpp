@@ -25,7 +25,11 @@ void order_frames(Reading& reading);
 /// The frame that is called so, k_space for 'space'; nothing, and a report, if there is none.
 std::optional<std::size_t> find_frame(const Name& name, Reading& reading);
 
-/// Likewise for a value; k_space after a report.
+/// Likewise for a value.
+std::optional<std::size_t> find_frame_at(const spec::Node& node, support::Span owner, const std::string& what,
+                                         Reading& reading);
+
+/// Likewise; k_space after a report.
 std::size_t frame_at(const spec::Node& node, support::Span owner, const std::string& what, Reading& reading);
 
 }  // namespace gaussgen::model

@@ -100,15 +100,22 @@ class ConstraintReader {
     reading_.model.constraints.push_back(std::move(constraint));
   }
 
+  /// What is not known may move by any coordinate.
+  std::size_t place_at(const Node& node, support::Span owner, const std::string& what) {
+    const auto found = find_frame_at(node, owner, what, reading_);
+    if (!found) reading_.has_unknown_carrier = true;
+    return found.value_or(k_space);
+  }
+
   /// `on` and `at` of rolling and sliding.
   SlipLaw read_contact(const Entry& law, const std::string& where) {
     SlipLaw contact;
     contact.direction = {number(0), number(0), number(0)};
-    contact.frame = frame_at(law.value, law.key.span, "the body", reading_);
-    if (const Node* on = spec::find(map_, "on")) contact.surface = frame_at(*on, name_.span, "'on'", reading_);
+    contact.frame = place_at(law.value, law.key.span, "the body");
+    if (const Node* on = spec::find(map_, "on")) contact.surface = place_at(*on, name_.span, "'on'");
     const Node* at = required(map_, "at", name_.span, where, reading_);
     if (at == nullptr || at->kind == spec::NodeKind::scalar) {
-      contact.at = at == nullptr ? k_space : frame_at(*at, name_.span, "'at'", reading_);
+      contact.at = at == nullptr ? k_space : place_at(*at, name_.span, "'at'");
     } else {
       contact.at = read_vector(*at, name_.span, "'at'", reading_);
     }
@@ -128,7 +135,7 @@ class ConstraintReader {
 
   void read_slip(const Entry& law, const std::string& where) {
     SlipLaw contact = read_contact(law, where);
-    if (const Node* in = spec::find(map_, "in")) contact.axes = frame_at(*in, name_.span, "'in'", reading_);
+    if (const Node* in = spec::find(map_, "in")) contact.axes = place_at(*in, name_.span, "'in'");
     const Node* direction = required(map_, "direction", name_.span, where, reading_);
     if (direction == nullptr) return add(VelocityLaw{broken_expression()}, name_.span);
     const auto axis = read_axis(*direction, name_.span, "'direction'", reading_);
@@ -158,7 +165,7 @@ class ConstraintReader {
   void read_coincidence(const Entry& law) {
     const auto pair = read_pair(law);
     const Node* in = spec::find(map_, "in");
-    const std::size_t axes = in == nullptr ? k_space : frame_at(*in, name_.span, "'in'", reading_);
+    const std::size_t axes = in == nullptr ? k_space : place_at(*in, name_.span, "'in'");
     for (std::size_t i = 0; i < 3; ++i) {
       PositionLaw row{pair ? gap_along(*pair, axes, i) : broken_expression(), true};
       if (pair) row.phi = closing_along(*pair, axes, i);

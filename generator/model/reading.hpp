@@ -29,9 +29,12 @@ struct Reading {
   std::map<std::string, std::size_t> frames = {};  ///< index into Model::frames
   /// What each of Model::frames is placed against, until order_frames has found it; empty: space.
   std::vector<std::optional<Name>> parents = {};
+  bool has_unknown_carrier = false;      ///< of a frame, or a place that a constraint relates, which a slip has hidden
+  std::vector<std::size_t> second = {};  ///< frames of bodies on other frames, whose names another frame has
   Unread unread = {};
   Copies copies = {};
-  std::set<std::string> refused = {};         ///< names that were declared and may not be
+  std::set<std::string> refused =
+      {};  ///< declared, and may not be or are of two things: nothing is known of what uses them
   std::set<std::uint32_t> unknown_keys = {};  ///< where keys begin that were reported
 
   std::string line_text(support::Span span) const { return source.line_text(span.begin); }

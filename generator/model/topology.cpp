@@ -91,7 +91,7 @@ bool owns_name(const Model& model, std::size_t coordinate) {
 void check_used(Reading& reading) {
   const Model& model = reading.model;
   const Uses uses = uses_of(model);
-  if (uses.unsure) return;
+  if (uses.unsure || reading.has_unknown_carrier) return;
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& coordinate = model.coordinates[i];
     if (uses.coordinates.count(i) > 0 || !owns_name(model, i) || is_constrained(model, i)) continue;
