@@ -69,9 +69,8 @@ class JointReader {
     check_unique();
     where_ = fmt::format("joint '{}'", name_.text);
     if (!expect_map(map_, name_.span, where_, reading_)) {
-      // Its child may have any name.
       reading_.unread.add(entry_);
-      reading_.unread.add_any_frame();
+      note_unknown_child();
       return;
     }
     if (!find_kind()) return add_unknown_kind();
@@ -301,7 +300,7 @@ class JointReader {
     Joint joint{name_, text_field(map_, "about", reading_), kind_ == nullptr ? JointType::fixed : kind_->type, 0};
     const Node* child = required(map_, "child", name_.span, where_, reading_);
     if (child == nullptr || !expect_scalar(*child, name_.span, "'child'", reading_)) {
-      reading_.unread.add_any_frame();
+      note_unknown_child();
       return;
     }
     frame_.name = name_of(child->scalar);
@@ -310,7 +309,10 @@ class JointReader {
     reading_.model.joints.push_back(std::move(joint));
   }
 
-  using Span = support::Span;
+  /// It may have any name, in the file of the joint.
+  void note_unknown_child() {
+    reading_.unread.add_any_frame(reading_.copies.prefix_of(name_.text, name_.span.begin, reading_.source));
+  }
 
   const Entry& entry_;
   const Node& map_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -55,8 +56,9 @@ Node scalar_of(const spec::LocatedText& text) {
 /// What a file brings.
 struct Part {
   Node root;
-  bool is_whole = true;  ///< all of it could be read
-  Copies copies = {};    ///< of its files
+  Unread unread = {};                   ///< what could not be read
+  Copies copies = {};                   ///< of its files
+  std::set<std::uint32_t> fields = {};  ///< where the names of fields in its parts stand that are reported
 };
 
 class Submodels {
@@ -92,9 +94,10 @@ class Submodels {
       if (path != nullptr && expect_scalar(*path, part.key.span, "'file'", reading_) && has_name(*path)) {
         std::optional<Part> content = read(beside(file, path->scalar.text), path->span);
         if (content && has_room(part, content->root)) {
-          if (!content->is_whole) reading_.unread.add_owner(part.key.text);
+          reading_.unread.add(content->unread, part.key.text + "_");
           reading_.copies.add(content->copies, part.key.text + "_");
-          fit(part, content->root);
+          fields_.insert(content->fields.begin(), content->fields.end());
+          fit(part, *content);
           return merge(std::move(content->root), model);
         }
       }
@@ -149,29 +152,34 @@ class Submodels {
     // Its names, and those that it lacks, get the name of the submodel in front.
     Unread unread_around;
     Copies copies_around;
+    std::set<std::uint32_t> fields_around;
     std::swap(unread_around, reading_.unread);
     std::swap(copies_around, reading_.copies);
+    std::swap(fields_around, fields_);
     Part part;
     part.root = assembled(*std::move(root), path);
     read_version(part.root, top, reading_);
     check_keys(part.root, "a model file", format::keys_of(format::model_file()), reading_);
-    part.is_whole = !reading_.unread.any();
     part.copies.add(top.begin - source_.offset_in_file(top.begin), "");
     part.copies.add(reading_.copies, "");
     std::swap(unread_around, reading_.unread);
     std::swap(copies_around, reading_.copies);
+    std::swap(fields_around, fields_);
+    part.unread = std::move(unread_around);
+    part.fields = std::move(fields_around);
     return part;
   }
 
   /// Names, parameters and place of the part as the model around it wants them; as far as it fits, after a report.
-  void fit(const Entry& part, Node& content) {
+  void fit(const Entry& part, Part& of) {
+    Node& content = of.root;
     drop_header(content);
     leave_out(part, content);
     // Before values of the model around come in, whose names stay.
     const Node* on = spec::find(part.value, "on");
     if (on != nullptr && !expect_scalar(*on, part.key.span, "'on'", reading_)) on = nullptr;
     if (on != nullptr) check_place(part, content);
-    check_fields(part, content);
+    check_fields(part, of);
     check_parameters(part, content);
     prefix_names(content, part.key.text + "_");
     set_parameters(part, content);
@@ -213,12 +221,15 @@ class Submodels {
     return is_found;
   }
 
-  /// A field acts on every mass of the model, and the model around has its own gravity.
-  void check_fields(const Entry& part, const Node& content) {
-    const Node* forces = spec::find(content, "forces");
+  /// A field acts on every mass of the model, and the model around has its own gravity. That of a part of the part is
+  /// left out there.
+  void check_fields(const Entry& part, const Part& of) {
+    const Node* forces = spec::find(of.root, "forces");
     if (forces == nullptr) return;
     for (const Entry& force : forces->entries) {
       if (force.value.kind != NodeKind::map || spec::find(force.value, "uniform") == nullptr) continue;
+      if (of.fields.count(force.key.span.begin) > 0) continue;
+      fields_.insert(force.key.span.begin);
       reading_.diagnostics.error(
           code::k_submodel_fit, part.key.span,
           fmt::format("'{}' of submodel '{}' would act on every mass of the model", force.key.text, part.key.text),
@@ -321,8 +332,9 @@ class Submodels {
   support::Source& source_;
   Reading& reading_;
   std::map<std::string, std::optional<Part>> files_;
-  std::size_t nodes_ = 0;          ///< of all that was merged
-  std::vector<std::string> open_;  ///< files that are being read, the outermost first
+  std::size_t nodes_ = 0;           ///< of all that was merged
+  std::set<std::uint32_t> fields_;  ///< as Part::fields, of the file that is read
+  std::vector<std::string> open_;   ///< files that are being read, the outermost first
 };
 
 }  // namespace

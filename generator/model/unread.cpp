@@ -11,7 +11,10 @@ using support::is_name_character;
 
 namespace {
 
-bool begins(const std::string& name, const std::string& with) { return name.compare(0, with.size(), with) == 0; }
+bool begins_with_one_of(const std::set<std::string>& beginnings, const std::string& name) {
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](const std::string& beginning) { return name.compare(0, beginning.size(), beginning) == 0; });
+}
 
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
@@ -49,15 +52,24 @@ void Unread::add_owner(const std::string& name) {
 }
 
 void Unread::add_everything() {
-  is_any_frame_ = true;
+  frames_.insert("");
   beginnings_.insert("");
+}
+
+void Unread::add(const Unread& inside, const std::string& prefix) {
+  for (const std::string& name : inside.names_) names_.insert(prefix + name);
+  for (const std::string& beginning : inside.beginnings_) beginnings_.insert(prefix + beginning);
+  for (const std::string& beginning : inside.frames_) frames_.insert(prefix + beginning);
 }
 
 bool Unread::may_declare(const std::string& name) const {
   const std::string owner = name.substr(0, name.find('.'));
-  if (owner.size() < name.size() && is_any_frame_) return true;
-  return names_.count(owner) > 0 || std::any_of(beginnings_.begin(), beginnings_.end(),
-                                                [&](const std::string& beginning) { return begins(owner, beginning); });
+  if (owner.size() < name.size() && begins_with_one_of(frames_, owner)) return true;
+  return names_.count(owner) > 0 || begins_with_one_of(beginnings_, owner);
+}
+
+bool Unread::may_declare_frame(const std::string& name) const {
+  return begins_with_one_of(frames_, name) || may_declare(name);
 }
 
 }  // namespace gaussgen::model

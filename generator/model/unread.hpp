@@ -19,18 +19,23 @@ class Unread {
   void add_owner(const std::string& name);
 
   void add_everything();
-  void add_any_frame() { is_any_frame_ = true; }
+
+  /// In a submodel, names of frames begin with `prefix`.
+  void add_any_frame(const std::string& prefix) { frames_.insert(prefix); }
+
+  /// What is missing in a submodel, whose names get `prefix` in front.
+  void add(const Unread& inside, const std::string& prefix);
 
   /// Whether something is missing at all: then nothing can be counted.
-  bool any() const { return is_any_frame_ || !names_.empty() || !beginnings_.empty(); }
+  bool any() const { return !frames_.empty() || !names_.empty() || !beginnings_.empty(); }
 
   bool may_declare(const std::string& name) const;
-  bool may_declare_frame(const std::string& name) const { return is_any_frame_ || may_declare(name); }
+  bool may_declare_frame(const std::string& name) const;
 
  private:
   std::set<std::string> names_;
   std::set<std::string> beginnings_;
-  bool is_any_frame_ = false;
+  std::set<std::string> frames_;  ///< how names of frames begin that may be any
 };
 
 }  // namespace gaussgen::model
