@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "model/ast_build.hpp"
 #include "model/fields.hpp"
 #include "support/error_codes.hpp"
 
@@ -21,13 +22,16 @@ void read_diagonal(const Node& list, Inertia& inertia, Reading& reading) {
   for (std::size_t i = 0; i < 3; ++i) inertia.entries[i] = read_expression(list.items[i], list.span, reading);
 }
 
-void check_mirrored(const Ast& upper, const Ast& lower, std::size_t row, std::size_t column, Reading& reading) {
-  if (is_broken(upper) || is_broken(lower) || same_expression(upper, lower)) return;
+/// What stands for both entries.
+Ast mirrored(const Ast& upper, const Ast& lower, std::size_t row, std::size_t column, Reading& reading) {
+  if (is_broken(upper) || is_broken(lower) || same_expression(upper, lower)) return upper;
   reading.diagnostics.error(
       code::k_asymmetric_inertia, lower.span,
       fmt::format("the entry in row {}, column {} of the inertia matrix differs from the one in row {}, column {}",
                   column + 1, row + 1, row + 1, column + 1),
       "an inertia matrix is symmetric: write the same expression in both places");
+  // Without a value nothing is said of moments; names in both are looked at.
+  return sum_of(sum_of(upper, lower), broken_expression());
 }
 
 void read_matrix(const Node& list, Inertia& inertia, Reading& reading) {
@@ -39,8 +43,7 @@ void read_matrix(const Node& list, Inertia& inertia, Reading& reading) {
     rows[i] = read_vector(list.items[i], list.span, "a row of the inertia matrix", reading);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = i; j < 3; ++j) {
-      if (j > i) check_mirrored(rows[i][j], rows[j][i], i, j, reading);
-      inertia.entries[k_slot[i][j]] = rows[i][j];
+      inertia.entries[k_slot[i][j]] = j > i ? mirrored(rows[i][j], rows[j][i], i, j, reading) : rows[i][j];
     }
   }
 }
