@@ -141,22 +141,33 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
   node.scalar = align(value, source_.text(), at, style);
   node.span = node.scalar.span;
   count_node(node.span);
-  for (std::size_t i = 0; i < value.size();) {
-    const support::CodePoint point = support::code_point_at(value, i);
-    if (support::is_control(point.value) || support::is_invisible(point.value)) {
-      diagnostics_.error(code::k_forbidden_character, node.scalar.span_of(i, i + 1),
-                         fmt::format("an escape for U+{:04X}, which may not appear in a model file",
-                                     static_cast<std::uint32_t>(point.value)),
-                         "delete it; it is not visible in most editors");
-    }
-    i += point.size;
-  }
+  refuse_escaped_characters(node.scalar);
   if (expects_key()) {
     check_key_length(node.scalar);
     open_.back().key = std::move(node.scalar);
   } else {
     add(std::move(node));
   }
+}
+
+/// They are taken out of the text, so that nothing else is said of them.
+void TreeBuilder::refuse_escaped_characters(LocatedText& scalar) {
+  LocatedText kept;
+  kept.span = scalar.span;
+  for (std::size_t i = 0; i < scalar.text.size();) {
+    const support::CodePoint point = support::code_point_at(scalar.text, i);
+    if (support::is_control(point.value) || support::is_invisible(point.value)) {
+      diagnostics_.error(code::k_forbidden_character, scalar.span_of(i, i + 1),
+                         fmt::format("an escape for U+{:04X}, which may not appear in a model file",
+                                     static_cast<std::uint32_t>(point.value)),
+                         "delete it; it is not visible in most editors");
+    } else {
+      kept.text.append(scalar.text, i, point.size);
+      for (std::size_t j = i; j < i + point.size; ++j) kept.origin.push_back(scalar.origin[j]);
+    }
+    i += point.size;
+  }
+  scalar = std::move(kept);
 }
 
 void TreeBuilder::check_key_length(const LocatedText& key) {

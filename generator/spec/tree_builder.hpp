@@ -53,6 +53,7 @@ class TreeBuilder final : public YAML::EventHandler {
   void refuse_extras(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor);
   void open(const YAML::Mark& mark, NodeKind kind, YAML::EmitterStyle::value style);
   void refuse_key(support::Span span);
+  void refuse_escaped_characters(LocatedText& scalar);
   void check_key_length(const LocatedText& key);
   void close();
   void add(Node node);
