@@ -3,6 +3,7 @@
 namespace gaussgen::model {
 
 void check_model(Reading& reading) {
+  for (const std::string& name : reading.refused) reading.model.symbols.erase(name);
   check_references(reading);
   check_domains(reading);
   order_parameters(reading);

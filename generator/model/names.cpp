@@ -98,6 +98,7 @@ bool enter(const Name& name, const std::string& what, Reading& reading) {
   }
   const auto [place, is_new] = reading.declared.emplace(name.text, Declared{name.span, what});
   if (is_new) return true;
+  reading.refused.insert(name.text);
   reading.diagnostics.error(
       code::k_name_clash, name.span,
       fmt::format("'{}' already names {} in {}", name.text, place->second.what, reading.line_text(place->second.span)),

@@ -19,10 +19,16 @@ bool is_speed(SymbolKind kind) {
   return kind == SymbolKind::coordinate || kind == SymbolKind::angular_velocity || kind == SymbolKind::speed;
 }
 
+/// Of what is reported already.
+bool may_be_any(const Name& name, const Reading& reading) {
+  const bool is_known = reading.model.symbols.count(name.text) > 0;
+  return !is_known && (reading.unread.may_declare(name.text) || reading.refused.count(name.text) > 0);
+}
+
 bool check_speed(const Name& name, const std::string& what, Reading& reading) {
   const auto symbol = reading.model.symbols.find(name.text);
   if (symbol != reading.model.symbols.end() && is_speed(symbol->second.kind)) return true;
-  if (symbol == reading.model.symbols.end() && reading.unread.may_declare(name.text)) return false;
+  if (may_be_any(name, reading)) return false;
   std::vector<std::string> candidates;
   for (const auto& [candidate, reference] : reading.model.symbols) {
     if (is_speed(reference.kind)) candidates.push_back(candidate);
@@ -38,7 +44,7 @@ bool check_speed(const Name& name, const std::string& what, Reading& reading) {
 void check_coordinate(const Name& name, Reading& reading) {
   const auto symbol = reading.model.symbols.find(name.text);
   if (symbol != reading.model.symbols.end() && symbol->second.kind == SymbolKind::coordinate) return;
-  if (symbol == reading.model.symbols.end() && reading.unread.may_declare(name.text)) return;
+  if (may_be_any(name, reading)) return;
   std::vector<std::string> candidates;
   for (const Coordinate& coordinate : reading.model.coordinates) candidates.push_back(coordinate.name.text);
   const std::string near = did_you_mean(name, candidates, reading);
