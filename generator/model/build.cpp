@@ -69,6 +69,8 @@ std::optional<Model> build_model(support::Source& source, support::Diagnostics& 
   read_sections(whole, reading);
   check_model(reading);
   check_units(reading);
+  // Next to errors this is of no interest.
+  if (!diagnostics.has_errors()) check_frequencies(reading);
   check_dimensions(reading);
   diagnostics = reading.copies.in_own_names(diagnostics, source);
   if (diagnostics.has_errors()) return std::nullopt;

@@ -33,4 +33,7 @@ void check_dimensions(Reading& reading);
 /// Warns of units such as deg and mm, which look like a conversion that nobody makes.
 void check_units(Reading& reading);
 
+/// Warns of frequencies in Hz whose turns are taken for radians. Wants ordered parameters.
+void check_frequencies(Reading& reading);
+
 }  // namespace gaussgen::model

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <set>
 #include <string>
 
 #include "model/checks.hpp"
-#include "model/expressions.hpp"
 #include "model/unit_lexer.hpp"
 #include "model/unit_names.hpp"
 #include "support/error_codes.hpp"
@@ -35,34 +33,9 @@ void check_unit(const Name& name, const std::string& unit, Reading& reading) {
       "use m, kg, s, rad and what follows from them; functions take radians");
 }
 
-void collect_names(const Ast& ast, std::set<std::string>& names) {
-  if (ast.kind == AstKind::symbol) names.insert(ast.name);
-  for (const Ast& child : ast.children) collect_names(child, names);
-}
-
-/// Hz and rad/s are both 1/s to whoever checks dimensions, and a turn apart. Who writes 2*pi*f knows.
-void check_frequencies(Reading& reading) {
-  std::set<std::string> beside_pi;
-  for_each_expression(reading.model, [&](const Ast& ast, const Place&) {
-    std::set<std::string> names;
-    collect_names(ast, names);
-    if (names.count("pi") > 0) beside_pi.insert(names.begin(), names.end());
-  });
-  const auto check = [&](const Name& name, const std::string& unit) {
-    if (unit != "Hz" || beside_pi.count(name.text) > 0) return;
-    reading.diagnostics.warning(
-        support::code::k_scaled_unit, name.span,
-        fmt::format("'{}' is in Hz, and no expression makes an angle of its cycles", name.text),
-        fmt::format("write 2*pi*{} for an angular velocity; what counts no cycles is in 1/s", name.text));
-  };
-  for (const Parameter& parameter : reading.model.parameters) check(parameter.name, parameter.unit);
-  for (const Input& input : reading.model.inputs) check(input.name, input.unit);
-}
-
 }  // namespace
 
 void check_units(Reading& reading) {
-  check_frequencies(reading);
   for (const Parameter& parameter : reading.model.parameters) check_unit(parameter.name, parameter.unit, reading);
   for (const Input& input : reading.model.inputs) check_unit(input.name, input.unit, reading);
   for (const Table& table : reading.model.tables) {
