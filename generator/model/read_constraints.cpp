@@ -6,7 +6,6 @@
 
 #include "model/ast_build.hpp"
 #include "model/attitude.hpp"
-#include "model/constant.hpp"
 #include "model/fields.hpp"
 #include "model/format.hpp"
 #include "model/frames.hpp"
@@ -234,10 +233,6 @@ class ConstraintReader {
     const auto pair = read_pair(law);
     const Node* length = required(map_, "is", name_.span, fmt::format("constraint '{}'", name_.text), reading_);
     Ast value = length == nullptr ? broken_expression() : read_expression(*length, name_.span, reading_);
-    if (const auto size = exact_value(value); size && *size == 0 && length != nullptr)
-      reading_.diagnostics.error(code::k_undefined_value, length->span,
-                                 "places at distance 0 have no direction from one to the other",
-                                 "write coincide: [P, Q], which keeps them together");
     Ast distance = pair ? distance_between((*pair)[0], (*pair)[1]) : broken_expression();
     add(PositionLaw{difference_of(std::move(distance), std::move(value))}, law.value.span);
   }

@@ -6,6 +6,7 @@
 
 #include "model/attitude.hpp"
 #include "model/checks.hpp"
+#include "model/constant.hpp"
 #include "model/constant_check.hpp"
 #include "model/evaluate.hpp"
 #include "model/expressions.hpp"
@@ -104,6 +105,35 @@ void check_directions(const Values& values, Reading& reading) {
   }
 }
 
+/// The value of `is` in |P - Q| - is; nothing for other laws.
+const Ast* length_in(const Constraint& constraint) {
+  const auto* const law = std::get_if<PositionLaw>(&constraint.law);
+  const bool is_distance = law != nullptr && law->f.is_derived && !law->is_coincidence;
+  return is_distance ? &law->f.children[1].children[0] : nullptr;
+}
+
+void check_distance(const Ast& length, const Values& values, Reading& reading) {
+  const auto exact = exact_value(length);
+  const auto value = exact ? support::to_double(*exact) : value_of(length, values);
+  if (!value || *value > 0 || !std::isfinite(*value)) return;
+  const char* const at = exact ? "" : "with the given parameters, ";
+  if (*value == 0) {
+    reading.diagnostics.error(code::k_undefined_value, length.span,
+                              fmt::format("{}places at distance 0 have no direction from one to the other", at),
+                              "write coincide: [P, Q], which keeps them together");
+  } else {
+    reading.diagnostics.error(code::k_undefined_value, length.span,
+                              fmt::format("{}this distance is {:.6g}, and none is negative", at, *value),
+                              "a distance has no direction and so no sign: write its size");
+  }
+}
+
+void check_distances(const Values& values, Reading& reading) {
+  for (const Constraint& constraint : reading.model.constraints) {
+    if (const Ast* const length = length_in(constraint)) check_distance(*length, values, reading);
+  }
+}
+
 }  // namespace
 
 void check_values(Reading& reading) {
@@ -111,6 +141,7 @@ void check_values(Reading& reading) {
   check_expressions(values, reading);
   check_bodies(values, reading);
   check_directions(values, reading);
+  check_distances(values, reading);
   for (const Orientation& orientation : reading.model.orientations) check_quaternion(orientation, values, reading);
 }
 
