@@ -183,9 +183,27 @@ void Inference::report_unlike(const Term& term, const Term& reference, const cha
       code::k_unlike_terms, term.ast->span,
       fmt::format("{} is {}, and {} in the same {} is {}", quoted(*term.ast, "this term"), phrase(term.measure),
                   quoted(*reference.ast, "another term"), whole, phrase(reference.measure)),
-      is_literal ? fmt::format("declare a parameter with a unit for it, as in 'a: {{value: {}, unit: {}}}'",
-                               literal_text(*term.ast), unit_of(reference.measure))
+      is_literal ? fmt::format("declare a parameter with a unit for it, as in '{}: {{value: {}, unit: {}}}'",
+                               free_name(), literal_text(*term.ast), unit_of(reference.measure))
                  : units_of_names(model_, {term.ast, reference.ast}));
+}
+
+std::string Inference::free_name() const {
+  std::string name = "a";
+  while (is_taken(name)) name = name == "z" ? "a1" : name.size() == 1 ? std::string(1, ++name.front()) : name + "1";
+  return name;
+}
+
+/// In the file of a submodel, names have that of the submodel in front.
+bool Inference::is_taken(const std::string& name) const {
+  const auto is_same = [&](const std::string& other) {
+    const std::size_t size = name.size();
+    return other == name || (other.size() > size + 1 && other.substr(other.size() - size - 1) == "_" + name);
+  };
+  return is_reserved(name) ||
+         std::any_of(model_.symbols.begin(), model_.symbols.end(), [&](const auto& of) { return is_same(of.first); }) ||
+         std::any_of(model_.tables.begin(), model_.tables.end(),
+                     [&](const Table& of) { return is_same(of.name.text); });
 }
 
 std::string Inference::literal_text(const Ast& ast) const {

@@ -44,6 +44,10 @@ class Inference {
 
   /// The text of a term as a name for it: "'r*wx'", or `otherwise` when it is long.
   std::string quoted(const Ast& ast, const std::string& otherwise) const;
+  /// For a parameter that a hint proposes.
+  std::string free_name() const;
+  bool is_taken(const std::string& name) const;
+
   std::string literal_text(const Ast& ast) const;
   std::string hint_for_argument(const Ast& call, const Measure& argument) const;
 
