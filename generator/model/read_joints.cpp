@@ -197,10 +197,24 @@ class JointReader {
       Name name{default_name(kind_->freedoms[i]), name_.span};
       if (names[i].node != nullptr && expect_scalar(*names[i].node, names[i].list, "a coordinate", reading_)) {
         name = name_of(names[i].node->scalar);
+        if (is_named_before(i, names)) continue;
       }
       add_coordinate(name, i, {initial[i], guesses[i], rates[i]});
       move_along(name, i);
     }
+  }
+
+  /// One coordinate for two motions of a joint: as of a screw, but with a pitch of a metre for each radian.
+  bool is_named_before(std::size_t i, const std::vector<Value>& names) {
+    const std::string& text = names[i].node->scalar.text;
+    const auto is_same = [&](const Value& other) {
+      return other.node != nullptr && other.node->kind == NodeKind::scalar && other.node->scalar.text == text;
+    };
+    if (std::none_of(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), is_same)) return false;
+    reading_.diagnostics.error(code::k_name_clash, names[i].node->span,
+                               fmt::format("'{}' names two coordinates of {}", text, where_),
+                               "name another one; motions that depend on each other are related by a constraint");
+    return true;
   }
 
   struct Start {
