@@ -72,8 +72,8 @@ namespace {
 const char* remedy_for_redundant(const model::Constraint& row) {
   if (!row.may_vanish) return "remove it; accelerations are right, and status says dependent_constraints";
   return std::holds_alternative<model::SlipLaw>(row.law)
-             ? "it is one of the three rows of 'rolls': write 'no_slip' in the directions that are needed instead"
-             : "it is one of the three rows of 'coincide': 'in: frame' with an axis across the plane of a loop leaves "
+             ? "it is one of the rows of 'rolls': write 'no_slip' in the directions that are needed instead"
+             : "it is one of the rows of 'coincide': 'in: frame' with an axis across the plane of a loop leaves "
                "it out, or "
                "write 'equation' for those that are needed";
 }
