@@ -31,6 +31,7 @@ Json list_of(const format::Value& value) {
     schema["minItems"] = value.count;
     schema["maxItems"] = value.count;
   }
+  if (value.item->shape == format::Shape::word && value.item->others.empty()) schema["uniqueItems"] = true;
   return schema;
 }
 

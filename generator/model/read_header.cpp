@@ -43,6 +43,12 @@ void read_output(const spec::Node& item, support::Span owner, Reading& reading) 
                               near.empty() ? "known outputs: " + support::joined(format::outputs()) : near);
     return;
   }
+  const auto& before = reading.model.outputs;
+  if (std::any_of(before.begin(), before.end(), [&](const Name& other) { return other.text == name.text; })) {
+    reading.diagnostics.error(code::k_duplicate_key, name.span, fmt::format("'{}' is in this list already", name.text),
+                              "remove one of the two");
+    return;
+  }
   reading.model.outputs.push_back(name);
 }
 

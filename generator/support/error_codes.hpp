@@ -19,7 +19,7 @@ inline constexpr ErrorCode k_forbidden_character{"E002", "an invisible or contro
 inline constexpr ErrorCode k_file_too_large{"E003", "the file is too large or too deeply nested"};
 inline constexpr ErrorCode k_yaml_syntax{"E004", "the text is not valid YAML"};
 inline constexpr ErrorCode k_tab_indentation{"E005", "a tab where YAML wants spaces"};
-inline constexpr ErrorCode k_duplicate_key{"E006", "a key appears twice in one map"};
+inline constexpr ErrorCode k_duplicate_key{"E006", "a key appears twice in one map, or a word twice in a list"};
 inline constexpr ErrorCode k_yaml_feature{"E007", "anchors, aliases and tags are not part of the format"};
 inline constexpr ErrorCode k_several_documents{"E008", "more than one document in the file"};
 inline constexpr ErrorCode k_empty_file{"E009", "there is nothing in the file"};
