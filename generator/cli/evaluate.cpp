@@ -119,17 +119,18 @@ void set_start(Mechanics& mechanics, model::Model& model, const support::Rationa
 }  // namespace
 
 int evaluate(const Options& options) {
+  // What is wrong on the command line is said first.
+  const support::Rational time = parse_time(options.time);
   std::optional<ReadingGuard> guard(options.messages);
   support::Source source = read_source(options.model);
   support::Diagnostics diagnostics;
   std::optional<model::Model> model = read_model(source, diagnostics);
   guard.reset();
+  std::optional<WantedAccelerations> wanted;
+  if (model) apply_overrides(options.overrides, *model);
+  if (model && !options.accelerations.empty()) wanted = parse_accelerations(options.accelerations, *model);
   const int code = report(diagnostics, source, options.messages);
   if (!model || code != k_ok) return code;
-  apply_overrides(options.overrides, *model);
-  const support::Rational time = parse_time(options.time);
-  std::optional<WantedAccelerations> wanted;
-  if (!options.accelerations.empty()) wanted = parse_accelerations(options.accelerations, *model);
   Mechanics mechanics(*model, {});
   support::Diagnostics structure;
   check_structure(mechanics, structure);

@@ -481,6 +481,13 @@ forces: {gravity: {uniform: [0, 0, -9.81]}}
                 "chi=sqrt(r-R)": "--set chi: with the values of the parameters this is not a real number"}.items():
             self.assertIn(answer, self.refused(2, "evaluate", SPHERE, "--set", assignment), assignment)
 
+    def test_what_is_wrong_on_the_command_line_is_said_before_warnings_of_the_model(self):
+        warned_of = PARTICLE.replace("unit: kg", "unit: g")
+        self.assertIn("W055", self.run_it("evaluate", "-", stdin=warned_of).stderr)
+        for option in ("--set=nowhere=1", "--time=now", "--accelerate=nowhere=1"):
+            error = self.refused(2, "evaluate", "-", option, stdin=warned_of)
+            self.assertRegex(error, "^gauss-gen: " + option.split("=", maxsplit=1)[0])
+
     def test_a_value_that_a_model_may_not_have_is_warned_of(self):
         for assignment, answer in {"m1=-1": "the mass of 'first' is negative: -1",
                                    "m1=0": "'first' has no mass: it resists no motion and weighs nothing"}.items():
