@@ -1,5 +1,6 @@
 #include "cli/files.hpp"
 
+#include <cstdio>
 #include <iostream>
 
 #include "support/files.hpp"
@@ -11,7 +12,8 @@ void fail_on(const std::string& path, const std::string& what) { throw FileError
 support::Source read_source(const std::string& path) {
   if (path == "-") {
     std::optional<std::string> text = support::read_stream(std::cin);
-    if (!text) fail_on("<stdin>", "cannot be read");
+    // The stream takes an error, as of a closed one, for the end.
+    if (!text || std::ferror(stdin) != 0) fail_on("<stdin>", "cannot be read");
     return {"<stdin>", *std::move(text), support::read_regular_file};
   }
   std::string why;

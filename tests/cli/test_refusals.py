@@ -137,6 +137,11 @@ class Files(Program):
             for command in ([], ["evaluate"], ["derivation"]):
                 self.assertRegex(self.refused(3, *command, model), r"^gauss-gen: .*: \w")
 
+    def test_a_closed_standard_input_is_not_an_empty_one(self):
+        for command in ("", "evaluate"):
+            result = subprocess.run(["sh", "-c", f'"$0" {command} - <&-', PROGRAM], capture_output=True, text=True, check=False)
+            self.assertEqual((result.returncode, result.stderr), (3, "gauss-gen: <stdin>: cannot be read\n"))
+
     def test_what_cannot_be_written_is_refused_with_3(self):
         self.write("file", "")
         (self.folder / "taken/skew_chart.hpp").mkdir(parents=True)
