@@ -93,6 +93,19 @@ std::string in_capitals(std::string text) {
   return text;
 }
 
+constexpr std::size_t k_digits = 3;
+
+/// 31 and 031 are E031, if it is no warning, too.
+std::vector<support::ErrorCode> codes_of_digits(const std::string& word) {
+  std::vector<support::ErrorCode> meant;
+  if (word.empty() || word.size() > k_digits || word.find_first_not_of("0123456789") != std::string::npos) return meant;
+  const std::string digits = std::string(k_digits - word.size(), '0') + word;
+  for (const support::ErrorCode& code : all_codes()) {
+    if (std::string(code).substr(1) == digits) meant.push_back(code);
+  }
+  return meant;
+}
+
 support::ErrorCode find_code(const std::string& word) {
   const std::string wanted = in_capitals(word);
   std::vector<std::string> known;
@@ -100,11 +113,10 @@ support::ErrorCode find_code(const std::string& word) {
     if (wanted == code.id) return code;
     known.emplace_back(code.id);
   }
-  // Of digits alone, an error and a warning may be meant.
-  const bool has_error = std::find(known.begin(), known.end(), "E" + wanted) != known.end();
-  const bool has_warning = std::find(known.begin(), known.end(), "W" + wanted) != known.end();
-  std::string near = support::did_you_mean(wanted, known);
-  if (has_error || has_warning) near = fmt::format("did you mean '{}{}'?", has_error ? "E" : "W", wanted);
+  const std::vector<support::ErrorCode> meant = codes_of_digits(word);
+  if (meant.size() == 1) return meant.front();
+  const std::string near = meant.empty() ? support::did_you_mean(wanted, known)
+                                         : fmt::format("did you mean '{}' or '{}'?", meant[0].id, meant[1].id);
   throw UsageError(
       fmt::format("explain: there is no code '{}'; {}", word, near.empty() ? "gauss-gen explain lists them" : near));
 }

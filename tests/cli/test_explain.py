@@ -65,9 +65,14 @@ class Explain(Program):
         self.assertEqual(self.ok("explain", "e012"), self.ok("explain", "E012"))
         self.assertEqual(self.ok("explain", "w055"), self.ok("explain", "W055"))
 
+    def test_digits_alone_are_a_code_where_they_are_one(self):
+        for word in ("31", "031"):
+            self.assertEqual(self.ok("explain", word), self.ok("explain", "E031"))
+        self.assertEqual(self.ok("explain", "6"), self.ok("explain", "E006"))
+
     def test_an_unknown_code_is_refused_with_the_nearest(self):
-        for word, near in (("E12", "did you mean 'E012'?"), ("012", "did you mean 'E012'?"),
-                           ("055", "did you mean 'E055'?"), ("62", "gauss-gen explain lists them"), ("E0700", "did you mean 'E070'?"),
+        for word, near in (("E12", "did you mean 'E012'?"), ("055", "did you mean 'E055' or 'W055'?"),
+                           ("62", "did you mean 'E062' or 'W062'?"), ("0031", "did you mean 'E031'?"), ("99", "gauss-gen explain lists them"), ("E0700", "did you mean 'E070'?"),
                            ("nonsense", "gauss-gen explain lists them")):
             self.assertEqual(self.refused(2, "explain", word), f"gauss-gen: explain: there is no code '{word}'; {near}\n")
         self.refused(2, "explain", "E012", "E013")
