@@ -61,6 +61,32 @@ function(_gauss_model_path target path result)
   set(${result} "${model}" PARENT_SCOPE)
 endfunction()
 
+# CMake lets a rule make files for targets of its own directory alone; elsewhere the build would look for them in vain.
+function(_gauss_check_target target)
+  if(NOT TARGET ${target})
+    message(FATAL_ERROR "gauss_add_model: no target '${target}'; call it after add_executable or add_library")
+  endif()
+  get_target_property(is_imported ${target} IMPORTED)
+  get_target_property(folder ${target} SOURCE_DIR)
+  get_target_property(binary_folder ${target} BINARY_DIR)
+  if(is_imported)
+    message(FATAL_ERROR "gauss_add_model(${target}): the target is imported, and not built here; add the model to one that is")
+  endif()
+  if(NOT binary_folder STREQUAL CMAKE_CURRENT_BINARY_DIR)
+    message(FATAL_ERROR "gauss_add_model(${target}): the target is one of another directory, '${folder}': call it there, or add "
+                        "the model to a library of this one: add_library(${target}_models INTERFACE), "
+                        "gauss_add_model(TARGET ${target}_models ...), target_link_libraries(${target} PRIVATE ${target}_models)")
+  endif()
+endfunction()
+
+# Words of a list however they are written: a b, "a;b", "a b" or "a,b".
+function(_gauss_words result)
+  list(JOIN ARGN "," words)
+  string(REGEX REPLACE "[ \t\r\n\\;,]+" "," words "${words}")
+  string(REGEX REPLACE "^,|,$" "" words "${words}")
+  set(${result} "${words}" PARENT_SCOPE)
+endfunction()
+
 # Both headers would be one file, and one #include.
 function(_gauss_refuse_second_of_name target name model)
   get_property(other GLOBAL PROPERTY _gauss_model_${target}_${name})
@@ -104,9 +130,7 @@ function(gauss_add_model)
   if(NOT ARG_TARGET OR NOT ARG_MODEL)
     message(FATAL_ERROR "gauss_add_model: TARGET and MODEL are needed")
   endif()
-  if(NOT TARGET ${ARG_TARGET})
-    message(FATAL_ERROR "gauss_add_model: no target '${ARG_TARGET}'; call it after add_executable or add_library")
-  endif()
+  _gauss_check_target("${ARG_TARGET}")
   _gauss_model_path("${ARG_TARGET}" "${ARG_MODEL}" model)
   _gauss_model_name("${model}" name)
   _gauss_refuse_second_of_name("${ARG_TARGET}" "${name}" "${model}")
@@ -124,7 +148,7 @@ function(gauss_add_model)
     list(APPEND options --route ${ARG_ROUTE})
   endif()
   if(ARG_OUTPUTS)
-    list(JOIN ARG_OUTPUTS "," outputs)
+    _gauss_words(outputs ${ARG_OUTPUTS})
     list(APPEND options --outputs ${outputs})
   endif()
 
@@ -133,10 +157,12 @@ function(gauss_add_model)
   file(MAKE_DIRECTORY "${folder}")
   _gauss_keep_header("${ARG_TARGET}" "${name}" "${folder}")
   set(header "${folder}/${name}.hpp")
-  # CMake (3.25) rewrites depfiles and loses what protects a `$`; a file that is never found would be generated at every build.
+  # CMake (3.25) rewrites depfiles and loses what protects a `$` or a `#`; a file that is never found would be generated at every
+  # build.
   set(depfile DEPFILE "${header}.d")
-  if("${header}${model}" MATCHES "[$]")
-    message(STATUS "gauss_add_model(${ARG_TARGET}): files of submodels are not followed in a folder with a '$' in its name")
+  if("${header}${model}" MATCHES "[$#]")
+    message(WARNING "gauss_add_model(${ARG_TARGET}): in a folder with a '${CMAKE_MATCH_0}' in its name, as of '${model}', a change in "
+                    "the files of submodels is not seen; rename the folder, or change the model file, too")
     set(depfile)
   endif()
   # gauss-gen leaves an unchanged header alone, so that nothing is compiled again; the stamp says that it was run. The

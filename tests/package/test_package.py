@@ -55,6 +55,7 @@ class Package(unittest.TestCase):
                    f"-DCMAKE_CXX_COMPILER={os.environ['GAUSS_CXX']}")
         self.assertNotIn("No project() command is present", said)
         self.assertNotIn("No cmake_minimum_required command is present", said)
+        return said
 
     def make(self, target="app"):
         return run(CMAKE, "--build", self.build, "--target", target)
@@ -193,14 +194,43 @@ class Package(unittest.TestCase):
         self.edit(call, f"{call}\n{call}", file="CMakeLists.txt")
         self.assertIn(f"'{self.source}/pendulum.yaml' is added twice", self.configuring_fails())
 
-    def test_nothing_is_generated_twice_in_a_folder_with_a_dollar(self):
-        for generator, program in (("Ninja", "ninja"), ("Unix Makefiles", "make")):
+    def test_a_target_of_another_directory_is_refused_with_a_way_that_works(self):
+        (self.source / "sub").mkdir()
+        inner = self.source / "sub/CMakeLists.txt"
+        inner.write_text("gauss_add_model(TARGET app MODEL ../pendulum.yaml)\n", encoding="utf-8")
+        self.edit("gauss_add_model(TARGET app MODEL pendulum.yaml)", "add_subdirectory(sub)", file="CMakeLists.txt")
+        said = self.configuring_fails()
+        self.assertIn(f"gauss_add_model(app): the target is one of another directory, '{self.source}'", said)
+        way = re.search(r"this one: (add_library.*?\)), (gauss_add_model\(.*?) \.\.\.\), (target_link_libraries\(.*?\))", said)
+        library, add, link = way.groups()
+        inner.write_text(f"{library}\n{add} MODEL ../pendulum.yaml)\n{link}\n", encoding="utf-8")
+        self.configure(ANY_GENERATOR)
+        self.make()
+        self.assert_pendulum(LENGTH)
+
+    def test_a_target_that_is_imported_is_refused(self):
+        self.edit("TARGET app", "TARGET gauss::gauss-gen", file="CMakeLists.txt")
+        self.assertIn("gauss_add_model(gauss::gauss-gen): the target is imported, and not built here", self.configuring_fails())
+
+    def test_outputs_are_words_however_they_are_written(self):
+        for words in ("rhs reactions initial_state", '"rhs;reactions;initial_state"', '"rhs reactions, initial_state"'):
+            with self.subTest(words):
+                (self.source / "CMakeLists.txt").write_text(PROJECT.replace(".yaml)", f".yaml OUTPUTS {words})"), encoding="utf-8")
+                self.configure(ANY_GENERATOR)
+                self.make()
+                self.assertNotIn("mass_matrix(", (self.build / "gauss/app/pendulum.hpp").read_text(encoding="utf-8"))
+                self.assert_pendulum(LENGTH)
+
+    def test_nothing_is_generated_twice_in_a_folder_that_depfiles_cannot_name(self):
+        # With a '#', what CMake writes for make cannot be read by make.
+        for generator, program, sign in (("Ninja", "ninja", "$"), ("Unix Makefiles", "make", "$"), ("Ninja", "ninja", "#")):
             if not shutil.which(program):
                 continue
-            with self.subTest(generator):
-                self.source = self.source.rename(self.source.parent / f"{program} $o")
-                self.build = self.source / f"build {program}"
-                self.configure(generator)
+            with self.subTest(generator=generator, sign=sign):
+                self.source = self.source.rename(self.source.parent / f"{program} {sign}o")
+                self.build = self.source.parent / f"build {program}" if sign == "#" else self.source / f"build {program}"
+                shutil.rmtree(self.build, ignore_errors=True)
+                self.assertIn(f"in a folder with a '{sign}' in its name", " ".join(self.configure(generator).split()))
                 self.assertIn("Generating pendulum.hpp", self.make())
                 self.assertNotIn("Generating pendulum", self.make())
 
