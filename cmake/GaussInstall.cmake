@@ -8,8 +8,10 @@ install(TARGETS gauss-gen EXPORT gauss-targets)
 install(TARGETS gauss_runtime EXPORT gauss-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY src/gauss DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs models DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# What the documents lead to lies beside them, as in the source.
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs models generated DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES examples/turntable.cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 install(DIRECTORY LICENSES DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(EXPORT gauss-targets NAMESPACE gauss:: DESTINATION ${package_folder})

@@ -50,6 +50,15 @@ class Package(unittest.TestCase):
             text = (self.prefix / "share" / file).read_text(encoding="utf-8")
             self.assertEqual(text, run(self.prefix / "bin/gauss-gen", *command), file)
 
+    def test_links_of_installed_documents_lead_somewhere(self):
+        pages = sorted((self.prefix / "share/doc/gauss").rglob("*.md"))
+        self.assertGreater(len(pages), 10)
+        for page in pages:
+            text = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
+            for target in re.findall(r"\]\(([^)\s#]+)", re.sub(r"`[^`\n]*`", "", text)):
+                if "://" not in target:
+                    self.assertTrue((page.parent / target).exists(), f"{page}: {target}")
+
     def configure(self, generator):
         said = run(CMAKE, "-S", self.source, "-B", self.build, "-G", generator, f"-DCMAKE_PREFIX_PATH={self.prefix}",
                    f"-DCMAKE_CXX_COMPILER={os.environ['GAUSS_CXX']}")
