@@ -75,6 +75,12 @@ class Documents(Program):
         for name, value in stated.items():
             self.assertAlmostEqual(found[name], value, 12, name)
 
+    def test_the_sliding_ball_does_what_the_page_says(self):
+        sliding, rolling = self.evaluated("sliding_ball"), self.evaluated("sliding_ball", "--set", "wy=8/r")
+        for name, value in (("accelerations.x_ddot", -0.2 * 9.81), ("accelerations.wy_dot", 2.5 * 0.2 * 9.81 / 0.11)):
+            self.assertTrue(math.isclose(sliding[name], value, rel_tol=1e-7), name)  # v_s^2 / (2 v^2) is 8e-9
+            self.assertEqual(rolling[name], 0)
+
     def test_the_friction_of_the_page_is_0_at_rest(self):
         page = (SOURCE / "docs/model-format.md").read_text(encoding="utf-8")
         drag = textwrap.dedent(re.search(r"(?m)^    drag:\n(?:     .*\n)+", page)[0])
