@@ -20,6 +20,14 @@ using spec::Entry;
 
 namespace {
 
+/// Whether every name in it has its meaning; the others are reported.
+bool is_understood(const Ast& ast, const Reading& reading) {
+  if (ast.kind == AstKind::symbol)
+    return reading.model.symbols.count(ast.name) > 0 && reading.refused.count(ast.name) == 0;
+  return std::all_of(ast.children.begin(), ast.children.end(),
+                     [&](const Ast& child) { return is_understood(child, reading); });
+}
+
 /// Free coordinates whose rates are in the expression.
 void collect_rates(const Ast& ast, bool inside_dot, const Model& model, std::set<std::size_t>& coordinates) {
   if (ast.kind == AstKind::symbol && inside_dot) {
@@ -63,13 +71,16 @@ class SpeedReader {
   /// Each takes the place of one of the rates that they are made of, in the order of both.
   void place() {
     std::set<std::size_t> coordinates;
+    bool are_understood = !reading_.unread.any();
     for (const Speed& speed : model_.speeds) {
+      const bool is_known = is_understood(speed.is, reading_);
+      are_understood = are_understood && is_known;
       std::set<std::size_t> own;
       collect_rates(speed.is, false, model_, own);
-      if (own.empty() && !is_broken(speed.is) && !reading_.unread.any()) refuse_without_rates(speed);
+      if (own.empty() && is_known && !reading_.unread.any()) refuse_without_rates(speed);
       coordinates.insert(own.begin(), own.end());
     }
-    if (reading_.diagnostics.has_errors()) return;
+    if (!are_understood || has_speed_without_rates_) return;
     if (coordinates.size() != model_.speeds.size()) return refuse_count(coordinates);
     std::size_t index = 0;
     for (const std::size_t i : coordinates) {
@@ -94,6 +105,7 @@ class SpeedReader {
   }
 
   void refuse_without_rates(const Speed& speed) {
+    has_speed_without_rates_ = true;
     reading_.diagnostics.error(code::k_speeds, speed.name.span,
                                fmt::format("no rate of a free coordinate is in the speed '{}'", speed.name.text),
                                "write rates as dot(x), as in 'is: dot(x)*cos(psi) + dot(y)*sin(psi)'");
@@ -123,6 +135,7 @@ class SpeedReader {
   Reading& reading_;
   Model& model_;
   std::vector<Start> starts_;
+  bool has_speed_without_rates_ = false;
 };
 
 }  // namespace
