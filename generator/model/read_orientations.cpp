@@ -20,9 +20,14 @@ using support::Span;
 
 namespace {
 
+/// In the file of the orientation.
+void note_unread_everything(const Entry& owner, Reading& reading) {
+  reading.unread.add_everything(reading.copies.prefix_of(owner.key.text, owner.key.span.begin, reading.source));
+}
+
 /// A list that is too short, or that is not there, lacks names of which nothing is known.
 void note_unread(const Entry& owner, std::size_t size, const std::string& key, std::size_t wanted, Reading& reading) {
-  if (size < wanted && !has_misspelt(owner.value, key, reading)) return reading.unread.add_everything();
+  if (size < wanted && !has_misspelt(owner.value, key, reading)) return note_unread_everything(owner, reading);
   reading.unread.add(owner);
 }
 
@@ -102,7 +107,7 @@ void read_orientation(const Entry& entry, Reading& reading) {
     read_initial(entry.value, orientation, reading);
     read_initial_velocity(entry.value, orientation, reading);
   } else {
-    reading.unread.add_everything();
+    note_unread_everything(entry, reading);
   }
   reading.model.orientations.push_back(std::move(orientation));
 }

@@ -51,9 +51,9 @@ void Unread::add_owner(const std::string& name) {
   beginnings_.insert(name + "_");
 }
 
-void Unread::add_everything() {
-  frames_.insert("");
-  beginnings_.insert("");
+void Unread::add_everything(const std::string& prefix) {
+  frames_.insert(prefix);
+  beginnings_.insert(prefix);
 }
 
 void Unread::add(const Unread& inside, const std::string& prefix) {

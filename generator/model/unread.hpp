@@ -18,9 +18,8 @@ class Unread {
   /// `leg` brings leg_hip; an index may end it, as in leg_$i.
   void add_owner(const std::string& name);
 
-  void add_everything();
-
-  /// In a submodel, names of frames begin with `prefix`.
+  /// In a submodel, names begin with `prefix`.
+  void add_everything(const std::string& prefix = "");
   void add_any_frame(const std::string& prefix) { frames_.insert(prefix); }
 
   /// What is missing in a submodel, whose names get `prefix` in front.
