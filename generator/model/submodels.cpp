@@ -30,6 +30,7 @@ namespace {
 constexpr const char* k_submodels = "submodels";
 constexpr std::size_t k_most_files = 64;
 constexpr std::size_t k_deepest = 8;
+constexpr int k_most_suggestions = 50;
 constexpr std::size_t k_most_nodes = spec::k_most_nodes;
 
 std::vector<std::string> names_in(const Node* section) {
@@ -158,8 +159,8 @@ class Submodels {
     std::swap(fields_around, fields_);
     Part part;
     part.root = assembled(*std::move(root), path);
-    read_version(part.root, top, reading_);
     check_keys(part.root, "a model file", format::keys_of(format::model_file()), reading_);
+    read_version(part.root, top, reading_);
     part.copies.add(top.begin - source_.offset_in_file(top.begin), "");
     part.copies.add(reading_.copies, "");
     std::swap(unread_around, reading_.unread);
@@ -174,12 +175,12 @@ class Submodels {
   void fit(const Entry& part, Part& of) {
     Node& content = of.root;
     drop_header(content);
-    leave_out(part, content);
+    const bool is_left_out = leave_out(part, content);
     // Before values of the model around come in, whose names stay.
     const Node* on = spec::find(part.value, "on");
     if (on != nullptr && !expect_scalar(*on, part.key.span, "'on'", reading_)) on = nullptr;
     if (on != nullptr) check_place(part, content);
-    check_fields(part, of);
+    check_fields(part, of, is_left_out);
     check_parameters(part, content);
     prefix_names(content, part.key.text + "_");
     set_parameters(part, content);
@@ -197,16 +198,38 @@ class Submodels {
     entries.erase(std::remove_if(entries.begin(), entries.end(), is_header), entries.end());
   }
 
-  void leave_out(const Entry& part, Node& content) {
+  /// False where it is not known what is meant, after a report.
+  bool leave_out(const Entry& part, Node& content) {
     const Node* names = spec::find(part.value, "without");
-    if (names == nullptr || !expect_list(*names, part.key.span, "'without'", reading_)) return;
+    if (names == nullptr) return !has_misspelt(part.value, "without", reading_);
+    if (!expect_list(*names, part.key.span, "'without'", reading_)) return false;
+    bool is_known = true;
     for (const Node& name : names->items) {
-      if (!expect_scalar(name, names->span, "what is left out", reading_)) continue;
-      if (!leave_out(name.scalar.text, content))
-        reading_.diagnostics.error(code::k_submodel_fit, name.span,
-                                   fmt::format("submodel '{}' has no entry '{}'", part.key.text, name.scalar.text),
-                                   "'without' names entries of its sections, such as a force");
+      const bool is_word = expect_scalar(name, names->span, "what is left out", reading_);
+      const bool is_found = is_word && leave_out(name.scalar.text, content);
+      const bool is_slip = is_word && !is_found && refuse_left_out(part, name, content);
+      is_known = is_known && is_word && !is_slip;
     }
+    return is_known;
+  }
+
+  /// Whether it looks like an entry that is there.
+  bool refuse_left_out(const Entry& part, const Node& name, const Node& content) {
+    const std::string near = near_entry(name.scalar.text, content);
+    reading_.diagnostics.error(code::k_submodel_fit, name.span,
+                               fmt::format("submodel '{}' has no entry '{}'", part.key.text, name.scalar.text),
+                               near.empty() ? "'without' names entries of its sections, such as a force" : near);
+    return !near.empty();
+  }
+
+  /// A file full of such names gets no suggestions after the first ones: each costs a search.
+  std::string near_entry(const std::string& name, const Node& content) {
+    if (++searches_ > k_most_suggestions) return "";
+    std::vector<std::string> entries;
+    for (const Entry& section : content.entries) {
+      for (const std::string& entry : names_in(&section.value)) entries.push_back(entry);
+    }
+    return support::did_you_mean(name, entries);
   }
 
   static bool leave_out(const std::string& name, Node& content) {
@@ -222,14 +245,15 @@ class Submodels {
   }
 
   /// A field acts on every mass of the model, and the model around has its own gravity. That of a part of the part is
-  /// left out there.
-  void check_fields(const Entry& part, const Part& of) {
+  /// left out there, and after a slip in what is left out it is not known whether this one is.
+  void check_fields(const Entry& part, const Part& of, bool is_meant) {
     const Node* forces = spec::find(of.root, "forces");
     if (forces == nullptr) return;
     for (const Entry& force : forces->entries) {
       if (force.value.kind != NodeKind::map || spec::find(force.value, "uniform") == nullptr) continue;
       if (of.fields.count(force.key.span.begin) > 0) continue;
       fields_.insert(force.key.span.begin);
+      if (!is_meant) continue;
       reading_.diagnostics.error(
           code::k_submodel_fit, part.key.span,
           fmt::format("'{}' of submodel '{}' would act on every mass of the model", force.key.text, part.key.text),
@@ -332,6 +356,7 @@ class Submodels {
   support::Source& source_;
   Reading& reading_;
   std::map<std::string, std::optional<Part>> files_;
+  int searches_ = 0;
   std::size_t nodes_ = 0;           ///< of all that was merged
   std::set<std::uint32_t> fields_;  ///< as Part::fields, of the file that is read
   std::vector<std::string> open_;   ///< files that are being read, the outermost first
