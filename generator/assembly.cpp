@@ -79,7 +79,32 @@ void open_rates(model::Model& model, const std::vector<bool>& chosen) {
   }
 }
 
+/// Parallel to the state.
+std::vector<bool> are_stated(const model::Model& model) {
+  std::vector<bool> positions, speeds;
+  for (const model::Coordinate& coordinate : model.coordinates) {
+    if (coordinate.held_at) continue;
+    positions.push_back(coordinate.initial || coordinate.guess);
+    speeds.push_back(coordinate.initial_rate || coordinate.rate_guess);
+  }
+  for (const model::Orientation& orientation : model.orientations) {
+    positions.insert(positions.end(), orientation.initial.size(), true);
+    for (const auto& component : orientation.initial_angular_velocity) speeds.push_back(component.has_value());
+  }
+  positions.insert(positions.end(), speeds.begin(), speeds.end());
+  return positions;
+}
+
 }  // namespace
+
+StatedStart stated_start(const model::Model& model, kinematics::Expressions& expressions) {
+  const strategy::Vector guessed = strategy::guessed_state(model, expressions);
+  const std::vector<bool> stated = are_stated(model);
+  StatedStart result;
+  for (std::size_t i = 0; i < guessed.size(); ++i)
+    result.push_back(stated[i] ? std::optional<ir::Expr>(guessed[i]) : std::nullopt);
+  return result;
+}
 
 std::vector<FoundGuess> improve_guesses(Mechanics& mechanics, model::Model& model, double time) {
   const std::vector<bool> movable = strategy::open_positions(model, mechanics.expressions);

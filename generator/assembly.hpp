@@ -1,6 +1,7 @@
 #pragma once
 // Where a model starts: open positions that satisfy the constraints, found from as far away as it takes.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,11 @@
 #include "support/diagnostics.hpp"
 
 namespace gaussgen {
+
+/// In the order of a state: positions, then speeds. Nothing where the model says neither a value nor a guess.
+using StatedStart = std::vector<std::optional<ir::Expr>>;
+
+StatedStart stated_start(const model::Model& model, kinematics::Expressions& expressions);
 
 /// A guess of the model that a longer search has replaced.
 struct FoundGuess {

@@ -12,6 +12,7 @@
 #include "evaluation.hpp"
 #include "model_values.hpp"
 #include "rest_equations.hpp"
+#include "rest_step.hpp"
 #include "strategy/projection.hpp"
 
 namespace gaussgen {
@@ -45,9 +46,7 @@ constexpr double k_rank = 1e-10;           ///< of the largest singular value
 constexpr double k_largest_step = 0.5;     ///< of angles, and of lengths in units of themselves
 constexpr double k_largest_damping = 0.2;  ///< root of it, of a column of size 1
 constexpr double k_most_damping = 1e8;     ///< times the usual
-constexpr double k_least_column = 0.1;     ///< of the largest: however heavy, what could move does
 constexpr double k_seen = 0.01;            ///< of the largest column so far
-constexpr double k_ease = 10;              ///< of multipliers: they take what they can before anything moves
 constexpr int k_later = 731;               ///< ms: no part of anybody's period
 
 /// In which numbers a search goes.
@@ -221,7 +220,7 @@ class Search {
       const Linearised here = linearised();
       const Real unit = largest_residual(here);
       if (unit == number(0.0)) return;
-      move(least_change(here, unit), unit);
+      move(step(here).least(right_of(here, unit), k_rank), unit);
     }
   }
 
@@ -243,13 +242,9 @@ class Search {
   /// How far the last forces, of which only rounding is left, would still move it: far, where nothing is stiff and forces only fade.
   Play play() {
     const Linearised here = linearised();
-    const Weighted problem = weighted(here);
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(std::numeric_limits<double>::min());
-    decomposition.compute(problem.matrix);
-    Real unit = largest_residual(here);
+    const Real unit = largest_residual(here);
     if (unit == number(0.0)) return {};
-    const Eigen::VectorXd change = problem.ways * decomposition.solve(right_of(here, unit));
+    const Eigen::VectorXd change = step(here).least(right_of(here, unit), std::numeric_limits<double>::min());
     Play result;
     for (std::size_t a = 0; a < mechanics_.dynamics.n(); ++a) {
       const double size = std::abs(to_double(unit) * change[static_cast<Eigen::Index>(a)]) / reach(a);
@@ -333,55 +328,6 @@ class Search {
     return effects;
   }
 
-  /// Per unknown, so that all are of like size: displacements as masses measure them.
-  Eigen::VectorXd weights(const Eigen::MatrixXd& matrix) {
-    Eigen::VectorXd result = Eigen::VectorXd::Ones(columns());
-    const Eigen::VectorXd effects = effects_of(matrix);
-    double largest = 0;
-    for (std::size_t a = 0; a < rest_.metric.size(); ++a) {
-      const Eigen::Index j = static_cast<Eigen::Index>(a);
-      const auto mass = value_of(rest_.metric[a].id());
-      const double g = mass ? to_double(*mass) : 0;
-      result[j] = g > 0 ? 1 / std::sqrt(g) : 0;
-      largest = std::max(largest, result[j] * effects[j]);
-    }
-    for (Eigen::Index j = 0; j < columns(); ++j) {
-      const bool is_multiplier = j >= static_cast<Eigen::Index>(rest_.metric.size());
-      if (effects[j] == 0) {
-        // It moves with what does have an effect, where a constraint says so.
-        result[j] = result[j] > 0 && largest > 0 ? result[j] / largest : 1;
-      } else if (is_multiplier || result[j] == 0 || largest == 0) {
-        result[j] = (is_multiplier ? k_ease : 1) / effects[j];
-      } else {
-        result[j] = std::max(result[j] / largest, k_least_column / effects[j]);
-      }
-    }
-    return result;
-  }
-
-  /// Orthonormal changes, in units of the weights, of all unknowns that constraints on velocities allow: what rolls moves as it turns.
-  Eigen::MatrixXd allowed_ways(const Eigen::VectorXd& weight) {
-    const auto n = static_cast<Eigen::Index>(mechanics_.dynamics.n());
-    const auto count = static_cast<Eigen::Index>(rest_.held.size());
-    if (count == 0 || n == 0 || goes_anywhere_) return Eigen::MatrixXd::Identity(columns(), columns());
-    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(count, n);
-    for (Eigen::Index mu = 0; mu < count; ++mu) {
-      for (Eigen::Index a = 0; a < n; ++a) {
-        const auto entry = value_of(rest_.held[static_cast<std::size_t>(mu)][static_cast<std::size_t>(a)].id());
-        b(mu, a) = (entry ? to_double(*entry) : 0) * weight[a];
-      }
-      const double size = b.row(mu).norm();
-      if (size > 0) b.row(mu) /= size;
-    }
-    Eigen::JacobiSVD<Eigen::MatrixXd> svd(b, Eigen::ComputeFullV);
-    svd.setThreshold(k_rank);
-    const Eigen::Index free = n - svd.rank();
-    Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(columns(), free + columns() - n);
-    ways.topLeftCorner(n, free) = svd.matrixV().rightCols(free);
-    ways.bottomRightCorner(columns() - n, columns() - n).setIdentity();
-    return ways;
-  }
-
   Real largest_residual(const Linearised& at) const {
     using std::abs;
     Real largest = number(0.0);
@@ -398,50 +344,35 @@ class Search {
     return right;
   }
 
-  /// Rows and unknowns in units of their sizes: change = ways * z.
-  struct Weighted {
-    Eigen::MatrixXd matrix;
-    Eigen::MatrixXd ways;
-  };
-
   /// At the position that `at` is of.
-  Weighted weighted(const Linearised& at) {
+  RestStep step(const Linearised& at) {
+    const auto n = static_cast<Eigen::Index>(mechanics_.dynamics.n());
     const Eigen::MatrixXd matrix = at.scale.cwiseInverse().asDiagonal() * at.matrix;
-    const Eigen::VectorXd weight = weights(matrix);
-    const Eigen::MatrixXd ways = weight.asDiagonal() * allowed_ways(weight);
-    return {matrix * ways, ways};
+    RestUnknowns unknowns{effects_of(matrix), Eigen::VectorXd::Zero(n), Eigen::MatrixXd(0, n)};
+    for (Eigen::Index a = 0; a < n; ++a) unknowns.masses[a] = plain(rest_.metric[static_cast<std::size_t>(a)]);
+    if (!goes_anywhere_) unknowns.held.resize(static_cast<Eigen::Index>(rest_.held.size()), n);
+    for (Eigen::Index mu = 0; mu < unknowns.held.rows(); ++mu) {
+      for (Eigen::Index a = 0; a < n; ++a)
+        unknowns.held(mu, a) = plain(rest_.held[static_cast<std::size_t>(mu)][static_cast<std::size_t>(a)]);
+    }
+    return RestStep(matrix, unknowns);
   }
 
-  /// The least change with matrix * change = -residual, in units of `unit`.
-  Eigen::VectorXd least_change(const Linearised& at, const Real& unit) {
-    const Weighted problem = weighted(at);
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(k_rank);
-    decomposition.compute(problem.matrix);
-    return problem.ways * decomposition.solve(right_of(at, unit));
-  }
-
-  /// Least |matrix * change + residual|² + damping |change|²: with a damping like the square of the residual it ends near where it began,
-  /// also where equilibria lie side by side and Newton's method runs along them. [Yamashita, Fukushima: Computing Suppl. 15 (2001)
-  /// 239-249]
-  static Eigen::VectorXd damped_change(const Weighted& problem, const Eigen::VectorXd& right, double damping) {
-    const Eigen::Index count = problem.ways.cols();
-    Eigen::MatrixXd stacked(right.size() + count, count);
-    stacked << problem.matrix, std::sqrt(damping) * Eigen::MatrixXd::Identity(count, count);
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(right.size() + count);
-    all.head(right.size()) = right;
-    return problem.ways * stacked.colPivHouseholderQr().solve(all);
+  /// 0 where it has no value.
+  double plain(Expr expression) {
+    const auto value = value_of(expression.id());
+    return value ? to_double(*value) : 0;
   }
 
   /// Moves to where less remains; false if it finds no such place.
   bool improve(const Linearised& here, double& damping) {
     const auto from = std::pair(position_, multipliers_);
-    const Weighted problem = weighted(here);
+    const RestStep step_here = step(here);
     const Eigen::VectorXd right = right_of(here, number(1.0));
     const double remains = std::min(here.norm(), k_largest_damping);
     Linearised there = here;
     for (; damping <= k_most_damping; damping *= 8) {
-      const Eigen::VectorXd full = damped_change(problem, right, damping * remains * remains);
+      const Eigen::VectorXd full = step_here.damped(right, damping * remains * remains);
       set(from.first, from.second);
       move(allowed(full) * full, number(1.0));
       if (find_residual(there) && there.square() < here.square()) {

@@ -223,13 +223,14 @@ void check_initial_state(Mechanics& mechanics, const StartOptions& options, supp
   InitialCheck(mechanics, options, diagnostics).run();
 }
 
-std::vector<std::string> assembled_values(Mechanics& mechanics, const strategy::Vector& start,
+std::vector<std::string> assembled_values(Mechanics& mechanics, const StatedStart& stated,
                                           const support::Rational& time) {
   ModelValues values(mechanics, time, k_digits);
   const std::vector<InitialValue> reached = initial_values(mechanics);
   std::vector<std::string> moved;
   for (std::size_t i = 0; i < reached.size(); ++i) {
-    const auto from = values(start[i].id());
+    if (!stated[i]) continue;
+    const auto from = values(stated[i]->id());
     const auto to = values(reached[i].node);
     if (!from || !to) continue;
     const cln::cl_F size =

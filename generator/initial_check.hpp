@@ -1,6 +1,7 @@
 #pragma once
 // Is the initial state one that the motion can start from? Emitted code takes it as it is.
 
+#include "assembly.hpp"
 #include "mechanics.hpp"
 #include "support/diagnostics.hpp"
 
@@ -15,9 +16,8 @@ struct StartOptions {
 /// singular. One that violates a constraint is an error where the state is emitted.
 void check_initial_state(Mechanics& mechanics, const StartOptions& options, support::Diagnostics& diagnostics);
 
-/// "theta2: 0.5 -> 0.5236": initial values that the search for a state without violations has moved from `given`, which
-/// is strategy::guessed_state of the model as it was read.
-std::vector<std::string> assembled_values(Mechanics& mechanics, const strategy::Vector& given,
+/// "theta2: 0.5 -> 0.5236": initial values that the search for a state without violations has moved from what the model stated.
+std::vector<std::string> assembled_values(Mechanics& mechanics, const StatedStart& stated,
                                           const support::Rational& time = 0);
 
 }  // namespace gaussgen

@@ -77,7 +77,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   Mechanics mechanics(*model, {options.fold, false, options.most_nodes});
   check_structure(mechanics, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  const strategy::Vector given = strategy::guessed_state(*model, mechanics.expressions);
+  const StatedStart stated = stated_start(*model, mechanics.expressions);
   if (options.assemble) {
     assemble(mechanics, *model);
   } else {
@@ -106,7 +106,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
 
   // Last, so that what it adds to the graph cannot change the header.
   check_initial_state(mechanics, {emits(unit, "initial_state"), options.assemble}, diagnostics);
-  if (options.assemble) result.assembled = assembled_values(mechanics, given);
+  if (options.assemble) result.assembled = assembled_values(mechanics, stated);
   check_points(mechanics, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   stages.done("check", nodes(mechanics), [] { return std::string(); });

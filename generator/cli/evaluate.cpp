@@ -110,9 +110,9 @@ void set_start(Mechanics& mechanics, model::Model& model, const support::Rationa
                support::Diagnostics& diagnostics) {
   const double time = support::to_double(at);
   if (!options.pipeline.assemble) return report_found(improve_guesses(mechanics, model, time), model, diagnostics);
-  const strategy::Vector given = strategy::guessed_state(model, mechanics.expressions);
+  const StatedStart stated = stated_start(model, mechanics.expressions);
   assemble(mechanics, model, time);
-  for (const std::string& moved : assembled_values(mechanics, given, at))
+  for (const std::string& moved : assembled_values(mechanics, stated, at))
     remark("assembled " + moved, options.messages);
 }
 
