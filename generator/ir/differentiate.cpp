@@ -13,7 +13,8 @@ void Directional::seed(SymbolId symbol, Expr rate) {
 Expr Directional::operator()(Expr function) { return {graph_, derivative(function.id())}; }
 
 NodeId Directional::derivative(NodeId root) {
-  const auto is_known = [this](NodeId id) { return memo_.count(id.index) != 0; };
+  const auto is_known = [this](NodeId id) { return is_skipped(id) || memo_.count(id.index) != 0; };
+  if (is_known(root)) return known(root);
   for (const NodeId id : post_order(graph_, {root}, is_known)) {
     if (!is_known(id)) memo_.emplace(id.index, of_node(id));
   }
@@ -31,14 +32,15 @@ NodeId Directional::of_node(NodeId id) {
     }
     case Kind::sum: {
       std::vector<Term> terms;
-      for (std::size_t i = 0; i < node.children.size(); ++i)
-        terms.push_back({node.coefficients[i], known(node.children[i])});
+      for (std::size_t i = 0; i < node.children.size(); ++i) {
+        if (!is_skipped(node.children[i])) terms.push_back({node.coefficients[i], known(node.children[i])});
+      }
       return graph_.linear(0, terms);
     }
     case Kind::product: {
       std::vector<NodeId> terms;
       for (std::size_t i = 0; i < node.children.size(); ++i) {
-        if (graph_.is_zero(known(node.children[i]))) continue;
+        if (is_skipped(node.children[i]) || graph_.is_zero(known(node.children[i]))) continue;
         std::vector<NodeId> factors = node.children;
         factors[i] = known(node.children[i]);
         terms.push_back(graph_.product(factors));

@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 #include "ir/expr.hpp"
+#include "ir/symbol_sets.hpp"
 
 namespace gaussgen::ir {
 
@@ -13,6 +14,13 @@ class Directional {
   explicit Directional(Graph& graph) : graph_(graph) {}
 
   void seed(SymbolId symbol, Expr rate);
+
+  /// The only symbol with a seed is that one of `sets`, which see at once what does not depend on it.
+  void skip_others(SymbolSets& sets, std::size_t symbol) {
+    sets_ = &sets;
+    symbol_ = symbol;
+  }
+
   Expr operator()(Expr function);
 
  private:
@@ -21,9 +29,12 @@ class Directional {
   NodeId of_function(const Node& node);
   /// The rate of the child `first` where the condition holds, of the next one elsewhere.
   NodeId chosen(NodeId condition, const Node& node, std::size_t first);
-  NodeId known(NodeId id) const { return memo_.at(id.index); }
+  bool is_skipped(NodeId id) { return sets_ != nullptr && !sets_->depends(id, symbol_); }
+  NodeId known(NodeId id) { return is_skipped(id) ? graph_.constant(0) : memo_.at(id.index); }
 
   Graph& graph_;
+  SymbolSets* sets_ = nullptr;
+  std::size_t symbol_ = 0;  ///< in sets_
   std::unordered_map<std::uint32_t, NodeId> seeds_;
   std::unordered_map<std::uint32_t, NodeId> memo_;
 };

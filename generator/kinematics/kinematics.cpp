@@ -21,10 +21,15 @@ namespace {
 class Builder {
  public:
   Builder(const model::Model& model, ir::Graph& graph, Expressions& expressions, const Symbols& symbols)
-      : model_(model), graph_(graph), expressions_(expressions), symbols_(symbols) {
+      : model_(model),
+        graph_(graph),
+        expressions_(expressions),
+        symbols_(symbols),
+        rates_in_(graph, rates_of(symbols)) {
     for (std::size_t i = 0; i < symbols.full_count(); ++i) {
       along_rate_.emplace_back(graph);
       along_rate_.back().seed(symbols.rate(FullIndex{i}), number(1));
+      along_rate_.back().skip_others(rates_in_, i);
     }
   }
 
@@ -68,6 +73,12 @@ class Builder {
 
  private:
   using Components = support::Indexed<FullIndex, Expr>;
+
+  static std::vector<ir::SymbolId> rates_of(const Symbols& symbols) {
+    std::vector<ir::SymbolId> rates;
+    for (std::size_t i = 0; i < symbols.full_count(); ++i) rates.push_back(symbols.rate(FullIndex{i}));
+    return rates;
+  }
 
   /// What forces add to.
   static std::vector<ir::NodeId> felt(const Kinematics& result) {
@@ -170,6 +181,7 @@ class Builder {
       row.beta.push_back(partial(row.phi, i));
     }
     for (const FullIndex i : row.beta.indices()) {
+      if (row.beta[i].is_zero()) continue;
       for (const FullIndex j : row.beta.indices()) row.is_linear = row.is_linear && partial(row.beta[i], j).is_zero();
     }
     if (row.actions.empty()) row.beside = row.beta;
@@ -445,6 +457,7 @@ class Builder {
   ir::Graph& graph_;
   Expressions& expressions_;
   const Symbols& symbols_;
+  ir::SymbolSets rates_in_;  ///< of the nodes that are differentiated
   std::vector<ir::Directional> along_rate_;
 };
 
