@@ -43,7 +43,9 @@ std::vector<Term> expanded(Graph& graph, const Term& product) {
 
 Expr contract(Graph& graph, const std::vector<std::pair<Expr, Expr>>& pairs) {
   std::vector<NodeId> products;
-  for (const auto& [a, b] : pairs) products.push_back((a * b).id());
+  for (const auto& [a, b] : pairs) {
+    products.push_back((a * b).id());
+  }
   const NodeId plain = graph.sum(products);
   std::vector<Term> flat;
   for (const NodeId product : products) {
@@ -54,6 +56,8 @@ Expr contract(Graph& graph, const std::vector<std::pair<Expr, Expr>>& pairs) {
     if (flat.size() > k_expansion_limit) return {graph, plain};
   }
   const NodeId multiplied_out = graph.linear(0, flat);
+  // Mostly there is nothing to multiply out; then nobody has to count all that the products consist of.
+  if (multiplied_out == plain) return {graph, plain};
   return {graph, operations(graph, {multiplied_out}) < operations(graph, {plain}) ? multiplied_out : plain};
 }
 

@@ -100,6 +100,7 @@ std::optional<NodeId> Graph::first_undefined(const std::vector<NodeId>& nodes) c
 NodeId Graph::product(const std::vector<NodeId>& nodes) {
   // Neither 0/0 = 0 nor (1/0)^0 = 1; and what has no value takes no more room than it has to.
   if (const auto undefined = first_undefined(nodes)) return *undefined;
+  if (std::any_of(nodes.begin(), nodes.end(), [this](NodeId id) { return is_zero(id); })) return constant(0);
   const auto base_of = [this](NodeId id) { return (*this)[id].kind == Kind::power ? (*this)[id].children[0] : id; };
   FactorCollector collector(*this);
   for (const NodeId node : nodes) collector.multiply(node);

@@ -60,7 +60,10 @@ class TermCollector {
 NodeId Graph::sum(const std::vector<NodeId>& nodes) {
   std::vector<Term> terms;
   terms.reserve(nodes.size());
-  for (const NodeId node : nodes) terms.push_back({1, node});
+  for (const NodeId node : nodes) {
+    if (!is_zero(node)) terms.push_back({1, node});
+  }
+  if (terms.size() == 1) return terms[0].node;  // which is in its canonical form already
   return linear(0, terms);
 }
 

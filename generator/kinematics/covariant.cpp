@@ -1,5 +1,9 @@
 #include "kinematics/covariant.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 #include "ir/contract.hpp"
 
 namespace gaussgen::kinematics {
@@ -17,18 +21,43 @@ Vector3 angular_drift(const BodyMotion& body) {
   return direct + cross(omega, body.inertia_times(omega));
 }
 
-Expr metric_entry(const Kinematics& kinematics, FullIndex i, FullIndex j, Expr zero) {
+bool is_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
+
+using Bodies = std::vector<BodyIndex>;
+
+/// The bodies that each coordinate moves: of many coordinates, most move few of many bodies.
+support::Indexed<FullIndex, Bodies> moved_bodies(const Kinematics& kinematics) {
+  support::Indexed<FullIndex, Bodies> moved(kinematics.symbols.full_count(), Bodies());
+  for (const BodyIndex b : kinematics.bodies.indices()) {
+    const BodyMotion& body = kinematics.bodies[b];
+    for (const FullIndex i : moved.indices()) {
+      if (!is_zero(body.J[i]) || (body.is_rigid && !is_zero(body.W[i]))) moved[i].push_back(b);
+    }
+  }
+  return moved;
+}
+
+/// Of those that both coordinates move, in the order of the model.
+Bodies both(const Bodies& a, const Bodies& b) {
+  Bodies common;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+  return common;
+}
+
+Expr metric_entry(const Kinematics& kinematics, const Bodies& moved, FullIndex i, FullIndex j, Expr zero) {
   Expr sum = zero;
-  for (const BodyMotion& body : kinematics.bodies) {
+  for (const BodyIndex b : moved) {
+    const BodyMotion& body = kinematics.bodies[b];
     sum += body.mass * dot(body.J[i], body.J[j]);
     if (body.is_rigid) sum += dot(body.W[i], body.inertia_times(body.W[j]));
   }
   return sum;
 }
 
-Expr bias_entry(const Kinematics& kinematics, FullIndex i, Expr zero) {
+Expr bias_entry(const Kinematics& kinematics, const Bodies& moved, FullIndex i, Expr zero) {
   Expr sum = zero;
-  for (const BodyMotion& body : kinematics.bodies) {
+  for (const BodyIndex b : moved) {
+    const BodyMotion& body = kinematics.bodies[b];
     sum += body.mass * dot(body.J[i], body.h);
     if (body.is_rigid) sum += dot(body.W[i], angular_drift(body));
   }
@@ -52,14 +81,16 @@ Covariant build_covariant(const Kinematics& kinematics, ir::Graph& graph) {
   const Expr zero(graph, graph.constant(0));
   const std::size_t count = symbols.full_count();
   Covariant result{FullMatrix(count, support::Indexed<FullIndex, Expr>(count, zero)), {}, {}, zero};
+  const auto moved = moved_bodies(kinematics);
   for (const FullIndex i : support::indices<FullIndex>(count)) {
     const std::string& label = symbols.label(i);
     for (const FullIndex j : support::indices<FullIndex>(i.value + 1)) {
-      const Expr entry = metric_entry(kinematics, i, j, zero).named("G_" + symbols.label(j) + "_" + label);
+      const Expr entry =
+          metric_entry(kinematics, both(moved[i], moved[j]), i, j, zero).named("G_" + symbols.label(j) + "_" + label);
       result.G[i][j] = entry;
       result.G[j][i] = entry;
     }
-    result.bias.push_back(bias_entry(kinematics, i, zero).named("bias_" + label));
+    result.bias.push_back(bias_entry(kinematics, moved[i], i, zero).named("bias_" + label));
     result.Q.push_back((kinematics.body_force[i] + kinematics.other_force[i]).named("Q_" + label));
   }
   result.kinetic_energy = kinetic_energy(kinematics, zero);
