@@ -125,6 +125,12 @@ void Copies::add(const Copies& inside, const std::string& prefix) {
   }
 }
 
+std::size_t Copies::count() const {
+  std::size_t count = 0;
+  for (const auto& [file, prefixes] : prefixes_) count += prefixes.size();
+  return count;
+}
+
 std::string Copies::prefix_of(const std::string& name, std::uint32_t at, const support::Source& source) const {
   return longest_prefix(name, prefixes_at(at, source));
 }

@@ -22,6 +22,9 @@ class Copies {
   /// Those of the files of a submodel, which gets `prefix` in front.
   void add(const Copies& inside, const std::string& prefix);
 
+  /// Of all files.
+  std::size_t count() const;
+
   /// What `name` has in front that is not in the file in which `at` lies; empty for the first file.
   std::string prefix_of(const std::string& name, std::uint32_t at, const support::Source& source) const;
 

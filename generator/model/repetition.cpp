@@ -178,6 +178,14 @@ class Repetition {
     const std::size_t findings = reading_.diagnostics.all().size();
     entry.key = with_indices(entry.key, indices, UnknownIndex::error, reading_.diagnostics);
     entry.value = with_indices(std::move(entry.value), indices, reading_.diagnostics);
+    bytes_ += entry.key.text.size() + spec::bytes_of(entry.value);
+    if (bytes_ > spec::k_most_written_out) {
+      reading_.diagnostics.error(
+          code::k_file_too_large, place,
+          fmt::format("written out, the model has more than {} bytes of text", spec::k_most_written_out),
+          "make fewer copies");
+      return false;
+    }
     // What is wrong with one copy is wrong with all.
     if (reading_.diagnostics.all().size() != findings) return false;
     if (!names_.insert(entry.key.text).second) {
@@ -193,6 +201,7 @@ class Repetition {
   Indices counts_;
   std::set<std::string> names_;  ///< in the section that is being written
   std::size_t nodes_ = 0;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace

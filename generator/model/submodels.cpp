@@ -32,6 +32,7 @@ constexpr std::size_t k_most_files = 64;
 constexpr std::size_t k_deepest = 8;
 constexpr int k_most_suggestions = 50;
 constexpr std::size_t k_most_nodes = spec::k_most_nodes;
+constexpr std::size_t k_most_bytes = spec::k_most_written_out;
 
 std::vector<std::string> names_in(const Node* section) {
   std::vector<std::string> names;
@@ -68,38 +69,48 @@ class Submodels {
 
   /// `file` is the name of the file in which `root` stands.
   Node assembled(Node root, const std::string& file) {
-    Node result = repeated(std::move(root), reading_);
-    auto& entries = result.entries;
+    Whole result{repeated(std::move(root), reading_), {}};
+    auto& entries = result.root.entries;
     const auto section =
         std::find_if(entries.begin(), entries.end(), [](const Entry& e) { return e.key.text == k_submodels; });
-    if (section == entries.end()) return result;
+    if (section == entries.end()) return std::move(result.root);
     const Node parts = std::move(section->value);
     entries.erase(section);
-    if (parts.kind == NodeKind::empty) return result;
+    if (parts.kind == NodeKind::empty) return std::move(result.root);
     if (!expect_map(parts, parts.span, "'submodels'", reading_)) {
       reading_.unread.add_everything();
-      return result;
+      return std::move(result.root);
     }
     for (const Entry& part : parts.entries) take(part, file, result);
-    return result;
+    return std::move(result.root);
   }
 
  private:
-  void take(const Entry& part, const std::string& file, Node& model) {
-    if (nodes_ > k_most_nodes) return reading_.unread.add_owner(part.key.text);
+  /// Entries of a section by name, as far as it was looked at.
+  using Known = std::map<std::string, std::size_t>;
+
+  /// A model to which its submodels come. Each entry of many copies is looked up, and not compared with all others.
+  struct Whole {
+    Node root;
+    std::map<std::string, Known> known;  ///< by section
+  };
+
+  void take(const Entry& part, const std::string& file, Whole& model) {
+    if (is_full()) return reading_.unread.add_owner(part.key.text);
     const std::string where = fmt::format("submodel '{}'", part.key.text);
     if (check_name(name_of(part.key), reading_) && expect_map(part.value, part.key.span, where, reading_)) {
       check_keys(part.value, where, format::keys_of(format::submodel()), reading_);
       text_field(part.value, "about", reading_);  // for readers of the file
       const Node* path = required(part.value, "file", part.key.span, where, reading_);
       if (path != nullptr && expect_scalar(*path, part.key.span, "'file'", reading_) && has_name(*path)) {
-        std::optional<Part> content = read(beside(file, path->scalar.text), path->span);
-        if (content && has_room(part, content->root)) {
+        const std::optional<Part>& content = read(beside(file, path->scalar.text), path->span);
+        if (content && has_room(part, content->root, content->copies.count())) {
           reading_.unread.add(content->unread, part.key.text + "_");
           reading_.copies.add(content->copies, part.key.text + "_");
           fields_.insert(content->fields.begin(), content->fields.end());
-          fit(part, *content);
-          return merge(std::move(content->root), model);
+          Node root = content->root;
+          fit(part, *content, root);
+          if (has_room_for_text(part, root)) return merge(std::move(root), model);
         }
       }
     }
@@ -113,23 +124,34 @@ class Submodels {
     return false;
   }
 
-  /// Copies of copies are many with a few lines.
-  bool has_room(const Entry& part, const Node& content) {
-    nodes_ += spec::size_of(content);
-    if (nodes_ <= k_most_nodes) return true;
+  bool is_full() const { return nodes_ > k_most_nodes || bytes_ > k_most_bytes; }
+
+  /// Copies of copies are many with a few lines, also where there is next to nothing in them.
+  bool has_room(const Entry& part, const Node& content, std::size_t copies) {
+    nodes_ += spec::size_of(content) + copies;
+    return nodes_ <= k_most_nodes || too_large(part, fmt::format("{} values", k_most_nodes));
+  }
+
+  /// Names have grown.
+  bool has_room_for_text(const Entry& part, const Node& content) {
+    bytes_ += spec::bytes_of(content);
+    return bytes_ <= k_most_bytes || too_large(part, fmt::format("{} bytes of text", k_most_bytes));
+  }
+
+  bool too_large(const Entry& part, const std::string& limit) {
     reading_.diagnostics.error(code::k_file_too_large, part.key.span,
-                               fmt::format("with its submodels, the model has more than {} values", k_most_nodes),
+                               fmt::format("with its submodels, the model has more than {}", limit),
                                "take fewer of them");
     return false;
   }
 
-  std::nullopt_t refuse(support::Span at, std::string message, std::string hint) {
+  const std::optional<Part>& refuse(support::Span at, std::string message, std::string hint) {
     reading_.diagnostics.error(code::k_submodel_file, at, std::move(message), std::move(hint));
-    return std::nullopt;
+    return nothing_;
   }
 
   /// The file with its own repetitions and submodels written out; read once, however often it is taken.
-  std::optional<Part> read(const std::string& path, support::Span at) {
+  const std::optional<Part>& read(const std::string& path, support::Span at) {
     if (std::find(open_.begin(), open_.end(), path) != open_.end() || path == source_.name())
       return refuse(at, fmt::format("'{}' is a submodel of itself", path),
                     "take the common part into a file of its own");
@@ -139,14 +161,16 @@ class Submodels {
     open_.push_back(path);
     std::optional<Part> content = read_new(path, at);
     open_.pop_back();
-    files_[path] = content;
-    return content;
+    return files_[path] = std::move(content);
   }
 
   std::optional<Part> read_new(const std::string& path, support::Span at) {
     std::string why;
     const std::optional<std::string> text = source_.read(path, why);
-    if (!text) return refuse(at, fmt::format("'{}': {}", path, why), "the path is relative to the file that names it");
+    if (!text) {
+      refuse(at, fmt::format("'{}': {}", path, why), "the path is relative to the file that names it");
+      return std::nullopt;
+    }
     std::optional<Node> root = spec::read_yaml_behind(source_, path, *text, reading_.diagnostics);
     if (!root || !expect_map(*root, root->span, "a model file", reading_)) return std::nullopt;
     const support::Span top{root->span.begin, root->span.begin};
@@ -172,8 +196,7 @@ class Submodels {
   }
 
   /// Names, parameters and place of the part as the model around it wants them; as far as it fits, after a report.
-  void fit(const Entry& part, Part& of) {
-    Node& content = of.root;
+  void fit(const Entry& part, const Part& of, Node& content) {
     drop_header(content);
     const bool is_left_out = leave_out(part, content);
     // Before values of the model around come in, whose names stay.
@@ -327,26 +350,28 @@ class Submodels {
     }
   }
 
-  void merge(Node content, Node& model) {
+  void merge(Node content, Whole& model) {
     for (Entry& section : content.entries) {
       if (section.value.kind == NodeKind::empty) continue;
-      Node* own = spec::find(model, section.key.text);
+      Node* own = spec::find(model.root, section.key.text);
       if (own != nullptr && own->kind == NodeKind::map && section.value.kind == NodeKind::map) {
-        for (Entry& entry : section.value.entries) add(std::move(entry), *own);
+        Known& known = model.known[section.key.text];
+        for (Entry& entry : section.value.entries) add(std::move(entry), *own, known);
       } else if (own == nullptr || own->kind == NodeKind::empty) {
         if (own != nullptr) {
           *own = std::move(section.value);
         } else {
-          model.entries.push_back(std::move(section));
+          model.root.entries.push_back(std::move(section));
         }
       }
     }
   }
 
-  void add(Entry entry, Node& section) {
-    const auto same = std::find_if(section.entries.begin(), section.entries.end(),
-                                   [&](const Entry& other) { return other.key.text == entry.key.text; });
-    if (same == section.entries.end()) return section.entries.push_back(std::move(entry));
+  void add(Entry entry, Node& section, Known& known) {
+    for (std::size_t i = known.size(); i < section.entries.size(); ++i) known.emplace(section.entries[i].key.text, i);
+    const auto [place, is_new] = known.emplace(entry.key.text, section.entries.size());
+    if (is_new) return section.entries.push_back(std::move(entry));
+    const Entry* const same = &section.entries[place->second];
     reading_.diagnostics.error(code::k_name_clash, same->key.span,
                                fmt::format("'{}' is also a name that a submodel brings, of {}", entry.key.text,
                                            reading_.line_text(entry.key.span)),
@@ -356,8 +381,10 @@ class Submodels {
   support::Source& source_;
   Reading& reading_;
   std::map<std::string, std::optional<Part>> files_;
+  const std::optional<Part> nothing_;
   int searches_ = 0;
   std::size_t nodes_ = 0;           ///< of all that was merged
+  std::size_t bytes_ = 0;           ///< likewise
   std::set<std::uint32_t> fields_;  ///< as Part::fields, of the file that is read
   std::vector<std::string> open_;   ///< files that are being read, the outermost first
 };

@@ -42,6 +42,13 @@ std::size_t size_of(const Node& node) {
   return size;
 }
 
+std::size_t bytes_of(const Node& node) {
+  std::size_t bytes = node.scalar.text.size();
+  for (const Node& item : node.items) bytes += bytes_of(item);
+  for (const Entry& entry : node.entries) bytes += entry.key.text.size() + bytes_of(entry.value);
+  return bytes;
+}
+
 void shift(Node& node, std::uint32_t distance) {
   shift(node.span, distance);
   shift(node.scalar, distance);

@@ -46,6 +46,9 @@ struct Entry {
 /// Values in it, itself among them.
 std::size_t size_of(const Node& node);
 
+/// Bytes of the texts in it, keys too.
+std::size_t bytes_of(const Node& node);
+
 /// Moves every span by `distance`.
 void shift(Node& node, std::uint32_t distance);
 

@@ -10,6 +10,7 @@ namespace gaussgen::spec {
 
 inline constexpr int k_deepest_nesting = 32;
 inline constexpr int k_most_nodes = 100'000;
+inline constexpr std::size_t k_most_written_out = 4'000'000;  ///< bytes, with the texts of all copies
 inline constexpr std::size_t k_longest_key = 1024;
 
 /// Stricter than YAML: one document, no repeated keys, no anchors, aliases or tags.

@@ -77,6 +77,17 @@ BOMBS = {
     "marks of direction": HEAD + "\u202e" * 1_300_000,
 }
 
+PART = "gauss: 1\nname: part\n"
+SUBMODELS = {
+    # levels, copies of each level in the next, what is in the innermost, how its copies are called
+    "copies of copies of nothing": (12, 10, "parameters: {k: 1}\n", "a"),
+    "10000 of 10000": (2, 10_000, "parameters: {k: 1}\n", "a"),
+    "copies of copies": (5, 9, "parameters: {k: 1}\n", "a"),
+    "copies of copies of what is wrong": (5, 5, HEAD.split("\n", 2)[2].replace("mass: 1", "mass: k"), "a"),
+    "copies of a long text": (1, 900, "parameters: {k: 1, j: " + "+".join(["k"] * 9000) + "}\n", "a"),
+    "long names of copies": (8, 3, "parameters: {k: 1, j: " + "+".join(["k"] * 9000) + "}\n", "a" * 60),
+}
+
 
 def limit_memory():
     """For the child, before it becomes the program."""
@@ -98,6 +109,14 @@ class Limits(Program):
             for command in ("--check", "evaluate"):
                 with self.subTest(what, command=command):
                     self.assert_ends_soon_and_small(command)
+
+    def test_submodels_of_submodels_are_counted_before_they_are_written_out(self):
+        for what, (levels, copies, innermost, name) in SUBMODELS.items():
+            for i in range(levels + 1):
+                inside = f"submodels: {{{name}_$i: {{count: {copies}, file: {i + 1}bomb.yaml}}}}\n" if i < levels else innermost
+                (self.folder / ("bomb.yaml" if i == 0 else f"{i}bomb.yaml")).write_text(PART + inside, encoding="utf-8")
+            with self.subTest(what):
+                self.assert_ends_soon_and_small("--check")
 
     def assert_ends_soon_and_small(self, command):
         seconds, result = measured(lambda: self.run_it(command, "bomb.yaml", preexec_fn=limit_memory, errors="replace"))
