@@ -54,7 +54,7 @@ Scaled<cl_F> exact(const Arithmetic<Scaled<cl_F>>& arithmetic, const cl_F& x) { 
 template <class Values>
 class Spread {
  public:
-  Spread(KinematicModel& motion, Values& values, int attempt)
+  Spread(ModelGraph& motion, Values& values, int attempt)
       : motion_(motion), values_(values), scatter_(scatter_of(attempt)) {}
 
   void run() {
@@ -116,7 +116,7 @@ class Spread {
     }
   }
 
-  KinematicModel& motion_;
+  ModelGraph& motion_;
   Values& values_;
   Scatter scatter_;
 };

@@ -14,7 +14,7 @@ namespace gaussgen {
 /// expressions can tell this: sin(2x) - 2 sin(x) cos(x) is zero in any form.
 class GenericPoint {
  public:
-  explicit GenericPoint(KinematicModel& motion) : motion_(motion) {}
+  explicit GenericPoint(ModelGraph& motion) : motion_(motion) {}
 
   /// What is nothing but rounding is zero in it. Where entries have no value at any point that was tried, only their pattern
   /// counts: equal expressions are equal numbers, others are not.
@@ -28,14 +28,14 @@ class GenericPoint {
   static std::optional<evaluate::Matrix> matrix_of(const strategy::Matrix& matrix, Values& values,
                                                    bool replaces_undefined);
 
-  KinematicModel& motion_;
+  ModelGraph& motion_;
 };
 
 /// Whether an expression is zero there, also one that came out of many divisions, through which the bounds of GenericPoint grow
 /// beyond its value: see Arithmetic<Paired>.
 class VanishesEverywhere {
  public:
-  explicit VanishesEverywhere(KinematicModel& motion) : motion_(motion) {}
+  explicit VanishesEverywhere(ModelGraph& motion) : motion_(motion) {}
 
   bool operator()(ir::Expr expression);
 
@@ -44,7 +44,7 @@ class VanishesEverywhere {
 
   Values values(int attempt);
 
-  KinematicModel& motion_;
+  ModelGraph& motion_;
   std::vector<Values> points_;  ///< by attempt
 };
 

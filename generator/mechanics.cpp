@@ -41,11 +41,14 @@ void name_rates(Mechanics& mechanics) {
 
 }  // namespace
 
-KinematicModel::KinematicModel(const model::Model& checked_model, bool fold, std::size_t most_nodes)
+ModelGraph::ModelGraph(const model::Model& checked_model, bool fold, std::size_t most_nodes)
     : model(checked_model),
       graph(most_nodes),
       symbols(kinematics::declare_symbols(model, graph)),
-      expressions(model, symbols, graph, fold),
+      expressions(model, symbols, graph, fold) {}
+
+KinematicModel::KinematicModel(const model::Model& checked_model, bool fold, std::size_t most_nodes)
+    : ModelGraph(checked_model, fold, most_nodes),
       kinematics(kinematics::build_kinematics(model, graph, expressions, symbols)) {}
 
 Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& options)

@@ -13,19 +13,25 @@ struct MechanicsOptions {
   std::size_t most_nodes = ir::k_most_nodes;
 };
 
-/// A model on the graph as far as geometry goes: velocities and constraint rows. Not copyable: the others refer to `graph`.
-struct KinematicModel {
-  KinematicModel(const model::Model& model, bool fold, std::size_t most_nodes = ir::k_most_nodes);
-  KinematicModel(const KinematicModel&) = delete;
-  KinematicModel& operator=(const KinematicModel&) = delete;
+/// The expressions of a model on a graph, each made when it is asked for. Not copyable: the others refer to `graph`.
+struct ModelGraph {
+  ModelGraph(const model::Model& model, bool fold, std::size_t most_nodes = ir::k_most_nodes);
+  ModelGraph(const ModelGraph&) = delete;
+  ModelGraph& operator=(const ModelGraph&) = delete;
 
   const model::Model& model;
   ir::Graph graph;
   kinematics::Symbols symbols;
   kinematics::Expressions expressions;
-  kinematics::Kinematics kinematics;
 
   ir::Expr epsilon() const { return expressions.symbol(symbols.epsilon); }
+};
+
+/// A model on the graph as far as geometry goes: velocities and constraint rows.
+struct KinematicModel : ModelGraph {
+  KinematicModel(const model::Model& model, bool fold, std::size_t most_nodes = ir::k_most_nodes);
+
+  kinematics::Kinematics kinematics;
 };
 
 /// With what follows for forces and accelerations: `dynamics` refers to `kinematics` and `covariant`.

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "early_check.hpp"
 #include "generic_point.hpp"
 #include "ir/substitute.hpp"
 #include "lower/derivation.hpp"
@@ -135,6 +136,8 @@ lower::PaperRoute paper_route(Mechanics& mechanics) {
 }
 
 std::string derivation_text(const model::Model& model, bool latex, support::Diagnostics& diagnostics) {
+  check_early(model, {}, diagnostics);
+  if (diagnostics.has_errors()) return "";
   Mechanics mechanics(model, {});
   check_structure(mechanics, diagnostics);
   if (diagnostics.has_errors()) return "";

@@ -6,6 +6,7 @@
 
 #include "assembly.hpp"
 #include "dumps.hpp"
+#include "early_check.hpp"
 #include "initial_check.hpp"
 #include "model/fold_check.hpp"
 #include "output_check.hpp"
@@ -74,7 +75,10 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   if (diagnostics.has_errors()) return std::nullopt;
 
   // The emitted route: theory section 4 on the graph.
-  Mechanics mechanics(*model, {options.fold, false, options.most_nodes});
+  const MechanicsOptions mechanics_options{options.fold, false, options.most_nodes};
+  check_early(*model, mechanics_options, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  Mechanics mechanics(*model, mechanics_options);
   check_structure(mechanics, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   const StatedStart stated = stated_start(*model, mechanics.expressions);

@@ -40,21 +40,7 @@ class StructureCheck {
  private:
   void check_gradient(std::size_t mu) {
     if (generic_rank(at_generic_point_({mechanics_.dynamics.b[mu]})) > 0) return;
-    const auto* position = std::get_if<model::PositionLaw>(&model_.constraints[mu].law);
-    if (position != nullptr && position->is_coincidence) return report_apart(model_.constraints[mu]);
-    diagnostics_.error(
-        support::code::k_no_velocity, model_.constraints[mu].span,
-        fmt::format("the constraint '{}' does not depend on any free speed: what it says of them cancels",
-                    model_.constraints[mu].name.text),
-        "remove it; a coordinate with a given value is declared with 'held_at'");
-  }
-
-  void report_apart(const model::Constraint& row) {
-    diagnostics_.error(support::code::k_no_velocity, row.span,
-                       fmt::format("these places never coincide: they are apart along the direction of '{}', in which "
-                                   "no free coordinate moves them",
-                                   row.name.text),
-                       "place them such that they can meet, as in one plane across the axes of a planar loop");
+    report_no_gradient(model_.constraints[mu], diagnostics_);
   }
 
   void report_idle(const model::Force& force) {
@@ -112,6 +98,27 @@ class StructureCheck {
 void check_structure(Mechanics& mechanics, support::Diagnostics& diagnostics) {
   check_values(mechanics, diagnostics);
   if (!diagnostics.has_errors()) StructureCheck(mechanics, diagnostics).run();
+}
+
+namespace {
+
+void report_apart(const model::Constraint& row, support::Diagnostics& diagnostics) {
+  diagnostics.error(support::code::k_no_velocity, row.span,
+                    fmt::format("these places never coincide: they are apart along the direction of '{}', in which "
+                                "no free coordinate moves them",
+                                row.name.text),
+                    "place them such that they can meet, as in one plane across the axes of a planar loop");
+}
+
+}  // namespace
+
+void report_no_gradient(const model::Constraint& row, support::Diagnostics& diagnostics) {
+  const auto* position = std::get_if<model::PositionLaw>(&row.law);
+  if (position != nullptr && position->is_coincidence) return report_apart(row, diagnostics);
+  diagnostics.error(
+      support::code::k_no_velocity, row.span,
+      fmt::format("the constraint '{}' does not depend on any free speed: what it says of them cancels", row.name.text),
+      "remove it; a coordinate with a given value is declared with 'held_at'");
 }
 
 void report_redundant(const Mechanics& mechanics, support::Diagnostics& diagnostics) {

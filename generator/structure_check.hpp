@@ -9,6 +9,9 @@ namespace gaussgen {
 /// Errors for expressions without a value, for constraints without a gradient and for speeds that nothing determines.
 void check_structure(Mechanics& mechanics, support::Diagnostics& diagnostics);
 
+/// An error: no free speed is in the constraint.
+void report_no_gradient(const model::Constraint& row, support::Diagnostics& diagnostics);
+
 /// A warning for every constraint that follows from the others in every configuration; where there is an initial state,
 /// ConstraintCheck says more.
 void report_redundant(const Mechanics& mechanics, support::Diagnostics& diagnostics);

@@ -24,16 +24,8 @@ using model::AstKind;
 
 class ValueCheck {
  public:
-  ValueCheck(Mechanics& mechanics, support::Diagnostics& diagnostics)
-      : mechanics_(mechanics), diagnostics_(diagnostics), hold_(mechanics.graph) {
-    for (const kinematics::HeldCoordinate& held : mechanics.symbols.held) {
-      const Expr c = mechanics.expressions(*mechanics.model.coordinates[held.model_index].held_at);
-      const Expr c_dot = mechanics.expressions.rate(c);
-      hold_.replace(held.symbol, c);
-      hold_.replace(held.rate, c_dot);
-      hold_.replace(held.acceleration, mechanics.expressions.rate(c_dot));
-    }
-  }
+  ValueCheck(ModelGraph& mechanics, support::Diagnostics& diagnostics)
+      : mechanics_(mechanics), diagnostics_(diagnostics), hold_(held_values(mechanics)) {}
 
   void run() {
     bool is_good = true;
@@ -46,10 +38,10 @@ class ValueCheck {
   }
 
   // Each expression has a value, but a derivative of one has none: sqrt(s) with s held at 0.
-  void check_equations() {
+  void check_equations(const strategy::Vector& accelerations) {
     const model::Model& model = mechanics_.model;
     for (const auto i : mechanics_.symbols.speeds.indices()) {
-      if (has_value(mechanics_.solution.accelerations[i.value])) continue;
+      if (has_value(accelerations[i.value])) continue;
       diagnostics_.error(
           support::code::k_undefined_value, model.name.span,
           fmt::format("the acceleration of '{}' has no value in any configuration", mechanics_.symbols.speeds[i].label),
@@ -95,7 +87,7 @@ class ValueCheck {
                                 : "check names and signs in it");
   }
 
-  Mechanics& mechanics_;
+  ModelGraph& mechanics_;
   support::Diagnostics& diagnostics_;
   ir::Substitution hold_;
 };
@@ -150,10 +142,24 @@ void refuse_range(const model::Name& model, const std::string& name, support::Di
 
 }  // namespace
 
-void check_values(Mechanics& mechanics, support::Diagnostics& diagnostics) { ValueCheck(mechanics, diagnostics).run(); }
+ir::Substitution held_values(ModelGraph& mechanics) {
+  ir::Substitution hold(mechanics.graph);
+  for (const kinematics::HeldCoordinate& held : mechanics.symbols.held) {
+    const Expr c = mechanics.expressions(*mechanics.model.coordinates[held.model_index].held_at);
+    const Expr c_dot = mechanics.expressions.rate(c);
+    hold.replace(held.symbol, c);
+    hold.replace(held.rate, c_dot);
+    hold.replace(held.acceleration, mechanics.expressions.rate(c_dot));
+  }
+  return hold;
+}
+
+void check_values(ModelGraph& mechanics, support::Diagnostics& diagnostics) {
+  ValueCheck(mechanics, diagnostics).run();
+}
 
 void check_equations(Mechanics& mechanics, support::Diagnostics& diagnostics) {
-  ValueCheck(mechanics, diagnostics).check_equations();
+  ValueCheck(mechanics, diagnostics).check_equations(mechanics.solution.accelerations);
 }
 
 void check_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,

@@ -2,14 +2,18 @@
 // Expressions of a model that have no value, or numbers that no scalar type holds.
 
 #include "emit/unit.hpp"
+#include "ir/substitute.hpp"
 #include "mechanics.hpp"
 #include "support/diagnostics.hpp"
 
 namespace gaussgen {
 
+/// Held coordinates and their rates as what they are held at.
+ir::Substitution held_values(ModelGraph& mechanics);
+
 /// An error for every expression that has no finite real value in any configuration, such as x/(y - y), at its innermost
 /// part; else for speeds that do not stand for as many rates.
-void check_values(Mechanics& mechanics, support::Diagnostics& diagnostics);
+void check_values(ModelGraph& mechanics, support::Diagnostics& diagnostics);
 
 /// An error where a speed's equation of motion has none, such as with a root taken where it begins.
 void check_equations(Mechanics& mechanics, support::Diagnostics& diagnostics);

@@ -9,6 +9,7 @@
 #include "cli/files.hpp"
 #include "cli/guard.hpp"
 #include "cli/overrides.hpp"
+#include "early_check.hpp"
 #include "equilibrium.hpp"
 #include "evaluation.hpp"
 #include "initial_check.hpp"
@@ -131,8 +132,10 @@ int evaluate(const Options& options) {
   if (model && !options.accelerations.empty()) wanted = parse_accelerations(options.accelerations, *model);
   const int code = report(diagnostics, source, options.messages);
   if (!model || code != k_ok) return code;
-  Mechanics mechanics(*model, {});
   support::Diagnostics structure;
+  check_early(*model, {}, structure);
+  if (structure.has_errors()) return report(structure, source, options.messages);
+  Mechanics mechanics(*model, {});
   check_structure(mechanics, structure);
   if (!structure.has_errors()) {
     set_start(mechanics, *model, time, options, structure);

@@ -203,7 +203,7 @@ class Submodels {
     const Node* on = spec::find(part.value, "on");
     if (on != nullptr && !expect_scalar(*on, part.key.span, "'on'", reading_)) on = nullptr;
     if (on != nullptr) check_place(part, content);
-    check_fields(part, of, is_left_out);
+    check_fields(part, content, of.fields, is_left_out);
     check_parameters(part, content);
     prefix_names(content, part.key.text + "_");
     set_parameters(part, content);
@@ -269,12 +269,12 @@ class Submodels {
 
   /// A field acts on every mass of the model, and the model around has its own gravity. That of a part of the part is
   /// left out there, and after a slip in what is left out it is not known whether this one is.
-  void check_fields(const Entry& part, const Part& of, bool is_meant) {
-    const Node* forces = spec::find(of.root, "forces");
+  void check_fields(const Entry& part, const Node& content, const std::set<std::uint32_t>& reported, bool is_meant) {
+    const Node* forces = spec::find(content, "forces");
     if (forces == nullptr) return;
     for (const Entry& force : forces->entries) {
       if (force.value.kind != NodeKind::map || spec::find(force.value, "uniform") == nullptr) continue;
-      if (of.fields.count(force.key.span.begin) > 0) continue;
+      if (reported.count(force.key.span.begin) > 0) continue;
       fields_.insert(force.key.span.begin);
       if (!is_meant) continue;
       reading_.diagnostics.error(

@@ -30,7 +30,22 @@ def rows(count, text):
     return "".join(text.format(i=i, next=i + 1) for i in range(count))
 
 
+CHAIN = ("gauss: 1\nname: bomb\njoints:\n  h0: {type: revolute, child: l0, axis: y}\n" +
+         rows(149, "  h{next}: {{type: revolute, parent: l{i}, child: l{next}, axis: y, at: [0, 0, -1]}}\n") +
+         "bodies:\n" + rows(150, "  l{i}: {{mass: 1, inertia: [1, 2, 3], centre: [0, 0, -0.5]}}\n"))
+FRAMES = HEAD + "frames:\n  f0: {position: [x, 0, 0]}\n" + rows(
+    150, "  f{next}: {{parent: f{i}, position: [x, 1, 0], orientation: {{euler: xyz, angles: [x, x, x]}}}}\n")
+FREE = ("gauss: 1\nname: bomb\njoints:\n" + rows(40, "  h{i}: {{type: free, child: l{i}}}\n") + "bodies:\n" +
+        rows(40, "  l{i}: {{mass: 1, inertia: [1, 2, 3]}}\n"))
+MANY = ("gauss: 1\nname: bomb\ncoordinates:\n" + rows(200, "  x{i}: {{}}\n") + "particles:\n" +
+        rows(200, "  p{i}: {{mass: 1, position: [x{i}, 0, 0]}}\n"))
+
 BOMBS = {
+    "a long chain in which one expression has no value": CHAIN + "quantities:\n  q: {value: 1/(h3 - h3)}\n",
+    "a long chain with a constraint that says nothing": CHAIN + "constraints:\n  c: {velocity: dot(h3) - dot(h3)}\n",
+    "many frames with a constraint that says nothing": FRAMES + "constraints:\n  c: {velocity: dot(x) - dot(x)}\n",
+    "many free bodies": FREE,
+    "one potential of many coordinates": MANY + "forces: {v: {potential: " + "+".join(f"x{i}^2" for i in range(200)) + "}}\n",
     "open brackets": HEAD + "about: " + "[" * 2_000_000,
     "open maps": HEAD + "about: " + "{a: " * 500_000,
     "lists in lists": HEAD + "about:\n" + "- " * 1_500_000,

@@ -1,0 +1,71 @@
+#include "early_check.hpp"
+
+#include <algorithm>
+
+#include "generic_point.hpp"
+#include "ir/symbol_sets.hpp"
+#include "model/rate.hpp"
+#include "structure_check.hpp"
+#include "value_check.hpp"
+
+namespace gaussgen {
+
+namespace {
+
+using ir::Expr;
+
+class Gradients {
+ public:
+  explicit Gradients(ModelGraph& motion)
+      : motion_(motion), rates_(rates_of(motion.symbols)), sets_(motion.graph, rates_), hold_(held_values(motion)) {}
+
+  bool vanishes(const model::Constraint& constraint) {
+    return generic_rank(GenericPoint(motion_)({gradient(phi(constraint))})) == 0;
+  }
+
+ private:
+  static std::vector<ir::SymbolId> rates_of(const kinematics::Symbols& symbols) {
+    std::vector<ir::SymbolId> rates;
+    for (const auto i : symbols.speeds.indices()) rates.push_back(symbols.rate(symbols.full(i)));
+    return rates;
+  }
+
+  Expr phi(const model::Constraint& constraint) {
+    if (const auto* law = std::get_if<model::VelocityLaw>(&constraint.law)) return motion_.expressions(law->phi);
+    return motion_.expressions(model::rate_of(std::get<model::PositionLaw>(constraint.law)));
+  }
+
+  strategy::Vector gradient(Expr phi) {
+    strategy::Vector row;
+    for (std::size_t i = 0; i < rates_.size(); ++i) {
+      ir::Directional along(motion_.graph);
+      along.seed(rates_[i], motion_.expressions.number(1));
+      along.skip_others(sets_, i);
+      row.push_back(hold_(along(phi)));
+    }
+    return row;
+  }
+
+  ModelGraph& motion_;
+  std::vector<ir::SymbolId> rates_;  ///< of free coordinates, and speeds
+  ir::SymbolSets sets_;
+  ir::Substitution hold_;
+};
+
+bool is_slip(const model::Constraint& constraint) { return std::holds_alternative<model::SlipLaw>(constraint.law); }
+
+}  // namespace
+
+void check_early(const model::Model& model, const MechanicsOptions& options, support::Diagnostics& diagnostics) {
+  ModelGraph motion(model, options.fold, options.most_nodes);
+  check_values(motion, diagnostics);
+  if (diagnostics.has_errors()) return;
+  // Rows of rolling come with the motion of bodies; then all are looked at together there, so that all errors are said at once.
+  if (std::any_of(model.constraints.begin(), model.constraints.end(), is_slip)) return;
+  Gradients gradients(motion);
+  for (const model::Constraint& constraint : model.constraints) {
+    if (gradients.vanishes(constraint)) report_no_gradient(constraint, diagnostics);
+  }
+}
+
+}  // namespace gaussgen
