@@ -57,6 +57,9 @@ class Graph {
   NodeId use(SymbolId id);
   NodeId sum(const std::vector<NodeId>& terms);
   NodeId product(const std::vector<NodeId>& factors);
+  /// The same in groups of factors and groups of groups, each kept whole, where there are many factors: a derivative of n factors
+  /// written side by side has n terms of n factors, and a second one n² of them; of groups, it has n log n factors in all.
+  NodeId product_in_groups(const std::vector<NodeId>& factors, const std::string& name);
   /// constant + Σ coefficient * node
   NodeId linear(const Rational& constant, const std::vector<Term>& terms);
   NodeId scale(const Rational& factor, NodeId node);
@@ -93,6 +96,7 @@ class Graph {
 
  private:
   NodeId intern(Node node);
+  NodeId grouped(const std::vector<NodeId>& factors, const std::string& name);
   /// Children, then coefficients, then the value.
   int compare_parts(const Node& left, const Node& right) const;
   std::optional<NodeId> first_undefined(const std::vector<NodeId>& nodes) const;

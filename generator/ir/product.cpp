@@ -12,6 +12,10 @@ namespace gaussgen::ir {
 
 namespace {
 
+/// Products of this many factors are written as they are: what people write by hand has fewer.
+constexpr std::size_t k_most_side_by_side = 24;
+constexpr std::size_t k_largest_group = 8;
+
 struct Factor {
   NodeId base;
   Rational exponent;
@@ -126,6 +130,24 @@ NodeId Graph::product(const std::vector<NodeId>& nodes) {
   node.kind = Kind::product;
   node.children = std::move(factors);
   return scale(collector.coefficient(), intern(std::move(node)));
+}
+
+// Halves of the canonical order, so that the groups do not depend on the order of the factors either.
+NodeId Graph::grouped(const std::vector<NodeId>& factors, const std::string& name) {
+  if (factors.size() <= k_largest_group) return product(factors);
+  const auto middle = factors.begin() + static_cast<std::ptrdiff_t>(factors.size() / 2);
+  const NodeId left = grouped({factors.begin(), middle}, name);
+  const NodeId right = grouped({middle, factors.end()}, name);
+  return product({kept_whole(left, name), kept_whole(right, name)});
+}
+
+NodeId Graph::product_in_groups(const std::vector<NodeId>& factors, const std::string& name) {
+  const NodeId whole = product(factors);
+  const Node& node = (*this)[whole];
+  const bool has_coefficient = node.kind == Kind::sum && node.value == 0 && node.children.size() == 1;
+  if (has_coefficient) return scale(node.coefficients[0], product_in_groups({node.children[0]}, name));
+  return node.kind == Kind::product && node.children.size() > k_most_side_by_side ? grouped(node.children, name)
+                                                                                  : whole;
 }
 
 namespace {

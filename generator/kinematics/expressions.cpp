@@ -136,7 +136,7 @@ Expr Expressions::operator()(const Ast& ast) {
     case AstKind::product: {
       std::vector<ir::NodeId> ids;
       for (const Expr& child : children) ids.push_back(child.id());
-      return {graph_, ast.kind == AstKind::sum ? graph_.sum(ids) : graph_.product(ids)};
+      return {graph_, ast.kind == AstKind::sum ? graph_.sum(ids) : graph_.product_in_groups(ids, "factors")};
     }
   }
   return number(0);

@@ -41,6 +41,8 @@ MANY = ("gauss: 1\nname: bomb\ncoordinates:\n" + rows(200, "  x{i}: {{}}\n") + "
         rows(200, "  p{i}: {{mass: 1, position: [x{i}, 0, 0]}}\n"))
 
 BOMBS = {
+    "a product of many factors": HEAD.replace("particles", "parameters:\n" + rows(200, "  k{i}: 1\n") + "particles").replace(
+        "[x,", "[" + "*".join(f"sin(x + k{i})" for i in range(200)) + ","),
     "a long chain in which one expression has no value": CHAIN + "quantities:\n  q: {value: 1/(h3 - h3)}\n",
     "a long chain with a constraint that says nothing": CHAIN + "constraints:\n  c: {velocity: dot(h3) - dot(h3)}\n",
     "many frames with a constraint that says nothing": FRAMES + "constraints:\n  c: {velocity: dot(x) - dot(x)}\n",
