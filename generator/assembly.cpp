@@ -19,12 +19,15 @@ namespace {
 
 model::Ast number(double value, support::Span span) { return model::number(cln::rational(cln::cl_DF(value)), span); }
 
-bool has_equations_of_positions(const Mechanics& mechanics) {
-  const auto& rows = mechanics.kinematics.constraints;
-  return std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.f.has_value(); });
-}
-
 bool any(const std::vector<bool>& flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); }
+
+/// Along which speeds a search for a position may go; nothing where none is to be found.
+std::optional<std::vector<bool>> ways_of_search(Mechanics& mechanics, const model::Model& model) {
+  const auto& rows = mechanics.kinematics.constraints;
+  std::vector<bool> movable = strategy::open_positions(model, mechanics.expressions);
+  const bool has_equation = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.f.has_value(); });
+  return has_equation && any(movable) ? std::optional(std::move(movable)) : std::nullopt;
+}
 
 /// Guesses of what is open become this position; what changed by it.
 std::vector<FoundGuess> take(const std::vector<double>& position, const std::vector<bool>& movable,
@@ -107,18 +110,17 @@ StatedStart stated_start(const model::Model& model, kinematics::Expressions& exp
 }
 
 std::vector<FoundGuess> improve_guesses(Mechanics& mechanics, model::Model& model, double time) {
-  const std::vector<bool> movable = strategy::open_positions(model, mechanics.expressions);
-  if (!has_equations_of_positions(mechanics) || !any(movable)) return {};
-  if (emitted_approach(mechanics, movable, time).is_solved) return {};
-  const Approach found = long_approach(mechanics, movable, time);
-  return found.is_solved ? take(found.position, movable, mechanics, model) : std::vector<FoundGuess>();
+  const auto movable = ways_of_search(mechanics, model);
+  if (!movable || emitted_approach(mechanics, *movable, time).is_solved) return {};
+  const Approach found = long_approach(mechanics, *movable, time);
+  return found.is_solved ? take(found.position, *movable, mechanics, model) : std::vector<FoundGuess>();
 }
 
 void refine_guesses(Mechanics& mechanics, model::Model& model, double time) {
-  const std::vector<bool> movable = strategy::open_positions(model, mechanics.expressions);
-  if (!has_equations_of_positions(mechanics) || !any(movable)) return;
-  const Approach found = emitted_approach(mechanics, movable, time);
-  if (found.is_solved) take(found.position, movable, mechanics, model);
+  const auto movable = ways_of_search(mechanics, model);
+  if (!movable) return;
+  const Approach found = emitted_approach(mechanics, *movable, time);
+  if (found.is_solved) take(found.position, *movable, mechanics, model);
 }
 
 void report_found(const std::vector<FoundGuess>& found, const model::Model& model, support::Diagnostics& diagnostics) {

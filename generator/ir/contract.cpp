@@ -43,9 +43,7 @@ std::vector<Term> expanded(Graph& graph, const Term& product) {
 
 Expr contract(Graph& graph, const std::vector<std::pair<Expr, Expr>>& pairs) {
   std::vector<NodeId> products;
-  for (const auto& [a, b] : pairs) {
-    products.push_back((a * b).id());
-  }
+  for (const auto& [a, b] : pairs) products.push_back((a * b).id());
   const NodeId plain = graph.sum(products);
   std::vector<Term> flat;
   for (const NodeId product : products) {
