@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
+#include <algorithm>
 
 #include <locale>
 #include <sstream>
@@ -31,8 +32,9 @@ bool run_parser(const support::Source& source, TreeBuilder& builder, support::Di
   } catch (const Stop&) {
     return false;
   } catch (const YAML::Exception& error) {
+    // An escape without a character, at the end of the text, is behind it.
     const auto at = static_cast<std::uint32_t>((error.mark.pos < 0 ? 0 : error.mark.pos) + static_cast<int>(mark));
-    report_syntax_error(source, at, error.msg, diagnostics);
+    report_syntax_error(source, std::min(at, static_cast<std::uint32_t>(source.text().size())), error.msg, diagnostics);
     return false;
   }
 }

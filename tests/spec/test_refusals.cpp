@@ -85,3 +85,11 @@ TEST_CASE("an empty text is refused") {
   CHECK(Read("# words\n").code() == "E009");
   CHECK(Read("---\n").code() == "E009");
 }
+
+TEST_CASE("what is wrong at the end of the text is said there, and not behind it") {
+  for (const char* const text : {"  \": \n\\", "a: \"b\\", "a: \"\\x", "a: 'b", "a: [1"}) {
+    const Read read(text);
+    REQUIRE_FALSE(read.diagnostics.all().empty());
+    CHECK(read.diagnostics.all()[0].span.begin <= read.source.text().size());
+  }
+}
