@@ -12,6 +12,7 @@
 #include "evaluation.hpp"
 #include "model_values.hpp"
 #include "rest_equations.hpp"
+#include "rest_place.hpp"
 #include "rest_step.hpp"
 #include "strategy/projection.hpp"
 
@@ -37,6 +38,7 @@ constexpr double k_shortest_descent = 1e-4;
 constexpr double k_rough = 1e-10;          ///< of the largest term, where double is enough
 constexpr double k_solved = 1e-12;         ///< likewise, with more digits
 constexpr double k_wanted = 1e-20;         ///< likewise, if it can be had: where nothing is stiff, places need it
+constexpr double k_nothing = 1e-25;        ///< likewise: rounding of all digits
 constexpr double k_near = 1e-4;            ///< likewise: rounding of double may be in the way, and nothing else
 constexpr double k_balanced = 1e-6;        ///< after the last digits, of the largest term at the start
 constexpr double k_faded = 1e-3;           ///< play along a speed: no place at all
@@ -44,59 +46,22 @@ constexpr double k_flat = 1e-12;           ///< likewise: fewer digits than are 
 constexpr int k_least_digits = 17;         ///< of a start that is to satisfy its constraints
 constexpr double k_rank = 1e-10;           ///< of the largest singular value
 constexpr double k_largest_step = 0.5;     ///< of angles, and of lengths in units of themselves
+constexpr double k_longer = 1.3;           ///< each step that is as long as it may
 constexpr double k_largest_damping = 0.2;  ///< root of it, of a column of size 1
 constexpr double k_most_damping = 1e8;     ///< times the usual
-constexpr double k_seen = 0.01;            ///< of the largest column so far
-constexpr int k_later = 731;               ///< ms: no part of anybody's period
 
-/// In which numbers a search goes.
-template <class T>
-struct Kind;
-
-template <>
-struct Kind<double> {
-  using Real = double;
-  static double plain(double value) { return value; }
-  static double number(const Arithmetic<double>& arithmetic, const Rational& value) { return arithmetic.number(value); }
-  static double number(const Arithmetic<double>&, double value) { return value; }
-  static double wrapped(const Arithmetic<double>&, double value) { return value; }
-};
-
-template <>
-struct Kind<Paired> {
-  using Real = cl_F;
-  static const cl_F& plain(const Paired& value) { return value.fine; }
-  template <class Number>
-  static cl_F number(const Arithmetic<Paired>& arithmetic, const Number& value) {
-    return arithmetic.fine().number(value);
-  }
-  static Paired wrapped(const Arithmetic<Paired>& arithmetic, const cl_F& value) { return arithmetic.number(value); }
-};
-
-double to_double(double value) { return value; }
-double to_double(const cl_F& value) { return cln::double_approx(value); }
-
-template <class Real>
-void normalise(Real* e) {
-  using std::sqrt;
-  const Real norm = sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + e[3] * e[3]);
-  for (int i = 0; i < 4; ++i) e[i] = e[i] / norm;
-}
+constexpr int k_later = 731;  ///< ms: no part of anybody's period
 
 template <class T>
 class Search {
  public:
-  using Real = typename Kind<T>::Real;
+  using Real = typename RestPlace<T>::Real;
 
   Search(Mechanics& mechanics, const RestEquations& rest, const Rational& time, Arithmetic<T> arithmetic)
-      : mechanics_(mechanics),
-        rest_(rest),
-        values_(mechanics.graph, std::move(arithmetic)),
-        sizes_(mechanics.graph, Arithmetic<Scaled<double>>(Arithmetic<double>())) {
-    bind_parameters(mechanics_, values_);
-    bind_parameters(mechanics_, sizes_);
-    set_time(time);
-  }
+      : mechanics_(mechanics), rest_(rest), place_(mechanics, rest, time, std::move(arithmetic)) {}
+
+  RestPlace<T>& place() { return place_; }
+  const RestPlace<T>& place() const { return place_; }
 
   struct Linearised {
     Eigen::MatrixXd matrix;
@@ -119,42 +84,10 @@ class Search {
     }
   };
 
-  /// Where the model starts, or at its guesses if these lead nowhere.
+  /// Back to where the model starts.
   bool start() {
-    std::vector<ir::NodeId> initial, guess;
-    for (const InitialValue& value : initial_values(mechanics_)) initial.push_back(value.node);
-    for (const Expr value : strategy::guessed_state(mechanics_.model, mechanics_.expressions))
-      guess.push_back(value.id());
-    auto position = position_of(initial);
-    if (!position) position = position_of(guess);
-    if (!position) return false;
-    seen_effects_.resize(0);
-    set(*std::move(position), std::vector<Real>(rest_.multipliers.size(), number(0.0)));
-    return true;
-  }
-
-  void set(std::vector<Real> position, std::vector<Real> multipliers) {
-    for (const auto first : mechanics_.symbols.first_quaternion_component) normalise(&position[first.value]);
-    for (const ConfigurationIndex i : mechanics_.symbols.configuration.indices())
-      bind(mechanics_.symbols.configuration[i].symbol, position[i.value]);
-    for (std::size_t mu = 0; mu < multipliers.size(); ++mu) bind(rest_.multipliers[mu], multipliers[mu]);
-    position_ = std::move(position);
-    multipliers_ = std::move(multipliers);
-  }
-
-  void set_time(const Rational& time) { bind(mechanics_.symbols.time, number(time)); }
-
-  const std::vector<Real>& position() const { return position_; }
-  const std::vector<Real>& multipliers() const { return multipliers_; }
-
-  template <class Number>
-  Real number(const Number& value) const {
-    return Kind<T>::number(values_.arithmetic(), value);
-  }
-
-  std::optional<Real> value_of(ir::NodeId node) {
-    const auto value = values_(node);
-    return value ? std::optional<Real>(Kind<T>::plain(*value)) : std::nullopt;
+    stride_ = 1;
+    return place_.start();
   }
 
   Linearised linearised() {
@@ -163,18 +96,17 @@ class Search {
     for (Eigen::Index i = 0; i < rows(); ++i) {
       const std::size_t row = static_cast<std::size_t>(i);
       for (Eigen::Index j = 0; j < columns(); ++j) {
-        const auto entry = value_of(rest_.derivatives[row][static_cast<std::size_t>(j)].id());
+        const auto entry = place_.value_of(rest_.derivatives[row][static_cast<std::size_t>(j)].id());
         at.is_defined = at.is_defined && entry.has_value() && std::isfinite(to_double(*entry));
         if (entry) at.matrix(i, j) = to_double(*entry);
       }
       // What the sum is made of, and what a displacement by 1 changes.
       at.scale[i] = at.matrix.row(i).template lpNorm<Eigen::Infinity>();
-      if (const auto size = sizes_(rest_.equations[row].id())) at.scale[i] = std::max(at.scale[i], size->scale);
+      at.scale[i] = std::max(at.scale[i], place_.size_of(rest_.equations[row]));
       if (at.scale[i] == 0) at.scale[i] = 1;
       at.is_defined = at.is_defined && std::isfinite(at.scale[i]);
     }
     at.is_defined = find_residual(at) && at.is_defined;
-    if (at.is_defined) effects_of(at.scale.cwiseInverse().asDiagonal() * at.matrix);
     return at;
   }
 
@@ -202,14 +134,14 @@ class Search {
     for (int i = 0; i < k_steps_of_descent && limit > k_shortest_descent; ++i) {
       Eigen::VectorXd way = Eigen::VectorXd::Zero(before.size());
       for (std::size_t a = 0; a < rest_.accelerations.size(); ++a) {
-        const auto acceleration = value_of(rest_.accelerations[a].id());
+        const auto acceleration = place_.value_of(rest_.accelerations[a].id());
         if (acceleration) way[static_cast<Eigen::Index>(a)] = to_double(*acceleration);
       }
       const double largest = way.lpNorm<Eigen::Infinity>();
       if (!(largest > 0) || !std::isfinite(largest)) return;
       way *= limit / largest;
       if (way.dot(before) < 0) limit /= 2;
-      move(way, number(1.0));
+      place_.move(way, place_.number(1.0), is_held());
       before = way;
     }
   }
@@ -219,8 +151,8 @@ class Search {
     for (int done = 0; done < digits; done += 8) {
       const Linearised here = linearised();
       const Real unit = largest_residual(here);
-      if (unit == number(0.0)) return;
-      move(step(here).least(right_of(here, unit), k_rank), unit);
+      if (unit == place_.number(0.0)) return;
+      place_.move(step(here).least(right_of(here, unit), k_rank), unit, is_held());
     }
   }
 
@@ -239,18 +171,19 @@ class Search {
     std::string along;  ///< a speed
   };
 
-  /// How far the last forces, of which only rounding is left, would still move it: far, where nothing is stiff and forces only fade.
+  /// How far the last forces would still move it: far, where nothing is stiff and forces only fade. Where nothing is stiff and no force
+  /// is left, as along a heading, it is where it is.
   Play play() {
     const Linearised here = linearised();
     const Real unit = largest_residual(here);
-    if (unit == number(0.0)) return {};
+    if (unit == place_.number(0.0)) return {};
     const Eigen::VectorXd change = step(here).least(right_of(here, unit), std::numeric_limits<double>::min());
     Play result;
     for (std::size_t a = 0; a < mechanics_.dynamics.n(); ++a) {
       const double size = std::abs(to_double(unit) * change[static_cast<Eigen::Index>(a)]) / reach(a);
       if (size > result.size) result = {size, mechanics_.dynamics.labels[a]};
     }
-    return result;
+    return result.size > k_faded && here.norm() <= k_nothing ? Play() : result;
   }
 
   /// The constraint that asks for motion most; empty if none does.
@@ -280,57 +213,31 @@ class Search {
 
   std::string undefined_part() {
     for (const Expr equation : rest_.equations) {
-      if (const auto trouble = values_.trouble(equation.id())) return trouble->reason + " in " + trouble->name;
+      if (const auto trouble = place_.trouble(equation)) return *trouble;
     }
     return "a derivative has no value";
   }
 
  private:
+  bool is_held() const { return !rest_.held.empty() && !goes_anywhere_; }
+
   Eigen::Index rows() const { return static_cast<Eigen::Index>(rest_.equations.size()); }
   Eigen::Index columns() const { return static_cast<Eigen::Index>(mechanics_.dynamics.n() + rest_.multipliers.size()); }
-
-  void bind(ir::SymbolId symbol, const Real& value) {
-    values_.bind(symbol, Kind<T>::wrapped(values_.arithmetic(), value));
-    const double rounded = to_double(value);
-    sizes_.bind(symbol, {rounded, std::abs(rounded)});
-  }
-
-  /// Of a state.
-  std::optional<std::vector<Real>> position_of(const std::vector<ir::NodeId>& state) {
-    std::vector<Real> position;
-    for (std::size_t i = 0; i < mechanics_.symbols.configuration.size(); ++i) {
-      const auto value = value_of(state[i]);
-      if (!value) return std::nullopt;
-      position.push_back(*value);
-    }
-    return position;
-  }
 
   bool find_residual(Linearised& at) {
     bool is_defined = true;
     at.residual.clear();
     for (const Expr equation : rest_.equations) {
-      const auto value = value_of(equation.id());
+      const auto value = place_.value_of(equation.id());
       is_defined = is_defined && value.has_value() && std::isfinite(to_double(*value));
-      at.residual.push_back(value.value_or(number(0.0)));
+      at.residual.push_back(value.value_or(place_.number(0.0)));
     }
     return is_defined;
   }
 
-  /// Of each unknown; of a displacement the largest so far. What acts less and less as forces come to balance, as a heading that turns
-  /// forces of contact about, is not free to go far for that.
-  Eigen::VectorXd effects_of(const Eigen::MatrixXd& matrix) {
-    Eigen::VectorXd effects = matrix.colwise().norm();
-    const auto n = static_cast<Eigen::Index>(mechanics_.dynamics.n());
-    if (seen_effects_.size() == 0) seen_effects_ = Eigen::VectorXd::Zero(n);
-    seen_effects_ = seen_effects_.cwiseMax(effects.head(n));
-    effects.head(n) = effects.head(n).cwiseMax(k_seen * seen_effects_);
-    return effects;
-  }
-
   Real largest_residual(const Linearised& at) const {
     using std::abs;
-    Real largest = number(0.0);
+    Real largest = place_.number(0.0);
     for (const Real& value : at.residual) {
       if (abs(value) > largest) largest = abs(value);
     }
@@ -348,56 +255,33 @@ class Search {
   RestStep step(const Linearised& at) {
     const auto n = static_cast<Eigen::Index>(mechanics_.dynamics.n());
     const Eigen::MatrixXd matrix = at.scale.cwiseInverse().asDiagonal() * at.matrix;
-    RestUnknowns unknowns{effects_of(matrix), Eigen::VectorXd::Zero(n), Eigen::MatrixXd(0, n)};
-    for (Eigen::Index a = 0; a < n; ++a) unknowns.masses[a] = plain(rest_.metric[static_cast<std::size_t>(a)]);
-    if (!goes_anywhere_) unknowns.held.resize(static_cast<Eigen::Index>(rest_.held.size()), n);
-    for (Eigen::Index mu = 0; mu < unknowns.held.rows(); ++mu) {
-      for (Eigen::Index a = 0; a < n; ++a)
-        unknowns.held(mu, a) = plain(rest_.held[static_cast<std::size_t>(mu)][static_cast<std::size_t>(a)]);
-    }
+    RestUnknowns unknowns{matrix.colwise().norm(), Eigen::VectorXd::Zero(n), Eigen::MatrixXd(0, n)};
+    for (Eigen::Index a = 0; a < n; ++a) unknowns.masses[a] = place_.plain(rest_.metric[static_cast<std::size_t>(a)]);
+    if (is_held()) unknowns.held = place_.rows_of(rest_.held);
     return RestStep(matrix, unknowns);
-  }
-
-  /// 0 where it has no value.
-  double plain(Expr expression) {
-    const auto value = value_of(expression.id());
-    return value ? to_double(*value) : 0;
   }
 
   /// Moves to where less remains; false if it finds no such place.
   bool improve(const Linearised& here, double& damping) {
-    const auto from = std::pair(position_, multipliers_);
+    const auto from = std::pair(place_.position(), place_.multipliers());
     const RestStep step_here = step(here);
-    const Eigen::VectorXd right = right_of(here, number(1.0));
+    const Eigen::VectorXd right = right_of(here, place_.number(1.0));
     const double remains = std::min(here.norm(), k_largest_damping);
     Linearised there = here;
     for (; damping <= k_most_damping; damping *= 8) {
       const Eigen::VectorXd full = step_here.damped(right, damping * remains * remains);
-      set(from.first, from.second);
-      move(allowed(full) * full, number(1.0));
+      place_.set(from.first, from.second);
+      const double part = allowed(full);
+      place_.move(part * full, place_.number(1.0), is_held());
       if (find_residual(there) && there.square() < here.square()) {
         damping = std::max(damping / 8, 1.0);
+        stride_ = part < 1 ? stride_ * k_longer : 1;
         return true;
       }
+      stride_ = 1;
     }
-    set(from.first, from.second);
+    place_.set(from.first, from.second);
     return false;
-  }
-
-  void move(const Eigen::VectorXd& change, const Real& unit) {
-    std::vector<Real> position = position_;
-    for (std::size_t i = 0; i < position.size(); ++i) {
-      for (std::size_t a = 0; a < rest_.rates[i].size(); ++a) {
-        const Real along = unit * number(change[static_cast<Eigen::Index>(a)]);
-        if (const auto rate = value_of(rest_.rates[i][a].id())) position[i] = position[i] + *rate * along;
-      }
-    }
-    std::vector<Real> multipliers = multipliers_;
-    for (std::size_t mu = 0; mu < multipliers.size(); ++mu) {
-      const double by = change[static_cast<Eigen::Index>(mechanics_.dynamics.n() + mu)];
-      multipliers[mu] = multipliers[mu] + unit * number(by);
-    }
-    set(std::move(position), std::move(multipliers));
   }
 
   /// A step may leave the neighbourhood in which it means anything.
@@ -408,19 +292,17 @@ class Search {
     return largest > k_largest_step ? k_largest_step / largest : 1;
   }
 
-  /// What counts as a long way along a speed.
+  /// What counts as a long way along a speed. Whoever goes on and on in the same direction goes faster, unless it turns.
   double reach(std::size_t a) const {
-    const bool is_length = mechanics_.symbols.speeds[FreeIndex{a}].is_of_length();
-    return is_length ? 1 + std::abs(to_double(position_[a])) : 1;
+    const kinematics::Speed& speed = mechanics_.symbols.speeds[FreeIndex{a}];
+    if (speed.unit == "rad/s") return 1;
+    return stride_ * (speed.is_of_length() ? 1 + std::abs(to_double(place_.position()[a])) : 1);
   }
 
   Mechanics& mechanics_;
   const RestEquations& rest_;
-  evaluate::Evaluator<T> values_;
-  evaluate::Evaluator<Scaled<double>> sizes_;
-  std::vector<Real> position_;
-  std::vector<Real> multipliers_;
-  Eigen::VectorXd seen_effects_;
+  RestPlace<T> place_;
+  double stride_ = 1;  ///< of the longest steps
   bool goes_anywhere_ = false;
 };
 
@@ -478,7 +360,7 @@ class Equilibration {
       left = rough_.start() ? look_around() : HUGE_VAL;
     }
     if (left <= k_near) {
-      fine_.set(precise(rough_.position()), precise(rough_.multipliers()));
+      fine_.place().set(precise(rough_.place().position()), precise(rough_.place().multipliers()));
       if (fine_.approach(k_wanted) <= k_solved) return true;
     }
     why = why_not(left);
@@ -507,18 +389,18 @@ class Equilibration {
 
   std::vector<cl_F> precise(const std::vector<double>& values) const {
     std::vector<cl_F> result;
-    for (const double value : values) result.push_back(fine_.number(value));
+    for (const double value : values) result.push_back(fine_.place().number(value));
     return result;
   }
 
   Rest found() {
     Rest rest;
-    for (const cl_F& q : fine_.position()) rest.position.push_back(rounded(q, 1));
+    for (const cl_F& q : fine_.place().position()) rest.position.push_back(rounded(q, 1));
     for (const Expr speed : mechanics_.kinematics.speeds_at_rest)
-      rest.speeds.push_back(rounded(fine_.value_of(speed.id()).value_or(fine_.number(0.0)), 1));
+      rest.speeds.push_back(rounded(fine_.place().value_of(speed.id()).value_or(fine_.place().number(0.0)), 1));
     Rational largest = 0;
-    for (const cl_F& lambda : fine_.multipliers()) largest = cln::max(largest, cln::abs(cln::rational(lambda)));
-    for (const cl_F& lambda : fine_.multipliers()) rest.multipliers.push_back(rounded(lambda, largest));
+    for (const cl_F& lambda : fine_.place().multipliers()) largest = cln::max(largest, cln::abs(cln::rational(lambda)));
+    for (const cl_F& lambda : fine_.place().multipliers()) rest.multipliers.push_back(rounded(lambda, largest));
     return rest;
   }
 
@@ -531,11 +413,11 @@ class Equilibration {
 
   /// Multipliers may be others then.
   bool is_at_rest_later() {
-    const std::vector<cl_F> before = fine_.position();
-    fine_.set_time(time_ + Rational(k_later) / 1000);
+    const std::vector<cl_F> before = fine_.place().position();
+    fine_.place().set_time(time_ + Rational(k_later) / 1000);
     if (!(fine_.approach(k_solved) <= k_solved)) return false;
     for (std::size_t i = 0; i < before.size(); ++i) {
-      const double moved = std::abs(to_double(fine_.position()[i] - before[i]));
+      const double moved = std::abs(to_double(fine_.place().position()[i] - before[i]));
       if (!(moved <= k_balanced * (1 + std::abs(to_double(before[i]))))) return false;
     }
     return true;

@@ -8,6 +8,7 @@
 #include "evaluate/decimal.hpp"
 #include "generic_point.hpp"
 #include "ir/contract.hpp"
+#include "nearest_position.hpp"
 #include "open_rates.hpp"
 #include "strategy/projection.hpp"
 #include "structure_check.hpp"
@@ -41,7 +42,7 @@ class InitialCheck {
     const bool has_state = bind_initial_values(mechanics_, state, values_);
     const std::vector<UndefinedPart> undefined = undefined_parts(mechanics_, values_);
     for (const UndefinedPart& part : undefined) report_undefined(part);
-    if (undefined.empty() && !has_state) report_undefined_state(state);
+    if (undefined.empty() && !has_state && !report_unmet(state)) report_undefined_state(state);
     const std::vector<Violation> violated = violations(mechanics_, values_);
     ConstraintCheck constraints(mechanics_, values_, options_.is_emitted, diagnostics_);
     constraints.report_positions(violated);
@@ -71,6 +72,23 @@ class InitialCheck {
                            "check the initial values and the rates that the constraints determine");
       return;
     }
+  }
+
+  /// Whether open rates have no value since given ones contradict the constraints, which say nothing of the open ones here.
+  bool report_unmet(const std::vector<InitialValue>& state) {
+    std::vector<double> position;
+    for (std::size_t i = 0; i < mechanics_.symbols.configuration.size(); ++i) {
+      const auto value = values_(state[i].node);
+      if (!value) return false;
+      position.push_back(cln::double_approx(*value));
+    }
+    const std::vector<bool> open = strategy::open_speeds(model_, mechanics_.expressions);
+    const auto unmet = unmet_by_speeds(mechanics_, position, open, 0);
+    for (const auto& [index, residual] : unmet) {
+      const auto& row = mechanics_.kinematics.constraints[kinematics::ConstraintIndex{index}];
+      report_violation({index, &row, false, cln::cl_float(residual, cln::float_format(k_digits))});
+    }
+    return !unmet.empty();
   }
 
   void report_violation(const Violation& violation) {

@@ -210,9 +210,13 @@ Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable, d
   return {equations.position(), true};
 }
 
-bool speeds_fit(Mechanics& mechanics, const std::vector<double>& position, const std::vector<bool>& open, double time) {
+namespace {
+
+/// By Newton's method, from their guesses.
+std::optional<Linearised> at_found_speeds(Mechanics& mechanics, const Vector& position, const std::vector<bool>& open,
+                                          double time) {
   PositionEquations equations(mechanics, std::vector<bool>(open.size(), false), time);
-  if (!equations.start()) return false;
+  if (!equations.start()) return std::nullopt;
   equations.set(position);
   Vector u = equations.speeds();
   auto here = equations.of_speeds(u, open);
@@ -221,7 +225,24 @@ bool speeds_fit(Mechanics& mechanics, const std::vector<double>& position, const
     for (std::size_t k = 0; k < u.size(); ++k) u[k] += change[k];
     here = equations.of_speeds(u, open);
   }
-  return here && here->is_solved(k_solved);
+  return here;
+}
+
+}  // namespace
+
+bool speeds_fit(Mechanics& mechanics, const std::vector<double>& position, const std::vector<bool>& open, double time) {
+  const auto found = at_found_speeds(mechanics, position, open, time);
+  return found && found->is_solved(k_solved);
+}
+
+std::vector<std::pair<std::size_t, double>> unmet_by_speeds(Mechanics& mechanics, const std::vector<double>& position,
+                                                            const std::vector<bool>& open, double time) {
+  const auto found = at_found_speeds(mechanics, position, open, time);
+  std::vector<std::pair<std::size_t, double>> unmet;
+  for (std::size_t mu = 0; found && mu < found->f.size(); ++mu) {
+    if (std::abs(found->f[mu]) > k_violated * found->size[mu]) unmet.emplace_back(mu, found->f[mu]);
+  }
+  return unmet;
 }
 
 std::vector<bool> needed_displacements(Mechanics& mechanics, const std::vector<bool>& open, double time) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "mechanics.hpp"
@@ -34,6 +35,10 @@ Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable, d
 
 /// Whether, at this position, speeds that are `open` can be chosen such that all constraints hold: Newton's method finds them.
 bool speeds_fit(Mechanics& mechanics, const std::vector<double>& position, const std::vector<bool>& open, double time);
+
+/// Constraints that no speeds that are `open` satisfy at this position, and φ of each where the least is left; nothing where they fit.
+std::vector<std::pair<std::size_t, double>> unmet_by_speeds(Mechanics& mechanics, const std::vector<double>& position,
+                                                            const std::vector<bool>& open, double time);
 
 /// What has to move beside what is `open`, so that all equations of positions hold to first order, from the guesses of the model: the
 /// speeds along which the least such displacement goes.

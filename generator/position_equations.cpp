@@ -11,6 +11,7 @@ namespace gaussgen {
 namespace {
 
 constexpr double k_first_step = 1e-3;
+constexpr double k_rounding = 1e-14;  ///< of what a derivative is made of
 constexpr double k_turn = 6.283185307179586;
 
 }  // namespace
@@ -119,7 +120,8 @@ bool PositionEquations::add(ir::Expr f, const kinematics::ConstraintRow& row, co
   for (const auto alpha : mechanics_.symbols.speeds.indices()) {
     const auto entry = values_(row.beta[mechanics_.symbols.full(alpha)].id());
     if (!entry || !std::isfinite(entry->value)) return false;
-    result.j.back().push_back(moves[alpha.value] ? weight * entry->value : 0);
+    const bool is_rounding = std::abs(entry->value) <= k_rounding * entry->scale;
+    result.j.back().push_back(moves[alpha.value] && !is_rounding ? weight * entry->value : 0);
   }
   return true;
 }

@@ -38,10 +38,9 @@ void RestEquations::pose(Mechanics& mechanics) {
     if (row.f) equations.push_back(*row.f);
   }
   for (std::size_t mu = 0; mu < dynamics.l(); ++mu) {
-    if (!mechanics.kinematics.constraints[ConstraintIndex{mu}].f) {
-      held.emplace_back();
-      for (const Expr b : dynamics.b[mu]) held.back().push_back(at_rest(b));
-    }
+    auto& rows = mechanics.kinematics.constraints[ConstraintIndex{mu}].f ? closing : held;
+    rows.emplace_back();
+    for (const Expr b : dynamics.b[mu]) rows.back().push_back(at_rest(b));
     add_drive(mu, at_rest(mechanics.kinematics.constraints[ConstraintIndex{mu}].phi));
     Expr drift = at_rest(dynamics.b_drift[mu]);
     for (std::size_t b = 0; b < dynamics.n(); ++b) drift += at_rest(dynamics.b[mu][b]) * changes[b];

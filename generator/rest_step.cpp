@@ -20,11 +20,12 @@ VectorXd weights(const RestUnknowns& unknowns) {
   const Index n = unknowns.masses.size();
   const VectorXd& effects = unknowns.effects;
   VectorXd result = VectorXd::Ones(effects.size());
-  double largest = 0;
+  double largest = 0, lightest = 0;
   for (Index j = 0; j < n; ++j) {
     const double g = unknowns.masses[j];
     result[j] = g > 0 ? 1 / std::sqrt(g) : 0;
     largest = std::max(largest, result[j] * effects[j]);
+    lightest = std::max(lightest, result[j]);
   }
   for (Index j = 0; j < effects.size(); ++j) {
     const bool is_multiplier = j >= n;
@@ -34,7 +35,8 @@ VectorXd weights(const RestUnknowns& unknowns) {
     } else if (is_multiplier || result[j] == 0 || largest == 0) {
       result[j] = (is_multiplier ? k_ease : 1) / effects[j];
     } else {
-      result[j] = std::max(result[j] / largest, k_least_column / effects[j]);
+      // No lighter than the lightest: where a force hardly acts, as on a heading, nothing has to move for that.
+      result[j] = std::max(result[j] / largest, std::min(k_least_column / effects[j], lightest / largest));
     }
   }
   return result;

@@ -40,7 +40,7 @@
 //   residuals          14   32   0  0     4
 //   mass_matrix        0    1    0  0     1
 //   project            29   53   1  0     4
-//   initial_state      11   36   4  0     4
+//   initial_state      16   48   4  0     4
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
 #define GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
@@ -1324,6 +1324,8 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
       S_rolling_around_3, squares_rolling_around_3);
   const S t5 = Math<S>::select(Math<S>::less(squares_rolling_along_3, t4), squares_rolling_along_3, t4);
   const S least_cube = Math<S>::select(Math<S>::less(S_rolling_along_3, t5), S_rolling_along_3, t5);
+  const S epsilon_2 = Math<S>::epsilon() * Math<S>::epsilon();
+  const S rho = R - r;
 
   state.chi() = S(0);
   state.zeta() = S(0);
@@ -1337,8 +1339,13 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.theta_dot() = change_theta;
 
   const Bool singular_mass_matrix = Math<S>::at_most(J, S(0));
-  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(least_S_pivot, S(0)),
-      Math<S>::at_most(least_cube, S(0)));
+  const Bool dependent_constraints = Math<S>::any(Math<S>::any(Math<S>::at_most(least_S_pivot, S(0)),
+      Math<S>::at_most(least_cube, S(0))),
+      Math<S>::any(Math<S>::less(squares_rolling_around, S(1000000) * epsilon_2
+      * (squares_rolling_around + rho * rho + squares_rolling_around * cos_theta_0 * cos_theta_0)),
+      Math<S>::less(squares_rolling_along, S(1000000) * epsilon_2
+      * (S(1) + squares_rolling_along
+      + squares_rolling_around * sin_theta_0 * sin_theta_0 * cos_psi_0 * cos_psi_0))));
   const Bool not_finite = Math<S>::not_finite(phi_0, psi_0, theta_0, zeta_dot_0, phi_dot, change_psi,
       change_theta);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);

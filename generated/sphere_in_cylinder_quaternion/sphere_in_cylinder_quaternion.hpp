@@ -46,7 +46,7 @@
 //   residuals          12   20  0  0     2
 //   mass_matrix        3    4   0  0     0
 //   project            22   30  1  1     2
-//   initial_state      6    19  4  0     6
+//   initial_state      9    25  4  0     6
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_QUATERNION_HPP
 #define GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_QUATERNION_HPP
@@ -1233,6 +1233,8 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   const S squares_rolling_around_3 = squares_rolling_around * squares_rolling_around * squares_rolling_around;
   const S least_cube = Math<S>::select(Math<S>::less(S_rolling_around_3, squares_rolling_around_3),
       S_rolling_around_3, squares_rolling_around_3);
+  const S epsilon_2 = Math<S>::epsilon() * Math<S>::epsilon();
+  const S rho = R - r;
 
   state.chi() = S(0);
   state.zeta() = S(0);
@@ -1247,8 +1249,11 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.wz() = change_wz;
 
   const Bool singular_mass_matrix = Math<S>::at_most(J, S(0));
-  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(S_rolling_around, S(0)),
-      Math<S>::at_most(least_cube, S(0)));
+  const Bool dependent_constraints = Math<S>::any(Math<S>::any(Math<S>::at_most(S_rolling_around, S(0)),
+      Math<S>::at_most(least_cube, S(0))),
+      Math<S>::any(Math<S>::less(squares_rolling_around, S(1000000) * epsilon_2
+      * (squares_rolling_around + rho * rho)),
+      Math<S>::less(squares_rolling_around, S(1000000) * epsilon_2 * (S(1) + squares_rolling_around))));
   const Bool not_finite = Math<S>::not_finite(e0, e1, e2, e3, omega_r_0, rough_change_wy, change_wz);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }

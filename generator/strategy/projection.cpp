@@ -5,6 +5,7 @@
 
 #include "ir/rounded.hpp"
 #include "strategy/accelerations.hpp"
+#include "strategy/inner.hpp"
 #include "strategy/position_projection.hpp"
 #include "strategy/quaternions.hpp"
 #include "strategy/state_values.hpp"
@@ -51,7 +52,7 @@ class VelocityProjection {
       speed = steps.name(rounded(speed + change.accelerations[j]), prefix + dynamics_.labels[moving_[j]] + "_rate");
     }
     singular_ = any(graph(), {singular_, change.singular_mass_matrix});
-    dependent_ = any(graph(), {dependent_, change.dependent_constraints});
+    dependent_ = any(graph(), {dependent_, change.dependent_constraints, lost(at)});
   }
 
   // One step satisfies a linear constraint exactly, unless none of its speeds is free to move.
@@ -67,6 +68,21 @@ class VelocityProjection {
   Expr dependent() const { return dependent_; }
 
  private:
+  // Whether a constraint says something of given speeds alone here, and of those that may move only what rounding has left. The 1000
+  // covers what sums of products lose; squares, since a row has no sign.
+  Expr lost(const VelocityProblem& at) const {
+    std::vector<Expr> conditions;
+    for (std::size_t mu = 0; mu < at.b.size(); ++mu) {
+      if (!can_move(at, mu)) continue;
+      const Expr all = inner(graph(), at.b[mu], at.b[mu]);
+      const Vector moving = restricted(at.b[mu], moving_);
+      const Expr of_moving = inner(graph(), moving, moving);
+      if (!(of_moving == all))
+        conditions.push_back(less(of_moving, support::Rational(1'000'000) * pow(epsilon_, 2) * all));
+    }
+    return any(graph(), conditions);
+  }
+
   bool can_move(const VelocityProblem& at, std::size_t mu) const {
     return std::any_of(moving_.begin(), moving_.end(), [&](std::size_t i) { return !at.b[mu][i].is_zero(); });
   }

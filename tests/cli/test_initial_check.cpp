@@ -49,6 +49,13 @@ TEST_CASE("only rates that act on the constraint at the initial state are offere
              Catch::Contains("hint: leave x_dot open,"));
 }
 
+TEST_CASE("given rates that a constraint on them alone forbids violate it, though others are open elsewhere") {
+  const std::string text = found_in(plane("initial: pi/2, initial_rate: 1", "initial: 0", "dot(x) + cos(x)*dot(y)"));
+  CHECK_THAT(text, Catch::Contains("error[E070]: the initial state violates constraint 'skate' by 1.00"));
+  CHECK_THAT(text, Catch::Contains("leave x_dot open"));
+  CHECK_THAT(text, !Catch::Contains("W052"));
+}
+
 TEST_CASE("a rate that is left open follows from the constraint") {
   CHECK(found_in(plane("initial_rate: 1", "initial: 0", "dot(x) - dot(y)")).empty());
   CHECK(found_in(plane("initial_rate: 1/3", "initial_rate: 0.3333333333333333", "dot(x) - dot(y)")).empty());

@@ -259,6 +259,37 @@ forces: {slope: {uniform: [2, 0, -9.81]}, one: {spring: a, stiffness: 4}, other:
                                    ("multipliers", "front_rolls", -11.2), ("multipliers", "rear_rolls", -2.8)):
             self.assertAlmostEqual(float(found[group][name]["value"]), value, 12)
 
+    def test_the_way_to_rest_is_one_that_constraints_on_velocities_allow(self):
+        # Each of these constraints can be integrated from where the model starts, so that there is one place of rest: on the curve.
+        bead = HEAD + """coordinates: {x: {initial: 1}, y: {initial: 1}}
+particles: {p: {mass: 1, position: [x, y, 0]}}
+constraints: {c: {LAW}}
+forces: {a: {spring: x, stiffness: 3, rest: 4}, b: {spring: y, stiffness: 10}}
+"""
+        by_rates, by_place = (self.at_equilibrium(bead.replace("LAW", law)) for law in ("velocity: x*dot(y) + y*dot(x)", "equation: x*y - 1"))
+        for name in ("x", "y"):
+            self.assertAlmostEqual(float(by_rates["state"][name]["value"]), float(by_place["state"][name]["value"]), 9)
+        # 3 (x - 4) dx + 10 y dy = 0 along x y = 1
+        x = float(by_rates["state"]["x"]["value"])
+        self.assertAlmostEqual(3 * (x - 4) - 10 / x**3, 0, 8)
+        # A ball that a spring pulls 0.5 m along turns 0.5/0.2 rad.
+        ball = HEAD + """coordinates: {x: {initial: 0}, y: {initial: 0}, z: {held_at: 0.2}}
+orientations: {o: {quaternion: [e0, e1, e2, e3], angular_velocity: [wx, wy, wz], frame: body}}
+bodies: {ball: {mass: 1, inertia: 0.016, position: [x, y, z], orientation: o}}
+points: {foot: {at: [x, y, 0]}}
+constraints: {rim: {rolls: ball, at: foot}}
+forces: {pull: {spring: x, stiffness: 7, rest: 0.5}}
+"""
+        state = self.at_equilibrium(ball)["state"]
+        self.assertAlmostEqual(float(state["x"]["value"]), 0.5, 15)
+        self.assertAlmostEqual(float(state["e0"]["value"]), math.cos(1.25), 9)
+        self.assertAlmostEqual(float(state["e2"]["value"]), math.sin(1.25), 9)
+
+    def test_a_spring_is_as_linear_far_away(self):
+        far = HEAD + "coordinates: {x: {initial: START}}\nparticles: {p: {mass: 1e4, position: [x, 0, 0]}}\nforces: {s: {spring: x, stiffness: 3, rest: -2}}\n"
+        for start in ("300", "-1e5"):
+            self.assertAlmostEqual(float(self.at_equilibrium(far.replace("START", start))["state"]["x"]["value"]), -2, 14)
+
     def test_what_is_at_rest_stays(self):
         brake = HEAD + """coordinates: {x: {initial: 0.2}}
 particles: {p: {mass: 1, position: [x, 0, 0]}}

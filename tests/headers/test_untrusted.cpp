@@ -8,12 +8,14 @@
 #include "locked_wheel.hpp"
 #include "massless.hpp"
 #include "speed_limit.hpp"
+#include "turned_away.hpp"
 #include "two_for_one.hpp"
 
 using gauss::Status;
 namespace massless = gauss::massless;
 namespace locked_wheel = gauss::locked_wheel;
 namespace speed_limit = gauss::speed_limit;
+namespace turned_away = gauss::turned_away;
 namespace two_for_one = gauss::two_for_one;
 
 namespace {
@@ -76,6 +78,18 @@ TEST_CASE("Newton's method arrives at an initial state or says that it has not")
   speed_limit::State<float> single{};
   CHECK(start(4.0F, 0.5F, single) == Status::ok);
   CHECK(start(-4.0F, 0.5F, single) == Status::violated_constraints);
+}
+
+TEST_CASE("an open rate of which rounding alone is in a constraint does not follow from it") {
+  const auto status_at = [](double beta) {
+    turned_away::Parameters<double> parameters;
+    parameters.beta = beta;
+    turned_away::State<double> state{};
+    return initial_state(prepare(parameters), state);
+  };
+  CHECK(status_at(1) == Status::ok);
+  CHECK(status_at(1.57) == Status::ok);
+  CHECK(status_at(std::acos(0.0)) == Status::dependent_constraints);
 }
 
 TEST_CASE("a given rate that contradicts a constraint over it alone is reported") {
