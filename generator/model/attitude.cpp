@@ -115,9 +115,8 @@ QuaternionOrientation find_orientation(const Node& scalar, Reading& reading) {
   const auto found = reading.orientations.find(scalar.scalar.text);
   if (found != reading.orientations.end()) return {found->second};
   if (!reading.unread.may_declare(scalar.scalar.text)) {
-    std::vector<std::string> names;
-    for (const auto& orientation : reading.orientations) names.push_back(orientation.first);
-    const std::string near = did_you_mean(name_of(scalar.scalar), names, reading);
+    const std::string near = did_you_mean_one_of(
+        name_of(scalar.scalar), [&] { return names_of(reading.orientations); }, reading);
     reading.diagnostics.error(
         code::k_wrong_reference, scalar.span, fmt::format("there is no orientation '{}'", scalar.scalar.text),
         near.empty() ? "declare it under 'orientations', or write {euler: zxz, angles: [...]}" : near);

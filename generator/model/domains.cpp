@@ -19,8 +19,6 @@ namespace code = support::code;
 
 namespace {
 
-constexpr int k_most_suggestions = 50;
-
 const char* kind_name(SymbolKind kind) {
   switch (kind) {
     case SymbolKind::time: return "the time";
@@ -128,9 +126,7 @@ class DomainCheck {
     if (is_output) return "'quantities' are outputs: write here what it stands for";
     if (own == "e") return "write exp(x) for e^x; Euler's number itself is exp(1)";
     if (own == "I") return "declare a moment of inertia under 'parameters', as I1 or J";
-    // A file full of unknown names gets no suggestions after the first ones: each costs a search.
-    const std::string near =
-        ++searches_ <= k_most_suggestions ? did_you_mean(unknown, names_, reading_) : std::string();
+    const std::string near = did_you_mean(unknown, names_, reading_);
     return near.empty() ? "declare it under 'parameters', 'inputs' or 'coordinates'" : near;
   }
 
@@ -141,16 +137,14 @@ class DomainCheck {
       return component == "dot" ? fmt::format("write dot({}) for the rate", owner)
                                 : fmt::format("'{}' has no components", owner);
     }
-    std::vector<std::string> owners;
-    for (const auto& frame : reading_.frames) owners.push_back(frame.first);
-    const std::string near = ++searches_ <= k_most_suggestions ? did_you_mean(name, owners, reading_) : std::string();
+    const std::string near = did_you_mean_one_of(
+        name, [&] { return names_of(reading_.frames); }, reading_);
     return near.empty() ? "a frame, a body or a point has components: declare it under 'points'" : near;
   }
 
   Reading& reading_;
   std::vector<std::string> names_;
   std::map<std::string, Unknown> unknown_;
-  int searches_ = 0;
 };
 
 }  // namespace

@@ -271,7 +271,8 @@ std::array<Ast, 3> read_vector(const Node& node, Span owner, const std::string& 
 
 Name name_of(const spec::LocatedText& text) { return {text.text, text.span}; }
 
-std::string did_you_mean(const Name& name, const std::vector<std::string>& candidates, const Reading& reading) {
+std::string did_you_mean(const Name& name, const std::vector<std::string>& candidates, Reading& reading) {
+  if (!reading.searches.begin()) return "";
   const std::string prefix = reading.copies.prefix_of(name.text, name.span.begin, reading.source);
   if (prefix.empty()) return support::did_you_mean(name.text, candidates);
   std::vector<std::string> own;

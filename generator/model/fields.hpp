@@ -58,8 +58,22 @@ std::array<Ast, 3> read_vector(const spec::Node& node, support::Span owner, cons
 
 Name name_of(const spec::LocatedText& text);
 
-/// "did you mean 'psi'?", or an empty text; in the file of a submodel, of the names of its own.
-std::string did_you_mean(const Name& name, const std::vector<std::string>& candidates, const Reading& reading);
+/// "did you mean 'psi'?", or an empty text, also when many names were searched before; in the file of a submodel, of the
+/// names of its own.
+std::string did_you_mean(const Name& name, const std::vector<std::string>& candidates, Reading& reading);
+
+/// The same for candidates that take time to list: `list()` is asked only when there is a search.
+template <class List>
+std::string did_you_mean_one_of(const Name& name, List list, Reading& reading) {
+  return reading.searches.are_spent() ? std::string() : did_you_mean(name, list(), reading);
+}
+
+template <class Map>
+std::vector<std::string> names_of(const Map& map) {
+  std::vector<std::string> names;
+  for (const auto& entry : map) names.push_back(entry.first);
+  return names;
+}
 
 /// A section of the file: each entry goes to `read(entry)`. An absent or empty section is fine.
 template <class Read>

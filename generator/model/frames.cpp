@@ -99,22 +99,34 @@ class FrameOrder {
   std::vector<std::size_t> order_;
 };
 
-std::string hint_for_unknown(const Name& unknown, const Reading& reading) {
-  const std::string& name = unknown.text;
+/// Empty when no joint has the name.
+std::string hint_for_joint(const std::string& name, const Reading& reading) {
   for (const Joint& joint : reading.model.joints) {
     if (joint.name.text == name && joint.frame != k_space)
       return fmt::format("'{}' is a joint; the frame that it carries is '{}'", name,
                          reading.model.frames[joint.frame].name.text);
   }
+  return "";
+}
+
+std::vector<std::string> places_of(const Reading& reading) {
+  std::vector<std::string> names = names_of(reading.frames);
+  names.emplace_back(k_space_name);
+  return names;
+}
+
+std::string hint_for_unknown(const Name& unknown, Reading& reading) {
+  const std::string& name = unknown.text;
+  const std::string of_joint = reading.searches.are_spent() ? "" : hint_for_joint(name, reading);
+  if (!of_joint.empty()) return of_joint;
   const auto symbol = reading.model.symbols.find(name);
   if (symbol != reading.model.symbols.end() && symbol->second.kind == SymbolKind::coordinate)
     return fmt::format("'{}' is a coordinate, not a place; a force along it is 'generalized: {{{}: F}}'", name, name);
   const std::size_t sign = name.find_first_of("+-");
   if (sign != std::string::npos)
     return "a name has no signs; with an index, arithmetic stands in brackets, as in link_$(i-1)";
-  std::vector<std::string> names{k_space_name};
-  for (const auto& frame : reading.frames) names.push_back(frame.first);
-  const std::string near = did_you_mean(unknown, names, reading);
+  const std::string near = did_you_mean_one_of(
+      unknown, [&] { return places_of(reading); }, reading);
   return near.empty() ? "declare it under 'frames', 'joints', 'bodies' or 'points'" : near;
 }
 

@@ -13,6 +13,17 @@
 
 namespace gaussgen::model {
 
+/// A file full of unknown names gets no suggestions after the first ones: each costs a search through all names.
+class Searches {
+ public:
+  bool are_spent() const { return count_ >= k_most; }
+  bool begin() { return !are_spent() && ++count_ > 0; }
+
+ private:
+  static constexpr int k_most = 50;
+  int count_ = 0;
+};
+
 struct Declared {
   support::Span span;
   std::string what;  ///< "the parameter"
@@ -36,6 +47,7 @@ struct Reading {
   std::set<std::string> refused =
       {};  ///< declared, and may not be or are of two things: nothing is known of what uses them
   std::set<std::uint32_t> unknown_keys = {};  ///< where keys begin that were reported
+  Searches searches = {};                     ///< of the whole file, for names that may be meant
 
   std::string line_text(support::Span span) const { return source.line_text(span.begin); }
 };

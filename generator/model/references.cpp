@@ -19,6 +19,20 @@ bool is_speed(SymbolKind kind) {
   return kind == SymbolKind::coordinate || kind == SymbolKind::angular_velocity || kind == SymbolKind::speed;
 }
 
+std::vector<std::string> speeds_of(const Model& model) {
+  std::vector<std::string> names;
+  for (const auto& [name, symbol] : model.symbols) {
+    if (is_speed(symbol.kind)) names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<std::string> coordinates_of(const Model& model) {
+  std::vector<std::string> names;
+  for (const Coordinate& coordinate : model.coordinates) names.push_back(coordinate.name.text);
+  return names;
+}
+
 /// Of what is reported already.
 bool may_be_any(const Name& name, const Reading& reading) {
   const bool is_known = reading.model.symbols.count(name.text) > 0;
@@ -29,11 +43,8 @@ bool check_speed(const Name& name, const std::string& what, Reading& reading) {
   const auto symbol = reading.model.symbols.find(name.text);
   if (symbol != reading.model.symbols.end() && is_speed(symbol->second.kind)) return true;
   if (may_be_any(name, reading)) return false;
-  std::vector<std::string> candidates;
-  for (const auto& [candidate, reference] : reading.model.symbols) {
-    if (is_speed(reference.kind)) candidates.push_back(candidate);
-  }
-  const std::string near = did_you_mean(name, candidates, reading);
+  const std::string near = did_you_mean_one_of(
+      name, [&] { return speeds_of(reading.model); }, reading);
   reading.diagnostics.error(
       code::k_wrong_reference, name.span,
       fmt::format("'{}' is not a coordinate or an angular velocity component, which {} needs", name.text, what),
@@ -45,9 +56,8 @@ void check_coordinate(const Name& name, Reading& reading) {
   const auto symbol = reading.model.symbols.find(name.text);
   if (symbol != reading.model.symbols.end() && symbol->second.kind == SymbolKind::coordinate) return;
   if (may_be_any(name, reading)) return;
-  std::vector<std::string> candidates;
-  for (const Coordinate& coordinate : reading.model.coordinates) candidates.push_back(coordinate.name.text);
-  const std::string near = did_you_mean(name, candidates, reading);
+  const std::string near = did_you_mean_one_of(
+      name, [&] { return coordinates_of(reading.model); }, reading);
   reading.diagnostics.error(code::k_wrong_reference, name.span, fmt::format("there is no coordinate '{}'", name.text),
                             near.empty() ? "a spring acts along a coordinate, or between two places: [P, Q]" : near);
 }

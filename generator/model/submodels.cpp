@@ -30,7 +30,6 @@ namespace {
 constexpr const char* k_submodels = "submodels";
 constexpr std::size_t k_most_files = 64;
 constexpr std::size_t k_deepest = 8;
-constexpr int k_most_suggestions = 50;
 constexpr std::size_t k_most_nodes = spec::k_most_nodes;
 constexpr std::size_t k_most_bytes = spec::k_most_written_out;
 
@@ -245,9 +244,8 @@ class Submodels {
     return !near.empty();
   }
 
-  /// A file full of such names gets no suggestions after the first ones: each costs a search.
   std::string near_entry(const std::string& name, const Node& content) {
-    if (++searches_ > k_most_suggestions) return "";
+    if (!reading_.searches.begin()) return "";
     std::vector<std::string> entries;
     for (const Entry& section : content.entries) {
       for (const std::string& entry : names_in(&section.value)) entries.push_back(entry);
@@ -306,7 +304,7 @@ class Submodels {
     const std::vector<std::string> known = names_in(spec::find(content, "parameters"));
     for (const Entry& value : values->entries) {
       if (std::find(known.begin(), known.end(), value.key.text) != known.end()) continue;
-      const std::string near = support::did_you_mean(value.key.text, known);
+      const std::string near = reading_.searches.begin() ? support::did_you_mean(value.key.text, known) : "";
       reading_.diagnostics.error(code::k_submodel_fit, value.key.span,
                                  fmt::format("submodel '{}' has no parameter '{}'", part.key.text, value.key.text),
                                  !near.empty()   ? near
@@ -382,7 +380,6 @@ class Submodels {
   Reading& reading_;
   std::map<std::string, std::optional<Part>> files_;
   const std::optional<Part> nothing_;
-  int searches_ = 0;
   std::size_t nodes_ = 0;           ///< of all that was merged
   std::size_t bytes_ = 0;           ///< likewise
   std::set<std::uint32_t> fields_;  ///< as Part::fields, of the file that is read
