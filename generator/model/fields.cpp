@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "model/parser.hpp"
 #include "model/unit_parser.hpp"
@@ -267,6 +268,30 @@ std::array<Ast, 3> read_vector(const Node& node, Span owner, const std::string& 
   if (!expect_list(node, owner, where, reading) || !expect_length(node, vector.size(), where, reading)) return vector;
   for (std::size_t i = 0; i < vector.size(); ++i) vector[i] = read_expression(node.items[i], node.span, reading);
   return vector;
+}
+
+namespace {
+
+/// Whether names refer to entries of the section, or to what they declare.
+bool declares(const std::string& section) {
+  static const std::set<std::string> k_sections{"parameters", "inputs", "coordinates", "orientations", "frames",
+                                                "joints",     "speeds", "bodies",      "particles",    "points"};
+  return k_sections.count(section) > 0;
+}
+
+/// [m, l] and "- m: 1" name what they declare; 3, oops and [] leave it open.
+bool names_entries(const Node& section) {
+  const auto is_name = [](const Node& item) {
+    return item.kind == NodeKind::map || (item.kind == NodeKind::scalar && !is_whole_number(item));
+  };
+  return section.kind == NodeKind::sequence && std::any_of(section.items.begin(), section.items.end(), is_name);
+}
+
+}  // namespace
+
+void note_unread_section(const spec::Entry& section, Reading& reading) {
+  reading.unread.add(section);
+  if (declares(section.key.text) && !names_entries(section.value)) reading.unread.add_everything();
 }
 
 Name name_of(const spec::LocatedText& text) { return {text.text, text.span}; }

@@ -75,13 +75,16 @@ std::vector<std::string> names_of(const Map& map) {
   return names;
 }
 
+/// Of a section that is no map, the names of its entries are missing.
+void note_unread_section(const spec::Entry& section, Reading& reading);
+
 /// A section of the file: each entry goes to `read(entry)`. An absent or empty section is fine.
 template <class Read>
 void read_section(const spec::Node& root, const std::string& key, Reading& reading, Read read) {
   for (const spec::Entry& entry : root.entries) {
     if (entry.key.text != key || entry.value.kind == spec::NodeKind::empty) continue;
     if (!expect_map(entry.value, entry.key.span, "'" + key + "'", reading)) {
-      reading.unread.add(entry);
+      note_unread_section(entry, reading);
       continue;
     }
     for (const spec::Entry& item : entry.value.entries) read(item);

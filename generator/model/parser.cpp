@@ -222,11 +222,16 @@ class Parser {
     return inner;
   }
 
+  bool is_table(const std::string& name, bool is_called) const {
+    const bool may_be_any = is_called && tables_.count(k_any_table) > 0 && find_function(name) == nullptr;
+    return may_be_any || tables_.count(name) > 0;
+  }
+
   Ast name() {
     const std::size_t first = next_;
     const std::string text = take().name;
     const bool called = token().kind == TokenKind::open;
-    const Function* function = tables_.count(text) > 0 ? &k_table : find_function(text);
+    const Function* function = is_table(text, called) ? &k_table : find_function(text);
     if (function != nullptr && !called) {
       refuse(
           code::k_function_call, span_of(tokens_[first]),
@@ -283,7 +288,8 @@ class Parser {
     }
     check_conditions(ast);
     if (&function == &k_table) {
-      ast.table = tables_.at(ast.name);
+      const auto table = tables_.find(ast.name);
+      if (table != tables_.end()) ast.table = table->second;
       if (ast.table == nullptr) ++faults_;  // its own fault is reported where the table is
     }
     if (ast.name == k_distance) return distance(ast);

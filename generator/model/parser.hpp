@@ -9,6 +9,9 @@
 
 namespace gaussgen::model {
 
+/// Among the tables, and null: any other name that is called may be a table, since their section could not be read.
+inline constexpr const char* k_any_table = "";
+
 inline constexpr int k_deepest_expression = 64;
 inline constexpr int k_largest_power = 64;
 

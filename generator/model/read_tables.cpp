@@ -8,6 +8,7 @@
 #include "model/fields.hpp"
 #include "model/format.hpp"
 #include "model/names.hpp"
+#include "model/parser.hpp"
 #include "model/points.hpp"
 #include "model/sections.hpp"
 #include "support/error_codes.hpp"
@@ -208,6 +209,8 @@ void read_tables(const spec::Node& root, Reading& reading) {
   for (const Entry& section : root.entries) {
     const bool is_misspelt = reading.unknown_keys.count(section.key.span.begin) > 0 &&
                              support::closest(section.key.text, {"tables"}) == "tables";
+    const bool is_unread = section.key.text == "tables" && section.value.kind != spec::NodeKind::map;
+    if (is_unread && section.value.kind != spec::NodeKind::empty) tables.emplace(k_any_table, nullptr);
     for (const Entry& table : section.value.entries) {
       if (is_misspelt) tables.emplace(table.key.text, nullptr);
     }
