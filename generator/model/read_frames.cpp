@@ -34,6 +34,8 @@ void read_frame(const Entry& entry, Reading& reading) {
     for (const Entry& field : entry.value.entries) {
       if (field.key.text == "orientation") frame.attitude = read_attitude(field, reading);
     }
+  } else {
+    frame.position.fill(broken_expression());  // nothing is known of what moves it
   }
   add_frame(std::move(frame), std::move(parent), "the frame", reading);
 }
@@ -49,6 +51,8 @@ void read_point(const Entry& entry, Reading& reading) {
     const Node* at = required(entry.value, "at", entry.key.span, where, reading);
     if (at != nullptr) frame.position = read_vector(*at, entry.key.span, "'at'", reading);
     frame.about = text_field(entry.value, "about", reading);
+  } else {
+    frame.position.fill(broken_expression());
   }
   add_frame(std::move(frame), std::move(parent), "the point", reading);
 }
