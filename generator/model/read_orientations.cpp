@@ -65,7 +65,6 @@ Axes read_axes(const Node& map, Reading& reading) {
 }
 
 void read_initial(const Node& map, Orientation& orientation, Reading& reading) {
-  orientation.initial = {number(1), number(0), number(0), number(0)};
   const Node* list = spec::find(map, "initial");
   orientation.is_open = list == nullptr;
   if (list == nullptr) return;
@@ -93,6 +92,7 @@ void read_initial_velocity(const Node& map, Orientation& orientation, Reading& r
 void read_orientation(const Entry& entry, Reading& reading) {
   Orientation orientation;
   orientation.name = name_of(entry.key);
+  orientation.initial = {number(1), number(0), number(0), number(0)};
   check_name(orientation.name, reading);
   reading.orientations.emplace(entry.key.text, reading.model.orientations.size());
   if (expect_map(entry.value, entry.key.span, fmt::format("orientation '{}'", entry.key.text), reading)) {
