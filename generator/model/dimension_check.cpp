@@ -130,7 +130,7 @@ class DimensionCheck {
     const Measure wanted = wanted_at(slot, reading_.model);
     const bool is_free = wanted.kind != Kind::known;
     const Measure found = infer_(ast, is_free ? nullptr : &wanted.dimension);
-    if (is_free || found.kind != Kind::known || agree(found.dimension, wanted.dimension)) return;
+    if (is_free || found.kind != Kind::known || agree(found.dimension, wanted.dimension) || is_faulty(ast)) return;
     infer_.report(code::k_wrong_dimension, ast,
                   fmt::format("{} is {}, and this is {}", subject(slot), phrase(wanted), phrase(found)),
                   hint_for(ast, wanted, found));
@@ -176,6 +176,9 @@ class DimensionCheck {
     return std::all_of(law.direction.begin(), law.direction.end(), is_plain) ? known(energy() / length()) : Measure{};
   }
 
+  /// With what stands for the name that may not stand there, the unit is another one.
+  bool is_faulty(const Ast& ast) const { return reading_.faulty_values.count(ast.span.begin) > 0; }
+
   Measure inferred(const Ast& ast) {
     done_.insert(&ast);
     return infer_(ast);
@@ -185,7 +188,7 @@ class DimensionCheck {
   void complete(Owner& owner, const Ast& value) {
     if (!owner.unit.empty()) return;
     const Measure measure = inferred(value);
-    if (measure.kind != Kind::known) return;
+    if (measure.kind != Kind::known || is_faulty(value)) return;
     owner.dimension = measure.dimension;
     owner.unit = unit_of(measure);
   }

@@ -151,7 +151,11 @@ class DomainCheck {
 
 void check_domains(Reading& reading) {
   DomainCheck domains(reading);
-  for_each_expression(reading.model, [&](const Ast& ast, const Place& place) { domains.check(ast, place); });
+  for_each_expression(reading.model, [&](const Ast& ast, const Place& place) {
+    const std::size_t before = reading.diagnostics.all().size();
+    domains.check(ast, place);
+    if (reading.diagnostics.all().size() > before) reading.faulty_values.insert(ast.span.begin);
+  });
   domains.report_unknown();
 }
 

@@ -46,8 +46,9 @@ struct Reading {
   Copies copies = {};
   std::set<std::string> refused =
       {};  ///< declared, and may not be or are of two things: nothing is known of what uses them
-  std::set<std::uint32_t> unknown_keys = {};  ///< where keys begin that were reported
-  Searches searches = {};                     ///< of the whole file, for names that may be meant
+  std::set<std::uint32_t> unknown_keys = {};   ///< where keys begin that were reported
+  std::set<std::uint32_t> faulty_values = {};  ///< where expressions begin that use what may not stand there
+  Searches searches = {};                      ///< of the whole file, for names that may be meant
 
   std::string line_text(support::Span span) const { return source.line_text(span.begin); }
 };
