@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "model/constant.hpp"
 #include "model/fields.hpp"
 #include "model/format.hpp"
 #include "model/functions.hpp"
@@ -37,6 +38,42 @@ void collect_rates(const Ast& ast, bool inside_dot, const Model& model, std::set
   }
   const bool inside = inside_dot || (ast.kind == AstKind::call && ast.name == k_dot);
   for (const Ast& child : ast.children) collect_rates(child, inside, model, coordinates);
+}
+
+/// Whether a rate is in it for certain: what a place moves with is found out later.
+bool has_rate(const Ast& ast, bool inside_dot, const Model& model) {
+  if (ast.kind == AstKind::symbol) {
+    const auto found = model.symbols.find(ast.name);
+    if (found == model.symbols.end()) return false;
+    const SymbolRef symbol = found->second;
+    const bool is_free = symbol.kind == SymbolKind::quaternion_component ||
+                         (symbol.kind == SymbolKind::coordinate && !model.coordinates[symbol.index].held_at);
+    return symbol.kind == SymbolKind::angular_velocity || (inside_dot && is_free);
+  }
+  const bool inside = inside_dot || (ast.kind == AstKind::call && ast.name == k_dot);
+  return std::any_of(ast.children.begin(), ast.children.end(),
+                     [&](const Ast& child) { return has_rate(child, inside, model); });
+}
+
+bool is_one(const Ast& exponent) {
+  const auto value = exact_value(exponent);
+  return value && *value == 1;
+}
+
+/// The part of an expression that is not linear in rates: a product of two of them, a power, a function; or null.
+const Ast* nonlinear_part(const Ast& ast, const Model& model) {
+  const auto is_rate = [&](const Ast& part) { return has_rate(part, false, model); };
+  const auto rates = std::count_if(ast.children.begin(), ast.children.end(), is_rate);
+  const bool is_dot = ast.kind == AstKind::call && ast.name == k_dot;
+  if (rates == 0 || is_dot) return nullptr;
+  const bool is_linear_power = ast.kind == AstKind::power && is_one(ast.children[1]);
+  const bool is_whole = ast.kind == AstKind::call || ast.kind == AstKind::reciprocal ||
+                        (ast.kind == AstKind::power && !is_linear_power) || (ast.kind == AstKind::product && rates > 1);
+  if (is_whole) return &ast;
+  for (const Ast& child : ast.children) {
+    if (const Ast* part = nonlinear_part(child, model)) return part;
+  }
+  return nullptr;
 }
 
 /// Initial values of a speed, until it has its place in the state.
@@ -78,6 +115,7 @@ class SpeedReader {
       std::set<std::size_t> own;
       collect_rates(speed.is, false, model_, own);
       if (own.empty() && is_known && !reading_.unread.any()) refuse_without_rates(speed);
+      if (is_known) check_linear(speed);
       coordinates.insert(own.begin(), own.end());
     }
     if (!are_understood || has_speed_without_rates_) return;
@@ -109,6 +147,15 @@ class SpeedReader {
     reading_.diagnostics.error(code::k_speeds, speed.name.span,
                                fmt::format("no rate of a free coordinate is in the speed '{}'", speed.name.text),
                                "write rates as dot(x), as in 'is: dot(x)*cos(psi) + dot(y)*sin(psi)'");
+  }
+
+  void check_linear(const Speed& speed) {
+    const Ast* part = nonlinear_part(speed.is, model_);
+    if (part == nullptr) return;
+    reading_.diagnostics.error(
+        code::k_speeds, part->span, fmt::format("the speed '{}' is not linear in the rates", speed.name.text),
+        "a speed is a sum of rates, each times what depends on coordinates and time alone, as in "
+        "'dot(x)*cos(psi) + dot(y)*sin(psi)'");
   }
 
   void refuse_count(const std::set<std::size_t>& coordinates) {
