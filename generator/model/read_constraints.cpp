@@ -21,6 +21,8 @@ using spec::Node;
 
 namespace {
 
+const char* const k_hint_for_pair = "write two places, as in [space, bob]";
+
 /// Reactions of held coordinates and of constraints are reported side by side, by name.
 void check_label(const Name& name, Reading& reading) {
   const auto symbol = reading.model.symbols.find(name.text);
@@ -149,7 +151,8 @@ class ConstraintReader {
   /// Two places by name, or nothing after a report.
   std::optional<std::array<Name, 2>> read_pair(const Entry& law) {
     const std::string where = "'" + law.key.text + "'";
-    if (!expect_list(law.value, law.key.span, where, reading_) || !expect_length(law.value, 2, where, reading_)) {
+    if (!expect_list(law.value, law.key.span, where, reading_) ||
+        !expect_length(law.value, 2, where, reading_, k_hint_for_pair)) {
       return std::nullopt;
     }
     std::array<Name, 2> pair;

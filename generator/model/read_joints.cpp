@@ -122,7 +122,7 @@ class JointReader {
     for (const Entry& field : map_.entries) {
       if (field.key.text == "axis") axes_.assign(3, read_axis(field.value, field.key.span, "'axis'", reading_));
       if (field.key.text != "axes" || !expect_list(field.value, field.key.span, "'axes'", reading_) ||
-          !expect_length(field.value, 2, "'axes'", reading_)) {
+          !expect_length(field.value, 2, "'axes'", reading_, "write two axes, as in [x, y]")) {
         continue;
       }
       for (std::size_t i = 0; i < 2; ++i)

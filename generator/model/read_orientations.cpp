@@ -38,8 +38,8 @@ void read_names(const Entry& owner, const std::string& key, std::array<Name, N>&
   const std::string where = fmt::format("'{}' of orientation '{}'", key, owner.key.text);
   const Node* list =
       required(owner.value, key, owner.key.span, fmt::format("orientation '{}'", owner.key.text), reading);
-  const bool usable =
-      list != nullptr && expect_list(*list, owner.key.span, where, reading) && expect_length(*list, N, where, reading);
+  const bool usable = list != nullptr && expect_list(*list, owner.key.span, where, reading) &&
+                      expect_length(*list, N, where, reading, fmt::format("write {} names", N));
   if (!usable) return note_unread(owner, list == nullptr ? 0 : list->items.size(), key, N, reading);
   const std::size_t first = N * reading.model.orientations.size();
   for (std::size_t i = 0; i < N; ++i) {
