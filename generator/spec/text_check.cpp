@@ -71,7 +71,8 @@ bool check_text(const support::Source& source, support::Diagnostics& diagnostics
   const std::string_view text = source.text();
   if (text.size() > k_largest_file) {
     diagnostics.error(code::k_file_too_large, {0, 0},
-                      fmt::format("the file has {} bytes; the limit is {}", text.size(), k_largest_file),
+                      // Of a larger one, no more than the beginning is read.
+                      fmt::format("the file has more than {} MiB", k_largest_file >> 20U),
                       "a model file describes one mechanism; split it");
     return false;
   }
