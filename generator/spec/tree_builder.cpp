@@ -107,8 +107,15 @@ void TreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
   Node node;
   node.span = {offset(mark), offset(mark)};
   count_node(node.span);
-  if (expects_key()) return refuse_key(node.span);
+  if (expects_key()) return take_empty_key(node.span);
   add(std::move(node));
+}
+
+/// A word that is nothing to YAML is a name here, which is refused where names are, and known to what uses it.
+void TreeBuilder::take_empty_key(Span span) {
+  const std::string word = word_for_nothing(source_.text(), span.begin);
+  if (word.empty()) return refuse_key(span);
+  open_.back().key = align(word, source_.text(), span.begin, ScalarStyle::plain);
 }
 
 void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t) {
@@ -213,14 +220,7 @@ void TreeBuilder::open(const YAML::Mark& mark, NodeKind kind, YAML::EmitterStyle
 }
 
 void TreeBuilder::refuse_key(Span span) {
-  const std::string word = word_for_nothing(source_.text(), span.begin);
-  if (word.empty()) {
-    diagnostics_.error(code::k_yaml_syntax, span, "a key is missing here", "each line of a map reads 'key: value'");
-  } else {
-    const Span here{span.begin, span.begin + static_cast<std::uint32_t>(word.size())};
-    diagnostics_.error(code::k_yaml_syntax, here, fmt::format("to YAML, '{}' is nothing, and no name", word),
-                       fmt::format("choose another name, such as {}1", word));
-  }
+  diagnostics_.error(code::k_yaml_syntax, span, "a key is missing here", "each line of a map reads 'key: value'");
   open_.back().bad_key = true;
 }
 

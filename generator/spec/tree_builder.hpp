@@ -52,6 +52,8 @@ class TreeBuilder final : public YAML::EventHandler {
   void count_node(support::Span span);
   void refuse_extras(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor);
   void open(const YAML::Mark& mark, NodeKind kind, YAML::EmitterStyle::value style);
+  void refuse_slip_of_key(const LocatedText& key);
+  void take_empty_key(support::Span span);
   void refuse_key(support::Span span);
   void refuse_escaped_characters(LocatedText& scalar);
   void check_key_length(const LocatedText& key);
