@@ -1,6 +1,7 @@
 #include "spec/syntax_error.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -133,15 +134,18 @@ class BracketWalk {
  public:
   explicit BracketWalk(const support::Source& source) : source_(source), text_(source.text()) {}
 
-  /// If some bracket is never closed: the one that is open where a line begins that is indented no deeper than its own.
-  std::optional<std::uint32_t> never_closed() {
+  /// If some bracket before `end` is never closed: the one that is open where a line begins that is indented no deeper
+  /// than its own, or else the last.
+  std::optional<std::uint32_t> never_closed(std::uint32_t end) {
     std::optional<std::uint32_t> found;
     while (at_ < text_.size()) {
       if (is_at_line_start() && !found && !open_.empty() && is_dedented()) found = open_.back();
       step();
     }
     if (open_.empty() || is_mixed_up_) return std::nullopt;
-    return found ? found : open_.back();
+    if (found) return *found < end ? found : std::nullopt;
+    const auto behind = std::lower_bound(open_.begin(), open_.end(), end);
+    return behind == open_.begin() ? std::nullopt : std::optional(*std::prev(behind));
   }
 
  private:
@@ -191,8 +195,8 @@ class BracketWalk {
 
 /// a: {mass: 1, position: [x, 0, 0] and then the next line: YAML notices it there.
 std::optional<Finding> open_bracket(const support::Source& source, std::uint32_t offset) {
-  const auto bracket = BracketWalk(source).never_closed();
-  if (!bracket || *bracket >= offset) return std::nullopt;
+  const auto bracket = BracketWalk(source).never_closed(offset);
+  if (!bracket) return std::nullopt;
   const bool is_map = source.text()[*bracket] == '{';
   return Finding{{*bracket, *bracket + 1},
                  is_map ? "this '{' is never closed" : "this '[' is never closed",
