@@ -91,11 +91,13 @@ void TreeBuilder::refuse_extras(const YAML::Mark& mark, const std::string& tag, 
   const std::uint32_t at = offset(mark);
   const std::string_view text = source_.text();
   const bool quoted = style_at(text, at, true) != ScalarStyle::plain;
-  // The mark is behind the anchor or the tag: its sign is the nearest one before.
+  // The mark is at the first of both.
   const auto report = [&](char sign, const char* message) {
-    const std::size_t found = text.substr(0, at).rfind(sign);
-    const auto begin = static_cast<std::uint32_t>(found == std::string_view::npos ? at : found);
-    diagnostics_.error(code::k_yaml_feature, {begin, std::max(begin + 1, at)}, message,
+    const std::size_t found = text.find(sign, at);
+    const std::size_t begin = found == std::string_view::npos ? at : found;
+    const std::size_t end = std::min(text.find_first_of(" ,]}\r\n", begin), text.size());
+    const Span span{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(std::max(begin + 1, end))};
+    diagnostics_.error(code::k_yaml_feature, span, message,
                        fmt::format("write the value itself; a text that begins with '{}' needs quotes", sign));
   };
   if (anchor != 0) report('&', "anchors (&name) are not part of the model format");
