@@ -8,9 +8,11 @@
 
 #include "model/parser.hpp"
 #include "model/unit_parser.hpp"
+#include "spec/foreign_space.hpp"
 #include "support/characters.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
+#include "support/utf8.hpp"
 
 namespace gaussgen::model {
 
@@ -101,13 +103,19 @@ bool lacks_blank(const Node& node) {
          text.find(' ') == std::string::npos;
 }
 
+const char* hint_for_blank(const std::string& text) {
+  const bool is_foreign = spec::is_foreign_space(support::code_point_at(text, text.find(':') + 1).value);
+  return is_foreign ? "write an ordinary space behind the ':': this one is a letter to YAML"
+                    : "write a blank behind the ':', as in 'key: value'";
+}
+
 bool expect(NodeKind kind, const char* wanted, const Node& node, Span owner, const std::string& where,
             Reading& reading) {
   if (node.kind == kind) return true;
   reading.diagnostics.error(code::k_wrong_kind, place_of(node, owner),
                             fmt::format("{} must be {}, and here is {}", where, wanted, kind_text(node)),
                             kind == NodeKind::map && lacks_blank(node)
-                                ? "write a blank behind the ':', as in 'key: value'"
+                                ? hint_for_blank(node.scalar.text)
                                 : hint_for_kind(kind, node.kind == NodeKind::empty));
   return false;
 }

@@ -44,7 +44,7 @@ bool run_parser(const support::Source& source, TreeBuilder& builder, support::Di
 std::optional<Node> read_yaml(const support::Source& source, support::Diagnostics& diagnostics) {
   if (!check_text(source, diagnostics)) return std::nullopt;
   TreeBuilder builder(source, diagnostics);
-  if (!run_parser(source, builder, diagnostics) || builder.has_aliases()) return std::nullopt;
+  if (!run_parser(source, builder, diagnostics) || builder.has_holes()) return std::nullopt;
   std::optional<Node> root = builder.take_root();
   if (!root || root->kind == NodeKind::empty) {
     diagnostics.error(code::k_empty_file, {0, 0}, "the file is empty", "begin with 'gauss: 1' and 'name: ...'");

@@ -212,6 +212,14 @@ std::optional<Finding> likely_slip(const support::Source& source, std::uint32_t 
   return std::nullopt;
 }
 
+/// In the line of the error, or in the one before it, which YAML read without its ':'.
+bool refuse_space_behind_key_near(const support::Source& source, std::uint32_t offset,
+                                  support::Diagnostics& diagnostics) {
+  const std::uint32_t line = begin_of(source, source.line_at(offset));
+  return refuse_space_behind_key(source, text_begin(source, offset), diagnostics) ||
+         (line > 0 && refuse_space_behind_key(source, text_begin(source, line - 1), diagnostics));
+}
+
 }  // namespace
 
 bool report_open_bracket(const support::Source& source, std::uint32_t offset, support::Diagnostics& diagnostics) {
@@ -229,6 +237,7 @@ void report_syntax_error(const support::Source& source, std::uint32_t offset, co
     return;
   }
   if (refuse_foreign_space(source, text_begin(source, offset), diagnostics)) return;
+  if (refuse_space_behind_key_near(source, offset, diagnostics)) return;
   if (report_open_bracket(source, offset, diagnostics)) return;
   if (const auto slip = likely_slip(source, offset, text)) {
     diagnostics.error(code::k_yaml_syntax, slip->span, slip->message, slip->hint);

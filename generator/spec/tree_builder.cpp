@@ -122,9 +122,12 @@ void TreeBuilder::take_empty_key(Span span) {
 
 void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t) {
   const std::uint32_t at = offset(mark);
-  has_aliases_ = true;
-  diagnostics_.error(code::k_yaml_feature, {at, at + 1}, "aliases (*name) are not part of the model format",
-                     "write the value itself; a text that begins with '*' needs quotes");
+  has_holes_ = true;
+  // <<: *name is reported at the key.
+  const bool is_of_bad_key = !open_.empty() && open_.back().bad_key;
+  if (!is_of_bad_key)
+    diagnostics_.error(code::k_yaml_feature, {at, at + 1}, "aliases (*name) are not part of the model format",
+                       "write the value itself; a text that begins with '*' needs quotes");
   Node node;
   node.span = {at, at};
   if (expects_key()) return refuse_key(node.span);
@@ -151,12 +154,21 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
   node.span = node.scalar.span;
   count_node(node.span);
   refuse_escaped_characters(node.scalar);
-  if (expects_key()) {
-    check_key_length(node.scalar);
-    open_.back().key = std::move(node.scalar);
-  } else {
-    add(std::move(node));
+  if (!expects_key()) return add(std::move(node));
+  check_key_length(node.scalar);
+  if (node.plain) refuse_slip_of_key(node.scalar);
+  if (!open_.back().bad_key) open_.back().key = std::move(node.scalar);
+}
+
+void TreeBuilder::refuse_slip_of_key(const LocatedText& key) {
+  if (key.text == "<<") {
+    diagnostics_.error(code::k_yaml_feature, key.span, "merge keys (<<) are not part of the model format",
+                       "write the entries themselves");
+  } else if (!refuse_space_behind_key(source_, key.span.begin, diagnostics_)) {
+    return;
   }
+  open_.back().bad_key = true;
+  has_holes_ = true;
 }
 
 /// They are taken out of the text, so that nothing else is said of them.

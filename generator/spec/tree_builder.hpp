@@ -24,8 +24,8 @@ class TreeBuilder final : public YAML::EventHandler {
   /// The tree of the only document; empty when the text held nothing.
   std::optional<Node> take_root() { return std::move(root_); }
 
-  /// A tree with aliases has holes: reading on would report what stands behind them as missing.
-  bool has_aliases() const { return has_aliases_; }
+  /// As a tree with aliases has: reading on would report what stands behind them as missing.
+  bool has_holes() const { return has_holes_; }
 
   void OnDocumentStart(const YAML::Mark& mark) override;
   void OnDocumentEnd() override {}
@@ -68,7 +68,7 @@ class TreeBuilder final : public YAML::EventHandler {
   std::vector<Open> open_;
   int nodes_ = 0;
   int documents_ = 0;
-  bool has_aliases_ = false;
+  bool has_holes_ = false;
 };
 
 }  // namespace gaussgen::spec
