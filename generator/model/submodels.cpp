@@ -184,6 +184,7 @@ class Submodels {
     part.root = assembled(*std::move(root), path);
     check_keys(part.root, "a model file", format::keys_of(format::model_file()), reading_);
     read_version(part.root, top, reading_);
+    drop_unreadable_sections(part.root);
     part.copies.add(top.begin - source_.offset_in_file(top.begin), "");
     part.copies.add(reading_.copies, "");
     std::swap(unread_around, reading_.unread);
@@ -209,15 +210,33 @@ class Submodels {
     if (on != nullptr) mount(content, on->scalar);
   }
 
+  /// Sections that are no maps, after a report: nothing of them can be added to those of the model around.
+  void drop_unreadable_sections(Node& content) {
+    const auto is_unreadable = [this](const Entry& entry) {
+      if (is_header(entry) || entry.value.kind == NodeKind::empty) return false;
+      if (expect_map(entry.value, entry.key.span, "'" + entry.key.text + "'", reading_)) return false;
+      note_unread_section(entry, reading_);
+      return true;
+    };
+    std::vector<Entry> kept;
+    for (Entry& entry : content.entries) {
+      if (!is_unreadable(entry)) kept.push_back(std::move(entry));
+    }
+    content.entries = std::move(kept);
+  }
+
+  bool is_header(const Entry& entry) const {
+    static const std::vector<std::string> k_header{"gauss", "name", "about", "elimination", "outputs"};
+    return std::find(k_header.begin(), k_header.end(), entry.key.text) != k_header.end() ||
+           reading_.unknown_keys.count(entry.key.span.begin) > 0;
+  }
+
   /// With the keys that are unknown, which are reported.
   void drop_header(Node& content) const {
-    const auto is_header = [this](const Entry& entry) {
-      static const std::vector<std::string> k_header{"gauss", "name", "about", "elimination", "outputs"};
-      return std::find(k_header.begin(), k_header.end(), entry.key.text) != k_header.end() ||
-             reading_.unknown_keys.count(entry.key.span.begin) > 0;
-    };
     auto& entries = content.entries;
-    entries.erase(std::remove_if(entries.begin(), entries.end(), is_header), entries.end());
+    entries.erase(
+        std::remove_if(entries.begin(), entries.end(), [this](const Entry& entry) { return is_header(entry); }),
+        entries.end());
   }
 
   /// False where it is not known what is meant, after a report.
