@@ -90,7 +90,8 @@ std::string page() {
   text += ".SH EXIT STATUS\n";
   for (const ExitMeaning& exit : k_exit_meanings)
     text += fmt::format(".TP\n{}\n{}\n", static_cast<int>(exit.code), shown(exit.meaning));
-  text += ".SH ENVIRONMENT\n.TP\n" + bold("NO_COLOR") + "\nif set to anything but an empty text, messages have no colour\n";
+  text +=
+      ".SH ENVIRONMENT\n.TP\n" + bold("NO_COLOR") + "\nif set to anything but an empty text, messages have no colour\n";
   text += ".TP\n" + bold("TERM") + "\nwith dumb, or without it, messages have no colour\n";
   text += ".SH EXAMPLES\n";
   for (const Example& example : k_examples)
