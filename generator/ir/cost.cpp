@@ -1,5 +1,7 @@
 #include "ir/cost.hpp"
 
+#include <algorithm>
+
 #include "ir/traverse.hpp"
 
 namespace gaussgen::ir {
@@ -37,11 +39,15 @@ class Counter {
       case Kind::product: add_product(node); break;
       case Kind::power:
         add_power(node);
-        if (is_reciprocal(node) && stands_alone_.contains(id)) ++count.divisions;
+        add_lone_division(id);
         break;
       case Kind::function: add_function(node); break;
       default: break;
     }
+  }
+
+  void add_lone_division(NodeId id) {
+    if (is_reciprocal(graph_[id]) && stands_alone_.contains(id)) ++count.divisions;
   }
 
   OperationCount count;
@@ -123,5 +129,116 @@ OperationCount count_operations(const Graph& graph, const std::vector<NodeId>& r
 }
 
 int operations(const Graph& graph, const std::vector<NodeId>& roots) { return count_operations(graph, roots).total(); }
+
+namespace {
+
+bool is_foot(const Graph& graph, NodeId id) {
+  return graph[id].kind == Kind::function || graph[id].kind == Kind::named;
+}
+
+/// What lies below functions and named values: all with an index from `least` on, which is all that is asked for, since a
+/// node is made after its children.
+class Below {
+ public:
+  Below(const Graph& graph, const std::vector<NodeId>& feet, std::uint32_t least) : graph_(graph), least_(least) {
+    std::vector<NodeId> stack;
+    for (const NodeId foot : feet) enter(foot, stack);
+    while (!stack.empty()) {
+      const NodeId id = stack.back();
+      stack.pop_back();
+      if (contains(id)) continue;
+      all_.insert(id);
+      enter(id, stack);
+    }
+  }
+
+  bool contains(NodeId id) const { return all_.contains(id); }
+  bool has_alone(NodeId id) const { return stands_alone_.contains(id); }
+
+ private:
+  void enter(NodeId id, std::vector<NodeId>& stack) {
+    const Node& node = graph_[id];
+    for (const NodeId child : node.children) {
+      if (child.index < least_) continue;
+      if (node.kind != Kind::product) stands_alone_.insert(child);
+      if (!contains(child)) stack.push_back(child);
+    }
+  }
+
+  const Graph& graph_;
+  std::uint32_t least_;
+  NodeSet all_;
+  NodeSet stands_alone_;
+};
+
+/// The sums, products and powers of one expression, down to functions and named values: its feet.
+class Surface {
+ public:
+  Surface(const Graph& graph, NodeId root)
+      : graph_(graph), root_(root), order_(post_order(graph, {root}, [&](NodeId id) { return is_foot(graph, id); })) {
+    for (const NodeId id : order_) {
+      if (is_foot(graph_, id)) feet_.push_back(id);
+      all_.insert(id);
+    }
+  }
+
+  const std::vector<NodeId>& feet() const { return feet_; }
+
+  bool stands_on_feet_of(const Surface& other) const {
+    return feet_.size() == other.feet_.size() &&
+           std::all_of(feet_.begin(), feet_.end(), [&](NodeId foot) { return other.all_.contains(foot); });
+  }
+
+  /// The first node that may count here and not in `other`, if it does not lie below both.
+  std::uint32_t first_apart(const Surface& other) const {
+    std::uint32_t first = 0xFFFFFFFFU;
+    for (const NodeId id : order_) {
+      if (!other.all_.contains(id) || is_reciprocal(graph_[id])) first = std::min(first, id.index);
+    }
+    return first;
+  }
+
+  /// Less those for what lies below too.
+  int operations_above(const Below& below) const {
+    NodeSet counted;
+    for (const NodeId id : order_) {
+      if (is_varying(id, counted)) counted.insert(id);
+    }
+    Counter counter(graph_, counted);
+    counter.mark_uses(order_, {root_});
+    for (const NodeId id : order_) {
+      if (!counted.contains(id)) continue;
+      if (!below.contains(id))
+        counter.add(id);
+      else if (!below.has_alone(id))
+        counter.add_lone_division(id);
+    }
+    return counter.count.total();
+  }
+
+ private:
+  bool is_varying(NodeId id, const NodeSet& varying) const {
+    const Node& node = graph_[id];
+    if (node.kind == Kind::symbol || is_foot(graph_, id)) return !is_of_parameters(graph_, id);
+    return std::any_of(node.children.begin(), node.children.end(),
+                       [&](NodeId child) { return varying.contains(child); });
+  }
+
+  const Graph& graph_;
+  NodeId root_;
+  std::vector<NodeId> order_;
+  NodeSet all_;
+  std::vector<NodeId> feet_;
+};
+
+}  // namespace
+
+bool takes_fewer_operations(const Graph& graph, NodeId a, NodeId b) {
+  const Surface left(graph, a);
+  const Surface right(graph, b);
+  if (!left.stands_on_feet_of(right)) return operations(graph, {a}) < operations(graph, {b});
+  const Below below(graph, left.feet(), std::min(left.first_apart(right), right.first_apart(left)));
+  return left.operations_above(below) < right.operations_above(below);
+}
 
 }  // namespace gaussgen::ir

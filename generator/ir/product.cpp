@@ -75,16 +75,20 @@ bool can_be_factor(const Node& node) {
   }
 }
 
+/// gcd of fractions: gcd of the numerators over lcm of the denominators.
+Rational common_content(const Rational& a, const Rational& b) {
+  if (a == 0) return cln::abs(b);
+  if (a == 1 && support::is_integer(b)) return a;  // of a long sum, nearly always
+  return Rational(cln::gcd(cln::numerator(a), cln::numerator(b))) / cln::lcm(cln::denominator(a), cln::denominator(b));
+}
+
 }  // namespace
 
 Rational signed_content(const Node& sum) {
   Rational content = sum.value;
   int signs = sum.value < 0 ? -1 : (sum.value > 0 ? 1 : 0);
   for (const Rational& coefficient : sum.coefficients) {
-    // gcd of fractions: gcd of the numerators over lcm of the denominators
-    content = content == 0 ? cln::abs(coefficient)
-                           : Rational(cln::gcd(cln::numerator(content), cln::numerator(coefficient))) /
-                                 cln::lcm(cln::denominator(content), cln::denominator(coefficient));
+    content = common_content(content, coefficient);
     signs += coefficient < 0 ? -1 : 1;
   }
   const Rational& leading = sum.value == 0 ? sum.coefficients[0] : sum.value;

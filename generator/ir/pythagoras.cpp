@@ -1,5 +1,6 @@
 #include "ir/pythagoras.hpp"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace gaussgen::ir {
@@ -37,6 +38,13 @@ std::vector<Square> squares_in(Graph& graph, NodeId term) {
     squares.push_back({rest, graph.product({rest, graph.power(partner_base, 2)})});
   }
   return squares;
+}
+
+bool has_square(const Graph& graph, NodeId term) {
+  const auto is_square = [&](NodeId factor) { return is_trigonometric_power(graph, factor); };
+  const Node& node = graph[term];
+  if (node.kind != Kind::product) return is_square(term);
+  return std::any_of(node.children.begin(), node.children.end(), is_square);
 }
 
 class PairFinder {
@@ -99,6 +107,9 @@ class PairFinder {
 std::optional<Replacement> find_pythagorean_pair(Graph& graph, const Rational& constant,
                                                  const std::vector<Term>& terms) {
   if (terms.size() + (constant == 0 ? 0U : 1U) < 2) return std::nullopt;
+  // Most sums have none, and need no table of their terms.
+  const auto holds_square = [&](const Term& term) { return has_square(graph, term.node); };
+  if (std::none_of(terms.begin(), terms.end(), holds_square)) return std::nullopt;
   return PairFinder(graph, constant, terms).find();
 }
 

@@ -106,6 +106,9 @@ NodeId Graph::finish_sum(const Rational& constant_term, const std::vector<Term>&
   return intern(std::move(node));
 }
 
-NodeId Graph::scale(const Rational& factor, NodeId node) { return linear(0, {{factor, node}}); }
+NodeId Graph::scale(const Rational& factor, NodeId node) {
+  if (factor == 1) return node;  // which is in its canonical form already: most sums in products are primitive
+  return linear(0, {{factor, node}});
+}
 
 }  // namespace gaussgen::ir

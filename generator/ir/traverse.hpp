@@ -60,9 +60,20 @@ inline bool varies(const Symbol& symbol) {
          symbol.symbol_class != SymbolClass::parameter;
 }
 
-/// Parameters and numbers only.
+/// Parameters and numbers only. Mostly it is not so, and the first symbols that are met say it.
 inline bool is_of_parameters(const Graph& graph, NodeId id) {
-  return !depends_on(graph, post_order(graph, {id}), varies).contains(id);
+  NodeSet seen;
+  std::vector<NodeId> stack{id};
+  while (!stack.empty()) {
+    const NodeId next = stack.back();
+    stack.pop_back();
+    if (seen.contains(next)) continue;
+    seen.insert(next);
+    const Node& node = graph[next];
+    if (node.kind == Kind::symbol && varies(graph.symbol(node.symbol))) return false;
+    stack.insert(stack.end(), node.children.begin(), node.children.end());
+  }
+  return true;
 }
 
 }  // namespace gaussgen::ir

@@ -82,4 +82,34 @@ TEST_CASE_METHOD(Fixture, "comparisons and choices are free", "[ir]") {
   CHECK(operations(graph, {graph.call(Function::select, {less, x.id(), z.id()})}) == 0);
 }
 
+TEST_CASE_METHOD(Fixture, "two ways to write a value compare as the counts of all that they stand on", "[ir]") {
+  const Expr s = (x + y).named("s");
+  const Expr r = pow(s, -1);
+  // Below g lie x/s, z^2 and a reciprocal in a product, all of which are free for those who use them again.
+  const Expr g = (x * r + pow(z, 2) + y).named("g");
+  const std::vector<Expr> values{g + s,
+                                 g + x * r,
+                                 g + r,
+                                 x * r * g,
+                                 (g + s) * r,
+                                 g * r + 1 * one,
+                                 g * s + x * y,
+                                 g * z * s + x * r,
+                                 g * s + z * z * m,
+                                 m * g * s,
+                                 g * m + s * m,
+                                 (g + s) * m,
+                                 g,
+                                 s + z,
+                                 x + y};
+  for (const Expr a : values) {
+    for (const Expr b : values) {
+      const int of_a = operations(graph, {a.id()});
+      const int of_b = operations(graph, {b.id()});
+      INFO(of_a << " and " << of_b);
+      CHECK(takes_fewer_operations(graph, a.id(), b.id()) == (of_a < of_b));
+    }
+  }
+}
+
 }  // namespace
