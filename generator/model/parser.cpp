@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <deque>
+#include <iterator>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -118,8 +121,9 @@ class Parser {
     const std::size_t first = next_;
     Ast head = operand(kind);
     if (token().kind != plain && token().kind != inverse) return head;
-    Ast result = node(kind, head.span);
-    result.children.push_back(std::move(head));
+    // A vector that grows copies what its nodes hold, and keeps room for half as many again.
+    std::deque<Ast> parts;
+    parts.push_back(std::move(head));
     while (token().kind == plain || token().kind == inverse) {
       const std::size_t sign = next_;
       const bool wrap = take().kind == inverse;
@@ -130,10 +134,10 @@ class Parser {
         inner.push_back(std::move(child));
         child = node(wrapper, span, std::move(inner));
       }
-      result.children.push_back(std::move(child));
+      parts.push_back(std::move(child));
     }
-    result.span = span_since(first);
-    return result;
+    return node(kind, span_since(first),
+                {std::make_move_iterator(parts.begin()), std::make_move_iterator(parts.end())});
   }
 
   Ast unary() {
@@ -201,7 +205,7 @@ class Parser {
     switch (token().kind) {
       case TokenKind::number: {
         Ast ast = node(AstKind::number, span_of(token()));
-        ast.is_decimal = text_.text.find_first_of(".eE", token().begin) < token().end;
+        ast.is_decimal = is_decimal(token());
         ast.number = take().number;
         return ast;
       }
@@ -209,6 +213,12 @@ class Parser {
       case TokenKind::open: return bracket();
       default: refuse_operand(); return broken_expression();
     }
+  }
+
+  /// Looked for in the token alone: a sum of whole numbers has none up to its end.
+  bool is_decimal(const Token& number) const {
+    const std::string_view digits = std::string_view(text_.text).substr(number.begin, number.end - number.begin);
+    return digits.find_first_of(".eE") != std::string_view::npos;
   }
 
   Ast bracket() {
