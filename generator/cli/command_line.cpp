@@ -15,6 +15,7 @@ namespace gaussgen::cli {
 namespace {
 
 constexpr int k_most_digits = 10000;
+constexpr long long k_most_seconds = 1'000'000;
 constexpr long long k_most_nodes = 1'000'000'000;  // beyond that, no machine has the memory
 
 /// Adds options to one command.
@@ -48,6 +49,14 @@ class Adder {
             "--max-nodes", take_nodes,
             wrapped(fmt::format("stop, with exit code 4, when the derivation has more nodes; default {}",
                                 ir::k_most_nodes)))
+        ->type_name("N");
+    const auto take_seconds = [&options = options_](const std::string& seconds) {
+      options.most_seconds = static_cast<int>(number_of("--max-seconds", seconds, k_most_seconds));
+    };
+    app_.add_option_function<std::string>(
+            "--max-seconds", take_seconds,
+            wrapped("stop, with exit code 4, when the derivation takes more seconds of the processor; default: it may "
+                    "take any"))
         ->type_name("N");
     add_list("--dump", options_.dumps, stage_names(), "STAGE", "write nothing, print what comes out of a stage: ");
     add_flag("--timings", options_.timings, "say on standard error what each stage took");

@@ -78,15 +78,19 @@ int generate(const Options& options) {
   support::Source source = read_source(options.model);
   if (options.list_outputs) return check_or_list(options, source);
 
+  std::optional<DerivationGuard> derivation;
   std::string dumped;
   const StageObserver observe = [&](const std::string& stage, const std::function<std::string()>& dump) {
     guard.reset();  // the first stage is that of the text
+    if (!derivation) derivation.emplace(options.most_seconds, options.messages);
+    derivation->finish_stage();
     if (std::find(options.dumps.begin(), options.dumps.end(), stage) == options.dumps.end()) return;
     if (options.dumps.size() > 1) dumped += "=== " + stage + "\n";
     dumped += dump();
   };
   support::Diagnostics diagnostics;
   const auto result = compile(source, options.pipeline, diagnostics, observe);
+  derivation.reset();  // before anything is written
   const int code = report(diagnostics, source, options.messages);
   if (!result || code != k_ok) {
     write_standard_output(dumped);

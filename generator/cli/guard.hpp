@@ -19,4 +19,17 @@ class ReadingGuard {
   ~ReadingGuard();
 };
 
+/// While it lives, each ten seconds of processor time are a line on standard error, where that is a terminal, which says what
+/// stage is under way; and `most_seconds` of them, if not 0, end the program with a message and k_too_large.
+class DerivationGuard {
+ public:
+  DerivationGuard(int most_seconds, const MessageOptions& options);
+  DerivationGuard(const DerivationGuard&) = delete;
+  DerivationGuard& operator=(const DerivationGuard&) = delete;
+  ~DerivationGuard();
+
+  /// The next one begins.
+  void finish_stage();
+};
+
 }  // namespace gaussgen::cli

@@ -24,6 +24,7 @@ struct Options {
   std::string depfile;
   std::string depfile_target;      ///< empty: the header
   std::vector<std::string> dumps;  ///< stages
+  int most_seconds = 0;            ///< of processor time for the derivation; 0: any
   bool check = false;
   bool list_outputs = false;
   bool timings = false;

@@ -40,6 +40,10 @@ FREE = ("gauss: 1\nname: bomb\njoints:\n" + rows(40, "  h{i}: {{type: free, chil
 MANY = ("gauss: 1\nname: bomb\ncoordinates:\n" + rows(200, "  x{i}: {{}}\n") + "particles:\n" +
         rows(200, "  p{i}: {{mass: 1, position: [x{i}, 0, 0]}}\n"))
 
+LINKS = ("gauss: 1\nname: bomb\nframes: {link_0: {}}\njoints:\n"
+         "  h_$i: {count: 120, type: revolute, parent: link_$(i-1), child: link_$i, at: [0, 0, -1], axis: y}\n"
+         "bodies:\n  link_$i: {count: 120, mass: 1, inertia: 1}\n")
+
 BOMBS = {
     "a product of many factors": HEAD.replace("particles", "parameters:\n" + rows(200, "  k{i}: 1\n") + "particles").replace(
         "[x,", "[" + "*".join(f"sin(x + k{i})" for i in range(200)) + ","),
@@ -87,6 +91,7 @@ BOMBS = {
     "signs": position("-" * 60_000 + "x"),
     "a long sum": position("+".join(["sin(x)"] * 9000)),
     "digits": position("9" * 60_000 + "*x"),
+    "many sums of whole numbers": HEAD + "quantities:\n" + rows(100, "  q{i}: " + "+".join(["1"] * 10_000) + "\n"),
     "an exponent": position("1e999999999*x"),
     "a tower": position("((((x^64)^64)^64)^64)^64"),
     "functions in functions": position("sin(x+" * 60 + "x" + ")" * 60),
@@ -192,6 +197,39 @@ class Limits(Program):
                     said = json.loads(said)["message"]
                 self.assertRegex(said, r"too large: the text of the model takes more than 10 seconds to read; split it")
         self.assertEqual(self.files(), [])
+
+    def test_time_that_is_spent_on_a_derivation_is_a_message_with_its_stage(self):
+        (self.folder / "m.yaml").write_text(LINKS, encoding="utf-8")
+        for more in ([], ["--diagnostics=json"]):
+            said = self.refused(4, "m.yaml", "--max-seconds", "1", *more)
+            if more:
+                said = json.loads(said)["message"]
+            self.assertRegex(said, "the model is too large: more than 1 s in the stage 'kinematics'; --max-seconds allows more")
+        for wrong in ("0", "-1", "many"):
+            self.refused(2, "m.yaml", "--max-seconds", wrong)
+        self.assertEqual(self.files(), ["m.yaml"])
+
+    def test_a_terminal_hears_of_a_long_derivation_and_a_file_does_not(self):
+        # Seconds of the processor come as signals; here as many as are a line, and then the end.
+        (self.folder / "m.yaml").write_text(LINKS, encoding="utf-8")
+        for is_terminal in (True, False):
+            ours, theirs = os.openpty() if is_terminal else os.pipe()
+            with subprocess.Popen([PROGRAM, "m.yaml"], stderr=theirs, cwd=self.folder) as process:
+                status = Path(f"/proc/{process.pid}/status")
+                while not re.search(r"(?m)^SigCgt:\s+\w*[2367abef]\w{6}$", status.read_text(encoding="ascii")):
+                    time.sleep(0.01)
+                for _ in range(12):
+                    process.send_signal(signal.SIGVTALRM)
+                    time.sleep(0.02)
+                process.kill()
+            os.set_blocking(ours, False)
+            try:
+                said = os.read(ours, 1000).decode()
+            except BlockingIOError:
+                said = ""
+            os.close(theirs)
+            os.close(ours)
+            self.assertEqual(said.splitlines(), ["gauss-gen: the stage 'kinematics' is under way after 10 s"] if is_terminal else [])
 
     def test_a_message_quotes_no_more_than_anybody_reads(self):
         text = PARTICLE.replace("mass: m", "mass: m, frame: " + "x" * 1_000_000)
