@@ -48,6 +48,8 @@ void read_quantity(const Entry& entry, Reading& reading) {
 }  // namespace
 
 void read_quantities(const Node& root, Reading& reading) {
+  // A vector that grows would copy all expressions: numbers of CLN have no move that cannot throw.
+  if (const Node* section = spec::find(root, "quantities")) reading.model.quantities.reserve(section->entries.size());
   read_section(root, "quantities", reading, [&](const Entry& entry) { read_quantity(entry, reading); });
 }
 
