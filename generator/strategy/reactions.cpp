@@ -134,11 +134,19 @@ void add_at_place(ReactionWrench& wrench, const ReactionWrench& at_place, const 
   wrench.moment = steps.name(*wrench.moment + cross(*at_place.at - about, at_place.force), "moment_" + suffix);
 }
 
-/// Beside the others of its constraint.
-void insert(ReactionWrench wrench, std::vector<ReactionWrench>& wrenches) {
-  const auto last = std::find_if(wrenches.rbegin(), wrenches.rend(),
-                                 [&](const ReactionWrench& other) { return other.constraint == wrench.constraint; });
-  wrenches.insert(last == wrenches.rend() ? wrenches.end() : last.base(), std::move(wrench));
+/// With what acts on the body at a place, or beside the others of its constraint.
+void add(ReactionWrench wrench, const Source& source, const BodyMotion& body, std::vector<ReactionWrench>& wrenches,
+         Steps& steps) {
+  auto behind = wrenches.end();
+  for (auto other = wrenches.begin(); other != wrenches.end(); ++other) {
+    if (other->constraint != wrench.constraint) continue;
+    behind = other + 1;
+    if (!other->at || other->body != wrench.body) continue;
+    add_at_place(wrench, *other, source, body, steps);
+    *other = std::move(wrench);
+    return;
+  }
+  wrenches.insert(behind, std::move(wrench));
 }
 
 }  // namespace
@@ -191,17 +199,7 @@ std::vector<ReactionWrench> reaction_wrenches(const Dynamics& dynamics, const So
     const Vector z = metric.solve(source.components, "z_" + source.name, steps);
     steps.begin("force and moment of " + source.name + ": m J z and I W z, times its reaction", source.name);
     for (const BodyMotion& body : dynamics.kinematics->bodies) {
-      auto wrench = wrench_on(body, source, z, steps);
-      if (!wrench) continue;
-      const auto at_place = std::find_if(wrenches.begin(), wrenches.end(), [&](const ReactionWrench& other) {
-        return other.at && other.constraint == source.name && other.body == body.name;
-      });
-      if (at_place == wrenches.end()) {
-        insert(std::move(*wrench), wrenches);
-      } else {
-        add_at_place(*wrench, *at_place, source, body, steps);
-        *at_place = std::move(*wrench);
-      }
+      if (auto wrench = wrench_on(body, source, z, steps)) add(std::move(*wrench), source, body, wrenches, steps);
     }
   }
   return wrenches;
