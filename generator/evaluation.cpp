@@ -132,8 +132,12 @@ class Report {
   bool set_state() {
     add_time();
     const std::vector<InitialValue> state = initial_values(mechanics_);
-    for (const InitialValue& value : state) add("state", value.name, {value.unit, ""}, value.node);
     const bool is_defined = bind_initial_values(mechanics_, state, value_of_);
+    if (is_defined) refine_initial_values(mechanics_, digits_, value_of_);
+    for (const InitialValue& value : state) {
+      const NodeId bound = mechanics_.graph.use(value.symbol);
+      add("state", value.name, {value.unit, ""}, is_defined ? bound : value.node);
+    }
     if (!is_defined) result_.warnings.push_back("the initial state is undefined");
     return is_defined;
   }
@@ -206,8 +210,27 @@ class Report {
     const bool is_known =
         std::find(result_.doubts.begin(), result_.doubts.end(), "dependent_constraints") != result_.doubts.end();
     if (is_known || !value_of_.is_true(Expr(mechanics_.graph, status.dependent_constraints))) return;
-    result_.warnings.push_back("inputs do the same here: those that are needed are not unique");
+    const std::size_t before = result_.warnings.size();
+    for (std::size_t k = 0; k < mechanics_.model.inputs.size(); ++k) {
+      if (!mechanics_.model.inputs[k].is_load) warn_of_idle(k);
+    }
+    if (result_.warnings.size() == before) {
+      result_.warnings.push_back(
+          "inputs do the same here, or what the constraints do: those that are needed are not unique");
+    }
     doubt("dependent_constraints");
+  }
+
+  void warn_of_idle(std::size_t input) {
+    const strategy::Vector& f = mechanics_.dynamics.f;
+    const bool acts = std::any_of(f.begin(), f.end(), [&](Expr force) {
+      const auto rate = value_of_.residual(ir::partial(force, mechanics_.symbols.inputs[input]).id(), digits_);
+      return !rate || !cln::zerop(*rate);
+    });
+    if (!acts) {
+      result_.warnings.push_back("input '" + mechanics_.model.inputs[input].name.text +
+                                 "' acts along no free speed here: what it has to be is not determined");
+    }
   }
 
   bool want(const strategy::Vector& accelerations) {
@@ -227,7 +250,7 @@ class Report {
       const auto residual = value_of_.residual(sum.id(), digits_);
       if (!residual || cln::zerop(*residual)) continue;
       result_.warnings.push_back("the wanted accelerations violate constraint '" + dynamics.constraints[mu] + "' by " +
-                                 evaluate::to_decimal(*residual, 3));
+                                 evaluate::to_decimal(cln::abs(*residual), 3));
       doubt("violated_constraints");
     }
   }
@@ -378,8 +401,9 @@ template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<d
 bool is_start_reached(Mechanics& mechanics, const support::Rational& time, int digits) {
   if (!has_open_positions(mechanics)) return true;
   ModelValues values(mechanics, time, digits);
-  return !bind_initial_values(mechanics, initial_values(mechanics), values) ||
-         not_reached(mechanics, values, digits) == nullptr;
+  if (!bind_initial_values(mechanics, initial_values(mechanics), values)) return true;
+  refine_initial_values(mechanics, digits, values);
+  return not_reached(mechanics, values, digits) == nullptr;
 }
 
 Evaluation evaluate_model(Mechanics& mechanics, const support::Rational& time, int digits,

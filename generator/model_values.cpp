@@ -22,6 +22,9 @@ constexpr int k_rank_digits = 20;
 /// Rounding of the finer run is smaller by this many orders.
 constexpr int k_more_digits = 20;
 
+/// Of the initial values that the graph finds.
+constexpr int k_digits_found = 50;
+
 /// Orders of magnitude between the parameters and 1: beside a mass of 1e80 one of 1 is 80 digits below.
 int orders_apart(Mechanics& mechanics) {
   evaluate::Evaluator<double> values(mechanics.graph, Arithmetic<double>());
@@ -139,6 +142,21 @@ bool bind_initial_values(Mechanics& mechanics, const std::vector<InitialValue>& 
     values.bind({{held.acceleration, mechanics.expressions.rate(c_dot).id()}});
   }
   return is_defined;
+}
+
+void refine_initial_values(Mechanics& mechanics, int digits, ModelValues& values) {
+  if (digits <= k_digits_found) return;
+  strategy::Steps steps;
+  const auto next =
+      strategy::refined_state(mechanics.model, mechanics.dynamics, mechanics.expressions,
+                              mechanics.expressions.symbol(mechanics.symbols.time), mechanics.epsilon(), steps);
+  const kinematics::Symbols& symbols = mechanics.symbols;
+  std::vector<std::pair<ir::SymbolId, ir::NodeId>> nodes;
+  for (const auto i : symbols.configuration.indices())
+    nodes.emplace_back(symbols.configuration[i].symbol, next.configuration[i.value].id());
+  for (const auto i : symbols.speeds.indices()) nodes.emplace_back(symbols.speeds[i].symbol, next.speeds[i.value].id());
+  // Each step doubles the digits.
+  for (int found = k_digits_found / 2; found < digits; found *= 2) values.bind(nodes);
 }
 
 }  // namespace gaussgen

@@ -64,11 +64,15 @@ struct InitialValue {
   ir::NodeId node;
 };
 
-/// In the order of the state: configuration, then speeds.
+/// In the order of the state: configuration, then speeds. Open ones are exact to some 50 digits: the graph keeps no more of numbers
+/// that are found.
 std::vector<InitialValue> initial_values(Mechanics& mechanics);
 
 /// The state as numbers, so that everything else is evaluated at it, and the values of held coordinates; false if part of the
 /// state is undefined: that part stays unbound.
 bool bind_initial_values(Mechanics& mechanics, const std::vector<InitialValue>& state, ModelValues& values);
+
+/// Open initial values that are bound get so many digits, and some more, by further steps of Newton's method.
+void refine_initial_values(Mechanics& mechanics, int digits, ModelValues& values);
 
 }  // namespace gaussgen

@@ -217,15 +217,25 @@ ProjectedState projected(PositionProjection& positions, const Newton& velocities
   return state;
 }
 
+Vector configuration_symbols(const kinematics::Symbols& symbols, ir::Graph& graph) {
+  Vector result;
+  for (const auto& q : symbols.configuration) result.emplace_back(graph, graph.use(q.symbol));
+  return result;
+}
+
+Vector speed_symbols(const kinematics::Symbols& symbols, ir::Graph& graph) {
+  Vector result;
+  for (const auto& u : symbols.speeds) result.emplace_back(graph, graph.use(u.symbol));
+  return result;
+}
+
 }  // namespace
 
 ProjectedState project(const Dynamics& dynamics, Expr epsilon, Steps& steps) {
   ir::Graph& graph = epsilon.graph();
   const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
-  Vector configuration;
-  Vector speeds;
-  for (const auto& q : symbols.configuration) configuration.emplace_back(graph, graph.use(q.symbol));
-  for (const auto& u : symbols.speeds) speeds.emplace_back(graph, graph.use(u.symbol));
+  Vector configuration = configuration_symbols(symbols, graph);
+  const Vector speeds = speed_symbols(symbols, graph);
   const Expr is_lost = normalise_quaternions(symbols, configuration, graph, steps);
   const std::vector<std::size_t> all = first(dynamics.n());
   PositionProjection positions(dynamics, all, std::nullopt, epsilon);
@@ -323,6 +333,16 @@ ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics
                                    given.open, k_steps_to_start, steps);
   state.violated_constraints = any(graph, {is_lost, state.violated_constraints});
   return state;
+}
+
+ProjectedState refined_state(const model::Model& model, const Dynamics& dynamics, kinematics::Expressions& expressions,
+                             Expr time, Expr epsilon, Steps& steps) {
+  ir::Graph& graph = epsilon.graph();
+  const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
+  const Given given = given_state(model, expressions);
+  PositionProjection positions(dynamics, given.open_positions, time, epsilon);
+  return projected(positions, Newton(dynamics, time, epsilon), configuration_symbols(symbols, graph),
+                   speed_symbols(symbols, graph), given.open, 1, steps);
 }
 
 }  // namespace gaussgen::strategy

@@ -39,4 +39,8 @@ std::vector<bool> open_speeds(const model::Model& model, kinematics::Expressions
 ProjectedState initial_state(const model::Model& model, const Dynamics& dynamics, kinematics::Expressions& expressions,
                              ir::Expr time, ir::Expr epsilon, Steps& steps);
 
+/// One more step of that search, from the configuration and the speeds that are bound to their symbols.
+ProjectedState refined_state(const model::Model& model, const Dynamics& dynamics, kinematics::Expressions& expressions,
+                             ir::Expr time, ir::Expr epsilon, Steps& steps);
+
 }  // namespace gaussgen::strategy

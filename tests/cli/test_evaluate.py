@@ -284,6 +284,16 @@ class Digits(Evaluate):
                 self.close(entry["value"], many[group][name]["value"], 19)
 
 
+    def test_what_is_found_has_them_all(self):
+        circle = ("{gauss: 1, name: circle, coordinates: {x: {initial_guess: 1}, y: {initial: 0.3, initial_rate: 1}}, "
+                  "particles: {p: {mass: 1, position: [x, y, 0]}}, constraints: {c: {equation: x^2 + y^2 - 1}}}")
+        found = self.document("-", "--digits", 300, stdin=circle)
+        self.assertEqual((found["status"], found["residuals"]["position.c"]["value"]), ("ok", "0"))
+        x, rate = (Fraction(found["state"][name]["value"]) for name in ("x", "x_dot"))
+        self.assertLess(abs(x * x - Fraction("0.91")), Fraction(10) ** -298)
+        self.assertLess(abs(x * rate + Fraction("0.3")), Fraction(10) ** -298)
+
+
 class Set(Evaluate):
     def test_a_parameter(self):
         self.close(self.value("reactions", "rho", SPHERE, "--set", "m=1"), -8)

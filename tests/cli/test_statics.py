@@ -376,6 +376,17 @@ forces: {push: {generalized: {x: F + 3*G}}}
         self.assertIn("those that are needed are not unique", done.stderr)
         self.assertIn("not to be trusted: dependent_constraints", done.stdout)
 
+    def test_an_input_that_acts_nowhere_here_is_named(self):
+        arm = HEAD + """inputs: {u: 0, w: 1}
+coordinates: {x: {initial: 0}, y: {initial: 2}}
+particles: {p: {mass: 0.5, position: [x, y, 0]}}
+forces: {f: {force: [u*x, w*y, 0], on: p}}
+"""
+        done = self.run_it("evaluate", "-", "--accelerate", "y=8", stdin=arm)
+        self.assertIn("warning: input 'u' acts along no free speed here: what it has to be is not determined", done.stderr)
+        self.assertNotIn("do the same", done.stderr)
+        self.assertRegex(done.stdout, r"needed.w +2.0")
+
     def test_what_is_missing_has_the_unit_of_its_speed(self):
         units = HEAD + """parameters: {m: {value: 1, unit: kg}, J: {value: 1, unit: kg*m^2}}
 coordinates: {x: {unit: m}, phi: {unit: rad}}
