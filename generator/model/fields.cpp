@@ -250,6 +250,22 @@ std::optional<Dimension> dimension_at(const Node& map, const std::string& key, c
   return parse_unit(spec::find(map, key)->scalar, reading.diagnostics);
 }
 
+namespace {
+
+/// Said once, of the expression that is too much.
+bool take_from_budget(const Node& node, Reading& reading) {
+  if (reading.expressions.is_spent()) return false;
+  reading.expressions.take(node.scalar.text.size());
+  if (!reading.expressions.is_spent()) return true;
+  reading.diagnostics.error(
+      code::k_file_too_large, node.span,
+      fmt::format("the expressions of the model have more than {} characters in all", ExpressionBudget::k_most),
+      "name what is repeated as a parameter, or make fewer copies");
+  return false;
+}
+
+}  // namespace
+
 Ast read_expression(const Node& node, Span owner, Reading& reading) {
   if (node.kind == NodeKind::empty) {
     reading.diagnostics.error(code::k_empty_expression, owner, "an expression is missing here",
@@ -257,6 +273,7 @@ Ast read_expression(const Node& node, Span owner, Reading& reading) {
     return broken_expression();
   }
   if (!expect(NodeKind::scalar, "an expression", node, owner, "this", reading)) return broken_expression();
+  if (!take_from_budget(node, reading)) return broken_expression();
   Ast ast = parse_readable(node.scalar, reading.diagnostics, reading.tables);
   // Repetition and submodels change names.
   if (reading.source.text(node.span) != node.scalar.text) ast.text = node.scalar.text;

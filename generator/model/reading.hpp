@@ -24,6 +24,18 @@ class Searches {
   int count_ = 0;
 };
 
+/// Of the characters of all expressions of a model: what they stand for takes a hundred times the memory.
+class ExpressionBudget {
+ public:
+  static constexpr std::size_t k_most = 1'000'000;
+
+  bool is_spent() const { return count_ > k_most; }
+  void take(std::size_t characters) { count_ += characters; }
+
+ private:
+  std::size_t count_ = 0;
+};
+
 struct Declared {
   support::Span span;
   std::string what;  ///< "the parameter"
@@ -48,7 +60,8 @@ struct Reading {
       {};  ///< declared, and may not be or are of two things: nothing is known of what uses them
   std::set<std::uint32_t> unknown_keys = {};   ///< where keys begin that were reported
   std::set<std::uint32_t> faulty_values = {};  ///< where expressions begin that use what may not stand there
-  Searches searches = {};                      ///< of the whole file, for names that may be meant
+  ExpressionBudget expressions = {};
+  Searches searches = {};  ///< of the whole file, for names that may be meant
 
   std::string line_text(support::Span span) const { return source.line_text(span.begin); }
 };

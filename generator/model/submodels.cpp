@@ -15,6 +15,7 @@
 #include "model/repetition.hpp"
 #include "model/sections.hpp"
 #include "spec/reader.hpp"
+#include "spec/text_check.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
 
@@ -168,6 +169,13 @@ class Submodels {
     const std::optional<std::string> text = source_.read(path, why);
     if (!text) {
       refuse(at, fmt::format("'{}': {}", path, why), "the path is relative to the file that names it");
+      return std::nullopt;
+    }
+    bytes_read_ += text->size();
+    if (bytes_read_ > spec::k_largest_file && text->size() < bytes_read_) {
+      refuse(at,
+             fmt::format("with '{}', the files of submodels have more than {} MiB", path, spec::k_largest_file >> 20U),
+             "a mechanism has less text");
       return std::nullopt;
     }
     std::optional<Node> root = spec::read_yaml_behind(source_, path, *text, reading_.diagnostics);
@@ -399,6 +407,7 @@ class Submodels {
   Reading& reading_;
   std::map<std::string, std::optional<Part>> files_;
   const std::optional<Part> nothing_;
+  std::size_t bytes_read_ = 0;      ///< of all files of submodels, each once
   std::size_t nodes_ = 0;           ///< of all that was merged
   std::size_t bytes_ = 0;           ///< likewise
   std::set<std::uint32_t> fields_;  ///< as Part::fields, of the file that is read

@@ -1,7 +1,5 @@
 #include "model/unread.hpp"
 
-#include <algorithm>
-
 #include "support/characters.hpp"
 
 namespace gaussgen::model {
@@ -12,8 +10,10 @@ using support::is_name_character;
 namespace {
 
 bool begins_with_one_of(const std::set<std::string>& beginnings, const std::string& name) {
-  return std::any_of(beginnings.begin(), beginnings.end(),
-                     [&](const std::string& beginning) { return name.compare(0, beginning.size(), beginning) == 0; });
+  for (std::size_t size = 0; size <= name.size() && !beginnings.empty(); ++size) {
+    if (beginnings.count(name.substr(0, size)) > 0) return true;
+  }
+  return false;
 }
 
 std::vector<std::string> words_of(const std::string& text) {

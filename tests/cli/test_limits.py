@@ -92,6 +92,8 @@ BOMBS = {
     "a long sum": position("+".join(["sin(x)"] * 9000)),
     "digits": position("9" * 60_000 + "*x"),
     "many sums of whole numbers": HEAD + "quantities:\n" + rows(100, "  q{i}: " + "+".join(["1"] * 10_000) + "\n"),
+    "many expressions of small parts": HEAD + "parameters: {m: 1}\nquantities:\n" + rows(205, "  q{i}: " + "m-" * 9500 + "m\n"),
+    "many expressions with mistakes": HEAD + "parameters: {m: 1}\nquantities:\n" + rows(205, "  q{i}: " + "m^-m+" * 3800 + "m\n"),
     "an exponent": position("1e999999999*x"),
     "a tower": position("((((x^64)^64)^64)^64)^64"),
     "functions in functions": position("sin(x+" * 60 + "x" + ")" * 60),
@@ -106,6 +108,7 @@ SUBMODELS = {
     "10000 of 10000": (2, 10_000, "parameters: {k: 1}\n", "a"),
     "copies of copies": (5, 9, "parameters: {k: 1}\n", "a"),
     "copies of copies of what is wrong": (5, 5, HEAD.split("\n", 2)[2].replace("mass: 1", "mass: k"), "a"),
+    "many copies of what is wrong": (1, 10_000, "parameters: {a0: 1, " + ", ".join(f"a{i}: b{i}" for i in range(1, 9)) + "}\n", "a"),
     "copies of a long text": (1, 900, "parameters: {k: 1, j: " + "+".join(["k"] * 9000) + "}\n", "a"),
     "long names of copies": (8, 3, "parameters: {k: 1, j: " + "+".join(["k"] * 9000) + "}\n", "a" * 60),
 }
@@ -139,6 +142,16 @@ class Limits(Program):
                 (self.folder / ("bomb.yaml" if i == 0 else f"{i}bomb.yaml")).write_text(PART + inside, encoding="utf-8")
             with self.subTest(what):
                 self.assert_ends_soon_and_small("--check")
+
+    def test_many_long_files_are_not_all_read(self):
+        (self.folder / "long.yaml").write_text(PART + "#\n" * 1_500_000, encoding="utf-8")
+        parts = "submodels:\n"
+        for i in range(40):
+            (self.folder / f"m{i}.yaml").symlink_to("long.yaml")
+            parts += f"  s{i}: {{file: m{i}.yaml}}\n"
+        (self.folder / "bomb.yaml").write_text(PART + parts, encoding="utf-8")
+        self.assert_ends_soon_and_small("--check")
+        self.assertIn("with 'm1.yaml', the files of submodels have more than 4 MiB", self.refused(1, "bomb.yaml"))
 
     def assert_ends_soon_and_small(self, command):
         seconds, result = measured(lambda: self.run_it(command, "bomb.yaml", preexec_fn=limit_memory, errors="replace"))
