@@ -69,9 +69,33 @@ class InitialCheck {
       if (!trouble) continue;
       diagnostics_.warning(support::code::k_undefined_start, span_of(value.symbol),
                            fmt::format("the initial value of {} is undefined: {}", value.name, trouble->reason),
-                           "check the initial values and the rates that the constraints determine");
+                           hint_for_open_rates());
       return;
     }
+  }
+
+  // A constraint that says something of given rates alone here is no equation for the others.
+  std::string hint_for_open_rates() {
+    const std::vector<bool> open = strategy::open_speeds(model_, mechanics_.expressions);
+    std::vector<std::string> names;
+    for (const auto i : mechanics_.symbols.speeds.indices()) {
+      if (open[i.value]) names.push_back(mechanics_.symbols.speeds[i].name);
+    }
+    for (std::size_t mu = 0; mu < mechanics_.dynamics.l(); ++mu) {
+      if (!names.empty() && vanishes_along(open, mechanics_.dynamics.b[mu]))
+        return fmt::format(
+            "constraint '{}' says nothing of the rates that are left open: state {} too, or start elsewhere",
+            mechanics_.dynamics.constraints[mu], support::joined(names));
+    }
+    return "check the initial values and the rates that the constraints determine";
+  }
+
+  bool vanishes_along(const std::vector<bool>& open, const strategy::Vector& row) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const auto entry = open[i] ? values_.residual(row[i].id(), k_digits) : std::nullopt;
+      if (open[i] && (!entry || !cln::zerop(*entry))) return false;
+    }
+    return true;
   }
 
   /// Whether open rates have no value since given ones contradict the constraints, which say nothing of the open ones here.
