@@ -50,14 +50,7 @@ class Adder {
             wrapped(fmt::format("stop, with exit code 4, when the derivation has more nodes; default {}",
                                 ir::k_most_nodes)))
         ->type_name("N");
-    const auto take_seconds = [&options = options_](const std::string& seconds) {
-      options.most_seconds = static_cast<int>(number_of("--max-seconds", seconds, k_most_seconds));
-    };
-    app_.add_option_function<std::string>(
-            "--max-seconds", take_seconds,
-            wrapped("stop, with exit code 4, when the derivation takes more seconds of the processor; default: it may "
-                    "take any"))
-        ->type_name("N");
+    add_max_seconds();
     add_list("--dump", options_.dumps, stage_names(), "STAGE", "write nothing, print what comes out of a stage: ");
     add_flag("--timings", options_.timings, "say on standard error what each stage took");
     add_messages();
@@ -83,6 +76,7 @@ class Adder {
     app_.add_option_function<std::string>("--digits", take_digits, "significant digits, default 17")->type_name("N");
     add_choice<Format>("--format", options_.format, {{"table", Format::table}, {"json", Format::json}}, "FORMAT",
                        "table (default) or json");
+    add_max_seconds();
     add_messages();
   }
 
@@ -91,6 +85,7 @@ class Adder {
     add_path("-o,--output", options_.output, "file instead of standard output", "FILE", Argument::file);
     add_choice<Format>("--format", options_.format, {{"markdown", Format::markdown}, {"latex", Format::latex}},
                        "FORMAT", "markdown (default) or latex");
+    add_max_seconds();
     add_messages();
   }
 
@@ -114,6 +109,17 @@ class Adder {
   void add_assemble() {
     add_flag("--assemble", options_.pipeline.assemble,
              wrapped("let the constraints move the initial values that the model gives, and say how far"));
+  }
+
+  void add_max_seconds() {
+    const auto take_seconds = [&options = options_](const std::string& seconds) {
+      options.most_seconds = static_cast<int>(number_of("--max-seconds", seconds, k_most_seconds));
+    };
+    app_.add_option_function<std::string>(
+            "--max-seconds", take_seconds,
+            wrapped("stop, with exit code 4, when the derivation takes more seconds of the processor; default: it may "
+                    "take any"))
+        ->type_name("N");
   }
 
   static long long number_of(const std::string& option, const std::string& text, long long most) {

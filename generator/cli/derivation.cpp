@@ -14,8 +14,11 @@ int derive(const Options& options) {
   support::Diagnostics diagnostics;
   const auto model = read_model(source, diagnostics);
   guard.reset();
+  std::optional<DerivationGuard> derivation(std::in_place, std::vector<std::string>{"derivation"}, options.most_seconds,
+                                            options.messages);
   std::string text;
   if (model) text = derivation_text(*model, options.format == Format::latex, diagnostics);
+  derivation.reset();  // before anything is written
   const int code = report(diagnostics, source, options.messages);
   if (code != k_ok) return code;
   if (options.output.empty() || options.output == "-") {

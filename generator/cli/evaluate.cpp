@@ -117,6 +117,8 @@ void set_start(Mechanics& mechanics, model::Model& model, const support::Rationa
     remark("assembled " + moved, options.messages);
 }
 
+const std::vector<std::string> k_stages{"derivation", "initial state", "equilibrium", "evaluation"};
+
 }  // namespace
 
 int evaluate(const Options& options) {
@@ -132,11 +134,13 @@ int evaluate(const Options& options) {
   if (model && !options.accelerations.empty()) wanted = parse_accelerations(options.accelerations, *model);
   const int code = report(diagnostics, source, options.messages);
   if (!model || code != k_ok) return code;
+  std::optional<DerivationGuard> derivation(std::in_place, k_stages, options.most_seconds, options.messages);
   support::Diagnostics structure;
   check_early(*model, {}, structure);
   if (structure.has_errors()) return report(structure, source, options.messages);
   Mechanics mechanics(*model, {});
   check_structure(mechanics, structure);
+  derivation->finish_stage();
   if (!structure.has_errors()) {
     set_start(mechanics, *model, time, options, structure);
     if (!is_start_reached(mechanics, time, options.digits)) refine_guesses(mechanics, *model, support::to_double(time));
@@ -145,14 +149,17 @@ int evaluate(const Options& options) {
   std::vector<std::string> doubts;
   std::optional<RestingMultipliers> resting;
   // Only initial values change, which the equations do not hold.
+  derivation->finish_stage();
   if (options.at_equilibrium) {
     const Equilibrium found = go_to_equilibrium(mechanics, *model, time, options.digits);
     if (!found.failure.empty()) return fail(found.failure, k_model_error, options.messages);
     resting = found.multipliers;
     doubts = found.doubts;
   }
+  derivation->finish_stage();
   Evaluation evaluation = evaluate_model(mechanics, time, options.digits, wanted, resting);
   evaluation.warnings.insert(evaluation.warnings.begin(), doubts.begin(), doubts.end());
+  derivation.reset();  // before anything is written
   write_standard_output(options.format == Format::json ? json(evaluation, *model, options) : table(evaluation));
   for (const std::string& warning : evaluation.warnings) {
     const auto is_same = [&](const support::Diagnostic& found) { return found.message == warning; };

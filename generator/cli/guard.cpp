@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "cli/exit_codes.hpp"
-#include "pipeline.hpp"
 
 namespace gaussgen::cli {
 
@@ -144,12 +143,10 @@ void count_seconds(int interval) {
 
 }  // namespace
 
-DerivationGuard::DerivationGuard(int most_seconds, const MessageOptions& options) {
+DerivationGuard::DerivationGuard(const std::vector<std::string>& stages, int most_seconds,
+                                 const MessageOptions& options) {
   texts_of_stages.clear();
-  for (const std::string& name : stage_names()) {
-    texts_of_stages.push_back(texts_of(name, most_seconds, options.format));
-  }
-  texts_of_stages.push_back(texts_of("check", most_seconds, options.format));
+  for (const std::string& name : stages) texts_of_stages.push_back(texts_of(name, most_seconds, options.format));
   stage = 0;
   seconds = 0;
   seconds_allowed = most_seconds;

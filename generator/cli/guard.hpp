@@ -1,6 +1,9 @@
 #pragma once
 // Limits that the program sets itself, so that a file made for the purpose ends with a message and not with the machine.
 
+#include <string>
+#include <vector>
+
 #include "cli/messages.hpp"
 
 namespace gaussgen::cli {
@@ -19,16 +22,16 @@ class ReadingGuard {
   ~ReadingGuard();
 };
 
-/// While it lives, each ten seconds of processor time are a line on standard error, where that is a terminal, which says what
-/// stage is under way; and `most_seconds` of them, if not 0, end the program with a message and k_too_large.
+/// While it lives, each ten seconds of processor time are a line on standard error, where that is a terminal, which says which
+/// of the `stages` is under way; and `most_seconds` of them, if not 0, end the program with a message and k_too_large.
 class DerivationGuard {
  public:
-  DerivationGuard(int most_seconds, const MessageOptions& options);
+  DerivationGuard(const std::vector<std::string>& stages, int most_seconds, const MessageOptions& options);
   DerivationGuard(const DerivationGuard&) = delete;
   DerivationGuard& operator=(const DerivationGuard&) = delete;
   ~DerivationGuard();
 
-  /// The next one begins.
+  /// The next one begins; the last has no end.
   void finish_stage();
 };
 

@@ -5,10 +5,10 @@ import unittest
 
 from gauss_gen import SKEW, SOURCE, Program
 
-OPTIONS = {"": ["--output", "--check", "--list-outputs", "--depfile", "--depfile-target", "--namespace", "--outputs", "--fold", "--route", "--dump",
-                "--timings", "--diagnostics", "--color", "--man", "--help", "--version"],
-           "evaluate": ["--set", "--equilibrium", "--accelerate", "--time", "--digits", "--format", "--diagnostics", "--color", "--help"],
-           "derivation": ["--output", "--format", "--diagnostics", "--color", "--help"],
+OPTIONS = {"": ["--output", "--check", "--list-outputs", "--depfile", "--depfile-target", "--namespace", "--outputs", "--fold", "--route",
+                "--max-nodes", "--max-seconds", "--dump", "--timings", "--diagnostics", "--color", "--man", "--help", "--version"],
+           "evaluate": ["--set", "--equilibrium", "--accelerate", "--time", "--digits", "--format", "--max-seconds", "--diagnostics", "--color", "--help"],
+           "derivation": ["--output", "--format", "--max-seconds", "--diagnostics", "--color", "--help"],
            "explain": ["--format", "--help"], "init": ["--help"], "schema": ["--help"], "completion": ["--help"]}
 
 

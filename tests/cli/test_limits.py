@@ -213,11 +213,12 @@ class Limits(Program):
 
     def test_time_that_is_spent_on_a_derivation_is_a_message_with_its_stage(self):
         (self.folder / "m.yaml").write_text(LINKS, encoding="utf-8")
-        for more in ([], ["--diagnostics=json"]):
-            said = self.refused(4, "m.yaml", "--max-seconds", "1", *more)
-            if more:
-                said = json.loads(said)["message"]
-            self.assertRegex(said, "the model is too large: more than 1 s in the stage 'kinematics'; --max-seconds allows more")
+        for command, stage in (([], "kinematics"), (["evaluate"], "derivation"), (["derivation"], "derivation")):
+            for more in ([], ["--diagnostics=json"]):
+                said = self.refused(4, *command, "m.yaml", "--max-seconds", "1", *more)
+                if more:
+                    said = json.loads(said)["message"]
+                self.assertRegex(said, f"the model is too large: more than 1 s in the stage '{stage}'; --max-seconds allows more")
         for wrong in ("0", "-1", "many"):
             self.refused(2, "m.yaml", "--max-seconds", wrong)
         self.assertEqual(self.files(), ["m.yaml"])
