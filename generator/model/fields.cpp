@@ -322,7 +322,7 @@ void note_unread_section(const spec::Entry& section, Reading& reading) {
 Name name_of(const spec::LocatedText& text) { return {text.text, text.span}; }
 
 std::string did_you_mean(const Name& name, const std::vector<std::string>& candidates, Reading& reading) {
-  if (!reading.searches.begin()) return "";
+  if (!reading.searches.begin(candidates.size())) return "";
   const std::string prefix = reading.copies.prefix_of(name.text, name.span.begin, reading.source);
   if (prefix.empty()) return support::did_you_mean(name.text, candidates);
   std::vector<std::string> own;

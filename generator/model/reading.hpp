@@ -16,12 +16,21 @@ namespace gaussgen::model {
 /// A file full of unknown names gets no suggestions after the first ones: each costs a search through all names.
 class Searches {
  public:
-  bool are_spent() const { return count_ >= k_most; }
-  bool begin() { return !are_spent() && ++count_ > 0; }
+  bool are_spent() const { return count_ >= k_most || names_ >= k_most_names; }
+
+  /// False when the search is not to be.
+  bool begin(std::size_t names) {
+    if (are_spent()) return false;
+    count_ += 1;
+    names_ += names;
+    return true;
+  }
 
  private:
   static constexpr int k_most = 50;
+  static constexpr std::size_t k_most_names = 20'000;
   int count_ = 0;
+  std::size_t names_ = 0;  ///< of all searches
 };
 
 /// Of the characters of all expressions of a model: what they stand for takes a hundred times the memory.

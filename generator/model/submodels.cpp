@@ -272,12 +272,12 @@ class Submodels {
   }
 
   std::string near_entry(const std::string& name, const Node& content) {
-    if (!reading_.searches.begin()) return "";
+    if (reading_.searches.are_spent()) return "";
     std::vector<std::string> entries;
     for (const Entry& section : content.entries) {
       for (const std::string& entry : names_in(&section.value)) entries.push_back(entry);
     }
-    return support::did_you_mean(name, entries);
+    return reading_.searches.begin(entries.size()) ? support::did_you_mean(name, entries) : "";
   }
 
   static bool leave_out(const std::string& name, Node& content) {
@@ -331,7 +331,8 @@ class Submodels {
     const std::vector<std::string> known = names_in(spec::find(content, "parameters"));
     for (const Entry& value : values->entries) {
       if (std::find(known.begin(), known.end(), value.key.text) != known.end()) continue;
-      const std::string near = reading_.searches.begin() ? support::did_you_mean(value.key.text, known) : "";
+      const std::string near =
+          reading_.searches.begin(known.size()) ? support::did_you_mean(value.key.text, known) : "";
       reading_.diagnostics.error(code::k_submodel_fit, value.key.span,
                                  fmt::format("submodel '{}' has no parameter '{}'", part.key.text, value.key.text),
                                  !near.empty()   ? near

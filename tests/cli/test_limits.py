@@ -94,6 +94,8 @@ BOMBS = {
     "many sums of whole numbers": HEAD + "quantities:\n" + rows(100, "  q{i}: " + "+".join(["1"] * 10_000) + "\n"),
     "many expressions of small parts": HEAD + "parameters: {m: 1}\nquantities:\n" + rows(205, "  q{i}: " + "m-" * 9500 + "m\n"),
     "many expressions with mistakes": HEAD + "parameters: {m: 1}\nquantities:\n" + rows(205, "  q{i}: " + "m^-m+" * 3800 + "m\n"),
+    "many copies on frames that are not there": "gauss: 1\nname: bomb\n"
+                                                "particles: {grain_$i: {count: 9999, mass: 1, frame: frane_$i}}\n",
     "an exponent": position("1e999999999*x"),
     "a tower": position("((((x^64)^64)^64)^64)^64"),
     "functions in functions": position("sin(x+" * 60 + "x" + ")" * 60),
