@@ -43,8 +43,19 @@ class StructureCheck {
     report_no_gradient(model_.constraints[mu], diagnostics_);
   }
 
+  bool is_on_space(const model::PointForce& law) const {
+    return law.frame != model::k_space && model::pushed_by_force_on(model_, law.frame) == model::k_space;
+  }
+
   void report_idle(const model::Force& force) {
     const bool is_torque = std::holds_alternative<model::Torque>(force.law);
+    if (const auto* law = std::get_if<model::PointForce>(&force.law); law != nullptr && is_on_space(*law)) {
+      diagnostics_.warning(support::code::k_idle_force, force.name.span,
+                           fmt::format("nothing feels the force '{}': '{}' is a point of space", force.name.text,
+                                       model_.frames[law->frame].name.text),
+                           "let it act on a body; something without mass that moves along is one of the 'frames'");
+      return;
+    }
     diagnostics_.warning(
         support::code::k_idle_force, force.name.span, fmt::format("nothing feels the force '{}'", force.name.text),
         is_torque ? "a particle and what does not turn take no torque; let it act on a body or a frame that turns"

@@ -42,6 +42,8 @@ class Holder {
       (*this)(force.point);
       (*this)(force.force);
       (*this)(force.moment);
+      (*this)(force.unfelt_force);
+      (*this)(force.unfelt_moment);
     }
   }
 

@@ -18,6 +18,8 @@ using support::Indexed;
 
 namespace {
 
+bool is_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
+
 class Builder {
  public:
   Builder(const model::Model& model, ir::Graph& graph, Expressions& expressions, const Symbols& symbols)
@@ -95,7 +97,6 @@ class Builder {
 
   /// Whether a joint carries something on which one of the forces from `begin` on acts.
   bool reaches_joint(const Kinematics& result, std::size_t begin) const {
-    const auto is_zero = [](const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); };
     return std::any_of(result.applied.begin() + static_cast<std::ptrdiff_t>(begin), result.applied.end(),
                        [&](const AppliedForce& applied) {
                          if (is_zero(applied.force) && is_zero(applied.moment)) return false;
@@ -343,31 +344,44 @@ class Builder {
   }
 
   /// What acts at a place does this along the coordinates. At a place that wanders over a body the body feels it where the place is
-  /// now; what it does along the way of the place no body feels, and on a part without mass nothing of it.
+  /// now; what it does along the way of the place no body feels, on a part without mass nothing of it, and a particle no moment.
   struct Effect {
     Components felt, unfelt;
   };
 
-  Effect effect(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment, bool is_felt) {
+  Effect effect(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment,
+                const BodyMotion* body) {
     const Components all = generalized(frame, point, force, moment);
     const Components none(symbols_.full_count(), number(0));
-    if (!is_felt) return {none, all};
+    if (body == nullptr) return {none, all};
     const std::size_t carrier = pushed(frame);
-    if (carrier == frame) return {all, none};
-    Effect result{generalized(carrier, point, force, moment), all};
+    const bool has_unfelt_moment = !body->is_rigid && !is_zero(moment_about(*body, point, force, moment));
+    if (carrier == frame && !has_unfelt_moment) return {all, none};
+    Effect result{has_unfelt_moment ? at_centre(*body, force) : generalized(carrier, point, force, moment), all};
     for (const FullIndex i : all.indices()) result.unfelt[i] -= result.felt[i];
     return result;
+  }
+
+  static Vector3 moment_about(const BodyMotion& body, const Vector3& point, const Vector3& force,
+                              const Vector3& moment) {
+    return moment + cross(point - body.position, force);
+  }
+
+  Components at_centre(const BodyMotion& body, const Vector3& force) const {
+    Components Q(symbols_.full_count(), number(0));
+    for (const FullIndex i : Q.indices()) Q[i] = dot(force, body.J[i]);
+    return Q;
   }
 
   void push(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment, Kinematics& result) {
     if (frame == model::k_space) return;
     BodyMotion* body = body_of(pushed(frame), result);
-    result.applied.push_back({frame, point, force, moment, body != nullptr});
+    result.applied.push_back(applied_at(frame, point, force, moment, body));
     if (body != nullptr) {
       body->force = body->force + force;
-      body->moment = body->moment + moment + cross(point - body->position, force);
+      body->moment = body->moment + moment_about(*body, point, force, moment);
     }
-    const auto [felt, unfelt] = effect(frame, point, force, moment, body != nullptr);
+    const auto [felt, unfelt] = effect(frame, point, force, moment, body);
     for (const FullIndex i : felt.indices()) {
       result.body_force[i] += felt[i];
       result.other_force[i] += unfelt[i];
@@ -375,12 +389,23 @@ class Builder {
     }
   }
 
+  AppliedForce applied_at(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment,
+                          const BodyMotion* body) const {
+    const Vector3 nothing = ir::zero3(graph_);
+    AppliedForce applied{frame, point, force, moment, force, moment};
+    if (body != nullptr) {
+      applied.unfelt_force = nothing;
+      applied.unfelt_moment = body->is_rigid ? nothing : moment_about(*body, point, force, moment);
+    }
+    return applied;
+  }
+
   void find_carried(ConstraintRow& row, Kinematics& result) {
     row.carried = Components(symbols_.full_count(), number(0));
     for (const ConstraintAction& action : row.actions) {
       if (action.frame == model::k_space) continue;
-      const bool is_felt = body_of(pushed(action.frame), result) != nullptr;
-      const Components unfelt = effect(action.frame, action.point, action.direction, ir::zero3(graph_), is_felt).unfelt;
+      const BodyMotion* body = body_of(pushed(action.frame), result);
+      const Components unfelt = effect(action.frame, action.point, action.direction, ir::zero3(graph_), body).unfelt;
       for (const FullIndex i : unfelt.indices()) row.carried[i] += unfelt[i];
     }
   }

@@ -62,10 +62,11 @@ struct JointPlace {
 /// A force with its moment about a point, on a frame of the model, in space.
 struct AppliedForce {
   std::size_t frame = model::k_space;
-  ir::Vector3 point;        ///< m
-  ir::Vector3 force;        ///< N
-  ir::Vector3 moment;       ///< N m, about `point`
-  bool is_on_body = false;  ///< a body has it in its sums
+  ir::Vector3 point;          ///< m
+  ir::Vector3 force;          ///< N
+  ir::Vector3 moment;         ///< N m, about `point`
+  ir::Vector3 unfelt_force;   ///< the part that no body has in its sums, at `point`
+  ir::Vector3 unfelt_moment;  ///< likewise; of what acts beside a particle, its moment about the particle
 };
 
 struct Kinematics {

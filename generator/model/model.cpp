@@ -23,9 +23,7 @@ std::size_t pushed_by_force_on(const Model& model, std::size_t frame) {
   const auto carries_body = [&](std::size_t at) {
     return std::any_of(model.bodies.begin(), model.bodies.end(), [&](const Body& body) { return body.frame == at; });
   };
-  while (frame != k_space && model.frames[frame].is_point && model.frames[frame].parent != k_space &&
-         !carries_body(frame))
-    frame = model.frames[frame].parent;
+  while (frame != k_space && model.frames[frame].is_point && !carries_body(frame)) frame = model.frames[frame].parent;
   return frame;
 }
 

@@ -308,7 +308,7 @@ struct Model {
 };
 
 /// What a force on a frame acts on: for a point, the frame that it is on, since the contact of a wheel wanders over it and its material
-/// does not. A point in space, or one that carries a body, is its own.
+/// does not; of a point in space, space. A point that carries a body is its own.
 std::size_t pushed_by_force_on(const Model& model, std::size_t frame);
 
 /// Whether any unit is stated; if not, no dimension was checked.

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <set>
 
 #include "model/checks.hpp"
@@ -177,6 +180,46 @@ void check_constraints(Reading& reading) {
   }
 }
 
+bool moves(const Ast& ast, const Model& model) {
+  if (ast.kind == AstKind::symbol) {
+    const auto symbol = model.symbols.find(ast.name);
+    return symbol != model.symbols.end() && symbol->second.kind != SymbolKind::parameter &&
+           symbol->second.kind != SymbolKind::pi;
+  }
+  return std::any_of(ast.children.begin(), ast.children.end(), [&](const Ast& child) { return moves(child, model); });
+}
+
+/// A point that moves on what carries it: what touches there is not the point.
+bool wanders(std::size_t frame, const Model& model) {
+  if (frame == k_space || pushed_by_force_on(model, frame) == frame) return false;
+  const auto& position = model.frames[frame].position;
+  return std::any_of(position.begin(), position.end(), [&](const Ast& component) { return moves(component, model); });
+}
+
+/// `rolls` is three rows, of which one is looked at.
+void check_contacts(Reading& reading) {
+  const Model& model = reading.model;
+  std::uint32_t last = std::numeric_limits<std::uint32_t>::max();
+  for (const Constraint& constraint : model.constraints) {
+    const auto* law = std::get_if<SlipLaw>(&constraint.law);
+    if (law == nullptr || constraint.span.begin == last) continue;
+    last = constraint.span.begin;
+    for (const std::size_t frame : {law->frame, law->surface}) {
+      if (!wanders(frame, model)) continue;
+      const std::size_t carrier = pushed_by_force_on(model, frame);
+      const std::string on = carrier == k_space ? "space" : model.frames[carrier].name.text;
+      reading.diagnostics.error(
+          code::k_wrong_reference, constraint.span,
+          fmt::format("'{}' is a point that moves on '{}', and what touches there is not the point",
+                      model.frames[frame].name.text, on),
+          fmt::format(
+              "for what is there on '{0}' name '{0}', with the point as 'at'; for something that moves along make "
+              "it one of the 'frames'",
+              on));
+    }
+  }
+}
+
 void refuse_many(const char* what, const Name& first_beyond, Reading& reading) {
   reading.diagnostics.error(code::k_file_too_large, first_beyond.span,
                             fmt::format("the model has more than {} {}", k_most_rows, what),
@@ -210,6 +253,7 @@ void check_topology(Reading& reading) {
   }
   if (!model.bodies.empty() && !reading.unread.any()) check_used(reading);
   check_constraints(reading);
+  check_contacts(reading);
   check_inertia_stated(reading);
 }
 

@@ -32,9 +32,9 @@ class JointSums {
       if (is_carried(model_.bodies[i.value].frame, joint.frame)) add(bodies_[i.value], kinematics_.bodies[i].position);
     }
     for (const kinematics::AppliedForce& force : kinematics_.applied) {
-      if (force.is_on_body || !is_carried(force.frame, joint.frame)) continue;
-      take_away(force.force, force.point);
-      moment_ = moment_ - force.moment;
+      if (!is_carried(force.frame, joint.frame)) continue;
+      take_away(force.unfelt_force, force.point);
+      moment_ = moment_ - force.unfelt_moment;
     }
     for (const ConstraintIndex mu : kinematics_.constraints.indices()) {
       for (const kinematics::ConstraintAction& action : kinematics_.constraints[mu].actions) {

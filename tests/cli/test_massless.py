@@ -83,6 +83,26 @@ forces: {s: {spring: [p, o], stiffness: 10, length: 1}}
             self.assertAlmostEqual(on_body, float(still["reaction_forces"][f"on_A.{name}"]["value"]), 12)
             self.assertAlmostEqual(on_body, float(moving["joint_reactions"][f"a.{name}"]["value"]), 12)
 
+    def test_a_load_beside_a_particle_presses_on_the_joints_of_its_light_arm(self):
+        # A particle at 1 on an arm with a hinge about y, pushed by [0, 3, 5] at 2 and turned by [7, 2, 3]; a body without inertia is
+        # the same. Free, about the hinge: 5*2 - 2 = -theta''. Held, the hinge carries this, too, and the particle rests.
+        arm = HEAD + "coordinates: {a: {HOW}}\njoints: {hip: {type: revolute, child: arm, axis: y, coordinates: a}}\n" + (
+            "points: {tip: {on: arm, at: [2, 0, 0]}}\n"
+            "forces: {push: {force: [0, 3, 5], on: tip}, screw: {torque: [7, 2, 3], on: arm}}\n")
+        for how, acceleration, about_y in (("initial: 0", -8, 0), ("held_at: 0", None, 8)):
+            for mass in ("particles: {p: {mass: 1, frame: arm, centre: [1, 0, 0]}}\n",
+                         "bodies: {p: {mass: 1, inertia: 0, frame: arm, centre: [1, 0, 0]}}\n"):
+                found = self.found(arm.replace("HOW", how) + mass)
+                if acceleration:
+                    self.assertAlmostEqual(float(found["accelerations"]["a_ddot"]["value"]), acceleration, 13)
+                else:
+                    self.assertAlmostEqual(float(found["reactions"]["a"]["value"]), about_y, 13)
+                for axis, value in zip("xyz", (-7, about_y, -2 * 3 - 3)):
+                    self.assertAlmostEqual(float(found["joint_reactions"][f"hip.moment.{axis}"]["value"]), value, 13)
+                if "particles" in mass and acceleration:
+                    # What drives the particle along its way, less the ideal part: nothing but the force across it is left.
+                    self.assertAlmostEqual(float(found["compulsion"]["Z"]["value"]), 3**2 / 2, 13)
+
 
 if __name__ == "__main__":
     unittest.main()
