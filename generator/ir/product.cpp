@@ -82,6 +82,28 @@ Rational common_content(const Rational& a, const Rational& b) {
   return Rational(cln::gcd(cln::numerator(a), cln::numerator(b))) / cln::lcm(cln::denominator(a), cln::denominator(b));
 }
 
+/// Coprime integers of more bits come from numbers with many digits, and are beyond the range of a type where these were not.
+constexpr long k_most_bits = 53;
+
+bool has_long_integers(const Node& sum, const Rational& content) {
+  const auto is_long = [&](const Rational& value) {
+    return static_cast<long>(cln::integer_length(cln::numerator(value / content))) > k_most_bits;
+  };
+  return is_long(sum.value) || std::any_of(sum.coefficients.begin(), sum.coefficients.end(), is_long);
+}
+
+/// The power of two at or below the largest of the numbers.
+Rational size_of(const Node& sum) {
+  Rational largest = cln::abs(sum.value);
+  for (const Rational& coefficient : sum.coefficients) largest = std::max<Rational>(largest, cln::abs(coefficient));
+  const long above = static_cast<long>(cln::integer_length(cln::numerator(largest)));
+  const long below = static_cast<long>(cln::integer_length(cln::denominator(largest)));
+  const long bits = above - below;
+  const Rational power =
+      bits < 0 ? Rational(1) / cln::ash(cln::cl_I(1), -bits) : Rational(cln::ash(cln::cl_I(1), bits));
+  return power <= largest ? power : Rational(power / 2);
+}
+
 }  // namespace
 
 Rational signed_content(const Node& sum) {
@@ -91,6 +113,7 @@ Rational signed_content(const Node& sum) {
     content = common_content(content, coefficient);
     signs += coefficient < 0 ? -1 : 1;
   }
+  if (has_long_integers(sum, content)) content = size_of(sum);
   const Rational& leading = sum.value == 0 ? sum.coefficients[0] : sum.value;
   const bool negative = signs < 0 || (signs == 0 && leading < 0);
   return negative ? Rational(-cln::abs(content)) : cln::abs(content);

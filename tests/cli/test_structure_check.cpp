@@ -126,7 +126,8 @@ TEST_CASE("numbers that multiply beyond double are refused with the name of what
   PipelineOptions fold;
   fold.fold = true;
   const std::string far =
-      "parameters: {m: 1e-300}\ncoordinates: {x: {initial: 1e300}, y: {}}\nparticles: {p: {mass: m, position: [x + "
+      "parameters: {m: 1e-300}\ncoordinates: {x: {initial: 1e300, initial_rate: 1}, y: {}}\nparticles: {p: {mass: m, "
+      "position: [x + "
       "tanh(x*y), "
       "y, x]}}\nconstraints: {c: {velocity: dot(x)*(1 + x^2) - dot(y)}}\n";
   CHECK_THAT(found_in(far, fold), Catch::Contains("error[E054]"));

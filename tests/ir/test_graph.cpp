@@ -69,6 +69,22 @@ TEST_CASE_METHOD(Fixture, "content is the largest common factor with the sign of
   CHECK(content(number(-2) + 4 * x + 4 * y) == "2");
 }
 
+TEST_CASE_METHOD(Fixture, "numbers with many digits do not become long integers", "[ir]") {
+  // Coprime integers for these would have 600 digits.
+  const auto long_number = [](int seed) {
+    return gaussgen::support::Rational(cln::cl_I(seed)) / (cln::expt_pos(cln::cl_I(10), 300) + seed);
+  };
+  const Expr sum =
+      Expr(graph, graph.constant(long_number(7))) * x + Expr(graph, graph.constant(3 + long_number(9))) * y;
+  const gaussgen::support::Rational content = signed_content(graph[sum.id()]);
+  CHECK(content == 2);
+  const Expr primitive = sum / number(2);
+  CHECK(signed_content(graph[primitive.id()]) == 1);
+  CHECK(pow(sum, -1) * sum == number(1));
+  CHECK(pow(sum, 2) == 4 * pow(primitive, 2));
+  CHECK(graph[pow(primitive, -1).id()].children[0] == primitive.id());
+}
+
 TEST_CASE_METHOD(Fixture, "powers of powers merge where that is exact", "[ir]") {
   CHECK(pow(pow(x, 2), 3) == pow(x, 6));
   CHECK(pow(pow(x, k_half), 2) == x);
@@ -112,8 +128,8 @@ TEST_CASE_METHOD(Fixture, "what has no value is never folded away", "[ir]") {
   CHECK(pow(pole, 0) == pole);
   CHECK(pow(pole, -1) == pole);
   CHECK(pow(pole * pole, -1) * zero == pole * pole);
-  for (const Expr undefined : {call(Function::log, zero), call(Function::asin, number(2)), pow(number(-8), Rational(1) / 3),
-                               call(Function::sin, pole)}) {
+  for (const Expr undefined : {call(Function::log, zero), call(Function::asin, number(2)),
+                               pow(number(-8), Rational(1) / 3), call(Function::sin, pole)}) {
     CHECK(graph.is_undefined(undefined.id()));
     CHECK(zero * undefined == undefined);
     CHECK(undefined / undefined == undefined);
