@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "model/ast_build.hpp"
 #include "model/attitude.hpp"
@@ -43,7 +44,6 @@ class ConstraintReader {
   void run() {
     const std::string where = fmt::format("constraint '{}'", name_.text);
     check_name(name_, reading_);
-    check_label(name_, reading_);
     if (!expect_map(map_, name_.span, where, reading_)) return add(VelocityLaw{broken_expression()}, name_.span);
     about_ = text_field(map_, "about", reading_);
     const Entry* law = find_law(where);
@@ -249,8 +249,30 @@ class ConstraintReader {
 
 }  // namespace
 
+namespace {
+
+/// The directions of `c` are c_x, c_y and c_z, and another constraint may be called so.
+void check_rows(Reading& reading) {
+  std::map<std::string, const Constraint*> owners;
+  for (const Constraint& row : reading.model.constraints) {
+    check_label(row.name, reading);
+    const auto [owner, is_first] = owners.emplace(row.name.text, &row);
+    if (is_first) continue;
+    const Constraint& other = *owner->second;
+    const Name& direction = row.may_vanish ? row.name : other.name;
+    const Name& whole = row.may_vanish ? other.name : row.name;
+    reading.diagnostics.error(code::k_name_clash, whole.span,
+                              fmt::format("'{}' already names a direction of the constraint in {}", row.name.text,
+                                          reading.line_text(direction.span)),
+                              "both would label a reaction; rename one of them");
+  }
+}
+
+}  // namespace
+
 void read_constraints(const Node& root, Reading& reading) {
   read_section(root, "constraints", reading, [&](const Entry& entry) { ConstraintReader(entry, reading).run(); });
+  check_rows(reading);
 }
 
 void read_elimination(const Node& root, Reading& reading) {

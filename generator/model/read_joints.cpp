@@ -226,6 +226,8 @@ class JointReader {
   void add_coordinate(const Name& name, std::size_t freedom, const Start& start) {
     const auto known = reading_.model.symbols.find(name.text);
     if (known != reading_.model.symbols.end() && known->second.kind == SymbolKind::coordinate) {
+      if (reading_.model.coordinates[known->second.index].is_of_joint)
+        return refuse_of_other(name, known->second.index);
       for (const Value& value : {start.value, start.guess, start.rate}) {
         if (value.node == nullptr) continue;
         const Coordinate& coordinate = reading_.model.coordinates[known->second.index];
@@ -252,6 +254,17 @@ class JointReader {
     coordinate.initial_rate = value(start.rate);
     declare(name, SymbolKind::coordinate, reading_.model.coordinates.size(), "the coordinate", reading_);
     reading_.model.coordinates.push_back(std::move(coordinate));
+  }
+
+  /// Two joints that move as one, without a word about it.
+  void refuse_of_other(const Name& name, std::size_t coordinate) {
+    const Coordinate& other = reading_.model.coordinates[coordinate];
+    reading_.refused.insert(name.text);
+    reading_.diagnostics.error(
+        code::k_name_clash, name.span,
+        fmt::format("'{}' is a coordinate of the joint in {}", name.text, reading_.line_text(other.name.span)),
+        "give this joint another name, or other 'coordinates'; what several joints share is "
+        "declared under 'coordinates'");
   }
 
   void move_along(const Name& name, std::size_t freedom) {
