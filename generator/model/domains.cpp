@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -81,14 +83,27 @@ class DomainCheck {
                                  fmt::format("dot(...) may not appear in {}: {}", place.name, place.why), place.hint);
       return;
     }
-    for (const Ast& child : ast.children) check(child, is_dot ? inside_dot() : place);
+    for (const Ast& child : ast.children) check(child, is_dot ? within_dot(place) : place);
   }
 
  private:
+  /// Rates of places are made of the rates that speeds replace.
+  static Place within_dot(const Place& around) {
+    Place within = inside_dot();
+    if (around.places) return within;
+    within.places = false;
+    within.name = around.name;
+    within.why = around.why;
+    within.hint = around.hint;
+    return within;
+  }
+
   void check_symbol(const Ast& ast, const Place& place) {
     const auto symbol = reading_.model.symbols.find(ast.name);
     if (symbol == reading_.model.symbols.end()) return note_unknown(ast);
     if (allows(place, symbol->second.kind)) return;
+    // A distance has three components of each place.
+    if (symbol->second.kind == SymbolKind::place && !places_.insert(ast.span.begin).second) return;
     reading_.diagnostics.error(code::k_not_allowed_here, ast.span,
                                fmt::format("{} '{}' may not appear in {}: {}", kind_name(symbol->second.kind), ast.name,
                                            place.name, place.why),
@@ -145,6 +160,7 @@ class DomainCheck {
   Reading& reading_;
   std::vector<std::string> names_;
   std::map<std::string, Unknown> unknown_;
+  std::set<std::uint32_t> places_;  ///< where those begin that were reported
 };
 
 }  // namespace
