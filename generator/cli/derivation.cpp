@@ -24,6 +24,7 @@ int derive(const Options& options) {
   if (options.output.empty() || options.output == "-") {
     write_standard_output(text);
   } else {
+    keep_what_was_read(options.output, source);
     Replacement(options.output, text).commit();
   }
   return k_ok;

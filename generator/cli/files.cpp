@@ -1,6 +1,7 @@
 #include "cli/files.hpp"
 
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 
 #include "support/files.hpp"
@@ -20,6 +21,19 @@ support::Source read_source(const std::string& path) {
   std::optional<std::string> text = support::read_file(path, why);
   if (!text) fail_on(path, why);
   return {path, *std::move(text), support::read_regular_file};
+}
+
+void keep_what_was_read(const std::string& path, const support::Source& source) {
+  for (const std::string& name : source.names()) {
+    if (are_same_file(path, name)) fail_on(path, "the model was read from it, and would be lost: name another file");
+  }
+}
+
+bool are_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (std::filesystem::equivalent(a, b, error)) return std::filesystem::is_regular_file(a, error);
+  const std::filesystem::path first = std::filesystem::weakly_canonical(a, error);
+  return !error && first == std::filesystem::weakly_canonical(b, error) && !std::filesystem::exists(first, error);
 }
 
 void write_standard_output(const std::string& text) {

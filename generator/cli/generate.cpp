@@ -53,6 +53,11 @@ std::string dependencies(const std::string& target, const Options& options, cons
 // Both are written before the first is put in place: a full disk leaves everything as it was.
 void write_files(const Options& options, const PipelineResult& result, const support::Source& source) {
   const std::string path = header_path(options, result.model_name);
+  keep_what_was_read(path, source);
+  if (!options.depfile.empty()) {
+    keep_what_was_read(options.depfile, source);
+    if (are_same_file(options.depfile, path)) fail_on(path, "it cannot be both the header and the depfile");
+  }
   Replacement header(path, result.header);
   if (options.depfile.empty()) return header.commit();
   const std::string& target = options.depfile_target.empty() ? path : options.depfile_target;

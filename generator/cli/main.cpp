@@ -1,4 +1,5 @@
 #include <clocale>
+#include <csignal>
 #include <exception>
 #include <locale>
 #include <new>
@@ -54,6 +55,7 @@ int main(int argc, char** argv) {
   std::setlocale(LC_ALL, "C");
   std::locale::global(std::locale::classic());
   gaussgen::cli::limit_memory();
+  std::signal(SIGXFSZ, SIG_IGN);  // beyond a limit on files, writing fails with a message
   int exit_code = 0;
   const auto options = gaussgen::cli::parse_options(argc, argv, exit_code);
   return options ? gaussgen::cli::guarded(*options) : exit_code;

@@ -6,6 +6,7 @@ import subprocess
 import threading
 import time
 import unittest
+from pathlib import Path
 
 from gauss_gen import PROGRAM, SKEW, SPHERE, Program
 
@@ -88,6 +89,25 @@ class WholeFiles(Program):
         with self.header.open() as reader:
             self.ok(SPHERE)
             self.assertEqual(reader.read(), "old")
+
+    def test_what_was_read_is_not_overwritten(self):
+        for name, *arguments in (("m.yaml", "derivation", "m.yaml", "-o", "m.yaml"), ("m.yaml", "m.yaml", "--depfile", "./m.yaml"),
+                                 ("skew_chart.hpp", "skew_chart.hpp"), ("link.yaml", "m.yaml", "-o", "d", "--depfile", "link.yaml"),
+                                 ("part.yaml", "whole.yaml", "--depfile", "part.yaml"),
+                                 ("d/skew_chart.hpp", "m.yaml", "-o", "d", "--depfile", "d/skew_chart.hpp")):
+            (self.folder / "d").mkdir(exist_ok=True)
+            text = Path(SKEW).read_text(encoding="utf-8")
+            for model in ("m.yaml", "part.yaml", "skew_chart.hpp"):
+                (self.folder / model).write_text(text, encoding="utf-8")
+            (self.folder / "whole.yaml").write_text("gauss: 1\nname: whole\nsubmodels: {a: {file: part.yaml, without: [gravity]}}\n", encoding="utf-8")
+            if not (self.folder / "link.yaml").exists():
+                (self.folder / "link.yaml").hardlink_to(self.folder / "m.yaml")
+            before = self.files()
+            said = self.refused(3, *arguments)
+            self.assertIn(name, said)
+            self.assertRegex(said, "would be lost|both the header and the depfile")
+            self.assertEqual(self.files(), before)
+            self.assertEqual((self.folder / "m.yaml").read_text(encoding="utf-8"), text)
 
     def test_nothing_but_the_two_files_appears(self):
         self.ok(SKEW, "-o", "out", "--depfile", "out/skew.d")
