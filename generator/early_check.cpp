@@ -1,11 +1,14 @@
 #include "early_check.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "generic_point.hpp"
 #include "ir/symbol_sets.hpp"
 #include "model/rate.hpp"
 #include "structure_check.hpp"
+#include "support/error_codes.hpp"
 #include "value_check.hpp"
 
 namespace gaussgen {
@@ -52,6 +55,52 @@ class Gradients {
   ir::Substitution hold_;
 };
 
+/// Springs with a length whose ends are one place in every configuration: the line of the force has no direction.
+class SpringEnds {
+ public:
+  SpringEnds(ModelGraph& motion, support::Diagnostics& diagnostics)
+      : motion_(motion), diagnostics_(diagnostics), hold_(held_values(motion)) {}
+
+  void run() {
+    std::vector<const model::Force*> springs;
+    strategy::Matrix gaps;
+    for (const model::Force& force : motion_.model.forces) {
+      const auto* spring = std::get_if<model::Spring>(&force.law);
+      if (spring == nullptr || !spring->length) continue;
+      springs.push_back(&force);
+      gaps.push_back(gap_of(*spring));
+    }
+    if (gaps.empty()) return;
+    const evaluate::Matrix values = GenericPoint(motion_)(gaps);
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+      const bool is_apart = !cln::zerop(values(i, 0)) || !cln::zerop(values(i, 1)) || !cln::zerop(values(i, 2));
+      if (!is_apart) report(*springs[i]);
+    }
+  }
+
+ private:
+  strategy::Vector gap_of(const model::Spring& spring) {
+    kinematics::Frames& frames = motion_.expressions.frames();
+    const ir::Vector3 first = frames.origin(spring.first);
+    const ir::Vector3 second = frames.origin(spring.second);
+    strategy::Vector gap;
+    for (std::size_t i = 0; i < 3; ++i) gap.push_back(hold_(second[i] - first[i]));
+    return gap;
+  }
+
+  void report(const model::Force& force) {
+    diagnostics_.error(support::code::k_undefined_value, force.name.span,
+                       fmt::format("the ends of the spring '{}' are always at the same place, and a force along the "
+                                   "line between them has no direction",
+                                   force.name.text),
+                       "let one end be at another place");
+  }
+
+  ModelGraph& motion_;
+  support::Diagnostics& diagnostics_;
+  ir::Substitution hold_;
+};
+
 bool is_slip(const model::Constraint& constraint) { return std::holds_alternative<model::SlipLaw>(constraint.law); }
 
 }  // namespace
@@ -59,6 +108,7 @@ bool is_slip(const model::Constraint& constraint) { return std::holds_alternativ
 void check_early(const model::Model& model, const MechanicsOptions& options, support::Diagnostics& diagnostics) {
   ModelGraph motion(model, options.fold, options.most_nodes);
   check_values(motion, diagnostics);
+  if (!diagnostics.has_errors()) SpringEnds(motion, diagnostics).run();
   if (diagnostics.has_errors()) return;
   // Rows of rolling come with the motion of bodies; then all are looked at together there, so that all errors are said at once.
   if (std::any_of(model.constraints.begin(), model.constraints.end(), is_slip)) return;
