@@ -219,12 +219,17 @@ const Map& joint() {
        {"initial_rate", or_else(expression(), list_of(expression())), "rates at the start"},
        {"orientation", attitude(), "an orientation of the model; of a fixed joint any attitude"},
        velocity},
-      {joint_rule("revolute", 1, {"axis"}), joint_rule("prismatic", 1, {"axis"}),
-       joint_rule("cylindrical", 2, {"axis"}), joint_rule("universal", 2, {"axes"}),
+      {joint_rule("revolute", 1, {"axis"}),
+       joint_rule("prismatic", 1, {"axis"}),
+       joint_rule("cylindrical", 2, {"axis"}),
+       joint_rule("universal", 2, {"axes"}),
        joint_rule("spherical", 0, {"orientation", "initial_angular_velocity"}, {{"orientation", name(), ""}}),
        joint_rule("planar", 3, {"axis"}, {{"axis", word_of({"x", "y", "z"}), ""}}),
        joint_rule("free", 3, {"orientation", "initial_angular_velocity"}, {{"orientation", name(), ""}}),
-       joint_rule("fixed", 0, {"orientation"})}};
+       joint_rule("fixed", 0, {"orientation"}),
+       {"initial",
+        {"type", "parent", "child", "at", "about", "axes", "axis", "coordinates", "initial_rate", "orientation",
+         "initial_angular_velocity"}}}};
   return k_map;
 }
 

@@ -179,6 +179,18 @@ class JointReader {
       }
     }
     check_keys(map_, where_, allowed, reading_);
+    if (kind_->type != JointType::spherical && spec::find(map_, "initial") != nullptr) refuse_needless_guess();
+  }
+
+  /// Both have an entry for each coordinate.
+  void refuse_needless_guess() {
+    for (const Entry& field : map_.entries) {
+      if (field.key.text != "initial_guess") continue;
+      reading_.diagnostics.error(
+          code::k_conflicting_keys, field.key.span, "'initial_guess' beside 'initial', which determines every value",
+          kind_->freedoms.size() == 1 ? "remove one of the two keys"
+                                      : "remove one of the two keys; some of each are written under 'coordinates'");
+    }
   }
 
   void refuse_of_spherical(const spec::LocatedText& key) {
