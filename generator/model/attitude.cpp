@@ -127,8 +127,16 @@ QuaternionOrientation find_orientation(const Node& scalar, Reading& reading) {
 Attitude read_attitude(const Entry& entry, Reading& reading) {
   const Node& node = entry.value;
   if (node.kind == NodeKind::map) {
-    const bool is_single = spec::find(node, "axis") != nullptr || spec::find(node, "angle") != nullptr;
+    const bool has_slip = spec::find(node, "euler") != nullptr;  // {euler: zxz, angle: [a, b, c]}
+    const bool is_single = spec::find(node, "axis") != nullptr || (spec::find(node, "angle") != nullptr && !has_slip);
     return is_single ? read_single_turn(node, entry.key.span, reading) : read_euler(node, entry.key.span, reading);
+  }
+  if (node.kind == NodeKind::sequence) {
+    reading.diagnostics.error(code::k_wrong_kind, {node.span.begin, node.span.begin + 1},
+                              "'orientation' must be a name or a map, and here is a list",
+                              "write {euler: zxz, angles: [a, b, c]} or {axis: z, angle: a}; a quaternion is declared "
+                              "under 'orientations', and its name stands here");
+    return QuaternionOrientation{k_no_orientation};
   }
   if (expect_scalar(node, entry.key.span, "'orientation'", reading)) return find_orientation(node, reading);
   return QuaternionOrientation{k_no_orientation};

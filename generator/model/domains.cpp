@@ -13,6 +13,7 @@
 #include "model/expressions.hpp"
 #include "model/fields.hpp"
 #include "model/functions.hpp"
+#include "model/unit_names.hpp"
 #include "support/error_codes.hpp"
 
 namespace gaussgen::model {
@@ -56,6 +57,8 @@ bool allows(const Place& place, SymbolKind kind) {
 struct Unknown {
   support::Span first;
   int uses = 0;
+  bool is_place = false;  ///< of distance(P, Q), which stands for the components
+  std::uint32_t last = 0;
 };
 
 class DomainCheck {
@@ -70,9 +73,33 @@ class DomainCheck {
   void report_unknown() {
     for (const auto& [name, unknown] : unknown_) {
       const std::string more = unknown.uses == 1 ? "" : fmt::format(", used {} times", unknown.uses);
+      if (unknown.is_place) {
+        reading_.diagnostics.error(code::k_unknown_name, unknown.first,
+                                   fmt::format("there is no frame, body or point '{}'{}", name, more),
+                                   hint_for_component({name, unknown.first}, ""));
+        continue;
+      }
       reading_.diagnostics.error(code::k_unknown_name, unknown.first, fmt::format("unknown name '{}'{}", name, more),
                                  hint_for({name, unknown.first}));
     }
+  }
+
+  /// inputs: {u: N*m}; whether it is reported.
+  bool refuse_unit(const Ast& ast, const Place& place) {
+    const bool is_input = &place == &input_place();
+    if (!is_input && &place != &parameter_place()) return false;
+    std::vector<std::string> names;
+    if (!collect_units(ast, names) || names.empty()) return false;
+    const auto is_known = [&](const std::string& name) { return reading_.model.symbols.count(name) > 0; };
+    // A parameter may follow from others with the names of units, and one letter is rather a name with a slip.
+    const bool is_meant =
+        is_input ? !std::all_of(names.begin(), names.end(), is_known)
+                 : std::none_of(names.begin(), names.end(), is_known) && (names.size() > 1 || names[0].size() > 1);
+    if (!is_meant) return false;
+    const std::string text(reading_.source.text(ast.span));
+    reading_.diagnostics.error(code::k_unknown_name, ast.span, fmt::format("'{}' is a unit, and no value", text),
+                               fmt::format("write {{{}unit: {}}}", is_input ? "" : "value: 1, ", text));
+    return true;
   }
 
   void check(const Ast& ast, const Place& place) {
@@ -98,6 +125,17 @@ class DomainCheck {
     return within;
   }
 
+  /// False where something else is in it.
+  static bool collect_units(const Ast& ast, std::vector<std::string>& names) {
+    if (is_broken(ast)) return false;
+    if (ast.kind == AstKind::symbol) names.push_back(ast.name);
+    const bool may_stand = ast.kind == AstKind::number || ast.kind == AstKind::product || ast.kind == AstKind::power ||
+                           ast.kind == AstKind::reciprocal;
+    if (ast.kind == AstKind::symbol) return find_unit(ast.name).has_value();
+    return may_stand && std::all_of(ast.children.begin(), ast.children.end(),
+                                    [&](const Ast& child) { return collect_units(child, names); });
+  }
+
   void check_symbol(const Ast& ast, const Place& place) {
     const auto symbol = reading_.model.symbols.find(ast.name);
     if (symbol == reading_.model.symbols.end()) return note_unknown(ast);
@@ -118,7 +156,14 @@ class DomainCheck {
   void note_unknown(const Ast& ast) {
     // A reserved name that was declared is reported at its declaration.
     if (reading_.unread.may_declare(ast.name) || reading_.refused.count(ast.name) > 0) return;
-    const auto [unknown, is_new] = unknown_.emplace(ast.name, Unknown{ast.span, 0});
+    const std::size_t point = ast.name.find('.');
+    const bool is_place =
+        point != std::string::npos && reading_.source.text(ast.span).find('.') == std::string_view::npos;
+    const std::string name = is_place ? ast.name.substr(0, point) : ast.name;
+    const auto [unknown, is_new] = unknown_.emplace(name, Unknown{ast.span, 0, is_place, 0});
+    // The three components of one place are one use of it.
+    if (is_place && !is_new && unknown->second.last == ast.span.begin) return;
+    unknown->second.last = ast.span.begin;
     ++unknown->second.uses;
     if (!is_new && ast.span.begin < unknown->second.first.begin) unknown->second.first = ast.span;
   }
@@ -141,6 +186,13 @@ class DomainCheck {
     if (is_output) return "'quantities' are outputs: write here what it stands for";
     if (own == "e") return "write exp(x) for e^x; Euler's number itself is exp(1)";
     if (own == "I") return "declare a moment of inertia under 'parameters', as I1 or J";
+    if (const auto place = reading_.frames.find(name); place != reading_.frames.end()) {
+      const bool is_point = reading_.model.frames[place->second].is_point;
+      return fmt::format("'{0}' is a {1}; its coordinates in space are {0}.x, {0}.y and {0}.z", name,
+                         is_point                          ? "point"
+                         : reading_.bodies.count(name) > 0 ? "body"
+                                                           : "frame");
+    }
     const std::string near = did_you_mean(unknown, names_, reading_);
     return near.empty() ? "declare it under 'parameters', 'inputs' or 'coordinates'" : near;
   }
@@ -169,7 +221,7 @@ void check_domains(Reading& reading) {
   DomainCheck domains(reading);
   for_each_expression(reading.model, [&](const Ast& ast, const Place& place) {
     const std::size_t before = reading.diagnostics.all().size();
-    domains.check(ast, place);
+    if (!domains.refuse_unit(ast, place)) domains.check(ast, place);
     if (reading.diagnostics.all().size() > before) reading.faulty_values.insert(ast.span.begin);
   });
   domains.report_unknown();

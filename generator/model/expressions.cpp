@@ -185,6 +185,8 @@ void visit_force(const Force& force, const Visit& visit) {
 
 const Place& parameter_place() { return k_parameter; }
 
+const Place& input_place() { return k_input; }
+
 const Place& inside_dot() { return k_dot; }
 
 void for_each_expression(const Model& model, const std::function<void(const Ast&, const Place&)>& visit) {

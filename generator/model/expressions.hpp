@@ -63,6 +63,9 @@ struct Slot {
 /// The value of a parameter.
 const Place& parameter_place();
 
+/// The default of an input.
+const Place& input_place();
+
 /// The inside of dot(...).
 const Place& inside_dot();
 

@@ -71,9 +71,26 @@ std::string in_our_words(const std::string& key, const std::vector<std::string>&
   return "";
 }
 
+/// {mass:m} and {mass=m}: the word before the sign.
+std::string before_sign(const std::string& key) {
+  const std::size_t sign = key.find_first_of(":=");
+  return sign == std::string::npos ? std::string() : key.substr(0, key.find_last_not_of(' ', sign - 1) + 1);
+}
+
+std::string hint_for_sign(const std::string& key, const std::vector<std::string>& allowed) {
+  const std::string word = before_sign(key);
+  if (word.empty() || std::find(allowed.begin(), allowed.end(), word) == allowed.end()) return "";
+  const std::size_t sign = key.find_first_of(":=");
+  const std::size_t value = key.find_first_not_of(' ', sign + 1);
+  return fmt::format("write '{}: {}', with {}", word, value == std::string::npos ? "..." : key.substr(value),
+                     key[sign] == ':' ? "a blank behind the ':'" : "':' in place of '='");
+}
+
 std::string hint_for_key(const Node& map, const spec::Entry& entry, const std::vector<std::string>& allowed) {
-  std::string near = support::did_you_mean(entry.key.text, allowed);
-  if (near.empty()) near = in_our_words(entry.key.text, allowed);
+  const std::string with_sign = hint_for_sign(entry.key.text, allowed);
+  if (!with_sign.empty() && entry.value.kind == NodeKind::empty) return with_sign;
+  const std::string word = support::closest_or_begun(entry.key.text, allowed);
+  std::string near = word.empty() ? in_our_words(entry.key.text, allowed) : fmt::format("did you mean '{}'?", word);
   const bool is_of_joint = std::find(allowed.begin(), allowed.end(), "coordinates") != allowed.end() &&
                            std::find(allowed.begin(), allowed.end(), "child") != allowed.end();
   if (near.empty() && is_of_joint && entry.key.text == "held_at")
@@ -223,7 +240,8 @@ void check_keys(const Node& map, const std::string& where, const std::vector<std
 
 bool has_misspelt(const Node& map, const std::string& key, const Reading& reading) {
   return std::any_of(map.entries.begin(), map.entries.end(), [&](const spec::Entry& entry) {
-    return reading.unknown_keys.count(entry.key.span.begin) > 0 && support::closest(entry.key.text, {key}) == key;
+    if (reading.unknown_keys.count(entry.key.span.begin) == 0) return false;
+    return support::closest_or_begun(entry.key.text, {key}) == key || before_sign(entry.key.text) == key;
   });
 }
 

@@ -140,6 +140,11 @@ spec::LocatedText with_indices(const spec::LocatedText& text, const Indices& ind
   if (text.text.find('$') == std::string::npos) return text;
   Rewriting result(text);
   while (!result.is_done()) {
+    if (result.peek() == '$' && result.peek(1) == '{' && unknown == UnknownIndex::error) {
+      diagnostics.error(code::k_index, text.span_of(result.at(), result.at() + 2), "an index has no braces",
+                        "write $i, or $(i) where a letter or digit follows");
+      return text;
+    }
     const bool is_index = result.peek() == '$' && (is_letter(result.peek(1)) || result.peek(1) == '(');
     if (!is_index) {
       result.keep(1);

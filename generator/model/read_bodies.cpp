@@ -50,6 +50,14 @@ void place_in_space(const Entry& entry, const Node& position, Body& body, Readin
   body.frame = add_body_frame(std::move(frame), std::nullopt, reading);
 }
 
+std::vector<std::string> frames_without_body(const Reading& reading) {
+  std::vector<std::string> names;
+  for (const auto& [name, index] : reading.frames) {
+    if (reading.bodies.count(name) == 0) names.push_back(name);
+  }
+  return names;
+}
+
 /// Part of a frame: of the one that has its name, or of another one, and then a frame itself.
 void place_on_frame(const Entry& entry, const std::string& where, Body& body, Reading& reading) {
   const auto own = reading.frames.find(body.name.text);
@@ -67,8 +75,11 @@ void place_on_frame(const Entry& entry, const std::string& where, Body& body, Re
     return;
   }
   if (named == nullptr && !reading.unread.may_declare_frame(body.name.text)) {
+    const std::string near = did_you_mean_one_of(
+        body.name, [&] { return frames_without_body(reading); }, reading);
     required(entry.value, "position", entry.key.span, where, reading,
-             fmt::format("; or 'frame', as no frame and no child of a joint is called '{}'", body.name.text));
+             fmt::format("; or 'frame', as no frame and no child of a joint is called '{}'{}{}", body.name.text,
+                         near.empty() ? "" : ": ", near));
   }
   Frame frame;
   frame.name = body.name;
@@ -119,6 +130,8 @@ void read_body(const Entry& entry, bool is_particle, Reading& reading) {
     check_keys(entry.value, where, format::keys_of(is_particle ? format::particle() : format::body()), reading);
     read_common(entry, where, body, reading);
     if (!is_particle) read_rotation(entry, body, reading);
+  } else if (const auto own = reading.frames.find(body.name.text); own != reading.frames.end()) {
+    body.frame = own->second;
   } else {
     Frame frame;
     frame.name = body.name;

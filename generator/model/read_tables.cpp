@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/constant.hpp"
 #include "model/fields.hpp"
@@ -26,6 +28,7 @@ constexpr std::size_t k_most_points = 256;
 constexpr double k_most_bits = 1 << 16;  ///< of all numbers of a table together: exact splines stay quick
 constexpr double k_largest_slope = 1e290;
 constexpr double k_smallest_slope = 1e-290;
+constexpr double k_smallest_double = std::numeric_limits<double>::min();
 
 /// A word out of two, or the default when the key is absent.
 template <class Word>
@@ -51,12 +54,23 @@ Ast with_number_for_pi(Ast ast) {
   return ast;
 }
 
+bool is_in_range(const Ast& ast);
+
+bool are_in_range(const std::vector<Ast>& all) { return std::all_of(all.begin(), all.end(), is_in_range); }
+
 bool has_name(const Ast& ast) {
   if (ast.kind == AstKind::symbol && ast.name != "pi") return true;
   for (const Ast& child : ast.children) {
     if (has_name(child)) return true;
   }
   return false;
+}
+
+bool is_in_range(const Ast& ast) {
+  const double size = std::abs(support::to_double(ast.number));
+  if (ast.kind == AstKind::number && ast.number != 0 && !(std::isfinite(size) && size >= k_smallest_double))
+    return false;
+  return are_in_range(ast.children);
 }
 
 class TableReader {
@@ -75,6 +89,8 @@ class TableReader {
     const auto of = numbers(table.of);
     const auto values = numbers(table.values);
     if (!is_good_ || !has_good_size(table) || !grows(table.of, *of)) return table;
+    // Numbers beyond double are refused where all expressions are checked.
+    if (!are_in_range(table.of) || !are_in_range(table.values)) return table;
     table.function = function_of(table, {*of, *values});
     return table;
   }

@@ -109,8 +109,10 @@ class Repetition {
 
   std::optional<std::int64_t> read_count(const Node& node, support::Span owner) {
     if (!expect_scalar(node, owner, "a count", reading_)) return std::nullopt;
-    const std::optional<std::int64_t> value = whole_number(
-        with_indices(node.scalar, counts_, UnknownIndex::error, reading_.diagnostics), counts_, reading_.diagnostics);
+    const std::size_t findings = reading_.diagnostics.all().size();
+    const spec::LocatedText text = with_indices(node.scalar, counts_, UnknownIndex::error, reading_.diagnostics);
+    if (reading_.diagnostics.all().size() != findings) return std::nullopt;
+    const std::optional<std::int64_t> value = whole_number(text, counts_, reading_.diagnostics);
     if (value && *value >= 0 && *value <= k_most_copies) return value;
     if (value)
       reading_.diagnostics.error(code::k_index, node.span, fmt::format("a count of {}", *value),

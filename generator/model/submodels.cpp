@@ -253,13 +253,23 @@ class Submodels {
     if (names == nullptr) return !has_misspelt(part.value, "without", reading_);
     if (!expect_list(*names, part.key.span, "'without'", reading_)) return false;
     bool is_known = true;
+    std::set<std::string> seen;
     for (const Node& name : names->items) {
       const bool is_word = expect_scalar(name, names->span, "what is left out", reading_);
+      if (is_word && !seen.insert(name.scalar.text).second) {
+        refuse_twice(name);
+        continue;
+      }
       const bool is_found = is_word && leave_out(name.scalar.text, content);
       const bool is_slip = is_word && !is_found && refuse_left_out(part, name, content);
       is_known = is_known && is_word && !is_slip;
     }
     return is_known;
+  }
+
+  void refuse_twice(const Node& name) {
+    reading_.diagnostics.error(code::k_submodel_fit, name.span, fmt::format("'{}' is left out twice", name.scalar.text),
+                               "remove one of the two");
   }
 
   /// Whether it looks like an entry that is there.
@@ -277,7 +287,9 @@ class Submodels {
     for (const Entry& section : content.entries) {
       for (const std::string& entry : names_in(&section.value)) entries.push_back(entry);
     }
-    return reading_.searches.begin(entries.size()) ? support::did_you_mean(name, entries) : "";
+    if (!reading_.searches.begin(entries.size())) return "";
+    const std::string near = support::closest_or_begun(name, entries);
+    return near.empty() ? near : fmt::format("did you mean '{}'?", near);
   }
 
   static bool leave_out(const std::string& name, Node& content) {

@@ -49,6 +49,16 @@ std::string closest(std::string_view name, const std::vector<std::string>& candi
   return best;
 }
 
+std::string closest_or_begun(std::string_view name, const std::vector<std::string>& candidates) {
+  constexpr std::size_t k_shortest = 3;
+  std::string best;
+  for (const std::string& candidate : candidates) {
+    const bool is_begun = name.size() >= k_shortest && candidate.compare(0, name.size(), name) == 0;
+    if (is_begun && (best.empty() || candidate.size() < best.size())) best = candidate;
+  }
+  return best.empty() ? closest(name, candidates) : best;
+}
+
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates) {
   const std::string best = closest(name, candidates);
   return best.empty() ? std::string() : "did you mean '" + best + "'?";

@@ -10,6 +10,9 @@ namespace gaussgen::support {
 /// The candidate nearest to `name`, or an empty text when none is near enough to be a slip of the pen.
 std::string closest(std::string_view name, const std::vector<std::string>& candidates);
 
+/// Of words of a format also the shortest that `name` begins, as 'value' for 'val'.
+std::string closest_or_begun(std::string_view name, const std::vector<std::string>& candidates);
+
 /// "did you mean 'psi'?", or an empty text.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
