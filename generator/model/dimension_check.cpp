@@ -195,6 +195,8 @@ class DimensionCheck {
 
   std::string hint_for(const Ast& ast, const Measure& wanted, const Measure& found) const {
     const std::string names = units_of_names(reading_.model, {&ast});
+    if (reading_.along_joints.count(ast.span.begin) > 0)
+      return fmt::format("the joint measures it {}: name another coordinate, or none; {}", phrase(wanted), names);
     if (!is_number(found.dimension)) return names;
     return fmt::format("multiply it by a parameter {}; {}", phrase(wanted), names);
   }

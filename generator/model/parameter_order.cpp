@@ -53,6 +53,16 @@ std::vector<std::size_t> computable_order(const Needs& needs) {
   return order;
 }
 
+/// The first name; but a value that another file has set is what closes the cycle.
+support::Span place_of(const std::vector<std::size_t>& cycle, const Reading& reading) {
+  const auto file_of = [&](support::Span span) { return span.begin - reading.source.offset_in_file(span.begin); };
+  const auto& parameters = reading.model.parameters;
+  for (const std::size_t i : cycle) {
+    if (file_of(parameters[i].value.span) != file_of(parameters[i].name.span)) return parameters[i].value.span;
+  }
+  return parameters[cycle.front()].name.span;
+}
+
 void report_cycle(const std::vector<std::size_t>& cycle, Reading& reading) {
   const auto& parameters = reading.model.parameters;
   std::string path;
@@ -60,8 +70,7 @@ void report_cycle(const std::vector<std::size_t>& cycle, Reading& reading) {
   path += parameters[cycle.front()].name.text;
   const std::string message =
       cycle.size() == 1 ? "the parameter is defined by itself" : "these parameters are defined by each other: " + path;
-  reading.diagnostics.error(code::k_cyclic_parameters, parameters[cycle.front()].name.span, message,
-                            "give one of them a value");
+  reading.diagnostics.error(code::k_cyclic_parameters, place_of(cycle, reading), message, "give one of them a value");
 }
 
 /// Every parameter in `stuck` needs another of `stuck`: following the needs leads into a cycle.

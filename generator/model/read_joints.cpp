@@ -240,6 +240,7 @@ class JointReader {
     if (known != reading_.model.symbols.end() && known->second.kind == SymbolKind::coordinate) {
       if (reading_.model.coordinates[known->second.index].is_of_joint)
         return refuse_of_other(name, known->second.index);
+      reading_.along_joints.insert(name.span.begin);
       for (const Value& value : {start.value, start.guess, start.rate}) {
         if (value.node == nullptr) continue;
         const Coordinate& coordinate = reading_.model.coordinates[known->second.index];

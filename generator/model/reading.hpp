@@ -69,6 +69,7 @@ struct Reading {
       {};  ///< declared, and may not be or are of two things: nothing is known of what uses them
   std::set<std::uint32_t> unknown_keys = {};   ///< where keys begin that were reported
   std::set<std::uint32_t> faulty_values = {};  ///< where expressions begin that use what may not stand there
+  std::set<std::uint32_t> along_joints = {};   ///< where joints name coordinates that are declared elsewhere
   ExpressionBudget expressions = {};
   Searches searches = {};  ///< of the whole file, for names that may be meant
 

@@ -91,6 +91,19 @@ bool owns_name(const Model& model, std::size_t coordinate) {
          symbol->second.index == coordinate;
 }
 
+/// 'S' beside 's'
+std::string other_case_of(const std::string& name, const Model& model) {
+  const auto lower = [](std::string text) {
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return text;
+  };
+  for (const Coordinate& other : model.coordinates) {
+    const bool is_same = lower(other.name.text) == lower(name);
+    if (is_same && other.name.text != name) return fmt::format("'{}' is another coordinate; ", other.name.text);
+  }
+  return "";
+}
+
 void check_used(Reading& reading) {
   const Model& model = reading.model;
   const Uses uses = uses_of(model);
@@ -107,7 +120,8 @@ void check_used(Reading& reading) {
       reading.diagnostics.error(
           code::k_no_inertia, coordinate.name.span,
           fmt::format("nothing gives the coordinate '{}' inertia: no body depends on it", coordinate.name.text),
-          "use it in a position or in an angle, give its rate by a constraint, or remove it");
+          other_case_of(coordinate.name.text, model) +
+              "use it in a position or in an angle, give its rate by a constraint, or remove it");
     }
   }
   for (std::size_t i = 0; i < model.orientations.size(); ++i) {

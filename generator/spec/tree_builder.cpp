@@ -75,6 +75,13 @@ void TreeBuilder::OnDocumentStart(const YAML::Mark& mark) {
                        "a line that begins with '%' ends the document", "comments begin with #");
     throw Stop{};
   }
+  // "- gauss: 1" ends with its list; what follows begins another document to YAML.
+  if (root_ && root_->kind == NodeKind::sequence && !root_->flow) {
+    diagnostics_.error(code::k_wrong_kind, {root_->span.begin, root_->span.begin + 1},
+                       "a model file must be a map of 'key: value', and this begins a list",
+                       "remove the '- ' in front of the first key");
+    throw Stop{};
+  }
   diagnostics_.error(code::k_several_documents, {at, at + 3}, "a second document begins here; a file holds one model",
                      "put each model in a file of its own");
   throw Stop{};
