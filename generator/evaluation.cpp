@@ -329,7 +329,9 @@ class Report {
 
   void add_status() {
     if (!resting_ && value_of_.is_true(singular_mass_matrix_)) {
-      result_.warnings.push_back("the mass matrix is singular here: accelerations cannot be trusted");
+      result_.warnings.push_back(
+          "the mass matrix is not positive definite here (singular, or some mass is negative): accelerations cannot be "
+          "trusted");
       doubt("singular_mass_matrix");
     }
     warn_of_dependence();
