@@ -20,6 +20,12 @@ constexpr const char* k_name_pattern =
     R"(^(?!(true|True|TRUE|false|False|FALSE|null|Null|NULL)$)[A-Za-z](_?([A-Za-z0-9]|\$[A-Za-z]|\$\([^$]*\)))*$)";
 constexpr int k_longest_name = 64;
 
+constexpr const char* k_not_blank = R"(\S)";
+// $i, $j and $k count copies.
+constexpr const char* k_count_name_pattern = "^(?![ijk]$)[A-Za-z][A-Za-z0-9]*$";
+// Characters of formulas of whole numbers; such a formula ends with a number, a name or a bracket.
+constexpr const char* k_count_pattern = "^[-+*/%() $A-Za-z0-9]*[A-Za-z0-9)] *$";
+
 Json schema_of(const format::Map& map);
 Json schema_of(const format::Value& value);
 
@@ -31,6 +37,10 @@ Json list_of(const format::Value& value) {
     schema["minItems"] = value.count;
     schema["maxItems"] = value.count;
   }
+  if (value.most > 0) {
+    schema["minItems"] = 1;
+    schema["maxItems"] = value.most;
+  }
   if (value.item->shape == format::Shape::word && value.item->others.empty()) schema["uniqueItems"] = true;
   return schema;
 }
@@ -40,7 +50,12 @@ Json schema_of_shape(const format::Value& value) {
   switch (value.shape) {
     case format::Shape::version: return {{"enum", {1, "1"}}};
     case format::Shape::text: return {{"type", {"string", "number", "boolean"}}};
-    case format::Shape::expression: return {{"type", {"string", "number"}}};
+    case format::Shape::expression: return {{"type", {"string", "number"}}, {"pattern", k_not_blank}};
+    case format::Shape::count:
+      return {{"type", {"string", "integer"}},
+              {"pattern", k_count_pattern},
+              {"minimum", 0},
+              {"maximum", format::k_most_copies}};
     case format::Shape::word: return {{"enum", value.words}};
     case format::Shape::new_name: return new_name();
     case format::Shape::name: return {{"type", "string"}};
@@ -48,6 +63,10 @@ Json schema_of_shape(const format::Value& value) {
     case format::Shape::map: return schema_of(*value.map);
     case format::Shape::entries:
       return {{"type", "object"}, {"propertyNames", new_name()}, {"additionalProperties", schema_of(*value.item)}};
+    case format::Shape::counts:
+      return {{"type", "object"},
+              {"propertyNames", {{"pattern", k_count_name_pattern}}},
+              {"additionalProperties", schema_of(*value.item)}};
   }
   return Json::object();
 }

@@ -65,6 +65,18 @@ Value or_empty(Value value) {
   return value;
 }
 
+Value list_of_most(const Value& item, std::size_t most) {
+  Value value = list_of(item);
+  value.most = most;
+  return value;
+}
+
+Value counts() {
+  Value value = entries_of(of_shape(Shape::count));
+  value.shape = Shape::counts;
+  return value;
+}
+
 Value axis() { return or_else(word_of({"x", "y", "z", "-x", "-y", "-z"}), vector()); }
 
 Value attitude() { return or_else(or_else(name(), map_of(euler_angles())), map_of(single_turn())); }
@@ -78,8 +90,8 @@ Value for_each(const Value& item, std::size_t count) {
 
 /// An entry of a section, of which there may be several.
 Map repeatable(Map map) {
-  map.keys.push_back(
-      {"count", or_else(expression(), list_of(expression())), "how many of it there are; $i in texts is its number"});
+  map.keys.push_back({"count", or_else(of_shape(Shape::count), list_of_most(of_shape(Shape::count), 3)),
+                      "how many of it there are; $i in texts is its number"});
   for (Rule& rule : map.rules) rule.beside.push_back("count");
   return map;
 }
@@ -110,7 +122,7 @@ Rule joint_rule(const char* type, std::size_t coordinates, Names more, std::vect
   Rule rule{"type", {"parent", "child", "at", "about"}, {}, type, When::present, std::move(narrowed)};
   if (coordinates > 0) {
     rule.beside.insert(rule.beside.end(), {"coordinates", "initial", "initial_guess", "initial_rate"});
-    rule.narrowed.push_back({"coordinates", for_each(name(), coordinates), ""});
+    rule.narrowed.push_back({"coordinates", for_each(new_name(), coordinates), ""});
     for (const char* key : {"initial", "initial_guess", "initial_rate"}) {
       rule.narrowed.push_back({key, for_each(expression(), coordinates), ""});
     }
@@ -208,12 +220,12 @@ const Map& joint() {
   static const Map k_map{
       {{"type", word_of(joint_types()), "which motion is left", Need::required},
        {"parent", name(), "the frame that carries it; space if left out"},
-       {"child", name(), "the frame that it carries", Need::required},
+       {"child", new_name(), "the frame that it carries", Need::required},
        {"at", vector(), "where it is, in axes of the parent"},
        about(),
        {"axes", list_of(axis(), 2), "of a universal joint"},
        {"axis", axis(), "x, y, z or a direction in the parent; z if left out"},
-       {"coordinates", or_else(name(), list_of(name())), "their names"},
+       {"coordinates", or_else(new_name(), list_of(new_name())), "their names"},
        {"initial", or_else(expression(), list_of(expression())), "values at the start"},
        {"initial_guess", or_else(expression(), list_of(expression())), "where searches start"},
        {"initial_rate", or_else(expression(), list_of(expression())), "rates at the start"},
@@ -356,7 +368,7 @@ const Map& model_file() {
       {{"gauss", of_shape(Shape::version), "version of the format: 1", Need::required},
        {"name", new_name(), "of the model: the namespace and the file name", Need::required},
        about(),
-       {"counts", or_empty(entries_of(expression())), "whole numbers, $n in texts"},
+       {"counts", or_empty(counts()), "whole numbers, $n in texts"},
        {"submodels", section(submodel()), "parts in files of their own"},
        {"parameters", or_empty(entries_of(or_else(expression(), entry(parameter())))),
         "constants that a program may change at run time"},

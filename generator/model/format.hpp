@@ -3,11 +3,15 @@
 // their keys from it, and `gauss-gen schema` prints it, so both know the same format. What needs more than the shape of a
 // file (names that are declared, expressions, units, mechanics) is not in it.
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace gaussgen::model::format {
+
+/// Of one entry; also the largest count.
+inline constexpr std::int64_t k_most_copies = 10'000;
 
 struct Map;
 
@@ -15,18 +19,21 @@ enum class Shape {
   version,
   text,        ///< a single value
   expression,  ///< a single value
+  count,       ///< a whole number, or a formula of such
   word,        ///< one of `words`
   new_name,    ///< of something that is declared here
   name,        ///< of something else
   list,
   map,      ///< with keys of the format
   entries,  ///< a map with names of the model as keys
+  counts,   ///< a map with names of counts as keys
 };
 
 struct Value {
   Shape shape = Shape::text;
   std::vector<std::string> words = {};
   std::size_t count = 0;                        ///< of a list; 0: any
+  std::size_t most = 0;                         ///< of a list without `count`, which is not empty then; 0: any
   std::shared_ptr<const Value> item = nullptr;  ///< of a list, of entries
   std::shared_ptr<const Map> map = nullptr;
   bool may_be_empty = false;

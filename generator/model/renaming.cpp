@@ -24,7 +24,8 @@ NodeKind kind_of(Shape shape) {
   switch (shape) {
     case Shape::list: return NodeKind::sequence;
     case Shape::map:
-    case Shape::entries: return NodeKind::map;
+    case Shape::entries:
+    case Shape::counts: return NodeKind::map;
     default: return NodeKind::scalar;
   }
 }
@@ -61,7 +62,9 @@ class Renaming {
     switch (value.shape) {
       case Shape::version:
       case Shape::text:
-      case Shape::word: return;
+      case Shape::word:
+      case Shape::count:  // numbers by now
+      case Shape::counts: return;
       case Shape::expression:
       case Shape::new_name:
       case Shape::name: node.scalar = renamed(node.scalar); return;

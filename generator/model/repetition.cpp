@@ -26,7 +26,7 @@ namespace {
 
 constexpr const char* k_count = "count";
 constexpr const char* k_counts = "counts";
-constexpr std::int64_t k_most_copies = 10'000;
+using format::k_most_copies;
 constexpr std::array k_index_names{"i", "j", "k"};
 
 bool is_section(const std::string& key) {
