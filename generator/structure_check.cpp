@@ -35,6 +35,7 @@ class StructureCheck {
     if (!mechanics_.solution.undetermined.empty()) report_undetermined();
     if (!model_.dependent.empty()) check_choice();
     for (const std::size_t force : mechanics_.kinematics.idle_forces) report_idle(model_.forces[force]);
+    for (const std::size_t force : mechanics_.kinematics.inner_forces) report_inner(model_.forces[force]);
   }
 
  private:
@@ -60,6 +61,13 @@ class StructureCheck {
         support::code::k_idle_force, force.name.span, fmt::format("nothing feels the force '{}'", force.name.text),
         is_torque ? "a particle and what does not turn take no torque; let it act on a body or a frame that turns"
                   : "let it act on something that moves, or remove it; between a place and itself it vanishes");
+  }
+
+  void report_inner(const model::Force& force) {
+    diagnostics_.warning(
+        support::code::k_idle_force, force.name.span,
+        fmt::format("the force '{}' moves nothing: it and its opposite act on one rigid part", force.name.text),
+        "let it act between parts that move against each other, or remove it");
   }
 
   // Constraints alone determine what no mass resists, as long as they are enough; then the model is sound.

@@ -50,6 +50,7 @@ class Builder {
                       {symbols_.full_count(), number(0)},
                       {},
                       {},
+                      {},
                       {}};
     for (const model::Body& body : model_.bodies) result.bodies.push_back(body_motion(body));
     for (const model::Constraint& constraint : model_.constraints) {
@@ -64,7 +65,11 @@ class Builder {
       const std::vector<ir::NodeId> before = felt(result);
       const std::size_t applied = result.applied.size();
       std::visit([&](const auto& law) { apply(law, result); }, model_.forces[i].law);
-      if (felt(result) == before && !reaches_joint(result, applied)) result.idle_forces.push_back(i);
+      if (felt(result) == before && !reaches_joint(result, applied)) {
+        result.idle_forces.push_back(i);
+      } else if (std::visit([&](const auto& law) { return is_inner(law); }, model_.forces[i].law)) {
+        result.inner_forces.push_back(i);
+      }
     }
     for (const model::NamedQuantity& quantity : model_.quantities) {
       result.quantities.emplace_back();
@@ -94,6 +99,22 @@ class Builder {
     }
     return sums;
   }
+
+  template <class Law>
+  bool is_inner(const Law&) const {
+    return false;
+  }
+
+  /// The opposite acts at the same place.
+  bool is_inner(const model::PointForce& law) const { return are_fixed_together(law.frame, law.from); }
+  bool is_inner(const model::Torque& law) const { return are_fixed_together(law.frame, law.from); }
+
+  /// Along the line through its ends. Without a length the damper is across it when the part turns, and brakes this.
+  bool is_inner(const model::Spring& law) const {
+    return (law.length || !law.damping) && are_fixed_together(law.first, law.second);
+  }
+
+  bool are_fixed_together(std::size_t a, std::size_t b) const { return root_of(a) == root_of(b); }
 
   /// Whether a joint carries something on which one of the forces from `begin` on acts.
   bool reaches_joint(const Kinematics& result, std::size_t begin) const {

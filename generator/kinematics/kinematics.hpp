@@ -82,8 +82,9 @@ struct Kinematics {
   support::Indexed<FullIndex, ir::Expr> body_force;   ///< Q_A of the forces in BodyMotion::force and moment
   support::Indexed<FullIndex, ir::Expr> other_force;  ///< Q_A of all other forces, not spread on bodies
   support::Indexed<FullIndex, ir::Expr>
-      carried_force;                     ///< the part of other_force that is of places on which no body feels it
-  std::vector<std::size_t> idle_forces;  ///< of Model::forces: no body, coordinate or joint feels them
+      carried_force;                      ///< the part of other_force that is of places on which no body feels it
+  std::vector<std::size_t> idle_forces;   ///< of Model::forces: no body, coordinate or joint feels them
+  std::vector<std::size_t> inner_forces;  ///< between places of one rigid part, which cancel there
   support::Indexed<HeldIndex, ir::Expr> held_acceleration;  ///< c̈^i
   std::vector<std::vector<ir::Expr>> quantities;            ///< parallel to Model::quantities
 };
