@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "nearest_position.hpp"
 #include "strategy/projection.hpp"
@@ -123,17 +124,42 @@ void refine_guesses(Mechanics& mechanics, model::Model& model, double time) {
   if (found.is_solved) take(found.position, *movable, mechanics, model);
 }
 
+namespace {
+
+/// In the words of a model file, all of a joint together: 'initial_guess: [4.54, 1.2]' at joint 'hook'.
+std::vector<std::string> as_written(const std::vector<FoundGuess>& found, const model::Model& model) {
+  std::vector<std::string> texts;
+  std::map<std::string, std::vector<std::string>> values;  ///< by joint
+  std::vector<std::string> joints;
+  for (const FoundGuess& guess : found) {
+    if (guess.is_of_quaternion) continue;
+    const model::Coordinate& coordinate = model.coordinates[model.resolve(guess.name).index];
+    const std::string value = fmt::format("{:.6g}", guess.value);
+    if (coordinate.starts_at.empty()) {
+      texts.push_back(fmt::format("'initial_guess: {}' at coordinate '{}'", value, guess.name));
+    } else {
+      if (values.count(coordinate.starts_at) == 0) joints.push_back(coordinate.starts_at);
+      values[coordinate.starts_at].push_back(value);
+    }
+  }
+  for (const std::string& joint : joints) {
+    const std::vector<std::string>& all = values[joint];
+    const std::string list = all.size() == 1 ? all[0] : "[" + support::joined(all) + "]";
+    texts.push_back(fmt::format("'initial_guess: {}' at joint '{}'", list, joint));
+  }
+  return texts;
+}
+
+}  // namespace
+
 void report_found(const std::vector<FoundGuess>& found, const model::Model& model, support::Diagnostics& diagnostics) {
   if (found.empty()) return;
-  std::vector<std::string> values;
-  for (const FoundGuess& guess : found) {
-    if (!guess.is_of_quaternion) values.push_back(fmt::format("{} = {:.6g}", guess.name, guess.value));
-  }
+  const std::vector<std::string> values = as_written(found, model);
   diagnostics.warning(support::code::k_far_start, span_of_speed(model, found.front().name),
                       "emitted code would not get from these guesses to a position that satisfies the constraints; it "
                       "starts from one that a longer search has found",
                       values.empty() ? "give the orientation an 'initial' that is nearer"
-                                     : "write it down as initial_guess: " + support::joined(values));
+                                     : "write it down: " + support::joined(values));
 }
 
 void assemble(Mechanics& mechanics, model::Model& model, double time) {

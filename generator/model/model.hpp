@@ -73,6 +73,7 @@ struct Coordinate {
       initial_rate;  ///< of the rate, or of `speed`; over parameters; when not given, the constraints determine it
   std::optional<Ast> rate_guess;  ///< where the search for a rate that is not given starts; default 0
   bool is_of_joint = false;       ///< declared by a joint, which gives it its unit
+  std::string starts_at = {};     ///< the joint at which its initial values stand; empty: with itself
 
   /// The initial value, or where the search for it starts.
   Ast start() const { return initial ? *initial : guess ? *guess : Ast(); }

@@ -205,6 +205,7 @@ class JointReader {
     const auto initial = values_at("initial", count);
     const auto guesses = values_at("initial_guess", count);
     const auto rates = values_at("initial_rate", count);
+    const std::size_t declared = reading_.model.coordinates.size();
     for (std::size_t i = 0; i < count; ++i) {
       Name name{default_name(kind_->freedoms[i]), name_.span};
       if (names[i].node != nullptr && expect_scalar(*names[i].node, names[i].list, "a coordinate", reading_)) {
@@ -214,6 +215,9 @@ class JointReader {
       add_coordinate(name, i, {initial[i], guesses[i], rates[i]});
       move_along(name, i);
     }
+    // Lists of initial values have an entry for each of its coordinates, and none for one that has its own elsewhere.
+    if (reading_.model.coordinates.size() != declared + count) return;
+    for (std::size_t i = 0; i < count; ++i) reading_.model.coordinates[declared + i].starts_at = name_.text;
   }
 
   /// One coordinate for two motions of a joint: as of a screw, but with a pitch of a metre for each radian.
