@@ -6,6 +6,7 @@ import re
 import shutil
 import tempfile
 import textwrap
+import time
 import unittest
 from pathlib import Path
 
@@ -220,6 +221,41 @@ class Package(unittest.TestCase):
     def test_a_target_that_is_imported_is_refused(self):
         self.edit("TARGET app", "TARGET gauss::gauss-gen", file="CMakeLists.txt")
         self.assertIn("gauss_add_model(gauss::gauss-gen): the target is imported, and not built here", self.configuring_fails())
+
+    def test_keywords_without_a_value_are_refused(self):
+        for more in ("OUTPUTS", "NAMESPACE ${unset}", "ROUTE"):
+            (self.source / "CMakeLists.txt").write_text(PROJECT.replace(".yaml)", f".yaml {more})"), encoding="utf-8")
+            self.assertIn(f"gauss_add_model: no value after {more.split()[0]}; a variable may be empty", self.configuring_fails())
+
+    def test_a_moved_prefix_works_and_a_new_generator_there_makes_headers_anew(self):
+        moved = self.source.parent / "moved"
+        shutil.copytree(self.prefix, moved / "to here", symlinks=True)
+        self.prefix = moved / "to here"
+        for generator in filter(shutil.which, ("ninja", "make")):
+            with self.subTest(generator):
+                shutil.rmtree(self.build, ignore_errors=True)
+                self.configure({"ninja": "Ninja", "make": "Unix Makefiles"}[generator])
+                self.make()
+                self.assert_pendulum(LENGTH)
+                self.assertNotIn("Generating", self.make())
+                time.sleep(0.1)  # times of files have ticks
+                (self.prefix / "bin/gauss-gen").touch()
+                said = self.make()
+                self.assertIn("Generating pendulum.hpp", said)
+                self.assertNotIn("Building", said)  # it says the same
+                self.assertNotIn("Generating", self.make())
+                self.assertIn(str(moved), (self.build / "CMakeCache.txt").read_text(encoding="utf-8"))
+
+    @unittest.skipUnless(shutil.which("ninja"), "needs ninja")
+    def test_gauss_may_be_a_directory_of_the_project_whose_generator_is_built_first(self):
+        self.edit("find_package(gauss 0.1 REQUIRED)", f'add_subdirectory("{SOURCE}" gauss EXCLUDE_FROM_ALL)', file="CMakeLists.txt")
+        self.prefix = "nowhere"
+        self.configure("Ninja")
+        # To build it takes minutes; these are the commands, in their order.
+        steps = run("ninja", "-C", self.build, "-t", "commands", "app")
+        places = [re.search(step, steps) for step in (" -o \\S*gauss-gen ", "gauss-gen\\S* [^\n]*pendulum.yaml", " -o app ")]
+        self.assertTrue(all(places), steps)
+        self.assertEqual(sorted(place.start() for place in places), [place.start() for place in places])
 
     def test_outputs_are_words_however_they_are_written(self):
         for words in ("rhs reactions initial_state", '"rhs;reactions;initial_state"', '"rhs reactions, initial_state"'):
