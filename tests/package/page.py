@@ -3,7 +3,7 @@
 A fenced block whose first line names a file, as in ```yaml cart.yaml, is that file. ```yaml cart.yaml:forces is a section of it: it
 takes the place of the section, or comes at the end. ```cmake >>CMakeLists.txt is added to the file. In ```console, a line with
 "$ " is a command, and the lines below are what it prints, errors included; a line "..." stands for any number of lines. Texts are
-compared word by word, numbers to their last printed digit.
+compared word by word, numbers to their last printed digit. A command that fails shows an error.
 
     python3 -B tests/package/page.py docs/tutorial.md [--all]
 
@@ -18,6 +18,7 @@ import tempfile
 from pathlib import Path
 
 FENCE = re.compile(r"^```(\w+) ?([^\n]*)\n(.*?)^```$", re.M | re.S)
+FAILED = "it fails with exit code "
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
 
@@ -82,14 +83,16 @@ def matches(shown, printed):
     if not shown:
         return not printed
     if shown[0].strip() == "...":
-        return any(matches(shown[1:], printed[k:]) for k in range(len(printed) + 1))
+        end = next((k for k, line in enumerate(printed) if line.startswith(FAILED)), len(printed))
+        return any(matches(shown[1:], printed[k:]) for k in range(end + 1))
     return bool(printed) and same_line(shown[0], printed[0]) and matches(shown[1:], printed[1:])
 
 
 def run(command, folder, environment):
     result = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE,
                             stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, text=True, check=False, timeout=300)
-    return [line.rstrip() for line in result.stdout.rstrip("\n").split("\n")] if result.stdout else []
+    lines = [line.rstrip() for line in result.stdout.rstrip("\n").split("\n")] if result.stdout else []
+    return lines, result.returncode
 
 
 def strip_blank(lines):
@@ -105,7 +108,10 @@ def follow(text, folder, environment):
             write(folder, place, content)
         elif language == "console":
             for command, shown in commands(content):
-                yield command, strip_blank(shown), run(command, folder, environment)
+                printed, code = run(command, folder, environment)
+                if code != 0 and not any("error" in line for line in shown):
+                    printed.append(f"{FAILED}{code}")
+                yield command, strip_blank(shown), printed
 
 
 def main():

@@ -1,6 +1,9 @@
 """What counts as the same output, and how a page's blocks become files."""
 
+import os
+import tempfile
 import unittest
+from pathlib import Path
 
 import page
 
@@ -23,6 +26,12 @@ class Page(unittest.TestCase):
         self.assertFalse(page.matches(["a", "...", "z"], ["a", "b", "c"]))
         self.assertFalse(page.matches(["a"], ["a", "b"]))
         self.assertFalse(page.matches([], ["a"]))
+
+    def test_a_command_that_fails_shows_an_error(self):
+        text = "```console\n$ echo a; false\n...\n$ echo a\n...\n$ echo 'error: a'; false\nerror: a\n```\n"
+        with tempfile.TemporaryDirectory() as folder:
+            steps = page.follow(text, Path(folder), dict(os.environ))
+            self.assertEqual([page.matches(shown, printed) for _, shown, printed in steps], [False, True, True])
 
     def test_a_section_takes_the_place_of_the_old_one(self):
         text = "a: 1\nb:\n  c: 2\n\n  d: 3\ne: 4\n"
