@@ -15,6 +15,7 @@ namespace gaussgen {
 namespace {
 
 using model::Constraint;
+using model::name_in_file;
 
 bool may_vanish(const Constraint& constraint) { return constraint.may_vanish; }
 
@@ -30,11 +31,6 @@ std::set<std::string> vanishing_rows(const model::Model& model) {
     if (vanishes(row.phi) && (!row.f || vanishes(*row.f))) names.insert(row.name);
   }
   return names;
-}
-
-/// Of the constraint of which this is one direction: without _x, _y, _z.
-std::string name_in_file(const Constraint& row) {
-  return row.may_vanish ? row.name.text.substr(0, row.name.text.size() - 2) : row.name.text;
 }
 
 /// A constraint of which no direction is left says nothing at all.

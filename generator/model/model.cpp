@@ -19,6 +19,10 @@ std::size_t Model::coordinate_of_speed(std::size_t speed) const {
   return static_cast<std::size_t>(owner - coordinates.begin());
 }
 
+std::string name_in_file(const Constraint& row) {
+  return row.may_vanish ? row.name.text.substr(0, row.name.text.size() - 2) : row.name.text;
+}
+
 std::size_t pushed_by_force_on(const Model& model, std::size_t frame) {
   const auto carries_body = [&](std::size_t at) {
     return std::any_of(model.bodies.begin(), model.bodies.end(), [&](const Body& body) { return body.frame == at; });

@@ -308,6 +308,9 @@ struct Model {
   std::size_t coordinate_of_speed(std::size_t speed) const;
 };
 
+/// Of the constraint of which this is one direction: without _x, _y, _z.
+std::string name_in_file(const Constraint& row);
+
 /// What a force on a frame acts on: for a point, the frame that it is on, since the contact of a wheel wanders over it and its material
 /// does not; of a point in space, space. A point that carries a body is its own.
 std::size_t pushed_by_force_on(const Model& model, std::size_t frame);

@@ -210,6 +210,15 @@ bool wanders(std::size_t frame, const Model& model) {
   return std::any_of(position.begin(), position.end(), [&](const Ast& component) { return moves(component, model); });
 }
 
+bool moves_freely(const SlipLaw& law, const Model& model) {
+  Uses uses;
+  collect_placement(law.frame, model, uses);
+  collect_placement(law.surface, model, uses);
+  return uses.unsure || !uses.orientations.empty() ||
+         std::any_of(uses.coordinates.begin(), uses.coordinates.end(),
+                     [&](std::size_t coordinate) { return !model.coordinates[coordinate].held_at; });
+}
+
 /// `rolls` is three rows, of which one is looked at.
 void check_contacts(Reading& reading) {
   const Model& model = reading.model;
@@ -218,6 +227,12 @@ void check_contacts(Reading& reading) {
     const auto* law = std::get_if<SlipLaw>(&constraint.law);
     if (law == nullptr || constraint.span.begin == last) continue;
     last = constraint.span.begin;
+    if (!moves_freely(*law, model)) {
+      reading.diagnostics.error(
+          code::k_no_velocity, constraint.span,
+          fmt::format("no free coordinate moves what touches in the constraint '{}'", name_in_file(constraint)),
+          "a coordinate with a given value is declared with 'held_at'");
+    }
     for (const std::size_t frame : {law->frame, law->surface}) {
       if (!wanders(frame, model)) continue;
       const std::size_t carrier = pushed_by_force_on(model, frame);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "catch_shim.hpp"
+#include "early_check.hpp"
 #include "newton/checks.hpp"
 #include "newton/random_mechanism.hpp"
 #include "structure_check.hpp"
@@ -26,8 +27,10 @@ std::optional<gaussgen::model::Model> parsed(const std::string& text, std::strin
   gaussgen::support::Source source("model.yaml", text);
   gaussgen::support::Diagnostics diagnostics;
   auto model = gaussgen::read_model(source, diagnostics);
-  if (!model) why = gaussgen::support::render(diagnostics, source);
-  return model;
+  if (model) gaussgen::check_early(*model, {}, diagnostics);
+  if (!diagnostics.has_errors()) return model;
+  why = gaussgen::support::render(diagnostics, source);
+  return std::nullopt;
 }
 
 /// Whether some constraint says nothing, as a rod between two places of one body: `gauss-gen` refuses it.

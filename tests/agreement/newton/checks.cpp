@@ -61,6 +61,18 @@ double of_body(std::size_t i, Setting& setting) {
   return balance.deviation();
 }
 
+/// What a joint feels is a sum over all that it carries, of which little may be left.
+void enlarge_by_carried(std::size_t joint, const Vector3d& about, Setting& setting, Balance& balance) {
+  const gaussgen::model::Model& model = setting.model;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    std::size_t at = model.bodies[i].frame;
+    while (at != gaussgen::model::k_space && at != model.joints[joint].frame) at = model.frames[at].parent;
+    if (at == gaussgen::model::k_space) continue;
+    const double arm = (setting.centre(model.bodies[i]).value - about).norm();
+    balance.enlarge(setting.terms[i].force, setting.terms[i].moment + arm * setting.terms[i].force);
+  }
+}
+
 // About the origin of the child: its own joint, those of its children the other way round, and all that acts at places on it.
 double of_link(std::size_t joint, Setting& setting) {
   const gaussgen::model::Model& model = setting.model;
@@ -81,8 +93,10 @@ double of_link(std::size_t joint, Setting& setting) {
     const gaussgen::model::Frame& child = model.frames[model.joints[k].frame];
     const Wrench& felt = setting.specimen.in_joints[k];
     const Vector3d arm = setting.motion.origin(model.joints[k].frame).value - about;
+    const bool is_of_child = k != joint && setting.link_of(child.parent) == joint;
     if (k == joint) balance.add(felt.force, arm, felt.moment, -1);
-    if (k != joint && setting.link_of(child.parent) == joint) balance.add(felt.force, arm, felt.moment, 1);
+    if (is_of_child) balance.add(felt.force, arm, felt.moment, 1);
+    if (k == joint || is_of_child) enlarge_by_carried(k, about, setting, balance);
   }
   return balance.deviation();
 }
@@ -175,9 +189,16 @@ Sum work_on_bodies(std::size_t i, Setting& setting) {
     sum.add(work(load, displaced));
   }
   for (const Load& load : setting.loads) {
-    bool is_on_body = false;
-    for (std::size_t k = 0; k < setting.model.bodies.size(); ++k) is_on_body = is_on_body || setting.acts_on(load, k);
-    if (!is_on_body) sum.add(work(load, displaced), -1);
+    bool is_all_felt = false;
+    for (std::size_t k = 0; k < setting.model.bodies.size(); ++k) {
+      if (!setting.acts_on(load, k)) continue;
+      is_all_felt = setting.model.bodies[k].inertia.has_value();
+      // A particle feels no moment.
+      const Load felt{load.frame, setting.centre(setting.model.bodies[k]).value, load.force, Vector3d::Zero(), false,
+                      nullptr};
+      if (!is_all_felt) sum.add(work(felt, displaced));
+    }
+    if (!is_all_felt) sum.add(work(load, displaced), -1);
   }
   const WorkAlong along = work_along_coordinates(setting.model, setting.motion, displaced);
   sum.add(along.of_potentials, -1);

@@ -224,6 +224,8 @@ Energy energy(const Model& model, Motion& motion, Motion& time) {
 Number phi(const Constraint& constraint, Motion& motion) {
   if (const auto* velocity = std::get_if<gaussgen::model::VelocityLaw>(&constraint.law)) return motion(velocity->phi);
   if (const auto* position = std::get_if<gaussgen::model::PositionLaw>(&constraint.law)) {
+    // Of what closes along axes, the velocity as the common carrier sees it: df/dt where it is closed.
+    if (position->phi) return motion(*position->phi);
     const Number f = motion(position->f);
     return {f.rate, f.second, 0};
   }

@@ -101,6 +101,8 @@ class Mechanism {
     if (chance(0.8)) fields += ", at: " + vector(0.6);
     joints_ += entry(name, fields + freedoms(name, type));
     links_.push_back(child);
+    if (type == "revolute" || type == "prismatic" || type == "cylindrical" || type == "fixed")
+      slender_.push_back(child);
   }
 
   std::string freedoms(const std::string& name, const std::string& type) {
@@ -150,12 +152,21 @@ class Mechanism {
     return "[" + rows + "]";
   }
 
+  /// A particle alone, beside which loads press on the joints of its light part, where it has inertia against all that moves it.
   void add_bodies(const std::string& frame) {
+    if (has_one_turn_at_most(frame) && chance(0.25)) return add_load(frame);
     bodies_ +=
         entry(frame, "mass: " + number(uniform(0.5, 3)) + ", centre: " + vector(0.3) + ", inertia: " + inertia());
-    if (!chance(0.2)) return;
+    if (chance(0.2)) add_load(frame);
+  }
+
+  void add_load(const std::string& frame) {
     particles_ +=
         entry("load_" + frame, "mass: " + number(uniform(0.2, 1)) + ", frame: " + frame + ", centre: " + vector(0.5));
+  }
+
+  bool has_one_turn_at_most(const std::string& frame) const {
+    return std::find(slender_.begin(), slender_.end(), frame) != slender_.end();
   }
 
   // Two speeds for the rates of two declared coordinates, or none.
@@ -229,6 +240,7 @@ class Mechanism {
 
   std::mt19937 random_;
   std::vector<std::string> links_;     ///< children of joints
+  std::vector<std::string> slender_;   ///< of them, those with joints that let them turn about one axis or none
   std::vector<std::string> names_;     ///< free coordinates
   std::vector<std::string> declared_;  ///< of them, by the model itself
   std::vector<std::string> turns_;     ///< angular velocities and speeds

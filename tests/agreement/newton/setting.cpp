@@ -77,9 +77,25 @@ std::optional<std::size_t> Setting::body_of(std::size_t frame) const {
     for (std::size_t i = 0; i < model.bodies.size(); ++i) {
       if (model.bodies[i].frame == at) return i;
     }
-    if (joint_at(at) || moves(model.frames[at])) return std::nullopt;
+    if (joint_at(at) || moves(model.frames[at])) return only_body_of(at);
   }
   return std::nullopt;
+}
+
+/// Of a part with several bodies beside each other, nobody said which feels what acts on it.
+std::optional<std::size_t> Setting::only_body_of(std::size_t part) const {
+  std::optional<std::size_t> only;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    if (part_of(model.bodies[i].frame) != part) continue;
+    if (only) return std::nullopt;
+    only = i;
+  }
+  return only;
+}
+
+std::size_t Setting::part_of(std::size_t frame) const {
+  while (frame != k_space && !joint_at(frame) && !moves(model.frames[frame])) frame = model.frames[frame].parent;
+  return frame;
 }
 
 std::optional<std::size_t> Setting::joint_at(std::size_t frame) const {

@@ -44,6 +44,9 @@ class Setting {
 
  private:
   std::optional<std::size_t> body_of(std::size_t frame) const;
+  std::optional<std::size_t> only_body_of(std::size_t part) const;
+  /// What frames are fixed to that do not move against each other.
+  std::size_t part_of(std::size_t frame) const;
   bool varies(const gaussgen::model::Ast& ast) const;
   void find_beta();
   void find_terms();
