@@ -227,7 +227,7 @@ void check_contacts(Reading& reading) {
     const auto* law = std::get_if<SlipLaw>(&constraint.law);
     if (law == nullptr || constraint.span.begin == last) continue;
     last = constraint.span.begin;
-    if (!moves_freely(*law, model)) {
+    if (!reading.has_unknown_carrier && !reading.unread.any() && !moves_freely(*law, model)) {
       reading.diagnostics.error(
           code::k_no_velocity, constraint.span,
           fmt::format("no free coordinate moves what touches in the constraint '{}'", name_in_file(constraint)),
