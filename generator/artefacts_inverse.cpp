@@ -1,4 +1,5 @@
 #include "artefact_builder.hpp"
+#include "artefacts.hpp"
 #include "strategy/inverse_dynamics.hpp"
 
 namespace gaussgen {
@@ -29,6 +30,8 @@ void add_inputs(ArtefactBuilder& builder, const Mechanics& mechanics, const stra
   builder.fields("needed", "NeededInputs", "what the inputs have to be", std::move(fields));
 }
 
+}  // namespace
+
 std::vector<std::size_t> sought_inputs(const model::Model& model) {
   std::vector<std::size_t> sought;
   for (std::size_t k = 0; k < model.inputs.size(); ++k) {
@@ -36,8 +39,6 @@ std::vector<std::size_t> sought_inputs(const model::Model& model) {
   }
   return sought;
 }
-
-}  // namespace
 
 std::vector<Artefact> inverse_dynamics_artefact(Mechanics& mechanics) {
   const Vector wanted = candidate_accelerations(mechanics);

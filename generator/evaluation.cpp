@@ -211,9 +211,7 @@ class Report {
         std::find(result_.doubts.begin(), result_.doubts.end(), "dependent_constraints") != result_.doubts.end();
     if (is_known || !value_of_.is_true(Expr(mechanics_.graph, status.dependent_constraints))) return;
     const std::size_t before = result_.warnings.size();
-    for (std::size_t k = 0; k < mechanics_.model.inputs.size(); ++k) {
-      if (!mechanics_.model.inputs[k].is_load) warn_of_idle(k);
-    }
+    for (const std::size_t input : sought_inputs(mechanics_.model)) warn_of_idle(input);
     if (result_.warnings.size() == before) {
       result_.warnings.push_back(
           "inputs do the same here, or what the constraints do: those that are needed are not unique");

@@ -4,13 +4,11 @@
 #include <cln/float.h>
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
-
 #include "emit/header.hpp"
 #include "generic_point.hpp"
 #include "ir/substitute.hpp"
 #include "ir/traverse.hpp"
+#include "model/constant.hpp"
 #include "model/expressions.hpp"
 #include "support/error_codes.hpp"
 
@@ -92,16 +90,11 @@ class ValueCheck {
   ir::Substitution hold_;
 };
 
-bool is_in_range(const support::Rational& value) {
-  const double size = std::abs(support::to_double(value));
-  return value == 0 || (std::isfinite(size) && size >= std::numeric_limits<double>::min());
-}
-
 bool is_in_range(const ir::Node& node) {
   if (node.kind == ir::Kind::power) return true;  // its value is an exponent
-  if (!is_in_range(node.value)) return false;
+  if (!model::is_in_range_of_double(node.value)) return false;
   for (const support::Rational& coefficient : node.coefficients) {
-    if (!is_in_range(coefficient)) return false;
+    if (!model::is_in_range_of_double(coefficient)) return false;
   }
   return true;
 }

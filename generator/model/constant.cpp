@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "model/functions.hpp"
@@ -154,6 +155,11 @@ std::optional<Rational> exact_value(const Ast& ast) {
     case AstKind::symbol: return std::nullopt;
   }
   support::fail(__FILE__, __LINE__, "kind", "kind={}", static_cast<int>(ast.kind));
+}
+
+bool is_in_range_of_double(const Rational& value) {
+  const double size = std::abs(support::to_double(value));
+  return value == 0 || (std::isfinite(size) && size >= std::numeric_limits<double>::min());
 }
 
 Rational pi_of_table() {

@@ -13,6 +13,9 @@ namespace gaussgen::model {
 /// otherwise, and nothing for 1/0. The expression must have passed `growth`.
 std::optional<support::Rational> exact_value(const Ast& ast);
 
+/// 0, or a number that double has with all its digits.
+bool is_in_range_of_double(const support::Rational& value);
+
 /// A rational number for pi in the points of tables, to more than 300 digits.
 support::Rational pi_of_table();
 

@@ -13,6 +13,8 @@ std::size_t add_frame(Frame frame, std::optional<Name> parent, const std::string
 /// Likewise for the frame of a body, whose name is checked with the body.
 std::size_t add_body_frame(Frame frame, std::optional<Name> parent, Reading& reading);
 
+inline constexpr const char* k_hint_for_pair = "write two places, as in [space, bob]";
+
 /// The name at `key`: nothing where it is 'space' or left out.
 std::optional<Name> parent_field(const spec::Node& map, const std::string& key, Reading& reading);
 

@@ -22,8 +22,6 @@ using spec::Node;
 
 namespace {
 
-const char* const k_hint_for_pair = "write two places, as in [space, bob]";
-
 /// Reactions of held coordinates and of constraints are reported side by side, by name.
 void check_label(const Name& name, Reading& reading) {
   const auto symbol = reading.model.symbols.find(name.text);

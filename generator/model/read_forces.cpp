@@ -64,7 +64,7 @@ Spring read_spring(const Entry& force, const Node& pair, Reading& reading) {
   spring.stiffness = expression_field(force.value, "stiffness", reading).value_or(stiffness_of(force));
   spring.length = expression_field(force.value, "length", reading);
   spring.damping = expression_field(force.value, "damping", reading);
-  if (!expect_length(pair, 2, "'spring'", reading, "write two places, as in [space, bob]")) return spring;
+  if (!expect_length(pair, 2, "'spring'", reading, k_hint_for_pair)) return spring;
   for (std::size_t i = 0; i < 2; ++i) {
     (i == 0 ? spring.first : spring.second) = frame_at(pair.items[i], pair.span, "a place", reading);
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "model/constant.hpp"
 #include "model/fields.hpp"
@@ -28,7 +27,6 @@ constexpr std::size_t k_most_points = 256;
 constexpr double k_most_bits = 1 << 16;  ///< of all numbers of a table together: exact splines stay quick
 constexpr double k_largest_slope = 1e290;
 constexpr double k_smallest_slope = 1e-290;
-constexpr double k_smallest_double = std::numeric_limits<double>::min();
 
 /// A word out of two, or the default when the key is absent.
 template <class Word>
@@ -54,10 +52,6 @@ Ast with_number_for_pi(Ast ast) {
   return ast;
 }
 
-bool is_in_range(const Ast& ast);
-
-bool are_in_range(const std::vector<Ast>& all) { return std::all_of(all.begin(), all.end(), is_in_range); }
-
 bool has_name(const Ast& ast) {
   if (ast.kind == AstKind::symbol && ast.name != "pi") return true;
   for (const Ast& child : ast.children) {
@@ -66,11 +60,10 @@ bool has_name(const Ast& ast) {
   return false;
 }
 
-bool is_in_range(const Ast& ast) {
-  const double size = std::abs(support::to_double(ast.number));
-  if (ast.kind == AstKind::number && ast.number != 0 && !(std::isfinite(size) && size >= k_smallest_double))
-    return false;
-  return are_in_range(ast.children);
+bool are_in_range(const std::vector<Ast>& all) {
+  return std::all_of(all.begin(), all.end(), [](const Ast& ast) {
+    return (ast.kind != AstKind::number || is_in_range_of_double(ast.number)) && are_in_range(ast.children);
+  });
 }
 
 class TableReader {
