@@ -9,6 +9,7 @@
 
 #include "cli/exit_codes.hpp"
 #include "support/error_codes.hpp"
+#include "support/utf8.hpp"
 
 namespace gaussgen::cli {
 
@@ -68,7 +69,8 @@ struct Remark {
 void say(const Remark& remark, const MessageOptions& options) {
   const std::string line = remark.text.substr(0, remark.text.find_last_not_of('\n') + 1);
   if (options.format == MessageFormat::text) {
-    std::cerr << remark.mark << line << "\n" << remark.hint << (remark.hint.empty() ? "" : "\n");
+    std::cerr << remark.mark << support::without_controls(line) << "\n"
+              << remark.hint << (remark.hint.empty() ? "" : "\n");
     return;
   }
   Json object{{"severity", remark.severity}, {"message", line}};

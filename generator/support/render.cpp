@@ -30,7 +30,7 @@ struct Cell {
 Cell cell_at(std::string_view text, std::uint32_t offset, const CodePoint& point) {
   const bool break_or_tab = point.value == '\t' || point.value == '\n' || point.value == '\r';
   if (break_or_tab) return {" ", 1, offset};
-  if (!point.valid || is_control(point.value) || is_invisible(point.value)) return {"\xEF\xBF\xBD", 1, offset};
+  if (!may_be_shown(point)) return {std::string(k_replacement), 1, offset};
   return {std::string(text.substr(offset, point.size)), display_width(point.value), offset};
 }
 

@@ -48,6 +48,20 @@ bool is_invisible(char32_t value) {
          value == 0xFEFF || value == 0x061C || value == 0x00AD || between(value, 0xE0000, 0xE007F);
 }
 
+bool may_be_shown(const CodePoint& point) {
+  return point.valid && point.value != '\r' && !is_control(point.value) && !is_invisible(point.value);
+}
+
+std::string without_controls(std::string_view text) {
+  std::string shown;
+  for (std::size_t i = 0; i < text.size();) {
+    const CodePoint point = code_point_at(text, i);
+    shown += may_be_shown(point) ? text.substr(i, point.size) : k_replacement;
+    i += point.size;
+  }
+  return shown;
+}
+
 int display_width(char32_t value) {
   if (between(value, 0x0300, 0x036F) || between(value, 0x1AB0, 0x1AFF) || between(value, 0x20D0, 0x20FF)) return 0;
   const bool wide = between(value, 0x1100, 0x115F) || between(value, 0x2E80, 0xA4CF) ||

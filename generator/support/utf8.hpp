@@ -2,6 +2,7 @@
 // Just enough UTF-8 to validate a text, to name a character and to place a caret.
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace gaussgen::support {
@@ -20,6 +21,14 @@ bool is_control(char32_t value);
 
 /// Characters that reorder or hide text: bidirectional controls, zero-width characters, a BOM inside.
 bool is_invisible(char32_t value);
+
+inline constexpr std::string_view k_replacement = "\xEF\xBF\xBD";  ///< U+FFFD, for what may not be shown
+
+/// False for what a terminal would obey, hide or not understand.
+bool may_be_shown(const CodePoint& point);
+
+/// `text` with k_replacement for each code point that may not be shown.
+std::string without_controls(std::string_view text);
 
 /// Columns on a terminal: 0 for combining marks, 2 for wide East Asian characters.
 int display_width(char32_t value);

@@ -86,6 +86,10 @@ class Json(Program):
         result = subprocess.run([PROGRAM, name, "--diagnostics=json"], cwd=self.folder, capture_output=True, check=False)
         self.assertEqual(json.loads(result.stderr)["file"], "caf\ufffd\n.yaml")
 
+    def test_a_terminal_obeys_no_name_of_a_file(self):
+        for name, shown in (("red\x1b[31m.yaml", "red\ufffd[31m.yaml"), ("back\r.yaml", "back\ufffd.yaml")):
+            self.assertEqual(self.refused(3, name), f"gauss-gen: {shown}: No such file or directory\n")
+
     def test_many_findings_end_with_a_note_of_their_number(self):
         text = NO_UNITS + "forces:\n" + "".join(f"  f{i}: {{potential: x{i}}}\n" for i in range(300))
         _, objects = self.lines("-", stdin=text)

@@ -48,3 +48,8 @@ TEST_CASE("bidirectional controls and zero-width characters are invisible") {
   CHECK_FALSE(is_invisible(' '));
   CHECK_FALSE(is_invisible(0x03B8));
 }
+
+TEST_CASE("what a terminal would obey is replaced, line ends between lines are not") {
+  CHECK(without_controls("no \x1B[31mfile\r 'caf\xE9'\n\tθ") ==
+        "no \xEF\xBF\xBD[31mfile\xEF\xBF\xBD 'caf\xEF\xBF\xBD'\n\tθ");
+}
