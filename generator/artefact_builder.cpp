@@ -54,6 +54,11 @@ void ArtefactBuilder::fields(const std::string& name, const std::string& type, c
   artefact_.groups.push_back(Group{name, type, about, std::move(fields)});
 }
 
+void ArtefactBuilder::with_singular_metric(ir::Expr is_singular) {
+  NodeId& status = artefact_.status.singular_mass_matrix;
+  status = ir::any(mechanics_.graph, {ir::Expr(mechanics_.graph, status), is_singular}).id();
+}
+
 void ArtefactBuilder::with_solution_status() {
   artefact_.status.singular_mass_matrix = mechanics_.solution.singular_mass_matrix.id();
   artefact_.status.dependent_constraints = mechanics_.solution.dependent_constraints.id();

@@ -35,6 +35,9 @@ class ArtefactBuilder {
   /// The accelerations are not to be trusted when the mass matrix is singular or constraints depend on each other.
   void with_solution_status();
 
+  /// Nor what the metric of coordinates tells, where this Boolean holds.
+  void with_singular_metric(ir::Expr is_singular);
+
   /// Adds the steps of the solution, then `own` ones, and the test for finite results.
   emit::Artefact finish(const strategy::Steps& own);
 

@@ -60,9 +60,9 @@ std::vector<Artefact> inverse_dynamics_artefact(Mechanics& mechanics) {
   if (drives) {
     emit::StatusNodes& status = builder.artefact().status;
     ir::Graph& graph = mechanics.graph;
-    const auto either = [&](ir::NodeId a, ir::Expr b) { return ir::any(graph, {ir::Expr(graph, a), b}).id(); };
-    status.singular_mass_matrix = either(status.singular_mass_matrix, drives->singular_mass_matrix);
-    status.dependent_constraints = either(status.dependent_constraints, drives->dependent_constraints);
+    builder.with_singular_metric(drives->singular_mass_matrix);
+    const ir::Expr dependent(graph, status.dependent_constraints);
+    status.dependent_constraints = ir::any(graph, {dependent, drives->dependent_constraints}).id();
   }
   std::vector<Artefact> result;
   result.push_back(builder.finish(steps));

@@ -149,8 +149,10 @@ void add_sums(ArtefactBuilder& builder, Mechanics& mechanics, Steps& steps) {
 
 void add_single_forces(ArtefactBuilder& builder, Mechanics& mechanics, Steps& steps) {
   std::vector<Group>& groups = builder.artefact().groups;
-  for (const strategy::ReactionWrench& wrench : strategy::reaction_wrenches(
-           mechanics.dynamics, mechanics.solution, mechanics.held_reactions, mechanics.epsilon(), steps)) {
+  const strategy::ReactionWrenches wrenches = strategy::reaction_wrenches(
+      mechanics.dynamics, mechanics.solution, mechanics.held_reactions, mechanics.epsilon(), steps);
+  builder.with_singular_metric(wrenches.singular_metric);
+  for (const strategy::ReactionWrench& wrench : wrenches.each) {
     if (groups.empty() || groups.back().name != wrench.constraint) {
       builder.fields(wrench.constraint, pascal(wrench.constraint) + "Force", "reaction of " + wrench.constraint, {});
     }

@@ -83,9 +83,11 @@ std::vector<Artefact> compulsion_artefact(Mechanics& mechanics) {
   Steps steps;
   builder.result_type("Compulsion");
   builder.artefact().takes_accelerations = true;
-  const Expr Z =
+  const auto found =
       strategy::compulsion(mechanics.dynamics, candidate_accelerations(mechanics), mechanics.epsilon(), steps);
-  builder.fields("", "", "", {{"Z", "[N^2/kg]", {}, {Z.id()}}});
+  if (!found) return {};
+  builder.with_singular_metric(found->singular_metric);
+  builder.fields("", "", "", {{"Z", "[N^2/kg]", {}, {found->Z.id()}}});
   std::vector<Artefact> result;
   result.push_back(builder.finish(steps));
   return result;

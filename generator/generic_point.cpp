@@ -186,6 +186,26 @@ std::size_t generic_rank(const evaluate::Matrix& matrix) {
   return evaluate::rank(evaluate::equilibrated(matrix), Arithmetic<cl_F>(k_digits).number(trusted()));
 }
 
+// By L D Lᵀ, which is stable in any order where nothing is negative; a row that vanishes takes part no more.
+std::vector<std::size_t> dependent_rows(evaluate::Matrix metric) {
+  const cl_F rounding = Arithmetic<cl_F>(k_digits).number(trusted());
+  std::vector<cl_F> bounds;
+  for (std::size_t i = 0; i < metric.rows(); ++i) bounds.push_back(rounding * cln::abs(metric(i, i)));
+  std::vector<std::size_t> dependent;
+  for (std::size_t pivot = 0; pivot < metric.rows(); ++pivot) {
+    if (cln::abs(metric(pivot, pivot)) <= bounds[pivot]) {
+      dependent.push_back(pivot);
+      continue;
+    }
+    for (std::size_t i = pivot + 1; i < metric.rows(); ++i) {
+      if (cln::zerop(metric(i, pivot))) continue;
+      const cl_F factor = metric(i, pivot) / metric(pivot, pivot);
+      for (std::size_t j = pivot + 1; j < metric.rows(); ++j) metric(i, j) = metric(i, j) - factor * metric(pivot, j);
+    }
+  }
+  return dependent;
+}
+
 std::vector<std::size_t> dependent_columns(const evaluate::Matrix& matrix) {
   std::vector<std::size_t> dependent;
   const std::size_t rank = generic_rank(matrix);

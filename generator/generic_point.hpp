@@ -51,6 +51,9 @@ class VanishesEverywhere {
 /// Number of independent rows, whatever the units of rows and columns.
 std::size_t generic_rank(const evaluate::Matrix& matrix);
 
+/// Of a metric: those rows that are combinations of earlier ones.
+std::vector<std::size_t> dependent_rows(evaluate::Matrix metric);
+
 /// Those columns that are combinations of other columns.
 std::vector<std::size_t> dependent_columns(const evaluate::Matrix& matrix);
 

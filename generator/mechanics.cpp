@@ -1,5 +1,7 @@
 #include "mechanics.hpp"
 
+#include "generic_point.hpp"
+
 namespace gaussgen {
 
 namespace {
@@ -12,6 +14,10 @@ std::vector<std::size_t> allowed_dependent(const Mechanics& mechanics) {
     }
   }
   return allowed;
+}
+
+strategy::DependentRows rows_found_at_generic_point(ModelGraph& motion) {
+  return [&motion](const strategy::Matrix& metric) { return dependent_rows(GenericPoint(motion)(metric)); };
 }
 
 strategy::Solution solved(const Mechanics& mechanics, const MechanicsOptions& options, strategy::Steps& steps) {
@@ -54,7 +60,7 @@ KinematicModel::KinematicModel(const model::Model& checked_model, bool fold, std
 Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& options)
     : KinematicModel(checked_model, options.fold, options.most_nodes),
       covariant(kinematics::build_covariant(kinematics, graph)),
-      dynamics(strategy::build_dynamics(kinematics, covariant, steps)),
+      dynamics(strategy::build_dynamics(kinematics, covariant, rows_found_at_generic_point(*this), steps)),
       solution(solved(*this, options, steps)),
       held_reactions(strategy::held_reactions(dynamics, solution, steps)) {
   name_rates(*this);

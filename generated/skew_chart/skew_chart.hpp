@@ -25,13 +25,13 @@
 //
 // Operations per call
 //                      + -  *    /   sqrt  functions
-//   prepare            0    47   20  0     0
+//   prepare            0    48   20  0     0
 //   rhs                39   92   7   0     2
 //   reactions          54   117  7   0     2
 //   rhs_and_reactions  54   119  7   0     2
-//   reaction_forces    92   205  15  0     2
+//   reaction_forces    92   209  15  0     2
 //   energy             25   42   0   0     2
-//   compulsion         79   152  13  0     2
+//   compulsion         79   158  13  0     2
 //   mass_matrix        6    14   0   0     1
 //   project            0    0    0   0     0
 //   initial_state      0    0    9   0     0
@@ -298,6 +298,7 @@ struct Prepared {
   S m1_over_4;                ///< 0.25 * m1
   S half_m1;                  ///< 0.5 * m1
   S m2_over_3;                ///< 1 / 3 * m2
+  S rounding_m2_2;            ///< 30 * epsilon * m2
   S m1_over_72;               ///< 1 / 72 * m1
   S m2_over_1800;             ///< 1 / 1800 * m2
   S m1_g_over_4;              ///< 0.25 * m1 * g
@@ -423,6 +424,7 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S inv_m1 = S(1) / m1;
   const S amplitude_2 = amplitude * amplitude;
   const S m1_g = m1 * g;
+  const S rounding_m2_3 = Math<S>::epsilon() * m2;
 
   Prepared<S> prepared;
   prepared.m1 = m1;
@@ -453,7 +455,7 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.c6 = S(0.5) * m1_amplitude_frequency_2;
   prepared.c7 = S(0.5) * m1 * amplitude_2 * frequency_2;
   prepared.m1_g = m1_g;
-  prepared.rounding_m2 = S(25) * Math<S>::epsilon() * m2;
+  prepared.rounding_m2 = S(25) * rounding_m2_3;
   prepared.half_m1_g = S(0.5) * m1_g;
   prepared.amplitude_2_frequency_2 = amplitude_2 * frequency_2;
   prepared.m2_over_36 = S(1) / S(36) * m2;
@@ -461,6 +463,7 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.m1_over_4 = S(0.25) * m1;
   prepared.half_m1 = S(0.5) * m1;
   prepared.m2_over_3 = S(1) / S(3) * m2;
+  prepared.rounding_m2_2 = S(30) * rounding_m2_3;
   prepared.m1_over_72 = S(1) / S(72) * m1;
   prepared.m2_over_1800 = S(1) / S(1800) * m2;
   prepared.m1_g_over_4 = S(0.25) * m1_g;
@@ -881,6 +884,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& m1_over_4 = prepared.m1_over_4;
   const S& half_m1 = prepared.half_m1;
   const S& m2_over_3 = prepared.m2_over_3;
+  const S& rounding_m2_2 = prepared.rounding_m2_2;
   const S& a = state.a();
   const S& b = state.b();
   const S& c = state.c();
@@ -1000,6 +1004,10 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
       - S(5) * a_a_s + S(10) * a_e);
   const S force_on_second_z = m2_g + half_m2 * (S(2) * a_a - S(2) * t8 + a_e);
 
+  // Results
+  const S rounding_G_a_a = Math<S>::epsilon() * G_a_a;
+  const S rounding_G_d_d = Math<S>::epsilon() * G_d_d;
+
   reaction_forces.s.force_on_first[0] = force_s_first_x;
   reaction_forces.s.force_on_first[1] = force_s_first_y;
   reaction_forces.s.force_on_first[2] = S(0);
@@ -1013,9 +1021,11 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_second.force[1] = force_on_second_y;
   reaction_forces.on_second.force[2] = force_on_second_z;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, S(20) * Math<S>::epsilon()
-      * G_a_a), Math<S>::at_most(g_pivot_d, S(20) * Math<S>::epsilon() * G_d_d),
-      Math<S>::at_most(g_pivot_e, rounding_m2), Math<S>::at_most(m1, S(0)));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, S(20) * rounding_G_a_a),
+      Math<S>::at_most(g_pivot_d, S(20) * rounding_G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2),
+      Math<S>::at_most(m1, S(0)), Math<S>::at_most(g_pivot_a, S(24) * rounding_G_a_a),
+      Math<S>::at_most(g_pivot_d, S(24) * rounding_G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
+      Math<S>::at_most(G_pivot_s, S(24) * Math<S>::epsilon() * G_s_s));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot,
       force_s_first_x, force_s_first_y, force_s_second_x, force_s_second_y, force_s_second_z,
       force_on_first_x, force_on_first_y, force_on_first_z, force_on_second_x, force_on_second_y,
@@ -1114,6 +1124,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S& m1_over_4 = prepared.m1_over_4;
   const S& half_m1 = prepared.half_m1;
   const S& m2_over_3 = prepared.m2_over_3;
+  const S& rounding_m2_2 = prepared.rounding_m2_2;
   const S& half_inv_m1 = prepared.half_inv_m1;
   const S& half_inv_m2 = prepared.half_inv_m2;
   const S& a = state.a();
@@ -1214,9 +1225,13 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
 
   compulsion.Z = Z;
 
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, S(24) * Math<S>::epsilon()
+      * G_a_a), Math<S>::at_most(g_pivot_d, S(24) * Math<S>::epsilon() * G_d_d),
+      Math<S>::at_most(g_pivot_e, rounding_m2_2),
+      Math<S>::at_most(G_pivot_s, S(24) * Math<S>::epsilon() * G_s_s), Math<S>::at_most(m1, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_ddot,
       b_ddot, c_ddot, d_ddot, e_ddot, Z);
-  return Math<S>::status(Bool(false), Bool(false), not_finite);
+  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
 /// The metric g of the free speeds (1.10).

@@ -1027,9 +1027,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   state.q3_dot() = q3_rate;
 
   const Bool singular_mass_matrix = Math<S>::at_most(least_g_pivot, S(0));
-  const Bool dependent_constraints = Math<S>::any(t1, Math<S>::any(Math<S>::at_most(squares_blade
-      * squares_blade * squares_blade, S(0)),
-      Math<S>::at_most(S_blade_blade * S_blade_blade * S_blade_blade, S(0))));
+  const Bool dependent_constraints = Math<S>::any(t1, Math<S>::at_most(squares_blade * squares_blade
+      * squares_blade, S(0)), Math<S>::at_most(S_blade_blade * S_blade_blade * S_blade_blade, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, q1_rate, q2_rate,
       q3_rate);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
@@ -1057,8 +1056,8 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.q3_dot() = -S(25) / S(109);
 
   const Bool singular_mass_matrix = Math<S>::at_most(G_q3_q3, S(0));
-  const Bool dependent_constraints = Math<S>::any(Math<S>::any(Math<S>::at_most(S_blade, S(0)),
-      Math<S>::at_most(S_blade * S_blade * S_blade, S(0))),
+  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(S_blade, S(0)),
+      Math<S>::at_most(S_blade * S_blade * S_blade, S(0)),
       Math<S>::less(S(11881) / S(10000), S(2198100) * Math<S>::epsilon() * Math<S>::epsilon()));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, Bool(false));
 }

@@ -30,7 +30,7 @@
 //
 // Operations per call
 //                      + -  *    /  sqrt  functions
-//   prepare            5    29   6  0     0
+//   prepare            5    30   6  0     0
 //   rhs                16   62   2  0     4
 //   reactions          16   66   2  0     4
 //   rhs_and_reactions  17   70   2  0     4
@@ -287,6 +287,9 @@ struct Prepared {
   S c1;                     ///< abs(r)
   S m_rho;                  ///< m * (R - r)
   S r_over_J;               ///< r / J
+  S rounding_J;             ///< 24 * epsilon * J
+  S G_chi_chi;              ///< m * (R - r)^2
+  S least_G_pivot;          ///< min(J, min(m, m * (R - r)^2))
   S rho_2;                  ///< (R - r)^2
   S half_m;                 ///< 0.5 * m
   S half_J;                 ///< 0.5 * J
@@ -294,13 +297,11 @@ struct Prepared {
   S half_inv_m;             ///< 0.5 / m
   S half_inv_J;             ///< 0.5 / J
   S r_minus_R;              ///< r - R
-  S G_chi_chi;              ///< m * (R - r)^2
   S c2;                     ///< 1 / (m * (1 / m + r^2 / J))
   S c3;                     ///< r / (J * (1 / m + r^2 / J))
   S c4;                     ///< r^2 / (J * (1 / m + r^2 / J))
   S c5;                     ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
-  S rounding_J;             ///< 20 * epsilon * J
-  S least_g_pivot;          ///< min(J, min(m, m * (R - r)^2))
+  S rounding_J_2;           ///< 20 * epsilon * J
   S inv_m_plus_r_2_over_J;  ///< 1 / m + r^2 / J
   S r_2;                    ///< r^2
   S r_2_plus_rho_2;         ///< r^2 + (R - r)^2
@@ -448,11 +449,12 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S G_chi_chi = m * rho_2;
   const S M_chi_chi = G_chi_chi + J * rho_2 / r_2;
   const S inv_J = S(1) / J;
+  const S rounding_J_3 = Math<S>::epsilon() * J;
+  const S t1 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
+  const S least_G_pivot = Math<S>::select(Math<S>::less(J, t1), J, t1);
   const S inv_m = S(1) / m;
   const S inv_m_plus_r_2_over_J = inv_m + r_2 * inv_J;
   const S inv_inv_m_plus_r_2_over_J = S(1) / inv_m_plus_r_2_over_J;
-  const S t1 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
-  const S least_g_pivot = Math<S>::select(Math<S>::less(J, t1), J, t1);
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -471,6 +473,9 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.c1 = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
   prepared.m_rho = m * rho;
   prepared.r_over_J = r * inv_J;
+  prepared.rounding_J = S(24) * rounding_J_3;
+  prepared.G_chi_chi = G_chi_chi;
+  prepared.least_G_pivot = least_G_pivot;
   prepared.rho_2 = rho_2;
   prepared.half_m = S(0.5) * m;
   prepared.half_J = S(0.5) * J;
@@ -478,13 +483,11 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_inv_m = S(0.5) * inv_m;
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r - R;
-  prepared.G_chi_chi = G_chi_chi;
   prepared.c2 = inv_m * inv_inv_m_plus_r_2_over_J;
   prepared.c3 = r * inv_J * inv_inv_m_plus_r_2_over_J;
   prepared.c4 = r_2 * inv_J * inv_inv_m_plus_r_2_over_J;
   prepared.c5 = inv_m * inv_inv_m_plus_r_2_over_J / rho;
-  prepared.rounding_J = S(20) * Math<S>::epsilon() * J;
-  prepared.least_g_pivot = least_g_pivot;
+  prepared.rounding_J_2 = S(20) * rounding_J_3;
   prepared.inv_m_plus_r_2_over_J = inv_m_plus_r_2_over_J;
   prepared.r_2 = r_2;
   prepared.r_2_plus_rho_2 = r_2 + rho_2;
@@ -830,6 +833,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& c1 = prepared.c1;
   const S& m_rho = prepared.m_rho;
   const S& r_over_J = prepared.r_over_J;
+  const S& rounding_J = prepared.rounding_J;
+  const S& least_G_pivot = prepared.least_G_pivot;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
   const S& phi = state.phi();
@@ -947,7 +952,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
       Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
-      Math<S>::at_most(M_chi_chi, S(0)));
+      Math<S>::at_most(M_chi_chi, S(0)), Math<S>::at_most(G_pivot_psi, rounding_J),
+      Math<S>::at_most(least_G_pivot, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, excess_zeta, moment_rolling_along_ball_x, moment_rolling_along_ball_y,
@@ -1184,13 +1190,13 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   using Bool = typename Math<S>::Bool;
   const S r = prepared.r;
   const S J = prepared.J;
+  const S least_G_pivot = prepared.least_G_pivot;
   const S r_minus_R = prepared.r_minus_R;
   const S c2 = prepared.c2;
   const S c3 = prepared.c3;
   const S c4 = prepared.c4;
   const S c5 = prepared.c5;
-  const S rounding_J = prepared.rounding_J;
-  const S least_g_pivot = prepared.least_g_pivot;
+  const S rounding_J_2 = prepared.rounding_J_2;
   const S inv_m_plus_r_2_over_J = prepared.inv_m_plus_r_2_over_J;
   const S r_2 = prepared.r_2;
   const S r_2_plus_rho_2 = prepared.r_2_plus_rho_2;
@@ -1262,12 +1268,12 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   state.psi_dot() = psi_rate;
   state.theta_dot() = theta_rate;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(G_pivot_psi, rounding_J),
-      Math<S>::at_most(least_g_pivot, S(0)));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(G_pivot_psi, rounding_J_2),
+      Math<S>::at_most(least_G_pivot, S(0)));
   const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(inv_m_plus_r_2_over_J, S(0)),
-      Math<S>::any(Math<S>::at_most(squares_rolling_around * squares_rolling_around * squares_rolling_around,
-      S(0)), Math<S>::at_most(squares_rolling_along * squares_rolling_along * squares_rolling_along, S(0)),
-      Math<S>::at_most(S_rolling_around_3, S(0))));
+      Math<S>::at_most(squares_rolling_around * squares_rolling_around * squares_rolling_around, S(0)),
+      Math<S>::at_most(squares_rolling_along * squares_rolling_along * squares_rolling_along, S(0)),
+      Math<S>::at_most(S_rolling_around_3, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, chi_rate, zeta_rate, phi_rate, psi_rate, theta_rate);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
@@ -1339,13 +1345,13 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.theta_dot() = change_theta;
 
   const Bool singular_mass_matrix = Math<S>::at_most(J, S(0));
-  const Bool dependent_constraints = Math<S>::any(Math<S>::any(Math<S>::at_most(least_S_pivot, S(0)),
-      Math<S>::at_most(least_cube, S(0))),
-      Math<S>::any(Math<S>::less(squares_rolling_around, S(1000000) * epsilon_2
+  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(least_S_pivot, S(0)),
+      Math<S>::at_most(least_cube, S(0)),
+      Math<S>::less(squares_rolling_around, S(1000000) * epsilon_2
       * (squares_rolling_around + rho * rho + squares_rolling_around * cos_theta_0 * cos_theta_0)),
       Math<S>::less(squares_rolling_along, S(1000000) * epsilon_2
       * (S(1) + squares_rolling_along
-      + squares_rolling_around * sin_theta_0 * sin_theta_0 * cos_psi_0 * cos_psi_0))));
+      + squares_rolling_around * sin_theta_0 * sin_theta_0 * cos_psi_0 * cos_psi_0)));
   const Bool not_finite = Math<S>::not_finite(phi_0, psi_0, theta_0, zeta_dot_0, phi_dot, change_psi,
       change_theta);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);

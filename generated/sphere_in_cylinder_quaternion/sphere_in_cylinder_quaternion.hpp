@@ -291,6 +291,8 @@ struct Prepared {
   S c1;                     ///< abs(r)
   S m_rho;                  ///< m * (R - r)
   S rho;                    ///< R - r
+  S G_chi_chi;              ///< m * (R - r)^2
+  S least_G_pivot;          ///< min(J, min(m, m * (R - r)^2))
   S rho_2;                  ///< (R - r)^2
   S half_m;                 ///< 0.5 * m
   S half_J;                 ///< 0.5 * J
@@ -298,12 +300,10 @@ struct Prepared {
   S half_inv_m;             ///< 0.5 / m
   S half_inv_J;             ///< 0.5 / J
   S r_minus_R;              ///< r - R
-  S G_chi_chi;              ///< m * (R - r)^2
   S c2;                     ///< 1 / (m * (1 / m + r^2 / J))
   S c3;                     ///< r^2 / (J * (1 / m + r^2 / J))
   S c4;                     ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
   S c5;                     ///< r / (J * (1 / m + r^2 / J))
-  S least_g_pivot;          ///< min(J, min(m, m * (R - r)^2))
   S inv_m_plus_r_2_over_J;  ///< 1 / m + r^2 / J
   S least_cube;
 };
@@ -452,12 +452,12 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S rho_2 = rho * rho;
   const S G_chi_chi = m * rho_2;
   const S M_chi_chi = G_chi_chi + J * rho_2 / r_2;
+  const S t1 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
+  const S least_G_pivot = Math<S>::select(Math<S>::less(J, t1), J, t1);
   const S inv_m = S(1) / m;
   const S inv_J = S(1) / J;
   const S inv_m_plus_r_2_over_J = inv_m + r_2 * inv_J;
   const S inv_inv_m_plus_r_2_over_J = S(1) / inv_m_plus_r_2_over_J;
-  const S t1 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
-  const S least_g_pivot = Math<S>::select(Math<S>::less(J, t1), J, t1);
   const S squares_rolling_along = S(1) + r_2;
   const S squares_rolling_along_3 = squares_rolling_along * squares_rolling_along * squares_rolling_along;
   const S inv_m_plus_r_2_over_J_3 = inv_m_plus_r_2_over_J * inv_m_plus_r_2_over_J * inv_m_plus_r_2_over_J;
@@ -484,6 +484,8 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.c1 = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
   prepared.m_rho = m * rho;
   prepared.rho = rho;
+  prepared.G_chi_chi = G_chi_chi;
+  prepared.least_G_pivot = least_G_pivot;
   prepared.rho_2 = rho_2;
   prepared.half_m = S(0.5) * m;
   prepared.half_J = S(0.5) * J;
@@ -491,12 +493,10 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_inv_m = S(0.5) * inv_m;
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r - R;
-  prepared.G_chi_chi = G_chi_chi;
   prepared.c2 = inv_m * inv_inv_m_plus_r_2_over_J;
   prepared.c3 = r_2 * inv_J * inv_inv_m_plus_r_2_over_J;
   prepared.c4 = inv_m * inv_inv_m_plus_r_2_over_J / rho;
   prepared.c5 = r * inv_J * inv_inv_m_plus_r_2_over_J;
-  prepared.least_g_pivot = least_g_pivot;
   prepared.inv_m_plus_r_2_over_J = inv_m_plus_r_2_over_J;
   prepared.least_cube = least_cube;
   return prepared;
@@ -803,6 +803,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& c1 = prepared.c1;
   const S& m_rho = prepared.m_rho;
   const S& rho = prepared.rho;
+  const S& least_G_pivot = prepared.least_G_pivot;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
   const S& e0 = state.e0();
@@ -891,7 +892,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_ball.moment[2] = S(0);
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
-      Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
+      Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)),
+      Math<S>::at_most(least_G_pivot, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
       excess_zeta, moment_rolling_along_ball_x, moment_rolling_along_ball_y, force_rho_ball_x,
@@ -1113,12 +1115,12 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
                                    State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
   const S r = prepared.r;
+  const S least_G_pivot = prepared.least_G_pivot;
   const S r_minus_R = prepared.r_minus_R;
   const S c2 = prepared.c2;
   const S c3 = prepared.c3;
   const S c4 = prepared.c4;
   const S c5 = prepared.c5;
-  const S least_g_pivot = prepared.least_g_pivot;
   const S inv_m_plus_r_2_over_J = prepared.inv_m_plus_r_2_over_J;
   const S least_cube = prepared.least_cube;
   const S chi = from.chi();
@@ -1185,7 +1187,7 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   state.wy() = wy_rate;
   state.wz() = wz_rate;
 
-  const Bool singular_mass_matrix = Math<S>::at_most(least_g_pivot, S(0));
+  const Bool singular_mass_matrix = Math<S>::at_most(least_G_pivot, S(0));
   const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(inv_m_plus_r_2_over_J, S(0)),
       Math<S>::at_most(least_cube, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
@@ -1249,11 +1251,10 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.wz() = change_wz;
 
   const Bool singular_mass_matrix = Math<S>::at_most(J, S(0));
-  const Bool dependent_constraints = Math<S>::any(Math<S>::any(Math<S>::at_most(S_rolling_around, S(0)),
-      Math<S>::at_most(least_cube, S(0))),
-      Math<S>::any(Math<S>::less(squares_rolling_around, S(1000000) * epsilon_2
-      * (squares_rolling_around + rho * rho)),
-      Math<S>::less(squares_rolling_around, S(1000000) * epsilon_2 * (S(1) + squares_rolling_around))));
+  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(S_rolling_around, S(0)),
+      Math<S>::at_most(least_cube, S(0)),
+      Math<S>::less(squares_rolling_around, S(1000000) * epsilon_2 * (squares_rolling_around + rho * rho)),
+      Math<S>::less(squares_rolling_around, S(1000000) * epsilon_2 * (S(1) + squares_rolling_around)));
   const Bool not_finite = Math<S>::not_finite(e0, e1, e2, e3, omega_r_0, rough_change_wy, change_wz);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }

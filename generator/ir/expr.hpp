@@ -1,6 +1,8 @@
 #pragma once
 // Arithmetic notation for nodes, so that mechanics reads like mechanics.
 
+#include <algorithm>
+
 #include "ir/graph.hpp"
 
 namespace gaussgen::ir {
@@ -48,11 +50,21 @@ inline Expr at_most(Expr a, Expr b) { return {a.graph(), a.graph().call(Function
 inline Expr select(Expr condition, Expr a, Expr b) {
   return {a.graph(), a.graph().call(Function::select, {condition.id(), a.id(), b.id()})};
 }
+/// Each of the conditions once; those of another `any` are among them.
 inline Expr any(Graph& graph, const std::vector<Expr>& conditions) {
   std::vector<NodeId> open;
+  const auto add = [&](NodeId id) {
+    if (std::find(open.begin(), open.end(), id) == open.end()) open.push_back(id);
+  };
   for (const Expr condition : conditions) {
     if (condition.is_one()) return condition;
-    if (!condition.is_zero()) open.push_back(condition.id());
+    if (condition.is_zero()) continue;
+    const Node& node = graph[condition.id()];
+    if (node.kind == Kind::function && node.function == Function::any) {
+      for (const NodeId child : node.children) add(child);
+    } else {
+      add(condition.id());
+    }
   }
   if (open.empty()) return {graph, graph.constant(0)};
   return {graph, open.size() == 1 ? open[0] : graph.call(Function::any, open)};

@@ -11,7 +11,7 @@ using FullMatrix = support::Indexed<FullIndex, support::Indexed<FullIndex, ir::E
 struct Covariant {
   FullMatrix G;                                ///< G_AB = Σ m J_A·J_B + W_A·I W_B (1.10), (1.11), block G_ij
   support::Indexed<FullIndex, ir::Expr> bias;  ///< Σ m J_A·h + W_A·(I η + ω × I ω), so that A_A = G_AB ÿ^B + bias_A
-  support::Indexed<FullIndex, ir::Expr> Q;     ///< all active forces
+  support::Indexed<FullIndex, ir::Expr> Q;  ///< all active forces
   ir::Expr kinetic_energy;
 };
 

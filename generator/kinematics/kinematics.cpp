@@ -55,7 +55,9 @@ class Builder {
     for (const model::Body& body : model_.bodies) result.bodies.push_back(body_motion(body));
     for (const model::Constraint& constraint : model_.constraints) {
       result.constraints.push_back(constraint_row(constraint));
-      find_carried(result.constraints[ConstraintIndex{result.constraints.size() - 1}], result);
+      ConstraintRow& row = result.constraints[ConstraintIndex{result.constraints.size() - 1}];
+      find_carried(row, result);
+      find_wandering(row, result);
     }
     for (const model::Frame& frame : model_.frames) result.frame_names.push_back(frame.name.text);
     for (const model::Joint& joint : model_.joints) {
@@ -429,6 +431,33 @@ class Builder {
       const Components unfelt = effect(action.frame, action.point, action.direction, ir::zero3(graph_), body).unfelt;
       for (const FullIndex i : unfelt.indices()) row.carried[i] += unfelt[i];
     }
+  }
+
+  // A held coordinate takes this itself, as part of what it carries; along one that moves no body, no body feels it.
+  void find_wandering(ConstraintRow& row, const Kinematics& result) {
+    for (const ConstraintAction& action : row.actions) {
+      const Expr power = dot(action.direction, velocity_over(pushed(action.frame), action.frame));
+      for (const FreeIndex a : symbols_.speeds.indices()) {
+        const FullIndex i = symbols_.full(a);
+        if (moves_body(i, result)) row.beside[i] += partial(power, i);
+      }
+    }
+  }
+
+  static bool moves_body(FullIndex i, const Kinematics& result) {
+    return std::any_of(result.bodies.begin(), result.bodies.end(), [&](const BodyMotion& body) {
+      return !is_zero(body.J[i]) || (body.is_rigid && !is_zero(body.W[i]));
+    });
+  }
+
+  /// Of a place against what is there of its carrier, in space.
+  Vector3 velocity_over(std::size_t carrier, std::size_t place) {
+    Vector3 velocity = ir::zero3(graph_);
+    for (std::size_t at = place; at != carrier; at = model_.frames[at].parent) {
+      const Vector3 local = expressions_.rate(expressions_(model_.frames[at].position));
+      velocity = velocity + ir::multiply(expressions_.frames().axes(model_.frames[at].parent), local);
+    }
+    return velocity;
   }
 
   /// The body that feels what acts on a frame: on it, or on one to which it is fixed, though not by a joint, whose reaction is

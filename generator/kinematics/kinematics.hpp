@@ -45,10 +45,11 @@ struct ConstraintRow {
   ir::Expr phi;
   support::Indexed<FullIndex, ir::Expr> beta;
   ir::Expr beta_drift;
-  std::optional<ir::Vector3> point;               ///< where the reaction acts, space
-  bool is_linear = true;                          ///< in the velocities
-  std::vector<ConstraintAction> actions;          ///< where the constraint is one of places
-  support::Indexed<FullIndex, ir::Expr> beside;   ///< the part of beta that is of no place
+  std::optional<ir::Vector3> point;       ///< where the reaction acts, space
+  bool is_linear = true;                  ///< in the velocities
+  std::vector<ConstraintAction> actions;  ///< where the constraint is one of places
+  support::Indexed<FullIndex, ir::Expr>
+      beside;  ///< the part of beta that is of no place, or of the way of places over what carries them
   support::Indexed<FullIndex, ir::Expr> carried;  ///< the part of beta that is of places on which no body feels it
 };
 

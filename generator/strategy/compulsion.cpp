@@ -42,12 +42,15 @@ std::vector<std::size_t> first(std::size_t count) {
   return indices;
 }
 
-// All of y, or only the free coordinates where G has no inverse, as where held ones repeat each other: then forces along held
-// coordinates stay out of Z, which changes its value by a constant and its minimum not at all.
-std::vector<std::size_t> spreading_coordinates(const Dynamics& dynamics) {
+// All of y, or only the free coordinates where G has no inverse, as where held ones repeat what others do: then forces along held
+// coordinates stay out of Z, which changes its value by a constant and its minimum not at all. Nothing where the free ones repeat
+// each other.
+std::optional<std::vector<std::size_t>> spreading_coordinates(const Dynamics& dynamics) {
   const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
-  std::vector<std::size_t> all = first(symbols.full_count());
-  return is_invertible(dynamics, all) ? all : first(symbols.free_count());
+  for (const std::size_t count : {symbols.full_count(), symbols.free_count()}) {
+    if (is_invertible(dynamics, first(count))) return first(count);
+  }
+  return std::nullopt;
 }
 
 // Of forces that no body feels. What acts on parts without mass does so along free coordinates only: along held ones these parts are
@@ -64,16 +67,20 @@ Vector forces_without_body(const Dynamics& dynamics) {
 
 }  // namespace
 
-Expr compulsion(const Dynamics& dynamics, const Vector& candidate, Expr epsilon, Steps& steps) {
+std::optional<Compulsion> compulsion(const Dynamics& dynamics, const Vector& candidate, Expr epsilon, Steps& steps) {
   const kinematics::Kinematics& kinematics = *dynamics.kinematics;
   ir::Graph& graph = kinematics.potential.graph();
   const Vector spread = forces_without_body(dynamics);
   const bool has_spread = std::any_of(spread.begin(), spread.end(), [](Expr e) { return !e.is_zero(); });
   Vector z(spread.size(), Expr(graph, graph.constant(0)));
+  Expr singular(graph, graph.constant(0));
   if (has_spread) {
-    const Metric metric(dynamics, spreading_coordinates(dynamics), epsilon, steps);
+    const auto coordinates = spreading_coordinates(dynamics);
+    if (!coordinates) return std::nullopt;
+    const Metric metric(dynamics, *coordinates, epsilon, steps);
     steps.begin("generalized forces, raised: G z = Q");
     z = metric.solve(spread, "z", steps);
+    singular = metric.is_singular();
   }
   Expr twice(graph, graph.constant(0));
   for (const BodyMotion& body : kinematics.bodies) {
@@ -91,7 +98,7 @@ Expr compulsion(const Dynamics& dynamics, const Vector& candidate, Expr epsilon,
     torque = steps.name(torque, "torque_" + body.name);
     twice += square_in_inverse_inertia(body, torque, epsilon, steps);
   }
-  return support::Rational(1) / 2 * twice;
+  return Compulsion{support::Rational(1) / 2 * twice, singular};
 }
 
 }  // namespace gaussgen::strategy

@@ -64,9 +64,19 @@ Matrix g_above_b(const Dynamics& dynamics) {
   return rows;
 }
 
+DependentRows dependent_rows_over(const Dynamics& dynamics, const std::vector<std::size_t>& speeds) {
+  Matrix block;
+  for (const std::size_t i : speeds) {
+    block.emplace_back();
+    for (const std::size_t j : speeds) block.back().push_back(dynamics.g[i][j]);
+  }
+  return [rows = dynamics.dependent_rows(block)](const Matrix&) { return rows; };
+}
+
 Dynamics build_dynamics(const kinematics::Kinematics& kinematics, const kinematics::Covariant& covariant,
-                        Steps& steps) {
+                        DependentRows dependent_rows, Steps& steps) {
   Dynamics result;
+  result.dependent_rows = std::move(dependent_rows);
   result.kinematics = &kinematics;
   result.covariant = &covariant;
   for (const kinematics::Speed& speed : kinematics.symbols.speeds) result.labels.push_back(speed.label);

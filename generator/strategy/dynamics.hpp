@@ -1,6 +1,8 @@
 #pragma once
 // The linear problem that Gauss's principle leaves for the free accelerations (theory, sections 3 and 4).
 
+#include <functional>
+
 #include "kinematics/covariant.hpp"
 #include "strategy/ldl.hpp"
 
@@ -13,6 +15,9 @@ struct NamesOfUnknowns {
   std::string multiplier = "lambda";
 };
 
+/// Of a metric: rows that are combinations of earlier ones in every configuration, whatever form their entries have.
+using DependentRows = std::function<std::vector<std::size_t>(const Matrix& metric)>;
+
 /// minimise Z over a:  g a = f + bᵀ λ,  b a + b_drift = 0.
 struct Dynamics {
   const kinematics::Kinematics* kinematics = nullptr;
@@ -24,14 +29,19 @@ struct Dynamics {
   Matrix b;                              ///< l×n, b_μα = β_μα
   Vector b_drift;                        ///< Θ_μ + β_μi c̈^i
   NamesOfUnknowns names;
+  DependentRows dependent_rows;
 
   std::size_t n() const { return labels.size(); }
   std::size_t l() const { return constraints.size(); }
 };
 
+/// For problems over the block of g of some speeds at other places: what depends on each other here does so there.
+DependentRows dependent_rows_over(const Dynamics& dynamics, const std::vector<std::size_t>& speeds);
+
 /// The rows of g, then those of b: what inertia and constraints say together of the accelerations.
 Matrix g_above_b(const Dynamics& dynamics);
 
-Dynamics build_dynamics(const kinematics::Kinematics& kinematics, const kinematics::Covariant& covariant, Steps& steps);
+Dynamics build_dynamics(const kinematics::Kinematics& kinematics, const kinematics::Covariant& covariant,
+                        DependentRows dependent_rows, Steps& steps);
 
 }  // namespace gaussgen::strategy

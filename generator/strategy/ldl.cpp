@@ -129,10 +129,4 @@ std::vector<std::string> Ldl::vanishing() const {
   return rows;
 }
 
-std::vector<std::string> vanishing_pivots(const Matrix& matrix, const std::vector<std::string>& labels,
-                                          const std::string& prefix, Expr epsilon) {
-  Steps unused;
-  return Ldl(matrix, labels, prefix, epsilon, unused).vanishing();
-}
-
 }  // namespace gaussgen::strategy

@@ -54,8 +54,4 @@ class Ldl {
   Matrix l_;
 };
 
-/// The rows that Ldl::vanishing would find, of a matrix that nothing is solved with.
-std::vector<std::string> vanishing_pivots(const Matrix& matrix, const std::vector<std::string>& labels,
-                                          const std::string& prefix, ir::Expr epsilon);
-
 }  // namespace gaussgen::strategy

@@ -43,6 +43,9 @@ class Metric {
     return result;
   }
 
+  /// Boolean: these coordinates do the same here, to all digits that there are.
+  ir::Expr is_singular() const { return ldl_.breakdown(); }
+
  private:
   Matrix begin(const Dynamics& dynamics, Steps& steps) const {
     steps.begin("metric G_AB of released coordinates = L D L^T");

@@ -162,8 +162,8 @@ class MultiplierForm {
 }  // namespace
 
 Solution solve_with_multipliers(const Dynamics& given, Expr epsilon, Steps& steps) {
-  const std::vector<std::string> undetermined =
-      vanishing_pivots(given.g, given.labels, given.names.prefix + "g", epsilon);
+  std::vector<std::string> undetermined;
+  for (const std::size_t row : given.dependent_rows(given.g)) undetermined.push_back(given.labels[row]);
   const Dynamics dynamics = undetermined.empty() ? given : completed(given, steps);
   MultiplierForm form(dynamics, epsilon, steps);
   const std::string acceleration = dynamics.names.prefix + dynamics.names.acceleration;

@@ -19,6 +19,7 @@ PositionProjection::PositionProjection(const Dynamics& dynamics, std::vector<std
                                        std::optional<Expr> time, Expr epsilon)
     : dynamics_(dynamics),
       moving_(std::move(moving)),
+      dependent_rows_(dependent_rows_over(dynamics, moving_)),
       time_(time),
       epsilon_(epsilon),
       singular_(epsilon.graph(), epsilon.graph().constant(0)),
@@ -48,6 +49,7 @@ Dynamics PositionProjection::problem_at(const Vector& configuration, const std::
   };
   Dynamics problem;
   problem.names = {prefix, "move", "push"};
+  problem.dependent_rows = dependent_rows_;
   for (const std::size_t i : moving_) {
     problem.labels.push_back(dynamics_.labels[i]);
     problem.g.push_back(part(dynamics_.g[i]));

@@ -35,6 +35,7 @@ class PositionProjection {
 
   const Dynamics& dynamics_;
   std::vector<std::size_t> moving_;
+  DependentRows dependent_rows_;
   std::optional<ir::Expr> time_;
   ir::Expr epsilon_;
   std::vector<std::size_t> rows_;

@@ -37,7 +37,12 @@ Vector restricted(const Vector& row, const std::vector<std::size_t>& to) {
 class VelocityProjection {
  public:
   VelocityProjection(const Dynamics& dynamics, std::vector<std::size_t> moving, Expr epsilon)
-      : dynamics_(dynamics), moving_(std::move(moving)), epsilon_(epsilon), singular_(never()), dependent_(never()) {}
+      : dynamics_(dynamics),
+        moving_(std::move(moving)),
+        dependent_rows_(dependent_rows_over(dynamics, moving_)),
+        epsilon_(epsilon),
+        singular_(never()),
+        dependent_(never()) {}
 
   /// Changes `speeds` by one step at `at`.
   void step(const VelocityProblem& at, const std::string& prefix, Vector& speeds, Steps& steps) {
@@ -93,6 +98,7 @@ class VelocityProjection {
   Dynamics problem_of_change(const VelocityProblem& at, const std::string& prefix) const {
     Dynamics problem;
     problem.names = {prefix, "change", "impulse"};
+    problem.dependent_rows = dependent_rows_;
     for (const std::size_t i : moving_) {
       problem.labels.push_back(dynamics_.labels[i]);
       problem.f.push_back(never());
@@ -109,6 +115,7 @@ class VelocityProjection {
 
   const Dynamics& dynamics_;
   std::vector<std::size_t> moving_;
+  DependentRows dependent_rows_;
   Expr epsilon_;
   Expr singular_;
   Expr dependent_;

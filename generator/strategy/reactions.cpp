@@ -187,10 +187,11 @@ std::vector<ReactionWrench> forces_at_places(const Dynamics& dynamics, const Sol
 
 }  // namespace
 
-std::vector<ReactionWrench> reaction_wrenches(const Dynamics& dynamics, const Solution& solution, const Vector& held,
-                                              Expr epsilon, Steps& steps) {
+ReactionWrenches reaction_wrenches(const Dynamics& dynamics, const Solution& solution, const Vector& held, Expr epsilon,
+                                   Steps& steps) {
   const Release release(dynamics);
-  std::vector<ReactionWrench> wrenches = forces_at_places(dynamics, solution, steps);
+  ir::Graph& graph = epsilon.graph();
+  ReactionWrenches wrenches{forces_at_places(dynamics, solution, steps), Expr(graph, graph.constant(0))};
   if (release.released().empty()) return wrenches;
   const Metric metric(dynamics, release.released(), epsilon, steps);
   for (const Source& source : sources(dynamics, solution, held)) {
@@ -199,8 +200,9 @@ std::vector<ReactionWrench> reaction_wrenches(const Dynamics& dynamics, const So
     const Vector z = metric.solve(source.components, "z_" + source.name, steps);
     steps.begin("force and moment of " + source.name + ": m J z and I W z, times its reaction", source.name);
     for (const BodyMotion& body : dynamics.kinematics->bodies) {
-      if (auto wrench = wrench_on(body, source, z, steps)) add(std::move(*wrench), source, body, wrenches, steps);
+      if (auto wrench = wrench_on(body, source, z, steps)) add(std::move(*wrench), source, body, wrenches.each, steps);
     }
+    wrenches.singular_metric = metric.is_singular();
   }
   return wrenches;
 }

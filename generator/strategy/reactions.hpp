@@ -21,11 +21,17 @@ struct ReactionWrench {
   std::optional<ir::Vector3> at = {};  ///< where the force acts, if at a place that the constraint names
 };
 
+struct ReactionWrenches {
+  std::vector<ReactionWrench> each;
+  ir::Expr
+      singular_metric;  ///< Boolean: here the coordinates do not release their bodies, and forces are not to be trusted
+};
+
 /// The force and moment of each constraint on each body that it reaches, for constraints over released coordinates
 /// (release.hpp): with z = G^-1 (covariant components) they are m_ν J_νA z^A and I_ν W_νA z^A, m э_ν^i of theory section 1,
 /// which there is R ∂x/∂r itself. Elsewhere Z does not determine them one by one; body_reactions has their sum.
-std::vector<ReactionWrench> reaction_wrenches(const Dynamics& dynamics, const Solution& solution, const Vector& held,
-                                              ir::Expr epsilon, Steps& steps);
+ReactionWrenches reaction_wrenches(const Dynamics& dynamics, const Solution& solution, const Vector& held,
+                                   ir::Expr epsilon, Steps& steps);
 
 /// Constraints that reaction_wrenches leaves out.
 std::vector<std::string> undetermined_wrenches(const Dynamics& dynamics, const Solution& solution, const Vector& held);

@@ -82,9 +82,7 @@ std::vector<std::size_t> coordinates_of(const BodyMotion& body) {
 }  // namespace
 
 bool is_invertible(const Dynamics& dynamics, const std::vector<std::size_t>& coordinates) {
-  ir::Graph& graph = dynamics.covariant->bias[FullIndex{0}].graph();
-  const ir::Expr zero(graph, graph.constant(0));
-  return vanishing_pivots(metric_over(dynamics, coordinates), full_labels(dynamics, coordinates), "G", zero).empty();
+  return dynamics.dependent_rows(metric_over(dynamics, coordinates)).empty();
 }
 
 Release::Release(const Dynamics& dynamics) {

@@ -147,7 +147,7 @@ void add_forces(Mechanics& mechanics, const gaussgen::strategy::Solution& given,
   };
   gaussgen::strategy::Steps steps;
   for (const auto& wrench :
-       gaussgen::strategy::reaction_wrenches(mechanics.dynamics, given, held, mechanics.epsilon(), steps)) {
+       gaussgen::strategy::reaction_wrenches(mechanics.dynamics, given, held, mechanics.epsilon(), steps).each) {
     add(wrench.force, result.wrenches);
     if (wrench.moment) add(*wrench.moment, result.wrenches);
   }

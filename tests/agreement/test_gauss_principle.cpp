@@ -30,7 +30,7 @@ class Compulsion {
     for (const auto& speed : mechanics.symbols.speeds)
       candidate.push_back(mechanics.expressions.symbol(speed.acceleration));
     gaussgen::strategy::Steps steps;
-    Z_ = gaussgen::strategy::compulsion(mechanics.dynamics, candidate, mechanics.epsilon(), steps).id();
+    Z_ = gaussgen::strategy::compulsion(mechanics.dynamics, candidate, mechanics.epsilon(), steps)->Z.id();
     gaussgen::bind_parameters(mechanics, evaluator_);
   }
 

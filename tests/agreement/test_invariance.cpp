@@ -27,7 +27,7 @@ class WithZ {
     for (const auto& speed : mechanics.symbols.speeds)
       found.push_back(mechanics.expressions.symbol(speed.acceleration));
     gaussgen::strategy::Steps steps;
-    Z_ = gaussgen::strategy::compulsion(mechanics.dynamics, found, mechanics.epsilon(), steps).id();
+    Z_ = gaussgen::strategy::compulsion(mechanics.dynamics, found, mechanics.epsilon(), steps)->Z.id();
   }
 
   double Z() { return specimen.value(Z_); }

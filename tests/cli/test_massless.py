@@ -87,6 +87,26 @@ forces: {s: {spring: [p, o], stiffness: 10, length: 1}}
             self.assertAlmostEqual(on_body, float(still["reaction_forces"][f"on_A.{name}"]["value"]), 12)
             self.assertAlmostEqual(on_body, float(moving["joint_reactions"][f"a.{name}"]["value"]), 12)
 
+    def test_a_constraint_at_a_place_that_wanders_pushes_along_its_way_too(self):
+        # By hand: m x'' = 1 + k, m s'' = k, x'' + s'' = 0. The coordinate s moves B, and the place p on A by as much.
+        wander = HEAD + """coordinates: {x: {initial: 0}, s: {initial: 1}}
+frames: {F: {position: [x, 0, 0]}}
+particles: {A: {mass: 1, frame: F}, B: {mass: 1, position: [0, s, 0]}}
+points: {p: {on: F, at: [s, 0, 0]}, o: {on: space, at: [-1, 0, 0]}}
+constraints: {k: {LAW}}
+forces: {push: {force: [1, 0, 0], on: A}}
+"""
+        for law in ("velocity: dot(p.x)", "velocity: dot(x) + dot(s)", "equation: p.x - 1", "distance: [p, o], is: 2"):
+            found = self.found(wander.replace("LAW", law))
+            self.assertAlmostEqual(float(found["accelerations"]["s_ddot"]["value"]), -0.5, 13, law)
+            forces = {name: float(force["value"]) for name, force in found["reaction_forces"].items()}
+            self.assertAlmostEqual(forces["k.force_on_B.y"], -0.5, 13, law)
+            for name in ("A", "B"):
+                for axis in "xyz":
+                    single = sum(value for key, value in forces.items()
+                                 if key in (f"k.force_on_{name}.{axis}", f"k.force_on_p.{axis}" if name == "A" else ""))
+                    self.assertAlmostEqual(single, forces[f"on_{name}.force.{axis}"], 13, law)
+
     def test_a_load_beside_a_particle_presses_on_the_joints_of_its_light_arm(self):
         # A particle at 1 on an arm with a hinge about y, pushed by [0, 3, 5] at 2 and turned by [7, 2, 3]; a body without inertia is
         # the same. Free, about the hinge: 5*2 - 2 = -theta''. Held, the hinge carries this, too, and the particle rests.

@@ -5,6 +5,7 @@
 
 #include "catch_shim.hpp"
 #include "gauss/scalar/xsimd.hpp"
+#include "gimbals.hpp"
 #include "locked_wheel.hpp"
 #include "massless.hpp"
 #include "speed_limit.hpp"
@@ -13,6 +14,7 @@
 
 using gauss::Status;
 namespace massless = gauss::massless;
+namespace gimbals = gauss::gimbals;
 namespace locked_wheel = gauss::locked_wheel;
 namespace speed_limit = gauss::speed_limit;
 namespace turned_away = gauss::turned_away;
@@ -68,6 +70,24 @@ TEST_CASE("a parameter that switches a constraint off makes it dependent; its si
   CHECK(status_with_radius(0.5) == Status::ok);
   CHECK(status_with_radius(-0.5) == Status::ok);
   CHECK(status_with_radius(0) == Status::dependent_constraints);
+}
+
+// At the pole the drive and the spin turn about one axis, and nothing tells how they share a moment about it.
+TEST_CASE("forces that coordinates determine elsewhere are not stated where they do not") {
+  const auto prepared = gimbals::prepare(gimbals::Parameters<double>{});
+  const auto statuses = [&](double tilt) {
+    const gimbals::State<double> state{{tilt, 0.2, 0, 3}};
+    gimbals::Derivative<double> derivative{};
+    gimbals::ReactionForces<double> forces{};
+    gimbals::Compulsion<double> compulsion{};
+    REQUIRE(rhs(0.0, state, {}, prepared, derivative) == Status::ok);
+    return std::pair(reaction_forces(0.0, state, {}, prepared, forces),
+                     gimbals::compulsion(0.0, state, {}, prepared, derivative, compulsion));
+  };
+  for (const double tilt : {0.3, 1e-6}) CHECK(statuses(tilt) == std::pair(Status::ok, Status::ok));
+  for (const double tilt : {1e-9, 1e-17, 0.0}) {
+    CHECK(statuses(tilt) == std::pair(Status::singular_mass_matrix, Status::singular_mass_matrix));
+  }
 }
 
 TEST_CASE("Newton's method arrives at an initial state or says that it has not") {

@@ -12,6 +12,7 @@ namespace gaussgen::oracle {
 class EmittedNumbers {
  public:
   explicit EmittedNumbers(const Case& c, MechanicsOptions options = {});
+  explicit EmittedNumbers(Case&& c, MechanicsOptions options = {}) = delete;  // refers to the model
 
   Mechanics& mechanics() { return mechanics_; }
 

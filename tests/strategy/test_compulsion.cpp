@@ -109,3 +109,62 @@ TEST_CASE("Z has its shape where two held coordinates do the same") {
   CHECK(deviation(Z_at(emitted, {Real(2)}), Real(0)) < k_tolerance);
   CHECK(deviation(Z_at(emitted, {Real(5)}), Real(9)) < k_tolerance);
 }
+
+namespace {
+
+/// A bead on a table that turns, x and y along the table: the angle moves it as they do. How the table is tilted decides whether any
+/// form of the expressions shows that.
+Case bead_on_table(const std::string& turn, const std::string& more, const char* tilt) {
+  return {model_of_text("gauss: 1\nname: m\ncoordinates: {turn: {" + turn + "}, x: {}, y: {}}\n" +
+                        "frames:\n  plane: {orientation: {axis: " + tilt + ", angle: 0.7}}\n" +
+                        "  table: {parent: plane, orientation: {axis: z, angle: turn}}\n"
+                        "particles: {bead: {mass: 2, frame: table, centre: [x, y, 0]}}\n"
+                        "forces: {motor: {generalized: {turn: 3}}}\n" +
+                        more),
+          {{"t", 0},
+           {"turn", Real(1) / 5},
+           {"turn_dot", Real(7) / 10},
+           {"x", Real(3) / 10},
+           {"y", Real(1) / 10},
+           {"x_dot", Real(1) / 5},
+           {"y_dot", Real(1) / 5}},
+          {}};
+}
+
+// Where only the table is driven: what Coriolis and centrifugal forces say.
+const Vec k_relative_motion{Real(49) / 100 * 3 / 10 + Real(14) / 10 / 5, Real(49) / 100 / 10 - Real(14) / 10 / 5};
+
+}  // namespace
+
+// A drive of the table does nothing to the bead, which departs from free motion by nothing.
+TEST_CASE("forces along a held coordinate stay out of Z where free ones describe the same motion") {
+  for (const char* tilt : {"z", "[1, 2, 3]"}) {
+    const Case c = bead_on_table("held_at: 0.7*t + 0.2", "", tilt);
+    EmittedNumbers emitted(c);
+    INFO(tilt);
+    CHECK(deviation(emitted(emitted.mechanics().solution.accelerations), k_relative_motion) < k_tolerance);
+    CHECK(abs(Z_at(emitted, k_relative_motion)) < k_tolerance);
+    CHECK(deviation(Z_at(emitted, {k_relative_motion[0] + 1, k_relative_motion[1]}), Real(1)) < k_tolerance);
+    CHECK(emitted.fields("reaction_forces").count("turn.force_on_bead") == 0);
+  }
+}
+
+TEST_CASE(
+    "accelerations are found where only a constraint tells coordinates apart, and there is no Z for a force along "
+    "them") {
+  for (const char* tilt : {"z", "[1, 2, 3]"}) {
+    for (const bool multipliers : {false, true}) {
+      MechanicsOptions options;
+      options.force_multipliers = multipliers;
+      const Case c = bead_on_table("initial: 0.2", "constraints: {drive: {velocity: dot(turn) - 0.7}}\n", tilt);
+      EmittedNumbers emitted(c, options);
+      INFO(tilt << ", multipliers " << multipliers);
+      Vec found = emitted(emitted.mechanics().solution.accelerations);
+      CHECK(deviation(found, {Real(0), k_relative_motion[0], k_relative_motion[1]}) < k_tolerance);
+      CHECK(deviation(emitted(emitted.mechanics().solution.multipliers), {Real(-3)}) < k_tolerance);
+      CHECK(emitted.troubles("rhs").empty());
+      CHECK(emitted.troubles("project").empty());
+      CHECK(build_artefact("compulsion", emitted.mechanics()).empty());
+    }
+  }
+}
