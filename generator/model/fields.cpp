@@ -23,7 +23,8 @@ using support::Span;
 
 namespace {
 
-/// Where to point for a value of the wrong kind: at the value, or at its key when there is none.
+/// Where to point for a value of the wrong kind: at the value, or at its key when there is none. An empty item of a list
+/// has no place of its own.
 Span place_of(const Node& node, Span owner) {
   if (node.kind == NodeKind::empty) return owner;
   return node.kind == NodeKind::scalar ? node.span : Span{node.span.begin, node.span.begin + 1};
@@ -286,7 +287,7 @@ bool take_from_budget(const Node& node, Reading& reading) {
 
 Ast read_expression(const Node& node, Span owner, Reading& reading) {
   if (node.kind == NodeKind::empty) {
-    reading.diagnostics.error(code::k_empty_expression, owner, "an expression is missing here",
+    reading.diagnostics.error(code::k_empty_expression, place_of(node, owner), "an expression is missing here",
                               k_hint_for_empty_expression);
     return broken_expression();
   }

@@ -30,9 +30,10 @@ struct Entry;
 
 struct Node {
   NodeKind kind = NodeKind::empty;
-  support::Span span;
-  bool plain = false;  ///< a scalar without quotes, on which YAML's own signs act
-  bool flow = false;   ///< inside or itself [...] or {...}
+  support::Span span;   ///< of an empty value its key
+  bool plain = false;   ///< a scalar without quotes, on which YAML's own signs act
+  bool flow = false;    ///< inside or itself [...] or {...}
+  bool is_cut = false;  ///< a scalar of which characters are refused, and taken out
   LocatedText scalar;
   std::vector<Node> items;     ///< of a sequence
   std::vector<Entry> entries;  ///< of a map, in the order of the file, keys unique

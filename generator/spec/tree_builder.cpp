@@ -310,6 +310,8 @@ void TreeBuilder::add(Node node) {
   } else {
     parent.node.entries.push_back({std::move(*parent.key), std::move(node)});
     parent.key.reset();
+    // YAML reports an empty value where it goes on, which may be another line.
+    if (node.kind == NodeKind::empty) node.span = parent.key->span;
   }
 }
 
