@@ -22,7 +22,10 @@ namespace {
 /// Every document, so that a second one is noticed. False when the text could not be read to its end.
 bool run_parser(const support::Source& source, TreeBuilder& builder, support::Diagnostics& diagnostics) {
   const std::size_t mark = byte_order_mark(source.text());
-  std::istringstream stream{std::string(source.text().substr(mark))};
+  std::string text(source.text().substr(mark));
+  // yaml-cpp 0.7 says less of a quote that is open where the last line ends without it.
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  std::istringstream stream{std::move(text)};
   stream.imbue(std::locale::classic());
   try {
     YAML::Parser parser(stream);

@@ -60,7 +60,9 @@ TreeBuilder::TreeBuilder(const support::Source& source, support::Diagnostics& di
       skipped_(static_cast<std::uint32_t>(byte_order_mark(source.text()))) {}
 
 std::uint32_t TreeBuilder::offset(const YAML::Mark& mark) const {
-  return static_cast<std::uint32_t>(mark.pos < 0 ? 0 : mark.pos) + skipped_;
+  const std::uint32_t at = static_cast<std::uint32_t>(mark.pos < 0 ? 0 : mark.pos) + skipped_;
+  // The parser may see one line's end more.
+  return std::min(at, static_cast<std::uint32_t>(source_.text().size()));
 }
 
 bool TreeBuilder::expects_key() const {
