@@ -26,7 +26,7 @@ namespace {
 /// Where to point for a value of the wrong kind: at the value, or at its key when there is none. An empty item of a list
 /// has no place of its own.
 Span place_of(const Node& node, Span owner) {
-  if (node.kind == NodeKind::empty) return owner;
+  if (node.kind == NodeKind::empty) return node.span.begin == node.span.end ? owner : node.span;
   return node.kind == NodeKind::scalar ? node.span : Span{node.span.begin, node.span.begin + 1};
 }
 
@@ -292,6 +292,7 @@ Ast read_expression(const Node& node, Span owner, Reading& reading) {
     return broken_expression();
   }
   if (!expect(NodeKind::scalar, "an expression", node, owner, "this", reading)) return broken_expression();
+  if (node.is_cut) return broken_expression();  // its names are not those that were meant
   if (!take_from_budget(node, reading)) return broken_expression();
   Ast ast = parse_readable(node.scalar, reading.diagnostics, reading.tables);
   // Repetition and submodels change names.

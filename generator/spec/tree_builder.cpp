@@ -162,7 +162,7 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
   node.scalar = align(value, source_.text(), at, style);
   node.span = node.scalar.span;
   count_node(node.span);
-  refuse_escaped_characters(node.scalar);
+  node.is_cut = refuse_escaped_characters(node.scalar);
   if (!expects_key()) return add(std::move(node));
   check_key_length(node.scalar);
   if (node.plain) refuse_slip_of_key(node.scalar);
@@ -180,8 +180,8 @@ void TreeBuilder::refuse_slip_of_key(const LocatedText& key) {
   has_holes_ = true;
 }
 
-/// They are taken out of the text, so that nothing else is said of them.
-void TreeBuilder::refuse_escaped_characters(LocatedText& scalar) {
+/// They are taken out of the text, so that nothing else is said of them; whether there are some.
+bool TreeBuilder::refuse_escaped_characters(LocatedText& scalar) {
   LocatedText kept;
   kept.span = scalar.span;
   for (std::size_t i = 0; i < scalar.text.size();) {
@@ -197,7 +197,9 @@ void TreeBuilder::refuse_escaped_characters(LocatedText& scalar) {
     }
     i += point.size;
   }
+  const bool is_cut = kept.text.size() < scalar.text.size();
   scalar = std::move(kept);
+  return is_cut;
 }
 
 void TreeBuilder::check_key_length(const LocatedText& key) {
@@ -310,10 +312,10 @@ void TreeBuilder::add(Node node) {
   } else if (parent.bad_key) {
     parent.bad_key = false;
   } else {
-    parent.node.entries.push_back({std::move(*parent.key), std::move(node)});
-    parent.key.reset();
     // YAML reports an empty value where it goes on, which may be another line.
     if (node.kind == NodeKind::empty) node.span = parent.key->span;
+    parent.node.entries.push_back({std::move(*parent.key), std::move(node)});
+    parent.key.reset();
   }
 }
 

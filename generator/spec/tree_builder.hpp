@@ -55,7 +55,7 @@ class TreeBuilder final : public YAML::EventHandler {
   void refuse_slip_of_key(const LocatedText& key);
   void take_empty_key(support::Span span);
   void refuse_key(support::Span span);
-  void refuse_escaped_characters(LocatedText& scalar);
+  bool refuse_escaped_characters(LocatedText& scalar);
   void check_key_length(const LocatedText& key);
   void close();
   void add(Node node);
