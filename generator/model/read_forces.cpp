@@ -79,9 +79,10 @@ CoordinateSpring read_coordinate_spring(const Entry& force, const Node& coordina
 /// A list is two places, a word a coordinate.
 void read_spring_law(const Entry& entry, const Entry& law, const std::string& where, Force& force, Reading& reading) {
   const bool is_pair = law.value.kind == spec::NodeKind::sequence;
+  const bool is_open = !is_pair && law.value.kind != spec::NodeKind::scalar;
   const char* const misplaced = is_pair ? "rest" : "length";
   for (const Entry& field : entry.value.entries) {
-    if (field.key.text != misplaced) continue;
+    if (field.key.text != misplaced || is_open) continue;
     reading.diagnostics.error(code::k_conflicting_keys, field.key.span,
                               fmt::format("{} has '{}', which belongs to a spring {}", where, misplaced,
                                           is_pair ? "along a coordinate" : "between two places"),
