@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/fields.hpp"
 #include "model/format.hpp"
 #include "model/names.hpp"
@@ -76,7 +78,9 @@ void read_initial(const Node& map, Orientation& orientation, Reading& reading) {
 void read_velocity_by_name(const Node& map, Orientation& orientation, Reading& reading) {
   std::vector<std::string> names;
   for (const Name& name : orientation.angular_velocity) names.push_back(name.text);
-  check_keys(map, "'initial_angular_velocity'", names, reading);
+  // Of a component that could not be read the name is open.
+  const bool are_known = std::find(names.begin(), names.end(), "") == names.end();
+  if (are_known) check_keys(map, "'initial_angular_velocity'", names, reading);
   for (std::size_t i = 0; i < names.size(); ++i)
     orientation.initial_angular_velocity[i] = expression_field(map, names[i], reading);
 }
