@@ -414,6 +414,7 @@ class Submodels {
                                fmt::format("'{}' is also a name that a submodel brings, of {}", entry.key.text,
                                            reading_.line_text(entry.key.span)),
                                "rename one of the two");
+    reading_.unread.add(entry);
   }
 
   support::Source& source_;
