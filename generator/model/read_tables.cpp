@@ -78,6 +78,12 @@ class TableReader {
     check_keys(entry_.value, where_, format::keys_of(format::table()), reading_);
     table.of = list("of");
     table.values = list("values");
+    const std::size_t findings = reading_.diagnostics.all().size();
+    read_course(table);
+    // How smooth it is meant to be is open.
+    const bool is_slip =
+        has_misspelt(entry_.value, "kind", reading_) || has_misspelt(entry_.value, "outside", reading_);
+    is_good_ = is_good_ && !is_slip && reading_.diagnostics.all().size() == findings;
     read_words(table);
     const auto of = numbers(table.of);
     const auto values = numbers(table.values);
@@ -94,7 +100,8 @@ class TableReader {
     is_good_ = false;
   }
 
-  void read_words(Table& table) {
+  /// Between the points and beyond them.
+  void read_course(Table& table) {
     using Kind = Table::Kind;
     using Outside = Table::Outside;
     const spec::Node& map = entry_.value;
@@ -102,6 +109,10 @@ class TableReader {
     const Outside by_kind = table.kind == Kind::spline ? Outside::extend : Outside::hold;
     table.outside =
         choice<Outside>(map, "outside", {"hold", Outside::hold}, {"extend", Outside::extend}, by_kind, reading_);
+  }
+
+  void read_words(Table& table) {
+    const spec::Node& map = entry_.value;
     table.of_unit = text_field(map, "of_unit", reading_);
     table.of_dimension = dimension_at(map, "of_unit", table.of_unit, reading_);
     read_unit(map, table, reading_);
