@@ -79,6 +79,11 @@ const char* remedy_for_redundant(const model::Constraint& row) {
 }
 
 const char* remedy_at_start(const model::Constraint& row) {
+  if (row.may_vanish && std::holds_alternative<model::SlipLaw>(row.law)) {
+    return "multipliers are not unique there: start from another state; where it is so in all states, write 'no_slip' "
+           "in "
+           "the directions that are needed instead of 'rolls'";
+  }
   const auto* position = std::get_if<model::PositionLaw>(&row.law);
   return position != nullptr && position->is_coincidence
              ? "multipliers are not unique there: start from another state; in a loop whose plane turns, 'in: frame' "
