@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "model/fields.hpp"
@@ -51,6 +52,26 @@ const Entry* meant_by(const std::string& key, const Node& map) {
   return near;
 }
 
+/// Of the entries of a section.
+std::vector<std::string> keys_in(const std::string& section) {
+  for (const format::Key& key : format::model_file().keys) {
+    if (key.name != section) continue;
+    const format::Value& entry = *key.value.item;
+    for (const format::Value& other : entry.others) {
+      if (other.map != nullptr) return format::keys_of(*other.map);
+    }
+    return entry.map == nullptr ? std::vector<std::string>{} : format::keys_of(*entry.map);
+  }
+  return {};
+}
+
+/// bodies: body
+std::string one_of(const std::string& section) {
+  constexpr std::string_view k_plural = "ies";
+  const std::size_t stem = section.size() - std::min(section.size(), k_plural.size());
+  return section.substr(stem) == k_plural ? section.substr(0, stem) + "y" : section.substr(0, section.size() - 1);
+}
+
 class Repetition {
  public:
   explicit Repetition(Reading& reading) : reading_(reading) {}
@@ -60,7 +81,8 @@ class Repetition {
     for (Entry& entry : taken_from(root)) {
       if (entry.key.text == k_counts) continue;
       const bool is_repeatable = is_section(entry.key.text) && entry.value.kind == NodeKind::map;
-      entry.value = is_repeatable ? section(std::move(entry.value)) : texts(entry.key.text, std::move(entry.value));
+      entry.value = is_repeatable ? section(entry.key.text, std::move(entry.value))
+                                  : texts(entry.key.text, std::move(entry.value));
       root.entries.push_back(std::move(entry));
     }
     return root;
@@ -120,18 +142,30 @@ class Repetition {
     return std::nullopt;
   }
 
-  Node section(Node section) {
+  Node section(const std::string& name, Node section) {
     names_.clear();
     for (Entry& entry : taken_from(section)) {
       const Entry* count = entry.value.kind == NodeKind::map ? meant_by(k_count, entry.value) : nullptr;
-      const bool is_whole = count == nullptr ? add(entry, counts_, section) : copy(entry, count->value, section);
+      is_slip_ = count != nullptr && count->key.text != k_count;
+      if (is_slip_) refuse_slip(name, entry, count->key);
+      const bool is_whole = count == nullptr ? add(entry, counts_, section) : copy(entry, *count, section);
       if (!is_whole) reading_.unread.add(entry);
     }
     return section;
   }
 
+  /// Here, where the name of the entry is as it is written; the copies go without the key.
+  void refuse_slip(const std::string& section, const Entry& entry, const spec::LocatedText& key) {
+    reading_.diagnostics.error(
+        code::k_unknown_key, key.span,
+        fmt::format("{} '{}' has no key '{}'", one_of(section), entry.key.text, key.text),
+        fmt::format("did you mean '{}'? allowed here: {}", k_count, support::joined(keys_in(section))));
+    reading_.unknown_keys.insert(key.span.begin);
+  }
+
   /// One `count` gives $i, a list of them $i, $j, $k.
-  bool copy(const Entry& entry, const Node& count, Node& section) {
+  bool copy(const Entry& entry, const Entry& given, Node& section) {
+    const Node& count = given.value;
     std::vector<std::int64_t> limits;
     const std::vector<Node> counts = count.kind == NodeKind::sequence ? count.items : std::vector<Node>{count};
     if (counts.empty() || counts.size() > k_index_names.size()) {
@@ -151,7 +185,7 @@ class Repetition {
     Entry pattern = entry;
     auto& fields = pattern.value.entries;
     for (auto field = fields.begin(); field != fields.end();)
-      field = field->key.text == k_count ? fields.erase(field) : field + 1;
+      field = field->key.text == given.key.text ? fields.erase(field) : field + 1;
     for (std::int64_t copy = 0; copy < copies; ++copy) {
       Indices indices = counts_;
       std::int64_t rest = copy;
@@ -191,17 +225,22 @@ class Repetition {
     // What is wrong with one copy is wrong with all.
     if (reading_.diagnostics.all().size() != findings) return false;
     if (!names_.insert(entry.key.text).second) {
-      reading_.diagnostics.error(code::k_duplicate_key, place, fmt::format("'{}' is there already", entry.key.text),
-                                 "what 'count' repeats has the index in its name, as in link_$i");
+      if (!is_slip_) refuse_second(entry.key.text, place);
       return false;
     }
     section.entries.push_back(std::move(entry));
     return true;
   }
 
+  void refuse_second(const std::string& name, support::Span place) {
+    reading_.diagnostics.error(code::k_duplicate_key, place, fmt::format("'{}' is there already", name),
+                               "what 'count' repeats has the index in its name, as in link_$i");
+  }
+
   Reading& reading_;
   Indices counts_;
   std::set<std::string> names_;  ///< in the section that is being written
+  bool is_slip_ = false;         ///< a key that may be meant as 'count' repeats the entry that is being written
   std::size_t nodes_ = 0;
   std::size_t bytes_ = 0;
 };
