@@ -387,13 +387,22 @@ class Parser {
     return false;
   }
 
-  static std::string hint_for_function(const std::string& text, bool has_several) {
+  /// All that may be called.
+  std::vector<std::string> callable_names() const {
+    std::vector<std::string> names = function_names();
+    for (const auto& table : tables_) {
+      if (table.first != k_any_table) names.push_back(table.first);
+    }
+    return names;
+  }
+
+  std::string hint_for_function(const std::string& text, bool has_several) const {
     // np.sin, math.sin: the function of a library.
     const std::string bare = text.substr(text.rfind('.') + 1);
     if (bare != text && find_function(bare) != nullptr) return fmt::format("write {}(...)", bare);
     std::string what = substitute_for(text);
     if (what.empty()) {
-      const std::string near = support::did_you_mean(text, function_names());
+      const std::string near = support::did_you_mean(text, callable_names());
       if (!near.empty()) return near;
       if (has_several) return "the functions are " + support::joined(function_names());
       what = fmt::format("for a product write {}*(...)", text);
