@@ -15,6 +15,7 @@
 #include "model/functions.hpp"
 #include "model/unit_names.hpp"
 #include "support/error_codes.hpp"
+#include "support/suggest.hpp"
 
 namespace gaussgen::model {
 
@@ -110,11 +111,23 @@ class DomainCheck {
                                  fmt::format("dot(...) may not appear in {}: {}", place.name, place.why), place.hint);
       return;
     }
-    for (const Ast& child : ast.children) check(child, is_dot ? within_dot(place) : place);
+    const bool is_unknown = ast.kind == AstKind::call && ast.table == nullptr && find_function(ast.name) == nullptr;
+    for (const Ast& child : ast.children) {
+      if (!is_unknown || !may_be_place(child, ast)) check(child, is_dot ? within_dot(place) : place);
+    }
   }
 
  private:
   /// Rates of places are made of the rates that speeds replace.
+  /// disatnce(P, Q): names of places stand in no other function, and where this one is meant, anything may be one.
+  bool may_be_place(const Ast& argument, const Ast& call) const {
+    const bool is_name = argument.kind == AstKind::symbol && argument.name.find('.') == std::string::npos;
+    if (!is_name) return false;
+    const std::string prefix = reading_.copies.prefix_of(call.name, call.span.begin, reading_.source);
+    const bool is_distance = !support::closest(call.name.substr(prefix.size()), {k_distance}).empty();
+    return is_distance || argument.name == "space" || reading_.frames.count(argument.name) > 0;
+  }
+
   static Place within_dot(const Place& around) {
     Place within = inside_dot();
     if (around.places) return within;
