@@ -58,7 +58,7 @@ bool allows(const Place& place, SymbolKind kind) {
 struct Unknown {
   support::Span first;
   int uses = 0;
-  bool is_place = false;  ///< of distance(P, Q), which stands for the components
+  bool is_place = false;  ///< of which components are used, also by distance(P, Q)
   std::uint32_t last = 0;
 };
 
@@ -118,7 +118,6 @@ class DomainCheck {
   }
 
  private:
-  /// Rates of places are made of the rates that speeds replace.
   /// disatnce(P, Q): names of places stand in no other function, and where this one is meant, anything may be one.
   bool may_be_place(const Ast& argument, const Ast& call) const {
     const bool is_name = argument.kind == AstKind::symbol && argument.name.find('.') == std::string::npos;
@@ -128,6 +127,7 @@ class DomainCheck {
     return is_distance || argument.name == "space" || reading_.frames.count(argument.name) > 0;
   }
 
+  /// Rates of places are made of the rates that speeds replace.
   static Place within_dot(const Place& around) {
     Place within = inside_dot();
     if (around.places) return within;
@@ -170,8 +170,9 @@ class DomainCheck {
     // A reserved name that was declared is reported at its declaration.
     if (reading_.unread.may_declare(ast.name) || reading_.refused.count(ast.name) > 0) return;
     const std::size_t point = ast.name.find('.');
-    const bool is_place =
+    const bool is_of_distance =
         point != std::string::npos && reading_.source.text(ast.span).find('.') == std::string_view::npos;
+    const bool is_place = is_of_distance || is_component_of_nothing(ast.name);
     const std::string name = is_place ? ast.name.substr(0, point) : ast.name;
     const auto [unknown, is_new] = unknown_.emplace(name, Unknown{ast.span, 0, is_place, 0});
     // The three components of one place are one use of it.
@@ -179,6 +180,15 @@ class DomainCheck {
     unknown->second.last = ast.span.begin;
     ++unknown->second.uses;
     if (!is_new && ast.span.begin < unknown->second.first.begin) unknown->second.first = ast.span;
+  }
+
+  /// pob.x, where neither a place nor anything else is called pob.
+  bool is_component_of_nothing(const std::string& name) const {
+    const std::size_t point = name.find('.');
+    if (point == std::string::npos || point + 2 != name.size() || name[point + 1] < 'x' || name[point + 1] > 'z')
+      return false;
+    const std::string owner = name.substr(0, point);
+    return reading_.frames.count(owner) == 0 && reading_.model.symbols.count(owner) == 0;
   }
 
   std::string hint_for(const Name& unknown) {
