@@ -51,7 +51,10 @@ constexpr std::pair<const char*, const char*> k_other_words[] = {
     {"body", "bodies"},
     {"bodys", "bodies"},
     {"constants", "parameters"},
+    {"rotate", "orientation"},
     {"origin", "position"},
+    {"at", "position"},
+    {"position", "at"},
     {"offset", "at"},
     {"default", "value"},
     {"q", "coordinates"},
@@ -242,7 +245,8 @@ void check_keys(const Node& map, const std::string& where, const std::vector<std
 bool has_misspelt(const Node& map, const std::string& key, const Reading& reading) {
   return std::any_of(map.entries.begin(), map.entries.end(), [&](const spec::Entry& entry) {
     if (reading.unknown_keys.count(entry.key.span.begin) == 0) return false;
-    return support::closest_or_begun(entry.key.text, {key}) == key || before_sign(entry.key.text) == key;
+    return support::closest_or_begun(entry.key.text, {key}) == key || before_sign(entry.key.text) == key ||
+           !in_our_words(entry.key.text, {key}).empty();
   });
 }
 
