@@ -130,14 +130,14 @@ const char* hint_for_blank(const std::string& text) {
                     : "write a blank behind the ':', as in 'key: value'";
 }
 
-bool expect(NodeKind kind, const char* wanted, const Node& node, Span owner, const std::string& where,
-            Reading& reading) {
+bool expect(NodeKind kind, const char* wanted, const Node& node, Span owner, const std::string& where, Reading& reading,
+            const char* hint = nullptr) {
   if (node.kind == kind) return true;
   reading.diagnostics.error(code::k_wrong_kind, place_of(node, owner),
                             fmt::format("{} must be {}, and here is {}", where, wanted, kind_text(node)),
-                            kind == NodeKind::map && lacks_blank(node)
-                                ? hint_for_blank(node.scalar.text)
-                                : hint_for_kind(kind, node.kind == NodeKind::empty));
+                            kind == NodeKind::map && lacks_blank(node) ? hint_for_blank(node.scalar.text)
+                            : hint != nullptr                          ? hint
+                                              : hint_for_kind(kind, node.kind == NodeKind::empty));
   return false;
 }
 
@@ -211,8 +211,8 @@ bool expect_map(const Node& node, Span owner, const std::string& where, Reading&
   return expect(NodeKind::map, "a map of 'key: value'", node, owner, where, reading);
 }
 
-bool expect_list(const Node& node, Span owner, const std::string& where, Reading& reading) {
-  return expect(NodeKind::sequence, "a list [...]", node, owner, where, reading);
+bool expect_list(const Node& node, Span owner, const std::string& where, Reading& reading, const char* hint) {
+  return expect(NodeKind::sequence, "a list [...]", node, owner, where, reading, hint);
 }
 
 bool expect_scalar(const Node& node, Span owner, const std::string& where, Reading& reading) {

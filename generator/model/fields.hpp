@@ -15,7 +15,10 @@ std::string kind_text(const spec::Node& node);
 
 /// `where` names the map in messages: "body 'ball'".
 bool expect_map(const spec::Node& node, support::Span owner, const std::string& where, Reading& reading);
-bool expect_list(const spec::Node& node, support::Span owner, const std::string& where, Reading& reading);
+
+/// `hint` says what the list is of, where it is not plain.
+bool expect_list(const spec::Node& node, support::Span owner, const std::string& where, Reading& reading,
+                 const char* hint = nullptr);
 
 /// `hint` says what the entries are, where it is not plain.
 bool expect_length(const spec::Node& list, std::size_t length, const std::string& where, Reading& reading,

@@ -149,7 +149,7 @@ class ConstraintReader {
   /// Two places by name, or nothing after a report.
   std::optional<std::array<Name, 2>> read_pair(const Entry& law) {
     const std::string where = "'" + law.key.text + "'";
-    if (!expect_list(law.value, law.key.span, where, reading_) ||
+    if (!expect_list(law.value, law.key.span, where, reading_, k_hint_for_pair) ||
         !expect_length(law.value, 2, where, reading_, k_hint_for_pair)) {
       return std::nullopt;
     }
