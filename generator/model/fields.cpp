@@ -319,14 +319,13 @@ std::array<Ast, 3> read_vector(const Node& node, Span owner, const std::string& 
   return vector;
 }
 
-namespace {
-
-/// Whether names refer to entries of the section, or to what they declare.
 bool declares(const std::string& section) {
   static const std::set<std::string> k_sections{"parameters", "inputs", "coordinates", "orientations", "frames",
                                                 "joints",     "speeds", "bodies",      "particles",    "points"};
   return k_sections.count(section) > 0;
 }
+
+namespace {
 
 /// [m, l] and "- m: 1" name what they declare; 3, oops and [] leave it open.
 bool names_entries(const Node& section) {
@@ -345,8 +344,21 @@ void note_unread_section(const spec::Entry& section, Reading& reading) {
 
 Name name_of(const spec::LocatedText& text) { return {text.text, text.span}; }
 
+namespace {
+
+std::string hint_for_left_out(const std::string& name, const Reading& reading) {
+  for (const LeftOut& entry : reading.left_out) {
+    if (entry.names.may_declare(name))
+      return fmt::format("'without' of submodel '{}' leaves out '{}', and this needs it", entry.submodel, entry.entry);
+  }
+  return "";
+}
+
+}  // namespace
+
 std::string did_you_mean(const Name& name, const std::vector<std::string>& candidates, Reading& reading) {
   if (!reading.searches.begin(candidates.size())) return "";
+  if (std::string hint = hint_for_left_out(name.text, reading); !hint.empty()) return hint;
   const std::string prefix = reading.copies.prefix_of(name.text, name.span.begin, reading.source);
   if (prefix.empty()) return support::did_you_mean(name.text, candidates);
   std::vector<std::string> own;

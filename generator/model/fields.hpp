@@ -61,8 +61,8 @@ std::array<Ast, 3> read_vector(const spec::Node& node, support::Span owner, cons
 
 Name name_of(const spec::LocatedText& text);
 
-/// "did you mean 'psi'?", or an empty text, also when many names were searched before; in the file of a submodel, of the
-/// names of its own.
+/// "did you mean 'psi'?", or which submodel does without what declares it, or an empty text, also when many names were
+/// searched before; in the file of a submodel, of the names of its own.
 std::string did_you_mean(const Name& name, const std::vector<std::string>& candidates, Reading& reading);
 
 /// The same for candidates that take time to list: `list()` is asked only when there is a search.
@@ -77,6 +77,9 @@ std::vector<std::string> names_of(const Map& map) {
   for (const auto& entry : map) names.push_back(entry.first);
   return names;
 }
+
+/// Whether names refer to entries of the section, or to what they declare.
+bool declares(const std::string& section);
 
 /// Of a section that is no map, the names of its entries are missing.
 void note_unread_section(const spec::Entry& section, Reading& reading);

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "model/copies.hpp"
 #include "model/model.hpp"
@@ -50,6 +51,14 @@ struct Declared {
   std::string what;  ///< "the parameter"
 };
 
+/// An entry of a submodel that the model around does without.
+struct LeftOut {
+  std::string section;
+  std::string entry;
+  std::string submodel;
+  Unread names = {};  ///< that it may have declared
+};
+
 struct Reading {
   const support::Source& source;
   support::Diagnostics& diagnostics;
@@ -64,6 +73,7 @@ struct Reading {
   bool has_unknown_carrier = false;      ///< of a frame, or a place that a constraint relates, which a slip has hidden
   std::vector<std::size_t> second = {};  ///< frames of bodies on other frames, whose names another frame has
   Unread unread = {};
+  std::vector<LeftOut> left_out = {};
   Copies copies = {};
   std::set<std::string> refused =
       {};  ///< declared, and may not be or are of two things: nothing is known of what uses them

@@ -60,6 +60,7 @@ struct Part {
   Node root;
   Unread unread = {};                   ///< what could not be read
   Copies copies = {};                   ///< of its files
+  std::vector<LeftOut> left_out = {};   ///< of its parts
   std::set<std::uint32_t> fields = {};  ///< where the names of fields in its parts stand that are reported
 };
 
@@ -107,6 +108,7 @@ class Submodels {
         if (content && has_room(part, content->root, content->copies.count())) {
           reading_.unread.add(content->unread, part.key.text + "_");
           reading_.copies.add(content->copies, part.key.text + "_");
+          for (const LeftOut& entry : content->left_out) note_left_out(entry, part.key.text + "_");
           fields_.insert(content->fields.begin(), content->fields.end());
           Node root = content->root;
           fit(part, *content, root);
@@ -116,6 +118,13 @@ class Submodels {
     }
     // What other parts of the model miss may stand in it.
     reading_.unread.add_owner(part.key.text);
+  }
+
+  void note_left_out(LeftOut entry, const std::string& prefix) {
+    Unread names;
+    names.add(entry.names, prefix);
+    entry.names = std::move(names);
+    reading_.left_out.push_back(std::move(entry));
   }
 
   bool has_name(const Node& path) {
@@ -184,7 +193,9 @@ class Submodels {
     // Its names, and those that it lacks, get the name of the submodel in front.
     Unread unread_around;
     Copies copies_around;
+    std::vector<LeftOut> left_out_around;
     std::set<std::uint32_t> fields_around;
+    std::swap(left_out_around, reading_.left_out);
     std::swap(unread_around, reading_.unread);
     std::swap(copies_around, reading_.copies);
     std::swap(fields_around, fields_);
@@ -195,10 +206,12 @@ class Submodels {
     drop_unreadable_sections(part.root);
     part.copies.add(top.begin - source_.offset_in_file(top.begin), "");
     part.copies.add(reading_.copies, "");
+    std::swap(left_out_around, reading_.left_out);
     std::swap(unread_around, reading_.unread);
     std::swap(copies_around, reading_.copies);
     std::swap(fields_around, fields_);
     part.unread = std::move(unread_around);
+    part.left_out = std::move(left_out_around);
     part.fields = std::move(fields_around);
     return part;
   }
@@ -260,7 +273,7 @@ class Submodels {
         refuse_twice(name);
         continue;
       }
-      const bool is_found = is_word && leave_out(name.scalar.text, content);
+      const bool is_found = is_word && leave_out(name.scalar.text, part.key.text, content);
       const bool is_slip = is_word && !is_found && refuse_left_out(part, name, content);
       is_known = is_known && is_word && !is_slip;
     }
@@ -292,14 +305,18 @@ class Submodels {
     return near.empty() ? near : fmt::format("did you mean '{}'?", near);
   }
 
-  static bool leave_out(const std::string& name, Node& content) {
+  bool leave_out(const std::string& name, const std::string& submodel, Node& content) {
     bool is_found = false;
     for (Entry& section : content.entries) {
       auto& entries = section.value.entries;
-      const auto last =
-          std::remove_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key.text == name; });
-      is_found = is_found || last != entries.end();
-      entries.erase(last, entries.end());
+      const auto found =
+          std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.key.text == name; });
+      if (found == entries.end()) continue;
+      is_found = true;
+      LeftOut left{section.key.text, name, submodel};
+      left.names.add(*found);
+      if (declares(section.key.text)) note_left_out(std::move(left), submodel + "_");
+      entries.erase(found);
     }
     return is_found;
   }

@@ -269,6 +269,18 @@ bool has_reasonable_size(Reading& reading) {
 
 }  // namespace
 
+namespace {
+
+std::string hint_for_motion(const Reading& reading) {
+  for (const LeftOut& entry : reading.left_out) {
+    if (entry.section == "coordinates" || entry.section == "joints" || entry.section == "orientations")
+      return fmt::format("'without' of submodel '{}' leaves out '{}', which would move", entry.submodel, entry.entry);
+  }
+  return "add 'coordinates:', 'orientations:', or 'joints:' that move";
+}
+
+}  // namespace
+
 void check_topology(Reading& reading) {
   if (!reading.unread.any() && !has_reasonable_size(reading)) return;
   const Model& model = reading.model;
@@ -278,7 +290,7 @@ void check_topology(Reading& reading) {
   }
   if (nothing_moves && !reading.unread.any()) {
     reading.diagnostics.error(code::k_nothing_moves, k_top, "the model has no coordinates, so nothing can move",
-                              "add 'coordinates:', 'orientations:', or 'joints:' that move");
+                              hint_for_motion(reading));
   }
   if (!model.bodies.empty() && !reading.unread.any()) check_used(reading);
   check_constraints(reading);
