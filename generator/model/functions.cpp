@@ -57,6 +57,7 @@ constexpr Substitute k_substitutes[] = {
     {"cot", "write 1/tan(x)"},
     {"sec", "write 1/cos(x)"},
     {"der", "write dot(x) for the rate of x"},
+    {"ddot", "accelerations are not available in a model, rates dot(x) are"},
     {"diff", "write dot(x) for the rate of x"},
 };
 
