@@ -6,6 +6,7 @@
 
 #include "model/fields.hpp"
 #include "model/names.hpp"
+#include "support/characters.hpp"
 #include "support/error_codes.hpp"
 
 namespace gaussgen::model {
@@ -115,6 +116,21 @@ std::vector<std::string> places_of(const Reading& reading) {
   return names;
 }
 
+std::string without_digits(std::string text) {
+  text.erase(std::remove_if(text.begin(), text.end(), support::is_digit), text.end());
+  return text;
+}
+
+/// link_$(i-1) in the first copy; `near` would be another copy of what is meant, or the copy itself.
+std::string hint_for_index(const Name& unknown, const std::string& near, const Reading& reading) {
+  const std::string written(reading.source.text(unknown.span));
+  const bool is_copy = written.find('$') != std::string::npos &&
+                       without_digits(near).find("'" + without_digits(unknown.text) + "'") != std::string::npos;
+  if (!is_copy) return near;
+  return fmt::format("'{}' is '{}' in one of the copies, which count from 1: write the first or the last one by itself",
+                     written, unknown.text);
+}
+
 std::string hint_for_unknown(const Name& unknown, Reading& reading) {
   const std::string& name = unknown.text;
   const std::string of_joint = reading.searches.are_spent() ? "" : hint_for_joint(name, reading);
@@ -127,7 +143,8 @@ std::string hint_for_unknown(const Name& unknown, Reading& reading) {
     return "a name has no signs; with an index, arithmetic stands in brackets, as in link_$(i-1)";
   const std::string near = did_you_mean_one_of(
       unknown, [&] { return places_of(reading); }, reading);
-  return near.empty() ? "declare it under 'frames', 'joints', 'bodies' or 'points'" : near;
+  return near.empty() ? "declare it under 'frames', 'joints', 'bodies' or 'points'"
+                      : hint_for_index(unknown, near, reading);
 }
 
 std::size_t add_checked_frame(Frame frame, std::optional<Name> parent, Reading& reading) {
