@@ -74,6 +74,20 @@ Rational scaled(const Integer& mantissa, int exponent) {
   return exponent > 0 ? Rational(mantissa * power) : mantissa / power;
 }
 
+/// 0x1F, 0o17, 0b1
+bool has_base(std::string_view text) {
+  const char base = at(text, 1);
+  if (text[0] != '0') return false;
+  return base == 'x' || base == 'X' || ((base == 'o' || base == 'b') && is_digit(at(text, 2)));
+}
+
+/// What stands behind the digits of 1e and 1e-.
+bool lacks_exponent(std::string_view rest) {
+  if (at(rest, 0) != 'e' && at(rest, 0) != 'E') return false;
+  const char next = at(rest, 1);
+  return !support::is_name_character(next) && next != '(' && next != '.';
+}
+
 NumberScan refused(std::size_t size, std::string problem, std::string hint) {
   NumberScan scan;
   scan.size = size;
@@ -85,10 +99,15 @@ NumberScan refused(std::size_t size, std::string problem, std::string hint) {
 }  // namespace
 
 NumberScan scan_number(std::string_view text) {
-  if (text[0] == '0' && (at(text, 1) == 'x' || at(text, 1) == 'X')) {
-    return refused(2, "numbers are decimal; '0x' has no meaning here", "write the value in decimal digits");
+  if (has_base(text)) {
+    return refused(2, fmt::format("numbers are decimal; '{}' has no meaning here", text.substr(0, 2)),
+                   "write the value in decimal digits");
   }
   const Parts parts = split(text);
+  if (lacks_exponent(text.substr(parts.size))) {
+    return refused(parts.size + 1, fmt::format("the exponent of '{}' is missing", text.substr(0, parts.size + 1)),
+                   "write its digits, as in 1e3, or * for a product");
+  }
   if (at(text, parts.size) == '.') {
     return refused(parts.size + 1, "a number with two decimal points", "write one, as in 1.5");
   }

@@ -33,11 +33,18 @@ TEST_CASE("digits and exponents are bounded") {
   CHECK(parsed("1e99999999999999999999") == "E054@0");
 }
 
-TEST_CASE("an e without digits is a name") { CHECK(parsed("2e") == "E035@1"); }
+TEST_CASE("an e without digits is an exponent that lacks them, unless it begins a name") {
+  CHECK(parsed("2e") == "E032@0");
+  CHECK(parsed("2e-") == "E032@0");
+  CHECK(parsed("2exp(x)") == "E035@1");
+  CHECK(parsed("2e_1") == "E035@1");
+}
 
 TEST_CASE("malformed numbers are numbers, not products") {
   CHECK(parsed("1.2.3") == "E032@0");
   CHECK(parsed("0x10") == "E032@0");
+  CHECK(parsed("0o17") == "E032@0");
+  CHECK(parsed("0b1") == "E032@0");
   CHECK(parsed("1_000") == "E032@0");
   CHECK(parsed(".nan") == "E032@0");
 }
