@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/character_name.hpp"
+#include "model/functions.hpp"
 #include "model/number.hpp"
 #include "support/characters.hpp"
 #include "support/error_codes.hpp"
@@ -71,6 +72,12 @@ class Lexer {
     if (is_letter(c)) return name();
     if (c == '*' && peek(1) == '*')
       return refuse(code::k_unexpected_character, 2, "'**' is not an operator", "write ^ for a power");
+    if (peek(1) == '=' && (c == '=' || c == '!') && text_.text.find(k_piecewise) != std::string::npos)
+      return refuse(code::k_unexpected_character, 2, fmt::format("'{}=' is not an operator", c),
+                    "conditions of piecewise(...) are comparisons by <, <=, > and >=");
+    if (peek(1) == c && (c == '&' || c == '|'))
+      return refuse(code::k_unexpected_character, 2, fmt::format("'{0}{0}' does not join conditions", c),
+                    "write piecewise(a < b, piecewise(c < d, x, y), y) for x where both hold, else y");
     const bool is_comparison = c == '<' || c == '>';
     if (is_comparison && peek(1) == '=') {
       push(c == '<' ? TokenKind::at_most : TokenKind::at_least, 2);
