@@ -28,7 +28,7 @@ std::string known_names(const Indices& indices, const char* otherwise) {
   return names.empty() ? otherwise : "known here: " + support::joined(names);
 }
 
-/// sum = product {(+|-) product}; product = factor {(*|/|%) factor}; factor = number | name | (sum) | -factor.
+/// sum = product {(+|-) product}; product = factor {(*|/|%) factor}; factor = number | name | (sum) | (+|-) factor.
 class Formula {
  public:
   /// `hint` says how to get an index where there is none.
@@ -53,14 +53,14 @@ class Formula {
     if (is_digit(c)) return number();
     if (is_letter(c)) return name();
     const std::size_t begin = at_;
-    if (c != '-' && c != '(')
+    if (c != '-' && c != '+' && c != '(')
       return refuse(begin, "a whole number is missing here", "as in $(i - 1), with + - * / % and brackets");
     if (++depth_ > k_deepest) return refuse(begin, "too many brackets in an index", "simplify it");
     ++at_;
-    const auto inner = c == '-' ? factor() : sum();
+    const auto inner = c == '(' ? sum() : factor();
     --depth_;
     if (!inner) return std::nullopt;
-    if (c == '-') return -*inner;
+    if (c != '(') return c == '-' ? -*inner : *inner;
     if (next() != ')' && text_.text.find(')', at_) != std::string::npos)
       return refuse(at_, "only whole numbers stand in the brackets of an index",
                     "as in $(i - 1), with + - * / % and brackets");

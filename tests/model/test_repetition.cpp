@@ -43,6 +43,7 @@ TEST_CASE("indices are worked out in whole numbers, and stay one factor when neg
   CHECK(value("7-$(1 - n)") == "(+ 7 (- (- 1)))");
   CHECK(value("$(0 - n)^2") == "(^ (- 2) 2)");
   CHECK(value("$(twice/n)$(7 % 4)") == "23");
+  CHECK(value("$(+n)$(3 - +1)") == "22");
   CHECK(value("$(n/3)") == "E090");
   CHECK(value("$(n/0)") == "E090");
   CHECK(value("$(1000000*1000000)") == "E090");
