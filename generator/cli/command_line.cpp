@@ -156,17 +156,40 @@ class Adder {
 
   void add_list(const std::string& name, std::vector<std::string>& target, const std::vector<std::string>& choices,
                 const std::string& text, const std::string& about) {
-    const auto take = [&target, choices, name](const std::vector<std::string>& words) {
-      for (const std::string& word : words) {
-        const std::string refusal = refusal_of_choice(word, choices);
-        if (!refusal.empty()) refuse(name, refusal);
-        target.push_back(word);
+    const auto take = [&target, choices, name](const std::vector<std::string>& lists) {
+      for (const std::string& list : lists) {
+        for (const std::string& word : words_of(list)) {
+          const std::string refusal = refusal_of_word(word, list, choices);
+          if (!refusal.empty()) refuse(name, refusal);
+          target.push_back(word);
+        }
       }
     };
     const std::string page = wrapped(about + support::joined(choices));
     CLI::Option* const option = app_.add_option_function<std::vector<std::string>>(name, take, page);
-    one_each(option, text)->delimiter(',');
+    one_each(option, text);
     line_.choices[option] = choices;
+    line_.lists.insert(option);
+  }
+
+  /// Empty ones too, which the parser would leave out; a list of them alone would take the model for its words.
+  static std::vector<std::string> words_of(const std::string& list) {
+    std::vector<std::string> words(1);
+    for (const char c : list) {
+      if (c == ',') {
+        words.emplace_back();
+      } else {
+        words.back() += c;
+      }
+    }
+    return words;
+  }
+
+  static std::string refusal_of_word(const std::string& word, const std::string& list,
+                                     const std::vector<std::string>& choices) {
+    if (list.empty()) return "what is given for it is empty";
+    if (word.empty()) return fmt::format("a word is missing beside a ',' in '{}'", list);
+    return refusal_of_choice(word, choices);
   }
 
   template <class Choice>

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct CommandLine {
   CLI::App app;
   std::map<std::string, Command> commands;
   std::map<const CLI::Option*, std::vector<std::string>> choices;  ///< words that an option takes
-  std::map<const CLI::Option*, Argument> arguments;                ///< those of the others that are not text
+  std::set<const CLI::Option*> lists;                ///< of them, those that take several, with commas between
+  std::map<const CLI::Option*, Argument> arguments;  ///< those of the others that are not text
 };
 
 /// Throws UsageError.

@@ -20,7 +20,7 @@ OptionRow row_of(const CLI::Option& option, const CommandLine& line) {
   const bool has_value = option.get_items_expected_max() > 0;
   if (!has_value) return row;
   row.value = option.get_type_name();
-  row.is_list = option.get_delimiter() == ',';
+  row.is_list = line.lists.count(&option) > 0;
   row.argument = Argument::text;
   if (const auto found = line.arguments.find(&option); found != line.arguments.end()) row.argument = found->second;
   if (const auto found = line.choices.find(&option); found != line.choices.end()) row.choices = found->second;

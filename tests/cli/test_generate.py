@@ -157,6 +157,12 @@ class Contents(Program):
         self.assertEqual(expected, self.ok(SPHERE, "-o", "-", "--outputs", "energy", "--outputs=residuals,rhs"))
         self.assertEqual(expected, self.ok(SPHERE, "-o", "-", "--outputs=energy,energy,residuals,rhs"))
 
+    def test_an_empty_word_in_a_list_of_outputs_is_refused(self):
+        for words in (",", "rhs,,", ",rhs", "rhs,,energy"):
+            error = self.refused(2, "--check", "--outputs", words, SPHERE)
+            self.assertIn(f"--outputs: a word is missing beside a ',' in '{words}'", error)
+        self.assertIn("--outputs: what is given for it is empty", self.refused(2, "--check", "--outputs", "", SPHERE))
+
     def test_fold_puts_the_parameters_in(self):
         plain, folded = self.ok(SKEW, "-o", "-"), self.ok(SKEW, "-o", "-", "--fold")
         self.assertIn("n_parameters = 6;", plain)
