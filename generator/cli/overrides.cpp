@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string_view>
 
 #include "model/constant.hpp"
@@ -174,6 +175,18 @@ struct Assignment {
   model::Ast value;
 };
 
+/// dot(x) is x_dot.
+std::string as_symbol(const std::string& name) {
+  const bool is_dot = name.rfind("dot(", 0) == 0 && name.back() == ')';
+  return is_dot ? trimmed(name.substr(4, name.size() - 5)) + "_dot" : name;
+}
+
+/// The last would win without a word.
+void refuse_second(const char* option, const std::string& name, std::set<std::string>& seen) {
+  if (seen.insert(as_symbol(name)).second) return;
+  throw UsageError(fmt::format("{}: '{}' is given twice; leave one of the two out", option, name));
+}
+
 Assignment split(const std::string& text, const model::Model& model) {
   const NameAndText given = at_equals("--set", text);
   const std::string option = "--set " + given.name;
@@ -209,20 +222,25 @@ std::string acceleration_name(const std::string& name, const model::Model& model
 std::map<std::string, support::Rational> parse_accelerations(const std::vector<std::string>& assignments,
                                                              const model::Model& model) {
   std::map<std::string, support::Rational> wanted;
+  std::set<std::string> seen;
   for (const std::string& text : assignments) {
     const NameAndText given = at_equals("--accelerate", text);
     const auto value = model::exact_value(parsed("--accelerate " + given.name, given.text));
     if (!value) throw UsageError(fmt::format("--accelerate {}: a number is needed", given.name));
-    wanted[acceleration_name(given.name, model)] = *value;
+    const std::string acceleration = acceleration_name(given.name, model);
+    refuse_second("--accelerate", given.name, seen);
+    wanted[acceleration] = *value;
   }
   return wanted;
 }
 
 void apply_overrides(const std::vector<std::string>& assignments, model::Model& model) {
   std::vector<Assignment> all;
+  std::set<std::string> seen;
   for (const std::string& text : assignments) {
     all.push_back(split(text, model));
     Override(all.back().name, all.back().value, model).apply();
+    refuse_second("--set", all.back().name, seen);
   }
   const model::Values values = model::parameter_values(model);
   for (const Assignment& assignment : all) {

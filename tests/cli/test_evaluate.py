@@ -471,8 +471,12 @@ forces: {gravity: {uniform: [0, 0, -9.81]}}
         self.assertEqual(found["status"], "ok")
         self.close(found["multipliers"]["c"]["value"], 9.81 / 2 / math.sqrt(1 - 0.995**2), 12)
 
-    def test_the_last_of_two_counts(self):
-        self.close(self.value("state", "zeta", SPHERE, "--set", "zeta=2", "--set", "zeta=3"), 3)
+    def test_a_second_value_for_one_name_is_refused(self):
+        for first, second in (("zeta=2", "zeta = 3"), ("dot(chi)=1", "chi_dot=1"), ("dot(chi)=1", "dot( chi )=1")):
+            error = self.refused(2, "evaluate", SPHERE, "--set", first, "--set", second)
+            self.assertIn(f"--set: '{second.split('=')[0].strip()}' is given twice", error)
+        error = self.refused(2, "evaluate", SPHERE, "--accelerate", "chi=1", "--accelerate", "chi=2")
+        self.assertIn("--accelerate: 'chi' is given twice", error)
 
     def test_a_formula_parameter_may_be_replaced_by_a_number(self):
         self.assertNotEqual(self.value("energy", "kinetic", SPHERE, "--set", "J=1"), self.value("energy", "kinetic", SPHERE))
