@@ -203,7 +203,27 @@ class Report {
     for (const emit::Artefact& artefact : build_artefact("inverse_dynamics", mechanics_)) {
       add_artefact("inverse_dynamics", artefact);
       warn_of_drives(artefact.status);
+      if (result_.doubts.empty()) warn_of_reached(artefact);
     }
+  }
+
+  void warn_of_reached(const emit::Artefact& artefact) {
+    for (const emit::Field& field : artefact.groups.front().fields) {
+      if (field.name != "reached") continue;
+      for (const auto i : mechanics_.symbols.speeds.indices())
+        warn_of_reached(mechanics_.symbols.speeds[i], field.values[i.value]);
+    }
+  }
+
+  // Only of what was asked for: the others are 0 for want of a better value.
+  void warn_of_reached(const kinematics::Speed& speed, NodeId reached) {
+    if (wanted_->count(speed.acceleration_name) == 0) return;
+    const Expr wanted = mechanics_.expressions.symbol(speed.acceleration);
+    const auto gap = value_of_.residual((Expr(mechanics_.graph, reached) - wanted).id(), digits_);
+    const auto value = value_of_(reached);
+    if (!gap || !value || cln::zerop(*gap)) return;
+    result_.warnings.push_back("the inputs that are needed make " + speed.acceleration_name + " " +
+                               evaluate::to_decimal(*value, 3) + ": they cannot make all that is wanted");
   }
 
   void warn_of_drives(const emit::StatusNodes& status) {

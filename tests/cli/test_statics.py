@@ -408,6 +408,19 @@ forces: {push: {generalized: {x: F^2}}}
             shown = self.ok("evaluate", "-", "--accelerate", "x=1" if model != FALLING else "z=1", stdin=model)
             self.assertEqual("needed inputs are not found: none acts along a speed, or forces are not linear in them" in shown, word)
 
+    def test_fewer_inputs_than_motions_reach_what_they_can_and_say_so(self):
+        # A mass of 1 pulled by F along [3, 4]: of the wanted [1, 0], the part 3/5 along it, [9/25, 12/25].
+        skew = HEAD + """inputs: {F: 0}
+coordinates: {x: {}, y: {}}
+particles: {p: {mass: 1, position: [x, y, 0]}}
+forces: {pull: {force: [3*F, 4*F, 0], on: p}}
+"""
+        done = self.run_it("evaluate", "-", "--accelerate", "x=1", "--format=json", stdin=skew)
+        found = json.loads(done.stdout)["inverse_dynamics"]
+        self.assertEqual((done.returncode, float(found["needed.F"]["value"])), (0, 0.12))
+        self.assertEqual(done.stderr, "warning: the inputs that are needed make x_ddot 0.360: they cannot make all that is wanted\n")
+        self.assertEqual(self.run_it("evaluate", "-", "--accelerate", "x=3", "--accelerate", "y=4", stdin=skew).stderr, "")
+
     def test_accelerations_that_constraints_forbid_are_named(self):
         done = self.run_it("evaluate", "-", "--accelerate", "x=1", stdin=LAMP)
         self.assertIn("the wanted accelerations violate constraint ", done.stderr)
