@@ -160,10 +160,14 @@ function(gauss_add_model)
   file(MAKE_DIRECTORY "${folder}")
   _gauss_keep_header("${ARG_TARGET}" "${name}" "${folder}")
   set(header "${folder}/${name}.hpp")
-  # CMake (3.25) rewrites depfiles and loses what protects a `$` or a `#`; a file that is never found would be generated at every
-  # build.
+  # CMake (3.25) rewrites depfiles and loses what protects a `$` or a `#`, and ninja takes few other signs in them; a file that is
+  # never found would be generated at every build.
   set(depfile DEPFILE "${header}.d")
-  if("${header}${model}" MATCHES "[$#]")
+  set(lost "[$#]")
+  if(CMAKE_GENERATOR MATCHES "Ninja")
+    set(lost "[$#&'*?`^]")
+  endif()
+  if("${header}${model}" MATCHES "${lost}")
     message(WARNING "gauss_add_model(${ARG_TARGET}): in a folder with a '${CMAKE_MATCH_0}' in its name, as of '${model}', a change in "
                     "the files of submodels is not seen; rename the folder, or change the model file, too")
     set(depfile)

@@ -268,7 +268,8 @@ class Package(unittest.TestCase):
 
     def test_nothing_is_generated_twice_in_a_folder_that_depfiles_cannot_name(self):
         # With a '#', what CMake writes for make cannot be read by make.
-        for generator, program, sign in (("Ninja", "ninja", "$"), ("Unix Makefiles", "make", "$"), ("Ninja", "ninja", "#")):
+        for generator, program, sign in (("Ninja", "ninja", "$"), ("Unix Makefiles", "make", "$"), ("Ninja", "ninja", "#"),
+                                         ("Ninja", "ninja", "&")):
             if not shutil.which(program):
                 continue
             with self.subTest(generator=generator, sign=sign):
