@@ -131,15 +131,17 @@ evaluate::Matrix without_column(const evaluate::Matrix& matrix, std::size_t drop
 
 }  // namespace
 
-GenericPoint::Values GenericPoint::values_near_start(int attempt) const {
-  Values values(motion_.graph, Arithmetic<Number>(Arithmetic<cl_F>(k_digits)));
-  Spread<Values>(motion_, values, attempt).run();
-  return values;
+GenericPoint::Values& GenericPoint::values_near_start(int attempt) {
+  if (attempt == static_cast<int>(points_.size())) {
+    points_.emplace_back(motion_.graph, Arithmetic<Number>(Arithmetic<cl_F>(k_digits)));
+    Spread<Values>(motion_, points_.back(), attempt).run();
+  }
+  return points_[static_cast<std::size_t>(attempt)];
 }
 
 evaluate::Matrix GenericPoint::operator()(const strategy::Matrix& matrix) {
   for (int attempt = 0;; ++attempt) {
-    Values values = values_near_start(attempt);
+    Values& values = values_near_start(attempt);
     const bool is_last = attempt + 1 == k_attempts;
     if (const auto result = matrix_of(matrix, values, is_last)) return *result;
   }

@@ -24,11 +24,12 @@ class GenericPoint {
   using Number = evaluate::Scaled<cln::cl_F>;
   using Values = evaluate::Evaluator<Number>;
 
-  Values values_near_start(int attempt) const;
+  Values& values_near_start(int attempt);
   static std::optional<evaluate::Matrix> matrix_of(const strategy::Matrix& matrix, Values& values,
                                                    bool replaces_undefined);
 
   ModelGraph& motion_;
+  std::vector<Values> points_;  ///< by attempt
 };
 
 /// Whether an expression is zero there, also one that came out of many divisions, through which the bounds of GenericPoint grow

@@ -17,7 +17,9 @@ std::vector<std::size_t> allowed_dependent(const Mechanics& mechanics) {
 }
 
 strategy::DependentRows rows_found_at_generic_point(ModelGraph& motion) {
-  return [&motion](const strategy::Matrix& metric) { return dependent_rows(GenericPoint(motion)(metric)); };
+  return [at_generic_point = std::make_shared<GenericPoint>(motion)](const strategy::Matrix& metric) {
+    return dependent_rows((*at_generic_point)(metric));
+  };
 }
 
 strategy::Solution solved(const Mechanics& mechanics, const MechanicsOptions& options, strategy::Steps& steps) {

@@ -22,6 +22,8 @@ namespace gaussgen {
 
 namespace {
 
+const char* const k_check = "check";
+
 /// Times stages and shows each to the observer.
 class Stages {
  public:
@@ -36,10 +38,7 @@ class Stages {
 
   std::vector<StageTime> times() && { return std::move(times_); }
 
-  /// What is made now, or the last check.
-  std::string under_way() const {
-    return times_.size() < stage_names().size() ? stage_names()[times_.size()] : "check";
-  }
+  const std::string& under_way() const { return stage_names()[std::min(times_.size(), stage_names().size() - 1)]; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -51,16 +50,23 @@ class Stages {
 
 std::string nodes(const Mechanics& mechanics) { return fmt::format("{} nodes", mechanics.graph.size()); }
 
-bool emits(const emit::Unit& unit, const std::string& output) {
-  return std::any_of(unit.artefacts.begin(), unit.artefacts.end(),
-                     [&](const emit::Artefact& artefact) { return artefact.name == output; });
+bool emits_initial_state(const Mechanics& mechanics, const PipelineOptions& options) {
+  const std::vector<std::string> wanted = wanted_outputs(mechanics.model, options);
+  return mechanics.dynamics.n() > 0 && std::find(wanted.begin(), wanted.end(), "initial_state") != wanted.end();
 }
 
 }  // namespace
 
 const std::vector<std::string>& stage_names() {
-  static const std::vector<std::string> k_names{"model", "kinematics", "paper", "strategy", "artefacts", "header"};
+  static const std::vector<std::string> k_names{"model", "kinematics", "paper", "strategy",
+                                                k_check, "artefacts",  "header"};
   return k_names;
+}
+
+std::vector<std::string> stages_with_dump() {
+  std::vector<std::string> names = stage_names();
+  names.erase(std::find(names.begin(), names.end(), k_check));
+  return names;
 }
 
 namespace {
@@ -95,6 +101,12 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   stages.done("paper", nodes(mechanics), [&] { return dump_paper(mechanics); });
   stages.done("strategy", nodes(mechanics), [&] { return dump_strategy(mechanics); });
 
+  // Before all else that takes long.
+  check_initial_state(mechanics, {emits_initial_state(mechanics, options), options.assemble}, diagnostics);
+  check_points(mechanics, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  stages.done(k_check, nodes(mechanics), [] { return std::string(); });
+
   const emit::Unit unit = build_unit(mechanics, source, options);
   check_outputs(mechanics, unit, options, diagnostics);
   check_range(mechanics.graph, unit, model->name, diagnostics);
@@ -108,12 +120,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   if (diagnostics.has_errors()) return std::nullopt;
   stages.done("header", fmt::format("{} bytes", result.header.size()), [&] { return result.header; });
 
-  // Last, so that what it adds to the graph cannot change the header.
-  check_initial_state(mechanics, {emits(unit, "initial_state"), options.assemble}, diagnostics);
   if (options.assemble) result.assembled = assembled_values(mechanics, stated);
-  check_points(mechanics, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  stages.done("check", nodes(mechanics), [] { return std::string(); });
   result.times = std::move(stages).times();
   return result;
 }

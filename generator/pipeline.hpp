@@ -50,7 +50,10 @@ struct PipelineResult {
 std::optional<PipelineResult> compile(support::Source& source, const PipelineOptions& options,
                                       support::Diagnostics& diagnostics, const StageObserver& observe);
 
-/// Stage names for `--dump`, in order.
+/// In order.
 const std::vector<std::string>& stage_names();
+
+/// Those for `--dump`: all that make something.
+std::vector<std::string> stages_with_dump();
 
 }  // namespace gaussgen

@@ -79,21 +79,9 @@ class UnitBuilder {
     }
   }
 
-  std::vector<std::string> outputs() const {
-    if (!options_.outputs.empty()) return options_.outputs;
-    std::vector<std::string> names;
-    for (const model::Name& name : model_.outputs) names.push_back(name.text);
-    if (names.empty()) {
-      for (const OutputKind& kind : output_kinds()) {
-        if (kind.is_usual) names.push_back(kind.name);
-      }
-    }
-    return names;
-  }
-
   // In the order of output_kinds, whatever the order of the request: same functions, same bytes.
   void add_artefacts() {
-    const std::vector<std::string> wanted = outputs();
+    const std::vector<std::string> wanted = wanted_outputs(model_, options_);
     for (const OutputKind& kind : output_kinds()) {
       const bool is_wanted = kind.name == "rhs" || std::find(wanted.begin(), wanted.end(), kind.name) != wanted.end();
       if (!is_wanted) continue;
@@ -152,6 +140,17 @@ class UnitBuilder {
 };
 
 }  // namespace
+
+std::vector<std::string> wanted_outputs(const model::Model& model, const PipelineOptions& options) {
+  if (!options.outputs.empty()) return options.outputs;
+  std::vector<std::string> names;
+  for (const model::Name& name : model.outputs) names.push_back(name.text);
+  if (!names.empty()) return names;
+  for (const OutputKind& kind : output_kinds()) {
+    if (kind.is_usual) names.push_back(kind.name);
+  }
+  return names;
+}
 
 emit::Unit build_unit(Mechanics& mechanics, const support::Source& source, const PipelineOptions& options) {
   return UnitBuilder(mechanics, source, options).run();

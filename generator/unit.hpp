@@ -6,6 +6,9 @@
 
 namespace gaussgen {
 
+/// Names of output_kinds: those that the options ask for, else those of the model, else the usual ones.
+std::vector<std::string> wanted_outputs(const model::Model& model, const PipelineOptions& options);
+
 /// Tables, names and artefacts for the emitter.
 emit::Unit build_unit(Mechanics& mechanics, const support::Source& source, const PipelineOptions& options);
 

@@ -51,7 +51,7 @@ class Adder {
                                 ir::k_most_nodes)))
         ->type_name("N");
     add_max_seconds();
-    add_list("--dump", options_.dumps, stage_names(), "STAGE", "write nothing, print what comes out of a stage: ");
+    add_list("--dump", options_.dumps, stages_with_dump(), "STAGE", "write nothing, print what comes out of a stage: ");
     add_flag("--timings", options_.timings, "say on standard error what each stage took");
     add_messages();
   }

@@ -83,13 +83,11 @@ int generate(const Options& options) {
   support::Source source = read_source(options.model);
   if (options.list_outputs) return check_or_list(options, source);
 
-  std::vector<std::string> stages = stage_names();
-  stages.emplace_back("check");
   std::optional<DerivationGuard> derivation;
   std::string dumped;
   const StageObserver observe = [&](const std::string& stage, const std::function<std::string()>& dump) {
     guard.reset();  // the first stage is that of the text
-    if (!derivation) derivation.emplace(stages, options.most_seconds, options.messages);
+    if (!derivation) derivation.emplace(stage_names(), options.most_seconds, options.messages);
     derivation->finish_stage();
     if (std::find(options.dumps.begin(), options.dumps.end(), stage) == options.dumps.end()) return;
     if (options.dumps.size() > 1) dumped += "=== " + stage + "\n";

@@ -65,6 +65,7 @@ Matrix g_above_b(const Dynamics& dynamics) {
 }
 
 DependentRows dependent_rows_over(const Dynamics& dynamics, const std::vector<std::size_t>& speeds) {
+  if (dynamics.l() == 0) return [](const Matrix&) { return std::vector<std::size_t>(); };
   Matrix block;
   for (const std::size_t i : speeds) {
     block.emplace_back();

@@ -97,7 +97,7 @@ class WritingNothing(Program):
         result = self.run_it(SPHERE, "--timings", "-o", "-")
         self.assertEqual(result.stdout, self.ok(SPHERE, "-o", "-"))
         lines = result.stderr.splitlines()
-        self.assertEqual([line.split()[0] for line in lines], [*STAGES, "check", "total"])
+        self.assertEqual([line.split()[0] for line in lines], [*list(STAGES)[:4], "check", *list(STAGES)[4:], "total"])
         for line in lines:
             self.assertRegex(line, r"^\w+ +\d+\.\d{3} ms")
 
