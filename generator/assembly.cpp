@@ -77,8 +77,8 @@ void open_rates(model::Model& model, const std::vector<bool>& chosen) {
     if (!coordinate.held_at && chosen[next++]) open(coordinate.initial_rate, coordinate.rate_guess);
   }
   for (model::Orientation& orientation : model.orientations) {
-    for (auto& component : orientation.initial_angular_velocity) {
-      if (chosen[next++]) component.reset();
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (chosen[next++]) open(orientation.initial_angular_velocity[i], orientation.angular_velocity_guess[i]);
     }
   }
 }
@@ -93,7 +93,8 @@ std::vector<bool> are_stated(const model::Model& model) {
   }
   for (const model::Orientation& orientation : model.orientations) {
     positions.insert(positions.end(), orientation.initial.size(), true);
-    for (const auto& component : orientation.initial_angular_velocity) speeds.push_back(component.has_value());
+    for (std::size_t i = 0; i < 3; ++i)
+      speeds.push_back(orientation.initial_angular_velocity[i] || orientation.angular_velocity_guess[i]);
   }
   positions.insert(positions.end(), speeds.begin(), speeds.end());
   return positions;

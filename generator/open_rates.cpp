@@ -14,11 +14,15 @@ constexpr int k_trusted_digits = 12;
 strategy::Vector guesses(Mechanics& mechanics) {
   kinematics::Expressions& expressions = mechanics.expressions;
   strategy::Vector result;
+  const auto add = [&](const std::optional<model::Ast>& guess) {
+    result.push_back(guess ? expressions(*guess) : expressions.number(0));
+  };
   for (const model::Coordinate& coordinate : mechanics.model.coordinates) {
-    if (coordinate.held_at) continue;
-    result.push_back(coordinate.rate_guess ? expressions(*coordinate.rate_guess) : expressions.number(0));
+    if (!coordinate.held_at) add(coordinate.rate_guess);
   }
-  while (result.size() < mechanics.symbols.speeds.size()) result.push_back(expressions.number(0));
+  for (const model::Orientation& orientation : mechanics.model.orientations) {
+    for (const auto& guess : orientation.angular_velocity_guess) add(guess);
+  }
   return result;
 }
 

@@ -73,13 +73,22 @@ std::string remedy(const Mechanics& mechanics, const Violation& violation, Model
   std::vector<std::string> given;
   std::vector<std::string> open;
   std::vector<std::string> stuck;
+  bool has_angular_velocity = false;
   const std::vector<bool> is_given = stated_speeds(mechanics.model);
   for (const auto i : mechanics.symbols.speeds.indices()) {
     const auto b = values(row.beta[mechanics.symbols.full(i)].id());
     const std::string& name = mechanics.symbols.speeds[i].name;
     if (b && !cln::zerop(*b)) (is_given[i.value] ? given : open).push_back(name);
     const bool is_involved = !row.beta[mechanics.symbols.full(i)].is_zero();
-    if (!row.is_linear && is_involved && !is_given[i.value]) stuck.push_back(name);
+    if (row.is_linear || !is_involved || is_given[i.value]) continue;
+    stuck.push_back(name);
+    const model::SymbolKind kind = mechanics.model.resolve(mechanics.symbols.speeds[i].label).kind;
+    has_angular_velocity = has_angular_velocity || kind == model::SymbolKind::angular_velocity;
+  }
+  if (has_angular_velocity) {
+    return fmt::format(
+        "{} is open: state about what it is in 'initial_angular_velocity', and let --assemble move it from there",
+        joined(stuck));
   }
   if (!stuck.empty()) {
     return fmt::format("{} is open: give it an initial_rate_guess from which the search can start", joined(stuck));

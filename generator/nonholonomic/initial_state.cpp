@@ -42,7 +42,8 @@ class InitialState {
   void add(const model::Orientation& orientation) {
     for (std::size_t i = 0; i < 4; ++i) set(orientation.quaternion[i].text, orientation.initial[i]);
     for (std::size_t i = 0; i < 3; ++i) {
-      set_rate(orientation.angular_velocity[i].text, orientation.initial_angular_velocity[i]);
+      const auto& stated = orientation.initial_angular_velocity[i];
+      set_rate(orientation.angular_velocity[i].text, stated ? stated : orientation.angular_velocity_guess[i]);
     }
   }
 

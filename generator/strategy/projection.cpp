@@ -293,9 +293,9 @@ Given given_state(const model::Model& model, kinematics::Expressions& expression
   }
   for (const model::Orientation& orientation : model.orientations) {
     for (const model::Ast& component : orientation.initial) given.configuration.push_back(expressions(component));
-    for (const auto& component : orientation.initial_angular_velocity) {
+    for (std::size_t i = 0; i < 3; ++i) {
       if (orientation.is_open) given.open_positions.push_back(given.speeds.size());
-      add_speed(component, std::nullopt, expressions, given);
+      add_speed(orientation.initial_angular_velocity[i], orientation.angular_velocity_guess[i], expressions, given);
     }
   }
   return given;

@@ -1,9 +1,11 @@
 """Runs gauss-gen as a user would. $GAUSS_GEN is the program, $GAUSS_SOURCE_DIR the checkout."""
 
+import json
 import os
 import subprocess
 import tempfile
 import unittest
+from fractions import Fraction
 from pathlib import Path
 
 PROGRAM = os.environ["GAUSS_GEN"]
@@ -65,3 +67,16 @@ class Program(unittest.TestCase):
         path = self.folder / name
         path.write_text(text, encoding="utf-8")
         return path
+
+
+class Evaluate(Program):
+    """With the numbers of `gauss-gen evaluate`, which has a digit for each that it knows."""
+
+    def document(self, *arguments, **more):
+        return json.loads(self.ok("evaluate", "--format", "json", *arguments, **more))
+
+    def value(self, group, name, *arguments):
+        return Fraction(self.document(*arguments)[group][name]["value"])
+
+    def close(self, a, b, digits=15):
+        self.assertLessEqual(abs(Fraction(a) - Fraction(b)), abs(Fraction(b)) / 10**digits)
