@@ -7,6 +7,7 @@
 #include "description.hpp"
 #include "evaluate/decimal.hpp"
 #include "ir/differentiate.hpp"
+#include "ir/substitute.hpp"
 #include "model/impossible.hpp"
 #include "model_values.hpp"
 #include "strategy/projection.hpp"
@@ -33,6 +34,7 @@ const char* const k_about_wanted =
 const char* const k_unit_of_multiplier = "power per phi: N where phi is in m/s, N*m where it is in rad/s";
 
 constexpr int k_beyond_digits = 5;
+constexpr int k_digits_of_double = 16;
 constexpr int k_violated_digits = 8;
 
 bool has_open_positions(Mechanics& mechanics) {
@@ -60,7 +62,7 @@ class Report {
         value_of_(mechanics, time, digits),
         wanted_(wanted),
         resting_(resting),
-        singular_mass_matrix_(mechanics.solution.singular_mass_matrix) {}
+        singular_mass_matrix_(singular_mass_matrix()) {}
 
   Evaluation run() {
     warn_of_parameters();
@@ -81,6 +83,16 @@ class Report {
   }
 
  private:
+  // A place where forces balance is found, not given: what would vanish there has the digits of the answer and no more.
+  Expr singular_mass_matrix() const {
+    const Expr singular = mechanics_.solution.singular_mass_matrix;
+    if (!resting_) return singular;
+    ir::Substitution rounded(mechanics_.graph);
+    rounded.replace(mechanics_.symbols.epsilon, mechanics_.expressions.number(cln::expt(
+                                                    support::Rational(10), -std::max(digits_, k_digits_of_double))));
+    return rounded(singular);
+  }
+
   void add(const std::string& group, const std::string& name, const Description& description, NodeId node) {
     const auto& [unit, about] = description;
     const std::optional<cl_F> value = ought_to_vanish(group) ? value_of_.residual(node, digits_) : value_of_(node);
