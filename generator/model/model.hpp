@@ -102,8 +102,8 @@ struct Orientation {
   std::array<Ast, 4> initial;                                  ///< over parameters; normalised when emitted
   bool is_open = false;                                        ///< constraints may turn it from `initial`
   std::array<std::optional<Ast>, 3> initial_angular_velocity;  ///< an empty one is open
-  std::array<std::optional<Ast>, 3>
-      angular_velocity_guess;  ///< of `--assemble`: where the search for an open one starts
+  /// Of `--assemble`: where the search for an open one starts.
+  std::array<std::optional<Ast>, 3> angular_velocity_guess;
 };
 
 /// A turn about x, y or z, or about a vector over parameters (of any length but 0).
