@@ -1,10 +1,16 @@
 #include "mechanics.hpp"
 
+#include <fmt/format.h>
+
 #include "generic_point.hpp"
+#include "kinematics/hold.hpp"
+#include "strategy/tree_choice.hpp"
 
 namespace gaussgen {
 
 namespace {
+
+const char* const k_about_tree = "Z minimised body by body along the tree";
 
 std::vector<std::size_t> allowed_dependent(const Mechanics& mechanics) {
   std::vector<std::size_t> allowed;
@@ -22,9 +28,57 @@ strategy::DependentRows rows_found_at_generic_point(ModelGraph& motion) {
   };
 }
 
-strategy::Solution solved(const Mechanics& mechanics, const MechanicsOptions& options, strategy::Steps& steps) {
-  const strategy::Dynamics& dynamics = mechanics.dynamics;
-  if (dynamics.l() == 0) return strategy::solve_unconstrained(dynamics, mechanics.epsilon(), steps);
+std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics) {
+  ir::Substitution hold = kinematics::held_laws(mechanics.model, mechanics.expressions, mechanics.symbols);
+  const auto linkage = kinematics::build_linkage(mechanics.model, mechanics.symbols, mechanics.expressions, hold);
+  if (!linkage) return std::nullopt;
+  const kinematics::Kinematics& kinematics = mechanics.kinematics;
+  strategy::TreeProblem problem{*linkage, mechanics.symbols, kinematics.field, {}, ""};
+  for (const auto i : mechanics.symbols.speeds.indices()) {
+    const auto a = mechanics.symbols.full(i);
+    problem.forces.push_back(kinematics.body_force[a] + kinematics.other_force[a]);
+  }
+  return strategy::cheapest_tree(problem, mechanics.epsilon());
+}
+
+/// Of the metric, entry by entry: where there are few coordinates, as much vanishes in it that it may be the cheapest.
+constexpr std::size_t k_most_coordinates_of_metric = 6;
+
+strategy::Candidate solved_over_metric(const Mechanics& mechanics) {
+  strategy::Steps steps;
+  strategy::Solution solution = strategy::solve_unconstrained(mechanics.dynamics, mechanics.epsilon(), steps);
+  return strategy::counted(std::move(solution), std::move(steps));
+}
+
+strategy::Solution taken(strategy::Candidate candidate, const std::string& instead, strategy::Steps& steps) {
+  steps.append(candidate.steps);
+  candidate.solution.description +=
+      fmt::format(": {} operations before they are optimised{}", candidate.operations, instead);
+  return std::move(candidate.solution);
+}
+
+strategy::Solution solved_unconstrained(Mechanics& mechanics, strategy::Steps& steps) {
+  const std::size_t n = mechanics.dynamics.n();
+  // First, so that its entries have the names by which people know them.
+  std::optional<strategy::Candidate> metric;
+  if (n <= k_most_coordinates_of_metric) metric = solved_over_metric(mechanics);
+  std::optional<strategy::Candidate> tree;
+  if (n > 0) tree = solved_as_tree(mechanics);
+  if (tree) tree->solution.description = k_about_tree;
+  if (!tree && !metric) metric = solved_over_metric(mechanics);
+  if (!tree) {
+    steps.append(metric->steps);
+    return metric->solution;
+  }
+  if (!metric) return taken(std::move(*tree), "", steps);
+  if (tree->operations < metric->operations) {
+    return taken(std::move(*tree), fmt::format(", and {} by L D L^T of the metric", metric->operations), steps);
+  }
+  return taken(std::move(*metric), fmt::format(", and {} body by body along the tree", tree->operations), steps);
+}
+
+strategy::Solution solved_constrained(const Mechanics& mechanics, const strategy::Dynamics& dynamics,
+                                      const MechanicsOptions& options, strategy::Steps& steps) {
   if (!options.force_multipliers) {
     // The model's choice first, where it has one; structure_check says so if it is not safe.
     auto elimination = strategy::eliminate(dynamics, allowed_dependent(mechanics), steps);
@@ -32,6 +86,11 @@ strategy::Solution solved(const Mechanics& mechanics, const MechanicsOptions& op
     if (elimination) return strategy::solve_by_elimination(dynamics, *elimination, mechanics.epsilon(), steps);
   }
   return strategy::solve_with_multipliers(dynamics, mechanics.epsilon(), steps);
+}
+
+strategy::Solution solved(Mechanics& mechanics, const MechanicsOptions& options, strategy::Steps& steps) {
+  if (mechanics.dynamics.l() == 0) return solved_unconstrained(mechanics, steps);
+  return solved_constrained(mechanics, mechanics.dynamics, options, steps);
 }
 
 // Rates of coordinates are speeds and need no name; those of quaternions are expressions.
@@ -59,13 +118,20 @@ KinematicModel::KinematicModel(const model::Model& checked_model, bool fold, std
     : ModelGraph(checked_model, fold, most_nodes),
       kinematics(kinematics::build_kinematics(model, graph, expressions, symbols)) {}
 
-Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& options)
-    : KinematicModel(checked_model, options.fold, options.most_nodes),
-      covariant(kinematics::build_covariant(kinematics, graph)),
-      dynamics(strategy::build_dynamics(kinematics, covariant, rows_found_at_generic_point(*this), steps)),
-      solution(solved(*this, options, steps)),
-      held_reactions(strategy::held_reactions(dynamics, solution, steps)) {
+Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& chosen)
+    : KinematicModel(checked_model, chosen.fold, chosen.most_nodes),
+      covariant([this] { return kinematics::build_covariant(kinematics, graph); }),
+      dynamics(
+          strategy::build_dynamics(kinematics, covariant, rows_found_at_generic_point(*this), steps, metric_steps)),
+      solution(solved(*this, chosen, steps)),
+      held_reactions(strategy::held_reactions(dynamics, solution, steps)),
+      options(chosen) {
   name_rates(*this);
+}
+
+strategy::Solution solved_again(const Mechanics& mechanics, const strategy::Dynamics& other, strategy::Steps& steps) {
+  if (other.l() == 0) return strategy::solve_unconstrained(other, mechanics.epsilon(), steps);
+  return solved_constrained(mechanics, other, mechanics.options, steps);
 }
 
 }  // namespace gaussgen

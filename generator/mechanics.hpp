@@ -38,11 +38,17 @@ struct KinematicModel : ModelGraph {
 struct Mechanics : KinematicModel {
   Mechanics(const model::Model& model, const MechanicsOptions& options);
 
-  kinematics::Covariant covariant;
-  strategy::Steps steps;  ///< of everything up to the held reactions
+  support::Lazy<kinematics::Covariant> covariant;
+  strategy::Steps metric_steps;  ///< of g and f, where they are asked for: before all others
+  strategy::Steps steps;         ///< of everything up to the held reactions
   strategy::Dynamics dynamics;
   strategy::Solution solution;
   strategy::Vector held_reactions;
+  MechanicsOptions options;
 };
+
+/// Accelerations and multipliers of the same metric and constraints with other forces and drifts. Equal nodes are one: factors are not
+/// computed again.
+strategy::Solution solved_again(const Mechanics& mechanics, const strategy::Dynamics& other, strategy::Steps& steps);
 
 }  // namespace gaussgen

@@ -79,6 +79,9 @@ class Graph {
   /// matters where a product of some of them leaves the range of numbers.
   NodeId kept_whole(NodeId node, const std::string& name);
 
+  /// Gives a node without a name one that says nothing to simplification.
+  void relabel(NodeId node, const std::string& name) { labels_.emplace(node.index, name); }
+
   const Node& operator[](NodeId id) const { return nodes_[id.index]; }
   std::size_t size() const { return nodes_.size(); }
 

@@ -15,6 +15,8 @@ inline Vector3 zero3(Graph& graph) {
   return {zero, zero, zero};
 }
 
+inline bool is_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
+
 inline Vector3 operator+(const Vector3& a, const Vector3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 inline Vector3 operator-(const Vector3& a, const Vector3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 inline Vector3 operator-(const Vector3& a) { return {-a[0], -a[1], -a[2]}; }

@@ -21,15 +21,13 @@ Vector3 angular_drift(const BodyMotion& body) {
   return direct + cross(omega, body.inertia_times(omega));
 }
 
-bool is_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
-
 using Bodies = std::vector<BodyIndex>;
 
 /// The bodies that each coordinate moves: of many coordinates, most move few of many bodies.
 support::Indexed<FullIndex, Bodies> moved_bodies(const Kinematics& kinematics) {
   support::Indexed<FullIndex, Bodies> moved(kinematics.symbols.full_count(), Bodies());
-  for (const BodyIndex b : kinematics.bodies.indices()) {
-    const BodyMotion& body = kinematics.bodies[b];
+  for (const BodyIndex b : kinematics.bodies->indices()) {
+    const BodyMotion& body = (*kinematics.bodies)[b];
     for (const FullIndex i : moved.indices()) {
       if (!is_zero(body.J[i]) || (body.is_rigid && !is_zero(body.W[i]))) moved[i].push_back(b);
     }
@@ -47,7 +45,7 @@ Bodies both(const Bodies& a, const Bodies& b) {
 Expr metric_entry(const Kinematics& kinematics, const Bodies& moved, FullIndex i, FullIndex j, Expr zero) {
   Expr sum = zero;
   for (const BodyIndex b : moved) {
-    const BodyMotion& body = kinematics.bodies[b];
+    const BodyMotion& body = (*kinematics.bodies)[b];
     sum += body.mass * dot(body.J[i], body.J[j]);
     if (body.is_rigid) sum += dot(body.W[i], body.inertia_times(body.W[j]));
   }
@@ -57,7 +55,7 @@ Expr metric_entry(const Kinematics& kinematics, const Bodies& moved, FullIndex i
 Expr bias_entry(const Kinematics& kinematics, const Bodies& moved, FullIndex i, Expr zero) {
   Expr sum = zero;
   for (const BodyIndex b : moved) {
-    const BodyMotion& body = kinematics.bodies[b];
+    const BodyMotion& body = (*kinematics.bodies)[b];
     sum += body.mass * dot(body.J[i], body.h);
     if (body.is_rigid) sum += dot(body.W[i], angular_drift(body));
   }
@@ -66,7 +64,7 @@ Expr bias_entry(const Kinematics& kinematics, const Bodies& moved, FullIndex i, 
 
 Expr kinetic_energy(const Kinematics& kinematics, Expr zero) {
   Expr twice = zero;
-  for (const BodyMotion& body : kinematics.bodies) {
+  for (const BodyMotion& body : *kinematics.bodies) {
     twice += body.mass * dot(body.velocity, body.velocity);
     const Vector3& omega = body.rotation.omega;
     if (body.is_rigid) twice += dot(omega, body.inertia_times(omega));
@@ -91,7 +89,8 @@ Covariant build_covariant(const Kinematics& kinematics, ir::Graph& graph) {
       result.G[j][i] = entry;
     }
     result.bias.push_back(bias_entry(kinematics, moved[i], i, zero).named("bias_" + label));
-    result.Q.push_back((kinematics.body_force[i] + kinematics.other_force[i]).named("Q_" + label));
+    result.Q.push_back(
+        (kinematics.body_force[i] + (*kinematics.field_force)[i] + kinematics.other_force[i]).named("Q_" + label));
   }
   result.kinetic_energy = kinetic_energy(kinematics, zero);
   return result;

@@ -51,6 +51,8 @@ Matrix3 multiply(const Matrix3& a, const Matrix3& b) {
   return transposed(columns);
 }
 
+}  // namespace
+
 // R = (e0² - v·v) 1 + 2 v vᵀ + 2 e0 [v]×, written with e·e = 1.
 Matrix3 quaternion_matrix(const std::array<Expr, 4>& e) {
   const Expr one(e[0].graph(), e[0].graph().constant(1));
@@ -62,8 +64,6 @@ Matrix3 quaternion_matrix(const std::array<Expr, 4>& e) {
           Vector3{two * (e[1] * e[3] - e[0] * e[2]), two * (e[2] * e[3] + e[0] * e[1]),
                   one - two * (e[1] * e[1] + e[2] * e[2])}};
 }
-
-}  // namespace
 
 Frames::Frames(const model::Model& model, const Symbols& symbols, Expressions& expressions)
     : model_(model), symbols_(symbols), expressions_(expressions) {}

@@ -19,6 +19,12 @@ struct Rotation {
   model::Axes axes = model::Axes::space;
 };
 
+/// From turned axes to those before, of a quaternion of unit length.
+ir::Matrix3 quaternion_matrix(const std::array<ir::Expr, 4>& e);
+
+/// About the mass centre, in the axes in which the model gives it.
+ir::Matrix3 inertia_matrix(const model::Inertia& inertia, Expressions& expressions);
+
 /// Frames are indices into Model::frames, or model::k_space. Each is placed once.
 class Frames {
  public:

@@ -1,10 +1,12 @@
 #include "kinematics/kinematics.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include "ir/contract.hpp"
 #include "ir/substitute.hpp"
 #include "ir/traverse.hpp"
+#include "kinematics/body_motions.hpp"
 #include "kinematics/hold.hpp"
 #include "kinematics/place_symbols.hpp"
 #include "model/rate.hpp"
@@ -18,8 +20,6 @@ using support::Indexed;
 
 namespace {
 
-bool is_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
-
 class Builder {
  public:
   Builder(const model::Model& model, ir::Graph& graph, Expressions& expressions, const Symbols& symbols)
@@ -27,15 +27,14 @@ class Builder {
         graph_(graph),
         expressions_(expressions),
         symbols_(symbols),
-        rates_in_(graph, rates_of(symbols)) {
-    for (std::size_t i = 0; i < symbols.full_count(); ++i) {
-      along_rate_.emplace_back(graph);
-      along_rate_.back().seed(symbols.rate(FullIndex{i}), number(1));
-      along_rate_.back().skip_others(rates_in_, i);
-    }
-  }
+        partials_(graph, symbols),
+        motions_(model, expressions, partials_),
+        loads_(model.bodies.size(), {ir::zero3(graph), ir::zero3(graph)}) {}
+
+  using Components = support::Indexed<FullIndex, Expr>;
 
   Kinematics run() {
+    const Components none(symbols_.full_count(), number(0));
     Kinematics result{symbols_,
                       {},
                       {},
@@ -43,26 +42,24 @@ class Builder {
                       {},
                       expressions_.configuration_rates(),
                       speeds_at_rest(),
-                      number(0),
                       {},
-                      {symbols_.full_count(), number(0)},
-                      {symbols_.full_count(), number(0)},
-                      {symbols_.full_count(), number(0)},
+                      {},
+                      none,
+                      ir::zero3(graph_),
+                      {},
+                      none,
+                      none,
                       {},
                       {},
                       {},
                       {}};
-    for (const model::Body& body : model_.bodies) result.bodies.push_back(body_motion(body));
     for (const model::Constraint& constraint : model_.constraints) {
       result.constraints.push_back(constraint_row(constraint));
       ConstraintRow& row = result.constraints[ConstraintIndex{result.constraints.size() - 1}];
-      find_carried(row, result);
-      find_wandering(row, result);
+      find_carried(row);
+      find_wandering(row);
     }
     for (const model::Frame& frame : model_.frames) result.frame_names.push_back(frame.name.text);
-    for (const model::Joint& joint : model_.joints) {
-      result.joints.push_back({joint.name.text, joint.frame, expressions_.frames().origin(joint.frame)});
-    }
     for (std::size_t i = 0; i < model_.forces.size(); ++i) {
       const std::vector<ir::NodeId> before = felt(result);
       const std::size_t applied = result.applied.size();
@@ -80,24 +77,56 @@ class Builder {
     return result;
   }
 
- private:
-  using Components = support::Indexed<FullIndex, Expr>;
-
-  static std::vector<ir::SymbolId> rates_of(const Symbols& symbols) {
-    std::vector<ir::SymbolId> rates;
-    for (std::size_t i = 0; i < symbols.full_count(); ++i) rates.push_back(symbols.rate(FullIndex{i}));
-    return rates;
+  Indexed<BodyIndex, BodyMotion> bodies(const Vector3& field) {
+    Indexed<BodyIndex, BodyMotion> result;
+    for (const BodyIndex i : loads_.indices()) {
+      BodyMotion body = motions_[i];
+      body.force = loads_[i].force + body.mass * field;
+      body.moment = loads_[i].moment;
+      result.push_back(std::move(body));
+    }
+    return result;
   }
 
+  std::vector<JointPlace> joints() {
+    std::vector<JointPlace> result;
+    for (const model::Joint& joint : model_.joints) {
+      result.push_back({joint.name.text, joint.frame, expressions_.frames().origin(joint.frame)});
+    }
+    return result;
+  }
+
+  // Q_A = m field·J_A and V = -m field·r (theory section 6)
+  Indexed<FullIndex, Expr> field_force(const Vector3& field) {
+    Components Q(symbols_.full_count(), number(0));
+    for (const BodyIndex b : loads_.indices()) {
+      const BodyMotion& body = motions_[b];
+      for (const FullIndex i : Q.indices()) Q[i] += body.mass * dot(field, body.J[i]);
+    }
+    return Q;
+  }
+
+  Expr potential(const Vector3& field) {
+    Expr sum = potential_;
+    for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
+      sum -= expressions_(model_.bodies[i].mass) * dot(field, motions_.position(BodyIndex{i}));
+    }
+    return sum;
+  }
+
+ private:
   /// What forces add to.
-  static std::vector<ir::NodeId> felt(const Kinematics& result) {
+  std::vector<ir::NodeId> felt(const Kinematics& result) const {
     std::vector<ir::NodeId> sums;
     for (const Expr Q : result.body_force) sums.push_back(Q.id());
     for (const Expr Q : result.other_force) sums.push_back(Q.id());
-    for (const BodyMotion& body : result.bodies) {
-      for (const Expr component : body.force) sums.push_back(component.id());
-      if (!body.is_rigid) continue;
-      for (const Expr component : body.moment) sums.push_back(component.id());
+    for (const BodyIndex i : loads_.indices()) {
+      for (const Expr component : loads_[i].force) sums.push_back(component.id());
+      if (!motions_.is_rigid(i)) continue;
+      for (const Expr component : loads_[i].moment) sums.push_back(component.id());
+    }
+    if (has_mass()) {
+      for (const Expr component : result.field) sums.push_back(component.id());
     }
     return sums;
   }
@@ -131,71 +160,7 @@ class Builder {
 
   Expr number(int value) const { return expressions_.number(value); }
 
-  Expr partial(Expr function, FullIndex i) { return along_rate_[i.value](function); }
-
-  /// ∂v/∂ẏ^A for all A
-  Indexed<FullIndex, Vector3> jacobian(const Vector3& v) {
-    Indexed<FullIndex, Vector3> columns;
-    for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) {
-      columns.push_back({partial(v[0], i), partial(v[1], i), partial(v[2], i)});
-    }
-    return columns;
-  }
-
-  BodyMotion body_motion(const model::Body& body) {
-    const Vector3 position = expressions_.frames().point(body.frame, expressions_(body.centre));
-    const Vector3 velocity = expressions_.rate(position);
-    const Vector3 zero = ir::zero3(graph_);
-    BodyMotion motion{body.name.text,
-                      expressions_(body.mass),
-                      position,
-                      velocity,
-                      jacobian(velocity),
-                      expressions_.rate(velocity),
-                      zero,
-                      zero,
-                      false,
-                      false,
-                      {zero, zero, zero},
-                      {{zero, zero, zero}, zero, Axes::space},
-                      {},
-                      zero};
-    if (body.inertia) add_rotation(body, motion);
-    return motion;
-  }
-
-  // An isotropic tensor has the same components in every frame, so ω may stay in the frame where it is simplest; any
-  // other tensor is constant in body axes only.
-  void add_rotation(const model::Body& body, BodyMotion& motion) {
-    motion.is_rigid = true;
-    motion.is_isotropic = body.inertia->shape == model::Inertia::Shape::isotropic;
-    motion.inertia = inertia_matrix(*body.inertia);
-    motion.rotation =
-        expressions_.frames().rotation(body.frame, motion.is_isotropic ? preferred_axes(body.frame) : Axes::body);
-    motion.W = jacobian(motion.rotation.omega);
-    motion.eta = expressions_.rate(motion.rotation.omega);
-  }
-
-  Axes preferred_axes(std::size_t frame) const {
-    const auto* quaternion = std::get_if<model::QuaternionOrientation>(&model_.frames[frame].attitude);
-    if (quaternion == nullptr) return Axes::space;
-    const Axes own = model_.orientations[quaternion->index].axes;
-    return own == Axes::space && model_.frames[frame].parent != model::k_space ? Axes::body : own;
-  }
-
-  ir::Matrix3 inertia_matrix(const model::Inertia& inertia) {
-    const auto entry = [&](std::size_t i) { return expressions_(inertia.entries[i]); };
-    const Expr zero = number(0);
-    switch (inertia.shape) {
-      case model::Inertia::Shape::isotropic:
-        return {Vector3{entry(0), zero, zero}, Vector3{zero, entry(0), zero}, Vector3{zero, zero, entry(0)}};
-      case model::Inertia::Shape::diagonal:
-        return {Vector3{entry(0), zero, zero}, Vector3{zero, entry(1), zero}, Vector3{zero, zero, entry(2)}};
-      default:
-        return {Vector3{entry(0), entry(3), entry(4)}, Vector3{entry(3), entry(1), entry(5)},
-                Vector3{entry(4), entry(5), entry(2)}};
-    }
-  }
+  Expr partial(Expr function, FullIndex i) { return partials_(function, i); }
 
   ConstraintRow constraint_row(const model::Constraint& constraint) {
     ConstraintRow row{
@@ -272,21 +237,16 @@ class Builder {
     return expressions_.rate(origin) + cross(frames.omega(frame, Axes::space), place - origin);
   }
 
-  // Q_A = m field·J_A and V = -m field·r (theory section 6)
   void apply(const model::UniformField& law, Kinematics& result) {
     const Vector3 field = expressions_(law.field);
-    for (BodyMotion& body : result.bodies) {
-      body.force = body.force + body.mass * field;
-      result.potential -= body.mass * dot(field, body.position);
-      for (const FullIndex i : body.J.indices()) result.body_force[i] += body.mass * dot(field, body.J[i]);
-    }
+    result.field = result.field + field;
   }
 
   // Q_A = -∂(dV/dt)/∂ẏ^A, which is -∂V/∂y^A for a coordinate and the right moment for an angular velocity.
   void apply(const model::Potential& law, Kinematics& result) {
     const Expr energy = expressions_(law.energy);
     const Expr power = expressions_.rate(energy);
-    result.potential += energy;
+    potential_ += energy;
     for (const FullIndex i : result.other_force.indices()) result.other_force[i] -= partial(power, i);
   }
 
@@ -334,7 +294,7 @@ class Builder {
       pull = ((k * stretch + c * stretching) * ir::pow(distance, -1)) * gap;
       stretch_squared = ir::pow(stretch, 2);
     }
-    result.potential += support::Rational(1) / 2 * k * stretch_squared;
+    potential_ += support::Rational(1) / 2 * k * stretch_squared;
     push(law.first, frames.origin(law.first), pull, ir::zero3(graph_), result);
     push(law.second, frames.origin(law.second), -pull, ir::zero3(graph_), result);
   }
@@ -344,7 +304,7 @@ class Builder {
     const Expr k = expressions_(law.stiffness);
     const Expr stretch = law.rest ? y - expressions_(*law.rest) : y;
     const Expr c = law.damping ? expressions_(*law.damping) : number(0);
-    result.potential += support::Rational(1) / 2 * k * ir::pow(stretch, 2);
+    potential_ += support::Rational(1) / 2 * k * ir::pow(stretch, 2);
     act_along(expressions_.rate(y), -(k * stretch + c * expressions_.rate(stretch)), result);
   }
 
@@ -373,36 +333,36 @@ class Builder {
   };
 
   Effect effect(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment,
-                const BodyMotion* body) {
+                std::optional<BodyIndex> body) {
     const Components all = generalized(frame, point, force, moment);
     const Components none(symbols_.full_count(), number(0));
-    if (body == nullptr) return {none, all};
+    if (!body) return {none, all};
     const std::size_t carrier = pushed(frame);
-    const bool has_unfelt_moment = !body->is_rigid && !is_zero(moment_about(*body, point, force, moment));
+    const bool has_unfelt_moment = !motions_.is_rigid(*body) && !is_zero(moment_about(*body, point, force, moment));
     if (carrier == frame && !has_unfelt_moment) return {all, none};
     Effect result{has_unfelt_moment ? at_centre(*body, force) : generalized(carrier, point, force, moment), all};
     for (const FullIndex i : all.indices()) result.unfelt[i] -= result.felt[i];
     return result;
   }
 
-  static Vector3 moment_about(const BodyMotion& body, const Vector3& point, const Vector3& force,
-                              const Vector3& moment) {
-    return moment + cross(point - body.position, force);
+  Vector3 moment_about(BodyIndex body, const Vector3& point, const Vector3& force, const Vector3& moment) {
+    return moment + cross(point - motions_.position(body), force);
   }
 
-  Components at_centre(const BodyMotion& body, const Vector3& force) const {
+  Components at_centre(BodyIndex body, const Vector3& force) {
     Components Q(symbols_.full_count(), number(0));
-    for (const FullIndex i : Q.indices()) Q[i] = dot(force, body.J[i]);
+    for (const FullIndex i : Q.indices()) Q[i] = dot(force, motions_[body].J[i]);
     return Q;
   }
 
   void push(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment, Kinematics& result) {
     if (frame == model::k_space) return;
-    BodyMotion* body = body_of(pushed(frame), result);
+    const std::optional<BodyIndex> body = body_of(pushed(frame));
     result.applied.push_back(applied_at(frame, point, force, moment, body));
-    if (body != nullptr) {
-      body->force = body->force + force;
-      body->moment = body->moment + moment_about(*body, point, force, moment);
+    if (body) {
+      Load& load = loads_[*body];
+      load.force = load.force + force;
+      load.moment = load.moment + moment_about(*body, point, force, moment);
     }
     const auto [felt, unfelt] = effect(frame, point, force, moment, body);
     for (const FullIndex i : felt.indices()) {
@@ -413,39 +373,41 @@ class Builder {
   }
 
   AppliedForce applied_at(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment,
-                          const BodyMotion* body) const {
+                          std::optional<BodyIndex> body) {
     const Vector3 nothing = ir::zero3(graph_);
     AppliedForce applied{frame, point, force, moment, force, moment};
-    if (body != nullptr) {
+    if (body) {
       applied.unfelt_force = nothing;
-      applied.unfelt_moment = body->is_rigid ? nothing : moment_about(*body, point, force, moment);
+      applied.unfelt_moment = motions_.is_rigid(*body) ? nothing : moment_about(*body, point, force, moment);
     }
     return applied;
   }
 
-  void find_carried(ConstraintRow& row, Kinematics& result) {
+  void find_carried(ConstraintRow& row) {
     row.carried = Components(symbols_.full_count(), number(0));
     for (const ConstraintAction& action : row.actions) {
       if (action.frame == model::k_space) continue;
-      const BodyMotion* body = body_of(pushed(action.frame), result);
+      const std::optional<BodyIndex> body = body_of(pushed(action.frame));
       const Components unfelt = effect(action.frame, action.point, action.direction, ir::zero3(graph_), body).unfelt;
       for (const FullIndex i : unfelt.indices()) row.carried[i] += unfelt[i];
     }
   }
 
   // A held coordinate takes this itself, as part of what it carries; along one that moves no body, no body feels it.
-  void find_wandering(ConstraintRow& row, const Kinematics& result) {
+  void find_wandering(ConstraintRow& row) {
     for (const ConstraintAction& action : row.actions) {
       const Expr power = dot(action.direction, velocity_over(pushed(action.frame), action.frame));
       for (const FreeIndex a : symbols_.speeds.indices()) {
         const FullIndex i = symbols_.full(a);
-        if (moves_body(i, result)) row.beside[i] += partial(power, i);
+        if (moves_body(i)) row.beside[i] += partial(power, i);
       }
     }
   }
 
-  static bool moves_body(FullIndex i, const Kinematics& result) {
-    return std::any_of(result.bodies.begin(), result.bodies.end(), [&](const BodyMotion& body) {
+  bool moves_body(FullIndex i) {
+    const auto bodies = loads_.indices();
+    return std::any_of(bodies.begin(), bodies.end(), [&](BodyIndex b) {
+      const BodyMotion& body = motions_[b];
       return !is_zero(body.J[i]) || (body.is_rigid && !is_zero(body.W[i]));
     });
   }
@@ -462,22 +424,22 @@ class Builder {
 
   /// The body that feels what acts on a frame: on it, or on one to which it is fixed, though not by a joint, whose reaction is
   /// asked for. Else the only one that is fixed to the same frame: of several, nobody said which.
-  BodyMotion* body_of(std::size_t frame, Kinematics& result) const {
+  std::optional<BodyIndex> body_of(std::size_t frame) const {
     for (std::size_t at = frame; at != model::k_space; at = model_.frames[at].parent) {
       for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
-        if (model_.bodies[i].frame == at) return &result.bodies[BodyIndex{i}];
+        if (model_.bodies[i].frame == at) return BodyIndex{i};
       }
-      if (!is_fixed_to_parent(at)) return only_body_on(at, result);
+      if (!is_fixed_to_parent(at)) return only_body_on(at);
     }
-    return nullptr;
+    return std::nullopt;
   }
 
-  BodyMotion* only_body_on(std::size_t root, Kinematics& result) const {
-    BodyMotion* only = nullptr;
+  std::optional<BodyIndex> only_body_on(std::size_t root) const {
+    std::optional<BodyIndex> only;
     for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
       if (root_of(model_.bodies[i].frame) != root) continue;
-      if (only != nullptr) return nullptr;
-      only = &result.bodies[BodyIndex{i}];
+      if (only) return std::nullopt;
+      only = BodyIndex{i};
     }
     return only;
   }
@@ -528,24 +490,43 @@ class Builder {
     for (const FullIndex i : result.other_force.indices()) result.other_force[i] += force * partial(velocity, i);
   }
 
+  bool has_mass() const {
+    return std::any_of(model_.bodies.begin(), model_.bodies.end(),
+                       [&](const model::Body& body) { return !expressions_(body.mass).is_zero(); });
+  }
+
+  /// The sum of what is pushed on a body, without fields; the moment about its mass centre.
+  struct Load {
+    Vector3 force, moment;
+  };
+
   const model::Model& model_;
   ir::Graph& graph_;
   Expressions& expressions_;
   const Symbols& symbols_;
-  ir::SymbolSets rates_in_;  ///< of the nodes that are differentiated
-  std::vector<ir::Directional> along_rate_;
+  Partials partials_;
+  BodyMotions motions_;
+  Indexed<BodyIndex, Load> loads_;
+  Expr potential_ = number(0);  ///< without fields
 };
 
 }  // namespace
 
-Vector3 BodyMotion::inertia_times(const Vector3& a) const {
-  return is_isotropic ? inertia[0][0] * a : ir::multiply(inertia, a);
-}
-
 Kinematics build_kinematics(const model::Model& model, ir::Graph& graph, Expressions& expressions,
                             const Symbols& symbols) {
-  Kinematics result = Builder(model, graph, expressions, symbols).run();
-  hold_coordinates(model, expressions, graph, result);
+  const auto builder = std::make_shared<Builder>(model, graph, expressions, symbols);
+  Kinematics result = builder->run();
+  const auto hold = std::make_shared<Holder>(model, expressions, symbols);
+  const Vector3 field = result.field;
+  const auto held = [hold](auto value) {
+    (*hold)(value);
+    return value;
+  };
+  result.bodies = support::Lazy<Indexed<BodyIndex, BodyMotion>>([=] { return held(builder->bodies(field)); });
+  result.joints = support::Lazy<std::vector<JointPlace>>([=] { return held(builder->joints()); });
+  result.field_force = support::Lazy<Indexed<FullIndex, Expr>>([=] { return held(builder->field_force(field)); });
+  result.potential = support::Lazy<Expr>([=] { return held(builder->potential(field)); });
+  hold_coordinates(*hold, result);
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "kinematics/expressions.hpp"
 #include "kinematics/frames.hpp"
+#include "support/lazy.hpp"
 
 namespace gaussgen::kinematics {
 
@@ -70,18 +71,22 @@ struct AppliedForce {
   ir::Vector3 unfelt_moment;  ///< likewise; of what acts beside a particle, its moment about the particle
 };
 
+/// What follows from positions and velocities. Jacobians, of which there are as many as pairs of bodies and coordinates, are
+/// formed where they are asked for.
 struct Kinematics {
   Symbols symbols;
-  support::Indexed<BodyIndex, BodyMotion> bodies;
+  support::Lazy<support::Indexed<BodyIndex, BodyMotion>> bodies;
   support::Indexed<ConstraintIndex, ConstraintRow> constraints;
-  std::vector<JointPlace> joints;
+  support::Lazy<std::vector<JointPlace>> joints;
   std::vector<std::string> frame_names;  ///< parallel to Model::frames
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates;
   support::Indexed<FreeIndex, ir::Expr> speeds_at_rest;
-  ir::Expr potential;                                 ///< J; gravity (uniform fields) included
-  std::vector<AppliedForce> applied;                  ///< forces at places
-  support::Indexed<FullIndex, ir::Expr> body_force;   ///< Q_A of the forces in BodyMotion::force and moment
-  support::Indexed<FullIndex, ir::Expr> other_force;  ///< Q_A of all other forces, not spread on bodies
+  support::Lazy<ir::Expr> potential;                 ///< J; gravity (uniform fields) included
+  std::vector<AppliedForce> applied;                 ///< forces at places
+  support::Indexed<FullIndex, ir::Expr> body_force;  ///< Q_A of the forces in BodyMotion::force and moment but fields
+  ir::Vector3 field;                                 ///< m/s², space: the sum of uniform fields
+  support::Lazy<support::Indexed<FullIndex, ir::Expr>> field_force;  ///< Q_A of fields
+  support::Indexed<FullIndex, ir::Expr> other_force;                 ///< Q_A of all other forces, not spread on bodies
   support::Indexed<FullIndex, ir::Expr>
       carried_force;                      ///< the part of other_force that is of places on which no body feels it
   std::vector<std::size_t> idle_forces;   ///< of Model::forces: no body, coordinate or joint feels them

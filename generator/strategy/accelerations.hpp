@@ -14,6 +14,7 @@ struct Solution {
   std::vector<std::string> undetermined;  ///< speeds that nothing gives inertia, in any configuration
   std::vector<std::string> redundant;     ///< constraints that follow from others, in every configuration
   std::vector<std::size_t> dependent;     ///< speeds that elimination expresses by the others
+  bool is_of_metric = true;               ///< a solution of the system over g and b
 };
 
 /// No nonholonomic constraints: g a = f (Vujičić (1.15)).

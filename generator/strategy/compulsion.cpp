@@ -69,7 +69,7 @@ Vector forces_without_body(const Dynamics& dynamics) {
 
 std::optional<Compulsion> compulsion(const Dynamics& dynamics, const Vector& candidate, Expr epsilon, Steps& steps) {
   const kinematics::Kinematics& kinematics = *dynamics.kinematics;
-  ir::Graph& graph = kinematics.potential.graph();
+  ir::Graph& graph = kinematics.field[0].graph();
   const Vector spread = forces_without_body(dynamics);
   const bool has_spread = std::any_of(spread.begin(), spread.end(), [](Expr e) { return !e.is_zero(); });
   Vector z(spread.size(), Expr(graph, graph.constant(0)));
@@ -83,7 +83,7 @@ std::optional<Compulsion> compulsion(const Dynamics& dynamics, const Vector& can
     singular = metric.is_singular();
   }
   Expr twice(graph, graph.constant(0));
-  for (const BodyMotion& body : kinematics.bodies) {
+  for (const BodyMotion& body : *kinematics.bodies) {
     steps.begin("deviation of " + body.name +
                 " from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)");
     const BodyAcceleration a = acceleration_of(body, dynamics, candidate);

@@ -10,31 +10,36 @@ using kinematics::HeldIndex;
 
 namespace {
 
-void add_metric(const kinematics::Symbols& symbols, Dynamics& result, Steps& steps) {
+Matrix metric(const kinematics::Symbols& symbols, const kinematics::Covariant& covariant, Steps& steps) {
   steps.begin("metric g_ab (1.10); held coordinates enter only through f");
+  Matrix g;
   for (const FreeIndex i : symbols.speeds.indices()) {
     Vector row;
     for (const FreeIndex j : symbols.speeds.indices()) {
-      const Expr entry = result.covariant->G[symbols.full(i)][symbols.full(j)];
-      row.push_back(j.value <= i.value ? steps.name(entry, "G_" + result.labels[j.value] + "_" + result.labels[i.value])
-                                       : entry);
+      const Expr entry = covariant.G[symbols.full(i)][symbols.full(j)];
+      const std::string name = "G_" + symbols.speeds[j].label + "_" + symbols.speeds[i].label;
+      row.push_back(j.value <= i.value ? steps.name(entry, name) : entry);
     }
-    result.g.push_back(row);
+    g.push_back(row);
   }
+  return g;
 }
 
-void add_force(const kinematics::Kinematics& kinematics, Dynamics& result, Steps& steps) {
+Vector force(const kinematics::Kinematics& kinematics, const kinematics::Covariant& covariant, Steps& steps) {
   const kinematics::Symbols& symbols = kinematics.symbols;
   steps.begin("f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)");
+  Vector result;
   for (const FreeIndex i : symbols.speeds.indices()) {
     const FullIndex a = symbols.full(i);
-    const Expr bias = steps.name(result.covariant->bias[a], "bias_" + result.labels[i.value]);
-    Expr f = result.covariant->Q[a] - bias;
+    const std::string& label = symbols.speeds[i].label;
+    const Expr bias = steps.name(covariant.bias[a], "bias_" + label);
+    Expr f = covariant.Q[a] - bias;
     for (const HeldIndex j : symbols.held.indices()) {
-      f -= result.covariant->G[a][symbols.full(j)] * kinematics.held_acceleration[j];
+      f -= covariant.G[a][symbols.full(j)] * kinematics.held_acceleration[j];
     }
-    result.f.push_back(steps.name(f, "f_" + result.labels[i.value]));
+    result.push_back(steps.name(f, "f_" + label));
   }
+  return result;
 }
 
 void add_rows(const kinematics::Kinematics& kinematics, Dynamics& result, Steps& steps) {
@@ -74,15 +79,17 @@ DependentRows dependent_rows_over(const Dynamics& dynamics, const std::vector<st
   return [rows = dynamics.dependent_rows(block)](const Matrix&) { return rows; };
 }
 
-Dynamics build_dynamics(const kinematics::Kinematics& kinematics, const kinematics::Covariant& covariant,
-                        DependentRows dependent_rows, Steps& steps) {
+Dynamics build_dynamics(const kinematics::Kinematics& kinematics, const support::Lazy<kinematics::Covariant>& covariant,
+                        DependentRows dependent_rows, Steps& steps, Steps& metric_steps) {
   Dynamics result;
   result.dependent_rows = std::move(dependent_rows);
   result.kinematics = &kinematics;
   result.covariant = &covariant;
   for (const kinematics::Speed& speed : kinematics.symbols.speeds) result.labels.push_back(speed.label);
-  add_metric(kinematics.symbols, result, steps);
-  add_force(kinematics, result, steps);
+  result.g = support::LazyList<Matrix>(
+      [&kinematics, &covariant, &metric_steps] { return metric(kinematics.symbols, *covariant, metric_steps); });
+  result.f = support::LazyList<Vector>(
+      [&kinematics, &covariant, &metric_steps] { return force(kinematics, *covariant, metric_steps); });
   add_rows(kinematics, result, steps);
   return result;
 }

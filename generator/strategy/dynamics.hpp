@@ -21,11 +21,11 @@ using DependentRows = std::function<std::vector<std::size_t>(const Matrix& metri
 /// minimise Z over a:  g a = f + bᵀ λ,  b a + b_drift = 0.
 struct Dynamics {
   const kinematics::Kinematics* kinematics = nullptr;
-  const kinematics::Covariant* covariant = nullptr;
+  const support::Lazy<kinematics::Covariant>* covariant = nullptr;
   std::vector<std::string> labels;       ///< of free speeds
   std::vector<std::string> constraints;  ///< names
-  Matrix g;                              ///< n×n
-  Vector f;                              ///< Q_α - bias_α - g_αi c̈^i
+  support::LazyList<Matrix> g;           ///< n×n
+  support::LazyList<Vector> f;           ///< Q_α - bias_α - g_αi c̈^i
   Matrix b;                              ///< l×n, b_μα = β_μα
   Vector b_drift;                        ///< Θ_μ + β_μi c̈^i
   NamesOfUnknowns names;
@@ -41,7 +41,8 @@ DependentRows dependent_rows_over(const Dynamics& dynamics, const std::vector<st
 /// The rows of g, then those of b: what inertia and constraints say together of the accelerations.
 Matrix g_above_b(const Dynamics& dynamics);
 
-Dynamics build_dynamics(const kinematics::Kinematics& kinematics, const kinematics::Covariant& covariant,
-                        DependentRows dependent_rows, Steps& steps);
+/// `metric_steps`: where g and f are named once somebody asks for them; it has to last as long.
+Dynamics build_dynamics(const kinematics::Kinematics& kinematics, const support::Lazy<kinematics::Covariant>& covariant,
+                        DependentRows dependent_rows, Steps& steps, Steps& metric_steps);
 
 }  // namespace gaussgen::strategy

@@ -25,11 +25,11 @@ class JointSums {
         bodies_(body_reactions(dynamics, solution, steps)) {}
 
   JointReaction of(const kinematics::JointPlace& joint) {
-    force_ = ir::zero3(kinematics_.potential.graph());
+    force_ = ir::zero3(kinematics_.field[0].graph());
     moment_ = force_;
     at_ = &joint.point;
-    for (const BodyIndex i : kinematics_.bodies.indices()) {
-      if (is_carried(model_.bodies[i.value].frame, joint.frame)) add(bodies_[i.value], kinematics_.bodies[i].position);
+    for (const BodyIndex i : kinematics_.bodies->indices()) {
+      if (is_carried(model_.bodies[i.value].frame, joint.frame)) add(bodies_[i.value], (*kinematics_.bodies)[i].position);
     }
     for (const kinematics::AppliedForce& force : kinematics_.applied) {
       if (!is_carried(force.frame, joint.frame)) continue;
@@ -74,7 +74,7 @@ class JointSums {
   Steps& steps_;
   std::vector<BodyReaction> bodies_;
   const Vector3* at_ = nullptr;
-  Vector3 force_ = ir::zero3(kinematics_.potential.graph());
+  Vector3 force_ = ir::zero3(kinematics_.field[0].graph());
   Vector3 moment_ = force_;
 };
 
@@ -84,7 +84,7 @@ std::vector<JointReaction> joint_reactions(const model::Model& model, const Dyna
                                            const Solution& solution, Steps& steps) {
   std::vector<JointReaction> reactions;
   JointSums sums(model, dynamics, solution, steps);
-  for (const kinematics::JointPlace& joint : dynamics.kinematics->joints) reactions.push_back(sums.of(joint));
+  for (const kinematics::JointPlace& joint : *dynamics.kinematics->joints) reactions.push_back(sums.of(joint));
   return reactions;
 }
 

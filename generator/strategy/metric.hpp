@@ -10,7 +10,7 @@ inline Matrix metric_over(const Dynamics& dynamics, const std::vector<std::size_
   for (const std::size_t i : coordinates) {
     matrix.emplace_back();
     for (const std::size_t j : coordinates) {
-      matrix.back().push_back(dynamics.covariant->G[kinematics::FullIndex{i}][kinematics::FullIndex{j}]);
+      matrix.back().push_back((*dynamics.covariant)->G[kinematics::FullIndex{i}][kinematics::FullIndex{j}]);
     }
   }
   return matrix;

@@ -18,9 +18,10 @@ using kinematics::HeldIndex;
 
 Vector held_reactions(const Dynamics& dynamics, const Solution& solution, Steps& steps) {
   const kinematics::Kinematics& kinematics = *dynamics.kinematics;
-  const kinematics::Covariant& covariant = *dynamics.covariant;
   const kinematics::Symbols& symbols = kinematics.symbols;
   Vector reactions;
+  if (symbols.held.values().empty()) return reactions;
+  const kinematics::Covariant& covariant = **dynamics.covariant;
   for (const HeldIndex j : symbols.held.indices()) {
     const std::string& name = symbols.held[j].name;
     steps.begin("reaction of " + name + ": R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4)", name);
@@ -73,7 +74,7 @@ std::vector<Source> sources(const Dynamics& dynamics, const Solution& solution, 
     const kinematics::ConstraintRow& row = kinematics.constraints[mu];
     all.push_back({row.name, solution.multipliers[mu.value], row.beside.values(), &row.point});
   }
-  ir::Graph& graph = kinematics.potential.graph();
+  ir::Graph& graph = kinematics.field[0].graph();
   for (const HeldIndex j : symbols.held.indices()) {
     // What acts on parts without mass, which this coordinate moves, it takes itself: the bodies feel the rest.
     const FullIndex row = symbols.full(j);
@@ -87,8 +88,6 @@ std::vector<Source> sources(const Dynamics& dynamics, const Solution& solution, 
   }
   return all;
 }
-
-bool is_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
 
 Vector3 combination(const support::Indexed<FullIndex, Vector3>& columns, const Vector& z) {
   ir::Graph& graph = z[0].graph();
@@ -199,7 +198,7 @@ ReactionWrenches reaction_wrenches(const Dynamics& dynamics, const Solution& sol
     steps.begin("direction z of " + source.name + " in the metric: G z = its covariant components");
     const Vector z = metric.solve(source.components, "z_" + source.name, steps);
     steps.begin("force and moment of " + source.name + ": m J z and I W z, times its reaction", source.name);
-    for (const BodyMotion& body : dynamics.kinematics->bodies) {
+    for (const BodyMotion& body : *dynamics.kinematics->bodies) {
       if (auto wrench = wrench_on(body, source, z, steps)) add(std::move(*wrench), source, body, wrenches.each, steps);
     }
     wrenches.singular_metric = metric.is_singular();
@@ -218,7 +217,7 @@ std::vector<std::string> undetermined_wrenches(const Dynamics& dynamics, const S
 
 std::vector<BodyReaction> body_reactions(const Dynamics& dynamics, const Solution& solution, Steps& steps) {
   std::vector<BodyReaction> reactions;
-  for (const BodyMotion& body : dynamics.kinematics->bodies) {
+  for (const BodyMotion& body : *dynamics.kinematics->bodies) {
     steps.begin("all constraint forces on " + body.name + ": m a - F and d(I omega)/dt - M (theory.md, section 4)");
     const BodyAcceleration a = acceleration_of(body, dynamics, solution.accelerations);
     BodyReaction reaction{body.name, steps.name(body.mass * a.linear - body.force, "force_on_" + body.name), {}};

@@ -89,12 +89,12 @@ Release::Release(const Dynamics& dynamics) {
   const kinematics::Kinematics& kinematics = *dynamics.kinematics;
   const std::size_t count = kinematics.symbols.full_count();
   Groups groups(count);
-  for (const BodyMotion& body : kinematics.bodies) {
+  for (const BodyMotion& body : *kinematics.bodies) {
     const std::vector<std::size_t> own = coordinates_of(body);
     for (const std::size_t i : own) groups.join(own.front(), i);
   }
   std::vector<Group> group(count);
-  for (const BodyMotion& body : kinematics.bodies) {
+  for (const BodyMotion& body : *kinematics.bodies) {
     const std::vector<std::size_t> own = coordinates_of(body);
     if (!own.empty()) group[groups.of(own.front())].add(body);
   }

@@ -30,6 +30,8 @@ class Steps {
     steps_.back().values.insert(steps_.back().values.end(), values.begin(), values.end());
   }
 
+  void append(const Steps& others) { steps_.insert(steps_.end(), others.steps_.begin(), others.steps_.end()); }
+
   /// Gives `value` its physical name in the current step and returns it as later steps shall use it.
   ir::Expr name(ir::Expr value, const std::string& name) {
     const ir::Expr result = value.named(name);

@@ -1,0 +1,165 @@
+#include "kinematics/linkage.hpp"
+
+#include <algorithm>
+
+#include "ir/differentiate.hpp"
+#include "ir/traverse.hpp"
+
+namespace gaussgen::kinematics {
+
+using ir::Expr;
+using ir::Vector3;
+using support::Rational;
+
+namespace {
+
+class Builder {
+ public:
+  Builder(const model::Model& model, const Symbols& symbols, Expressions& expressions, ir::Substitution& hold)
+      : model_(model),
+        symbols_(symbols),
+        expressions_(expressions),
+        hold_(hold),
+        zero_(ir::zero3(expressions.graph())) {
+    for (const FreeIndex i : symbols.speeds.indices()) speeds_.emplace(symbols.speeds[i].symbol.index, i);
+  }
+
+  std::optional<Linkage> run() {
+    find_carriers();
+    ends_.assign(model_.frames.size(), k_ground);
+    for (std::size_t frame = 0; frame < model_.frames.size(); ++frame) {
+      if (carries_[frame] != 0) add_frame(frame);
+    }
+    for (std::size_t body = 0; body < model_.bodies.size(); ++body) add_part(body);
+    return is_complete_ ? std::optional<Linkage>(std::move(result_)) : std::nullopt;
+  }
+
+ private:
+  // Frames come after their parents.
+  void find_carriers() {
+    carries_.assign(model_.frames.size(), 0);
+    for (const model::Body& body : model_.bodies) carries_[body.frame] = 1;
+    for (std::size_t i = model_.frames.size(); i-- > 0;) {
+      if (carries_[i] != 0 && model_.frames[i].parent != model::k_space) carries_[model_.frames[i].parent] = 1;
+    }
+  }
+
+  void add_frame(std::size_t index) {
+    const model::Frame& frame = model_.frames[index];
+    at_ = frame.parent == model::k_space ? k_ground : ends_[frame.parent];
+    name_ = frame.name.text;
+    add_shift(held(expressions_(frame.position)));
+    if (const auto* turns = std::get_if<model::Turns>(&frame.attitude)) {
+      for (const model::Turn& turn : *turns) add_turn(turn);
+    } else if (const auto* orientation = std::get_if<model::QuaternionOrientation>(&frame.attitude)) {
+      add_free_turn(orientation->index);
+    }
+    ends_[index] = at_;
+  }
+
+  Vector3 held(const Vector3& v) { return {hold_(v[0]), hold_(v[1]), hold_(v[2])}; }
+
+  Link link(Link::Kind kind) const { return {kind, at_, name_, zero_, 0, {}, {zero_, zero_, zero_}, zero_, zero_, {}}; }
+
+  void append(Link link) {
+    find_freedoms(link);
+    result_.links.push_back(std::move(link));
+    at_ = result_.links.size() - 1;
+  }
+
+  void add_shift(const Vector3& offset) {
+    if (is_zero(offset)) return;
+    Link shift = link(Link::Kind::shift);
+    shift.offset = offset;
+    shift.velocity = held(expressions_.rate(offset));
+    shift.drift = held(expressions_.rate(shift.velocity));
+    append(std::move(shift));
+  }
+
+  void add_turn(const model::Turn& turn) {
+    const Expr angle = hold_(expressions_(turn.angle));
+    if (angle.is_zero()) return;
+    if (!std::holds_alternative<char>(turn.axis)) {
+      is_complete_ = false;
+      return;
+    }
+    Link link = this->link(Link::Kind::turn);
+    link.axis = static_cast<std::size_t>(std::get<char>(turn.axis) - 'x');
+    link.angle = angle;
+    link.velocity[link.axis] = hold_(expressions_.rate(angle));
+    link.drift[link.axis] = hold_(expressions_.rate(link.velocity[link.axis]));
+    append(std::move(link));
+  }
+
+  // Angular velocities along the turned axes are the accelerations of the links themselves; along the axes before they are not.
+  void add_free_turn(std::size_t orientation) {
+    if (model_.orientations[orientation].axes != model::Axes::body) {
+      is_complete_ = false;
+      return;
+    }
+    Link link = this->link(Link::Kind::free);
+    const std::size_t first_e = symbols_.first_quaternion_component[orientation].value;
+    const auto e = [&](std::size_t i) {
+      return expressions_.symbol(symbols_.configuration[ConfigurationIndex{first_e + i}].symbol);
+    };
+    link.matrix = quaternion_matrix({e(0), e(1), e(2), e(3)});
+    const std::size_t first_u = symbols_.first_angular_velocity[orientation].value;
+    for (std::size_t i = 0; i < 3; ++i) {
+      link.velocity[i] = expressions_.symbol(symbols_.speeds[FreeIndex{first_u + i}].symbol);
+    }
+    append(std::move(link));
+  }
+
+  void find_freedoms(Link& link) {
+    for (const FreeIndex i : speeds_in(link.velocity)) {
+      const ir::SymbolId speed = symbols_.speeds[i].symbol;
+      const Vector3 column{ir::partial(link.velocity[0], speed), ir::partial(link.velocity[1], speed),
+                           ir::partial(link.velocity[2], speed)};
+      if (!is_zero(column)) link.freedoms.push_back({i, column});
+    }
+  }
+
+  /// In the order of the model.
+  std::vector<FreeIndex> speeds_in(const Vector3& v) const {
+    const ir::Graph& graph = expressions_.graph();
+    std::vector<FreeIndex> found;
+    for (const ir::NodeId id : ir::post_order(graph, {v[0].id(), v[1].id(), v[2].id()})) {
+      if (graph[id].kind != ir::Kind::symbol) continue;
+      if (const auto place = speeds_.find(graph[id].symbol.index); place != speeds_.end())
+        found.push_back(place->second);
+    }
+    std::sort(found.begin(), found.end(), [](FreeIndex a, FreeIndex b) { return a.value < b.value; });
+    return found;
+  }
+
+  void add_part(std::size_t index) {
+    const model::Body& body = model_.bodies[index];
+    const std::size_t link = body.frame == model::k_space ? k_ground : ends_[body.frame];
+    if (link == k_ground) return;
+    Part part{index, link, expressions_(body.mass), expressions_(body.centre), {zero_, zero_, zero_}};
+    if (body.inertia) part.inertia = inertia_matrix(*body.inertia, expressions_);
+    result_.parts.push_back(std::move(part));
+  }
+
+  const model::Model& model_;
+  const Symbols& symbols_;
+  Expressions& expressions_;
+  ir::Substitution& hold_;
+  Vector3 zero_;
+  std::vector<char> carries_;
+  std::vector<std::size_t> ends_;  ///< of frames: their last links
+  std::size_t at_ = k_ground;
+  std::string name_;
+  Linkage result_;
+  bool is_complete_ = true;
+  std::unordered_map<std::uint32_t, FreeIndex> speeds_;  ///< by symbol
+};
+
+}  // namespace
+
+std::optional<Linkage> build_linkage(const model::Model& model, const Symbols& symbols, Expressions& expressions,
+                                     ir::Substitution& hold) {
+  return Builder(model, symbols, expressions, hold).run();
+}
+
+}  // namespace gaussgen::kinematics

@@ -1,0 +1,63 @@
+#pragma once
+// The frames of a model as a tree of elementary motions, each resolved in the axes that it leads to: what the body-by-body
+// strategy walks along (theory section 4; docs/decisions/0007).
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ir/substitute.hpp"
+#include "kinematics/expressions.hpp"
+
+namespace gaussgen::kinematics {
+
+inline constexpr std::size_t k_ground = static_cast<std::size_t>(-1);
+
+/// How much a motion accelerates with one speed: the column of its velocity, in the axes of the link (of a turn, along its
+/// axis: one entry).
+struct Freedom {
+  FreeIndex speed;
+  ir::Vector3 column;
+};
+
+/// One elementary motion against the link before it.
+struct Link {
+  enum class Kind {
+    shift,  ///< the origin moves, the axes stay
+    turn,   ///< about one of the axes
+    spin,   ///< likewise, of something that is the same all around this axis: its axes need not turn with it
+    free,   ///< any turn, by a quaternion
+  };
+  Kind kind = Kind::shift;
+  std::size_t parent = k_ground;
+  std::string name;
+
+  ir::Vector3 offset;             ///< m, of a shift
+  std::size_t axis = 0;           ///< of a turn or spin
+  std::optional<ir::Expr> angle;  ///< likewise, rad
+  ir::Matrix3 matrix;             ///< of a free turn: from the new axes to those before
+  ir::Vector3 velocity;           ///< of the offset; or the relative angular velocity, in the new axes
+  ir::Vector3 drift;              ///< its derivative without accelerations
+  std::vector<Freedom> freedoms;
+};
+
+/// What has mass, on the link that carries it.
+struct Part {
+  std::size_t body = 0;  ///< index into Model::bodies
+  std::size_t link = k_ground;
+  ir::Expr mass;
+  ir::Vector3 centre;   ///< m, in the axes of the link, from its origin
+  ir::Matrix3 inertia;  ///< about the mass centre, in the axes of the link; zero for particles
+};
+
+struct Linkage {
+  std::vector<Link> links;  ///< parents first
+  std::vector<Part> parts;  ///< those that move
+};
+
+/// Links that carry nothing with mass are left out. `hold` puts the laws of held coordinates in. Nothing for turns about
+/// axes in general position and for angular velocities along the axes before a turn.
+std::optional<Linkage> build_linkage(const model::Model& model, const Symbols& symbols, Expressions& expressions,
+                                     ir::Substitution& hold);
+
+}  // namespace gaussgen::kinematics

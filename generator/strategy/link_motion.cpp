@@ -1,0 +1,106 @@
+#include "strategy/link_motion.hpp"
+
+#include "ir/contract.hpp"
+
+namespace gaussgen::strategy {
+
+using ir::Expr;
+using ir::Vector3;
+using kinematics::k_ground;
+using kinematics::Link;
+
+LinkMotion::LinkMotion(const std::vector<Link>& links, Vector3 fall, std::string prefix)
+    : links_(links), fall_(std::move(fall)), prefix_(std::move(prefix)), drift_(links.size()) {}
+
+Vector3 LinkMotion::turned(std::size_t i, const Vector3& v) const {
+  const Link& link = links_[i];
+  if (link.kind == Link::Kind::free) return ir::multiply(transposed(link.matrix), v);
+  if (link.kind != Link::Kind::turn) return v;
+  const std::size_t p = (link.axis + 1) % 3, q = (link.axis + 2) % 3;
+  Vector3 result = v;
+  result[p] = cosine(i) * v[p] + sine(i) * v[q];
+  result[q] = cosine(i) * v[q] - sine(i) * v[p];
+  return result;
+}
+
+Vector3 LinkMotion::omega_before(std::size_t i) const {
+  return links_[i].parent == k_ground ? ir::zero3(fall_[0].graph()) : omega_[links_[i].parent];
+}
+
+void LinkMotion::find_velocities(Steps& steps) {
+  steps.begin("angular velocities, each in the axes of its link");
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const Link& link = links_[i];
+    const Vector3 before = omega_before(i);
+    omega_.push_back(link.kind == Link::Kind::shift
+                         ? before
+                         : steps.name(turned(i, before) + link.velocity, prefix_ + "omega_" + link.name));
+  }
+}
+
+// d/dt (Rᵀ ω + ω_rel) in turned axes: Rᵀ dω/dt + dω_rel/dt + (Rᵀ ω) × ω_rel.
+Vector3 LinkMotion::of_turn(std::size_t i) const {
+  const Link& link = links_[i];
+  Vector3 before = omega_[i] - link.velocity;
+  if (link.kind != Link::Kind::free) {
+    before = omega_[i];  // what is along the axis does not matter
+    before[link.axis] = Expr(fall_[0].graph(), fall_[0].graph().constant(0));
+  }
+  return cross(before, link.velocity) + link.drift;
+}
+
+Vector3 LinkMotion::of_shift(std::size_t i) const {
+  const Link& link = links_[i];
+  const Vector3 omega = omega_before(i);
+  return cross(omega, cross(omega, link.offset)) + scaled(2, cross(omega, link.velocity)) + link.drift;
+}
+
+const Vector3& LinkMotion::drift(std::size_t i, Steps& steps) {
+  if (!drift_[i]) {
+    const bool is_shift = links_[i].kind == Link::Kind::shift;
+    const char* const name = is_shift ? "drift_a_" : "drift_alpha_";
+    drift_[i] = steps.name(is_shift ? of_shift(i) : of_turn(i), prefix_ + name + links_[i].name);
+  }
+  return *drift_[i];
+}
+
+void LinkMotion::accumulate(Steps& steps) {
+  steps.begin("accelerations against free fall if no speed changed, each in the axes of its link");
+  const Vector3 none = ir::zero3(fall_[0].graph());
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const Link& link = links_[i];
+    const LinkAcceleration before = link.parent == k_ground ? LinkAcceleration{fall_, none} : accumulated_[link.parent];
+    LinkAcceleration now{turned(i, before.linear), turned(i, before.angular)};
+    if (link.kind == Link::Kind::shift) {
+      now.linear = now.linear + cross(before.angular, link.offset) + of_shift(i);
+    } else {
+      now.angular = now.angular + of_turn(i);
+    }
+    now.linear = steps.name(now.linear, prefix_ + "drift_a_" + link.name);
+    now.angular = steps.name(now.angular, prefix_ + "drift_alpha_" + link.name);
+    accumulated_.push_back(now);
+  }
+}
+
+Vector3 scaled(const ir::Rational& factor, const Vector3& v) { return {factor * v[0], factor * v[1], factor * v[2]}; }
+
+kinematics::Linkage in_units(const kinematics::Linkage& linkage, const ir::Rational& length,
+                             const ir::Rational& mass) {
+  kinematics::Linkage result = linkage;
+  const ir::Rational per_length = 1 / length, per_mass = 1 / mass;
+  for (Link& link : result.links) {
+    if (link.kind != Link::Kind::shift) continue;
+    link.offset = scaled(per_length, link.offset);
+    link.velocity = scaled(per_length, link.velocity);
+    link.drift = scaled(per_length, link.drift);
+    for (kinematics::Freedom& freedom : link.freedoms) freedom.column = scaled(per_length, freedom.column);
+  }
+  for (kinematics::Part& part : result.parts) {
+    part.mass = per_mass * part.mass;
+    part.centre = scaled(per_length, part.centre);
+    for (Vector3& row : part.inertia) row = scaled(per_mass * per_length * per_length, row);
+  }
+  return result;
+}
+
+}  // namespace gaussgen::strategy

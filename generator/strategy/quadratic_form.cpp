@@ -1,0 +1,129 @@
+#include "strategy/quadratic_form.hpp"
+
+namespace gaussgen::strategy {
+
+using ir::Expr;
+
+QuadraticForm::QuadraticForm(ir::Graph& graph, std::size_t count, NameOf name_of)
+    : zero_(graph, graph.constant(0)), P_(count), p_(count, zero_), name_of_(std::move(name_of)) {}
+
+Expr QuadraticForm::entry(Component i, Component j) const {
+  const auto found = P_[i].find(j);
+  return found == P_[i].end() ? zero_ : found->second;
+}
+
+void QuadraticForm::add(Component i, Component j, Expr value) {
+  if (value.is_zero()) return;
+  const Expr sum = entry(i, j) + value;
+  for (const auto& [a, b] : {std::pair{i, j}, std::pair{j, i}}) {
+    if (sum.is_zero()) {
+      P_[a].erase(b);
+    } else {
+      P_[a].insert_or_assign(b, sum);
+    }
+  }
+}
+
+QuadraticForm::Row QuadraticForm::extract(Component i) {
+  Row row = std::move(P_[i]);
+  P_[i].clear();
+  for (const auto& [j, value] : row) {
+    if (j != i) P_[j].erase(i);
+  }
+  return row;
+}
+
+Eliminated QuadraticForm::minimise(Component i, Steps& steps) {
+  name({i}, steps);
+  const Expr pivot = entry(i, i);
+  const Expr inverse = pow(pivot, -1);
+  Eliminated result{i, pivot, -(p_[i] * inverse), {}};
+  Row row = extract(i);
+  row.erase(i);
+  std::vector<Component> others;
+  for (auto it = row.begin(); it != row.end(); ++it) {
+    const Expr factor = it->second * inverse;
+    result.factors.push_back({it->first, factor});
+    others.push_back(it->first);
+    for (auto other = it; other != row.end(); ++other) add(it->first, other->first, -(factor * other->second));
+    p_[it->first] -= factor * p_[i];
+  }
+  p_[i] = zero_;
+  name(others, steps);
+  return result;
+}
+
+void QuadraticForm::displace(Component i, Expr by) {
+  if (by.is_zero()) return;
+  for (const auto& [j, value] : P_[i]) p_[j] += value * by;
+}
+
+void QuadraticForm::couple(Component i, const LinearTerm& term) {
+  const auto& [u, s] = term;
+  const Row row = P_[i];
+  for (const auto& [j, value] : row) {
+    if (j == i) {
+      add(u, u, s * s * value);
+      add(u, i, s * value);
+    } else {
+      add(u, j, j == u ? s * value + s * value : s * value);
+    }
+  }
+  p_[u] += s * p_[i];
+}
+
+void QuadraticForm::substitute(Component i, const std::vector<LinearTerm>& terms) {
+  // ½ P_ii w_i² + w_i (Σ P_ij w_j + p_i)
+  Row row = extract(i);
+  const Expr p = p_[i];
+  p_[i] = zero_;
+  const auto diagonal = row.find(i);
+  const Expr own = diagonal == row.end() ? zero_ : diagonal->second;
+  row.erase(i);
+  for (std::size_t a = 0; a < terms.size(); ++a) {
+    const auto& [k, c] = terms[a];
+    for (std::size_t b = a; b < terms.size(); ++b) add(k, terms[b].component, own * c * terms[b].coefficient);
+    for (const auto& [j, value] : row) {
+      const Expr product = c * value;
+      add(k, j, k == j ? product + product : product);
+    }
+    p_[k] += c * p;
+  }
+}
+
+// x = c X + s Y, y = c Y - s X. Of the block of x and y, f = (xx - yy) s + 2 xy c makes all three entries.
+void QuadraticForm::turn(Component i, Component j, Component k, Component l, Expr sine, Expr cosine) {
+  const Expr xx = entry(i, i), xy = entry(i, j), yy = entry(j, j);
+  const Expr f = ((xx - yy) * sine + (xy + xy) * cosine).named("turned");
+  Row first = extract(i), second = extract(j);
+  for (const Component gone : {i, j}) {
+    first.erase(gone);
+    second.erase(gone);
+  }
+  add(k, k, xx - sine * f);
+  add(l, l, yy + sine * f);
+  add(k, l, cosine * f - xy);
+  for (const auto& [other, x] : first) {
+    add(k, other, cosine * x);
+    add(l, other, sine * x);
+  }
+  for (const auto& [other, y] : second) {
+    add(k, other, -(sine * y));
+    add(l, other, cosine * y);
+  }
+  p_[k] += cosine * p_[i] - sine * p_[j];
+  p_[l] += sine * p_[i] + cosine * p_[j];
+  p_[i] = p_[j] = zero_;
+}
+
+void QuadraticForm::name(const std::vector<Component>& rows, Steps& steps) {
+  for (const Component i : rows) {
+    for (auto& [j, value] : P_[i]) {
+      value = steps.name(value, name_of_(std::min(i, j), std::max(i, j), false));
+      if (i != j) P_[j].insert_or_assign(i, value);
+    }
+    p_[i] = steps.name(p_[i], name_of_(i, i, true));
+  }
+}
+
+}  // namespace gaussgen::strategy

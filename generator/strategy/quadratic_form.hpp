@@ -1,0 +1,76 @@
+#pragma once
+// Z as a quadratic function of acceleration components, and the steps by which its minimum is found one component at a time
+// (theory section 4; docs/decisions/0007).
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "strategy/ldl.hpp"
+
+namespace gaussgen::strategy {
+
+/// Number of an acceleration component, in the order in which they are named.
+using Component = std::size_t;
+
+/// coefficient * w_component
+struct LinearTerm {
+  Component component;
+  ir::Expr coefficient;
+};
+
+/// A component at the minimum, over those that stay: w = offset - Σ factor_j w_j.
+struct Eliminated {
+  Component component;
+  ir::Expr pivot;
+  ir::Expr offset;
+  std::vector<LinearTerm> factors;
+};
+
+/// ½ wᵀ P w + pᵀ w, up to what does not depend on w. Only what is not zero is kept.
+class QuadraticForm {
+ public:
+  /// `name_of` names the entry of two components in emitted code, or the linear part of one that is given twice.
+  using NameOf = std::function<std::string(Component, Component, bool is_linear)>;
+
+  QuadraticForm(ir::Graph& graph, std::size_t count, NameOf name_of);
+
+  ir::Expr entry(Component i, Component j) const;
+  ir::Expr linear(Component i) const { return p_[i]; }
+  bool holds(Component i) const { return !P_[i].empty() || !p_[i].is_zero(); }
+
+  void add(Component i, Component j, ir::Expr value);
+  void add(Component i, ir::Expr value) { p_[i] += value; }
+
+  /// min over w_i: what stays is the Schur complement.
+  Eliminated minimise(Component i, Steps& steps);
+
+  /// w_i = w_i' + by
+  void displace(Component i, ir::Expr by);
+
+  /// w_i = w_i' + term
+  void couple(Component i, const LinearTerm& term);
+
+  /// w_i = Σ terms, which w_i is not among.
+  void substitute(Component i, const std::vector<LinearTerm>& terms);
+
+  /// (w_i, w_j) = (c w_k + s w_l, c w_l - s w_k)
+  void turn(Component i, Component j, Component k, Component l, ir::Expr sine, ir::Expr cosine);
+
+  /// Gives what stands in these rows names, so that it is computed once.
+  void name(const std::vector<Component>& rows, Steps& steps);
+
+ private:
+  using Row = std::map<Component, ir::Expr>;
+
+  /// Takes the row of a component out.
+  Row extract(Component i);
+
+  ir::Expr zero_;
+  std::vector<Row> P_;
+  Vector p_;
+  NameOf name_of_;
+};
+
+}  // namespace gaussgen::strategy

@@ -1,0 +1,37 @@
+#pragma once
+// Body-by-body minimisation of Z: dynamic programming on Gauss's function (theory section 4; A. F. Vereshchagin, Engineering
+// Cybernetics 12, 1974; R. Featherstone, Rigid Body Dynamics Algorithms, 2008, ch. 7).
+
+#include <optional>
+
+#include "kinematics/linkage.hpp"
+#include "strategy/accelerations.hpp"
+
+namespace gaussgen::strategy {
+
+/// A tree of links with what acts on it.
+struct TreeProblem {
+  const kinematics::Linkage& linkage;
+  const kinematics::Symbols& symbols;
+  ir::Vector3 field;  ///< m/s², space: the sum of uniform fields
+  Vector forces;      ///< of the free speeds, without uniform fields
+  std::string prefix;  ///< of names
+};
+
+/// Where accelerations that come from velocities enter.
+enum class Drift {
+  by_link,      ///< each link moves Z by its own: fewest operations in a plane
+  accumulated,  ///< all up to a link, from the ground on, with free fall: fewest in space
+};
+
+struct TreeForm {
+  Drift drift = Drift::by_link;
+  ir::Rational length = 1;  ///< m: the unit in which Z is minimised; of many equal lengths, theirs saves operations
+  ir::Rational mass = 1;    ///< kg, likewise
+};
+
+/// Accelerations at a cost that grows with the number of links. Nothing where some acceleration has no inertia in any
+/// configuration.
+std::optional<Solution> solve_tree(const TreeProblem& problem, const TreeForm& form, ir::Expr epsilon, Steps& steps);
+
+}  // namespace gaussgen::strategy
