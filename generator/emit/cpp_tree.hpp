@@ -17,6 +17,7 @@ struct Expression {
     product,   ///< Π operands
     quotient,  ///< operands[0] / operands[1]
     call,      ///< text(operands...)
+    list,      ///< {operands...}
   };
   Kind kind = Kind::atom;
   std::string text;
@@ -26,6 +27,9 @@ struct Expression {
 inline Expression atom(std::string text) { return {Expression::Kind::atom, std::move(text), {}}; }
 inline Expression call(std::string callee, std::vector<Expression> arguments) {
   return {Expression::Kind::call, std::move(callee), std::move(arguments)};
+}
+inline Expression list(std::vector<Expression> items) {
+  return {Expression::Kind::list, {}, std::move(items)};
 }
 inline Expression quotient(Expression top, Expression bottom) {
   return {Expression::Kind::quotient, {}, {std::move(top), std::move(bottom)}};

@@ -81,6 +81,11 @@ void Line::write(const Expression& expression, int outer) {
       write_list(operands);
       text(")");
       break;
+    case Kind::list:
+      text("{");
+      write_list(operands);
+      text("}");
+      break;
   }
   if (brackets) --depth_;
   if (brackets) text(")");

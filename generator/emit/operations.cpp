@@ -11,7 +11,8 @@ namespace {
 
 using Kind = Expression::Kind;
 
-bool is_number(const Expression& e) { return e.kind == Kind::atom && e.text.rfind("S(", 0) == 0; }
+// A literal of the scalar type: compilers divide two of them.
+bool is_number(const Expression& e) { return e.kind == Kind::call && e.text == "S"; }
 
 bool is_free(const std::string& callee) {
   static constexpr std::array k_free{"less",   "at_most", "select",   "any", "not_finite",

@@ -6,6 +6,7 @@
 #include "emit/natural.hpp"
 #include "emit/text.hpp"
 #include "ir/traverse.hpp"
+#include "passes/optimise.hpp"
 #include "passes/prepare.hpp"
 #include "support/assert.hpp"
 
@@ -140,6 +141,19 @@ class Planner {
         if (is_needed) rewritten.nodes.emplace_back(split_(node), name);
       }
       request.sections.push_back(std::move(rewritten));
+    }
+    return over_prepared(passes::optimise(plan_.graph, request));
+  }
+
+  // Passes bring together what depends on parameters alone, as the difference of two moments of inertia.
+  passes::Request over_prepared(passes::Request request) {
+    for (NodeId& output : request.outputs) output = split_(output);
+    for (passes::Section& section : request.sections) {
+      std::vector<std::pair<NodeId, std::string>> varying;
+      for (const auto& [node, name] : section.nodes) {
+        if (split_.varies(node)) varying.emplace_back(split_(node), name);
+      }
+      section.nodes = std::move(varying);
     }
     return request;
   }

@@ -11,6 +11,7 @@
 
 namespace gaussgen::passes {
 
+using ir::Expr;
 using ir::Kind;
 using ir::Node;
 using ir::Rational;
@@ -33,7 +34,7 @@ bool is_short(const Rational& coefficient) { return support::is_integer(coeffici
 }  // namespace
 
 PreparationSplit::PreparationSplit(Graph& graph, std::unordered_map<std::uint32_t, std::string> names)
-    : graph_(graph), names_(std::move(names)) {}
+    : graph_(graph), names_(std::move(names)), definitions_(graph) {}
 
 NodeId PreparationSplit::operator()(NodeId root) {
   for (const NodeId id : ir::post_order(graph_, {root}, [this](NodeId node) { return memo_.count(node.index) != 0; })) {
@@ -66,10 +67,13 @@ NodeId PreparationSplit::prepared(NodeId id) {
   const bool is_parameter = is_symbol(graph_, id, SymbolClass::parameter);
   const std::string name = name_of(id);
   const SymbolId symbol = is_parameter ? node.symbol : graph_.declare(SymbolClass::parameter, name);
-  values_.push_back({symbol, id, name});
+  const NodeId value = is_parameter ? id : definitions_(Expr(graph_, id)).id();
+  values_.push_back({symbol, value, name});
   const NodeId use = graph_.use(symbol);
   prepared_.emplace(id.index, use);
+  prepared_.emplace(use.index, use);
   varies_.emplace(use.index, false);
+  if (!is_parameter) definitions_.replace(symbol, Expr(graph_, value));
   return use;
 }
 

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "ir/graph.hpp"
+#include "ir/substitute.hpp"
 
 namespace gaussgen::passes {
 
@@ -62,6 +62,7 @@ class PreparationSplit {
   std::unordered_map<std::uint32_t, NodeId> memo_;
   std::unordered_map<std::uint32_t, NodeId> prepared_;  ///< node over parameters -> the symbol that stands for it
   std::vector<PreparedValue> values_;
+  ir::Substitution definitions_;  ///< of prepared values, for others that are made of them
 };
 
 /// For results of the split: what varies among their prepared values, and what could have been prepared in them. Empty

@@ -226,7 +226,7 @@ void take(double& worst, double now) {
 
 /// Of the metric of all y, scaled to a diagonal of 1.
 double condition_of_metric(const Mechanics& mechanics, Reference& reference) {
-  const auto& G = mechanics.covariant.G;
+  const auto& G = mechanics.covariant->G;
   const auto n = static_cast<Eigen::Index>(mechanics.symbols.full_count());
   Eigen::MatrixXd metric(n, n);
   for (const auto i : G.indices()) {

@@ -34,7 +34,7 @@ class WithZ {
 
   /// Of the metric of all coordinates, held ones too, with a diagonal of 1: Z spreads forces along coordinates by its inverse.
   double condition_of_metric() {
-    const auto& G = specimen.mechanics.covariant.G;
+    const auto& G = specimen.mechanics.covariant->G;
     const auto n = static_cast<Eigen::Index>(G.size());
     Eigen::MatrixXd metric(n, n);
     for (const auto i : G.indices()) {

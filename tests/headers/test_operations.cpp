@@ -61,11 +61,14 @@ void check(const std::string& model, const std::string& function, const Operatio
 
 template <class M>
 void counts_are_stated() {
-  const typename M::template Parameters<Counted> parameters;
+  typename M::template Parameters<Counted> parameters;
+  for (auto member = M::template parameters<Counted>(); *member != nullptr; ++member) {
+    parameters.**member = (parameters.**member).as_given();
+  }
   const auto prepared = prepare(parameters);
   typename M::template State<Counted> state;
-  for (Counted& value : state.values) value = Counted(0.7);
-  const Counted t(0);
+  for (Counted& value : state.values) value = Counted(0.7).as_given();
+  const Counted t = Counted(0).as_given();
   const typename M::template Inputs<Counted> inputs{};
   typename M::template Derivative<Counted> derivative{};
   typename M::template ReactionsOrNone<Counted> found{};

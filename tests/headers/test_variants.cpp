@@ -66,7 +66,8 @@ void agree(const char* variant, const std::vector<Computed>& others, double bar_
 }  // namespace
 
 TEST_CASE("--fold gives the results of the parameters' default values") {
-  agree("--fold", headertest::folded_models(), 1e-13, 1e-13);
+  // In all: 1500 eps, as every scalar type has (test_scalars.cpp), for the pivots of Euler angles.
+  agree("--fold", headertest::folded_models(), 1e-13, 3.4e-13);
 }
 
 TEST_CASE("--route=paper gives the results of the emitted route") {

@@ -33,7 +33,7 @@ void Specimen::add_energy_rate() {
   for (const auto i : symbols.speeds.indices()) {
     along.seed(symbols.speeds[i].symbol, mechanics.expressions.symbol(symbols.speeds[i].acceleration));
   }
-  energy_rate_ = along(mechanics.covariant.kinetic_energy + mechanics.kinematics.potential).id();
+  energy_rate_ = along(mechanics.covariant->kinetic_energy + *mechanics.kinematics.potential).id();
 }
 
 double Specimen::value(gaussgen::ir::NodeId node) { return evaluator_(node).value_or(std::nan("")); }
@@ -67,8 +67,8 @@ bool Specimen::at(const State& now) {
   for (const auto i : mechanics.symbols.speeds.indices()) {
     evaluator_.bind(mechanics.symbols.speeds[i].acceleration, a[i.value]);
   }
-  kinetic = value(mechanics.covariant.kinetic_energy.id());
-  potential = value(mechanics.kinematics.potential.id());
+  kinetic = value(mechanics.covariant->kinetic_energy.id());
+  potential = value(mechanics.kinematics.potential->id());
   energy_rate = value(energy_rate_);
   return true;
 }

@@ -1,0 +1,35 @@
+#include "passes/optimise.hpp"
+
+#include "ir/cost.hpp"
+#include "passes/factor.hpp"
+#include "passes/pairs.hpp"
+#include "passes/quotients.hpp"
+#include "passes/scale.hpp"
+
+namespace gaussgen::passes {
+
+// Quotients first, where Schur complements stand as they were made; once more where units have made divisors short. Pairs before
+// factors, since what several values share is worth more than what one of them saves; then pairs of what is left.
+const std::vector<Pass>& passes() {
+  static const std::vector<Pass> k_passes{{"quotients", join_quotients}, {"units", choose_units},
+                                          {"quotients", join_quotients}, {"pairs", share_factors},
+                                          {"factors", factor_out},       {"pairs", share_factors}};
+  return k_passes;
+}
+
+Request optimise(Graph& graph, const Request& request, std::vector<PassEffect>* effects) {
+  Request best = request;
+  int operations = ir::operations(graph, best.outputs);
+  for (const Pass& pass : passes()) {
+    Request next = pass.run(graph, best);
+    const int count = ir::operations(graph, next.outputs);
+    if (count < operations) {
+      best = std::move(next);
+      operations = count;
+    }
+    if (effects != nullptr) effects->push_back({pass.name, operations});
+  }
+  return best;
+}
+
+}  // namespace gaussgen::passes

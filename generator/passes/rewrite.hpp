@@ -1,0 +1,46 @@
+#pragma once
+// What passes share that make a new graph of values from an old one.
+
+#include <unordered_map>
+#include <vector>
+
+#include "passes/program.hpp"
+
+namespace gaussgen::passes {
+
+/// The nodes below some roots, rebuilt children first. A pass says how a node becomes another one; names go with it.
+class Rewrite {
+ public:
+  explicit Rewrite(Graph& graph) : graph_(graph) {}
+
+  bool knows(NodeId old) const { return map_.count(old.index) != 0; }
+  NodeId operator()(NodeId old) const { return map_.at(old.index); }
+
+  /// `now` takes the place of `old`, and its name.
+  void replace(NodeId old, NodeId now);
+
+  /// The same operation over what took the places of the operands.
+  NodeId rebuilt(NodeId old) const;
+
+  /// What became of a request: nodes of sections that are no more are left out.
+  Request operator()(const Request& request) const;
+
+ private:
+  Graph& graph_;
+  std::unordered_map<std::uint32_t, NodeId> map_;
+};
+
+/// A value that further simplification does not take apart, without a name of its own; a sign that most of its terms have
+/// stands in front.
+NodeId closed(Graph& graph, NodeId node);
+
+/// x and n of x^n with a whole n; n = 1 for anything but a power.
+struct Factor {
+  NodeId base;
+  int exponent = 1;
+};
+
+/// Of a product or power, by whole powers; of anything else, itself.
+std::vector<Factor> factors_of(const Graph& graph, NodeId node);
+
+}  // namespace gaussgen::passes
