@@ -65,6 +65,7 @@ void ArtefactBuilder::with_solution_status() {
 }
 
 Artefact ArtefactBuilder::finish(const Steps& own) {
+  add_sections(mechanics_.metric_steps.all());
   add_sections(mechanics_.steps.all());
   add_sections(own.all());
   artefact_.status.not_finite = not_finite();

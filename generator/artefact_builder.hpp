@@ -62,6 +62,8 @@ std::vector<emit::Artefact> residuals_artefact(Mechanics& mechanics);
 emit::Artefact mass_matrix_artefact(Mechanics& mechanics);
 emit::Artefact project_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> inverse_dynamics_artefact(Mechanics& mechanics);
+std::vector<emit::Artefact> jacobian_artefact(Mechanics& mechanics);
+std::vector<emit::Artefact> sensitivities_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> quantities_artefact(Mechanics& mechanics);
 emit::Artefact initial_state_artefact(Mechanics& mechanics);
 

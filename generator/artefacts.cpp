@@ -19,7 +19,9 @@ const std::vector<OutputKind>& output_kinds() {
       {"project", "nearest state that satisfies the constraints"},
       {"initial_state", "the model's initial state"},
       {"quantities", "what the model names under 'quantities'"},
-      {"inverse_dynamics", "forces and inputs that make given accelerations", false}};
+      {"inverse_dynamics", "forces and inputs that make given accelerations", false},
+      {"jacobian", "derivatives of rhs by state, inputs and time", false},
+      {"sensitivities", "derivatives of rhs and of reactions by chosen parameters", false}};
   return k_kinds;
 }
 
@@ -43,6 +45,8 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   if (name == "project") return one(project_artefact(mechanics));
   if (name == "initial_state") return one(initial_state_artefact(mechanics));
   if (name == "inverse_dynamics" && has_state) return inverse_dynamics_artefact(mechanics);
+  if (name == "jacobian" && has_state) return jacobian_artefact(mechanics);
+  if (name == "sensitivities") return sensitivities_artefact(mechanics);
   if (name == "quantities") return quantities_artefact(mechanics);
   return {};
 }

@@ -18,7 +18,7 @@ using strategy::Vector;
 namespace {
 
 bool has_massless_body(const Mechanics& mechanics) {
-  return std::any_of(mechanics.kinematics.bodies.begin(), mechanics.kinematics.bodies.end(), [](const auto& body) {
+  return std::any_of(mechanics.kinematics.bodies->begin(), mechanics.kinematics.bodies->end(), [](const auto& body) {
     return body.mass.is_zero() || (body.is_rigid && (body.inertia[0][0].is_zero() || body.inertia[1][1].is_zero() ||
                                                      body.inertia[2][2].is_zero()));
   });
@@ -64,8 +64,8 @@ Artefact energy_artefact(Mechanics& mechanics) {
   steps.begin("energies");
   builder.result_type("Energy");
   builder.artefact().takes_inputs = false;
-  const Expr kinetic = steps.name(mechanics.covariant.kinetic_energy, "kinetic_energy");
-  const Expr potential = steps.name(mechanics.kinematics.potential, "potential_energy");
+  const Expr kinetic = steps.name(mechanics.covariant->kinetic_energy, "kinetic_energy");
+  const Expr potential = steps.name(*mechanics.kinematics.potential, "potential_energy");
   builder.fields("", "", "",
                  {{"kinetic", "[J]", {}, {kinetic.id()}},
                   {"potential", "[J]", {}, {potential.id()}},

@@ -4,6 +4,7 @@
 #include "emit/functions.hpp"
 #include "emit/identifiers.hpp"
 #include "emit/lookup.hpp"
+#include "emit/patterns.hpp"
 #include "emit/provenance.hpp"
 #include "emit/structs.hpp"
 #include "emit/tables.hpp"
@@ -56,7 +57,9 @@ class HeaderBuilder {
     // Before everything that may call them, default values included.
     for (cpp::Function& function : tables) add(std::move(function));
     for (cpp::Struct& type : types()) add(std::move(type));
+    for (cpp::Struct& type : pattern_structs(plan_.unit)) add(std::move(type));
     for (cpp::Function& function : functions) add(std::move(function));
+    for (cpp::Function& function : dense_functions(plan_)) add(std::move(function));
     add_all(introspection_tables(plan_));
     file_.after = {cpp::BlankLine{}, cpp::Verbatim{"#endif  // " + guard + "\n"}};
     return std::move(file_);

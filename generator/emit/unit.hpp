@@ -1,6 +1,7 @@
 #pragma once
 // What the emitter is given: names, tables and expressions, no mechanics. The pipeline fills it.
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,12 +46,23 @@ struct ConstraintEntry {
   std::string about;
 };
 
+/// Where the entries of a sparse matrix are, row by row: those of row i are row_begin[i] to row_begin[i + 1] - 1.
+struct Pattern {
+  std::string type_name;  ///< PascalCase
+  std::string about;
+  int rows = 0;
+  int columns = 0;
+  std::vector<int> row_begin;  ///< rows + 1
+  std::vector<int> column;     ///< of each entry
+};
+
 /// One member of a result struct. `shape` is {} for a scalar, {n} for S name[n], {n, m} for S name[n][m].
 struct Field {
   std::string name;
   std::string about;  ///< meaning, unit, frame, sign
   std::vector<int> shape;
   std::vector<NodeId> values;  ///< row-major, as many as the shape says
+  std::optional<Pattern> pattern = {};  ///< of a sparse matrix: values are its entries
 };
 
 /// A named group of fields, such as everything about one constraint; `name` empty: members of the result struct itself.

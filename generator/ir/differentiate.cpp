@@ -53,7 +53,10 @@ NodeId Directional::of_node(NodeId id) {
       return graph_.scale(node.value, graph_.product({graph_.power(node.children[0], node.value - 1), inner}));
     }
     case Kind::function: return of_function(node);
-    case Kind::named: return known(node.children[0]);
+    case Kind::named: {
+      const NodeId rate = known(node.children[0]);
+      return suffix_.empty() ? rate : graph_.named(rate, node.name + suffix_);
+    }
   }
   return graph_.constant(0);
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <string>
 #include <unordered_map>
+#include <utility>
 
 #include "ir/expr.hpp"
 #include "ir/symbol_sets.hpp"
@@ -21,6 +23,14 @@ class Directional {
     symbol_ = symbol;
   }
 
+  /// From here on `value` has this rate, whatever it is made of: the solution of a linear system, whose rate is that of another one.
+  /// After the seeds.
+  void take(Expr value, Expr rate) { memo_.insert_or_assign(value.id().index, rate.id()); }
+
+  /// Rates of named nodes are named, too, with this behind the name: what is shared in a function is shared in its derivatives, which
+  /// are as many nodes as it has then, and not the square.
+  void name_rates(std::string suffix) { suffix_ = std::move(suffix); }
+
   Expr operator()(Expr function);
 
  private:
@@ -35,6 +45,7 @@ class Directional {
   Graph& graph_;
   SymbolSets* sets_ = nullptr;
   std::size_t symbol_ = 0;  ///< in sets_
+  std::string suffix_;      ///< of rates; empty: they have no names
   std::unordered_map<std::uint32_t, NodeId> seeds_;
   std::unordered_map<std::uint32_t, NodeId> memo_;
 };

@@ -1,0 +1,122 @@
+// The entries of the Jacobian against difference quotients of the right-hand side, for every model.
+
+#include "derivatives.hpp"
+
+#include <algorithm>
+
+#include "agreement/model_files.hpp"
+#include "artefacts.hpp"
+#include "catch_shim.hpp"
+#include "ir/cost.hpp"
+#include "numbers.hpp"
+
+using namespace gaussgen;
+using derivatives::Numbers;
+
+namespace {
+
+constexpr int k_states = 3;
+
+struct Variables {
+  std::vector<Variable> all;
+  std::size_t states, inputs;
+};
+
+Variables variables_of(const Mechanics& mechanics) {
+  Variables variables{state_variables(mechanics), 0, 0};
+  variables.states = variables.all.size();
+  for (const Variable& input : input_variables(mechanics)) variables.all.push_back(input);
+  variables.inputs = variables.all.size() - variables.states;
+  variables.all.push_back(time_variable(mechanics));
+  return variables;
+}
+
+/// The whole matrix of an emitted Jacobian: zero where its patterns have no entry.
+strategy::Matrix whole(const emit::Artefact& artefact, Mechanics& mechanics, const Variables& variables) {
+  const ir::Expr zero(mechanics.graph, mechanics.graph.constant(0));
+  strategy::Matrix result(state_rates(mechanics).size(), strategy::Vector(variables.all.size(), zero));
+  for (const emit::Field& field : artefact.groups.at(0).fields) {
+    const emit::Pattern& pattern = field.pattern.value();
+    const std::size_t first = field.name == "by_state"    ? 0
+                              : field.name == "by_inputs" ? variables.states
+                                                          : variables.states + variables.inputs;
+    REQUIRE(pattern.row_begin.size() == result.size() + 1);
+    REQUIRE(field.values.size() == std::max<std::size_t>(pattern.column.size(), 1));
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      for (int k = pattern.row_begin[i]; k < pattern.row_begin[i + 1]; ++k) {
+        const auto entry = static_cast<std::size_t>(k);
+        REQUIRE(pattern.column[entry] < pattern.columns);
+        result[i][first + static_cast<std::size_t>(pattern.column[entry])] = {mechanics.graph, field.values[entry]};
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<ir::NodeId> column(const strategy::Matrix& matrix, std::size_t k) {
+  std::vector<ir::NodeId> ids;
+  for (const strategy::Vector& row : matrix) ids.push_back(row[k].id());
+  return ids;
+}
+
+/// The largest deviation over some states at which the right-hand side has a value.
+double deviation_at_states(Mechanics& mechanics, const strategy::Matrix& found, const Variables& variables) {
+  std::vector<ir::NodeId> rates;
+  for (const ir::Expr rate : state_rates(mechanics)) rates.push_back(rate.id());
+  agreement::RandomStates states(mechanics.symbols, 7);
+  double worst = 0;
+  int seen = 0;
+  for (int tries = 0; seen < k_states && tries < 10 * k_states; ++tries) {
+    Numbers numbers(mechanics, states.next());
+    if (numbers(rates).empty()) continue;
+    ++seen;
+    for (std::size_t k = 0; k < variables.all.size(); ++k) {
+      const auto quotient = numbers.quotient(rates, variables.all[k].symbol);
+      const auto derivative = numbers(column(found, k));
+      INFO("by " << variables.all[k].name);
+      REQUIRE(quotient.size() == rates.size());
+      REQUIRE(derivative.size() == rates.size());
+      worst = std::max(worst, derivatives::deviation(derivative, quotient));
+    }
+  }
+  REQUIRE(seen == k_states);
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the Jacobian of every model is the difference quotient of its right-hand side, and zero where it has no entry") {
+  for (const std::string& file : agreement::model_files()) {
+    INFO(file);
+    const model::Model model = agreement::load(file);
+    Mechanics mechanics(model, {});
+    const Variables variables = variables_of(mechanics);
+    const auto artefacts = build_artefact("jacobian", mechanics);
+    REQUIRE(artefacts.size() == 1);
+    const double worst = deviation_at_states(mechanics, whole(artefacts[0], mechanics, variables), variables);
+    std::printf("%-30s %10.2g\n", file.c_str(), worst);
+    CHECK(worst < derivatives::k_tolerance);
+  }
+}
+
+TEST_CASE("each method gives the same derivatives: by the system, through its solution, and backwards") {
+  for (const char* file : {"double_pendulum", "chain", "functions", "rolling_disc", "four_bar", "skew_nonholonomic",
+                           "rattleback", "lagrange_top", "bicycle"}) {
+    INFO(file);
+    const model::Model model = agreement::load(file);
+    Mechanics mechanics(model, {});
+    const Variables variables = variables_of(mechanics);
+    for (const DerivativeMethod method : derivative_methods(mechanics)) {
+      strategy::Steps steps;
+      const strategy::Matrix found = jacobian(mechanics, variables.all, method, steps);
+      CHECK(deviation_at_states(mechanics, found, variables) < derivatives::k_tolerance);
+      std::vector<ir::NodeId> all;
+      for (std::size_t k = 0; k < variables.all.size(); ++k) {
+        for (const ir::NodeId id : column(found, k)) all.push_back(id);
+      }
+      std::printf("%-30s method %d: %d operations\n", file, static_cast<int>(method),
+                  ir::operations(mechanics.graph, all));
+    }
+  }
+}
