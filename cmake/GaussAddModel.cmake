@@ -1,8 +1,37 @@
 # gauss_add_model(TARGET <target> MODEL <file.yaml>
-#                 [OUTPUTS <function> ...] [FOLD] [NAMESPACE <name>] [ROUTE paper])
+#                 [COUNTS <name>=<number> ...] [OUTPUTS <function> ...] [FOLD] [NAMESPACE <name>] [ROUTE paper])
 #
 # Generates <name>.hpp from a model when <target> is built, and puts it on the include path of the target:
 # #include "<name>.hpp", where <name> is the name that the model file gives. The options are those of gauss-gen.
+
+# A count of the model: as it is given, else the number in its text; empty where that is a formula.
+function(_gauss_count key text given result)
+  set(count)
+  foreach(one IN LISTS given)
+    if(one MATCHES "^${key}=([0-9]+)$")
+      set(count ${CMAKE_MATCH_1})
+    endif()
+  endforeach()
+  if("${count}" STREQUAL "" AND "\n${text}" MATCHES "\n[\"']?counts[\"']?[ \t]*:(.*)")
+    if("${CMAKE_MATCH_1}" MATCHES "[{, \t\n]${key}[ \t]*:[ \t]*([0-9]+)[ \t\r]*[,}\n]")
+      set(count ${CMAKE_MATCH_1})
+    endif()
+  endif()
+  set(${result} "${count}" PARENT_SCOPE)
+endfunction()
+
+# `chain_$n` with its counts put in; empty where one of them cannot be told.
+function(_gauss_name_with_counts name text given result)
+  while("${name}" MATCHES "\\$([A-Za-z][A-Za-z0-9]*)")
+    set(key ${CMAKE_MATCH_1})
+    _gauss_count(${key} "${text}" "${given}" count)
+    if("${count}" STREQUAL "")
+      set(name)
+    endif()
+    string(REGEX REPLACE "\\$${key}([^A-Za-z0-9]|$)" "${count}\\1" name "${name}")
+  endwhile()
+  set(${result} "${name}" PARENT_SCOPE)
+endfunction()
 
 # The `name:` at the top level of a model's text; empty where it cannot be seen.
 function(_gauss_name_in_text text result)
@@ -17,19 +46,19 @@ function(_gauss_name_in_text text result)
     string(REGEX REPLACE "[,\n][ \t\r\n]*" "\n" text ",${text}")
   endif()
   set(name)
-  if("\n${text}" MATCHES "\n[\"']?name[\"']?[ \t]*:[ \t\r\n]*[\"']?([A-Za-z0-9_]+)")
+  if("\n${text}" MATCHES "\n[\"']?name[\"']?[ \t]*:[ \t\r\n]*[\"']?([A-Za-z0-9_$]+)")
     set(name ${CMAKE_MATCH_1})
   endif()
   set(${result} "${name}" PARENT_SCOPE)
 endfunction()
 
 # What gauss-gen says; empty while it is not built, and for a model with mistakes.
-function(_gauss_name_by_generator model result)
+function(_gauss_name_by_generator model counts result)
   set(header)
   get_target_property(is_imported gauss::gauss-gen IMPORTED)
   if(is_imported)
     get_target_property(generator gauss::gauss-gen LOCATION)
-    execute_process(COMMAND "${generator}" --list-outputs "${model}" OUTPUT_VARIABLE header ERROR_QUIET
+    execute_process(COMMAND "${generator}" --list-outputs ${counts} "${model}" OUTPUT_VARIABLE header ERROR_QUIET
                     OUTPUT_STRIP_TRAILING_WHITESPACE)
   endif()
   get_filename_component(name "${header}" NAME_WE)
@@ -37,11 +66,13 @@ function(_gauss_name_by_generator model result)
 endfunction()
 
 # The name that a model file gives, which is that of its header; the name of the file where that cannot be told.
-function(_gauss_model_name model result)
-  _gauss_name_by_generator("${model}" name)
+function(_gauss_model_name model given result)
+  list(TRANSFORM given PREPEND --count= OUTPUT_VARIABLE counts)
+  _gauss_name_by_generator("${model}" "${counts}" name)
   if(NOT name)
     file(READ "${model}" text)
     _gauss_name_in_text("${text}" name)
+    _gauss_name_with_counts("${name}" "${text}" "${given}" name)
   endif()
   if(NOT name)
     get_filename_component(name "${model}" NAME_WE)
@@ -91,7 +122,8 @@ endfunction()
 function(_gauss_refuse_second_of_name target name model)
   get_property(other GLOBAL PROPERTY _gauss_model_${target}_${name})
   if("${other}" STREQUAL "${model}")
-    message(FATAL_ERROR "gauss_add_model(${target}): '${model}' is added twice; for two sets of options, add it to two targets")
+    message(FATAL_ERROR "gauss_add_model(${target}): '${model}' is added twice; for two sets of options, add it to two targets, "
+                        "for two sets of COUNTS put the count into its name, as in name: chain_$n")
   endif()
   if(other)
     message(FATAL_ERROR "gauss_add_model(${target}): '${other}' and '${model}' are both called '${name}', so both would be "
@@ -122,10 +154,10 @@ function(_gauss_keep_header target name folder)
 endfunction()
 
 function(gauss_add_model)
-  cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD" "TARGET;MODEL;NAMESPACE;ROUTE" "OUTPUTS")
+  cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD" "TARGET;MODEL;NAMESPACE;ROUTE" "COUNTS;OUTPUTS")
   if(ARG_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "gauss_add_model: not understood: '${ARG_UNPARSED_ARGUMENTS}'; it takes TARGET, MODEL, OUTPUTS, FOLD, "
-                        "NAMESPACE and ROUTE")
+    message(FATAL_ERROR "gauss_add_model: not understood: '${ARG_UNPARSED_ARGUMENTS}'; it takes TARGET, MODEL, COUNTS, OUTPUTS, "
+                        "FOLD, NAMESPACE and ROUTE")
   endif()
   if(ARG_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "gauss_add_model: no value after ${ARG_KEYWORDS_MISSING_VALUES}; a variable may be empty")
@@ -135,12 +167,18 @@ function(gauss_add_model)
   endif()
   _gauss_check_target("${ARG_TARGET}")
   _gauss_model_path("${ARG_TARGET}" "${ARG_MODEL}" model)
-  _gauss_model_name("${model}" name)
+  # However they are written, as OUTPUTS are.
+  _gauss_words(counts ${ARG_COUNTS})
+  string(REPLACE "," ";" counts "${counts}")
+  _gauss_model_name("${model}" "${counts}" name)
   _gauss_refuse_second_of_name("${ARG_TARGET}" "${name}" "${model}")
   # Another name in the model file is another header.
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${model}")
 
   set(options)
+  foreach(count IN LISTS counts)
+    list(APPEND options --count ${count})
+  endforeach()
   if(ARG_FOLD)
     list(APPEND options --fold)
   endif()

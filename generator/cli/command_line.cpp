@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "artefacts.hpp"
 #include "cli/arguments.hpp"
+#include "cli/assignments.hpp"
 #include "cli/explanations.hpp"
 #include "cli/help.hpp"
 #include "cli/usage_error.hpp"
@@ -15,6 +18,7 @@ namespace gaussgen::cli {
 namespace {
 
 constexpr int k_most_digits = 10000;
+constexpr int k_most_linear_digits = 17;  // of what eigenvalues are computed with
 constexpr long long k_most_seconds = 1'000'000;
 constexpr long long k_most_nodes = 1'000'000'000;  // beyond that, no machine has the memory
 
@@ -25,6 +29,7 @@ class Adder {
 
   void generate() {
     add_model();
+    add_counts();
     add_path("-o,--output", options_.output, "folder for <name>.hpp, or - for standard output", "DIR",
              Argument::folder);
     add_flag("--check", options_.check, "write nothing, only say whether the model is right");
@@ -36,8 +41,11 @@ class Adder {
         ->type_name("NAME");
     app_.add_option("--namespace", options_.pipeline.name_space, "C++ namespace instead of gauss::<name>")
         ->type_name("NAME");
-    add_list("--outputs", options_.pipeline.outputs, output_names(), "LIST",
-             "functions to emit instead of all but inverse_dynamics, with commas between: ");
+    add_list(
+        "--outputs", options_.pipeline.outputs, output_names(), "LIST",
+        "functions to emit instead of all but inverse_dynamics, jacobian and sensitivities, with commas between: ");
+    add_names("--sensitivities", options_.pipeline.sensitivities,
+              "parameters by which derivatives of rhs and of reactions are emitted, with commas between");
     add_flag("--fold", options_.pipeline.fold, "put the parameters in as numbers");
     add_assemble();
     add_choice<Route>("--route", options_.pipeline.route, {{"emitted", Route::emitted}, {"paper", Route::paper}},
@@ -58,10 +66,8 @@ class Adder {
 
   void evaluate() {
     add_model();
-    one_each(app_.add_option("--set", options_.overrides,
-                             wrapped("change a parameter, an input, a coordinate or a rate, such as "
-                                     "m=2, chi=pi/4 or 'dot(chi)=2'; may be repeated")),
-             "NAME=VALUE");
+    add_counts();
+    add_set();
     add_assemble();
     add_flag("--equilibrium", options_.at_equilibrium,
              wrapped("go from the initial position to one at which the model stays at rest, and evaluate there"));
@@ -69,19 +75,43 @@ class Adder {
                              wrapped("show the forces and inputs that make this acceleration, such as theta=2; may be "
                                      "repeated for others, and those not named are 0")),
              "NAME=A");
-    app_.add_option("--time", options_.time, "time, default 0")->type_name("T");
+    add_time();
     const auto take_digits = [&options = options_](const std::string& digits) {
       options.digits = static_cast<int>(number_of("--digits", digits, k_most_digits));
     };
     app_.add_option_function<std::string>("--digits", take_digits, "significant digits, default 17")->type_name("N");
-    add_choice<Format>("--format", options_.format, {{"table", Format::table}, {"json", Format::json}}, "FORMAT",
-                       "table (default) or json");
+    add_format_of_numbers();
+    add_max_seconds();
+    add_messages();
+  }
+
+  void linearize() {
+    add_model();
+    add_counts();
+    add_choice<LinearisedAt>("--at", options_.linearised_at,
+                             {{"initial", LinearisedAt::initial},
+                              {"equilibrium", LinearisedAt::equilibrium},
+                              {"steady", LinearisedAt::steady}},
+                             "MOTION",
+                             "near the initial state as it is (default), an equilibrium found from there, or a steady "
+                             "motion: speeds are constant, and only coordinates move on which nothing depends; what "
+                             "--set gives stays as it is then");
+    add_set();
+    add_assemble();
+    add_time();
+    const auto take_digits = [&options = options_](const std::string& digits) {
+      options.linear_digits = static_cast<int>(number_of("--digits", digits, k_most_linear_digits));
+    };
+    app_.add_option_function<std::string>("--digits", take_digits, "significant digits, default 6, in JSON 17")
+        ->type_name("N");
+    add_format_of_numbers();
     add_max_seconds();
     add_messages();
   }
 
   void derivation() {
     add_model();
+    add_counts();
     add_path("-o,--output", options_.output, "file instead of standard output", "FILE", Argument::file);
     add_choice<Format>("--format", options_.format, {{"markdown", Format::markdown}, {"latex", Format::latex}},
                        "FORMAT", "markdown (default) or latex");
@@ -105,6 +135,31 @@ class Adder {
 
  private:
   void add_model() { line_.arguments[app_.add_option("model", options_.model)->type_name("MODEL")] = Argument::model; }
+
+  void add_counts() {
+    const auto take = [&options = options_](const std::vector<std::string>& assignments) {
+      options.pipeline.counts = parse_counts(assignments);
+    };
+    one_each(app_.add_option_function<std::vector<std::string>>(
+                 "--count", take,
+                 wrapped("another size than that of the file: changes what stands under its 'counts', such as n=50; "
+                         "may be repeated for others")),
+             "NAME=N");
+  }
+
+  void add_set() {
+    one_each(app_.add_option("--set", options_.overrides,
+                             wrapped("change a parameter, an input, a coordinate or a rate, such as "
+                                     "m=2, chi=pi/4 or 'dot(chi)=2'; may be repeated")),
+             "NAME=VALUE");
+  }
+
+  void add_time() { app_.add_option("--time", options_.time, "time, default 0")->type_name("T"); }
+
+  void add_format_of_numbers() {
+    add_choice<Format>("--format", options_.format, {{"table", Format::table}, {"json", Format::json}}, "FORMAT",
+                       "table (default) or json");
+  }
 
   void add_assemble() {
     add_flag("--assemble", options_.pipeline.assemble,
@@ -170,6 +225,20 @@ class Adder {
     one_each(option, text);
     line_.choices[option] = choices;
     line_.lists.insert(option);
+  }
+
+  void add_names(const std::string& name, std::vector<std::string>& target, const std::string& about) {
+    const auto take = [&target, name](const std::vector<std::string>& lists) {
+      for (const std::string& list : lists) {
+        for (const std::string& word : words_of(list)) {
+          if (word.empty()) refuse(name, fmt::format("a name is missing in '{}'", list));
+          if (std::find(target.begin(), target.end(), word) != target.end())
+            refuse(name, fmt::format("'{}' is given twice", word));
+          target.push_back(word);
+        }
+      }
+    };
+    one_each(app_.add_option_function<std::vector<std::string>>(name, take, wrapped(about)), "LIST");
   }
 
   /// Empty ones too, which the parser would leave out; a list of them alone would take the model for its words.
@@ -241,6 +310,7 @@ CommandLine::CommandLine(Options& options) : app(k_about, "gauss-gen") {
     return Adder(*this, *app.add_subcommand(name, about)->footer(footer), options);
   };
   add("evaluate", Command::evaluate, k_about_evaluate, k_about_status).evaluate();
+  add("linearize", Command::linearize, k_about_linearize, k_about_status).linearize();
   add("derivation", Command::derivation, k_about_derivation, "").derivation();
   add("explain", Command::explain, k_about_explain, "").explain();
   add("init", Command::init, k_about_init, "").init();

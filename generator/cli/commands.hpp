@@ -7,6 +7,7 @@ namespace gaussgen::cli {
 /// Each returns an exit code and throws FileError, UsageError or InternalError.
 int generate(const Options& options);
 int evaluate(const Options& options);
+int linearize(const Options& options);
 int derive(const Options& options);
 int explain(const Options& options);
 int init(const Options& options);

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "assembly.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
 #include "cli/guard.hpp"
 #include "cli/overrides.hpp"
+#include "cli/start.hpp"
 #include "early_check.hpp"
 #include "equilibrium.hpp"
 #include "evaluation.hpp"
-#include "initial_check.hpp"
 #include "read_model.hpp"
 #include "strategy/projection.hpp"
 #include "structure_check.hpp"
@@ -106,17 +105,6 @@ std::string json(const Evaluation& evaluation, const model::Model& model, const 
   return document.dump(2) + "\n";
 }
 
-/// Open positions, and with `--assemble` given ones too, satisfy the constraints.
-void set_start(Mechanics& mechanics, model::Model& model, const support::Rational& at, const Options& options,
-               support::Diagnostics& diagnostics) {
-  const double time = support::to_double(at);
-  if (!options.pipeline.assemble) return report_found(improve_guesses(mechanics, model, time), model, diagnostics);
-  const StatedStart stated = stated_start(model, mechanics.expressions);
-  assemble(mechanics, model, time);
-  for (const std::string& moved : assembled_values(mechanics, stated, at))
-    remark("assembled " + moved, options.messages);
-}
-
 const std::vector<std::string> k_stages{"derivation", "initial state", "equilibrium", "evaluation"};
 
 }  // namespace
@@ -127,7 +115,7 @@ int evaluate(const Options& options) {
   std::optional<ReadingGuard> guard(options.messages);
   support::Source source = read_source(options.model);
   support::Diagnostics diagnostics;
-  std::optional<model::Model> model = read_model(source, diagnostics);
+  std::optional<model::Model> model = read_model(source, diagnostics, options.pipeline.counts);
   guard.reset();
   std::optional<WantedAccelerations> wanted;
   if (model) apply_overrides(options.overrides, *model);
@@ -141,10 +129,7 @@ int evaluate(const Options& options) {
   Mechanics mechanics(*model, {});
   check_structure(mechanics, structure);
   derivation->finish_stage();
-  if (!structure.has_errors()) {
-    set_start(mechanics, *model, time, options, structure);
-    if (!is_start_reached(mechanics, time, options.digits)) refine_guesses(mechanics, *model, support::to_double(time));
-  }
+  if (!structure.has_errors()) set_start(mechanics, *model, time, options.digits, options, structure);
   if (const int found = report(structure, source, options.messages); found != k_ok) return found;
   std::vector<std::string> doubts;
   std::optional<RestingMultipliers> resting;

@@ -69,7 +69,7 @@ void write_files(const Options& options, const PipelineResult& result, const sup
 /// Only the model's own text is needed for these two, so no derivation is made.
 int check_or_list(const Options& options, support::Source& source) {
   support::Diagnostics diagnostics;
-  const auto model = read_model(source, diagnostics);
+  const auto model = read_model(source, diagnostics, options.pipeline.counts);
   const int code = report(diagnostics, source, options.messages);
   if (!model || code != k_ok) return code;
   if (options.list_outputs) write_standard_output(header_path(options, model->name.text) + "\n");

@@ -18,6 +18,9 @@ const char* const k_description =
     "explains.";
 const char* const k_about_evaluate =
     "Accelerations, multipliers, reactions, energy and residuals at the initial state, as numbers.\n";
+const char* const k_about_linearize =
+    "A and B of x' = A x + B u near a motion, over independent coordinates and speeds,\n"
+    "with eigenvalues and modes.\n";
 const char* const k_about_derivation = "The paper's objects and the final equations of a model as formulas.\n";
 const char* const k_about_explain =
     "What the code of a message means: an example, the message, and how to put it right.\n"
@@ -45,6 +48,7 @@ const char* const k_usage =
     "Usage:\n"
     "  gauss-gen [OPTIONS] MODEL              write <name>.hpp into this folder\n"
     "  gauss-gen evaluate [OPTIONS] MODEL     accelerations, reactions, energy at the initial state\n"
+    "  gauss-gen linearize [OPTIONS] MODEL    A, B, eigenvalues and modes near a motion\n"
     "  gauss-gen derivation [OPTIONS] MODEL   Z, the metric, c, b and the final equations as formulas\n"
     "  gauss-gen explain [CODE]               what the code of a message means, such as E012\n"
     "  gauss-gen init [NAME]                  write NAME.yaml, a commented model to begin with\n"

@@ -13,6 +13,7 @@ extern const char* const k_about;
 extern const char* const k_summary;
 extern const char* const k_description;
 extern const char* const k_about_evaluate;
+extern const char* const k_about_linearize;
 extern const char* const k_about_derivation;
 extern const char* const k_about_explain;
 extern const char* const k_about_init;

@@ -4,6 +4,7 @@
 #include <locale>
 #include <new>
 
+#include "cli/assignments.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
@@ -20,6 +21,7 @@ int run(const Options& options) {
   switch (options.command) {
     case Command::generate: return generate(options);
     case Command::evaluate: return evaluate(options);
+    case Command::linearize: return linearize(options);
     case Command::derivation: return derive(options);
     case Command::explain: return explain(options);
     case Command::init: return init(options);
@@ -37,6 +39,8 @@ int guarded(const Options& options) {
     return fail(error.what(), k_file_error);
   } catch (const UsageError& error) {
     return cli::fail(error, options.messages);
+  } catch (const model::UnknownCount& unknown) {
+    return fail(unknown_count(unknown), k_usage_error);
   } catch (const ir::TooManyNodes& error) {
     return fail(std::string("the model is too large: ") + error.what(), k_too_large);
   } catch (const std::bad_alloc&) {

@@ -24,6 +24,7 @@ constexpr Example k_examples[] = {
     {"gauss-gen evaluate pendulum.yaml --set theta=pi/3", "accelerations and reactions there, without a compiler"},
     {"gauss-gen evaluate crane.yaml --equilibrium", "where it rests, and what its constraints carry there"},
     {"gauss-gen evaluate arm.yaml --accelerate elbow=2", "forces and inputs that make this motion"},
+    {"gauss-gen linearize bicycle.yaml --set lean=0 --set steer=0", "eigenvalues and modes of the upright run"},
     {"gauss-gen explain E041", "what is wrong, with an example and its cure"},
 };
 constexpr const char* k_see_also = "README.md, the tutorial and the reference of the format in the folder doc/gauss";

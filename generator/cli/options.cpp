@@ -21,6 +21,8 @@ namespace {
 std::string in_our_words(const std::string& word) {
   if (word == "check" || word == "validate" || word == "lint") return "did you mean '--check'?";
   if (word == "eval" || word == "run" || word == "solve") return "did you mean 'evaluate'?";
+  if (word == "linearise" || word == "linear" || word == "eigenvalues" || word == "modes")
+    return "did you mean 'linearize'?";
   if (word == "derive") return "did you mean 'derivation'?";
   if (word == "new" || word == "create") return "did you mean 'init'?";
   if (word == "generate" || word == "gen" || word == "compile" || word == "build")
@@ -79,7 +81,7 @@ void check_output(const Options& options) {
 bool reads_model(const Options& options) {
   const Command command = options.command;
   return (command == Command::generate && !options.man) || command == Command::evaluate ||
-         command == Command::derivation;
+         command == Command::linearize || command == Command::derivation;
 }
 
 void check(const CLI::App& app, const Options& options) {
@@ -89,6 +91,8 @@ void check(const CLI::App& app, const Options& options) {
   const CLI::Option* name_space = app.get_option("--namespace");
   const std::string refusal = name_space->count() == 0 ? "" : refusal_of_namespace(options.pipeline.name_space);
   if (!refusal.empty()) refuse("--namespace", refusal);
+  if (options.pipeline.fold && !options.pipeline.sensitivities.empty())
+    refuse("--sensitivities", "with --fold parameters are numbers; leave one of the two out");
   if (app.count("--depfile") != 0 && options.depfile.empty()) refuse("--depfile", "a file name is needed");
   if (app.count("--depfile-target") != 0 && (options.depfile.empty() || options.depfile_target.empty()))
     refuse("--depfile-target", "it is a word in the file of --depfile");

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "cli/messages.hpp"
+#include "linearisation.hpp"
 #include "pipeline.hpp"
 
 namespace gaussgen::cli {
 
-enum class Command { generate, evaluate, derivation, explain, init, schema, completion };
+enum class Command { generate, evaluate, linearize, derivation, explain, init, schema, completion };
 enum class Format { table, json, markdown, latex, text };
 
 struct Options {
@@ -37,6 +38,10 @@ struct Options {
   std::string time = "0";
   int digits = 17;
   Format format = Format::table;
+
+  // linearize
+  LinearisedAt linearised_at = LinearisedAt::initial;
+  int linear_digits = 0;  ///< 0: some in a table, all that there are in JSON
 
   std::string word;  ///< explain: a code; init: a name; completion: a shell
 };

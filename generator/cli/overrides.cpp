@@ -7,6 +7,7 @@
 #include <set>
 #include <string_view>
 
+#include "cli/assignments.hpp"
 #include "model/constant.hpp"
 #include "model/constant_check.hpp"
 #include "model/evaluate.hpp"
@@ -27,12 +28,6 @@ void refuse_other_symbols(const std::string& option, const model::Ast& ast, cons
   if (ast.kind == model::AstKind::call && ast.name == "dot")
     throw UsageError(option + ": dot(...) has no meaning in a value");
   for (const model::Ast& child : ast.children) refuse_other_symbols(option, child, model);
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  if (begin == std::string::npos) return "";
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
 bool has_symbol(const model::Ast& ast) {
@@ -152,23 +147,6 @@ void relocate(model::Ast& ast, support::Span span) {
   for (model::Ast& child : ast.children) relocate(child, span);
 }
 
-struct NameAndText {
-  std::string name;
-  std::string text;  ///< of the value
-};
-
-NameAndText at_equals(const char* option, const std::string& assignment) {
-  const std::size_t equals = assignment.find('=');
-  if (equals == std::string::npos)
-    throw UsageError(fmt::format("{}: expected name=value, not '{}'", option, assignment));
-  const std::string name = trimmed(assignment.substr(0, equals));
-  if (name.empty()) throw UsageError(fmt::format("{}: a name is missing before '=' in '{}'", option, assignment));
-  if (assignment.find('=', equals + 1) != std::string::npos)
-    throw UsageError(
-        fmt::format("{}: one value each, as in {} a=1 {} b=2, not '{}'", option, option, option, assignment));
-  return {name, assignment.substr(equals + 1)};
-}
-
 struct Assignment {
   std::string name;
   std::string option;  ///< for messages
@@ -181,10 +159,8 @@ std::string as_symbol(const std::string& name) {
   return is_dot ? trimmed(name.substr(4, name.size() - 5)) + "_dot" : name;
 }
 
-/// The last would win without a word.
 void refuse_second(const char* option, const std::string& name, std::set<std::string>& seen) {
-  if (seen.insert(as_symbol(name)).second) return;
-  throw UsageError(fmt::format("{}: '{}' is given twice; leave one of the two out", option, name));
+  refuse_second_of(option, name, as_symbol(name), seen);
 }
 
 Assignment split(const std::string& text, const model::Model& model) {

@@ -50,12 +50,15 @@ void read_sections(const spec::Node& root, Reading& reading) {
   read_quantities(root, reading);
   read_elimination(root, reading);
   read_outputs(root, reading);
+  read_sensitivities(root, reading);
 }
 
 }  // namespace
 
-std::optional<Model> build_model(support::Source& source, support::Diagnostics& diagnostics) {
+std::optional<Model> build_model(support::Source& source, support::Diagnostics& diagnostics,
+                                 const GivenCounts& counts) {
   Reading reading{source, diagnostics, {}};
+  reading.given_counts = counts;
   reading.model.file = base_name(source.name());
   reading.model.symbols["t"] = {SymbolKind::time, 0};
   reading.model.symbols["pi"] = {SymbolKind::pi, 0};

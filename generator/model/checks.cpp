@@ -7,6 +7,7 @@ void check_model(Reading& reading) {
   check_references(reading);
   check_domains(reading);
   order_parameters(reading);
+  check_sensitivities(reading);
   check_values(reading);
   check_smoothness(reading);
   check_topology(reading);

@@ -17,6 +17,9 @@ void order_parameters(Reading& reading);
 /// Names outside expressions: components of generalized forces, dependent speeds.
 void check_references(Reading& reading);
 
+/// Parameters that derivatives are taken by. Wants ordered parameters.
+void check_sensitivities(Reading& reading);
+
 /// Divisions by zero, values that are not finite, negative masses. Wants ordered parameters.
 void check_values(Reading& reading);
 

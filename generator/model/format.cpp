@@ -138,9 +138,9 @@ bool has(const Names& names, const std::string& wanted) {
 }  // namespace
 
 const std::vector<std::string>& outputs() {
-  static const Names k_outputs{"rhs",     "reactions",     "reaction_forces", "joint_reactions",
-                               "energy",  "compulsion",    "residuals",       "mass_matrix",
-                               "project", "initial_state", "quantities",      "inverse_dynamics"};
+  static const Names k_outputs{"rhs",        "reactions",        "reaction_forces", "joint_reactions", "energy",
+                               "compulsion", "residuals",        "mass_matrix",     "project",         "initial_state",
+                               "quantities", "inverse_dynamics", "jacobian",        "sensitivities"};
   return k_outputs;
 }
 
@@ -387,7 +387,8 @@ const Map& model_file() {
        {"quantities", or_empty(entries_of(or_else(or_else(expression(), vector()), entry(quantity())))),
         "what else the emitted code shall tell of a state"},
        {"elimination", map_of(elimination()), "the choice of dependent speeds"},
-       {"outputs", or_empty(list_of(word_of(outputs()))), "what is emitted; all if left out"}}};
+       {"outputs", or_empty(list_of(word_of(outputs()))), "what is emitted; all if left out"},
+       {"sensitivities", or_empty(list_of(name())), "parameters by which derivatives are emitted"}}};
   return k_map;
 }
 

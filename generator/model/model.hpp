@@ -299,8 +299,9 @@ struct Model {
   std::vector<std::string> idle_closures;  ///< rows of `coincide` that hold in every motion and are left out
   std::vector<Force> forces;
   std::vector<NamedQuantity> quantities;
-  std::vector<Name> dependent;  ///< the user's choice of dependent speeds (3.6); empty: chosen by the generator
-  std::vector<Name> outputs;    ///< empty: the default set
+  std::vector<Name> dependent;      ///< the user's choice of dependent speeds (3.6); empty: chosen by the generator
+  std::vector<Name> outputs;        ///< empty: the default set
+  std::vector<Name> sensitivities;  ///< parameters by which derivatives are emitted
   std::map<std::string, SymbolRef> symbols;
 
   /// The declared symbol; asserts that it exists (the checks guarantee it).

@@ -85,4 +85,14 @@ void read_outputs(const spec::Node& root, Reading& reading) {
   for (const spec::Node& item : outputs->items) read_output(item, outputs->span, reading);
 }
 
+void read_sensitivities(const spec::Node& root, Reading& reading) {
+  const spec::Node* list = spec::find(root, "sensitivities");
+  if (list == nullptr || list->kind == spec::NodeKind::empty) return;
+  if (!expect_list(*list, list->span, "'sensitivities'", reading)) return;
+  for (const spec::Node& item : list->items) {
+    if (expect_scalar(item, list->span, "a parameter", reading))
+      reading.model.sensitivities.push_back(name_of(item.scalar));
+  }
+}
+
 }  // namespace gaussgen::model

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/copies.hpp"
+#include "model/given_counts.hpp"
 #include "model/model.hpp"
 #include "model/unread.hpp"
 #include "spec/node.hpp"
@@ -81,6 +82,7 @@ struct Reading {
   std::set<std::uint32_t> faulty_values = {};  ///< where expressions begin that use what may not stand there
   std::set<std::uint32_t> along_joints = {};   ///< where joints name coordinates that are declared elsewhere
   ExpressionBudget expressions = {};
+  GivenCounts given_counts = {};
   Searches searches = {};  ///< of the whole file, for names that may be meant
 
   std::string line_text(support::Span span) const { return source.line_text(span.begin); }

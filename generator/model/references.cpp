@@ -95,6 +95,28 @@ void check_dependent_count(Reading& reading) {
       "each constraint determines one speed; without 'elimination' the choice is made for you");
 }
 
+std::vector<std::string> parameters_of(const Model& model) {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : model.parameters) names.push_back(parameter.name.text);
+  return names;
+}
+
+void check_sensitivity(const Name& name, Reading& reading) {
+  const auto symbol = reading.model.symbols.find(name.text);
+  if (symbol != reading.model.symbols.end() && symbol->second.kind == SymbolKind::parameter) {
+    if (!reading.model.parameters[symbol->second.index].is_formula) return;
+    reading.diagnostics.error(code::k_wrong_reference, name.span,
+                              fmt::format("'{}' follows from other parameters by its formula", name.text),
+                              "name those: what follows from them counts");
+    return;
+  }
+  if (may_be_any(name, reading)) return;
+  const std::string near = did_you_mean_one_of(
+      name, [&] { return parameters_of(reading.model); }, reading);
+  reading.diagnostics.error(code::k_wrong_reference, name.span, fmt::format("there is no parameter '{}'", name.text),
+                            near.empty() ? "'sensitivities' are derivatives by parameters" : near);
+}
+
 }  // namespace
 
 void check_references(Reading& reading) {
@@ -106,6 +128,18 @@ void check_references(Reading& reading) {
   }
   check_dependent(reading);
   check_dependent_count(reading);
+}
+
+void check_sensitivities(Reading& reading) {
+  std::set<std::string> seen;
+  for (const Name& name : reading.model.sensitivities) {
+    if (seen.insert(name.text).second) {
+      check_sensitivity(name, reading);
+    } else {
+      reading.diagnostics.error(code::k_wrong_reference, name.span, fmt::format("'{}' is named twice", name.text),
+                                "remove one");
+    }
+  }
 }
 
 }  // namespace gaussgen::model

@@ -74,7 +74,7 @@ std::string one_of(const std::string& section) {
 
 class Repetition {
  public:
-  explicit Repetition(Reading& reading) : reading_(reading) {}
+  Repetition(const GivenCounts& given, Reading& reading) : given_(given), reading_(reading) {}
 
   Node run(Node root) {
     read_counts(root);
@@ -106,6 +106,7 @@ class Repetition {
 
   void read_counts(const Node& root) {
     const Entry* const counts = meant_by(k_counts, root);
+    check_given(counts);
     if (counts == nullptr) return;
     read_section(root, counts->key.text, reading_, [&](const Entry& entry) {
       const bool is_index =
@@ -117,11 +118,23 @@ class Repetition {
                                             : "it has letters and digits only, and begins with a letter");
       }
       // One that is refused is known all the same: what uses it has no fault of its own.
-      const auto count = read_count(entry.value, entry.key.span);
+      const auto given = given_.find(entry.key.text);
+      const std::optional<std::int64_t> count =
+          given == given_.end() ? read_count(entry.value, entry.key.span) : given->second;
       counts_[entry.key.text] = count.value_or(1);
       // How many names it makes is open.
       if (!count) reading_.unread.add_everything();
     });
+  }
+
+  void check_given(const Entry* counts) const {
+    std::vector<std::string> known;
+    if (counts != nullptr) {
+      for (const Entry& entry : counts->value.entries) known.push_back(entry.key.text);
+    }
+    for (const auto& [name, count] : given_) {
+      if (std::find(known.begin(), known.end(), name) == known.end()) throw UnknownCount(name, known);
+    }
   }
 
   static bool is_word(const std::string& text) {
@@ -237,6 +250,7 @@ class Repetition {
                                "what 'count' repeats has the index in its name, as in link_$i");
   }
 
+  const GivenCounts& given_;
   Reading& reading_;
   Indices counts_;
   std::set<std::string> names_;  ///< in the section that is being written
@@ -247,6 +261,8 @@ class Repetition {
 
 }  // namespace
 
-spec::Node repeated(Node root, Reading& reading) { return Repetition(reading).run(std::move(root)); }
+spec::Node repeated(Node root, const GivenCounts& given, Reading& reading) {
+  return Repetition(given, reading).run(std::move(root));
+}
 
 }  // namespace gaussgen::model

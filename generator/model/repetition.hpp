@@ -1,11 +1,12 @@
 #pragma once
 // `count: 3`: an entry of which there are several, with `$i` in its name and its texts. Private to the folder.
 
+#include "model/given_counts.hpp"
 #include "model/reading.hpp"
 
 namespace gaussgen::model {
 
-/// The same file with every entry written out, and without `counts`.
-spec::Node repeated(spec::Node root, Reading& reading);
+/// The same file with every entry written out, and without `counts`; `given` go before what stands there. Throws UnknownCount.
+spec::Node repeated(spec::Node root, const GivenCounts& given, Reading& reading);
 
 }  // namespace gaussgen::model

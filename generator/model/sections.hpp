@@ -23,5 +23,6 @@ void read_forces(const spec::Node& root, Reading& reading);
 void read_quantities(const spec::Node& root, Reading& reading);
 void read_elimination(const spec::Node& root, Reading& reading);
 void read_outputs(const spec::Node& root, Reading& reading);
+void read_sensitivities(const spec::Node& root, Reading& reading);
 
 }  // namespace gaussgen::model

@@ -70,7 +70,9 @@ class Submodels {
 
   /// `file` is the name of the file in which `root` stands.
   Node assembled(Node root, const std::string& file) {
-    Whole result{repeated(std::move(root), reading_), {}};
+    // Counts are given for the model itself, and its parts have their own.
+    static const GivenCounts k_none;
+    Whole result{repeated(std::move(root), open_.empty() ? reading_.given_counts : k_none, reading_), {}};
     auto& entries = result.root.entries;
     const auto section =
         std::find_if(entries.begin(), entries.end(), [](const Entry& e) { return e.key.text == k_submodels; });
@@ -247,7 +249,7 @@ class Submodels {
   }
 
   bool is_header(const Entry& entry) const {
-    static const std::vector<std::string> k_header{"gauss", "name", "about", "elimination", "outputs"};
+    static const std::vector<std::string> k_header{"gauss", "name", "about", "elimination", "outputs", "sensitivities"};
     return std::find(k_header.begin(), k_header.end(), entry.key.text) != k_header.end() ||
            reading_.unknown_keys.count(entry.key.span.begin) > 0;
   }

@@ -5,10 +5,11 @@ import unittest
 
 from gauss_gen import SKEW, SOURCE, Program
 
-OPTIONS = {"": ["--output", "--check", "--list-outputs", "--depfile", "--depfile-target", "--namespace", "--outputs", "--fold", "--route",
+OPTIONS = {"": ["--count", "--output", "--check", "--list-outputs", "--depfile", "--depfile-target", "--namespace", "--outputs", "--sensitivities", "--fold", "--route",
                 "--max-nodes", "--max-seconds", "--dump", "--timings", "--diagnostics", "--color", "--man", "--help", "--version"],
-           "evaluate": ["--set", "--equilibrium", "--accelerate", "--time", "--digits", "--format", "--max-seconds", "--diagnostics", "--color", "--help"],
-           "derivation": ["--output", "--format", "--max-seconds", "--diagnostics", "--color", "--help"],
+           "evaluate": ["--count", "--set", "--equilibrium", "--accelerate", "--time", "--digits", "--format", "--max-seconds", "--diagnostics", "--color", "--help"],
+           "linearize": ["--count", "--at", "--set", "--assemble", "--time", "--digits", "--format", "--max-seconds", "--diagnostics", "--color", "--help"],
+           "derivation": ["--count", "--output", "--format", "--max-seconds", "--diagnostics", "--color", "--help"],
            "explain": ["--format", "--help"], "init": ["--help"], "schema": ["--help"], "completion": ["--help"]}
 
 

@@ -270,6 +270,7 @@ forces:
   f7: {spring: x, stiffness: 1, rest: 1}
 quantities: {h: x, v: [x, y, 0], w: {value: dot(x), unit: m/s, about: rate}}
 outputs: [rhs, energy]
+sensitivities: [m]
 """
 
 

@@ -7,7 +7,7 @@ import unittest
 
 from gauss_gen import MODELS, Program
 
-COMMANDS = ["", "evaluate", "derivation", "explain", "init", "schema", "completion"]
+COMMANDS = ["", "evaluate", "linearize", "derivation", "explain", "init", "schema", "completion"]
 BASH_WORDS = """
 source ./completion
 COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=(); _gauss_gen; printf '%s\\n' "${COMPREPLY[@]}"

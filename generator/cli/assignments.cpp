@@ -1,0 +1,61 @@
+#include "cli/assignments.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/arguments.hpp"
+#include "cli/usage_error.hpp"
+#include "model/format.hpp"
+#include "support/suggest.hpp"
+
+namespace gaussgen::cli {
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+NameAndText at_equals(const char* option, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos)
+    throw UsageError(fmt::format("{}: expected name=value, not '{}'", option, assignment));
+  const std::string name = trimmed(assignment.substr(0, equals));
+  if (name.empty()) throw UsageError(fmt::format("{}: a name is missing before '=' in '{}'", option, assignment));
+  if (assignment.find('=', equals + 1) != std::string::npos)
+    throw UsageError(
+        fmt::format("{}: one value each, as in {} a=1 {} b=2, not '{}'", option, option, option, assignment));
+  return {name, assignment.substr(equals + 1)};
+}
+
+void refuse_second_of(const char* option, const std::string& name, const std::string& key,
+                      std::set<std::string>& seen) {
+  if (seen.insert(key).second) return;
+  throw UsageError(fmt::format("{}: '{}' is given twice; leave one of the two out", option, name));
+}
+
+model::GivenCounts parse_counts(const std::vector<std::string>& assignments) {
+  constexpr long long k_most = model::format::k_most_copies;
+  model::GivenCounts counts;
+  std::set<std::string> seen;
+  for (const std::string& text : assignments) {
+    const NameAndText given = at_equals("--count", text);
+    const auto count = whole_number(trimmed(given.text), 0, k_most);
+    if (!count)
+      throw UsageError(fmt::format("--count {}: a whole number from 0 to {} is needed, not '{}'", given.name, k_most,
+                                   trimmed(given.text)));
+    refuse_second_of("--count", given.name, given.name, seen);
+    counts[given.name] = *count;
+  }
+  return counts;
+}
+
+std::string unknown_count(const model::UnknownCount& unknown) {
+  if (unknown.known().empty())
+    return fmt::format("--count: the model has no '{}' that could be changed, since it has no 'counts'",
+                       unknown.name());
+  const std::string near = support::did_you_mean(unknown.name(), unknown.known());
+  return fmt::format("--count: the model has no count '{}'; {}", unknown.name(),
+                     near.empty() ? "its counts are " + support::joined(unknown.known()) : near);
+}
+
+}  // namespace gaussgen::cli

@@ -1,0 +1,32 @@
+#pragma once
+// NAME=VALUE on the command line.
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "model/given_counts.hpp"
+
+namespace gaussgen::cli {
+
+std::string trimmed(const std::string& text);
+
+struct NameAndText {
+  std::string name;
+  std::string text;  ///< of the value
+};
+
+/// Throws UsageError.
+NameAndText at_equals(const char* option, const std::string& assignment);
+
+/// Throws UsageError where `key`, for which the user wrote `name`, is in `seen`: the last would win without a word.
+void refuse_second_of(const char* option, const std::string& name, const std::string& key,
+                      std::set<std::string>& seen);
+
+/// Assignments such as n=50. Throws UsageError.
+model::GivenCounts parse_counts(const std::vector<std::string>& assignments);
+
+/// Why the model has no such count, for the user.
+std::string unknown_count(const model::UnknownCount& unknown);
+
+}  // namespace gaussgen::cli
