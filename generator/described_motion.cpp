@@ -24,7 +24,7 @@ bool describes_all_motion(Mechanics& mechanics, ModelValues& values) {
     add(mechanics.expressions.rate(frames.origin(frame)));
     add(frames.omega(frame, model::Axes::body));
   }
-  for (const kinematics::BodyMotion& body : mechanics.kinematics.bodies) add(body.velocity);
+  for (const kinematics::BodyMotion& body : *mechanics.kinematics.bodies) add(body.velocity);
   if (motion.empty() || motion[0].empty()) return true;
   const auto here = values(motion);
   const cln::cl_F part = values.number(cln::expt(support::Rational(10), -k_digits));

@@ -24,8 +24,6 @@ std::string text(const Vector3& v) { return fmt::format("[{}, {}, {}]", text(v[0
 
 std::string line(const std::string& name, const std::string& value) { return fmt::format("  {} = {}\n", name, value); }
 
-bool is_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
-
 std::string dump_body(const kinematics::BodyMotion& body, const kinematics::Symbols& symbols) {
   std::string result = fmt::format("body {}: dv/dt = J_A d2y^A/dt2 + h\n", body.name);
   result += line("position", text(body.position)) + line("velocity", text(body.velocity));
@@ -55,19 +53,27 @@ std::string dump_row(const kinematics::ConstraintRow& row, const kinematics::Sym
 
 std::string dump_kinematics(const Mechanics& mechanics) {
   std::string result;
-  for (const auto& body : mechanics.kinematics.bodies) result += dump_body(body, mechanics.symbols);
+  for (const auto& body : *mechanics.kinematics.bodies) result += dump_body(body, mechanics.symbols);
   for (const auto& row : mechanics.kinematics.constraints) result += dump_row(row, mechanics.symbols);
   return result;
 }
 
+namespace {
+
+std::string dump_step(const ir::Graph& graph, const strategy::Step& step) {
+  std::string result = "\n# " + step.comment + "\n";
+  for (const auto& [node, name] : step.values) {
+    if (!graph.is_zero(node)) result += line(name, text(graph, node));
+  }
+  return result;
+}
+
+}  // namespace
+
 std::string dump_strategy(const Mechanics& mechanics) {
   std::string result = mechanics.solution.description + "\n";
-  for (const strategy::Step& step : mechanics.steps.all()) {
-    result += "\n# " + step.comment + "\n";
-    for (const auto& [node, name] : step.values) {
-      if (mechanics.graph.is_zero(node)) continue;
-      result += line(name, text(mechanics.graph, node));
-    }
+  for (const strategy::Steps* steps : {&mechanics.metric_steps, &mechanics.steps}) {
+    for (const strategy::Step& step : steps->all()) result += dump_step(mechanics.graph, step);
   }
   return result;
 }

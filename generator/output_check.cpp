@@ -35,6 +35,10 @@ Absence absence_of(const std::string& output) {
     return {"a body in it has no mass or no inertia, which Z divides by",
             "give it some, or remove it from the outputs; what has no inertia stands under 'particles'"};
   }
+  if (output == "sensitivities") {
+    return {"no parameter is named for it, or --fold makes them numbers",
+            "name parameters under 'sensitivities', or by --sensitivities; or remove it from the outputs"};
+  }
   return {"no coordinate is free, so it has no state", "remove it from the outputs"};
 }
 
@@ -45,7 +49,12 @@ bool has(const emit::Unit& unit, const std::string& output) {
 
 /// Those of the command line stand nowhere in the file: the model itself is meant.
 std::vector<model::Name> asked_for(const model::Model& model, const PipelineOptions& options) {
-  if (options.outputs.empty()) return model.outputs;
+  if (options.outputs.empty()) {
+    std::vector<model::Name> names = model.outputs;
+    // Parameters are named for the sake of it.
+    if (!model.sensitivities.empty()) names.push_back({"sensitivities", model.sensitivities.front().span});
+    return names;
+  }
   std::vector<model::Name> names;
   for (const std::string& output : options.outputs) names.push_back({output, model.name.span});
   return names;

@@ -54,7 +54,7 @@ struct Obstacle {
 
 std::optional<Obstacle> obstacle_in_metric(Mechanics& mechanics) {
   strategy::Matrix G;
-  for (const auto& row : mechanics.covariant.G) G.push_back(row.values());
+  for (const auto& row : mechanics.covariant->G) G.push_back(row.values());
   std::vector<std::string> names;
   for (const std::size_t A : dependent_columns(GenericPoint(mechanics)(G))) {
     names.push_back(mechanics.symbols.label(kinematics::FullIndex{A}));

@@ -13,6 +13,7 @@
 #include "paper.hpp"
 #include "point_check.hpp"
 #include "read_model.hpp"
+#include "sensitivities.hpp"
 #include "strategy/projection.hpp"
 #include "structure_check.hpp"
 #include "unit.hpp"
@@ -73,10 +74,11 @@ namespace {
 
 std::optional<PipelineResult> compile(support::Source& source, const PipelineOptions& options,
                                       support::Diagnostics& diagnostics, Stages& stages) {
-  std::optional<model::Model> model = read_model(source, diagnostics);
+  std::optional<model::Model> model = read_model(source, diagnostics, options.counts);
   if (!model) return std::nullopt;
   stages.done("model", fmt::format("{} bytes", source.text().size()), [&] { return dump_model(*model, source); });
 
+  if (!options.sensitivities.empty()) choose_sensitivities(options.sensitivities, *model, diagnostics);
   if (options.fold) model::check_fold(*model, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
 

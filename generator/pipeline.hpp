@@ -9,6 +9,7 @@
 
 #include "emit/unit.hpp"
 #include "mechanics.hpp"
+#include "model/given_counts.hpp"
 #include "support/diagnostics.hpp"
 
 namespace gaussgen {
@@ -19,7 +20,9 @@ enum class Route {
 };
 
 struct PipelineOptions {
-  std::vector<std::string> outputs;  ///< empty: those of the model; if it names none, all
+  model::GivenCounts counts;               ///< in place of those of the model
+  std::vector<std::string> outputs;        ///< empty: those of the model; if it names none, all
+  std::vector<std::string> sensitivities;  ///< parameters; empty: those of the model
   bool fold = false;
   bool assemble = false;  ///< constraints may move given initial values
   Route route = Route::emitted;

@@ -30,7 +30,9 @@ std::vector<std::string> constraints_without_force(const Mechanics& mechanics) {
 
 void check_points(const Mechanics& mechanics, support::Diagnostics& diagnostics) {
   const model::Model& model = mechanics.model;
-  if (!is_wanted(model)) return;
+  const bool has_points = std::any_of(model.constraints.begin(), model.constraints.end(),
+                                      [](const model::Constraint& constraint) { return constraint.point.has_value(); });
+  if (!has_points || !is_wanted(model)) return;
   const std::vector<std::string> names = constraints_without_force(mechanics);
   for (const model::Constraint& constraint : model.constraints) {
     if (!constraint.point || !contains(names, constraint.name.text)) continue;

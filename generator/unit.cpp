@@ -1,5 +1,7 @@
 #include "unit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "artefacts.hpp"
@@ -118,6 +120,9 @@ class UnitBuilder {
     provenance.model_file = model_.file;
     provenance.model_hash = model_.content_hash;
     provenance.command = "gauss-gen " + (model_.file == "<stdin>" ? std::string("-") : model_.file);
+    for (const auto& [name, count] : options_.counts) {
+      provenance.command += " --count " + name + "=" + std::to_string(count);
+    }
     if (!options_.outputs.empty()) {
       std::string list;
       for (const OutputKind& kind : output_kinds()) {
@@ -126,6 +131,8 @@ class UnitBuilder {
       }
       provenance.command += " --outputs=" + list;
     }
+    if (!options_.sensitivities.empty())
+      provenance.command += " --sensitivities=" + fmt::format("{}", fmt::join(options_.sensitivities, ","));
     if (options_.fold) provenance.command += " --fold";
     if (options_.route == Route::paper) provenance.command += " --route=paper";
     if (!options_.name_space.empty()) provenance.command += " --namespace=" + options_.name_space;
@@ -141,15 +148,26 @@ class UnitBuilder {
 
 }  // namespace
 
+namespace {
+
+/// Parameters are named for the sake of it.
+std::vector<std::string> with_sensitivities(std::vector<std::string> names, bool are_named) {
+  const std::string output = "sensitivities";
+  if (are_named && std::find(names.begin(), names.end(), output) == names.end()) names.push_back(output);
+  return names;
+}
+
+}  // namespace
+
 std::vector<std::string> wanted_outputs(const model::Model& model, const PipelineOptions& options) {
-  if (!options.outputs.empty()) return options.outputs;
+  if (!options.outputs.empty()) return with_sensitivities(options.outputs, !options.sensitivities.empty());
   std::vector<std::string> names;
   for (const model::Name& name : model.outputs) names.push_back(name.text);
-  if (!names.empty()) return names;
+  if (!names.empty()) return with_sensitivities(names, !model.sensitivities.empty());
   for (const OutputKind& kind : output_kinds()) {
     if (kind.is_usual) names.push_back(kind.name);
   }
-  return names;
+  return with_sensitivities(names, !model.sensitivities.empty());
 }
 
 emit::Unit build_unit(Mechanics& mechanics, const support::Source& source, const PipelineOptions& options) {

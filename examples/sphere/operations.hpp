@@ -19,29 +19,43 @@ struct Operations {
 class Counted {
  public:
   Counted() = default;
-  explicit Counted(double value) : value_(value) {}
-  explicit Counted(int value) : value_(value) {}
+  explicit Counted(double value) : value_(value), is_number_(true) {}
+  explicit Counted(int value) : value_(value), is_number_(true) {}
 
   double value() const { return value_; }
+
+  /// As if it came from elsewhere: what is computed with it counts.
+  Counted as_given() const { return computed(value_); }
   static Operations& tally() {
     static Operations operations;
     return operations;
   }
   static Counted counted(int& counter, double value) {
     ++counter;
-    return Counted(value);
+    return computed(value);
   }
 
-  friend Counted operator-(Counted a) { return Counted(-a.value_); }
+  friend Counted operator-(Counted a) { return a.is_number_ ? Counted(-a.value_) : computed(-a.value_); }
   friend Counted operator+(Counted a, Counted b) { return counted(tally().additions, a.value_ + b.value_); }
   friend Counted operator-(Counted a, Counted b) { return counted(tally().additions, a.value_ - b.value_); }
   friend Counted operator*(Counted a, Counted b) { return counted(tally().multiplications, a.value_ * b.value_); }
-  friend Counted operator/(Counted a, Counted b) { return counted(tally().divisions, a.value_ / b.value_); }
+  /// Compilers divide numbers by numbers.
+  friend Counted operator/(Counted a, Counted b) {
+    if (a.is_number_ && b.is_number_) return Counted(a.value_ / b.value_);
+    return counted(tally().divisions, a.value_ / b.value_);
+  }
   friend bool operator<(Counted a, Counted b) { return a.value_ < b.value_; }
   friend bool operator==(Counted a, Counted b) { return a.value_ == b.value_; }
 
  private:
+  static Counted computed(double value) {
+    Counted result;
+    result.value_ = value;
+    return result;
+  }
+
   double value_ = 0;
+  bool is_number_ = false;  ///< of the text, not of a computation
 };
 
 }  // namespace sphere

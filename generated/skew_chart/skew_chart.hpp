@@ -3,7 +3,8 @@
 // the model and generate again.
 // Command: gauss-gen skew_chart.yaml
 //
-// unrolled L D L^T of the metric; no nonholonomic constraints
+// Z minimised body by body along the tree: 137 operations before they are optimised, and 169 by L D L^T of
+// the metric
 //
 // Coordinates
 //   a
@@ -24,17 +25,17 @@
 //   frequency
 //
 // Operations per call
-//                      + -  *    /   sqrt  functions
-//   prepare            0    48   20  0     0
-//   rhs                39   92   7   0     2
-//   reactions          54   117  7   0     2
-//   rhs_and_reactions  54   119  7   0     2
-//   reaction_forces    92   209  15  0     2
-//   energy             25   42   0   0     2
-//   compulsion         79   158  13  0     2
-//   mass_matrix        6    14   0   0     1
-//   project            0    0    0   0     0
-//   initial_state      0    0    9   0     0
+//                      + -  *    /  sqrt  functions
+//   prepare            2    52   2  0     0
+//   rhs                35   56   3  0     2
+//   reactions          56   90   3  0     2
+//   rhs_and_reactions  56   90   3  0     2
+//   reaction_forces    102  189  7  0     2
+//   energy             25   40   0  0     2
+//   compulsion         79   136  4  0     2
+//   mass_matrix        6    14   0  0     1
+//   project            0    0    0  0     0
+//   initial_state      0    0    0  0     0
 
 #ifndef GAUSS_MODEL_GAUSS_SKEW_CHART_HPP
 #define GAUSS_MODEL_GAUSS_SKEW_CHART_HPP
@@ -264,49 +265,55 @@ template <class S>
 struct Prepared {
   S m1;
   S m2;
-  S k;                        ///< stiffness between the particles
+  S g;
+  S k;                           ///< stiffness between the particles
   S amplitude;
   S frequency;
-  S amplitude_frequency;      ///< amplitude * frequency
-  S c1;                       ///< 2 / 25 * m2
-  S m2_over_15;               ///< 1 / 15 * m2
-  S amplitude_frequency_2;    ///< amplitude * frequency^2
-  S m2_g;                     ///< m2 * g
-  S c2;                       ///< 2 / 9 * m1 * amplitude * frequency
-  S m2_over_10;               ///< 1 / 10 * m2
-  S m1_over_18;               ///< 1 / 18 * m1
-  S m2_over_4;                ///< 0.25 * m2
-  S c3;                       ///< 2 / 3 * m1 * amplitude * frequency
-  S c4;                       ///< 1 / 3 * m1 * amplitude * frequency^2
-  S m1_over_36;               ///< 1 / 36 * m1
-  S m1_over_9;                ///< 1 / 9 * m1
-  S m2_over_5;                ///< 1 / 5 * m2
-  S m2_over_25;               ///< 1 / 25 * m2
-  S m2_2_over_25;             ///< 1 / 25 * m2^2
-  S c5;                       ///< -0.5 * m2 * g
-  S half_m2;                  ///< 0.5 * m2
-  S G_e_e;                    ///< 1.25 * m2
-  S inv_m1;                   ///< 1 / m1
-  S c6;                       ///< 0.5 * m1 * amplitude * frequency^2
-  S c7;                       ///< 0.5 * m1 * amplitude^2 * frequency^2
-  S m1_g;                     ///< m1 * g
-  S rounding_m2;              ///< 25 * epsilon * m2
-  S half_m1_g;                ///< 0.5 * m1 * g
-  S amplitude_2_frequency_2;  ///< amplitude^2 * frequency^2
-  S m2_over_36;               ///< 1 / 36 * m2
-  S m1_over_3;                ///< 1 / 3 * m1
-  S m1_over_4;                ///< 0.25 * m1
-  S half_m1;                  ///< 0.5 * m1
-  S m2_over_3;                ///< 1 / 3 * m2
-  S rounding_m2_2;            ///< 30 * epsilon * m2
-  S m1_over_72;               ///< 1 / 72 * m1
-  S m2_over_1800;             ///< 1 / 1800 * m2
-  S m1_g_over_4;              ///< 0.25 * m1 * g
-  S half_m2_g;                ///< 0.5 * m2 * g
-  S half_k;                   ///< 0.5 * k
-  S half_inv_m1;              ///< 0.5 / m1
-  S half_inv_m2;              ///< 0.5 / m2
-  S c8;                       ///< 2 / 5 * m2
+  S m2_amplitude_frequency_2;    ///< m2 * amplitude * frequency^2
+  S amplitude_frequency;         ///< amplitude * frequency
+  S amplitude_frequency_2;       ///< amplitude * frequency^2
+  S half_amplitude_frequency_2;  ///< 0.5 * amplitude * frequency^2
+  S c1;                          ///< 1 / 3 * m2 * amplitude * frequency^2
+  S c2;                          ///< 2 / 5 * m2
+  S c3;                          ///< 4 / 25 * m2
+  S m2_over_5;                   ///< 1 / 5 * m2
+  S half_m2;                     ///< 0.5 * m2
+  S m2_g;                        ///< m2 * g
+  S c4;                          ///< 0.5 * m2 * amplitude * frequency^2
+  S half_m2_g;                   ///< 0.5 * m2 * g
+  S c5;                          ///< 2 / 25 * m2^2
+  S c6;                          ///< 4 / 25 * m2^2
+  S G_e_e;                       ///< 1.25 * m2
+  S c7;                          ///< 0.5 * m1 * amplitude * frequency^2
+  S m2_over_4;                   ///< 0.25 * m2
+  S m2_2_over_25;                ///< 1 / 25 * m2^2
+  S m1_over_4;                   ///< 0.25 * m1
+  S c8;                          ///< 2 / 3 * amplitude * frequency
+  S c9;                          ///< 1 / 3 * amplitude * frequency^2
+  S amplitude_2_frequency_2;     ///< amplitude^2 * frequency^2
+  S c10;                         ///< 0.5 * amplitude^2 * frequency^2
+  S rounding_m2;                 ///< 10 * epsilon * m2
+  S c11;                         ///< 5 / 9 * epsilon
+  S least_pivot;                 ///< min(m1 - 16 * epsilon * m1, m1 - 12 * epsilon * m1)
+  S m1_g;                        ///< m1 * g
+  S half_m1_g;                   ///< 0.5 * m1 * g
+  S m1_over_36;                  ///< 1 / 36 * m1
+  S m2_over_10;                  ///< 1 / 10 * m2
+  S m2_over_36;                  ///< 1 / 36 * m2
+  S m1_over_18;                  ///< 1 / 18 * m1
+  S m2_over_15;                  ///< 1 / 15 * m2
+  S m1_over_3;                   ///< 1 / 3 * m1
+  S half_m1;                     ///< 0.5 * m1
+  S m1_over_9;                   ///< 1 / 9 * m1
+  S m2_over_25;                  ///< 1 / 25 * m2
+  S m2_over_3;                   ///< 1 / 3 * m2
+  S rounding_m2_2;               ///< 30 * epsilon * m2
+  S m1_over_72;                  ///< 1 / 72 * m1
+  S m2_over_1800;                ///< 1 / 1800 * m2
+  S m1_g_over_4;                 ///< 0.25 * m1 * g
+  S half_k;                      ///< 0.5 * k
+  S half_inv_m1;                 ///< 0.5 / m1
+  S half_inv_m2;                 ///< 0.5 / m2
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -417,61 +424,72 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
 
   // Shared terms
   const S frequency_2 = frequency * frequency;
+  const S m2_amplitude_frequency_2 = m2 * amplitude * frequency_2;
+  const S amplitude_frequency = amplitude * frequency;
+  const S amplitude_frequency_2 = amplitude * frequency_2;
   const S m2_g = m2 * g;
-  const S m1_amplitude_frequency = m1 * amplitude * frequency;
-  const S m1_amplitude_frequency_2 = m1 * amplitude * frequency_2;
+  const S m2_2 = m2 * m2;
   const S G_e_e = S(1.25) * m2;
-  const S inv_m1 = S(1) / m1;
-  const S amplitude_2 = amplitude * amplitude;
-  const S m1_g = m1 * g;
+  const S amplitude_2_frequency_2 = amplitude * amplitude * frequency_2;
   const S rounding_m2_3 = Math<S>::epsilon() * m2;
+  const S rounding_m1 = Math<S>::epsilon() * m1;
+  const S t1 = m1 - S(16) * rounding_m1;
+  const S t2 = m1 - S(12) * rounding_m1;
+  const S least_pivot = Math<S>::select(Math<S>::less(t1, t2), t1, t2);
+  const S m1_g = m1 * g;
 
   Prepared<S> prepared;
   prepared.m1 = m1;
   prepared.m2 = m2;
+  prepared.g = g;
   prepared.k = k;
   prepared.amplitude = amplitude;
   prepared.frequency = frequency;
-  prepared.amplitude_frequency = amplitude * frequency;
-  prepared.c1 = S(2) / S(25) * m2;
-  prepared.m2_over_15 = S(1) / S(15) * m2;
-  prepared.amplitude_frequency_2 = amplitude * frequency_2;
-  prepared.m2_g = m2_g;
-  prepared.c2 = S(2) / S(9) * m1_amplitude_frequency;
-  prepared.m2_over_10 = S(1) / S(10) * m2;
-  prepared.m1_over_18 = S(1) / S(18) * m1;
-  prepared.m2_over_4 = S(0.25) * m2;
-  prepared.c3 = S(2) / S(3) * m1_amplitude_frequency;
-  prepared.c4 = S(1) / S(3) * m1_amplitude_frequency_2;
-  prepared.m1_over_36 = S(1) / S(36) * m1;
-  prepared.m1_over_9 = S(1) / S(9) * m1;
+  prepared.m2_amplitude_frequency_2 = m2_amplitude_frequency_2;
+  prepared.amplitude_frequency = amplitude_frequency;
+  prepared.amplitude_frequency_2 = amplitude_frequency_2;
+  prepared.half_amplitude_frequency_2 = S(0.5) * amplitude_frequency_2;
+  prepared.c1 = S(1) / S(3) * m2_amplitude_frequency_2;
+  prepared.c2 = S(2) / S(5) * m2;
+  prepared.c3 = S(4) / S(25) * m2;
   prepared.m2_over_5 = S(1) / S(5) * m2;
-  prepared.m2_over_25 = S(1) / S(25) * m2;
-  prepared.m2_2_over_25 = S(1) / S(25) * m2 * m2;
-  prepared.c5 = -S(0.5) * m2_g;
   prepared.half_m2 = S(0.5) * m2;
+  prepared.m2_g = m2_g;
+  prepared.c4 = S(0.5) * m2_amplitude_frequency_2;
+  prepared.half_m2_g = S(0.5) * m2_g;
+  prepared.c5 = S(2) / S(25) * m2_2;
+  prepared.c6 = S(4) / S(25) * m2_2;
   prepared.G_e_e = G_e_e;
-  prepared.inv_m1 = inv_m1;
-  prepared.c6 = S(0.5) * m1_amplitude_frequency_2;
-  prepared.c7 = S(0.5) * m1 * amplitude_2 * frequency_2;
-  prepared.m1_g = m1_g;
-  prepared.rounding_m2 = S(25) * rounding_m2_3;
-  prepared.half_m1_g = S(0.5) * m1_g;
-  prepared.amplitude_2_frequency_2 = amplitude_2 * frequency_2;
-  prepared.m2_over_36 = S(1) / S(36) * m2;
-  prepared.m1_over_3 = S(1) / S(3) * m1;
+  prepared.c7 = S(0.5) * m1 * amplitude * frequency_2;
+  prepared.m2_over_4 = S(0.25) * m2;
+  prepared.m2_2_over_25 = S(1) / S(25) * m2_2;
   prepared.m1_over_4 = S(0.25) * m1;
+  prepared.c8 = S(2) / S(3) * amplitude_frequency;
+  prepared.c9 = S(1) / S(3) * amplitude_frequency_2;
+  prepared.amplitude_2_frequency_2 = amplitude_2_frequency_2;
+  prepared.c10 = S(0.5) * amplitude_2_frequency_2;
+  prepared.rounding_m2 = S(10) * rounding_m2_3;
+  prepared.c11 = S(5) / S(9) * Math<S>::epsilon();
+  prepared.least_pivot = least_pivot;
+  prepared.m1_g = m1_g;
+  prepared.half_m1_g = S(0.5) * m1_g;
+  prepared.m1_over_36 = S(1) / S(36) * m1;
+  prepared.m2_over_10 = S(1) / S(10) * m2;
+  prepared.m2_over_36 = S(1) / S(36) * m2;
+  prepared.m1_over_18 = S(1) / S(18) * m1;
+  prepared.m2_over_15 = S(1) / S(15) * m2;
+  prepared.m1_over_3 = S(1) / S(3) * m1;
   prepared.half_m1 = S(0.5) * m1;
+  prepared.m1_over_9 = S(1) / S(9) * m1;
+  prepared.m2_over_25 = S(1) / S(25) * m2;
   prepared.m2_over_3 = S(1) / S(3) * m2;
   prepared.rounding_m2_2 = S(30) * rounding_m2_3;
   prepared.m1_over_72 = S(1) / S(72) * m1;
   prepared.m2_over_1800 = S(1) / S(1800) * m2;
   prepared.m1_g_over_4 = S(0.25) * m1_g;
-  prepared.half_m2_g = S(0.5) * m2_g;
   prepared.half_k = S(0.5) * k;
-  prepared.half_inv_m1 = S(0.5) * inv_m1;
+  prepared.half_inv_m1 = S(0.5) / m1;
   prepared.half_inv_m2 = S(0.5) / m2;
-  prepared.c8 = S(2) / S(5) * m2;
   return prepared;
 }
 
@@ -482,33 +500,34 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   using Bool = typename Math<S>::Bool;
   const S& m1 = prepared.m1;
   const S& m2 = prepared.m2;
+  const S& g = prepared.g;
   const S& k = prepared.k;
   const S& amplitude = prepared.amplitude;
   const S& frequency = prepared.frequency;
+  const S& m2_amplitude_frequency_2 = prepared.m2_amplitude_frequency_2;
   const S& amplitude_frequency = prepared.amplitude_frequency;
+  const S& half_amplitude_frequency_2 = prepared.half_amplitude_frequency_2;
   const S& c1 = prepared.c1;
-  const S& m2_over_15 = prepared.m2_over_15;
-  const S& amplitude_frequency_2 = prepared.amplitude_frequency_2;
-  const S& m2_g = prepared.m2_g;
   const S& c2 = prepared.c2;
-  const S& m2_over_10 = prepared.m2_over_10;
-  const S& m1_over_18 = prepared.m1_over_18;
-  const S& m2_over_4 = prepared.m2_over_4;
   const S& c3 = prepared.c3;
-  const S& c4 = prepared.c4;
-  const S& m1_over_36 = prepared.m1_over_36;
-  const S& m1_over_9 = prepared.m1_over_9;
   const S& m2_over_5 = prepared.m2_over_5;
-  const S& m2_over_25 = prepared.m2_over_25;
-  const S& m2_2_over_25 = prepared.m2_2_over_25;
-  const S& c5 = prepared.c5;
   const S& half_m2 = prepared.half_m2;
-  const S& G_e_e = prepared.G_e_e;
-  const S& inv_m1 = prepared.inv_m1;
+  const S& m2_g = prepared.m2_g;
+  const S& c4 = prepared.c4;
+  const S& half_m2_g = prepared.half_m2_g;
+  const S& c5 = prepared.c5;
   const S& c6 = prepared.c6;
+  const S& G_e_e = prepared.G_e_e;
   const S& c7 = prepared.c7;
-  const S& m1_g = prepared.m1_g;
+  const S& m2_over_4 = prepared.m2_over_4;
+  const S& m2_2_over_25 = prepared.m2_2_over_25;
+  const S& m1_over_4 = prepared.m1_over_4;
+  const S& c8 = prepared.c8;
+  const S& c9 = prepared.c9;
+  const S& c10 = prepared.c10;
   const S& rounding_m2 = prepared.rounding_m2;
+  const S& c11 = prepared.c11;
+  const S& least_pivot = prepared.least_pivot;
   const S& a = state.a();
   const S& b = state.b();
   const S& c = state.c();
@@ -524,52 +543,49 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   S sin_frequency_t, cos_frequency_t;
   Math<S>::sincos(frequency * t, sin_frequency_t, cos_frequency_t);
 
-  // metric g_ab (1.10); held coordinates enter only through f
+  // Z of all that second carries, at its minimum over the own acceleration of second
+  const S a_dot_cos_frequency_t = a_dot * cos_frequency_t;
+  const S t1 = half_amplitude_frequency_2 * sin_frequency_t;
+  const S drift_a_second_y = S(2) / S(5) * d_dot * d_dot - amplitude_frequency * a_dot_cos_frequency_t
+      + a * t1;
+  const S Z_d_d = m2 + c3 * d * d;
   const S s = S(1) + amplitude * sin_frequency_t;
+  const S Q_d = k * (d - s) - c1 * sin_frequency_t + c2 * d * drift_a_second_y;
   const S s_2 = s * s;
-  const S G_a_a = m2_over_4 * (S(4) + s_2) + m1_over_36 * (S(9) + S(4) * s_2);
-  const S d_2 = d * d;
-  const S G_d_d = m2_over_25 * (S(25) + S(4) * d_2);
-  const S G_a_e = half_m2 * (S(1) - s);
-
-  // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
-  const S t1 = S(2) * d_dot * d_dot - S(5) * amplitude_frequency * a_dot * cos_frequency_t;
-  const S bias_a = c2 * a_dot * s * cos_frequency_t - m2_over_10 * s * t1;
+  const S inv_Z_d_d = S(1) / Z_d_d;
+  const S d_over_Z_d_d = d * inv_Z_d_d;
+  const S d_over_Z_d_d_s = d_over_Z_d_d * s;
+  const S d_d_over_Z_d_d_s = d * d_over_Z_d_d_s;
+  const S Z_a_a = m2 + m2_over_4 * s_2 - m2_2_over_25 * d_d_over_Z_d_d_s * s;
+  const S half_m2_s = half_m2 * s;
+  const S Z_a_e = half_m2 - half_m2_s + c5 * d_d_over_Z_d_d_s;
+  const S m2_over_5_d_over_Z_d_d_s = m2_over_5 * d_over_Z_d_d_s;
+  const S Q_a = m2_g - m2_amplitude_frequency_2 * sin_frequency_t + m2_over_5_d_over_Z_d_d_s * Q_d
+      - half_m2_s * drift_a_second_y;
+  const S Z_e_e = G_e_e - c6 * d * d_over_Z_d_d;
+  const S F_second_y = m2 * drift_a_second_y;
+  const S t2 = c2 * d_over_Z_d_d;
+  const S Q_e = half_m2_g + F_second_y - c4 * sin_frequency_t - t2 * Q_d;
   const S k_a_minus_e = k * (a - e);
-  const S Q_a = -(m2_g + k_a_minus_e);
-  const S a_s = a * s;
-  const S G_a_s = m1_over_18 * (S(9) + S(2) * a_s) + m2_over_4 * (S(4) + a_s);
-  const S f_a = Q_a - bias_a + amplitude_frequency_2 * G_a_s * sin_frequency_t;
-  const S f_b = c4 * a * sin_frequency_t - c3 * a_dot * cos_frequency_t;
-  const S f_c = c7 * cos_frequency_t * cos_frequency_t - m1_g - c6 * s * sin_frequency_t;
-  const S bias_d = c1 * d * t1;
-  const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
-  const S f_d = amplitude_frequency_2 * G_d_s * sin_frequency_t - k * (d - s) - bias_d;
-  const S bias_e = m2_over_5 * t1;
-  const S Q_e = c5 + k_a_minus_e;
-  const S G_e_s = half_m2 * (S(1) - a);
-  const S f_e = Q_e - bias_e + amplitude_frequency_2 * G_e_s * sin_frequency_t;
+  const S Q_e_minus_k_a_minus_e = Q_e - k_a_minus_e;
+  const S inv_Z_e_e = S(1) / Z_e_e;
+  const S Z_a_e_over_Z_e_e = Z_a_e * inv_Z_e_e;
+  const S Z_a_a_2 = Z_a_a - Z_a_e_over_Z_e_e * Z_a_e;
+  const S Q_a_2 = Q_a - Z_a_e_over_Z_e_e * Q_e_minus_k_a_minus_e;
 
-  // g = L D L^T
-  const S g_pivot_a = G_a_a - m1_over_9 * s_2;
-  const S inv_g_pivot_a = S(1) / g_pivot_a;
-  const S g_pivot_d = G_d_d - m2_2_over_25 * d_2 * inv_g_pivot_a * s_2;
-  const S inv_g_pivot_d = S(1) / g_pivot_d;
-  const S t2 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_pivot_a * s;
-  const S g_factor_e_d = S(1) / S(5) * inv_g_pivot_d * t2;
-  const S g_pivot_e = G_e_e - G_a_e * G_a_e * inv_g_pivot_a - S(1) / S(5) * g_factor_e_d * t2;
+  // Z of all that first carries, at its minimum over the own acceleration of first
+  const S drift_a_first_y = c8 * a_dot_cos_frequency_t - c9 * a * sin_frequency_t;
+  const S drift_a_first_z = t1 * s - c10 * cos_frequency_t * cos_frequency_t;
+  const S m1_over_4_plus_Z_a_a_2 = m1_over_4 + Z_a_a_2;
+  const S Q_a_3 = Q_a_2 + k_a_minus_e - c7 * sin_frequency_t;
 
-  // accelerations from dZ/da = 0 (1.15)
-  const S a_y_a = f_a - S(1) / S(3) * f_b * s;
-  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_pivot_a * s;
-  const S a_y_e = f_e - G_a_e * a_y_a * inv_g_pivot_a - a_y_d * g_factor_e_d;
-  const S inv_g_pivot_e = S(1) / g_pivot_e;
-  const S a_e = a_y_e * inv_g_pivot_e;
-  const S a_d = a_y_d * inv_g_pivot_d - a_y_e * g_factor_e_d * inv_g_pivot_e;
-  const S a_a = m2_over_5 * d * a_d * inv_g_pivot_a * s - G_a_e * a_y_e * inv_g_pivot_a * inv_g_pivot_e
-      + a_y_a * inv_g_pivot_a;
-  const S a_b = inv_m1 * f_b - S(1) / S(3) * a_a * s;
-  const S a_c = inv_m1 * f_c;
+  // accelerations along the speeds
+  const S t3 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
+  const S a_a = -t3;
+  const S a_b = S(1) / S(3) * t3 * s - drift_a_first_y;
+  const S a_c = -(g + drift_a_first_z);
+  const S a_e = t3 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
+  const S a_d = -(t2 * a_e + m2_over_5_d_over_Z_d_d_s * t3 + Q_d * inv_Z_d_d);
 
   derivative.a_dot() = a_dot;
   derivative.b_dot() = b_dot;
@@ -582,9 +598,10 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.d_ddot() = a_d;
   derivative.e_ddot() = a_e;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, S(20) * Math<S>::epsilon()
-      * G_a_a), Math<S>::at_most(g_pivot_d, S(20) * Math<S>::epsilon() * G_d_d),
-      Math<S>::at_most(g_pivot_e, rounding_m2), Math<S>::at_most(m1, S(0)));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)),
+      Math<S>::at_most(Z_e_e, rounding_m2),
+      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(9) * m2 * (S(4) + s_2))),
+      Math<S>::at_most(least_pivot, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_a, a_b,
       a_c, a_d, a_e);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -597,37 +614,44 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   using Bool = typename Math<S>::Bool;
   const S& m1 = prepared.m1;
   const S& m2 = prepared.m2;
+  const S& g = prepared.g;
   const S& k = prepared.k;
   const S& amplitude = prepared.amplitude;
   const S& frequency = prepared.frequency;
+  const S& m2_amplitude_frequency_2 = prepared.m2_amplitude_frequency_2;
   const S& amplitude_frequency = prepared.amplitude_frequency;
-  const S& c1 = prepared.c1;
-  const S& m2_over_15 = prepared.m2_over_15;
   const S& amplitude_frequency_2 = prepared.amplitude_frequency_2;
-  const S& m2_g = prepared.m2_g;
+  const S& half_amplitude_frequency_2 = prepared.half_amplitude_frequency_2;
+  const S& c1 = prepared.c1;
   const S& c2 = prepared.c2;
-  const S& m2_over_10 = prepared.m2_over_10;
-  const S& m1_over_18 = prepared.m1_over_18;
-  const S& m2_over_4 = prepared.m2_over_4;
   const S& c3 = prepared.c3;
-  const S& c4 = prepared.c4;
-  const S& m1_over_36 = prepared.m1_over_36;
-  const S& m1_over_9 = prepared.m1_over_9;
   const S& m2_over_5 = prepared.m2_over_5;
-  const S& m2_over_25 = prepared.m2_over_25;
-  const S& m2_2_over_25 = prepared.m2_2_over_25;
-  const S& c5 = prepared.c5;
   const S& half_m2 = prepared.half_m2;
-  const S& G_e_e = prepared.G_e_e;
-  const S& inv_m1 = prepared.inv_m1;
+  const S& m2_g = prepared.m2_g;
+  const S& c4 = prepared.c4;
+  const S& half_m2_g = prepared.half_m2_g;
+  const S& c5 = prepared.c5;
   const S& c6 = prepared.c6;
+  const S& G_e_e = prepared.G_e_e;
   const S& c7 = prepared.c7;
-  const S& m1_g = prepared.m1_g;
-  const S& rounding_m2 = prepared.rounding_m2;
-  const S& half_m1_g = prepared.half_m1_g;
+  const S& m2_over_4 = prepared.m2_over_4;
+  const S& m2_2_over_25 = prepared.m2_2_over_25;
+  const S& m1_over_4 = prepared.m1_over_4;
+  const S& c8 = prepared.c8;
+  const S& c9 = prepared.c9;
   const S& amplitude_2_frequency_2 = prepared.amplitude_2_frequency_2;
+  const S& c10 = prepared.c10;
+  const S& rounding_m2 = prepared.rounding_m2;
+  const S& c11 = prepared.c11;
+  const S& least_pivot = prepared.least_pivot;
+  const S& half_m1_g = prepared.half_m1_g;
+  const S& m1_over_36 = prepared.m1_over_36;
+  const S& m2_over_10 = prepared.m2_over_10;
   const S& m2_over_36 = prepared.m2_over_36;
+  const S& m1_over_18 = prepared.m1_over_18;
+  const S& m2_over_15 = prepared.m2_over_15;
   const S& m1_over_3 = prepared.m1_over_3;
+  const S& half_m1 = prepared.half_m1;
   const S& a = state.a();
   const S& b = state.b();
   const S& c = state.c();
@@ -643,67 +667,71 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   S sin_frequency_t, cos_frequency_t;
   Math<S>::sincos(frequency * t, sin_frequency_t, cos_frequency_t);
 
-  // metric g_ab (1.10); held coordinates enter only through f
+  // Z of all that second carries, at its minimum over the own acceleration of second
+  const S d_dot_2 = d_dot * d_dot;
+  const S a_dot_cos_frequency_t = a_dot * cos_frequency_t;
+  const S t1 = amplitude_frequency * a_dot_cos_frequency_t;
+  const S a_sin_frequency_t = a * sin_frequency_t;
+  const S drift_a_second_y = S(2) / S(5) * d_dot_2 - t1 + half_amplitude_frequency_2 * a_sin_frequency_t;
+  const S Z_d_d = m2 + c3 * d * d;
   const S s = S(1) + amplitude * sin_frequency_t;
-  const S s_2 = s * s;
-  const S G_a_a = m2_over_4 * (S(4) + s_2) + m1_over_36 * (S(9) + S(4) * s_2);
-  const S d_2 = d * d;
-  const S G_d_d = m2_over_25 * (S(25) + S(4) * d_2);
-  const S G_a_e = half_m2 * (S(1) - s);
-
-  // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
-  const S t1 = S(2) * d_dot * d_dot - S(5) * amplitude_frequency * a_dot * cos_frequency_t;
-  const S bias_a = c2 * a_dot * s * cos_frequency_t - m2_over_10 * s * t1;
-  const S k_a_minus_e = k * (a - e);
-  const S Q_a = -(m2_g + k_a_minus_e);
-  const S a_s = a * s;
-  const S G_a_s = m1_over_18 * (S(9) + S(2) * a_s) + m2_over_4 * (S(4) + a_s);
-  const S f_a = Q_a - bias_a + amplitude_frequency_2 * G_a_s * sin_frequency_t;
-  const S f_b = c4 * a * sin_frequency_t - c3 * a_dot * cos_frequency_t;
-  const S cos_frequency_t_2 = cos_frequency_t * cos_frequency_t;
-  const S f_c = c7 * cos_frequency_t_2 - m1_g - c6 * s * sin_frequency_t;
-  const S bias_d = c1 * d * t1;
   const S k_d_minus_s = k * (d - s);
-  const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
-  const S f_d = amplitude_frequency_2 * G_d_s * sin_frequency_t - k_d_minus_s - bias_d;
-  const S bias_e = m2_over_5 * t1;
-  const S Q_e = c5 + k_a_minus_e;
-  const S G_e_s = half_m2 * (S(1) - a);
-  const S f_e = Q_e - bias_e + amplitude_frequency_2 * G_e_s * sin_frequency_t;
+  const S Q_d = k_d_minus_s - c1 * sin_frequency_t + c2 * d * drift_a_second_y;
+  const S s_2 = s * s;
+  const S inv_Z_d_d = S(1) / Z_d_d;
+  const S d_over_Z_d_d = d * inv_Z_d_d;
+  const S d_over_Z_d_d_s = d_over_Z_d_d * s;
+  const S d_d_over_Z_d_d_s = d * d_over_Z_d_d_s;
+  const S Z_a_a = m2 + m2_over_4 * s_2 - m2_2_over_25 * d_d_over_Z_d_d_s * s;
+  const S half_m2_s = half_m2 * s;
+  const S Z_a_e = half_m2 - half_m2_s + c5 * d_d_over_Z_d_d_s;
+  const S m2_over_5_d_over_Z_d_d_s = m2_over_5 * d_over_Z_d_d_s;
+  const S Q_a = m2_g - m2_amplitude_frequency_2 * sin_frequency_t + m2_over_5_d_over_Z_d_d_s * Q_d
+      - half_m2_s * drift_a_second_y;
+  const S Z_e_e = G_e_e - c6 * d * d_over_Z_d_d;
+  const S F_second_y = m2 * drift_a_second_y;
+  const S t2 = c2 * d_over_Z_d_d;
+  const S Q_e = half_m2_g + F_second_y - c4 * sin_frequency_t - t2 * Q_d;
+  const S k_a_minus_e = k * (a - e);
+  const S Q_e_minus_k_a_minus_e = Q_e - k_a_minus_e;
+  const S inv_Z_e_e = S(1) / Z_e_e;
+  const S Z_a_e_over_Z_e_e = Z_a_e * inv_Z_e_e;
+  const S Z_a_a_2 = Z_a_a - Z_a_e_over_Z_e_e * Z_a_e;
+  const S Q_a_2 = Q_a - Z_a_e_over_Z_e_e * Q_e_minus_k_a_minus_e;
 
-  // g = L D L^T
-  const S g_pivot_a = G_a_a - m1_over_9 * s_2;
-  const S inv_g_pivot_a = S(1) / g_pivot_a;
-  const S g_pivot_d = G_d_d - m2_2_over_25 * d_2 * inv_g_pivot_a * s_2;
-  const S inv_g_pivot_d = S(1) / g_pivot_d;
-  const S t2 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_pivot_a * s;
-  const S g_factor_e_d = S(1) / S(5) * inv_g_pivot_d * t2;
-  const S g_pivot_e = G_e_e - G_a_e * G_a_e * inv_g_pivot_a - S(1) / S(5) * g_factor_e_d * t2;
+  // Z of all that first carries, at its minimum over the own acceleration of first
+  const S drift_a_first_y = c8 * a_dot_cos_frequency_t - c9 * a_sin_frequency_t;
+  const S cos_frequency_t_2 = cos_frequency_t * cos_frequency_t;
+  const S drift_a_first_z = half_amplitude_frequency_2 * s * sin_frequency_t - c10 * cos_frequency_t_2;
+  const S m1_over_4_plus_Z_a_a_2 = m1_over_4 + Z_a_a_2;
+  const S Q_a_3 = Q_a_2 + k_a_minus_e - c7 * sin_frequency_t;
 
-  // accelerations from dZ/da = 0 (1.15)
-  const S a_y_a = f_a - S(1) / S(3) * f_b * s;
-  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_pivot_a * s;
-  const S a_y_e = f_e - G_a_e * a_y_a * inv_g_pivot_a - a_y_d * g_factor_e_d;
-  const S inv_g_pivot_e = S(1) / g_pivot_e;
-  const S a_d = a_y_d * inv_g_pivot_d - a_y_e * g_factor_e_d * inv_g_pivot_e;
-  const S a_a = m2_over_5 * d * a_d * inv_g_pivot_a * s - G_a_e * a_y_e * inv_g_pivot_a * inv_g_pivot_e
-      + a_y_a * inv_g_pivot_a;
-  const S a_b = inv_m1 * f_b - S(1) / S(3) * a_a * s;
+  // accelerations along the speeds
+  const S t3 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
+  const S a_b = S(1) / S(3) * t3 * s - drift_a_first_y;
+  const S a_c = -(g + drift_a_first_z);
+  const S a_e = t3 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
+  const S a_d = -(t2 * a_e + m2_over_5_d_over_Z_d_d_s * t3 + Q_d * inv_Z_d_d);
 
   // reaction of s: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 17
   const S Q_s = k_d_minus_s - m2_g + half_m1_g * s;
-  const S bias_s = m1_over_36 * (S(8) * amplitude_frequency * a * a_dot * cos_frequency_t
-      + S(9) * amplitude_2_frequency_2 * s * cos_frequency_t_2) - m2_over_10 * a * t1;
+  const S bias_s = m1_over_36 * (S(9) * amplitude_2_frequency_2 * cos_frequency_t_2 * s + S(8) * a * t1)
+      - m2_over_10 * a * (S(2) * d_dot_2 - S(5) * t1);
   const S a_2 = a * a;
   const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
+  const S a_s = a * s;
+  const S G_a_s = m2_over_4 * (S(4) + a_s) + m1_over_18 * (S(9) + S(2) * a_s);
+  const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
+  const S G_e_s = half_m2 * (S(1) - a);
   const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + m1_over_3 * a * a_b
-      + G_a_s * a_a + G_d_s * a_d + G_e_s * a_y_e * inv_g_pivot_e - S(0.5) * f_c * s;
+      - half_m1 * a_c * s - t3 * G_a_s + G_d_s * a_d + G_e_s * a_e;
 
   reactions.s.generalized = R_s;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, S(20) * Math<S>::epsilon()
-      * G_a_a), Math<S>::at_most(g_pivot_d, S(20) * Math<S>::epsilon() * G_d_d),
-      Math<S>::at_most(g_pivot_e, rounding_m2), Math<S>::at_most(m1, S(0)));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)),
+      Math<S>::at_most(Z_e_e, rounding_m2),
+      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(9) * m2 * (S(4) + s_2))),
+      Math<S>::at_most(least_pivot, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
@@ -716,37 +744,44 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   using Bool = typename Math<S>::Bool;
   const S& m1 = prepared.m1;
   const S& m2 = prepared.m2;
+  const S& g = prepared.g;
   const S& k = prepared.k;
   const S& amplitude = prepared.amplitude;
   const S& frequency = prepared.frequency;
+  const S& m2_amplitude_frequency_2 = prepared.m2_amplitude_frequency_2;
   const S& amplitude_frequency = prepared.amplitude_frequency;
-  const S& c1 = prepared.c1;
-  const S& m2_over_15 = prepared.m2_over_15;
   const S& amplitude_frequency_2 = prepared.amplitude_frequency_2;
-  const S& m2_g = prepared.m2_g;
+  const S& half_amplitude_frequency_2 = prepared.half_amplitude_frequency_2;
+  const S& c1 = prepared.c1;
   const S& c2 = prepared.c2;
-  const S& m2_over_10 = prepared.m2_over_10;
-  const S& m1_over_18 = prepared.m1_over_18;
-  const S& m2_over_4 = prepared.m2_over_4;
   const S& c3 = prepared.c3;
-  const S& c4 = prepared.c4;
-  const S& m1_over_36 = prepared.m1_over_36;
-  const S& m1_over_9 = prepared.m1_over_9;
   const S& m2_over_5 = prepared.m2_over_5;
-  const S& m2_over_25 = prepared.m2_over_25;
-  const S& m2_2_over_25 = prepared.m2_2_over_25;
-  const S& c5 = prepared.c5;
   const S& half_m2 = prepared.half_m2;
-  const S& G_e_e = prepared.G_e_e;
-  const S& inv_m1 = prepared.inv_m1;
+  const S& m2_g = prepared.m2_g;
+  const S& c4 = prepared.c4;
+  const S& half_m2_g = prepared.half_m2_g;
+  const S& c5 = prepared.c5;
   const S& c6 = prepared.c6;
+  const S& G_e_e = prepared.G_e_e;
   const S& c7 = prepared.c7;
-  const S& m1_g = prepared.m1_g;
-  const S& rounding_m2 = prepared.rounding_m2;
-  const S& half_m1_g = prepared.half_m1_g;
+  const S& m2_over_4 = prepared.m2_over_4;
+  const S& m2_2_over_25 = prepared.m2_2_over_25;
+  const S& m1_over_4 = prepared.m1_over_4;
+  const S& c8 = prepared.c8;
+  const S& c9 = prepared.c9;
   const S& amplitude_2_frequency_2 = prepared.amplitude_2_frequency_2;
+  const S& c10 = prepared.c10;
+  const S& rounding_m2 = prepared.rounding_m2;
+  const S& c11 = prepared.c11;
+  const S& least_pivot = prepared.least_pivot;
+  const S& half_m1_g = prepared.half_m1_g;
+  const S& m1_over_36 = prepared.m1_over_36;
+  const S& m2_over_10 = prepared.m2_over_10;
   const S& m2_over_36 = prepared.m2_over_36;
+  const S& m1_over_18 = prepared.m1_over_18;
+  const S& m2_over_15 = prepared.m2_over_15;
   const S& m1_over_3 = prepared.m1_over_3;
+  const S& half_m1 = prepared.half_m1;
   const S& a = state.a();
   const S& b = state.b();
   const S& c = state.c();
@@ -762,63 +797,65 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   S sin_frequency_t, cos_frequency_t;
   Math<S>::sincos(frequency * t, sin_frequency_t, cos_frequency_t);
 
-  // metric g_ab (1.10); held coordinates enter only through f
+  // Z of all that second carries, at its minimum over the own acceleration of second
+  const S d_dot_2 = d_dot * d_dot;
+  const S a_dot_cos_frequency_t = a_dot * cos_frequency_t;
+  const S t1 = amplitude_frequency * a_dot_cos_frequency_t;
+  const S t2 = half_amplitude_frequency_2 * sin_frequency_t;
+  const S drift_a_second_y = S(2) / S(5) * d_dot_2 - t1 + a * t2;
+  const S Z_d_d = m2 + c3 * d * d;
   const S s = S(1) + amplitude * sin_frequency_t;
-  const S s_2 = s * s;
-  const S G_a_a = m2_over_4 * (S(4) + s_2) + m1_over_36 * (S(9) + S(4) * s_2);
-  const S d_2 = d * d;
-  const S G_d_d = m2_over_25 * (S(25) + S(4) * d_2);
-  const S G_a_e = half_m2 * (S(1) - s);
-
-  // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
-  const S t1 = S(2) * d_dot * d_dot - S(5) * amplitude_frequency * a_dot * cos_frequency_t;
-  const S bias_a = c2 * a_dot * s * cos_frequency_t - m2_over_10 * s * t1;
-  const S k_a_minus_e = k * (a - e);
-  const S Q_a = -(m2_g + k_a_minus_e);
-  const S a_s = a * s;
-  const S G_a_s = m1_over_18 * (S(9) + S(2) * a_s) + m2_over_4 * (S(4) + a_s);
-  const S f_a = Q_a - bias_a + amplitude_frequency_2 * G_a_s * sin_frequency_t;
-  const S f_b = c4 * a * sin_frequency_t - c3 * a_dot * cos_frequency_t;
-  const S cos_frequency_t_2 = cos_frequency_t * cos_frequency_t;
-  const S f_c = c7 * cos_frequency_t_2 - m1_g - c6 * s * sin_frequency_t;
-  const S bias_d = c1 * d * t1;
   const S k_d_minus_s = k * (d - s);
-  const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
-  const S f_d = amplitude_frequency_2 * G_d_s * sin_frequency_t - k_d_minus_s - bias_d;
-  const S bias_e = m2_over_5 * t1;
-  const S Q_e = c5 + k_a_minus_e;
-  const S G_e_s = half_m2 * (S(1) - a);
-  const S f_e = Q_e - bias_e + amplitude_frequency_2 * G_e_s * sin_frequency_t;
+  const S Q_d = k_d_minus_s - c1 * sin_frequency_t + c2 * d * drift_a_second_y;
+  const S s_2 = s * s;
+  const S inv_Z_d_d = S(1) / Z_d_d;
+  const S d_over_Z_d_d = d * inv_Z_d_d;
+  const S d_over_Z_d_d_s = d_over_Z_d_d * s;
+  const S d_d_over_Z_d_d_s = d * d_over_Z_d_d_s;
+  const S Z_a_a = m2 + m2_over_4 * s_2 - m2_2_over_25 * d_d_over_Z_d_d_s * s;
+  const S half_m2_s = half_m2 * s;
+  const S Z_a_e = half_m2 - half_m2_s + c5 * d_d_over_Z_d_d_s;
+  const S m2_over_5_d_over_Z_d_d_s = m2_over_5 * d_over_Z_d_d_s;
+  const S Q_a = m2_g - m2_amplitude_frequency_2 * sin_frequency_t + m2_over_5_d_over_Z_d_d_s * Q_d
+      - half_m2_s * drift_a_second_y;
+  const S Z_e_e = G_e_e - c6 * d * d_over_Z_d_d;
+  const S F_second_y = m2 * drift_a_second_y;
+  const S t3 = c2 * d_over_Z_d_d;
+  const S Q_e = half_m2_g + F_second_y - c4 * sin_frequency_t - t3 * Q_d;
+  const S k_a_minus_e = k * (a - e);
+  const S Q_e_minus_k_a_minus_e = Q_e - k_a_minus_e;
+  const S inv_Z_e_e = S(1) / Z_e_e;
+  const S Z_a_e_over_Z_e_e = Z_a_e * inv_Z_e_e;
+  const S Z_a_a_2 = Z_a_a - Z_a_e_over_Z_e_e * Z_a_e;
+  const S Q_a_2 = Q_a - Z_a_e_over_Z_e_e * Q_e_minus_k_a_minus_e;
 
-  // g = L D L^T
-  const S g_pivot_a = G_a_a - m1_over_9 * s_2;
-  const S inv_g_pivot_a = S(1) / g_pivot_a;
-  const S g_pivot_d = G_d_d - m2_2_over_25 * d_2 * inv_g_pivot_a * s_2;
-  const S inv_g_pivot_d = S(1) / g_pivot_d;
-  const S t2 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_pivot_a * s;
-  const S g_factor_e_d = S(1) / S(5) * inv_g_pivot_d * t2;
-  const S g_pivot_e = G_e_e - G_a_e * G_a_e * inv_g_pivot_a - S(1) / S(5) * g_factor_e_d * t2;
+  // Z of all that first carries, at its minimum over the own acceleration of first
+  const S drift_a_first_y = c8 * a_dot_cos_frequency_t - c9 * a * sin_frequency_t;
+  const S cos_frequency_t_2 = cos_frequency_t * cos_frequency_t;
+  const S drift_a_first_z = t2 * s - c10 * cos_frequency_t_2;
+  const S m1_over_4_plus_Z_a_a_2 = m1_over_4 + Z_a_a_2;
+  const S Q_a_3 = Q_a_2 + k_a_minus_e - c7 * sin_frequency_t;
 
-  // accelerations from dZ/da = 0 (1.15)
-  const S a_y_a = f_a - S(1) / S(3) * f_b * s;
-  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_pivot_a * s;
-  const S a_y_e = f_e - G_a_e * a_y_a * inv_g_pivot_a - a_y_d * g_factor_e_d;
-  const S inv_g_pivot_e = S(1) / g_pivot_e;
-  const S a_e = a_y_e * inv_g_pivot_e;
-  const S a_d = a_y_d * inv_g_pivot_d - a_y_e * g_factor_e_d * inv_g_pivot_e;
-  const S a_a = m2_over_5 * d * a_d * inv_g_pivot_a * s - G_a_e * a_y_e * inv_g_pivot_a * inv_g_pivot_e
-      + a_y_a * inv_g_pivot_a;
-  const S a_b = inv_m1 * f_b - S(1) / S(3) * a_a * s;
-  const S a_c = inv_m1 * f_c;
+  // accelerations along the speeds
+  const S t4 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
+  const S a_a = -t4;
+  const S a_b = S(1) / S(3) * t4 * s - drift_a_first_y;
+  const S a_c = -(g + drift_a_first_z);
+  const S a_e = t4 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
+  const S a_d = -(t3 * a_e + m2_over_5_d_over_Z_d_d_s * t4 + Q_d * inv_Z_d_d);
 
   // reaction of s: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 17
   const S Q_s = k_d_minus_s - m2_g + half_m1_g * s;
-  const S bias_s = m1_over_36 * (S(8) * amplitude_frequency * a * a_dot * cos_frequency_t
-      + S(9) * amplitude_2_frequency_2 * s * cos_frequency_t_2) - m2_over_10 * a * t1;
+  const S bias_s = m1_over_36 * (S(9) * amplitude_2_frequency_2 * cos_frequency_t_2 * s + S(8) * a * t1)
+      - m2_over_10 * a * (S(2) * d_dot_2 - S(5) * t1);
   const S a_2 = a * a;
   const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
+  const S a_s = a * s;
+  const S G_a_s = m2_over_4 * (S(4) + a_s) + m1_over_18 * (S(9) + S(2) * a_s);
+  const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
+  const S G_e_s = half_m2 * (S(1) - a);
   const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + m1_over_3 * a * a_b
-      + G_a_s * a_a + G_d_s * a_d + G_e_s * a_y_e * inv_g_pivot_e - S(0.5) * f_c * s;
+      - half_m1 * a_c * s - t4 * G_a_s + G_d_s * a_d + G_e_s * a_e;
 
   derivative.a_dot() = a_dot;
   derivative.b_dot() = b_dot;
@@ -832,9 +869,10 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   derivative.e_ddot() = a_e;
   reactions.s.generalized = R_s;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, S(20) * Math<S>::epsilon()
-      * G_a_a), Math<S>::at_most(g_pivot_d, S(20) * Math<S>::epsilon() * G_d_d),
-      Math<S>::at_most(g_pivot_e, rounding_m2), Math<S>::at_most(m1, S(0)));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)),
+      Math<S>::at_most(Z_e_e, rounding_m2),
+      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(9) * m2 * (S(4) + s_2))),
+      Math<S>::at_most(least_pivot, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_a, a_b,
       a_c, a_d, a_e, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -850,39 +888,47 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   using Bool = typename Math<S>::Bool;
   const S& m1 = prepared.m1;
   const S& m2 = prepared.m2;
+  const S& g = prepared.g;
   const S& k = prepared.k;
   const S& amplitude = prepared.amplitude;
   const S& frequency = prepared.frequency;
+  const S& m2_amplitude_frequency_2 = prepared.m2_amplitude_frequency_2;
   const S& amplitude_frequency = prepared.amplitude_frequency;
-  const S& c1 = prepared.c1;
-  const S& m2_over_15 = prepared.m2_over_15;
   const S& amplitude_frequency_2 = prepared.amplitude_frequency_2;
-  const S& m2_g = prepared.m2_g;
+  const S& half_amplitude_frequency_2 = prepared.half_amplitude_frequency_2;
+  const S& c1 = prepared.c1;
   const S& c2 = prepared.c2;
-  const S& m2_over_10 = prepared.m2_over_10;
-  const S& m1_over_18 = prepared.m1_over_18;
-  const S& m2_over_4 = prepared.m2_over_4;
   const S& c3 = prepared.c3;
-  const S& c4 = prepared.c4;
-  const S& m1_over_36 = prepared.m1_over_36;
-  const S& m1_over_9 = prepared.m1_over_9;
   const S& m2_over_5 = prepared.m2_over_5;
-  const S& m2_over_25 = prepared.m2_over_25;
-  const S& m2_2_over_25 = prepared.m2_2_over_25;
-  const S& c5 = prepared.c5;
   const S& half_m2 = prepared.half_m2;
-  const S& G_e_e = prepared.G_e_e;
-  const S& inv_m1 = prepared.inv_m1;
+  const S& m2_g = prepared.m2_g;
+  const S& c4 = prepared.c4;
+  const S& half_m2_g = prepared.half_m2_g;
+  const S& c5 = prepared.c5;
   const S& c6 = prepared.c6;
+  const S& G_e_e = prepared.G_e_e;
   const S& c7 = prepared.c7;
-  const S& m1_g = prepared.m1_g;
-  const S& rounding_m2 = prepared.rounding_m2;
-  const S& half_m1_g = prepared.half_m1_g;
-  const S& amplitude_2_frequency_2 = prepared.amplitude_2_frequency_2;
-  const S& m2_over_36 = prepared.m2_over_36;
-  const S& m1_over_3 = prepared.m1_over_3;
+  const S& m2_over_4 = prepared.m2_over_4;
+  const S& m2_2_over_25 = prepared.m2_2_over_25;
   const S& m1_over_4 = prepared.m1_over_4;
+  const S& c8 = prepared.c8;
+  const S& c9 = prepared.c9;
+  const S& amplitude_2_frequency_2 = prepared.amplitude_2_frequency_2;
+  const S& c10 = prepared.c10;
+  const S& rounding_m2 = prepared.rounding_m2;
+  const S& c11 = prepared.c11;
+  const S& least_pivot = prepared.least_pivot;
+  const S& m1_g = prepared.m1_g;
+  const S& half_m1_g = prepared.half_m1_g;
+  const S& m1_over_36 = prepared.m1_over_36;
+  const S& m2_over_10 = prepared.m2_over_10;
+  const S& m2_over_36 = prepared.m2_over_36;
+  const S& m1_over_18 = prepared.m1_over_18;
+  const S& m2_over_15 = prepared.m2_over_15;
+  const S& m1_over_3 = prepared.m1_over_3;
   const S& half_m1 = prepared.half_m1;
+  const S& m1_over_9 = prepared.m1_over_9;
+  const S& m2_over_25 = prepared.m2_over_25;
   const S& m2_over_3 = prepared.m2_over_3;
   const S& rounding_m2_2 = prepared.rounding_m2_2;
   const S& a = state.a();
@@ -903,79 +949,99 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   // metric g_ab (1.10); held coordinates enter only through f
   const S s = S(1) + amplitude * sin_frequency_t;
   const S s_2 = s * s;
-  const S G_a_a = m2_over_4 * (S(4) + s_2) + m1_over_36 * (S(9) + S(4) * s_2);
+  const S t1 = S(4) + s_2;
+  const S t2 = S(9) + S(4) * s_2;
+  const S G_a_a = m2_over_4 * t1 + m1_over_36 * t2;
   const S d_2 = d * d;
   const S G_d_d = m2_over_25 * (S(25) + S(4) * d_2);
   const S G_a_e = half_m2 * (S(1) - s);
 
-  // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
+  // Z of all that second carries, at its minimum over the own acceleration of second
   const S d_dot_2 = d_dot * d_dot;
-  const S t1 = amplitude_frequency * a_dot * cos_frequency_t;
-  const S t2 = S(2) * d_dot_2 - S(5) * t1;
-  const S bias_a = c2 * a_dot * s * cos_frequency_t - m2_over_10 * s * t2;
-  const S k_a_minus_e = k * (a - e);
-  const S Q_a = -(m2_g + k_a_minus_e);
-  const S a_s = a * s;
-  const S G_a_s = m1_over_18 * (S(9) + S(2) * a_s) + m2_over_4 * (S(4) + a_s);
-  const S f_a = Q_a - bias_a + amplitude_frequency_2 * G_a_s * sin_frequency_t;
-  const S f_b = c4 * a * sin_frequency_t - c3 * a_dot * cos_frequency_t;
-  const S cos_frequency_t_2 = cos_frequency_t * cos_frequency_t;
-  const S f_c = c7 * cos_frequency_t_2 - m1_g - c6 * s * sin_frequency_t;
-  const S bias_d = c1 * d * t2;
+  const S a_dot_cos_frequency_t = a_dot * cos_frequency_t;
+  const S t3 = amplitude_frequency * a_dot_cos_frequency_t;
+  const S a_sin_frequency_t = a * sin_frequency_t;
+  const S drift_a_second_y = S(2) / S(5) * d_dot_2 - t3 + half_amplitude_frequency_2 * a_sin_frequency_t;
+  const S Z_d_d = m2 + c3 * d_2;
   const S k_d_minus_s = k * (d - s);
-  const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
-  const S f_d = amplitude_frequency_2 * G_d_s * sin_frequency_t - k_d_minus_s - bias_d;
-  const S bias_e = m2_over_5 * t2;
-  const S Q_e = c5 + k_a_minus_e;
-  const S G_e_s = half_m2 * (S(1) - a);
-  const S f_e = Q_e - bias_e + amplitude_frequency_2 * G_e_s * sin_frequency_t;
+  const S Q_d = k_d_minus_s - c1 * sin_frequency_t + c2 * d * drift_a_second_y;
+  const S m2_2_over_25_s = m2_2_over_25 * s;
+  const S inv_Z_d_d = S(1) / Z_d_d;
+  const S d_over_Z_d_d = d * inv_Z_d_d;
+  const S d_s = d * s;
+  const S d_over_Z_d_d_d_s = d_over_Z_d_d * d_s;
+  const S Z_a_a = m2 + m2_over_4 * s_2 - m2_2_over_25_s * d_over_Z_d_d_d_s;
+  const S half_m2_s = half_m2 * s;
+  const S Z_a_e = half_m2 - half_m2_s + c5 * d_over_Z_d_d_d_s;
+  const S m2_over_5_d_s = m2_over_5 * d_s;
+  const S Q_d_over_Z_d_d = Q_d * inv_Z_d_d;
+  const S Q_a = m2_g - m2_amplitude_frequency_2 * sin_frequency_t + m2_over_5_d_s * Q_d_over_Z_d_d
+      - half_m2_s * drift_a_second_y;
+  const S Z_e_e = G_e_e - c6 * d * d_over_Z_d_d;
+  const S F_second_y = m2 * drift_a_second_y;
+  const S t4 = c2 * d_over_Z_d_d;
+  const S Q_e = half_m2_g + F_second_y - c4 * sin_frequency_t - t4 * Q_d;
+  const S k_a_minus_e = k * (a - e);
+  const S Q_e_minus_k_a_minus_e = Q_e - k_a_minus_e;
+  const S inv_Z_e_e = S(1) / Z_e_e;
+  const S Z_a_e_over_Z_e_e = Z_a_e * inv_Z_e_e;
+  const S Z_a_a_2 = Z_a_a - Z_a_e_over_Z_e_e * Z_a_e;
+  const S Q_a_2 = Q_a - Z_a_e_over_Z_e_e * Q_e_minus_k_a_minus_e;
 
-  // g = L D L^T
-  const S g_pivot_a = G_a_a - m1_over_9 * s_2;
-  const S inv_g_pivot_a = S(1) / g_pivot_a;
-  const S g_pivot_d = G_d_d - m2_2_over_25 * d_2 * inv_g_pivot_a * s_2;
-  const S inv_g_pivot_d = S(1) / g_pivot_d;
-  const S t3 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_pivot_a * s;
-  const S g_factor_e_d = S(1) / S(5) * inv_g_pivot_d * t3;
-  const S g_pivot_e = G_e_e - G_a_e * G_a_e * inv_g_pivot_a - S(1) / S(5) * g_factor_e_d * t3;
+  // Z of all that first carries, at its minimum over the own acceleration of first
+  const S drift_a_first_y = c8 * a_dot_cos_frequency_t - c9 * a_sin_frequency_t;
+  const S cos_frequency_t_2 = cos_frequency_t * cos_frequency_t;
+  const S drift_a_first_z = half_amplitude_frequency_2 * s * sin_frequency_t - c10 * cos_frequency_t_2;
+  const S m1_over_4_plus_Z_a_a_2 = m1_over_4 + Z_a_a_2;
+  const S Q_a_3 = Q_a_2 + k_a_minus_e - c7 * sin_frequency_t;
 
-  // accelerations from dZ/da = 0 (1.15)
-  const S a_y_a = f_a - S(1) / S(3) * f_b * s;
-  const S a_y_d = f_d + m2_over_5 * d * a_y_a * inv_g_pivot_a * s;
-  const S a_y_e = f_e - G_a_e * a_y_a * inv_g_pivot_a - a_y_d * g_factor_e_d;
-  const S inv_g_pivot_e = S(1) / g_pivot_e;
-  const S a_e = a_y_e * inv_g_pivot_e;
-  const S a_d = a_y_d * inv_g_pivot_d - a_y_e * g_factor_e_d * inv_g_pivot_e;
-  const S a_a = m2_over_5 * d * a_d * inv_g_pivot_a * s - G_a_e * a_y_e * inv_g_pivot_a * inv_g_pivot_e
-      + a_y_a * inv_g_pivot_a;
-  const S a_a_s = a_a * s;
-  const S a_b = inv_m1 * f_b - S(1) / S(3) * a_a_s;
-  const S a_c = inv_m1 * f_c;
+  // accelerations along the speeds
+  const S t5 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
+  const S t6 = t5 * s;
+  const S a_b = S(1) / S(3) * t6 - drift_a_first_y;
+  const S a_c = -(g + drift_a_first_z);
+  const S a_e = t5 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
+  const S a_d = -(Q_d_over_Z_d_d + t4 * a_e + m2_over_5_d_s * t5 * inv_Z_d_d);
 
   // reaction of s: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 17
   const S Q_s = k_d_minus_s - m2_g + half_m1_g * s;
-  const S bias_s = m1_over_36 * (S(8) * amplitude_frequency * a * a_dot * cos_frequency_t
-      + S(9) * amplitude_2_frequency_2 * s * cos_frequency_t_2) - m2_over_10 * a * t2;
+  const S t7 = amplitude_2_frequency_2 * cos_frequency_t_2;
+  const S bias_s = m1_over_36 * (S(8) * a * t3 + S(9) * t7 * s)
+      - m2_over_10 * a * (S(2) * d_dot_2 - S(5) * t3);
+  const S t8 = amplitude_frequency_2 * sin_frequency_t;
   const S a_2 = a * a;
   const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
-  const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + m1_over_3 * a * a_b
-      + G_a_s * a_a + G_d_s * a_d + G_e_s * a_y_e * inv_g_pivot_e - S(0.5) * f_c * s;
+  const S a_s = a * s;
+  const S G_a_s = m2_over_4 * (S(4) + a_s) + m1_over_18 * (S(9) + S(2) * a_s);
+  const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
+  const S G_e_s = half_m2 * (S(1) - a);
+  const S R_s = bias_s - Q_s + m1_over_3 * a * a_b - half_m1 * a_c * s - t8 * G_s_s - t5 * G_a_s
+      + G_d_s * a_d + G_e_s * a_e;
 
   // metric G_AB of released coordinates = L D L^T
-  const S t4 = S(9) * G_a_s - m1 * a * s;
-  const S G_factor_s_a = S(1) / S(9) * inv_g_pivot_a * t4;
-  const S t5 = S(5) * G_d_s + m2 * d * G_factor_s_a * s;
-  const S G_factor_s_d = S(1) / S(5) * inv_g_pivot_d * t5;
-  const S t6 = S(5) * G_a_e * G_factor_s_a - S(5) * G_e_s + G_factor_s_d * t3;
-  const S G_factor_s_e = -S(1) / S(5) * inv_g_pivot_e * t6;
-  const S G_pivot_s = G_s_s - m1_over_9 * a_2 - m1_over_4 * s_2 - S(1) / S(9) * G_factor_s_a * t4
-      - S(1) / S(5) * G_factor_s_d * t5 + S(1) / S(5) * G_factor_s_e * t6;
+  const S g_pivot_a = G_a_a - m1_over_9 * s_2;
+  const S inv_g_pivot_a = S(1) / g_pivot_a;
+  const S t9 = S(9) * G_a_s - m1 * a_s;
+  const S G_factor_s_a = S(1) / S(9) * inv_g_pivot_a * t9;
+  const S g_pivot_d = G_d_d - d * m2_2_over_25_s * d_s * inv_g_pivot_a;
+  const S inv_g_pivot_d = S(1) / g_pivot_d;
+  const S m2_d_s = m2 * d_s;
+  const S t10 = S(5) * G_d_s + m2_d_s * G_factor_s_a;
+  const S G_factor_s_d = S(1) / S(5) * inv_g_pivot_d * t10;
+  const S G_a_e_over_g_pivot_a = G_a_e * inv_g_pivot_a;
+  const S t11 = S(2) * m2 * d + m2_d_s * G_a_e_over_g_pivot_a;
+  const S g_factor_e_d = S(1) / S(5) * inv_g_pivot_d * t11;
+  const S g_pivot_e = G_e_e - G_a_e_over_g_pivot_a * G_a_e - S(1) / S(5) * g_factor_e_d * t11;
+  const S t12 = S(5) * G_a_e * G_factor_s_a - S(5) * G_e_s + G_factor_s_d * t11;
+  const S G_factor_s_e = -S(1) / S(5) * t12 / g_pivot_e;
+  const S G_pivot_s = G_s_s - m1_over_4 * s_2 - m1_over_9 * a_2 - S(1) / S(9) * G_factor_s_a * t9
+      - S(1) / S(5) * G_factor_s_d * t10 + S(1) / S(5) * G_factor_s_e * t12;
 
   // direction z of s in the metric: G z = its covariant components
   const S z_s_s = S(1) / G_pivot_s;
-  const S z_s_d = G_factor_s_e * z_s_s * g_factor_e_d - G_factor_s_d * z_s_s;
-  const S z_s_a = m2_over_5 * d * inv_g_pivot_a * s * z_s_d + G_a_e * G_factor_s_e * z_s_s * inv_g_pivot_a
-      - G_factor_s_a * z_s_s;
+  const S t13 = G_factor_s_e * z_s_s;
+  const S z_s_d = t13 * g_factor_e_d - G_factor_s_d * z_s_s;
+  const S z_s_a = m2_over_5_d_s * inv_g_pivot_a * z_s_d + G_a_e_over_g_pivot_a * t13 - G_factor_s_a * z_s_s;
   const S a_over_G_pivot_s = a * z_s_s;
   const S s_z_s_a = s * z_s_a;
   const S z_s_b = -S(1) / S(3) * (a_over_G_pivot_s + s_z_s_a);
@@ -984,29 +1050,29 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S force_s_first_x = half_m1 * R_s * (S(2) * z_s_s + z_s_a);
   const S force_s_first_y = m1_over_3 * R_s * (S(3) * z_s_b + a_over_G_pivot_s + s_z_s_a);
   const S force_s_second_x = m2_over_3 * R_s * (z_s_s + S(3) * z_s_d);
-  const S t7 = G_factor_s_e * z_s_s;
   const S force_s_second_y = -m2_over_10 * R_s
-      * (S(5) * a_over_G_pivot_s - S(4) * d * z_s_d + S(10) * t7 + S(5) * s_z_s_a);
-  const S force_s_second_z = half_m2 * R_s * (S(2) * z_s_s + S(2) * z_s_a - t7);
+      * (S(10) * t13 + S(5) * a_over_G_pivot_s - S(4) * d * z_s_d + S(5) * s_z_s_a);
+  const S force_s_second_z = half_m2 * R_s * (S(2) * z_s_s - t13 + S(2) * z_s_a);
 
   // all constraint forces on first: m a - F and d(I omega)/dt - M (theory.md, section 4)
-  const S t8 = amplitude_frequency_2 * sin_frequency_t;
-  const S force_on_first_x = half_m1 * (a_a - S(2) * t8);
-  const S t9 = amplitude_frequency_2 * a * sin_frequency_t;
-  const S force_on_first_y = m1_over_3 * (S(3) * a_b + S(2) * t1 - t9 + a_a_s);
-  const S force_on_first_z = m1_g + half_m1
-      * (amplitude_frequency_2 * s * sin_frequency_t + S(2) * a_c
-      - amplitude_2_frequency_2 * cos_frequency_t_2);
+  const S force_on_first_x = -half_m1 * (S(2) * t8 + t5);
+  const S t14 = a * t8;
+  const S force_on_first_y = m1_over_3 * (S(2) * t3 + S(3) * a_b - t14 - t6);
+  const S force_on_first_z = m1_g + half_m1 * (S(2) * a_c - t7 + t8 * s);
 
   // all constraint forces on second: m a - F and d(I omega)/dt - M (theory.md, section 4)
-  const S force_on_second_x = m2_over_3 * (S(3) * a_d - t8);
-  const S force_on_second_y = m2_over_10 * (S(4) * d_dot_2 - S(10) * t1 + S(5) * t9 + S(4) * d * a_d
-      - S(5) * a_a_s + S(10) * a_e);
-  const S force_on_second_z = m2_g + half_m2 * (S(2) * a_a - S(2) * t8 + a_e);
+  const S force_on_second_x = -m2_over_3 * (t8 - S(3) * a_d);
+  const S force_on_second_y = m2_over_10 * (S(4) * d_dot_2 - S(10) * t3 + S(10) * a_e + S(5) * t14
+      + S(4) * d * a_d + S(5) * t6);
+  const S force_on_second_z = m2_g - half_m2 * (S(2) * t8 + S(2) * t5 - a_e);
 
   // Results
-  const S rounding_G_a_a = Math<S>::epsilon() * G_a_a;
-  const S rounding_G_d_d = Math<S>::epsilon() * G_d_d;
+  const Bool t15 = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, rounding_m2),
+      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * t2 + S(9) * m2 * t1)),
+      Math<S>::at_most(least_pivot, S(0)), Math<S>::at_most(g_pivot_a, S(24) * Math<S>::epsilon() * G_a_a),
+      Math<S>::at_most(g_pivot_d, S(24) * Math<S>::epsilon() * G_d_d),
+      Math<S>::at_most(g_pivot_e, rounding_m2_2),
+      Math<S>::at_most(G_pivot_s, S(24) * Math<S>::epsilon() * G_s_s), Math<S>::at_most(m1, S(0)));
 
   reaction_forces.s.force_on_first[0] = force_s_first_x;
   reaction_forces.s.force_on_first[1] = force_s_first_y;
@@ -1021,16 +1087,11 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_second.force[1] = force_on_second_y;
   reaction_forces.on_second.force[2] = force_on_second_z;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, S(20) * rounding_G_a_a),
-      Math<S>::at_most(g_pivot_d, S(20) * rounding_G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2),
-      Math<S>::at_most(m1, S(0)), Math<S>::at_most(g_pivot_a, S(24) * rounding_G_a_a),
-      Math<S>::at_most(g_pivot_d, S(24) * rounding_G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
-      Math<S>::at_most(G_pivot_s, S(24) * Math<S>::epsilon() * G_s_s));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot,
       force_s_first_x, force_s_first_y, force_s_second_x, force_s_second_y, force_s_second_z,
       force_on_first_x, force_on_first_y, force_on_first_z, force_on_second_x, force_on_second_y,
       force_on_second_z);
-  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
+  return Math<S>::status(t15, Bool(false), not_finite);
 }
 
 /// Kinetic energy, potential energy of uniform fields, potentials and springs, and their sum.
@@ -1041,10 +1102,10 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   const S& amplitude = prepared.amplitude;
   const S& frequency = prepared.frequency;
   const S& amplitude_frequency = prepared.amplitude_frequency;
+  const S& half_m2_g = prepared.half_m2_g;
   const S& m1_over_72 = prepared.m1_over_72;
   const S& m2_over_1800 = prepared.m2_over_1800;
   const S& m1_g_over_4 = prepared.m1_g_over_4;
-  const S& half_m2_g = prepared.half_m2_g;
   const S& half_k = prepared.half_k;
   const S& a = state.a();
   const S& b = state.b();
@@ -1064,19 +1125,19 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   // energies
   const S s_dot = amplitude_frequency * cos_frequency_t;
   const S t1 = a_dot + S(2) * s_dot;
-  const S t2 = amplitude_frequency * a * cos_frequency_t;
+  const S a_s_dot = a * s_dot;
   const S s = S(1) + amplitude * sin_frequency_t;
   const S a_dot_s = a_dot * s;
-  const S t3 = S(3) * b_dot + t2 + a_dot_s;
-  const S t4 = S(2) * c_dot - amplitude_frequency * s * cos_frequency_t;
-  const S t5 = S(2) * a_dot + e_dot + S(2) * s_dot;
-  const S t6 = S(3) * d_dot + s_dot;
-  const S t7 = S(10) * e_dot - S(5) * t2 + S(4) * d * d_dot - S(5) * a_dot_s;
-  const S kinetic_energy = m1_over_72 * (S(9) * t1 * t1 + S(4) * t3 * t3 + S(9) * t4 * t4)
-      + m2_over_1800 * (S(225) * t5 * t5 + S(100) * t6 * t6 + S(9) * t7 * t7);
+  const S t2 = S(3) * b_dot + a_s_dot + a_dot_s;
+  const S t3 = S(2) * c_dot - s_dot * s;
+  const S t4 = S(2) * a_dot + e_dot + S(2) * s_dot;
+  const S t5 = S(3) * d_dot + s_dot;
+  const S t6 = S(10) * e_dot - S(5) * a_s_dot + S(4) * d * d_dot - S(5) * a_dot_s;
+  const S kinetic_energy = m1_over_72 * (S(9) * t1 * t1 + S(4) * t2 * t2 + S(9) * t3 * t3)
+      + m2_over_1800 * (S(225) * t4 * t4 + S(100) * t5 * t5 + S(9) * t6 * t6);
   const S a_minus_e = a - e;
   const S d_minus_s = d - s;
-  const S potential_energy = m1_g_over_4 * (S(4) * c - s * s) + half_m2_g * (S(2) * a + e + S(2) * s)
+  const S potential_energy = half_m2_g * (S(2) * a + e + S(2) * s) + m1_g_over_4 * (S(4) * c - s * s)
       + half_k * (a_minus_e * a_minus_e + d_minus_s * d_minus_s);
 
   // Results
@@ -1104,25 +1165,25 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S& amplitude = prepared.amplitude;
   const S& frequency = prepared.frequency;
   const S& amplitude_frequency = prepared.amplitude_frequency;
-  const S& m2_over_15 = prepared.m2_over_15;
   const S& amplitude_frequency_2 = prepared.amplitude_frequency_2;
-  const S& m2_g = prepared.m2_g;
-  const S& m2_over_10 = prepared.m2_over_10;
-  const S& m1_over_18 = prepared.m1_over_18;
-  const S& m2_over_4 = prepared.m2_over_4;
-  const S& m1_over_36 = prepared.m1_over_36;
-  const S& m1_over_9 = prepared.m1_over_9;
   const S& m2_over_5 = prepared.m2_over_5;
-  const S& m2_over_25 = prepared.m2_over_25;
-  const S& m2_2_over_25 = prepared.m2_2_over_25;
   const S& half_m2 = prepared.half_m2;
+  const S& m2_g = prepared.m2_g;
   const S& G_e_e = prepared.G_e_e;
-  const S& m1_g = prepared.m1_g;
-  const S& amplitude_2_frequency_2 = prepared.amplitude_2_frequency_2;
-  const S& m2_over_36 = prepared.m2_over_36;
-  const S& m1_over_3 = prepared.m1_over_3;
+  const S& m2_over_4 = prepared.m2_over_4;
+  const S& m2_2_over_25 = prepared.m2_2_over_25;
   const S& m1_over_4 = prepared.m1_over_4;
+  const S& amplitude_2_frequency_2 = prepared.amplitude_2_frequency_2;
+  const S& m1_g = prepared.m1_g;
+  const S& m1_over_36 = prepared.m1_over_36;
+  const S& m2_over_10 = prepared.m2_over_10;
+  const S& m2_over_36 = prepared.m2_over_36;
+  const S& m1_over_18 = prepared.m1_over_18;
+  const S& m2_over_15 = prepared.m2_over_15;
+  const S& m1_over_3 = prepared.m1_over_3;
   const S& half_m1 = prepared.half_m1;
+  const S& m1_over_9 = prepared.m1_over_9;
+  const S& m2_over_25 = prepared.m2_over_25;
   const S& m2_over_3 = prepared.m2_over_3;
   const S& rounding_m2_2 = prepared.rounding_m2_2;
   const S& half_inv_m1 = prepared.half_inv_m1;
@@ -1151,76 +1212,73 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S s = S(1) + amplitude * sin_frequency_t;
   const S s_2 = s * s;
   const S G_a_a = m2_over_4 * (S(4) + s_2) + m1_over_36 * (S(9) + S(4) * s_2);
-  const S d_2 = d * d;
-  const S G_d_d = m2_over_25 * (S(25) + S(4) * d_2);
+  const S G_d_d = m2_over_25 * (S(25) + S(4) * d * d);
   const S G_a_e = half_m2 * (S(1) - s);
 
-  // g = L D L^T
+  // metric G_AB of released coordinates = L D L^T
   const S g_pivot_a = G_a_a - m1_over_9 * s_2;
   const S inv_g_pivot_a = S(1) / g_pivot_a;
-  const S g_pivot_d = G_d_d - m2_2_over_25 * d_2 * inv_g_pivot_a * s_2;
-  const S inv_g_pivot_d = S(1) / g_pivot_d;
-  const S t1 = S(2) * m2 * d + m2 * d * G_a_e * inv_g_pivot_a * s;
-  const S g_factor_e_d = S(1) / S(5) * inv_g_pivot_d * t1;
-  const S g_pivot_e = G_e_e - G_a_e * G_a_e * inv_g_pivot_a - S(1) / S(5) * g_factor_e_d * t1;
-
-  // metric G_AB of released coordinates = L D L^T
   const S a_s = a * s;
-  const S G_a_s = m1_over_18 * (S(9) + S(2) * a_s) + m2_over_4 * (S(4) + a_s);
-  const S t2 = S(9) * G_a_s - m1 * a * s;
-  const S G_factor_s_a = S(1) / S(9) * inv_g_pivot_a * t2;
+  const S G_a_s = m2_over_4 * (S(4) + a_s) + m1_over_18 * (S(9) + S(2) * a_s);
+  const S t1 = S(9) * G_a_s - m1 * a_s;
+  const S G_factor_s_a = S(1) / S(9) * inv_g_pivot_a * t1;
+  const S d_s = d * s;
+  const S d_s_over_g_pivot_a = d_s * inv_g_pivot_a;
+  const S g_pivot_d = G_d_d - m2_2_over_25 * d_s * d_s_over_g_pivot_a;
+  const S inv_g_pivot_d = S(1) / g_pivot_d;
   const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
-  const S t3 = S(5) * G_d_s + m2 * d * G_factor_s_a * s;
-  const S G_factor_s_d = S(1) / S(5) * inv_g_pivot_d * t3;
+  const S m2_d_s = m2 * d_s;
+  const S t2 = S(5) * G_d_s + m2_d_s * G_factor_s_a;
+  const S G_factor_s_d = S(1) / S(5) * inv_g_pivot_d * t2;
+  const S G_a_e_over_g_pivot_a = G_a_e * inv_g_pivot_a;
+  const S t3 = S(2) * m2 * d + m2_d_s * G_a_e_over_g_pivot_a;
+  const S g_factor_e_d = S(1) / S(5) * inv_g_pivot_d * t3;
+  const S g_pivot_e = G_e_e - G_a_e_over_g_pivot_a * G_a_e - S(1) / S(5) * g_factor_e_d * t3;
   const S inv_g_pivot_e = S(1) / g_pivot_e;
   const S G_e_s = half_m2 * (S(1) - a);
-  const S t4 = S(5) * G_a_e * G_factor_s_a - S(5) * G_e_s + G_factor_s_d * t1;
+  const S t4 = S(5) * G_a_e * G_factor_s_a - S(5) * G_e_s + G_factor_s_d * t3;
   const S G_factor_s_e = -S(1) / S(5) * inv_g_pivot_e * t4;
   const S a_2 = a * a;
   const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
-  const S G_pivot_s = G_s_s - m1_over_9 * a_2 - m1_over_4 * s_2 - S(1) / S(9) * G_factor_s_a * t2
-      - S(1) / S(5) * G_factor_s_d * t3 + S(1) / S(5) * G_factor_s_e * t4;
+  const S G_pivot_s = G_s_s - m1_over_4 * s_2 - m1_over_9 * a_2 - S(1) / S(9) * G_factor_s_a * t1
+      - S(1) / S(5) * G_factor_s_d * t2 + S(1) / S(5) * G_factor_s_e * t4;
 
   // generalized forces, raised: G z = Q
   const S k_d_minus_s = k * (d - s);
+  const S t5 = m2_over_5 * d_s_over_g_pivot_a;
   const S k_a_minus_e = k * (a - e);
-  const S z_y_d = -k_d_minus_s - m2_over_5 * d * inv_g_pivot_a * s * k_a_minus_e;
-  const S z_y_e = k_a_minus_e + G_a_e * inv_g_pivot_a * k_a_minus_e - g_factor_e_d * z_y_d;
+  const S z_y_d = -k_d_minus_s - t5 * k_a_minus_e;
+  const S z_y_e = k_a_minus_e + G_a_e_over_g_pivot_a * k_a_minus_e - g_factor_e_d * z_y_d;
   const S z_y_s = k_d_minus_s + G_factor_s_a * k_a_minus_e - G_factor_s_d * z_y_d - G_factor_s_e * z_y_e;
   const S z_s_s = S(1) / G_pivot_s;
   const S z_s = z_s_s * z_y_s;
-  const S z_e = inv_g_pivot_e * z_y_e - G_factor_s_e * z_s_s * z_y_s;
-  const S z_d = inv_g_pivot_d * z_y_d - G_factor_s_d * z_s_s * z_y_s - g_factor_e_d * z_e;
-  const S z_a = m2_over_5 * d * inv_g_pivot_a * s * z_d - G_a_e * inv_g_pivot_a * z_e
-      - G_factor_s_a * z_s_s * z_y_s - inv_g_pivot_a * k_a_minus_e;
-  const S a_z_y_s_over_G_pivot_s = a * z_s_s * z_y_s;
+  const S z_e = inv_g_pivot_e * z_y_e - z_s * G_factor_s_e;
+  const S z_d = inv_g_pivot_d * z_y_d - z_s * G_factor_s_d - g_factor_e_d * z_e;
+  const S z_a = t5 * z_d - G_a_e_over_g_pivot_a * z_e - z_s * G_factor_s_a - inv_g_pivot_a * k_a_minus_e;
+  const S a_z_s = a * z_s;
   const S s_z_a = s * z_a;
-  const S z_b = -S(1) / S(3) * (a_z_y_s_over_G_pivot_s + s_z_a);
+  const S z_b = -S(1) / S(3) * (a_z_s + s_z_a);
 
   // deviation of first from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
-  const S t5 = amplitude_frequency_2 * sin_frequency_t;
-  const S deviation_first_x = half_m1 * (a_ddot - S(2) * t5) - half_m1 * (z_a + S(2) * z_s);
-  const S t6 = amplitude_frequency * a_dot * cos_frequency_t;
-  const S t7 = amplitude_frequency_2 * a * sin_frequency_t;
-  const S a_ddot_s = a_ddot * s;
-  const S deviation_first_y = m1_over_3 * (S(3) * b_ddot + S(2) * t6 - t7 + a_ddot_s)
-      - m1_over_3 * (S(3) * z_b + a_z_y_s_over_G_pivot_s + s_z_a);
+  const S t6 = amplitude_frequency_2 * sin_frequency_t;
   const S deviation_first_z = m1_g + half_m1
-      * (S(2) * c_ddot + amplitude_frequency_2 * s * sin_frequency_t
-      - amplitude_2_frequency_2 * cos_frequency_t * cos_frequency_t);
+      * (S(2) * c_ddot - amplitude_2_frequency_2 * cos_frequency_t * cos_frequency_t + t6 * s);
 
   // deviation of second from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
-  const S deviation_second_x = m2_over_3 * (S(3) * d_ddot - t5) - m2_over_3 * (S(3) * z_d + z_s);
-  const S deviation_second_y = m2_over_10 * (S(4) * d_dot * d_dot + S(10) * e_ddot - S(10) * t6 + S(5) * t7
-      + S(4) * d * d_ddot - S(5) * a_ddot_s)
-      - m2_over_10 * (S(10) * z_e - S(5) * a_z_y_s_over_G_pivot_s + S(4) * d * z_d - S(5) * s_z_a);
-  const S deviation_second_z = m2_g + half_m2 * (S(2) * a_ddot + e_ddot - S(2) * t5)
-      - half_m2 * (S(2) * z_a + z_e + S(2) * z_s);
+  const S t7 = amplitude_frequency * a_dot * cos_frequency_t;
+  const S t8 = a * t6;
+  const S a_ddot_s = a_ddot * s;
+  const S deviation_second_y = m2_over_10 * (S(4) * d_dot * d_dot + S(10) * e_ddot - S(10) * z_e - S(10) * t7
+      + S(5) * t8 + S(5) * a_z_s + S(4) * d * d_ddot - S(4) * d * z_d - S(5) * a_ddot_s + S(5) * s_z_a);
+  const S deviation_second_z = m2_g - half_m2
+      * (S(2) * t6 - S(2) * a_ddot - e_ddot + S(2) * z_s + S(2) * z_a + z_e);
 
   // Results
-  const S Z = half_inv_m1 * (deviation_first_x * deviation_first_x + deviation_first_y * deviation_first_y
-      + deviation_first_z * deviation_first_z)
-      + half_inv_m2 * (deviation_second_x * deviation_second_x + deviation_second_y * deviation_second_y
+  const S t9 = half_m1 * (S(2) * t6 - a_ddot + S(2) * z_s + z_a);
+  const S t10 = m1_over_3 * (S(3) * z_b - S(3) * b_ddot - S(2) * t7 + t8 + a_z_s - a_ddot_s + s_z_a);
+  const S t11 = m2_over_3 * (t6 - S(3) * d_ddot + z_s + S(3) * z_d);
+  const S Z = half_inv_m1 * (t9 * t9 + t10 * t10 + deviation_first_z * deviation_first_z)
+      + half_inv_m2 * (t11 * t11 + deviation_second_y * deviation_second_y
       + deviation_second_z * deviation_second_z);
 
   compulsion.Z = Z;
@@ -1242,14 +1300,14 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
   const S& m1 = prepared.m1;
   const S& amplitude = prepared.amplitude;
   const S& frequency = prepared.frequency;
-  const S& m2_over_4 = prepared.m2_over_4;
-  const S& m1_over_36 = prepared.m1_over_36;
+  const S& c2 = prepared.c2;
   const S& m2_over_5 = prepared.m2_over_5;
-  const S& m2_over_25 = prepared.m2_over_25;
   const S& half_m2 = prepared.half_m2;
   const S& G_e_e = prepared.G_e_e;
+  const S& m2_over_4 = prepared.m2_over_4;
+  const S& m1_over_36 = prepared.m1_over_36;
   const S& m1_over_3 = prepared.m1_over_3;
-  const S& c8 = prepared.c8;
+  const S& m2_over_25 = prepared.m2_over_25;
   const S& a = state.a();
   const S& b = state.b();
   const S& c = state.c();
@@ -1272,7 +1330,7 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
   const S G_a_d = -m2_over_5 * d * s;
   const S G_d_d = m2_over_25 * (S(25) + S(4) * d * d);
   const S G_a_e = half_m2 * (S(1) - s);
-  const S G_d_e = c8 * d;
+  const S G_d_e = c2 * d;
 
   mass_matrix.g[0][0] = G_a_a;
   mass_matrix.g[0][1] = G_a_b;

@@ -21,18 +21,18 @@
 //   g
 //
 // Operations per call
-//                      + -  *   /   sqrt  functions
-//   prepare            11   54  32  0     0
-//   rhs                20   35  3   0     0
-//   reactions          38   57  5   0     0
-//   rhs_and_reactions  38   58  5   0     0
-//   reaction_forces    27   47  3   0     0
-//   energy             14   25  0   0     0
-//   compulsion         12   20  0   0     0
-//   residuals          7    9   0   0     0
-//   mass_matrix        0    0   0   0     0
-//   project            24   35  1   0     0
-//   initial_state      1    5   7   0     0
+//                      + -  *   /  sqrt  functions
+//   prepare            11   54  5  0     0
+//   rhs                19   27  2  0     0
+//   reactions          37   48  2  0     0
+//   rhs_and_reactions  37   48  2  0     0
+//   reaction_forces    26   39  2  0     0
+//   energy             14   23  0  0     0
+//   compulsion         12   20  0  0     0
+//   residuals          7    8   0  0     0
+//   mass_matrix        0    0   0  0     0
+//   project            23   27  1  0     0
+//   initial_state      1    5   1  0     0
 
 #ifndef GAUSS_MODEL_GAUSS_SKEW_NONHOLONOMIC_HPP
 #define GAUSS_MODEL_GAUSS_SKEW_NONHOLONOMIC_HPP
@@ -491,13 +491,14 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   // blade, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 25
   const S beta_blade_q3 = S(1) + q1 * q1;
-  const S drift_blade = S(2) * q1 * q1_dot * q3_dot + q1_dot * q2_dot;
+  const S drift_blade = q1_dot * (q2_dot + S(2) * q1 * q3_dot);
 
   // reduced metric C^T g C of the independent accelerations
-  const S M_q1_q1 = G_q1_q1 + G_q1_q2 * q2 + q2 * (G_q1_q2 + G_q2_q2 * q2);
+  const S M_q1_q1 = G_q1_q1 + q2 * (S(2) * G_q1_q2 + G_q2_q2 * q2);
+  const S G_q2_q2_beta_blade_q3 = G_q2_q2 * beta_blade_q3;
   const S M_q1_q3 = G_q1_q3 + G_q1_q2 * beta_blade_q3
-      + S(1) / S(20) * q2 * (m1 + S(20) * G_q2_q2 * beta_blade_q3);
-  const S M_q3_q3 = G_q3_q3 + G_q2_q2 * beta_blade_q3 * beta_blade_q3 + m1_over_10 * beta_blade_q3;
+      + S(1) / S(20) * q2 * (m1 + S(20) * G_q2_q2_beta_blade_q3);
+  const S M_q3_q3 = G_q3_q3 + (m1_over_10 + G_q2_q2_beta_blade_q3) * beta_blade_q3;
 
   // right-hand side of (3.7): C^T (f - g drift)
   const S t1 = Q_q2 - G_q2_q2 * drift_blade;
@@ -506,16 +507,16 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
-  const S M_pivot_q3 = M_q3_q3 - inv_M_q1_q1 * M_q1_q3 * M_q1_q3;
+  const S M_q1_q3_over_M_q1_q1 = inv_M_q1_q1 * M_q1_q3;
+  const S M_pivot_q3 = M_q3_q3 - M_q1_q3_over_M_q1_q1 * M_q1_q3;
 
   // independent accelerations (3.7)
-  const S a_y_q3 = F_q3 - F_q1 * inv_M_q1_q1 * M_q1_q3;
-  const S inv_M_pivot_q3 = S(1) / M_pivot_q3;
-  const S a_q3 = inv_M_pivot_q3 * a_y_q3;
-  const S a_q1 = F_q1 * inv_M_q1_q1 - inv_M_pivot_q3 * inv_M_q1_q1 * M_q1_q3 * a_y_q3;
+  const S a_y_q3 = F_q3 - M_q1_q3_over_M_q1_q1 * F_q1;
+  const S a_q3 = a_y_q3 / M_pivot_q3;
+  const S a_q1 = F_q1 * inv_M_q1_q1 - a_q3 * M_q1_q3_over_M_q1_q1;
 
   // dependent accelerations (3.6)
-  const S a_q2 = drift_blade + q2 * a_q1 + inv_M_pivot_q3 * a_y_q3 * beta_blade_q3;
+  const S a_q2 = drift_blade + q2 * a_q1 + a_q3 * beta_blade_q3;
 
   derivative.q1_dot() = q1_dot;
   derivative.q2_dot() = q2_dot;
@@ -566,13 +567,14 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   // blade, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 25
   const S beta_blade_q3 = S(1) + q1 * q1;
-  const S drift_blade = S(2) * q1 * q1_dot * q3_dot + q1_dot * q2_dot;
+  const S drift_blade = q1_dot * (q2_dot + S(2) * q1 * q3_dot);
 
   // reduced metric C^T g C of the independent accelerations
-  const S M_q1_q1 = G_q1_q1 + G_q1_q2 * q2 + q2 * (G_q1_q2 + G_q2_q2 * q2);
+  const S M_q1_q1 = G_q1_q1 + q2 * (S(2) * G_q1_q2 + G_q2_q2 * q2);
+  const S G_q2_q2_beta_blade_q3 = G_q2_q2 * beta_blade_q3;
   const S M_q1_q3 = G_q1_q3 + G_q1_q2 * beta_blade_q3
-      + S(1) / S(20) * q2 * (m1 + S(20) * G_q2_q2 * beta_blade_q3);
-  const S M_q3_q3 = G_q3_q3 + G_q2_q2 * beta_blade_q3 * beta_blade_q3 + m1_over_10 * beta_blade_q3;
+      + S(1) / S(20) * q2 * (m1 + S(20) * G_q2_q2_beta_blade_q3);
+  const S M_q3_q3 = G_q3_q3 + (m1_over_10 + G_q2_q2_beta_blade_q3) * beta_blade_q3;
 
   // right-hand side of (3.7): C^T (f - g drift)
   const S t1 = Q_q2 - G_q2_q2 * drift_blade;
@@ -581,18 +583,19 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
-  const S M_pivot_q3 = M_q3_q3 - inv_M_q1_q1 * M_q1_q3 * M_q1_q3;
+  const S M_q1_q3_over_M_q1_q1 = inv_M_q1_q1 * M_q1_q3;
+  const S M_pivot_q3 = M_q3_q3 - M_q1_q3_over_M_q1_q1 * M_q1_q3;
 
   // independent accelerations (3.7)
-  const S a_y_q3 = F_q3 - F_q1 * inv_M_q1_q1 * M_q1_q3;
-  const S inv_M_pivot_q3 = S(1) / M_pivot_q3;
-  const S a_q1 = F_q1 * inv_M_q1_q1 - inv_M_pivot_q3 * inv_M_q1_q1 * M_q1_q3 * a_y_q3;
+  const S a_y_q3 = F_q3 - M_q1_q3_over_M_q1_q1 * F_q1;
+  const S a_y_q3_over_M_pivot_q3 = a_y_q3 / M_pivot_q3;
+  const S a_q1 = F_q1 * inv_M_q1_q1 - a_y_q3_over_M_pivot_q3 * M_q1_q3_over_M_q1_q1;
 
   // dependent accelerations (3.6)
-  const S a_q2 = drift_blade + q2 * a_q1 + inv_M_pivot_q3 * a_y_q3 * beta_blade_q3;
+  const S a_q2 = drift_blade + q2 * a_q1 + a_y_q3_over_M_pivot_q3 * beta_blade_q3;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
-  const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * inv_M_pivot_q3 * a_y_q3;
+  const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * a_y_q3_over_M_pivot_q3;
   const S lambda_blade = -excess_q2;
 
   // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 14
@@ -601,11 +604,11 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S R_x1 = m2_g - S(1) / S(5) * excess_q2 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2;
 
   // reaction of x2: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 15
+  const S G_q3_x2 = m2_over_3 - m1_over_4 * q2;
   const S G_q1_x2 = c3 + m2_over_60 * (S(4) - S(3) * q1);
   const S G_q2_x2 = m1_over_80 * (S(80) - q2) - half_m2 * q1;
-  const S G_q3_x2 = m2_over_3 - m1_over_4 * q2;
-  const S R_x2 = S(7) / S(10) * excess_q2 - m1_g_over_4 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
-      + G_q3_x2 * inv_M_pivot_q3 * a_y_q3;
+  const S R_x2 = S(7) / S(10) * excess_q2 - m1_g_over_4 * q2 + a_y_q3_over_M_pivot_q3 * G_q3_x2
+      + G_q1_x2 * a_q1 + G_q2_x2 * a_q2;
 
   // Results
   const S blade_generalized_0 = -q2 * excess_q2;
@@ -662,13 +665,14 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   // blade, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 25
   const S beta_blade_q3 = S(1) + q1 * q1;
-  const S drift_blade = S(2) * q1 * q1_dot * q3_dot + q1_dot * q2_dot;
+  const S drift_blade = q1_dot * (q2_dot + S(2) * q1 * q3_dot);
 
   // reduced metric C^T g C of the independent accelerations
-  const S M_q1_q1 = G_q1_q1 + G_q1_q2 * q2 + q2 * (G_q1_q2 + G_q2_q2 * q2);
+  const S M_q1_q1 = G_q1_q1 + q2 * (S(2) * G_q1_q2 + G_q2_q2 * q2);
+  const S G_q2_q2_beta_blade_q3 = G_q2_q2 * beta_blade_q3;
   const S M_q1_q3 = G_q1_q3 + G_q1_q2 * beta_blade_q3
-      + S(1) / S(20) * q2 * (m1 + S(20) * G_q2_q2 * beta_blade_q3);
-  const S M_q3_q3 = G_q3_q3 + G_q2_q2 * beta_blade_q3 * beta_blade_q3 + m1_over_10 * beta_blade_q3;
+      + S(1) / S(20) * q2 * (m1 + S(20) * G_q2_q2_beta_blade_q3);
+  const S M_q3_q3 = G_q3_q3 + (m1_over_10 + G_q2_q2_beta_blade_q3) * beta_blade_q3;
 
   // right-hand side of (3.7): C^T (f - g drift)
   const S t1 = Q_q2 - G_q2_q2 * drift_blade;
@@ -677,19 +681,19 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
-  const S M_pivot_q3 = M_q3_q3 - inv_M_q1_q1 * M_q1_q3 * M_q1_q3;
+  const S M_q1_q3_over_M_q1_q1 = inv_M_q1_q1 * M_q1_q3;
+  const S M_pivot_q3 = M_q3_q3 - M_q1_q3_over_M_q1_q1 * M_q1_q3;
 
   // independent accelerations (3.7)
-  const S a_y_q3 = F_q3 - F_q1 * inv_M_q1_q1 * M_q1_q3;
-  const S inv_M_pivot_q3 = S(1) / M_pivot_q3;
-  const S a_q3 = inv_M_pivot_q3 * a_y_q3;
-  const S a_q1 = F_q1 * inv_M_q1_q1 - inv_M_pivot_q3 * inv_M_q1_q1 * M_q1_q3 * a_y_q3;
+  const S a_y_q3 = F_q3 - M_q1_q3_over_M_q1_q1 * F_q1;
+  const S a_q3 = a_y_q3 / M_pivot_q3;
+  const S a_q1 = F_q1 * inv_M_q1_q1 - a_q3 * M_q1_q3_over_M_q1_q1;
 
   // dependent accelerations (3.6)
-  const S a_q2 = drift_blade + q2 * a_q1 + inv_M_pivot_q3 * a_y_q3 * beta_blade_q3;
+  const S a_q2 = drift_blade + q2 * a_q1 + a_q3 * beta_blade_q3;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
-  const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * inv_M_pivot_q3 * a_y_q3;
+  const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * a_q3;
   const S lambda_blade = -excess_q2;
 
   // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 14
@@ -698,11 +702,11 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S R_x1 = m2_g - S(1) / S(5) * excess_q2 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2;
 
   // reaction of x2: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 15
+  const S G_q3_x2 = m2_over_3 - m1_over_4 * q2;
   const S G_q1_x2 = c3 + m2_over_60 * (S(4) - S(3) * q1);
   const S G_q2_x2 = m1_over_80 * (S(80) - q2) - half_m2 * q1;
-  const S G_q3_x2 = m2_over_3 - m1_over_4 * q2;
-  const S R_x2 = S(7) / S(10) * excess_q2 - m1_g_over_4 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
-      + G_q3_x2 * inv_M_pivot_q3 * a_y_q3;
+  const S R_x2 = S(7) / S(10) * excess_q2 - m1_g_over_4 * q2 + a_q3 * G_q3_x2 + G_q1_x2 * a_q1
+      + G_q2_x2 * a_q2;
 
   // Results
   const S blade_generalized_0 = -q2 * excess_q2;
@@ -760,13 +764,14 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   // blade, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 25
   const S beta_blade_q3 = S(1) + q1 * q1;
-  const S drift_blade = S(2) * q1 * q1_dot * q3_dot + q1_dot * q2_dot;
+  const S drift_blade = q1_dot * (q2_dot + S(2) * q1 * q3_dot);
 
   // reduced metric C^T g C of the independent accelerations
-  const S M_q1_q1 = G_q1_q1 + G_q1_q2 * q2 + q2 * (G_q1_q2 + G_q2_q2 * q2);
+  const S M_q1_q1 = G_q1_q1 + q2 * (S(2) * G_q1_q2 + G_q2_q2 * q2);
+  const S G_q2_q2_beta_blade_q3 = G_q2_q2 * beta_blade_q3;
   const S M_q1_q3 = G_q1_q3 + G_q1_q2 * beta_blade_q3
-      + S(1) / S(20) * q2 * (m1 + S(20) * G_q2_q2 * beta_blade_q3);
-  const S M_q3_q3 = G_q3_q3 + G_q2_q2 * beta_blade_q3 * beta_blade_q3 + m1_over_10 * beta_blade_q3;
+      + S(1) / S(20) * q2 * (m1 + S(20) * G_q2_q2_beta_blade_q3);
+  const S M_q3_q3 = G_q3_q3 + (m1_over_10 + G_q2_q2_beta_blade_q3) * beta_blade_q3;
 
   // right-hand side of (3.7): C^T (f - g drift)
   const S t1 = Q_q2 - G_q2_q2 * drift_blade;
@@ -775,24 +780,24 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
-  const S M_pivot_q3 = M_q3_q3 - inv_M_q1_q1 * M_q1_q3 * M_q1_q3;
+  const S M_q1_q3_over_M_q1_q1 = inv_M_q1_q1 * M_q1_q3;
+  const S M_pivot_q3 = M_q3_q3 - M_q1_q3_over_M_q1_q1 * M_q1_q3;
 
   // independent accelerations (3.7)
-  const S a_y_q3 = F_q3 - F_q1 * inv_M_q1_q1 * M_q1_q3;
-  const S inv_M_pivot_q3 = S(1) / M_pivot_q3;
-  const S a_q3 = inv_M_pivot_q3 * a_y_q3;
-  const S a_q1 = F_q1 * inv_M_q1_q1 - inv_M_pivot_q3 * inv_M_q1_q1 * M_q1_q3 * a_y_q3;
+  const S a_y_q3 = F_q3 - M_q1_q3_over_M_q1_q1 * F_q1;
+  const S a_q3 = a_y_q3 / M_pivot_q3;
+  const S a_q1 = F_q1 * inv_M_q1_q1 - a_q3 * M_q1_q3_over_M_q1_q1;
 
   // dependent accelerations (3.6)
-  const S a_q2 = drift_blade + q2 * a_q1 + inv_M_pivot_q3 * a_y_q3 * beta_blade_q3;
+  const S a_q2 = drift_blade + q2 * a_q1 + a_q3 * beta_blade_q3;
 
   // all constraint forces on first: m a - F and d(I omega)/dt - M (theory.md, section 4)
   const S force_on_first_x = m1 * a_q1;
   const S force_on_first_y = m1_over_15 * (S(2) * a_q1 + S(15) * a_q2);
-  const S force_on_first_z = m1_g + G_q2_q3 * (a_q2 + S(20) * a_q3);
+  const S force_on_first_z = m1_g + G_q2_q3 * (S(20) * a_q3 + a_q2);
 
   // all constraint forces on second: m a - F and d(I omega)/dt - M (theory.md, section 4)
-  const S force_on_second_x = G_q1_q3 * (a_q1 + S(5) * a_q3);
+  const S force_on_second_x = G_q1_q3 * (S(5) * a_q3 + a_q1);
   const S force_on_second_y = m2_over_10 * (a_q1 + S(10) * a_q2);
   const S force_on_second_z = m2_g + half_m2 * (S(2) * a_q1 + a_q2);
 
@@ -831,8 +836,8 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   const S t1 = S(2) * q1_dot + S(15) * q2_dot;
   const S t2 = q2_dot + S(20) * q3_dot;
   const S kinetic_energy = m1_over_7200 * (S(3600) * q1_dot_2 + S(16) * t1 * t1 + S(9) * t2 * t2)
-      + m2_over_40 * (S(21) * q1_dot_2 + S(25) * q2_dot * q2_dot + S(20) * q3_dot * q3_dot
-      + S(24) * q1_dot * q2_dot + S(8) * q1_dot * q3_dot);
+      + m2_over_40 * (S(21) * q1_dot_2 + q2_dot * (S(24) * q1_dot + S(25) * q2_dot)
+      + q3_dot * (S(8) * q1_dot + S(20) * q3_dot));
   const S potential_energy = m1_g_over_20 * (q2 + S(20) * q3)
       + m2_g_over_10 * (S(4) + S(10) * q1 + S(5) * q2);
 
@@ -916,7 +921,7 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
 
   // blade, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 25
   const S beta_blade_q3 = S(1) + q1 * q1;
-  const S drift_blade = S(2) * q1 * q1_dot * q3_dot + q1_dot * q2_dot;
+  const S drift_blade = q1_dot * (q2_dot + S(2) * q1 * q3_dot);
 
   // Results
   const S velocity_0 = q2 * q1_dot - q2_dot + q3_dot * beta_blade_q3;
@@ -994,24 +999,24 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S response_blade_q2 = inv_g_pivot_q2 * response_blade_y_q2 - c4 * response_blade_y_q3;
   const S response_blade_q1 = inv_G_q1_q1 * q2 - g_factor_q2_q1 * response_blade_q2
       - c5 * response_blade_y_q3;
-  const S S_blade_blade = inv_g_pivot_q3 * beta_blade_q3 * response_blade_y_q3 - response_blade_q2
-      + q2 * response_blade_q1;
+  const S q2_response_blade_q1 = q2 * response_blade_q1;
+  const S t1 = inv_g_pivot_q3 * response_blade_y_q3;
+  const S t2 = t1 * beta_blade_q3;
+  const S S_blade_blade = q2_response_blade_q1 + t2 - response_blade_q2;
   const S q2_q1_dot = q2 * q1_dot;
   const S q3_dot_beta_blade_q3 = q3_dot * beta_blade_q3;
   const S rough_impulse_y_blade = q2_dot - q2_q1_dot - q3_dot_beta_blade_q3;
-  const Bool t1 = Math<S>::at_most(S_blade_blade, S(0));
-  const S t2 = Math<S>::select(t1, S(0), S(1) / S_blade_blade);
-  const S rough_impulse_z_blade = rough_impulse_y_blade * t2;
-  const S rough_change_q1 = response_blade_q1 * rough_impulse_z_blade;
+  const Bool t3 = Math<S>::at_most(S_blade_blade, S(0));
+  const S t4 = Math<S>::select(t3, S(0), S(1) / S_blade_blade);
+  const S rough_impulse_z_blade = rough_impulse_y_blade * t4;
   const S rough_change_q2 = response_blade_q2 * rough_impulse_z_blade;
-  const S rough_change_q3 = inv_g_pivot_q3 * response_blade_y_q3 * rough_impulse_z_blade;
-  const S correction_y_blade = q2_dot - inv_g_pivot_q3 * beta_blade_q3 * response_blade_y_q3
-      * rough_impulse_z_blade - q2_q1_dot - q2 * response_blade_q1 * rough_impulse_z_blade
-      - q3_dot_beta_blade_q3 + rough_change_q2;
-  const S correction_z_blade = correction_y_blade * t2;
-  const S change_q1 = correction_z_blade * response_blade_q1 + rough_change_q1;
+  const S correction_y_blade = q2_dot - q2_q1_dot - q3_dot_beta_blade_q3
+      - (q2_response_blade_q1 + t2) * rough_impulse_z_blade + rough_change_q2;
+  const S correction_z_blade = correction_y_blade * t4;
+  const S t5 = correction_z_blade + rough_impulse_z_blade;
+  const S change_q1 = t5 * response_blade_q1;
   const S change_q2 = correction_z_blade * response_blade_q2 + rough_change_q2;
-  const S change_q3 = inv_g_pivot_q3 * correction_z_blade * response_blade_y_q3 + rough_change_q3;
+  const S change_q3 = t1 * t5;
   const S q1_rate = q1_dot + change_q1;
   const S q2_rate = q2_dot + change_q2;
   const S q3_rate = q3_dot + change_q3;
@@ -1027,7 +1032,7 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   state.q3_dot() = q3_rate;
 
   const Bool singular_mass_matrix = Math<S>::at_most(least_g_pivot, S(0));
-  const Bool dependent_constraints = Math<S>::any(t1, Math<S>::at_most(squares_blade * squares_blade
+  const Bool dependent_constraints = Math<S>::any(t3, Math<S>::at_most(squares_blade * squares_blade
       * squares_blade, S(0)), Math<S>::at_most(S_blade_blade * S_blade_blade * S_blade_blade, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, q1_rate, q2_rate,
       q3_rate);

@@ -29,18 +29,18 @@
 //   omega_r_0   rad/s   angular velocity about the line to the contact at t = 0
 //
 // Operations per call
-//                      + -  *    /  sqrt  functions
-//   prepare            5    30   6  0     0
-//   rhs                16   62   2  0     4
-//   reactions          16   66   2  0     4
-//   rhs_and_reactions  17   70   2  0     4
-//   reaction_forces    29   106  2  0     8
-//   energy             6    14   0  0     1
-//   compulsion         18   48   0  0     6
-//   residuals          14   32   0  0     4
-//   mass_matrix        0    1    0  0     1
-//   project            29   53   1  0     4
-//   initial_state      16   48   4  0     4
+//                      + -  *   /  sqrt  functions
+//   prepare            5    30  5  0     0
+//   rhs                17   40  2  0     4
+//   reactions          17   41  2  0     4
+//   rhs_and_reactions  18   45  2  0     4
+//   reaction_forces    26   63  2  0     8
+//   energy             6    12  0  0     1
+//   compulsion         17   37  0  0     6
+//   residuals          14   21  0  0     4
+//   mass_matrix        0    1   0  0     1
+//   project            29   38  1  0     4
+//   initial_state      16   48  4  0     4
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
 #define GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
@@ -526,49 +526,43 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   Math<S>::sincos(chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
-  const S f_phi = J * psi_dot * theta_dot * sin_theta;
-  const S bias_theta = J * phi_dot * psi_dot * sin_theta;
+  const S phi_dot_sin_theta = phi_dot * sin_theta;
+  const S bias_theta = J * psi_dot * phi_dot_sin_theta;
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
-  const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
-  const S drift_rolling_along = r * phi_dot * theta_dot * cos_theta * cos_chi_minus_psi
-      - r * phi_dot * sin_theta * sin_chi_minus_psi * chi_dot_minus_psi_dot
-      + r * theta_dot * cos_chi_minus_psi * chi_dot_minus_psi_dot;
+  const S beta_rolling_along_theta = r * sin_chi_minus_psi;
+  const S drift_rolling_along = r * theta_dot * cos_chi_minus_psi * (chi_dot - psi_dot + phi_dot * cos_theta)
+      - beta_rolling_along_theta * phi_dot_sin_theta * (chi_dot - psi_dot);
 
   // dependent accelerations: a_m = c_m_p a_p + drift_m, c = -b^-1 b_p (3.6)
-  const S c_drift_psi = phi_dot * theta_dot * sin_theta;
+  const S c_drift_psi = theta_dot * phi_dot_sin_theta;
 
   // reduced metric C^T g C of the independent accelerations
-  const S sin_theta_2 = sin_theta * sin_theta;
-  const S G_pivot_psi = J * sin_theta_2;
-  const S cos_chi_minus_psi_2 = cos_chi_minus_psi * cos_chi_minus_psi;
-  const S M_phi_phi = G_pivot_psi + m_r_2 * sin_theta_2 * cos_chi_minus_psi_2;
+  const S G_pivot_psi = J * sin_theta * sin_theta;
+  const S t1 = sin_theta * cos_chi_minus_psi;
+  const S t2 = m_r_2 * t1;
+  const S M_phi_phi = G_pivot_psi + t2 * t1;
   const S sin_chi_minus_psi_2 = sin_chi_minus_psi * sin_chi_minus_psi;
   const S M_theta_theta = J + m_r_2 * sin_chi_minus_psi_2;
 
   // right-hand side of (3.7): C^T (f - g drift)
-  const S t1 = m_g - m * drift_rolling_along;
-  const S F_phi = r * sin_theta * cos_chi_minus_psi * t1 - J * phi_dot * theta_dot * sin_theta * cos_theta
-      + f_phi;
-  const S F_theta = r * sin_chi_minus_psi * t1 - bias_theta;
+  const S t3 = r * t1;
+  const S t4 = m_g - m * drift_rolling_along;
+  const S F_phi = t3 * t4 + J * theta_dot * (psi_dot * sin_theta - phi_dot_sin_theta * cos_theta);
+  const S F_theta = beta_rolling_along_theta * t4 - bias_theta;
 
   // C^T g C = L D L^T
   const S inv_M_phi_phi = S(1) / M_phi_phi;
-  const S M_pivot_theta = M_theta_theta - m_2_r_4 * inv_M_phi_phi * sin_theta_2 * sin_chi_minus_psi_2
-      * cos_chi_minus_psi_2;
+  const S M_pivot_theta = M_theta_theta - m_2_r_4 * sin_chi_minus_psi_2 * t1 * t1 * inv_M_phi_phi;
 
   // independent accelerations (3.7)
-  const S a_y_theta = F_theta - m_r_2 * F_phi * inv_M_phi_phi * sin_theta * sin_chi_minus_psi
-      * cos_chi_minus_psi;
-  const S inv_M_pivot_theta = S(1) / M_pivot_theta;
-  const S a_theta = inv_M_pivot_theta * a_y_theta;
-  const S a_phi = F_phi * inv_M_phi_phi
-      - m_r_2 * inv_M_phi_phi * inv_M_pivot_theta * a_y_theta * sin_theta * sin_chi_minus_psi
-      * cos_chi_minus_psi;
+  const S t5 = t2 * inv_M_phi_phi * sin_chi_minus_psi;
+  const S a_y_theta = F_theta - t5 * F_phi;
+  const S a_theta = a_y_theta / M_pivot_theta;
+  const S a_phi = F_phi * inv_M_phi_phi - t5 * a_theta;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + r * inv_M_pivot_theta * a_y_theta * sin_chi_minus_psi
-      + r * a_phi * sin_theta * cos_chi_minus_psi);
+  const S a_zeta = -(drift_rolling_along + t3 * a_phi + beta_rolling_along_theta * a_theta);
   const S a_psi = c_drift_psi - a_phi * cos_theta;
 
   derivative.chi_dot() = chi_dot;
@@ -623,52 +617,48 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   Math<S>::sincos(chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
-  const S f_phi = J * psi_dot * theta_dot * sin_theta;
-  const S bias_theta = J * phi_dot * psi_dot * sin_theta;
+  const S J_sin_theta = J * sin_theta;
+  const S bias_theta = phi_dot * psi_dot * J_sin_theta;
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
-  const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
-  const S drift_rolling_along = r * phi_dot * theta_dot * cos_theta * cos_chi_minus_psi
-      - r * phi_dot * sin_theta * sin_chi_minus_psi * chi_dot_minus_psi_dot
-      + r * theta_dot * cos_chi_minus_psi * chi_dot_minus_psi_dot;
+  const S beta_rolling_along_theta = r * sin_chi_minus_psi;
+  const S phi_dot_cos_theta = phi_dot * cos_theta;
+  const S drift_rolling_along = r * theta_dot * cos_chi_minus_psi * (chi_dot - psi_dot + phi_dot_cos_theta)
+      - phi_dot * beta_rolling_along_theta * sin_theta * (chi_dot - psi_dot);
 
   // reduced metric C^T g C of the independent accelerations
-  const S sin_theta_2 = sin_theta * sin_theta;
-  const S G_pivot_psi = J * sin_theta_2;
-  const S cos_chi_minus_psi_2 = cos_chi_minus_psi * cos_chi_minus_psi;
-  const S M_phi_phi = G_pivot_psi + m_r_2 * sin_theta_2 * cos_chi_minus_psi_2;
+  const S G_pivot_psi = J_sin_theta * sin_theta;
+  const S t1 = sin_theta * cos_chi_minus_psi;
+  const S t2 = m_r_2 * t1;
+  const S M_phi_phi = G_pivot_psi + t2 * t1;
   const S sin_chi_minus_psi_2 = sin_chi_minus_psi * sin_chi_minus_psi;
   const S M_theta_theta = J + m_r_2 * sin_chi_minus_psi_2;
 
   // right-hand side of (3.7): C^T (f - g drift)
-  const S t1 = m_g - m * drift_rolling_along;
-  const S F_phi = r * sin_theta * cos_chi_minus_psi * t1 - J * phi_dot * theta_dot * sin_theta * cos_theta
-      + f_phi;
-  const S F_theta = r * sin_chi_minus_psi * t1 - bias_theta;
+  const S t3 = r * t1;
+  const S t4 = m_g - m * drift_rolling_along;
+  const S F_phi = t3 * t4 + theta_dot * J_sin_theta * (psi_dot - phi_dot_cos_theta);
+  const S F_theta = beta_rolling_along_theta * t4 - bias_theta;
 
   // C^T g C = L D L^T
   const S inv_M_phi_phi = S(1) / M_phi_phi;
-  const S M_pivot_theta = M_theta_theta - m_2_r_4 * inv_M_phi_phi * sin_theta_2 * sin_chi_minus_psi_2
-      * cos_chi_minus_psi_2;
+  const S M_pivot_theta = M_theta_theta - m_2_r_4 * sin_chi_minus_psi_2 * t1 * t1 * inv_M_phi_phi;
 
   // independent accelerations (3.7)
-  const S a_y_theta = F_theta - m_r_2 * F_phi * inv_M_phi_phi * sin_theta * sin_chi_minus_psi
-      * cos_chi_minus_psi;
-  const S inv_M_pivot_theta = S(1) / M_pivot_theta;
-  const S a_phi = F_phi * inv_M_phi_phi
-      - m_r_2 * inv_M_phi_phi * inv_M_pivot_theta * a_y_theta * sin_theta * sin_chi_minus_psi
-      * cos_chi_minus_psi;
+  const S t5 = t2 * inv_M_phi_phi * sin_chi_minus_psi;
+  const S a_y_theta = F_theta - t5 * F_phi;
+  const S t6 = a_y_theta / M_pivot_theta;
+  const S a_phi = F_phi * inv_M_phi_phi - t5 * t6;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + r * inv_M_pivot_theta * a_y_theta * sin_chi_minus_psi
-      + r * a_phi * sin_theta * cos_chi_minus_psi);
+  const S a_zeta = -(drift_rolling_along + t3 * a_phi + beta_rolling_along_theta * t6);
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
 
   // Results
-  const S rolling_along_generalized_2 = r * excess_zeta * sin_theta * cos_chi_minus_psi;
-  const S rolling_along_generalized_4 = r * excess_zeta * sin_chi_minus_psi;
+  const S rolling_along_generalized_2 = t3 * excess_zeta;
+  const S rolling_along_generalized_4 = beta_rolling_along_theta * excess_zeta;
   const S rho_generalized = -m_rho * chi_dot * chi_dot;
 
   reactions.rolling_around.multiplier = S(0);
@@ -728,57 +718,51 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   Math<S>::sincos(chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
-  const S f_phi = J * psi_dot * theta_dot * sin_theta;
-  const S bias_theta = J * phi_dot * psi_dot * sin_theta;
+  const S phi_dot_sin_theta = phi_dot * sin_theta;
+  const S bias_theta = J * psi_dot * phi_dot_sin_theta;
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
-  const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
-  const S drift_rolling_along = r * phi_dot * theta_dot * cos_theta * cos_chi_minus_psi
-      - r * phi_dot * sin_theta * sin_chi_minus_psi * chi_dot_minus_psi_dot
-      + r * theta_dot * cos_chi_minus_psi * chi_dot_minus_psi_dot;
+  const S beta_rolling_along_theta = r * sin_chi_minus_psi;
+  const S drift_rolling_along = r * theta_dot * cos_chi_minus_psi * (chi_dot - psi_dot + phi_dot * cos_theta)
+      - beta_rolling_along_theta * phi_dot_sin_theta * (chi_dot - psi_dot);
 
   // dependent accelerations: a_m = c_m_p a_p + drift_m, c = -b^-1 b_p (3.6)
-  const S c_drift_psi = phi_dot * theta_dot * sin_theta;
+  const S c_drift_psi = theta_dot * phi_dot_sin_theta;
 
   // reduced metric C^T g C of the independent accelerations
-  const S sin_theta_2 = sin_theta * sin_theta;
-  const S G_pivot_psi = J * sin_theta_2;
-  const S cos_chi_minus_psi_2 = cos_chi_minus_psi * cos_chi_minus_psi;
-  const S M_phi_phi = G_pivot_psi + m_r_2 * sin_theta_2 * cos_chi_minus_psi_2;
+  const S G_pivot_psi = J * sin_theta * sin_theta;
+  const S t1 = sin_theta * cos_chi_minus_psi;
+  const S t2 = m_r_2 * t1;
+  const S M_phi_phi = G_pivot_psi + t2 * t1;
   const S sin_chi_minus_psi_2 = sin_chi_minus_psi * sin_chi_minus_psi;
   const S M_theta_theta = J + m_r_2 * sin_chi_minus_psi_2;
 
   // right-hand side of (3.7): C^T (f - g drift)
-  const S t1 = m_g - m * drift_rolling_along;
-  const S F_phi = r * sin_theta * cos_chi_minus_psi * t1 - J * phi_dot * theta_dot * sin_theta * cos_theta
-      + f_phi;
-  const S F_theta = r * sin_chi_minus_psi * t1 - bias_theta;
+  const S t3 = r * t1;
+  const S t4 = m_g - m * drift_rolling_along;
+  const S F_phi = t3 * t4 + J * theta_dot * (psi_dot * sin_theta - phi_dot_sin_theta * cos_theta);
+  const S F_theta = beta_rolling_along_theta * t4 - bias_theta;
 
   // C^T g C = L D L^T
   const S inv_M_phi_phi = S(1) / M_phi_phi;
-  const S M_pivot_theta = M_theta_theta - m_2_r_4 * inv_M_phi_phi * sin_theta_2 * sin_chi_minus_psi_2
-      * cos_chi_minus_psi_2;
+  const S M_pivot_theta = M_theta_theta - m_2_r_4 * sin_chi_minus_psi_2 * t1 * t1 * inv_M_phi_phi;
 
   // independent accelerations (3.7)
-  const S a_y_theta = F_theta - m_r_2 * F_phi * inv_M_phi_phi * sin_theta * sin_chi_minus_psi
-      * cos_chi_minus_psi;
-  const S inv_M_pivot_theta = S(1) / M_pivot_theta;
-  const S a_theta = inv_M_pivot_theta * a_y_theta;
-  const S a_phi = F_phi * inv_M_phi_phi
-      - m_r_2 * inv_M_phi_phi * inv_M_pivot_theta * a_y_theta * sin_theta * sin_chi_minus_psi
-      * cos_chi_minus_psi;
+  const S t5 = t2 * inv_M_phi_phi * sin_chi_minus_psi;
+  const S a_y_theta = F_theta - t5 * F_phi;
+  const S a_theta = a_y_theta / M_pivot_theta;
+  const S a_phi = F_phi * inv_M_phi_phi - t5 * a_theta;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + r * inv_M_pivot_theta * a_y_theta * sin_chi_minus_psi
-      + r * a_phi * sin_theta * cos_chi_minus_psi);
+  const S a_zeta = -(drift_rolling_along + t3 * a_phi + beta_rolling_along_theta * a_theta);
   const S a_psi = c_drift_psi - a_phi * cos_theta;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
 
   // Results
-  const S rolling_along_generalized_2 = r * excess_zeta * sin_theta * cos_chi_minus_psi;
-  const S rolling_along_generalized_4 = r * excess_zeta * sin_chi_minus_psi;
+  const S rolling_along_generalized_2 = t3 * excess_zeta;
+  const S rolling_along_generalized_4 = beta_rolling_along_theta * excess_zeta;
   const S rho_generalized = -m_rho * chi_dot * chi_dot;
 
   derivative.chi_dot() = chi_dot;
@@ -857,48 +841,48 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   Math<S>::sincos(chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
-  const S f_phi = J * psi_dot * theta_dot * sin_theta;
-  const S bias_theta = J * phi_dot * psi_dot * sin_theta;
+  const S phi_dot_sin_theta = phi_dot * sin_theta;
+  const S psi_dot_phi_dot_sin_theta = psi_dot * phi_dot_sin_theta;
+  const S bias_theta = J * psi_dot_phi_dot_sin_theta;
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
+  const S beta_rolling_along_theta = r * sin_chi_minus_psi;
   const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
-  const S drift_rolling_along = r * phi_dot * theta_dot * cos_theta * cos_chi_minus_psi
-      - r * phi_dot * sin_theta * sin_chi_minus_psi * chi_dot_minus_psi_dot
-      + r * theta_dot * cos_chi_minus_psi * chi_dot_minus_psi_dot;
+  const S theta_dot_cos_theta = theta_dot * cos_theta;
+  const S t1 = phi_dot * theta_dot_cos_theta;
+  const S drift_rolling_along = r * cos_chi_minus_psi * (t1 + theta_dot * chi_dot_minus_psi_dot)
+      - beta_rolling_along_theta * phi_dot_sin_theta * chi_dot_minus_psi_dot;
 
   // dependent accelerations: a_m = c_m_p a_p + drift_m, c = -b^-1 b_p (3.6)
-  const S c_drift_psi = phi_dot * theta_dot * sin_theta;
+  const S c_drift_psi = theta_dot * phi_dot_sin_theta;
 
   // reduced metric C^T g C of the independent accelerations
-  const S sin_theta_2 = sin_theta * sin_theta;
-  const S G_pivot_psi = J * sin_theta_2;
-  const S cos_chi_minus_psi_2 = cos_chi_minus_psi * cos_chi_minus_psi;
-  const S M_phi_phi = G_pivot_psi + m_r_2 * sin_theta_2 * cos_chi_minus_psi_2;
+  const S G_pivot_psi = J * sin_theta * sin_theta;
+  const S t2 = sin_theta * cos_chi_minus_psi;
+  const S t3 = m_r_2 * t2;
+  const S M_phi_phi = G_pivot_psi + t3 * t2;
   const S sin_chi_minus_psi_2 = sin_chi_minus_psi * sin_chi_minus_psi;
   const S M_theta_theta = J + m_r_2 * sin_chi_minus_psi_2;
 
   // right-hand side of (3.7): C^T (f - g drift)
-  const S t1 = m_g - m * drift_rolling_along;
-  const S F_phi = r * sin_theta * cos_chi_minus_psi * t1 - J * phi_dot * theta_dot * sin_theta * cos_theta
-      + f_phi;
-  const S F_theta = r * sin_chi_minus_psi * t1 - bias_theta;
+  const S psi_dot_theta_dot = psi_dot * theta_dot;
+  const S t4 = r * t2;
+  const S t5 = m_g - m * drift_rolling_along;
+  const S F_phi = t4 * t5 - J * (phi_dot_sin_theta * theta_dot_cos_theta - psi_dot_theta_dot * sin_theta);
+  const S F_theta = beta_rolling_along_theta * t5 - bias_theta;
 
   // C^T g C = L D L^T
   const S inv_M_phi_phi = S(1) / M_phi_phi;
-  const S M_pivot_theta = M_theta_theta - m_2_r_4 * inv_M_phi_phi * sin_theta_2 * sin_chi_minus_psi_2
-      * cos_chi_minus_psi_2;
+  const S M_pivot_theta = M_theta_theta - m_2_r_4 * sin_chi_minus_psi_2 * t2 * t2 * inv_M_phi_phi;
 
   // independent accelerations (3.7)
-  const S a_y_theta = F_theta - m_r_2 * F_phi * inv_M_phi_phi * sin_theta * sin_chi_minus_psi
-      * cos_chi_minus_psi;
-  const S inv_M_pivot_theta = S(1) / M_pivot_theta;
-  const S a_phi = F_phi * inv_M_phi_phi
-      - m_r_2 * inv_M_phi_phi * inv_M_pivot_theta * a_y_theta * sin_theta * sin_chi_minus_psi
-      * cos_chi_minus_psi;
+  const S t6 = t3 * inv_M_phi_phi * sin_chi_minus_psi;
+  const S a_y_theta = F_theta - t6 * F_phi;
+  const S t7 = a_y_theta / M_pivot_theta;
+  const S a_phi = F_phi * inv_M_phi_phi - t6 * t7;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + r * inv_M_pivot_theta * a_y_theta * sin_chi_minus_psi
-      + r * a_phi * sin_theta * cos_chi_minus_psi);
+  const S a_zeta = -(drift_rolling_along + t4 * a_phi + beta_rolling_along_theta * t7);
   const S a_phi_cos_theta = a_phi * cos_theta;
   const S a_psi = c_drift_psi - a_phi_cos_theta;
 
@@ -906,23 +890,24 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S excess_zeta = m_g + m * a_zeta;
 
   // force and moment of rolling_along: m J z and I W z, times its reaction, model line 40
-  const S moment_rolling_along_ball_x = J * excess_zeta
-      * (r_over_J * sin_psi * cos_chi_minus_psi + r_over_J * sin_chi_minus_psi * cos_psi);
-  const S moment_rolling_along_ball_y = J * excess_zeta
-      * (r_over_J * sin_psi * sin_chi_minus_psi - r_over_J * cos_psi * cos_chi_minus_psi);
+  const S J_excess_zeta = J * excess_zeta;
+  const S r_over_J_sin_chi_minus_psi = r_over_J * sin_chi_minus_psi;
+  const S r_over_J_cos_chi_minus_psi = r_over_J * cos_chi_minus_psi;
+  const S moment_rolling_along_ball_x = J_excess_zeta * (r_over_J_sin_chi_minus_psi * cos_psi
+      + r_over_J_cos_chi_minus_psi * sin_psi);
+  const S moment_rolling_along_ball_y = J_excess_zeta * (r_over_J_sin_chi_minus_psi * sin_psi
+      - r_over_J_cos_chi_minus_psi * cos_psi);
 
   // force and moment of rho: m J z and I W z, times its reaction, model line 21
-  const S chi_dot_2 = chi_dot * chi_dot;
-  const S force_rho_ball_x = -m_rho * chi_dot_2 * cos_chi;
-  const S force_rho_ball_y = -m_rho * chi_dot_2 * sin_chi;
+  const S t8 = m_rho * chi_dot * chi_dot;
+  const S force_rho_ball_x = -t8 * cos_chi;
+  const S force_rho_ball_y = -t8 * sin_chi;
 
   // all constraint forces on ball: m a - F and d(I omega)/dt - M (theory.md, section 4)
-  const S moment_on_ball_x = J * (phi_dot * psi_dot * sin_theta * cos_psi
-      + phi_dot * theta_dot * sin_psi * cos_theta - psi_dot * theta_dot * sin_psi
-      + inv_M_pivot_theta * a_y_theta * cos_psi + a_phi * sin_psi * sin_theta);
-  const S moment_on_ball_y = J * (phi_dot * psi_dot * sin_psi * sin_theta
-      - phi_dot * theta_dot * cos_psi * cos_theta + psi_dot * theta_dot * cos_psi
-      + inv_M_pivot_theta * a_y_theta * sin_psi - a_phi * sin_theta * cos_psi);
+  const S t9 = t1 - psi_dot_theta_dot + a_phi * sin_theta;
+  const S t10 = psi_dot_phi_dot_sin_theta + t7;
+  const S moment_on_ball_x = J * (t9 * sin_psi + t10 * cos_psi);
+  const S moment_on_ball_y = -J * (t9 * cos_psi - t10 * sin_psi);
   const S moment_on_ball_z = J * (a_psi - c_drift_psi + a_phi_cos_theta);
 
   reaction_forces.rolling_around.force_on_ball[0] = S(0);
@@ -987,8 +972,8 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
 
   // energies
   const S kinetic_energy = J * phi_dot * psi_dot * cos_theta
-      + half_m * (zeta_dot * zeta_dot + rho_2 * chi_dot * chi_dot) + half_J * phi_dot * phi_dot
-      + half_J * psi_dot * psi_dot + half_J * theta_dot * theta_dot;
+      + half_m * (zeta_dot * zeta_dot + rho_2 * chi_dot * chi_dot)
+      + half_J * (phi_dot * phi_dot + psi_dot * psi_dot + theta_dot * theta_dot);
   const S potential_energy = m_g * zeta;
 
   // Results
@@ -1041,23 +1026,28 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   Math<S>::sincos(theta, sin_theta, cos_theta);
 
   // dependent accelerations: a_m = c_m_p a_p + drift_m, c = -b^-1 b_p (3.6)
-  const S c_drift_psi = phi_dot * theta_dot * sin_theta;
+  const S phi_dot_sin_theta = phi_dot * sin_theta;
+  const S c_drift_psi = theta_dot * phi_dot_sin_theta;
 
   // deviation of ball from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
+  const S rho_cos_chi = rho * cos_chi;
+  const S chi_dot_2 = chi_dot * chi_dot;
+  const S rho_sin_chi = rho * sin_chi;
+  const S deviation_ball_y = m * (chi_ddot * rho_cos_chi - chi_dot_2 * rho_sin_chi);
   const S deviation_ball_z = m_g + m * zeta_ddot;
-  const S torque_ball_x = J * (phi_dot * psi_dot * sin_theta * cos_psi
-      + phi_dot * theta_dot * sin_psi * cos_theta - psi_dot * theta_dot * sin_psi
-      + phi_ddot * sin_psi * sin_theta + theta_ddot * cos_psi);
-  const S torque_ball_y = J * (phi_dot * psi_dot * sin_psi * sin_theta
-      - phi_dot * theta_dot * cos_psi * cos_theta + psi_dot * theta_dot * cos_psi
-      - phi_ddot * sin_theta * cos_psi + theta_ddot * sin_psi);
+  const S psi_dot_sin_psi = psi_dot * sin_psi;
+  const S psi_dot_cos_psi = psi_dot * cos_psi;
+  const S t1 = phi_ddot * sin_theta + phi_dot * theta_dot * cos_theta;
+  const S torque_ball_x = J * (theta_ddot * cos_psi - theta_dot * psi_dot_sin_psi
+      + phi_dot_sin_theta * psi_dot_cos_psi + t1 * sin_psi);
+  const S torque_ball_y = J * (theta_dot * psi_dot_cos_psi + theta_ddot * sin_psi
+      + phi_dot_sin_theta * psi_dot_sin_psi - t1 * cos_psi);
   const S torque_ball_z = J * (psi_ddot - c_drift_psi + phi_ddot * cos_theta);
 
   // Results
-  const S chi_dot_2 = chi_dot * chi_dot;
-  const S t1 = m * (rho * chi_dot_2 * cos_chi + rho * chi_ddot * sin_chi);
-  const S t2 = m * (rho * chi_dot_2 * sin_chi - rho * chi_ddot * cos_chi);
-  const S Z = half_inv_m * (t1 * t1 + t2 * t2 + deviation_ball_z * deviation_ball_z)
+  const S t2 = m * (chi_ddot * rho_sin_chi + chi_dot_2 * rho_cos_chi);
+  const S Z = half_inv_m * (t2 * t2 + deviation_ball_y * deviation_ball_y
+      + deviation_ball_z * deviation_ball_z)
       + half_inv_J * (torque_ball_x * torque_ball_x + torque_ball_y * torque_ball_y
       + torque_ball_z * torque_ball_z);
 
@@ -1101,19 +1091,24 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
   Math<S>::sincos(chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
+  const S r_cos_chi_minus_psi = r * cos_chi_minus_psi;
   const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
-  const S drift_rolling_along = r * phi_dot * theta_dot * cos_theta * cos_chi_minus_psi
-      - r * phi_dot * sin_theta * sin_chi_minus_psi * chi_dot_minus_psi_dot
-      + r * theta_dot * cos_chi_minus_psi * chi_dot_minus_psi_dot;
+  const S r_phi_dot = r * phi_dot;
+  const S r_phi_dot_cos_theta = r_phi_dot * cos_theta;
+  const S r_phi_dot_sin_theta = r_phi_dot * sin_theta;
+  const S drift_rolling_along = theta_dot * (r_cos_chi_minus_psi * chi_dot_minus_psi_dot
+      + r_phi_dot_cos_theta * cos_chi_minus_psi)
+      - r_phi_dot_sin_theta * sin_chi_minus_psi * chi_dot_minus_psi_dot;
 
   // Results
-  const S velocity_0 = r * phi_dot * cos_theta + r * psi_dot - r_minus_R * chi_dot;
-  const S velocity_1 = zeta_dot + r * phi_dot * sin_theta * cos_chi_minus_psi
-      + r * theta_dot * sin_chi_minus_psi;
-  const S acceleration_0 = r * phi_ddot * cos_theta - r * phi_dot * theta_dot * sin_theta + r * psi_ddot
-      + rho * chi_ddot;
-  const S acceleration_1 = zeta_ddot + drift_rolling_along + r * phi_ddot * sin_theta * cos_chi_minus_psi
-      + r * theta_ddot * sin_chi_minus_psi;
+  const S velocity_0 = r_phi_dot_cos_theta + r * psi_dot - r_minus_R * chi_dot;
+  const S beta_rolling_along_theta = r * sin_chi_minus_psi;
+  const S velocity_1 = zeta_dot + theta_dot * beta_rolling_along_theta
+      + r_phi_dot_sin_theta * cos_chi_minus_psi;
+  const S acceleration_0 = r * (psi_ddot + phi_ddot * cos_theta) + rho * chi_ddot
+      - theta_dot * r_phi_dot_sin_theta;
+  const S acceleration_1 = zeta_ddot + drift_rolling_along + phi_ddot * r_cos_chi_minus_psi * sin_theta
+      + theta_ddot * beta_rolling_along_theta;
 
   residuals.velocity[0] = velocity_0;
   residuals.velocity[1] = velocity_1;
@@ -1219,31 +1214,31 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   Math<S>::sincos(chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
-  const S r_phi_dot_cos_theta = r * phi_dot * cos_theta;
   const S r_psi_dot = r * psi_dot;
   const S r_minus_R_chi_dot = r_minus_R * chi_dot;
-  const S rough_impulse_y_rolling_around = r_minus_R_chi_dot - r_phi_dot_cos_theta - r_psi_dot;
-  const S t1 = r * phi_dot * sin_theta * cos_chi_minus_psi;
-  const S t2 = r * theta_dot * sin_chi_minus_psi;
+  const S r_phi_dot = r * phi_dot;
+  const S r_phi_dot_cos_theta = r_phi_dot * cos_theta;
+  const S rough_impulse_y_rolling_around = r_minus_R_chi_dot - r_psi_dot - r_phi_dot_cos_theta;
+  const S t1 = r * theta_dot * sin_chi_minus_psi;
+  const S t2 = r_phi_dot * sin_theta * cos_chi_minus_psi;
   const S rough_impulse_y_rolling_along = -(zeta_dot + t1 + t2);
-  const S rough_change_chi = c5 * rough_impulse_y_rolling_around;
   const S rough_change_zeta = c2 * rough_impulse_y_rolling_along;
-  const S inv_sin_theta = S(1) / sin_theta;
-  const S rough_change_phi = c3 * rough_impulse_y_rolling_along * inv_sin_theta * cos_chi_minus_psi;
-  const S rough_change_psi = c3 * rough_impulse_y_rolling_around
-      - c3 * rough_impulse_y_rolling_along * inv_sin_theta * cos_theta * cos_chi_minus_psi;
-  const S rough_change_theta = c3 * rough_impulse_y_rolling_along * sin_chi_minus_psi;
-  const S correction_y_rolling_around = r_minus_R_chi_dot - r_phi_dot_cos_theta - r_psi_dot
-      - r * rough_change_psi - c2 * rough_impulse_y_rolling_around
-      - c4 * rough_impulse_y_rolling_along * inv_sin_theta * cos_theta * cos_chi_minus_psi;
-  const S correction_y_rolling_along = -(zeta_dot + t1 + t2 + rough_change_zeta
-      + c4 * rough_impulse_y_rolling_along);
-  const S change_chi = c5 * correction_y_rolling_around + rough_change_chi;
+  const S t3 = cos_chi_minus_psi / sin_theta;
+  const S t4 = c3 * t3;
+  const S rough_change_phi = t4 * rough_impulse_y_rolling_along;
+  const S t5 = rough_impulse_y_rolling_along * cos_theta;
+  const S rough_change_psi = c3 * rough_impulse_y_rolling_around - t4 * t5;
+  const S correction_y_rolling_around = r_minus_R_chi_dot - r_psi_dot - r * rough_change_psi
+      - c2 * rough_impulse_y_rolling_around - c4 * t5 * t3 - r_phi_dot_cos_theta;
+  const S correction_y_rolling_along = -(zeta_dot + t1 + rough_change_zeta
+      + c4 * rough_impulse_y_rolling_along + t2);
+  const S change_chi = c5 * (correction_y_rolling_around + rough_impulse_y_rolling_around);
   const S change_zeta = c2 * correction_y_rolling_along + rough_change_zeta;
-  const S change_phi = c3 * correction_y_rolling_along * inv_sin_theta * cos_chi_minus_psi + rough_change_phi;
-  const S change_psi = rough_change_psi - c3 * correction_y_rolling_along * inv_sin_theta * cos_theta
-      * cos_chi_minus_psi + c3 * correction_y_rolling_around;
-  const S change_theta = c3 * correction_y_rolling_along * sin_chi_minus_psi + rough_change_theta;
+  const S t6 = t4 * correction_y_rolling_along;
+  const S change_phi = t6 + rough_change_phi;
+  const S change_psi = rough_change_psi + c3 * correction_y_rolling_around - t6 * cos_theta;
+  const S change_theta = c3 * sin_chi_minus_psi
+      * (correction_y_rolling_along + rough_impulse_y_rolling_along);
   const S chi_rate = chi_dot + change_chi;
   const S zeta_rate = zeta_dot + change_zeta;
   const S phi_rate = phi_dot + change_phi;
@@ -1254,8 +1249,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S sin_theta_2 = sin_theta * sin_theta;
   const S G_pivot_psi = J * sin_theta_2;
   const S squares_rolling_around = r_2_plus_rho_2 + r_2 * cos_theta * cos_theta;
-  const S squares_rolling_along = S(1) + r_2 * sin_theta_2 * cos_chi_minus_psi * cos_chi_minus_psi
-      + r_2 * sin_chi_minus_psi * sin_chi_minus_psi;
+  const S squares_rolling_along = S(1) + r_2
+      * (sin_chi_minus_psi * sin_chi_minus_psi + sin_theta_2 * cos_chi_minus_psi * cos_chi_minus_psi);
 
   state.chi() = chi;
   state.zeta() = zeta;

@@ -36,17 +36,17 @@
 //
 // Operations per call
 //                      + -  *   /  sqrt  functions
-//   prepare            6    31  6  0     0
-//   rhs                20   55  2  0     2
-//   reactions          13   45  2  0     2
-//   rhs_and_reactions  21   62  2  0     2
-//   reaction_forces    17   57  2  0     2
-//   energy             8    15  0  0     0
-//   compulsion         11   27  0  0     2
-//   residuals          12   20  0  0     2
+//   prepare            8    29  5  0     0
+//   rhs                20   46  2  0     2
+//   reactions          13   35  2  0     2
+//   rhs_and_reactions  21   51  2  0     2
+//   reaction_forces    15   41  2  0     2
+//   energy             8    13  0  0     0
+//   compulsion         11   22  0  0     2
+//   residuals          12   18  0  0     2
 //   mass_matrix        3    4   0  0     0
-//   project            22   30  1  1     2
-//   initial_state      9    25  4  0     6
+//   project            19   23  1  1     2
+//   initial_state      9    25  2  0     6
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_QUATERNION_HPP
 #define GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_QUATERNION_HPP
@@ -293,19 +293,20 @@ struct Prepared {
   S rho;                    ///< R - r
   S G_chi_chi;              ///< m * (R - r)^2
   S least_G_pivot;          ///< min(J, min(m, m * (R - r)^2))
+  S c2;                     ///< R - (R - r)
   S rho_2;                  ///< (R - r)^2
   S half_m;                 ///< 0.5 * m
   S half_J;                 ///< 0.5 * J
-  S J_2;                    ///< J^2
   S half_inv_m;             ///< 0.5 / m
-  S half_inv_J;             ///< 0.5 / J
+  S half_J_2;               ///< 0.5 * J
   S r_minus_R;              ///< r - R
-  S c2;                     ///< 1 / (m * (1 / m + r^2 / J))
-  S c3;                     ///< r^2 / (J * (1 / m + r^2 / J))
-  S c4;                     ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
-  S c5;                     ///< r / (J * (1 / m + r^2 / J))
+  S c3;                     ///< 1 / (m * (1 / m + r^2 / J))
+  S c4;                     ///< r^2 / (J * (1 / m + r^2 / J))
+  S c5;                     ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
+  S c6;                     ///< r / (J * (1 / m + r^2 / J))
   S inv_m_plus_r_2_over_J;  ///< 1 / m + r^2 / J
   S least_cube;
+  S c7;                     ///< 1 / (m * (1 / m + r^2 / J)) + r^2 / (J * (1 / m + r^2 / J))
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -454,10 +455,13 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S M_chi_chi = G_chi_chi + J * rho_2 / r_2;
   const S t1 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
   const S least_G_pivot = Math<S>::select(Math<S>::less(J, t1), J, t1);
+  const S half_J = S(0.5) * J;
   const S inv_m = S(1) / m;
   const S inv_J = S(1) / J;
   const S inv_m_plus_r_2_over_J = inv_m + r_2 * inv_J;
   const S inv_inv_m_plus_r_2_over_J = S(1) / inv_m_plus_r_2_over_J;
+  const S c3 = inv_m * inv_inv_m_plus_r_2_over_J;
+  const S c4 = r_2 * inv_J * inv_inv_m_plus_r_2_over_J;
   const S squares_rolling_along = S(1) + r_2;
   const S squares_rolling_along_3 = squares_rolling_along * squares_rolling_along * squares_rolling_along;
   const S inv_m_plus_r_2_over_J_3 = inv_m_plus_r_2_over_J * inv_m_plus_r_2_over_J * inv_m_plus_r_2_over_J;
@@ -486,19 +490,20 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.rho = rho;
   prepared.G_chi_chi = G_chi_chi;
   prepared.least_G_pivot = least_G_pivot;
+  prepared.c2 = R - rho;
   prepared.rho_2 = rho_2;
   prepared.half_m = S(0.5) * m;
-  prepared.half_J = S(0.5) * J;
-  prepared.J_2 = J * J;
+  prepared.half_J = half_J;
   prepared.half_inv_m = S(0.5) * inv_m;
-  prepared.half_inv_J = S(0.5) * inv_J;
+  prepared.half_J_2 = half_J;
   prepared.r_minus_R = r - R;
-  prepared.c2 = inv_m * inv_inv_m_plus_r_2_over_J;
-  prepared.c3 = r_2 * inv_J * inv_inv_m_plus_r_2_over_J;
-  prepared.c4 = inv_m * inv_inv_m_plus_r_2_over_J / rho;
-  prepared.c5 = r * inv_J * inv_inv_m_plus_r_2_over_J;
+  prepared.c3 = c3;
+  prepared.c4 = c4;
+  prepared.c5 = inv_m * inv_inv_m_plus_r_2_over_J / rho;
+  prepared.c6 = r * inv_J * inv_inv_m_plus_r_2_over_J;
   prepared.inv_m_plus_r_2_over_J = inv_m_plus_r_2_over_J;
   prepared.least_cube = least_cube;
+  prepared.c7 = c3 + c4;
   return prepared;
 }
 
@@ -532,7 +537,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   Math<S>::sincos(chi, sin_chi, cos_chi);
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 48
-  const S drift_rolling_along = r * (chi_dot * wx * cos_chi + chi_dot * wy * sin_chi);
+  const S drift_rolling_along = r * chi_dot * (wx * cos_chi + wy * sin_chi);
 
   // reduced metric C^T g C of the independent accelerations
   const S sin_chi_2 = sin_chi * sin_chi;
@@ -541,27 +546,37 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S M_wy_wy = J + m_r_2 * cos_chi_2;
 
   // right-hand side of (3.7): C^T (f - g drift)
+  const S beta_rolling_along_wx = r * sin_chi;
   const S t1 = m_g - m * drift_rolling_along;
-  const S F_wx = r * sin_chi * t1;
+  const S F_wx = beta_rolling_along_wx * t1;
 
   // C^T g C = L D L^T
   const S inv_M_wx_wx = S(1) / M_wx_wx;
-  const S M_pivot_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
+  const S M_pivot_wy = M_wy_wy - m_2_r_4 * sin_chi_2 * cos_chi_2 * inv_M_wx_wx;
 
   // independent accelerations (3.7)
-  const S a_y_wy = m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi - r * cos_chi * t1;
-  const S inv_M_pivot_wy = S(1) / M_pivot_wy;
-  const S a_wy = inv_M_pivot_wy * a_y_wy;
-  const S a_wx = m_r_2 * inv_M_pivot_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
+  const S c_zeta_wy = r * cos_chi;
+  const S F_wy = c_zeta_wy * t1;
+  const S t2 = m_r_2 * inv_M_wx_wx * sin_chi * cos_chi;
+  const S a_y_wy = F_wy - t2 * F_wx;
+  const S a_y_wy_over_M_pivot_wy = a_y_wy / M_pivot_wy;
+  const S a_wy = -a_y_wy_over_M_pivot_wy;
+  const S a_wx = t2 * a_y_wy_over_M_pivot_wy - F_wx * inv_M_wx_wx;
+  const S a_wx_2 = -a_wx;
 
   // dependent accelerations (3.6)
-  const S a_zeta = r * inv_M_pivot_wy * a_y_wy * cos_chi - drift_rolling_along - r * a_wx * sin_chi;
+  const S a_zeta = drift_rolling_along - beta_rolling_along_wx * a_wx + c_zeta_wy * a_y_wy_over_M_pivot_wy;
+  const S a_zeta_2 = -a_zeta;
 
   // rates of the quaternions: half the product with (0, omega) (theory.md, section 5)
-  const S e0_dot = -S(0.5) * (e1 * wx + e2 * wy + e3 * wz);
-  const S e1_dot = S(0.5) * (e0 * wx - e2 * wz + e3 * wy);
-  const S e2_dot = S(0.5) * (e0 * wy + e1 * wz - e3 * wx);
-  const S e3_dot = S(0.5) * (e0 * wz - e1 * wy + e2 * wx);
+  const S e0_dot_scaled = e1 * wx + e2 * wy + e3 * wz;
+  const S e0_dot = -S(0.5) * e0_dot_scaled;
+  const S e1_dot_scaled = e0 * wx - e2 * wz + e3 * wy;
+  const S e1_dot = S(0.5) * e1_dot_scaled;
+  const S e2_dot_scaled = e0 * wy + e1 * wz - e3 * wx;
+  const S e2_dot = S(0.5) * e2_dot_scaled;
+  const S e3_dot_scaled = e0 * wz - e1 * wy + e2 * wx;
+  const S e3_dot = S(0.5) * e3_dot_scaled;
 
   // Results
   const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
@@ -573,8 +588,8 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.e2_dot() = e2_dot;
   derivative.e3_dot() = e3_dot;
   derivative.chi_ddot() = S(0);
-  derivative.zeta_ddot() = a_zeta;
-  derivative.wx_dot() = a_wx;
+  derivative.zeta_ddot() = a_zeta_2;
+  derivative.wx_dot() = a_wx_2;
   derivative.wy_dot() = a_wy;
   derivative.wz_dot() = S(0);
 
@@ -582,7 +597,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
       Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
-      e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy);
+      e0_dot, e1_dot, e2_dot, e3_dot, a_zeta_2, a_wx_2, a_wy);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
       Math<S>::less(S(1.015625), norm_squared));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
@@ -619,7 +634,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   Math<S>::sincos(chi, sin_chi, cos_chi);
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 48
-  const S drift_rolling_along = r * (chi_dot * wx * cos_chi + chi_dot * wy * sin_chi);
+  const S drift_rolling_along = r * chi_dot * (wx * cos_chi + wy * sin_chi);
 
   // reduced metric C^T g C of the independent accelerations
   const S sin_chi_2 = sin_chi * sin_chi;
@@ -628,27 +643,30 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S M_wy_wy = J + m_r_2 * cos_chi_2;
 
   // right-hand side of (3.7): C^T (f - g drift)
+  const S beta_rolling_along_wx = r * sin_chi;
   const S t1 = m_g - m * drift_rolling_along;
-  const S F_wx = r * sin_chi * t1;
+  const S F_wx = beta_rolling_along_wx * t1;
 
   // C^T g C = L D L^T
   const S inv_M_wx_wx = S(1) / M_wx_wx;
-  const S M_pivot_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
+  const S M_pivot_wy = M_wy_wy - m_2_r_4 * sin_chi_2 * cos_chi_2 * inv_M_wx_wx;
 
   // independent accelerations (3.7)
-  const S a_y_wy = m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi - r * cos_chi * t1;
-  const S inv_M_pivot_wy = S(1) / M_pivot_wy;
-  const S a_wx = m_r_2 * inv_M_pivot_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
+  const S c_zeta_wy = r * cos_chi;
+  const S t2 = m_r_2 * inv_M_wx_wx * sin_chi * cos_chi;
+  const S a_y_wy = t2 * F_wx - c_zeta_wy * t1;
+  const S a_y_wy_over_M_pivot_wy = a_y_wy / M_pivot_wy;
+  const S a_wx = t2 * a_y_wy_over_M_pivot_wy + F_wx * inv_M_wx_wx;
 
   // dependent accelerations (3.6)
-  const S a_zeta = r * inv_M_pivot_wy * a_y_wy * cos_chi - drift_rolling_along - r * a_wx * sin_chi;
+  const S a_zeta = c_zeta_wy * a_y_wy_over_M_pivot_wy - drift_rolling_along - beta_rolling_along_wx * a_wx;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
 
   // Results
-  const S rolling_along_generalized_2 = r * excess_zeta * sin_chi;
-  const S rolling_along_generalized_3 = -r * excess_zeta * cos_chi;
+  const S rolling_along_generalized_2 = beta_rolling_along_wx * excess_zeta;
+  const S rolling_along_generalized_3 = -c_zeta_wy * excess_zeta;
   const S rho_generalized = -m_rho * chi_dot * chi_dot;
   const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
 
@@ -708,7 +726,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   Math<S>::sincos(chi, sin_chi, cos_chi);
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 48
-  const S drift_rolling_along = r * (chi_dot * wx * cos_chi + chi_dot * wy * sin_chi);
+  const S drift_rolling_along = r * chi_dot * (wx * cos_chi + wy * sin_chi);
 
   // reduced metric C^T g C of the independent accelerations
   const S sin_chi_2 = sin_chi * sin_chi;
@@ -717,34 +735,44 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S M_wy_wy = J + m_r_2 * cos_chi_2;
 
   // right-hand side of (3.7): C^T (f - g drift)
+  const S beta_rolling_along_wx = r * sin_chi;
   const S t1 = m_g - m * drift_rolling_along;
-  const S F_wx = r * sin_chi * t1;
+  const S F_wx = beta_rolling_along_wx * t1;
 
   // C^T g C = L D L^T
   const S inv_M_wx_wx = S(1) / M_wx_wx;
-  const S M_pivot_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
+  const S M_pivot_wy = M_wy_wy - m_2_r_4 * sin_chi_2 * cos_chi_2 * inv_M_wx_wx;
 
   // independent accelerations (3.7)
-  const S a_y_wy = m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi - r * cos_chi * t1;
-  const S inv_M_pivot_wy = S(1) / M_pivot_wy;
-  const S a_wy = inv_M_pivot_wy * a_y_wy;
-  const S a_wx = m_r_2 * inv_M_pivot_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
+  const S c_zeta_wy = r * cos_chi;
+  const S F_wy = c_zeta_wy * t1;
+  const S t2 = m_r_2 * inv_M_wx_wx * sin_chi * cos_chi;
+  const S a_y_wy = F_wy - t2 * F_wx;
+  const S a_y_wy_over_M_pivot_wy = a_y_wy / M_pivot_wy;
+  const S a_wy = -a_y_wy_over_M_pivot_wy;
+  const S a_wx = t2 * a_y_wy_over_M_pivot_wy - F_wx * inv_M_wx_wx;
+  const S a_wx_2 = -a_wx;
 
   // dependent accelerations (3.6)
-  const S a_zeta = r * inv_M_pivot_wy * a_y_wy * cos_chi - drift_rolling_along - r * a_wx * sin_chi;
+  const S a_zeta = drift_rolling_along - beta_rolling_along_wx * a_wx + c_zeta_wy * a_y_wy_over_M_pivot_wy;
+  const S a_zeta_2 = -a_zeta;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
-  const S excess_zeta = m_g + m * a_zeta;
+  const S excess_zeta = m_g - m * a_zeta;
 
   // rates of the quaternions: half the product with (0, omega) (theory.md, section 5)
-  const S e0_dot = -S(0.5) * (e1 * wx + e2 * wy + e3 * wz);
-  const S e1_dot = S(0.5) * (e0 * wx - e2 * wz + e3 * wy);
-  const S e2_dot = S(0.5) * (e0 * wy + e1 * wz - e3 * wx);
-  const S e3_dot = S(0.5) * (e0 * wz - e1 * wy + e2 * wx);
+  const S e0_dot_scaled = e1 * wx + e2 * wy + e3 * wz;
+  const S e0_dot = -S(0.5) * e0_dot_scaled;
+  const S e1_dot_scaled = e0 * wx - e2 * wz + e3 * wy;
+  const S e1_dot = S(0.5) * e1_dot_scaled;
+  const S e2_dot_scaled = e0 * wy + e1 * wz - e3 * wx;
+  const S e2_dot = S(0.5) * e2_dot_scaled;
+  const S e3_dot_scaled = e0 * wz - e1 * wy + e2 * wx;
+  const S e3_dot = S(0.5) * e3_dot_scaled;
 
   // Results
-  const S rolling_along_generalized_2 = r * excess_zeta * sin_chi;
-  const S rolling_along_generalized_3 = -r * excess_zeta * cos_chi;
+  const S rolling_along_generalized_2 = beta_rolling_along_wx * excess_zeta;
+  const S rolling_along_generalized_3 = -c_zeta_wy * excess_zeta;
   const S rho_generalized = -m_rho * chi_dot * chi_dot;
   const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
 
@@ -755,8 +783,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   derivative.e2_dot() = e2_dot;
   derivative.e3_dot() = e3_dot;
   derivative.chi_ddot() = S(0);
-  derivative.zeta_ddot() = a_zeta;
-  derivative.wx_dot() = a_wx;
+  derivative.zeta_ddot() = a_zeta_2;
+  derivative.wx_dot() = a_wx_2;
   derivative.wy_dot() = a_wy;
   derivative.wz_dot() = S(0);
   reactions.rolling_around.multiplier = S(0);
@@ -777,7 +805,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
       Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
-      e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy, excess_zeta, rolling_along_generalized_2,
+      e0_dot, e1_dot, e2_dot, e3_dot, a_zeta_2, a_wx_2, a_wy, excess_zeta, rolling_along_generalized_2,
       rolling_along_generalized_3, rho_generalized);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
       Math<S>::less(S(1.015625), norm_squared));
@@ -794,7 +822,6 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
   const S& r = prepared.r;
-  const S& R = prepared.R;
   const S& J = prepared.J;
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
@@ -802,8 +829,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& M_chi_chi = prepared.M_chi_chi;
   const S& c1 = prepared.c1;
   const S& m_rho = prepared.m_rho;
-  const S& rho = prepared.rho;
   const S& least_G_pivot = prepared.least_G_pivot;
+  const S& c2 = prepared.c2;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
   const S& e0 = state.e0();
@@ -821,7 +848,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   Math<S>::sincos(chi, sin_chi, cos_chi);
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 48
-  const S drift_rolling_along = r * (chi_dot * wx * cos_chi + chi_dot * wy * sin_chi);
+  const S drift_rolling_along = r * chi_dot * (wx * cos_chi + wy * sin_chi);
 
   // reduced metric C^T g C of the independent accelerations
   const S sin_chi_2 = sin_chi * sin_chi;
@@ -830,38 +857,39 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S M_wy_wy = J + m_r_2 * cos_chi_2;
 
   // right-hand side of (3.7): C^T (f - g drift)
+  const S beta_rolling_along_wx = r * sin_chi;
   const S t1 = m_g - m * drift_rolling_along;
-  const S F_wx = r * sin_chi * t1;
+  const S F_wx = beta_rolling_along_wx * t1;
 
   // C^T g C = L D L^T
   const S inv_M_wx_wx = S(1) / M_wx_wx;
-  const S M_pivot_wy = M_wy_wy - m_2_r_4 * inv_M_wx_wx * sin_chi_2 * cos_chi_2;
+  const S M_pivot_wy = M_wy_wy - m_2_r_4 * sin_chi_2 * cos_chi_2 * inv_M_wx_wx;
 
   // independent accelerations (3.7)
-  const S a_y_wy = m_r_2 * F_wx * inv_M_wx_wx * sin_chi * cos_chi - r * cos_chi * t1;
-  const S inv_M_pivot_wy = S(1) / M_pivot_wy;
-  const S a_wx = m_r_2 * inv_M_pivot_wy * inv_M_wx_wx * a_y_wy * sin_chi * cos_chi + F_wx * inv_M_wx_wx;
+  const S c_zeta_wy = r * cos_chi;
+  const S t2 = m_r_2 * inv_M_wx_wx * sin_chi * cos_chi;
+  const S a_y_wy = t2 * F_wx - c_zeta_wy * t1;
+  const S a_y_wy_over_M_pivot_wy = a_y_wy / M_pivot_wy;
+  const S a_wx = t2 * a_y_wy_over_M_pivot_wy + F_wx * inv_M_wx_wx;
 
   // dependent accelerations (3.6)
-  const S a_zeta = r * inv_M_pivot_wy * a_y_wy * cos_chi - drift_rolling_along - r * a_wx * sin_chi;
+  const S a_zeta = c_zeta_wy * a_y_wy_over_M_pivot_wy - drift_rolling_along - beta_rolling_along_wx * a_wx;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
 
   // force and moment of rolling_along: m J z and I W z, times its reaction, model line 48
-  const S moment_rolling_along_ball_x = r * excess_zeta * sin_chi
-      - excess_zeta * (R * sin_chi - rho * sin_chi);
-  const S moment_rolling_along_ball_y = excess_zeta * (R * cos_chi - rho * cos_chi)
-      - r * excess_zeta * cos_chi;
+  const S moment_rolling_along_ball_x = (beta_rolling_along_wx - c2 * sin_chi) * excess_zeta;
+  const S moment_rolling_along_ball_y = -(c_zeta_wy - c2 * cos_chi) * excess_zeta;
 
   // force and moment of rho: m J z and I W z, times its reaction, model line 20
-  const S chi_dot_2 = chi_dot * chi_dot;
-  const S force_rho_ball_x = -m_rho * chi_dot_2 * cos_chi;
-  const S force_rho_ball_y = -m_rho * chi_dot_2 * sin_chi;
+  const S t3 = m_rho * chi_dot * chi_dot;
+  const S force_rho_ball_x = -t3 * cos_chi;
+  const S force_rho_ball_y = -t3 * sin_chi;
 
   // all constraint forces on ball: m a - F and d(I omega)/dt - M (theory.md, section 4)
   const S moment_on_ball_x = J * a_wx;
-  const S moment_on_ball_y = J * inv_M_pivot_wy * a_y_wy;
+  const S moment_on_ball_y = J * a_y_wy_over_M_pivot_wy;
 
   // Results
   const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
@@ -925,8 +953,8 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   const S& wz = state.wz();
 
   // energies
-  const S kinetic_energy = half_m * (zeta_dot * zeta_dot + rho_2 * chi_dot * chi_dot) + half_J * wx * wx
-      + half_J * wy * wy + half_J * wz * wz;
+  const S kinetic_energy = half_m * (zeta_dot * zeta_dot + rho_2 * chi_dot * chi_dot)
+      + half_J * (wx * wx + wy * wy + wz * wz);
   const S potential_energy = m_g * zeta;
 
   // Results
@@ -954,9 +982,8 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S& m = prepared.m;
   const S& m_g = prepared.m_g;
   const S& rho = prepared.rho;
-  const S& J_2 = prepared.J_2;
   const S& half_inv_m = prepared.half_inv_m;
-  const S& half_inv_J = prepared.half_inv_J;
+  const S& half_J_2 = prepared.half_J_2;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
   const S& e0 = state.e0();
@@ -979,14 +1006,17 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   Math<S>::sincos(chi, sin_chi, cos_chi);
 
   // deviation of ball from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
+  const S rho_cos_chi = rho * cos_chi;
+  const S chi_dot_2 = chi_dot * chi_dot;
+  const S rho_sin_chi = rho * sin_chi;
+  const S deviation_ball_y = m * (chi_ddot * rho_cos_chi - chi_dot_2 * rho_sin_chi);
   const S deviation_ball_z = m_g + m * zeta_ddot;
 
   // Results
-  const S chi_dot_2 = chi_dot * chi_dot;
-  const S t1 = m * (rho * chi_dot_2 * cos_chi + rho * chi_ddot * sin_chi);
-  const S t2 = m * (rho * chi_dot_2 * sin_chi - rho * chi_ddot * cos_chi);
-  const S Z = half_inv_m * (t1 * t1 + t2 * t2 + deviation_ball_z * deviation_ball_z)
-      + half_inv_J * (J_2 * wx_dot * wx_dot + J_2 * wy_dot * wy_dot + J_2 * wz_dot * wz_dot);
+  const S t1 = m * (chi_ddot * rho_sin_chi + chi_dot_2 * rho_cos_chi);
+  const S Z = half_inv_m * (t1 * t1 + deviation_ball_y * deviation_ball_y
+      + deviation_ball_z * deviation_ball_z)
+      + half_J_2 * (wx_dot * wx_dot + wy_dot * wy_dot + wz_dot * wz_dot);
   const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
 
   compulsion.Z = Z;
@@ -1030,7 +1060,7 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
   Math<S>::sincos(chi, sin_chi, cos_chi);
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 48
-  const S drift_rolling_along = r * (chi_dot * wx * cos_chi + chi_dot * wy * sin_chi);
+  const S drift_rolling_along = r * chi_dot * (wx * cos_chi + wy * sin_chi);
 
   // Results
   const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
@@ -1038,7 +1068,7 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
   const S velocity_0 = r * wz - r_minus_R * chi_dot;
   const S velocity_1 = zeta_dot + r * (wx * sin_chi - wy * cos_chi);
   const S acceleration_0 = r * wz_dot + rho * chi_ddot;
-  const S acceleration_1 = zeta_ddot + drift_rolling_along + r * wx_dot * sin_chi - r * wy_dot * cos_chi;
+  const S acceleration_1 = zeta_ddot + drift_rolling_along + r * (wx_dot * sin_chi - wy_dot * cos_chi);
 
   residuals.quaternion[0] = quaternion_0;
   residuals.velocity[0] = velocity_0;
@@ -1117,12 +1147,13 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S r = prepared.r;
   const S least_G_pivot = prepared.least_G_pivot;
   const S r_minus_R = prepared.r_minus_R;
-  const S c2 = prepared.c2;
   const S c3 = prepared.c3;
   const S c4 = prepared.c4;
   const S c5 = prepared.c5;
+  const S c6 = prepared.c6;
   const S inv_m_plus_r_2_over_J = prepared.inv_m_plus_r_2_over_J;
   const S least_cube = prepared.least_cube;
+  const S c7 = prepared.c7;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S e0 = from.e0();
@@ -1149,24 +1180,20 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S rough_impulse_y_rolling_around = r_minus_R_chi_dot - r_wz;
   const S t1 = r * (wx * sin_chi - wy * cos_chi);
   const S rough_impulse_y_rolling_along = -(zeta_dot + t1);
-  const S rough_change_chi = c4 * rough_impulse_y_rolling_around;
-  const S rough_change_zeta = c2 * rough_impulse_y_rolling_along;
-  const S rough_change_wx = c5 * rough_impulse_y_rolling_along * sin_chi;
-  const S rough_change_wz = c5 * rough_impulse_y_rolling_around;
-  const S correction_y_rolling_around = r_minus_R_chi_dot - r_wz - c2 * rough_impulse_y_rolling_around
-      - c3 * rough_impulse_y_rolling_around;
+  const S rough_change_zeta = c3 * rough_impulse_y_rolling_along;
+  const S correction_y_rolling_around = r_minus_R_chi_dot - r_wz - c7 * rough_impulse_y_rolling_around;
   const S correction_y_rolling_along = -(zeta_dot + t1 + rough_change_zeta
-      + c3 * rough_impulse_y_rolling_along);
-  const S change_chi = c4 * correction_y_rolling_around + rough_change_chi;
-  const S change_zeta = c2 * correction_y_rolling_along + rough_change_zeta;
-  const S change_wx = c5 * correction_y_rolling_along * sin_chi + rough_change_wx;
-  const S change_wy = -(c5 * correction_y_rolling_along * cos_chi
-      + c5 * rough_impulse_y_rolling_along * cos_chi);
-  const S change_wz = c5 * correction_y_rolling_around + rough_change_wz;
+      + c4 * rough_impulse_y_rolling_along);
+  const S t2 = correction_y_rolling_around + rough_impulse_y_rolling_around;
+  const S change_chi = c5 * t2;
+  const S change_zeta = c3 * correction_y_rolling_along + rough_change_zeta;
+  const S t3 = correction_y_rolling_along + rough_impulse_y_rolling_along;
+  const S change_wx = c6 * sin_chi * t3;
+  const S change_wz = c6 * t2;
   const S chi_rate = chi_dot + change_chi;
   const S zeta_rate = zeta_dot + change_zeta;
   const S wx_rate = wx + change_wx;
-  const S wy_rate = wy + change_wy;
+  const S wy_rate = wy - c6 * cos_chi * t3;
   const S wz_rate = wz + change_wz;
 
   // Results

@@ -266,6 +266,21 @@ class Package(unittest.TestCase):
                 self.assertNotIn("mass_matrix(", (self.build / "gauss/app/pendulum.hpp").read_text(encoding="utf-8"))
                 self.assert_pendulum(LENGTH)
 
+    def test_two_sizes_of_a_model_go_into_one_program(self):
+        shutil.copy(SOURCE / "models/families/planar_chain_absolute.yaml", self.source / "chain.yaml")
+        (self.source / "CMakeLists.txt").write_text(
+            PROJECT + "gauss_add_model(TARGET app MODEL chain.yaml COUNTS n=2 OUTPUTS rhs)\n"
+                      "gauss_add_model(TARGET app MODEL chain.yaml COUNTS n=3 OUTPUTS rhs)\n", encoding="utf-8")
+        includes = "".join(f'#include "planar_chain_absolute_{n}.hpp"\n' for n in (2, 3))
+        (self.source / "main.cpp").write_text(
+            includes + MAIN + "static_assert(sizeof(gauss::planar_chain_absolute_2::State<double>) == 4 * sizeof(double));\n"
+                              "static_assert(sizeof(gauss::planar_chain_absolute_3::State<double>) == 6 * sizeof(double));\n",
+            encoding="utf-8")
+        self.configure(ANY_GENERATOR)
+        self.make()
+        self.assert_pendulum(LENGTH)
+        self.assertNotIn("Generating", self.make())
+
     def test_nothing_is_generated_twice_in_a_folder_that_depfiles_cannot_name(self):
         # With a '#', what CMake writes for make cannot be read by make.
         for generator, program, sign in (("Ninja", "ninja", "$"), ("Unix Makefiles", "make", "$"), ("Ninja", "ninja", "#"),

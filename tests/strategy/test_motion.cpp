@@ -130,7 +130,7 @@ TEST_CASE("the models contain every way to solve: no constraints, elimination of
     EmittedNumbers emitted(c);
     return emitted.mechanics().solution.description;
   };
-  CHECK_THAT(description("skew_chart"), Catch::Contains("no nonholonomic constraints"));
+  CHECK_THAT(description("skew_chart"), Catch::StartsWith("Z minimised body by body"));
   CHECK_THAT(description("coupled_drives"), Catch::StartsWith("elimination (3.6)-(3.7)"));
   CHECK_THAT(description("driven_gyroscope"), Catch::StartsWith("multiplier form (3.4)"));
   const Case c = case_of("coupled_drives", 1);

@@ -30,7 +30,7 @@ struct Points {
 std::vector<Points> points_of(const Mechanics& mechanics, const BareSystem& bare) {
   std::vector<Points> result;
   std::size_t next = 0;
-  for (const auto& body : mechanics.kinematics.bodies) {
+  for (const auto& body : *mechanics.kinematics.bodies) {
     const std::size_t count = body.is_rigid ? 6 : 1;
     result.push_back({body.name, body.is_rigid, next, next + count});
     next += count;
