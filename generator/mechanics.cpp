@@ -33,7 +33,16 @@ std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics) {
   const auto linkage = kinematics::build_linkage(mechanics.model, mechanics.symbols, mechanics.expressions, hold);
   if (!linkage) return std::nullopt;
   const kinematics::Kinematics& kinematics = mechanics.kinematics;
-  strategy::TreeProblem problem{*linkage, mechanics.symbols, kinematics.field, {}, ""};
+  VanishesEverywhere vanishes_everywhere(mechanics);
+  const strategy::Dynamics& dynamics = mechanics.dynamics;
+  strategy::TreeProblem problem{*linkage,
+                                mechanics.symbols,
+                                kinematics.field,
+                                {},
+                                {kinematics, dynamics.b, dynamics.b_drift,
+                                 [&](ir::Expr e) { return mechanics.expressions.rate(e); },
+                                 [&](ir::Expr e) { return e.is_zero() || vanishes_everywhere(e); }},
+                                ""};
   for (const auto i : mechanics.symbols.speeds.indices()) {
     const auto a = mechanics.symbols.full(i);
     problem.forces.push_back(kinematics.body_force[a] + kinematics.other_force[a]);
@@ -90,6 +99,14 @@ strategy::Solution solved_constrained(const Mechanics& mechanics, const strategy
 
 strategy::Solution solved(Mechanics& mechanics, const MechanicsOptions& options, strategy::Steps& steps) {
   if (mechanics.dynamics.l() == 0) return solved_unconstrained(mechanics, steps);
+  if (std::getenv("GAUSS_METRIC") == nullptr) {
+    std::optional<strategy::Candidate> tree = solved_as_tree(mechanics);
+    if (tree) {
+      tree->solution.description = k_about_tree;
+      return taken(std::move(*tree), "", steps);
+    }
+    std::fprintf(stderr, "no tree\n");
+  }
   return solved_constrained(mechanics, mechanics.dynamics, options, steps);
 }
 

@@ -54,7 +54,9 @@ void drop_vanishing_rows(model::Model& model, support::Diagnostics& diagnostics)
   report_idle(model, vanishing, diagnostics);
   const auto drops = [&](const Constraint& row) { return row.may_vanish && vanishing.count(row.name.text) > 0; };
   for (const Constraint& row : model.constraints) {
-    if (drops(row) && std::holds_alternative<model::PositionLaw>(row.law)) model.idle_closures.push_back(row.name.text);
+    if (!drops(row)) continue;
+    if (std::holds_alternative<model::PositionLaw>(row.law)) model.idle_closures.push_back(row.name.text);
+    if (std::holds_alternative<model::SlipLaw>(row.law)) model.idle_slips.push_back(row);
   }
   model.constraints.erase(std::remove_if(model.constraints.begin(), model.constraints.end(), drops),
                           model.constraints.end());

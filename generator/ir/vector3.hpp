@@ -15,6 +15,14 @@ inline Vector3 zero3(Graph& graph) {
   return {zero, zero, zero};
 }
 
+inline Vector3 unit_vector(Graph& graph, std::size_t axis) {
+  Vector3 result = zero3(graph);
+  result[axis] = {graph, graph.constant(1)};
+  return result;
+}
+
+inline Matrix3 identity3(Graph& graph) { return {unit_vector(graph, 0), unit_vector(graph, 1), unit_vector(graph, 2)}; }
+
 inline bool is_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
 
 inline Vector3 operator+(const Vector3& a, const Vector3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }

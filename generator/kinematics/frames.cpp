@@ -13,15 +13,9 @@ using model::k_space;
 
 namespace {
 
-Vector3 unit_vector(ir::Graph& graph, std::size_t axis) {
-  Vector3 v = ir::zero3(graph);
-  v[axis] = Expr(graph, graph.constant(1));
-  return v;
-}
-
 Matrix3 elementary_rotation(Expr angle, std::size_t axis) {
   ir::Graph& graph = angle.graph();
-  Matrix3 matrix{unit_vector(graph, 0), unit_vector(graph, 1), unit_vector(graph, 2)};
+  Matrix3 matrix = ir::identity3(graph);
   const std::size_t i = (axis + 1) % 3;
   const std::size_t j = (axis + 2) % 3;
   const Expr c = call(ir::Function::cos, angle);
@@ -69,8 +63,7 @@ Frames::Frames(const model::Model& model, const Symbols& symbols, Expressions& e
     : model_(model), symbols_(symbols), expressions_(expressions) {}
 
 Matrix3 Frames::identity() const {
-  ir::Graph& graph = expressions_.graph();
-  return {unit_vector(graph, 0), unit_vector(graph, 1), unit_vector(graph, 2)};
+  return ir::identity3(expressions_.graph());
 }
 
 Vector3 Frames::origin(std::size_t frame) {

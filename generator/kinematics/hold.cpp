@@ -23,6 +23,7 @@ void hold_coordinates(Holder& hold, Kinematics& kinematics) {
     kinematics.held_acceleration.push_back(acceleration);
   }
   hold(kinematics.constraints);
+  for (ConstraintRow& row : kinematics.idle_slips) hold(row);
   hold(kinematics.configuration_rates);
   hold(kinematics.speeds_at_rest);
   hold(kinematics.body_force);

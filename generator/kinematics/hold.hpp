@@ -64,6 +64,8 @@ class Holder {
     for (ConstraintAction& action : row.actions) {
       (*this)(action.point);
       (*this)(action.direction);
+      if (action.local) (*this)(action.local->components);
+      if (action.along_way) (*this)(*action.along_way);
     }
   }
 

@@ -40,6 +40,7 @@ class Builder {
                       {},
                       {},
                       {},
+                      {},
                       expressions_.configuration_rates(),
                       speeds_at_rest(),
                       {},
@@ -58,6 +59,10 @@ class Builder {
       ConstraintRow& row = result.constraints[ConstraintIndex{result.constraints.size() - 1}];
       find_carried(row);
       find_wandering(row);
+    }
+    for (const model::Constraint& constraint : model_.idle_slips) {
+      result.idle_slips.push_back(empty_row(constraint));
+      state(std::get<model::SlipLaw>(constraint.law), result.idle_slips.back());
     }
     for (const model::Frame& frame : model_.frames) result.frame_names.push_back(frame.name.text);
     for (std::size_t i = 0; i < model_.forces.size(); ++i) {
@@ -162,9 +167,12 @@ class Builder {
 
   Expr partial(Expr function, FullIndex i) { return partials_(function, i); }
 
+  ConstraintRow empty_row(const model::Constraint& constraint) const {
+    return {constraint.name.text, constraint.multiplier_unit, {}, number(0), {}, number(0), {}, true, {}, {}, {}};
+  }
+
   ConstraintRow constraint_row(const model::Constraint& constraint) {
-    ConstraintRow row{
-        constraint.name.text, constraint.multiplier_unit, {}, number(0), {}, number(0), {}, true, {}, {}, {}};
+    ConstraintRow row = empty_row(constraint);
     std::visit([&](const auto& law) { state(law, row); }, constraint.law);
     for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) {
       row.beta.push_back(partial(row.phi, i));
@@ -210,7 +218,8 @@ class Builder {
     for (const auto& [frame, symbols] : places.all()) {
       Vector3 direction = ir::zero3(graph_);
       for (std::size_t i = 0; i < 3; ++i) direction[i] = put_in(ir::partial(watched, symbols[i].rate));
-      row.actions.push_back({frame, expressions_.frames().origin(frame), direction});
+      row.actions.push_back({frame, expressions_.frames().origin(frame), direction,
+                             LocalDirection{frame, model::k_space, direction, pushed(frame)}});
     }
     for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) {
       row.beside.push_back(put_in(partial(watched, i)));
@@ -222,10 +231,15 @@ class Builder {
     const auto* place = std::get_if<std::size_t>(&law.at);
     const Vector3 point =
         place != nullptr ? frames.origin(*place) : expressions_(std::get<std::array<model::Ast, 3>>(law.at));
-    const Vector3 direction = ir::multiply(frames.axes(law.axes), expressions_(law.direction));
+    const Vector3 components = expressions_(law.direction);
+    const Vector3 direction = ir::multiply(frames.axes(law.axes), components);
     row.phi = dot(direction, velocity_at(law.frame, point) - velocity_at(law.surface, point));
     row.actions.push_back({law.frame, point, direction});
     row.actions.push_back({law.surface, point, -direction});
+    if (place != nullptr) {
+      row.actions[0].local = {*place, law.axes, components, law.frame};
+      row.actions[1].local = {*place, law.axes, -components, law.surface};
+    }
     row.beside = Components(symbols_.full_count(), number(0));
   }
 
@@ -395,8 +409,9 @@ class Builder {
 
   // A held coordinate takes this itself, as part of what it carries; along one that moves no body, no body feels it.
   void find_wandering(ConstraintRow& row) {
-    for (const ConstraintAction& action : row.actions) {
+    for (ConstraintAction& action : row.actions) {
       const Expr power = dot(action.direction, velocity_over(pushed(action.frame), action.frame));
+      action.along_way = power;
       for (const FreeIndex a : symbols_.speeds.indices()) {
         const FullIndex i = symbols_.full(a);
         if (moves_body(i)) row.beside[i] += partial(power, i);

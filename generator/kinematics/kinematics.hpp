@@ -31,11 +31,21 @@ struct BodyMotion {
   ir::Vector3 inertia_times(const ir::Vector3& a) const;
 };
 
+/// The direction of an action at the origin of a frame, as the model gives it.
+struct LocalDirection {
+  std::size_t place = model::k_space;  ///< frame at whose origin it acts
+  std::size_t axes = model::k_space;   ///< frame in whose axes the components are
+  ir::Vector3 components;
+  std::size_t carrier = model::k_space;  ///< what it acts on, of which `place` may be a point that wanders over it
+};
+
 /// ∂φ/∂v of a constraint on something fixed in a frame, at a place there now: times the multiplier, the force on it (theory section 4).
 struct ConstraintAction {
   std::size_t frame = model::k_space;
   ir::Vector3 point;      ///< m, space
   ir::Vector3 direction;  ///< space
+  std::optional<LocalDirection> local = {};
+  std::optional<ir::Expr> along_way = {};  ///< power per unit along the way of the place over what carries it
 };
 
 /// φ_μ with β_μA = ∂φ_μ/∂ẏ^A and φ̇_μ = β_μA ÿ^A + Θ_μ (Vujičić (3.1), theory section 3).
@@ -77,6 +87,7 @@ struct Kinematics {
   Symbols symbols;
   support::Lazy<support::Indexed<BodyIndex, BodyMotion>> bodies;
   support::Indexed<ConstraintIndex, ConstraintRow> constraints;
+  std::vector<ConstraintRow> idle_slips;  ///< rows that hold whatever the speeds are; their places only
   support::Lazy<std::vector<JointPlace>> joints;
   std::vector<std::string> frame_names;  ///< parallel to Model::frames
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates;

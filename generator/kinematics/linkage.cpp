@@ -2,12 +2,15 @@
 
 #include <algorithm>
 
+#include "ir/contract.hpp"
 #include "ir/differentiate.hpp"
+#include "ir/rotation.hpp"
 #include "ir/traverse.hpp"
 
 namespace gaussgen::kinematics {
 
 using ir::Expr;
+using ir::Matrix3;
 using ir::Vector3;
 using support::Rational;
 
@@ -31,6 +34,7 @@ class Builder {
       if (carries_[frame] != 0) add_frame(frame);
     }
     for (std::size_t body = 0; body < model_.bodies.size(); ++body) add_part(body);
+    for (std::size_t frame = 0; frame < model_.frames.size(); ++frame) result_.places.push_back(place(frame));
     return is_complete_ ? std::optional<Linkage>(std::move(result_)) : std::nullopt;
   }
 
@@ -59,7 +63,38 @@ class Builder {
 
   Vector3 held(const Vector3& v) { return {hold_(v[0]), hold_(v[1]), hold_(v[2])}; }
 
-  Link link(Link::Kind kind) const { return {kind, at_, name_, zero_, 0, {}, {zero_, zero_, zero_}, zero_, zero_, {}}; }
+  Link link(Link::Kind kind) const {
+    return {kind, at_, name_, zero_, 0, {}, {}, {zero_, zero_, zero_}, zero_, zero_, {}};
+  }
+
+  // What carries nothing with mass is no link of its own.
+  std::optional<Place> place(std::size_t index) {
+    const Matrix3 identity = ir::identity3(graph());
+    if (carries_[index] != 0) return Place{ends_[index], zero_, identity};
+    const model::Frame& frame = model_.frames[index];
+    std::optional<Place> result = frame.parent == model::k_space ? Place{k_ground, zero_, identity} : result_.places[frame.parent];
+    if (!result) return std::nullopt;
+    result->position = result->position + ir::multiply(result->axes, held(expressions_(frame.position)));
+    result->is_fixed = result->is_fixed && is_fixed(*result);
+    if (std::holds_alternative<std::monostate>(frame.attitude)) return result;
+    const auto* turns = std::get_if<model::Turns>(&frame.attitude);
+    if (turns == nullptr) return std::nullopt;
+    for (const model::Turn& turn : *turns) {
+      if (!std::holds_alternative<char>(turn.axis)) return std::nullopt;
+      const auto axis = static_cast<std::size_t>(std::get<char>(turn.axis) - 'x');
+      for (Vector3& row : result->axes) row = ir::turned(row, axis, -hold_(expressions_(turn.angle)));
+    }
+    result->is_fixed = result->is_fixed && is_fixed(*result);
+    return result;
+  }
+
+  bool is_fixed(const Place& place) const {
+    const auto is_constant = [](Expr e) { return ir::is_of_parameters(e.graph(), e.id()); };
+    const auto are_constant = [&](const Vector3& v) { return std::all_of(v.begin(), v.end(), is_constant); };
+    return are_constant(place.position) && std::all_of(place.axes.begin(), place.axes.end(), are_constant);
+  }
+
+  ir::Graph& graph() const { return expressions_.graph(); }
 
   void append(Link link) {
     find_freedoms(link);
@@ -86,7 +121,8 @@ class Builder {
     Link link = this->link(Link::Kind::turn);
     link.axis = static_cast<std::size_t>(std::get<char>(turn.axis) - 'x');
     link.angle = angle;
-    link.velocity[link.axis] = hold_(expressions_.rate(angle));
+    link.rate = hold_(expressions_.rate(angle));
+    link.velocity[link.axis] = *link.rate;
     link.drift[link.axis] = hold_(expressions_.rate(link.velocity[link.axis]));
     append(std::move(link));
   }

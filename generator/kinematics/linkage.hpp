@@ -34,6 +34,7 @@ struct Link {
 
   ir::Vector3 offset;             ///< m, of a shift
   std::size_t axis = 0;           ///< of a turn or spin
+  std::optional<ir::Expr> rate;   ///< of a turn, rad/s: of the new axes against those before, about the axis
   std::optional<ir::Expr> angle;  ///< likewise, rad
   ir::Matrix3 matrix;             ///< of a free turn: from the new axes to those before
   ir::Vector3 velocity;           ///< of the offset; or the relative angular velocity, in the new axes
@@ -50,9 +51,18 @@ struct Part {
   ir::Matrix3 inertia;  ///< about the mass centre, in the axes of the link; zero for particles
 };
 
+/// Where the origin of a frame is on the tree, and how its axes lie there.
+struct Place {
+  std::size_t link = k_ground;
+  ir::Vector3 position;  ///< m, in the axes of the link, from its origin
+  ir::Matrix3 axes;      ///< from those of the frame to those of the link
+  bool is_fixed = true;  ///< nothing of it moves against the link
+};
+
 struct Linkage {
-  std::vector<Link> links;  ///< parents first
-  std::vector<Part> parts;  ///< those that move
+  std::vector<Link> links;                    ///< parents first
+  std::vector<Part> parts;                    ///< those that move
+  std::vector<std::optional<Place>> places;  ///< of frames; nothing where they turn about axes in general position
 };
 
 /// Links that carry nothing with mass are left out. `hold` puts the laws of held coordinates in. Nothing for turns about

@@ -296,6 +296,7 @@ struct Model {
   std::vector<Joint> joints;
   std::vector<Body> bodies;
   std::vector<Constraint> constraints;
+  std::vector<Constraint> idle_slips;      ///< directions of `rolls` in which the motion is held anyway
   std::vector<std::string> idle_closures;  ///< rows of `coincide` that hold in every motion and are left out
   std::vector<Force> forces;
   std::vector<NamedQuantity> quantities;

@@ -4,31 +4,13 @@
 #include <tuple>
 
 #include "ir/cost.hpp"
-#include "ir/traverse.hpp"
+#include "strategy/safety.hpp"
 
 namespace gaussgen::strategy {
 
 using ir::Expr;
 
 namespace {
-
-/// How sure it is that a pivot cannot vanish; smaller is better.
-enum class Safety { number, parameter_monomial, unknown };
-
-Safety safety(Expr pivot) {
-  const ir::Graph& graph = pivot.graph();
-  const ir::Node& node = graph[pivot.id()];
-  if (pivot.is_zero()) return Safety::unknown;
-  if (node.kind == ir::Kind::constant) return Safety::number;
-  if (!ir::is_of_parameters(graph, pivot.id())) return Safety::unknown;
-  const std::vector<ir::NodeId> order = ir::post_order(graph, {pivot.id()});
-  const bool has_sum = std::any_of(order.begin(), order.end(), [&](ir::NodeId id) {
-    return graph[id].kind == ir::Kind::sum && (graph[id].children.size() > 1 || graph[id].value != 0);
-  });
-  // A difference of parameters can vanish, or keep nothing but rounding; a product only with one of its factors, and
-  // then status says so.
-  return has_sum ? Safety::unknown : Safety::parameter_monomial;
-}
 
 struct Pivot {
   Safety safety = Safety::unknown;

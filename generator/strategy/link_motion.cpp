@@ -1,6 +1,7 @@
 #include "strategy/link_motion.hpp"
 
 #include "ir/contract.hpp"
+#include "ir/rotation.hpp"
 
 namespace gaussgen::strategy {
 
@@ -10,7 +11,7 @@ using kinematics::k_ground;
 using kinematics::Link;
 
 LinkMotion::LinkMotion(const std::vector<Link>& links, Vector3 fall, std::string prefix)
-    : links_(links), fall_(std::move(fall)), prefix_(std::move(prefix)), drift_(links.size()) {}
+    : links_(links), fall_(std::move(fall)), prefix_(std::move(prefix)), drift_(links.size()), velocity_(links.size()), fall_at_(links.size()) {}
 
 Vector3 LinkMotion::turned(std::size_t i, const Vector3& v) const {
   const Link& link = links_[i];
@@ -21,6 +22,45 @@ Vector3 LinkMotion::turned(std::size_t i, const Vector3& v) const {
   result[p] = cosine(i) * v[p] + sine(i) * v[q];
   result[q] = cosine(i) * v[q] - sine(i) * v[p];
   return result;
+}
+
+Vector3 LinkMotion::turned_back(std::size_t i, const Vector3& v) const {
+  const Link& link = links_[i];
+  if (link.kind == Link::Kind::free) return ir::multiply(link.matrix, v);
+  return link.kind == Link::Kind::turn ? ir::turned(v, link.axis, *link.angle) : v;
+}
+
+// From the ground on, so that long chains need no stack.
+std::vector<std::size_t> LinkMotion::missing(const Found& found, std::size_t link) const {
+  std::vector<std::size_t> path;
+  for (std::size_t at = link; at != k_ground && !found[at]; at = links_[at].parent) path.insert(path.begin(), at);
+  return path;
+}
+
+const Vector3& LinkMotion::velocity(std::size_t link, Steps& steps) {
+  for (const std::size_t i : missing(velocity_, link)) {
+    const std::size_t parent = links_[i].parent;
+    Vector3 v = parent == k_ground ? ir::zero3(fall_[0].graph()) : turned(i, *velocity_[parent]);
+    if (links_[i].kind == Link::Kind::shift) v = v + cross(omega_before(i), links_[i].offset) + links_[i].velocity;
+    velocity_[i] = steps.name(v, prefix_ + "v_" + links_[i].name);
+  }
+  return *velocity_[link];
+}
+
+const Vector3& LinkMotion::fall_at(std::size_t link) {
+  if (link == k_ground) return fall_;
+  for (const std::size_t i : missing(fall_at_, link)) {
+    fall_at_[i] = turned(i, links_[i].parent == k_ground ? fall_ : *fall_at_[links_[i].parent]);
+  }
+  return *fall_at_[link];
+}
+
+Vector3 LinkMotion::omega_of_axes(std::size_t i) const {
+  const Link& link = links_[i];
+  Vector3 omega = omega_[i];
+  if (link.kind == Link::Kind::spin) omega = omega_before(i);
+  if (link.kind == Link::Kind::turn) omega[link.axis] += *link.rate - link.velocity[link.axis];
+  return omega;
 }
 
 Vector3 LinkMotion::omega_before(std::size_t i) const {
@@ -64,7 +104,7 @@ const Vector3& LinkMotion::drift(std::size_t i, Steps& steps) {
   return *drift_[i];
 }
 
-void LinkMotion::accumulate(Steps& steps) {
+void LinkMotion::accumulate(const std::function<bool(std::size_t, std::size_t)>& is_free, Steps& steps) {
   steps.begin("accelerations against free fall if no speed changed, each in the axes of its link");
   const Vector3 none = ir::zero3(fall_[0].graph());
   for (std::size_t i = 0; i < links_.size(); ++i) {
@@ -75,6 +115,9 @@ void LinkMotion::accumulate(Steps& steps) {
       now.linear = now.linear + cross(before.angular, link.offset) + of_shift(i);
     } else {
       now.angular = now.angular + of_turn(i);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (is_free(i, k)) now.linear[k] = none[0];
     }
     now.linear = steps.name(now.linear, prefix_ + "drift_a_" + link.name);
     now.angular = steps.name(now.angular, prefix_ + "drift_alpha_" + link.name);
@@ -99,6 +142,9 @@ kinematics::Linkage in_units(const kinematics::Linkage& linkage, const ir::Ratio
     part.mass = per_mass * part.mass;
     part.centre = scaled(per_length, part.centre);
     for (Vector3& row : part.inertia) row = scaled(per_mass * per_length * per_length, row);
+  }
+  for (std::optional<kinematics::Place>& place : result.places) {
+    if (place) place->position = scaled(per_length, place->position);
   }
   return result;
 }

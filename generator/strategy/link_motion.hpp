@@ -1,6 +1,8 @@
 #pragma once
 // What velocities do along a tree of links, each in its own axes.
 
+#include <functional>
+
 #include "kinematics/linkage.hpp"
 #include "strategy/steps.hpp"
 
@@ -19,11 +21,17 @@ class LinkMotion {
 
   void find_velocities(Steps& steps);
 
-  /// Accelerations as they would be if no speed changed, with `fall`.
-  void accumulate(Steps& steps);
+  /// Accelerations as they would be if no speed changed, with `fall`; but zero along components that are free to follow any.
+  void accumulate(const std::function<bool(std::size_t link, std::size_t k)>& is_free, Steps& steps);
 
   const ir::Vector3& fall() const { return fall_; }
   const ir::Vector3& omega(std::size_t link) const { return omega_[link]; }
+  /// m/s, of the origin.
+  const ir::Vector3& velocity(std::size_t link, Steps& steps);
+  /// rad/s, of the axes, which do not follow a spin.
+  ir::Vector3 omega_of_axes(std::size_t link) const;
+  /// `fall` in the axes of a link.
+  const ir::Vector3& fall_at(std::size_t link);
   const LinkAcceleration& accumulated(std::size_t link) const { return accumulated_[link]; }
 
   /// What a link adds to the acceleration before it where no speed changes: linear for a shift, else angular.
@@ -32,10 +40,15 @@ class LinkMotion {
   /// From the axes of the link before to those of this one.
   ir::Vector3 turned(std::size_t link, const ir::Vector3& v) const;
 
+  /// And back.
+  ir::Vector3 turned_back(std::size_t link, const ir::Vector3& v) const;
+
   ir::Expr sine(std::size_t link) const { return call(ir::Function::sin, *links_[link].angle); }
   ir::Expr cosine(std::size_t link) const { return call(ir::Function::cos, *links_[link].angle); }
 
  private:
+  using Found = std::vector<std::optional<ir::Vector3>>;
+  std::vector<std::size_t> missing(const Found& found, std::size_t link) const;
   ir::Vector3 omega_before(std::size_t link) const;
   ir::Vector3 of_turn(std::size_t link) const;
   ir::Vector3 of_shift(std::size_t link) const;
@@ -44,7 +57,7 @@ class LinkMotion {
   ir::Vector3 fall_;
   std::string prefix_;
   std::vector<ir::Vector3> omega_;
-  std::vector<std::optional<ir::Vector3>> drift_;
+  Found drift_, velocity_, fall_at_;
   std::vector<LinkAcceleration> accumulated_;
 };
 

@@ -39,14 +39,6 @@ bool is_fixed(const Vector3& v) {
   return std::all_of(v.begin(), v.end(), [](Expr e) { return ir::is_of_parameters(e.graph(), e.id()); });
 }
 
-std::vector<int> count_children(const std::vector<Link>& links) {
-  std::vector<int> children(links.size(), 0);
-  for (const Link& link : links) {
-    if (link.parent != k_ground) ++children[link.parent];
-  }
-  return children;
-}
-
 // The mass that would go to the end, against the inertia that stays: with numbers only, since parameters may be anything.
 bool keeps_digits(Expr moved, Expr inertia) {
   const ir::Graph& graph = moved.graph();
@@ -84,19 +76,6 @@ void move_masses_to_ends(const std::vector<Link>& links, std::vector<MassPropert
     bar.mass -= moved;
     bar.first = ir::zero3(moved.graph());
     bar.inertia = difference(bar.inertia, of_mass(moved, r));
-  }
-}
-
-void find_spins(const std::vector<MassProperties>& properties, std::vector<Link>& links) {
-  const std::vector<int> children = count_children(links);
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    if (links[i].kind != Link::Kind::turn || children[i] != 0) continue;
-    const std::size_t k = links[i].axis, p = (k + 1) % 3, q = (k + 2) % 3;
-    const MassProperties& body = properties[i];
-    const Matrix3& I = body.inertia;
-    const bool is_on_axis = body.first[p].is_zero() && body.first[q].is_zero();
-    const bool is_principal = I[k][p].is_zero() && I[k][q].is_zero() && I[p][q].is_zero();
-    if (is_on_axis && is_principal && I[p][p] == I[q][q]) links[i].kind = Link::Kind::spin;
   }
 }
 

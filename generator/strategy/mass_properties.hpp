@@ -21,9 +21,6 @@ std::vector<MassProperties> mass_properties(const kinematics::Linkage& linkage, 
 /// Left as it is where these masses would be far larger than those of the bar, and cancel.
 void move_masses_to_ends(const std::vector<kinematics::Link>& links, std::vector<MassProperties>& properties);
 
-/// Turns about an axis of symmetry of all that they carry become spins.
-void find_spins(const std::vector<MassProperties>& properties, std::vector<kinematics::Link>& links);
-
 /// What moments of inertia and masses add up to at most, in any configuration: all that a link carries, about its origin.
 struct MassBound {
   ir::Expr mass;

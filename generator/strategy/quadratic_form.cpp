@@ -53,6 +53,35 @@ Eliminated QuadraticForm::minimise(Component i, Steps& steps) {
   return result;
 }
 
+Imposed QuadraticForm::impose(Component i, Component dual, Steps& steps) {
+  name({dual, i}, steps);
+  const Expr pivot = entry(i, dual);
+  const Expr inverse = pow(pivot, -1);
+  Imposed result{{i, pivot, -(p_[dual] * inverse), {}}, dual, {}, p_[i]};
+  Row constraint = extract(dual);
+  constraint.erase(i);
+  p_[dual] = zero_;
+  for (const auto& [j, value] : P_[i]) result.row.push_back({j, value});
+  std::vector<LinearTerm> terms;
+  for (const auto& [j, value] : constraint) {
+    result.component.factors.push_back({j, value * inverse});
+    terms.push_back({j, -(value * inverse)});
+  }
+  displace(i, result.component.offset);
+  const std::vector<Component> others = neighbours(i);
+  substitute(i, terms);
+  name(others, steps);
+  return result;
+}
+
+std::vector<Component> QuadraticForm::neighbours(Component i) const {
+  std::vector<Component> result;
+  for (const auto& [j, value] : P_[i]) {
+    if (j != i) result.push_back(j);
+  }
+  return result;
+}
+
 void QuadraticForm::displace(Component i, Expr by) {
   if (by.is_zero()) return;
   for (const auto& [j, value] : P_[i]) p_[j] += value * by;

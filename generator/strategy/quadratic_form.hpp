@@ -28,6 +28,15 @@ struct Eliminated {
   std::vector<LinearTerm> factors;
 };
 
+/// A component that a row of constraints says, w = offset - Σ factor_j w_j, and what its own row of Z was: with
+/// P_cλ λ + Σ row_j w_j + linear = 0 it gives the multiplier.
+struct Imposed {
+  Eliminated component;
+  Component dual;
+  std::vector<LinearTerm> row;
+  ir::Expr linear;
+};
+
 /// ½ wᵀ P w + pᵀ w, up to what does not depend on w. Only what is not zero is kept.
 class QuadraticForm {
  public:
@@ -46,6 +55,9 @@ class QuadraticForm {
   /// min over w_i: what stays is the Schur complement.
   Eliminated minimise(Component i, Steps& steps);
 
+  /// The row of a dual, P_λc w_c + Σ P_λj w_j + p_λ = 0, put into the rest: both leave.
+  Imposed impose(Component i, Component dual, Steps& steps);
+
   /// w_i = w_i' + by
   void displace(Component i, ir::Expr by);
 
@@ -57,6 +69,9 @@ class QuadraticForm {
 
   /// (w_i, w_j) = (c w_k + s w_l, c w_l - s w_k)
   void turn(Component i, Component j, Component k, Component l, ir::Expr sine, ir::Expr cosine);
+
+  /// The components that stand in a row with this one.
+  std::vector<Component> neighbours(Component i) const;
 
   /// Gives what stands in these rows names, so that it is computed once.
   void name(const std::vector<Component>& rows, Steps& steps);

@@ -1,17 +1,21 @@
 #include "strategy/tree.hpp"
 
 #include <algorithm>
-#include <map>
+#include <set>
 
 #include "ir/contract.hpp"
+#include "strategy/axes.hpp"
 #include "strategy/link_motion.hpp"
 #include "strategy/margins.hpp"
-#include "strategy/mass_properties.hpp"
+#include "strategy/own_components.hpp"
 #include "strategy/quadratic_form.hpp"
+#include "strategy/safety.hpp"
+#include "strategy/spins.hpp"
 
 namespace gaussgen::strategy {
 
 using ir::Expr;
+using ir::Rational;
 using ir::Vector3;
 using kinematics::Freedom;
 using kinematics::k_ground;
@@ -21,6 +25,9 @@ using kinematics::Linkage;
 namespace {
 
 const char* const k_axes = "xyz";
+
+/// How many times its rounding error the response of a constraint exceeds where it says something of its own.
+constexpr int k_lost_in_rows = 1000;
 
 class Tree {
  public:
@@ -34,89 +41,174 @@ class Tree {
         linkage_(in_units(problem.linkage, form.length, form.mass)),
         links_(linkage_.links),
         properties_(mass_properties(linkage_, graph_)),
-        bounds_(mass_bounds(links_, properties_)),
         motion_(links_, scaled(-1 / form.length, problem.field), problem.prefix),
         per_power_(1 / (form.mass * form.length * form.length)),
-        Z_(graph_, 6 * links_.size() + problem.forces.size(),
+        per_force_(1 / (form.mass * form.length)),
+        Z_(graph_, first_dual() + most_rows(problem),
            [this](Component i, Component j, bool is_linear) { return is_linear ? name_of(i) : name_of(i, j); }),
         masses_(links_.size(), zero_),
         eliminated_(links_.size()),
         shared_(links_.size()),
-        own_(links_.size()),
-        w_(6 * links_.size() + problem.forces.size(), zero_),
-        uses_(problem.forces.size()) {
-    find_spins(properties_, links_);
+        w_(first_dual() + most_rows(problem), zero_),
+        dependent_(zero_) {
+    find_spins(properties_, linkage_);
+    bounds_ = mass_bounds(links_, properties_);
     move_masses_to_ends(links_, properties_);
-    for (std::size_t i = 0; i < links_.size(); ++i) {
-      for (const Freedom& freedom : links_[i].freedoms) uses_[freedom.speed.value].push_back(i);
-    }
   }
 
   std::optional<Solution> run() {
-    if (std::any_of(uses_.begin(), uses_.end(), [](const auto& links) { return links.empty(); })) return std::nullopt;
+    const LinkRowBuilder builder(problem_.constraints, linkage_);
     motion_.find_velocities(steps_);
-    if (drift_ == Drift::accumulated) motion_.accumulate(steps_);
-    for (std::size_t i = 0; i < links_.size(); ++i) find_own_freedoms(i);
+    rows_ = builder.rows(motion_, steps_);
+    own_ = own_components(links_, properties_, acted_on(), rows_.released);
+    const auto& uses = own_.uses;
+    if (std::any_of(uses.begin(), uses.end(), [](const auto& links) { return links.empty(); })) return std::nullopt;
+    place_rows();
+    if (drift_ == Drift::accumulated) {
+      motion_.accumulate([this](std::size_t i, std::size_t k) { return own_.base_at(i) != nullptr && own_.base_at(i)->along[k]; }, steps_);
+    }
     for (std::size_t i = links_.size(); i-- > 0;) {
       if (!inward(i)) return std::nullopt;
     }
+    if (!solve_rows()) return std::nullopt;
     for (std::size_t i = 0; i < links_.size(); ++i) outward(i);
+    find_imposed();
     return solution();
   }
 
+
  private:
+  static std::size_t most_rows(const TreeProblem& problem) {
+    return problem.constraints.kinematics.constraints.size() + problem.constraints.kinematics.idle_slips.size();
+  }
+
   static Component a(std::size_t link, std::size_t k) { return 6 * link + k; }
   static Component alpha(std::size_t link, std::size_t k) { return 6 * link + 3 + k; }
   Component shared(std::size_t speed) const { return 6 * links_.size() + speed; }
-  bool is_shared(Component c) const { return c >= 6 * links_.size(); }
+  Component first_dual() const { return 6 * links_.size() + problem_.forces.size(); }
+  Component dual(std::size_t row) const { return first_dual() + row; }
 
-  // Blocks of Z as mechanics names them: mass M, moments of inertia I, and H between them; forces F, moments N.
+  bool is_of_link(Component c) const { return c < 6 * links_.size(); }
+  bool is_dual(Component c) const { return c >= first_dual(); }
+  bool is_linear(Component c) const { return is_of_link(c) && c % 6 < 3; }
+  bool by_link() const { return drift_ == Drift::by_link; }
+  bool is_shift(std::size_t i) const { return links_[i].kind == Link::Kind::shift; }
+  Component first_of_joint(std::size_t i) const { return is_shift(i) ? a(i, 0) : alpha(i, 0); }
+
+  // Blocks of Z as mechanics names them: mass M, moments of inertia I, and H between them; forces F, moments N; b for rows of
+  // constraints.
   std::string axis_of(Component c) const {
-    return is_shared(c) ? problem_.symbols.speeds[kinematics::FreeIndex{c - shared(0)}].label
-                        : std::string(1, k_axes[c % 3]);
+    if (is_dual(c)) return rows_.rows[c - first_dual()].name;
+    if (!is_of_link(c)) return problem_.symbols.speeds[kinematics::FreeIndex{c - shared(0)}].label;
+    return links_[c / 6].name + "_" + std::string(1, k_axes[c % 3]);
   }
-
-  const std::string& link_of(Component c) const {
-    static const std::string k_none;
-    return is_shared(c) ? k_none : links_[c / 6].name;
-  }
-
-  static bool is_linear(Component c) { return c % 6 < 3; }
 
   std::string name_of(Component c) const {
-    if (is_shared(c)) return problem_.prefix + "Q_" + axis_of(c);
-    return problem_.prefix + (is_linear(c) ? "F_" : "N_") + link_of(c) + "_" + axis_of(c);
+    const char* const kind = is_dual(c) ? "drift_" : !is_of_link(c) ? "Q_" : is_linear(c) ? "F_" : "N_";
+    return problem_.prefix + kind + axis_of(c);
   }
 
   std::string name_of(Component i, Component j) const {
-    if (is_shared(i)) return problem_.prefix + "Z_" + axis_of(i) + "_" + axis_of(j);
-    const char* block = is_shared(j) ? "Z_" : is_linear(i) == is_linear(j) ? (is_linear(i) ? "M_" : "I_") : "H_";
-    return problem_.prefix + block + link_of(i) + "_" + axis_of(i) + axis_of(j);
+    if (is_of_link(j)) {
+      const char* const block = is_linear(i) == is_linear(j) ? (is_linear(i) ? "M_" : "I_") : "H_";
+      return problem_.prefix + block + axis_of(i) + k_axes[j % 3];
+    }
+    const char* const block = !is_dual(j) ? "Z_" : !is_dual(i) ? "b_" : "S_";
+    const char* const which = is_linear(i) ? "a_" : is_of_link(i) ? "alpha_" : "";
+    return problem_.prefix + block + (is_dual(j) ? which : "") + axis_of(i) + "_" + axis_of(j);
   }
 
-  /// A speed with which this component of the link's acceleration grows, and nothing else does: then that component is free
-  /// itself, whatever the links before do.
-  void find_own_freedoms(std::size_t i) {
-    own_[i].assign(3, nullptr);
-    for (const Freedom& freedom : links_[i].freedoms) {
-      if (uses_[freedom.speed.value].size() != 1) continue;
-      std::size_t k = 3;
-      int count = 0;
-      for (std::size_t at = 0; at < 3; ++at) {
-        if (freedom.column[at].is_zero()) continue;
-        ++count;
-        k = at;
-      }
-      const bool is_number = count == 1 && graph_[freedom.column[k].id()].kind == ir::Kind::constant;
-      if (is_number && own_[i][k] == nullptr) own_[i][k] = &freedom;
+  std::string name_of_acceleration(Component c) const {
+    return problem_.prefix + (is_linear(c) ? "a_" : "alpha_") + axis_of(c);
+  }
+
+  Expr one() const { return {graph_, graph_.constant(1)}; }
+  Expr force(std::size_t speed) const { return per_power_ * problem_.forces[speed]; }
+
+  std::vector<char> acted_on() const {
+    std::vector<char> result;
+    for (const Expr Q : problem_.forces) result.push_back(Q.is_zero() ? 0 : 1);
+    for (const LinkRow& row : rows_.rows) {
+      for (const SpeedTerm& term : row.speeds) result[term.speed] = 1;
+    }
+    return result;
+  }
+
+  // --- constraints --------------------------------------------------------------------------------------------
+
+  // Rows over links are about accelerations in space, without the free fall that Z has in it. A row waits at the last link that carries all it acts on: from there on it is complete.
+  void place_rows() {
+    waiting_.resize(links_.size());
+    for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
+      const LinkRow& row = rows_.rows[r];
+      Z_.add(dual(r), row.rest - row.fall);
+      if (row.links.empty()) continue;
+      std::size_t top = row.links[0].link;
+      for (const LinkTerm& term : row.links) top = common_carrier(links_, top, term.link);
+      if (top != k_ground) waiting_[top].push_back(r);
     }
   }
 
-  bool is_own(std::size_t i, const Freedom& freedom) const {
-    return std::find(own_[i].begin(), own_[i].end(), &freedom) != own_[i].end();
+  void add_rows(std::size_t i) {
+    for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
+      for (const LinkTerm& term : rows_.rows[r].links) {
+        if (term.link == i) add_term(term, r);
+      }
+    }
   }
 
-  Expr force(const Freedom& freedom) const { return per_power_ * problem_.forces[freedom.speed.value]; }
+  void add_term(const LinkTerm& term, std::size_t r) {
+    const std::size_t i = term.link;
+    for (std::size_t k = 0; k < 3; ++k) {
+      Z_.add(a(i, k), dual(r), term.linear[k]);
+      Z_.add(alpha(i, k), dual(r), term.angular[k]);
+    }
+    if (by_link()) return;
+    const auto& [linear, angular] = motion_.accumulated(i);
+    Z_.add(dual(r), dot(term.linear, linear) + dot(term.angular, angular));
+  }
+
+  // What acts along a speed, on a component of which du/dt has `per` as its part.
+  void act(Component c, std::size_t speed, Expr per) {
+    Z_.add(c, -(force(speed) * per));
+    for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
+      for (const SpeedTerm& term : rows_.rows[r].speeds) {
+        if (term.speed == speed) Z_.add(c, dual(r), term.coefficient * per);
+      }
+    }
+  }
+
+  // Where a number stands before a component that is free, the row says what this component is, without a division.
+  void impose_rows(std::size_t i, std::vector<Component>& free) {
+    std::vector<std::size_t> rest;
+    for (const std::size_t r : waiting_[i]) {
+      const std::optional<std::size_t> best = safest(r, free);
+      if (!best) {
+        rest.push_back(r);
+        continue;
+      }
+      const Component c = free[*best];
+      free.erase(free.begin() + static_cast<std::ptrdiff_t>(*best));
+      imposed_.push_back(Z_.impose(c, dual(r), steps_));
+      is_imposed_.insert(c);
+      eliminated_[i].push_back(imposed_.back().component);
+    }
+    const std::size_t parent = links_[i].parent;
+    if (parent != k_ground) waiting_[parent].insert(waiting_[parent].end(), rest.begin(), rest.end());
+  }
+
+  std::optional<std::size_t> safest(std::size_t r, const std::vector<Component>& free) const {
+    if (!Z_.entry(dual(r), dual(r)).is_zero()) return std::nullopt;
+    std::optional<std::size_t> best;
+    for (std::size_t at = 0; at < free.size(); ++at) {
+      const Expr pivot = Z_.entry(dual(r), free[at]);
+      if (safety(pivot) == Safety::unknown) continue;
+      if (!best || safety(pivot) < safety(Z_.entry(dual(r), free[*best]))) best = at;
+    }
+    return best;
+  }
+
+  // --- from the leaves to the ground --------------------------------------------------------------------------
 
   /// Of the body itself (theory section 6): ½ a·m a + a·(α × f) + ½ α·I α, with what velocities and the drift do.
   void add_body(std::size_t i) {
@@ -125,7 +217,7 @@ class Tree {
     masses_[i] += body.mass;
     Vector3 force = cross(omega, cross(omega, body.first));
     Vector3 moment = cross(omega, ir::multiply(body.inertia, omega));
-    if (drift_ == Drift::accumulated) {
+    if (!by_link()) {
       const auto& [linear, angular] = motion_.accumulated(i);
       force = force + cross(angular, body.first);
       moment = moment + cross(body.first, linear) + ir::multiply(body.inertia, angular);
@@ -140,42 +232,76 @@ class Tree {
     }
   }
 
+  // Where the origin is shifted or free, the mass that was carried along with it counts.
+  void add_mass(std::size_t i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      Z_.add(a(i, k), a(i, k), masses_[i]);
+      if (!by_link()) Z_.add(a(i, k), masses_[i] * motion_.accumulated(i).linear[k]);
+    }
+    masses_[i] = zero_;
+  }
+
   std::vector<Component> components(std::size_t i) const {
     std::vector<Component> all;
     for (std::size_t k = 0; k < 6; ++k) all.push_back(6 * i + k);
     return all;
   }
 
-  bool inward(std::size_t i) {
-    const Link& link = links_[i];
-    steps_.begin("Z of all that " + link.name + " carries, at its minimum over the own acceleration of " + link.name);
-    add_body(i);
-    if (link.kind == Link::Kind::shift) add_mass(i);
-    Z_.name(components(i), steps_);
-    const Component first = link.kind == Link::Kind::shift ? a(i, 0) : alpha(i, 0);
+  /// Its own components of the joint, where nothing else minimises over them.
+  std::vector<Component> own_of_joint(std::size_t i) const {
+    std::vector<Component> result;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (own_[i][k] != nullptr && !minimise_own(i, first + k, *own_[i][k])) return false;
+      if (own_.of_joint[i][k].is_free && own_.base_at(i) == nullptr) result.push_back(first_of_joint(i) + k);
     }
-    pass_on(i, first);
-    if (link.parent != k_ground) Z_.name(components(link.parent), steps_);
+    return result;
+  }
+
+  bool inward(std::size_t i) {
+    steps_.begin("Z of all that " + links_[i].name + " carries, at its minimum over the own acceleration of " + links_[i].name);
+    const FloatingBase* const floating = own_.base_anchored_at(i);
+    add_body(i);
+    if (is_shift(i) || floating != nullptr) add_mass(i);
+    add_rows(i);
+    std::vector<Component> free;
+    if (floating != nullptr) free = free_to_float(*floating);
+    const std::vector<Component> own = own_of_joint(i);
+    free.insert(free.end(), own.begin(), own.end());
+    act_on(i, 1);
+    Z_.name(components(i), steps_);
+    impose_rows(i, free);
+    for (const Component c : free) {
+      eliminated_[i].push_back(minimise(i, c));
+      if (eliminated_[i].back().pivot.is_zero()) return false;
+    }
+    act_on(i, -1);
+    pass_on(i);
+    if (links_[i].parent != k_ground) Z_.name(components(links_[i].parent), steps_);
     return minimise_shared(i);
   }
 
-  // Where the origin is shifted, the mass that was carried along with it has a lever.
-  void add_mass(std::size_t i) {
+  // Q du/dt with du/dt = (w - w_given)/s: what acts on the link, and its opposite on what is before it. What floats was
+  // minimised elsewhere.
+  void act_on(std::size_t i, int factor) {
+    if (factor > 0 && own_.base_at(i) != nullptr) return;
     for (std::size_t k = 0; k < 3; ++k) {
-      Z_.add(a(i, k), a(i, k), masses_[i]);
-      if (drift_ == Drift::accumulated) Z_.add(a(i, k), masses_[i] * motion_.accumulated(i).linear[k]);
+      const OwnComponent& own = own_.of_joint[i][k];
+      if (own.freedom == nullptr) continue;
+      act(first_of_joint(i) + k, own.freedom->speed.value, Rational(factor) * pow(own.freedom->column[k], -1));
     }
   }
 
-  bool minimise_own(std::size_t i, Component c, const Freedom& freedom) {
-    // Q du/dt with du/dt = (w - w_given)/s: what acts on the link, and its opposite on what is before it.
-    const Expr Q = force(freedom) / freedom.column[c % 3];
-    Z_.add(c, -Q);
-    eliminated_[i].push_back(minimise(i, c));
-    Z_.add(c, Q);
-    return !eliminated_[i].back().pivot.is_zero();
+  std::vector<Component> free_to_float(const FloatingBase& floating) {
+    std::vector<Component> free;
+    const std::size_t i = floating.anchor;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!floating.along[k]) continue;
+      free.push_back(a(i, k));
+      const Freedom* const freedom = own_.of_joint[floating.base][k].freedom;
+      if (freedom == nullptr) continue;
+      const Vector3 direction = resolved(links_, floating.base, i, ir::unit_vector(graph_, k));
+      for (std::size_t l = 0; l < 3; ++l) act(a(i, l), freedom->speed.value, direction[l] / freedom->column[k]);
+    }
+    return free;
   }
 
   Eliminated minimise(std::size_t i, Component c) {
@@ -189,10 +315,10 @@ class Tree {
   // Of the sum of all that a pivot is the rest of.
   Expr rounding(std::size_t i, Component c) const {
     Expr sum = zero_;
-    if (is_shared(c)) {
-      for (const std::size_t link : uses_[c - shared(0)]) sum += bound_along(link, c - shared(0));
-    } else {
+    if (is_of_link(c)) {
       sum = is_linear(c) ? bounds_[i].mass : greatest_inertia(i);
+    } else {
+      for (const std::size_t link : own_.uses[c - shared(0)]) sum += bound_along(link, c - shared(0));
     }
     return ir::Rational(4 * static_cast<int>(pivots_ + 1)) * epsilon_ * sum;
   }
@@ -207,32 +333,32 @@ class Tree {
     for (const Freedom& freedom : links_[i].freedoms) {
       if (freedom.speed.value == speed) squares += ir::dot(freedom.column, freedom.column);
     }
-    return squares * (links_[i].kind == Link::Kind::shift ? bounds_[i].mass : greatest_inertia(i));
+    return squares * (is_shift(i) ? bounds_[i].mass : greatest_inertia(i));
   }
 
-  // w_i in terms of what is before the link. A component that is free itself was minimised with its drift in it.
-  void pass_on(std::size_t i, Component first) {
+  // w_i in terms of what is before the link.
+  void pass_on(std::size_t i) {
     const Link& link = links_[i];
-    const bool is_first = link.parent == k_ground;
-    if (drift_ == Drift::by_link) {
-      const Vector3& drift = motion_.drift(i, steps_);
-      const Vector3 fall = motion_.turned(i, motion_.fall());
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (own_[i][k] == nullptr) Z_.displace(first + k, drift[k]);
-        if (is_first) Z_.displace(a(i, k), fall[k]);
-      }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool floats = own_.base_at(i) != nullptr && own_.base_at(i)->along[k];
+      if (!by_link() && !floats) continue;
+      const Component moved = first_of_joint(i) + k;
+      if (Z_.holds(moved)) Z_.displace(moved, motion_.drift(i, steps_)[k]);
+      if (link.parent == k_ground) Z_.displace(a(i, k), motion_.fall_at(i)[k]);
     }
-    if (link.kind == Link::Kind::shift) return shift(i);
-    if (!is_first) masses_[link.parent] += masses_[i];
+    if (is_shift(i)) return shift(i);
+    if (link.parent != k_ground) masses_[link.parent] += masses_[i];
     turn(i);
   }
 
   void add_shared(std::size_t i, std::size_t k, std::vector<LinearTerm>& terms) const {
     for (const Freedom& freedom : links_[i].freedoms) {
-      if (is_own(i, freedom) || freedom.column[k].is_zero()) continue;
+      if (is_own(freedom) || freedom.column[k].is_zero()) continue;
       terms.push_back({shared(freedom.speed.value), freedom.column[k]});
     }
   }
+
+  bool is_own(const Freedom& freedom) const { return own_.is_owned[freedom.speed.value] != 0; }
 
   void shift(std::size_t i) {
     const Link& link = links_[i];
@@ -251,8 +377,6 @@ class Tree {
       Z_.substitute(a(i, k), terms);
     }
   }
-
-  Expr one() const { return {graph_, graph_.constant(1)}; }
 
   void turn(std::size_t i) {
     const Link& link = links_[i];
@@ -290,14 +414,72 @@ class Tree {
   // Speeds of several links: each as soon as the last link that has it is passed.
   bool minimise_shared(std::size_t i) {
     for (const Freedom& freedom : links_[i].freedoms) {
-      if (is_own(i, freedom) || uses_[freedom.speed.value].front() != i) continue;
-      const Component c = shared(freedom.speed.value);
-      Z_.add(c, -force(freedom));
+      const std::size_t u = freedom.speed.value;
+      if (is_own(freedom) || own_.uses[u].front() != i) continue;
+      const Component c = shared(u);
+      act(c, u, one());
       shared_[i].push_back(minimise(i, c));
       if (shared_[i].back().pivot.is_zero()) return false;
     }
     return true;
   }
+
+  // --- multipliers --------------------------------------------------------------------------------------------
+
+  // What is left of Z: -½ λ·S λ + λ·p. At its stationary point S λ = p; the multipliers of (3.4) have the other sign.
+  bool solve_rows() {
+    std::vector<std::size_t> left;
+    std::vector<std::string> labels;
+    for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
+      const bool is_gone = std::any_of(imposed_.begin(), imposed_.end(), [&](const Imposed& i) { return i.dual == dual(r); });
+      if (is_gone) continue;
+      left.push_back(r);
+      labels.push_back(rows_.rows[r].name);
+    }
+    if (left.empty()) return true;
+    Matrix S;
+    Vector p;
+    for (const std::size_t r : left) {
+      S.emplace_back();
+      for (const std::size_t other : left) S.back().push_back(-Z_.entry(dual(r), dual(other)));
+      p.push_back(-Z_.linear(dual(r)));
+    }
+    steps_.begin("how the accelerations along the constraints respond: S = L D L^T");
+    const Ldl schur(S, labels, problem_.prefix + "S", epsilon_, steps_, Dependent::drop);
+    if (!schur.vanishing().empty()) return false;
+    steps_.begin("multipliers, in the axes and units of these rows");
+    const Vector lambda = schur.solve(p, problem_.prefix + "force", steps_);
+    for (std::size_t at = 0; at < left.size(); ++at) w_[dual(left[at])] = -lambda[at];
+    dependent_ = schur.breakdown(k_lost_in_rows);
+    return true;
+  }
+
+  /// The last ones first: their rows have multipliers of later ones in them.
+  void find_imposed() {
+    for (auto imposed = imposed_.rbegin(); imposed != imposed_.rend(); ++imposed) {
+      Expr sum = imposed->linear;
+      for (const LinearTerm& term : imposed->row) sum += term.coefficient * w_[term.component];
+      w_[imposed->dual] = -(sum / imposed->component.pivot);
+    }
+  }
+
+  Vector multipliers() {
+    steps_.begin("multipliers (3.4)");
+    Vector result;
+    for (std::size_t mu = 0; mu < rows_.multipliers.size(); ++mu) {
+      Expr sum = zero_;
+      for (const Share& share : rows_.multipliers[mu]) {
+        const Rational unit = rows_.rows[share.row].links.empty() ? per_power_ : per_force_;
+        sum -= (1 / unit) * (share.factor * w_[dual(share.row)]);
+      }
+      const kinematics::ConstraintIndex index{mu};
+      const std::string& name = problem_.constraints.kinematics.constraints[index].name;
+      result.push_back(steps_.name(sum, problem_.prefix + "lambda_" + name));
+    }
+    return result;
+  }
+
+  // --- from the ground to the leaves --------------------------------------------------------------------------
 
   Expr at_minimum(const Eliminated& e) const {
     Expr w = e.offset;
@@ -311,17 +493,16 @@ class Tree {
     const Link& link = links_[i];
     steps_.begin("acceleration of " + link.name);
     for (auto e = shared_[i].rbegin(); e != shared_[i].rend(); ++e) w_[e->component] = at_minimum(*e);
-    const bool accumulates = drift_ == Drift::accumulated;
     const bool is_first = link.parent == k_ground;
     const Vector3 none = ir::zero3(graph_);
-    const Vector3 a_before = !is_first ? of(a(link.parent, 0)) : accumulates ? none : motion_.fall();
+    const Vector3 a_before = !is_first ? of(a(link.parent, 0)) : by_link() ? motion_.fall() : none;
     const Vector3 alpha_before = is_first ? none : of(alpha(link.parent, 0));
     Vector3 linear = motion_.turned(i, a_before);
     Vector3 angular = motion_.turned(i, alpha_before);
-    Vector3& moved = link.kind == Link::Kind::shift ? linear : angular;
-    if (link.kind == Link::Kind::shift) linear = linear + cross(alpha_before, link.offset);
-    if (!accumulates) moved = moved + motion_.drift(i, steps_);
-    for (std::size_t k = 0; k < 3; ++k) moved[k] += of_shared(i, k);
+    Vector3& moved = is_shift(i) ? linear : angular;
+    if (is_shift(i)) linear = linear + cross(alpha_before, link.offset);
+    moved = moved + by_others(i);
+    if (by_link()) moved = moved + motion_.drift(i, steps_);
     for (std::size_t k = 0; k < 3; ++k) {
       w_[a(i, k)] = linear[k];
       w_[alpha(i, k)] = angular[k];
@@ -330,33 +511,85 @@ class Tree {
     find_own(i, moved);
   }
 
-  Expr of_shared(std::size_t i, std::size_t k) const {
-    Expr sum = zero_;
+  /// What the joint adds by speeds that none of its components is free along.
+  Vector3 by_others(std::size_t i) const {
+    Vector3 sum = ir::zero3(graph_);
     for (const Freedom& freedom : links_[i].freedoms) {
-      if (!is_own(i, freedom)) sum += freedom.column[k] * w_[shared(freedom.speed.value)];
+      if (is_own_here(i, freedom)) continue;
+      sum = sum + w_[shared(freedom.speed.value)] * freedom.column;
     }
     return sum;
   }
 
-  std::string name_of_acceleration(Component c) const {
-    return problem_.prefix + (is_linear(c) ? "a_" : "alpha_") + link_of(c) + "_" + axis_of(c);
+  bool is_own_here(std::size_t i, const Freedom& freedom) const {
+    const auto& own = own_.of_joint[i];
+    return std::any_of(own.begin(), own.end(), [&](const OwnComponent& c) { return c.freedom == &freedom; });
   }
 
   void name_given(std::size_t i) {
-    const std::size_t first = links_[i].kind == Link::Kind::shift ? 0 : 3;
+    const FloatingBase* const floating = floats(i);
     for (std::size_t k = 0; k < 6; ++k) {
-      const bool is_open = k >= first && k < first + 3 && own_[i][k - first] != nullptr;
-      if (!is_open) w_[6 * i + k] = steps_.name(w_[6 * i + k], name_of_acceleration(6 * i + k));
+      const Component c = 6 * i + k;
+      const std::size_t first = first_of_joint(i);
+      const bool is_open = c >= first && c < first + 3 && own_.of_joint[i][c - first].is_free;
+      if (is_open || (k < 3 && floating != nullptr && floating->along[k])) continue;
+      w_[c] = steps_.name(w_[c], name_of_acceleration(c));
     }
+  }
+
+  /// The base on whose way to its anchor a link is, with both.
+  const FloatingBase* floats(std::size_t i) const {
+    for (const FloatingBase& floating : own_.bases) {
+      if (is_carried(links_, floating.anchor, i)) return &floating;
+    }
+    return nullptr;
   }
 
   // The last one that was minimised first, as the others depend on it.
   void find_own(std::size_t i, const Vector3& given) {
+    const FloatingBase* const floating = own_.base_anchored_at(i);
+    bool is_said = true;
+    Vector3 said = ir::zero3(graph_);
     for (auto e = eliminated_[i].rbegin(); e != eliminated_[i].rend(); ++e) {
-      const std::size_t k = e->component % 3;
-      w_[e->component] = steps_.name(at_minimum(*e), name_of_acceleration(e->component));
-      const Freedom& freedom = *own_[i][k];
-      w_[shared(freedom.speed.value)] = (w_[e->component] - given[k]) / freedom.column[k];
+      const Component c = e->component;
+      const Expr w = at_minimum(*e);
+      w_[c] = steps_.name(w, name_of_acceleration(c));
+      if (floating != nullptr && is_linear(c)) {
+        is_said = is_said && is_imposed_.count(c) != 0;
+        said[c % 3] = w;
+      } else {
+        find_speed(i, c % 3, w_[c] - given[c % 3]);
+      }
+    }
+    if (floating == nullptr) return;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!floating->along[k]) continue;
+      // What rows say has free fall taken out: then it need not be put in, turned, and taken out again.
+      said[k] = is_said ? said[k] - motion_.fall_at(i)[k] : w_[a(i, k)];
+    }
+    find_base(*floating, said, is_said);
+  }
+
+  void find_speed(std::size_t i, std::size_t k, Expr along) {
+    const Freedom* const freedom = own_.of_joint[i][k].freedom;
+    if (freedom != nullptr) w_[shared(freedom->speed.value)] = along / freedom->column[k];
+  }
+
+  // Back along the way to the link that floats.
+  void find_base(const FloatingBase& floating, Vector3 v, bool is_without_fall) {
+    for (std::size_t at = floating.anchor; at != floating.base; at = links_[at].parent) {
+      const std::size_t parent = links_[at].parent;
+      if (is_shift(at)) {
+        v = v - cross(of(alpha(parent, 0)), links_[at].offset);
+        if (by_link()) v = v - motion_.drift(at, steps_);
+      } else {
+        v = motion_.turned_back(at, v);
+      }
+    }
+    Vector3 given = by_others(floating.base) + motion_.drift(floating.base, steps_);
+    if (!is_without_fall) given = given + motion_.fall();
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (floating.along[k]) find_speed(floating.base, k, v[k] - given[k]);
     }
   }
 
@@ -369,7 +602,10 @@ class Tree {
     }
     Margins margins(graph_);
     for (const auto& [pivot, bound] : margins_) margins.require(pivot, bound);
-    return {accelerations, {}, margins.violated("least_pivot"), zero_, "", {}, {}, {}, false};
+    Margins rows(graph_);
+    for (const Imposed& imposed : imposed_) rows.require(pow(imposed.component.pivot, 2), zero_);
+    const Expr dependent = any(graph_, {dependent_, rows.violated("least_coefficient")});
+    return {accelerations, multipliers(), margins.violated("least_pivot"), dependent, "", {}, {}, {}, false};
   }
 
   const TreeProblem& problem_;
@@ -383,14 +619,18 @@ class Tree {
   std::vector<MassProperties> properties_;
   std::vector<MassBound> bounds_;
   LinkMotion motion_;
-  ir::Rational per_power_;
+  Rational per_power_, per_force_;
+  LinkRows rows_;
+  OwnComponents own_;
   QuadraticForm Z_;
   Vector masses_;                                             ///< at the origins, where they are the same in all axes
   std::vector<std::vector<Eliminated>> eliminated_, shared_;  ///< by link, in order
-  std::vector<std::vector<const Freedom*>> own_;
-  Vector w_;                                    ///< by component
-  std::vector<std::vector<std::size_t>> uses_;  ///< of speeds: their links, in order
+  std::vector<std::vector<std::size_t>> waiting_;             ///< rows, by link
+  std::vector<Imposed> imposed_;
+  std::set<Component> is_imposed_;
+  Vector w_;  ///< by component
   std::vector<std::pair<Expr, Expr>> margins_;
+  Expr dependent_;
   bool is_clean_ = true;  ///< nothing was minimised yet, so nothing has cancelled
   std::size_t pivots_ = 0;
 };

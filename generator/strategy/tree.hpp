@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "kinematics/linkage.hpp"
 #include "strategy/accelerations.hpp"
+#include "strategy/link_rows.hpp"
 
 namespace gaussgen::strategy {
 
@@ -15,6 +15,7 @@ struct TreeProblem {
   const kinematics::Symbols& symbols;
   ir::Vector3 field;  ///< m/s², space: the sum of uniform fields
   Vector forces;      ///< of the free speeds, without uniform fields
+  ConstraintProblem constraints;
   std::string prefix;  ///< of names
 };
 

