@@ -28,7 +28,7 @@ strategy::DependentRows rows_found_at_generic_point(ModelGraph& motion) {
   };
 }
 
-std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics) {
+std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const MechanicsOptions& options) {
   ir::Substitution hold = kinematics::held_laws(mechanics.model, mechanics.expressions, mechanics.symbols);
   const auto linkage = kinematics::build_linkage(mechanics.model, mechanics.symbols, mechanics.expressions, hold);
   if (!linkage) return std::nullopt;
@@ -39,10 +39,17 @@ std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics) {
                                 mechanics.symbols,
                                 kinematics.field,
                                 {},
-                                {kinematics, dynamics.b, dynamics.b_drift,
+                                {kinematics,
+                                 dynamics.b,
+                                 dynamics.b_drift,
                                  [&](ir::Expr e) { return mechanics.expressions.rate(e); },
-                                 [&](ir::Expr e) { return e.is_zero() || vanishes_everywhere(e); }},
+                                 [&](ir::Expr e) { return e.is_zero() || vanishes_everywhere(e); },
+                                 {}},
                                 ""};
+  GenericPoint point(mechanics);
+  if (options.fold) {
+    problem.constraints.value_of = [&](ir::Expr e) { return cln::double_approx(point({{e}})(0, 0)); };
+  }
   for (const auto i : mechanics.symbols.speeds.indices()) {
     const auto a = mechanics.symbols.full(i);
     problem.forces.push_back(kinematics.body_force[a] + kinematics.other_force[a]);
@@ -53,12 +60,6 @@ std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics) {
 /// Of the metric, entry by entry: where there are few coordinates, as much vanishes in it that it may be the cheapest.
 constexpr std::size_t k_most_coordinates_of_metric = 6;
 
-strategy::Candidate solved_over_metric(const Mechanics& mechanics) {
-  strategy::Steps steps;
-  strategy::Solution solution = strategy::solve_unconstrained(mechanics.dynamics, mechanics.epsilon(), steps);
-  return strategy::counted(std::move(solution), std::move(steps));
-}
-
 strategy::Solution taken(strategy::Candidate candidate, const std::string& instead, strategy::Steps& steps) {
   steps.append(candidate.steps);
   candidate.solution.description +=
@@ -66,29 +67,9 @@ strategy::Solution taken(strategy::Candidate candidate, const std::string& inste
   return std::move(candidate.solution);
 }
 
-strategy::Solution solved_unconstrained(Mechanics& mechanics, strategy::Steps& steps) {
-  const std::size_t n = mechanics.dynamics.n();
-  // First, so that its entries have the names by which people know them.
-  std::optional<strategy::Candidate> metric;
-  if (n <= k_most_coordinates_of_metric) metric = solved_over_metric(mechanics);
-  std::optional<strategy::Candidate> tree;
-  if (n > 0) tree = solved_as_tree(mechanics);
-  if (tree) tree->solution.description = k_about_tree;
-  if (!tree && !metric) metric = solved_over_metric(mechanics);
-  if (!tree) {
-    steps.append(metric->steps);
-    return metric->solution;
-  }
-  if (!metric) return taken(std::move(*tree), "", steps);
-  if (tree->operations < metric->operations) {
-    return taken(std::move(*tree), fmt::format(", and {} by L D L^T of the metric", metric->operations), steps);
-  }
-  return taken(std::move(*metric), fmt::format(", and {} body by body along the tree", tree->operations), steps);
-}
-
 strategy::Solution solved_constrained(const Mechanics& mechanics, const strategy::Dynamics& dynamics,
                                       const MechanicsOptions& options, strategy::Steps& steps) {
-  if (!options.force_multipliers) {
+  if (options.strategy != Strategy::multipliers) {
     // The model's choice first, where it has one; structure_check says so if it is not safe.
     auto elimination = strategy::eliminate(dynamics, allowed_dependent(mechanics), steps);
     if (!elimination) elimination = strategy::eliminate(dynamics, {}, steps);
@@ -97,17 +78,40 @@ strategy::Solution solved_constrained(const Mechanics& mechanics, const strategy
   return strategy::solve_with_multipliers(dynamics, mechanics.epsilon(), steps);
 }
 
+strategy::Candidate solved_over_metric(const Mechanics& mechanics, const MechanicsOptions& options) {
+  const strategy::Dynamics& dynamics = mechanics.dynamics;
+  strategy::Steps steps;
+  strategy::Solution solution = dynamics.l() == 0 ? strategy::solve_unconstrained(dynamics, mechanics.epsilon(), steps)
+                                                  : solved_constrained(mechanics, dynamics, options, steps);
+  return strategy::counted(std::move(solution), std::move(steps));
+}
+
+/// Whoever names the dependent speeds wants them expressed by the others.
+bool wants_tree(const Mechanics& mechanics, Strategy strategy) {
+  if (mechanics.dynamics.n() == 0) return false;
+  return strategy == Strategy::tree || (strategy == Strategy::automatic && mechanics.model.dependent.empty());
+}
+
 strategy::Solution solved(Mechanics& mechanics, const MechanicsOptions& options, strategy::Steps& steps) {
-  if (mechanics.dynamics.l() == 0) return solved_unconstrained(mechanics, steps);
-  if (std::getenv("GAUSS_METRIC") == nullptr) {
-    std::optional<strategy::Candidate> tree = solved_as_tree(mechanics);
-    if (tree) {
-      tree->solution.description = k_about_tree;
-      return taken(std::move(*tree), "", steps);
-    }
-    std::fprintf(stderr, "no tree\n");
+  const bool tries_tree = wants_tree(mechanics, options.strategy);
+  const bool is_small = mechanics.dynamics.n() <= k_most_coordinates_of_metric;
+  // First, so that its entries have the names by which people know them.
+  std::optional<strategy::Candidate> metric, tree;
+  if (!tries_tree || (is_small && options.strategy == Strategy::automatic))
+    metric = solved_over_metric(mechanics, options);
+  if (tries_tree) tree = solved_as_tree(mechanics, options);
+  if (tree) tree->solution.description = k_about_tree;
+  if (!tree && !metric) metric = solved_over_metric(mechanics, options);
+  if (!tree) {
+    steps.append(metric->steps);
+    return metric->solution;
   }
-  return solved_constrained(mechanics, mechanics.dynamics, options, steps);
+  if (!metric) return taken(std::move(*tree), "", steps);
+  if (tree->operations < metric->operations) {
+    const char* const about = mechanics.dynamics.l() == 0 ? "by L D L^T of the metric" : "over all speeds at once";
+    return taken(std::move(*tree), fmt::format(", and {} {}", metric->operations, about), steps);
+  }
+  return taken(std::move(*metric), fmt::format(", and {} body by body along the tree", tree->operations), steps);
 }
 
 // Rates of coordinates are speeds and need no name; those of quaternions are expressions.
@@ -124,6 +128,15 @@ void name_rates(Mechanics& mechanics) {
 }
 
 }  // namespace
+
+std::string name_of(Strategy strategy) {
+  switch (strategy) {
+    case Strategy::tree: return "tree";
+    case Strategy::metric: return "metric";
+    case Strategy::multipliers: return "multipliers";
+    default: return "auto";
+  }
+}
 
 ModelGraph::ModelGraph(const model::Model& checked_model, bool fold, std::size_t most_nodes)
     : model(checked_model),

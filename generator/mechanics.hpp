@@ -7,9 +7,17 @@
 
 namespace gaussgen {
 
+/// How Z is minimised.
+enum class Strategy {
+  automatic,    ///< as takes the fewest operations
+  tree,         ///< body by body; nothing where a model has no such form
+  metric,       ///< over all speeds at once: by elimination (3.6)-(3.7) where it is safe, else with multipliers
+  multipliers,  ///< over all speeds at once, by (3.4) even where elimination is safe
+};
+
 struct MechanicsOptions {
-  bool fold = false;               ///< parameters become numbers
-  bool force_multipliers = false;  ///< the multiplier form (3.4) even where a safe partition exists (a check)
+  bool fold = false;  ///< parameters become numbers
+  Strategy strategy = Strategy::automatic;
   std::size_t most_nodes = ir::k_most_nodes;
 };
 
@@ -33,6 +41,9 @@ struct KinematicModel : ModelGraph {
 
   kinematics::Kinematics kinematics;
 };
+
+/// As `--strategy` takes it.
+std::string name_of(Strategy strategy);
 
 /// With what follows for forces and accelerations: `dynamics` refers to `kinematics` and `covariant`.
 struct Mechanics : KinematicModel {

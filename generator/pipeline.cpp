@@ -83,7 +83,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   if (diagnostics.has_errors()) return std::nullopt;
 
   // The emitted route: theory section 4 on the graph.
-  const MechanicsOptions mechanics_options{options.fold, false, options.most_nodes};
+  const MechanicsOptions mechanics_options{options.fold, options.strategy, options.most_nodes};
   check_early(*model, mechanics_options, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   Mechanics mechanics(*model, mechanics_options);

@@ -26,6 +26,7 @@ struct PipelineOptions {
   bool fold = false;
   bool assemble = false;  ///< constraints may move given initial values
   Route route = Route::emitted;
+  Strategy strategy = Strategy::automatic;
   std::string name_space;  ///< empty: gauss::<model name>
   std::size_t most_nodes = ir::k_most_nodes;
 };

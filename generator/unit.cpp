@@ -135,6 +135,7 @@ class UnitBuilder {
       provenance.command += " --sensitivities=" + fmt::format("{}", fmt::join(options_.sensitivities, ","));
     if (options_.fold) provenance.command += " --fold";
     if (options_.route == Route::paper) provenance.command += " --route=paper";
+    if (options_.strategy != Strategy::automatic) provenance.command += " --strategy=" + name_of(options_.strategy);
     if (!options_.name_space.empty()) provenance.command += " --namespace=" + options_.name_space;
     provenance.strategy = mechanics_.solution.description;
   }

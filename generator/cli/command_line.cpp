@@ -50,6 +50,15 @@ class Adder {
     add_assemble();
     add_choice<Route>("--route", options_.pipeline.route, {{"emitted", Route::emitted}, {"paper", Route::paper}},
                       "ROUTE", "emitted (default), or paper: its Z, Gamma and (3.7)-(3.8), term by term");
+    add_choice<Strategy>("--strategy", options_.pipeline.strategy,
+                         {{"auto", Strategy::automatic},
+                          {"tree", Strategy::tree},
+                          {"metric", Strategy::metric},
+                          {"multipliers", Strategy::multipliers}},
+                         "STRATEGY",
+                         "how Z is minimised: auto (default) takes the fewest operations; tree: body by body; metric: "
+                         "over all speeds at once, "
+                         "eliminating dependent ones where that is safe; multipliers: likewise, but by (3.4)");
     const auto take_nodes = [&options = options_](const std::string& nodes) {
       options.pipeline.most_nodes = static_cast<std::size_t>(number_of("--max-nodes", nodes, k_most_nodes));
     };

@@ -11,7 +11,12 @@ using kinematics::k_ground;
 using kinematics::Link;
 
 LinkMotion::LinkMotion(const std::vector<Link>& links, Vector3 fall, std::string prefix)
-    : links_(links), fall_(std::move(fall)), prefix_(std::move(prefix)), drift_(links.size()), velocity_(links.size()), fall_at_(links.size()) {}
+    : links_(links),
+      fall_(std::move(fall)),
+      prefix_(std::move(prefix)),
+      drift_(links.size()),
+      velocity_(links.size()),
+      fall_at_(links.size()) {}
 
 Vector3 LinkMotion::turned(std::size_t i, const Vector3& v) const {
   const Link& link = links_[i];
@@ -72,9 +77,14 @@ void LinkMotion::find_velocities(Steps& steps) {
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
     const Vector3 before = omega_before(i);
-    omega_.push_back(link.kind == Link::Kind::shift
-                         ? before
-                         : steps.name(turned(i, before) + link.velocity, prefix_ + "omega_" + link.name));
+    if (link.kind == Link::Kind::shift) {
+      omega_.push_back(before);
+      continue;
+    }
+    const Vector3 omega = turned(i, before) + link.velocity;
+    // Of a spin it is a sum that may cancel against parts of it; nothing else needs it.
+    const bool is_sum = link.kind == Link::Kind::spin;
+    omega_.push_back(is_sum ? omega : steps.name(omega, prefix_ + "omega_" + link.name));
   }
 }
 
@@ -127,8 +137,7 @@ void LinkMotion::accumulate(const std::function<bool(std::size_t, std::size_t)>&
 
 Vector3 scaled(const ir::Rational& factor, const Vector3& v) { return {factor * v[0], factor * v[1], factor * v[2]}; }
 
-kinematics::Linkage in_units(const kinematics::Linkage& linkage, const ir::Rational& length,
-                             const ir::Rational& mass) {
+kinematics::Linkage in_units(const kinematics::Linkage& linkage, const ir::Rational& length, const ir::Rational& mass) {
   kinematics::Linkage result = linkage;
   const ir::Rational per_length = 1 / length, per_mass = 1 / mass;
   for (Link& link : result.links) {

@@ -88,7 +88,8 @@ void LinkRowBuilder::follow_contacts() {
   for (const std::optional<PlacedRow>& row : placed_) {
     if (!row) continue;
     for (const Spot& spot : row->spots) {
-      if (linkage_.links[spot.link].kind == Link::Kind::spin) follow(linkage_, spot.link, position(spot), problem_.rate_of);
+      if (linkage_.links[spot.link].kind == Link::Kind::spin)
+        follow(linkage_, spot.link, position(spot), problem_.rate_of);
     }
   }
 }
@@ -104,12 +105,12 @@ void LinkRowBuilder::add_to_groups(std::size_t index) {
   const std::vector<Spot>& spots = placed_[index]->spots;
   const std::optional<std::size_t> axis = axis_of(spots[0].direction);
   const auto is_alike = [&](const Spot& a, const Spot& b) { return a.link == b.link && a.place == b.place; };
-  const bool is_along_axis = axis && std::all_of(spots.begin(), spots.end(), [&](const Spot& spot) {
-                               return axis_of(spot.direction) == axis;
-                             });
+  const bool is_along_axis = axis && std::all_of(spots.begin(), spots.end(),
+                                                 [&](const Spot& spot) { return axis_of(spot.direction) == axis; });
   if (!is_along_axis) return;
   for (Group& group : groups_) {
-    const auto first = std::find_if(group.along.begin(), group.along.end(), [](const auto& row) { return row.has_value(); });
+    const auto first =
+        std::find_if(group.along.begin(), group.along.end(), [](const auto& row) { return row.has_value(); });
     const std::vector<Spot>& others = placed_[**first]->spots;
     const bool is_same = std::equal(spots.begin(), spots.end(), others.begin(), others.end(), is_alike);
     if (!is_same || group.along[*axis]) continue;
@@ -139,7 +140,8 @@ void LinkRowBuilder::release_or_drop(Group& group) {
   const Link& link = linkage_.links[base];
   const bool is_floating = link.kind == Link::Kind::shift && is_free_along(link, (*idle + 1) % 3) &&
                            is_free_along(link, (*idle + 2) % 3) && !is_free_along(link, *idle);
-  const bool is_alone = std::none_of(released_.begin(), released_.end(), [&](const auto& r) { return r.first == base; });
+  const bool is_alone =
+      std::none_of(released_.begin(), released_.end(), [&](const auto& r) { return r.first == base; });
   if (count == 2 && is_floating && is_alone && placed_[*group.along[*idle]]->spots.size() == 1) {
     released_.emplace_back(base, *idle);
   } else {
@@ -163,9 +165,11 @@ void LinkRowBuilder::add_term(const Spot& spot, const Vector3& direction, LinkMo
 
 // The axes of the link, as far as turns to it leave the directions of the group among themselves.
 std::size_t LinkRowBuilder::axes_of(const Group& group) const {
-  const auto first = std::find_if(group.along.begin(), group.along.end(), [](const auto& row) { return row.has_value(); });
+  const auto first =
+      std::find_if(group.along.begin(), group.along.end(), [](const auto& row) { return row.has_value(); });
   const std::size_t link = placed_[**first]->spots[0].link;
-  const auto count = std::count_if(group.along.begin(), group.along.end(), [](const auto& row) { return row.has_value(); });
+  const auto count =
+      std::count_if(group.along.begin(), group.along.end(), [](const auto& row) { return row.has_value(); });
   if (count == 3) return link;
   std::vector<std::size_t> path;
   for (std::size_t at = link; at != k_ground; at = linkage_.links[at].parent) path.push_back(at);
@@ -187,6 +191,11 @@ LinkRow LinkRowBuilder::empty_row(std::size_t index) const {
   return {row.name, {}, {}, number(0), number(0)};
 }
 
+// A wheel rolls along the plane, and nothing falls along it, but its axes do not show this.
+void LinkRowBuilder::set_fall(Expr fall, LinkRow& row) const {
+  if (!problem_.vanishes(fall)) row.fall = fall;
+}
+
 void LinkRowBuilder::add(const Group& group, LinkMotion& motion, LinkRows& result) const {
   const std::size_t axes = axes_of(group);
   const std::size_t first_row = result.rows.size();
@@ -205,7 +214,7 @@ void LinkRowBuilder::add(const Group& group, LinkMotion& motion, LinkRows& resul
       add_term(spot, is_opposite ? -along : along, motion, row);
       falling += is_opposite ? -1 : 1;
     }
-    if (falling != 0) row.fall = ir::Rational(falling) * motion.fall_at(axes)[k];
+    if (falling != 0) set_fall(ir::Rational(falling) * motion.fall_at(axes)[k], row);
     result.rows.push_back(std::move(row));
   }
   for (const std::size_t k : directions) {
@@ -238,7 +247,7 @@ void LinkRowBuilder::add(const PlacedRow& placed, LinkMotion& motion, Steps& ste
     const Vector3 turning = resolved(linkage_.links, axes, spot.link, cross(motion.omega_of_axes(axes), along));
     row.rest += dot(turning, motion.velocity(spot.link, steps) + cross(motion.omega(spot.link), position(spot)));
   }
-  if (!is_zero(falling)) row.fall = dot(falling, motion.fall_at(axes));
+  if (!is_zero(falling)) set_fall(dot(falling, motion.fall_at(axes)), row);
   result.multipliers[placed.constraint].push_back({result.rows.size(), number(1)});
   result.rows.push_back(std::move(row));
 }

@@ -49,10 +49,11 @@ struct LinkRows {
 
 struct ConstraintProblem {
   const kinematics::Kinematics& kinematics;
-  Matrix b;                            ///< over free speeds: b du/dt + drift = 0
+  Matrix b;  ///< over free speeds: b du/dt + drift = 0
   Vector b_drift;
-  std::function<ir::Expr(ir::Expr)> rate_of;         ///< d/dt of what depends on coordinates
-  std::function<bool(ir::Expr)> vanishes;            ///< in every state, whatever form the expression has
+  std::function<ir::Expr(ir::Expr)> rate_of;  ///< d/dt of what depends on coordinates
+  std::function<bool(ir::Expr)> vanishes;     ///< in every state, whatever form the expression has
+  std::function<double(ir::Expr)> value_of;   ///< at some point; none where parameters may take any value
 };
 
 /// Which rows are those of places on links, and what they say.
@@ -95,6 +96,7 @@ class LinkRowBuilder {
   ir::Vector3 position(const Spot& spot) const;
   void add_term(const Spot& spot, const ir::Vector3& direction, LinkMotion& motion, LinkRow& row) const;
   LinkRow empty_row(std::size_t index) const;
+  void set_fall(ir::Expr fall, LinkRow& row) const;
   bool is_idle(std::size_t index) const { return placed_[index]->constraint >= problem_.b.size(); }
   ir::Expr number(int value) const { return {graph_, graph_.constant(value)}; }
 

@@ -34,6 +34,10 @@ bool is_same_all_around(const MassProperties& body, std::size_t axis) {
 void hang_before_turns_about_the_same_axis(std::vector<Link>& links, Link& spin) {
   while (spin.parent != k_ground) {
     const Link& before = links[spin.parent];
+    if (before.kind == Link::Kind::spin) {
+      spin.parent = before.parent;  // which does not turn, as something hangs on it
+      continue;
+    }
     if (before.kind != Link::Kind::turn || before.axis != spin.axis) return;
     spin.angle = *spin.angle + *before.angle;
     spin.velocity = spin.velocity + before.velocity;

@@ -5,6 +5,7 @@
 
 #include "ir/contract.hpp"
 #include "strategy/axes.hpp"
+#include "strategy/fixed_turns.hpp"
 #include "strategy/link_motion.hpp"
 #include "strategy/margins.hpp"
 #include "strategy/own_components.hpp"
@@ -29,6 +30,9 @@ const char* const k_axes = "xyz";
 /// How many times its rounding error the response of a constraint exceeds where it says something of its own.
 constexpr int k_lost_in_rows = 1000;
 
+/// How many times an inertia may be another one for multipliers to be right without a correction, up to the digits of this number.
+constexpr double k_widest_range = 1e4;
+
 class Tree {
  public:
   Tree(const TreeProblem& problem, const TreeForm& form, Expr epsilon, Steps& steps)
@@ -38,7 +42,7 @@ class Tree {
         graph_(epsilon.graph()),
         epsilon_(epsilon),
         zero_(graph_, graph_.constant(0)),
-        linkage_(in_units(problem.linkage, form.length, form.mass)),
+        linkage_(prepared(problem.linkage, form)),
         links_(linkage_.links),
         properties_(mass_properties(linkage_, graph_)),
         motion_(links_, scaled(-1 / form.length, problem.field), problem.prefix),
@@ -65,19 +69,27 @@ class Tree {
     if (std::any_of(uses.begin(), uses.end(), [](const auto& links) { return links.empty(); })) return std::nullopt;
     place_rows();
     if (drift_ == Drift::accumulated) {
-      motion_.accumulate([this](std::size_t i, std::size_t k) { return own_.base_at(i) != nullptr && own_.base_at(i)->along[k]; }, steps_);
+      motion_.accumulate(
+          [this](std::size_t i, std::size_t k) { return own_.base_at(i) != nullptr && own_.base_at(i)->along[k]; },
+          steps_);
     }
     for (std::size_t i = links_.size(); i-- > 0;) {
       if (!inward(i)) return std::nullopt;
     }
-    if (!solve_rows()) return std::nullopt;
-    for (std::size_t i = 0; i < links_.size(); ++i) outward(i);
+    if (!factorise_rows()) return std::nullopt;
+    find_accelerations();
+    if (schur_ && needs_correction()) correct();
     find_imposed();
     return solution();
   }
 
-
  private:
+  static Linkage prepared(const Linkage& linkage, const TreeForm& form) {
+    Linkage result = in_units(linkage, form.length, form.mass);
+    if (form.chooses_axes) choose_axes(result);
+    return result;
+  }
+
   static std::size_t most_rows(const TreeProblem& problem) {
     return problem.constraints.kinematics.constraints.size() + problem.constraints.kinematics.idle_slips.size();
   }
@@ -119,7 +131,8 @@ class Tree {
   }
 
   std::string name_of_acceleration(Component c) const {
-    return problem_.prefix + (is_linear(c) ? "a_" : "alpha_") + axis_of(c);
+    const char* const kind = is_linear(c) ? "a_" : "alpha_";
+    return problem_.prefix + (is_correcting_ ? "correction_" : "") + kind + axis_of(c);
   }
 
   Expr one() const { return {graph_, graph_.constant(1)}; }
@@ -163,9 +176,7 @@ class Tree {
       Z_.add(a(i, k), dual(r), term.linear[k]);
       Z_.add(alpha(i, k), dual(r), term.angular[k]);
     }
-    if (by_link()) return;
-    const auto& [linear, angular] = motion_.accumulated(i);
-    Z_.add(dual(r), dot(term.linear, linear) + dot(term.angular, angular));
+    if (!by_link()) Z_.add(dual(r), drift_of(term));
   }
 
   // What acts along a speed, on a component of which du/dt has `per` as its part.
@@ -257,7 +268,8 @@ class Tree {
   }
 
   bool inward(std::size_t i) {
-    steps_.begin("Z of all that " + links_[i].name + " carries, at its minimum over the own acceleration of " + links_[i].name);
+    steps_.begin("Z of all that " + links_[i].name + " carries, at its minimum over the own acceleration of " +
+                 links_[i].name);
     const FloatingBase* const floating = own_.base_anchored_at(i);
     add_body(i);
     if (is_shift(i) || floating != nullptr) add_mass(i);
@@ -271,7 +283,7 @@ class Tree {
     impose_rows(i, free);
     for (const Component c : free) {
       eliminated_[i].push_back(minimise(i, c));
-      if (eliminated_[i].back().pivot.is_zero()) return false;
+      if (has_no_inertia(eliminated_[i].back())) return false;
     }
     act_on(i, -1);
     pass_on(i);
@@ -304,9 +316,18 @@ class Tree {
     return free;
   }
 
+  // Rows may say then what inertia does not: Z over all speeds at once, completed by them, knows how.
+  bool has_no_inertia(const Eliminated& e) const {
+    return e.pivot.is_zero() || (!rows_.rows.empty() && problem_.constraints.vanishes(e.pivot));
+  }
+
   Eliminated minimise(std::size_t i, Component c) {
+    const std::vector<Component> others = Z_.neighbours(c);
     const Eliminated result = Z_.minimise(c, steps_);
     margins_.push_back({result.pivot, is_clean_ ? zero_ : rounding(i, c)});
+    if (std::any_of(others.begin(), others.end(), [&](Component other) { return is_dual(other); })) {
+      coupled_.emplace_back(result.pivot, greatest(i, c));
+    }
     is_clean_ = false;
     ++pivots_;
     return result;
@@ -321,6 +342,12 @@ class Tree {
       for (const std::size_t link : own_.uses[c - shared(0)]) sum += bound_along(link, c - shared(0));
     }
     return ir::Rational(4 * static_cast<int>(pivots_ + 1)) * epsilon_ * sum;
+  }
+
+  /// Of all that hangs on the ground with a link.
+  Expr greatest(std::size_t i, Component c) const {
+    while (links_[i].parent != k_ground) i = links_[i].parent;
+    return is_linear(c) ? bounds_[i].mass : greatest_inertia(i);
   }
 
   Expr greatest_inertia(std::size_t i) const {
@@ -419,7 +446,7 @@ class Tree {
       const Component c = shared(u);
       act(c, u, one());
       shared_[i].push_back(minimise(i, c));
-      if (shared_[i].back().pivot.is_zero()) return false;
+      if (has_no_inertia(shared_[i].back())) return false;
     }
     return true;
   }
@@ -427,31 +454,78 @@ class Tree {
   // --- multipliers --------------------------------------------------------------------------------------------
 
   // What is left of Z: -½ λ·S λ + λ·p. At its stationary point S λ = p; the multipliers of (3.4) have the other sign.
-  bool solve_rows() {
-    std::vector<std::size_t> left;
+  bool factorise_rows() {
     std::vector<std::string> labels;
     for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
-      const bool is_gone = std::any_of(imposed_.begin(), imposed_.end(), [&](const Imposed& i) { return i.dual == dual(r); });
+      const bool is_gone =
+          std::any_of(imposed_.begin(), imposed_.end(), [&](const Imposed& i) { return i.dual == dual(r); });
       if (is_gone) continue;
-      left.push_back(r);
+      left_.push_back(r);
       labels.push_back(rows_.rows[r].name);
     }
-    if (left.empty()) return true;
+    if (left_.empty()) return true;
     Matrix S;
-    Vector p;
-    for (const std::size_t r : left) {
+    for (const std::size_t r : left_) {
       S.emplace_back();
-      for (const std::size_t other : left) S.back().push_back(-Z_.entry(dual(r), dual(other)));
-      p.push_back(-Z_.linear(dual(r)));
+      for (const std::size_t other : left_) S.back().push_back(-Z_.entry(dual(r), dual(other)));
     }
     steps_.begin("how the accelerations along the constraints respond: S = L D L^T");
-    const Ldl schur(S, labels, problem_.prefix + "S", epsilon_, steps_, Dependent::drop);
-    if (!schur.vanishing().empty()) return false;
-    steps_.begin("multipliers, in the axes and units of these rows");
-    const Vector lambda = schur.solve(p, problem_.prefix + "force", steps_);
-    for (std::size_t at = 0; at < left.size(); ++at) w_[dual(left[at])] = -lambda[at];
-    dependent_ = schur.breakdown(k_lost_in_rows);
+    schur_.emplace(S, labels, problem_.prefix + "S", epsilon_, steps_, Dependent::drop);
+    if (!schur_->vanishing().empty()) return false;
+    dependent_ = schur_->breakdown(k_lost_in_rows);
     return true;
+  }
+
+  /// From what the rows are without the multipliers.
+  void solve_rows(const Vector& defect, const std::string& name) {
+    const Vector lambda = schur_->solve(defect, problem_.prefix + name, steps_);
+    for (std::size_t at = 0; at < left_.size(); ++at) w_[dual(left_[at])] = -lambda[at];
+  }
+
+  void find_accelerations() {
+    if (schur_) {
+      Vector defect;
+      for (const std::size_t r : left_) defect.push_back(-Z_.linear(dual(r)));
+      steps_.begin("multipliers, in the axes and units of these rows");
+      solve_rows(defect, "force");
+    }
+    for (std::size_t i = 0; i < links_.size(); ++i) outward(i);
+  }
+
+  // Accelerations without constraints may be large where something is light, and leave their rounding: then rows are not what
+  // they should be. With parameters that anybody may change it can be so; numbers show it.
+  bool needs_correction() const {
+    return std::any_of(coupled_.begin(), coupled_.end(), [&](const auto& pair) {
+      const auto& [pivot, greatest] = pair;
+      if (!problem_.constraints.value_of) return true;
+      return !(problem_.constraints.value_of(greatest) <= k_widest_range * problem_.constraints.value_of(pivot));
+    });
+  }
+
+  void correct() {
+    steps_.begin("corrected once, by what rounding has left of the rows");
+    Vector defect;
+    for (const std::size_t r : left_) {
+      const LinkRow& row = rows_.rows[r];
+      Expr sum = row.rest - row.fall;
+      for (const LinkTerm& term : row.links) {
+        sum += dot(term.linear, of(a(term.link, 0))) + dot(term.angular, of(alpha(term.link, 0)));
+        if (!by_link()) sum += drift_of(term);
+      }
+      for (const SpeedTerm& term : row.speeds) sum += term.coefficient * w_[shared(term.speed)];
+      defect.push_back(-steps_.name(sum, problem_.prefix + "defect_" + row.name));
+    }
+    const Vector rough = w_;
+    w_.assign(w_.size(), zero_);
+    is_correcting_ = true;
+    solve_rows(defect, "correction");
+    for (std::size_t i = 0; i < links_.size(); ++i) outward(i);
+    for (std::size_t c = 0; c < w_.size(); ++c) w_[c] = rough[c] + w_[c];
+  }
+
+  Expr drift_of(const LinkTerm& term) const {
+    const auto& [linear, angular] = motion_.accumulated(term.link);
+    return dot(term.linear, linear) + dot(term.angular, angular);
   }
 
   /// The last ones first: their rows have multipliers of later ones in them.
@@ -482,7 +556,7 @@ class Tree {
   // --- from the ground to the leaves --------------------------------------------------------------------------
 
   Expr at_minimum(const Eliminated& e) const {
-    Expr w = e.offset;
+    Expr w = is_correcting_ ? zero_ : e.offset;
     for (const LinearTerm& term : e.factors) w -= term.coefficient * w_[term.component];
     return w;
   }
@@ -495,14 +569,15 @@ class Tree {
     for (auto e = shared_[i].rbegin(); e != shared_[i].rend(); ++e) w_[e->component] = at_minimum(*e);
     const bool is_first = link.parent == k_ground;
     const Vector3 none = ir::zero3(graph_);
-    const Vector3 a_before = !is_first ? of(a(link.parent, 0)) : by_link() ? motion_.fall() : none;
+    const bool falls = by_link() && !is_correcting_;
+    const Vector3 a_before = !is_first ? of(a(link.parent, 0)) : falls ? motion_.fall() : none;
     const Vector3 alpha_before = is_first ? none : of(alpha(link.parent, 0));
     Vector3 linear = motion_.turned(i, a_before);
     Vector3 angular = motion_.turned(i, alpha_before);
     Vector3& moved = is_shift(i) ? linear : angular;
     if (is_shift(i)) linear = linear + cross(alpha_before, link.offset);
     moved = moved + by_others(i);
-    if (by_link()) moved = moved + motion_.drift(i, steps_);
+    if (falls) moved = moved + motion_.drift(i, steps_);
     for (std::size_t k = 0; k < 3; ++k) {
       w_[a(i, k)] = linear[k];
       w_[alpha(i, k)] = angular[k];
@@ -565,7 +640,7 @@ class Tree {
     for (std::size_t k = 0; k < 3; ++k) {
       if (!floating->along[k]) continue;
       // What rows say has free fall taken out: then it need not be put in, turned, and taken out again.
-      said[k] = is_said ? said[k] - motion_.fall_at(i)[k] : w_[a(i, k)];
+      said[k] = is_said && !is_correcting_ ? said[k] - motion_.fall_at(i)[k] : w_[a(i, k)];
     }
     find_base(*floating, said, is_said);
   }
@@ -581,13 +656,14 @@ class Tree {
       const std::size_t parent = links_[at].parent;
       if (is_shift(at)) {
         v = v - cross(of(alpha(parent, 0)), links_[at].offset);
-        if (by_link()) v = v - motion_.drift(at, steps_);
+        if (by_link() && !is_correcting_) v = v - motion_.drift(at, steps_);
       } else {
         v = motion_.turned_back(at, v);
       }
     }
-    Vector3 given = by_others(floating.base) + motion_.drift(floating.base, steps_);
-    if (!is_without_fall) given = given + motion_.fall();
+    Vector3 given = by_others(floating.base);
+    if (!is_correcting_) given = given + motion_.drift(floating.base, steps_);
+    if (!is_correcting_ && !is_without_fall) given = given + motion_.fall();
     for (std::size_t k = 0; k < 3; ++k) {
       if (floating.along[k]) find_speed(floating.base, k, v[k] - given[k]);
     }
@@ -630,6 +706,10 @@ class Tree {
   std::set<Component> is_imposed_;
   Vector w_;  ///< by component
   std::vector<std::pair<Expr, Expr>> margins_;
+  std::vector<std::pair<Expr, Expr>> coupled_;  ///< pivots of what multipliers push, and what inertia could be at most
+  std::vector<std::size_t> left_;               ///< rows that were not imposed
+  std::optional<Ldl> schur_;
+  bool is_correcting_ = false;
   Expr dependent_;
   bool is_clean_ = true;  ///< nothing was minimised yet, so nothing has cancelled
   std::size_t pivots_ = 0;

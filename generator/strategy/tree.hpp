@@ -27,8 +27,9 @@ enum class Drift {
 
 struct TreeForm {
   Drift drift = Drift::by_link;
-  ir::Rational length = 1;  ///< m: the unit in which Z is minimised; of many equal lengths, theirs saves operations
-  ir::Rational mass = 1;    ///< kg, likewise
+  ir::Rational length = 1;    ///< m: the unit in which Z is minimised; of many equal lengths, theirs saves operations
+  ir::Rational mass = 1;      ///< kg, likewise
+  bool chooses_axes = false;  ///< such that turns by fixed angles vanish
 };
 
 /// Accelerations at a cost that grows with the number of links. Nothing where some acceleration has no inertia in any

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "ir/cost.hpp"
+#include "strategy/fixed_turns.hpp"
 
 namespace gaussgen::strategy {
 
@@ -50,18 +51,22 @@ TreeForm natural_units(const Linkage& linkage) {
     for (const Expr e : link.offset) length.add(e);
   }
   for (const kinematics::Part& part : linkage.parts) mass.add(part.mass);
-  return {Drift::by_link, length.value(), mass.value()};
+  return {Drift::by_link, length.value(), mass.value(), false};
 }
 
 std::vector<TreeForm> forms_of(const Linkage& linkage) {
   std::vector<TreeForm> forms{{}};
   const TreeForm natural = natural_units(linkage);
   if (natural.length != 1 || natural.mass != 1) forms.push_back(natural);
-  const std::vector<TreeForm> by_link = forms;
-  for (TreeForm form : by_link) {
-    form.drift = Drift::accumulated;
-    forms.push_back(form);
-  }
+  const auto with_each = [&](auto change) {
+    const std::vector<TreeForm> before = forms;
+    for (TreeForm form : before) {
+      change(form);
+      forms.push_back(form);
+    }
+  };
+  with_each([](TreeForm& form) { form.drift = Drift::accumulated; });
+  if (has_fixed_turns(linkage)) with_each([](TreeForm& form) { form.chooses_axes = true; });
   return forms;
 }
 
@@ -78,7 +83,6 @@ Candidate counted(Solution solution, Steps steps) {
 std::optional<Candidate> cheapest_tree(const TreeProblem& problem, Expr epsilon) {
   std::optional<Candidate> best;
   for (const TreeForm& form : forms_of(problem.linkage)) {
-    if (const char* d = std::getenv("GAUSS_DRIFT"); d && (form.drift == Drift::by_link) != (*d == 108)) continue;
     Steps steps;
     std::optional<Solution> solution = solve_tree(problem, form, epsilon, steps);
     if (!solution) return std::nullopt;

@@ -155,7 +155,7 @@ TEST_CASE(
   for (const char* tilt : {"z", "[1, 2, 3]"}) {
     for (const bool multipliers : {false, true}) {
       MechanicsOptions options;
-      options.force_multipliers = multipliers;
+      if (multipliers) options.strategy = Strategy::multipliers;
       const Case c = bead_on_table("initial: 0.2", "constraints: {drive: {velocity: dot(turn) - 0.7}}\n", tilt);
       EmittedNumbers emitted(c, options);
       INFO(tilt << ", multipliers " << multipliers);

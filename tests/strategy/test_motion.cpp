@@ -39,7 +39,7 @@ Vec configuration_rates(const Case& c, const kinematics::Symbols& symbols) {
 }
 
 void check_motion(const Case& c, bool force_multipliers) {
-  EmittedNumbers emitted(c, {false, force_multipliers});
+  EmittedNumbers emitted(c, {false, force_multipliers ? Strategy::multipliers : Strategy::automatic});
   const Motion motion = minimise(c.bare, probe(c.bare));
   Vec derivative = configuration_rates(c, emitted.mechanics().symbols);
   derivative.insert(derivative.end(), motion.accelerations.begin(), motion.accelerations.end());
