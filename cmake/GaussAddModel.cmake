@@ -1,5 +1,5 @@
 # gauss_add_model(TARGET <target> MODEL <file.yaml>
-#                 [COUNTS <name>=<number> ...] [OUTPUTS <function> ...] [FOLD] [NAMESPACE <name>] [ROUTE paper])
+#                 [COUNTS <name>=<number> ...] [OUTPUTS <function> ...] [FOLD] [NAMESPACE <name>] [ROUTE paper] [STRATEGY <one>])
 #
 # Generates <name>.hpp from a model when <target> is built, and puts it on the include path of the target:
 # #include "<name>.hpp", where <name> is the name that the model file gives. The options are those of gauss-gen.
@@ -154,10 +154,10 @@ function(_gauss_keep_header target name folder)
 endfunction()
 
 function(gauss_add_model)
-  cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD" "TARGET;MODEL;NAMESPACE;ROUTE" "COUNTS;OUTPUTS")
+  cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD" "TARGET;MODEL;NAMESPACE;ROUTE;STRATEGY" "COUNTS;OUTPUTS")
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "gauss_add_model: not understood: '${ARG_UNPARSED_ARGUMENTS}'; it takes TARGET, MODEL, COUNTS, OUTPUTS, "
-                        "FOLD, NAMESPACE and ROUTE")
+                        "FOLD, NAMESPACE, ROUTE and STRATEGY")
   endif()
   if(ARG_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "gauss_add_model: no value after ${ARG_KEYWORDS_MISSING_VALUES}; a variable may be empty")
@@ -187,6 +187,9 @@ function(gauss_add_model)
   endif()
   if(ARG_ROUTE)
     list(APPEND options --route ${ARG_ROUTE})
+  endif()
+  if(ARG_STRATEGY)
+    list(APPEND options --strategy ${ARG_STRATEGY})
   endif()
   if(ARG_OUTPUTS)
     _gauss_words(outputs ${ARG_OUTPUTS})

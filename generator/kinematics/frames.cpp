@@ -62,9 +62,7 @@ Matrix3 quaternion_matrix(const std::array<Expr, 4>& e) {
 Frames::Frames(const model::Model& model, const Symbols& symbols, Expressions& expressions)
     : model_(model), symbols_(symbols), expressions_(expressions) {}
 
-Matrix3 Frames::identity() const {
-  return ir::identity3(expressions_.graph());
-}
+Matrix3 Frames::identity() const { return ir::identity3(expressions_.graph()); }
 
 Vector3 Frames::origin(std::size_t frame) {
   return frame == k_space ? ir::zero3(expressions_.graph()) : placed(frame).origin;

@@ -72,7 +72,8 @@ class Builder {
     const Matrix3 identity = ir::identity3(graph());
     if (carries_[index] != 0) return Place{ends_[index], zero_, identity};
     const model::Frame& frame = model_.frames[index];
-    std::optional<Place> result = frame.parent == model::k_space ? Place{k_ground, zero_, identity} : result_.places[frame.parent];
+    std::optional<Place> result =
+        frame.parent == model::k_space ? Place{k_ground, zero_, identity} : result_.places[frame.parent];
     if (!result) return std::nullopt;
     result->position = result->position + ir::multiply(result->axes, held(expressions_(frame.position)));
     result->is_fixed = result->is_fixed && is_fixed(*result);

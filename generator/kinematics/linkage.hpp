@@ -60,8 +60,8 @@ struct Place {
 };
 
 struct Linkage {
-  std::vector<Link> links;                    ///< parents first
-  std::vector<Part> parts;                    ///< those that move
+  std::vector<Link> links;                   ///< parents first
+  std::vector<Part> parts;                   ///< those that move
   std::vector<std::optional<Place>> places;  ///< of frames; nothing where they turn about axes in general position
 };
 

@@ -17,6 +17,7 @@ std::size_t common_carrier(const std::vector<kinematics::Link>& links, std::size
 ir::Vector3 resolved(const std::vector<kinematics::Link>& links, std::size_t from, std::size_t to, ir::Vector3 v);
 
 /// A place on `from`, from the origin of `to` in its axes, m; one of the links carries the other.
-ir::Vector3 position_on(const std::vector<kinematics::Link>& links, std::size_t from, std::size_t to, ir::Vector3 place);
+ir::Vector3 position_on(const std::vector<kinematics::Link>& links, std::size_t from, std::size_t to,
+                        ir::Vector3 place);
 
 }  // namespace gaussgen::strategy

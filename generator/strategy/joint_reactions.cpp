@@ -29,7 +29,8 @@ class JointSums {
     moment_ = force_;
     at_ = &joint.point;
     for (const BodyIndex i : kinematics_.bodies->indices()) {
-      if (is_carried(model_.bodies[i.value].frame, joint.frame)) add(bodies_[i.value], (*kinematics_.bodies)[i].position);
+      if (is_carried(model_.bodies[i.value].frame, joint.frame))
+        add(bodies_[i.value], (*kinematics_.bodies)[i].position);
     }
     for (const kinematics::AppliedForce& force : kinematics_.applied) {
       if (!is_carried(force.frame, joint.frame)) continue;

@@ -12,7 +12,8 @@ namespace {
 
 class Finder {
  public:
-  Finder(const std::vector<Link>& links, const std::vector<char>& is_acted_on) : links_(links), is_acted_on_(is_acted_on) {
+  Finder(const std::vector<Link>& links, const std::vector<char>& is_acted_on)
+      : links_(links), is_acted_on_(is_acted_on) {
     result_.of_joint.resize(links.size());
     result_.uses.resize(is_acted_on.size());
     result_.is_owned.assign(is_acted_on.size(), 0);
@@ -54,7 +55,8 @@ class Finder {
     for (std::size_t k = 0; k < 3; ++k) {
       if (freedom.column[k].is_zero()) continue;
       const OwnComponent& own = result_.of_joint[link][k];
-      const bool acts = own.freedom != nullptr && own.freedom != &freedom && is_acted_on_[own.freedom->speed.value] != 0;
+      const bool acts =
+          own.freedom != nullptr && own.freedom != &freedom && is_acted_on_[own.freedom->speed.value] != 0;
       if (!own.is_free || acts) found.push_back(k);
     }
     return found;
@@ -69,6 +71,7 @@ class Finder {
       if (entry.graph()[entry.id()].kind != ir::Kind::constant) continue;
       result_.of_joint[i][here[0]] = {true, &freedom};
       result_.is_owned[freedom.speed.value] = 1;
+      result_.in_order.emplace_back(i, here[0]);
       is_changed = true;
     }
     return is_changed;
@@ -94,7 +97,8 @@ class Finder {
 };
 
 bool has_mass(const MassProperties& body) {
-  return !body.mass.is_zero() || !is_zero(body.first) || !std::all_of(body.inertia.begin(), body.inertia.end(), [](const ir::Vector3& row) { return is_zero(row); });
+  return !body.mass.is_zero() || !is_zero(body.first) ||
+         !std::all_of(body.inertia.begin(), body.inertia.end(), [](const ir::Vector3& row) { return is_zero(row); });
 }
 
 /// Turns of these axes leave the free components among themselves.
@@ -107,8 +111,8 @@ bool keeps(const Link& link, const std::array<bool, 3>& along) {
 
 /// As far as nothing has mass or hangs beside: there Z knows the origin by its axes, where its inertia is constant.
 std::size_t anchor_of(const FloatingBase& floating, const std::vector<Link>& links,
-                      const std::vector<MassProperties>& properties, const std::vector<std::vector<std::size_t>>& children,
-                      bool is_acted_on) {
+                      const std::vector<MassProperties>& properties,
+                      const std::vector<std::vector<std::size_t>>& children, bool is_acted_on) {
   std::size_t at = floating.base;
   while (!has_mass(properties[at]) && children[at].size() == 1) {
     const std::size_t next = children[at][0];

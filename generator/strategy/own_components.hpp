@@ -22,9 +22,12 @@ struct FloatingBase {
 struct OwnComponents {
   std::vector<std::array<OwnComponent, 3>> of_joint;  ///< of links: along what moves, linear for a shift, else angular
   std::vector<FloatingBase> bases;
-  std::vector<std::vector<std::size_t>> uses;  ///< of speeds: links that they move in components that are not free, in order
+  std::vector<std::vector<std::size_t>>
+      uses;  ///< of speeds: links that they move in components that are not free, in order
 
-  std::vector<char> is_owned;                  ///< of speeds: one of the components is theirs
+  std::vector<char> is_owned;  ///< of speeds: one of the components is theirs
+  std::vector<std::pair<std::size_t, std::size_t>>
+      in_order;  ///< links and components, as they were found to be free by a speed
 
   const FloatingBase* base_anchored_at(std::size_t link) const;
   const FloatingBase* base_at(std::size_t link) const;

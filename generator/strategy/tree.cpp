@@ -1,9 +1,11 @@
 #include "strategy/tree.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "ir/contract.hpp"
+#include "ir/cost.hpp"
 #include "strategy/axes.hpp"
 #include "strategy/fixed_turns.hpp"
 #include "strategy/link_motion.hpp"
@@ -33,6 +35,24 @@ constexpr int k_lost_in_rows = 1000;
 /// How many times an inertia may be another one for multipliers to be right without a correction, up to the digits of this number.
 constexpr double k_widest_range = 1e4;
 
+/// How components with inertia follow a multiplier.
+struct Response {
+  Expr squares, compliance, inertia;
+
+  void add(Expr pivot, Expr coefficient) {
+    const Expr square = pow(coefficient, 2);
+    squares += square;
+    compliance += square / pivot;
+    inertia += square * pivot;
+  }
+
+  /// The largest inertia over the least, or nearly.
+  Expr spread() const { return compliance * inertia / pow(squares, 2); }
+};
+
+/// Operations of a constraint's row over speeds that are few.
+constexpr int k_short_row = 40;
+
 class Tree {
  public:
   Tree(const TreeProblem& problem, const TreeForm& form, Expr epsilon, Steps& steps)
@@ -48,13 +68,16 @@ class Tree {
         motion_(links_, scaled(-1 / form.length, problem.field), problem.prefix),
         per_power_(1 / (form.mass * form.length * form.length)),
         per_force_(1 / (form.mass * form.length)),
+        per_length_(1 / form.length),
         Z_(graph_, first_dual() + most_rows(problem),
            [this](Component i, Component j, bool is_linear) { return is_linear ? name_of(i) : name_of(i, j); }),
         masses_(links_.size(), zero_),
         eliminated_(links_.size()),
         shared_(links_.size()),
         w_(first_dual() + most_rows(problem), zero_),
-        dependent_(zero_) {
+        given_(links_.size(), ir::zero3(graph_)),
+        dependent_(zero_),
+        lost_(zero_) {
     find_spins(properties_, linkage_);
     bounds_ = mass_bounds(links_, properties_);
     move_masses_to_ends(links_, properties_);
@@ -322,12 +345,13 @@ class Tree {
   }
 
   Eliminated minimise(std::size_t i, Component c) {
-    const std::vector<Component> others = Z_.neighbours(c);
+    for (const Component other : Z_.neighbours(c)) {
+      if (!is_dual(other)) continue;
+      responses_.try_emplace(other, Response{zero_, zero_, zero_})
+          .first->second.add(Z_.entry(c, c), Z_.entry(c, other));
+    }
     const Eliminated result = Z_.minimise(c, steps_);
     margins_.push_back({result.pivot, is_clean_ ? zero_ : rounding(i, c)});
-    if (std::any_of(others.begin(), others.end(), [&](Component other) { return is_dual(other); })) {
-      coupled_.emplace_back(result.pivot, greatest(i, c));
-    }
     is_clean_ = false;
     ++pivots_;
     return result;
@@ -342,12 +366,6 @@ class Tree {
       for (const std::size_t link : own_.uses[c - shared(0)]) sum += bound_along(link, c - shared(0));
     }
     return ir::Rational(4 * static_cast<int>(pivots_ + 1)) * epsilon_ * sum;
-  }
-
-  /// Of all that hangs on the ground with a link.
-  Expr greatest(std::size_t i, Component c) const {
-    while (links_[i].parent != k_ground) i = links_[i].parent;
-    return is_linear(c) ? bounds_[i].mass : greatest_inertia(i);
   }
 
   Expr greatest_inertia(std::size_t i) const {
@@ -489,38 +507,92 @@ class Tree {
       steps_.begin("multipliers, in the axes and units of these rows");
       solve_rows(defect, "force");
     }
+    spread();
+  }
+
+  void spread() {
     for (std::size_t i = 0; i < links_.size(); ++i) outward(i);
+    find_speeds();
   }
 
   // Accelerations without constraints may be large where something is light, and leave their rounding: then rows are not what
   // they should be. With parameters that anybody may change it can be so; numbers show it.
-  bool needs_correction() const {
-    return std::any_of(coupled_.begin(), coupled_.end(), [&](const auto& pair) {
-      const auto& [pivot, greatest] = pair;
+  bool needs_correction() {
+    return std::any_of(left_.begin(), left_.end(), [&](std::size_t r) {
       if (!problem_.constraints.value_of) return true;
-      return !(problem_.constraints.value_of(greatest) <= k_widest_range * problem_.constraints.value_of(pivot));
+      const Response& response = responses_.at(dual(r));
+      return !(problem_.constraints.value_of(response.spread()) <= k_widest_range);
     });
   }
 
+  // Correcting once squares the relative error of a solve: as in the multiplier form.
+  Expr lost_inertia() {
+    std::vector<Expr> conditions;
+    for (const std::size_t r : left_) {
+      const Response& response = responses_.at(dual(r));
+      const Expr inertia =
+          steps_.name(response.inertia / response.squares, problem_.prefix + "inertia_" + rows_.rows[r].name);
+      const Expr ratio = pow(epsilon_, 2) * inertia * response.compliance;
+      conditions.push_back(less(response.squares, Rational(1'000'000) * ratio));
+    }
+    return any(graph_, conditions);
+  }
+
+  bool is_forced() const {
+    return !is_zero(problem_.field) ||
+           std::any_of(problem_.forces.begin(), problem_.forces.end(), [](Expr Q) { return !Q.is_zero(); });
+  }
+
   void correct() {
+    if (is_forced()) lost_ = lost_inertia();
     steps_.begin("corrected once, by what rounding has left of the rows");
     Vector defect;
     for (const std::size_t r : left_) {
-      const LinkRow& row = rows_.rows[r];
-      Expr sum = row.rest - row.fall;
-      for (const LinkTerm& term : row.links) {
-        sum += dot(term.linear, of(a(term.link, 0))) + dot(term.angular, of(alpha(term.link, 0)));
-        if (!by_link()) sum += drift_of(term);
-      }
-      for (const SpeedTerm& term : row.speeds) sum += term.coefficient * w_[shared(term.speed)];
-      defect.push_back(-steps_.name(sum, problem_.prefix + "defect_" + row.name));
+      defect.push_back(-steps_.name(defect_of(r), problem_.prefix + "defect_" + rows_.rows[r].name));
     }
     const Vector rough = w_;
     w_.assign(w_.size(), zero_);
     is_correcting_ = true;
     solve_rows(defect, "correction");
-    for (std::size_t i = 0; i < links_.size(); ++i) outward(i);
+    spread();
     for (std::size_t c = 0; c < w_.size(); ++c) w_[c] = rough[c] + w_[c];
+  }
+
+  // Accelerations of links are larger than those of coordinates where turns between them cancel again: the row of the model sees
+  // what is left then. Many terms of it would cost more than they see.
+  Expr defect_of(std::size_t r) const {
+    const LinkRow& row = rows_.rows[r];
+    if (const auto mu = constraint_of(r); mu && !row.links.empty() && is_short(*mu)) {
+      Expr sum = problem_.constraints.b_drift[*mu];
+      for (std::size_t u = 0; u < problem_.forces.size(); ++u) sum += problem_.constraints.b[*mu][u] * w_[shared(u)];
+      return per_length_ * sum;
+    }
+    Expr sum = row.rest - row.fall;
+    for (const LinkTerm& term : row.links) {
+      sum += dot(term.linear, of(a(term.link, 0))) + dot(term.angular, of(alpha(term.link, 0)));
+      if (!by_link()) sum += drift_of(term);
+    }
+    for (const SpeedTerm& term : row.speeds) sum += term.coefficient * w_[shared(term.speed)];
+    return sum;
+  }
+
+  /// The constraint that a row is, and no other.
+  std::optional<std::size_t> constraint_of(std::size_t r) const {
+    std::optional<std::size_t> found;
+    for (std::size_t mu = 0; mu < rows_.multipliers.size(); ++mu) {
+      for (const Share& share : rows_.multipliers[mu]) {
+        if (share.row != r) continue;
+        if (found || !share.factor.is_one()) return std::nullopt;
+        found = mu;
+      }
+    }
+    return found;
+  }
+
+  bool is_short(std::size_t mu) const {
+    std::vector<ir::NodeId> ids{problem_.constraints.b_drift[mu].id()};
+    for (const Expr e : problem_.constraints.b[mu]) ids.push_back(e.id());
+    return ir::operations(graph_, ids) <= k_short_row;
   }
 
   Expr drift_of(const LinkTerm& term) const {
@@ -576,29 +648,24 @@ class Tree {
     Vector3 angular = motion_.turned(i, alpha_before);
     Vector3& moved = is_shift(i) ? linear : angular;
     if (is_shift(i)) linear = linear + cross(alpha_before, link.offset);
-    moved = moved + by_others(i);
     if (falls) moved = moved + motion_.drift(i, steps_);
+    const Vector3 given = moved;
+    moved = moved + by_shared(i);
     for (std::size_t k = 0; k < 3; ++k) {
       w_[a(i, k)] = linear[k];
       w_[alpha(i, k)] = angular[k];
     }
     name_given(i);
-    find_own(i, moved);
+    find_own(i, given);
   }
 
-  /// What the joint adds by speeds that none of its components is free along.
-  Vector3 by_others(std::size_t i) const {
+  /// What the joint adds by speeds that no component is free by.
+  Vector3 by_shared(std::size_t i) const {
     Vector3 sum = ir::zero3(graph_);
     for (const Freedom& freedom : links_[i].freedoms) {
-      if (is_own_here(i, freedom)) continue;
-      sum = sum + w_[shared(freedom.speed.value)] * freedom.column;
+      if (!is_own(freedom)) sum = sum + w_[shared(freedom.speed.value)] * freedom.column;
     }
     return sum;
-  }
-
-  bool is_own_here(std::size_t i, const Freedom& freedom) const {
-    const auto& own = own_.of_joint[i];
-    return std::any_of(own.begin(), own.end(), [&](const OwnComponent& c) { return c.freedom == &freedom; });
   }
 
   void name_given(std::size_t i) {
@@ -629,13 +696,11 @@ class Tree {
       const Component c = e->component;
       const Expr w = at_minimum(*e);
       w_[c] = steps_.name(w, name_of_acceleration(c));
-      if (floating != nullptr && is_linear(c)) {
-        is_said = is_said && is_imposed_.count(c) != 0;
-        said[c % 3] = w;
-      } else {
-        find_speed(i, c % 3, w_[c] - given[c % 3]);
-      }
+      if (floating == nullptr || !is_linear(c)) continue;
+      is_said = is_said && is_imposed_.count(c) != 0;
+      said[c % 3] = w;
     }
+    if (own_.base_at(i) == nullptr) given_[i] = given;
     if (floating == nullptr) return;
     for (std::size_t k = 0; k < 3; ++k) {
       if (!floating->along[k]) continue;
@@ -643,11 +708,6 @@ class Tree {
       said[k] = is_said && !is_correcting_ ? said[k] - motion_.fall_at(i)[k] : w_[a(i, k)];
     }
     find_base(*floating, said, is_said);
-  }
-
-  void find_speed(std::size_t i, std::size_t k, Expr along) {
-    const Freedom* const freedom = own_.of_joint[i][k].freedom;
-    if (freedom != nullptr) w_[shared(freedom->speed.value)] = along / freedom->column[k];
   }
 
   // Back along the way to the link that floats.
@@ -661,11 +721,38 @@ class Tree {
         v = motion_.turned_back(at, v);
       }
     }
-    Vector3 given = by_others(floating.base);
+    Vector3 given = ir::zero3(graph_);
     if (!is_correcting_) given = given + motion_.drift(floating.base, steps_);
     if (!is_correcting_ && !is_without_fall) given = given + motion_.fall();
     for (std::size_t k = 0; k < 3; ++k) {
-      if (floating.along[k]) find_speed(floating.base, k, v[k] - given[k]);
+      if (floating.along[k]) w_[a(floating.base, k)] = v[k];
+    }
+    given_[floating.base] = given;
+  }
+
+  // A component is free by the first speed that has it alone; those found later move along it, too, and are known before.
+  void find_speeds() {
+    for (auto owned = own_.in_order.rbegin(); owned != own_.in_order.rend(); ++owned) {
+      const auto& [i, k] = *owned;
+      const Freedom& own = *own_.of_joint[i][k].freedom;
+      Expr along = w_[first_of_joint(i) + k] - given_[i][k];
+      for (const Freedom& other : links_[i].freedoms) {
+        if (&other != &own) along -= other.column[k] * w_[shared(other.speed.value)];
+      }
+      w_[shared(own.speed.value)] = along / own.column[k];
+    }
+    if (!is_correcting_) find_speeds_of_one_row();
+  }
+
+  // What a constraint says of one speed alone holds to the last digit, also where it is zero.
+  void find_speeds_of_one_row() {
+    const ConstraintProblem& constraints = problem_.constraints;
+    for (std::size_t mu = 0; mu < constraints.b.size(); ++mu) {
+      const Vector& b = constraints.b[mu];
+      const auto has_entry = [](Expr e) { return !e.is_zero(); };
+      const auto first = std::find_if(b.begin(), b.end(), has_entry);
+      if (first == b.end() || std::any_of(first + 1, b.end(), has_entry) || safety(*first) == Safety::unknown) continue;
+      w_[shared(static_cast<std::size_t>(first - b.begin()))] = -(constraints.b_drift[mu] / *first);
     }
   }
 
@@ -681,7 +768,8 @@ class Tree {
     Margins rows(graph_);
     for (const Imposed& imposed : imposed_) rows.require(pow(imposed.component.pivot, 2), zero_);
     const Expr dependent = any(graph_, {dependent_, rows.violated("least_coefficient")});
-    return {accelerations, multipliers(), margins.violated("least_pivot"), dependent, "", {}, {}, {}, false};
+    const Expr singular = any(graph_, {margins.violated("least_pivot"), lost_});
+    return {accelerations, multipliers(), singular, dependent, "", {}, {}, {}, false};
   }
 
   const TreeProblem& problem_;
@@ -695,7 +783,7 @@ class Tree {
   std::vector<MassProperties> properties_;
   std::vector<MassBound> bounds_;
   LinkMotion motion_;
-  Rational per_power_, per_force_;
+  Rational per_power_, per_force_, per_length_;
   LinkRows rows_;
   OwnComponents own_;
   QuadraticForm Z_;
@@ -704,13 +792,14 @@ class Tree {
   std::vector<std::vector<std::size_t>> waiting_;             ///< rows, by link
   std::vector<Imposed> imposed_;
   std::set<Component> is_imposed_;
-  Vector w_;  ///< by component
+  Vector w_;                    ///< by component
+  std::vector<Vector3> given_;  ///< of links: what their joints do not decide of the components that are moved
   std::vector<std::pair<Expr, Expr>> margins_;
-  std::vector<std::pair<Expr, Expr>> coupled_;  ///< pivots of what multipliers push, and what inertia could be at most
-  std::vector<std::size_t> left_;               ///< rows that were not imposed
+  std::map<Component, Response> responses_;  ///< of multipliers
+  std::vector<std::size_t> left_;            ///< rows that were not imposed
   std::optional<Ldl> schur_;
   bool is_correcting_ = false;
-  Expr dependent_;
+  Expr dependent_, lost_;
   bool is_clean_ = true;  ///< nothing was minimised yet, so nothing has cancelled
   std::size_t pivots_ = 0;
 };
