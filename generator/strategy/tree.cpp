@@ -1,19 +1,13 @@
 #include "strategy/tree.hpp"
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 #include "ir/contract.hpp"
 #include "ir/cost.hpp"
 #include "strategy/axes.hpp"
-#include "strategy/fixed_turns.hpp"
-#include "strategy/link_motion.hpp"
 #include "strategy/margins.hpp"
-#include "strategy/own_components.hpp"
-#include "strategy/quadratic_form.hpp"
 #include "strategy/safety.hpp"
-#include "strategy/spins.hpp"
+#include "strategy/tree_z.hpp"
 
 namespace gaussgen::strategy {
 
@@ -23,11 +17,8 @@ using ir::Vector3;
 using kinematics::Freedom;
 using kinematics::k_ground;
 using kinematics::Link;
-using kinematics::Linkage;
 
 namespace {
-
-const char* const k_axes = "xyz";
 
 /// How many times its rounding error the response of a constraint exceeds where it says something of its own.
 constexpr int k_lost_in_rows = 1000;
@@ -35,71 +26,21 @@ constexpr int k_lost_in_rows = 1000;
 /// How many times an inertia may be another one for multipliers to be right without a correction, up to the digits of this number.
 constexpr double k_widest_range = 1e4;
 
-/// How components with inertia follow a multiplier.
-struct Response {
-  Expr squares, compliance, inertia;
-
-  void add(Expr pivot, Expr coefficient) {
-    const Expr square = pow(coefficient, 2);
-    squares += square;
-    compliance += square / pivot;
-    inertia += square * pivot;
-  }
-
-  /// The largest inertia over the least, or nearly.
-  Expr spread() const { return compliance * inertia / pow(squares, 2); }
-};
-
 /// Operations of a constraint's row over speeds that are few.
 constexpr int k_short_row = 40;
 
-class Tree {
+/// From the ground to the leaves: multipliers, accelerations of links, accelerations along the speeds.
+class Tree : private TreeZ {
  public:
   Tree(const TreeProblem& problem, const TreeForm& form, Expr epsilon, Steps& steps)
-      : problem_(problem),
-        drift_(form.drift),
-        steps_(steps),
-        graph_(epsilon.graph()),
-        epsilon_(epsilon),
-        zero_(graph_, graph_.constant(0)),
-        linkage_(prepared(problem.linkage, form)),
-        links_(linkage_.links),
-        properties_(mass_properties(linkage_, graph_)),
-        motion_(links_, scaled(-1 / form.length, problem.field), problem.prefix),
-        per_power_(1 / (form.mass * form.length * form.length)),
-        per_force_(1 / (form.mass * form.length)),
-        per_length_(1 / form.length),
-        Z_(graph_, first_dual() + most_rows(problem),
-           [this](Component i, Component j, bool is_linear) { return is_linear ? name_of(i) : name_of(i, j); }),
-        masses_(links_.size(), zero_),
-        eliminated_(links_.size()),
-        shared_(links_.size()),
+      : TreeZ(problem, form, epsilon, steps),
         w_(first_dual() + most_rows(problem), zero_),
         given_(links_.size(), ir::zero3(graph_)),
         dependent_(zero_),
-        lost_(zero_) {
-    find_spins(properties_, linkage_);
-    bounds_ = mass_bounds(links_, properties_);
-    move_masses_to_ends(links_, properties_);
-  }
+        lost_(zero_) {}
 
   std::optional<Solution> run() {
-    const LinkRowBuilder builder(problem_.constraints, linkage_);
-    motion_.find_velocities(steps_);
-    rows_ = builder.rows(motion_, steps_);
-    own_ = own_components(links_, properties_, acted_on(), rows_.released);
-    const auto& uses = own_.uses;
-    if (std::any_of(uses.begin(), uses.end(), [](const auto& links) { return links.empty(); })) return std::nullopt;
-    place_rows();
-    if (drift_ == Drift::accumulated) {
-      motion_.accumulate(
-          [this](std::size_t i, std::size_t k) { return own_.base_at(i) != nullptr && own_.base_at(i)->along[k]; },
-          steps_);
-    }
-    for (std::size_t i = links_.size(); i-- > 0;) {
-      if (!inward(i)) return std::nullopt;
-    }
-    if (!factorise_rows()) return std::nullopt;
+    if (!minimise() || !factorise_rows()) return std::nullopt;
     find_accelerations();
     if (schur_ && needs_correction()) correct();
     find_imposed();
@@ -107,369 +48,10 @@ class Tree {
   }
 
  private:
-  static Linkage prepared(const Linkage& linkage, const TreeForm& form) {
-    Linkage result = in_units(linkage, form.length, form.mass);
-    if (form.chooses_axes) choose_axes(result);
-    return result;
-  }
-
-  static std::size_t most_rows(const TreeProblem& problem) {
-    return problem.constraints.kinematics.constraints.size() + problem.constraints.kinematics.idle_slips.size();
-  }
-
-  static Component a(std::size_t link, std::size_t k) { return 6 * link + k; }
-  static Component alpha(std::size_t link, std::size_t k) { return 6 * link + 3 + k; }
-  Component shared(std::size_t speed) const { return 6 * links_.size() + speed; }
-  Component first_dual() const { return 6 * links_.size() + problem_.forces.size(); }
-  Component dual(std::size_t row) const { return first_dual() + row; }
-
-  bool is_of_link(Component c) const { return c < 6 * links_.size(); }
-  bool is_dual(Component c) const { return c >= first_dual(); }
-  bool is_linear(Component c) const { return is_of_link(c) && c % 6 < 3; }
-  bool by_link() const { return drift_ == Drift::by_link; }
-  bool is_shift(std::size_t i) const { return links_[i].kind == Link::Kind::shift; }
-  Component first_of_joint(std::size_t i) const { return is_shift(i) ? a(i, 0) : alpha(i, 0); }
-
-  // Blocks of Z as mechanics names them: mass M, moments of inertia I, and H between them; forces F, moments N; b for rows of
-  // constraints.
-  std::string axis_of(Component c) const {
-    if (is_dual(c)) return rows_.rows[c - first_dual()].name;
-    if (!is_of_link(c)) return problem_.symbols.speeds[kinematics::FreeIndex{c - shared(0)}].label;
-    return links_[c / 6].name + "_" + std::string(1, k_axes[c % 3]);
-  }
-
-  std::string name_of(Component c) const {
-    const char* const kind = is_dual(c) ? "drift_" : !is_of_link(c) ? "Q_" : is_linear(c) ? "F_" : "N_";
-    return problem_.prefix + kind + axis_of(c);
-  }
-
-  std::string name_of(Component i, Component j) const {
-    if (is_of_link(j)) {
-      const char* const block = is_linear(i) == is_linear(j) ? (is_linear(i) ? "M_" : "I_") : "H_";
-      return problem_.prefix + block + axis_of(i) + k_axes[j % 3];
-    }
-    const char* const block = !is_dual(j) ? "Z_" : !is_dual(i) ? "b_" : "S_";
-    const char* const which = is_linear(i) ? "a_" : is_of_link(i) ? "alpha_" : "";
-    return problem_.prefix + block + (is_dual(j) ? which : "") + axis_of(i) + "_" + axis_of(j);
-  }
-
   std::string name_of_acceleration(Component c) const {
     const char* const kind = is_linear(c) ? "a_" : "alpha_";
     return problem_.prefix + (is_correcting_ ? "correction_" : "") + kind + axis_of(c);
   }
-
-  Expr one() const { return {graph_, graph_.constant(1)}; }
-  Expr force(std::size_t speed) const { return per_power_ * problem_.forces[speed]; }
-
-  std::vector<char> acted_on() const {
-    std::vector<char> result;
-    for (const Expr Q : problem_.forces) result.push_back(Q.is_zero() ? 0 : 1);
-    for (const LinkRow& row : rows_.rows) {
-      for (const SpeedTerm& term : row.speeds) result[term.speed] = 1;
-    }
-    return result;
-  }
-
-  // --- constraints --------------------------------------------------------------------------------------------
-
-  // Rows over links are about accelerations in space, without the free fall that Z has in it. A row waits at the last link that carries all it acts on: from there on it is complete.
-  void place_rows() {
-    waiting_.resize(links_.size());
-    for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
-      const LinkRow& row = rows_.rows[r];
-      Z_.add(dual(r), row.rest - row.fall);
-      if (row.links.empty()) continue;
-      std::size_t top = row.links[0].link;
-      for (const LinkTerm& term : row.links) top = common_carrier(links_, top, term.link);
-      if (top != k_ground) waiting_[top].push_back(r);
-    }
-  }
-
-  void add_rows(std::size_t i) {
-    for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
-      for (const LinkTerm& term : rows_.rows[r].links) {
-        if (term.link == i) add_term(term, r);
-      }
-    }
-  }
-
-  void add_term(const LinkTerm& term, std::size_t r) {
-    const std::size_t i = term.link;
-    for (std::size_t k = 0; k < 3; ++k) {
-      Z_.add(a(i, k), dual(r), term.linear[k]);
-      Z_.add(alpha(i, k), dual(r), term.angular[k]);
-    }
-    if (!by_link()) Z_.add(dual(r), drift_of(term));
-  }
-
-  // What acts along a speed, on a component of which du/dt has `per` as its part.
-  void act(Component c, std::size_t speed, Expr per) {
-    Z_.add(c, -(force(speed) * per));
-    for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
-      for (const SpeedTerm& term : rows_.rows[r].speeds) {
-        if (term.speed == speed) Z_.add(c, dual(r), term.coefficient * per);
-      }
-    }
-  }
-
-  // Where a number stands before a component that is free, the row says what this component is, without a division.
-  void impose_rows(std::size_t i, std::vector<Component>& free) {
-    std::vector<std::size_t> rest;
-    for (const std::size_t r : waiting_[i]) {
-      const std::optional<std::size_t> best = safest(r, free);
-      if (!best) {
-        rest.push_back(r);
-        continue;
-      }
-      const Component c = free[*best];
-      free.erase(free.begin() + static_cast<std::ptrdiff_t>(*best));
-      imposed_.push_back(Z_.impose(c, dual(r), steps_));
-      is_imposed_.insert(c);
-      eliminated_[i].push_back(imposed_.back().component);
-    }
-    const std::size_t parent = links_[i].parent;
-    if (parent != k_ground) waiting_[parent].insert(waiting_[parent].end(), rest.begin(), rest.end());
-  }
-
-  std::optional<std::size_t> safest(std::size_t r, const std::vector<Component>& free) const {
-    if (!Z_.entry(dual(r), dual(r)).is_zero()) return std::nullopt;
-    std::optional<std::size_t> best;
-    for (std::size_t at = 0; at < free.size(); ++at) {
-      const Expr pivot = Z_.entry(dual(r), free[at]);
-      if (safety(pivot) == Safety::unknown) continue;
-      if (!best || safety(pivot) < safety(Z_.entry(dual(r), free[*best]))) best = at;
-    }
-    return best;
-  }
-
-  // --- from the leaves to the ground --------------------------------------------------------------------------
-
-  /// Of the body itself (theory section 6): ½ a·m a + a·(α × f) + ½ α·I α, with what velocities and the drift do.
-  void add_body(std::size_t i) {
-    const MassProperties& body = properties_[i];
-    const Vector3& omega = motion_.omega(i);
-    masses_[i] += body.mass;
-    Vector3 force = cross(omega, cross(omega, body.first));
-    Vector3 moment = cross(omega, ir::multiply(body.inertia, omega));
-    if (!by_link()) {
-      const auto& [linear, angular] = motion_.accumulated(i);
-      force = force + cross(angular, body.first);
-      moment = moment + cross(body.first, linear) + ir::multiply(body.inertia, angular);
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t p = (k + 1) % 3, q = (k + 2) % 3;
-      Z_.add(alpha(i, p), a(i, q), -body.first[k]);
-      Z_.add(alpha(i, q), a(i, p), body.first[k]);
-      for (std::size_t l = k; l < 3; ++l) Z_.add(alpha(i, k), alpha(i, l), body.inertia[k][l]);
-      Z_.add(a(i, k), force[k]);
-      Z_.add(alpha(i, k), moment[k]);
-    }
-  }
-
-  // Where the origin is shifted or free, the mass that was carried along with it counts.
-  void add_mass(std::size_t i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      Z_.add(a(i, k), a(i, k), masses_[i]);
-      if (!by_link()) Z_.add(a(i, k), masses_[i] * motion_.accumulated(i).linear[k]);
-    }
-    masses_[i] = zero_;
-  }
-
-  std::vector<Component> components(std::size_t i) const {
-    std::vector<Component> all;
-    for (std::size_t k = 0; k < 6; ++k) all.push_back(6 * i + k);
-    return all;
-  }
-
-  /// Its own components of the joint, where nothing else minimises over them.
-  std::vector<Component> own_of_joint(std::size_t i) const {
-    std::vector<Component> result;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (own_.of_joint[i][k].is_free && own_.base_at(i) == nullptr) result.push_back(first_of_joint(i) + k);
-    }
-    return result;
-  }
-
-  bool inward(std::size_t i) {
-    steps_.begin("Z of all that " + links_[i].name + " carries, at its minimum over the own acceleration of " +
-                 links_[i].name);
-    const FloatingBase* const floating = own_.base_anchored_at(i);
-    add_body(i);
-    if (is_shift(i) || floating != nullptr) add_mass(i);
-    add_rows(i);
-    std::vector<Component> free;
-    if (floating != nullptr) free = free_to_float(*floating);
-    const std::vector<Component> own = own_of_joint(i);
-    free.insert(free.end(), own.begin(), own.end());
-    act_on(i, 1);
-    Z_.name(components(i), steps_);
-    impose_rows(i, free);
-    for (const Component c : free) {
-      eliminated_[i].push_back(minimise(i, c));
-      if (has_no_inertia(eliminated_[i].back())) return false;
-    }
-    act_on(i, -1);
-    pass_on(i);
-    if (links_[i].parent != k_ground) Z_.name(components(links_[i].parent), steps_);
-    return minimise_shared(i);
-  }
-
-  // Q du/dt with du/dt = (w - w_given)/s: what acts on the link, and its opposite on what is before it. What floats was
-  // minimised elsewhere.
-  void act_on(std::size_t i, int factor) {
-    if (factor > 0 && own_.base_at(i) != nullptr) return;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const OwnComponent& own = own_.of_joint[i][k];
-      if (own.freedom == nullptr) continue;
-      act(first_of_joint(i) + k, own.freedom->speed.value, Rational(factor) * pow(own.freedom->column[k], -1));
-    }
-  }
-
-  std::vector<Component> free_to_float(const FloatingBase& floating) {
-    std::vector<Component> free;
-    const std::size_t i = floating.anchor;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!floating.along[k]) continue;
-      free.push_back(a(i, k));
-      const Freedom* const freedom = own_.of_joint[floating.base][k].freedom;
-      if (freedom == nullptr) continue;
-      const Vector3 direction = resolved(links_, floating.base, i, ir::unit_vector(graph_, k));
-      for (std::size_t l = 0; l < 3; ++l) act(a(i, l), freedom->speed.value, direction[l] / freedom->column[k]);
-    }
-    return free;
-  }
-
-  // Rows may say then what inertia does not: Z over all speeds at once, completed by them, knows how.
-  bool has_no_inertia(const Eliminated& e) const {
-    return e.pivot.is_zero() || (!rows_.rows.empty() && problem_.constraints.vanishes(e.pivot));
-  }
-
-  Eliminated minimise(std::size_t i, Component c) {
-    for (const Component other : Z_.neighbours(c)) {
-      if (!is_dual(other)) continue;
-      responses_.try_emplace(other, Response{zero_, zero_, zero_})
-          .first->second.add(Z_.entry(c, c), Z_.entry(c, other));
-    }
-    const Eliminated result = Z_.minimise(c, steps_);
-    margins_.push_back({result.pivot, is_clean_ ? zero_ : rounding(i, c)});
-    is_clean_ = false;
-    ++pivots_;
-    return result;
-  }
-
-  // Of the sum of all that a pivot is the rest of.
-  Expr rounding(std::size_t i, Component c) const {
-    Expr sum = zero_;
-    if (is_of_link(c)) {
-      sum = is_linear(c) ? bounds_[i].mass : greatest_inertia(i);
-    } else {
-      for (const std::size_t link : own_.uses[c - shared(0)]) sum += bound_along(link, c - shared(0));
-    }
-    return ir::Rational(4 * static_cast<int>(pivots_ + 1)) * epsilon_ * sum;
-  }
-
-  Expr greatest_inertia(std::size_t i) const {
-    const MassBound& bound = bounds_[i];
-    return ir::Rational(2) * (bound.inertia + bound.mass * bound.reach * bound.reach);
-  }
-
-  Expr bound_along(std::size_t i, std::size_t speed) const {
-    Expr squares = zero_;
-    for (const Freedom& freedom : links_[i].freedoms) {
-      if (freedom.speed.value == speed) squares += ir::dot(freedom.column, freedom.column);
-    }
-    return squares * (is_shift(i) ? bounds_[i].mass : greatest_inertia(i));
-  }
-
-  // w_i in terms of what is before the link.
-  void pass_on(std::size_t i) {
-    const Link& link = links_[i];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const bool floats = own_.base_at(i) != nullptr && own_.base_at(i)->along[k];
-      if (!by_link() && !floats) continue;
-      const Component moved = first_of_joint(i) + k;
-      if (Z_.holds(moved)) Z_.displace(moved, motion_.drift(i, steps_)[k]);
-      if (link.parent == k_ground) Z_.displace(a(i, k), motion_.fall_at(i)[k]);
-    }
-    if (is_shift(i)) return shift(i);
-    if (link.parent != k_ground) masses_[link.parent] += masses_[i];
-    turn(i);
-  }
-
-  void add_shared(std::size_t i, std::size_t k, std::vector<LinearTerm>& terms) const {
-    for (const Freedom& freedom : links_[i].freedoms) {
-      if (is_own(freedom) || freedom.column[k].is_zero()) continue;
-      terms.push_back({shared(freedom.speed.value), freedom.column[k]});
-    }
-  }
-
-  bool is_own(const Freedom& freedom) const { return own_.is_owned[freedom.speed.value] != 0; }
-
-  void shift(std::size_t i) {
-    const Link& link = links_[i];
-    const std::size_t parent = link.parent;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t p = (k + 1) % 3, q = (k + 2) % 3;
-      std::vector<LinearTerm> terms, same;
-      if (parent != k_ground) {
-        terms.push_back({a(parent, k), one()});
-        if (!link.offset[q].is_zero()) terms.push_back({alpha(parent, p), link.offset[q]});
-        if (!link.offset[p].is_zero()) terms.push_back({alpha(parent, q), -link.offset[p]});
-        same.push_back({alpha(parent, k), one()});
-      }
-      Z_.substitute(alpha(i, k), same);
-      add_shared(i, k, terms);
-      Z_.substitute(a(i, k), terms);
-    }
-  }
-
-  void turn(std::size_t i) {
-    const Link& link = links_[i];
-    const std::size_t parent = link.parent;
-    for (std::size_t k = 0; k < 3; ++k) {
-      std::vector<LinearTerm> terms;
-      add_shared(i, k, terms);
-      for (const LinearTerm& term : terms) Z_.couple(alpha(i, k), term);
-    }
-    for (const Component first : {a(i, 0), alpha(i, 0)}) {
-      const Component to = parent == k_ground ? first : first - 6 * i + 6 * parent;
-      if (parent == k_ground) {
-        for (std::size_t k = 0; k < 3; ++k) Z_.substitute(first + k, {});
-      } else if (link.kind == Link::Kind::turn) {
-        const std::size_t p = (link.axis + 1) % 3, q = (link.axis + 2) % 3;
-        Z_.turn(first + p, first + q, to + p, to + q, motion_.sine(i), motion_.cosine(i));
-        Z_.substitute(first + link.axis, {{to + link.axis, one()}});
-      } else {
-        turn_freely(link, first, to);
-      }
-    }
-  }
-
-  void turn_freely(const Link& link, Component from, Component to) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      std::vector<LinearTerm> terms;
-      for (std::size_t l = 0; l < 3; ++l) {
-        const Expr entry = link.kind == Link::Kind::free ? link.matrix[l][k] : l == k ? one() : zero_;
-        if (!entry.is_zero()) terms.push_back({to + l, entry});
-      }
-      Z_.substitute(from + k, terms);
-    }
-  }
-
-  // Speeds of several links: each as soon as the last link that has it is passed.
-  bool minimise_shared(std::size_t i) {
-    for (const Freedom& freedom : links_[i].freedoms) {
-      const std::size_t u = freedom.speed.value;
-      if (is_own(freedom) || own_.uses[u].front() != i) continue;
-      const Component c = shared(u);
-      act(c, u, one());
-      shared_[i].push_back(minimise(i, c));
-      if (has_no_inertia(shared_[i].back())) return false;
-    }
-    return true;
-  }
-
-  // --- multipliers --------------------------------------------------------------------------------------------
 
   // What is left of Z: -½ λ·S λ + λ·p. At its stationary point S λ = p; the multipliers of (3.4) have the other sign.
   bool factorise_rows() {
@@ -595,11 +177,6 @@ class Tree {
     return ir::operations(graph_, ids) <= k_short_row;
   }
 
-  Expr drift_of(const LinkTerm& term) const {
-    const auto& [linear, angular] = motion_.accumulated(term.link);
-    return dot(term.linear, linear) + dot(term.angular, angular);
-  }
-
   /// The last ones first: their rows have multipliers of later ones in them.
   void find_imposed() {
     for (auto imposed = imposed_.rbegin(); imposed != imposed_.rend(); ++imposed) {
@@ -624,8 +201,6 @@ class Tree {
     }
     return result;
   }
-
-  // --- from the ground to the leaves --------------------------------------------------------------------------
 
   Expr at_minimum(const Eliminated& e) const {
     Expr w = is_correcting_ ? zero_ : e.offset;
@@ -772,36 +347,12 @@ class Tree {
     return {accelerations, multipliers(), singular, dependent, "", {}, {}, {}, false};
   }
 
-  const TreeProblem& problem_;
-  Drift drift_;
-  Steps& steps_;
-  ir::Graph& graph_;
-  Expr epsilon_;
-  Expr zero_;
-  Linkage linkage_;
-  std::vector<Link>& links_;
-  std::vector<MassProperties> properties_;
-  std::vector<MassBound> bounds_;
-  LinkMotion motion_;
-  Rational per_power_, per_force_, per_length_;
-  LinkRows rows_;
-  OwnComponents own_;
-  QuadraticForm Z_;
-  Vector masses_;                                             ///< at the origins, where they are the same in all axes
-  std::vector<std::vector<Eliminated>> eliminated_, shared_;  ///< by link, in order
-  std::vector<std::vector<std::size_t>> waiting_;             ///< rows, by link
-  std::vector<Imposed> imposed_;
-  std::set<Component> is_imposed_;
-  Vector w_;                    ///< by component
-  std::vector<Vector3> given_;  ///< of links: what their joints do not decide of the components that are moved
-  std::vector<std::pair<Expr, Expr>> margins_;
-  std::map<Component, Response> responses_;  ///< of multipliers
-  std::vector<std::size_t> left_;            ///< rows that were not imposed
+  Vector w_;                       ///< by component
+  std::vector<Vector3> given_;     ///< of links: what their joints do not decide of the components that are moved
+  std::vector<std::size_t> left_;  ///< rows that were not imposed
   std::optional<Ldl> schur_;
   bool is_correcting_ = false;
   Expr dependent_, lost_;
-  bool is_clean_ = true;  ///< nothing was minimised yet, so nothing has cancelled
-  std::size_t pivots_ = 0;
 };
 
 }  // namespace

@@ -1,0 +1,416 @@
+#include "strategy/tree_z.hpp"
+
+#include <algorithm>
+
+#include "ir/contract.hpp"
+#include "strategy/axes.hpp"
+#include "strategy/fixed_turns.hpp"
+#include "strategy/safety.hpp"
+#include "strategy/spins.hpp"
+
+namespace gaussgen::strategy {
+
+using ir::Expr;
+using ir::Rational;
+using ir::Vector3;
+using kinematics::Freedom;
+using kinematics::k_ground;
+using kinematics::Link;
+using kinematics::Linkage;
+
+namespace {
+
+const char* const k_axes = "xyz";
+
+}  // namespace
+
+void Response::add(Expr pivot, Expr coefficient) {
+  const Expr square = pow(coefficient, 2);
+  squares += square;
+  compliance += square / pivot;
+  inertia += square * pivot;
+}
+
+TreeZ::TreeZ(const TreeProblem& problem, const TreeForm& form, Expr epsilon, Steps& steps)
+    : problem_(problem),
+      drift_(form.drift),
+      steps_(steps),
+      graph_(epsilon.graph()),
+      epsilon_(epsilon),
+      zero_(graph_, graph_.constant(0)),
+      linkage_(prepared(problem.linkage, form)),
+      links_(linkage_.links),
+      properties_(mass_properties(linkage_, graph_)),
+      motion_(links_, scaled(-1 / form.length, problem.field), problem.prefix),
+      per_power_(1 / (form.mass * form.length * form.length)),
+      per_force_(1 / (form.mass * form.length)),
+      per_length_(1 / form.length),
+      Z_(graph_, first_dual() + most_rows(problem),
+         [this](Component i, Component j, bool is_linear) { return is_linear ? name_of(i) : name_of(i, j); }),
+      masses_(links_.size(), zero_),
+      eliminated_(links_.size()),
+      shared_(links_.size()) {
+  find_spins(properties_, linkage_);
+  bounds_ = mass_bounds(links_, properties_);
+  move_masses_to_ends(links_, properties_);
+}
+
+bool TreeZ::minimise() {
+  const LinkRowBuilder builder(problem_.constraints, linkage_);
+  motion_.find_velocities(steps_);
+  rows_ = builder.rows(motion_, steps_);
+  own_ = own_components(links_, properties_, acted_on(), rows_.released);
+  const auto& uses = own_.uses;
+  if (std::any_of(uses.begin(), uses.end(), [](const auto& links) { return links.empty(); })) return false;
+  place_rows();
+  if (!by_link()) {
+    const auto floats = [this](std::size_t i, std::size_t k) {
+      return own_.base_at(i) != nullptr && own_.base_at(i)->along[k];
+    };
+    motion_.accumulate(floats, steps_);
+  }
+  for (std::size_t i = links_.size(); i-- > 0;) {
+    if (!inward(i)) return false;
+  }
+  return true;
+}
+
+Linkage TreeZ::prepared(const Linkage& linkage, const TreeForm& form) {
+  Linkage result = in_units(linkage, form.length, form.mass);
+  if (form.chooses_axes) choose_axes(result);
+  return result;
+}
+
+std::size_t TreeZ::most_rows(const TreeProblem& problem) {
+  return problem.constraints.kinematics.constraints.size() + problem.constraints.kinematics.idle_slips.size();
+}
+
+// Blocks of Z as mechanics names them: mass M, moments of inertia I, and H between them; forces F, moments N; b for rows of
+// constraints.
+std::string TreeZ::axis_of(Component c) const {
+  if (is_dual(c)) return rows_.rows[c - first_dual()].name;
+  if (!is_of_link(c)) return problem_.symbols.speeds[kinematics::FreeIndex{c - shared(0)}].label;
+  return links_[c / 6].name + "_" + std::string(1, k_axes[c % 3]);
+}
+
+std::string TreeZ::name_of(Component c) const {
+  const char* const kind = is_dual(c) ? "drift_" : !is_of_link(c) ? "Q_" : is_linear(c) ? "F_" : "N_";
+  return problem_.prefix + kind + axis_of(c);
+}
+
+std::string TreeZ::name_of(Component i, Component j) const {
+  if (is_of_link(j)) {
+    const char* const block = is_linear(i) == is_linear(j) ? (is_linear(i) ? "M_" : "I_") : "H_";
+    return problem_.prefix + block + axis_of(i) + k_axes[j % 3];
+  }
+  const char* const block = !is_dual(j) ? "Z_" : !is_dual(i) ? "b_" : "S_";
+  const char* const which = is_linear(i) ? "a_" : is_of_link(i) ? "alpha_" : "";
+  return problem_.prefix + block + (is_dual(j) ? which : "") + axis_of(i) + "_" + axis_of(j);
+}
+
+std::vector<char> TreeZ::acted_on() const {
+  std::vector<char> result;
+  for (const Expr Q : problem_.forces) result.push_back(Q.is_zero() ? 0 : 1);
+  for (const LinkRow& row : rows_.rows) {
+    for (const SpeedTerm& term : row.speeds) result[term.speed] = 1;
+  }
+  return result;
+}
+
+// Rows over links are about accelerations in space, without the free fall that Z has in it. A row waits at the last link that
+// carries all it acts on: from there on it is complete.
+void TreeZ::place_rows() {
+  waiting_.resize(links_.size());
+  for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
+    const LinkRow& row = rows_.rows[r];
+    Z_.add(dual(r), row.rest - row.fall);
+    if (row.links.empty()) continue;
+    std::size_t top = row.links[0].link;
+    for (const LinkTerm& term : row.links) top = common_carrier(links_, top, term.link);
+    if (top != k_ground) waiting_[top].push_back(r);
+  }
+}
+
+void TreeZ::add_rows(std::size_t i) {
+  for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
+    for (const LinkTerm& term : rows_.rows[r].links) {
+      if (term.link == i) add_term(term, r);
+    }
+  }
+}
+
+void TreeZ::add_term(const LinkTerm& term, std::size_t r) {
+  const std::size_t i = term.link;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Z_.add(a(i, k), dual(r), term.linear[k]);
+    Z_.add(alpha(i, k), dual(r), term.angular[k]);
+  }
+  if (!by_link()) Z_.add(dual(r), drift_of(term));
+}
+
+// What acts along a speed, on a component of which du/dt has `per` as its part.
+void TreeZ::act(Component c, std::size_t speed, Expr per) {
+  Z_.add(c, -(force(speed) * per));
+  for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
+    for (const SpeedTerm& term : rows_.rows[r].speeds) {
+      if (term.speed == speed) Z_.add(c, dual(r), term.coefficient * per);
+    }
+  }
+}
+
+// Where a number stands before a component that is free, the row says what this component is, without a division.
+void TreeZ::impose_rows(std::size_t i, std::vector<Component>& free) {
+  std::vector<std::size_t> rest;
+  for (const std::size_t r : waiting_[i]) {
+    const std::optional<std::size_t> best = safest(r, free);
+    if (!best) {
+      rest.push_back(r);
+      continue;
+    }
+    const Component c = free[*best];
+    free.erase(free.begin() + static_cast<std::ptrdiff_t>(*best));
+    imposed_.push_back(Z_.impose(c, dual(r), steps_));
+    is_imposed_.insert(c);
+    eliminated_[i].push_back(imposed_.back().component);
+  }
+  const std::size_t parent = links_[i].parent;
+  if (parent != k_ground) waiting_[parent].insert(waiting_[parent].end(), rest.begin(), rest.end());
+}
+
+std::optional<std::size_t> TreeZ::safest(std::size_t r, const std::vector<Component>& free) const {
+  if (!Z_.entry(dual(r), dual(r)).is_zero()) return std::nullopt;
+  std::optional<std::size_t> best;
+  for (std::size_t at = 0; at < free.size(); ++at) {
+    const Expr pivot = Z_.entry(dual(r), free[at]);
+    if (safety(pivot) == Safety::unknown) continue;
+    if (!best || safety(pivot) < safety(Z_.entry(dual(r), free[*best]))) best = at;
+  }
+  return best;
+}
+
+void TreeZ::add_body(std::size_t i) {
+  const MassProperties& body = properties_[i];
+  const Vector3& omega = motion_.omega(i);
+  masses_[i] += body.mass;
+  Vector3 force = cross(omega, cross(omega, body.first));
+  Vector3 moment = cross(omega, ir::multiply(body.inertia, omega));
+  if (!by_link()) {
+    const auto& [linear, angular] = motion_.accumulated(i);
+    force = force + cross(angular, body.first);
+    moment = moment + cross(body.first, linear) + ir::multiply(body.inertia, angular);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t p = (k + 1) % 3, q = (k + 2) % 3;
+    Z_.add(alpha(i, p), a(i, q), -body.first[k]);
+    Z_.add(alpha(i, q), a(i, p), body.first[k]);
+    for (std::size_t l = k; l < 3; ++l) Z_.add(alpha(i, k), alpha(i, l), body.inertia[k][l]);
+    Z_.add(a(i, k), force[k]);
+    Z_.add(alpha(i, k), moment[k]);
+  }
+}
+
+// Where the origin is shifted or free, the mass that was carried along with it counts.
+void TreeZ::add_mass(std::size_t i) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    Z_.add(a(i, k), a(i, k), masses_[i]);
+    if (!by_link()) Z_.add(a(i, k), masses_[i] * motion_.accumulated(i).linear[k]);
+  }
+  masses_[i] = zero_;
+}
+
+std::vector<Component> TreeZ::components(std::size_t i) const {
+  std::vector<Component> all;
+  for (std::size_t k = 0; k < 6; ++k) all.push_back(6 * i + k);
+  return all;
+}
+
+std::vector<Component> TreeZ::own_of_joint(std::size_t i) const {
+  std::vector<Component> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (own_.of_joint[i][k].is_free && own_.base_at(i) == nullptr) result.push_back(first_of_joint(i) + k);
+  }
+  return result;
+}
+
+bool TreeZ::inward(std::size_t i) {
+  steps_.begin("Z of all that " + links_[i].name + " carries, at its minimum over the own acceleration of " +
+               links_[i].name);
+  const FloatingBase* const floating = own_.base_anchored_at(i);
+  add_body(i);
+  if (is_shift(i) || floating != nullptr) add_mass(i);
+  add_rows(i);
+  std::vector<Component> free;
+  if (floating != nullptr) free = free_to_float(*floating);
+  const std::vector<Component> own = own_of_joint(i);
+  free.insert(free.end(), own.begin(), own.end());
+  act_on(i, 1);
+  Z_.name(components(i), steps_);
+  impose_rows(i, free);
+  for (const Component c : free) {
+    eliminated_[i].push_back(minimise(i, c));
+    if (has_no_inertia(eliminated_[i].back())) return false;
+  }
+  act_on(i, -1);
+  pass_on(i);
+  if (links_[i].parent != k_ground) Z_.name(components(links_[i].parent), steps_);
+  return minimise_shared(i);
+}
+
+// Q du/dt with du/dt = (w - w_given)/s: what acts on the link, and its opposite on what is before it. What floats was
+// minimised elsewhere.
+void TreeZ::act_on(std::size_t i, int factor) {
+  if (factor > 0 && own_.base_at(i) != nullptr) return;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const OwnComponent& own = own_.of_joint[i][k];
+    if (own.freedom == nullptr) continue;
+    act(first_of_joint(i) + k, own.freedom->speed.value, Rational(factor) * pow(own.freedom->column[k], -1));
+  }
+}
+
+std::vector<Component> TreeZ::free_to_float(const FloatingBase& floating) {
+  std::vector<Component> free;
+  const std::size_t i = floating.anchor;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!floating.along[k]) continue;
+    free.push_back(a(i, k));
+    const Freedom* const freedom = own_.of_joint[floating.base][k].freedom;
+    if (freedom == nullptr) continue;
+    const Vector3 direction = resolved(links_, floating.base, i, ir::unit_vector(graph_, k));
+    for (std::size_t l = 0; l < 3; ++l) act(a(i, l), freedom->speed.value, direction[l] / freedom->column[k]);
+  }
+  return free;
+}
+
+// Rows may say then what inertia does not: Z over all speeds at once, completed by them, knows how.
+bool TreeZ::has_no_inertia(const Eliminated& e) const {
+  return e.pivot.is_zero() || (!rows_.rows.empty() && problem_.constraints.vanishes(e.pivot));
+}
+
+Eliminated TreeZ::minimise(std::size_t i, Component c) {
+  for (const Component other : Z_.neighbours(c)) {
+    if (!is_dual(other)) continue;
+    responses_.try_emplace(other, Response{zero_, zero_, zero_}).first->second.add(Z_.entry(c, c), Z_.entry(c, other));
+  }
+  const Eliminated result = Z_.minimise(c, steps_);
+  margins_.push_back({result.pivot, is_clean_ ? zero_ : rounding(i, c)});
+  is_clean_ = false;
+  ++pivots_;
+  return result;
+}
+
+// Of the sum of all that a pivot is the rest of.
+Expr TreeZ::rounding(std::size_t i, Component c) const {
+  Expr sum = zero_;
+  if (is_of_link(c)) {
+    sum = is_linear(c) ? bounds_[i].mass : greatest_inertia(i);
+  } else {
+    for (const std::size_t link : own_.uses[c - shared(0)]) sum += bound_along(link, c - shared(0));
+  }
+  return ir::Rational(4 * static_cast<int>(pivots_ + 1)) * epsilon_ * sum;
+}
+
+Expr TreeZ::greatest_inertia(std::size_t i) const {
+  const MassBound& bound = bounds_[i];
+  return ir::Rational(2) * (bound.inertia + bound.mass * bound.reach * bound.reach);
+}
+
+Expr TreeZ::bound_along(std::size_t i, std::size_t speed) const {
+  Expr squares = zero_;
+  for (const Freedom& freedom : links_[i].freedoms) {
+    if (freedom.speed.value == speed) squares += ir::dot(freedom.column, freedom.column);
+  }
+  return squares * (is_shift(i) ? bounds_[i].mass : greatest_inertia(i));
+}
+
+// w_i in terms of what is before the link.
+void TreeZ::pass_on(std::size_t i) {
+  const Link& link = links_[i];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool floats = own_.base_at(i) != nullptr && own_.base_at(i)->along[k];
+    if (!by_link() && !floats) continue;
+    const Component moved = first_of_joint(i) + k;
+    if (Z_.holds(moved)) Z_.displace(moved, motion_.drift(i, steps_)[k]);
+    if (link.parent == k_ground) Z_.displace(a(i, k), motion_.fall_at(i)[k]);
+  }
+  if (is_shift(i)) return shift(i);
+  if (link.parent != k_ground) masses_[link.parent] += masses_[i];
+  turn(i);
+}
+
+void TreeZ::add_shared(std::size_t i, std::size_t k, std::vector<LinearTerm>& terms) const {
+  for (const Freedom& freedom : links_[i].freedoms) {
+    if (is_own(freedom) || freedom.column[k].is_zero()) continue;
+    terms.push_back({shared(freedom.speed.value), freedom.column[k]});
+  }
+}
+
+void TreeZ::shift(std::size_t i) {
+  const Link& link = links_[i];
+  const std::size_t parent = link.parent;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t p = (k + 1) % 3, q = (k + 2) % 3;
+    std::vector<LinearTerm> terms, same;
+    if (parent != k_ground) {
+      terms.push_back({a(parent, k), one()});
+      if (!link.offset[q].is_zero()) terms.push_back({alpha(parent, p), link.offset[q]});
+      if (!link.offset[p].is_zero()) terms.push_back({alpha(parent, q), -link.offset[p]});
+      same.push_back({alpha(parent, k), one()});
+    }
+    Z_.substitute(alpha(i, k), same);
+    add_shared(i, k, terms);
+    Z_.substitute(a(i, k), terms);
+  }
+}
+
+void TreeZ::turn(std::size_t i) {
+  const Link& link = links_[i];
+  const std::size_t parent = link.parent;
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::vector<LinearTerm> terms;
+    add_shared(i, k, terms);
+    for (const LinearTerm& term : terms) Z_.couple(alpha(i, k), term);
+  }
+  for (const Component first : {a(i, 0), alpha(i, 0)}) {
+    const Component to = parent == k_ground ? first : first - 6 * i + 6 * parent;
+    if (parent == k_ground) {
+      for (std::size_t k = 0; k < 3; ++k) Z_.substitute(first + k, {});
+    } else if (link.kind == Link::Kind::turn) {
+      const std::size_t p = (link.axis + 1) % 3, q = (link.axis + 2) % 3;
+      Z_.turn(first + p, first + q, to + p, to + q, motion_.sine(i), motion_.cosine(i));
+      Z_.substitute(first + link.axis, {{to + link.axis, one()}});
+    } else {
+      turn_freely(link, first, to);
+    }
+  }
+}
+
+void TreeZ::turn_freely(const Link& link, Component from, Component to) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::vector<LinearTerm> terms;
+    for (std::size_t l = 0; l < 3; ++l) {
+      const Expr entry = link.kind == Link::Kind::free ? link.matrix[l][k] : l == k ? one() : zero_;
+      if (!entry.is_zero()) terms.push_back({to + l, entry});
+    }
+    Z_.substitute(from + k, terms);
+  }
+}
+
+// Speeds of several links: each as soon as the last link that has it is passed.
+bool TreeZ::minimise_shared(std::size_t i) {
+  for (const Freedom& freedom : links_[i].freedoms) {
+    const std::size_t u = freedom.speed.value;
+    if (is_own(freedom) || own_.uses[u].front() != i) continue;
+    const Component c = shared(u);
+    act(c, u, one());
+    shared_[i].push_back(minimise(i, c));
+    if (has_no_inertia(shared_[i].back())) return false;
+  }
+  return true;
+}
+
+Expr TreeZ::drift_of(const LinkTerm& term) const {
+  const auto& [linear, angular] = motion_.accumulated(term.link);
+  return dot(term.linear, linear) + dot(term.angular, angular);
+}
+
+}  // namespace gaussgen::strategy
