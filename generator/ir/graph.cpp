@@ -71,9 +71,15 @@ NodeId Graph::intern(Node node) {
   if (nodes_.size() >= most_nodes_) throw TooManyNodes(fmt::format("more than {} nodes", most_nodes_));
   const NodeId id{static_cast<std::uint32_t>(nodes_.size())};
   undefined_.push_back(has_no_value(*this, node));
+  varies_.push_back(has_variable(node));
   nodes_.push_back(std::move(node));
   index_.emplace(hash, id);
   return id;
+}
+
+bool Graph::has_variable(const Node& node) const {
+  if (node.kind == Kind::symbol) return ir::varies(symbols_[node.symbol.index]);
+  return std::any_of(node.children.begin(), node.children.end(), [this](NodeId child) { return varies(child); });
 }
 
 NodeId Graph::constant(const Rational& value) {

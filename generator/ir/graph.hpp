@@ -94,11 +94,14 @@ class Graph {
   bool is_constant(NodeId id, int value) const;
   /// No finite real value for any values of the symbols; see undefined.hpp.
   bool is_undefined(NodeId id) const { return undefined_[id.index]; }
+  /// Whether some symbol in it changes between two evaluations with the same parameters.
+  bool varies(NodeId id) const { return varies_[id.index]; }
   bool is_zero(NodeId id) const { return is_constant(id, 0); }
   bool is_one(NodeId id) const { return is_constant(id, 1); }
 
  private:
   NodeId intern(Node node);
+  bool has_variable(const Node& node) const;
   NodeId grouped(const std::vector<NodeId>& factors, const std::string& name);
   /// Children, then coefficients, then the value.
   int compare_parts(const Node& left, const Node& right) const;
@@ -111,6 +114,7 @@ class Graph {
   std::vector<std::shared_ptr<const support::Table>> tables_;
   std::deque<Node> nodes_;       // references to nodes stay valid while the graph grows
   std::vector<bool> undefined_;  ///< parallel to nodes_
+  std::vector<bool> varies_;     ///< likewise
   std::unordered_multimap<std::size_t, NodeId> index_;
   std::unordered_map<std::uint32_t, std::string> labels_;
   std::unordered_map<std::uint32_t, NodeId> wrappers_;     ///< value -> its named node

@@ -90,6 +90,12 @@ enum class Function : std::uint8_t {
   select,      ///< condition ? a : b
 };
 
+/// True for what changes between two evaluations with the same parameters.
+inline bool varies(const Symbol& symbol) {
+  return symbol.symbol_class != SymbolClass::pi && symbol.symbol_class != SymbolClass::epsilon &&
+         symbol.symbol_class != SymbolClass::parameter;
+}
+
 std::string_view name_of(Function function);
 bool is_boolean(Function function);
 /// Chosen among its arguments by comparisons, without a computation: abs to piecewise, and select.

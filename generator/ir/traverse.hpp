@@ -54,26 +54,7 @@ NodeSet depends_on(const Graph& graph, const std::vector<NodeId>& order, IsVaria
   return depends;
 }
 
-/// True for what changes between two evaluations with the same parameters.
-inline bool varies(const Symbol& symbol) {
-  return symbol.symbol_class != SymbolClass::pi && symbol.symbol_class != SymbolClass::epsilon &&
-         symbol.symbol_class != SymbolClass::parameter;
-}
-
-/// Parameters and numbers only. Mostly it is not so, and the first symbols that are met say it.
-inline bool is_of_parameters(const Graph& graph, NodeId id) {
-  NodeSet seen;
-  std::vector<NodeId> stack{id};
-  while (!stack.empty()) {
-    const NodeId next = stack.back();
-    stack.pop_back();
-    if (seen.contains(next)) continue;
-    seen.insert(next);
-    const Node& node = graph[next];
-    if (node.kind == Kind::symbol && varies(graph.symbol(node.symbol))) return false;
-    stack.insert(stack.end(), node.children.begin(), node.children.end());
-  }
-  return true;
-}
+/// Parameters and numbers only.
+inline bool is_of_parameters(const Graph& graph, NodeId id) { return !graph.varies(id); }
 
 }  // namespace gaussgen::ir
