@@ -165,6 +165,9 @@ struct StandardMath : ScalarLogic<S> {
     cosine = std::cos(x);
   }
   GAUSS_FUNCTION static S pi() noexcept { return static_cast<S>(3.14159265358979323846264338327950288L); }
+  /// A constant: device code calls no function of the host, not a constexpr one either.
+  static constexpr S rounding_unit = std::numeric_limits<S>::epsilon();
+  GAUSS_FUNCTION static S epsilon() noexcept { return rounding_unit; }
 };
 
 // One call for both where the C library offers it; compilers do not always find the pair by themselves.
