@@ -77,11 +77,25 @@
 #define GAUSS_FUNCTION inline
 #endif
 
+// Functions that one file of a program compiles for all others (gauss-gen --split).
+#if defined(__CUDACC__)
+#define GAUSS_SEPARATE __host__ __device__
+#else
+#define GAUSS_SEPARATE
+#endif
+
 // What only passes arguments on, and would be in the way of optimisation as a call.
 #if defined(__GNUC__)
 #define GAUSS_INLINED GAUSS_FUNCTION __attribute__((always_inline))
 #else
 #define GAUSS_INLINED GAUSS_FUNCTION
+#endif
+
+// A part of a function that is too large for compilers in one piece; inlined, it would be one again.
+#if defined(__GNUC__)
+#define GAUSS_PART GAUSS_FUNCTION __attribute__((noinline))
+#else
+#define GAUSS_PART GAUSS_FUNCTION
 #endif
 
 namespace gauss {
@@ -218,6 +232,9 @@ struct StandardMath : ScalarLogic<S> {
     cosine = std::cos(x);
   }
   GAUSS_FUNCTION static S pi() noexcept { return static_cast<S>(3.14159265358979323846264338327950288L); }
+  /// A constant: device code calls no function of the host, not a constexpr one either.
+  static constexpr S rounding_unit = std::numeric_limits<S>::epsilon();
+  GAUSS_FUNCTION static S epsilon() noexcept { return rounding_unit; }
 };
 
 // One call for both where the C library offers it; compilers do not always find the pair by themselves.

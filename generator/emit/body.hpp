@@ -28,6 +28,7 @@ class Body {
   void add(cpp::Statement statement) { statements_.push_back(std::move(statement)); }
   void blank_line();
 
+  std::size_t size() const { return statements_.size(); }
   std::vector<cpp::Statement> take() { return std::move(statements_); }
 
  private:
