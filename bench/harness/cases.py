@@ -73,6 +73,8 @@ CASES = [
     alone("families/tree", 30),
     alone("families/quadruped", 4, "legs"),
     alone("families/humanoid", 1, ""),
+    # Long enough to be emitted in parts.
+    alone("families/planar_chain_relative", 200),
 ]
 
 

@@ -43,7 +43,9 @@ void agrees_with_50_digits() {
   const auto expected = wide.answers(samples);
   const auto found = headertest::computed<M, S>().answers(samples);
   for (std::size_t s = 0; s < k_states; ++s) {
-    CHECK(found[s].statuses == expected[s].statuses);
+    // One step of Newton from digits of a double is the whole way for 50 digits, and not for 100.
+    CHECK(headertest::all_ok(found[s].statuses));
+    CHECK(headertest::all_ok(expected[s].statuses));
     for (std::size_t p = 0; p < headertest::k_parts.size(); ++p) {
       INFO(headertest::k_parts[p]);
       const Wide size = headertest::largest(expected[s].parts[p]);
