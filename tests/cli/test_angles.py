@@ -41,6 +41,7 @@ class Angles(Program):
 name: nested
 coordinates: {a: {}, b: {}}
 quantities:
+  innermost: {value: "sin(b + sin(a + sin(a))) + cos(b + sin(a + sin(a)))"}
   outer: {value: "sin(a + sin(a)) + cos(a + sin(a)) + cos(a) + sin(b) + cos(b) + sin(b + cos(b)) + cos(b + cos(b))"}
 particles: {p: {mass: 1, position: [a, b, 0]}}
 """
@@ -52,7 +53,7 @@ particles: {p: {mass: 1, position: [a, b, 0]}}
                 self.assertFalse([name for name in re.findall(r"\w+", angle) if name in words[1::3] + words[2::3]], call[0])
                 self.assertTrue(all(name in known for name in re.findall(r"(?:sin|cos)_\w+", angle)), call[0])
             known.update(words)
-        self.assertEqual(len(known), 12)
+        self.assertEqual(len(known), 15)
 
 
 if __name__ == "__main__":
