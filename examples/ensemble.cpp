@@ -9,9 +9,9 @@
 #include "double_pendulum.hpp"
 #include "gauss/batch/evaluator.hpp"
 
-namespace {
+GAUSS_MODEL(Pendulum, gauss::double_pendulum);  // the emitted namespace as a type
 
-GAUSS_MODEL(Pendulum, gauss::double_pendulum);
+namespace {
 
 constexpr std::size_t k_count = 1000;
 constexpr std::size_t k_components = Pendulum::n_q + Pendulum::n_v;
@@ -23,8 +23,8 @@ class Ensemble {
   explicit Ensemble(Column start) : y_(std::move(start)) {}
 
   bool step(double h) {
-    const bool is_good = rates(y_, k1_) && rates(moved(k1_, h / 2), k2_) && rates(moved(k2_, h / 2), k3_) &&
-                         rates(moved(k3_, h), k4_);
+    const bool is_good =
+        rates(y_, k1_) && rates(moved(k1_, h / 2), k2_) && rates(moved(k2_, h / 2), k3_) && rates(moved(k3_, h), k4_);
     for (std::size_t i = 0; i < y_.size(); ++i) y_[i] += h / 6 * (k1_[i] + 2 * k2_[i] + 2 * k3_[i] + k4_[i]);
     return is_good;
   }

@@ -13,6 +13,12 @@
 #include "sphere_in_cylinder.hpp"
 #include "sphere_in_cylinder_quaternion.hpp"
 
+GAUSS_MODEL(Ball, gauss::sphere_in_cylinder);
+GAUSS_MODEL(BallByQuaternion, gauss::sphere_in_cylinder_quaternion);
+GAUSS_MODEL(Linkage, gauss::four_bar);
+GAUSS_MODEL(Rotor, gauss::rotor_on_platform);
+GAUSS_MODEL(Functions, gauss::functions);
+
 namespace {
 
 using gauss::Status;
@@ -140,12 +146,6 @@ void one_bad_one_hurts_no_other() {
     for (int i = 0; i < all.n && k != k_bad; ++i) CHECK(after.values[all.at(i, k)] == before.values[all.at(i, k)]);
   }
 }
-
-GAUSS_MODEL(Ball, gauss::sphere_in_cylinder);
-GAUSS_MODEL(BallByQuaternion, gauss::sphere_in_cylinder_quaternion);
-GAUSS_MODEL(Linkage, gauss::four_bar);
-GAUSS_MODEL(Rotor, gauss::rotor_on_platform);
-GAUSS_MODEL(Functions, gauss::functions);
 
 }  // namespace
 
