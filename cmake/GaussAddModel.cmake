@@ -1,5 +1,6 @@
 # gauss_add_model(TARGET <target> MODEL <file.yaml>
-#                 [COUNTS <name>=<number> ...] [OUTPUTS <function> ...] [FOLD] [NAMESPACE <name>] [ROUTE paper] [STRATEGY <one>])
+#                 [COUNTS <name>=<number> ...] [OUTPUTS <function> ...] [SENSITIVITIES <parameter> ...] [FOLD] [NAMESPACE <name>]
+#                 [ROUTE paper] [STRATEGY <one>] [PARTS <number>] [SPLIT [<type> ...]])
 #
 # Generates <name>.hpp from a model when <target> is built, and puts it on the include path of the target:
 # #include "<name>.hpp", where <name> is the name that the model file gives. The options are those of gauss-gen.
@@ -139,7 +140,7 @@ function(_gauss_remove_former_headers target folder)
   foreach(header IN LISTS headers)
     get_filename_component(name "${header}" NAME_WE)
     if(NOT name IN_LIST names)
-      file(REMOVE "${header}" "${header}.d" "${header}.stamp")
+      file(REMOVE "${header}" "${header}.d" "${header}.stamp" "${folder}/${name}.cpp")
     endif()
   endforeach()
 endfunction()
@@ -154,10 +155,15 @@ function(_gauss_keep_header target name folder)
 endfunction()
 
 function(gauss_add_model)
-  cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD" "TARGET;MODEL;NAMESPACE;ROUTE;STRATEGY" "COUNTS;OUTPUTS")
+  cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD" "TARGET;MODEL;NAMESPACE;ROUTE;STRATEGY;PARTS" "COUNTS;OUTPUTS;SENSITIVITIES;SPLIT")
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "gauss_add_model: not understood: '${ARG_UNPARSED_ARGUMENTS}'; it takes TARGET, MODEL, COUNTS, OUTPUTS, "
-                        "FOLD, NAMESPACE, ROUTE and STRATEGY")
+                        "SENSITIVITIES, FOLD, NAMESPACE, ROUTE, STRATEGY, PARTS and SPLIT")
+  endif()
+  # SPLIT alone is for double.
+  if("SPLIT" IN_LIST ARG_KEYWORDS_MISSING_VALUES)
+    list(REMOVE_ITEM ARG_KEYWORDS_MISSING_VALUES SPLIT)
+    set(ARG_SPLIT double)
   endif()
   if(ARG_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "gauss_add_model: no value after ${ARG_KEYWORDS_MISSING_VALUES}; a variable may be empty")
@@ -195,6 +201,13 @@ function(gauss_add_model)
     _gauss_words(outputs ${ARG_OUTPUTS})
     list(APPEND options --outputs ${outputs})
   endif()
+  if(ARG_SENSITIVITIES)
+    _gauss_words(sensitivities ${ARG_SENSITIVITIES})
+    list(APPEND options --sensitivities ${sensitivities})
+  endif()
+  if(ARG_PARTS)
+    list(APPEND options --parts ${ARG_PARTS})
+  endif()
 
   # A folder per target, so that two targets may generate the same model with different options.
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/gauss/${ARG_TARGET}")
@@ -213,16 +226,28 @@ function(gauss_add_model)
                     "the files of submodels is not seen; rename the folder, or change the model file, too")
     set(depfile)
   endif()
+  set(files "${header}")
+  if(ARG_SPLIT)
+    get_target_property(type ${ARG_TARGET} TYPE)
+    if(type STREQUAL "INTERFACE_LIBRARY")
+      message(FATAL_ERROR "gauss_add_model(${ARG_TARGET}): with SPLIT there is a file to compile, and an INTERFACE library compiles none: "
+                          "add the model to a STATIC, SHARED or OBJECT library")
+    endif()
+    _gauss_words(types ${ARG_SPLIT})
+    list(APPEND options --split ${types})
+    list(APPEND files "${folder}/${name}.cpp")
+    target_sources(${ARG_TARGET} PRIVATE "${folder}/${name}.cpp")
+  endif()
   # gauss-gen leaves an unchanged header alone, so that nothing is compiled again; the stamp says that it was run. The
   # depfile names the files of submodels.
-  set(byproducts BYPRODUCTS "${header}")
+  set(byproducts BYPRODUCTS ${files})
   set(missing)
   if(CMAKE_GENERATOR MATCHES "Makefiles")
     # make does not look for byproducts. A rule that makes nothing, and that runs only where there is no header, lets the rule
     # of the stamp make one; the time of the header plays no part.
-    add_custom_command(OUTPUT "${header}" COMMAND "${CMAKE_COMMAND}" -E true COMMENT "" VERBATIM)
+    add_custom_command(OUTPUT ${files} COMMAND "${CMAKE_COMMAND}" -E true COMMENT "" VERBATIM)
     set(byproducts)
-    set(missing "${header}")
+    set(missing ${files})
   endif()
   add_custom_command(
     OUTPUT "${header}.stamp"

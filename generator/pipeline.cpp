@@ -118,7 +118,9 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   PipelineResult result;
   result.model_name = model->name.text;
   result.has_units = model::has_units(*model);
-  result.header = header_in_range(mechanics.graph, unit, model->name, diagnostics);
+  emit::Files files = files_in_range(mechanics.graph, unit, model->name, diagnostics);
+  result.header = std::move(files.header);
+  result.source = std::move(files.source);
   if (diagnostics.has_errors()) return std::nullopt;
   stages.done("header", fmt::format("{} bytes", result.header.size()), [&] { return result.header; });
 

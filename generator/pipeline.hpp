@@ -28,6 +28,8 @@ struct PipelineOptions {
   Route route = Route::emitted;
   Strategy strategy = Strategy::automatic;
   std::string name_space;  ///< empty: gauss::<model name>
+  int part_operations = emit::k_part_operations;  ///< of a function above twice as many
+  std::vector<std::string> compiled_for;          ///< scalar types of a source file of its own; empty: none
   std::size_t most_nodes = ir::k_most_nodes;
 };
 
@@ -45,6 +47,7 @@ struct PipelineResult {
   std::string model_name;
   bool has_units = false;  ///< of the model: whether dimensions were checked
   std::string header;
+  std::string source;                  ///< that compiles the header's functions; empty unless asked for
   std::vector<std::string> assembled;  ///< initial values that the constraints moved, in words
   std::vector<StageTime> times;
 };

@@ -26,6 +26,8 @@ class UnitBuilder {
     unit_.time = mechanics_.symbols.time;
     unit_.epsilon = mechanics_.symbols.epsilon;
     unit_.folded = options_.fold;
+    unit_.part_operations = options_.part_operations;
+    unit_.compiled_for = options_.compiled_for;
     add_parameters();
     add_inputs();
     add_state();
@@ -136,6 +138,13 @@ class UnitBuilder {
     if (options_.fold) provenance.command += " --fold";
     if (options_.route == Route::paper) provenance.command += " --route=paper";
     if (options_.strategy != Strategy::automatic) provenance.command += " --strategy=" + name_of(options_.strategy);
+    if (options_.part_operations != emit::k_part_operations)
+      provenance.command += " --parts=" + std::to_string(options_.part_operations);
+    if (!options_.compiled_for.empty()) {
+      std::string types = fmt::format("{}", fmt::join(options_.compiled_for, ","));
+      std::replace(types.begin(), types.end(), ' ', '-');
+      provenance.command += " --split=" + types;
+    }
     if (!options_.name_space.empty()) provenance.command += " --namespace=" + options_.name_space;
     provenance.strategy = mechanics_.solution.description;
   }

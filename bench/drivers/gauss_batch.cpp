@@ -1,52 +1,55 @@
-// Emitted code with a state per lane of a SIMD register. HEADER, MODEL and TOOL say which; ARCH is an instruction set of xsimd.
+// Emitted code with a trajectory per lane of a SIMD register, driven over structures of arrays. HEADER, MODEL and TOOL say which;
+// ARCH is an instruction set of xsimd.
 
 #include HEADER
 
 #include "contender.hpp"
-#include "gauss/scalar/xsimd.hpp"
+#include "gauss/batch/evaluator.hpp"
 
 namespace {
 
 namespace emitted = MODEL;
+GAUSS_MODEL(Model, MODEL);
 using Batch = xsimd::batch<double, ARCH>;
 
+/// All states in one call, which is as many calls as there are registers of them.
 class Lanes : public bench::Contender {
  public:
   void take(const bench::Samples& samples) override {
     constexpr std::size_t n_q = emitted::n_q;
-    states_.resize(bench::k_states / Batch::size);
-    alignas(64) double lanes[Batch::size];
-    for (std::size_t block = 0; block < states_.size(); ++block) {
-      for (std::size_t i = 0; i < n_q + emitted::n_v; ++i) {
-        for (std::size_t lane = 0; lane < Batch::size; ++lane) {
-          const bench::Sample& sample = samples[block * Batch::size + lane];
-          lanes[lane] = i < n_q ? sample.q[i] : sample.v[i - n_q];
-        }
-        states_[block].values[i] = Batch::load_aligned(lanes);
-      }
+    for (std::size_t k = 0; k < bench::k_states; ++k) {
+      for (std::size_t i = 0; i < k_size; ++i)
+        states_[i * bench::k_states + k] = i < n_q ? samples[k].q[i] : samples[k].v[i - n_q];
     }
   }
   void run(long calls) override {
-    emitted::Derivative<Batch> derivative;
-    for (long i = 0; i < calls; ++i) {
-      const auto status = emitted::rhs(Batch(0.0), states_[static_cast<std::size_t>(i) % states_.size()], inputs_,
-                                       prepared_, derivative);
-      bench::keep(status);
-      bench::keep(derivative);
+    constexpr long k_calls = static_cast<long>(bench::k_states / Batch::size);
+    for (long i = 0; i < calls; i += k_calls) {
+      evaluate();
+      bench::keep(derivatives_);
+      bench::keep(statuses_);
     }
   }
   bool accelerations(std::size_t state, double* a) override {
-    emitted::Derivative<Batch> derivative;
-    (void)emitted::rhs(Batch(0.0), states_[state / Batch::size], inputs_, prepared_, derivative);
+    evaluate();
     for (std::size_t i = 0; i < static_cast<std::size_t>(emitted::n_v); ++i)
-      a[i] = derivative.values[static_cast<std::size_t>(emitted::n_q) + i].get(state % Batch::size);
-    return true;
+      a[i] = derivatives_[(static_cast<std::size_t>(emitted::n_q) + i) * bench::k_states + state];
+    return statuses_[state] == gauss::Status::ok;
   }
 
  private:
-  std::vector<emitted::State<Batch>, xsimd::aligned_allocator<emitted::State<Batch>, 64>> states_;
-  emitted::Inputs<Batch> inputs_{};
-  emitted::Prepared<Batch> prepared_ = emitted::prepare(emitted::Parameters<Batch>{});
+  static constexpr std::size_t k_size = static_cast<std::size_t>(emitted::n_q + emitted::n_v);
+
+  void evaluate() {
+    gauss::batch::Points<double> points;
+    points.count = bench::k_states;
+    points.states = {states_.data(), bench::k_states};
+    (void)evaluator_.rhs(points, {derivatives_.data(), bench::k_states}, statuses_.data());
+  }
+
+  gauss::batch::Evaluator<Model, double, Batch> evaluator_;
+  std::array<double, k_size * bench::k_states> states_{}, derivatives_{};
+  std::array<gauss::Status, bench::k_states> statuses_{};
 };
 
 const bench::Registration k_registration({TOOL, "batch", static_cast<int>(Batch::size), true,

@@ -24,6 +24,7 @@ class Case:
     is_quick: bool = False  # in the quick run, too
     reactions: tuple = ()  # functions of emitted code besides rhs
     has_batches: bool = False
+    has_many_angles: bool = False  # sines and cosines several at a time are measured, too
 
     @property
     def name(self):
@@ -37,12 +38,14 @@ def planar(size):
     relative = Emitted("gauss", "families/planar_chain_relative")
     absolute = Emitted("gauss, absolute", "families/planar_chain_absolute", defines=("ABSOLUTE",))
     return Case("planar_chain", size, (relative, absolute), True, LIBRARIES, "absolute angles" if size in (2, 5, 10, 20) else "",
-                is_quick=size in (2, 10), reactions=("joint_reactions",) if size in (2, 10) else (), has_batches=size in (2, 10))
+                is_quick=size in (2, 10), reactions=("joint_reactions",) if size in (2, 10) else (), has_batches=size in (2, 10),
+                has_many_angles=size in (10, 20))
 
 
 def spatial(size):
     return Case("spatial_chain", size, (Emitted("gauss", "families/spatial_chain"),), True, LIBRARIES, "joint angles", size > 4,
-                is_quick=size == 2, reactions=("joint_reactions",) if size == 2 else (), has_batches=size in (2, 6))
+                is_quick=size == 2, reactions=("joint_reactions",) if size == 2 else (), has_batches=size in (2, 6),
+                has_many_angles=size == 6)
 
 
 def single(kind, model, **more):
@@ -70,6 +73,8 @@ CASES = [
     alone("families/tree", 30),
     alone("families/quadruped", 4, "legs"),
     alone("families/humanoid", 1, ""),
+    # Long enough to be emitted in parts.
+    alone("families/planar_chain_relative", 200),
 ]
 
 

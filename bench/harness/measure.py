@@ -79,6 +79,9 @@ class Driver:
             for lanes, arch in build.lanes().items():
                 self.attempt(objects, f"batch of {lanes}", lambda a=arch: self.builder.emitted_object(
                     "gauss_batch.cpp", flags, self.case.emitted[0], self.case.size, ("rhs", "initial_state"), (f"ARCH={a}",)))
+        if self.case.has_many_angles and self.options.has("xsimd"):
+            self.attempt(objects, "sines and cosines together", lambda: self.builder.emitted_object(
+                "gauss_vectorised.cpp", flags, self.case.emitted[0], self.case.size, ("rhs", "initial_state")))
         return objects
 
     def sympy_object(self, flags):

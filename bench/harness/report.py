@@ -44,8 +44,10 @@ SECTIONS = [
      "which contain the work of the accelerations.", False),
     ("With reactions", "ns_rhs_and_reactions", "ns; accelerations and all reactions of constraints.", False),
     ("A Jacobian", "ns_jacobian", "ns.", False),
-    ("Four lanes", "ns_batch_4", "ns per state, AVX2.", False),
-    ("Eight lanes", "ns_batch_8", "ns per state, AVX-512.", False),
+    ("Sines and cosines together", "ns_rhs_vectorised", "ns of one right-hand side with `gauss::Vectorised<double>`, four sines and cosines at a time.",
+     False),
+    ("Four lanes", "ns_batch_4", "ns per trajectory by the driver of batches, AVX2.", False),
+    ("Eight lanes", "ns_batch_8", "ns per trajectory by the driver of batches, AVX-512.", False),
     ("Largest difference of accelerations", "difference", "Against the first of the line, relative to the largest acceleration; 1e-9 is allowed. "
      "MuJoCo's loops are soft, so the four-bar is not the same problem there.", True),
 ]

@@ -54,7 +54,7 @@
 #ifndef GAUSS_MATH_HPP
 #define GAUSS_MATH_HPP
 
-#define GAUSS_MATH_VERSION 1
+#define GAUSS_MATH_VERSION 2
 
 // Conditions on values that are not finite, and the order of sums, are part of the results.
 #if defined(__FAST_MATH__) && !defined(GAUSS_ALLOW_FAST_MATH)
@@ -69,6 +69,27 @@
 #define GAUSS_FUNCTION inline __host__ __device__
 #else
 #define GAUSS_FUNCTION inline
+#endif
+
+// Functions that one file of a program compiles for all others (gauss-gen --split).
+#if defined(__CUDACC__)
+#define GAUSS_SEPARATE __host__ __device__
+#else
+#define GAUSS_SEPARATE
+#endif
+
+// What only passes arguments on, and would be in the way of optimisation as a call.
+#if defined(__GNUC__)
+#define GAUSS_INLINED GAUSS_FUNCTION __attribute__((always_inline))
+#else
+#define GAUSS_INLINED GAUSS_FUNCTION
+#endif
+
+// A part of a function that is too large for compilers in one piece; inlined, it would be one again.
+#if defined(__GNUC__)
+#define GAUSS_PART GAUSS_FUNCTION __attribute__((noinline))
+#else
+#define GAUSS_PART GAUSS_FUNCTION
 #endif
 
 namespace gauss {
@@ -205,6 +226,9 @@ struct StandardMath : ScalarLogic<S> {
     cosine = std::cos(x);
   }
   GAUSS_FUNCTION static S pi() noexcept { return static_cast<S>(3.14159265358979323846264338327950288L); }
+  /// A constant: device code calls no function of the host, not a constexpr one either.
+  static constexpr S rounding_unit = std::numeric_limits<S>::epsilon();
+  GAUSS_FUNCTION static S epsilon() noexcept { return rounding_unit; }
 };
 
 // One call for both where the C library offers it; compilers do not always find the pair by themselves.
@@ -232,13 +256,25 @@ struct Math<long double> : StandardMath<long double> {
 
 #undef GAUSS_SINCOS
 
+/// Sines and cosines of angles that are known at the same time, three arguments for each: the angle, its sine, its cosine.
+/// One after the other; to be specialised for types that compute several at once, as gauss/scalar/vectorised.hpp does.
+template <class S>
+struct Angles {
+  GAUSS_INLINED static void sincos() {}
+  template <class... Rest>
+  GAUSS_INLINED static void sincos(const S& x, S& sine, S& cosine, Rest&&... rest) {
+    Math<S>::sincos(x, sine, cosine);
+    sincos(rest...);
+  }
+};
+
 /// An enumeration for scalars, a mask per condition for batches.
 template <class S>
 using StatusOf = typename Math<S>::Status;
 
 }  // namespace gauss
 
-#elif GAUSS_MATH_VERSION != 1
+#elif GAUSS_MATH_VERSION != 2
 #error "Two versions of the gauss prelude meet in one file: generate all models with the same gauss-gen."
 #endif  // GAUSS_MATH_HPP
 
@@ -521,9 +557,8 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   // Sines and cosines
   S sin_theta, cos_theta;
-  Math<S>::sincos(theta, sin_theta, cos_theta);
   S sin_chi_minus_psi, cos_chi_minus_psi;
-  Math<S>::sincos(chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
+  Angles<S>::sincos(theta, sin_theta, cos_theta, chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
   const S phi_dot_sin_theta = phi_dot * sin_theta;
@@ -612,9 +647,8 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   // Sines and cosines
   S sin_theta, cos_theta;
-  Math<S>::sincos(theta, sin_theta, cos_theta);
   S sin_chi_minus_psi, cos_chi_minus_psi;
-  Math<S>::sincos(chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
+  Angles<S>::sincos(theta, sin_theta, cos_theta, chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
   const S J_sin_theta = J * sin_theta;
@@ -713,9 +747,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   // Sines and cosines
   S sin_theta, cos_theta;
-  Math<S>::sincos(theta, sin_theta, cos_theta);
   S sin_chi_minus_psi, cos_chi_minus_psi;
-  Math<S>::sincos(chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
+  Angles<S>::sincos(theta, sin_theta, cos_theta, chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
   const S phi_dot_sin_theta = phi_dot * sin_theta;
@@ -832,13 +865,11 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   // Sines and cosines
   S sin_chi, cos_chi;
-  Math<S>::sincos(chi, sin_chi, cos_chi);
   S sin_psi, cos_psi;
-  Math<S>::sincos(psi, sin_psi, cos_psi);
   S sin_theta, cos_theta;
-  Math<S>::sincos(theta, sin_theta, cos_theta);
   S sin_chi_minus_psi, cos_chi_minus_psi;
-  Math<S>::sincos(chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
+  Angles<S>::sincos(chi, sin_chi, cos_chi, psi, sin_psi, cos_psi, theta, sin_theta, cos_theta, chi - psi,
+      sin_chi_minus_psi, cos_chi_minus_psi);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
   const S phi_dot_sin_theta = phi_dot * sin_theta;
@@ -1019,11 +1050,9 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
 
   // Sines and cosines
   S sin_chi, cos_chi;
-  Math<S>::sincos(chi, sin_chi, cos_chi);
   S sin_psi, cos_psi;
-  Math<S>::sincos(psi, sin_psi, cos_psi);
   S sin_theta, cos_theta;
-  Math<S>::sincos(theta, sin_theta, cos_theta);
+  Angles<S>::sincos(chi, sin_chi, cos_chi, psi, sin_psi, cos_psi, theta, sin_theta, cos_theta);
 
   // dependent accelerations: a_m = c_m_p a_p + drift_m, c = -b^-1 b_p (3.6)
   const S phi_dot_sin_theta = phi_dot * sin_theta;
@@ -1086,9 +1115,8 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
 
   // Sines and cosines
   S sin_theta, cos_theta;
-  Math<S>::sincos(theta, sin_theta, cos_theta);
   S sin_chi_minus_psi, cos_chi_minus_psi;
-  Math<S>::sincos(chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
+  Angles<S>::sincos(theta, sin_theta, cos_theta, chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
   const S r_cos_chi_minus_psi = r * cos_chi_minus_psi;
@@ -1209,9 +1237,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
 
   // Sines and cosines
   S sin_theta, cos_theta;
-  Math<S>::sincos(theta, sin_theta, cos_theta);
   S sin_chi_minus_psi, cos_chi_minus_psi;
-  Math<S>::sincos(chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
+  Angles<S>::sincos(theta, sin_theta, cos_theta, chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S r_psi_dot = r * psi_dot;
@@ -1290,9 +1317,8 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
 
   // Sines and cosines
   S sin_psi_0, cos_psi_0;
-  Math<S>::sincos(psi_0, sin_psi_0, cos_psi_0);
   S sin_theta_0, cos_theta_0;
-  Math<S>::sincos(theta_0, sin_theta_0, cos_theta_0);
+  Angles<S>::sincos(psi_0, sin_psi_0, cos_psi_0, theta_0, sin_theta_0, cos_theta_0);
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S inv_r = S(1) / r;

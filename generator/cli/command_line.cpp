@@ -20,6 +20,7 @@ namespace {
 constexpr int k_most_digits = 10000;
 constexpr int k_most_linear_digits = 17;  // of what eigenvalues are computed with
 constexpr long long k_most_seconds = 1'000'000;
+constexpr long long k_most_operations = 1'000'000'000;
 constexpr long long k_most_nodes = 1'000'000'000;  // beyond that, no machine has the memory
 
 /// Adds options to one command.
@@ -59,6 +60,20 @@ class Adder {
                          "how Z is minimised: auto (default) takes the fewest operations; tree: body by body; metric: "
                          "over all speeds at once, "
                          "eliminating dependent ones where that is safe; multipliers: likewise, but by (3.4)");
+    const auto take_parts = [&options = options_](const std::string& operations) {
+      options.pipeline.part_operations = static_cast<int>(number_of("--parts", operations, k_most_operations));
+    };
+    app_.add_option_function<std::string>(
+            "--parts", take_parts,
+            wrapped(fmt::format(
+                "operations in each part of a function that has more than twice as many, and takes compilers "
+                "long in one piece; default {}",
+                emit::k_part_operations)))
+        ->type_name("N");
+    add_list(
+        "--split", options_.split, {"float", "double", "long-double"}, "LIST",
+        "also write <name>.cpp, which compiles the functions for these types, so that what includes the header does "
+        "not: ");
     const auto take_nodes = [&options = options_](const std::string& nodes) {
       options.pipeline.most_nodes = static_cast<std::size_t>(number_of("--max-nodes", nodes, k_most_nodes));
     };

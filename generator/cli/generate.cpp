@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <list>
 #include <string_view>
 
 #include "cli/command_line.hpp"
@@ -19,6 +20,11 @@ std::string header_path(const Options& options, const std::string& model_name) {
   const std::string file = model_name + ".hpp";
   if (options.output.empty() || options.output == "-") return options.output == "-" ? "-" : file;
   return options.output.back() == '/' ? options.output + file : options.output + "/" + file;
+}
+
+/// Beside the header.
+std::string source_path(const std::string& header) {
+  return header.substr(0, header.size() - std::string_view(".hpp").size()) + ".cpp";
 }
 
 /// Make's syntax: blanks, # and $ in names are escaped. A ':' is not, as by compilers: CMake would look for a file with a '\'.
@@ -50,20 +56,23 @@ std::string dependencies(const std::string& target, const Options& options, cons
   return line + "\n";
 }
 
-// Both are written before the first is put in place: a full disk leaves everything as it was.
+// All are written before the first is put in place: a full disk leaves everything as it was.
 void write_files(const Options& options, const PipelineResult& result, const support::Source& source) {
   const std::string path = header_path(options, result.model_name);
-  keep_what_was_read(path, source);
+  std::vector<std::pair<std::string, std::string>> files{{path, result.header}};
+  if (!result.source.empty()) files.emplace_back(source_path(path), result.source);
   if (!options.depfile.empty()) {
-    keep_what_was_read(options.depfile, source);
-    if (are_same_file(options.depfile, path)) fail_on(path, "it cannot be both the header and the depfile");
+    for (const auto& file : files) {
+      if (are_same_file(options.depfile, file.first))
+        fail_on(file.first, "it cannot be both the header and the depfile");
+    }
+    const std::string& target = options.depfile_target.empty() ? path : options.depfile_target;
+    files.emplace_back(options.depfile, dependencies(target, options, source));
   }
-  Replacement header(path, result.header);
-  if (options.depfile.empty()) return header.commit();
-  const std::string& target = options.depfile_target.empty() ? path : options.depfile_target;
-  Replacement depfile(options.depfile, dependencies(target, options, source));
-  header.commit();
-  depfile.commit();
+  for (const auto& file : files) keep_what_was_read(file.first, source);
+  std::list<Replacement> replacements;
+  for (const auto& [name, text] : files) replacements.emplace_back(name, text);
+  for (Replacement& replacement : replacements) replacement.commit();
 }
 
 /// Only the model's own text is needed for these two, so no derivation is made.
@@ -72,7 +81,9 @@ int check_or_list(const Options& options, support::Source& source) {
   const auto model = read_model(source, diagnostics, options.pipeline.counts);
   const int code = report(diagnostics, source, options.messages);
   if (!model || code != k_ok) return code;
-  if (options.list_outputs) write_standard_output(header_path(options, model->name.text) + "\n");
+  if (!options.list_outputs) return k_ok;
+  const std::string header = header_path(options, model->name.text);
+  write_standard_output(header + "\n" + (options.split.empty() ? "" : source_path(header) + "\n"));
   return k_ok;
 }
 

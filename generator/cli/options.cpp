@@ -93,6 +93,7 @@ void check(const CLI::App& app, const Options& options) {
   if (!refusal.empty()) refuse("--namespace", refusal);
   if (options.pipeline.fold && !options.pipeline.sensitivities.empty())
     refuse("--sensitivities", "with --fold parameters are numbers; leave one of the two out");
+  if (!options.split.empty() && options.output == "-") refuse("--split", "it writes two files; name a folder by -o");
   if (app.count("--depfile") != 0 && options.depfile.empty()) refuse("--depfile", "a file name is needed");
   if (app.count("--depfile-target") != 0 && (options.depfile.empty() || options.depfile_target.empty()))
     refuse("--depfile-target", "it is a word in the file of --depfile");
@@ -188,6 +189,8 @@ std::optional<Options> parse(int argc, const char* const* argv, int& exit_code) 
   }
   if (options.command == Command::derivation && options.format == Format::table) options.format = Format::markdown;
   check(app, options);
+  options.pipeline.compiled_for = options.split;
+  for (std::string& type : options.pipeline.compiled_for) std::replace(type.begin(), type.end(), '-', ' ');
   refuse_empty_words(app);
   for (const CLI::App* command : app.get_subcommands()) refuse_empty_words(*command);
   return options;

@@ -22,6 +22,7 @@ struct Options {
 
   // generate
   std::string output;  ///< folder, "-" for standard output; empty: the working folder
+  std::vector<std::string> split;  ///< types of a source file of its own
   std::string depfile;
   std::string depfile_target;      ///< empty: the header
   std::vector<std::string> dumps;  ///< stages

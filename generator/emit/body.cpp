@@ -1,5 +1,8 @@
 #include "emit/body.hpp"
 
+#include <algorithm>
+#include <unordered_set>
+
 #include "emit/identifiers.hpp"
 #include "emit/natural.hpp"
 #include "emit/text.hpp"
@@ -9,6 +12,8 @@ namespace gaussgen::emit {
 namespace {
 
 constexpr std::size_t k_comment_width = 104;
+/// In one call: two registers of the widest kind, and few enough for what passes them on one by one.
+constexpr std::size_t k_most_angles = 16;
 
 }  // namespace
 
@@ -25,8 +30,55 @@ void Body::define(const passes::Program& program) {
   for (const passes::Block& block : program.blocks) {
     blank_line();
     if (!block.comment.empty()) add(cpp::Comment{wrapped(block.comment, k_comment_width)});
-    for (const passes::Assignment& assignment : block.assignments) define(assignment);
+    for (std::size_t i = 0; i < block.assignments.size();) {
+      const std::size_t angles = angles_from(block.assignments, i);
+      if (angles > 1) {
+        define_angles(block.assignments, i, angles);
+      } else {
+        define(block.assignments[i]);
+      }
+      i += std::max<std::size_t>(angles, 1);
+    }
   }
+}
+
+std::size_t Body::angles_from(const Assignments& assignments, std::size_t first) const {
+  std::unordered_set<std::uint32_t> found;
+  const auto depends = [&](NodeId root) {
+    std::vector<NodeId> stack{root};
+    while (!stack.empty()) {
+      const NodeId id = stack.back();
+      stack.pop_back();
+      if (found.count(id.index) != 0) return true;
+      if (writer_.bound(id) != nullptr) continue;
+      const std::vector<NodeId>& operands = writing_.operands(id);
+      stack.insert(stack.end(), operands.begin(), operands.end());
+    }
+    return false;
+  };
+  std::size_t count = 0;
+  for (; count < k_most_angles && first + count < assignments.size(); ++count) {
+    const passes::Assignment& assignment = assignments[first + count];
+    if (!assignment.cosine || depends(writing_.operands(assignment.node)[0])) break;
+    found.insert({assignment.node.index, assignment.cosine->index});
+  }
+  return count;
+}
+
+void Body::define_angles(const Assignments& assignments, std::size_t first, std::size_t count) {
+  std::vector<cpp::Expression> arguments;
+  for (std::size_t i = first; i < first + count; ++i) {
+    const passes::Assignment& assignment = assignments[i];
+    const std::string sine = name_for(assignment.node, assignment.name);
+    const std::string cosine = name_for(*assignment.cosine, assignment.cosine_name);
+    add(cpp::Declaration{"S", {sine, cosine}});
+    arguments.push_back(writer_.value(writing_.operands(assignment.node)[0]));
+    arguments.push_back(cpp::atom(sine));
+    arguments.push_back(cpp::atom(cosine));
+    writer_.bind(assignment.node, sine);
+    writer_.bind(*assignment.cosine, cosine);
+  }
+  add(cpp::Evaluation{cpp::call("Angles<S>::sincos", std::move(arguments))});
 }
 
 void Body::define(const passes::Assignment& assignment) {

@@ -28,10 +28,16 @@ class Body {
   void add(cpp::Statement statement) { statements_.push_back(std::move(statement)); }
   void blank_line();
 
+  std::size_t size() const { return statements_.size(); }
   std::vector<cpp::Statement> take() { return std::move(statements_); }
 
  private:
+  using Assignments = std::vector<passes::Assignment>;
+
   void define(const passes::Assignment& assignment);
+  /// Sines and cosines from `first` on that do not depend on each other.
+  std::size_t angles_from(const Assignments& assignments, std::size_t first) const;
+  void define_angles(const Assignments& assignments, std::size_t first, std::size_t count);
   std::string name_for(NodeId id, const std::string& wanted);
   std::string natural_name_for(NodeId id) const;
 

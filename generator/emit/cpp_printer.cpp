@@ -1,6 +1,7 @@
 #include "emit/cpp_printer.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "emit/line.hpp"
 
@@ -36,6 +37,16 @@ class Printer {
 
   void operator()(const Struct& type) { structure(type, 0); }
   void operator()(const Function& function) { free_function(function); }
+
+  void operator()(const Instantiation& instantiation) {
+    Function function = instantiation.function;
+    function.prefix = std::string(instantiation.prefix) + "template";
+    function.type = with_scalar(function.type, instantiation.scalar);
+    for (Argument& argument : function.arguments) {
+      argument = {with_scalar(argument.type, instantiation.scalar), argument.name, true};
+    }
+    signature(function, ";\n");
+  }
 
  private:
   void comment_lines(const std::string& text, const std::string& mark, std::size_t indent) {
@@ -105,9 +116,29 @@ class Printer {
     return text + " }";
   }
 
+  /// S as a word of its own.
+  static std::string with_scalar(const std::string& type, const std::string& scalar) {
+    const auto is_in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    std::string result;
+    for (std::size_t i = 0; i < type.size(); ++i) {
+      const bool is_scalar =
+          type[i] == 'S' && (i == 0 || !is_in_word(type[i - 1])) && (i + 1 == type.size() || !is_in_word(type[i + 1]));
+      result += is_scalar ? scalar : std::string(1, type[i]);
+    }
+    return result;
+  }
+
   void free_function(const Function& function) {
     comment_lines(function.comment, "///", 0);
     if (function.is_template) out += "template <class S>\n";
+    signature(function, " {\n");
+    for (const Statement& statement : function.body) {
+      std::visit([this](const auto& s) { this->statement(s); }, statement);
+    }
+    out += "}\n";
+  }
+
+  void signature(const Function& function, const char* end) {
     std::string line = head(function);
     const std::size_t column = std::min(line.size(), k_line_length / 2);
     for (std::size_t i = 0; i < function.arguments.size(); ++i) {
@@ -120,12 +151,8 @@ class Printer {
       }
       line += argument;
     }
-    out += line + (function.arguments.empty() ? ")" : "") + (function.suffix.empty() ? "" : " " + function.suffix) +
-           " {\n";
-    for (const Statement& statement : function.body) {
-      std::visit([this](const auto& s) { this->statement(s); }, statement);
-    }
-    out += "}\n";
+    out +=
+        line + (function.arguments.empty() ? ")" : "") + (function.suffix.empty() ? "" : " " + function.suffix) + end;
   }
 
   void statement(const Definition& s) { finish(Line(indent_).text(s.type + " " + s.name + " = ").expression(s.value)); }

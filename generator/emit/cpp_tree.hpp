@@ -161,12 +161,19 @@ struct Table {
   bool is_template = false;  ///< over `class S`
 };
 
+/// `template type name(arguments) suffix;` of a function template, with a scalar type in place of S.
+struct Instantiation {
+  const char* prefix = "";  ///< extern
+  std::string scalar;
+  Function function;  ///< its body is not printed
+};
+
 /// Lines that are printed as they are: preprocessor directives and the embedded prelude.
 struct Verbatim {
   std::string text;
 };
 
-using Item = std::variant<Comment, BlankLine, Verbatim, Constant, Table, Struct, Function>;
+using Item = std::variant<Comment, BlankLine, Verbatim, Constant, Table, Struct, Function, Instantiation>;
 
 struct File {
   std::vector<Item> before;  ///< the namespace

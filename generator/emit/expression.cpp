@@ -72,7 +72,8 @@ Expression ExpressionWriter::choice(const Node& node) const {
 Expression ExpressionWriter::function(const Node& node) const {
   if (ir::is_choice(node.function) && node.function != ir::Function::select) return choice(node);
   if (node.function == ir::Function::table) {
-    return cpp::call(names_.of_table(node.table, support::to_int(node.value)), {value(node.children[0])});
+    // With its type, which is not that of the argument where that is an expression template.
+    return cpp::call(names_.of_table(node.table, support::to_int(node.value)) + "<S>", {value(node.children[0])});
   }
   std::vector<Expression> arguments;
   for (const NodeId child : node.children) {

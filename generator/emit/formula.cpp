@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::string_view k_scope = "Math<S>::";
 
-/// Math<S>::sin, and Math<S>::epsilon(), which is a number on paper.
+/// Math<S>::sin, Math<S>::epsilon(), which is a number on paper, and table<S>.
 std::string without_scope(std::string text) {
-  if (text.compare(0, k_scope.size(), k_scope) != 0) return text;
+  if (text.compare(0, k_scope.size(), k_scope) != 0) return text.substr(0, text.rfind("<S>"));
   text.erase(0, k_scope.size());
   const std::size_t size = text.size();
   return size > 2 && text.compare(size - 2, 2, "()") == 0 ? text.substr(0, size - 2) : text;

@@ -141,7 +141,7 @@ std::vector<cpp::Argument> read_arguments(const Plan& plan, const Artefact& arte
 
 }  // namespace
 
-cpp::Function artefact_function(Plan& plan, const Task& task) {
+FunctionCode artefact_function(Plan& plan, const Task& task) {
   const Artefact& artefact = *task.artefact;
   cpp::Function function;
   function.comment = wrapped(artefact.about, k_comment_width);
@@ -159,6 +159,7 @@ cpp::Function artefact_function(Plan& plan, const Task& task) {
   const bool may_alias = !artefact.state.empty() || (artefact.takes_accelerations && !artefact.derivative.empty());
   Reader reader(body, plan.names, used, may_alias ? "const S" : "const S&");
   function.arguments = read_arguments(plan, artefact, reader);
+  const std::size_t reads = body.size();
 
   Request request = task.request;
   const std::vector<Output> outputs = outputs_of(plan, task);
@@ -169,7 +170,7 @@ cpp::Function artefact_function(Plan& plan, const Task& task) {
   body.blank_line();
   return_status(body, plan.graph, task);
   function.body = body.take();
-  return function;
+  return {std::move(function), reads, may_alias};
 }
 
 }  // namespace gaussgen::emit

@@ -2,13 +2,14 @@
 
 #include "emit/cpp_tree.hpp"
 #include "emit/plan.hpp"
+#include "emit/split.hpp"
 
 namespace gaussgen::emit {
 
 /// `Prepared<S> prepare(const Parameters<S>&)`.
 cpp::Function prepare_function(Plan& plan);
 
-/// One function of the unit.
-cpp::Function artefact_function(Plan& plan, const Task& task);
+/// One function of the unit, in one piece.
+FunctionCode artefact_function(Plan& plan, const Task& task);
 
 }  // namespace gaussgen::emit

@@ -8,7 +8,13 @@
 
 namespace gaussgen::emit {
 
+struct Files {
+  std::string header;
+  std::string source;  ///< instantiates the functions of the header for Unit::compiled_for; empty where that is
+};
+
 /// Same unit, same bytes.
+Files emit_files(const ir::Graph& graph, const Unit& unit);
 std::string emit_header(const ir::Graph& graph, const Unit& unit);
 
 /// The text of src/gauss/math.hpp, which every header carries.

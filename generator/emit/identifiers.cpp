@@ -25,9 +25,9 @@ const NameSet k_keywords = {
 
 // Template parameter, types, arguments, tables and members of emitted code, and what it reaches by these names.
 const NameSet k_own_names = {
-    "Bool", "Derivative", "Inputs", "Math", "Parameters", "Prepared", "Quantity", "S", "State", "Status", "StatusOf",
+    "Angles", "Bool", "Derivative", "Inputs", "Math", "Parameters", "Prepared", "Quantity", "S", "State", "Status", "StatusOf",
     "accelerations", "constraint_table", "coordinate_table", "derivative", "gauss", "initial_state", "input_members",
-    "input_table", "inputs", "n_constraints", "n_inputs", "n_parameters", "n_q", "n_v", "name_of_model", "out",
+    "input_table", "inputs", "live", "n_constraints", "n_inputs", "n_parameters", "n_q", "n_v", "name_of_model", "out",
     "parameter_members", "parameter_table", "parameters", "prepare", "prepared", "from", "speed_table", "state", "status", "std",
     "t", "values"};
 

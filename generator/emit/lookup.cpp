@@ -137,7 +137,7 @@ std::vector<cpp::Function> table_functions(const Plan& plan) {
 
 std::map<std::string, Operations> costs_of(const std::vector<cpp::Function>& tables) {
   std::map<std::string, Operations> costs;
-  for (const cpp::Function& function : tables) costs.emplace(function.name, operations_of(function));
+  for (const cpp::Function& function : tables) costs.emplace(function.name + "<S>", operations_of(function));
   return costs;
 }
 

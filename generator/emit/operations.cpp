@@ -11,6 +11,8 @@ namespace {
 
 using Kind = Expression::Kind;
 
+constexpr int k_arguments_of_angle = 3;  ///< itself, its sine, its cosine
+
 // A literal of the scalar type: compilers divide two of them.
 bool is_number(const Expression& e) { return e.kind == Kind::call && e.text == "S"; }
 
@@ -31,7 +33,7 @@ class Tally {
       case Kind::sum: operations.additions += count - 1; break;
       case Kind::product: operations.multiplications += count - 1; break;
       case Kind::quotient: operations.divisions += is_number(e.operands[0]) && is_number(e.operands[1]) ? 0 : 1; break;
-      case Kind::call: add_call(e.text); break;
+      case Kind::call: add_call(e.text, count); break;
       default: break;
     }
     for (const Expression& operand : e.operands) add(operand);
@@ -40,8 +42,12 @@ class Tally {
   Operations operations;
 
  private:
-  void add_call(const std::string& callee) {
+  void add_call(const std::string& callee, int count) {
     if (const auto own = callees_.find(callee); own != callees_.end()) return add(own->second);
+    if (callee == "Angles<S>::sincos") {
+      operations.functions += 2 * count / k_arguments_of_angle;
+      return;
+    }
     if (callee.rfind("Math<S>::", 0) != 0 || is_free(callee)) return;
     if (callee == "Math<S>::sqrt") {
       ++operations.square_roots;

@@ -123,6 +123,9 @@ struct Provenance {
   std::vector<std::string> notes;
 };
 
+/// Chosen by measurement: below, compilers are not faster, and above, they take more than twice the time for twice the operations.
+inline constexpr int k_part_operations = 1500;
+
 struct Unit {
   std::string model_name;
   std::string about;
@@ -139,6 +142,8 @@ struct Unit {
   std::vector<Artefact> artefacts;
   SymbolId time;
   SymbolId epsilon;  ///< rounding unit of S
+  int part_operations = k_part_operations;  ///< functions of more than twice as many are split
+  std::vector<std::string> compiled_for;    ///< scalar types of a source file of its own; empty: there is none
   bool folded = false;  ///< parameters are numbers already; Parameters<S> is empty
 };
 

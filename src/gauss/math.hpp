@@ -7,7 +7,7 @@
 #ifndef GAUSS_MATH_HPP
 #define GAUSS_MATH_HPP
 
-#define GAUSS_MATH_VERSION 1
+#define GAUSS_MATH_VERSION 2
 
 // Conditions on values that are not finite, and the order of sums, are part of the results.
 #if defined(__FAST_MATH__) && !defined(GAUSS_ALLOW_FAST_MATH)
@@ -22,6 +22,27 @@
 #define GAUSS_FUNCTION inline __host__ __device__
 #else
 #define GAUSS_FUNCTION inline
+#endif
+
+// Functions that one file of a program compiles for all others (gauss-gen --split).
+#if defined(__CUDACC__)
+#define GAUSS_SEPARATE __host__ __device__
+#else
+#define GAUSS_SEPARATE
+#endif
+
+// What only passes arguments on, and would be in the way of optimisation as a call.
+#if defined(__GNUC__)
+#define GAUSS_INLINED GAUSS_FUNCTION __attribute__((always_inline))
+#else
+#define GAUSS_INLINED GAUSS_FUNCTION
+#endif
+
+// A part of a function that is too large for compilers in one piece; inlined, it would be one again.
+#if defined(__GNUC__)
+#define GAUSS_PART GAUSS_FUNCTION __attribute__((noinline))
+#else
+#define GAUSS_PART GAUSS_FUNCTION
 #endif
 
 namespace gauss {
@@ -158,6 +179,9 @@ struct StandardMath : ScalarLogic<S> {
     cosine = std::cos(x);
   }
   GAUSS_FUNCTION static S pi() noexcept { return static_cast<S>(3.14159265358979323846264338327950288L); }
+  /// A constant: device code calls no function of the host, not a constexpr one either.
+  static constexpr S rounding_unit = std::numeric_limits<S>::epsilon();
+  GAUSS_FUNCTION static S epsilon() noexcept { return rounding_unit; }
 };
 
 // One call for both where the C library offers it; compilers do not always find the pair by themselves.
@@ -185,12 +209,24 @@ struct Math<long double> : StandardMath<long double> {
 
 #undef GAUSS_SINCOS
 
+/// Sines and cosines of angles that are known at the same time, three arguments for each: the angle, its sine, its cosine.
+/// One after the other; to be specialised for types that compute several at once, as gauss/scalar/vectorised.hpp does.
+template <class S>
+struct Angles {
+  GAUSS_INLINED static void sincos() {}
+  template <class... Rest>
+  GAUSS_INLINED static void sincos(const S& x, S& sine, S& cosine, Rest&&... rest) {
+    Math<S>::sincos(x, sine, cosine);
+    sincos(rest...);
+  }
+};
+
 /// An enumeration for scalars, a mask per condition for batches.
 template <class S>
 using StatusOf = typename Math<S>::Status;
 
 }  // namespace gauss
 
-#elif GAUSS_MATH_VERSION != 1
+#elif GAUSS_MATH_VERSION != 2
 #error "Two versions of the gauss prelude meet in one file: generate all models with the same gauss-gen."
 #endif  // GAUSS_MATH_HPP

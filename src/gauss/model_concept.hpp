@@ -31,11 +31,11 @@ struct IsModel : std::false_type {};
 
 template <class M, class S>
 struct IsModel<M, S, std::void_t<RhsOf<M, S>, PreparedOf<M, S>>>
-    : std::bool_constant<
-          std::is_same_v<RhsOf<M, S>, StatusOf<S>> && std::is_same_v<PreparedOf<M, S>, typename M::template Prepared<S>> &&
-          // The state and its rate are arrays of coordinates and speeds and nothing else.
-          sizeof(typename M::template State<S>) == sizeof(S[static_cast<unsigned>(M::n_q + M::n_v)]) &&
-          sizeof(typename M::template Derivative<S>) == sizeof(typename M::template State<S>)> {};
+    : std::bool_constant<std::is_same_v<RhsOf<M, S>, StatusOf<S>> &&
+                         std::is_same_v<PreparedOf<M, S>, typename M::template Prepared<S>> &&
+                         // The state and its rate are arrays of coordinates and speeds and nothing else.
+                         sizeof(typename M::template State<S>) == sizeof(S[static_cast<unsigned>(M::n_q + M::n_v)]) &&
+                         sizeof(typename M::template Derivative<S>) == sizeof(typename M::template State<S>)> {};
 
 }  // namespace concept_detail
 
@@ -46,30 +46,40 @@ inline constexpr bool is_model = concept_detail::IsModel<M, S>::value;
 }  // namespace gauss
 
 /// A type that stands for the emitted namespace `name_space`. Forwarding costs nothing: all of it is inline.
-#define GAUSS_MODEL(type, name_space)                                                                             \
-  struct type {                                                                                                   \
-    template <class S>                                                                                            \
-    using Parameters = name_space::Parameters<S>;                                                                 \
-    template <class S>                                                                                            \
-    using Inputs = name_space::Inputs<S>;                                                                         \
-    template <class S>                                                                                            \
-    using Prepared = name_space::Prepared<S>;                                                                     \
-    template <class S>                                                                                            \
-    using State = name_space::State<S>;                                                                           \
-    template <class S>                                                                                            \
-    using Derivative = name_space::Derivative<S>;                                                                 \
-    static constexpr int n_q = name_space::n_q;                                                                   \
-    static constexpr int n_v = name_space::n_v;                                                                   \
-    static constexpr const char* name = name_space::name_of_model;                                                \
-    static constexpr const ::gauss::Quantity* coordinates = name_space::coordinate_table;                         \
-    static constexpr const ::gauss::Quantity* speeds = name_space::speed_table;                                   \
-    template <class S>                                                                                            \
-    GAUSS_FUNCTION static Prepared<S> prepare(const Parameters<S>& parameters) noexcept {                         \
-      return name_space::prepare(parameters);                                                                     \
-    }                                                                                                             \
-    template <class S>                                                                                            \
-    GAUSS_FUNCTION static ::gauss::StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S>& inputs,    \
+#define GAUSS_MODEL(type, name_space)                                                                                 \
+  struct type {                                                                                                       \
+    template <class S>                                                                                                \
+    using Parameters = name_space::Parameters<S>;                                                                     \
+    template <class S>                                                                                                \
+    using Inputs = name_space::Inputs<S>;                                                                             \
+    template <class S>                                                                                                \
+    using Prepared = name_space::Prepared<S>;                                                                         \
+    template <class S>                                                                                                \
+    using State = name_space::State<S>;                                                                               \
+    template <class S>                                                                                                \
+    using Derivative = name_space::Derivative<S>;                                                                     \
+    static constexpr int n_q = name_space::n_q;                                                                       \
+    static constexpr int n_v = name_space::n_v;                                                                       \
+    static constexpr int n_parameters = name_space::n_parameters;                                                     \
+    static constexpr int n_inputs = name_space::n_inputs;                                                             \
+    template <class S>                                                                                                \
+    static constexpr auto parameters_of() {                                                                       \
+      return name_space::parameter_members<S>;                                                                        \
+    }                                                                                                                 \
+    template <class S>                                                                                                \
+    static constexpr auto inputs_of() {                                                                           \
+      return name_space::input_members<S>;                                                                            \
+    }                                                                                                                 \
+    static constexpr const char* name = name_space::name_of_model;                                                    \
+    static constexpr const ::gauss::Quantity* coordinates = name_space::coordinate_table;                             \
+    static constexpr const ::gauss::Quantity* speeds = name_space::speed_table;                                       \
+    template <class S>                                                                                                \
+    GAUSS_FUNCTION static Prepared<S> prepare(const Parameters<S>& parameters) noexcept {                             \
+      return name_space::prepare(parameters);                                                                         \
+    }                                                                                                                 \
+    template <class S>                                                                                                \
+    GAUSS_FUNCTION static ::gauss::StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S>& inputs,        \
                                                    const Prepared<S>& prepared, Derivative<S>& derivative) noexcept { \
-      return name_space::rhs(t, state, inputs, prepared, derivative);                                             \
-    }                                                                                                             \
+      return name_space::rhs(t, state, inputs, prepared, derivative);                                                 \
+    }                                                                                                                 \
   }

@@ -12,11 +12,6 @@
     using ByState = JacobianByState;                                                                  \
     using ByInputs = JacobianByInputs;                                                                \
     using ByTime = JacobianByTime;                                                                    \
-    static constexpr int inputs_count() { return n_inputs; }                                          \
-    template <class S>                                                                                \
-    static constexpr auto inputs_of() {                                                               \
-      return input_members<S>;                                                                        \
-    }                                                                                                 \
     template <class S>                                                                                \
     static gauss::StatusOf<S> jacobian_at(const S& t, const State<S>& state, const Inputs<S>& inputs, \
                                           const Prepared<S>& prepared, Jacobian<S>& result) {         \

@@ -97,7 +97,7 @@ void agrees(const char* type, const Wide& eps) {
   }
 }
 
-/// Its law in time has arguments of 2000, and xsimd takes another way to their sines when any lane is so large.
+/// Its law in time has arguments of 2000.
 bool has_large_arguments(const std::string& model) { return model == "pendulum_moving_pivot"; }
 
 template <class T>
@@ -106,7 +106,8 @@ void lanes_are_exact() {
   const auto lanes = headertest::plain_models<headertest::Lane<T>>();
   for (std::size_t m = 0; m < batches.size(); ++m) {
     const Reference& expected = references()[m];
-    if (has_large_arguments(expected.name)) continue;
+    // In float, xsimd takes another way to their sines when any lane is so large.
+    if (std::is_same_v<T, float> && has_large_arguments(expected.name)) continue;
     INFO(expected.name);
     const auto together = batches[m].answers(expected.samples);
     const auto alone = lanes.at(m).answers(expected.samples);

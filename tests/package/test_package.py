@@ -266,6 +266,46 @@ class Package(unittest.TestCase):
                 self.assertNotIn("mass_matrix(", (self.build / "gauss/app/pendulum.hpp").read_text(encoding="utf-8"))
                 self.assert_pendulum(LENGTH)
 
+    def test_sensitivities_are_chosen_as_outputs_are(self):
+        (self.source / "CMakeLists.txt").write_text(
+            PROJECT.replace(".yaml)", ".yaml OUTPUTS rhs initial_state reactions SENSITIVITIES m l)"), encoding="utf-8")
+        checks = """
+          gauss::pendulum::Sensitivities<double> sensitivities;
+          if (gauss::pendulum::sensitivities(0.0, state, inputs, prepared, sensitivities) != gauss::Status::ok) return 2;
+          // theta_ddot = -g/l sin(theta): by l it is -theta_ddot/l, by m nothing.
+          if (std::fabs(sensitivities.l.rhs[1] + derivative.theta_ddot() / 0.8) > 1e-12) return 3;
+          if (std::fabs(sensitivities.m.rhs[1]) > 1e-12) return 4;
+        """
+        main = "#include <cmath>\n" + MAIN.replace("  std::printf(", checks + "  std::printf(", 1)
+        (self.source / "main.cpp").write_text(main, encoding="utf-8")
+        self.configure(ANY_GENERATOR)
+        self.make()
+        self.assert_pendulum(LENGTH)
+
+    def test_functions_compiled_in_a_file_of_their_own_are_those_of_the_program(self):
+        for generator, program in (("Ninja", "ninja"), ("Unix Makefiles", "make")):
+            if not shutil.which(program):
+                continue
+            for more in ("SPLIT", "SPLIT double float"):
+                with self.subTest(generator=generator, more=more):
+                    shutil.rmtree(self.build, ignore_errors=True)
+                    (self.source / "CMakeLists.txt").write_text(PROJECT.replace(".yaml)", f".yaml {more})"), encoding="utf-8")
+                    self.configure(generator)
+                    self.make()
+                    self.assert_pendulum(LENGTH)
+                    text = (self.build / "gauss/app/pendulum.cpp").read_text(encoding="utf-8")
+                    self.assertEqual("rhs(const float&" in text, "float" in more)
+                    self.assertNotIn("Generating", self.make())
+                    self.edit("value: 0.8", "value: 0.9")
+                    self.make()
+                    self.assert_pendulum(0.9)
+                    self.edit("value: 0.9", "value: 0.8")
+
+    def test_a_library_that_compiles_nothing_cannot_be_split(self):
+        (self.source / "CMakeLists.txt").write_text(
+            PROJECT + "add_library(models INTERFACE)\ngauss_add_model(TARGET models MODEL pendulum.yaml SPLIT)\n", encoding="utf-8")
+        self.assertIn("gauss_add_model(models): with SPLIT there is a file to compile", " ".join(self.configuring_fails().split()))
+
     def test_two_sizes_of_a_model_go_into_one_program(self):
         shutil.copy(SOURCE / "models/families/planar_chain_absolute.yaml", self.source / "chain.yaml")
         (self.source / "CMakeLists.txt").write_text(

@@ -2,9 +2,11 @@
 // xsimd::batch: one state per lane. Conditions are masks, so lanes never disturb each other.
 // SPDX-License-Identifier: MIT-0
 
+#include <type_traits>
 #include <xsimd/xsimd.hpp>
 
 #include "gauss/math.hpp"
+#include "gauss/scalar/xsimd_sincos.hpp"
 
 namespace gauss {
 
@@ -38,8 +40,8 @@ struct Math<xsimd::batch<T, Arch>> {
   using Bool = typename S::batch_bool_type;
   using Status = BatchStatus<Bool>;
 
-  static S sin(const S& x) noexcept { return xsimd::sin(x); }
-  static S cos(const S& x) noexcept { return xsimd::cos(x); }
+  static S sin(const S& x) noexcept { return pair(x).first; }
+  static S cos(const S& x) noexcept { return pair(x).second; }
   static S tan(const S& x) noexcept { return xsimd::tan(x); }
   static S asin(const S& x) noexcept { return xsimd::asin(x); }
   static S acos(const S& x) noexcept { return xsimd::acos(x); }
@@ -53,9 +55,9 @@ struct Math<xsimd::batch<T, Arch>> {
   static S sqrt(const S& x) noexcept { return xsimd::sqrt(x); }
   static S pow(const S& x, const S& y) noexcept { return xsimd::pow(x, y); }
   static void sincos(const S& x, S& sine, S& cosine) noexcept {
-    const auto pair = xsimd::sincos(x);
-    sine = pair.first;
-    cosine = pair.second;
+    const auto both = pair(x);
+    sine = both.first;
+    cosine = both.second;
   }
 
   static Bool less(const S& a, const S& b) noexcept { return a < b; }
@@ -77,6 +79,15 @@ struct Math<xsimd::batch<T, Arch>> {
   static S epsilon() noexcept { return S(std::numeric_limits<T>::epsilon()); }
   static S pi() noexcept { return S(Math<T>::pi()); }
   static S constant(double hi, double mid, double lo) noexcept { return S(Math<T>::constant(hi, mid, lo)); }
+
+ private:
+  static std::pair<S, S> pair(const S& x) noexcept {
+    if constexpr (std::is_same_v<T, double>) {
+      return xsimd_detail::sincos(x);
+    } else {
+      return xsimd::sincos(x);
+    }
+  }
 };
 
 }  // namespace gauss
