@@ -26,6 +26,7 @@ class UnitBuilder {
     unit_.time = mechanics_.symbols.time;
     unit_.epsilon = mechanics_.symbols.epsilon;
     unit_.folded = options_.fold;
+    unit_.optimised = !options_.plain;
     add_parameters();
     add_inputs();
     add_state();
@@ -134,6 +135,7 @@ class UnitBuilder {
     if (!options_.sensitivities.empty())
       provenance.command += " --sensitivities=" + fmt::format("{}", fmt::join(options_.sensitivities, ","));
     if (options_.fold) provenance.command += " --fold";
+    if (options_.plain) provenance.command += " --no-optimise";
     if (options_.route == Route::paper) provenance.command += " --route=paper";
     if (!options_.name_space.empty()) provenance.command += " --namespace=" + options_.name_space;
     provenance.strategy = mechanics_.solution.description;

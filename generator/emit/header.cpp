@@ -86,9 +86,17 @@ class HeaderBuilder {
 
 }  // namespace
 
-std::string emit_header(const ir::Graph& graph, const Unit& unit) {
+Header build_header(const ir::Graph& graph, const Unit& unit) {
   Plan plan(graph, unit);
-  return cpp::print(HeaderBuilder(plan).build());
+  Header header;
+  header.planned = std::chrono::steady_clock::now();
+  header.nodes_planned = plan.graph.size();
+  for (Task& task : plan.tasks) header.passes.push_back({task.artefact->name, std::move(task.effects)});
+  header.text = cpp::print(HeaderBuilder(plan).build());
+  header.nodes = plan.graph.size();
+  return header;
 }
+
+std::string emit_header(const ir::Graph& graph, const Unit& unit) { return build_header(graph, unit).text; }
 
 }  // namespace gaussgen::emit

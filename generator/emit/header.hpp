@@ -1,14 +1,35 @@
 #pragma once
 // A Unit as the text of one standalone C++ header.
 
+#include <chrono>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "emit/unit.hpp"
+#include "passes/optimise.hpp"
 
 namespace gaussgen::emit {
 
-/// Same unit, same bytes.
+/// What the passes made of one function.
+struct PassEffects {
+  std::string function;
+  std::vector<passes::PassEffect> passes;  ///< in the order in which they ran
+};
+
+/// A header, and what it took to make it.
+struct Header {
+  std::string text;
+  std::vector<PassEffects> passes;
+  std::chrono::steady_clock::time_point planned;  ///< when nothing was left but to write it
+  std::size_t nodes_planned = 0;                  ///< of the graph, then
+  std::size_t nodes = 0;                          ///< of the graph, in the end
+};
+
+/// Same unit, same bytes of text.
+Header build_header(const ir::Graph& graph, const Unit& unit);
+
+/// Its text.
 std::string emit_header(const ir::Graph& graph, const Unit& unit);
 
 /// The text of src/gauss/math.hpp, which every header carries.

@@ -104,7 +104,9 @@ class Planner {
 
   void run() {
     for (const Artefact& artefact : plan_.unit.artefacts) {
-      plan_.tasks.push_back({&artefact, runs_once(artefact) ? as_it_is(artefact) : over_prepared(artefact)});
+      Task task{&artefact, {}, {}};
+      task.request = runs_once(artefact) ? as_it_is(artefact) : over_prepared(artefact, task.effects);
+      plan_.tasks.push_back(std::move(task));
     }
     // Plain parameters in the order of the model, formulas after what they need, then the rest as it came up.
     std::vector<NodeId> roots;
@@ -130,7 +132,7 @@ class Planner {
     return request;
   }
 
-  passes::Request over_prepared(const Artefact& artefact) {
+  passes::Request over_prepared(const Artefact& artefact, std::vector<passes::PassEffect>& effects) {
     passes::Request request{outputs_of(artefact, not_finite(plan_.graph, artefact, plan_.unit)), {}, {}};
     const IdSet needed = reached_from(plan_.graph, request.outputs);
     for (NodeId& output : request.outputs) output = split_(output);
@@ -142,7 +144,8 @@ class Planner {
       }
       request.sections.push_back(std::move(rewritten));
     }
-    return over_prepared(passes::optimise(plan_.graph, request));
+    if (!plan_.unit.optimised) return request;
+    return over_prepared(passes::optimise(plan_.graph, request, &effects));
   }
 
   // Passes bring together what depends on parameters alone, as the difference of two moments of inertia.

@@ -140,6 +140,7 @@ struct Unit {
   SymbolId time;
   SymbolId epsilon;  ///< rounding unit of S
   bool folded = false;  ///< parameters are numbers already; Parameters<S> is empty
+  bool optimised = true;  ///< false: values are computed as they were derived, without rewriting them
 };
 
 }  // namespace gaussgen::emit

@@ -1,5 +1,7 @@
 #include "passes/optimise.hpp"
 
+#include <chrono>
+
 #include "ir/cost.hpp"
 #include "passes/factor.hpp"
 #include "passes/pairs.hpp"
@@ -21,13 +23,16 @@ Request optimise(Graph& graph, const Request& request, std::vector<PassEffect>* 
   Request best = request;
   int operations = ir::operations(graph, best.outputs);
   for (const Pass& pass : passes()) {
+    const auto begin = std::chrono::steady_clock::now();
     Request next = pass.run(graph, best);
-    const int count = ir::operations(graph, next.outputs);
-    if (count < operations) {
+    const int before = operations;
+    const int after = ir::operations(graph, next.outputs);
+    if (after < before) {
       best = std::move(next);
-      operations = count;
+      operations = after;
     }
-    if (effects != nullptr) effects->push_back({pass.name, operations});
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
+    if (effects != nullptr) effects->push_back({pass.name, before, operations, taken.count()});
   }
   return best;
 }

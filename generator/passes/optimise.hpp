@@ -16,9 +16,12 @@ struct Pass {
 /// Each once or several times, in the order in which they run.
 const std::vector<Pass>& passes();
 
+/// What a pass made of a request.
 struct PassEffect {
   std::string pass;
-  int operations = 0;  ///< after it
+  int before = 0;  ///< operations
+  int after = 0;   ///< the same as before where the pass would have added some, and was left out
+  double milliseconds = 0;
 };
 
 /// The same values with fewer operations. `effects`, if given, tells what each pass made of it.
