@@ -135,17 +135,17 @@ class Planner {
   passes::Request over_prepared(const Artefact& artefact, std::vector<passes::PassEffect>& effects) {
     passes::Request request{outputs_of(artefact, not_finite(plan_.graph, artefact, plan_.unit)), {}, {}};
     const IdSet needed = reached_from(plan_.graph, request.outputs);
-    for (NodeId& output : request.outputs) output = split_(output);
     for (const Section& section : artefact.sections) {
-      passes::Section rewritten{section.comment, {}};
+      passes::Section kept{section.comment, {}};
       for (const auto& [node, name] : section.nodes) {
-        const bool is_needed = needed.count(node.index) != 0 && split_.varies(node);
-        if (is_needed) rewritten.nodes.emplace_back(split_(node), name);
+        if (needed.count(node.index) != 0) kept.nodes.emplace_back(node, name);
       }
-      request.sections.push_back(std::move(rewritten));
+      request.sections.push_back(std::move(kept));
     }
-    if (!plan_.unit.optimised) return request;
-    return over_prepared(passes::optimise(plan_.graph, request, &effects));
+    if (!plan_.unit.optimised) return over_prepared(std::move(request));
+    request = passes::optimise(plan_.graph, request, passes::identities(), &effects);
+    request = over_prepared(std::move(request));
+    return over_prepared(passes::optimise(plan_.graph, request, passes::passes(), &effects));
   }
 
   // Passes bring together what depends on parameters alone, as the difference of two moments of inertia.

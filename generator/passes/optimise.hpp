@@ -13,7 +13,10 @@ struct Pass {
   Request (*run)(Graph&, const Request&);
 };
 
-/// Each once or several times, in the order in which they run.
+/// Those that recognise sines and cosines, also of parameters: before what depends on parameters alone becomes opaque.
+const std::vector<Pass>& identities();
+
+/// Those that run on what is left then, each once or several times, in the order in which they run.
 const std::vector<Pass>& passes();
 
 /// What a pass made of a request.
@@ -24,7 +27,8 @@ struct PassEffect {
   double milliseconds = 0;
 };
 
-/// The same values with fewer operations. `effects`, if given, tells what each pass made of it.
-Request optimise(Graph& graph, const Request& request, std::vector<PassEffect>* effects = nullptr);
+/// The same values in no more operations: each pass counts where it saves some. `effects`, if given, gets a line for each.
+Request optimise(Graph& graph, const Request& request, const std::vector<Pass>& passes,
+                 std::vector<PassEffect>* effects = nullptr);
 
 }  // namespace gaussgen::passes

@@ -59,10 +59,11 @@ class Trial {
   explicit Trial(const std::string& file) : model_(agreement::load(file)), mechanics_(model_, options()) {
     for (const auto acceleration : mechanics_.solution.accelerations) plain_.outputs.push_back(acceleration.id());
     requests_.push_back(plain_);
-    for (const gaussgen::passes::Pass& pass : gaussgen::passes::passes()) {
-      requests_.push_back(pass.run(mechanics_.graph, plain_));
+    for (const auto* list : {&gaussgen::passes::identities(), &gaussgen::passes::passes()}) {
+      for (const gaussgen::passes::Pass& pass : *list) requests_.push_back(pass.run(mechanics_.graph, plain_));
     }
-    requests_.push_back(gaussgen::passes::optimise(mechanics_.graph, plain_));
+    const Request simple = gaussgen::passes::optimise(mechanics_.graph, plain_, gaussgen::passes::identities());
+    requests_.push_back(gaussgen::passes::optimise(mechanics_.graph, simple, gaussgen::passes::passes()));
   }
 
   /// Of the plain code, of it after each pass, and after all.

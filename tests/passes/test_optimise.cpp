@@ -3,6 +3,7 @@
 #include "catch_shim.hpp"
 #include "ir/cost.hpp"
 #include "ir/verify.hpp"
+#include "passes/angles.hpp"
 #include "passes/factor.hpp"
 #include "passes/pairs.hpp"
 #include "passes/quotients.hpp"
@@ -18,9 +19,14 @@ namespace {
 
 using Pass = Request (*)(Graph&, const Request&);
 
-Request optimised(Graph& graph, const Request& request) { return gaussgen::passes::optimise(graph, request); }
+Request optimised(Graph& graph, const Request& request) {
+  const Request simple = gaussgen::passes::optimise(graph, request, gaussgen::passes::identities());
+  return gaussgen::passes::optimise(graph, simple, gaussgen::passes::passes());
+}
 
-const std::vector<std::pair<std::string, Pass>> k_passes{{"quotients", gaussgen::passes::join_quotients},
+const std::vector<std::pair<std::string, Pass>> k_passes{{"angles", gaussgen::passes::join_angles},
+                                                         {"turns", gaussgen::passes::turn_back},
+                                                         {"quotients", gaussgen::passes::join_quotients},
                                                          {"units", gaussgen::passes::choose_units},
                                                          {"pairs", gaussgen::passes::share_factors},
                                                          {"factors", gaussgen::passes::factor_out},
