@@ -143,9 +143,9 @@ class Planner {
       request.sections.push_back(std::move(kept));
     }
     if (!plan_.unit.optimised) return over_prepared(std::move(request));
-    request = passes::optimise(plan_.graph, request, passes::identities(), &effects);
+    request = passes::apply(plan_.graph, request, passes::identities(), &effects);
     request = over_prepared(std::move(request));
-    return over_prepared(passes::optimise(plan_.graph, request, passes::passes(), &effects));
+    return over_prepared(passes::apply_best_order(plan_.graph, request, &effects));
   }
 
   // Passes bring together what depends on parameters alone, as the difference of two moments of inertia.
