@@ -5,6 +5,7 @@
 
 #include "emit/natural.hpp"
 #include "emit/text.hpp"
+#include "ir/cost.hpp"
 #include "ir/traverse.hpp"
 #include "passes/optimise.hpp"
 #include "passes/prepare.hpp"
@@ -145,6 +146,8 @@ class Planner {
     if (!plan_.unit.optimised) return over_prepared(std::move(request));
     request = passes::apply(plan_.graph, request, passes::identities(), &effects);
     request = over_prepared(std::move(request));
+    // What `prepare` computes is no operation any more.
+    effects.push_back({"prepare", effects.back().after, ir::operations(plan_.graph, request.outputs), 0});
     return over_prepared(passes::apply_best_order(plan_.graph, request, &effects));
   }
 
