@@ -146,7 +146,8 @@ ModelGraph::ModelGraph(const model::Model& checked_model, bool fold, std::size_t
 
 KinematicModel::KinematicModel(const model::Model& checked_model, bool fold, std::size_t most_nodes)
     : ModelGraph(checked_model, fold, most_nodes),
-      kinematics(kinematics::build_kinematics(model, graph, expressions, symbols)) {}
+      kinematics(kinematics::build_kinematics(model, graph, expressions, symbols)),
+      kinematics_built{std::chrono::steady_clock::now(), graph.size()} {}
 
 Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& chosen)
     : KinematicModel(checked_model, chosen.fold, chosen.most_nodes),

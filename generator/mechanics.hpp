@@ -1,6 +1,7 @@
 #pragma once
 // The emitted route as one object: a model on the graph, its accelerations, multipliers and reactions.
 
+#include <chrono>
 #include <memory>
 
 #include "strategy/reactions.hpp"
@@ -35,11 +36,18 @@ struct ModelGraph {
   ir::Expr epsilon() const { return expressions.symbol(symbols.epsilon); }
 };
 
+/// What `--timings` says of a part that was built together with others: when it was there, and of how many nodes.
+struct Milestone {
+  std::chrono::steady_clock::time_point time;
+  std::size_t nodes = 0;
+};
+
 /// A model on the graph as far as geometry goes: velocities and constraint rows.
 struct KinematicModel : ModelGraph {
   KinematicModel(const model::Model& model, bool fold, std::size_t most_nodes = ir::k_most_nodes);
 
   kinematics::Kinematics kinematics;
+  Milestone kinematics_built;
 };
 
 /// As `--strategy` takes it.

@@ -25,31 +25,43 @@ namespace {
 
 const char* const k_check = "check";
 
-/// Times stages and shows each to the observer.
+/// Times stages, and shows to the observer what comes out.
 class Stages {
  public:
   explicit Stages(const StageObserver& observe) : observe_(observe), last_(Clock::now()) {}
 
-  void done(const std::string& stage, const std::string& size, const std::function<std::string()>& dump) {
-    const auto now = Clock::now();
-    times_.push_back({stage, std::chrono::duration<double, std::milli>(now - last_).count(), size});
+  /// A stage took from the end of the one before until then.
+  void took(const std::string& stage, const Milestone& end, std::size_t bytes = 0) {
+    times_.push_back(
+        {stage, std::chrono::duration<double, std::milli>(end.time - last_).count(), nodes_, end.nodes, bytes});
+    last_ = end.time;
+    nodes_ = end.nodes;
+  }
+
+  /// Until now.
+  void took(const std::string& stage, const ir::Graph& graph) { took(stage, {Clock::now(), graph.size()}); }
+
+  /// What dumps take is no part of any stage.
+  void show(const std::string& stage, const std::function<std::string()>& dump) {
+    const auto begin = Clock::now();
+    ++shown_;
     if (observe_) observe_(stage, dump);
-    last_ = Clock::now();
+    last_ += Clock::now() - begin;
   }
 
   std::vector<StageTime> times() && { return std::move(times_); }
 
-  const std::string& under_way() const { return stage_names()[std::min(times_.size(), stage_names().size() - 1)]; }
+  const std::string& under_way() const { return stage_names()[std::min(shown_, stage_names().size() - 1)]; }
 
  private:
   using Clock = std::chrono::steady_clock;
 
   const StageObserver& observe_;
   Clock::time_point last_;
+  std::size_t nodes_ = 0;
+  std::size_t shown_ = 0;
   std::vector<StageTime> times_;
 };
-
-std::string nodes(const Mechanics& mechanics) { return fmt::format("{} nodes", mechanics.graph.size()); }
 
 bool emits_initial_state(const Mechanics& mechanics, const PipelineOptions& options) {
   const std::vector<std::string> wanted = wanted_outputs(mechanics.model, options);
@@ -76,7 +88,8 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
                                       support::Diagnostics& diagnostics, Stages& stages) {
   std::optional<model::Model> model = read_model(source, diagnostics, options.counts);
   if (!model) return std::nullopt;
-  stages.done("model", fmt::format("{} bytes", source.text().size()), [&] { return dump_model(*model, source); });
+  stages.took("model", {std::chrono::steady_clock::now(), 0}, source.text().size());
+  stages.show("model", [&] { return dump_model(*model, source); });
 
   if (!options.sensitivities.empty()) choose_sensitivities(options.sensitivities, *model, diagnostics);
   if (options.fold) model::check_fold(*model, diagnostics);
@@ -87,6 +100,8 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   check_early(*model, mechanics_options, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   Mechanics mechanics(*model, mechanics_options);
+  stages.took("kinematics", mechanics.kinematics_built);
+  stages.took("strategy", mechanics.graph);
   check_structure(mechanics, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   const StatedStart stated = stated_start(*model, mechanics.expressions);
@@ -95,34 +110,41 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   } else {
     report_found(improve_guesses(mechanics, *model), *model, diagnostics);
   }
-  stages.done("kinematics", nodes(mechanics), [&] { return dump_kinematics(mechanics); });
+  stages.took("start", mechanics.graph);
+  stages.show("kinematics", [&] { return dump_kinematics(mechanics); });
 
   // The paper's route in GiNaC replaces the result where it is asked for; otherwise it is made for its dump only.
   if (options.route != Route::paper) check_choice(mechanics, diagnostics);
   if (options.route == Route::paper && !take_paper_route(mechanics, options.fold, diagnostics)) return std::nullopt;
-  stages.done("paper", nodes(mechanics), [&] { return dump_paper(mechanics); });
-  stages.done("strategy", nodes(mechanics), [&] { return dump_strategy(mechanics); });
+  if (options.route == Route::paper) stages.took("paper", mechanics.graph);
+  stages.show("paper", [&] { return dump_paper(mechanics); });
+  stages.show("strategy", [&] { return dump_strategy(mechanics); });
 
   // Before all else that takes long.
   check_initial_state(mechanics, {emits_initial_state(mechanics, options), options.assemble}, diagnostics);
   check_points(mechanics, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  stages.done(k_check, nodes(mechanics), [] { return std::string(); });
+  stages.took(k_check, mechanics.graph);
+  stages.show(k_check, [] { return std::string(); });
 
   const emit::Unit unit = build_unit(mechanics, source, options);
   check_outputs(mechanics, unit, options, diagnostics);
   check_range(mechanics.graph, unit, model->name, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  stages.done("artefacts", nodes(mechanics), [&] { return dump_artefacts(mechanics, unit); });
+  stages.took("artefacts", mechanics.graph);
+  stages.show("artefacts", [&] { return dump_artefacts(mechanics, unit); });
 
   PipelineResult result;
   result.model_name = model->name.text;
   result.has_units = model::has_units(*model);
-  emit::Files files = files_in_range(mechanics.graph, unit, model->name, diagnostics);
-  result.header = std::move(files.header);
-  result.source = std::move(files.source);
+  emit::Header header = header_in_range(mechanics.graph, unit, model->name, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  stages.done("header", fmt::format("{} bytes", result.header.size()), [&] { return result.header; });
+  result.header = std::move(header.text);
+  result.source = std::move(header.source);
+  result.passes = std::move(header.passes);
+  stages.took("passes", {header.planned, header.nodes_planned});
+  stages.took("header", {std::chrono::steady_clock::now(), header.nodes}, result.header.size());
+  stages.show("header", [&] { return result.header; });
 
   if (options.assemble) result.assembled = assembled_values(mechanics, stated);
   result.times = std::move(stages).times();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "emit/header.hpp"
 #include "emit/unit.hpp"
 #include "mechanics.hpp"
 #include "model/given_counts.hpp"
@@ -24,6 +25,7 @@ struct PipelineOptions {
   std::vector<std::string> outputs;        ///< empty: those of the model; if it names none, all
   std::vector<std::string> sensitivities;  ///< parameters; empty: those of the model
   bool fold = false;
+  bool plain = false;     ///< nothing is rewritten to take fewer operations
   bool assemble = false;  ///< constraints may move given initial values
   Route route = Route::emitted;
   Strategy strategy = Strategy::automatic;
@@ -33,11 +35,13 @@ struct PipelineOptions {
   std::size_t most_nodes = ir::k_most_nodes;
 };
 
-/// One stage as `--timings` shows it.
+/// One stage as `--timings` shows it. Nodes are those of the graph: what one stage has made, the next one finds there.
 struct StageTime {
   std::string stage;
   double milliseconds = 0;
-  std::string size;  ///< what came out, such as "636 nodes"
+  std::size_t nodes_in = 0;
+  std::size_t nodes_out = 0;
+  std::size_t bytes = 0;  ///< of text that it reads or writes; 0: none
 };
 
 /// Called after each stage with its name and a way to print its result.
@@ -50,6 +54,7 @@ struct PipelineResult {
   std::string source;                  ///< that compiles the header's functions; empty unless asked for
   std::vector<std::string> assembled;  ///< initial values that the constraints moved, in words
   std::vector<StageTime> times;
+  std::vector<emit::PassEffects> passes;  ///< what each pass saved, function by function
 };
 
 /// Nothing when the model has errors; they are in `diagnostics`. Throws ir::TooManyNodes, which says

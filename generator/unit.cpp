@@ -28,6 +28,7 @@ class UnitBuilder {
     unit_.folded = options_.fold;
     unit_.part_operations = options_.part_operations;
     unit_.compiled_for = options_.compiled_for;
+    unit_.optimised = !options_.plain;
     add_parameters();
     add_inputs();
     add_state();
@@ -136,6 +137,7 @@ class UnitBuilder {
     if (!options_.sensitivities.empty())
       provenance.command += " --sensitivities=" + fmt::format("{}", fmt::join(options_.sensitivities, ","));
     if (options_.fold) provenance.command += " --fold";
+    if (options_.plain) provenance.command += " --no-optimise";
     if (options_.route == Route::paper) provenance.command += " --route=paper";
     if (options_.strategy != Strategy::automatic) provenance.command += " --strategy=" + name_of(options_.strategy);
     if (options_.part_operations != emit::k_part_operations)

@@ -163,10 +163,10 @@ void check_range(const ir::Graph& graph, const emit::Unit& unit, const model::Na
   }
 }
 
-emit::Files files_in_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
-                           support::Diagnostics& diagnostics) {
+emit::Header header_in_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
+                             support::Diagnostics& diagnostics) {
   try {
-    return emit::emit_files(graph, unit);
+    return emit::build_header(graph, unit);
   } catch (const cln::floating_point_exception&) {
     refuse_range(model, "", diagnostics);
     return {};

@@ -2,6 +2,7 @@
 // Expressions of a model that have no value, or numbers that no scalar type holds.
 
 #include "emit/header.hpp"
+#include "emit/unit.hpp"
 #include "ir/substitute.hpp"
 #include "mechanics.hpp"
 #include "support/diagnostics.hpp"
@@ -22,8 +23,8 @@ void check_equations(Mechanics& mechanics, support::Diagnostics& diagnostics);
 void check_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
                  support::Diagnostics& diagnostics);
 
-/// The header and what belongs to it; empty, with the same error, where it is a rewriting of the passes that makes such a number.
-emit::Files files_in_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
-                           support::Diagnostics& diagnostics);
+/// The header; without text, with the same error, where it is a rewriting of the passes that makes such a number.
+emit::Header header_in_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
+                             support::Diagnostics& diagnostics);
 
 }  // namespace gaussgen

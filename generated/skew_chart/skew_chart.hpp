@@ -26,13 +26,13 @@
 //
 // Operations per call
 //                      + -  *    /  sqrt  functions
-//   prepare            2    52   2  0     0
+//   prepare            2    53   2  0     0
 //   rhs                35   56   3  0     2
-//   reactions          56   90   3  0     2
-//   rhs_and_reactions  56   90   3  0     2
-//   reaction_forces    102  189  7  0     2
-//   energy             25   40   0  0     2
-//   compulsion         79   136  4  0     2
+//   reactions          54   91   3  0     2
+//   rhs_and_reactions  54   91   3  0     2
+//   reaction_forces    96   175  7  0     2
+//   energy             24   36   0  0     2
+//   compulsion         72   120  4  0     2
 //   mass_matrix        6    14   0  0     1
 //   project            0    0    0  0     0
 //   initial_state      0    0    0  0     0
@@ -344,6 +344,7 @@ struct Prepared {
   S m2_over_25;                  ///< 1 / 25 * m2
   S m2_over_3;                   ///< 1 / 3 * m2
   S rounding_m2_2;               ///< 30 * epsilon * m2
+  S c12;                         ///< 24 * epsilon
   S m1_over_72;                  ///< 1 / 72 * m1
   S m2_over_1800;                ///< 1 / 1800 * m2
   S m1_g_over_4;                 ///< 0.25 * m1 * g
@@ -520,6 +521,7 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.m2_over_25 = S(1) / S(25) * m2;
   prepared.m2_over_3 = S(1) / S(3) * m2;
   prepared.rounding_m2_2 = S(30) * rounding_m2_3;
+  prepared.c12 = S(24) * Math<S>::epsilon();
   prepared.m1_over_72 = S(1) / S(72) * m1;
   prepared.m2_over_1800 = S(1) / S(1800) * m2;
   prepared.m1_g_over_4 = S(0.25) * m1_g;
@@ -704,11 +706,11 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   Math<S>::sincos(frequency * t, sin_frequency_t, cos_frequency_t);
 
   // Z of all that second carries, at its minimum over the own acceleration of second
-  const S d_dot_2 = d_dot * d_dot;
   const S a_dot_cos_frequency_t = a_dot * cos_frequency_t;
   const S t1 = amplitude_frequency * a_dot_cos_frequency_t;
+  const S t2 = d_dot * d_dot - S(2.5) * t1;
   const S a_sin_frequency_t = a * sin_frequency_t;
-  const S drift_a_second_y = S(2) / S(5) * d_dot_2 - t1 + half_amplitude_frequency_2 * a_sin_frequency_t;
+  const S drift_a_second_y = S(2) / S(5) * t2 + half_amplitude_frequency_2 * a_sin_frequency_t;
   const S Z_d_d = m2 + c3 * d * d;
   const S s = S(1) + amplitude * sin_frequency_t;
   const S k_d_minus_s = k * (d - s);
@@ -726,8 +728,8 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
       - half_m2_s * drift_a_second_y;
   const S Z_e_e = G_e_e - c6 * d * d_over_Z_d_d;
   const S F_second_y = m2 * drift_a_second_y;
-  const S t2 = c2 * d_over_Z_d_d;
-  const S Q_e = half_m2_g + F_second_y - c4 * sin_frequency_t - t2 * Q_d;
+  const S t3 = c2 * d_over_Z_d_d;
+  const S Q_e = half_m2_g + F_second_y - c4 * sin_frequency_t - t3 * Q_d;
   const S k_a_minus_e = k * (a - e);
   const S Q_e_minus_k_a_minus_e = Q_e - k_a_minus_e;
   const S inv_Z_e_e = S(1) / Z_e_e;
@@ -743,30 +745,31 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S Q_a_3 = Q_a_2 + k_a_minus_e - c7 * sin_frequency_t;
 
   // accelerations along the speeds
-  const S t3 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
-  const S a_b = S(1) / S(3) * t3 * s - drift_a_first_y;
+  const S t4 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
+  const S a_b = S(1) / S(3) * t4 * s - drift_a_first_y;
   const S a_c = -(g + drift_a_first_z);
-  const S a_e = t3 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
-  const S a_d = -(t2 * a_e + m2_over_5_d_over_Z_d_d_s * t3 + Q_d * inv_Z_d_d);
+  const S a_e = t4 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
+  const S a_d = -(t3 * a_e + m2_over_5_d_over_Z_d_d_s * t4 + Q_d * inv_Z_d_d);
 
   // reaction of s: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 17
   const S Q_s = k_d_minus_s - m2_g + half_m1_g * s;
   const S bias_s = m1_over_36 * (S(9) * amplitude_2_frequency_2 * cos_frequency_t_2 * s + S(8) * a * t1)
-      - m2_over_10 * a * (S(2) * d_dot_2 - S(5) * t1);
+      - S(2) * m2_over_10 * a * t2;
   const S a_2 = a * a;
-  const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
+  const S t5 = S(1) + S(0.25) * s_2;
+  const S G_s_s = S(4) * m1_over_36 * (a_2 + S(9) * t5) + m2_over_36 * (S(40) + S(9) * a_2);
   const S a_s = a * s;
   const S G_a_s = m2_over_4 * (S(4) + a_s) + m1_over_18 * (S(9) + S(2) * a_s);
   const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
   const S G_e_s = half_m2 * (S(1) - a);
   const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + m1_over_3 * a * a_b
-      - half_m1 * a_c * s - t3 * G_a_s + G_d_s * a_d + G_e_s * a_e;
+      - half_m1 * a_c * s - t4 * G_a_s + G_d_s * a_d + G_e_s * a_e;
 
   reactions.s.generalized = R_s;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)),
       Math<S>::at_most(Z_e_e, rounding_m2),
-      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(9) * m2 * (S(4) + s_2))),
+      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(36) * m2 * t5)),
       Math<S>::at_most(least_pivot, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -834,11 +837,11 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   Math<S>::sincos(frequency * t, sin_frequency_t, cos_frequency_t);
 
   // Z of all that second carries, at its minimum over the own acceleration of second
-  const S d_dot_2 = d_dot * d_dot;
   const S a_dot_cos_frequency_t = a_dot * cos_frequency_t;
   const S t1 = amplitude_frequency * a_dot_cos_frequency_t;
-  const S t2 = half_amplitude_frequency_2 * sin_frequency_t;
-  const S drift_a_second_y = S(2) / S(5) * d_dot_2 - t1 + a * t2;
+  const S t2 = d_dot * d_dot - S(2.5) * t1;
+  const S t3 = half_amplitude_frequency_2 * sin_frequency_t;
+  const S drift_a_second_y = S(2) / S(5) * t2 + a * t3;
   const S Z_d_d = m2 + c3 * d * d;
   const S s = S(1) + amplitude * sin_frequency_t;
   const S k_d_minus_s = k * (d - s);
@@ -856,8 +859,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
       - half_m2_s * drift_a_second_y;
   const S Z_e_e = G_e_e - c6 * d * d_over_Z_d_d;
   const S F_second_y = m2 * drift_a_second_y;
-  const S t3 = c2 * d_over_Z_d_d;
-  const S Q_e = half_m2_g + F_second_y - c4 * sin_frequency_t - t3 * Q_d;
+  const S t4 = c2 * d_over_Z_d_d;
+  const S Q_e = half_m2_g + F_second_y - c4 * sin_frequency_t - t4 * Q_d;
   const S k_a_minus_e = k * (a - e);
   const S Q_e_minus_k_a_minus_e = Q_e - k_a_minus_e;
   const S inv_Z_e_e = S(1) / Z_e_e;
@@ -868,30 +871,31 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   // Z of all that first carries, at its minimum over the own acceleration of first
   const S drift_a_first_y = c8 * a_dot_cos_frequency_t - c9 * a * sin_frequency_t;
   const S cos_frequency_t_2 = cos_frequency_t * cos_frequency_t;
-  const S drift_a_first_z = t2 * s - c10 * cos_frequency_t_2;
+  const S drift_a_first_z = t3 * s - c10 * cos_frequency_t_2;
   const S m1_over_4_plus_Z_a_a_2 = m1_over_4 + Z_a_a_2;
   const S Q_a_3 = Q_a_2 + k_a_minus_e - c7 * sin_frequency_t;
 
   // accelerations along the speeds
-  const S t4 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
-  const S a_a = -t4;
-  const S a_b = S(1) / S(3) * t4 * s - drift_a_first_y;
+  const S t5 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
+  const S a_a = -t5;
+  const S a_b = S(1) / S(3) * t5 * s - drift_a_first_y;
   const S a_c = -(g + drift_a_first_z);
-  const S a_e = t4 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
-  const S a_d = -(t3 * a_e + m2_over_5_d_over_Z_d_d_s * t4 + Q_d * inv_Z_d_d);
+  const S a_e = t5 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
+  const S a_d = -(t4 * a_e + m2_over_5_d_over_Z_d_d_s * t5 + Q_d * inv_Z_d_d);
 
   // reaction of s: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 17
   const S Q_s = k_d_minus_s - m2_g + half_m1_g * s;
   const S bias_s = m1_over_36 * (S(9) * amplitude_2_frequency_2 * cos_frequency_t_2 * s + S(8) * a * t1)
-      - m2_over_10 * a * (S(2) * d_dot_2 - S(5) * t1);
+      - S(2) * m2_over_10 * a * t2;
   const S a_2 = a * a;
-  const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
+  const S t6 = S(1) + S(0.25) * s_2;
+  const S G_s_s = S(4) * m1_over_36 * (a_2 + S(9) * t6) + m2_over_36 * (S(40) + S(9) * a_2);
   const S a_s = a * s;
   const S G_a_s = m2_over_4 * (S(4) + a_s) + m1_over_18 * (S(9) + S(2) * a_s);
   const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
   const S G_e_s = half_m2 * (S(1) - a);
   const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + m1_over_3 * a * a_b
-      - half_m1 * a_c * s - t4 * G_a_s + G_d_s * a_d + G_e_s * a_e;
+      - half_m1 * a_c * s - t5 * G_a_s + G_d_s * a_d + G_e_s * a_e;
 
   derivative.a_dot() = a_dot;
   derivative.b_dot() = b_dot;
@@ -907,7 +911,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)),
       Math<S>::at_most(Z_e_e, rounding_m2),
-      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(9) * m2 * (S(4) + s_2))),
+      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(36) * m2 * t6)),
       Math<S>::at_most(least_pivot, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_a, a_b,
       a_c, a_d, a_e, R_s);
@@ -967,6 +971,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& m2_over_25 = prepared.m2_over_25;
   const S& m2_over_3 = prepared.m2_over_3;
   const S& rounding_m2_2 = prepared.rounding_m2_2;
+  const S& c12 = prepared.c12;
   const S& a = state.a();
   const S& b = state.b();
   const S& c = state.c();
@@ -985,19 +990,19 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   // metric g_ab (1.10); held coordinates enter only through f
   const S s = S(1) + amplitude * sin_frequency_t;
   const S s_2 = s * s;
-  const S t1 = S(4) + s_2;
+  const S t1 = S(1) + S(0.25) * s_2;
   const S t2 = S(9) + S(4) * s_2;
-  const S G_a_a = m2_over_4 * t1 + m1_over_36 * t2;
+  const S G_a_a = S(4) * m2_over_4 * t1 + m1_over_36 * t2;
   const S d_2 = d * d;
   const S G_d_d = m2_over_25 * (S(25) + S(4) * d_2);
   const S G_a_e = half_m2 * (S(1) - s);
 
   // Z of all that second carries, at its minimum over the own acceleration of second
-  const S d_dot_2 = d_dot * d_dot;
   const S a_dot_cos_frequency_t = a_dot * cos_frequency_t;
   const S t3 = amplitude_frequency * a_dot_cos_frequency_t;
+  const S t4 = d_dot * d_dot - S(2.5) * t3;
   const S a_sin_frequency_t = a * sin_frequency_t;
-  const S drift_a_second_y = S(2) / S(5) * d_dot_2 - t3 + half_amplitude_frequency_2 * a_sin_frequency_t;
+  const S drift_a_second_y = S(2) / S(5) * t4 + half_amplitude_frequency_2 * a_sin_frequency_t;
   const S Z_d_d = m2 + c3 * d_2;
   const S k_d_minus_s = k * (d - s);
   const S Q_d = k_d_minus_s - c1 * sin_frequency_t + c2 * d * drift_a_second_y;
@@ -1015,8 +1020,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
       - half_m2_s * drift_a_second_y;
   const S Z_e_e = G_e_e - c6 * d * d_over_Z_d_d;
   const S F_second_y = m2 * drift_a_second_y;
-  const S t4 = c2 * d_over_Z_d_d;
-  const S Q_e = half_m2_g + F_second_y - c4 * sin_frequency_t - t4 * Q_d;
+  const S t5 = c2 * d_over_Z_d_d;
+  const S Q_e = half_m2_g + F_second_y - c4 * sin_frequency_t - t5 * Q_d;
   const S k_a_minus_e = k * (a - e);
   const S Q_e_minus_k_a_minus_e = Q_e - k_a_minus_e;
   const S inv_Z_e_e = S(1) / Z_e_e;
@@ -1032,83 +1037,81 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S Q_a_3 = Q_a_2 + k_a_minus_e - c7 * sin_frequency_t;
 
   // accelerations along the speeds
-  const S t5 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
-  const S t6 = t5 * s;
-  const S a_b = S(1) / S(3) * t6 - drift_a_first_y;
+  const S t6 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
+  const S t7 = t6 * s;
+  const S a_b = S(1) / S(3) * t7 - drift_a_first_y;
   const S a_c = -(g + drift_a_first_z);
-  const S a_e = t5 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
-  const S a_d = -(Q_d_over_Z_d_d + t4 * a_e + m2_over_5_d_s * t5 * inv_Z_d_d);
+  const S a_e = t6 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
+  const S a_d = -(Q_d_over_Z_d_d + t5 * a_e + m2_over_5_d_s * t6 * inv_Z_d_d);
 
   // reaction of s: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 17
   const S Q_s = k_d_minus_s - m2_g + half_m1_g * s;
-  const S t7 = amplitude_2_frequency_2 * cos_frequency_t_2;
-  const S bias_s = m1_over_36 * (S(8) * a * t3 + S(9) * t7 * s)
-      - m2_over_10 * a * (S(2) * d_dot_2 - S(5) * t3);
-  const S t8 = amplitude_frequency_2 * sin_frequency_t;
+  const S t8 = amplitude_2_frequency_2 * cos_frequency_t_2;
+  const S bias_s = m1_over_36 * (S(8) * a * t3 + S(9) * t8 * s) - S(2) * m2_over_10 * a * t4;
+  const S t9 = amplitude_frequency_2 * sin_frequency_t;
   const S a_2 = a * a;
-  const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
+  const S G_s_s = S(4) * m1_over_36 * (a_2 + S(9) * t1) + m2_over_36 * (S(40) + S(9) * a_2);
   const S a_s = a * s;
   const S G_a_s = m2_over_4 * (S(4) + a_s) + m1_over_18 * (S(9) + S(2) * a_s);
   const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
   const S G_e_s = half_m2 * (S(1) - a);
-  const S R_s = bias_s - Q_s + m1_over_3 * a * a_b - half_m1 * a_c * s - t8 * G_s_s - t5 * G_a_s
+  const S R_s = bias_s - Q_s + m1_over_3 * a * a_b - half_m1 * a_c * s - t9 * G_s_s - t6 * G_a_s
       + G_d_s * a_d + G_e_s * a_e;
 
   // metric G_AB of released coordinates = L D L^T
+  const S G_a_s_minus_m1_over_9_a_s = G_a_s - m1_over_9 * a_s;
   const S g_pivot_a = G_a_a - m1_over_9 * s_2;
   const S inv_g_pivot_a = S(1) / g_pivot_a;
-  const S t9 = S(9) * G_a_s - m1 * a_s;
-  const S G_factor_s_a = S(1) / S(9) * inv_g_pivot_a * t9;
+  const S G_factor_s_a = G_a_s_minus_m1_over_9_a_s * inv_g_pivot_a;
   const S g_pivot_d = G_d_d - d * m2_2_over_25_s * d_s * inv_g_pivot_a;
-  const S inv_g_pivot_d = S(1) / g_pivot_d;
+  const S inv_g_pivot_d_over_5 = S(1) / (S(5) * g_pivot_d);
   const S m2_d_s = m2 * d_s;
   const S t10 = S(5) * G_d_s + m2_d_s * G_factor_s_a;
-  const S G_factor_s_d = S(1) / S(5) * inv_g_pivot_d * t10;
+  const S G_factor_s_d = inv_g_pivot_d_over_5 * t10;
+  const S G_factor_s_d_over_5 = S(1) / S(5) * G_factor_s_d;
   const S G_a_e_over_g_pivot_a = G_a_e * inv_g_pivot_a;
   const S t11 = S(2) * m2 * d + m2_d_s * G_a_e_over_g_pivot_a;
-  const S g_factor_e_d = S(1) / S(5) * inv_g_pivot_d * t11;
+  const S t12 = G_factor_s_d_over_5 * t11 - G_e_s + G_a_e * G_factor_s_a;
+  const S g_factor_e_d = inv_g_pivot_d_over_5 * t11;
   const S g_pivot_e = G_e_e - G_a_e_over_g_pivot_a * G_a_e - S(1) / S(5) * g_factor_e_d * t11;
-  const S t12 = S(5) * G_a_e * G_factor_s_a - S(5) * G_e_s + G_factor_s_d * t11;
-  const S G_factor_s_e = -S(1) / S(5) * t12 / g_pivot_e;
-  const S G_pivot_s = G_s_s - m1_over_4 * s_2 - m1_over_9 * a_2 - S(1) / S(9) * G_factor_s_a * t9
-      - S(1) / S(5) * G_factor_s_d * t10 + S(1) / S(5) * G_factor_s_e * t12;
+  const S t13 = t12 / g_pivot_e;
+  const S G_pivot_s = G_s_s - m1_over_4 * s_2 - m1_over_9 * a_2 - G_a_s_minus_m1_over_9_a_s * G_factor_s_a
+      - t12 * t13 - G_factor_s_d_over_5 * t10;
 
   // direction z of s in the metric: G z = its covariant components
   const S z_s_s = S(1) / G_pivot_s;
-  const S t13 = G_factor_s_e * z_s_s;
-  const S z_s_d = t13 * g_factor_e_d - G_factor_s_d * z_s_s;
-  const S z_s_a = m2_over_5_d_s * inv_g_pivot_a * z_s_d + G_a_e_over_g_pivot_a * t13 - G_factor_s_a * z_s_s;
-  const S a_over_G_pivot_s = a * z_s_s;
-  const S s_z_s_a = s * z_s_a;
-  const S z_s_b = -S(1) / S(3) * (a_over_G_pivot_s + s_z_s_a);
+  const S t14 = -t13 * z_s_s;
+  const S z_s_d = t14 * g_factor_e_d - G_factor_s_d * z_s_s;
+  const S z_s_a = m2_over_5_d_s * inv_g_pivot_a * z_s_d + G_a_e_over_g_pivot_a * t14 - G_factor_s_a * z_s_s;
+  const S t15 = a * z_s_s + s * z_s_a;
+  const S z_s_b = -S(1) / S(3) * t15;
 
   // force and moment of s: m J z and I W z, times its reaction, model line 17
   const S force_s_first_x = half_m1 * R_s * (S(2) * z_s_s + z_s_a);
-  const S force_s_first_y = m1_over_3 * R_s * (S(3) * z_s_b + a_over_G_pivot_s + s_z_s_a);
+  const S force_s_first_y = m1_over_3 * R_s * (t15 + S(3) * z_s_b);
   const S force_s_second_x = m2_over_3 * R_s * (z_s_s + S(3) * z_s_d);
-  const S force_s_second_y = -m2_over_10 * R_s
-      * (S(10) * t13 + S(5) * a_over_G_pivot_s - S(4) * d * z_s_d + S(5) * s_z_s_a);
-  const S force_s_second_z = half_m2 * R_s * (S(2) * z_s_s - t13 + S(2) * z_s_a);
+  const S t16 = S(4) * d;
+  const S force_s_second_y = -m2_over_10 * R_s * (S(10) * t14 + S(5) * t15 - t16 * z_s_d);
+  const S force_s_second_z = half_m2 * R_s * (S(2) * z_s_s - t14 + S(2) * z_s_a);
 
   // all constraint forces on first: m a - F and d(I omega)/dt - M (theory.md, section 4)
-  const S force_on_first_x = -half_m1 * (S(2) * t8 + t5);
-  const S t14 = a * t8;
-  const S force_on_first_y = m1_over_3 * (S(2) * t3 + S(3) * a_b - t14 - t6);
-  const S force_on_first_z = m1_g + half_m1 * (S(2) * a_c - t7 + t8 * s);
+  const S t17 = S(2) * t9;
+  const S force_on_first_x = -half_m1 * (t6 + t17);
+  const S t18 = a * t9 + t7;
+  const S force_on_first_y = m1_over_3 * (S(2) * t3 - t18 + S(3) * a_b);
+  const S force_on_first_z = m1_g + half_m1 * (S(2) * a_c - t8 + t9 * s);
 
   // all constraint forces on second: m a - F and d(I omega)/dt - M (theory.md, section 4)
-  const S force_on_second_x = -m2_over_3 * (t8 - S(3) * a_d);
-  const S force_on_second_y = m2_over_10 * (S(4) * d_dot_2 - S(10) * t3 + S(10) * a_e + S(5) * t14
-      + S(4) * d * a_d + S(5) * t6);
-  const S force_on_second_z = m2_g - half_m2 * (S(2) * t8 + S(2) * t5 - a_e);
+  const S force_on_second_x = -m2_over_3 * (t9 - S(3) * a_d);
+  const S force_on_second_y = m2_over_10 * (S(4) * t4 + S(5) * t18 + S(10) * a_e + t16 * a_d);
+  const S force_on_second_z = m2_g - half_m2 * (S(2) * t6 + t17 - a_e);
 
   // Results
-  const Bool t15 = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, rounding_m2),
-      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * t2 + S(9) * m2 * t1)),
-      Math<S>::at_most(least_pivot, S(0)), Math<S>::at_most(g_pivot_a, S(24) * Math<S>::epsilon() * G_a_a),
-      Math<S>::at_most(g_pivot_d, S(24) * Math<S>::epsilon() * G_d_d),
-      Math<S>::at_most(g_pivot_e, rounding_m2_2),
-      Math<S>::at_most(G_pivot_s, S(24) * Math<S>::epsilon() * G_s_s), Math<S>::at_most(m1, S(0)));
+  const Bool t19 = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, rounding_m2),
+      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * t2 + S(36) * m2 * t1)),
+      Math<S>::at_most(least_pivot, S(0)), Math<S>::at_most(g_pivot_a, c12 * G_a_a),
+      Math<S>::at_most(g_pivot_d, c12 * G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
+      Math<S>::at_most(G_pivot_s, c12 * G_s_s), Math<S>::at_most(m1, S(0)));
 
   reaction_forces.s.force_on_first[0] = force_s_first_x;
   reaction_forces.s.force_on_first[1] = force_s_first_y;
@@ -1127,7 +1130,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
       force_s_first_x, force_s_first_y, force_s_second_x, force_s_second_y, force_s_second_z,
       force_on_first_x, force_on_first_y, force_on_first_z, force_on_second_x, force_on_second_y,
       force_on_second_z);
-  return Math<S>::status(t15, Bool(false), not_finite);
+  return Math<S>::status(t19, Bool(false), not_finite);
 }
 
 /// Kinetic energy, potential energy of uniform fields, potentials and springs, and their sum.
@@ -1160,20 +1163,20 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
 
   // energies
   const S s_dot = amplitude_frequency * cos_frequency_t;
-  const S t1 = a_dot + S(2) * s_dot;
-  const S a_s_dot = a * s_dot;
+  const S two_s_dot = S(2) * s_dot;
+  const S a_dot_plus_two_s_dot = a_dot + two_s_dot;
   const S s = S(1) + amplitude * sin_frequency_t;
-  const S a_dot_s = a_dot * s;
-  const S t2 = S(3) * b_dot + a_s_dot + a_dot_s;
-  const S t3 = S(2) * c_dot - s_dot * s;
-  const S t4 = S(2) * a_dot + e_dot + S(2) * s_dot;
-  const S t5 = S(3) * d_dot + s_dot;
-  const S t6 = S(10) * e_dot - S(5) * a_s_dot + S(4) * d * d_dot - S(5) * a_dot_s;
-  const S kinetic_energy = m1_over_72 * (S(9) * t1 * t1 + S(4) * t2 * t2 + S(9) * t3 * t3)
-      + m2_over_1800 * (S(225) * t4 * t4 + S(100) * t5 * t5 + S(9) * t6 * t6);
+  const S t1 = S(2) * c_dot - s_dot * s;
+  const S a_s_dot_plus_a_dot_s = a * s_dot + a_dot * s;
+  const S t2 = S(3) * b_dot + a_s_dot_plus_a_dot_s;
+  const S t3 = S(2) * a_dot + e_dot + two_s_dot;
+  const S t4 = S(3) * d_dot + s_dot;
+  const S t5 = S(10) * e_dot - S(5) * a_s_dot_plus_a_dot_s + S(4) * d * d_dot;
+  const S kinetic_energy = m1_over_72 * (S(9) * (a_dot_plus_two_s_dot * a_dot_plus_two_s_dot + t1 * t1)
+      + S(4) * t2 * t2) + m2_over_1800 * (S(225) * t3 * t3 + S(100) * t4 * t4 + S(9) * t5 * t5);
   const S a_minus_e = a - e;
   const S d_minus_s = d - s;
-  const S potential_energy = half_m2_g * (S(2) * a + e + S(2) * s) + m1_g_over_4 * (S(4) * c - s * s)
+  const S potential_energy = half_m2_g * (e + S(2) * (a + s)) + m1_g_over_4 * (S(4) * c - s * s)
       + half_k * (a_minus_e * a_minus_e + d_minus_s * d_minus_s);
 
   // Results
@@ -1222,6 +1225,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S& m2_over_25 = prepared.m2_over_25;
   const S& m2_over_3 = prepared.m2_over_3;
   const S& rounding_m2_2 = prepared.rounding_m2_2;
+  const S& c12 = prepared.c12;
   const S& half_inv_m1 = prepared.half_inv_m1;
   const S& half_inv_m2 = prepared.half_inv_m2;
   const S& a = state.a();
@@ -1247,82 +1251,84 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   // metric g_ab (1.10); held coordinates enter only through f
   const S s = S(1) + amplitude * sin_frequency_t;
   const S s_2 = s * s;
-  const S G_a_a = m2_over_4 * (S(4) + s_2) + m1_over_36 * (S(9) + S(4) * s_2);
-  const S G_d_d = m2_over_25 * (S(25) + S(4) * d * d);
+  const S t1 = S(1) + S(0.25) * s_2;
+  const S G_a_a = S(4) * m2_over_4 * t1 + m1_over_36 * (S(9) + S(4) * s_2);
+  const S t2 = S(4) * d;
+  const S G_d_d = m2_over_25 * (S(25) + d * t2);
   const S G_a_e = half_m2 * (S(1) - s);
 
   // metric G_AB of released coordinates = L D L^T
-  const S g_pivot_a = G_a_a - m1_over_9 * s_2;
-  const S inv_g_pivot_a = S(1) / g_pivot_a;
   const S a_s = a * s;
   const S G_a_s = m2_over_4 * (S(4) + a_s) + m1_over_18 * (S(9) + S(2) * a_s);
-  const S t1 = S(9) * G_a_s - m1 * a_s;
-  const S G_factor_s_a = S(1) / S(9) * inv_g_pivot_a * t1;
+  const S G_a_s_minus_m1_over_9_a_s = G_a_s - m1_over_9 * a_s;
+  const S g_pivot_a = G_a_a - m1_over_9 * s_2;
+  const S inv_g_pivot_a = S(1) / g_pivot_a;
+  const S G_factor_s_a = G_a_s_minus_m1_over_9_a_s * inv_g_pivot_a;
   const S d_s = d * s;
   const S d_s_over_g_pivot_a = d_s * inv_g_pivot_a;
   const S g_pivot_d = G_d_d - m2_2_over_25 * d_s * d_s_over_g_pivot_a;
   const S inv_g_pivot_d = S(1) / g_pivot_d;
+  const S inv_g_pivot_d_over_5 = S(1) / S(5) * inv_g_pivot_d;
   const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
   const S m2_d_s = m2 * d_s;
-  const S t2 = S(5) * G_d_s + m2_d_s * G_factor_s_a;
-  const S G_factor_s_d = S(1) / S(5) * inv_g_pivot_d * t2;
-  const S G_a_e_over_g_pivot_a = G_a_e * inv_g_pivot_a;
-  const S t3 = S(2) * m2 * d + m2_d_s * G_a_e_over_g_pivot_a;
-  const S g_factor_e_d = S(1) / S(5) * inv_g_pivot_d * t3;
-  const S g_pivot_e = G_e_e - G_a_e_over_g_pivot_a * G_a_e - S(1) / S(5) * g_factor_e_d * t3;
-  const S inv_g_pivot_e = S(1) / g_pivot_e;
-  const S G_e_s = half_m2 * (S(1) - a);
-  const S t4 = S(5) * G_a_e * G_factor_s_a - S(5) * G_e_s + G_factor_s_d * t3;
-  const S G_factor_s_e = -S(1) / S(5) * inv_g_pivot_e * t4;
+  const S t3 = S(5) * G_d_s + m2_d_s * G_factor_s_a;
+  const S G_factor_s_d = inv_g_pivot_d_over_5 * t3;
   const S a_2 = a * a;
-  const S G_s_s = m1_over_36 * (S(36) + S(4) * a_2 + S(9) * s_2) + m2_over_36 * (S(40) + S(9) * a_2);
-  const S G_pivot_s = G_s_s - m1_over_4 * s_2 - m1_over_9 * a_2 - S(1) / S(9) * G_factor_s_a * t1
-      - S(1) / S(5) * G_factor_s_d * t2 + S(1) / S(5) * G_factor_s_e * t4;
+  const S G_s_s = S(4) * m1_over_36 * (a_2 + S(9) * t1) + m2_over_36 * (S(40) + S(9) * a_2);
+  const S G_e_s = half_m2 * (S(1) - a);
+  const S G_factor_s_d_over_5 = S(1) / S(5) * G_factor_s_d;
+  const S two_d = S(2) * d;
+  const S G_a_e_over_g_pivot_a = G_a_e * inv_g_pivot_a;
+  const S t4 = m2 * two_d + m2_d_s * G_a_e_over_g_pivot_a;
+  const S t5 = G_factor_s_d_over_5 * t4 - G_e_s + G_a_e * G_factor_s_a;
+  const S g_factor_e_d = inv_g_pivot_d_over_5 * t4;
+  const S g_pivot_e = G_e_e - G_a_e_over_g_pivot_a * G_a_e - S(1) / S(5) * g_factor_e_d * t4;
+  const S inv_g_pivot_e = S(1) / g_pivot_e;
+  const S t6 = t5 * inv_g_pivot_e;
+  const S G_pivot_s = G_s_s - m1_over_4 * s_2 - m1_over_9 * a_2 - G_a_s_minus_m1_over_9_a_s * G_factor_s_a
+      - t5 * t6 - G_factor_s_d_over_5 * t3;
 
   // generalized forces, raised: G z = Q
   const S k_d_minus_s = k * (d - s);
-  const S t5 = m2_over_5 * d_s_over_g_pivot_a;
+  const S t7 = m2_over_5 * d_s_over_g_pivot_a;
   const S k_a_minus_e = k * (a - e);
-  const S z_y_d = -k_d_minus_s - t5 * k_a_minus_e;
+  const S z_y_d = -k_d_minus_s - t7 * k_a_minus_e;
   const S z_y_e = k_a_minus_e + G_a_e_over_g_pivot_a * k_a_minus_e - g_factor_e_d * z_y_d;
-  const S z_y_s = k_d_minus_s + G_factor_s_a * k_a_minus_e - G_factor_s_d * z_y_d - G_factor_s_e * z_y_e;
+  const S z_y_s = k_d_minus_s + G_factor_s_a * k_a_minus_e - G_factor_s_d * z_y_d + t6 * z_y_e;
   const S z_s_s = S(1) / G_pivot_s;
   const S z_s = z_s_s * z_y_s;
-  const S z_e = inv_g_pivot_e * z_y_e - z_s * G_factor_s_e;
+  const S z_e = z_s * t6 + inv_g_pivot_e * z_y_e;
   const S z_d = inv_g_pivot_d * z_y_d - z_s * G_factor_s_d - g_factor_e_d * z_e;
-  const S z_a = t5 * z_d - G_a_e_over_g_pivot_a * z_e - z_s * G_factor_s_a - inv_g_pivot_a * k_a_minus_e;
-  const S a_z_s = a * z_s;
-  const S s_z_a = s * z_a;
-  const S z_b = -S(1) / S(3) * (a_z_s + s_z_a);
+  const S z_a = t7 * z_d - G_a_e_over_g_pivot_a * z_e - z_s * G_factor_s_a - inv_g_pivot_a * k_a_minus_e;
+  const S a_z_s_plus_s_z_a = a * z_s + s * z_a;
+  const S z_b = -S(1) / S(3) * a_z_s_plus_s_z_a;
 
   // deviation of first from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
-  const S t6 = amplitude_frequency_2 * sin_frequency_t;
+  const S t8 = amplitude_frequency_2 * sin_frequency_t;
   const S deviation_first_z = m1_g + half_m1
-      * (S(2) * c_ddot - amplitude_2_frequency_2 * cos_frequency_t * cos_frequency_t + t6 * s);
+      * (S(2) * c_ddot - amplitude_2_frequency_2 * cos_frequency_t * cos_frequency_t + t8 * s);
 
   // deviation of second from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
-  const S t7 = amplitude_frequency * a_dot * cos_frequency_t;
-  const S t8 = a * t6;
-  const S a_ddot_s = a_ddot * s;
-  const S deviation_second_y = m2_over_10 * (S(4) * d_dot * d_dot + S(10) * e_ddot - S(10) * z_e - S(10) * t7
-      + S(5) * t8 + S(5) * a_z_s + S(4) * d * d_ddot - S(4) * d * z_d - S(5) * a_ddot_s + S(5) * s_z_a);
-  const S deviation_second_z = m2_g - half_m2
-      * (S(2) * t6 - S(2) * a_ddot - e_ddot + S(2) * z_s + S(2) * z_a + z_e);
+  const S t9 = S(0.5) * (a * t8 - a_ddot * s) - amplitude_frequency * a_dot * cos_frequency_t;
+  const S deviation_second_y = m2_over_10 * (S(4) * d_dot * d_dot + S(10) * (e_ddot + t9)
+      + S(5) * a_z_s_plus_s_z_a - S(10) * z_e + S(2) * d_ddot * two_d - t2 * z_d);
+  const S a_ddot_minus_z_a = a_ddot - z_a;
+  const S t10 = S(2) * t8 + S(2) * z_s;
+  const S deviation_second_z = m2_g - half_m2 * (t10 - e_ddot - S(2) * a_ddot_minus_z_a + z_e);
 
   // Results
-  const S t9 = half_m1 * (S(2) * t6 - a_ddot + S(2) * z_s + z_a);
-  const S t10 = m1_over_3 * (S(3) * z_b - S(3) * b_ddot - S(2) * t7 + t8 + a_z_s - a_ddot_s + s_z_a);
-  const S t11 = m2_over_3 * (t6 - S(3) * d_ddot + z_s + S(3) * z_d);
-  const S Z = half_inv_m1 * (t9 * t9 + t10 * t10 + deviation_first_z * deviation_first_z)
-      + half_inv_m2 * (t11 * t11 + deviation_second_y * deviation_second_y
+  const S t11 = half_m1 * (t10 - a_ddot_minus_z_a);
+  const S t12 = m1_over_3 * (S(2) * t9 - S(3) * b_ddot + a_z_s_plus_s_z_a + S(3) * z_b);
+  const S t13 = m2_over_3 * (t8 - S(3) * d_ddot + z_s + S(3) * z_d);
+  const S Z = half_inv_m1 * (t11 * t11 + t12 * t12 + deviation_first_z * deviation_first_z)
+      + half_inv_m2 * (t13 * t13 + deviation_second_y * deviation_second_y
       + deviation_second_z * deviation_second_z);
 
   compulsion.Z = Z;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, S(24) * Math<S>::epsilon()
-      * G_a_a), Math<S>::at_most(g_pivot_d, S(24) * Math<S>::epsilon() * G_d_d),
-      Math<S>::at_most(g_pivot_e, rounding_m2_2),
-      Math<S>::at_most(G_pivot_s, S(24) * Math<S>::epsilon() * G_s_s), Math<S>::at_most(m1, S(0)));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, c12 * G_a_a),
+      Math<S>::at_most(g_pivot_d, c12 * G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
+      Math<S>::at_most(G_pivot_s, c12 * G_s_s), Math<S>::at_most(m1, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_ddot,
       b_ddot, c_ddot, d_ddot, e_ddot, Z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);

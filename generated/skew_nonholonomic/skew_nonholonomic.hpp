@@ -26,12 +26,12 @@
 //   rhs                19   27  2  0     0
 //   reactions          37   48  2  0     0
 //   rhs_and_reactions  37   48  2  0     0
-//   reaction_forces    26   39  2  0     0
-//   energy             14   23  0  0     0
-//   compulsion         12   20  0  0     0
+//   reaction_forces    26   38  2  0     0
+//   energy             14   22  0  0     0
+//   compulsion         12   19  0  0     0
 //   residuals          7    8   0  0     0
 //   mass_matrix        0    0   0  0     0
-//   project            23   27  1  0     0
+//   project            20   27  1  0     0
 //   initial_state      1    5   1  0     0
 
 #ifndef GAUSS_MODEL_GAUSS_SKEW_NONHOLONOMIC_HPP
@@ -829,13 +829,14 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   // all constraint forces on first: m a - F and d(I omega)/dt - M (theory.md, section 4)
   const S force_on_first_x = m1 * a_q1;
-  const S force_on_first_y = m1_over_15 * (S(2) * a_q1 + S(15) * a_q2);
+  const S two_a_q1 = S(2) * a_q1;
+  const S force_on_first_y = m1_over_15 * (two_a_q1 + S(15) * a_q2);
   const S force_on_first_z = m1_g + G_q2_q3 * (S(20) * a_q3 + a_q2);
 
   // all constraint forces on second: m a - F and d(I omega)/dt - M (theory.md, section 4)
   const S force_on_second_x = G_q1_q3 * (S(5) * a_q3 + a_q1);
   const S force_on_second_y = m2_over_10 * (a_q1 + S(10) * a_q2);
-  const S force_on_second_z = m2_g + half_m2 * (S(2) * a_q1 + a_q2);
+  const S force_on_second_z = m2_g + half_m2 * (two_a_q1 + a_q2);
 
   reaction_forces.on_first.force[0] = force_on_first_x;
   reaction_forces.on_first.force[1] = force_on_first_y;
@@ -870,10 +871,11 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   // energies
   const S q1_dot_2 = q1_dot * q1_dot;
   const S t1 = S(2) * q1_dot + S(15) * q2_dot;
-  const S t2 = q2_dot + S(20) * q3_dot;
-  const S kinetic_energy = m1_over_7200 * (S(3600) * q1_dot_2 + S(16) * t1 * t1 + S(9) * t2 * t2)
+  const S t2 = S(20) * q3_dot;
+  const S t3 = q2_dot + t2;
+  const S kinetic_energy = m1_over_7200 * (S(3600) * q1_dot_2 + S(16) * t1 * t1 + S(9) * t3 * t3)
       + m2_over_40 * (S(21) * q1_dot_2 + q2_dot * (S(24) * q1_dot + S(25) * q2_dot)
-      + q3_dot * (S(8) * q1_dot + S(20) * q3_dot));
+      + q3_dot * (S(8) * q1_dot + t2));
   const S potential_energy = m1_g_over_20 * (q2 + S(20) * q3)
       + m2_g_over_10 * (S(4) + S(10) * q1 + S(5) * q2);
 
@@ -917,13 +919,14 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S& q3_ddot = accelerations.q3_ddot();
 
   // deviation of first from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
-  const S deviation_first_y = m1_over_15 * (S(2) * q1_ddot + S(15) * q2_ddot);
+  const S two_q1_ddot = S(2) * q1_ddot;
+  const S deviation_first_y = m1_over_15 * (S(15) * q2_ddot + two_q1_ddot);
   const S deviation_first_z = m1_g + G_q2_q3 * (q2_ddot + S(20) * q3_ddot);
 
   // deviation of second from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
   const S deviation_second_x = G_q1_q3 * (q1_ddot + S(5) * q3_ddot);
   const S deviation_second_y = m2_over_10 * (q1_ddot + S(10) * q2_ddot);
-  const S deviation_second_z = m2_g + half_m2 * (S(2) * q1_ddot + q2_ddot);
+  const S deviation_second_z = m2_g + half_m2 * (q2_ddot + two_q1_ddot);
 
   // Results
   const S Z = half_inv_m1 * (deviation_first_y * deviation_first_y + deviation_first_z * deviation_first_z
@@ -1035,19 +1038,15 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S response_blade_q2 = inv_g_pivot_q2 * response_blade_y_q2 - c4 * response_blade_y_q3;
   const S response_blade_q1 = inv_G_q1_q1 * q2 - g_factor_q2_q1 * response_blade_q2
       - c5 * response_blade_y_q3;
-  const S q2_response_blade_q1 = q2 * response_blade_q1;
   const S t1 = inv_g_pivot_q3 * response_blade_y_q3;
-  const S t2 = t1 * beta_blade_q3;
-  const S S_blade_blade = q2_response_blade_q1 + t2 - response_blade_q2;
-  const S q2_q1_dot = q2 * q1_dot;
-  const S q3_dot_beta_blade_q3 = q3_dot * beta_blade_q3;
-  const S rough_impulse_y_blade = q2_dot - q2_q1_dot - q3_dot_beta_blade_q3;
+  const S t2 = q2 * response_blade_q1 + t1 * beta_blade_q3;
+  const S S_blade_blade = t2 - response_blade_q2;
+  const S rough_impulse_y_blade = (q2_dot - q2 * q1_dot) - q3_dot * beta_blade_q3;
   const Bool t3 = Math<S>::at_most(S_blade_blade, S(0));
   const S t4 = Math<S>::select(t3, S(0), S(1) / S_blade_blade);
   const S rough_impulse_z_blade = rough_impulse_y_blade * t4;
   const S rough_change_q2 = response_blade_q2 * rough_impulse_z_blade;
-  const S correction_y_blade = q2_dot - q2_q1_dot - q3_dot_beta_blade_q3
-      - (q2_response_blade_q1 + t2) * rough_impulse_z_blade + rough_change_q2;
+  const S correction_y_blade = rough_impulse_y_blade - t2 * rough_impulse_z_blade + rough_change_q2;
   const S correction_z_blade = correction_y_blade * t4;
   const S t5 = correction_z_blade + rough_impulse_z_blade;
   const S change_q1 = t5 * response_blade_q1;

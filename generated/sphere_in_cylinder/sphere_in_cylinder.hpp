@@ -30,16 +30,16 @@
 //
 // Operations per call
 //                      + -  *   /  sqrt  functions
-//   prepare            5    30  5  0     0
-//   rhs                17   40  2  0     4
-//   reactions          17   41  2  0     4
-//   rhs_and_reactions  18   45  2  0     4
-//   reaction_forces    26   63  2  0     8
+//   prepare            5    29  5  0     0
+//   rhs                16   40  2  0     4
+//   reactions          16   41  2  0     4
+//   rhs_and_reactions  17   45  2  0     4
+//   reaction_forces    21   54  2  0     8
 //   energy             6    12  0  0     1
 //   compulsion         17   37  0  0     6
 //   residuals          14   21  0  0     4
 //   mass_matrix        0    1   0  0     1
-//   project            29   38  1  0     4
+//   project            25   38  1  0     4
 //   initial_state      16   48  4  0     4
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
@@ -322,7 +322,6 @@ struct Prepared {
   S M_chi_chi;              ///< m * (R - r)^2 + J * (R - r)^2 / r^2
   S c1;                     ///< abs(r)
   S m_rho;                  ///< m * (R - r)
-  S r_over_J;               ///< r / J
   S rounding_J;             ///< 24 * epsilon * J
   S G_chi_chi;              ///< m * (R - r)^2
   S least_G_pivot;          ///< min(J, min(m, m * (R - r)^2))
@@ -484,11 +483,11 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S rho_2 = rho * rho;
   const S G_chi_chi = m * rho_2;
   const S M_chi_chi = G_chi_chi + J * rho_2 / r_2;
-  const S inv_J = S(1) / J;
   const S rounding_J_3 = Math<S>::epsilon() * J;
   const S t1 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
   const S least_G_pivot = Math<S>::select(Math<S>::less(J, t1), J, t1);
   const S inv_m = S(1) / m;
+  const S inv_J = S(1) / J;
   const S inv_m_plus_r_2_over_J = inv_m + r_2 * inv_J;
   const S inv_inv_m_plus_r_2_over_J = S(1) / inv_m_plus_r_2_over_J;
 
@@ -508,7 +507,6 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.M_chi_chi = M_chi_chi;
   prepared.c1 = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
   prepared.m_rho = m * rho;
-  prepared.r_over_J = r * inv_J;
   prepared.rounding_J = S(24) * rounding_J_3;
   prepared.G_chi_chi = G_chi_chi;
   prepared.least_G_pivot = least_G_pivot;
@@ -566,8 +564,10 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
   const S beta_rolling_along_theta = r * sin_chi_minus_psi;
-  const S drift_rolling_along = r * theta_dot * cos_chi_minus_psi * (chi_dot - psi_dot + phi_dot * cos_theta)
-      - beta_rolling_along_theta * phi_dot_sin_theta * (chi_dot - psi_dot);
+  const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
+  const S drift_rolling_along = r * theta_dot * cos_chi_minus_psi
+      * (chi_dot_minus_psi_dot + phi_dot * cos_theta)
+      - beta_rolling_along_theta * phi_dot_sin_theta * chi_dot_minus_psi_dot;
 
   // dependent accelerations: a_m = c_m_p a_p + drift_m, c = -b^-1 b_p (3.6)
   const S c_drift_psi = theta_dot * phi_dot_sin_theta;
@@ -655,43 +655,44 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S bias_theta = phi_dot * psi_dot * J_sin_theta;
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
-  const S beta_rolling_along_theta = r * sin_chi_minus_psi;
   const S phi_dot_cos_theta = phi_dot * cos_theta;
-  const S drift_rolling_along = r * theta_dot * cos_chi_minus_psi * (chi_dot - psi_dot + phi_dot_cos_theta)
-      - phi_dot * beta_rolling_along_theta * sin_theta * (chi_dot - psi_dot);
+  const S t1 = r * theta_dot * cos_chi_minus_psi;
+  const S beta_rolling_along_theta = r * sin_chi_minus_psi;
+  const S drift_rolling_along = phi_dot_cos_theta * t1
+      + (t1 - phi_dot * beta_rolling_along_theta * sin_theta) * (chi_dot - psi_dot);
 
   // reduced metric C^T g C of the independent accelerations
   const S G_pivot_psi = J_sin_theta * sin_theta;
-  const S t1 = sin_theta * cos_chi_minus_psi;
-  const S t2 = m_r_2 * t1;
-  const S M_phi_phi = G_pivot_psi + t2 * t1;
+  const S t2 = sin_theta * cos_chi_minus_psi;
+  const S t3 = m_r_2 * t2;
+  const S M_phi_phi = G_pivot_psi + t3 * t2;
   const S sin_chi_minus_psi_2 = sin_chi_minus_psi * sin_chi_minus_psi;
   const S M_theta_theta = J + m_r_2 * sin_chi_minus_psi_2;
 
   // right-hand side of (3.7): C^T (f - g drift)
-  const S t3 = r * t1;
-  const S t4 = m_g - m * drift_rolling_along;
-  const S F_phi = t3 * t4 + theta_dot * J_sin_theta * (psi_dot - phi_dot_cos_theta);
-  const S F_theta = beta_rolling_along_theta * t4 - bias_theta;
+  const S t4 = r * t2;
+  const S t5 = m_g - m * drift_rolling_along;
+  const S F_phi = t4 * t5 + theta_dot * J_sin_theta * (psi_dot - phi_dot_cos_theta);
+  const S F_theta = beta_rolling_along_theta * t5 - bias_theta;
 
   // C^T g C = L D L^T
   const S inv_M_phi_phi = S(1) / M_phi_phi;
-  const S M_pivot_theta = M_theta_theta - m_2_r_4 * sin_chi_minus_psi_2 * t1 * t1 * inv_M_phi_phi;
+  const S M_pivot_theta = M_theta_theta - m_2_r_4 * sin_chi_minus_psi_2 * t2 * t2 * inv_M_phi_phi;
 
   // independent accelerations (3.7)
-  const S t5 = t2 * inv_M_phi_phi * sin_chi_minus_psi;
-  const S a_y_theta = F_theta - t5 * F_phi;
-  const S t6 = a_y_theta / M_pivot_theta;
-  const S a_phi = F_phi * inv_M_phi_phi - t5 * t6;
+  const S t6 = t3 * inv_M_phi_phi * sin_chi_minus_psi;
+  const S a_y_theta = F_theta - t6 * F_phi;
+  const S t7 = a_y_theta / M_pivot_theta;
+  const S a_phi = F_phi * inv_M_phi_phi - t6 * t7;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + t3 * a_phi + beta_rolling_along_theta * t6);
+  const S a_zeta = -(drift_rolling_along + t4 * a_phi + beta_rolling_along_theta * t7);
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
 
   // Results
-  const S rolling_along_generalized_2 = t3 * excess_zeta;
+  const S rolling_along_generalized_2 = t4 * excess_zeta;
   const S rolling_along_generalized_4 = beta_rolling_along_theta * excess_zeta;
   const S rho_generalized = -m_rho * chi_dot * chi_dot;
 
@@ -756,8 +757,10 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
   const S beta_rolling_along_theta = r * sin_chi_minus_psi;
-  const S drift_rolling_along = r * theta_dot * cos_chi_minus_psi * (chi_dot - psi_dot + phi_dot * cos_theta)
-      - beta_rolling_along_theta * phi_dot_sin_theta * (chi_dot - psi_dot);
+  const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
+  const S drift_rolling_along = r * theta_dot * cos_chi_minus_psi
+      * (chi_dot_minus_psi_dot + phi_dot * cos_theta)
+      - beta_rolling_along_theta * phi_dot_sin_theta * chi_dot_minus_psi_dot;
 
   // dependent accelerations: a_m = c_m_p a_p + drift_m, c = -b^-1 b_p (3.6)
   const S c_drift_psi = theta_dot * phi_dot_sin_theta;
@@ -849,7 +852,6 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& M_chi_chi = prepared.M_chi_chi;
   const S& c1 = prepared.c1;
   const S& m_rho = prepared.m_rho;
-  const S& r_over_J = prepared.r_over_J;
   const S& rounding_J = prepared.rounding_J;
   const S& least_G_pivot = prepared.least_G_pivot;
   const S& chi = state.chi();
@@ -884,9 +886,6 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S drift_rolling_along = r * cos_chi_minus_psi * (t1 + theta_dot * chi_dot_minus_psi_dot)
       - beta_rolling_along_theta * phi_dot_sin_theta * chi_dot_minus_psi_dot;
 
-  // dependent accelerations: a_m = c_m_p a_p + drift_m, c = -b^-1 b_p (3.6)
-  const S c_drift_psi = theta_dot * phi_dot_sin_theta;
-
   // reduced metric C^T g C of the independent accelerations
   const S G_pivot_psi = J * sin_theta * sin_theta;
   const S t2 = sin_theta * cos_chi_minus_psi;
@@ -914,20 +913,14 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   // dependent accelerations (3.6)
   const S a_zeta = -(drift_rolling_along + t4 * a_phi + beta_rolling_along_theta * t7);
-  const S a_phi_cos_theta = a_phi * cos_theta;
-  const S a_psi = c_drift_psi - a_phi_cos_theta;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
 
   // force and moment of rolling_along: m J z and I W z, times its reaction, model line 40
-  const S J_excess_zeta = J * excess_zeta;
-  const S r_over_J_sin_chi_minus_psi = r_over_J * sin_chi_minus_psi;
-  const S r_over_J_cos_chi_minus_psi = r_over_J * cos_chi_minus_psi;
-  const S moment_rolling_along_ball_x = J_excess_zeta * (r_over_J_sin_chi_minus_psi * cos_psi
-      + r_over_J_cos_chi_minus_psi * sin_psi);
-  const S moment_rolling_along_ball_y = J_excess_zeta * (r_over_J_sin_chi_minus_psi * sin_psi
-      - r_over_J_cos_chi_minus_psi * cos_psi);
+  const S r_excess_zeta = r * excess_zeta;
+  const S moment_rolling_along_ball_x = r_excess_zeta * sin_chi;
+  const S moment_rolling_along_ball_y = -r_excess_zeta * cos_chi;
 
   // force and moment of rho: m J z and I W z, times its reaction, model line 21
   const S t8 = m_rho * chi_dot * chi_dot;
@@ -939,7 +932,6 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S t10 = psi_dot_phi_dot_sin_theta + t7;
   const S moment_on_ball_x = J * (t9 * sin_psi + t10 * cos_psi);
   const S moment_on_ball_y = -J * (t9 * cos_psi - t10 * sin_psi);
-  const S moment_on_ball_z = J * (a_psi - c_drift_psi + a_phi_cos_theta);
 
   reaction_forces.rolling_around.force_on_ball[0] = S(0);
   reaction_forces.rolling_around.force_on_ball[1] = S(0);
@@ -964,7 +956,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_ball.force[2] = excess_zeta;
   reaction_forces.on_ball.moment[0] = moment_on_ball_x;
   reaction_forces.on_ball.moment[1] = moment_on_ball_y;
-  reaction_forces.on_ball.moment[2] = moment_on_ball_z;
+  reaction_forces.on_ball.moment[2] = S(0);
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
       Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
@@ -973,7 +965,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
       psi_dot, theta_dot, excess_zeta, moment_rolling_along_ball_x, moment_rolling_along_ball_y,
-      force_rho_ball_x, force_rho_ball_y, moment_on_ball_x, moment_on_ball_y, moment_on_ball_z);
+      force_rho_ball_x, force_rho_ball_y, moment_on_ball_x, moment_on_ball_y, S(0));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
@@ -1241,31 +1233,23 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   Angles<S>::sincos(theta, sin_theta, cos_theta, chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
-  const S r_psi_dot = r * psi_dot;
-  const S r_minus_R_chi_dot = r_minus_R * chi_dot;
   const S r_phi_dot = r * phi_dot;
-  const S r_phi_dot_cos_theta = r_phi_dot * cos_theta;
-  const S rough_impulse_y_rolling_around = r_minus_R_chi_dot - r_psi_dot - r_phi_dot_cos_theta;
-  const S t1 = r * theta_dot * sin_chi_minus_psi;
-  const S t2 = r_phi_dot * sin_theta * cos_chi_minus_psi;
-  const S rough_impulse_y_rolling_along = -(zeta_dot + t1 + t2);
-  const S rough_change_zeta = c2 * rough_impulse_y_rolling_along;
-  const S t3 = cos_chi_minus_psi / sin_theta;
-  const S t4 = c3 * t3;
-  const S rough_change_phi = t4 * rough_impulse_y_rolling_along;
-  const S t5 = rough_impulse_y_rolling_along * cos_theta;
-  const S rough_change_psi = c3 * rough_impulse_y_rolling_around - t4 * t5;
-  const S correction_y_rolling_around = r_minus_R_chi_dot - r_psi_dot - r * rough_change_psi
-      - c2 * rough_impulse_y_rolling_around - c4 * t5 * t3 - r_phi_dot_cos_theta;
-  const S correction_y_rolling_along = -(zeta_dot + t1 + rough_change_zeta
-      + c4 * rough_impulse_y_rolling_along + t2);
-  const S change_chi = c5 * (correction_y_rolling_around + rough_impulse_y_rolling_around);
+  const S t1 = (zeta_dot + r_phi_dot * sin_theta * cos_chi_minus_psi) + r * theta_dot * sin_chi_minus_psi;
+  const S rough_change_zeta = -c2 * t1;
+  const S t2 = cos_chi_minus_psi / sin_theta;
+  const S t3 = c3 * t2;
+  const S rough_change_phi = -t3 * t1;
+  const S t4 = (r * psi_dot + r_phi_dot * cos_theta) - r_minus_R * chi_dot;
+  const S t5 = -t1 * cos_theta;
+  const S rough_change_psi = -c3 * t4 - t3 * t5;
+  const S correction_y_rolling_around = c2 * t4 - t4 - r * rough_change_psi - c4 * t5 * t2;
+  const S correction_y_rolling_along = c4 * t1 - t1 - rough_change_zeta;
+  const S change_chi = c5 * (correction_y_rolling_around - t4);
   const S change_zeta = c2 * correction_y_rolling_along + rough_change_zeta;
-  const S t6 = t4 * correction_y_rolling_along;
+  const S t6 = t3 * correction_y_rolling_along;
   const S change_phi = t6 + rough_change_phi;
   const S change_psi = rough_change_psi + c3 * correction_y_rolling_around - t6 * cos_theta;
-  const S change_theta = c3 * sin_chi_minus_psi
-      * (correction_y_rolling_along + rough_impulse_y_rolling_along);
+  const S change_theta = c3 * sin_chi_minus_psi * (correction_y_rolling_along - t1);
   const S chi_rate = chi_dot + change_chi;
   const S zeta_rate = zeta_dot + change_zeta;
   const S phi_rate = phi_dot + change_phi;

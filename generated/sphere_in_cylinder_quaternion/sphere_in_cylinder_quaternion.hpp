@@ -37,15 +37,15 @@
 // Operations per call
 //                      + -  *   /  sqrt  functions
 //   prepare            8    29  5  0     0
-//   rhs                20   46  2  0     2
+//   rhs                20   45  2  0     2
 //   reactions          13   35  2  0     2
-//   rhs_and_reactions  21   51  2  0     2
+//   rhs_and_reactions  21   50  2  0     2
 //   reaction_forces    15   41  2  0     2
 //   energy             8    13  0  0     0
 //   compulsion         11   22  0  0     2
 //   residuals          12   18  0  0     2
 //   mass_matrix        3    4   0  0     0
-//   project            19   23  1  1     2
+//   project            17   23  1  1     2
 //   initial_state      9    25  2  0     6
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_QUATERNION_HPP
@@ -592,27 +592,22 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   // independent accelerations (3.7)
   const S c_zeta_wy = r * cos_chi;
-  const S F_wy = c_zeta_wy * t1;
   const S t2 = m_r_2 * inv_M_wx_wx * sin_chi * cos_chi;
-  const S a_y_wy = F_wy - t2 * F_wx;
-  const S a_y_wy_over_M_pivot_wy = a_y_wy / M_pivot_wy;
-  const S a_wy = -a_y_wy_over_M_pivot_wy;
-  const S a_wx = t2 * a_y_wy_over_M_pivot_wy - F_wx * inv_M_wx_wx;
-  const S a_wx_2 = -a_wx;
+  const S a_y_wy = t2 * F_wx - c_zeta_wy * t1;
+  const S a_wy = a_y_wy / M_pivot_wy;
+  const S a_wx = t2 * a_wy + F_wx * inv_M_wx_wx;
 
   // dependent accelerations (3.6)
-  const S a_zeta = drift_rolling_along - beta_rolling_along_wx * a_wx + c_zeta_wy * a_y_wy_over_M_pivot_wy;
-  const S a_zeta_2 = -a_zeta;
+  const S a_zeta = c_zeta_wy * a_wy - drift_rolling_along - beta_rolling_along_wx * a_wx;
 
   // rates of the quaternions: half the product with (0, omega) (theory.md, section 5)
-  const S e0_dot_scaled = e1 * wx + e2 * wy + e3 * wz;
-  const S e0_dot = -S(0.5) * e0_dot_scaled;
-  const S e1_dot_scaled = e0 * wx - e2 * wz + e3 * wy;
-  const S e1_dot = S(0.5) * e1_dot_scaled;
-  const S e2_dot_scaled = e0 * wy + e1 * wz - e3 * wx;
-  const S e2_dot = S(0.5) * e2_dot_scaled;
-  const S e3_dot_scaled = e0 * wz - e1 * wy + e2 * wx;
-  const S e3_dot = S(0.5) * e3_dot_scaled;
+  const S half_wx = S(0.5) * wx;
+  const S half_wy = S(0.5) * wy;
+  const S half_wz = S(0.5) * wz;
+  const S e0_dot = -(e1 * half_wx + e2 * half_wy + e3 * half_wz);
+  const S e1_dot = e0 * half_wx - e2 * half_wz + e3 * half_wy;
+  const S e2_dot = e0 * half_wy + e1 * half_wz - e3 * half_wx;
+  const S e3_dot = e0 * half_wz - e1 * half_wy + e2 * half_wx;
 
   // Results
   const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
@@ -624,8 +619,8 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.e2_dot() = e2_dot;
   derivative.e3_dot() = e3_dot;
   derivative.chi_ddot() = S(0);
-  derivative.zeta_ddot() = a_zeta_2;
-  derivative.wx_dot() = a_wx_2;
+  derivative.zeta_ddot() = a_zeta;
+  derivative.wx_dot() = a_wx;
   derivative.wy_dot() = a_wy;
   derivative.wz_dot() = S(0);
 
@@ -633,7 +628,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
       Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
-      e0_dot, e1_dot, e2_dot, e3_dot, a_zeta_2, a_wx_2, a_wy);
+      e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
       Math<S>::less(S(1.015625), norm_squared));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
@@ -781,30 +776,25 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   // independent accelerations (3.7)
   const S c_zeta_wy = r * cos_chi;
-  const S F_wy = c_zeta_wy * t1;
   const S t2 = m_r_2 * inv_M_wx_wx * sin_chi * cos_chi;
-  const S a_y_wy = F_wy - t2 * F_wx;
-  const S a_y_wy_over_M_pivot_wy = a_y_wy / M_pivot_wy;
-  const S a_wy = -a_y_wy_over_M_pivot_wy;
-  const S a_wx = t2 * a_y_wy_over_M_pivot_wy - F_wx * inv_M_wx_wx;
-  const S a_wx_2 = -a_wx;
+  const S a_y_wy = t2 * F_wx - c_zeta_wy * t1;
+  const S a_wy = a_y_wy / M_pivot_wy;
+  const S a_wx = t2 * a_wy + F_wx * inv_M_wx_wx;
 
   // dependent accelerations (3.6)
-  const S a_zeta = drift_rolling_along - beta_rolling_along_wx * a_wx + c_zeta_wy * a_y_wy_over_M_pivot_wy;
-  const S a_zeta_2 = -a_zeta;
+  const S a_zeta = c_zeta_wy * a_wy - drift_rolling_along - beta_rolling_along_wx * a_wx;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
-  const S excess_zeta = m_g - m * a_zeta;
+  const S excess_zeta = m_g + m * a_zeta;
 
   // rates of the quaternions: half the product with (0, omega) (theory.md, section 5)
-  const S e0_dot_scaled = e1 * wx + e2 * wy + e3 * wz;
-  const S e0_dot = -S(0.5) * e0_dot_scaled;
-  const S e1_dot_scaled = e0 * wx - e2 * wz + e3 * wy;
-  const S e1_dot = S(0.5) * e1_dot_scaled;
-  const S e2_dot_scaled = e0 * wy + e1 * wz - e3 * wx;
-  const S e2_dot = S(0.5) * e2_dot_scaled;
-  const S e3_dot_scaled = e0 * wz - e1 * wy + e2 * wx;
-  const S e3_dot = S(0.5) * e3_dot_scaled;
+  const S half_wx = S(0.5) * wx;
+  const S half_wy = S(0.5) * wy;
+  const S half_wz = S(0.5) * wz;
+  const S e0_dot = -(e1 * half_wx + e2 * half_wy + e3 * half_wz);
+  const S e1_dot = e0 * half_wx - e2 * half_wz + e3 * half_wy;
+  const S e2_dot = e0 * half_wy + e1 * half_wz - e3 * half_wx;
+  const S e3_dot = e0 * half_wz - e1 * half_wy + e2 * half_wx;
 
   // Results
   const S rolling_along_generalized_2 = beta_rolling_along_wx * excess_zeta;
@@ -819,8 +809,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   derivative.e2_dot() = e2_dot;
   derivative.e3_dot() = e3_dot;
   derivative.chi_ddot() = S(0);
-  derivative.zeta_ddot() = a_zeta_2;
-  derivative.wx_dot() = a_wx_2;
+  derivative.zeta_ddot() = a_zeta;
+  derivative.wx_dot() = a_wx;
   derivative.wy_dot() = a_wy;
   derivative.wz_dot() = S(0);
   reactions.rolling_around.multiplier = S(0);
@@ -841,7 +831,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
       Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
-      e0_dot, e1_dot, e2_dot, e3_dot, a_zeta_2, a_wx_2, a_wy, excess_zeta, rolling_along_generalized_2,
+      e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy, excess_zeta, rolling_along_generalized_2,
       rolling_along_generalized_3, rho_generalized);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
       Math<S>::less(S(1.015625), norm_squared));
@@ -1211,25 +1201,21 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S unit = S(1) / Math<S>::sqrt(norm_squared);
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
-  const S r_wz = r * wz;
-  const S r_minus_R_chi_dot = r_minus_R * chi_dot;
-  const S rough_impulse_y_rolling_around = r_minus_R_chi_dot - r_wz;
-  const S t1 = r * (wx * sin_chi - wy * cos_chi);
-  const S rough_impulse_y_rolling_along = -(zeta_dot + t1);
-  const S rough_change_zeta = c3 * rough_impulse_y_rolling_along;
-  const S correction_y_rolling_around = r_minus_R_chi_dot - r_wz - c7 * rough_impulse_y_rolling_around;
-  const S correction_y_rolling_along = -(zeta_dot + t1 + rough_change_zeta
-      + c4 * rough_impulse_y_rolling_along);
-  const S t2 = correction_y_rolling_around + rough_impulse_y_rolling_around;
-  const S change_chi = c5 * t2;
+  const S t1 = zeta_dot + r * (wx * sin_chi - wy * cos_chi);
+  const S rough_change_zeta = -c3 * t1;
+  const S t2 = r * wz - r_minus_R * chi_dot;
+  const S correction_y_rolling_around = c7 * t2 - t2;
+  const S correction_y_rolling_along = c4 * t1 - t1 - rough_change_zeta;
+  const S t3 = correction_y_rolling_around - t2;
+  const S change_chi = c5 * t3;
   const S change_zeta = c3 * correction_y_rolling_along + rough_change_zeta;
-  const S t3 = correction_y_rolling_along + rough_impulse_y_rolling_along;
-  const S change_wx = c6 * sin_chi * t3;
-  const S change_wz = c6 * t2;
+  const S t4 = correction_y_rolling_along - t1;
+  const S change_wx = c6 * sin_chi * t4;
+  const S change_wz = c6 * t3;
   const S chi_rate = chi_dot + change_chi;
   const S zeta_rate = zeta_dot + change_zeta;
   const S wx_rate = wx + change_wx;
-  const S wy_rate = wy - c6 * cos_chi * t3;
+  const S wy_rate = wy - c6 * cos_chi * t4;
   const S wz_rate = wz + change_wz;
 
   // Results

@@ -48,6 +48,8 @@ class Adder {
     add_names("--sensitivities", options_.pipeline.sensitivities,
               "parameters by which derivatives of rhs and of reactions are emitted, with commas between");
     add_flag("--fold", options_.pipeline.fold, "put the parameters in as numbers");
+    add_flag("--no-optimise", options_.pipeline.plain,
+             wrapped("emit values as they were derived, in more operations: to see what rewriting them is worth"));
     add_assemble();
     add_choice<Route>("--route", options_.pipeline.route, {{"emitted", Route::emitted}, {"paper", Route::paper}},
                       "ROUTE", "emitted (default), or paper: its Z, Gamma and (3.7)-(3.8), term by term");
@@ -84,7 +86,8 @@ class Adder {
         ->type_name("N");
     add_max_seconds();
     add_list("--dump", options_.dumps, stages_with_dump(), "STAGE", "write nothing, print what comes out of a stage: ");
-    add_flag("--timings", options_.timings, "say on standard error what each stage took");
+    add_flag("--timings", options_.timings,
+             wrapped("say on standard error what each stage took, and what each pass saved"));
     add_messages();
   }
 

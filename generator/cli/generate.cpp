@@ -10,6 +10,7 @@
 #include "cli/files.hpp"
 #include "cli/guard.hpp"
 #include "cli/replacement.hpp"
+#include "cli/timings.hpp"
 #include "read_model.hpp"
 
 namespace gaussgen::cli {
@@ -37,15 +38,6 @@ std::string for_make(const std::string& path) {
     result += c;
   }
   return result;
-}
-
-void print_timings(const std::vector<StageTime>& times, const MessageOptions& messages) {
-  double total = 0;
-  for (const StageTime& time : times) {
-    remark(fmt::format("{:<12} {:>9.3f} ms  {}", time.stage, time.milliseconds, time.size), messages);
-    total += time.milliseconds;
-  }
-  remark(fmt::format("{:<12} {:>9.3f} ms", "total", total), messages);
 }
 
 std::string dependencies(const std::string& target, const Options& options, const support::Source& source) {
@@ -112,7 +104,7 @@ int generate(const Options& options) {
     write_standard_output(dumped);
     return code;
   }
-  if (options.timings) print_timings(result->times, options.messages);
+  if (options.timings) print_timings(*result, options.messages);
   for (const std::string& moved : result->assembled) remark("assembled " + moved, options.messages);
   if (!options.dumps.empty()) {
     write_standard_output(dumped);

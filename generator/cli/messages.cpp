@@ -64,6 +64,7 @@ struct Remark {
   const char* mark;  ///< before the text, for people
   std::string text;
   std::string hint = {};
+  Facts facts = {};
 };
 
 void say(const Remark& remark, const MessageOptions& options) {
@@ -75,6 +76,9 @@ void say(const Remark& remark, const MessageOptions& options) {
   }
   Json object{{"severity", remark.severity}, {"message", line}};
   if (!remark.hint.empty()) object["hint"] = remark.hint;
+  for (const auto& [name, fact] : remark.facts) {
+    std::visit([&, &key = name](const auto& value) { object[key] = value; }, fact);
+  }
   print(object);
 }
 
@@ -97,7 +101,11 @@ int report(const support::Diagnostics& diagnostics, const support::Source& sourc
 
 void warn(const std::string& text, const MessageOptions& options) { say({"warning", "warning: ", text}, options); }
 
-void remark(const std::string& text, const MessageOptions& options) { say({"note", "", text}, options); }
+void remark(const std::string& text, const MessageOptions& options) { remark(text, {}, options); }
+
+void remark(const std::string& text, const Facts& facts, const MessageOptions& options) {
+  say({"note", "", text, {}, facts}, options);
+}
 
 int fail(const std::string& what, int code, const MessageOptions& options, const std::string& hint) {
   say({"error", "gauss-gen: ", what, hint}, options);

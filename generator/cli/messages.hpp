@@ -2,6 +2,9 @@
 // What is said on standard error: for people, or a line of JSON each for programs.
 
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "cli/usage_error.hpp"
 #include "support/diagnostics.hpp"
@@ -24,6 +27,11 @@ void warn(const std::string& text, const MessageOptions& options);
 
 /// A remark, neither error nor warning.
 void remark(const std::string& text, const MessageOptions& options);
+
+/// What a remark says, for programs: members of its JSON object beside the text.
+using Facts = std::vector<std::pair<std::string, std::variant<std::string, long long, double>>>;
+
+void remark(const std::string& text, const Facts& facts, const MessageOptions& options);
 
 /// Why the program ends: not because of something in the text of a model. Returns `code`.
 int fail(const std::string& what, int code, const MessageOptions& options, const std::string& hint = {});

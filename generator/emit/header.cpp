@@ -136,14 +136,19 @@ class HeaderBuilder {
 
 }  // namespace
 
-Files emit_files(const ir::Graph& graph, const Unit& unit) {
+Header build_header(const ir::Graph& graph, const Unit& unit) {
   Plan plan(graph, unit);
+  Header header;
+  header.planned = std::chrono::steady_clock::now();
+  header.nodes_planned = plan.graph.size();
+  for (Task& task : plan.tasks) header.passes.push_back({task.artefact->name, std::move(task.effects)});
   HeaderBuilder builder(plan);
-  Files files{cpp::print(builder.header()), {}};
-  if (!unit.compiled_for.empty()) files.source = cpp::print(builder.source());
-  return files;
+  header.text = cpp::print(builder.header());
+  if (!unit.compiled_for.empty()) header.source = cpp::print(builder.source());
+  header.nodes = plan.graph.size();
+  return header;
 }
 
-std::string emit_header(const ir::Graph& graph, const Unit& unit) { return emit_files(graph, unit).header; }
+std::string emit_header(const ir::Graph& graph, const Unit& unit) { return build_header(graph, unit).text; }
 
 }  // namespace gaussgen::emit

@@ -1,20 +1,36 @@
 #pragma once
 // A Unit as the text of one standalone C++ header.
 
+#include <chrono>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "emit/unit.hpp"
+#include "passes/optimise.hpp"
 
 namespace gaussgen::emit {
 
-struct Files {
-  std::string header;
-  std::string source;  ///< instantiates the functions of the header for Unit::compiled_for; empty where that is
+/// What the passes made of one function.
+struct PassEffects {
+  std::string function;
+  std::vector<passes::PassEffect> passes;  ///< in the order in which they ran
 };
 
-/// Same unit, same bytes.
-Files emit_files(const ir::Graph& graph, const Unit& unit);
+/// A header, and what it took to make it.
+struct Header {
+  std::string text;
+  std::string source;  ///< instantiates its functions for Unit::compiled_for; empty where that is
+  std::vector<PassEffects> passes;
+  std::chrono::steady_clock::time_point planned;  ///< when nothing was left but to write it
+  std::size_t nodes_planned = 0;                  ///< of the graph, then
+  std::size_t nodes = 0;                          ///< of the graph, in the end
+};
+
+/// Same unit, same bytes of text.
+Header build_header(const ir::Graph& graph, const Unit& unit);
+
+/// Its text.
 std::string emit_header(const ir::Graph& graph, const Unit& unit);
 
 /// The text of src/gauss/math.hpp, which every header carries.

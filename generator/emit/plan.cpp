@@ -5,6 +5,7 @@
 
 #include "emit/natural.hpp"
 #include "emit/text.hpp"
+#include "ir/cost.hpp"
 #include "ir/traverse.hpp"
 #include "passes/optimise.hpp"
 #include "passes/prepare.hpp"
@@ -104,7 +105,9 @@ class Planner {
 
   void run() {
     for (const Artefact& artefact : plan_.unit.artefacts) {
-      plan_.tasks.push_back({&artefact, runs_once(artefact) ? as_it_is(artefact) : over_prepared(artefact)});
+      Task task{&artefact, {}, {}};
+      task.request = runs_once(artefact) ? as_it_is(artefact) : over_prepared(artefact, task.effects);
+      plan_.tasks.push_back(std::move(task));
     }
     // Plain parameters in the order of the model, formulas after what they need, then the rest as it came up.
     std::vector<NodeId> roots;
@@ -130,19 +133,22 @@ class Planner {
     return request;
   }
 
-  passes::Request over_prepared(const Artefact& artefact) {
+  passes::Request over_prepared(const Artefact& artefact, std::vector<passes::PassEffect>& effects) {
     passes::Request request{outputs_of(artefact, not_finite(plan_.graph, artefact, plan_.unit)), {}, {}};
     const IdSet needed = reached_from(plan_.graph, request.outputs);
-    for (NodeId& output : request.outputs) output = split_(output);
     for (const Section& section : artefact.sections) {
-      passes::Section rewritten{section.comment, {}};
+      passes::Section kept{section.comment, {}};
       for (const auto& [node, name] : section.nodes) {
-        const bool is_needed = needed.count(node.index) != 0 && split_.varies(node);
-        if (is_needed) rewritten.nodes.emplace_back(split_(node), name);
+        if (needed.count(node.index) != 0) kept.nodes.emplace_back(node, name);
       }
-      request.sections.push_back(std::move(rewritten));
+      request.sections.push_back(std::move(kept));
     }
-    return over_prepared(passes::optimise(plan_.graph, request));
+    if (!plan_.unit.optimised) return over_prepared(std::move(request));
+    request = passes::apply(plan_.graph, request, passes::identities(), &effects);
+    request = over_prepared(std::move(request));
+    // What `prepare` computes is no operation any more.
+    effects.push_back({"prepare", effects.back().after, ir::operations(plan_.graph, request.outputs), 0});
+    return over_prepared(passes::apply_best_order(plan_.graph, request, &effects));
   }
 
   // Passes bring together what depends on parameters alone, as the difference of two moments of inertia.

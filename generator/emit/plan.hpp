@@ -6,6 +6,7 @@
 #include "emit/names.hpp"
 #include "emit/result_types.hpp"
 #include "emit/unit.hpp"
+#include "passes/optimise.hpp"
 #include "passes/program.hpp"
 
 namespace gaussgen::emit {
@@ -14,6 +15,7 @@ namespace gaussgen::emit {
 struct Task {
   const Artefact* artefact;
   passes::Request request;
+  std::vector<passes::PassEffect> effects;  ///< of the passes, in their order
 };
 
 struct PreparedMember {

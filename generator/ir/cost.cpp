@@ -130,6 +130,17 @@ OperationCount count_operations(const Graph& graph, const std::vector<NodeId>& r
 
 int operations(const Graph& graph, const std::vector<NodeId>& roots) { return count_operations(graph, roots).total(); }
 
+int operations_of(const Graph& graph, const std::vector<NodeId>& nodes) {
+  NodeSet counted;
+  for (const NodeId id : nodes) {
+    for (const NodeId child : graph[id].children) counted.insert(child);
+    counted.insert(id);
+  }
+  Counter counter(graph, counted);
+  for (const NodeId id : nodes) counter.add(id);
+  return counter.count.total();
+}
+
 namespace {
 
 bool is_foot(const Graph& graph, NodeId id) {

@@ -26,6 +26,9 @@ OperationCount count_operations(const Graph& graph, const std::vector<NodeId>& r
 /// Total of count_operations.
 int operations(const Graph& graph, const std::vector<NodeId>& roots);
 
+/// Of these nodes alone, each with its operands given; none of them depends on parameters alone.
+int operations_of(const Graph& graph, const std::vector<NodeId>& nodes);
+
 /// Whether `a` takes fewer operations than `b`, as `operations` counts them. Where both stand on the same functions and named
 /// values, what lies below counts for both: two ways to write one sum are compared at about the cost of that sum.
 bool takes_fewer_operations(const Graph& graph, NodeId a, NodeId b);

@@ -53,7 +53,12 @@ class Factoring {
 
   // Sums inside of sums, until no factor saves anything; each time there are fewer summands.
   NodeId factored(const Rational& constant, std::vector<Summand> summands) {
-    while (const std::optional<Factor> factor = best_factor(summands)) {
+    while (const std::optional<Saving> best = best_factor(summands)) {
+      if (const std::optional<Rational> number = best_number(summands, best->multiplications)) {
+        summands = with_number_outside(*number, summands);
+        continue;
+      }
+      const Factor* const factor = &best->factor;
       std::vector<Summand> inside, outside;
       Rational number = 0;
       for (const Summand& summand : summands) {
@@ -70,9 +75,46 @@ class Factoring {
       outside.push_back({1, graph_.product({power(*factor), inner}), true});
       summands = std::move(outside);
     }
+    while (const std::optional<Rational> number = best_number(summands, 0))
+      summands = with_number_outside(*number, summands);
     std::vector<Term> terms;
     for (const Summand& summand : summands) terms.push_back({summand.coefficient, summand.node});
     return graph_.linear(constant, terms);
+  }
+
+  /// The number by which so many are multiplied that it saves more to multiply their sum; what divides has it as its numerator.
+  std::optional<Rational> best_number(const std::vector<Summand>& summands, int at_least) const {
+    std::vector<std::pair<Rational, int>> counts;
+    for (const Summand& summand : summands) {
+      const Rational size = cln::abs(summand.coefficient);
+      if (size == 1 || is_quotient(summand.node)) continue;
+      const auto known = std::find_if(counts.begin(), counts.end(), [&](const auto& c) { return c.first == size; });
+      if (known == counts.end()) {
+        counts.emplace_back(size, 1);
+      } else {
+        ++known->second;
+      }
+    }
+    const auto best = std::max_element(counts.begin(), counts.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (best == counts.end() || best->second - 1 <= at_least) return std::nullopt;
+    return best->first;
+  }
+
+  bool is_quotient(NodeId node) const {
+    const std::vector<Factor> factors = factors_of(graph_, node);
+    return std::all_of(factors.begin(), factors.end(), [](const Factor& factor) { return factor.exponent < 0; });
+  }
+
+  std::vector<Summand> with_number_outside(const Rational& number, const std::vector<Summand>& summands) {
+    std::vector<Summand> inside, outside;
+    for (const Summand& summand : summands) {
+      const bool has_number = cln::abs(summand.coefficient) == number && !is_quotient(summand.node);
+      (has_number ? inside : outside).push_back(summand);
+    }
+    for (Summand& summand : inside) summand.coefficient = summand.coefficient / number;
+    outside.push_back({number, closed(graph_, factored(0, std::move(inside))), true});
+    return outside;
   }
 
   NodeId power(const Factor& factor) { return graph_.power(factor.base, factor.exponent); }
@@ -88,8 +130,13 @@ class Factoring {
 
   bool is_alone(NodeId node) const { return graph_[node].kind != Kind::product && graph_[node].kind != Kind::power; }
 
-  /// Multiplications that are saved: one for each product but the one that remains.
-  std::optional<Factor> best_factor(const std::vector<Summand>& summands) const {
+  struct Saving {
+    Factor factor;
+    int multiplications = 0;
+  };
+
+  /// One multiplication is saved for each product but the one that remains.
+  std::optional<Saving> best_factor(const std::vector<Summand>& summands) const {
     struct Candidate {
       Factor factor;
       int products = 0;
@@ -100,7 +147,6 @@ class Factoring {
     for (const Summand& summand : summands) {
       if (!summand.is_private && !is_alone(summand.node)) continue;
       for (const auto& [base, exponent] : factors_of(graph_, summand.node)) {
-        if (graph_[base].kind == Kind::sum) continue;
         const auto [found, is_new] = place.emplace(std::pair{base.index, exponent > 0}, candidates.size());
         if (is_new) candidates.push_back({{base, exponent > 0 ? 1 : -1}, 0, 0});
         Candidate& candidate = candidates[found->second];
@@ -108,11 +154,10 @@ class Factoring {
         if (!is_alone(summand.node)) ++candidate.products;
       }
     }
-    const auto best = std::max_element(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-      return a.products < b.products;
-    });
+    const auto best = std::max_element(candidates.begin(), candidates.end(),
+                                       [](const Candidate& a, const Candidate& b) { return a.products < b.products; });
     if (best == candidates.end() || best->products < 2 || best->summands < 2) return std::nullopt;
-    return best->factor;
+    return Saving{best->factor, best->products - 1};
   }
 
   Graph& graph_;

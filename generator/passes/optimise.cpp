@@ -1,35 +1,105 @@
 #include "passes/optimise.hpp"
 
+#include <chrono>
+
 #include "ir/cost.hpp"
+#include "passes/angles.hpp"
 #include "passes/factor.hpp"
 #include "passes/pairs.hpp"
 #include "passes/quotients.hpp"
 #include "passes/scale.hpp"
+#include "passes/terms.hpp"
 
 namespace gaussgen::passes {
 
-// Quotients first, where Schur complements stand as they were made; once more where units have made divisors short. Pairs before
-// factors, since what several values share is worth more than what one of them saves; then pairs of what is left.
-const std::vector<Pass>& passes() {
-  static const std::vector<Pass> k_passes{{"quotients", join_quotients}, {"units", choose_units},
-                                          {"quotients", join_quotients}, {"pairs", share_factors},
-                                          {"factors", factor_out},       {"pairs", share_factors}};
-  return k_passes;
+namespace {
+
+/// Numbers of a mechanism that stand in several places are rounded alike, and the motion is that of a mechanism nearby; in units of
+/// their own they are not. So units have to be worth it.
+constexpr double k_least_worth = 0.97;
+
+const Pass k_turns{"turns", turn_back};
+const Pass k_quotients{"quotients", join_quotients};
+const Pass k_units{"units", choose_units};
+const Pass k_pairs{"pairs", share_factors};
+const Pass k_factors{"factors", factor_out};
+const Pass k_terms{"terms", share_terms};
+
+struct Outcome {
+  Request request;
+  int operations = 0;
+  std::vector<PassEffect> effects;
+};
+
+void run(Graph& graph, const Pass& pass, Outcome& outcome) {
+  const auto begin = std::chrono::steady_clock::now();
+  Request next = pass.run(graph, outcome.request);
+  const int before = outcome.operations;
+  const int after = ir::operations(graph, next.outputs);
+  if (after < before) {
+    outcome.request = std::move(next);
+    outcome.operations = after;
+  }
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
+  outcome.effects.push_back({pass.name, before, outcome.operations, taken.count()});
 }
 
-Request optimise(Graph& graph, const Request& request, std::vector<PassEffect>* effects) {
-  Request best = request;
-  int operations = ir::operations(graph, best.outputs);
-  for (const Pass& pass : passes()) {
-    Request next = pass.run(graph, best);
-    const int count = ir::operations(graph, next.outputs);
-    if (count < operations) {
-      best = std::move(next);
-      operations = count;
-    }
-    if (effects != nullptr) effects->push_back({pass.name, operations});
-  }
-  return best;
+void run(Graph& graph, const std::vector<Pass>& passes, Outcome& outcome) {
+  for (const Pass& pass : passes) run(graph, pass, outcome);
+}
+
+Outcome begun(Graph& graph, const Request& request) { return {request, ir::operations(graph, request.outputs), {}}; }
+
+// Turns once more, now that products of parameters are one symbol each. Quotients where Schur complements stand as they were made.
+const std::vector<Pass> k_beginning{k_turns, k_quotients};
+
+// Where units have made divisors short, there are more quotients.
+const std::vector<Pass> k_in_units{k_units, k_quotients};
+
+// What several values share, terms and then factors, before what one of them saves by taking factors out; then what is left to share.
+const std::vector<Pass> k_sharing{k_terms, k_pairs, k_factors, k_pairs, k_terms};
+
+std::vector<Pass> joined(const std::vector<std::vector<Pass>>& parts) {
+  std::vector<Pass> all;
+  for (const std::vector<Pass>& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+Request taken(Outcome outcome, std::vector<PassEffect>* effects) {
+  if (effects != nullptr) effects->insert(effects->end(), outcome.effects.begin(), outcome.effects.end());
+  return std::move(outcome.request);
+}
+
+}  // namespace
+
+const std::vector<Pass>& identities() {
+  static const std::vector<Pass> k_identities{{"angles", join_angles}, k_turns};
+  return k_identities;
+}
+
+const std::vector<std::vector<Pass>>& orders() {
+  static const std::vector<std::vector<Pass>> k_orders{joined({k_beginning, k_sharing}),
+                                                       joined({k_beginning, k_in_units, k_sharing})};
+  return k_orders;
+}
+
+Request apply(Graph& graph, const Request& request, const std::vector<Pass>& passes, std::vector<PassEffect>* effects) {
+  Outcome outcome = begun(graph, request);
+  run(graph, passes, outcome);
+  return taken(std::move(outcome), effects);
+}
+
+Request apply_best_order(Graph& graph, const Request& request, std::vector<PassEffect>* effects) {
+  Outcome best = begun(graph, request);
+  run(graph, k_beginning, best);
+  Outcome in_units = best;
+  run(graph, k_sharing, best);
+  run(graph, k_in_units, in_units);
+  const PassEffect& units = in_units.effects[k_beginning.size()];
+  if (units.after == units.before) return taken(std::move(best), effects);  // the rest would be the same again
+  run(graph, k_sharing, in_units);
+  const bool is_worth_it = in_units.operations < best.operations * k_least_worth;
+  return taken(std::move(is_worth_it ? in_units : best), effects);
 }
 
 }  // namespace gaussgen::passes

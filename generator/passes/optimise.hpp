@@ -1,5 +1,5 @@
 #pragma once
-// The passes in their order.
+// The passes in their order (docs/decisions/0008-passes.md).
 
 #include <string>
 #include <vector>
@@ -13,15 +13,25 @@ struct Pass {
   Request (*run)(Graph&, const Request&);
 };
 
-/// Each once or several times, in the order in which they run.
-const std::vector<Pass>& passes();
+/// Those that recognise sines and cosines, also of parameters: before what depends on parameters alone becomes opaque.
+const std::vector<Pass>& identities();
 
+/// Those that run on what is left then. There are several orders; none is the best one for all programs.
+const std::vector<std::vector<Pass>>& orders();
+
+/// What a pass made of a request.
 struct PassEffect {
   std::string pass;
-  int operations = 0;  ///< after it
+  int before = 0;  ///< operations
+  int after = 0;   ///< the same as before where the pass would have added some, and was left out
+  double milliseconds = 0;
 };
 
-/// The same values with fewer operations. `effects`, if given, tells what each pass made of it.
-Request optimise(Graph& graph, const Request& request, std::vector<PassEffect>* effects = nullptr);
+/// The same values in no more operations: each pass counts where it saves some. `effects`, if given, gets a line for each.
+Request apply(Graph& graph, const Request& request, const std::vector<Pass>& passes,
+              std::vector<PassEffect>* effects = nullptr);
+
+/// By the order that leaves fewest operations; the first one, where another is not worth it. `effects` are those of its passes.
+Request apply_best_order(Graph& graph, const Request& request, std::vector<PassEffect>* effects = nullptr);
 
 }  // namespace gaussgen::passes

@@ -32,11 +32,7 @@ class Pairing {
   }
 
   void run() {
-    while (!queue_.empty()) {
-      const auto [negative_count, pair] = *queue_.begin();
-      if (negative_count > -2) break;
-      take(pair);
-    }
+    while (!queue_.empty()) take(queue_.begin()->second);
   }
 
   const List& list(std::size_t i) const { return lists_[i]; }
@@ -58,20 +54,20 @@ class Pairing {
   void enter(const Pair& pair, std::size_t list) {
     std::set<std::size_t>& users = users_[pair];
     if (users.count(list) != 0) return;
-    if (!users.empty()) queue_.erase({key(users.size()), pair});
+    if (users.size() > 1) queue_.erase({key(users.size()), pair});
     users.insert(list);
-    queue_.insert({key(users.size()), pair});
+    if (users.size() > 1) queue_.insert({key(users.size()), pair});
   }
 
   void leave(const Pair& pair, std::size_t list) {
     std::set<std::size_t>& users = users_[pair];
     if (users.count(list) == 0) return;
-    queue_.erase({key(users.size()), pair});
+    if (users.size() > 1) queue_.erase({key(users.size()), pair});
     users.erase(list);
-    if (!users.empty()) queue_.insert({key(users.size()), pair});
+    if (users.size() > 1) queue_.insert({key(users.size()), pair});
   }
 
-  void take(const Pair& pair) {
+  void take(const Pair pair) {
     const Atom own = next_++;
     found_.push_back({pair, own});
     const std::set<std::size_t> users = users_[pair];
@@ -88,11 +84,11 @@ class Pairing {
   std::vector<List> lists_;
   Atom next_;
   std::map<Pair, std::set<std::size_t>> users_;
-  std::set<std::pair<int, Pair>> queue_;
+  std::set<std::pair<int, Pair>> queue_;  ///< of those with two users or more, most first
   std::vector<std::pair<Pair, Atom>> found_;
 };
 
-/// x and 1/x are different factors; numbered as they come up, so that nothing depends on node numbers.
+/// x, 1/x and numbers are different factors; numbered as they come up, so that nothing depends on node numbers.
 class FactorNames {
  public:
   Atom of(NodeId base, bool is_inverse) {
@@ -112,15 +108,24 @@ class FactorNames {
 class FactorSharing {
  public:
   FactorSharing(Graph& graph, const Request& request)
-      : graph_(graph), order_(ir::post_order(graph, request.outputs)), rewrite_(graph) {}
+      : graph_(graph), order_(ir::post_order(graph, request.outputs)), rewrite_(graph) {
+    for (const NodeId id : order_) {
+      for (const NodeId child : graph[id].children) ++uses_[child.index];
+    }
+    for (const NodeId id : request.outputs) ++uses_[id.index];
+    for (const Section& section : request.sections) {
+      for (const auto& [node, name] : section.nodes) ++uses_[node.index];
+    }
+  }
 
   Request run(const Request& request) {
     std::vector<Pairing::List> lists;
     for (const NodeId id : order_) {
-      Pairing::List list = list_of(id);
-      if (list.size() < 2) continue;
-      place_.emplace(id.index, lists.size());
-      lists.push_back(std::move(list));
+      if (graph_[id].kind == Kind::sum) {
+        add_multiples(id, lists);
+      } else {
+        add(factors_in(id), lists, place_, id.index);
+      }
     }
     Pairing pairing(std::move(lists), static_cast<Atom>(names_.size()));
     pairing.run();
@@ -130,7 +135,42 @@ class FactorSharing {
   }
 
  private:
-  Pairing::List list_of(NodeId id) {
+  using TermId = std::pair<std::uint32_t, std::size_t>;  ///< of a sum, and which of its terms
+
+  template <class Place, class Key>
+  static void add(Pairing::List list, std::vector<Pairing::List>& lists, Place& place, Key key) {
+    if (list.size() < 2) return;
+    std::sort(list.begin(), list.end());
+    place.insert_or_assign(key, lists.size());
+    lists.push_back(std::move(list));
+  }
+
+  // 2/3 x and 2/3 x y: the number is a factor too. It joins those of a product that nothing else needs.
+  void add_multiples(NodeId sum, std::vector<Pairing::List>& lists) {
+    const Node& node = graph_[sum];
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      const NodeId child = node.children[i];
+      if (cln::abs(node.coefficients[i]) == 1 || is_quotient(child)) continue;
+      const Atom number = names_.of(graph_.constant(cln::abs(node.coefficients[i])), false);
+      const auto product = place_.find(child.index);
+      const bool is_private = uses_.at(child.index) == 1 && graph_.label(child).empty();
+      if (product == place_.end() || !is_private) {
+        add({number, names_.of(child, false)}, lists, multiples_, TermId{sum.index, i});
+      } else {
+        Pairing::List& list = lists[product->second];
+        list.insert(std::lower_bound(list.begin(), list.end(), number), number);
+        multiples_.emplace(TermId{sum.index, i}, product->second);
+      }
+    }
+  }
+
+  // The number is its numerator, at no cost.
+  bool is_quotient(NodeId id) const {
+    const std::vector<Factor> factors = factors_of(graph_, id);
+    return std::all_of(factors.begin(), factors.end(), [](const Factor& factor) { return factor.exponent < 0; });
+  }
+
+  Pairing::List factors_in(NodeId id) {
     const Node& node = graph_[id];
     if (node.kind != Kind::product && node.kind != Kind::power) return {};
     Pairing::List list;
@@ -138,15 +178,43 @@ class FactorSharing {
       const Atom atom = names_.of(base, exponent < 0);
       for (int i = 0; i < std::abs(exponent); ++i) list.push_back(atom);
     }
-    std::sort(list.begin(), list.end());
     return list;
   }
 
   NodeId rewritten(NodeId id, const Pairing& pairing) {
+    if (graph_[id].kind == Kind::sum) return sum_of(id, pairing);
     const auto place = place_.find(id.index);
-    if (place == place_.end()) return rewrite_.rebuilt(id);
+    return place == place_.end() ? rewrite_.rebuilt(id) : product_of(pairing.list(place->second));
+  }
+
+  NodeId sum_of(NodeId id, const Pairing& pairing) {
+    const Node node = graph_[id];
+    std::vector<Term> terms;
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      const auto place = multiples_.find({id.index, i});
+      const bool is_taken = place != multiples_.end() && !has_number(pairing.list(place->second));
+      const Rational sign = node.coefficients[i] < 0 ? -1 : 1;
+      if (is_taken) {
+        terms.push_back({sign, product_of(pairing.list(place->second))});
+      } else {
+        terms.push_back({node.coefficients[i], rewrite_(node.children[i])});
+      }
+    }
+    return graph_.linear(node.value, terms);
+  }
+
+  bool has_number(const Pairing::List& list) const {
+    return std::any_of(list.begin(), list.end(), [this](Atom atom) { return is_number(atom); });
+  }
+
+  bool is_number(Atom atom) const { return atom < names_.size() && graph_[names_[atom].base].kind == Kind::constant; }
+
+  // A number that no pair has taken stays with the sum that it was found in.
+  NodeId product_of(const Pairing::List& list) {
     std::vector<NodeId> factors;
-    for (const Atom atom : pairing.list(place->second)) factors.push_back(value(atom));
+    for (const Atom atom : list) {
+      if (!is_number(atom)) factors.push_back(value(atom));
+    }
     return factors.size() == 1 ? factors[0] : graph_.product(factors);
   }
 
@@ -157,7 +225,7 @@ class FactorSharing {
     NodeId result{};
     if (atom < names_.size()) {
       const Factor& factor = names_[atom];
-      result = graph_.power(rewrite_(factor.base), factor.exponent);
+      result = is_number(atom) ? factor.base : graph_.power(rewrite_(factor.base), factor.exponent);
     } else {
       const Pair& pair = pairs_.at(atom);
       const NodeId first = value(pair.first);
@@ -172,7 +240,9 @@ class FactorSharing {
   std::vector<NodeId> order_;
   Rewrite rewrite_;
   FactorNames names_;
+  std::unordered_map<std::uint32_t, int> uses_;
   std::unordered_map<std::uint32_t, std::size_t> place_;  ///< of products among the lists
+  std::map<TermId, std::size_t> multiples_;               ///< of terms with a number among the lists
   std::map<Atom, Pair> pairs_;
   std::map<Atom, NodeId> values_;
 };

@@ -9,7 +9,4 @@ namespace gaussgen::passes {
 /// (Hosangadi, Fallah, Kastner, IEEE Trans. CAD 25, 2006). Squares count as pairs.
 Request share_factors(Graph& graph, const Request& request);
 
-/// Likewise of sums: a + b + c and 2 a + 2 b + d become s + c and 2 s + d with s = a + b.
-Request share_terms(Graph& graph, const Request& request);
-
 }  // namespace gaussgen::passes

@@ -54,6 +54,8 @@ NodeId closed(Graph& graph, NodeId node) {
   return is_negative ? graph.scale(-1, graph.kept_whole(graph.scale(-1, node), "")) : graph.kept_whole(node, "");
 }
 
+bool is_binary(const ir::Rational& value) { return cln::logcount(cln::cl_I(cln::denominator(value))) == 1; }
+
 std::vector<Factor> factors_of(const Graph& graph, NodeId id) {
   const auto one = [&](NodeId factor) -> Factor {
     const Node& node = graph[factor];

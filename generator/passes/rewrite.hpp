@@ -34,6 +34,9 @@ class Rewrite {
 /// stands in front.
 NodeId closed(Graph& graph, NodeId node);
 
+/// A number that floating-point types hold as it is, but for its length.
+bool is_binary(const ir::Rational& value);
+
 /// x and n of x^n with a whole n; n = 1 for anything but a power.
 struct Factor {
   NodeId base;

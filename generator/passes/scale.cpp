@@ -1,7 +1,6 @@
 #include "passes/scale.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "ir/traverse.hpp"
 #include "passes/rewrite.hpp"
@@ -31,6 +30,7 @@ long bits_of(const Rational& value) {
 class UnitChoice {
  public:
   UnitChoice(Graph& graph, const Request& request) : graph_(graph), rewrite_(graph) {
+    find_last(request.outputs);
     for (const NodeId id : ir::post_order(graph, request.outputs)) {
       scaled_.emplace(id.index, scaled(id));
       rewrite_.replace(id, whole(scaled_.at(id.index)));
@@ -40,6 +40,22 @@ class UnitChoice {
   Request run(const Request& request) { return rewrite_(request); }
 
  private:
+  /// What becomes a result by products alone: a number taken out of it would be one more factor there, and two more roundings at
+  /// the end, where nothing makes them small; but for a power of two.
+  void find_last(const std::vector<NodeId>& outputs) {
+    std::vector<NodeId> stack = outputs;
+    while (!stack.empty()) {
+      const NodeId id = stack.back();
+      stack.pop_back();
+      if (last_.contains(id)) continue;
+      last_.insert(id);
+      const Node& node = graph_[id];
+      const bool is_multiple = node.kind == Kind::sum && node.value == 0 && node.children.size() == 1;
+      const bool passes_on = node.kind == Kind::product || node.kind == Kind::power || node.kind == Kind::named;
+      if (is_multiple || passes_on) stack.insert(stack.end(), node.children.begin(), node.children.end());
+    }
+  }
+
   const Scaled& at(NodeId id) const { return scaled_.at(id.index); }
 
   NodeId whole(const Scaled& value) { return graph_.scale(value.factor, value.node); }
@@ -107,27 +123,48 @@ class UnitChoice {
     if (graph_[now].kind != Kind::sum) return {1, now};
     const Node& sum = graph_[now];
     if (sum.value == 0 && sum.children.size() == 1) return {sum.coefficients[0], sum.children[0]};
-    const Rational unit = sum.coefficients[0] < 0 ? Rational(-best_unit(sum)) : best_unit(sum);
+    const Rational size = best_unit(sum, last_.contains(id));
+    const Rational unit = sum.coefficients[0] < 0 ? Rational(-size) : size;
     if (bits_of(unit) > k_most_bits) return {1, now};
     return {unit, graph_.scale(1 / unit, now)};
   }
 
-  /// The coefficient that most terms have; of equals, the one with the shortest digits, and 1 before all.
-  static Rational best_unit(const Node& sum) {
-    std::map<Rational, int, bool (*)(const Rational&, const Rational&)> counts(
-        [](const Rational& a, const Rational& b) { return a < b; });
-    for (const Rational& c : sum.coefficients) ++counts[cln::abs(c)];
-    Rational best = 1;
-    int most = counts.count(Rational(1)) != 0 ? counts[Rational(1)] : 0;
-    for (const auto& [size, count] : counts) {
-      const bool is_shorter = best != 1 && count == most && bits_of(size) < bits_of(best);
-      if (count > most || is_shorter) {
-        best = size;
-        most = count;
+  struct Candidate {
+    Rational size;
+    int count = 0;
+  };
+
+  /// The coefficient that most terms have; of equals, 1 before all, and then the one with the shortest digits.
+  static Rational best_unit(const Node& sum, bool is_last) {
+    std::vector<Candidate> candidates{{1, 0}};
+    for (const Rational& c : sum.coefficients) {
+      const Rational size = cln::abs(c);
+      const auto is_same = [&](const Candidate& other) { return other.size == size; };
+      const auto known = std::find_if(candidates.begin(), candidates.end(), is_same);
+      if (known == candidates.end()) {
+        candidates.push_back({size, 1});
+      } else {
+        ++known->count;
       }
     }
-    return best;
+    std::stable_sort(candidates.begin() + 1, candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return bits_of(a.size) < bits_of(b.size); });
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.count > b.count; });
+    const auto best = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& unit) {
+      return keeps_exact(sum, unit.size) && (!is_last || is_power_of_two(unit.size));
+    });
+    return best->size;  // 1, if no other
   }
+
+  /// What is a binary fraction stays one: 3/2 - 9/4 x is no more 2/3 - x, whose number is rounded, and where the two nearly cancel,
+  /// nothing but that is left.
+  static bool keeps_exact(const Node& sum, const Rational& unit) {
+    const auto is_kept = [&](const Rational& c) { return !is_binary(c) || is_binary(c / unit); };
+    return is_kept(sum.value) && std::all_of(sum.coefficients.begin(), sum.coefficients.end(), is_kept);
+  }
+
+  static bool is_power_of_two(const Rational& value) { return is_binary(value) && is_binary(1 / value); }
 
   Scaled of_named(NodeId id) {
     const Node node = graph_[id];
@@ -139,6 +176,7 @@ class UnitChoice {
 
   Graph& graph_;
   Rewrite rewrite_;
+  ir::NodeSet last_;
   std::unordered_map<std::uint32_t, Scaled> scaled_;
 };
 

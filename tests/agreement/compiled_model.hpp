@@ -4,6 +4,7 @@
 #include <cstring>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace agreement {
@@ -24,6 +25,8 @@ struct CompiledModel {
   std::function<void(double, const std::vector<double>&)> set;  ///< time and state
   std::function<std::vector<double>()> rhs, energy, mass_matrix;
   std::function<std::vector<double>()> reactions, reaction_forces;  ///< empty without constraints
+  /// What one call of rhs_and_reactions finds; empty without constraints.
+  std::function<std::pair<std::vector<double>, std::vector<double>>()> rhs_and_reactions;
   /// Of the accelerations found by rhs; empty where the model has none.
   std::function<std::vector<double>()> residuals, compulsion;
 };

@@ -44,6 +44,12 @@ void add_reactions(const Shared<M>& at, CompiledModel& compiled) {
       (void)reactions(at->t, at->state, at->inputs, at->prepared, result);
       return flattened(result);
     };
+    compiled.rhs_and_reactions = [at] {
+      typename M::template Derivative<double> d{};
+      Reactions result{};
+      (void)rhs_and_reactions(at->t, at->state, at->inputs, at->prepared, d, result);
+      return std::pair{flattened(d), flattened(result)};
+    };
     compiled.reaction_forces = [at] {
       Forces result{};
       (void)reaction_forces(at->t, at->state, at->inputs, at->prepared, result);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
+#include <stdexcept>
 
 #include "catch_shim.hpp"
 #include "evaluate/arithmetic_cln.hpp"
@@ -54,23 +56,35 @@ double error(const std::vector<double>& found, const std::vector<cl_F>& exact) {
   return cln::zerop(size) ? 0 : cln::double_approx(worst / size);
 }
 
+using Samples =
+    std::vector<std::vector<double>>;  ///< errors of the plain code, and after each pass upon those before it
+
+gaussgen::MechanicsOptions folded() {
+  gaussgen::MechanicsOptions options;
+  options.fold = true;
+  return options;
+}
+
 class Trial {
  public:
-  explicit Trial(const std::string& file) : model_(agreement::load(file)), mechanics_(model_, options()) {
-    for (const auto acceleration : mechanics_.solution.accelerations) plain_.outputs.push_back(acceleration.id());
-    requests_.push_back(plain_);
-    for (const gaussgen::passes::Pass& pass : gaussgen::passes::passes()) {
-      requests_.push_back(pass.run(mechanics_.graph, plain_));
-    }
-    requests_.push_back(gaussgen::passes::optimise(mechanics_.graph, plain_));
+  /// By the order that is taken, or by another one.
+  explicit Trial(const gaussgen::model::Model& model, std::optional<std::size_t> order = {})
+      : mechanics_(model, folded()) {
+    Request plain;
+    for (const auto acceleration : mechanics_.solution.accelerations) plain.outputs.push_back(acceleration.id());
+    requests_.push_back(plain);
+    for (const gaussgen::passes::Pass& pass : gaussgen::passes::identities()) step(pass);
+    order_ = order ? *order : order_for(requests_.back());
+    for (const gaussgen::passes::Pass& pass : gaussgen::passes::orders()[order_]) step(pass);
   }
 
-  /// Of the plain code, of it after each pass, and after all.
-  std::vector<Errors> run() {
+  std::size_t order() const { return order_; }
+
+  void add_to(Samples& samples, unsigned seed) {
+    samples.resize(requests_.size());
     Evaluator<cl_F> wide(mechanics_.graph, Arithmetic<cl_F>(k_digits));
     Evaluator<double> narrow(mechanics_.graph, Arithmetic<double>());
-    agreement::RandomStates states(mechanics_.symbols, 7);
-    std::vector<std::vector<double>> errors(requests_.size());
+    agreement::RandomStates states(mechanics_.symbols, seed);
     for (int s = 0; s < k_states; ++s) {
       const agreement::State state = states.next();
       agreement::bind(mechanics_.symbols, state, wide);
@@ -80,46 +94,81 @@ class Trial {
         wide.bind(input, agreement::as(wide.arithmetic(), value));
         narrow.bind(input, value);
       }
-      const std::vector<cl_F> exact = values(wide, plain_.outputs);
+      const std::vector<cl_F> exact = values(wide, requests_[0].outputs);
       for (std::size_t r = 0; r < requests_.size(); ++r) {
         const std::vector<double> found = values(narrow, requests_[r].outputs);
-        if (!exact.empty() && !found.empty()) errors[r].push_back(error(found, exact));
+        if (!exact.empty() && !found.empty()) samples[r].push_back(error(found, exact));
       }
     }
-    std::vector<Errors> result;
-    for (auto& list : errors) result.push_back(summary(std::move(list)));
-    return result;
   }
 
  private:
-  static gaussgen::MechanicsOptions options() {
-    gaussgen::MechanicsOptions options;
-    options.fold = true;
-    return options;
+  void step(const gaussgen::passes::Pass& pass) {
+    requests_.push_back(gaussgen::passes::apply(mechanics_.graph, requests_.back(), {pass}));
   }
 
-  gaussgen::model::Model model_;
+  std::size_t order_for(const Request& request) {
+    const Request best = gaussgen::passes::apply_best_order(mechanics_.graph, request);
+    for (std::size_t i = 0; i < gaussgen::passes::orders().size(); ++i) {
+      const auto& passes = gaussgen::passes::orders()[i];
+      if (gaussgen::passes::apply(mechanics_.graph, request, passes).outputs == best.outputs) return i;
+    }
+    throw std::logic_error("no order leads to the best one");
+  }
+
   Mechanics mechanics_;
-  Request plain_;
   std::vector<Request> requests_;
+  std::size_t order_ = 0;
 };
+
+/// The same mechanism in other sizes: numbers some per cent off.
+gaussgen::model::Model varied(const gaussgen::model::Model& model, unsigned seed) {
+  gaussgen::model::Model other = model;
+  std::mt19937 source(seed);
+  std::uniform_int_distribution<int> per_cent(-9, 9);
+  for (auto& parameter : other.parameters) {
+    const bool is_number = !parameter.is_formula && parameter.value.kind == gaussgen::model::AstKind::number;
+    if (!is_number) continue;
+    const gaussgen::ir::Rational factor = gaussgen::ir::Rational(100 + per_cent(source)) / 100;
+    parameter.value = gaussgen::model::number(parameter.value.number * factor, parameter.value.span);
+  }
+  return other;
+}
+
+/// What passes are allowed to add to an error.
+constexpr double k_bar = 1.10;
+
+/// Errors after all passes over those of the plain code; after each of them is what is printed.
+Errors ratio_of(const std::string& file, const Samples& samples) {
+  const Errors plain = summary(samples[0]);
+  std::printf("%-32s %6zu", file.c_str(), samples[0].size());
+  Errors ratio;
+  for (const std::vector<double>& list : samples) {
+    const Errors e = summary(list);
+    ratio = {e.median / plain.median, e.high / plain.high};
+    std::printf(" | %5.3f %5.3f", ratio.median, ratio.high);
+  }
+  std::printf(" | %8.2g %8.2g\n", plain.median, plain.high);
+  return ratio;
+}
+
+bool is_within_bars(const Errors& ratio) { return ratio.median <= k_bar && ratio.high <= k_bar; }
 
 }  // namespace
 
-// Reached so far with all passes: in the median 1.3 times for double_pendulum_planar, 1.2 for rotor_on_platform, where units turn round
-// numbers into others; in the 99th percentile, 1.6 times for the disc and 1.4 times for the
-// parallel bars, which have states near singular ones among the random ones.
-constexpr double k_bar_of_median = 1.35;
-constexpr double k_bar_of_high = 1.7;
-
-TEST_CASE("passes leave the errors of accelerations as they are, but for a little") {
+// One set of numbers is rounded as luck will have it, and ten of a thousand states are above the 99th percentile: where that
+// is not within the bars, the same is asked of sixteen sizes of the mechanism, at a thousand states each.
+TEST_CASE("passes raise errors of accelerations by a tenth at most, in the median and at the 99th percentile") {
   for (const std::string& file : agreement::model_files()) {
     INFO(file);
-    const std::vector<Errors> errors = Trial(file).run();
-    std::printf("%-32s", file.c_str());
-    for (const Errors& e : errors) std::printf(" %8.2g %8.2g |", e.median / errors[0].median, e.high / errors[0].high);
-    std::printf(" %8.2g %8.2g\n", errors[0].median, errors[0].high);
-    CHECK(errors.back().median <= k_bar_of_median * errors[0].median);
-    CHECK(errors.back().high <= k_bar_of_high * errors[0].high);
+    const gaussgen::model::Model model = agreement::load(file);
+    Samples samples;
+    Trial trial(model);
+    trial.add_to(samples, 7);
+    if (is_within_bars(ratio_of(file, samples))) continue;
+    for (unsigned seed = 1; seed < 16; ++seed) Trial(varied(model, seed), trial.order()).add_to(samples, 7 + seed);
+    const Errors ratio = ratio_of(file, samples);
+    CHECK(ratio.median <= k_bar);
+    CHECK(ratio.high <= k_bar);
   }
 }

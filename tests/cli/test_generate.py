@@ -1,5 +1,7 @@
 """gauss-gen model.yaml: every option, and what it writes."""
 
+import json
+import re
 import unittest
 
 from gauss_gen import MODELS, PARTICLE, SKATER, SKEW, SPHERE, Program
@@ -96,10 +98,47 @@ class WritingNothing(Program):
     def test_timings_go_to_standard_error(self):
         result = self.run_it(SPHERE, "--timings", "-o", "-")
         self.assertEqual(result.stdout, self.ok(SPHERE, "-o", "-"))
-        lines = result.stderr.splitlines()
-        self.assertEqual([line.split()[0] for line in lines], [*list(STAGES)[:4], "check", *list(STAGES)[4:], "total"])
-        for line in lines:
-            self.assertRegex(line, r"^\w+ +\d+\.\d{3} ms")
+        head, *lines = result.stderr.splitlines()
+        self.assertEqual(head.split(), ["stage", "ms", "nodes", "in", "nodes", "out"])
+        stages = lines[:lines.index(next(line for line in lines if line.startswith("total"))) + 1]
+        self.assertEqual([line.split()[0] for line in stages],
+                         ["model", "kinematics", "strategy", "start", "check", "artefacts", "passes", "header", "total"])
+        for line in stages[:-1]:
+            self.assertRegex(line, r"^\w+ +\d+\.\d{3} +\d+ +\d+")
+        self.assertRegex(stages[-1], r"^total +\d+\.\d{3} +\d+\.\d MB at most")
+
+    def test_a_stage_finds_the_nodes_that_the_one_before_it_made(self):
+        rows = [row for row in self.facts(SPHERE) if row.get("stage", "total") != "total"]
+        self.assertEqual(rows[0]["nodes_in"], 0)
+        for before, after in zip(rows, rows[1:]):
+            self.assertEqual(after["nodes_in"], before["nodes_out"], after["stage"])
+            self.assertGreaterEqual(after["nodes_out"], after["nodes_in"])
+        self.assertGreater(rows[-1]["nodes_out"], 100)
+
+    def test_what_passes_saved_is_what_the_header_counts_less(self):
+        steps = [row for row in self.facts(SPHERE, "--outputs", "rhs") if "pass" in row]
+        for before, after in zip(steps, steps[1:]):
+            self.assertEqual(after["operations_before"], before["operations_after"], after["pass"])
+            self.assertLessEqual(after["operations_after"], after["operations_before"])
+        self.assertLess(steps[-1]["operations_after"], steps[0]["operations_before"])
+        plain, optimised = (self.count_of_rhs("--outputs", "rhs", *more) for more in (["--no-optimise"], []))
+        # The text divides once where the graph has a product of reciprocals, and the other way round.
+        self.assertAlmostEqual(steps[0]["operations_before"], plain, delta=3)
+        self.assertAlmostEqual(steps[-1]["operations_after"], optimised, delta=3)
+
+    def test_without_passes_there_is_nothing_to_say_of_them(self):
+        self.assertFalse([row for row in self.facts(SPHERE, "--no-optimise") if "pass" in row])
+        result = self.run_it(SPHERE, "--timings", "--no-optimise", "-o", "-")
+        self.assertNotIn("saved", result.stderr)
+        self.assertIn("--no-optimise", result.stdout)
+
+    def facts(self, *arguments):
+        result = self.run_it(*arguments, "--timings", "--diagnostics", "json", "-o", "-")
+        return [json.loads(line) for line in result.stderr.splitlines()]
+
+    def count_of_rhs(self, *arguments):
+        row = next(line for line in self.ok(SPHERE, *arguments, "-o", "-").splitlines() if re.match(r"^// +rhs +\d", line))
+        return sum(int(number) for number in row.split()[2:])
 
 
 class Depfile(Program):
