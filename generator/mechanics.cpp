@@ -31,7 +31,11 @@ strategy::DependentRows rows_found_at_generic_point(ModelGraph& motion) {
 std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const MechanicsOptions& options) {
   ir::Substitution hold = kinematics::held_laws(mechanics.model, mechanics.expressions, mechanics.symbols);
   const auto linkage = kinematics::build_linkage(mechanics.model, mechanics.symbols, mechanics.expressions, hold);
-  if (!linkage) return std::nullopt;
+  if (!linkage) {
+    mechanics.no_tree =
+        "something turns about an axis in general position, or has angular velocities along the axes before its turn";
+    return std::nullopt;
+  }
   const kinematics::Kinematics& kinematics = mechanics.kinematics;
   VanishesEverywhere vanishes_everywhere(mechanics);
   const strategy::Dynamics& dynamics = mechanics.dynamics;
@@ -94,12 +98,17 @@ bool wants_tree(const Mechanics& mechanics, Strategy strategy) {
 
 strategy::Solution solved(Mechanics& mechanics, const MechanicsOptions& options, strategy::Steps& steps) {
   const bool tries_tree = wants_tree(mechanics, options.strategy);
-  const bool is_small = mechanics.dynamics.n() <= k_most_coordinates_of_metric;
+  const std::size_t n = mechanics.dynamics.n();
+  const bool is_small = n <= k_most_coordinates_of_metric;
   // First, so that its entries have the names by which people know them.
   std::optional<strategy::Candidate> metric, tree;
   if (!tries_tree || (is_small && options.strategy == Strategy::automatic))
     metric = solved_over_metric(mechanics, options);
   if (tries_tree) tree = solved_as_tree(mechanics, options);
+  if (!tree && mechanics.no_tree.empty()) {
+    mechanics.no_tree = n == 0 ? "nothing in it moves freely"
+                               : "an acceleration has no inertia of its own, or constraints follow from each other";
+  }
   if (tree) tree->solution.description = k_about_tree;
   if (!tree && !metric) metric = solved_over_metric(mechanics, options);
   if (!tree) {

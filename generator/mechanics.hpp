@@ -61,6 +61,7 @@ struct Mechanics : KinematicModel {
   strategy::Steps metric_steps;  ///< of g and f, where they are asked for: before all others
   strategy::Steps steps;         ///< of everything up to the held reactions
   strategy::Dynamics dynamics;
+  std::string no_tree;  ///< why Z is not minimised body by body, where that was tried in vain
   strategy::Solution solution;
   strategy::Vector held_reactions;
   MechanicsOptions options;

@@ -16,6 +16,7 @@
 #include "sensitivities.hpp"
 #include "strategy/projection.hpp"
 #include "structure_check.hpp"
+#include "support/error_codes.hpp"
 #include "unit.hpp"
 #include "value_check.hpp"
 
@@ -84,6 +85,13 @@ std::vector<std::string> stages_with_dump() {
 
 namespace {
 
+void check_strategy(const Mechanics& mechanics, support::Diagnostics& diagnostics) {
+  if (mechanics.options.strategy != Strategy::tree || !mechanics.solution.is_of_metric) return;
+  diagnostics.error(support::code::k_no_tree, mechanics.model.name.span,
+                    fmt::format("Z cannot be minimised body by body: {}", mechanics.no_tree),
+                    "leave --strategy=tree out");
+}
+
 std::optional<PipelineResult> compile(support::Source& source, const PipelineOptions& options,
                                       support::Diagnostics& diagnostics, Stages& stages) {
   std::optional<model::Model> model = read_model(source, diagnostics, options.counts);
@@ -102,6 +110,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   Mechanics mechanics(*model, mechanics_options);
   stages.took("kinematics", mechanics.kinematics_built);
   stages.took("strategy", mechanics.graph);
+  check_strategy(mechanics, diagnostics);
   check_structure(mechanics, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   const StatedStart stated = stated_start(*model, mechanics.expressions);

@@ -30,7 +30,7 @@ struct LinkRow {
   std::vector<LinkTerm> links;
   std::vector<SpeedTerm> speeds;
   ir::Expr rest;
-  ir::Expr fall;  ///< what free fall adds to the terms of links
+  ir::Expr fall;  ///< what free fall, which Z has in it, adds to the terms of links
 };
 
 /// factor * multiplier of a row

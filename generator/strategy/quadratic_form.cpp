@@ -54,7 +54,7 @@ Eliminated QuadraticForm::minimise(Component i, Steps& steps) {
 }
 
 Imposed QuadraticForm::impose(Component i, Component dual, Steps& steps) {
-  name({dual, i}, steps);
+  name({i}, steps);
   const Expr pivot = entry(i, dual);
   const Expr inverse = pow(pivot, -1);
   Imposed result{{i, pivot, -(p_[dual] * inverse), {}}, dual, {}, p_[i]};

@@ -85,7 +85,7 @@ class Tree : private TreeZ {
   void find_accelerations() {
     if (schur_) {
       Vector defect;
-      for (const std::size_t r : left_) defect.push_back(-Z_.linear(dual(r)));
+      for (const std::size_t r : left_) defect.push_back(rows_.rows[r].fall - Z_.linear(dual(r)));
       steps_.begin("multipliers, in the axes and units of these rows");
       solve_rows(defect, "force");
     }

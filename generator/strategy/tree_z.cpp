@@ -117,13 +117,12 @@ std::vector<char> TreeZ::acted_on() const {
   return result;
 }
 
-// Rows over links are about accelerations in space, without the free fall that Z has in it. A row waits at the last link that
-// carries all it acts on: from there on it is complete.
+// A row waits at the last link that carries all it acts on: from there on it is complete.
 void TreeZ::place_rows() {
   waiting_.resize(links_.size());
   for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
     const LinkRow& row = rows_.rows[r];
-    Z_.add(dual(r), row.rest - row.fall);
+    Z_.add(dual(r), row.rest);
     if (row.links.empty()) continue;
     std::size_t top = row.links[0].link;
     for (const LinkTerm& term : row.links) top = common_carrier(links_, top, term.link);
@@ -169,6 +168,9 @@ void TreeZ::impose_rows(std::size_t i, std::vector<Component>& free) {
     }
     const Component c = free[*best];
     free.erase(free.begin() + static_cast<std::ptrdiff_t>(*best));
+    Z_.name({dual(r)}, steps_);
+    Z_.add(dual(r),
+           -rows_.rows[r].fall);  // apart, so that it cancels where free fall is taken out of what the row says
     imposed_.push_back(Z_.impose(c, dual(r), steps_));
     is_imposed_.insert(c);
     eliminated_[i].push_back(imposed_.back().component);

@@ -79,6 +79,7 @@ inline constexpr ErrorCode k_wrong_dimension{"E064", "an expression whose place 
 
 // What this program cannot do with a correct model.
 inline constexpr ErrorCode k_no_paper_route{"E060", "the paper's route does not take the model"};
+inline constexpr ErrorCode k_no_tree{"E069", "a model whose Z cannot be minimised body by body"};
 
 // Quasi-velocities.
 inline constexpr ErrorCode k_speeds{"E068", "speeds from which the rates do not follow"};
@@ -197,7 +198,7 @@ inline constexpr ErrorCode k_stage_codes[] = {
     code::k_no_paper_route,       code::k_impossible_start, code::k_violating_start, code::k_undefined_start,
     code::k_singular_start,       code::k_dependent_start,  code::k_far_start,       code::k_chosen_start,
     code::k_redundant_constraint, code::k_unsafe_choice,    code::k_idle_point,      code::k_contradiction,
-    code::k_contradictory_start,  code::k_empty_output,
+    code::k_contradictory_start,  code::k_empty_output,   code::k_no_tree,
 };
 
 }  // namespace gaussgen::support

@@ -26,7 +26,7 @@ constexpr int k_digits = 50;
 constexpr int k_states = 1000;
 /// Forces on bodies and accelerations are from two functions, and the difference of their solutions counts; 194 eps S for
 /// chaplygin_sphere.
-constexpr double k_own_solution = 4;
+constexpr double k_own_solution = 100.0 / 64;
 constexpr double k_largest_condition = 1e8;
 constexpr double k_eps = 2.220446049250313e-16;
 constexpr double k_nothing = 1e-20;
