@@ -4,6 +4,7 @@
 
 #include "generic_point.hpp"
 #include "kinematics/hold.hpp"
+#include "strategy/inner.hpp"
 #include "strategy/tree_choice.hpp"
 
 namespace gaussgen {
@@ -28,6 +29,9 @@ strategy::DependentRows rows_found_at_generic_point(ModelGraph& motion) {
   };
 }
 
+/// Of the metric, entry by entry: where there are few coordinates, as much vanishes in it that it may be the cheapest.
+constexpr std::size_t k_most_coordinates_of_metric = 6;
+
 std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const MechanicsOptions& options) {
   ir::Substitution hold = kinematics::held_laws(mechanics.model, mechanics.expressions, mechanics.symbols);
   const auto linkage = kinematics::build_linkage(mechanics.model, mechanics.symbols, mechanics.expressions, hold);
@@ -48,8 +52,14 @@ std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const Me
                                  dynamics.b_drift,
                                  [&](ir::Expr e) { return mechanics.expressions.rate(e); },
                                  [&](ir::Expr e) { return e.is_zero() || vanishes_everywhere(e); },
+                                 {},
                                  {}},
                                 ""};
+  if (dynamics.n() <= k_most_coordinates_of_metric) {
+    problem.constraints.excess = [&](std::size_t u, const strategy::Vector& a) {
+      return strategy::inner(mechanics.graph, dynamics.g[u], a) - dynamics.f[u];
+    };
+  }
   GenericPoint point(mechanics);
   if (options.fold) {
     problem.constraints.value_of = [&](ir::Expr e) { return cln::double_approx(point({{e}})(0, 0)); };
@@ -60,9 +70,6 @@ std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const Me
   }
   return strategy::cheapest_tree(problem, mechanics.epsilon());
 }
-
-/// Of the metric, entry by entry: where there are few coordinates, as much vanishes in it that it may be the cheapest.
-constexpr std::size_t k_most_coordinates_of_metric = 6;
 
 strategy::Solution taken(strategy::Candidate candidate, const std::string& instead, strategy::Steps& steps) {
   steps.append(candidate.steps);

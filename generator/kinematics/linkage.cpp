@@ -67,6 +67,25 @@ class Builder {
     return {kind, at_, name_, zero_, 0, {}, {}, {zero_, zero_, zero_}, zero_, zero_, {}};
   }
 
+  struct Axis {
+    std::size_t index;
+    int sense;
+  };
+
+  /// x, y or z, also where it is given as a vector along one of them; nothing in general position.
+  std::optional<Axis> axis_of(const model::Turn& turn) const {
+    if (const char* letter = std::get_if<char>(&turn.axis)) return Axis{static_cast<std::size_t>(*letter - 'x'), 1};
+    const Vector3 v = expressions_(std::get<std::array<model::Ast, 3>>(turn.axis));
+    std::optional<Axis> axis;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (v[k].is_zero()) continue;
+      const ir::Node& node = graph()[v[k].id()];
+      if (axis || node.kind != ir::Kind::constant) return std::nullopt;
+      axis = Axis{k, node.value < 0 ? -1 : 1};
+    }
+    return axis;
+  }
+
   // What carries nothing with mass is no link of its own.
   std::optional<Place> place(std::size_t index) {
     const Matrix3 identity = ir::identity3(graph());
@@ -81,9 +100,10 @@ class Builder {
     const auto* turns = std::get_if<model::Turns>(&frame.attitude);
     if (turns == nullptr) return std::nullopt;
     for (const model::Turn& turn : *turns) {
-      if (!std::holds_alternative<char>(turn.axis)) return std::nullopt;
-      const auto axis = static_cast<std::size_t>(std::get<char>(turn.axis) - 'x');
-      for (Vector3& row : result->axes) row = ir::turned(row, axis, -hold_(expressions_(turn.angle)));
+      const std::optional<Axis> axis = axis_of(turn);
+      if (!axis) return std::nullopt;
+      const Expr angle = support::Rational(axis->sense) * hold_(expressions_(turn.angle));
+      for (Vector3& row : result->axes) row = ir::turned(row, axis->index, -angle);
     }
     result->is_fixed = result->is_fixed && is_fixed(*result);
     return result;
@@ -113,14 +133,15 @@ class Builder {
   }
 
   void add_turn(const model::Turn& turn) {
-    const Expr angle = hold_(expressions_(turn.angle));
-    if (angle.is_zero()) return;
-    if (!std::holds_alternative<char>(turn.axis)) {
+    const std::optional<Axis> axis = axis_of(turn);
+    if (!axis) {
       is_complete_ = false;
       return;
     }
+    const Expr angle = support::Rational(axis->sense) * hold_(expressions_(turn.angle));
+    if (angle.is_zero()) return;
     Link link = this->link(Link::Kind::turn);
-    link.axis = static_cast<std::size_t>(std::get<char>(turn.axis) - 'x');
+    link.axis = axis->index;
     link.angle = angle;
     link.rate = hold_(expressions_.rate(angle));
     link.velocity[link.axis] = *link.rate;

@@ -53,7 +53,9 @@ struct ConstraintProblem {
   Vector b_drift;
   std::function<ir::Expr(ir::Expr)> rate_of;  ///< d/dt of what depends on coordinates
   std::function<bool(ir::Expr)> vanishes;     ///< in every state, whatever form the expression has
-  std::function<double(ir::Expr)> value_of;   ///< at some point; none where parameters may take any value
+  /// A - Q along a speed, of accelerations, by the metric over all speeds; none where that would be long.
+  std::function<ir::Expr(std::size_t speed, const Vector& a)> excess;
+  std::function<double(ir::Expr)> value_of;  ///< at some point; none where parameters may take any value
 };
 
 /// Which rows are those of places on links, and what they say.

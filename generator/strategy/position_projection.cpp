@@ -109,11 +109,40 @@ Expr PositionProjection::along_coordinate(std::size_t mu, std::size_t i, const V
   return pow(at({gradient}, configuration, zeros(dynamics_.n()))[0], 2) * (size + one);
 }
 
-// f against what it is made of to first order, with half of the digits: Newton's method leaves rounding, or much more. Angles count
-// as 1 besides their size, since they may have gone anywhere; squares, since a condition has no sign.
+// Angles count as 1 besides their size, since they may have gone anywhere.
+Expr PositionProjection::size_of(FreeIndex i, const Vector& start, const Vector& configuration) const {
+  const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
+  Expr size(epsilon_.graph(), epsilon_.graph().constant(symbols.speeds[i].is_of_length() ? 0 : 1));
+  if (i.value < symbols.plain_count() && !symbols.speeds[i].replaces_rate) {
+    size += pow(start[i.value], 2) + pow(configuration[i.value], 2);
+  }
+  return size;
+}
+
+// What rounding of all coordinates, weighed by mass, may leave of f, b its row: a height of 0 beside them is as good as 1e-50.
+Expr PositionProjection::left_by_all(const Vector& b, const Vector& inertia, Expr size_of_all) const {
+  const Expr zero = zeros(1)[0];
+  Expr squares = zero, weighted = zero;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    squares += pow(b[i], 2);
+    weighted += pow(b[i], 2) * inertia[i];
+  }
+  const Expr left = support::Rational(10'000) * pow(epsilon_, 2) * size_of_all * pow(squares, 2) / weighted;
+  return weighted.is_zero() ? zero : select(less(zero, weighted), left, zero);
+}
+
+// f against what it is made of to first order, with half of the digits: Newton's method leaves rounding, or much more. Squares, since
+// a condition has no sign.
 Expr PositionProjection::violated(const Vector& start, const Vector& configuration) const {
   const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
   const Vector rest = zeros(dynamics_.n());
+  Vector inertia;
+  for (std::size_t i = 0; i < dynamics_.n(); ++i) inertia.push_back(dynamics_.g[i][i]);
+  inertia = at(inertia, configuration, rest);
+  Expr size_of_all = zeros(1)[0];
+  for (const FreeIndex i : symbols.speeds.indices()) {
+    size_of_all += inertia[i.value] * size_of(i, start, configuration);
+  }
   std::vector<Expr> conditions;
   for (const std::size_t mu : rows_) {
     const Expr f =
@@ -121,17 +150,12 @@ Expr PositionProjection::violated(const Vector& start, const Vector& configurati
     const Vector b = at(dynamics_.b[mu], configuration, rest);
     Expr scale = zeros(1)[0];
     for (const FreeIndex i : symbols.speeds.indices()) {
-      if (b[i.value].is_zero()) continue;
-      Expr size(epsilon_.graph(), epsilon_.graph().constant(symbols.speeds[i].is_of_length() ? 0 : 1));
-      if (i.value < symbols.plain_count() && !symbols.speeds[i].replaces_rate) {
-        size += pow(start[i.value], 2) + pow(configuration[i.value], 2);
-      }
-      scale += pow(b[i.value], 2) * size;
+      if (!b[i.value].is_zero()) scale += pow(b[i.value], 2) * size_of(i, start, configuration);
     }
     for (const FreeIndex i : symbols.speeds.indices()) {
       if (symbols.speeds[i].replaces_rate) scale += along_coordinate(mu, i.value, start, configuration);
     }
-    conditions.push_back(less(epsilon_ * scale, pow(f, 2)));
+    conditions.push_back(less(epsilon_ * scale + left_by_all(b, inertia, size_of_all), pow(f, 2)));
   }
   return any(epsilon_.graph(), conditions);
 }

@@ -27,6 +27,9 @@ class PositionProjection {
   ir::Expr violated(const Vector& start, const Vector& configuration) const;
 
  private:
+  /// Square of how large the coordinate of a speed may be taken to be.
+  ir::Expr size_of(kinematics::FreeIndex i, const Vector& start, const Vector& configuration) const;
+  ir::Expr left_by_all(const Vector& b, const Vector& inertia, ir::Expr size_of_all) const;
   ir::Expr along_coordinate(std::size_t mu, std::size_t i, const Vector& start, const Vector& configuration) const;
   Dynamics problem_at(const Vector& configuration, const std::string& prefix) const;
   void displace(const Vector& change, Vector& configuration) const;

@@ -186,7 +186,19 @@ class Tree : private TreeZ {
     }
   }
 
-  Vector multipliers() {
+  /// A speed that no other constraint knows, behind a number.
+  std::optional<std::size_t> own_speed(std::size_t mu) const {
+    const Matrix& b = problem_.constraints.b;
+    for (std::size_t u = 0; u < b[mu].size(); ++u) {
+      if (safety(b[mu][u]) != Safety::number) continue;
+      const auto users = std::count_if(b.begin(), b.end(), [&](const Vector& row) { return !row[u].is_zero(); });
+      if (users == 1) return u;
+    }
+    return std::nullopt;
+  }
+
+  // The released direction bears the weight, of which nothing must be left in the others: there A - Q = λ b (3.4) is free of it.
+  Vector multipliers(const Vector& accelerations) {
     steps_.begin("multipliers (3.4)");
     Vector result;
     for (std::size_t mu = 0; mu < rows_.multipliers.size(); ++mu) {
@@ -194,6 +206,9 @@ class Tree : private TreeZ {
       for (const Share& share : rows_.multipliers[mu]) {
         const Rational unit = rows_.rows[share.row].links.empty() ? per_power_ : per_force_;
         sum -= (1 / unit) * (share.factor * w_[dual(share.row)]);
+      }
+      if (const auto u = own_speed(mu); u && !rows_.released.empty() && problem_.constraints.excess) {
+        sum = problem_.constraints.excess(*u, accelerations) / problem_.constraints.b[mu][*u];
       }
       const kinematics::ConstraintIndex index{mu};
       const std::string& name = problem_.constraints.kinematics.constraints[index].name;
@@ -344,7 +359,7 @@ class Tree : private TreeZ {
     for (const Imposed& imposed : imposed_) rows.require(pow(imposed.component.pivot, 2), zero_);
     const Expr dependent = any(graph_, {dependent_, rows.violated("least_coefficient")});
     const Expr singular = any(graph_, {margins.violated("least_pivot"), lost_});
-    return {accelerations, multipliers(), singular, dependent, "", {}, {}, {}, false};
+    return {accelerations, multipliers(accelerations), singular, dependent, "", {}, {}, {}, false};
   }
 
   Vector w_;                       ///< by component

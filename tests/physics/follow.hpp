@@ -17,7 +17,11 @@ void follow(const reference::Json& samples, const typename Model::template Prepa
   for (const reference::Json& sample : samples) {
     const double t = reference::number(sample["t"]);
     INFO("t = " << t);
-    REQUIRE(simulation.advance_to(t));
+    const bool arrives = simulation.advance_to(t);
+    const auto& report = simulation.report();
+    INFO(gauss::simulate::name(report.outcome) << ", " << name(report.status) << ", " << report.steps << " steps and "
+                                               << report.rejected << " rejected");
+    REQUIRE(arrives);
     check(sample, t, simulation.state());
   }
 }

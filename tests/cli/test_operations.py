@@ -1,0 +1,67 @@
+"""How many operations emitted code takes, and that this grows with the model and no faster. Counts are the same on every machine."""
+
+import re
+import resource
+import unittest
+
+from gauss_gen import MODELS, Program
+
+FAMILIES = MODELS / "families"
+CHAIN = FAMILIES / "planar_chain_relative.yaml"
+SPATIAL = FAMILIES / "spatial_chain.yaml"
+
+# Of rhs, parameters folded in: what the project set out to stay below.
+MOST = [
+    (85, MODELS / "sphere_in_cylinder.yaml"), (50, MODELS / "rolling_disc.yaml"), (1000, MODELS / "bicycle.yaml"),
+    (220, CHAIN, "--count", "n=5"), (520, CHAIN, "--count", "n=10"), (1090, CHAIN, "--count", "n=20"), (2780, CHAIN, "--count", "n=50"),
+    (280, SPATIAL, "--count", "n=2"), (960, SPATIAL, "--count", "n=4"), (1620, SPATIAL, "--count", "n=6"),
+]
+# Families whose constraints are on the tree, and the counts between which they are compared.
+GROWING = [(CHAIN, 50, 200), (SPATIAL, 10, 40), (FAMILIES / "n_four_bar.yaml", 5, 20), (FAMILIES / "road_train.yaml", 2, 8)]
+
+
+def small_stack():
+    resource.setrlimit(resource.RLIMIT_STACK, (256 * 1024, 256 * 1024))
+
+
+class Operations(Program):
+    def header(self, *arguments, **more):
+        return self.ok("--fold", "--outputs", "rhs", *arguments, "-o", "-", **more)
+
+    def operations(self, *arguments):
+        row = re.search(r"^//   rhs +(.*)$", self.header(*arguments), re.M)
+        return sum(int(number) for number in row[1].split())
+
+    def test_no_more_than_intended(self):
+        for most, *arguments in MOST:
+            with self.subTest(arguments):
+                found = self.operations(*arguments)
+                self.assertLessEqual(found, most)
+                self.assertGreater(found, most / 3)
+
+    def test_they_grow_with_the_number_of_links(self):
+        for model, few, many in GROWING:
+            with self.subTest(model.name):
+                count = [self.operations(model, "--count", f"n={n}") for n in (few, many)]
+                self.assertLess(count[1], 4.5 * count[0])
+
+    def test_long_chains_need_no_long_stack(self):
+        for model, n in ((CHAIN, 300), (SPATIAL, 60), (FAMILIES / "n_four_bar.yaml", 20)):
+            self.header(model, "--count", f"n={n}", preexec_fn=small_stack)
+
+    def test_each_strategy_is_said(self):
+        said = {"tree": "Z minimised body by body along the tree", "metric": "elimination", "multipliers": "multiplier form (3.4)"}
+        for strategy, words in said.items():
+            text = self.header(MODELS / "chaplygin_sphere.yaml" if strategy == "tree" else MODELS / "sphere_in_cylinder.yaml", "--strategy", strategy)
+            self.assertIn(f"--strategy={strategy}", text)
+            self.assertIn(words, text)
+
+    def test_a_strategy_that_a_model_does_not_have_is_an_error(self):
+        model = MODELS / "sphere_in_cylinder_quaternion.yaml"
+        said = self.refused(1, model, "--strategy", "tree", "-o", "-")
+        self.assertIn("error[E069]", said)
+        self.assertIn("angular velocities along the axes before", said)
+
+
+if __name__ == "__main__":
+    unittest.main()
