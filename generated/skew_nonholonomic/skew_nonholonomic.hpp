@@ -4,7 +4,7 @@
 // Command: gauss-gen skew_nonholonomic.yaml
 //
 // elimination (3.6)-(3.7) with dependent speeds q2; safe because det b over them depends on parameters
-// alone
+// alone: 66 operations before they are optimised, and 122 body by body along the tree
 //
 // Coordinates
 //   q1
@@ -298,13 +298,13 @@ struct Prepared {
   S G_q2_q2;         ///< 401 / 400 * m1 + 1.25 * m2
   S Q_q2;            ///< -(1 / 20 * m1 * g + 0.5 * m2 * g)
   S G_q1_q2;         ///< 2 / 15 * m1 + 3 / 5 * m2
-  S m2_g;            ///< m2 * g
+  S Q_q1;            ///< m2 * g
   S G_q1_q1;         ///< 229 / 225 * m1 + 21 / 20 * m2
   S m1_over_10;      ///< 1 / 10 * m1
   S G_q3_q3;         ///< m1 + m2
   S G_q1_q3;         ///< 1 / 5 * m2
   S G_q2_q3;         ///< 1 / 20 * m1
-  S m1_g;            ///< m1 * g
+  S F_first_z;       ///< m1 * g
   S m1_over_90;      ///< 1 / 90 * m1
   S c1;              ///< 11 / 10 * m2
   S m1_over_3;       ///< 1 / 3 * m1
@@ -329,8 +329,8 @@ struct Prepared {
   S g_factor_q3_q2;
   S g_factor_q3_q1;  ///< 1 / 5 * m2 / (229 / 225 * m1 + 21 / 20 * m2)
   S inv_G_q1_q1;     ///< 1 / (229 / 225 * m1 + 21 / 20 * m2)
-  S c4;
   S inv_g_pivot_q2;
+  S c4;
   S c5;
   S inv_g_pivot_q3;
   S least_g_pivot;
@@ -435,9 +435,9 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
 
   // Shared terms
   const S G_q2_q2 = S(401) / S(400) * m1 + S(1.25) * m2;
-  const S m1_g = m1 * g;
-  const S m2_g = m2 * g;
-  const S Q_q2 = -(S(1) / S(20) * m1_g + S(0.5) * m2_g);
+  const S F_first_z = m1 * g;
+  const S Q_q1 = m2 * g;
+  const S Q_q2 = -(S(1) / S(20) * F_first_z + S(0.5) * Q_q1);
   const S G_q1_q2 = S(2) / S(15) * m1 + S(3) / S(5) * m2;
   const S G_q1_q1 = S(229) / S(225) * m1 + S(21) / S(20) * m2;
   const S G_q3_q3 = m1 + m2;
@@ -463,13 +463,13 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.G_q2_q2 = G_q2_q2;
   prepared.Q_q2 = Q_q2;
   prepared.G_q1_q2 = G_q1_q2;
-  prepared.m2_g = m2_g;
+  prepared.Q_q1 = Q_q1;
   prepared.G_q1_q1 = G_q1_q1;
   prepared.m1_over_10 = S(1) / S(10) * m1;
   prepared.G_q3_q3 = G_q3_q3;
   prepared.G_q1_q3 = G_q1_q3;
   prepared.G_q2_q3 = G_q2_q3;
-  prepared.m1_g = m1_g;
+  prepared.F_first_z = F_first_z;
   prepared.m1_over_90 = S(1) / S(90) * m1;
   prepared.c1 = S(11) / S(10) * m2;
   prepared.m1_over_3 = S(1) / S(3) * m1;
@@ -480,13 +480,13 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_m2 = S(0.5) * m2;
   prepared.m1_over_4 = S(0.25) * m1;
   prepared.m2_over_3 = S(1) / S(3) * m2;
-  prepared.m1_g_over_4 = S(0.25) * m1_g;
+  prepared.m1_g_over_4 = S(0.25) * F_first_z;
   prepared.m1_over_15 = S(1) / S(15) * m1;
   prepared.m2_over_10 = S(1) / S(10) * m2;
   prepared.m1_over_7200 = S(1) / S(7200) * m1;
   prepared.m2_over_40 = S(1) / S(40) * m2;
-  prepared.m1_g_over_20 = S(1) / S(20) * m1_g;
-  prepared.m2_g_over_10 = S(1) / S(10) * m2_g;
+  prepared.m1_g_over_20 = S(1) / S(20) * F_first_z;
+  prepared.m2_g_over_10 = S(1) / S(10) * Q_q1;
   prepared.m1_2 = m1 * m1;
   prepared.half_inv_m1 = S(0.5) / m1;
   prepared.half_inv_m2 = S(0.5) / m2;
@@ -494,8 +494,8 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.g_factor_q3_q2 = g_factor_q3_q2;
   prepared.g_factor_q3_q1 = g_factor_q3_q1;
   prepared.inv_G_q1_q1 = inv_G_q1_q1;
-  prepared.c4 = g_factor_q3_q2 * inv_g_pivot_q3;
   prepared.inv_g_pivot_q2 = inv_g_pivot_q2;
+  prepared.c4 = g_factor_q3_q2 * inv_g_pivot_q3;
   prepared.c5 = S(1) / S(5) * m2 * inv_G_q1_q1 * inv_g_pivot_q3;
   prepared.inv_g_pivot_q3 = inv_g_pivot_q3;
   prepared.least_g_pivot = least_g_pivot;
@@ -511,13 +511,13 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S& G_q2_q2 = prepared.G_q2_q2;
   const S& Q_q2 = prepared.Q_q2;
   const S& G_q1_q2 = prepared.G_q1_q2;
-  const S& m2_g = prepared.m2_g;
+  const S& Q_q1 = prepared.Q_q1;
   const S& G_q1_q1 = prepared.G_q1_q1;
   const S& m1_over_10 = prepared.m1_over_10;
   const S& G_q3_q3 = prepared.G_q3_q3;
   const S& G_q1_q3 = prepared.G_q1_q3;
   const S& G_q2_q3 = prepared.G_q2_q3;
-  const S& m1_g = prepared.m1_g;
+  const S& F_first_z = prepared.F_first_z;
   const S& q1 = state.q1();
   const S& q2 = state.q2();
   const S& q3 = state.q3();
@@ -538,8 +538,8 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   // right-hand side of (3.7): C^T (f - g drift)
   const S t1 = Q_q2 - G_q2_q2 * drift_blade;
-  const S F_q1 = q2 * t1 - m2_g - G_q1_q2 * drift_blade;
-  const S F_q3 = beta_blade_q3 * t1 - m1_g - G_q2_q3 * drift_blade;
+  const S F_q1 = q2 * t1 - Q_q1 - G_q1_q2 * drift_blade;
+  const S F_q3 = beta_blade_q3 * t1 - F_first_z - G_q2_q3 * drift_blade;
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
@@ -576,13 +576,13 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S& G_q2_q2 = prepared.G_q2_q2;
   const S& Q_q2 = prepared.Q_q2;
   const S& G_q1_q2 = prepared.G_q1_q2;
-  const S& m2_g = prepared.m2_g;
+  const S& Q_q1 = prepared.Q_q1;
   const S& G_q1_q1 = prepared.G_q1_q1;
   const S& m1_over_10 = prepared.m1_over_10;
   const S& G_q3_q3 = prepared.G_q3_q3;
   const S& G_q1_q3 = prepared.G_q1_q3;
   const S& G_q2_q3 = prepared.G_q2_q3;
-  const S& m1_g = prepared.m1_g;
+  const S& F_first_z = prepared.F_first_z;
   const S& m1_over_90 = prepared.m1_over_90;
   const S& c1 = prepared.c1;
   const S& m1_over_3 = prepared.m1_over_3;
@@ -614,8 +614,8 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   // right-hand side of (3.7): C^T (f - g drift)
   const S t1 = Q_q2 - G_q2_q2 * drift_blade;
-  const S F_q1 = q2 * t1 - m2_g - G_q1_q2 * drift_blade;
-  const S F_q3 = beta_blade_q3 * t1 - m1_g - G_q2_q3 * drift_blade;
+  const S F_q1 = q2 * t1 - Q_q1 - G_q1_q2 * drift_blade;
+  const S F_q3 = beta_blade_q3 * t1 - F_first_z - G_q2_q3 * drift_blade;
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
@@ -637,7 +637,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 14
   const S G_q1_x1 = c1 + m1_over_90 * (S(45) + S(4) * q1);
   const S G_q2_x1 = c2 + m1_over_3 * q1;
-  const S R_x1 = m2_g - S(1) / S(5) * excess_q2 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2;
+  const S R_x1 = Q_q1 - S(1) / S(5) * excess_q2 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2;
 
   // reaction of x2: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 15
   const S G_q3_x2 = m2_over_3 - m1_over_4 * q2;
@@ -674,13 +674,13 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S& G_q2_q2 = prepared.G_q2_q2;
   const S& Q_q2 = prepared.Q_q2;
   const S& G_q1_q2 = prepared.G_q1_q2;
-  const S& m2_g = prepared.m2_g;
+  const S& Q_q1 = prepared.Q_q1;
   const S& G_q1_q1 = prepared.G_q1_q1;
   const S& m1_over_10 = prepared.m1_over_10;
   const S& G_q3_q3 = prepared.G_q3_q3;
   const S& G_q1_q3 = prepared.G_q1_q3;
   const S& G_q2_q3 = prepared.G_q2_q3;
-  const S& m1_g = prepared.m1_g;
+  const S& F_first_z = prepared.F_first_z;
   const S& m1_over_90 = prepared.m1_over_90;
   const S& c1 = prepared.c1;
   const S& m1_over_3 = prepared.m1_over_3;
@@ -712,8 +712,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   // right-hand side of (3.7): C^T (f - g drift)
   const S t1 = Q_q2 - G_q2_q2 * drift_blade;
-  const S F_q1 = q2 * t1 - m2_g - G_q1_q2 * drift_blade;
-  const S F_q3 = beta_blade_q3 * t1 - m1_g - G_q2_q3 * drift_blade;
+  const S F_q1 = q2 * t1 - Q_q1 - G_q1_q2 * drift_blade;
+  const S F_q3 = beta_blade_q3 * t1 - F_first_z - G_q2_q3 * drift_blade;
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
@@ -735,7 +735,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 14
   const S G_q1_x1 = c1 + m1_over_90 * (S(45) + S(4) * q1);
   const S G_q2_x1 = c2 + m1_over_3 * q1;
-  const S R_x1 = m2_g - S(1) / S(5) * excess_q2 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2;
+  const S R_x1 = Q_q1 - S(1) / S(5) * excess_q2 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2;
 
   // reaction of x2: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 15
   const S G_q3_x2 = m2_over_3 - m1_over_4 * q2;
@@ -781,13 +781,13 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& G_q2_q2 = prepared.G_q2_q2;
   const S& Q_q2 = prepared.Q_q2;
   const S& G_q1_q2 = prepared.G_q1_q2;
-  const S& m2_g = prepared.m2_g;
+  const S& Q_q1 = prepared.Q_q1;
   const S& G_q1_q1 = prepared.G_q1_q1;
   const S& m1_over_10 = prepared.m1_over_10;
   const S& G_q3_q3 = prepared.G_q3_q3;
   const S& G_q1_q3 = prepared.G_q1_q3;
   const S& G_q2_q3 = prepared.G_q2_q3;
-  const S& m1_g = prepared.m1_g;
+  const S& F_first_z = prepared.F_first_z;
   const S& half_m2 = prepared.half_m2;
   const S& m1_over_15 = prepared.m1_over_15;
   const S& m2_over_10 = prepared.m2_over_10;
@@ -811,8 +811,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   // right-hand side of (3.7): C^T (f - g drift)
   const S t1 = Q_q2 - G_q2_q2 * drift_blade;
-  const S F_q1 = q2 * t1 - m2_g - G_q1_q2 * drift_blade;
-  const S F_q3 = beta_blade_q3 * t1 - m1_g - G_q2_q3 * drift_blade;
+  const S F_q1 = q2 * t1 - Q_q1 - G_q1_q2 * drift_blade;
+  const S F_q3 = beta_blade_q3 * t1 - F_first_z - G_q2_q3 * drift_blade;
 
   // C^T g C = L D L^T
   const S inv_M_q1_q1 = S(1) / M_q1_q1;
@@ -831,12 +831,12 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S force_on_first_x = m1 * a_q1;
   const S two_a_q1 = S(2) * a_q1;
   const S force_on_first_y = m1_over_15 * (two_a_q1 + S(15) * a_q2);
-  const S force_on_first_z = m1_g + G_q2_q3 * (S(20) * a_q3 + a_q2);
+  const S force_on_first_z = F_first_z + G_q2_q3 * (S(20) * a_q3 + a_q2);
 
   // all constraint forces on second: m a - F and d(I omega)/dt - M (theory.md, section 4)
   const S force_on_second_x = G_q1_q3 * (S(5) * a_q3 + a_q1);
   const S force_on_second_y = m2_over_10 * (a_q1 + S(10) * a_q2);
-  const S force_on_second_z = m2_g + half_m2 * (two_a_q1 + a_q2);
+  const S force_on_second_z = Q_q1 + half_m2 * (two_a_q1 + a_q2);
 
   reaction_forces.on_first.force[0] = force_on_first_x;
   reaction_forces.on_first.force[1] = force_on_first_y;
@@ -898,10 +898,10 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
                                       const Prepared<S>& prepared, const Derivative<S>& accelerations,
                                       Compulsion<S>& compulsion) noexcept {
   using Bool = typename Math<S>::Bool;
-  const S& m2_g = prepared.m2_g;
+  const S& Q_q1 = prepared.Q_q1;
   const S& G_q1_q3 = prepared.G_q1_q3;
   const S& G_q2_q3 = prepared.G_q2_q3;
-  const S& m1_g = prepared.m1_g;
+  const S& F_first_z = prepared.F_first_z;
   const S& half_m2 = prepared.half_m2;
   const S& m1_over_15 = prepared.m1_over_15;
   const S& m2_over_10 = prepared.m2_over_10;
@@ -921,12 +921,12 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   // deviation of first from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
   const S two_q1_ddot = S(2) * q1_ddot;
   const S deviation_first_y = m1_over_15 * (S(15) * q2_ddot + two_q1_ddot);
-  const S deviation_first_z = m1_g + G_q2_q3 * (q2_ddot + S(20) * q3_ddot);
+  const S deviation_first_z = F_first_z + G_q2_q3 * (q2_ddot + S(20) * q3_ddot);
 
   // deviation of second from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
   const S deviation_second_x = G_q1_q3 * (q1_ddot + S(5) * q3_ddot);
   const S deviation_second_y = m2_over_10 * (q1_ddot + S(10) * q2_ddot);
-  const S deviation_second_z = m2_g + half_m2 * (q2_ddot + two_q1_ddot);
+  const S deviation_second_z = Q_q1 + half_m2 * (q2_ddot + two_q1_ddot);
 
   // Results
   const S Z = half_inv_m1 * (deviation_first_y * deviation_first_y + deviation_first_z * deviation_first_z
@@ -1017,8 +1017,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S g_factor_q3_q2 = prepared.g_factor_q3_q2;
   const S g_factor_q3_q1 = prepared.g_factor_q3_q1;
   const S inv_G_q1_q1 = prepared.inv_G_q1_q1;
-  const S c4 = prepared.c4;
   const S inv_g_pivot_q2 = prepared.inv_g_pivot_q2;
+  const S c4 = prepared.c4;
   const S c5 = prepared.c5;
   const S inv_g_pivot_q3 = prepared.inv_g_pivot_q3;
   const S least_g_pivot = prepared.least_g_pivot;
@@ -1033,9 +1033,9 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S beta_blade_q3 = S(1) + q1 * q1;
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
-  const S response_blade_y_q2 = -(S(1) + g_factor_q2_q1 * q2);
-  const S response_blade_y_q3 = beta_blade_q3 - g_factor_q3_q2 * response_blade_y_q2 - g_factor_q3_q1 * q2;
-  const S response_blade_q2 = inv_g_pivot_q2 * response_blade_y_q2 - c4 * response_blade_y_q3;
+  const S b_q2_blade = -(S(1) + g_factor_q2_q1 * q2);
+  const S response_blade_y_q3 = beta_blade_q3 - g_factor_q3_q2 * b_q2_blade - g_factor_q3_q1 * q2;
+  const S response_blade_q2 = inv_g_pivot_q2 * b_q2_blade - c4 * response_blade_y_q3;
   const S response_blade_q1 = inv_G_q1_q1 * q2 - g_factor_q2_q1 * response_blade_q2
       - c5 * response_blade_y_q3;
   const S t1 = inv_g_pivot_q3 * response_blade_y_q3;

@@ -17,6 +17,7 @@ namespace {
 /// Numbers of a mechanism that stand in several places are rounded alike, and the motion is that of a mechanism nearby; in units of
 /// their own they are not. So units have to be worth it.
 constexpr double k_least_worth = 0.97;
+constexpr int k_fewest_saved = 4;
 
 const Pass k_turns{"turns", turn_back};
 const Pass k_quotients{"quotients", join_quotients};
@@ -98,7 +99,8 @@ Request apply_best_order(Graph& graph, const Request& request, std::vector<PassE
   const PassEffect& units = in_units.effects[k_beginning.size()];
   if (units.after == units.before) return taken(std::move(best), effects);  // the rest would be the same again
   run(graph, k_sharing, in_units);
-  const bool is_worth_it = in_units.operations < best.operations * k_least_worth;
+  const int saved = best.operations - in_units.operations;
+  const bool is_worth_it = saved >= k_fewest_saved && in_units.operations < best.operations * k_least_worth;
   return taken(std::move(is_worth_it ? in_units : best), effects);
 }
 

@@ -6,6 +6,7 @@
 
 #include "catch_shim.hpp"
 #include "compiled_model.hpp"
+#include "conditioning.hpp"
 #include "evaluate/decimal.hpp"
 #include "ir/traverse.hpp"
 #include "models.hpp"
@@ -24,8 +25,7 @@ using gaussgen::ir::SymbolId;
 
 constexpr int k_digits = 50;
 constexpr int k_states = 1000;
-/// Forces on bodies and accelerations are from two functions, and the difference of their solutions counts; 194 eps S for
-/// chaplygin_sphere.
+/// Forces on bodies and accelerations are from two functions, whose solutions differ by up to 100 κ eps.
 constexpr double k_own_solution = 100.0 / 64;
 constexpr double k_largest_condition = 1e8;
 constexpr double k_eps = 2.220446049250313e-16;
@@ -263,7 +263,9 @@ class Measurement {
         direct_{{nodes_of("energy", mechanics_), compiled.energy},
                 {nodes_of("mass_matrix", mechanics_), compiled.mass_matrix}},
         Z_(nodes_of("compulsion", mechanics_)),
-        reference_(mechanics_) {
+        reference_(mechanics_),
+        doubles_(mechanics_.graph, gaussgen::evaluate::Arithmetic<double>()) {
+    gaussgen::bind_parameters(mechanics_, doubles_);
     if (compiled.residuals) direct_.emplace_back(nodes_of("residuals", mechanics_), compiled.residuals);
     REQUIRE(Z_.empty() != static_cast<bool>(compiled.compulsion));
     reference_.bind_parameters(compiled.parameters);
@@ -296,7 +298,7 @@ class Measurement {
       if (!(error <= k_most_backward)) std::printf("  row %zu: %.3g eps\n", i, error);
       take(worst_.backward, error);
     }
-    const double condition = system_.sums.empty() ? 1 : condition_of_metric(mechanics_, reference_);
+    const double condition = system_.sums.empty() ? 1 : condition_at(state);
     for (const Expr& row : system_.sums)
       take(worst_.backward, reference_.error(row.id(), 0) / (k_own_solution * condition));
     measure_solved(state, forces);
@@ -305,6 +307,13 @@ class Measurement {
   std::vector<double> accelerations_in(const std::vector<double>& derivative) const {
     return {derivative.begin() + static_cast<std::ptrdiff_t>(mechanics_.symbols.configuration.size()),
             derivative.end()};
+  }
+
+  /// Of the metric and of the constrained system, scaled.
+  double condition_at(const agreement::State& state) {
+    agreement::bind(mechanics_.symbols, state, doubles_);
+    return std::max(condition_of_metric(mechanics_, reference_),
+                    agreement::scaling(doubles_, mechanics_.dynamics).condition);
   }
 
   void bind_accelerations(const std::vector<double>& a) {
@@ -359,6 +368,7 @@ class Measurement {
   std::vector<std::pair<std::vector<NodeId>, std::function<std::vector<double>()>>> direct_;
   std::vector<NodeId> Z_;
   Reference reference_;
+  gaussgen::evaluate::Evaluator<double> doubles_;
   Worst worst_;
 };
 
