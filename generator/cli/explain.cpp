@@ -37,6 +37,7 @@ std::string message_of(const Explanation& explanation) {
   support::Diagnostics diagnostics;
   PipelineOptions options;
   if (explanation.options == "--route paper") options.route = Route::paper;
+  if (explanation.options == "--strategy tree") options.strategy = Strategy::tree;
   compile(source, options, diagnostics, {});
   return support::render(diagnostics, source);
 }
