@@ -95,7 +95,7 @@ class Builder {
         frame.parent == model::k_space ? Place{k_ground, zero_, identity} : result_.places[frame.parent];
     if (!result) return std::nullopt;
     result->position = result->position + ir::multiply(result->axes, held(expressions_(frame.position)));
-    result->is_fixed = result->is_fixed && is_fixed(*result);
+    result->is_fixed = result->is_fixed && stays(*result);
     if (std::holds_alternative<std::monostate>(frame.attitude)) return result;
     const auto* turns = std::get_if<model::Turns>(&frame.attitude);
     if (turns == nullptr) return std::nullopt;
@@ -105,14 +105,12 @@ class Builder {
       const Expr angle = support::Rational(axis->sense) * hold_(expressions_(turn.angle));
       for (Vector3& row : result->axes) row = ir::turned(row, axis->index, -angle);
     }
-    result->is_fixed = result->is_fixed && is_fixed(*result);
+    result->is_fixed = result->is_fixed && stays(*result);
     return result;
   }
 
-  bool is_fixed(const Place& place) const {
-    const auto is_constant = [](Expr e) { return ir::is_of_parameters(e.graph(), e.id()); };
-    const auto are_constant = [&](const Vector3& v) { return std::all_of(v.begin(), v.end(), is_constant); };
-    return are_constant(place.position) && std::all_of(place.axes.begin(), place.axes.end(), are_constant);
+  static bool stays(const Place& place) {
+    return is_fixed(place.position) && std::all_of(place.axes.begin(), place.axes.end(), is_fixed);
   }
 
   ir::Graph& graph() const { return expressions_.graph(); }
@@ -214,6 +212,10 @@ class Builder {
 };
 
 }  // namespace
+
+bool is_fixed(const Vector3& v) {
+  return std::all_of(v.begin(), v.end(), [](Expr e) { return ir::is_of_parameters(e.graph(), e.id()); });
+}
 
 std::optional<Linkage> build_linkage(const model::Model& model, const Symbols& symbols, Expressions& expressions,
                                      ir::Substitution& hold) {

@@ -58,6 +58,14 @@ Way way_between(const std::vector<Link>& links, std::size_t from, std::size_t to
 
 }  // namespace
 
+std::vector<std::vector<std::size_t>> children_of(const std::vector<Link>& links) {
+  std::vector<std::vector<std::size_t>> children(links.size());
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (links[i].parent != k_ground) children[links[i].parent].push_back(i);
+  }
+  return children;
+}
+
 std::size_t common_carrier(const std::vector<Link>& links, std::size_t a, std::size_t b) {
   // Links come after what carries them.
   while (a != b) {

@@ -7,6 +7,9 @@
 
 namespace gaussgen::strategy {
 
+/// Of each link, the ones that hang on it.
+std::vector<std::vector<std::size_t>> children_of(const std::vector<kinematics::Link>& links);
+
 /// Whether one of two links carries the other; the ground carries all.
 bool is_carried(const std::vector<kinematics::Link>& links, std::size_t link, std::size_t by);
 

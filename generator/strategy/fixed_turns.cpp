@@ -5,6 +5,7 @@
 #include "ir/contract.hpp"
 #include "ir/rotation.hpp"
 #include "ir/traverse.hpp"
+#include "strategy/axes.hpp"
 
 namespace gaussgen::strategy {
 
@@ -24,11 +25,7 @@ bool is_fixed_turn(const Link& link) {
 
 class AxesChoice {
  public:
-  explicit AxesChoice(Linkage& linkage) : linkage_(linkage), links_(linkage.links), children_(links_.size()) {
-    for (std::size_t i = 0; i < links_.size(); ++i) {
-      if (links_[i].parent != k_ground) children_[links_[i].parent].push_back(i);
-    }
-  }
+  explicit AxesChoice(Linkage& linkage) : linkage_(linkage), links_(linkage.links), children_(children_of(links_)) {}
 
   void run() {
     for (std::size_t i = 0; i < links_.size(); ++i) {

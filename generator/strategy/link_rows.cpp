@@ -1,10 +1,8 @@
 #include "strategy/link_rows.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "ir/contract.hpp"
-#include "ir/traverse.hpp"
 #include "strategy/axes.hpp"
 #include "strategy/spins.hpp"
 
@@ -14,16 +12,13 @@ using ir::Expr;
 using ir::Vector3;
 using kinematics::ConstraintAction;
 using kinematics::ConstraintRow;
+using kinematics::is_fixed;
 using kinematics::k_ground;
 using kinematics::Link;
 using kinematics::LocalDirection;
 using kinematics::Place;
 
 namespace {
-
-bool is_of_parameters(const Vector3& v) {
-  return std::all_of(v.begin(), v.end(), [](Expr e) { return ir::is_of_parameters(e.graph(), e.id()); });
-}
 
 /// Of ±e_k.
 std::optional<std::size_t> axis_of(const Vector3& v) {
@@ -60,7 +55,7 @@ bool LinkRowBuilder::can_be_placed(const ConstraintAction& action) const {
   if (!action.local || (action.along_way && !problem_.vanishes(*action.along_way))) return false;
   const LocalDirection& local = *action.local;
   const std::optional<Place>& carrier = linkage_.places[local.carrier];
-  if (!is_of_parameters(local.components) || !carrier || !carrier->is_fixed) return false;
+  if (!is_fixed(local.components) || !carrier || !carrier->is_fixed) return false;
   if (local.place == model::k_space || !linkage_.places[local.place]) return false;
   const std::size_t at = linkage_.places[local.place]->link;
   const std::vector<Link>& links = linkage_.links;
@@ -101,6 +96,10 @@ void LinkRowBuilder::find_groups() {
   for (Group& group : groups_) release_or_drop(group);
 }
 
+std::size_t LinkRowBuilder::first_of(const Group& group) {
+  return **std::find_if(group.along.begin(), group.along.end(), [](const auto& row) { return row.has_value(); });
+}
+
 void LinkRowBuilder::add_to_groups(std::size_t index) {
   const std::vector<Spot>& spots = placed_[index]->spots;
   const std::optional<std::size_t> axis = axis_of(spots[0].direction);
@@ -109,9 +108,7 @@ void LinkRowBuilder::add_to_groups(std::size_t index) {
                                                  [&](const Spot& spot) { return axis_of(spot.direction) == axis; });
   if (!is_along_axis) return;
   for (Group& group : groups_) {
-    const auto first =
-        std::find_if(group.along.begin(), group.along.end(), [](const auto& row) { return row.has_value(); });
-    const std::vector<Spot>& others = placed_[**first]->spots;
+    const std::vector<Spot>& others = placed_[first_of(group)]->spots;
     const bool is_same = std::equal(spots.begin(), spots.end(), others.begin(), others.end(), is_alike);
     if (!is_same || group.along[*axis]) continue;
     group.along[*axis] = index;
@@ -165,9 +162,7 @@ void LinkRowBuilder::add_term(const Spot& spot, const Vector3& direction, LinkMo
 
 // The axes of the link, as far as turns to it leave the directions of the group among themselves.
 std::size_t LinkRowBuilder::axes_of(const Group& group) const {
-  const auto first =
-      std::find_if(group.along.begin(), group.along.end(), [](const auto& row) { return row.has_value(); });
-  const std::size_t link = placed_[**first]->spots[0].link;
+  const std::size_t link = placed_[first_of(group)]->spots[0].link;
   const auto count =
       std::count_if(group.along.begin(), group.along.end(), [](const auto& row) { return row.has_value(); });
   if (count == 3) return link;

@@ -90,6 +90,7 @@ class LinkRowBuilder {
   void add_to_groups(std::size_t index);
   void release_or_drop(Group& group);
 
+  static std::size_t first_of(const Group& group);
   std::size_t axes_of(const Group& group) const;
   void add(const Group& group, LinkMotion& motion, LinkRows& result) const;
   void add(const PlacedRow& row, LinkMotion& motion, Steps& steps, LinkRows& result) const;

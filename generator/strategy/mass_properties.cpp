@@ -9,6 +9,7 @@ namespace gaussgen::strategy {
 using ir::Expr;
 using ir::Matrix3;
 using ir::Vector3;
+using kinematics::is_fixed;
 using kinematics::k_ground;
 using kinematics::Link;
 using kinematics::Part;
@@ -34,10 +35,6 @@ Matrix3 sum(const Matrix3& a, const Matrix3& b) { return {a[0] + b[0], a[1] + b[
 Matrix3 difference(const Matrix3& a, const Matrix3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 Expr trace(const Matrix3& m) { return m[0][0] + m[1][1] + m[2][2]; }
-
-bool is_fixed(const Vector3& v) {
-  return std::all_of(v.begin(), v.end(), [](Expr e) { return ir::is_of_parameters(e.graph(), e.id()); });
-}
 
 // The mass that would go to the end, against the inertia that stays: with numbers only, since parameters may be anything.
 bool keeps_digits(Expr moved, Expr inertia) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "strategy/axes.hpp"
+
 namespace gaussgen::strategy {
 
 using kinematics::Freedom;
@@ -32,10 +34,7 @@ class Finder {
     }
     for (std::size_t u = 0; u < where_.size(); ++u) {
       for (const std::size_t i : where_[u]) {
-        const Freedom& freedom = *freedom_of(i, u);
-        const bool is_own = std::any_of(result_.of_joint[i].begin(), result_.of_joint[i].end(),
-                                        [&](const OwnComponent& own) { return own.freedom == &freedom; });
-        if (is_own || !components(i, freedom).empty()) result_.uses[u].push_back(i);
+        if (is_owner(i, u) || !components(i, *freedom_of(i, u)).empty()) result_.uses[u].push_back(i);
       }
     }
     return std::move(result_);
@@ -142,10 +141,7 @@ OwnComponents own_components(const std::vector<Link>& links, const std::vector<M
                              const std::vector<char>& is_acted_on,
                              const std::vector<std::pair<std::size_t, std::size_t>>& released) {
   OwnComponents result = Finder(links, is_acted_on).run(released);
-  std::vector<std::vector<std::size_t>> children(links.size());
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    if (links[i].parent != k_ground) children[links[i].parent].push_back(i);
-  }
+  const auto children = children_of(links);
   for (std::size_t i = 0; i < links.size(); ++i) {
     if (links[i].kind != Link::Kind::shift || links[i].parent != k_ground) continue;
     FloatingBase floating{i, i, {}};

@@ -2,6 +2,7 @@
 
 #include "ir/rotation.hpp"
 #include "ir/traverse.hpp"
+#include "strategy/axes.hpp"
 
 namespace gaussgen::strategy {
 
@@ -13,14 +14,6 @@ using kinematics::Link;
 using kinematics::Linkage;
 
 namespace {
-
-std::vector<int> count_children(const std::vector<Link>& links) {
-  std::vector<int> children(links.size(), 0);
-  for (const Link& link : links) {
-    if (link.parent != k_ground) ++children[link.parent];
-  }
-  return children;
-}
 
 bool is_same_all_around(const MassProperties& body, std::size_t axis) {
   const std::size_t p = (axis + 1) % 3, q = (axis + 2) % 3;
@@ -61,10 +54,11 @@ void turn_places(Linkage& linkage, std::size_t link, std::size_t axis, Expr angl
 }  // namespace
 
 void find_spins(const std::vector<MassProperties>& properties, Linkage& linkage) {
-  const std::vector<int> children = count_children(linkage.links);
+  const auto children = children_of(linkage.links);
   for (std::size_t i = 0; i < linkage.links.size(); ++i) {
     Link& link = linkage.links[i];
-    if (link.kind != Link::Kind::turn || children[i] != 0 || !is_same_all_around(properties[i], link.axis)) continue;
+    if (link.kind != Link::Kind::turn || !children[i].empty() || !is_same_all_around(properties[i], link.axis))
+      continue;
     link.kind = Link::Kind::spin;
     link.rate.reset();
     hang_before_turns_about_the_same_axis(linkage.links, link);
