@@ -53,12 +53,11 @@ class Adder {
     add_assemble();
     add_choice<Route>("--route", options_.pipeline.route, {{"emitted", Route::emitted}, {"paper", Route::paper}},
                       "ROUTE", "emitted (default), or paper: its Z, Gamma and (3.7)-(3.8), term by term");
-    add_choice<Strategy>("--strategy", options_.pipeline.strategy,
-                         {{"auto", Strategy::automatic},
-                          {"tree", Strategy::tree},
-                          {"metric", Strategy::metric},
-                          {"multipliers", Strategy::multipliers}},
-                         "STRATEGY",
+    std::vector<std::pair<std::string, Strategy>> strategies;
+    for (const Strategy one : {Strategy::automatic, Strategy::tree, Strategy::metric, Strategy::multipliers}) {
+      strategies.emplace_back(name_of(one), one);
+    }
+    add_choice<Strategy>("--strategy", options_.pipeline.strategy, strategies, "STRATEGY",
                          "how Z is minimised: auto (default) takes the fewest operations; tree: body by body; metric: "
                          "over all speeds at once, "
                          "eliminating dependent ones where that is safe; multipliers: likewise, but by (3.4)");
