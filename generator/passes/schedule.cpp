@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ir/traverse.hpp"
 #include "support/assert.hpp"
 
 namespace gaussgen::passes {
@@ -17,7 +18,7 @@ class Scheduler {
   Scheduler(const Writing& writing, const Sharing& sharing) : writing_(writing), sharing_(sharing) {}
 
   Program run(const Request& request) {
-    circular_functions();
+    circular_functions(request);
     for (const Section& section : request.sections) {
       open(section.comment);
       for (const auto& [node, name] : section.nodes) {
@@ -34,21 +35,23 @@ class Scheduler {
   }
 
  private:
-  // sin and cos of plain arguments, in the order of the coordinates.
-  void circular_functions() {
-    std::vector<NodeId> found;
-    for (const NodeId id : writing_.order()) {
-      const Node& node = writing_.graph()[id];
-      const bool is_circular = node.kind == Kind::function && (node.function == Function::sin || node.function == Function::cos);
-      if (is_circular && sharing_.is_temporary(id) && is_plain(node.children[0])) found.push_back(id);
+  // sin and cos of plain arguments, those first that are needed first: what follows can begin while others are computed.
+  void circular_functions(const Request& request) {
+    std::vector<NodeId> roots;
+    for (const Section& section : request.sections) {
+      for (const auto& [node, name] : section.nodes) {
+        const NodeId target = unwrapped(writing_.graph(), node);
+        if (sharing_.is_temporary(target)) roots.push_back(target);
+      }
     }
-    std::sort(found.begin(), found.end(), [this](NodeId a, NodeId b) {
-      const Graph& graph = writing_.graph();
-      const int arguments = graph.compare(graph[a].children[0], graph[b].children[0]);
-      return arguments != 0 ? arguments < 0 : graph.compare(a, b) < 0;
-    });
+    roots.insert(roots.end(), request.outputs.begin(), request.outputs.end());
     open("Sines and cosines");
-    for (const NodeId id : found) place(id);
+    for (const NodeId id : ir::post_order(writing_.graph(), roots)) {
+      const Node& node = writing_.graph()[id];
+      const bool is_circular =
+          node.kind == Kind::function && (node.function == Function::sin || node.function == Function::cos);
+      if (is_circular && sharing_.is_temporary(id) && is_plain(node.children[0])) place(id);
+    }
   }
 
   bool is_plain(NodeId root) const {

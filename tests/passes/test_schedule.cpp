@@ -77,6 +77,27 @@ TEST_CASE("broken programs are found out") {
   CHECK(violations(writing, unused).front().find("without a use") != std::string::npos);
 }
 
+TEST_CASE("sines come in the order in which they are needed, each with its cosine") {
+  Graph graph;
+  std::vector<Expr> q;
+  for (const char* name : {"q_1", "q_2", "q_3"}) q.push_back(declare(graph, SymbolClass::configuration, name));
+  const auto turned = [&](std::size_t i, Expr before) {
+    return call(Function::sin, q[i]) * before + call(Function::cos, q[i]) * pow(before, 2);
+  };
+  const Expr inner = turned(2, q[0]).named("inner");
+  const Expr middle = turned(0, inner).named("middle");
+  const Expr outer = turned(1, middle).named("outer");
+  Request request{
+      {outer.id()}, {{"inward", {{inner.id(), "inner"}, {middle.id(), "middle"}, {outer.id(), "outer"}}}}, {}};
+  const Writing writing(graph, request.outputs);
+  const Program program = schedule(writing, share(writing, request), request);
+  REQUIRE(program.blocks[0].comment == "Sines and cosines");
+  std::vector<std::string> order;
+  for (const auto& assignment : program.blocks[0].assignments)
+    order.push_back(gaussgen::ir::print(graph, assignment.node));
+  CHECK(order == std::vector<std::string>{"sin(q_3)", "sin(q_1)", "sin(q_2)"});
+}
+
 TEST_CASE("the order depends on structure only, not on when nodes were made") {
   for (unsigned seed = 0; seed < 50; ++seed) {
     Graph plain;
@@ -99,7 +120,9 @@ TEST_CASE("sections appear in their order, each with what it needs first") {
   const Expr first = common + y;
   const Expr second = common * y;
   const Program program = program_of(
-      graph, {{first.id(), second.id()}, {{"one", {{first.id(), "a"}}}, {"none", {{pow(y, 9).id(), "c"}}}, {"two", {{second.id(), "b"}}}}, {}});
+      graph, {{first.id(), second.id()},
+              {{"one", {{first.id(), "a"}}}, {"none", {{pow(y, 9).id(), "c"}}}, {"two", {{second.id(), "b"}}}},
+              {}});
   REQUIRE(program.blocks.size() == 2);
   CHECK(program.blocks[0].comment == "one");
   CHECK(program.blocks[0].assignments[0].node == common.id());
