@@ -116,7 +116,7 @@ strategy::Solution solved(Mechanics& mechanics, const MechanicsOptions& options,
     mechanics.no_tree = n == 0 ? "nothing in it moves freely"
                                : "an acceleration has no inertia of its own, or constraints follow from each other";
   }
-  if (tree) tree->solution.description = k_about_tree;
+  if (tree) tree->solution.description = k_about_tree + tree->about;
   if (!tree && !metric) metric = solved_over_metric(mechanics, options);
   if (!tree) {
     steps.append(metric->steps);

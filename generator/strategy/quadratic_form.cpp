@@ -13,13 +13,15 @@ Expr QuadraticForm::entry(Component i, Component j) const {
 }
 
 void QuadraticForm::add(Component i, Component j, Expr value) {
-  if (value.is_zero()) return;
-  const Expr sum = entry(i, j) + value;
+  if (!value.is_zero()) replace(i, j, entry(i, j) + value);
+}
+
+void QuadraticForm::replace(Component i, Component j, Expr value) {
   for (const auto& [a, b] : {std::pair{i, j}, std::pair{j, i}}) {
-    if (sum.is_zero()) {
+    if (value.is_zero()) {
       P_[a].erase(b);
     } else {
-      P_[a].insert_or_assign(b, sum);
+      P_[a].insert_or_assign(b, value);
     }
   }
 }
@@ -35,9 +37,11 @@ QuadraticForm::Row QuadraticForm::extract(Component i) {
 
 Eliminated QuadraticForm::minimise(Component i, Steps& steps) {
   name({i}, steps);
-  const Expr pivot = entry(i, i);
-  const Expr inverse = pow(pivot, -1);
-  Eliminated result{i, pivot, -(p_[i] * inverse), {}};
+  return minimise(i, pow(entry(i, i), -1), steps);
+}
+
+Eliminated QuadraticForm::minimise(Component i, Expr inverse, Steps& steps) {
+  Eliminated result{i, entry(i, i), -(p_[i] * inverse), {}, {}};
   Row row = extract(i);
   row.erase(i);
   std::vector<Component> others;
@@ -57,7 +61,7 @@ Imposed QuadraticForm::impose(Component i, Component dual, Steps& steps) {
   name({i}, steps);
   const Expr pivot = entry(i, dual);
   const Expr inverse = pow(pivot, -1);
-  Imposed result{{i, pivot, -(p_[dual] * inverse), {}}, dual, {}, p_[i]};
+  Imposed result{{i, pivot, -(p_[dual] * inverse), {}, {}}, dual, {}, p_[i]};
   Row constraint = extract(dual);
   constraint.erase(i);
   p_[dual] = zero_;

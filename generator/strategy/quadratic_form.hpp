@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,20 @@ struct LinearTerm {
   ir::Expr coefficient;
 };
 
+/// w_along + arm w, with `ratio` = 1 - arm factor_along in a form without a difference.
+struct Lever {
+  Component along;
+  ir::Expr arm;
+  ir::Expr ratio;
+};
+
 /// A component at the minimum, over those that stay: w = offset - Σ factor_j w_j.
 struct Eliminated {
   Component component;
   ir::Expr pivot;
   ir::Expr offset;
   std::vector<LinearTerm> factors;
+  std::optional<Lever> lever;  ///< where w is best found by what moves at the end of a lever
 };
 
 /// A component that a row of constraints says, w = offset - Σ factor_j w_j, and what its own row of Z was: with
@@ -54,6 +63,11 @@ class QuadraticForm {
 
   /// min over w_i: what stays is the Schur complement.
   Eliminated minimise(Component i, Steps& steps);
+
+  /// Likewise, with 1/P_ii as it is given.
+  Eliminated minimise(Component i, ir::Expr inverse, Steps& steps);
+
+  void replace(Component i, Component j, ir::Expr value);
 
   /// The row of a dual, P_λc w_c + Σ P_λj w_j + p_λ = 0, put into the rest: both leave.
   Imposed impose(Component i, Component dual, Steps& steps);

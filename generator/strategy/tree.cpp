@@ -237,7 +237,7 @@ class Tree : private TreeZ {
     Vector3 linear = motion_.turned(i, a_before);
     Vector3 angular = motion_.turned(i, alpha_before);
     Vector3& moved = is_shift(i) ? linear : angular;
-    if (is_shift(i)) linear = linear + cross(alpha_before, link.offset);
+    if (is_shift(i)) linear = at_end(i, linear, alpha_before);
     if (falls) moved = moved + motion_.drift(i, steps_);
     const Vector3 given = moved;
     moved = moved + by_shared(i);
@@ -247,6 +247,29 @@ class Tree : private TreeZ {
     }
     name_given(i);
     find_own(i, given);
+  }
+
+  /// Of the end of a link by that of its origin; what was found there before it said how the link turns stays what it is.
+  Vector3 at_end(std::size_t i, Vector3 linear, Vector3 alpha) const {
+    if (const auto led = led_.find(links_[i].parent); led != led_.end()) {
+      linear[led->second.component % 3] = led->second.coefficient;
+      alpha[links_[led->first].axis] = zero_;
+    }
+    return linear + cross(alpha, links_[i].offset);
+  }
+
+  /// The end first, and how the link turns from that.
+  Expr by_end(const Eliminated& e) {
+    const Lever& lever = *e.lever;
+    Expr rest = is_correcting_ ? zero_ : e.offset;
+    for (const LinearTerm& term : e.factors) {
+      if (term.component != lever.along) rest -= term.coefficient * w_[term.component];
+    }
+    const std::string name =
+        problem_.prefix + (is_correcting_ ? "correction_" : "") + "a_end_of_" + axis_of(lever.along);
+    const Expr end = steps_.name(lever.ratio * w_[lever.along] + lever.arm * rest, name);
+    led_.insert_or_assign(e.component / 6, LinearTerm{lever.along, end});
+    return (end - w_[lever.along]) / lever.arm;
   }
 
   /// What the joint adds by speeds that no component is free by.
@@ -284,7 +307,7 @@ class Tree : private TreeZ {
     Vector3 said = ir::zero3(graph_);
     for (auto e = eliminated_[i].rbegin(); e != eliminated_[i].rend(); ++e) {
       const Component c = e->component;
-      const Expr w = at_minimum(*e);
+      const Expr w = e->lever ? by_end(*e) : at_minimum(*e);
       w_[c] = steps_.name(w, name_of_acceleration(c));
       if (floating == nullptr || !is_linear(c)) continue;
       is_said = is_said && is_imposed_.count(c) != 0;
@@ -362,7 +385,8 @@ class Tree : private TreeZ {
     return {accelerations, multipliers(accelerations), singular, dependent, "", {}, {}, {}, false};
   }
 
-  Vector w_;                       ///< by component
+  Vector w_;                               ///< by component
+  std::map<std::size_t, LinearTerm> led_;  ///< by the link that turns: the acceleration of its end
   std::vector<Vector3> given_;     ///< of links: what their joints do not decide of the components that are moved
   std::vector<std::size_t> left_;  ///< rows that were not imposed
   std::optional<Ldl> schur_;

@@ -30,6 +30,7 @@ struct TreeForm {
   ir::Rational length = 1;    ///< m: the unit in which Z is minimised; of many equal lengths, theirs saves operations
   ir::Rational mass = 1;      ///< kg, likewise
   bool chooses_axes = false;  ///< such that turns by fixed angles vanish
+  bool postpones = false;  ///< divisions by the pivots of bars, so that what hangs on them does not wait: see bar.hpp
 };
 
 /// Accelerations at a cost that grows with the number of links. Nothing where some acceleration has no inertia in any

@@ -2,8 +2,12 @@
 
 #include <map>
 
+#include <fmt/format.h>
+
 #include "ir/cost.hpp"
+#include "ir/latency.hpp"
 #include "strategy/fixed_turns.hpp"
+#include "strategy/mass_properties.hpp"
 
 namespace gaussgen::strategy {
 
@@ -51,7 +55,7 @@ TreeForm natural_units(const Linkage& linkage) {
     for (const Expr e : link.offset) length.add(e);
   }
   for (const kinematics::Part& part : linkage.parts) mass.add(part.mass);
-  return {Drift::by_link, length.value(), mass.value(), false};
+  return {Drift::by_link, length.value(), mass.value(), false, false};
 }
 
 std::vector<TreeForm> forms_of(const Linkage& linkage) {
@@ -70,24 +74,72 @@ std::vector<TreeForm> forms_of(const Linkage& linkage) {
   return forms;
 }
 
+/// The mass with which most bars of unit length have unit inertia, once their masses are at their ends: then their Schur complements take
+/// fewest products.
+Rational mass_of_bars(const Linkage& linkage, const TreeForm& form, ir::Graph& graph) {
+  const Linkage in_form = in_units(linkage, form.length, form.mass);
+  std::vector<MassProperties> properties = mass_properties(in_form, graph);
+  move_masses_to_ends(in_form.links, properties);
+  MostFrequent inertia;
+  for (const Link& link : in_form.links) {
+    if (link.kind != Link::Kind::shift || link.parent == kinematics::k_ground) continue;
+    const Link& bar = in_form.links[link.parent];
+    if (bar.kind == Link::Kind::turn) inertia.add(properties[link.parent].inertia[bar.axis][bar.axis]);
+  }
+  return inertia.value();
+}
+
+/// The same form with divisions postponed, also in such units.
+std::vector<TreeForm> postponed(const Linkage& linkage, TreeForm form) {
+  if (linkage.links.empty()) return {};
+  form.postpones = true;
+  std::vector<TreeForm> forms{form};
+  const Rational mass = mass_of_bars(linkage, form, linkage.links[0].offset[0].graph());
+  if (mass != 1) {
+    form.mass = form.mass * mass;
+    forms.push_back(form);
+  }
+  return forms;
+}
+
+std::optional<Candidate> solved(const TreeProblem& problem, const TreeForm& form, Expr epsilon) {
+  Steps steps;
+  std::optional<Solution> solution = solve_tree(problem, form, epsilon, steps);
+  if (!solution) return std::nullopt;
+  return counted(std::move(*solution), std::move(steps));
+}
+
 }  // namespace
 
 Candidate counted(Solution solution, Steps steps) {
   std::vector<ir::NodeId> results{solution.singular_mass_matrix.id(), solution.dependent_constraints.id()};
   for (const Expr a : solution.accelerations) results.push_back(a.id());
   for (const Expr lambda : solution.multipliers) results.push_back(lambda.id());
-  const int operations = ir::operations(solution.singular_mass_matrix.graph(), results);
-  return {std::move(solution), std::move(steps), operations};
+  const ir::Graph& graph = solution.singular_mass_matrix.graph();
+  const int operations = ir::operations(graph, results);
+  const int latency = ir::latency(graph, results);
+  return {std::move(solution), std::move(steps), operations, latency, ""};
 }
 
 std::optional<Candidate> cheapest_tree(const TreeProblem& problem, Expr epsilon) {
   std::optional<Candidate> best;
+  TreeForm chosen;
   for (const TreeForm& form : forms_of(problem.linkage)) {
-    Steps steps;
-    std::optional<Solution> solution = solve_tree(problem, form, epsilon, steps);
-    if (!solution) return std::nullopt;
-    Candidate candidate = counted(std::move(*solution), std::move(steps));
-    if (!best || candidate.operations < best->operations) best = std::move(candidate);
+    std::optional<Candidate> candidate = solved(problem, form, epsilon);
+    if (!candidate) return std::nullopt;
+    if (best && candidate->operations >= best->operations) continue;
+    best = std::move(candidate);
+    chosen = form;
+  }
+  const int waiting = best->latency;
+  for (const TreeForm& form : postponed(problem.linkage, chosen)) {
+    std::optional<Candidate> candidate = solved(problem, form, epsilon);
+    if (!candidate || candidate->cycles() >= best->cycles()) continue;
+    candidate->about = fmt::format(
+        ", divisions by the inertia of bars postponed so that results wait for each other for some {} cycles and not "
+        "{}",
+        candidate->latency, waiting);
+    best = std::move(candidate);
   }
   return best;
 }

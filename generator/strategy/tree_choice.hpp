@@ -12,6 +12,12 @@ struct Candidate {
   Solution solution;
   Steps steps;
   int operations = 0;  ///< of the accelerations and their conditions
+  int latency = 0;     ///< of the same: see ir/latency.hpp
+
+  std::string about;  ///< the form of the tree, where it is a special one
+
+  /// About the time that a processor takes, twice: it does two operations at once where they do not wait for each other.
+  int cycles() const { return operations + latency; }
 };
 
 Candidate counted(Solution solution, Steps steps);

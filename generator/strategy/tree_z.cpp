@@ -33,7 +33,7 @@ void Response::add(Expr pivot, Expr coefficient) {
 
 TreeZ::TreeZ(const TreeProblem& problem, const TreeForm& form, Expr epsilon, Steps& steps)
     : problem_(problem),
-      drift_(form.drift),
+      form_(form),
       steps_(steps),
       graph_(epsilon.graph()),
       epsilon_(epsilon),
@@ -51,6 +51,7 @@ TreeZ::TreeZ(const TreeProblem& problem, const TreeForm& form, Expr epsilon, Ste
       eliminated_(links_.size()),
       shared_(links_.size()) {
   find_spins(properties_, linkage_);
+  children_ = children_of(links_);
   bounds_ = mass_bounds(links_, properties_);
   move_masses_to_ends(links_, properties_);
 }
@@ -100,7 +101,8 @@ std::string TreeZ::name_of(Component c) const {
 
 std::string TreeZ::name_of(Component i, Component j) const {
   if (is_of_link(j)) {
-    const char* const block = is_linear(i) == is_linear(j) ? (is_linear(i) ? "M_" : "I_") : "H_";
+    const char* const mass = postponed_.count(i / 6) != 0 ? "MI_" : "M_";
+    const char* const block = is_linear(i) == is_linear(j) ? (is_linear(i) ? mass : "I_") : "H_";
     return problem_.prefix + block + axis_of(i) + k_axes[j % 3];
   }
   const char* const block = !is_dual(j) ? "Z_" : !is_dual(i) ? "b_" : "S_";
@@ -213,8 +215,9 @@ void TreeZ::add_body(std::size_t i) {
 
 // Where the origin is shifted or free, the mass that was carried along with it counts.
 void TreeZ::add_mass(std::size_t i) {
+  const std::optional<std::size_t> axis = divide_block(i);
   for (std::size_t k = 0; k < 3; ++k) {
-    Z_.add(a(i, k), a(i, k), masses_[i]);
+    if (!axis || k == *axis) Z_.add(a(i, k), a(i, k), masses_[i]);
     if (!by_link()) Z_.add(a(i, k), masses_[i] * motion_.accumulated(i).linear[k]);
   }
   masses_[i] = zero_;
@@ -293,10 +296,11 @@ Eliminated TreeZ::minimise(std::size_t i, Component c) {
     if (!is_dual(other)) continue;
     responses_.try_emplace(other, Response{zero_, zero_, zero_}).first->second.add(Z_.entry(c, c), Z_.entry(c, other));
   }
+  ++pivots_;
+  if (const std::optional<Bar> bar = bar_at(i, c)) return minimise_bar(i, c, *bar);
   const Eliminated result = Z_.minimise(c, steps_);
   margins_.push_back({result.pivot, is_clean_ ? zero_ : rounding(i, c)});
   is_clean_ = false;
-  ++pivots_;
   return result;
 }
 
@@ -308,7 +312,7 @@ Expr TreeZ::rounding(std::size_t i, Component c) const {
   } else {
     for (const std::size_t link : own_.uses[c - shared(0)]) sum += bound_along(link, c - shared(0));
   }
-  return ir::Rational(4 * static_cast<int>(pivots_ + 1)) * epsilon_ * sum;
+  return ir::Rational(4 * static_cast<int>(pivots_)) * epsilon_ * sum;
 }
 
 Expr TreeZ::greatest_inertia(std::size_t i) const {
@@ -349,6 +353,7 @@ void TreeZ::add_shared(std::size_t i, std::size_t k, std::vector<LinearTerm>& te
 void TreeZ::shift(std::size_t i) {
   const Link& link = links_[i];
   const std::size_t parent = link.parent;
+  if (form_.postpones) remember_end(i);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t p = (k + 1) % 3, q = (k + 2) % 3;
     std::vector<LinearTerm> terms, same;
@@ -384,6 +389,7 @@ void TreeZ::turn(std::size_t i) {
       turn_freely(link, first, to);
     }
   }
+  pass_block(i);
 }
 
 void TreeZ::turn_freely(const Link& link, Component from, Component to) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "strategy/bar.hpp"
 #include "strategy/own_components.hpp"
 #include "strategy/quadratic_form.hpp"
 #include "strategy/tree.hpp"
@@ -41,7 +42,7 @@ class TreeZ {
   bool is_of_link(Component c) const { return c < 6 * links_.size(); }
   bool is_dual(Component c) const { return c >= first_dual(); }
   bool is_linear(Component c) const { return is_of_link(c) && c % 6 < 3; }
-  bool by_link() const { return drift_ == Drift::by_link; }
+  bool by_link() const { return form_.drift == Drift::by_link; }
   bool is_shift(std::size_t i) const { return links_[i].kind == kinematics::Link::Kind::shift; }
   Component first_of_joint(std::size_t i) const { return is_shift(i) ? a(i, 0) : alpha(i, 0); }
   std::string axis_of(Component c) const;
@@ -80,11 +81,22 @@ class TreeZ {
   void shift(std::size_t i);
   void turn(std::size_t i);
   void turn_freely(const kinematics::Link& link, Component from, Component to);
+
+  // Bars (bar.hpp).
+  void remember_end(std::size_t i);
+  std::optional<Bar> bar_at(std::size_t i, Component c) const;
+  bool is_only_child(std::size_t i) const;
+  Eliminated minimise_bar(std::size_t i, Component c, const Bar& bar);
+  std::optional<Lever> lever_of(std::size_t i, const Bar& bar, const PostponedBlock& block) const;
+  void replace_block(std::size_t i, std::size_t axis, const PlaneBlock& block);
+  PlaneBlock block_of(std::size_t i, std::size_t axis) const;
+  void pass_block(std::size_t i);
+  std::optional<std::size_t> divide_block(std::size_t i);
   bool minimise_shared(std::size_t i);
   ir::Expr drift_of(const LinkTerm& term) const;
 
   const TreeProblem& problem_;
-  Drift drift_;
+  TreeForm form_;
   Steps& steps_;
   ir::Graph& graph_;
   ir::Expr epsilon_;
@@ -101,6 +113,19 @@ class TreeZ {
   Vector masses_;                                             ///< at the origins, where they are the same in all axes
   std::vector<std::vector<Eliminated>> eliminated_, shared_;  ///< by link, in order
   std::vector<std::vector<std::size_t>> waiting_;             ///< rows, by link
+  /// What turns with a link, in the axes across that of the turn.
+  struct Turned {
+    std::size_t axis;
+    PostponedBlock block;
+  };
+  struct End {
+    PlaneVector offset;
+    PlaneBlock block;
+  };
+  std::map<std::size_t, Turned> postponed_;         ///< by link: its block of Z_ is numerators
+  std::map<std::size_t, ir::Expr> determinants_;    ///< by link, of the block in the plane that was divided last
+  std::map<std::size_t, End> ends_;                 ///< by the link that turns
+  std::vector<std::vector<std::size_t>> children_;  ///< by link
   std::vector<Imposed> imposed_;
   std::set<Component> is_imposed_;
   std::map<Component, Response> responses_;  ///< of multipliers

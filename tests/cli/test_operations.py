@@ -45,6 +45,12 @@ class Operations(Program):
                 count = [self.operations(model, "--count", f"n={n}") for n in (few, many)]
                 self.assertLess(count[1], 4.5 * count[0])
 
+    def test_long_chains_do_not_wait_for_divisions(self):
+        text = " ".join(self.header(CHAIN, "--count", "n=20").split("\n// "))
+        waiting = re.search(r"postponed so that results wait for each other for some (\d+) cycles and not (\d+)", text)
+        self.assertLess(int(waiting[1]), 0.75 * int(waiting[2]))
+        self.assertNotIn("postponed", self.header(SPATIAL, "--count", "n=4"))
+
     def test_long_chains_need_no_long_stack(self):
         for model, n in ((CHAIN, 300), (SPATIAL, 60), (FAMILIES / "n_four_bar.yaml", 20)):
             self.header(model, "--count", f"n={n}", preexec_fn=small_stack)
