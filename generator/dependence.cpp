@@ -47,17 +47,27 @@ Rows in_order(const Mechanics& mechanics) {
   return order;
 }
 
-/// Rows that those before them in `order` give; `independent` becomes the others, in that order.
+/// Rows that those before them in `order` give; `independent` becomes the others, in that order. As long as rows are independent, so are all
+/// before the last of them: each dependent one is found by halving.
 template <class Rank>
-Rows dependent_rows(const Matrix& matrix, const Rows& order, Rank rank, Rows& independent) {
+Rows dependent_rows(const Matrix& matrix, Rows order, Rank rank, Rows& independent) {
+  const auto are_independent = [&](std::size_t count) {
+    const Rows first(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count));
+    return rank(selected(matrix, first)) == count;
+  };
   Rows dependent;
-  independent.clear();
-  for (const std::size_t row : order) {
-    independent.push_back(row);
-    if (rank(selected(matrix, independent)) == independent.size()) continue;
-    independent.pop_back();
-    dependent.push_back(row);
+  std::size_t known = 0;
+  while (!are_independent(order.size())) {
+    std::size_t below = known, above = order.size();
+    while (above - below > 1) {
+      const std::size_t middle = below + (above - below) / 2;
+      (are_independent(middle) ? below : above) = middle;
+    }
+    known = below;
+    dependent.push_back(order[below]);
+    order.erase(order.begin() + static_cast<std::ptrdiff_t>(below));
   }
+  independent = std::move(order);
   return dependent;
 }
 

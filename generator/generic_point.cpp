@@ -121,14 +121,6 @@ class Spread {
   Scatter scatter_;
 };
 
-evaluate::Matrix without_column(const evaluate::Matrix& matrix, std::size_t dropped) {
-  evaluate::Matrix result(matrix.rows(), matrix.columns() - 1, matrix(0, 0));
-  for (std::size_t i = 0; i < matrix.rows(); ++i) {
-    for (std::size_t j = 0; j < result.columns(); ++j) result(i, j) = matrix(i, j < dropped ? j : j + 1);
-  }
-  return result;
-}
-
 }  // namespace
 
 GenericPoint::Values& GenericPoint::values_near_start(int attempt) {
@@ -209,12 +201,8 @@ std::vector<std::size_t> dependent_rows(evaluate::Matrix metric) {
 }
 
 std::vector<std::size_t> dependent_columns(const evaluate::Matrix& matrix) {
-  std::vector<std::size_t> dependent;
-  const std::size_t rank = generic_rank(matrix);
-  for (std::size_t j = 0; j < matrix.columns() && rank < matrix.columns(); ++j) {
-    if (generic_rank(without_column(matrix, j)) == rank) dependent.push_back(j);
-  }
-  return dependent;
+  if (matrix.rows() == 0) return {};
+  return evaluate::open_unknowns(evaluate::equilibrated(matrix), Arithmetic<cl_F>(k_digits).number(trusted()));
 }
 
 }  // namespace gaussgen

@@ -37,7 +37,7 @@ std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const Me
   const auto linkage = kinematics::build_linkage(mechanics.model, mechanics.symbols, mechanics.expressions, hold);
   if (!linkage) {
     mechanics.no_tree =
-        "something turns about an axis in general position, or has angular velocities along the axes before its turn";
+        "something has angular velocities along the axes before its turn";
     return std::nullopt;
   }
   const kinematics::Kinematics& kinematics = mechanics.kinematics;

@@ -18,7 +18,7 @@ std::string described(const std::string& unit, const std::string& about) {
 
 /// Whether an expression stays small without names for what is shared in it; a choice repeats what it compares.
 bool is_small(const ir::Graph& graph, NodeId value) {
-  constexpr std::size_t k_copies_in_choice = 4, k_most_nodes = 10'000;
+  constexpr std::size_t k_copies_in_choice = 4, k_most_nodes = 500;
   ir::NodeTable<std::size_t> sizes;
   for (const NodeId id : ir::post_order(graph, {value})) {
     const ir::Node& node = graph[id];

@@ -1,8 +1,11 @@
 #include "evaluate/dense.hpp"
 
+#include <cln/float.h>
 #include <cln/real.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "support/assert.hpp"
 
@@ -17,11 +20,22 @@ void raise_to(cl_F& largest, const cl_F& candidate) {
   if (candidate > largest) largest = candidate;
 }
 
-/// Elimination with full pivoting of A with b beside it.
+/// log2 |x|, of numbers beyond the range of double, too.
+double size_of(const cl_F& x) {
+  if (cln::zerop(x)) return -std::numeric_limits<double>::infinity();
+  const auto exponent = cln::float_exponent(x);
+  return static_cast<double>(exponent) + std::log2(cln::double_approx(cln::scale_float(cln::abs(x), -exponent)));
+}
+
+/// Elimination with full pivoting of A with b beside it. Zeros cost nothing, and pivots are found by doubles: matrices of long mechanisms are
+/// large, and mostly zero.
 class Elimination {
  public:
   Elimination(Matrix a, Vector b) : a_(std::move(a)), b_(std::move(b)), column_of_(a_.columns()) {
     for (std::size_t j = 0; j < column_of_.size(); ++j) column_of_[j] = j;
+    for (std::size_t i = 0; i < a_.rows(); ++i) {
+      for (std::size_t j = 0; j < a_.columns(); ++j) sizes_.push_back(size_of(a_(i, j)));
+    }
   }
 
   /// Number of pivots larger than `limit`; stops at the first that is not.
@@ -33,6 +47,24 @@ class Elimination {
       eliminate_below(k);
     }
     return most;
+  }
+
+  /// Unknowns that are not zero in all of A x = 0, where `rank` pivots are not: those of the columns behind them, and of pivots that depend on one of
+  /// these by more than `tolerance`.
+  std::vector<std::size_t> open_unknowns(std::size_t rank, const cl_F& tolerance) const {
+    std::vector<char> is_open(rank, 0);
+    for (std::size_t free = rank; free < a_.columns(); ++free) {
+      const Vector x = null_vector(rank, free);
+      for (std::size_t k = 0; k < rank; ++k) {
+        if (cln::abs(x[k]) > tolerance) is_open[k] = 1;
+      }
+    }
+    std::vector<std::size_t> open(column_of_.begin() + static_cast<std::ptrdiff_t>(rank), column_of_.end());
+    for (std::size_t k = 0; k < rank; ++k) {
+      if (is_open[k] != 0) open.push_back(column_of_[k]);
+    }
+    std::sort(open.begin(), open.end());
+    return open;
   }
 
   Vector back_substituted() const {
@@ -47,34 +79,74 @@ class Elimination {
   }
 
  private:
+  /// The pivots' part of x with A x = 0 where one of the other unknowns is 1 and the rest are 0.
+  Vector null_vector(std::size_t rank, std::size_t free) const {
+    const cl_F zero = cln::cl_float(0, a_(0, 0));
+    Vector x(rank, zero);
+    for (std::size_t k = rank; k-- > 0;) {
+      cl_F sum = -a_(k, free);
+      for (std::size_t j = k + 1; j < rank; ++j) {
+        if (!cln::zerop(x[j]) && !cln::zerop(a_(k, j))) sum = sum - a_(k, j) * x[j];
+      }
+      x[k] = cln::zerop(sum) ? zero : sum / a_(k, k);
+    }
+    return x;
+  }
+
+  double& size(std::size_t i, std::size_t j) { return sizes_[i * a_.columns() + j]; }
+
   void bring_pivot_to(std::size_t k) {
     std::size_t row = k;
     std::size_t column = k;
     for (std::size_t i = k; i < a_.rows(); ++i) {
       for (std::size_t j = k; j < a_.columns(); ++j) {
-        if (cln::abs(a_(i, j)) > cln::abs(a_(row, column))) {
+        if (size(i, j) > size(row, column)) {
           row = i;
           column = j;
         }
       }
     }
-    for (std::size_t j = 0; j < a_.columns(); ++j) std::swap(a_(k, j), a_(row, j));
-    for (std::size_t i = 0; i < a_.rows(); ++i) std::swap(a_(i, k), a_(i, column));
-    std::swap(column_of_[k], column_of_[column]);
-    std::swap(b_[k], b_[row]);
+    swap_rows(k, row);
+    swap_columns(k, column);
+  }
+
+  void swap_rows(std::size_t i, std::size_t k) {
+    if (i == k) return;
+    for (std::size_t j = 0; j < a_.columns(); ++j) {
+      std::swap(a_(i, j), a_(k, j));
+      std::swap(size(i, j), size(k, j));
+    }
+    std::swap(b_[i], b_[k]);
+  }
+
+  void swap_columns(std::size_t j, std::size_t k) {
+    if (j == k) return;
+    for (std::size_t i = 0; i < a_.rows(); ++i) {
+      std::swap(a_(i, j), a_(i, k));
+      std::swap(size(i, j), size(i, k));
+    }
+    std::swap(column_of_[j], column_of_[k]);
   }
 
   void eliminate_below(std::size_t k) {
+    std::vector<std::size_t> columns;
+    for (std::size_t j = k; j < a_.columns(); ++j) {
+      if (!cln::zerop(a_(k, j))) columns.push_back(j);
+    }
     for (std::size_t i = k + 1; i < a_.rows(); ++i) {
       if (cln::zerop(a_(i, k))) continue;
       const cl_F factor = a_(i, k) / a_(k, k);
-      for (std::size_t j = k; j < a_.columns(); ++j) a_(i, j) = a_(i, j) - factor * a_(k, j);
+      for (const std::size_t j : columns) {
+        a_(i, j) = a_(i, j) - factor * a_(k, j);
+        size(i, j) = size_of(a_(i, j));
+      }
       b_[i] = b_[i] - factor * b_[k];
     }
   }
 
   Matrix a_;
   Vector b_;
+  std::vector<double> sizes_;           ///< of the entries of A
   std::vector<std::size_t> column_of_;  ///< which unknown a column stands for
 };
 
@@ -142,6 +214,13 @@ std::optional<Vector> solve(const Matrix& a, const Vector& b) {
 std::size_t rank(const Matrix& a, const cl_F& tolerance) {
   if (a.rows() == 0 || a.columns() == 0) return 0;
   return Elimination(a, Vector(a.rows(), a(0, 0))).run(tolerance * largest_entry(a));
+}
+
+std::vector<std::size_t> open_unknowns(const Matrix& a, const cl_F& tolerance) {
+  if (a.rows() == 0 || a.columns() == 0) return {};
+  Elimination elimination(a, Vector(a.rows(), a(0, 0)));
+  const std::size_t rank = elimination.run(tolerance * largest_entry(a));
+  return elimination.open_unknowns(rank, tolerance);
 }
 
 Matrix scaled_symmetric(const Matrix& a) {

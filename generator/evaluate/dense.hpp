@@ -38,6 +38,9 @@ std::optional<Vector> solve(const Matrix& a, const Vector& b);
 /// Number of pivots above `tolerance` times the largest entry.
 std::size_t rank(const Matrix& a, const cln::cl_F& tolerance);
 
+/// Unknowns that A x = 0 leaves open, in order: those whose columns depend on others. Of columns of like size (`equilibrated`).
+std::vector<std::size_t> open_unknowns(const Matrix& a, const cln::cl_F& tolerance);
+
 /// Descending; one-sided Jacobi rotations, so that small ones keep their digits (AᵀA would lose half).
 Vector singular_values(const Matrix& a);
 

@@ -98,6 +98,16 @@ std::optional<NodeId> decided_extreme(const Graph& graph, Function function, con
   return arguments[(function == Function::min) == (a.value <= b.value) ? 0 : 1];
 }
 
+/// Of atan2(y, x) where nothing of it changes, so that fixed directions are exact: y/√(x² + y²), x/√(x² + y²).
+std::optional<NodeId> of_fixed_direction(Graph& graph, Function function, const Node& angle) {
+  const bool is_circular = function == Function::sin || function == Function::cos;
+  if (!is_circular || angle.kind != Kind::function || angle.function != Function::atan2) return std::nullopt;
+  const NodeId y = angle.children[0], x = angle.children[1];
+  if (graph.varies(y) || graph.varies(x)) return std::nullopt;
+  const NodeId squared = graph.sum({graph.power(x, 2), graph.power(y, 2)});
+  return graph.product({function == Function::sin ? y : x, graph.power(squared, Rational(-1) / 2)});
+}
+
 /// |x| is never negative: a size, or an even power.
 bool is_size(const Node& node) {
   if (node.kind == Kind::function) return node.function == Function::abs;
@@ -138,6 +148,7 @@ NodeId Graph::call(Function function, std::vector<NodeId> arguments) {
     Rational value = 0;
     if (function == Function::abs && is_size(argument)) return arguments[0];
     if (argument.kind == Kind::constant && exact_value(function, argument.value, value)) return constant(value);
+    if (const auto direction = of_fixed_direction(*this, function, argument)) return *direction;
     const Parity kind = parity(function);
     if (kind != Parity::none && has_negative_sign(argument)) {
       const NodeId mirrored = call(function, {scale(-1, arguments[0])});

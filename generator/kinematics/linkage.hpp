@@ -62,14 +62,14 @@ struct Place {
 struct Linkage {
   std::vector<Link> links;                   ///< parents first
   std::vector<Part> parts;                   ///< those that move
-  std::vector<std::optional<Place>> places;  ///< of frames; nothing where they turn about axes in general position
+  std::vector<std::optional<Place>> places;  ///< of frames; nothing where they turn by a quaternion and carry nothing
 };
 
 /// Of parameters and numbers alone.
 bool is_fixed(const ir::Vector3& v);
 
-/// Links that carry nothing with mass are left out. `hold` puts the laws of held coordinates in. Nothing for turns about
-/// axes in general position and for angular velocities along the axes before a turn.
+/// Links that carry nothing with mass are left out. `hold` puts the laws of held coordinates in. Nothing for angular
+/// velocities along the axes before a turn.
 std::optional<Linkage> build_linkage(const model::Model& model, const Symbols& symbols, Expressions& expressions,
                                      ir::Substitution& hold);
 

@@ -115,6 +115,7 @@ double worst_residual(const Size& size, bool fold) {
 TEST_CASE("accelerations and multipliers of trees satisfy the equations over all speeds to 64 eps of their terms") {
   const std::vector<Size> sizes{{"planar_chain_relative", 100},
                                 {"planar_chain_absolute", 100},
+                                {"planar_chain_maximal", 50},
                                 {"spatial_chain", 100},
                                 {"tree", 50},
                                 {"floating_chain", 50},
@@ -122,7 +123,8 @@ TEST_CASE("accelerations and multipliers of trees satisfy the equations over all
                                 {"road_train", 50},
                                 {"balls_in_cylinder_euler", 50},
                                 {"quadruped", 10},
-                                {"uneven_bars", 100, "../tests/agreement/"}};
+                                {"uneven_bars", 100, "../tests/agreement/"},
+                                {"slanted_arm", 10, "../tests/agreement/"}};
   std::printf("%-26s %12s %12s\n", "model", "residual/eps", "folded");
   for (const Size& size : sizes) {
     INFO(size.name);

@@ -6,7 +6,7 @@ import unittest
 from gauss_gen import MODELS, Evaluate
 
 FAMILIES = MODELS / "families"
-SMALL = {"planar_chain_relative": "n=3", "planar_chain_absolute": "n=3", "spatial_chain": "n=2", "floating_chain": "n=1",
+SMALL = {"planar_chain_relative": "n=3", "planar_chain_absolute": "n=3", "planar_chain_maximal": "n=3", "spatial_chain": "n=2", "floating_chain": "n=1",
          "tree": "n=3", "n_four_bar": "n=1", "balls_in_cylinder": "n=2", "balls_in_cylinder_euler": "n=2", "road_train": "n=1",
          "quadruped": "legs=1", "humanoid": ""}
 G = 9.81
@@ -41,6 +41,22 @@ class Families(Evaluate):
         for i in range(1, 6):
             total += relative[f"q_{i}_ddot"]
             self.near(total, absolute[f"q_{i}_ddot"], i)
+
+    def test_pins_hold_rods_as_hinges_do(self):
+        absolute = self.found("planar_chain_absolute", "n=4")
+        start, x, z, x_dot, z_dot = [], 0, 0, 0, 0
+        for i in range(1, 5):
+            theta, omega, half = 0.1 * i, 0.2 * i, 0.35
+            down = -half * math.sin(theta), -half * math.cos(theta)
+            down_dot = omega * down[1], -omega * down[0]
+            middle = {"theta": (theta, omega), "x": (x + down[0], x_dot + down_dot[0]), "z": (z + down[1], z_dot + down_dot[1])}
+            for name, (value, rate) in middle.items():
+                start += [f"--set={name}_{i}={value!r}", f"--set=dot({name}_{i})={rate!r}"]
+            x, z = x + 2 * down[0], z + 2 * down[1]
+            x_dot, z_dot = x_dot + 2 * down_dot[0], z_dot + 2 * down_dot[1]
+        pinned = self.found("planar_chain_maximal", "n=4", *start)
+        for i in range(1, 5):
+            self.near(pinned[f"theta_{i}_ddot"], absolute[f"q_{i}_ddot"], i)
 
     def test_a_chain_in_a_plane_of_space_is_the_planar_one(self):
         start = [word for i in (1, 2, 3) for name, value in (("a", 0), ("b", 0.1)) for word in

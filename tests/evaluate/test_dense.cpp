@@ -56,6 +56,37 @@ TEST_CASE("a singular system is refused and its rank known", "[evaluate]") {
   CHECK_FALSE(condition(a).has_value());
 }
 
+TEST_CASE("unknowns are open whose columns depend on others", "[evaluate]") {
+  const cl_F tolerance = number(Rational(1) / 1000000);
+  using Open = std::vector<std::size_t>;
+  CHECK(open_unknowns(rows({{1, 0, 0}, {0, 1, 1}}), tolerance) == Open{1, 2});
+  CHECK(open_unknowns(rows({{1, 2, 3}, {0, 1, 1}, {0, 0, 5}}), tolerance).empty());
+  CHECK(open_unknowns(rows({{1, 2, 0, 0}, {2, 4, 0, 0}, {0, 0, 7, 0}}), tolerance) == Open{0, 1, 3});
+  CHECK(open_unknowns(rows({{0, 0}, {0, 0}}), tolerance) == Open{0, 1});
+  // x = y = -z, with each column once in front.
+  CHECK(open_unknowns(rows({{9, -9, 0}, {0, 2, 2}, {3, 0, 3}}), tolerance) == Open{0, 1, 2});
+}
+
+TEST_CASE("elimination of many rows that are mostly zero", "[evaluate]") {
+  // A chain of differences with one row twice: x_i - x_(i+1) = -1.
+  const std::size_t n = 60;
+  Matrix a(n + 1, n + 1, number(0));
+  for (std::size_t i = 0; i < n; ++i) {
+    a(i, i) = number(1);
+    a(i, i + 1) = number(-1);
+  }
+  a(n, 7) = number(1);
+  a(n, 8) = number(-1);
+  CHECK(rank(a, number(Rational(1) / 1000000)) == n);
+  CHECK(open_unknowns(a, number(Rational(1) / 1000000)).size() == n + 1);
+  a(n, 8) = number(0);
+  Vector b(n + 1, number(-1));
+  b[n] = number(7);
+  const auto x = solve(a, b);
+  REQUIRE(x.has_value());
+  for (std::size_t i = 0; i <= n; ++i) CHECK(to_double((*x)[i]) == static_cast<double>(i));
+}
+
 TEST_CASE("condition numbers agree with the literature", "[evaluate]") {
   // Hilbert matrices of order 5 and 8 (Todd 1954).
   CHECK(to_decimal(*condition(hilbert(5)), 6) == "476607");

@@ -42,6 +42,19 @@ TEST_CASE_METHOD(Fixture, "equal expressions are the same node", "[ir]") {
   CHECK(x * x == pow(x, 2));
 }
 
+TEST_CASE_METHOD(Fixture, "sine and cosine of a fixed direction are exact", "[ir]") {
+  const Expr m(graph, graph.use(graph.declare(SymbolClass::parameter, "m")));
+  const auto direction = [&](Expr v, Expr u) { return Expr(graph, graph.call(Function::atan2, {v.id(), u.id()})); };
+  const Expr three_four = direction(number(3), number(4));
+  CHECK(sin(three_four) == number(Rational(3) / 5));
+  CHECK(cos(three_four) == number(Rational(4) / 5));
+  CHECK(cos(direction(number(3), number(-4))) == number(Rational(-4) / 5));
+  CHECK(square(sin(direction(m, number(2)))) == square(m) / (square(m) + number(4)));
+  CHECK(cos(direction(number(0), m)) == m / pow(square(m), k_half));
+  // Where both may become 0, nothing is divided.
+  CHECK(text(sin(direction(x, y))) == "sin(atan2(x, y))");
+}
+
 TEST_CASE_METHOD(Fixture, "numbers are pulled out of products and into sums", "[ir]") {
   CHECK(text(2 * x * (3 * y)) == "6*x*y");
   CHECK(text(2 * (x + y)) == "2*x + 2*y");
