@@ -34,16 +34,12 @@ constexpr std::size_t k_most_coordinates_of_metric = 6;
 
 std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const MechanicsOptions& options) {
   ir::Substitution hold = kinematics::held_laws(mechanics.model, mechanics.expressions, mechanics.symbols);
-  const auto linkage = kinematics::build_linkage(mechanics.model, mechanics.symbols, mechanics.expressions, hold);
-  if (!linkage) {
-    mechanics.no_tree =
-        "something has angular velocities along the axes before its turn";
-    return std::nullopt;
-  }
+  const kinematics::Linkage linkage =
+      kinematics::build_linkage(mechanics.model, mechanics.symbols, mechanics.expressions, hold);
   const kinematics::Kinematics& kinematics = mechanics.kinematics;
   VanishesEverywhere vanishes_everywhere(mechanics);
   const strategy::Dynamics& dynamics = mechanics.dynamics;
-  strategy::TreeProblem problem{*linkage,
+  strategy::TreeProblem problem{linkage,
                                 mechanics.symbols,
                                 kinematics.field,
                                 {},

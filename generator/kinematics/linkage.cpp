@@ -33,7 +33,7 @@ class Builder {
     for (const FreeIndex i : symbols.speeds.indices()) speeds_.emplace(symbols.speeds[i].symbol.index, i);
   }
 
-  std::optional<Linkage> run() {
+  Linkage run() {
     find_carriers();
     ends_.assign(model_.frames.size(), k_ground);
     axes_of_.assign(model_.frames.size(), axes_);
@@ -43,7 +43,7 @@ class Builder {
     }
     for (std::size_t body = 0; body < model_.bodies.size(); ++body) add_part(body);
     for (std::size_t frame = 0; frame < model_.frames.size(); ++frame) result_.places.push_back(place(frame));
-    return is_complete_ ? std::optional<Linkage>(std::move(result_)) : std::nullopt;
+    return std::move(result_);
   }
 
  private:
@@ -77,7 +77,7 @@ class Builder {
   Vector3 held(const Vector3& v) { return {hold_(v[0]), hold_(v[1]), hold_(v[2])}; }
 
   Link link(Link::Kind kind) const {
-    return {kind, at_, name_, zero_, 0, {}, {}, {zero_, zero_, zero_}, zero_, zero_, {}};
+    return {kind, at_, name_, zero_, 0, {}, {}, {zero_, zero_, zero_}, zero_, zero_, {}, {}, {}};
   }
 
   /// By which fixed turns, each about one of the axes that those before it lead to, one of the axes comes to lie along a direction.
@@ -124,9 +124,7 @@ class Builder {
     return result_.links[at].axis;
   }
 
-  static Expr atan2(Expr y, Expr x) {
-    return {y.graph(), y.graph().call(ir::Function::atan2, {y.id(), x.id()})};
-  }
+  static Expr atan2(Expr y, Expr x) { return {y.graph(), y.graph().call(ir::Function::atan2, {y.id(), x.id()})}; }
 
   // What carries nothing with mass is no link of its own.
   std::optional<Place> place(std::size_t index) {
@@ -187,7 +185,8 @@ class Builder {
     if (angle.is_zero()) return;
     const Vector3 direction = direction_of(turn);
     const bool is_known = aligned_ && aligned_->direction == direction;
-    const Alignment aligned = is_known ? Alignment{{}, aligned_->axis, 1} : aligned_with(ir::multiply(axes_, direction));
+    const Alignment aligned =
+        is_known ? Alignment{{}, aligned_->axis, 1} : aligned_with(ir::multiply(axes_, direction));
     for (const auto& [axis, fixed] : aligned.turns) {
       append_turn(axis, fixed);
       turn_axes(axis, fixed);
@@ -217,25 +216,32 @@ class Builder {
     append(std::move(link));
   }
 
-  // Angular velocities along the turned axes are the accelerations of the links themselves; along the axes before they are not.
+  // Angular velocities along the turned axes are those of the link itself. Along the axes before, they are that, turned back:
+  // u = Q ω and du/dt = Q dω/dt, as dQ/dt ω = Q (ω × ω).
   void add_free_turn(std::size_t orientation) {
-    if (model_.orientations[orientation].axes != model::Axes::body) {
-      is_complete_ = false;
-      return;
-    }
     Link link = this->link(Link::Kind::free);
     const std::size_t first_e = symbols_.first_quaternion_component[orientation].value;
     const auto e = [&](std::size_t i) {
       return expressions_.symbol(symbols_.configuration[ConfigurationIndex{first_e + i}].symbol);
     };
-    link.matrix = product(axes_, quaternion_matrix({e(0), e(1), e(2), e(3)}));
-    axes_ = ir::identity3(graph());
-    aligned_.reset();
+    const Matrix3 turn = quaternion_matrix({e(0), e(1), e(2), e(3)});
+    const bool is_straight = axes_ == ir::identity3(graph());
+    link.matrix = is_straight ? turn : product(axes_, turn);
     const std::size_t first_u = symbols_.first_angular_velocity[orientation].value;
     for (std::size_t i = 0; i < 3; ++i) {
-      link.velocity[i] = expressions_.symbol(symbols_.speeds[FreeIndex{first_u + i}].symbol);
+      const FreeIndex speed{first_u + i};
+      link.velocity[i] = expressions_.symbol(symbols_.speeds[speed].symbol);
+      link.freedoms.push_back({speed, ir::unit_vector(graph(), i)});
     }
-    append(std::move(link));
+    if (model_.orientations[orientation].axes != model::Axes::body) {
+      if (is_straight) link.velocity_before = link.velocity;
+      link.velocity = ir::multiply(ir::transposed(turn), link.velocity);
+      link.to_speeds = turn;
+    }
+    axes_ = ir::identity3(graph());
+    aligned_.reset();
+    result_.links.push_back(std::move(link));
+    at_ = result_.links.size() - 1;
   }
 
   void find_freedoms(Link& link) {
@@ -292,7 +298,6 @@ class Builder {
   std::vector<std::optional<Aligned>> aligned_of_;
   std::string name_;
   Linkage result_;
-  bool is_complete_ = true;
   std::unordered_map<std::uint32_t, FreeIndex> speeds_;  ///< by symbol
 };
 
@@ -302,8 +307,8 @@ bool is_fixed(const Vector3& v) {
   return std::all_of(v.begin(), v.end(), [](Expr e) { return ir::is_of_parameters(e.graph(), e.id()); });
 }
 
-std::optional<Linkage> build_linkage(const model::Model& model, const Symbols& symbols, Expressions& expressions,
-                                     ir::Substitution& hold) {
+Linkage build_linkage(const model::Model& model, const Symbols& symbols, Expressions& expressions,
+                      ir::Substitution& hold) {
   return Builder(model, symbols, expressions, hold).run();
 }
 

@@ -27,6 +27,7 @@ struct Link {
     turn,   ///< about one of the axes
     spin,   ///< likewise, of something that is the same all around this axis: its axes need not turn with it
     free,   ///< any turn, by a quaternion
+    ball,   ///< likewise, of something that is the same in all directions: its axes do not turn with it
   };
   Kind kind = Kind::shift;
   std::size_t parent = k_ground;
@@ -40,7 +41,16 @@ struct Link {
   ir::Vector3 velocity;           ///< of the offset; or the relative angular velocity, in the new axes
   ir::Vector3 drift;              ///< its derivative without accelerations
   std::vector<Freedom> freedoms;
+
+  /// Where speeds are angular velocities along the axes before a free turn: what they are by components in the new ones. Each of the freedoms then
+  /// is one of these components.
+  std::optional<ir::Matrix3> to_speeds;
+  std::optional<ir::Vector3>
+      velocity_before;  ///< rad/s, in the axes before the turn, where these are those of the speeds
 };
+
+/// Whether what turns leaves its axes behind.
+inline bool keeps_axes(const Link& link) { return link.kind == Link::Kind::spin || link.kind == Link::Kind::ball; }
 
 /// What has mass, on the link that carries it.
 struct Part {
@@ -68,9 +78,8 @@ struct Linkage {
 /// Of parameters and numbers alone.
 bool is_fixed(const ir::Vector3& v);
 
-/// Links that carry nothing with mass are left out. `hold` puts the laws of held coordinates in. Nothing for angular
-/// velocities along the axes before a turn.
-std::optional<Linkage> build_linkage(const model::Model& model, const Symbols& symbols, Expressions& expressions,
-                                     ir::Substitution& hold);
+/// Links that carry nothing with mass are left out. `hold` puts the laws of held coordinates in.
+Linkage build_linkage(const model::Model& model, const Symbols& symbols, Expressions& expressions,
+                      ir::Substitution& hold);
 
 }  // namespace gaussgen::kinematics

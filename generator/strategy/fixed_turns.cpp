@@ -65,7 +65,7 @@ class AxesChoice {
         const Link& link = links_[child];
         if (link.kind == Link::Kind::shift) {
           open.push_back(child);
-        } else if (link.kind == Link::Kind::free || link.axis != axis) {
+        } else if (link.kind == Link::Kind::free || link.kind == Link::Kind::ball || link.axis != axis) {
           return false;
         }
       }

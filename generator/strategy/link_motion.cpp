@@ -8,6 +8,7 @@ namespace gaussgen::strategy {
 using ir::Expr;
 using ir::Vector3;
 using kinematics::k_ground;
+using kinematics::keeps_axes;
 using kinematics::Link;
 
 LinkMotion::LinkMotion(const std::vector<Link>& links, Vector3 fall, std::string prefix)
@@ -63,7 +64,7 @@ const Vector3& LinkMotion::fall_at(std::size_t link) {
 Vector3 LinkMotion::omega_of_axes(std::size_t i) const {
   const Link& link = links_[i];
   Vector3 omega = omega_[i];
-  if (link.kind == Link::Kind::spin) omega = omega_before(i);
+  if (keeps_axes(link)) omega = omega_before(i);
   if (link.kind == Link::Kind::turn) omega[link.axis] += *link.rate - link.velocity[link.axis];
   return omega;
 }
@@ -83,16 +84,16 @@ void LinkMotion::find_velocities(Steps& steps) {
     }
     const Vector3 omega = turned(i, before) + link.velocity;
     // Of a spin it is a sum that may cancel against parts of it; nothing else needs it.
-    const bool is_sum = link.kind == Link::Kind::spin;
+    const bool is_sum = keeps_axes(link);
     omega_.push_back(is_sum ? omega : steps.name(omega, prefix_ + "omega_" + link.name));
   }
 }
 
-// d/dt (Rᵀ ω + ω_rel) in turned axes: Rᵀ dω/dt + dω_rel/dt + (Rᵀ ω) × ω_rel.
+// d/dt (Rᵀ ω + ω_rel) in turned axes: Rᵀ dω/dt + dω_rel/dt + (Rᵀ ω) × ω_rel. Axes of a ball do not turn: the same, with R = 1.
 Vector3 LinkMotion::of_turn(std::size_t i) const {
   const Link& link = links_[i];
-  Vector3 before = omega_[i] - link.velocity;
-  if (link.kind != Link::Kind::free) {
+  Vector3 before = link.kind == Link::Kind::ball ? omega_before(i) : omega_[i] - link.velocity;
+  if (link.kind == Link::Kind::turn || link.kind == Link::Kind::spin) {
     before = omega_[i];  // what is along the axis does not matter
     before[link.axis] = Expr(fall_[0].graph(), fall_[0].graph().constant(0));
   }

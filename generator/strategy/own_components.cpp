@@ -103,7 +103,7 @@ bool has_mass(const MassProperties& body) {
 /// Turns of these axes leave the free components among themselves.
 bool keeps(const Link& link, const std::array<bool, 3>& along) {
   if (link.kind == Link::Kind::shift) return link.freedoms.empty();
-  if (link.kind == Link::Kind::spin) return true;
+  if (keeps_axes(link)) return true;
   if (link.kind == Link::Kind::free) return along[0] && along[1] && along[2];
   return along[(link.axis + 1) % 3] == along[(link.axis + 2) % 3];
 }

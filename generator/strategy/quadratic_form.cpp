@@ -4,8 +4,12 @@ namespace gaussgen::strategy {
 
 using ir::Expr;
 
-QuadraticForm::QuadraticForm(ir::Graph& graph, std::size_t count, NameOf name_of)
-    : zero_(graph, graph.constant(0)), P_(count), p_(count, zero_), name_of_(std::move(name_of)) {}
+QuadraticForm::QuadraticForm(ir::Graph& graph, std::size_t count, Component first_dual, NameOf name_of)
+    : zero_(graph, graph.constant(0)),
+      first_dual_(first_dual),
+      P_(count),
+      p_(count, zero_),
+      name_of_(std::move(name_of)) {}
 
 Expr QuadraticForm::entry(Component i, Component j) const {
   const auto found = P_[i].find(j);
@@ -53,7 +57,12 @@ Eliminated QuadraticForm::minimise(Component i, Expr inverse, Steps& steps) {
     p_[it->first] -= factor * p_[i];
   }
   p_[i] = zero_;
-  name(others, steps);
+  for (const Component other : others) {
+    for (const Component j : row_of(other)) {
+      if (other < first_dual_ || j < first_dual_) name(other, j, steps);
+    }
+    p_[other] = steps.name(p_[other], name_of_(other, other, true));
+  }
   return result;
 }
 
@@ -149,12 +158,19 @@ void QuadraticForm::turn(Component i, Component j, Component k, Component l, Exp
   p_[i] = p_[j] = zero_;
 }
 
+std::vector<Component> QuadraticForm::row_of(Component i) const {
+  std::vector<Component> result;
+  for (const auto& [j, value] : P_[i]) result.push_back(j);
+  return result;
+}
+
+void QuadraticForm::name(Component i, Component j, Steps& steps) {
+  replace(i, j, steps.name(entry(i, j), name_of_(std::min(i, j), std::max(i, j), false)));
+}
+
 void QuadraticForm::name(const std::vector<Component>& rows, Steps& steps) {
   for (const Component i : rows) {
-    for (auto& [j, value] : P_[i]) {
-      value = steps.name(value, name_of_(std::min(i, j), std::max(i, j), false));
-      if (i != j) P_[j].insert_or_assign(i, value);
-    }
+    for (const Component j : row_of(i)) name(i, j, steps);
     p_[i] = steps.name(p_[i], name_of_(i, i, true));
   }
 }

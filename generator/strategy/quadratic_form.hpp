@@ -52,7 +52,9 @@ class QuadraticForm {
   /// `name_of` names the entry of two components in emitted code, or the linear part of one that is given twice.
   using NameOf = std::function<std::string(Component, Component, bool is_linear)>;
 
-  QuadraticForm(ir::Graph& graph, std::size_t count, NameOf name_of);
+  /// Between components from `first_dual` on, entries are sums until they are complete: `minimise` gives these no names, so that sin² + cos² in
+  /// them can be 1.
+  QuadraticForm(ir::Graph& graph, std::size_t count, Component first_dual, NameOf name_of);
 
   ir::Expr entry(Component i, Component j) const;
   ir::Expr linear(Component i) const { return p_[i]; }
@@ -96,7 +98,11 @@ class QuadraticForm {
   /// Takes the row of a component out.
   Row extract(Component i);
 
+  std::vector<Component> row_of(Component i) const;
+  void name(Component i, Component j, Steps& steps);
+
   ir::Expr zero_;
+  Component first_dual_;
   std::vector<Row> P_;
   Vector p_;
   NameOf name_of_;

@@ -1,5 +1,6 @@
 #include "strategy/spins.hpp"
 
+#include "ir/contract.hpp"
 #include "ir/rotation.hpp"
 #include "ir/traverse.hpp"
 #include "strategy/axes.hpp"
@@ -21,6 +22,10 @@ bool is_same_all_around(const MassProperties& body, std::size_t axis) {
   const bool is_on_axis = body.first[p].is_zero() && body.first[q].is_zero();
   const bool is_principal = I[axis][p].is_zero() && I[axis][q].is_zero() && I[p][q].is_zero();
   return is_on_axis && is_principal && I[p][p] == I[q][q];
+}
+
+bool is_same_in_all_directions(const MassProperties& body) {
+  return is_same_all_around(body, 0) && is_same_all_around(body, 1) && is_zero(body.first);
 }
 
 /// Its own turn and those before it are one.
@@ -51,12 +56,29 @@ void turn_places(Linkage& linkage, std::size_t link, std::size_t axis, Expr angl
   }
 }
 
+/// Its speeds are components along the axes before the turn: in these, nothing of it turns.
+void roll(Linkage& linkage, std::size_t ball) {
+  Link& link = linkage.links[ball];
+  for (std::optional<kinematics::Place>& place : linkage.places) {
+    if (!place || place->link != ball) continue;
+    place->position = ir::multiply(link.matrix, place->position);
+    const Matrix3 columns = transposed(place->axes);
+    place->axes = transposed(Matrix3{ir::multiply(link.matrix, columns[0]), ir::multiply(link.matrix, columns[1]),
+                                     ir::multiply(link.matrix, columns[2])});
+  }
+  link.kind = Link::Kind::ball;
+  link.velocity = *link.velocity_before;
+  link.to_speeds.reset();
+}
+
 }  // namespace
 
 void find_spins(const std::vector<MassProperties>& properties, Linkage& linkage) {
   const auto children = children_of(linkage.links);
   for (std::size_t i = 0; i < linkage.links.size(); ++i) {
     Link& link = linkage.links[i];
+    const bool is_ball = link.velocity_before && children[i].empty() && is_same_in_all_directions(properties[i]);
+    if (is_ball) roll(linkage, i);
     if (link.kind != Link::Kind::turn || !children[i].empty() || !is_same_all_around(properties[i], link.axis))
       continue;
     link.kind = Link::Kind::spin;

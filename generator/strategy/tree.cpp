@@ -64,12 +64,13 @@ class Tree : private TreeZ {
       labels.push_back(rows_.rows[r].name);
     }
     if (left_.empty()) return true;
+    steps_.begin("how the accelerations along the constraints respond: S = L D L^T");
     Matrix S;
     for (const std::size_t r : left_) {
+      Z_.name({dual(r)}, steps_);
       S.emplace_back();
       for (const std::size_t other : left_) S.back().push_back(-Z_.entry(dual(r), dual(other)));
     }
-    steps_.begin("how the accelerations along the constraints respond: S = L D L^T");
     schur_.emplace(S, labels, problem_.prefix + "S", epsilon_, steps_, Dependent::drop);
     if (!schur_->vanishing().empty()) return false;
     dependent_ = schur_->breakdown(k_lost_in_rows);
@@ -347,6 +348,10 @@ class Tree : private TreeZ {
   void find_speeds() {
     for (auto owned = own_.in_order.rbegin(); owned != own_.in_order.rend(); ++owned) {
       const auto& [i, k] = *owned;
+      if (links_[i].to_speeds) {
+        find_turned_speeds(i);
+        continue;
+      }
       const Freedom& own = *own_.of_joint[i][k].freedom;
       Expr along = w_[first_of_joint(i) + k] - given_[i][k];
       for (const Freedom& other : links_[i].freedoms) {
@@ -355,6 +360,11 @@ class Tree : private TreeZ {
       w_[shared(own.speed.value)] = along / own.column[k];
     }
     if (!is_correcting_) find_speeds_of_one_row();
+  }
+
+  void find_turned_speeds(std::size_t i) {
+    const Vector3 own = ir::multiply(*links_[i].to_speeds, of(alpha(i, 0)) - given_[i]);
+    for (std::size_t j = 0; j < 3; ++j) w_[shared(links_[i].freedoms[j].speed.value)] = own[j];
   }
 
   // What a constraint says of one speed alone holds to the last digit, also where it is zero.

@@ -45,7 +45,7 @@ TreeZ::TreeZ(const TreeProblem& problem, const TreeForm& form, Expr epsilon, Ste
       per_power_(1 / (form.mass * form.length * form.length)),
       per_force_(1 / (form.mass * form.length)),
       per_length_(1 / form.length),
-      Z_(graph_, first_dual() + most_rows(problem),
+      Z_(graph_, first_dual() + most_rows(problem), first_dual(),
          [this](Component i, Component j, bool is_linear) { return is_linear ? name_of(i) : name_of(i, j); }),
       masses_(links_.size(), zero_),
       eliminated_(links_.size()),
@@ -61,6 +61,7 @@ bool TreeZ::minimise() {
   motion_.find_velocities(steps_);
   rows_ = builder.rows(motion_, steps_);
   own_ = own_components(links_, properties_, acted_on(), rows_.released);
+  if (has_mixed_speeds()) own_ = own_components(links_, properties_, acted_on(), rows_.released);
   const auto& uses = own_.uses;
   if (std::any_of(uses.begin(), uses.end(), [](const auto& links) { return links.empty(); })) return false;
   place_rows();
@@ -74,6 +75,20 @@ bool TreeZ::minimise() {
     if (!inward(i)) return false;
   }
   return true;
+}
+
+// Speeds that move more than their turn, as where a place depends on the attitude, are no components of it: each of them moves all three.
+bool TreeZ::has_mixed_speeds() {
+  bool has_mixed = false;
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    Link& link = links_[i];
+    const auto is_owned = [](const OwnComponent& own) { return own.freedom != nullptr; };
+    if (!link.to_speeds || std::all_of(own_.of_joint[i].begin(), own_.of_joint[i].end(), is_owned)) continue;
+    for (std::size_t j = 0; j < 3; ++j) link.freedoms[j].column = (*link.to_speeds)[j];
+    link.to_speeds.reset();
+    has_mixed = true;
+  }
+  return has_mixed;
 }
 
 Linkage TreeZ::prepared(const Linkage& linkage, const TreeForm& form) {
@@ -268,7 +283,15 @@ void TreeZ::act_on(std::size_t i, int factor) {
   for (std::size_t k = 0; k < 3; ++k) {
     const OwnComponent& own = own_.of_joint[i][k];
     if (own.freedom == nullptr) continue;
-    act(first_of_joint(i) + k, own.freedom->speed.value, Rational(factor) * pow(own.freedom->column[k], -1));
+    const Component c = first_of_joint(i) + k;
+    if (!links_[i].to_speeds) {
+      act(c, own.freedom->speed.value, Rational(factor) * pow(own.freedom->column[k], -1));
+      continue;
+    }
+    for (const Freedom& freedom : links_[i].freedoms) {
+      const std::size_t along = static_cast<std::size_t>(&freedom - links_[i].freedoms.data());
+      act(c, freedom.speed.value, Rational(factor) * (*links_[i].to_speeds)[along][k]);
+    }
   }
 }
 
