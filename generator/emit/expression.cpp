@@ -105,7 +105,12 @@ bool is_negation(const Node& node) {
 void ExpressionWriter::multiply(Fraction& fraction, NodeId factor) const {
   const Node& node = writing_.graph()[factor];
   if (bound(factor) == nullptr && node.kind == Kind::product) {
-    for (const NodeId child : node.children) multiply(fraction, child);
+    std::vector<NodeId> children = node.children;
+    if (children.size() > 2) {
+      std::stable_sort(children.begin(), children.end(),
+                       [&](NodeId a, NodeId b) { return writing_.ready(a) < writing_.ready(b); });
+    }
+    for (const NodeId child : children) multiply(fraction, child);
     return;
   }
   if (bound(factor) == nullptr && node.kind == Kind::power) {
@@ -155,10 +160,15 @@ struct Item {
   const NodeId* node;  ///< null for the constant
 };
 
-std::vector<Item> items_of(const Node& sum) {
+// What is ready first is added first: C++ adds from the left.
+std::vector<Item> items_of(const Node& sum, const passes::Writing& writing) {
   std::vector<Item> items;
   if (sum.value != 0) items.push_back({sum.value, nullptr});
   for (std::size_t i = 0; i < sum.children.size(); ++i) items.push_back({sum.coefficients[i], &sum.children[i]});
+  const auto ready = [&](const Item& item) { return item.node == nullptr ? 0 : writing.ready(*item.node); };
+  if (items.size() > 2) {
+    std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b) { return ready(a) < ready(b); });
+  }
   return items;
 }
 
@@ -184,7 +194,7 @@ Rational common_factor(const Node& sum, const std::vector<Item>& items) {
 }  // namespace
 
 Expression ExpressionWriter::sum(const Node& node) const {
-  const std::vector<Item> items = items_of(node);
+  const std::vector<Item> items = items_of(node, writing_);
   const Rational factor = common_factor(node, items);
   std::vector<Expression> terms;
   for (const Item& item : items) {

@@ -28,7 +28,11 @@ class Clock {
     return found == nullptr ? 0 : *found;
   }
 
-  void visit(NodeId id) { ready_[id] = graph_.varies(id) ? found(graph_[id]) : 0; }
+  void visit(NodeId id) {
+    if (graph_.varies(id)) ready_[id] = found(graph_[id]);
+  }
+
+  NodeTable<int> take() { return std::move(ready_); }
 
  private:
   int found(const Node& node) const {
@@ -81,11 +85,19 @@ class Clock {
 
 }  // namespace
 
-int latency(const Graph& graph, const std::vector<NodeId>& roots) {
+NodeTable<int> ready_times(const Graph& graph, const std::vector<NodeId>& roots) {
   Clock clock(graph);
   for (const NodeId id : post_order(graph, roots)) clock.visit(id);
+  return clock.take();
+}
+
+int latency(const Graph& graph, const std::vector<NodeId>& roots) {
+  const NodeTable<int> ready = ready_times(graph, roots);
   int cycles = 0;
-  for (const NodeId root : roots) cycles = std::max(cycles, clock.at(root));
+  for (const NodeId root : roots) {
+    const int* const at = ready.find(root);
+    cycles = std::max(cycles, at == nullptr ? 0 : *at);
+  }
   return cycles;
 }
 

@@ -14,6 +14,7 @@ Writing::Writing(Graph& graph, const std::vector<NodeId>& roots) : graph_(graph)
     if (node.kind == Kind::power && node.value == -1) inverted_.insert(node.children[0].index);
   }
   walk(roots);
+  ready_ = ir::ready_times(graph, roots);
 }
 
 // Not ir::post_order: the graph grows meanwhile, and powers have other operands than children.

@@ -5,7 +5,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "ir/graph.hpp"
+#include "ir/latency.hpp"
 
 namespace gaussgen::passes {
 
@@ -35,6 +35,12 @@ class Writing {
   const std::vector<NodeId>& operands(NodeId id) const;
   const PowerForm& power_form(NodeId power) const { return forms_.at(power.index); }
 
+  /// When a node can be there: see ir/latency.hpp.
+  int ready(NodeId id) const {
+    const int* const found = ready_.find(id);
+    return found == nullptr ? 0 : *found;
+  }
+
   /// Every node once, operands first; depends on structure only.
   const std::vector<NodeId>& order() const { return order_; }
   bool contains(NodeId id) const { return reached_.count(id.index) != 0; }
@@ -52,6 +58,7 @@ class Writing {
   std::unordered_map<std::uint32_t, std::vector<NodeId>> choices_;  ///< operands of abs to piecewise
   std::unordered_set<std::uint32_t> reached_;
   std::vector<NodeId> order_;
+  ir::NodeTable<int> ready_;
 };
 
 }  // namespace gaussgen::passes
