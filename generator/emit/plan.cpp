@@ -171,6 +171,7 @@ class Planner {
     // What `prepare` computes is no operation any more.
     effects.push_back({"prepare", effects.back().after, ir::operations(plan_.graph, request.outputs), 0});
     request = over_prepared(passes::apply_best_order(plan_.graph, request, &effects));
+    request = over_prepared(passes::apply_rotations(plan_.graph, request, &effects));
     NodeId& condition = request.outputs[request.outputs.size() - k_outputs_from_not_finite];
     condition = over_fewest_values(plan_.graph, condition);
     return request;
