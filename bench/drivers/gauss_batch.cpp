@@ -48,7 +48,8 @@ class Lanes : public bench::Contender {
   }
 
   gauss::batch::Evaluator<Model, double, Batch> evaluator_;
-  std::array<double, k_size * bench::k_states> states_{}, derivatives_{};
+  /// Whole lines of the cache for each register, as the page of the driver recommends.
+  alignas(64) std::array<double, k_size * bench::k_states> states_{}, derivatives_{};
   std::array<gauss::Status, bench::k_states> statuses_{};
 };
 

@@ -152,10 +152,11 @@ struct ScalarLogic {
     return (first || ... || rest);
   }
 
-  /// x - x is 0 for finite x only.
+  /// x - x is 0 for finite x, else a NaN, which equals nothing.
   template <class... Rest>
   GAUSS_FUNCTION static Bool not_finite(const S& first, const Rest&... rest) {
-    return !(((first - first) + ... + (rest - rest)) == S(0));
+    const S sum = ((first - first) + ... + (rest - rest));
+    return !(sum == sum);
   }
 
   /// The first condition that holds.
@@ -202,6 +203,8 @@ struct Math : ScalarLogic<S> {
 /// float, double and long double.
 template <class S>
 struct StandardMath : ScalarLogic<S> {
+  /// One comparison, where any type with < and == may need two.
+  GAUSS_FUNCTION static bool at_most(S a, S b) noexcept { return a <= b; }
   GAUSS_FUNCTION static S sin(S x) noexcept { return std::sin(x); }
   GAUSS_FUNCTION static S cos(S x) noexcept { return std::cos(x); }
   GAUSS_FUNCTION static S tan(S x) noexcept { return std::tan(x); }
@@ -619,7 +622,6 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   // accelerations along the speeds
   const S t3 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
-  const S a_a = -t3;
   const S a_b = S(1) / S(3) * t3 * s - drift_a_first_y;
   const S a_c = -(g + drift_a_first_z);
   const S a_e = t3 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
@@ -630,7 +632,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.c_dot() = c_dot;
   derivative.d_dot() = d_dot;
   derivative.e_dot() = e_dot;
-  derivative.a_ddot() = a_a;
+  derivative.a_ddot() = -t3;
   derivative.b_ddot() = a_b;
   derivative.c_ddot() = a_c;
   derivative.d_ddot() = a_d;
@@ -640,8 +642,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
       Math<S>::at_most(Z_e_e, rounding_m2),
       Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(9) * m2 * (S(4) + s_2))),
       Math<S>::at_most(least_pivot, S(0)));
-  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_a, a_b,
-      a_c, a_d, a_e);
+  const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, a_b, a_c, a_d);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -771,7 +772,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
       Math<S>::at_most(Z_e_e, rounding_m2),
       Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(36) * m2 * t5)),
       Math<S>::at_most(least_pivot, S(0)));
-  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, R_s);
+  const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -877,7 +878,6 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   // accelerations along the speeds
   const S t5 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
-  const S a_a = -t5;
   const S a_b = S(1) / S(3) * t5 * s - drift_a_first_y;
   const S a_c = -(g + drift_a_first_z);
   const S a_e = t5 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
@@ -902,7 +902,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   derivative.c_dot() = c_dot;
   derivative.d_dot() = d_dot;
   derivative.e_dot() = e_dot;
-  derivative.a_ddot() = a_a;
+  derivative.a_ddot() = -t5;
   derivative.b_ddot() = a_b;
   derivative.c_ddot() = a_c;
   derivative.d_ddot() = a_d;
@@ -913,8 +913,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
       Math<S>::at_most(Z_e_e, rounding_m2),
       Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(36) * m2 * t6)),
       Math<S>::at_most(least_pivot, S(0)));
-  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_a, a_b,
-      a_c, a_d, a_e, R_s);
+  const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -1090,24 +1089,24 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S force_s_first_x = half_m1 * R_s * (S(2) * z_s_s + z_s_a);
   const S force_s_first_y = m1_over_3 * R_s * (t15 + S(3) * z_s_b);
   const S force_s_second_x = m2_over_3 * R_s * (z_s_s + S(3) * z_s_d);
-  const S t16 = S(4) * d;
-  const S force_s_second_y = -m2_over_10 * R_s * (S(10) * t14 + S(5) * t15 - t16 * z_s_d);
   const S force_s_second_z = half_m2 * R_s * (S(2) * z_s_s - t14 + S(2) * z_s_a);
 
   // all constraint forces on first: m a - F and d(I omega)/dt - M (theory.md, section 4)
-  const S t17 = S(2) * t9;
-  const S force_on_first_x = -half_m1 * (t6 + t17);
-  const S t18 = a * t9 + t7;
-  const S force_on_first_y = m1_over_3 * (S(2) * t3 - t18 + S(3) * a_b);
+  const S t16 = a * t9 + t7;
+  const S force_on_first_y = m1_over_3 * (S(2) * t3 - t16 + S(3) * a_b);
   const S force_on_first_z = m1_g + half_m1 * (S(2) * a_c - t8 + t9 * s);
 
   // all constraint forces on second: m a - F and d(I omega)/dt - M (theory.md, section 4)
-  const S force_on_second_x = -m2_over_3 * (t9 - S(3) * a_d);
-  const S force_on_second_y = m2_over_10 * (S(4) * t4 + S(5) * t18 + S(10) * a_e + t16 * a_d);
-  const S force_on_second_z = m2_g - half_m2 * (S(2) * t6 + t17 - a_e);
+  const S t17 = S(4) * d;
+  const S force_on_second_y = m2_over_10 * (S(4) * t4 + S(5) * t16 + S(10) * a_e + t17 * a_d);
+  const S t18 = S(2) * t9;
+  const S force_on_second_z = m2_g - half_m2 * (S(2) * t6 + t18 - a_e);
 
   // Results
-  const Bool t19 = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, rounding_m2),
+  const S t19 = m2_over_10 * R_s * (S(10) * t14 + S(5) * t15 - t17 * z_s_d);
+  const S t20 = half_m1 * (t6 + t18);
+  const S t21 = m2_over_3 * (t9 - S(3) * a_d);
+  const Bool t22 = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, rounding_m2),
       Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * t2 + S(36) * m2 * t1)),
       Math<S>::at_most(least_pivot, S(0)), Math<S>::at_most(g_pivot_a, c12 * G_a_a),
       Math<S>::at_most(g_pivot_d, c12 * G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
@@ -1117,20 +1116,19 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.s.force_on_first[1] = force_s_first_y;
   reaction_forces.s.force_on_first[2] = S(0);
   reaction_forces.s.force_on_second[0] = force_s_second_x;
-  reaction_forces.s.force_on_second[1] = force_s_second_y;
+  reaction_forces.s.force_on_second[1] = -t19;
   reaction_forces.s.force_on_second[2] = force_s_second_z;
-  reaction_forces.on_first.force[0] = force_on_first_x;
+  reaction_forces.on_first.force[0] = -t20;
   reaction_forces.on_first.force[1] = force_on_first_y;
   reaction_forces.on_first.force[2] = force_on_first_z;
-  reaction_forces.on_second.force[0] = force_on_second_x;
+  reaction_forces.on_second.force[0] = -t21;
   reaction_forces.on_second.force[1] = force_on_second_y;
   reaction_forces.on_second.force[2] = force_on_second_z;
 
-  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot,
-      force_s_first_x, force_s_first_y, force_s_second_x, force_s_second_y, force_s_second_z,
-      force_on_first_x, force_on_first_y, force_on_first_z, force_on_second_x, force_on_second_y,
-      force_on_second_z);
-  return Math<S>::status(t19, Bool(false), not_finite);
+  const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, force_s_first_x, force_s_first_y,
+      force_s_second_x, t19, force_s_second_z, t20, force_on_first_y, force_on_first_z, t21,
+      force_on_second_y, force_on_second_z);
+  return Math<S>::status(t22, Bool(false), not_finite);
 }
 
 /// Kinetic energy, potential energy of uniform fields, potentials and springs, and their sum.
@@ -1186,8 +1184,7 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   energy.potential = potential_energy;
   energy.total = total;
 
-  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot,
-      kinetic_energy, potential_energy, total);
+  const Bool not_finite = Math<S>::not_finite(b, total);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
@@ -1329,8 +1326,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, c12 * G_a_a),
       Math<S>::at_most(g_pivot_d, c12 * G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
       Math<S>::at_most(G_pivot_s, c12 * G_s_s), Math<S>::at_most(m1, S(0)));
-  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, a_ddot,
-      b_ddot, c_ddot, d_ddot, e_ddot, Z);
+  const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, Z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -1369,7 +1365,8 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
   const S s_2 = s * s;
   const S G_a_a = m2_over_4 * (S(4) + s_2) + m1_over_36 * (S(9) + S(4) * s_2);
   const S G_a_b = m1_over_3 * s;
-  const S G_a_d = -m2_over_5 * d * s;
+  const S m2_over_5_d_s = m2_over_5 * d * s;
+  const S G_a_d = -m2_over_5_d_s;
   const S G_d_d = m2_over_25 * (S(25) + S(4) * d * d);
   const S G_a_e = half_m2 * (S(1) - s);
   const S G_d_e = c2 * d;
@@ -1400,8 +1397,8 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
   mass_matrix.g[4][3] = G_d_e;
   mass_matrix.g[4][4] = G_e_e;
 
-  const Bool not_finite = Math<S>::not_finite(t, a, b, c, d, e, a_dot, b_dot, c_dot, d_dot, e_dot, G_a_a,
-      G_a_b, G_a_d, G_a_e, m1, G_d_d, G_d_e, G_e_e);
+  const Bool not_finite = Math<S>::not_finite(a, b, c, e, a_dot, b_dot, c_dot, d_dot, e_dot, G_a_a, G_a_b,
+      m2_over_5_d_s, G_a_e, m1, G_d_d, G_d_e, G_e_e);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 

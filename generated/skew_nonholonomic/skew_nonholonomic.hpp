@@ -149,10 +149,11 @@ struct ScalarLogic {
     return (first || ... || rest);
   }
 
-  /// x - x is 0 for finite x only.
+  /// x - x is 0 for finite x, else a NaN, which equals nothing.
   template <class... Rest>
   GAUSS_FUNCTION static Bool not_finite(const S& first, const Rest&... rest) {
-    return !(((first - first) + ... + (rest - rest)) == S(0));
+    const S sum = ((first - first) + ... + (rest - rest));
+    return !(sum == sum);
   }
 
   /// The first condition that holds.
@@ -199,6 +200,8 @@ struct Math : ScalarLogic<S> {
 /// float, double and long double.
 template <class S>
 struct StandardMath : ScalarLogic<S> {
+  /// One comparison, where any type with < and == may need two.
+  GAUSS_FUNCTION static bool at_most(S a, S b) noexcept { return a <= b; }
   GAUSS_FUNCTION static S sin(S x) noexcept { return std::sin(x); }
   GAUSS_FUNCTION static S cos(S x) noexcept { return std::cos(x); }
   GAUSS_FUNCTION static S tan(S x) noexcept { return std::tan(x); }
@@ -563,7 +566,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
       Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
-  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, a_q1, a_q2, a_q3);
+  const Bool not_finite = Math<S>::not_finite(t, q3, a_q2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -632,7 +635,6 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * a_y_q3_over_M_pivot_q3;
-  const S lambda_blade = -excess_q2;
 
   // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 14
   const S G_q1_x1 = c1 + m1_over_90 * (S(45) + S(4) * q1);
@@ -647,20 +649,19 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
       + G_q1_x2 * a_q1 + G_q2_x2 * a_q2;
 
   // Results
-  const S blade_generalized_0 = -q2 * excess_q2;
-  const S blade_generalized_2 = -beta_blade_q3 * excess_q2;
+  const S q2_excess_q2 = q2 * excess_q2;
+  const S beta_blade_q3_excess_q2 = beta_blade_q3 * excess_q2;
 
-  reactions.blade.multiplier = lambda_blade;
-  reactions.blade.generalized[0] = blade_generalized_0;
+  reactions.blade.multiplier = -excess_q2;
+  reactions.blade.generalized[0] = -q2_excess_q2;
   reactions.blade.generalized[1] = excess_q2;
-  reactions.blade.generalized[2] = blade_generalized_2;
+  reactions.blade.generalized[2] = -beta_blade_q3_excess_q2;
   reactions.x1.generalized = R_x1;
   reactions.x2.generalized = R_x2;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
       Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
-  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, lambda_blade,
-      blade_generalized_0, excess_q2, blade_generalized_2, R_x1, R_x2);
+  const Bool not_finite = Math<S>::not_finite(t, q3, q2_excess_q2, beta_blade_q3_excess_q2, R_x1, R_x2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -730,7 +731,6 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * a_q3;
-  const S lambda_blade = -excess_q2;
 
   // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 14
   const S G_q1_x1 = c1 + m1_over_90 * (S(45) + S(4) * q1);
@@ -745,8 +745,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
       + G_q2_x2 * a_q2;
 
   // Results
-  const S blade_generalized_0 = -q2 * excess_q2;
-  const S blade_generalized_2 = -beta_blade_q3 * excess_q2;
+  const S q2_excess_q2 = q2 * excess_q2;
+  const S beta_blade_q3_excess_q2 = beta_blade_q3 * excess_q2;
 
   derivative.q1_dot() = q1_dot;
   derivative.q2_dot() = q2_dot;
@@ -754,17 +754,16 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   derivative.q1_ddot() = a_q1;
   derivative.q2_ddot() = a_q2;
   derivative.q3_ddot() = a_q3;
-  reactions.blade.multiplier = lambda_blade;
-  reactions.blade.generalized[0] = blade_generalized_0;
+  reactions.blade.multiplier = -excess_q2;
+  reactions.blade.generalized[0] = -q2_excess_q2;
   reactions.blade.generalized[1] = excess_q2;
-  reactions.blade.generalized[2] = blade_generalized_2;
+  reactions.blade.generalized[2] = -beta_blade_q3_excess_q2;
   reactions.x1.generalized = R_x1;
   reactions.x2.generalized = R_x2;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
       Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
-  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, a_q1, a_q2, a_q3,
-      lambda_blade, blade_generalized_0, excess_q2, blade_generalized_2, R_x1, R_x2);
+  const Bool not_finite = Math<S>::not_finite(t, q3, q2_excess_q2, beta_blade_q3_excess_q2, R_x1, R_x2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -847,8 +846,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
       Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
-  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, force_on_first_x,
-      force_on_first_y, force_on_first_z, force_on_second_x, force_on_second_y, force_on_second_z);
+  const Bool not_finite = Math<S>::not_finite(t, q3, force_on_first_x, force_on_first_y, force_on_first_z,
+      force_on_second_x, force_on_second_y, force_on_second_z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -886,8 +885,7 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   energy.potential = potential_energy;
   energy.total = total;
 
-  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, kinetic_energy,
-      potential_energy, total);
+  const Bool not_finite = Math<S>::not_finite(t, total);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
@@ -936,8 +934,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
 
   compulsion.Z = Z;
 
-  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, q1_ddot, q2_ddot,
-      q3_ddot, Z);
+  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, Z);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
@@ -969,8 +966,7 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
   residuals.velocity[0] = velocity_0;
   residuals.acceleration[0] = acceleration_0;
 
-  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, q1_ddot, q2_ddot,
-      q3_ddot, velocity_0, acceleration_0);
+  const Bool not_finite = Math<S>::not_finite(t, q3, velocity_0, acceleration_0);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
@@ -1069,8 +1065,7 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const Bool singular_mass_matrix = Math<S>::at_most(least_g_pivot, S(0));
   const Bool dependent_constraints = Math<S>::any(t3, Math<S>::at_most(squares_blade * squares_blade
       * squares_blade, S(0)), Math<S>::at_most(S_blade_blade * S_blade_blade * S_blade_blade, S(0)));
-  const Bool not_finite = Math<S>::not_finite(t, q1, q2, q3, q1_dot, q2_dot, q3_dot, q1_rate, q2_rate,
-      q3_rate);
+  const Bool not_finite = Math<S>::not_finite(t, q3, q1_rate, q2_rate, q3_rate);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 

@@ -34,7 +34,7 @@
 //   rhs                16   40  2  0     4
 //   reactions          16   41  2  0     4
 //   rhs_and_reactions  17   45  2  0     4
-//   reaction_forces    21   54  2  0     8
+//   reaction_forces    22   58  2  0     6
 //   energy             6    12  0  0     1
 //   compulsion         17   37  0  0     6
 //   residuals          14   21  0  0     4
@@ -157,10 +157,11 @@ struct ScalarLogic {
     return (first || ... || rest);
   }
 
-  /// x - x is 0 for finite x only.
+  /// x - x is 0 for finite x, else a NaN, which equals nothing.
   template <class... Rest>
   GAUSS_FUNCTION static Bool not_finite(const S& first, const Rest&... rest) {
-    return !(((first - first) + ... + (rest - rest)) == S(0));
+    const S sum = ((first - first) + ... + (rest - rest));
+    return !(sum == sum);
   }
 
   /// The first condition that holds.
@@ -207,6 +208,8 @@ struct Math : ScalarLogic<S> {
 /// float, double and long double.
 template <class S>
 struct StandardMath : ScalarLogic<S> {
+  /// One comparison, where any type with < and == may need two.
+  GAUSS_FUNCTION static bool at_most(S a, S b) noexcept { return a <= b; }
   GAUSS_FUNCTION static S sin(S x) noexcept { return std::sin(x); }
   GAUSS_FUNCTION static S cos(S x) noexcept { return std::cos(x); }
   GAUSS_FUNCTION static S tan(S x) noexcept { return std::tan(x); }
@@ -616,8 +619,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
       Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
       Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
-      psi_dot, theta_dot, a_zeta, a_phi, a_psi, a_theta);
+  const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, a_zeta, a_psi);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
@@ -695,7 +697,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   // Results
   const S rolling_along_generalized_2 = t4 * excess_zeta;
   const S rolling_along_generalized_4 = beta_rolling_along_theta * excess_zeta;
-  const S rho_generalized = -m_rho * chi_dot * chi_dot;
+  const S t8 = m_rho * chi_dot * chi_dot;
 
   reactions.rolling_around.multiplier = S(0);
   reactions.rolling_around.generalized[0] = S(0);
@@ -709,15 +711,14 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   reactions.rolling_along.generalized[2] = rolling_along_generalized_2;
   reactions.rolling_along.generalized[3] = S(0);
   reactions.rolling_along.generalized[4] = rolling_along_generalized_4;
-  reactions.rho.generalized = rho_generalized;
+  reactions.rho.generalized = -t8;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
       Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
       Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
-      psi_dot, theta_dot, excess_zeta, rolling_along_generalized_2, rolling_along_generalized_4,
-      rho_generalized);
+  const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, rolling_along_generalized_2,
+      rolling_along_generalized_4, t8);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
@@ -801,7 +802,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   // Results
   const S rolling_along_generalized_2 = t3 * excess_zeta;
   const S rolling_along_generalized_4 = beta_rolling_along_theta * excess_zeta;
-  const S rho_generalized = -m_rho * chi_dot * chi_dot;
+  const S t6 = m_rho * chi_dot * chi_dot;
 
   derivative.chi_dot() = chi_dot;
   derivative.zeta_dot() = zeta_dot;
@@ -825,15 +826,14 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   reactions.rolling_along.generalized[2] = rolling_along_generalized_2;
   reactions.rolling_along.generalized[3] = S(0);
   reactions.rolling_along.generalized[4] = rolling_along_generalized_4;
-  reactions.rho.generalized = rho_generalized;
+  reactions.rho.generalized = -t6;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
       Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
       Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
-      psi_dot, theta_dot, a_zeta, a_phi, a_psi, a_theta, excess_zeta, rolling_along_generalized_2,
-      rolling_along_generalized_4, rho_generalized);
+  const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, a_psi, rolling_along_generalized_2,
+      rolling_along_generalized_4, t6);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
@@ -871,9 +871,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   S sin_chi, cos_chi;
   S sin_psi, cos_psi;
   S sin_theta, cos_theta;
-  S sin_chi_minus_psi, cos_chi_minus_psi;
-  Angles<S>::sincos(chi, sin_chi, cos_chi, psi, sin_psi, cos_psi, theta, sin_theta, cos_theta, chi - psi,
-      sin_chi_minus_psi, cos_chi_minus_psi);
+  Angles<S>::sincos(chi, sin_chi, cos_chi, psi, sin_psi, cos_psi, theta, sin_theta, cos_theta);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
   const S phi_dot_sin_theta = phi_dot * sin_theta;
@@ -881,41 +879,43 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S bias_theta = J * psi_dot_phi_dot_sin_theta;
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
-  const S beta_rolling_along_theta = r * sin_chi_minus_psi;
-  const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
-  const S b_alpha_ball_y_rolling_along = r * cos_chi_minus_psi;
+  const S t1 = sin_chi * sin_psi + cos_chi * cos_psi;
+  const S b_alpha_ball_y_rolling_along = r * t1;
   const S theta_dot_cos_theta = theta_dot * cos_theta;
-  const S t1 = phi_dot * theta_dot_cos_theta;
-  const S drift_rolling_along = b_alpha_ball_y_rolling_along * (t1 + theta_dot * chi_dot_minus_psi_dot)
+  const S t2 = phi_dot * theta_dot_cos_theta;
+  const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
+  const S t3 = sin_chi * cos_psi - sin_psi * cos_chi;
+  const S beta_rolling_along_theta = r * t3;
+  const S drift_rolling_along = b_alpha_ball_y_rolling_along * (t2 + theta_dot * chi_dot_minus_psi_dot)
       - beta_rolling_along_theta * phi_dot_sin_theta * chi_dot_minus_psi_dot;
 
   // reduced metric C^T g C of the independent accelerations
   const S I_ball_zz = J * sin_theta * sin_theta;
-  const S t2 = sin_theta * cos_chi_minus_psi;
-  const S t3 = m_r_2 * t2;
-  const S M_phi_phi = I_ball_zz + t3 * t2;
-  const S sin_chi_minus_psi_2 = sin_chi_minus_psi * sin_chi_minus_psi;
-  const S M_theta_theta = J + m_r_2 * sin_chi_minus_psi_2;
+  const S t4 = t1 * sin_theta;
+  const S t5 = m_r_2 * t4;
+  const S M_phi_phi = I_ball_zz + t5 * t4;
+  const S t6 = t3 * t3;
+  const S M_theta_theta = J + m_r_2 * t6;
 
   // right-hand side of (3.7): C^T (f - g drift)
   const S psi_dot_theta_dot = psi_dot * theta_dot;
-  const S t4 = r * t2;
-  const S t5 = m_g - m * drift_rolling_along;
-  const S F_phi = t4 * t5 - J * (phi_dot_sin_theta * theta_dot_cos_theta - psi_dot_theta_dot * sin_theta);
-  const S F_theta = beta_rolling_along_theta * t5 - bias_theta;
+  const S t7 = r * t4;
+  const S t8 = m_g - m * drift_rolling_along;
+  const S F_phi = t7 * t8 - J * (phi_dot_sin_theta * theta_dot_cos_theta - psi_dot_theta_dot * sin_theta);
+  const S F_theta = beta_rolling_along_theta * t8 - bias_theta;
 
   // C^T g C = L D L^T
   const S inv_M_phi_phi = S(1) / M_phi_phi;
-  const S M_pivot_theta = M_theta_theta - m_2_r_4 * sin_chi_minus_psi_2 * t2 * t2 * inv_M_phi_phi;
+  const S M_pivot_theta = M_theta_theta - m_2_r_4 * t6 * t4 * t4 * inv_M_phi_phi;
 
   // independent accelerations (3.7)
-  const S t6 = t3 * inv_M_phi_phi * sin_chi_minus_psi;
-  const S a_y_theta = F_theta - t6 * F_phi;
-  const S t7 = a_y_theta / M_pivot_theta;
-  const S a_phi = F_phi * inv_M_phi_phi - t6 * t7;
+  const S t9 = t5 * t3 * inv_M_phi_phi;
+  const S a_y_theta = F_theta - t9 * F_phi;
+  const S t10 = a_y_theta / M_pivot_theta;
+  const S a_phi = F_phi * inv_M_phi_phi - t9 * t10;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + t4 * a_phi + beta_rolling_along_theta * t7);
+  const S a_zeta = -(drift_rolling_along + t7 * a_phi + beta_rolling_along_theta * t10);
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
@@ -923,18 +923,22 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   // force and moment of rolling_along: m J z and I W z, times its reaction, model line 40
   const S r_excess_zeta = r * excess_zeta;
   const S moment_rolling_along_ball_x = r_excess_zeta * sin_chi;
-  const S moment_rolling_along_ball_y = -r_excess_zeta * cos_chi;
 
   // force and moment of rho: m J z and I W z, times its reaction, model line 21
-  const S t8 = m_rho * chi_dot * chi_dot;
-  const S force_rho_ball_x = -t8 * cos_chi;
-  const S force_rho_ball_y = -t8 * sin_chi;
+  const S t11 = m_rho * chi_dot * chi_dot;
+  const S t12 = t11 * cos_chi;
+  const S force_rho_ball_x = -t12;
+  const S t13 = t11 * sin_chi;
+  const S force_rho_ball_y = -t13;
 
   // all constraint forces on ball: m a - F and d(I omega)/dt - M (theory.md, section 4)
-  const S t9 = t1 - psi_dot_theta_dot + a_phi * sin_theta;
-  const S t10 = psi_dot_phi_dot_sin_theta + t7;
-  const S moment_on_ball_x = J * (t9 * sin_psi + t10 * cos_psi);
-  const S moment_on_ball_y = -J * (t9 * cos_psi - t10 * sin_psi);
+  const S t14 = t2 - psi_dot_theta_dot + a_phi * sin_theta;
+  const S t15 = psi_dot_phi_dot_sin_theta + t10;
+  const S moment_on_ball_x = J * (t14 * sin_psi + t15 * cos_psi);
+
+  // Results
+  const S r_excess_zeta_cos_chi = r_excess_zeta * cos_chi;
+  const S t16 = J * (t14 * cos_psi - t15 * sin_psi);
 
   reaction_forces.rolling_around.force_on_ball[0] = S(0);
   reaction_forces.rolling_around.force_on_ball[1] = S(0);
@@ -946,7 +950,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.rolling_along.force_on_ball[1] = S(0);
   reaction_forces.rolling_along.force_on_ball[2] = excess_zeta;
   reaction_forces.rolling_along.moment_on_ball[0] = moment_rolling_along_ball_x;
-  reaction_forces.rolling_along.moment_on_ball[1] = moment_rolling_along_ball_y;
+  reaction_forces.rolling_along.moment_on_ball[1] = -r_excess_zeta_cos_chi;
   reaction_forces.rolling_along.moment_on_ball[2] = S(0);
   reaction_forces.rho.force_on_ball[0] = force_rho_ball_x;
   reaction_forces.rho.force_on_ball[1] = force_rho_ball_y;
@@ -958,7 +962,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_ball.force[1] = force_rho_ball_y;
   reaction_forces.on_ball.force[2] = excess_zeta;
   reaction_forces.on_ball.moment[0] = moment_on_ball_x;
-  reaction_forces.on_ball.moment[1] = moment_on_ball_y;
+  reaction_forces.on_ball.moment[1] = -t16;
   reaction_forces.on_ball.moment[2] = S(0);
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
@@ -966,9 +970,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
       Math<S>::at_most(M_chi_chi, S(0)), Math<S>::at_most(I_ball_zz, rounding_J),
       Math<S>::at_most(least_G_pivot, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
-      psi_dot, theta_dot, excess_zeta, moment_rolling_along_ball_x, moment_rolling_along_ball_y,
-      force_rho_ball_x, force_rho_ball_y, moment_on_ball_x, moment_on_ball_y, S(0));
+  const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, moment_rolling_along_ball_x,
+      r_excess_zeta_cos_chi, t12, t13, moment_on_ball_x, t16, S(0));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
@@ -1009,8 +1012,7 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   energy.potential = potential_energy;
   energy.total = total;
 
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
-      psi_dot, theta_dot, kinetic_energy, potential_energy, total);
+  const Bool not_finite = Math<S>::not_finite(t, chi, phi, psi, total);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
@@ -1077,8 +1079,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
 
   compulsion.Z = Z;
 
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
-      psi_dot, theta_dot, chi_ddot, zeta_ddot, phi_ddot, psi_ddot, theta_ddot, Z);
+  const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, Z);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
@@ -1138,9 +1139,8 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
   residuals.acceleration[0] = acceleration_0;
   residuals.acceleration[1] = acceleration_1;
 
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
-      psi_dot, theta_dot, chi_ddot, zeta_ddot, phi_ddot, psi_ddot, theta_ddot, velocity_0, velocity_1,
-      acceleration_0, acceleration_1);
+  const Bool not_finite = Math<S>::not_finite(t, zeta, phi, velocity_0, velocity_1, acceleration_0,
+      acceleration_1);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
@@ -1195,8 +1195,8 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
   mass_matrix.g[4][3] = S(0);
   mass_matrix.g[4][4] = J;
 
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
-      psi_dot, theta_dot, G_chi_chi, m, J, G_phi_psi);
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, chi_dot, zeta_dot, phi_dot, psi_dot,
+      theta_dot, G_chi_chi, m, G_phi_psi);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
@@ -1283,8 +1283,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
       Math<S>::at_most(squares_rolling_around * squares_rolling_around * squares_rolling_around, S(0)),
       Math<S>::at_most(squares_rolling_along * squares_rolling_along * squares_rolling_along, S(0)),
       Math<S>::at_most(S_rolling_around_3, S(0)));
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
-      psi_dot, theta_dot, chi_rate, zeta_rate, phi_rate, psi_rate, theta_rate);
+  const Bool not_finite = Math<S>::not_finite(t, zeta, phi, chi_rate, zeta_rate, phi_rate, psi_rate,
+      theta_rate);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 

@@ -163,10 +163,11 @@ struct ScalarLogic {
     return (first || ... || rest);
   }
 
-  /// x - x is 0 for finite x only.
+  /// x - x is 0 for finite x, else a NaN, which equals nothing.
   template <class... Rest>
   GAUSS_FUNCTION static Bool not_finite(const S& first, const Rest&... rest) {
-    return !(((first - first) + ... + (rest - rest)) == S(0));
+    const S sum = ((first - first) + ... + (rest - rest));
+    return !(sum == sum);
   }
 
   /// The first condition that holds.
@@ -213,6 +214,8 @@ struct Math : ScalarLogic<S> {
 /// float, double and long double.
 template <class S>
 struct StandardMath : ScalarLogic<S> {
+  /// One comparison, where any type with < and == may need two.
+  GAUSS_FUNCTION static bool at_most(S a, S b) noexcept { return a <= b; }
   GAUSS_FUNCTION static S sin(S x) noexcept { return std::sin(x); }
   GAUSS_FUNCTION static S cos(S x) noexcept { return std::cos(x); }
   GAUSS_FUNCTION static S tan(S x) noexcept { return std::tan(x); }
@@ -627,8 +630,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
       Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
-      e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy);
+  const Bool not_finite = Math<S>::not_finite(t, zeta, zeta_dot, e0_dot, e1_dot, e2_dot, e3_dot, a_zeta);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
       Math<S>::less(S(1.015625), norm_squared));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
@@ -697,8 +699,8 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   // Results
   const S rolling_along_generalized_2 = beta_rolling_along_wx * excess_zeta;
-  const S rolling_along_generalized_3 = -c_zeta_wy * excess_zeta;
-  const S rho_generalized = -m_rho * chi_dot * chi_dot;
+  const S c_zeta_wy_excess_zeta = c_zeta_wy * excess_zeta;
+  const S t3 = m_rho * chi_dot * chi_dot;
   const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
 
   reactions.rolling_around.multiplier = S(0);
@@ -711,15 +713,15 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   reactions.rolling_along.generalized[0] = S(0);
   reactions.rolling_along.generalized[1] = excess_zeta;
   reactions.rolling_along.generalized[2] = rolling_along_generalized_2;
-  reactions.rolling_along.generalized[3] = rolling_along_generalized_3;
+  reactions.rolling_along.generalized[3] = -c_zeta_wy_excess_zeta;
   reactions.rolling_along.generalized[4] = S(0);
-  reactions.rho.generalized = rho_generalized;
+  reactions.rho.generalized = -t3;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
       Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
-      excess_zeta, rolling_along_generalized_2, rolling_along_generalized_3, rho_generalized);
+  const Bool not_finite = Math<S>::not_finite(t, zeta, e0, e1, e2, e3, zeta_dot, wz,
+      rolling_along_generalized_2, c_zeta_wy_excess_zeta, t3);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
       Math<S>::less(S(1.015625), norm_squared));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
@@ -798,8 +800,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   // Results
   const S rolling_along_generalized_2 = beta_rolling_along_wx * excess_zeta;
-  const S rolling_along_generalized_3 = -c_zeta_wy * excess_zeta;
-  const S rho_generalized = -m_rho * chi_dot * chi_dot;
+  const S c_zeta_wy_excess_zeta = c_zeta_wy * excess_zeta;
+  const S t3 = m_rho * chi_dot * chi_dot;
   const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
 
   derivative.chi_dot() = chi_dot;
@@ -823,16 +825,15 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   reactions.rolling_along.generalized[0] = S(0);
   reactions.rolling_along.generalized[1] = excess_zeta;
   reactions.rolling_along.generalized[2] = rolling_along_generalized_2;
-  reactions.rolling_along.generalized[3] = rolling_along_generalized_3;
+  reactions.rolling_along.generalized[3] = -c_zeta_wy_excess_zeta;
   reactions.rolling_along.generalized[4] = S(0);
-  reactions.rho.generalized = rho_generalized;
+  reactions.rho.generalized = -t3;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_wx_wx, S(0)),
       Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
-      e0_dot, e1_dot, e2_dot, e3_dot, a_zeta, a_wx, a_wy, excess_zeta, rolling_along_generalized_2,
-      rolling_along_generalized_3, rho_generalized);
+  const Bool not_finite = Math<S>::not_finite(t, zeta, zeta_dot, e0_dot, e1_dot, e2_dot, e3_dot,
+      rolling_along_generalized_2, c_zeta_wy_excess_zeta, t3);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
       Math<S>::less(S(1.015625), norm_squared));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
@@ -906,18 +907,20 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   // force and moment of rolling_along: m J z and I W z, times its reaction, model line 48
   const S moment_rolling_along_ball_x = (beta_rolling_along_wx - c2 * sin_chi) * excess_zeta;
-  const S moment_rolling_along_ball_y = -(c_zeta_wy - c2 * cos_chi) * excess_zeta;
 
   // force and moment of rho: m J z and I W z, times its reaction, model line 20
   const S t3 = m_rho * chi_dot * chi_dot;
-  const S force_rho_ball_x = -t3 * cos_chi;
-  const S force_rho_ball_y = -t3 * sin_chi;
+  const S t4 = t3 * cos_chi;
+  const S force_rho_ball_x = -t4;
+  const S t5 = t3 * sin_chi;
+  const S force_rho_ball_y = -t5;
 
   // all constraint forces on ball: m a - F and d(I omega)/dt - M (theory.md, section 4)
   const S moment_on_ball_x = J * a_wx;
   const S moment_on_ball_y = J * a_y_wy_over_M_pivot_wy;
 
   // Results
+  const S t6 = (c_zeta_wy - c2 * cos_chi) * excess_zeta;
   const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
 
   reaction_forces.rolling_around.force_on_ball[0] = S(0);
@@ -930,7 +933,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.rolling_along.force_on_ball[1] = S(0);
   reaction_forces.rolling_along.force_on_ball[2] = excess_zeta;
   reaction_forces.rolling_along.moment_on_ball[0] = moment_rolling_along_ball_x;
-  reaction_forces.rolling_along.moment_on_ball[1] = moment_rolling_along_ball_y;
+  reaction_forces.rolling_along.moment_on_ball[1] = -t6;
   reaction_forces.rolling_along.moment_on_ball[2] = S(0);
   reaction_forces.rho.force_on_ball[0] = force_rho_ball_x;
   reaction_forces.rho.force_on_ball[1] = force_rho_ball_y;
@@ -949,9 +952,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
       Math<S>::at_most(M_pivot_wy, S(12) * Math<S>::epsilon() * M_wy_wy), Math<S>::at_most(M_chi_chi, S(0)),
       Math<S>::at_most(least_G_pivot, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
-      excess_zeta, moment_rolling_along_ball_x, moment_rolling_along_ball_y, force_rho_ball_x,
-      force_rho_ball_y, moment_on_ball_x, moment_on_ball_y);
+  const Bool not_finite = Math<S>::not_finite(t, zeta, e0, e1, e2, e3, zeta_dot, wz,
+      moment_rolling_along_ball_x, t6, t4, t5, moment_on_ball_x, moment_on_ball_y);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
       Math<S>::less(S(1.015625), norm_squared));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
@@ -991,8 +993,7 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   energy.potential = potential_energy;
   energy.total = total;
 
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
-      kinetic_energy, potential_energy, total);
+  const Bool not_finite = Math<S>::not_finite(t, chi, e0, e1, e2, e3, total);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
       Math<S>::less(S(1.015625), norm_squared));
   return Math<S>::status(Bool(false), Bool(false), not_finite, violated_constraints);
@@ -1047,8 +1048,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
 
   compulsion.Z = Z;
 
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
-      chi_ddot, zeta_ddot, wx_dot, wy_dot, wz_dot, Z);
+  const Bool not_finite = Math<S>::not_finite(t, zeta, e0, e1, e2, e3, zeta_dot, wx, wy, wz, Z);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(0.984375)),
       Math<S>::less(S(1.015625), norm_squared));
   return Math<S>::status(Bool(false), Bool(false), not_finite, violated_constraints);
@@ -1102,8 +1102,7 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
   residuals.acceleration[0] = acceleration_0;
   residuals.acceleration[1] = acceleration_1;
 
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
-      chi_ddot, zeta_ddot, wx_dot, wy_dot, wz_dot, quaternion_0, velocity_0, velocity_1, acceleration_0,
+  const Bool not_finite = Math<S>::not_finite(t, zeta, quaternion_0, velocity_0, velocity_1, acceleration_0,
       acceleration_1);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
@@ -1239,8 +1238,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const Bool singular_mass_matrix = Math<S>::at_most(least_G_pivot, S(0));
   const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(inv_m_plus_r_2_over_J, S(0)),
       Math<S>::at_most(least_cube, S(0)));
-  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, e0, e1, e2, e3, chi_dot, zeta_dot, wx, wy, wz,
-      e0_new, e1_new, e2_new, e3_new, chi_rate, zeta_rate, wx_rate, wy_rate, wz_rate);
+  const Bool not_finite = Math<S>::not_finite(t, zeta, e0_new, e1_new, e2_new, e3_new, chi_rate, zeta_rate,
+      wx_rate, wy_rate, wz_rate);
   const Bool violated_constraints = Math<S>::any(Math<S>::less(norm_squared, S(9.094947017729282e-13)),
       Math<S>::less(S(1099511627776.0), norm_squared));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);

@@ -7,6 +7,7 @@
 #include "emit/text.hpp"
 #include "ir/cost.hpp"
 #include "ir/traverse.hpp"
+#include "passes/finite.hpp"
 #include "passes/optimise.hpp"
 #include "passes/prepare.hpp"
 #include "support/assert.hpp"
@@ -61,6 +62,27 @@ NodeId not_finite(ir::Graph& graph, const Artefact& artefact, const Unit& unit) 
   for (const NodeId value : node.children) add(value);
   return in_parts(graph, values);
 }
+
+std::vector<NodeId> checked_by(const ir::Graph& graph, NodeId condition) {
+  const ir::Node& node = graph[condition];
+  if (node.kind != ir::Kind::function) return {};
+  if (node.function == ir::Function::not_finite) return node.children;
+  std::vector<NodeId> values;
+  if (node.function != ir::Function::any) return values;
+  for (const NodeId part : node.children) {
+    const std::vector<NodeId> more = checked_by(graph, part);
+    values.insert(values.end(), more.begin(), more.end());
+  }
+  return values;
+}
+
+/// As `not_finite` has it, of the values that all others depend on; as code will compute them, since passes change what depends on what.
+NodeId over_fewest_values(ir::Graph& graph, NodeId not_finite) {
+  const std::vector<NodeId> values = passes::fewest_to_check(graph, checked_by(graph, not_finite));
+  return values.empty() ? not_finite : in_parts(graph, values);
+}
+
+constexpr std::size_t k_outputs_from_not_finite = 2;
 
 std::vector<NodeId> outputs_of(const Artefact& artefact, NodeId not_finite) {
   std::vector<NodeId> outputs = artefact.derivative;
@@ -148,7 +170,11 @@ class Planner {
     request = over_prepared(std::move(request));
     // What `prepare` computes is no operation any more.
     effects.push_back({"prepare", effects.back().after, ir::operations(plan_.graph, request.outputs), 0});
-    return over_prepared(passes::apply_best_order(plan_.graph, request, &effects));
+    request = over_prepared(passes::apply_best_order(plan_.graph, request, &effects));
+    request = over_prepared(passes::apply_rotations(plan_.graph, request, &effects));
+    NodeId& condition = request.outputs[request.outputs.size() - k_outputs_from_not_finite];
+    condition = over_fewest_values(plan_.graph, condition);
+    return request;
   }
 
   // Passes bring together what depends on parameters alone, as the difference of two moments of inertia.

@@ -79,13 +79,49 @@ bool exact_value(Function function, const Rational& at, Rational& value) {
   return true;
 }
 
-/// Between numbers.
+/// constant + coefficient * epsilon
+struct WithRounding {
+  Rational constant = 0, coefficient = 0;
+};
+
+bool is_epsilon(const Graph& graph, const Node& node) {
+  return node.kind == Kind::symbol && graph.symbol(node.symbol).symbol_class == SymbolClass::epsilon;
+}
+
+std::optional<WithRounding> with_rounding(const Graph& graph, NodeId id) {
+  const Node& node = graph[id];
+  if (node.kind == Kind::constant) return WithRounding{node.value, 0};
+  if (is_epsilon(graph, node)) return WithRounding{0, 1};
+  const bool is_sum_of_two = node.kind == Kind::sum && node.children.size() == 1;
+  if (!is_sum_of_two || !is_epsilon(graph, graph[node.children[0]])) return std::nullopt;
+  return WithRounding{node.value, node.coefficients[0]};
+}
+
+/// 1/128 of a type with 8 binary digits: none for mechanics has fewer.
+constexpr int k_one_over_largest_epsilon = 128;
+
+/// Between numbers, and what the rounding unit adds to them: the same for every type of numbers.
 std::optional<bool> decided_comparison(const Graph& graph, Function function, const std::vector<NodeId>& arguments) {
   if (function != Function::less && function != Function::at_most) return std::nullopt;
-  const Node& a = graph[arguments[0]];
-  const Node& b = graph[arguments[1]];
-  if (a.kind != Kind::constant || b.kind != Kind::constant) return std::nullopt;
-  return function == Function::less ? a.value < b.value : a.value <= b.value;
+  const auto a = with_rounding(graph, arguments[0]);
+  const auto b = with_rounding(graph, arguments[1]);
+  if (!a || !b) return std::nullopt;
+  const auto holds_at = [&](const Rational& epsilon) {
+    const Rational left = a->constant + a->coefficient * epsilon, right = b->constant + b->coefficient * epsilon;
+    return function == Function::less ? left < right : left <= right;
+  };
+  const bool holds = holds_at(0);
+  return holds_at(Rational(1) / k_one_over_largest_epsilon) == holds ? std::optional(holds) : std::nullopt;
+}
+
+/// Without conditions that never hold, which leaves one, or none.
+std::vector<NodeId> undecided(const Graph& graph, const std::vector<NodeId>& conditions) {
+  std::vector<NodeId> rest;
+  for (const NodeId condition : conditions) {
+    if (graph.is_one(condition)) return {condition};
+    if (!graph.is_zero(condition)) rest.push_back(condition);
+  }
+  return rest;
 }
 
 /// What the larger or smaller of two is where that is known: numbers, and x beside x.
@@ -138,6 +174,10 @@ NodeId Graph::call_again(const Node& node, std::vector<NodeId> arguments) {
 NodeId Graph::call(Function function, std::vector<NodeId> arguments) {
   if (const auto decided = decided_comparison(*this, function, arguments)) return constant(*decided ? 1 : 0);
   if (const auto extreme = decided_extreme(*this, function, arguments)) return *extreme;
+  if (function == Function::any) {
+    arguments = undecided(*this, arguments);
+    if (arguments.size() < 2) return arguments.empty() ? constant(0) : arguments[0];
+  }
   if (function == Function::select || function == Function::piecewise) {
     if (arguments[1] == arguments[2]) return arguments[1];
     const Node& condition = (*this)[arguments[0]];

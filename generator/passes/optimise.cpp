@@ -7,6 +7,7 @@
 #include "passes/factor.hpp"
 #include "passes/pairs.hpp"
 #include "passes/quotients.hpp"
+#include "passes/rotations.hpp"
 #include "passes/scale.hpp"
 #include "passes/terms.hpp"
 
@@ -102,6 +103,17 @@ Request apply_best_order(Graph& graph, const Request& request, std::vector<PassE
   const int saved = best.operations - in_units.operations;
   const bool is_worth_it = saved >= k_fewest_saved && in_units.operations < best.operations * k_least_worth;
   return taken(std::move(is_worth_it ? in_units : best), effects);
+}
+
+Request apply_rotations(Graph& graph, const Request& request, std::vector<PassEffect>* effects) {
+  const auto begin = std::chrono::steady_clock::now();
+  Request next = rotate_angles(graph, request);
+  if (effects != nullptr) {
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
+    effects->push_back(
+        {"rotations", ir::operations(graph, request.outputs), ir::operations(graph, next.outputs), taken.count()});
+  }
+  return next;
 }
 
 }  // namespace gaussgen::passes

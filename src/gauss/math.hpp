@@ -110,10 +110,11 @@ struct ScalarLogic {
     return (first || ... || rest);
   }
 
-  /// x - x is 0 for finite x only.
+  /// x - x is 0 for finite x, else a NaN, which equals nothing.
   template <class... Rest>
   GAUSS_FUNCTION static Bool not_finite(const S& first, const Rest&... rest) {
-    return !(((first - first) + ... + (rest - rest)) == S(0));
+    const S sum = ((first - first) + ... + (rest - rest));
+    return !(sum == sum);
   }
 
   /// The first condition that holds.
@@ -160,6 +161,8 @@ struct Math : ScalarLogic<S> {
 /// float, double and long double.
 template <class S>
 struct StandardMath : ScalarLogic<S> {
+  /// One comparison, where any type with < and == may need two.
+  GAUSS_FUNCTION static bool at_most(S a, S b) noexcept { return a <= b; }
   GAUSS_FUNCTION static S sin(S x) noexcept { return std::sin(x); }
   GAUSS_FUNCTION static S cos(S x) noexcept { return std::cos(x); }
   GAUSS_FUNCTION static S tan(S x) noexcept { return std::tan(x); }

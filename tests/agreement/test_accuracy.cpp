@@ -76,6 +76,7 @@ class Trial {
     for (const gaussgen::passes::Pass& pass : gaussgen::passes::identities()) step(pass);
     order_ = order ? *order : order_for(requests_.back());
     for (const gaussgen::passes::Pass& pass : gaussgen::passes::orders()[order_]) step(pass);
+    requests_.push_back(gaussgen::passes::apply_rotations(mechanics_.graph, requests_.back()));
   }
 
   std::size_t order() const { return order_; }

@@ -57,6 +57,32 @@ TEST_CASE_METHOD(Fixture, "numbers are chosen at once, exactly", "[ir]") {
   CHECK(text(table(number(3), 1)) == "0");
 }
 
+TEST_CASE_METHOD(Fixture, "what no rounding unit of any type of numbers changes is decided at once", "[ir]") {
+  const Expr epsilon{graph, graph.use(graph.declare(SymbolClass::epsilon, "epsilon"))};
+  CHECK(text(at_most(number(9) - 324 * epsilon, number(0))) == "0");
+  CHECK(text(less(number(0), number(9) - 324 * epsilon)) == "1");
+  CHECK(text(at_most(-epsilon, epsilon)) == "1");
+  // Of few digits, or of none that count.
+  CHECK(text(at_most(number(1) - 324 * epsilon, number(0))) != "0");
+  CHECK(text(less(number(0), epsilon)) != "1");
+  CHECK(text(at_most(number(9) - 324 * epsilon, x)) != "0");
+}
+
+TEST_CASE_METHOD(Fixture, "of several conditions those that never hold are left out, and one that always holds decides",
+                 "[ir]") {
+  const Expr one = less(x, y), other = less(y, x), never = less(number(1), number(0)),
+             always = less(number(0), number(1));
+  const auto any = [&](const std::vector<Expr>& conditions) {
+    std::vector<NodeId> ids;
+    for (const Expr condition : conditions) ids.push_back(condition.id());
+    return text({graph, graph.call(Function::any, ids)});
+  };
+  CHECK(any({one, never, other}) == any({one, other}));
+  CHECK(any({never, one}) == text(one));
+  CHECK(any({never, never}) == "0");
+  CHECK(any({one, always, other}) == "1");
+}
+
 TEST_CASE_METHOD(Fixture, "signs leave abs and sign, and squares of sizes are squares", "[ir]") {
   CHECK(text(call(Function::abs, -x)) == "abs(x)");
   CHECK(text(call(Function::abs, y - x)) == text(call(Function::abs, x - y)));

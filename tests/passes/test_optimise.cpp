@@ -8,6 +8,7 @@
 #include "passes/factor.hpp"
 #include "passes/pairs.hpp"
 #include "passes/quotients.hpp"
+#include "passes/rotations.hpp"
 #include "passes/scale.hpp"
 #include "passes/terms.hpp"
 #include "random_graph.hpp"
@@ -26,11 +27,15 @@ Request optimised(Graph& graph, const Request& request) {
   return gaussgen::passes::apply_best_order(graph, simple);
 }
 
-const std::vector<std::pair<std::string, Pass>> k_passes{
-    {"angles", gaussgen::passes::join_angles},       {"turns", gaussgen::passes::turn_back},
-    {"quotients", gaussgen::passes::join_quotients}, {"units", gaussgen::passes::choose_units},
-    {"pairs", gaussgen::passes::share_factors},      {"factors", gaussgen::passes::factor_out},
-    {"terms", gaussgen::passes::share_terms},        {"all", optimised}};
+const std::vector<std::pair<std::string, Pass>> k_passes{{"angles", gaussgen::passes::join_angles},
+                                                         {"turns", gaussgen::passes::turn_back},
+                                                         {"quotients", gaussgen::passes::join_quotients},
+                                                         {"units", gaussgen::passes::choose_units},
+                                                         {"pairs", gaussgen::passes::share_factors},
+                                                         {"factors", gaussgen::passes::factor_out},
+                                                         {"terms", gaussgen::passes::share_terms},
+                                                         {"rotations", gaussgen::passes::rotate_angles},
+                                                         {"all", optimised}};
 
 }  // namespace
 

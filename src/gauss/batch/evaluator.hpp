@@ -24,8 +24,10 @@
 
 #if defined(__GNUC__)
 #define GAUSS_FLATTENED __attribute__((flatten))
+#define GAUSS_RARE __attribute__((noinline, cold))
 #else
 #define GAUSS_FLATTENED
+#define GAUSS_RARE
 #endif
 
 namespace gauss::batch {
@@ -122,11 +124,15 @@ class Evaluator {
   template <template <class> class... Results, class Function>
   std::size_t evaluate(const Function& function, const Points<T>& points,
                        const Columns<T> (&columns)[sizeof...(Results)], Status* statuses) const {
-    std::size_t bad = 0;
-    for (std::size_t first = 0; first < points.count; first += lanes) {
-      const std::size_t wanted = std::min(lanes, points.count - first);
-      const StatusOf<S> status = at<Function, Results<S>...>(function, points, first, wanted, columns);
-      bad += report(status, statuses == nullptr ? nullptr : statuses + first, wanted);
+    std::size_t bad = 0, first = 0;
+    const auto take = [&](const Points<T>& from, std::size_t place, std::size_t wanted) {
+      Status* const to = statuses == nullptr ? nullptr : statuses + first;
+      bad += at<Function, Results<S>...>(function, from, place, {first, wanted, to}, columns);
+    };
+    for (; first + lanes <= points.count; first += lanes) take(points, first, lanes);
+    if (first < points.count) {
+      const Rest rest(points, first);
+      take(rest.points, 0, points.count - first);
     }
     return bad;
   }
@@ -134,8 +140,39 @@ class Evaluator {
  private:
   using Prepared = typename Model::template Prepared<S>;
 
+  /// What is left over for less than a register: the last trajectory fills its lanes, so that each is computed as in a full one.
+  struct Rest {
+    Rest(const Points<T>& all, std::size_t first) {
+      points.count = lanes;
+      points.time = all.time;
+      points.states = copied(all.states, all.count, first, states, n_state);
+      if (all.times != nullptr) points.times = copied({all.times, 0}, all.count, first, times, 1).data;
+      if (all.inputs.data != nullptr) points.inputs = copied(all.inputs, all.count, first, given, Model::n_inputs);
+    }
+
+    Points<T> points;
+
+   private:
+    static Columns<const T> copied(Columns<const T> from, std::size_t count, std::size_t first, T* to,
+                                   std::size_t components) {
+      for (std::size_t i = 0; i < components * lanes; ++i)
+        to[i] = from.data[i / lanes * from.stride + std::min(first + i % lanes, count - 1)];
+      return {to, lanes};
+    }
+
+    static constexpr std::size_t n_state = static_cast<std::size_t>(Model::n_q + Model::n_v);
+    T states[n_state * lanes], given[(static_cast<std::size_t>(Model::n_inputs) + 1) * lanes], times[lanes];
+  };
+
+  static S block(Columns<const T> columns, std::size_t component, std::size_t first) {
+    return Lanes<S>::load(columns.data + component * columns.stride + first);
+  }
+
   static S block(Columns<const T> columns, std::size_t component, std::size_t first, std::size_t count) {
-    return Lanes<S>::load(columns.data + component * columns.stride + first, count - first);
+    T numbers[lanes];
+    for (std::size_t i = 0; i < lanes; ++i)
+      numbers[i] = columns.data[component * columns.stride + std::min(first + i, count - 1)];
+    return Lanes<S>::load(numbers);
   }
 
   template <class ValueOf>
@@ -149,29 +186,38 @@ class Evaluator {
   template <std::size_t... I>
   static void load(const Points<T>& points, std::size_t first, typename Model::template State<S>& state,
                    std::index_sequence<I...>) {
-    ((state.values[I] = block(points.states, I, first, points.count)), ...);
+    ((state.values[I] = block(points.states, I, first)), ...);
   }
 
+  /// Some trajectories, at most a register of them, among all.
+  struct Block {
+    std::size_t first;
+    std::size_t count;
+    Status* statuses;  ///< of the first, or null
+  };
+
+  /// Of how many the status is not ok. `place` is where the trajectories stand in `points`.
   template <class Function, class... Results>
-  GAUSS_FLATTENED StatusOf<S> at(const Function& function, const Points<T>& points, std::size_t first,
-                                 std::size_t wanted, const Columns<T>* columns) const {
+  GAUSS_FLATTENED std::size_t at(const Function& function, const Points<T>& points, std::size_t place, Block to,
+                                 const Columns<T>* columns) const {
     typename Model::template State<S> state;
-    load(points, first, state, std::make_index_sequence<static_cast<std::size_t>(Model::n_q + Model::n_v)>());
+    load(points, place, state, std::make_index_sequence<static_cast<std::size_t>(Model::n_q + Model::n_v)>());
     typename Model::template Inputs<S> in;
     for (int k = 0; k < Model::n_inputs; ++k) {
-      in.*Model::template inputs_of<S>()[k] =
-          points.inputs.data != nullptr ? block(points.inputs, static_cast<std::size_t>(k), first, points.count)
-                                        : Lanes<S>::same(inputs.*Model::template inputs_of<T>()[k]);
+      in.*Model::template inputs_of<S>()[k] = points.inputs.data != nullptr
+                                                  ? block(points.inputs, static_cast<std::size_t>(k), place)
+                                                  : Lanes<S>::same(inputs.*Model::template inputs_of<T>()[k]);
     }
-    const S t = points.times != nullptr ? Lanes<S>::load(points.times + first, points.count - first)
-                                        : Lanes<S>::same(points.time);
+    const S t = points.times != nullptr ? Lanes<S>::load(points.times + place) : Lanes<S>::same(points.time);
     std::tuple<Results...> results;
-    const Prepared& prepared = prepared_[count_ == 0 ? 0 : first / lanes];
+    const Prepared& prepared = prepared_[count_ == 0 ? 0 : to.first / lanes];
     return std::apply(
         [&](Results&... each) {
           const StatusOf<S> status = function(t, state, in, prepared, each...);
-          (store(each, *columns++, first, wanted, std::make_index_sequence<scalars_in<Results>()>()), ...);
-          return status;
+          (store(each, *columns++, to.first, to.count, std::make_index_sequence<scalars_in<Results>()>()), ...);
+          if (!Lanes<S>::all_ok(status)) return report(status, to);
+          if (to.statuses != nullptr) set_ok(to);
+          return std::size_t{0};
         },
         results);
   }
@@ -187,19 +233,28 @@ class Evaluator {
   static void store(const Result& result, Columns<T> columns, std::size_t first, std::size_t wanted,
                     std::index_sequence<I...>) {
     const S* const values = reinterpret_cast<const S*>(&result);
-    (Lanes<S>::store(values[I], columns.data + I * columns.stride + first, wanted), ...);
+    if (wanted == lanes) {
+      (Lanes<S>::store(values[I], columns.data + I * columns.stride + first), ...);
+    } else {
+      (Lanes<S>::store(values[I], columns.data + I * columns.stride + first, wanted), ...);
+    }
   }
 
-  static std::size_t report(const StatusOf<S>& status, Status* to, std::size_t wanted) {
-    if (Lanes<S>::all_ok(status)) {
-      if (to != nullptr) std::fill_n(to, wanted, Status::ok);
-      return 0;
+  /// Of a full register without a call, which would cost as much as many operations.
+  static void set_ok(Block to) {
+    if (to.count == lanes) {
+      std::fill_n(to.statuses, lanes, Status::ok);
+    } else {
+      std::fill_n(to.statuses, to.count, Status::ok);
     }
+  }
+
+  GAUSS_RARE static std::size_t report(StatusOf<S> status, Block to) {
     std::size_t bad = 0;
-    for (std::size_t i = 0; i < wanted; ++i) {
+    for (std::size_t i = 0; i < to.count; ++i) {
       const Status one = Lanes<S>::status_of(status, i);
       bad += one == Status::ok ? 0 : 1;
-      if (to != nullptr) to[i] = one;
+      if (to.statuses != nullptr) to.statuses[i] = one;
     }
     return bad;
   }

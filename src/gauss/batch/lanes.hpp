@@ -17,13 +17,14 @@
 
 namespace gauss::batch {
 
-/// Numbers of several trajectories in one scalar of emitted code. `count` is how many of them are wanted.
+/// Numbers of several trajectories in one scalar of emitted code. `count`: how many of them there are, where they may be fewer.
 template <class S>
 struct Lanes {
   using Number = S;
   static constexpr std::size_t size = 1;
 
-  static S load(const S* from, std::size_t /*count*/) { return *from; }
+  static S load(const S* from) { return *from; }
+  static void store(const S& value, S* to) { *to = value; }
   static void store(const S& value, S* to, std::size_t /*count*/) { *to = value; }
   static S same(const S& value) { return value; }
   static bool all_ok(const StatusOf<S>& status) { return status == Status::ok; }
@@ -37,18 +38,12 @@ struct Lanes<xsimd::batch<T, Arch>> {
   using Number = T;
   static constexpr std::size_t size = S::size;
 
-  /// The last trajectory fills the lanes that are left over, so that each is computed as in a full register.
-  static S load(const T* from, std::size_t count) {
-    if (count >= size) return S::load_unaligned(from);
-    T numbers[size];
-    for (std::size_t i = 0; i < size; ++i) numbers[i] = from[std::min(i, count - 1)];
-    return S::load_unaligned(numbers);
-  }
+  static S load(const T* from) { return S::load_unaligned(from); }
+  static void store(const S& value, T* to) { value.store_unaligned(to); }
   static void store(const S& value, T* to, std::size_t count) {
-    if (count >= size) return value.store_unaligned(to);
     T numbers[size];
     value.store_unaligned(numbers);
-    for (std::size_t i = 0; i < count; ++i) to[i] = numbers[i];
+    std::copy_n(numbers, std::min(count, size), to);
   }
   static S same(T value) { return S(value); }
   static bool all_ok(const StatusOf<S>& status) { return !status.any(); }

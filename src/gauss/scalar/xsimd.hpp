@@ -69,7 +69,7 @@ struct Math<xsimd::batch<T, Arch>> {
   }
   template <class... Rest>
   static Bool not_finite(const S& first, const Rest&... rest) noexcept {
-    return !(((first - first) + ... + (rest - rest)) == S(T(0)));
+    return xsimd::isnan(((first - first) + ... + (rest - rest)));
   }
   static Status status(const Bool& singular_mass_matrix, const Bool& dependent_constraints, const Bool& not_finite,
                        const Bool& violated_constraints = Bool(false)) noexcept {

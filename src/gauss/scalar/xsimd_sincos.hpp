@@ -34,17 +34,25 @@ inline std::pair<Batch, Batch> sincos_near_zero(const Batch& r) noexcept {
   return {sine, cosine};
 }
 
-/// Lanes beyond `k_limit`, of which angles of mechanisms have none, and infinities; kept out of line.
-template <class Batch>
+// Lanes beyond `k_limit`, of which angles of mechanisms have none, and infinities; kept out of line. What they are given goes by value and
+// comes back in a register: an address would keep it, and the state that it came from, in memory on the usual way, too.
 #if defined(__GNUC__)
-__attribute__((noinline))
+#define GAUSS_RARE __attribute__((noinline, cold))
+#else
+#define GAUSS_RARE
 #endif
-std::pair<Batch, Batch>
-with_large_lanes(const Batch& x, const typename Batch::batch_bool_type& is_large, const Batch& sine,
-                 const Batch& cosine) noexcept {
-  const auto pair = xsimd::sincos(x);
-  return {xsimd::select(is_large, pair.first, sine), xsimd::select(is_large, pair.second, cosine)};
+
+template <class Batch>
+GAUSS_RARE Batch sine_of_large(Batch x, typename Batch::batch_bool_type is_large, Batch sine) noexcept {
+  return xsimd::select(is_large, xsimd::sincos(x).first, sine);
 }
+
+template <class Batch>
+GAUSS_RARE Batch cosine_of_large(Batch x, typename Batch::batch_bool_type is_large, Batch cosine) noexcept {
+  return xsimd::select(is_large, xsimd::sincos(x).second, cosine);
+}
+
+#undef GAUSS_RARE
 
 template <class Arch>
 inline std::pair<xsimd::batch<double, Arch>, xsimd::batch<double, Arch>> sincos(
@@ -69,10 +77,13 @@ inline std::pair<xsimd::batch<double, Arch>, xsimd::batch<double, Arch>> sincos(
   const Batch sign_of_sine = xsimd::bitwise_cast<Batch>(bits << 62) & Batch(-0.0);
   const Batch sign_of_cosine = sign_of_sine ^ last;
   const auto is_odd = (last ^ Batch(1.0)) < Batch(0.0);
-  const Batch sine = xsimd::select(is_odd, c, s) ^ sign_of_sine;
-  const Batch cosine = xsimd::select(is_odd, s, c) ^ sign_of_cosine;
+  Batch sine = xsimd::select(is_odd, c, s) ^ sign_of_sine;
+  Batch cosine = xsimd::select(is_odd, s, c) ^ sign_of_cosine;
   const auto is_large = xsimd::abs(x) > Batch(k_limit);
-  if (xsimd::any(is_large)) return with_large_lanes(x, is_large, sine, cosine);
+  if (xsimd::any(is_large)) {
+    sine = sine_of_large<Batch>(x, is_large, sine);
+    cosine = cosine_of_large<Batch>(x, is_large, cosine);
+  }
   return {sine, cosine};
 }
 
