@@ -35,6 +35,7 @@ class Builder {
     }
     for (std::size_t body = 0; body < model_.bodies.size(); ++body) add_part(body);
     for (std::size_t frame = 0; frame < model_.frames.size(); ++frame) result_.places.push_back(place(frame));
+    result_.ends = ends_;
     return is_complete_ ? std::optional<Linkage>(std::move(result_)) : std::nullopt;
   }
 
@@ -51,6 +52,7 @@ class Builder {
   void add_frame(std::size_t index) {
     const model::Frame& frame = model_.frames[index];
     at_ = frame.parent == model::k_space ? k_ground : ends_[frame.parent];
+    frame_ = index;
     name_ = frame.name.text;
     add_shift(held(expressions_(frame.position)));
     if (const auto* turns = std::get_if<model::Turns>(&frame.attitude)) {
@@ -64,7 +66,7 @@ class Builder {
   Vector3 held(const Vector3& v) { return {hold_(v[0]), hold_(v[1]), hold_(v[2])}; }
 
   Link link(Link::Kind kind) const {
-    return {kind, at_, name_, zero_, 0, {}, {}, {zero_, zero_, zero_}, zero_, zero_, {}};
+    return {kind, at_, frame_, name_, zero_, 0, {}, {}, {zero_, zero_, zero_}, zero_, zero_, {}};
   }
 
   struct Axis {
@@ -205,6 +207,7 @@ class Builder {
   std::vector<char> carries_;
   std::vector<std::size_t> ends_;  ///< of frames: their last links
   std::size_t at_ = k_ground;
+  std::size_t frame_ = 0;
   std::string name_;
   Linkage result_;
   bool is_complete_ = true;

@@ -30,6 +30,7 @@ struct Link {
   };
   Kind kind = Kind::shift;
   std::size_t parent = k_ground;
+  std::size_t frame = 0;  ///< index into Model::frames: whose position or attitude it is part of
   std::string name;
 
   ir::Vector3 offset;             ///< m, of a shift
@@ -63,6 +64,7 @@ struct Linkage {
   std::vector<Link> links;                   ///< parents first
   std::vector<Part> parts;                   ///< those that move
   std::vector<std::optional<Place>> places;  ///< of frames; nothing where they turn about axes in general position
+  std::vector<std::size_t> ends;  ///< of frames: their last links; k_ground where they carry nothing with mass
 };
 
 /// Of parameters and numbers alone.

@@ -50,9 +50,10 @@ TreeZ::TreeZ(const TreeProblem& problem, const TreeForm& form, Expr epsilon, Ste
       masses_(links_.size(), zero_),
       eliminated_(links_.size()),
       shared_(links_.size()) {
+  for (const Link& link : links_) carriers_.push_back(link.parent);
   find_spins(properties_, linkage_);
   bounds_ = mass_bounds(links_, properties_);
-  move_masses_to_ends(links_, properties_);
+  moved_ = move_masses_to_ends(links_, properties_);
 }
 
 bool TreeZ::minimise() {
