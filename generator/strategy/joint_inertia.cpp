@@ -84,7 +84,7 @@ class LinkInertia {
         links_(motion.linkage.links),
         steps_(steps),
         graph_(kinematics.field[0].graph()),
-        axes_(links_, graph_, ""),
+        axes_(links_, graph_),
         in_space_(links_.size()),
         arms_(links_.size(), ir::zero3(graph_)),
         before_(links_.size(), ir::zero3(graph_)),

@@ -60,7 +60,7 @@ LinkAxes::Turned LinkAxes::outward(std::size_t i, const Turned& before, Steps& s
   }
   const Matrix3 columns = transposed(link.matrix);
   const auto column = [&](std::size_t k) { return ir::multiply(before.matrix, columns[k]); };
-  result.matrix = named(transposed(Matrix3{column(0), column(1), column(2)}), prefix_ + "axes_" + link.name, steps);
+  result.matrix = named(transposed(Matrix3{column(0), column(1), column(2)}), "axes_" + link.name, steps);
   result.angle.reset();
   return result;
 }
@@ -72,14 +72,14 @@ void LinkAxes::turn(const Link& link, const Turned& before, Turned& result, Step
   result.angle = goes_on ? *before.angle + *link.angle : *link.angle;
   const Expr s = call(Function::sin, *link.angle), c = call(Function::cos, *link.angle);
   if (goes_on && is_sum(*result.angle)) {
-    result.sine = steps.name(*before.sine * c + *before.cosine * s, prefix_ + "sin_" + link.name);
-    result.cosine = steps.name(*before.cosine * c - *before.sine * s, prefix_ + "cos_" + link.name);
+    result.sine = steps.name(*before.sine * c + *before.cosine * s, "sin_" + link.name);
+    result.cosine = steps.name(*before.cosine * c - *before.sine * s, "cos_" + link.name);
   } else {
     result.sine = call(Function::sin, *result.angle);
     result.cosine = call(Function::cos, *result.angle);
   }
   result.matrix = turned(result.base, link.axis, *result.sine, *result.cosine);
-  if (!is_first(result.base)) result.matrix = named(result.matrix, prefix_ + "axes_" + link.name, steps);
+  if (!is_first(result.base)) result.matrix = named(result.matrix, "axes_" + link.name, steps);
 }
 
 }  // namespace gaussgen::strategy

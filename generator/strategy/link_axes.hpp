@@ -10,8 +10,8 @@ namespace gaussgen::strategy {
 /// of its parts: sines and cosines of sums would be more calls, which are what takes longest.
 class LinkAxes {
  public:
-  LinkAxes(const std::vector<kinematics::Link>& links, ir::Graph& graph, std::string prefix)
-      : links_(links), graph_(graph), prefix_(std::move(prefix)), known_(links.size()) {}
+  LinkAxes(const std::vector<kinematics::Link>& links, ir::Graph& graph)
+      : links_(links), graph_(graph), known_(links.size()) {}
 
   /// From the axes of a link, or of the ground, to those of space.
   const ir::Matrix3& of(std::size_t link, Steps& steps);
@@ -30,7 +30,6 @@ class LinkAxes {
 
   const std::vector<kinematics::Link>& links_;
   ir::Graph& graph_;
-  std::string prefix_;
   std::vector<std::optional<Turned>> known_;
   std::optional<ir::Matrix3> ground_;
 };
