@@ -33,8 +33,7 @@ strategy::DependentRows rows_found_at_generic_point(ModelGraph& motion) {
 constexpr std::size_t k_most_coordinates_of_metric = 6;
 
 std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const MechanicsOptions& options) {
-  ir::Substitution hold = kinematics::held_laws(mechanics.model, mechanics.expressions, mechanics.symbols);
-  const auto linkage = kinematics::build_linkage(mechanics.model, mechanics.symbols, mechanics.expressions, hold);
+  const auto& linkage = *mechanics.linkage;
   if (!linkage) {
     mechanics.no_tree =
         "something turns about an axis in general position, or has angular velocities along the axes before its turn";
@@ -167,6 +166,10 @@ KinematicModel::KinematicModel(const model::Model& checked_model, bool fold, std
 
 Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& chosen)
     : KinematicModel(checked_model, chosen.fold, chosen.most_nodes),
+      linkage([this] {
+        ir::Substitution hold = kinematics::held_laws(model, expressions, symbols);
+        return kinematics::build_linkage(model, symbols, expressions, hold);
+      }),
       covariant([this] { return kinematics::build_covariant(kinematics, graph); }),
       dynamics(
           strategy::build_dynamics(kinematics, covariant, rows_found_at_generic_point(*this), steps, metric_steps)),
