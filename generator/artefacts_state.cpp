@@ -239,15 +239,20 @@ Artefact mass_matrix_artefact(Mechanics& mechanics) {
     }
     return entries;
   };
-  const auto [g, steps] = shorter<strategy::Matrix>(
-      mechanics,
-      [&](const kinematics::Linkage& linkage, Steps& own) -> std::optional<strategy::Matrix> {
-        return strategy::composite_metric(linkage, mechanics.dynamics.labels, mechanics.graph, own);
-      },
-      [&](Steps&) -> strategy::Matrix { return mechanics.dynamics.g; }, entries_of);
+  Form<strategy::Matrix> form{{}, {}};
+  if (mechanics.dynamics.n() > k_few_speeds) {
+    form.result = mechanics.dynamics.g;
+  } else {
+    form = shorter<strategy::Matrix>(
+        mechanics,
+        [&](const kinematics::Linkage& linkage, Steps& own) -> std::optional<strategy::Matrix> {
+          return strategy::composite_metric(linkage, mechanics.dynamics.labels, mechanics.graph, own);
+        },
+        [&](Steps&) -> strategy::Matrix { return mechanics.dynamics.g; }, entries_of);
+  }
   const int n = static_cast<int>(mechanics.dynamics.n());
-  builder.fields("", "", "", {{"g", "symmetric, in the order of the speeds", {n, n}, entries_of(g)}});
-  return builder.finish(steps);
+  builder.fields("", "", "", {{"g", "symmetric, in the order of the speeds", {n, n}, entries_of(form.result)}});
+  return builder.finish(form.steps);
 }
 
 Artefact project_artefact(Mechanics& mechanics) {

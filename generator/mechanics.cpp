@@ -4,6 +4,7 @@
 
 #include "generic_point.hpp"
 #include "kinematics/hold.hpp"
+#include "strategy/composite_metric.hpp"
 #include "strategy/inner.hpp"
 #include "strategy/tree_choice.hpp"
 
@@ -31,6 +32,19 @@ strategy::DependentRows rows_found_at_generic_point(ModelGraph& motion) {
 
 /// Of the metric, entry by entry: where there are few coordinates, as much vanishes in it that it may be the cheapest.
 constexpr std::size_t k_most_coordinates_of_metric = 6;
+
+/// Of many coordinates, with composite bodies where the model has links: each entry takes a few operations then.
+strategy::Dynamics dynamics_of(Mechanics& mechanics, strategy::DependentRows dependent_rows) {
+  strategy::Dynamics result = strategy::build_dynamics(
+      mechanics.kinematics, mechanics.covariant, std::move(dependent_rows), mechanics.steps, mechanics.metric_steps);
+  if (result.n() <= k_most_coordinates_of_metric) return result;
+  result.g = support::LazyList<strategy::Matrix>([&mechanics, of_bodies = result.g, labels = result.labels] {
+    const auto& linkage = *mechanics.linkage;
+    return linkage ? strategy::composite_metric(*linkage, labels, mechanics.graph, mechanics.metric_steps)
+                   : of_bodies.get();
+  });
+  return result;
+}
 
 std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const MechanicsOptions& options) {
   const auto& linkage = *mechanics.linkage;
@@ -171,8 +185,7 @@ Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& 
         return kinematics::build_linkage(model, symbols, expressions, hold);
       }),
       covariant([this] { return kinematics::build_covariant(kinematics, graph); }),
-      dynamics(
-          strategy::build_dynamics(kinematics, covariant, rows_found_at_generic_point(*this), steps, metric_steps)),
+      dynamics(dynamics_of(*this, rows_found_at_generic_point(*this))),
       solution(solved(*this, chosen, steps)),
       held_reactions(strategy::held_reactions(dynamics, solution, steps)),
       options(chosen) {

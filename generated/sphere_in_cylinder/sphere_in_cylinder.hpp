@@ -34,7 +34,7 @@
 //   rhs                16   40  2  0     4
 //   reactions          16   41  2  0     4
 //   rhs_and_reactions  17   45  2  0     4
-//   reaction_forces    21   54  2  0     8
+//   reaction_forces    22   58  2  0     6
 //   energy             6    12  0  0     1
 //   compulsion         17   37  0  0     6
 //   residuals          14   21  0  0     4
@@ -871,9 +871,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   S sin_chi, cos_chi;
   S sin_psi, cos_psi;
   S sin_theta, cos_theta;
-  S sin_chi_minus_psi, cos_chi_minus_psi;
-  Angles<S>::sincos(chi, sin_chi, cos_chi, psi, sin_psi, cos_psi, theta, sin_theta, cos_theta, chi - psi,
-      sin_chi_minus_psi, cos_chi_minus_psi);
+  Angles<S>::sincos(chi, sin_chi, cos_chi, psi, sin_psi, cos_psi, theta, sin_theta, cos_theta);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
   const S phi_dot_sin_theta = phi_dot * sin_theta;
@@ -881,17 +879,18 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S bias_theta = J * psi_dot_phi_dot_sin_theta;
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
-  const S beta_rolling_along_theta = r * sin_chi_minus_psi;
-  const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
-  const S b_alpha_ball_y_rolling_along = r * cos_chi_minus_psi;
+  const S cos_chi_minus_psi = sin_chi * sin_psi + cos_chi * cos_psi;
   const S theta_dot_cos_theta = theta_dot * cos_theta;
   const S t1 = phi_dot * theta_dot_cos_theta;
-  const S drift_rolling_along = b_alpha_ball_y_rolling_along * (t1 + theta_dot * chi_dot_minus_psi_dot)
-      - beta_rolling_along_theta * phi_dot_sin_theta * chi_dot_minus_psi_dot;
+  const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
+  const S sin_chi_minus_psi = sin_chi * cos_psi - sin_psi * cos_chi;
+  const S r_sin_chi_minus_psi = r * sin_chi_minus_psi;
+  const S drift_rolling_along = r * cos_chi_minus_psi * (t1 + theta_dot * chi_dot_minus_psi_dot)
+      - r_sin_chi_minus_psi * phi_dot_sin_theta * chi_dot_minus_psi_dot;
 
   // reduced metric C^T g C of the independent accelerations
   const S I_ball_zz = J * sin_theta * sin_theta;
-  const S t2 = sin_theta * cos_chi_minus_psi;
+  const S t2 = cos_chi_minus_psi * sin_theta;
   const S t3 = m_r_2 * t2;
   const S M_phi_phi = I_ball_zz + t3 * t2;
   const S sin_chi_minus_psi_2 = sin_chi_minus_psi * sin_chi_minus_psi;
@@ -902,7 +901,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S t4 = r * t2;
   const S t5 = m_g - m * drift_rolling_along;
   const S F_phi = t4 * t5 - J * (phi_dot_sin_theta * theta_dot_cos_theta - psi_dot_theta_dot * sin_theta);
-  const S F_theta = beta_rolling_along_theta * t5 - bias_theta;
+  const S F_theta = r_sin_chi_minus_psi * t5 - bias_theta;
 
   // C^T g C = L D L^T
   const S inv_M_phi_phi = S(1) / M_phi_phi;
@@ -915,7 +914,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S a_phi = F_phi * inv_M_phi_phi - t6 * t7;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + t4 * a_phi + beta_rolling_along_theta * t7);
+  const S a_zeta = -(drift_rolling_along + t4 * a_phi + r_sin_chi_minus_psi * t7);
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;

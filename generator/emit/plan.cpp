@@ -7,6 +7,7 @@
 #include "emit/text.hpp"
 #include "ir/cost.hpp"
 #include "ir/traverse.hpp"
+#include "passes/calls.hpp"
 #include "passes/optimise.hpp"
 #include "passes/prepare.hpp"
 #include "support/assert.hpp"
@@ -145,6 +146,9 @@ class Planner {
     }
     if (!plan_.unit.optimised) return over_prepared(std::move(request));
     request = passes::apply(plan_.graph, request, passes::identities(), &effects);
+    const int before = effects.back().after;
+    request = passes::split_calls(plan_.graph, request);
+    effects.push_back({"calls", before, ir::operations(plan_.graph, request.outputs), 0});
     request = over_prepared(std::move(request));
     // What `prepare` computes is no operation any more.
     effects.push_back({"prepare", effects.back().after, ir::operations(plan_.graph, request.outputs), 0});

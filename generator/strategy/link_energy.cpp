@@ -56,7 +56,8 @@ LinkEnergy energy_of_links(const kinematics::Linkage& linkage, const Vector3& fi
   const MassedLinks links(linkage, graph);
   LinkMotion motion(links.links(), field, "");
   motion.find_velocities(steps);
-  steps.begin("velocities of the origins of links, each in the axes of its link, and field·r of these places");
+  steps.begin(
+      "velocities of the origins of links, each in the axes of its link, and levels of these places in the field");
   const KineticEnergy kinetic(links, motion, steps);
   const Expr zero(graph, graph.constant(0));
   const Vector level = levels(links, motion, zero, steps);

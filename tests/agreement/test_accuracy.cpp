@@ -10,6 +10,7 @@
 #include "evaluate/arithmetic_double.hpp"
 #include "model_files.hpp"
 #include "models.hpp"
+#include "passes/calls.hpp"
 #include "passes/optimise.hpp"
 
 namespace {
@@ -74,6 +75,7 @@ class Trial {
     for (const auto acceleration : mechanics_.solution.accelerations) plain.outputs.push_back(acceleration.id());
     requests_.push_back(plain);
     for (const gaussgen::passes::Pass& pass : gaussgen::passes::identities()) step(pass);
+    requests_.push_back(gaussgen::passes::split_calls(mechanics_.graph, requests_.back()));
     order_ = order ? *order : order_for(requests_.back());
     for (const gaussgen::passes::Pass& pass : gaussgen::passes::orders()[order_]) step(pass);
   }

@@ -5,6 +5,7 @@
 #include "ir/print.hpp"
 #include "ir/verify.hpp"
 #include "passes/angles.hpp"
+#include "passes/calls.hpp"
 #include "passes/factor.hpp"
 #include "passes/pairs.hpp"
 #include "passes/quotients.hpp"
@@ -26,11 +27,15 @@ Request optimised(Graph& graph, const Request& request) {
   return gaussgen::passes::apply_best_order(graph, simple);
 }
 
-const std::vector<std::pair<std::string, Pass>> k_passes{
-    {"angles", gaussgen::passes::join_angles},       {"turns", gaussgen::passes::turn_back},
-    {"quotients", gaussgen::passes::join_quotients}, {"units", gaussgen::passes::choose_units},
-    {"pairs", gaussgen::passes::share_factors},      {"factors", gaussgen::passes::factor_out},
-    {"terms", gaussgen::passes::share_terms},        {"all", optimised}};
+const std::vector<std::pair<std::string, Pass>> k_passes{{"angles", gaussgen::passes::join_angles},
+                                                         {"turns", gaussgen::passes::turn_back},
+                                                         {"calls", gaussgen::passes::split_calls},
+                                                         {"quotients", gaussgen::passes::join_quotients},
+                                                         {"units", gaussgen::passes::choose_units},
+                                                         {"pairs", gaussgen::passes::share_factors},
+                                                         {"factors", gaussgen::passes::factor_out},
+                                                         {"terms", gaussgen::passes::share_terms},
+                                                         {"all", optimised}};
 
 }  // namespace
 
@@ -256,4 +261,33 @@ TEST_CASE("a value that is used in products only is computed in its own unit") {
   const Request after = gaussgen::passes::choose_units(graph, {outputs, {}, {}});
   CHECK(operations(graph, outputs) == 6);
   CHECK(operations(graph, after.outputs) == 4);
+}
+
+TEST_CASE("a sine of a sum is no call where the parts are there, nor that of a longer sum then") {
+  Graph graph;
+  const Expr a = declare(graph, SymbolClass::configuration, "a");
+  const Expr b = declare(graph, SymbolClass::configuration, "b");
+  const Expr c = declare(graph, SymbolClass::configuration, "c");
+  std::vector<NodeId> outputs;
+  for (const Expr angle : {a, b, c}) {
+    outputs.push_back(call(Function::sin, angle).id());
+    outputs.push_back(call(Function::cos, angle).id());
+  }
+  const std::vector<Expr> sums{a + b, a + b - c, 2 * a};
+  for (const Expr angle : sums) {
+    outputs.push_back(call(Function::sin, angle).id());
+    outputs.push_back(call(Function::cos, angle).id());
+  }
+  const Request after = gaussgen::passes::split_calls(graph, {outputs, {}, {}});
+  CHECK(gaussgen::ir::count_operations(graph, after.outputs).functions == 8);  // of a, b, c and 2 a
+  CHECK(difference(graph, outputs, after.outputs, 1) < 1e-35);
+}
+
+TEST_CASE("a sine of a sum stays a call where a part is not there") {
+  Graph graph;
+  const Expr a = declare(graph, SymbolClass::configuration, "a");
+  const Expr b = declare(graph, SymbolClass::configuration, "b");
+  const std::vector<NodeId> outputs{call(Function::sin, a + b).id(), call(Function::sin, a).id(),
+                                    call(Function::cos, a).id(), call(Function::sin, b).id()};
+  CHECK(gaussgen::passes::split_calls(graph, {outputs, {}, {}}).outputs == outputs);
 }
