@@ -2,7 +2,13 @@
 
 #include <algorithm>
 
+#include "ir/contract.hpp"
+#include "ir/cost.hpp"
+#include "kinematics/body_motions.hpp"
+#include "strategy/composite_metric.hpp"
 #include "strategy/compulsion.hpp"
+#include "strategy/link_compulsion.hpp"
+#include "strategy/link_energy.hpp"
 #include "strategy/projection.hpp"
 #include "strategy/quaternions.hpp"
 
@@ -17,11 +23,36 @@ using strategy::Vector;
 
 namespace {
 
-bool has_massless_body(const Mechanics& mechanics) {
-  return std::any_of(mechanics.kinematics.bodies->begin(), mechanics.kinematics.bodies->end(), [](const auto& body) {
-    return body.mass.is_zero() || (body.is_rigid && (body.inertia[0][0].is_zero() || body.inertia[1][1].is_zero() ||
-                                                     body.inertia[2][2].is_zero()));
+bool has_massless_body(Mechanics& mechanics) {
+  return std::any_of(mechanics.model.bodies.begin(), mechanics.model.bodies.end(), [&](const model::Body& body) {
+    if (mechanics.expressions(body.mass).is_zero()) return true;
+    if (!body.inertia) return false;
+    const ir::Matrix3 inertia = kinematics::inertia_matrix(*body.inertia, mechanics.expressions);
+    return inertia[0][0].is_zero() || inertia[1][1].is_zero() || inertia[2][2].is_zero();
   });
+}
+
+/// Up to this number of speeds, what follows from all coordinates at once may be as short as what follows link by link.
+constexpr std::size_t k_few_speeds = 6;
+
+/// A result with the steps to it.
+template <class Result>
+struct Form {
+  Result result;
+  Steps steps;
+};
+
+/// Link by link, or by what all coordinates do to each body where that takes fewer operations.
+template <class Result, class ByLinks, class ByBodies, class Values>
+Form<Result> shorter(const Mechanics& mechanics, ByLinks by_links, ByBodies by_bodies, Values values) {
+  Form<std::optional<Result>> links{std::nullopt, {}};
+  links.result = by_links(*mechanics.linkage, links.steps);
+  if (links.result && mechanics.dynamics.n() > k_few_speeds) return {std::move(*links.result), std::move(links.steps)};
+  Steps of_bodies;
+  Form<Result> bodies{by_bodies(of_bodies), std::move(of_bodies)};
+  const auto operations = [&](const Result& result) { return ir::operations(mechanics.graph, values(result)); };
+  if (!links.result || operations(bodies.result) <= operations(*links.result)) return bodies;
+  return {std::move(*links.result), std::move(links.steps)};
 }
 
 void add_norms(const Mechanics& mechanics, std::vector<Field>& fields) {
@@ -56,22 +87,74 @@ Artefact state_artefact(ArtefactBuilder& builder, const strategy::ProjectedState
 
 }  // namespace
 
+namespace {
+
+struct Energy {
+  Expr kinetic, potential;
+};
+
+std::optional<Energy> energy_by_links(Mechanics& mechanics, const kinematics::Linkage& linkage, Steps& steps) {
+  const ir::Vector3& field = mechanics.kinematics.field;
+  const strategy::LinkEnergy found = strategy::energy_of_links(linkage, field, steps);
+  Energy energy{found.kinetic, found.of_field + *mechanics.kinematics.other_potential};
+  for (const model::Body& body : mechanics.model.bodies) {
+    if (body.frame != model::k_space && linkage.ends[body.frame] != kinematics::k_ground) continue;
+    energy.potential -= mechanics.expressions(body.mass) * dot(field, mechanics.expressions(body.centre));
+  }
+  return energy;
+}
+
+}  // namespace
+
 Artefact energy_artefact(Mechanics& mechanics) {
   ArtefactBuilder builder("energy",
                           "Kinetic energy, potential energy of uniform fields, potentials and springs, and their sum.",
                           mechanics);
-  Steps steps;
+  auto [energy, steps] = shorter<Energy>(
+      mechanics,
+      [&](const kinematics::Linkage& linkage, Steps& own) { return energy_by_links(mechanics, linkage, own); },
+      [&](Steps&) {
+        return Energy{mechanics.covariant->kinetic_energy, *mechanics.kinematics.potential};
+      },
+      [](const Energy& found) {
+        return std::vector<NodeId>{found.kinetic.id(), found.potential.id()};
+      });
   steps.begin("energies");
   builder.result_type("Energy");
   builder.artefact().takes_inputs = false;
-  const Expr kinetic = steps.name(mechanics.covariant->kinetic_energy, "kinetic_energy");
-  const Expr potential = steps.name(*mechanics.kinematics.potential, "potential_energy");
+  const Expr kinetic = steps.name(energy.kinetic, "kinetic_energy");
+  const Expr potential = steps.name(energy.potential, "potential_energy");
   builder.fields("", "", "",
                  {{"kinetic", "[J]", {}, {kinetic.id()}},
                   {"potential", "[J]", {}, {potential.id()}},
                   {"total", "[J]", {}, {(kinetic + potential).id()}}});
   return builder.finish(steps);
 }
+
+namespace {
+
+/// Nothing where no motion of the bodies takes up forces that are known by generalized components.
+std::optional<strategy::Compulsion> compulsion(Mechanics& mechanics, Steps& steps) {
+  const Vector candidate = candidate_accelerations(mechanics);
+  auto [found, own] = shorter<std::optional<strategy::Compulsion>>(
+      mechanics,
+      [&](const kinematics::Linkage& linkage, Steps& of_links) -> std::optional<std::optional<strategy::Compulsion>> {
+        const auto Z =
+            strategy::compulsion_of_links(mechanics.dynamics, linkage, candidate, mechanics.epsilon(), of_links);
+        if (!Z) return std::nullopt;
+        return strategy::Compulsion{*Z, mechanics.expressions.number(0)};
+      },
+      [&](Steps& of_bodies) {
+        return strategy::compulsion(mechanics.dynamics, candidate, mechanics.epsilon(), of_bodies);
+      },
+      [](const std::optional<strategy::Compulsion>& result) {
+        return result ? std::vector<NodeId>{result->Z.id()} : std::vector<NodeId>();
+      });
+  steps.append(own);
+  return found;
+}
+
+}  // namespace
 
 std::vector<Artefact> compulsion_artefact(Mechanics& mechanics) {
   if (has_massless_body(mechanics)) return {};
@@ -83,8 +166,7 @@ std::vector<Artefact> compulsion_artefact(Mechanics& mechanics) {
   Steps steps;
   builder.result_type("Compulsion");
   builder.artefact().takes_accelerations = true;
-  const auto found =
-      strategy::compulsion(mechanics.dynamics, candidate_accelerations(mechanics), mechanics.epsilon(), steps);
+  const auto found = compulsion(mechanics, steps);
   if (!found) return {};
   builder.with_singular_metric(found->singular_metric);
   builder.fields("", "", "", {{"Z", "[N^2/kg]", {}, {found->Z.id()}}});
@@ -150,13 +232,27 @@ Artefact mass_matrix_artefact(Mechanics& mechanics) {
   ArtefactBuilder builder("mass_matrix", "The metric g of the free speeds (1.10).", mechanics);
   builder.result_type("MassMatrix");
   builder.artefact().takes_inputs = false;
-  std::vector<NodeId> entries;
-  for (const Vector& row : mechanics.dynamics.g) {
-    for (const Expr entry : row) entries.push_back(entry.id());
+  const auto entries_of = [](const strategy::Matrix& g) {
+    std::vector<NodeId> entries;
+    for (const Vector& row : g) {
+      for (const Expr entry : row) entries.push_back(entry.id());
+    }
+    return entries;
+  };
+  Form<strategy::Matrix> form{{}, {}};
+  if (mechanics.dynamics.n() > k_few_speeds) {
+    form.result = mechanics.dynamics.g;
+  } else {
+    form = shorter<strategy::Matrix>(
+        mechanics,
+        [&](const kinematics::Linkage& linkage, Steps& own) -> std::optional<strategy::Matrix> {
+          return strategy::composite_metric(linkage, mechanics.dynamics.labels, mechanics.graph, own);
+        },
+        [&](Steps&) -> strategy::Matrix { return mechanics.dynamics.g; }, entries_of);
   }
   const int n = static_cast<int>(mechanics.dynamics.n());
-  builder.fields("", "", "", {{"g", "symmetric, in the order of the speeds", {n, n}, entries}});
-  return builder.finish({});
+  builder.fields("", "", "", {{"g", "symmetric, in the order of the speeds", {n, n}, entries_of(form.result)}});
+  return builder.finish(form.steps);
 }
 
 Artefact project_artefact(Mechanics& mechanics) {

@@ -180,6 +180,7 @@ class Report {
           ir::partial(mechanics_.kinematics.speeds_at_rest[a], mechanics_.symbols.time);
     for (std::size_t mu = 0; mu < resting_->size(); ++mu)
       mechanics_.solution.multipliers[mu] = mechanics_.expressions.number((*resting_)[mu]);
+    mechanics_.solution.motion.reset();
     strategy::Steps steps;
     mechanics_.held_reactions = strategy::held_reactions(mechanics_.dynamics, mechanics_.solution, steps);
   }
@@ -199,6 +200,7 @@ class Report {
         strategy::completed_accelerations(mechanics_.dynamics, wanted, open, mechanics_.epsilon(), steps);
     // Where the named ones determine all others and more, nothing is least.
     if (!want(completed)) want(wanted);
+    mechanics_.solution.motion.reset();
     strategy::Vector& accelerations = mechanics_.solution.accelerations;
     for (const auto i : mechanics_.symbols.speeds.indices())
       accelerations[i.value] = mechanics_.expressions.symbol(mechanics_.symbols.speeds[i].acceleration);

@@ -4,6 +4,7 @@
 
 #include "generic_point.hpp"
 #include "kinematics/hold.hpp"
+#include "strategy/composite_metric.hpp"
 #include "strategy/inner.hpp"
 #include "strategy/tree_choice.hpp"
 
@@ -32,10 +33,19 @@ strategy::DependentRows rows_found_at_generic_point(ModelGraph& motion) {
 /// Of the metric, entry by entry: where there are few coordinates, as much vanishes in it that it may be the cheapest.
 constexpr std::size_t k_most_coordinates_of_metric = 6;
 
+/// Of many coordinates, with composite bodies where the model has links: each entry takes a few operations then.
+strategy::Dynamics dynamics_of(Mechanics& mechanics, strategy::DependentRows dependent_rows) {
+  strategy::Dynamics result = strategy::build_dynamics(
+      mechanics.kinematics, mechanics.covariant, std::move(dependent_rows), mechanics.steps, mechanics.metric_steps);
+  if (result.n() <= k_most_coordinates_of_metric) return result;
+  result.g = support::LazyList<strategy::Matrix>([&mechanics, labels = result.labels] {
+    return strategy::composite_metric(*mechanics.linkage, labels, mechanics.graph, mechanics.metric_steps);
+  });
+  return result;
+}
+
 std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const MechanicsOptions& options) {
-  ir::Substitution hold = kinematics::held_laws(mechanics.model, mechanics.expressions, mechanics.symbols);
-  const kinematics::Linkage linkage =
-      kinematics::build_linkage(mechanics.model, mechanics.symbols, mechanics.expressions, hold);
+  const kinematics::Linkage& linkage = *mechanics.linkage;
   const kinematics::Kinematics& kinematics = mechanics.kinematics;
   VanishesEverywhere vanishes_everywhere(mechanics);
   const strategy::Dynamics& dynamics = mechanics.dynamics;
@@ -163,9 +173,12 @@ KinematicModel::KinematicModel(const model::Model& checked_model, bool fold, std
 
 Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& chosen)
     : KinematicModel(checked_model, chosen.fold, chosen.most_nodes),
+      linkage([this] {
+        ir::Substitution hold = kinematics::held_laws(model, expressions, symbols);
+        return kinematics::build_linkage(model, symbols, expressions, hold);
+      }),
       covariant([this] { return kinematics::build_covariant(kinematics, graph); }),
-      dynamics(
-          strategy::build_dynamics(kinematics, covariant, rows_found_at_generic_point(*this), steps, metric_steps)),
+      dynamics(dynamics_of(*this, rows_found_at_generic_point(*this))),
       solution(solved(*this, chosen, steps)),
       held_reactions(strategy::held_reactions(dynamics, solution, steps)),
       options(chosen) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 
+#include "kinematics/linkage.hpp"
 #include "strategy/reactions.hpp"
 
 namespace gaussgen {
@@ -57,6 +58,7 @@ std::string name_of(Strategy strategy);
 struct Mechanics : KinematicModel {
   Mechanics(const model::Model& model, const MechanicsOptions& options);
 
+  support::Lazy<kinematics::Linkage> linkage;
   support::Lazy<kinematics::Covariant> covariant;
   strategy::Steps metric_steps;  ///< of g and f, where they are asked for: before all others
   strategy::Steps steps;         ///< of everything up to the held reactions

@@ -174,6 +174,7 @@ bool take_paper_route(Mechanics& mechanics, bool fold, support::Diagnostics& dia
   ParameterValues with_values(mechanics, fold);
   mechanics.solution.accelerations = with_values(route.accelerations);
   mechanics.solution.multipliers = with_values(route.lambda);
+  mechanics.solution.motion.reset();
   mechanics.held_reactions = with_values(route.R_x);
   mechanics.solution.description =
       "the paper's route: Z with Christoffel symbols of G, " +

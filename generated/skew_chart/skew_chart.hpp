@@ -26,12 +26,12 @@
 //
 // Operations per call
 //                      + -  *    /  sqrt  functions
-//   prepare            2    53   2  0     0
+//   prepare            2    54   2  0     0
 //   rhs                35   56   3  0     2
 //   reactions          54   91   3  0     2
 //   rhs_and_reactions  54   91   3  0     2
 //   reaction_forces    96   175  7  0     2
-//   energy             24   36   0  0     2
+//   energy             25   33   0  0     2
 //   compulsion         72   120  4  0     2
 //   mass_matrix        6    14   0  0     1
 //   project            0    0    0  0     0
@@ -348,9 +348,10 @@ struct Prepared {
   S m2_over_3;                   ///< 1 / 3 * m2
   S rounding_m2_2;               ///< 30 * epsilon * m2
   S c12;                         ///< 24 * epsilon
-  S m1_over_72;                  ///< 1 / 72 * m1
-  S m2_over_1800;                ///< 1 / 1800 * m2
-  S m1_g_over_4;                 ///< 0.25 * m1 * g
+  S amplitude_frequency_over_3;  ///< 1 / 3 * amplitude * frequency
+  S half_amplitude_frequency;    ///< 0.5 * amplitude * frequency
+  S g_over_4;                    ///< 0.25 * g
+  S half_g;                      ///< 0.5 * g
   S half_k;                      ///< 0.5 * k
   S half_inv_m1;                 ///< 0.5 / m1
   S half_inv_m2;                 ///< 0.5 / m2
@@ -525,9 +526,10 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.m2_over_3 = S(1) / S(3) * m2;
   prepared.rounding_m2_2 = S(30) * rounding_m2_3;
   prepared.c12 = S(24) * Math<S>::epsilon();
-  prepared.m1_over_72 = S(1) / S(72) * m1;
-  prepared.m2_over_1800 = S(1) / S(1800) * m2;
-  prepared.m1_g_over_4 = S(0.25) * m1_g;
+  prepared.amplitude_frequency_over_3 = S(1) / S(3) * amplitude_frequency;
+  prepared.half_amplitude_frequency = S(0.5) * amplitude_frequency;
+  prepared.g_over_4 = S(0.25) * g;
+  prepared.half_g = S(0.5) * g;
   prepared.half_k = S(0.5) * k;
   prepared.half_inv_m1 = S(0.5) / m1;
   prepared.half_inv_m2 = S(0.5) / m2;
@@ -1136,13 +1138,17 @@ template <class S>
 GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepared<S>& prepared,
                                   Energy<S>& energy) noexcept {
   using Bool = typename Math<S>::Bool;
+  const S& m1 = prepared.m1;
+  const S& m2 = prepared.m2;
   const S& amplitude = prepared.amplitude;
   const S& frequency = prepared.frequency;
   const S& amplitude_frequency = prepared.amplitude_frequency;
-  const S& half_m2_g = prepared.half_m2_g;
-  const S& m1_over_72 = prepared.m1_over_72;
-  const S& m2_over_1800 = prepared.m2_over_1800;
-  const S& m1_g_over_4 = prepared.m1_g_over_4;
+  const S& half_m2 = prepared.half_m2;
+  const S& half_m1 = prepared.half_m1;
+  const S& amplitude_frequency_over_3 = prepared.amplitude_frequency_over_3;
+  const S& half_amplitude_frequency = prepared.half_amplitude_frequency;
+  const S& g_over_4 = prepared.g_over_4;
+  const S& half_g = prepared.half_g;
   const S& half_k = prepared.half_k;
   const S& a = state.a();
   const S& b = state.b();
@@ -1159,22 +1165,27 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   S sin_frequency_t, cos_frequency_t;
   Math<S>::sincos(frequency * t, sin_frequency_t, cos_frequency_t);
 
-  // energies
+  // velocities of the origins of links, each in the axes of its link, and levels of these places in the
+  // field
   const S s_dot = amplitude_frequency * cos_frequency_t;
-  const S two_s_dot = S(2) * s_dot;
-  const S a_dot_plus_two_s_dot = a_dot + two_s_dot;
+  const S v_first_x = S(0.5) * a_dot + s_dot;
+  const S t1 = amplitude_frequency_over_3 * cos_frequency_t;
   const S s = S(1) + amplitude * sin_frequency_t;
-  const S t1 = S(2) * c_dot - s_dot * s;
-  const S a_s_dot_plus_a_dot_s = a * s_dot + a_dot * s;
-  const S t2 = S(3) * b_dot + a_s_dot_plus_a_dot_s;
-  const S t3 = S(2) * a_dot + e_dot + two_s_dot;
-  const S t4 = S(3) * d_dot + s_dot;
-  const S t5 = S(10) * e_dot - S(5) * a_s_dot_plus_a_dot_s + S(4) * d * d_dot;
-  const S kinetic_energy = m1_over_72 * (S(9) * (a_dot_plus_two_s_dot * a_dot_plus_two_s_dot + t1 * t1)
-      + S(4) * t2 * t2) + m2_over_1800 * (S(225) * t3 * t3 + S(100) * t4 * t4 + S(9) * t5 * t5);
+  const S a_dot_s = a_dot * s;
+  const S v_first_y = b_dot + a * t1 + S(1) / S(3) * a_dot_s;
+  const S t2 = half_amplitude_frequency * cos_frequency_t;
+  const S v_first_z = c_dot - t2 * s;
+  const S v_second_x = d_dot + t1;
+  const S v_second_y = e_dot - a * t2 + S(2) / S(5) * d * d_dot - S(0.5) * a_dot_s;
+  const S v_second_z = a_dot + S(0.5) * e_dot + s_dot;
+
+  // energies
+  const S kinetic_energy = half_m2 * (v_second_x * v_second_x + v_second_y * v_second_y
+      + v_second_z * v_second_z)
+      + half_m1 * (v_first_x * v_first_x + v_first_y * v_first_y + v_first_z * v_first_z);
   const S a_minus_e = a - e;
   const S d_minus_s = d - s;
-  const S potential_energy = half_m2_g * (e + S(2) * (a + s)) + m1_g_over_4 * (S(4) * c - s * s)
+  const S potential_energy = m1 * g_over_4 * (S(4) * c - s * s) + m2 * half_g * (e + S(2) * (a + s))
       + half_k * (a_minus_e * a_minus_e + d_minus_s * d_minus_s);
 
   // Results

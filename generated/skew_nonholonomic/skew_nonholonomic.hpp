@@ -22,13 +22,13 @@
 //
 // Operations per call
 //                      + -  *   /  sqrt  functions
-//   prepare            11   54  5  0     0
+//   prepare            11   52  3  0     0
 //   rhs                19   27  2  0     0
 //   reactions          37   48  2  0     0
 //   rhs_and_reactions  37   48  2  0     0
 //   reaction_forces    26   38  2  0     0
-//   energy             14   22  0  0     0
-//   compulsion         12   19  0  0     0
+//   energy             15   20  0  0     0
+//   compulsion         12   13  0  0     0
 //   residuals          7    8   0  0     0
 //   mass_matrix        0    0   0  0     0
 //   project            20   27  1  0     0
@@ -298,6 +298,7 @@ template <class S>
 struct Prepared {
   S m1;
   S m2;
+  S g;
   S G_q2_q2;         ///< 401 / 400 * m1 + 1.25 * m2
   S Q_q2;            ///< -(1 / 20 * m1 * g + 0.5 * m2 * g)
   S G_q1_q2;         ///< 2 / 15 * m1 + 3 / 5 * m2
@@ -321,13 +322,11 @@ struct Prepared {
   S m1_g_over_4;     ///< 0.25 * m1 * g
   S m1_over_15;      ///< 1 / 15 * m1
   S m2_over_10;      ///< 1 / 10 * m2
-  S m1_over_7200;    ///< 1 / 7200 * m1
-  S m2_over_40;      ///< 1 / 40 * m2
-  S m1_g_over_20;    ///< 1 / 20 * m1 * g
-  S m2_g_over_10;    ///< 1 / 10 * m2 * g
-  S m1_2;            ///< m1^2
-  S half_inv_m1;     ///< 0.5 / m1
-  S half_inv_m2;     ///< 0.5 / m2
+  S half_m1;         ///< 0.5 * m1
+  S g_over_20;       ///< 1 / 20 * g
+  S g_over_10;       ///< 1 / 10 * g
+  S half_m1_2;       ///< 0.5 * m1
+  S half_m2_2;       ///< 0.5 * m2
   S g_factor_q2_q1;  ///< (2 / 15 * m1 + 3 / 5 * m2) / (229 / 225 * m1 + 21 / 20 * m2)
   S g_factor_q3_q2;
   S g_factor_q3_q1;  ///< 1 / 5 * m2 / (229 / 225 * m1 + 21 / 20 * m2)
@@ -446,6 +445,8 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S G_q3_q3 = m1 + m2;
   const S G_q1_q3 = S(1) / S(5) * m2;
   const S G_q2_q3 = S(1) / S(20) * m1;
+  const S half_m2 = S(0.5) * m2;
+  const S half_m1 = S(0.5) * m1;
   const S inv_G_q1_q1 = S(1) / G_q1_q1;
   const S g_factor_q2_q1 = inv_G_q1_q1 * G_q1_q2;
   const S g_pivot_q2 = G_q2_q2 - inv_G_q1_q1 * G_q1_q2 * G_q1_q2;
@@ -463,6 +464,7 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   Prepared<S> prepared;
   prepared.m1 = m1;
   prepared.m2 = m2;
+  prepared.g = g;
   prepared.G_q2_q2 = G_q2_q2;
   prepared.Q_q2 = Q_q2;
   prepared.G_q1_q2 = G_q1_q2;
@@ -480,19 +482,17 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.m2_over_60 = S(1) / S(60) * m2;
   prepared.c3 = S(2) / S(15) * m1;
   prepared.m1_over_80 = S(1) / S(80) * m1;
-  prepared.half_m2 = S(0.5) * m2;
+  prepared.half_m2 = half_m2;
   prepared.m1_over_4 = S(0.25) * m1;
   prepared.m2_over_3 = S(1) / S(3) * m2;
   prepared.m1_g_over_4 = S(0.25) * F_first_z;
   prepared.m1_over_15 = S(1) / S(15) * m1;
   prepared.m2_over_10 = S(1) / S(10) * m2;
-  prepared.m1_over_7200 = S(1) / S(7200) * m1;
-  prepared.m2_over_40 = S(1) / S(40) * m2;
-  prepared.m1_g_over_20 = S(1) / S(20) * F_first_z;
-  prepared.m2_g_over_10 = S(1) / S(10) * Q_q1;
-  prepared.m1_2 = m1 * m1;
-  prepared.half_inv_m1 = S(0.5) / m1;
-  prepared.half_inv_m2 = S(0.5) / m2;
+  prepared.half_m1 = half_m1;
+  prepared.g_over_20 = S(1) / S(20) * g;
+  prepared.g_over_10 = S(1) / S(10) * g;
+  prepared.half_m1_2 = half_m1;
+  prepared.half_m2_2 = half_m2;
   prepared.g_factor_q2_q1 = g_factor_q2_q1;
   prepared.g_factor_q3_q2 = g_factor_q3_q2;
   prepared.g_factor_q3_q1 = g_factor_q3_q1;
@@ -856,10 +856,12 @@ template <class S>
 GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepared<S>& prepared,
                                   Energy<S>& energy) noexcept {
   using Bool = typename Math<S>::Bool;
-  const S& m1_over_7200 = prepared.m1_over_7200;
-  const S& m2_over_40 = prepared.m2_over_40;
-  const S& m1_g_over_20 = prepared.m1_g_over_20;
-  const S& m2_g_over_10 = prepared.m2_g_over_10;
+  const S& m1 = prepared.m1;
+  const S& m2 = prepared.m2;
+  const S& half_m2 = prepared.half_m2;
+  const S& half_m1 = prepared.half_m1;
+  const S& g_over_20 = prepared.g_over_20;
+  const S& g_over_10 = prepared.g_over_10;
   const S& q1 = state.q1();
   const S& q2 = state.q2();
   const S& q3 = state.q3();
@@ -867,16 +869,20 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   const S& q2_dot = state.q2_dot();
   const S& q3_dot = state.q3_dot();
 
+  // velocities of the origins of links, each in the axes of its link, and levels of these places in the
+  // field
+  const S v_first_y = S(2) / S(15) * q1_dot + q2_dot;
+  const S v_first_z = S(1) / S(20) * q2_dot + q3_dot;
+  const S v_second_x = S(1) / S(5) * q1_dot + q3_dot;
+  const S v_second_y = S(1) / S(10) * q1_dot + q2_dot;
+  const S v_second_z = q1_dot + S(0.5) * q2_dot;
+
   // energies
-  const S q1_dot_2 = q1_dot * q1_dot;
-  const S t1 = S(2) * q1_dot + S(15) * q2_dot;
-  const S t2 = S(20) * q3_dot;
-  const S t3 = q2_dot + t2;
-  const S kinetic_energy = m1_over_7200 * (S(3600) * q1_dot_2 + S(16) * t1 * t1 + S(9) * t3 * t3)
-      + m2_over_40 * (S(21) * q1_dot_2 + q2_dot * (S(24) * q1_dot + S(25) * q2_dot)
-      + q3_dot * (S(8) * q1_dot + t2));
-  const S potential_energy = m1_g_over_20 * (q2 + S(20) * q3)
-      + m2_g_over_10 * (S(4) + S(10) * q1 + S(5) * q2);
+  const S kinetic_energy = half_m2 * (v_second_x * v_second_x + v_second_y * v_second_y
+      + v_second_z * v_second_z)
+      + half_m1 * (q1_dot * q1_dot + v_first_y * v_first_y + v_first_z * v_first_z);
+  const S potential_energy = m1 * g_over_20 * (q2 + S(20) * q3)
+      + m2 * g_over_10 * (S(4) + S(10) * q1 + S(5) * q2);
 
   // Results
   const S total = kinetic_energy + potential_energy;
@@ -896,16 +902,9 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
                                       const Prepared<S>& prepared, const Derivative<S>& accelerations,
                                       Compulsion<S>& compulsion) noexcept {
   using Bool = typename Math<S>::Bool;
-  const S& Q_q1 = prepared.Q_q1;
-  const S& G_q1_q3 = prepared.G_q1_q3;
-  const S& G_q2_q3 = prepared.G_q2_q3;
-  const S& F_first_z = prepared.F_first_z;
-  const S& half_m2 = prepared.half_m2;
-  const S& m1_over_15 = prepared.m1_over_15;
-  const S& m2_over_10 = prepared.m2_over_10;
-  const S& m1_2 = prepared.m1_2;
-  const S& half_inv_m1 = prepared.half_inv_m1;
-  const S& half_inv_m2 = prepared.half_inv_m2;
+  const S& g = prepared.g;
+  const S& half_m1_2 = prepared.half_m1_2;
+  const S& half_m2_2 = prepared.half_m2_2;
   const S& q1 = state.q1();
   const S& q2 = state.q2();
   const S& q3 = state.q3();
@@ -916,21 +915,18 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S& q2_ddot = accelerations.q2_ddot();
   const S& q3_ddot = accelerations.q3_ddot();
 
-  // deviation of first from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
-  const S two_q1_ddot = S(2) * q1_ddot;
-  const S deviation_first_y = m1_over_15 * (S(15) * q2_ddot + two_q1_ddot);
-  const S deviation_first_z = F_first_z + G_q2_q3 * (q2_ddot + S(20) * q3_ddot);
-
-  // deviation of second from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
-  const S deviation_second_x = G_q1_q3 * (q1_ddot + S(5) * q3_ddot);
-  const S deviation_second_y = m2_over_10 * (q1_ddot + S(10) * q2_ddot);
-  const S deviation_second_z = Q_q1 + half_m2 * (q2_ddot + two_q1_ddot);
+  // candidate accelerations against free fall, each in the axes of its link
+  const S candidate_a_first_y = S(2) / S(15) * q1_ddot + q2_ddot;
+  const S candidate_a_first_z = g + S(1) / S(20) * q2_ddot + q3_ddot;
+  const S candidate_a_second_x = S(1) / S(5) * q1_ddot + q3_ddot;
+  const S candidate_a_second_y = S(1) / S(10) * q1_ddot + q2_ddot;
+  const S candidate_a_second_z = g + q1_ddot + S(0.5) * q2_ddot;
 
   // Results
-  const S Z = half_inv_m1 * (deviation_first_y * deviation_first_y + deviation_first_z * deviation_first_z
-      + m1_2 * q1_ddot * q1_ddot)
-      + half_inv_m2 * (deviation_second_x * deviation_second_x + deviation_second_y * deviation_second_y
-      + deviation_second_z * deviation_second_z);
+  const S Z = half_m1_2 * (q1_ddot * q1_ddot + candidate_a_first_y * candidate_a_first_y
+      + candidate_a_first_z * candidate_a_first_z)
+      + half_m2_2 * (candidate_a_second_x * candidate_a_second_x
+      + candidate_a_second_y * candidate_a_second_y + candidate_a_second_z * candidate_a_second_z);
 
   compulsion.Z = Z;
 

@@ -29,6 +29,7 @@ void hold_coordinates(Holder& hold, Kinematics& kinematics) {
   hold(kinematics.body_force);
   hold(kinematics.field);
   hold(kinematics.applied);
+  hold(kinematics.loads);
   hold(kinematics.other_force);
   hold(kinematics.carried_force);
   for (std::vector<Expr>& values : kinematics.quantities) {

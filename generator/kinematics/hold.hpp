@@ -53,6 +53,13 @@ class Holder {
     }
   }
 
+  void operator()(std::vector<BodyLoad>& loads) {
+    for (BodyLoad& load : loads) {
+      (*this)(load.force);
+      (*this)(load.moment);
+    }
+  }
+
   void operator()(ConstraintRow& row) {
     if (row.f) (*this)(*row.f);
     (*this)(row.phi);

@@ -29,7 +29,7 @@ class Builder {
         symbols_(symbols),
         partials_(graph, symbols),
         motions_(model, expressions, partials_),
-        loads_(model.bodies.size(), {ir::zero3(graph), ir::zero3(graph)}) {}
+        loads_(model.bodies.size(), BodyLoad{ir::zero3(graph), ir::zero3(graph)}) {}
 
   using Components = support::Indexed<FullIndex, Expr>;
 
@@ -50,6 +50,8 @@ class Builder {
                       {},
                       none,
                       none,
+                      {},
+                      {},
                       {},
                       {},
                       {},
@@ -75,6 +77,7 @@ class Builder {
         result.inner_forces.push_back(i);
       }
     }
+    result.loads = loads_.values();
     for (const model::NamedQuantity& quantity : model_.quantities) {
       result.quantities.emplace_back();
       for (const model::Ast& value : quantity.values) result.quantities.back().push_back(expressions_(value));
@@ -110,6 +113,8 @@ class Builder {
     }
     return Q;
   }
+
+  Expr other_potential() const { return potential_; }
 
   Expr potential(const Vector3& field) {
     Expr sum = potential_;
@@ -374,7 +379,7 @@ class Builder {
     const std::optional<BodyIndex> body = body_of(pushed(frame));
     result.applied.push_back(applied_at(frame, point, force, moment, body));
     if (body) {
-      Load& load = loads_[*body];
+      BodyLoad& load = loads_[*body];
       load.force = load.force + force;
       load.moment = load.moment + moment_about(*body, point, force, moment);
     }
@@ -510,18 +515,13 @@ class Builder {
                        [&](const model::Body& body) { return !expressions_(body.mass).is_zero(); });
   }
 
-  /// The sum of what is pushed on a body, without fields; the moment about its mass centre.
-  struct Load {
-    Vector3 force, moment;
-  };
-
   const model::Model& model_;
   ir::Graph& graph_;
   Expressions& expressions_;
   const Symbols& symbols_;
   Partials partials_;
   BodyMotions motions_;
-  Indexed<BodyIndex, Load> loads_;
+  Indexed<BodyIndex, BodyLoad> loads_;
   Expr potential_ = number(0);  ///< without fields
 };
 
@@ -540,6 +540,7 @@ Kinematics build_kinematics(const model::Model& model, ir::Graph& graph, Express
   result.bodies = support::Lazy<Indexed<BodyIndex, BodyMotion>>([=] { return held(builder->bodies(field)); });
   result.joints = support::Lazy<std::vector<JointPlace>>([=] { return held(builder->joints()); });
   result.field_force = support::Lazy<Indexed<FullIndex, Expr>>([=] { return held(builder->field_force(field)); });
+  result.other_potential = support::Lazy<Expr>([=] { return held(builder->other_potential()); });
   result.potential = support::Lazy<Expr>([=] { return held(builder->potential(field)); });
   hold_coordinates(*hold, result);
   return result;

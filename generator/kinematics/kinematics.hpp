@@ -81,6 +81,12 @@ struct AppliedForce {
   ir::Vector3 unfelt_moment;  ///< likewise; of what acts beside a particle, its moment about the particle
 };
 
+/// What forces at places sum up to on a body, without fields.
+struct BodyLoad {
+  ir::Vector3 force;   ///< N, space
+  ir::Vector3 moment;  ///< N m, space, about the mass centre
+};
+
 /// What follows from positions and velocities. Jacobians, of which there are as many as pairs of bodies and coordinates, are
 /// formed where they are asked for.
 struct Kinematics {
@@ -104,6 +110,8 @@ struct Kinematics {
   std::vector<std::size_t> inner_forces;  ///< between places of one rigid part, which cancel there
   support::Indexed<HeldIndex, ir::Expr> held_acceleration;  ///< c̈^i
   std::vector<std::vector<ir::Expr>> quantities;            ///< parallel to Model::quantities
+  std::vector<BodyLoad> loads;                              ///< of bodies
+  support::Lazy<ir::Expr> other_potential;                  ///< J; without fields
 };
 
 /// Builds everything with x^i free, then puts x^i = c^i(t) in (theory section 3: derivatives first, x = c afterwards).

@@ -43,6 +43,7 @@ class Builder {
     }
     for (std::size_t body = 0; body < model_.bodies.size(); ++body) add_part(body);
     for (std::size_t frame = 0; frame < model_.frames.size(); ++frame) result_.places.push_back(place(frame));
+    result_.ends = ends_;
     return std::move(result_);
   }
 
@@ -62,6 +63,7 @@ class Builder {
     const bool is_in_space = frame.parent == model::k_space;
     axes_ = is_in_space ? ir::identity3(graph()) : axes_of_[frame.parent];
     aligned_ = is_in_space ? std::nullopt : aligned_of_[frame.parent];
+    frame_ = index;
     name_ = frame.name.text;
     add_shift(ir::multiply(axes_, held(expressions_(frame.position))));
     if (const auto* turns = std::get_if<model::Turns>(&frame.attitude)) {
@@ -77,7 +79,7 @@ class Builder {
   Vector3 held(const Vector3& v) { return {hold_(v[0]), hold_(v[1]), hold_(v[2])}; }
 
   Link link(Link::Kind kind) const {
-    return {kind, at_, name_, zero_, 0, {}, {}, {zero_, zero_, zero_}, zero_, zero_, {}, {}, {}};
+    return {kind, at_, frame_, name_, zero_, 0, {}, {}, {zero_, zero_, zero_}, zero_, zero_, {}, {}, {}};
   }
 
   /// By which fixed turns, each about one of the axes that those before it lead to, one of the axes comes to lie along a direction.
@@ -296,12 +298,24 @@ class Builder {
   };
   std::optional<Aligned> aligned_;
   std::vector<std::optional<Aligned>> aligned_of_;
+  std::size_t frame_ = 0;
   std::string name_;
   Linkage result_;
   std::unordered_map<std::uint32_t, FreeIndex> speeds_;  ///< by symbol
 };
 
 }  // namespace
+
+void mix_speeds(Link& link) {
+  if (!link.to_speeds) return;
+  for (std::size_t j = 0; j < 3; ++j) link.freedoms[j].column = (*link.to_speeds)[j];
+  link.to_speeds.reset();
+}
+
+Linkage with_mixed_speeds(Linkage linkage) {
+  for (Link& link : linkage.links) mix_speeds(link);
+  return linkage;
+}
 
 bool is_fixed(const Vector3& v) {
   return std::all_of(v.begin(), v.end(), [](Expr e) { return ir::is_of_parameters(e.graph(), e.id()); });

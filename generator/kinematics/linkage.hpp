@@ -31,6 +31,7 @@ struct Link {
   };
   Kind kind = Kind::shift;
   std::size_t parent = k_ground;
+  std::size_t frame = 0;  ///< index into Model::frames: whose position or attitude it is part of
   std::string name;
 
   ir::Vector3 offset;             ///< m, of a shift
@@ -73,7 +74,14 @@ struct Linkage {
   std::vector<Link> links;                   ///< parents first
   std::vector<Part> parts;                   ///< those that move
   std::vector<std::optional<Place>> places;  ///< of frames; nothing where they turn by a quaternion and carry nothing
+  std::vector<std::size_t> ends;  ///< of frames: their last links; k_ground where they carry nothing with mass
 };
+
+/// Makes freedoms columns again where speeds are along the axes before a free turn: each moves all three components.
+void mix_speeds(Link& link);
+
+/// The same links, of all of which freedoms are columns.
+Linkage with_mixed_speeds(Linkage linkage);
 
 /// Of parameters and numbers alone.
 bool is_fixed(const ir::Vector3& v);

@@ -22,16 +22,6 @@ Vector3 combination(const support::Indexed<kinematics::FullIndex, Vector3>& colu
   return sum;
 }
 
-// n·I^-1 n with I^-1 from parameters alone, so that it costs one preparation.
-Expr square_in_inverse_inertia(const BodyMotion& body, const Vector3& n, Expr epsilon, Steps& steps) {
-  if (body.is_isotropic) return dot(n, n) * pow(body.inertia[0][0], -1);
-  Matrix inertia;
-  for (const Vector3& row : body.inertia) inertia.push_back({row[0], row[1], row[2]});
-  const Ldl ldl(inertia, {"x", "y", "z"}, "I_" + body.name, epsilon, steps);
-  const Vector solved = ldl.solve({n[0], n[1], n[2]}, "turn_" + body.name, steps);
-  return dot(n, {solved[0], solved[1], solved[2]});
-}
-
 Vector3 along_axes_of_omega(const BodyMotion& body, const Vector3& in_space) {
   return body.rotation.axes == model::Axes::space ? in_space : ir::multiply(transposed(body.rotation.matrix), in_space);
 }
@@ -67,6 +57,16 @@ Vector forces_without_body(const Dynamics& dynamics) {
 
 }  // namespace
 
+Expr square_in_inverse_inertia(const NamedInertia& inertia, const Vector3& n, Expr epsilon, Steps& steps) {
+  const ir::Matrix3& I = inertia.tensor;
+  if (inertia.is_isotropic) return dot(n, n) * pow(I[0][0], -1);
+  Matrix rows;
+  for (const Vector3& row : I) rows.push_back({row[0], row[1], row[2]});
+  const Ldl ldl(rows, {"x", "y", "z"}, "I_" + inertia.name, epsilon, steps);
+  const Vector solved = ldl.solve({n[0], n[1], n[2]}, "turn_" + inertia.name, steps);
+  return dot(n, {solved[0], solved[1], solved[2]});
+}
+
 std::optional<Compulsion> compulsion(const Dynamics& dynamics, const Vector& candidate, Expr epsilon, Steps& steps) {
   const kinematics::Kinematics& kinematics = *dynamics.kinematics;
   ir::Graph& graph = kinematics.field[0].graph();
@@ -96,7 +96,7 @@ std::optional<Compulsion> compulsion(const Dynamics& dynamics, const Vector& can
     torque = torque - along_axes_of_omega(body, body.moment);
     if (!body.is_isotropic) torque = torque + cross(omega, body.inertia_times(omega));
     torque = steps.name(torque, "torque_" + body.name);
-    twice += square_in_inverse_inertia(body, torque, epsilon, steps);
+    twice += square_in_inverse_inertia({body.inertia, body.is_isotropic, body.name}, torque, epsilon, steps);
   }
   return Compulsion{support::Rational(1) / 2 * twice, singular};
 }

@@ -11,6 +11,16 @@ struct Compulsion {
   ir::Expr singular_metric;  ///< Boolean: forces along coordinates cannot be spread here, and Z is not to be trusted
 };
 
+/// About the mass centre, in some axes.
+struct NamedInertia {
+  ir::Matrix3 tensor;
+  bool is_isotropic;
+  std::string name;
+};
+
+/// n·I⁻¹ n for a moment n in the axes of I, with I⁻¹ from parameters alone, so that it costs one preparation.
+ir::Expr square_in_inverse_inertia(const NamedInertia& inertia, const ir::Vector3& n, ir::Expr epsilon, Steps& steps);
+
 /// Gauss's function without reactions, Z_w of Vujičić (1.18), as the complete square of theory section 6 over the bodies:
 /// 2 Z_w = Σ m |a - F/m|² + (ω̇ - ω̇₀)·I (ω̇ - ω̇₀), for candidate accelerations. Forces known only by their generalized
 /// components are spread over the bodies as m J G^-1 Q, which leaves the minimum where it is. Unit: N²/kg.

@@ -1,13 +1,17 @@
 #include "strategy/joint_reactions.hpp"
 
-#include "strategy/reactions.hpp"
+#include "strategy/joint_inertia.hpp"
 
 namespace gaussgen::strategy {
 
 using ir::Expr;
 using ir::Vector3;
-using kinematics::BodyIndex;
+using kinematics::AppliedForce;
+using kinematics::ConstraintAction;
 using kinematics::ConstraintIndex;
+using kinematics::FreeIndex;
+using kinematics::FullIndex;
+using kinematics::JointPlace;
 
 namespace {
 
@@ -22,71 +26,103 @@ class JointSums {
         kinematics_(*dynamics.kinematics),
         solution_(solution),
         steps_(steps),
-        bodies_(body_reactions(dynamics, solution, steps)) {}
+        joints_(*kinematics_.joints),
+        tree_(joint_tree(model)),
+        inertia_(inertia(dynamics)),
+        sums_(inertia_.own),
+        has_unfelt_(joints_.size(), false) {}
 
-  JointReaction of(const kinematics::JointPlace& joint) {
-    force_ = ir::zero3(kinematics_.field[0].graph());
-    moment_ = force_;
-    at_ = &joint.point;
-    for (const BodyIndex i : kinematics_.bodies->indices()) {
-      if (is_carried(model_.bodies[i.value].frame, joint.frame))
-        add(bodies_[i.value], (*kinematics_.bodies)[i].position);
-    }
-    for (const kinematics::AppliedForce& force : kinematics_.applied) {
-      if (!is_carried(force.frame, joint.frame)) continue;
-      take_away(force.unfelt_force, force.point);
-      moment_ = moment_ - force.unfelt_moment;
-    }
+  std::vector<JointReaction> run() {
+    take_loads_away();
     for (const ConstraintIndex mu : kinematics_.constraints.indices()) {
-      for (const kinematics::ConstraintAction& action : kinematics_.constraints[mu].actions) {
-        if (!is_carried(action.frame, joint.frame)) continue;
-        take_away(solution_.multipliers[mu.value] * action.direction, action.point);
+      for (const ConstraintAction& action : kinematics_.constraints[mu].actions) {
+        if (is_zero(action.direction)) continue;
+        take_away(action.frame, solution_.multipliers[mu.value] * action.direction, action.point);
       }
     }
-    const std::string& child = model_.frames[joint.frame].name.text;
-    steps_.begin("what " + child + " feels in joint " + joint.name + ": Newton and Euler for all that it carries",
-                 joint.name);
-    return {joint.name, child, name_of(model_, model_.frames[joint.frame].parent),
-            steps_.name(force_, "force_in_" + joint.name), steps_.name(moment_, "moment_in_" + joint.name)};
+    for (const std::size_t j : tree_.inward) add_up(j);
+    std::vector<JointReaction> result;
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const std::size_t frame = joints_[j].frame;
+      result.push_back({joints_[j].name, model_.frames[frame].name.text, name_of(model_, model_.frames[frame].parent),
+                        sums_[j].force, sums_[j].moment});
+    }
+    return result;
   }
 
  private:
-  bool is_carried(std::size_t frame, std::size_t by) const {
-    for (std::size_t at = frame; at != model::k_space; at = model_.frames[at].parent) {
-      if (at == by) return true;
+  JointInertia inertia(const Dynamics& dynamics) {
+    std::optional<JointInertia> result = inertia_by_links(model_, tree_, dynamics, solution_, steps_);
+    return result ? std::move(*result) : inertia_by_bodies(model_, tree_, dynamics, solution_, steps_);
+  }
+
+  std::size_t carrier(std::size_t frame) const { return frame == model::k_space ? k_no_joint : tree_.carrier[frame]; }
+
+  void take_loads_away() {
+    for (const AppliedForce& load : kinematics_.applied) {
+      const std::size_t j = carrier(load.frame);
+      if (j == k_no_joint) continue;
+      has_unfelt_[j] = has_unfelt_[j] || !is_zero(load.unfelt_force) || !is_zero(load.unfelt_moment);
+      const bool counts = inertia_.counts_loads;
+      take_away(load.frame, counts ? load.unfelt_force : load.force, load.point);
+      sums_[j].moment = sums_[j].moment - (counts ? load.unfelt_moment : load.moment);
     }
-    return false;
   }
 
-  void add(const BodyReaction& sum, const Vector3& centre) {
-    force_ = force_ + sum.force;
-    moment_ = moment_ + cross(centre - *at_, sum.force);
-    if (sum.moment) moment_ = moment_ + *sum.moment;
+  void take_away(std::size_t frame, const Vector3& force, const Vector3& point) {
+    const std::size_t j = carrier(frame);
+    if (j == k_no_joint) return;
+    sums_[j].force = sums_[j].force - force;
+    sums_[j].moment = sums_[j].moment - cross(point - joints_[j].point, force);
   }
 
-  void take_away(const Vector3& force, const Vector3& point) {
-    force_ = force_ - force;
-    moment_ = moment_ - cross(point - *at_, force);
+  // Each is complete once the joints that it carries have been added.
+  void add_up(std::size_t j) {
+    const JointPlace& joint = joints_[j];
+    Wrench& sum = sums_[j];
+    if (const std::optional<Expr> moment = moment_of_turn(j)) sum.moment[inertia_.turns[j]->axis] = *moment;
+    steps_.begin("what " + model_.frames[joint.frame].name.text + " feels in joint " + joint.name +
+                     ": Newton and Euler for all that it carries",
+                 joint.name);
+    sum = {steps_.name(sum.force, "force_in_" + joint.name), steps_.name(sum.moment, "moment_in_" + joint.name)};
+    const std::size_t before = tree_.before[j];
+    if (before == k_no_joint) return;
+    has_unfelt_[before] = has_unfelt_[before] || has_unfelt_[j];
+    sums_[before].force = sums_[before].force + sum.force;
+    sums_[before].moment = sums_[before].moment + sum.moment + cross(inertia_.arms[j], sum.force);
+  }
+
+  // A turn does no work but by what acts along its coordinate: for this speed the equation of motion says what the moment is
+  // (theory section 4), and the sum over all that the joint carries need not be formed.
+  std::optional<Expr> moment_of_turn(std::size_t j) const {
+    const std::optional<FreeTurn>& turn = inertia_.turns[j];
+    if (!turn || has_unfelt_[j]) return std::nullopt;
+    const FullIndex i = kinematics_.symbols.full(FreeIndex{turn->speed});
+    if (!kinematics_.carried_force[i].is_zero()) return std::nullopt;
+    Expr along = kinematics_.other_force[i];
+    for (const ConstraintIndex mu : kinematics_.constraints.indices()) {
+      if (!kinematics_.constraints[mu].carried[i].is_zero()) return std::nullopt;
+      along += solution_.multipliers[mu.value] * kinematics_.constraints[mu].beside[i];
+    }
+    return along / turn->factor;
   }
 
   const model::Model& model_;
   const kinematics::Kinematics& kinematics_;
   const Solution& solution_;
   Steps& steps_;
-  std::vector<BodyReaction> bodies_;
-  const Vector3* at_ = nullptr;
-  Vector3 force_ = ir::zero3(kinematics_.field[0].graph());
-  Vector3 moment_ = force_;
+  const std::vector<JointPlace>& joints_;
+  JointTree tree_;
+  JointInertia inertia_;
+  std::vector<Wrench> sums_;
+  std::vector<bool> has_unfelt_;
 };
 
 }  // namespace
 
 std::vector<JointReaction> joint_reactions(const model::Model& model, const Dynamics& dynamics,
                                            const Solution& solution, Steps& steps) {
-  std::vector<JointReaction> reactions;
-  JointSums sums(model, dynamics, solution, steps);
-  for (const kinematics::JointPlace& joint : *dynamics.kinematics->joints) reactions.push_back(sums.of(joint));
-  return reactions;
+  return JointSums(model, dynamics, solution, steps).run();
 }
 
 }  // namespace gaussgen::strategy

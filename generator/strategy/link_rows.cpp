@@ -191,7 +191,8 @@ void LinkRowBuilder::set_fall(Expr fall, LinkRow& row) const {
   if (!problem_.vanishes(fall)) row.fall = fall;
 }
 
-void LinkRowBuilder::add(const Group& group, LinkMotion& motion, LinkRows& result) const {
+void LinkRowBuilder::add(const Group& group, LinkMotion& motion, LinkAxes& in_space, Steps& steps,
+                         LinkRows& result) const {
   const std::size_t axes = axes_of(group);
   const std::size_t first_row = result.rows.size();
   std::vector<std::size_t> directions;
@@ -212,10 +213,11 @@ void LinkRowBuilder::add(const Group& group, LinkMotion& motion, LinkRows& resul
     if (falling != 0) set_fall(ir::Rational(falling) * motion.fall_at(axes)[k], row);
     result.rows.push_back(std::move(row));
   }
+  steps.begin("how the axes of the rows lie in space, for multipliers");
   for (const std::size_t k : directions) {
     if (is_idle(*group.along[k])) continue;
     const PlacedRow& as = *placed_[*group.along[k]];
-    const Vector3 in_axes = resolved(linkage_.links, k_ground, axes, ir::unit_vector(graph_, k));
+    const Vector3 in_axes = in_space.of(axes, steps)[k];
     for (std::size_t i = 0; i < directions.size(); ++i) {
       const Expr share = in_axes[directions[i]] * as.spots[0].direction[k];
       if (!share.is_zero()) result.multipliers[as.constraint].push_back({first_row + i, share});
@@ -262,6 +264,7 @@ LinkRows LinkRowBuilder::rows(LinkMotion& motion, Steps& steps) const {
   result.multipliers.resize(problem_.b.size());
   result.released = released_;
   std::vector<char> is_done(problem_.b.size(), 0);
+  LinkAxes in_space(linkage_.links, graph_);
   for (const Group& group : groups_) {
     bool is_wanted = false;
     for (const auto& index : group.along) {
@@ -269,7 +272,7 @@ LinkRows LinkRowBuilder::rows(LinkMotion& motion, Steps& steps) const {
       is_done[placed_[*index]->constraint] = 1;
       is_wanted = true;
     }
-    if (is_wanted) add(group, motion, result);
+    if (is_wanted) add(group, motion, in_space, steps, result);
   }
   for (std::size_t mu = 0; mu < problem_.b.size(); ++mu) {
     if (is_done[mu] != 0) continue;

@@ -7,6 +7,7 @@
 
 #include "kinematics/kinematics.hpp"
 #include "strategy/ldl.hpp"
+#include "strategy/link_axes.hpp"
 #include "strategy/link_motion.hpp"
 
 namespace gaussgen::strategy {
@@ -92,7 +93,7 @@ class LinkRowBuilder {
 
   static std::size_t first_of(const Group& group);
   std::size_t axes_of(const Group& group) const;
-  void add(const Group& group, LinkMotion& motion, LinkRows& result) const;
+  void add(const Group& group, LinkMotion& motion, LinkAxes& in_space, Steps& steps, LinkRows& result) const;
   void add(const PlacedRow& row, LinkMotion& motion, Steps& steps, LinkRows& result) const;
   void add_over_speeds(std::size_t constraint, LinkRows& result) const;
 

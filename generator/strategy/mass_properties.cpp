@@ -8,6 +8,7 @@ namespace gaussgen::strategy {
 
 using ir::Expr;
 using ir::Matrix3;
+using ir::Rational;
 using ir::Vector3;
 using kinematics::is_fixed;
 using kinematics::k_ground;
@@ -59,7 +60,9 @@ std::vector<MassProperties> mass_properties(const kinematics::Linkage& linkage, 
   return result;
 }
 
-void move_masses_to_ends(const std::vector<Link>& links, std::vector<MassProperties>& properties) {
+Vector move_masses_to_ends(const std::vector<Link>& links, std::vector<MassProperties>& properties) {
+  Vector all_moved;
+  for (const MassProperties& own : properties) all_moved.push_back(Rational(0) * own.mass);
   for (std::size_t i = 0; i < links.size(); ++i) {
     const Link& link = links[i];
     const bool is_end = link.kind == Link::Kind::shift && link.freedoms.empty() && link.parent != k_ground;
@@ -69,11 +72,13 @@ void move_masses_to_ends(const std::vector<Link>& links, std::vector<MassPropert
     const Vector3& r = link.offset;
     const Expr moved = (bar.first[0] * r[0] + bar.first[1] * r[1] + bar.first[2] * r[2]) / squared(r);
     if (!is_zero(bar.first - moved * r) || !keeps_digits(moved * squared(r), trace(bar.inertia))) continue;
+    all_moved[i] = moved;
     properties[i].mass += moved;
     bar.mass -= moved;
     bar.first = ir::zero3(moved.graph());
     bar.inertia = difference(bar.inertia, of_mass(moved, r));
   }
+  return all_moved;
 }
 
 std::vector<MassBound> mass_bounds(const std::vector<Link>& links, const std::vector<MassProperties>& properties) {

@@ -68,6 +68,7 @@ void roll(Linkage& linkage, std::size_t ball) {
   }
   link.kind = Link::Kind::ball;
   link.velocity = *link.velocity_before;
+  for (std::size_t j = 0; j < 3; ++j) link.freedoms[j].column = ir::unit_vector(link.velocity[0].graph(), j);
   link.to_speeds.reset();
 }
 

@@ -7,6 +7,7 @@
 #include "strategy/axes.hpp"
 #include "strategy/margins.hpp"
 #include "strategy/safety.hpp"
+#include "strategy/tree_motion.hpp"
 #include "strategy/tree_z.hpp"
 
 namespace gaussgen::strategy {
@@ -36,6 +37,7 @@ class Tree : private TreeZ {
       : TreeZ(problem, form, epsilon, steps),
         w_(first_dual() + most_rows(problem), zero_),
         given_(links_.size(), ir::zero3(graph_)),
+        moving_(links_.size(), {ir::zero3(graph_), ir::zero3(graph_)}),
         dependent_(zero_),
         lost_(zero_) {}
 
@@ -315,6 +317,7 @@ class Tree : private TreeZ {
       said[c % 3] = w;
     }
     if (own_.base_at(i) == nullptr) given_[i] = given;
+    moving_[i] = {moving_[i].linear + of(a(i, 0)), moving_[i].angular + of(alpha(i, 0))};
     if (floating == nullptr) return;
     for (std::size_t k = 0; k < 3; ++k) {
       if (!floating->along[k]) continue;
@@ -392,13 +395,39 @@ class Tree : private TreeZ {
     for (const Imposed& imposed : imposed_) rows.require(pow(imposed.component.pivot, 2), zero_);
     const Expr dependent = any(graph_, {dependent_, rows.violated("least_coefficient")});
     const Expr singular = any(graph_, {margins.violated("least_pivot"), lost_});
-    return {accelerations, multipliers(accelerations), singular, dependent, "", {}, {}, {}, false};
+    return {accelerations, multipliers(accelerations), singular, dependent, "", {}, {}, {}, false, motion()};
   }
 
-  Vector w_;                               ///< by component
+  std::shared_ptr<const TreeMotion> motion() const {
+    TreeMotion result{linkage_,    carriers_, sole_freedoms(problem_.linkage.links),
+                      properties_, moved_,    moving_,
+                      {},          {},        motion_.fall(),
+                      {},          {}};
+    result.length = 1 / per_length_;
+    result.mass = per_length_ / per_force_;
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      LinkAcceleration& a = result.accelerations[i];
+      if (!by_link()) {
+        a.linear = a.linear + motion_.accumulated(i).linear;
+        a.angular = a.angular + motion_.accumulated(i).angular;
+      }
+      result.omega.push_back(motion_.omega(i));
+      result.origins.push_back(origin(i));
+    }
+    return std::make_shared<const TreeMotion>(std::move(result));
+  }
+
+  /// The first link with the same origin of which the acceleration is known; none where this is fixed.
+  std::size_t origin(std::size_t i) const {
+    while (i != k_ground && !is_shift(i) && own_.base_anchored_at(i) == nullptr) i = links_[i].parent;
+    return i;
+  }
+
+  Vector w_;                    ///< by component
   std::map<std::size_t, LinearTerm> led_;  ///< by the link that turns: the acceleration of its end
-  std::vector<Vector3> given_;     ///< of links: what their joints do not decide of the components that are moved
-  std::vector<std::size_t> left_;  ///< rows that were not imposed
+  std::vector<Vector3> given_;  ///< of links: what their joints do not decide of the components that are moved
+  std::vector<LinkAcceleration> moving_;  ///< of links: where they have mass, the accelerations that were found
+  std::vector<std::size_t> left_;         ///< rows that were not imposed
   std::optional<Ldl> schur_;
   bool is_correcting_ = false;
   Expr dependent_, lost_;

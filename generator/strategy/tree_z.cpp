@@ -50,10 +50,11 @@ TreeZ::TreeZ(const TreeProblem& problem, const TreeForm& form, Expr epsilon, Ste
       masses_(links_.size(), zero_),
       eliminated_(links_.size()),
       shared_(links_.size()) {
+  for (const Link& link : links_) carriers_.push_back(link.parent);
   find_spins(properties_, linkage_);
   children_ = children_of(links_);
   bounds_ = mass_bounds(links_, properties_);
-  move_masses_to_ends(links_, properties_);
+  moved_ = move_masses_to_ends(links_, properties_);
 }
 
 bool TreeZ::minimise() {
@@ -84,8 +85,7 @@ bool TreeZ::has_mixed_speeds() {
     Link& link = links_[i];
     const auto is_owned = [](const OwnComponent& own) { return own.freedom != nullptr; };
     if (!link.to_speeds || std::all_of(own_.of_joint[i].begin(), own_.of_joint[i].end(), is_owned)) continue;
-    for (std::size_t j = 0; j < 3; ++j) link.freedoms[j].column = (*link.to_speeds)[j];
-    link.to_speeds.reset();
+    mix_speeds(link);
     has_mixed = true;
   }
   return has_mixed;

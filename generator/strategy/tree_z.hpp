@@ -105,7 +105,9 @@ class TreeZ {
   ir::Expr zero_;
   kinematics::Linkage linkage_;
   std::vector<kinematics::Link>& links_;
+  std::vector<std::size_t> carriers_;  ///< of links: before spins were hung elsewhere
   std::vector<MassProperties> properties_;
+  Vector moved_;  ///< masses of the links before that are counted with these
   std::vector<MassBound> bounds_;
   LinkMotion motion_;
   ir::Rational per_power_, per_force_, per_length_;

@@ -41,8 +41,8 @@ MANY = ("gauss: 1\nname: bomb\ncoordinates:\n" + rows(200, "  x{i}: {{}}\n") + "
         rows(200, "  p{i}: {{mass: 1, position: [x{i}, 0, 0]}}\n"))
 
 LINKS = ("gauss: 1\nname: bomb\nframes: {link_0: {}}\njoints:\n"
-         "  h_$i: {count: 120, type: revolute, parent: link_$(i-1), child: link_$i, at: [0, 0, -1], axis: y}\n"
-         "bodies:\n  link_$i: {count: 120, mass: 1, inertia: 1}\n")
+         "  h_$i: {count: 1000, type: revolute, parent: link_$(i-1), child: link_$i, at: [0, 0, -1], axis: y}\n"
+         "bodies:\n  link_$i: {count: 1000, mass: 1, inertia: 1}\n")
 
 BOMBS = {
     "a product of many factors": HEAD.replace("particles", "parameters:\n" + rows(200, "  k{i}: 1\n") + "particles").replace(

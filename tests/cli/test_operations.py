@@ -17,7 +17,17 @@ MOST = [
     (280, SPATIAL, "--count", "n=2"), (960, SPATIAL, "--count", "n=4"), (1620, SPATIAL, "--count", "n=6"),
 ]
 # Families whose constraints are on the tree, and the counts between which they are compared.
-GROWING = [(CHAIN, 50, 200), (SPATIAL, 10, 40), (FAMILIES / "planar_chain_maximal.yaml", 10, 40), (FAMILIES / "n_four_bar.yaml", 5, 20), (FAMILIES / "road_train.yaml", 2, 8)]
+GROWING = [(CHAIN, 50, 200), (SPATIAL, 10, 40), (FAMILIES / "planar_chain_maximal.yaml", 10, 40), (FAMILIES / "n_four_bar.yaml", 5, 20),
+           (FAMILIES / "road_train.yaml", 2, 8)]
+# Functions of the chain that take what all links do: these too.
+GROWING_FUNCTIONS = ["joint_reactions", "energy", "compulsion"]
+# How much more than rhs alone a function takes that has all reactions of a model. (The four-bar's takes two calls of sine and cosine less
+# instead, as sines of sums come from those of their parts then.)
+ADDED = [
+    (1.40, "joint_reactions", "joint_reactions", CHAIN, "--count", "n=10"), (1.15, "reactions", "rhs_and_reactions", MODELS / "sphere_in_cylinder.yaml"),
+    (1.30, "reactions", "rhs_and_reactions", MODELS / "four_bar.yaml"), (1.52, "joint_reactions", "joint_reactions", MODELS / "four_bar.yaml"),
+    (1.47, "joint_reactions", "joint_reactions", SPATIAL, "--count", "n=6"),
+]
 
 
 def small_stack():
@@ -26,10 +36,10 @@ def small_stack():
 
 class Operations(Program):
     def header(self, *arguments, **more):
-        return self.ok("--fold", "--outputs", "rhs", *arguments, "-o", "-", **more)
+        return self.ok("--fold", *arguments, "-o", "-", **more)
 
-    def operations(self, *arguments):
-        row = re.search(r"^//   rhs +(.*)$", self.header(*arguments), re.M)
+    def operations(self, *arguments, function="rhs", output="rhs"):
+        row = re.search(rf"^//   {function} +(.*)$", self.header("--outputs", output, *arguments), re.M)
         return sum(int(number) for number in row[1].split())
 
     def test_no_more_than_intended(self):
@@ -46,19 +56,34 @@ class Operations(Program):
                 self.assertLess(count[1], 4.5 * count[0])
 
     def test_long_chains_do_not_wait_for_divisions(self):
-        text = " ".join(self.header(CHAIN, "--count", "n=20").split("\n// "))
+        text = " ".join(self.header("--outputs", "rhs", CHAIN, "--count", "n=20").split("\n// "))
         waiting = re.search(r"postponed so that results wait for each other for some (\d+) cycles and not (\d+)", text)
         self.assertLess(int(waiting[1]), 0.75 * int(waiting[2]))
-        self.assertNotIn("postponed", self.header(SPATIAL, "--count", "n=4"))
+        self.assertNotIn("postponed", self.header("--outputs", "rhs", SPATIAL, "--count", "n=4"))
+
+    def test_so_do_those_of_other_functions(self):
+        for function in GROWING_FUNCTIONS:
+            with self.subTest(function):
+                count = [self.operations(CHAIN, "--count", f"n={n}", function=function, output=function) for n in (50, 200)]
+                self.assertLess(count[1], 4.5 * count[0])
+
+    def test_an_entry_of_the_mass_matrix_takes_few(self):
+        for n in (20, 60):
+            self.assertLess(self.operations(CHAIN, "--count", f"n={n}", function="mass_matrix", output="mass_matrix"), 3.5 * n * n)
+
+    def test_reactions_add_little(self):
+        for most, output, function, *model in ADDED:
+            with self.subTest(f"{function} of {model}"):
+                self.assertLessEqual(self.operations(*model, function=function, output=output), most * self.operations(*model))
 
     def test_long_chains_need_no_long_stack(self):
         for model, n in ((CHAIN, 300), (SPATIAL, 60), (FAMILIES / "n_four_bar.yaml", 20)):
-            self.header(model, "--count", f"n={n}", preexec_fn=small_stack)
+            self.header("--outputs", "rhs", model, "--count", f"n={n}", preexec_fn=small_stack)
 
     def test_each_strategy_is_said(self):
         said = {"tree": "Z minimised body by body along the tree", "metric": "elimination", "multipliers": "multiplier form (3.4)"}
         for strategy, words in said.items():
-            text = self.header(MODELS / "chaplygin_sphere.yaml" if strategy == "tree" else MODELS / "sphere_in_cylinder.yaml", "--strategy", strategy)
+            text = self.header("--outputs", "rhs", MODELS / "chaplygin_sphere.yaml" if strategy == "tree" else MODELS / "sphere_in_cylinder.yaml", "--strategy", strategy)
             self.assertIn(f"--strategy={strategy}", text)
             self.assertIn(words, text)
 
