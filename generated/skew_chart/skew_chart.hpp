@@ -599,16 +599,16 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S d_over_Z_d_d = d * inv_Z_d_d;
   const S d_over_Z_d_d_s = d_over_Z_d_d * s;
   const S d_d_over_Z_d_d_s = d * d_over_Z_d_d_s;
-  const S Z_a_a = m2 + m2_over_4 * s_2 - m2_2_over_25 * d_d_over_Z_d_d_s * s;
+  const S Z_a_a = m2 + m2_over_4 * s_2 - m2_2_over_25 * s * d_d_over_Z_d_d_s;
   const S half_m2_s = half_m2 * s;
   const S Z_a_e = half_m2 - half_m2_s + c5 * d_d_over_Z_d_d_s;
   const S m2_over_5_d_over_Z_d_d_s = m2_over_5 * d_over_Z_d_d_s;
-  const S Q_a = m2_g - m2_amplitude_frequency_2 * sin_frequency_t + m2_over_5_d_over_Z_d_d_s * Q_d
-      - half_m2_s * drift_a_second_y;
+  const S Q_a = m2_g - m2_amplitude_frequency_2 * sin_frequency_t - half_m2_s * drift_a_second_y
+      + m2_over_5_d_over_Z_d_d_s * Q_d;
   const S Z_e_e = G_e_e - c6 * d * d_over_Z_d_d;
   const S F_second_y = m2 * drift_a_second_y;
   const S t2 = c2 * d_over_Z_d_d;
-  const S Q_e = half_m2_g + F_second_y - c4 * sin_frequency_t - t2 * Q_d;
+  const S Q_e = half_m2_g - c4 * sin_frequency_t + F_second_y - t2 * Q_d;
   const S k_a_minus_e = k * (a - e);
   const S Q_e_minus_k_a_minus_e = Q_e - k_a_minus_e;
   const S inv_Z_e_e = S(1) / Z_e_e;
@@ -620,14 +620,14 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S drift_a_first_y = c8 * a_dot_cos_frequency_t - c9 * a * sin_frequency_t;
   const S drift_a_first_z = t1 * s - c10 * cos_frequency_t * cos_frequency_t;
   const S m1_over_4_plus_Z_a_a_2 = m1_over_4 + Z_a_a_2;
-  const S Q_a_3 = Q_a_2 + k_a_minus_e - c7 * sin_frequency_t;
+  const S Q_a_3 = k_a_minus_e - c7 * sin_frequency_t + Q_a_2;
 
   // accelerations along the speeds
   const S t3 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
   const S a_b = S(1) / S(3) * t3 * s - drift_a_first_y;
   const S a_c = -(g + drift_a_first_z);
   const S a_e = t3 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
-  const S a_d = -(t2 * a_e + m2_over_5_d_over_Z_d_d_s * t3 + Q_d * inv_Z_d_d);
+  const S a_d = -(Q_d * inv_Z_d_d + m2_over_5_d_over_Z_d_d_s * t3 + t2 * a_e);
 
   derivative.a_dot() = a_dot;
   derivative.b_dot() = b_dot;
@@ -723,16 +723,16 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S d_over_Z_d_d = d * inv_Z_d_d;
   const S d_over_Z_d_d_s = d_over_Z_d_d * s;
   const S d_d_over_Z_d_d_s = d * d_over_Z_d_d_s;
-  const S Z_a_a = m2 + m2_over_4 * s_2 - m2_2_over_25 * d_d_over_Z_d_d_s * s;
+  const S Z_a_a = m2 + m2_over_4 * s_2 - m2_2_over_25 * s * d_d_over_Z_d_d_s;
   const S half_m2_s = half_m2 * s;
   const S Z_a_e = half_m2 - half_m2_s + c5 * d_d_over_Z_d_d_s;
   const S m2_over_5_d_over_Z_d_d_s = m2_over_5 * d_over_Z_d_d_s;
-  const S Q_a = m2_g - m2_amplitude_frequency_2 * sin_frequency_t + m2_over_5_d_over_Z_d_d_s * Q_d
-      - half_m2_s * drift_a_second_y;
+  const S Q_a = m2_g - m2_amplitude_frequency_2 * sin_frequency_t - half_m2_s * drift_a_second_y
+      + m2_over_5_d_over_Z_d_d_s * Q_d;
   const S Z_e_e = G_e_e - c6 * d * d_over_Z_d_d;
   const S F_second_y = m2 * drift_a_second_y;
   const S t3 = c2 * d_over_Z_d_d;
-  const S Q_e = half_m2_g + F_second_y - c4 * sin_frequency_t - t3 * Q_d;
+  const S Q_e = half_m2_g - c4 * sin_frequency_t + F_second_y - t3 * Q_d;
   const S k_a_minus_e = k * (a - e);
   const S Q_e_minus_k_a_minus_e = Q_e - k_a_minus_e;
   const S inv_Z_e_e = S(1) / Z_e_e;
@@ -743,19 +743,19 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   // Z of all that first carries, at its minimum over the own acceleration of first
   const S drift_a_first_y = c8 * a_dot_cos_frequency_t - c9 * a_sin_frequency_t;
   const S cos_frequency_t_2 = cos_frequency_t * cos_frequency_t;
-  const S drift_a_first_z = half_amplitude_frequency_2 * s * sin_frequency_t - c10 * cos_frequency_t_2;
+  const S drift_a_first_z = half_amplitude_frequency_2 * sin_frequency_t * s - c10 * cos_frequency_t_2;
   const S m1_over_4_plus_Z_a_a_2 = m1_over_4 + Z_a_a_2;
-  const S Q_a_3 = Q_a_2 + k_a_minus_e - c7 * sin_frequency_t;
+  const S Q_a_3 = k_a_minus_e - c7 * sin_frequency_t + Q_a_2;
 
   // accelerations along the speeds
   const S t4 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
   const S a_b = S(1) / S(3) * t4 * s - drift_a_first_y;
   const S a_c = -(g + drift_a_first_z);
   const S a_e = t4 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
-  const S a_d = -(t3 * a_e + m2_over_5_d_over_Z_d_d_s * t4 + Q_d * inv_Z_d_d);
+  const S a_d = -(Q_d * inv_Z_d_d + m2_over_5_d_over_Z_d_d_s * t4 + t3 * a_e);
 
   // reaction of s: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 17
-  const S Q_s = k_d_minus_s - m2_g + half_m1_g * s;
+  const S Q_s = half_m1_g * s - m2_g + k_d_minus_s;
   const S bias_s = m1_over_36 * (S(9) * amplitude_2_frequency_2 * cos_frequency_t_2 * s + S(8) * a * t1)
       - S(2) * m2_over_10 * a * t2;
   const S a_2 = a * a;
@@ -765,8 +765,8 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S G_a_s = m2_over_4 * (S(4) + a_s) + m1_over_18 * (S(9) + S(2) * a_s);
   const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
   const S G_e_s = half_m2 * (S(1) - a);
-  const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + m1_over_3 * a * a_b
-      - half_m1 * a_c * s - t4 * G_a_s + G_d_s * a_d + G_e_s * a_e;
+  const S R_s = bias_s - Q_s - half_m1 * s * a_c - amplitude_frequency_2 * sin_frequency_t * G_s_s
+      - t4 * G_a_s + G_e_s * a_e + m1_over_3 * a * a_b + G_d_s * a_d;
 
   reactions.s.generalized = R_s;
 
@@ -854,16 +854,16 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S d_over_Z_d_d = d * inv_Z_d_d;
   const S d_over_Z_d_d_s = d_over_Z_d_d * s;
   const S d_d_over_Z_d_d_s = d * d_over_Z_d_d_s;
-  const S Z_a_a = m2 + m2_over_4 * s_2 - m2_2_over_25 * d_d_over_Z_d_d_s * s;
+  const S Z_a_a = m2 + m2_over_4 * s_2 - m2_2_over_25 * s * d_d_over_Z_d_d_s;
   const S half_m2_s = half_m2 * s;
   const S Z_a_e = half_m2 - half_m2_s + c5 * d_d_over_Z_d_d_s;
   const S m2_over_5_d_over_Z_d_d_s = m2_over_5 * d_over_Z_d_d_s;
-  const S Q_a = m2_g - m2_amplitude_frequency_2 * sin_frequency_t + m2_over_5_d_over_Z_d_d_s * Q_d
-      - half_m2_s * drift_a_second_y;
+  const S Q_a = m2_g - m2_amplitude_frequency_2 * sin_frequency_t - half_m2_s * drift_a_second_y
+      + m2_over_5_d_over_Z_d_d_s * Q_d;
   const S Z_e_e = G_e_e - c6 * d * d_over_Z_d_d;
   const S F_second_y = m2 * drift_a_second_y;
   const S t4 = c2 * d_over_Z_d_d;
-  const S Q_e = half_m2_g + F_second_y - c4 * sin_frequency_t - t4 * Q_d;
+  const S Q_e = half_m2_g - c4 * sin_frequency_t + F_second_y - t4 * Q_d;
   const S k_a_minus_e = k * (a - e);
   const S Q_e_minus_k_a_minus_e = Q_e - k_a_minus_e;
   const S inv_Z_e_e = S(1) / Z_e_e;
@@ -876,17 +876,17 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S cos_frequency_t_2 = cos_frequency_t * cos_frequency_t;
   const S drift_a_first_z = t3 * s - c10 * cos_frequency_t_2;
   const S m1_over_4_plus_Z_a_a_2 = m1_over_4 + Z_a_a_2;
-  const S Q_a_3 = Q_a_2 + k_a_minus_e - c7 * sin_frequency_t;
+  const S Q_a_3 = k_a_minus_e - c7 * sin_frequency_t + Q_a_2;
 
   // accelerations along the speeds
   const S t5 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
   const S a_b = S(1) / S(3) * t5 * s - drift_a_first_y;
   const S a_c = -(g + drift_a_first_z);
   const S a_e = t5 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
-  const S a_d = -(t4 * a_e + m2_over_5_d_over_Z_d_d_s * t5 + Q_d * inv_Z_d_d);
+  const S a_d = -(Q_d * inv_Z_d_d + m2_over_5_d_over_Z_d_d_s * t5 + t4 * a_e);
 
   // reaction of s: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 17
-  const S Q_s = k_d_minus_s - m2_g + half_m1_g * s;
+  const S Q_s = half_m1_g * s - m2_g + k_d_minus_s;
   const S bias_s = m1_over_36 * (S(9) * amplitude_2_frequency_2 * cos_frequency_t_2 * s + S(8) * a * t1)
       - S(2) * m2_over_10 * a * t2;
   const S a_2 = a * a;
@@ -896,8 +896,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S G_a_s = m2_over_4 * (S(4) + a_s) + m1_over_18 * (S(9) + S(2) * a_s);
   const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
   const S G_e_s = half_m2 * (S(1) - a);
-  const S R_s = bias_s - Q_s - amplitude_frequency_2 * G_s_s * sin_frequency_t + m1_over_3 * a * a_b
-      - half_m1 * a_c * s - t5 * G_a_s + G_d_s * a_d + G_e_s * a_e;
+  const S R_s = bias_s - Q_s - half_m1 * s * a_c - amplitude_frequency_2 * sin_frequency_t * G_s_s
+      - t5 * G_a_s + G_e_s * a_e + m1_over_3 * a * a_b + G_d_s * a_d;
 
   derivative.a_dot() = a_dot;
   derivative.b_dot() = b_dot;
@@ -1017,12 +1017,12 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S Z_a_e = half_m2 - half_m2_s + c5 * d_over_Z_d_d_d_s;
   const S m2_over_5_d_s = m2_over_5 * d_s;
   const S Q_d_over_Z_d_d = Q_d * inv_Z_d_d;
-  const S Q_a = m2_g - m2_amplitude_frequency_2 * sin_frequency_t + m2_over_5_d_s * Q_d_over_Z_d_d
-      - half_m2_s * drift_a_second_y;
+  const S Q_a = m2_g - m2_amplitude_frequency_2 * sin_frequency_t - half_m2_s * drift_a_second_y
+      + m2_over_5_d_s * Q_d_over_Z_d_d;
   const S Z_e_e = G_e_e - c6 * d * d_over_Z_d_d;
   const S F_second_y = m2 * drift_a_second_y;
   const S t5 = c2 * d_over_Z_d_d;
-  const S Q_e = half_m2_g + F_second_y - c4 * sin_frequency_t - t5 * Q_d;
+  const S Q_e = half_m2_g - c4 * sin_frequency_t + F_second_y - t5 * Q_d;
   const S k_a_minus_e = k * (a - e);
   const S Q_e_minus_k_a_minus_e = Q_e - k_a_minus_e;
   const S inv_Z_e_e = S(1) / Z_e_e;
@@ -1033,9 +1033,9 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   // Z of all that first carries, at its minimum over the own acceleration of first
   const S drift_a_first_y = c8 * a_dot_cos_frequency_t - c9 * a_sin_frequency_t;
   const S cos_frequency_t_2 = cos_frequency_t * cos_frequency_t;
-  const S drift_a_first_z = half_amplitude_frequency_2 * s * sin_frequency_t - c10 * cos_frequency_t_2;
+  const S drift_a_first_z = half_amplitude_frequency_2 * sin_frequency_t * s - c10 * cos_frequency_t_2;
   const S m1_over_4_plus_Z_a_a_2 = m1_over_4 + Z_a_a_2;
-  const S Q_a_3 = Q_a_2 + k_a_minus_e - c7 * sin_frequency_t;
+  const S Q_a_3 = k_a_minus_e - c7 * sin_frequency_t + Q_a_2;
 
   // accelerations along the speeds
   const S t6 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
@@ -1043,10 +1043,10 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S a_b = S(1) / S(3) * t7 - drift_a_first_y;
   const S a_c = -(g + drift_a_first_z);
   const S a_e = t6 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
-  const S a_d = -(Q_d_over_Z_d_d + t5 * a_e + m2_over_5_d_s * t6 * inv_Z_d_d);
+  const S a_d = -(Q_d_over_Z_d_d + inv_Z_d_d * m2_over_5_d_s * t6 + t5 * a_e);
 
   // reaction of s: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 17
-  const S Q_s = k_d_minus_s - m2_g + half_m1_g * s;
+  const S Q_s = half_m1_g * s - m2_g + k_d_minus_s;
   const S t8 = amplitude_2_frequency_2 * cos_frequency_t_2;
   const S bias_s = m1_over_36 * (S(8) * a * t3 + S(9) * t8 * s) - S(2) * m2_over_10 * a * t4;
   const S t9 = amplitude_frequency_2 * sin_frequency_t;
@@ -1056,8 +1056,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S G_a_s = m2_over_4 * (S(4) + a_s) + m1_over_18 * (S(9) + S(2) * a_s);
   const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
   const S G_e_s = half_m2 * (S(1) - a);
-  const S R_s = bias_s - Q_s + m1_over_3 * a * a_b - half_m1 * a_c * s - t9 * G_s_s - t6 * G_a_s
-      + G_d_s * a_d + G_e_s * a_e;
+  const S R_s = bias_s - Q_s - half_m1 * s * a_c - t9 * G_s_s - t6 * G_a_s + G_e_s * a_e
+      + m1_over_3 * a * a_b + G_d_s * a_d;
 
   // metric G_AB of released coordinates = L D L^T
   const S G_a_s_minus_m1_over_9_a_s = G_a_s - m1_over_9 * a_s;
@@ -1072,18 +1072,18 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S G_factor_s_d_over_5 = S(1) / S(5) * G_factor_s_d;
   const S G_a_e_over_g_pivot_a = G_a_e * inv_g_pivot_a;
   const S t11 = S(2) * m2 * d + m2_d_s * G_a_e_over_g_pivot_a;
-  const S t12 = G_factor_s_d_over_5 * t11 - G_e_s + G_a_e * G_factor_s_a;
+  const S t12 = G_a_e * G_factor_s_a - G_e_s + G_factor_s_d_over_5 * t11;
   const S g_factor_e_d = inv_g_pivot_d_over_5 * t11;
   const S g_pivot_e = G_e_e - G_a_e_over_g_pivot_a * G_a_e - S(1) / S(5) * g_factor_e_d * t11;
   const S t13 = t12 / g_pivot_e;
-  const S G_pivot_s = G_s_s - m1_over_4 * s_2 - m1_over_9 * a_2 - G_a_s_minus_m1_over_9_a_s * G_factor_s_a
-      - t12 * t13 - G_factor_s_d_over_5 * t10;
+  const S G_pivot_s = G_s_s - m1_over_9 * a_2 - m1_over_4 * s_2 - G_a_s_minus_m1_over_9_a_s * G_factor_s_a
+      - G_factor_s_d_over_5 * t10 - t12 * t13;
 
   // direction z of s in the metric: G z = its covariant components
   const S z_s_s = S(1) / G_pivot_s;
   const S t14 = -t13 * z_s_s;
   const S z_s_d = t14 * g_factor_e_d - G_factor_s_d * z_s_s;
-  const S z_s_a = m2_over_5_d_s * inv_g_pivot_a * z_s_d + G_a_e_over_g_pivot_a * t14 - G_factor_s_a * z_s_s;
+  const S z_s_a = G_a_e_over_g_pivot_a * t14 - G_factor_s_a * z_s_s + m2_over_5_d_s * inv_g_pivot_a * z_s_d;
   const S t15 = a * z_s_s + s * z_s_a;
   const S z_s_b = -S(1) / S(3) * t15;
 
@@ -1096,16 +1096,16 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   // all constraint forces on first: m a - F and d(I omega)/dt - M (theory.md, section 4)
   const S t16 = a * t9 + t7;
   const S force_on_first_y = m1_over_3 * (S(2) * t3 - t16 + S(3) * a_b);
-  const S force_on_first_z = m1_g + half_m1 * (S(2) * a_c - t8 + t9 * s);
+  const S force_on_first_z = m1_g + half_m1 * (t9 * s - t8 + S(2) * a_c);
 
   // all constraint forces on second: m a - F and d(I omega)/dt - M (theory.md, section 4)
   const S t17 = S(4) * d;
   const S force_on_second_y = m2_over_10 * (S(4) * t4 + S(5) * t16 + S(10) * a_e + t17 * a_d);
   const S t18 = S(2) * t9;
-  const S force_on_second_z = m2_g - half_m2 * (S(2) * t6 + t18 - a_e);
+  const S force_on_second_z = m2_g - half_m2 * (t18 + S(2) * t6 - a_e);
 
   // Results
-  const S t19 = m2_over_10 * R_s * (S(10) * t14 + S(5) * t15 - t17 * z_s_d);
+  const S t19 = m2_over_10 * R_s * (S(10) * t14 - t17 * z_s_d + S(5) * t15);
   const S t20 = half_m1 * (t6 + t18);
   const S t21 = m2_over_3 * (t9 - S(3) * a_d);
   const Bool t22 = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, rounding_m2),
@@ -1176,17 +1176,17 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   const S t2 = half_amplitude_frequency * cos_frequency_t;
   const S v_first_z = c_dot - t2 * s;
   const S v_second_x = d_dot + t1;
-  const S v_second_y = e_dot - a * t2 + S(2) / S(5) * d * d_dot - S(0.5) * a_dot_s;
+  const S v_second_y = e_dot + S(2) / S(5) * d * d_dot - a * t2 - S(0.5) * a_dot_s;
   const S v_second_z = a_dot + S(0.5) * e_dot + s_dot;
 
   // energies
-  const S kinetic_energy = half_m2 * (v_second_x * v_second_x + v_second_y * v_second_y
-      + v_second_z * v_second_z)
-      + half_m1 * (v_first_x * v_first_x + v_first_y * v_first_y + v_first_z * v_first_z);
+  const S kinetic_energy = half_m2 * (v_second_x * v_second_x + v_second_z * v_second_z
+      + v_second_y * v_second_y)
+      + half_m1 * (v_first_x * v_first_x + v_first_z * v_first_z + v_first_y * v_first_y);
   const S a_minus_e = a - e;
   const S d_minus_s = d - s;
-  const S potential_energy = m1 * g_over_4 * (S(4) * c - s * s) + m2 * half_g * (e + S(2) * (a + s))
-      + half_k * (a_minus_e * a_minus_e + d_minus_s * d_minus_s);
+  const S potential_energy = m1 * g_over_4 * (S(4) * c - s * s)
+      + half_k * (a_minus_e * a_minus_e + d_minus_s * d_minus_s) + m2 * half_g * (e + S(2) * (a + s));
 
   // Results
   const S total = kinetic_energy + potential_energy;
@@ -1288,13 +1288,13 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S two_d = S(2) * d;
   const S G_a_e_over_g_pivot_a = G_a_e * inv_g_pivot_a;
   const S t4 = m2 * two_d + m2_d_s * G_a_e_over_g_pivot_a;
-  const S t5 = G_factor_s_d_over_5 * t4 - G_e_s + G_a_e * G_factor_s_a;
+  const S t5 = G_a_e * G_factor_s_a - G_e_s + G_factor_s_d_over_5 * t4;
   const S g_factor_e_d = inv_g_pivot_d_over_5 * t4;
   const S g_pivot_e = G_e_e - G_a_e_over_g_pivot_a * G_a_e - S(1) / S(5) * g_factor_e_d * t4;
   const S inv_g_pivot_e = S(1) / g_pivot_e;
   const S t6 = t5 * inv_g_pivot_e;
-  const S G_pivot_s = G_s_s - m1_over_4 * s_2 - m1_over_9 * a_2 - G_a_s_minus_m1_over_9_a_s * G_factor_s_a
-      - t5 * t6 - G_factor_s_d_over_5 * t3;
+  const S G_pivot_s = G_s_s - m1_over_9 * a_2 - m1_over_4 * s_2 - G_a_s_minus_m1_over_9_a_s * G_factor_s_a
+      - G_factor_s_d_over_5 * t3 - t5 * t6;
 
   // generalized forces, raised: G z = Q
   const S k_d_minus_s = k * (d - s);
@@ -1307,7 +1307,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S z_s = z_s_s * z_y_s;
   const S z_e = z_s * t6 + inv_g_pivot_e * z_y_e;
   const S z_d = inv_g_pivot_d * z_y_d - z_s * G_factor_s_d - g_factor_e_d * z_e;
-  const S z_a = t7 * z_d - G_a_e_over_g_pivot_a * z_e - z_s * G_factor_s_a - inv_g_pivot_a * k_a_minus_e;
+  const S z_a = t7 * z_d - inv_g_pivot_a * k_a_minus_e - z_s * G_factor_s_a - G_a_e_over_g_pivot_a * z_e;
   const S a_z_s_plus_s_z_a = a * z_s + s * z_a;
   const S z_b = -S(1) / S(3) * a_z_s_plus_s_z_a;
 
@@ -1318,17 +1318,17 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
 
   // deviation of second from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
   const S t9 = S(0.5) * (a * t8 - a_ddot * s) - amplitude_frequency * a_dot * cos_frequency_t;
-  const S deviation_second_y = m2_over_10 * (S(4) * d_dot * d_dot + S(10) * (e_ddot + t9)
-      + S(5) * a_z_s_plus_s_z_a - S(10) * z_e + S(2) * d_ddot * two_d - t2 * z_d);
+  const S deviation_second_y = m2_over_10 * (S(4) * d_dot * d_dot + S(2) * d_ddot * two_d
+      + S(10) * (e_ddot + t9) - S(10) * z_e - t2 * z_d + S(5) * a_z_s_plus_s_z_a);
   const S a_ddot_minus_z_a = a_ddot - z_a;
   const S t10 = S(2) * t8 + S(2) * z_s;
-  const S deviation_second_z = m2_g - half_m2 * (t10 - e_ddot - S(2) * a_ddot_minus_z_a + z_e);
+  const S deviation_second_z = m2_g - half_m2 * (t10 - e_ddot + z_e - S(2) * a_ddot_minus_z_a);
 
   // Results
   const S t11 = half_m1 * (t10 - a_ddot_minus_z_a);
   const S t12 = m1_over_3 * (S(2) * t9 - S(3) * b_ddot + a_z_s_plus_s_z_a + S(3) * z_b);
   const S t13 = m2_over_3 * (t8 - S(3) * d_ddot + z_s + S(3) * z_d);
-  const S Z = half_inv_m1 * (t11 * t11 + t12 * t12 + deviation_first_z * deviation_first_z)
+  const S Z = half_inv_m1 * (deviation_first_z * deviation_first_z + t11 * t11 + t12 * t12)
       + half_inv_m2 * (t13 * t13 + deviation_second_y * deviation_second_y
       + deviation_second_z * deviation_second_z);
 

@@ -555,7 +555,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S a_q1 = F_q1 * inv_M_q1_q1 - a_q3 * M_q1_q3_over_M_q1_q1;
 
   // dependent accelerations (3.6)
-  const S a_q2 = drift_blade + q2 * a_q1 + a_q3 * beta_blade_q3;
+  const S a_q2 = drift_blade + a_q3 * beta_blade_q3 + q2 * a_q1;
 
   derivative.q1_dot() = q1_dot;
   derivative.q2_dot() = q2_dot;
@@ -631,22 +631,22 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S a_q1 = F_q1 * inv_M_q1_q1 - a_y_q3_over_M_pivot_q3 * M_q1_q3_over_M_q1_q1;
 
   // dependent accelerations (3.6)
-  const S a_q2 = drift_blade + q2 * a_q1 + a_y_q3_over_M_pivot_q3 * beta_blade_q3;
+  const S a_q2 = drift_blade + a_y_q3_over_M_pivot_q3 * beta_blade_q3 + q2 * a_q1;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
-  const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * a_y_q3_over_M_pivot_q3;
+  const S excess_q2 = G_q2_q3 * a_y_q3_over_M_pivot_q3 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q2 * a_q2;
 
   // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 14
   const S G_q1_x1 = c1 + m1_over_90 * (S(45) + S(4) * q1);
   const S G_q2_x1 = c2 + m1_over_3 * q1;
-  const S R_x1 = Q_q1 - S(1) / S(5) * excess_q2 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2;
+  const S R_x1 = Q_q1 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2 - S(1) / S(5) * excess_q2;
 
   // reaction of x2: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 15
   const S G_q3_x2 = m2_over_3 - m1_over_4 * q2;
   const S G_q1_x2 = c3 + m2_over_60 * (S(4) - S(3) * q1);
   const S G_q2_x2 = m1_over_80 * (S(80) - q2) - half_m2 * q1;
-  const S R_x2 = S(7) / S(10) * excess_q2 - m1_g_over_4 * q2 + a_y_q3_over_M_pivot_q3 * G_q3_x2
-      + G_q1_x2 * a_q1 + G_q2_x2 * a_q2;
+  const S R_x2 = a_y_q3_over_M_pivot_q3 * G_q3_x2 - m1_g_over_4 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
+      + S(7) / S(10) * excess_q2;
 
   // Results
   const S q2_excess_q2 = q2 * excess_q2;
@@ -727,22 +727,22 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S a_q1 = F_q1 * inv_M_q1_q1 - a_q3 * M_q1_q3_over_M_q1_q1;
 
   // dependent accelerations (3.6)
-  const S a_q2 = drift_blade + q2 * a_q1 + a_q3 * beta_blade_q3;
+  const S a_q2 = drift_blade + a_q3 * beta_blade_q3 + q2 * a_q1;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
-  const S excess_q2 = G_q2_q2 * a_q2 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q3 * a_q3;
+  const S excess_q2 = G_q2_q3 * a_q3 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q2 * a_q2;
 
   // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 14
   const S G_q1_x1 = c1 + m1_over_90 * (S(45) + S(4) * q1);
   const S G_q2_x1 = c2 + m1_over_3 * q1;
-  const S R_x1 = Q_q1 - S(1) / S(5) * excess_q2 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2;
+  const S R_x1 = Q_q1 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2 - S(1) / S(5) * excess_q2;
 
   // reaction of x2: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 15
   const S G_q3_x2 = m2_over_3 - m1_over_4 * q2;
   const S G_q1_x2 = c3 + m2_over_60 * (S(4) - S(3) * q1);
   const S G_q2_x2 = m1_over_80 * (S(80) - q2) - half_m2 * q1;
-  const S R_x2 = S(7) / S(10) * excess_q2 - m1_g_over_4 * q2 + a_q3 * G_q3_x2 + G_q1_x2 * a_q1
-      + G_q2_x2 * a_q2;
+  const S R_x2 = a_q3 * G_q3_x2 - m1_g_over_4 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
+      + S(7) / S(10) * excess_q2;
 
   // Results
   const S q2_excess_q2 = q2 * excess_q2;
@@ -824,7 +824,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S a_q1 = F_q1 * inv_M_q1_q1 - a_q3 * M_q1_q3_over_M_q1_q1;
 
   // dependent accelerations (3.6)
-  const S a_q2 = drift_blade + q2 * a_q1 + a_q3 * beta_blade_q3;
+  const S a_q2 = drift_blade + a_q3 * beta_blade_q3 + q2 * a_q1;
 
   // all constraint forces on first: m a - F and d(I omega)/dt - M (theory.md, section 4)
   const S force_on_first_x = m1 * a_q1;
@@ -957,7 +957,7 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
 
   // Results
   const S velocity_0 = q2 * q1_dot - q2_dot + q3_dot * beta_blade_q3;
-  const S acceleration_0 = drift_blade - q2_ddot + q2 * q1_ddot + q3_ddot * beta_blade_q3;
+  const S acceleration_0 = q2 * q1_ddot - q2_ddot + q3_ddot * beta_blade_q3 + drift_blade;
 
   residuals.velocity[0] = velocity_0;
   residuals.acceleration[0] = acceleration_0;
@@ -1026,10 +1026,10 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S b_q2_blade = -(S(1) + g_factor_q2_q1 * q2);
-  const S response_blade_y_q3 = beta_blade_q3 - g_factor_q3_q2 * b_q2_blade - g_factor_q3_q1 * q2;
+  const S response_blade_y_q3 = beta_blade_q3 - g_factor_q3_q1 * q2 - g_factor_q3_q2 * b_q2_blade;
   const S response_blade_q2 = inv_g_pivot_q2 * b_q2_blade - c4 * response_blade_y_q3;
-  const S response_blade_q1 = inv_G_q1_q1 * q2 - g_factor_q2_q1 * response_blade_q2
-      - c5 * response_blade_y_q3;
+  const S response_blade_q1 = inv_G_q1_q1 * q2 - c5 * response_blade_y_q3
+      - g_factor_q2_q1 * response_blade_q2;
   const S t1 = inv_g_pivot_q3 * response_blade_y_q3;
   const S t2 = q2 * response_blade_q1 + t1 * beta_blade_q3;
   const S S_blade_blade = t2 - response_blade_q2;

@@ -4,7 +4,7 @@
 // Command: gauss-gen sphere_in_cylinder.yaml
 //
 // elimination (3.6)-(3.7) with dependent speeds zeta, psi; safe because det b over them depends on
-// parameters alone: 89 operations before they are optimised, and 209 body by body along the tree
+// parameters alone: 89 operations before they are optimised, and 205 body by body along the tree
 //
 // Coordinates
 //   chi    rad  azimuth of the centre
@@ -327,7 +327,7 @@ struct Prepared {
   S m_rho;                  ///< m * (R - r)
   S rounding_J;             ///< 24 * epsilon * J
   S G_chi_chi;              ///< m * (R - r)^2
-  S least_G_pivot;          ///< min(J, min(m, m * (R - r)^2))
+  S least_G_pivot;
   S rho_2;                  ///< (R - r)^2
   S half_m;                 ///< 0.5 * m
   S half_J;                 ///< 0.5 * J
@@ -570,7 +570,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
   const S drift_rolling_along = r * theta_dot * cos_chi_minus_psi
       * (chi_dot_minus_psi_dot + phi_dot * cos_theta)
-      - beta_rolling_along_theta * phi_dot_sin_theta * chi_dot_minus_psi_dot;
+      - chi_dot_minus_psi_dot * phi_dot_sin_theta * beta_rolling_along_theta;
 
   // dependent accelerations: a_m = c_m_p a_p + drift_m, c = -b^-1 b_p (3.6)
   const S c_drift_psi = theta_dot * phi_dot_sin_theta;
@@ -601,7 +601,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S a_phi = F_phi * inv_M_phi_phi - t5 * a_theta;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + t3 * a_phi + beta_rolling_along_theta * a_theta);
+  const S a_zeta = -(drift_rolling_along + beta_rolling_along_theta * a_theta + t3 * a_phi);
   const S a_psi = c_drift_psi - a_phi * cos_theta;
 
   derivative.chi_dot() = chi_dot;
@@ -662,7 +662,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S t1 = r * theta_dot * cos_chi_minus_psi;
   const S beta_rolling_along_theta = r * sin_chi_minus_psi;
   const S drift_rolling_along = phi_dot_cos_theta * t1
-      + (t1 - phi_dot * beta_rolling_along_theta * sin_theta) * (chi_dot - psi_dot);
+      + (t1 - phi_dot * sin_theta * beta_rolling_along_theta) * (chi_dot - psi_dot);
 
   // reduced metric C^T g C of the independent accelerations
   const S I_ball_zz = turned * sin_theta;
@@ -689,7 +689,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S a_phi = F_phi * inv_M_phi_phi - t6 * t7;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + t4 * a_phi + beta_rolling_along_theta * t7);
+  const S a_zeta = -(drift_rolling_along + beta_rolling_along_theta * t7 + t4 * a_phi);
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
@@ -762,7 +762,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
   const S drift_rolling_along = r * theta_dot * cos_chi_minus_psi
       * (chi_dot_minus_psi_dot + phi_dot * cos_theta)
-      - beta_rolling_along_theta * phi_dot_sin_theta * chi_dot_minus_psi_dot;
+      - chi_dot_minus_psi_dot * phi_dot_sin_theta * beta_rolling_along_theta;
 
   // dependent accelerations: a_m = c_m_p a_p + drift_m, c = -b^-1 b_p (3.6)
   const S c_drift_psi = theta_dot * phi_dot_sin_theta;
@@ -793,7 +793,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S a_phi = F_phi * inv_M_phi_phi - t5 * a_theta;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + t3 * a_phi + beta_rolling_along_theta * a_theta);
+  const S a_zeta = -(drift_rolling_along + beta_rolling_along_theta * a_theta + t3 * a_phi);
   const S a_psi = c_drift_psi - a_phi * cos_theta;
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
@@ -868,10 +868,10 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& theta_dot = state.theta_dot();
 
   // Sines and cosines
+  S sin_theta, cos_theta;
   S sin_chi, cos_chi;
   S sin_psi, cos_psi;
-  S sin_theta, cos_theta;
-  Angles<S>::sincos(chi, sin_chi, cos_chi, psi, sin_psi, cos_psi, theta, sin_theta, cos_theta);
+  Angles<S>::sincos(theta, sin_theta, cos_theta, chi, sin_chi, cos_chi, psi, sin_psi, cos_psi);
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
   const S phi_dot_sin_theta = phi_dot * sin_theta;
@@ -887,7 +887,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S t3 = sin_chi * cos_psi - sin_psi * cos_chi;
   const S beta_rolling_along_theta = r * t3;
   const S drift_rolling_along = b_alpha_ball_y_rolling_along * (t2 + theta_dot * chi_dot_minus_psi_dot)
-      - beta_rolling_along_theta * phi_dot_sin_theta * chi_dot_minus_psi_dot;
+      - chi_dot_minus_psi_dot * phi_dot_sin_theta * beta_rolling_along_theta;
 
   // reduced metric C^T g C of the independent accelerations
   const S I_ball_zz = J * sin_theta * sin_theta;
@@ -915,7 +915,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S a_phi = F_phi * inv_M_phi_phi - t9 * t10;
 
   // dependent accelerations (3.6)
-  const S a_zeta = -(drift_rolling_along + t7 * a_phi + beta_rolling_along_theta * t10);
+  const S a_zeta = -(drift_rolling_along + beta_rolling_along_theta * t10 + t7 * a_phi);
 
   // multipliers: A_m - Q_m = lambda_r b_r_m over the dependent speeds (3.4)
   const S excess_zeta = m_g + m * a_zeta;
@@ -1000,9 +1000,9 @@ GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepa
   const S cos_theta = Math<S>::cos(theta);
 
   // energies
-  const S kinetic_energy = J * phi_dot * psi_dot * cos_theta
-      + half_m * (zeta_dot * zeta_dot + rho_2 * chi_dot * chi_dot)
-      + half_J * (phi_dot * phi_dot + psi_dot * psi_dot + theta_dot * theta_dot);
+  const S kinetic_energy = half_m * (zeta_dot * zeta_dot + rho_2 * chi_dot * chi_dot)
+      + half_J * (phi_dot * phi_dot + psi_dot * psi_dot + theta_dot * theta_dot)
+      + J * phi_dot * psi_dot * cos_theta;
   const S potential_energy = m_g * zeta;
 
   // Results
@@ -1046,10 +1046,10 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S& theta_ddot = accelerations.theta_ddot();
 
   // Sines and cosines
+  S sin_theta, cos_theta;
   S sin_chi, cos_chi;
   S sin_psi, cos_psi;
-  S sin_theta, cos_theta;
-  Angles<S>::sincos(chi, sin_chi, cos_chi, psi, sin_psi, cos_psi, theta, sin_theta, cos_theta);
+  Angles<S>::sincos(theta, sin_theta, cos_theta, chi, sin_chi, cos_chi, psi, sin_psi, cos_psi);
 
   // dependent accelerations: a_m = c_m_p a_p + drift_m, c = -b^-1 b_p (3.6)
   const S phi_dot_sin_theta = phi_dot * sin_theta;
@@ -1066,16 +1066,16 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S t1 = phi_ddot * sin_theta + phi_dot * theta_dot * cos_theta;
   const S torque_ball_x = J * (theta_ddot * cos_psi - theta_dot * psi_dot_sin_psi
       + phi_dot_sin_theta * psi_dot_cos_psi + t1 * sin_psi);
-  const S torque_ball_y = J * (theta_dot * psi_dot_cos_psi + theta_ddot * sin_psi
+  const S torque_ball_y = J * (theta_ddot * sin_psi + theta_dot * psi_dot_cos_psi
       + phi_dot_sin_theta * psi_dot_sin_psi - t1 * cos_psi);
-  const S torque_ball_z = J * (psi_ddot - c_drift_psi + phi_ddot * cos_theta);
+  const S torque_ball_z = J * (psi_ddot + phi_ddot * cos_theta - c_drift_psi);
 
   // Results
   const S t2 = m * (chi_ddot * rho_sin_chi + chi_dot_2 * rho_cos_chi);
-  const S Z = half_inv_m * (t2 * t2 + deviation_ball_y * deviation_ball_y
-      + deviation_ball_z * deviation_ball_z)
-      + half_inv_J * (torque_ball_x * torque_ball_x + torque_ball_y * torque_ball_y
-      + torque_ball_z * torque_ball_z);
+  const S Z = half_inv_m * (deviation_ball_z * deviation_ball_z + t2 * t2
+      + deviation_ball_y * deviation_ball_y)
+      + half_inv_J * (torque_ball_z * torque_ball_z + torque_ball_x * torque_ball_x
+      + torque_ball_y * torque_ball_y);
 
   compulsion.Z = Z;
 
@@ -1110,9 +1110,9 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
   const S& theta_ddot = accelerations.theta_ddot();
 
   // Sines and cosines
-  S sin_theta, cos_theta;
   S sin_chi_minus_psi, cos_chi_minus_psi;
-  Angles<S>::sincos(theta, sin_theta, cos_theta, chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
+  S sin_theta, cos_theta;
+  Angles<S>::sincos(chi - psi, sin_chi_minus_psi, cos_chi_minus_psi, theta, sin_theta, cos_theta);
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
   const S b_alpha_ball_y_rolling_along = r * cos_chi_minus_psi;
@@ -1122,17 +1122,17 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
   const S r_phi_dot_sin_theta = r_phi_dot * sin_theta;
   const S drift_rolling_along = theta_dot * (b_alpha_ball_y_rolling_along * chi_dot_minus_psi_dot
       + r_phi_dot_cos_theta * cos_chi_minus_psi)
-      - r_phi_dot_sin_theta * sin_chi_minus_psi * chi_dot_minus_psi_dot;
+      - chi_dot_minus_psi_dot * r_phi_dot_sin_theta * sin_chi_minus_psi;
 
   // Results
-  const S velocity_0 = r_phi_dot_cos_theta + r * psi_dot - r_minus_R * chi_dot;
+  const S velocity_0 = r * psi_dot - r_minus_R * chi_dot + r_phi_dot_cos_theta;
   const S beta_rolling_along_theta = r * sin_chi_minus_psi;
-  const S velocity_1 = zeta_dot + theta_dot * beta_rolling_along_theta
-      + r_phi_dot_sin_theta * cos_chi_minus_psi;
-  const S acceleration_0 = r * (psi_ddot + phi_ddot * cos_theta) + rho * chi_ddot
-      - theta_dot * r_phi_dot_sin_theta;
-  const S acceleration_1 = zeta_ddot + drift_rolling_along
-      + phi_ddot * b_alpha_ball_y_rolling_along * sin_theta + theta_ddot * beta_rolling_along_theta;
+  const S velocity_1 = zeta_dot + r_phi_dot_sin_theta * cos_chi_minus_psi
+      + theta_dot * beta_rolling_along_theta;
+  const S acceleration_0 = rho * chi_ddot - theta_dot * r_phi_dot_sin_theta
+      + r * (psi_ddot + phi_ddot * cos_theta);
+  const S acceleration_1 = zeta_ddot + phi_ddot * sin_theta * b_alpha_ball_y_rolling_along
+      + theta_ddot * beta_rolling_along_theta + drift_rolling_along;
 
   residuals.velocity[0] = velocity_0;
   residuals.velocity[1] = velocity_1;
@@ -1245,13 +1245,13 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S t4 = (r * psi_dot + r_phi_dot * cos_theta) - r_minus_R * chi_dot;
   const S t5 = -t1 * cos_theta;
   const S rough_change_psi = -c3 * t4 - t3 * t5;
-  const S correction_y_rolling_around = c2 * t4 - t4 - r * rough_change_psi - c4 * t5 * t2;
+  const S correction_y_rolling_around = c2 * t4 - t4 - c4 * t2 * t5 - r * rough_change_psi;
   const S correction_y_rolling_along = c4 * t1 - t1 - rough_change_zeta;
   const S change_chi = c5 * (correction_y_rolling_around - t4);
   const S change_zeta = c2 * correction_y_rolling_along + rough_change_zeta;
   const S t6 = t3 * correction_y_rolling_along;
   const S change_phi = t6 + rough_change_phi;
-  const S change_psi = rough_change_psi + c3 * correction_y_rolling_around - t6 * cos_theta;
+  const S change_psi = rough_change_psi - t6 * cos_theta + c3 * correction_y_rolling_around;
   const S change_theta = c3 * sin_chi_minus_psi * (correction_y_rolling_along - t1);
   const S chi_rate = chi_dot + change_chi;
   const S zeta_rate = zeta_dot + change_zeta;
@@ -1303,9 +1303,9 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   const S J = prepared.J;
 
   // Sines and cosines
-  S sin_psi_0, cos_psi_0;
   S sin_theta_0, cos_theta_0;
-  Angles<S>::sincos(psi_0, sin_psi_0, cos_psi_0, theta_0, sin_theta_0, cos_theta_0);
+  S sin_psi_0, cos_psi_0;
+  Angles<S>::sincos(theta_0, sin_theta_0, cos_theta_0, psi_0, sin_psi_0, cos_psi_0);
 
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S inv_r = S(1) / r;

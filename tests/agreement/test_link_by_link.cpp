@@ -53,7 +53,7 @@ std::vector<NodeId> ids(const Vector& values) {
 Pair metric(Mechanics& mechanics) {
   Steps steps;
   const auto& dynamics = mechanics.dynamics;
-  const auto g = gaussgen::strategy::composite_metric(**mechanics.linkage, dynamics.labels, mechanics.graph, steps);
+  const auto g = gaussgen::strategy::composite_metric(*mechanics.linkage, dynamics.labels, mechanics.graph, steps);
   Vector links, bodies;
   for (std::size_t i = 0; i < dynamics.n(); ++i) {
     links.insert(links.end(), g[i].begin(), g[i].end());
@@ -67,7 +67,7 @@ Pair metric(Mechanics& mechanics) {
 // Bodies that do not move have a potential, too: its rate has none of it.
 Pair energy(Mechanics& mechanics) {
   Steps steps;
-  const auto found = gaussgen::strategy::energy_of_links(**mechanics.linkage, mechanics.kinematics.field, steps);
+  const auto found = gaussgen::strategy::energy_of_links(*mechanics.linkage, mechanics.kinematics.field, steps);
   const Expr of_field = *mechanics.kinematics.potential - *mechanics.kinematics.other_potential;
   return {"energy", ids({found.kinetic, mechanics.expressions.rate(found.of_field)}),
           ids({mechanics.covariant->kinetic_energy, mechanics.expressions.rate(of_field)})};
@@ -76,7 +76,7 @@ Pair energy(Mechanics& mechanics) {
 std::optional<Pair> compulsion(Mechanics& mechanics) {
   Steps steps;
   const Vector candidate = candidate_of(mechanics);
-  const auto links = gaussgen::strategy::compulsion_of_links(mechanics.dynamics, **mechanics.linkage, candidate,
+  const auto links = gaussgen::strategy::compulsion_of_links(mechanics.dynamics, *mechanics.linkage, candidate,
                                                              mechanics.epsilon(), steps);
   if (!links) return std::nullopt;
   const auto bodies = gaussgen::strategy::compulsion(mechanics.dynamics, candidate, mechanics.epsilon(), steps);
@@ -144,7 +144,7 @@ std::vector<std::string> compared(const std::string& file, bool is_folded) {
   const gaussgen::model::Model model = agreement::load(file);
   Mechanics mechanics(model, {is_folded, Strategy::tree});
   std::vector<std::string> done;
-  if (!*mechanics.linkage || mechanics.dynamics.n() == 0) return done;
+  if (mechanics.dynamics.n() == 0) return done;
   std::vector<Pair> pairs{metric(mechanics), energy(mechanics)};
   if (auto pair = compulsion(mechanics)) pairs.push_back(std::move(*pair));
   if (auto pair = joints(mechanics)) pairs.push_back(std::move(*pair));
@@ -158,10 +158,11 @@ std::vector<std::string> compared(const std::string& file, bool is_folded) {
 
 std::vector<std::string> all_files() {
   std::vector<std::string> files = agreement::model_files();
-  for (const char* family : {"floating_chain", "n_four_bar", "planar_chain_absolute", "planar_chain_relative",
-                             "quadruped", "road_train", "spatial_chain", "tree"}) {
+  for (const char* family : {"floating_chain", "n_four_bar", "planar_chain_absolute", "planar_chain_maximal",
+                             "planar_chain_relative", "quadruped", "road_train", "spatial_chain", "tree"}) {
     files.push_back(std::string("families/") + family);
   }
+  for (const char* own : {"uneven_bars", "slanted_arm"}) files.push_back(std::string("../tests/agreement/") + own);
   return files;
 }
 
