@@ -39,7 +39,7 @@ def planar(size):
     absolute = Emitted("gauss, absolute", "families/planar_chain_absolute", defines=("ABSOLUTE",))
     return Case("planar_chain", size, (relative, absolute), True, LIBRARIES, "absolute angles" if size in (2, 5, 10, 20) else "",
                 is_quick=size in (2, 10), reactions=("joint_reactions",) if size in (2, 10) else (), has_batches=size in (2, 10),
-                has_many_angles=size in (10, 20))
+                has_many_angles=size >= 10)
 
 
 def spatial(size):
@@ -66,7 +66,8 @@ CASES = [
            reactions=("rhs_and_reactions",)),
     single("sphere_quaternion", "sphere_in_cylinder_quaternion", is_by_hand=True, has_batches=True, reactions=("rhs_and_reactions",)),
     single("rolling_disc", "rolling_disc", is_by_hand=True, sympy="those of the model", reactions=("rhs_and_reactions",)),
-    single("bicycle", "bicycle", sympy="those of SymPy's own model", reactions=("rhs_and_reactions",)),
+    single("bicycle", "bicycle", sympy="those of SymPy's own model", reactions=("rhs_and_reactions",), has_many_angles=True),
+    alone("families/planar_chain_maximal", 10),
     alone("families/n_four_bar", 2),
     alone("families/balls_in_cylinder", 4),
     alone("families/road_train", 5),

@@ -64,7 +64,11 @@ def against_peers(document):
         return document.value(model, size, "gauss", "ns_rhs")
     for model, size, times in [("planar_chain", 10, 3), ("planar_chain", 20, 8), ("spatial_chain", 6, 12), ("sphere", 1, 5),
                                ("rolling_disc", 1, 4), ("bicycle", 1, 2.5)]:
-        yield faster(f"time against SymPy, {model}, {size}", ours(model, size), document.value(model, size, "sympy", "ns_rhs"), times)
+        theirs = document.value(model, size, "sympy", "ns_rhs")
+        yield faster(f"time against SymPy, {model}, {size}", ours(model, size), theirs, times)
+        together = document.value(model, size, "gauss", "ns_rhs_vectorised")
+        if together is not None:
+            yield faster(f"the same with sines together, {model}, {size}", together, theirs, times)
     for model, size, times in [("planar_chain", 2, 20), ("planar_chain", 10, 12), ("planar_chain", 50, 22), ("spatial_chain", 6, 8),
                                ("four_bar", 1, 25)]:
         yield faster(f"time against MuJoCo, {model}, {size}", ours(model, size), document.best(model, size, "ns_rhs", "mujoco"), times)
@@ -86,7 +90,7 @@ def additions(document):
         for lanes, times in ((4, 4), (8, 6)):
             yield faster(f"a trajectory of {lanes} lanes against one, {model}, {size}",
                          document.value(model, size, "gauss", f"ns_batch_{lanes}"), document.value(model, size, "gauss", "ns_rhs"), times)
-    for model, size in [("planar_chain", 10), ("planar_chain", 20)]:
+    for model, size in [("planar_chain", 10), ("planar_chain", 20), ("planar_chain", 50), ("spatial_chain", 6)]:
         yield faster(f"sines and cosines together, {model}, {size}", document.value(model, size, "gauss", "ns_rhs_vectorised"),
                      document.value(model, size, "gauss", "ns_rhs"), 1)
 
