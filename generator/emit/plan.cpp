@@ -167,8 +167,6 @@ class Planner {
     }
     if (!plan_.unit.optimised) return over_prepared(std::move(request));
     request = passes::apply(plan_.graph, request, passes::identities(), &effects);
-    const int before = effects.back().after;
-    effects.push_back({"calls", before, ir::operations(plan_.graph, request.outputs), 0});
     request = over_prepared(std::move(request));
     // What `prepare` computes is no operation any more.
     effects.push_back({"prepare", effects.back().after, ir::operations(plan_.graph, request.outputs), 0});

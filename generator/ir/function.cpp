@@ -124,6 +124,14 @@ std::vector<NodeId> undecided(const Graph& graph, const std::vector<NodeId>& con
   return rest;
 }
 
+/// -x <= c is -c <= x, where c is there before: a sign less at each evaluation.
+bool is_better_mirrored(const Graph& graph, Function function, const std::vector<NodeId>& arguments) {
+  if (function != Function::less && function != Function::at_most) return false;
+  const auto is_negative = [&](NodeId id) { return graph.varies(id) && has_negative_sign(graph[id]); };
+  return (is_negative(arguments[0]) && !graph.varies(arguments[1])) ||
+         (is_negative(arguments[1]) && !graph.varies(arguments[0]));
+}
+
 /// What the larger or smaller of two is where that is known: numbers, and x beside x.
 std::optional<NodeId> decided_extreme(const Graph& graph, Function function, const std::vector<NodeId>& arguments) {
   if (function != Function::min && function != Function::max) return std::nullopt;
@@ -173,6 +181,10 @@ NodeId Graph::call_again(const Node& node, std::vector<NodeId> arguments) {
 
 NodeId Graph::call(Function function, std::vector<NodeId> arguments) {
   if (const auto decided = decided_comparison(*this, function, arguments)) return constant(*decided ? 1 : 0);
+  if (is_better_mirrored(*this, function, arguments)) {
+    const NodeId first = scale(-1, arguments[1]);
+    return call(function, {first, scale(-1, arguments[0])});
+  }
   if (const auto extreme = decided_extreme(*this, function, arguments)) return *extreme;
   if (function == Function::any) {
     arguments = undecided(*this, arguments);

@@ -42,6 +42,16 @@ struct Fixture {
   }
 };
 
+TEST_CASE_METHOD(Fixture, "comparisons leave signs to what is there before", "[ir]") {
+  const Expr m(graph, graph.use(graph.declare(SymbolClass::parameter, "m")));
+  for (const Function function : {Function::less, Function::at_most}) {
+    CHECK(two(function, -x, m) == two(function, -m, x));
+    CHECK(two(function, number(2), -x) == two(function, x, number(-2)));
+    CHECK_FALSE(two(function, -x, m) == two(function, x, -m));
+    CHECK_FALSE(two(function, -x, y) == two(function, -y, x));
+  }
+}
+
 TEST_CASE_METHOD(Fixture, "numbers are chosen at once, exactly", "[ir]") {
   CHECK(text(call(Function::abs, number(Rational(-2) / 3))) == "2/3");
   CHECK(text(call(Function::sign, number(-5))) == "-1");
