@@ -32,9 +32,6 @@ bool has_massless_body(Mechanics& mechanics) {
   });
 }
 
-/// Up to this number of speeds, what follows from all coordinates at once may be as short as what follows link by link.
-constexpr std::size_t k_few_speeds = 6;
-
 /// A result with the steps to it.
 template <class Result>
 struct Form {
@@ -84,10 +81,6 @@ Artefact state_artefact(ArtefactBuilder& builder, const strategy::ProjectedState
   artefact.status.violated_constraints = state.violated_constraints.id();
   return builder.finish(steps);
 }
-
-}  // namespace
-
-namespace {
 
 struct Energy {
   Expr kinetic, potential;

@@ -30,14 +30,11 @@ strategy::DependentRows rows_found_at_generic_point(ModelGraph& motion) {
   };
 }
 
-/// Of the metric, entry by entry: where there are few coordinates, as much vanishes in it that it may be the cheapest.
-constexpr std::size_t k_most_coordinates_of_metric = 6;
-
 /// Of many coordinates, with composite bodies where the model has links: each entry takes a few operations then.
 strategy::Dynamics dynamics_of(Mechanics& mechanics, strategy::DependentRows dependent_rows) {
   strategy::Dynamics result = strategy::build_dynamics(
       mechanics.kinematics, mechanics.covariant, std::move(dependent_rows), mechanics.steps, mechanics.metric_steps);
-  if (result.n() <= k_most_coordinates_of_metric) return result;
+  if (result.n() <= k_few_speeds) return result;
   result.g = support::LazyList<strategy::Matrix>([&mechanics, labels = result.labels] {
     return strategy::composite_metric(*mechanics.linkage, labels, mechanics.graph, mechanics.metric_steps);
   });
@@ -61,7 +58,7 @@ std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const Me
                                  {},
                                  {}},
                                 ""};
-  if (dynamics.n() <= k_most_coordinates_of_metric) {
+  if (dynamics.n() <= k_few_speeds) {
     problem.constraints.excess = [&](std::size_t u, const strategy::Vector& a) {
       return strategy::inner(mechanics.graph, dynamics.g[u], a) - dynamics.f[u];
     };
@@ -112,7 +109,7 @@ bool wants_tree(const Mechanics& mechanics, Strategy strategy) {
 strategy::Solution solved(Mechanics& mechanics, const MechanicsOptions& options, strategy::Steps& steps) {
   const bool tries_tree = wants_tree(mechanics, options.strategy);
   const std::size_t n = mechanics.dynamics.n();
-  const bool is_small = n <= k_most_coordinates_of_metric;
+  const bool is_small = n <= k_few_speeds;
   // First, so that its entries have the names by which people know them.
   std::optional<strategy::Candidate> metric, tree;
   if (!tries_tree || (is_small && options.strategy == Strategy::automatic))

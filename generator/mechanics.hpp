@@ -9,6 +9,10 @@
 
 namespace gaussgen {
 
+/// Up to this number of speeds so much vanishes in what follows from all of them at once, as the metric, that it may be as short as what follows
+/// link by link: both are formed.
+inline constexpr std::size_t k_few_speeds = 6;
+
 /// How Z is minimised.
 enum class Strategy {
   automatic,    ///< as takes the fewest operations

@@ -62,7 +62,7 @@ bool TreeZ::minimise() {
   motion_.find_velocities(steps_);
   rows_ = builder.rows(motion_, steps_);
   own_ = own_components(links_, properties_, acted_on(), rows_.released);
-  if (has_mixed_speeds()) own_ = own_components(links_, properties_, acted_on(), rows_.released);
+  if (mixes_speeds()) own_ = own_components(links_, properties_, acted_on(), rows_.released);
   const auto& uses = own_.uses;
   if (std::any_of(uses.begin(), uses.end(), [](const auto& links) { return links.empty(); })) return false;
   place_rows();
@@ -79,16 +79,16 @@ bool TreeZ::minimise() {
 }
 
 // Speeds that move more than their turn, as where a place depends on the attitude, are no components of it: each of them moves all three.
-bool TreeZ::has_mixed_speeds() {
-  bool has_mixed = false;
+bool TreeZ::mixes_speeds() {
+  bool any_mixed = false;
   for (std::size_t i = 0; i < links_.size(); ++i) {
     Link& link = links_[i];
     const auto is_owned = [](const OwnComponent& own) { return own.freedom != nullptr; };
     if (!link.to_speeds || std::all_of(own_.of_joint[i].begin(), own_.of_joint[i].end(), is_owned)) continue;
     mix_speeds(link);
-    has_mixed = true;
+    any_mixed = true;
   }
-  return has_mixed;
+  return any_mixed;
 }
 
 Linkage TreeZ::prepared(const Linkage& linkage, const TreeForm& form) {
@@ -288,10 +288,8 @@ void TreeZ::act_on(std::size_t i, int factor) {
       act(c, own.freedom->speed.value, Rational(factor) * pow(own.freedom->column[k], -1));
       continue;
     }
-    for (const Freedom& freedom : links_[i].freedoms) {
-      const std::size_t along = static_cast<std::size_t>(&freedom - links_[i].freedoms.data());
-      act(c, freedom.speed.value, Rational(factor) * (*links_[i].to_speeds)[along][k]);
-    }
+    for (std::size_t j = 0; j < 3; ++j)
+      act(c, links_[i].freedoms[j].speed.value, Rational(factor) * (*links_[i].to_speeds)[j][k]);
   }
 }
 

@@ -52,7 +52,7 @@ class TreeZ {
   ir::Expr force(std::size_t speed) const { return per_power_ * problem_.forces[speed]; }
   std::vector<char> acted_on() const;
 
-  bool has_mixed_speeds();
+  bool mixes_speeds();
 
   // Constraints.
   void place_rows();
