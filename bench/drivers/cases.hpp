@@ -3,6 +3,7 @@
 // run, and such that constraints hold.
 //
 //   planar_chain       q_1 … q_n, relative              models/families/planar_chain_relative.yaml
+//   planar_pendulum    q_1 … q_n, relative              models/families/planar_pendulum.yaml
 //   spatial_chain      a_1, b_1, …, a_n, b_n            models/families/spatial_chain.yaml
 //   four_bar           alpha, beta, gamma               models/four_bar.yaml
 //   rolling_disc       x, y, psi, theta, phi            models/rolling_disc.yaml
@@ -91,7 +92,7 @@ inline Samples samples_of(const std::string& kind, int size) {
   Samples samples;
   for (std::size_t i = 0; i < k_states; ++i) {
     Sample& sample = samples[i];
-    if (kind == "planar_chain") sample = {random.normals(size), random.normals(size)};
+    if (kind == "planar_chain" || kind == "planar_pendulum") sample = {random.normals(size), random.normals(size)};
     if (kind == "spatial_chain") sample = {random.normals(2 * size), random.normals(2 * size)};
     if (kind == "four_bar") sample = detail::four_bar(random);
     if (kind == "rolling_disc") sample = detail::rolling_disc(random);

@@ -10,11 +10,17 @@ namespace bench {
 class Counted {
  public:
   Counted() = default;
-  Counted(double value) : value_(value) {}  // NOLINT(google-explicit-constructor): numbers in a text
+  Counted(double value) : value_(value), is_constant_(!numbers_vary()) {}  // NOLINT(google-explicit-constructor): numbers in a text
   static Counted variable(double value) {
     Counted result(value);
     result.is_constant_ = false;
     return result;
+  }
+
+  /// While parameters get their values.
+  static bool& numbers_vary() {
+    static bool are_parameters = false;
+    return are_parameters;
   }
 
   double value() const { return value_; }

@@ -1,7 +1,7 @@
 // Emitted code. HEADER, MODEL and TOOL say which; METRIC is the function that is measured, and where it is not rhs, RESULT its struct.
 // COUNT: operations are counted, which takes
 // long to compile where speed is asked for, too. ABSOLUTE: the angles of the model are those against the vertical. FROM_START: states near the one at which the model begins, for
-// models of which cases.hpp has none.
+// models of which cases.hpp has none. SYMBOLS: parameters are not numbers in the text.
 
 #include HEADER
 
@@ -91,7 +91,11 @@ struct System {
     return false;
 #else
     using bench::Counted;
+#ifdef SYMBOLS
+    Counted::numbers_vary() = true;
+#endif
     const auto prepared = emitted::prepare(emitted::Parameters<Counted>{});
+    Counted::numbers_vary() = false;
     emitted::State<Counted> state;
     for (std::size_t i = 0; i < n_q + n_v; ++i)
       state.values[i] = Counted::variable(0.3 + 0.11 * static_cast<double>(i));

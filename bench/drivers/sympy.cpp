@@ -1,11 +1,7 @@
 // Code by SymPy for mass matrix and forces, and a small solution of the equations. CASE_… says how its state comes from that of the
-// case, HEADER is the code.
+// case, HEADER is the code, TOOL who takes part.
 
 #include "counted.hpp"
-
-namespace by_sympy {
-using bench::atan, bench::cos, bench::fabs, bench::pow, bench::sin, bench::sqrt, bench::tan;
-}
 
 #include HEADER
 
@@ -18,9 +14,9 @@ using by_sympy::n_q;
 using by_sympy::n_u;
 
 template <class S>
-void right_hand_side(const S* x, S* rates, S* u_dot) {
+void right_hand_side(const S* x, const S* p, S* rates, S* u_dot) {
   S M[n_u * n_u];
-  by_sympy::mass_and_force(x, M, u_dot, rates);
+  by_sympy::mass_and_force(x, p, M, u_dot, rates);
   if constexpr (!by_sympy::has_kinematics) {
     for (int i = 0; i < n_q; ++i) rates[i] = x[n_q + i];
   }
@@ -51,7 +47,7 @@ struct System {
 #else
     [[maybe_unused]] double q = 0, v = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(n_q); ++i) {
-#if defined(CASE_planar_chain)
+#if defined(CASE_planar_chain) || defined(CASE_planar_pendulum)
       state.x[i] = q += sample.q[i];
       state.x[n_q + i] = v += sample.v[i];
 #elif defined(CASE_spatial_chain)
@@ -65,13 +61,13 @@ struct System {
 #endif
     return state;
   }
-  void operator()(const State& state, Result& result) const { right_hand_side(state.x, result.rates, result.u_dot); }
+  void operator()(const State& state, Result& result) const { right_hand_side(state.x, by_sympy::parameters, result.rates, result.u_dot); }
   static bool common(const State&, const Result& result, double* a) {
 #if defined(CASE_bicycle)
     bench::bicycle::from_sympy(result.u_dot, a);
 #else
     for (std::size_t i = 0; i < static_cast<std::size_t>(n_u); ++i) {
-#if defined(CASE_planar_chain)
+#if defined(CASE_planar_chain) || defined(CASE_planar_pendulum)
       a[i] = result.u_dot[i] - (i == 0 ? 0 : result.u_dot[i - 1]);
 #elif defined(CASE_spatial_chain)
       a[i] = result.u_dot[i];
@@ -86,17 +82,18 @@ struct System {
 #ifndef COUNT
     return false;
 #else
-    bench::Counted x[n_q + n_u], rates[n_q], u_dot[n_u];
+    bench::Counted x[n_q + n_u], p[by_sympy::n_p], rates[n_q], u_dot[n_u];
     for (int i = 0; i < n_q + n_u; ++i) x[i] = bench::Counted::variable(0.3 + 0.11 * i);
+    for (int i = 0; i < by_sympy::n_p; ++i) p[i] = bench::Counted::variable(by_sympy::parameters[i]);
     bench::Counted::tally() = {};
-    right_hand_side(x, rates, u_dot);
+    right_hand_side(x, p, rates, u_dot);
     operations = bench::Counted::tally();
     return true;
 #endif
   }
 };
 
-const bench::Registration k_registration({"sympy", "rhs", 1, true,
+const bench::Registration k_registration({TOOL, "rhs", 1, true,
                                           [](const std::string&, int) { return bench::loop<System>(); }});
 
 }  // namespace

@@ -13,6 +13,7 @@ COMPILER = os.environ.get("CXX", "g++")
 FLAGS = ["-std=c++17", "-O3", "-march=native", "-DNDEBUG"]
 # For callgrind, which does not know the newest instructions; and the same instructions on every machine.
 PORTABLE_FLAGS = ["-std=c++17", "-O3", "-march=x86-64-v3", "-DNDEBUG"]
+SYMBOLS = "with_symbols"  # namespace of the one that stands beside another of the same model in a program
 # For what is only counted.
 COUNTING_FLAGS = ["-std=c++17", "-O0", "-DCOUNT"]
 LINKED = {"mujoco": ["-lmujoco"], "simbody": ["-lSimTKsimbody", "-lSimTKmath", "-lSimTKcommon"]}
@@ -65,8 +66,9 @@ class Builder:
     # --- headers -----------------------------------------------------------------------------------------
 
     def generator_arguments(self, emitted, size, outputs):
+        parameters = ["--fold"] if emitted.is_folded else ["--namespace", SYMBOLS]
         counts = ["--count", f"{emitted.count}={size}"] if emitted.count else []
-        return [ROOT / f"models/{emitted.model}.yaml", *counts, "--fold", "--outputs", ",".join(outputs)]
+        return [ROOT / f"models/{emitted.model}.yaml", *counts, *parameters, "--outputs", ",".join(outputs)]
 
     def header(self, emitted, size, outputs=("rhs", "initial_state")):
         """Path and namespace of the emitted code."""
@@ -84,7 +86,7 @@ class Builder:
             finally:
                 shutil.rmtree(scratch, ignore_errors=True)
             found = list(folder.glob("*.hpp"))
-        return found[0], f"gauss::{found[0].stem}"
+        return found[0], f"gauss::{found[0].stem}" if emitted.is_folded else SYMBOLS
 
     # --- objects and programs ----------------------------------------------------------------------------
 

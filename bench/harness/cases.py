@@ -11,6 +11,11 @@ class Emitted:
     count: str = "n"  # which of its counts is the size; empty: none
     defines: tuple = ()
 
+    @property
+    def is_folded(self):
+        """Parameters as numbers in the code."""
+        return "SYMBOLS" not in self.defines
+
 
 @dataclass(frozen=True)
 class Case:
@@ -24,6 +29,7 @@ class Case:
     is_quick: bool = False  # in the quick run, too
     reactions: tuple = ()  # functions of emitted code besides rhs
     has_batches: bool = False
+    has_symbols: bool = False  # code of SymPy's that reads its parameters is measured, too
     has_many_angles: bool = False  # sines and cosines several at a time are measured, too
 
     @property
@@ -32,6 +38,10 @@ class Case:
 
 
 LIBRARIES = ("mujoco", "simbody")
+
+
+def in_symbols(model, count="n"):
+    return (Emitted("gauss, symbols", model, count, ("SYMBOLS",)),)
 
 
 def planar(size):
@@ -48,6 +58,13 @@ def spatial(size):
                 has_many_angles=size == 6)
 
 
+def pendulum(size):
+    """With a mass and a length of its own for each bob, as users have it who do not write a generator for their one chain."""
+    model = "families/planar_pendulum"
+    return Case("planar_pendulum", size, (Emitted("gauss", model), *in_symbols(model)), sympy="absolute angles", has_symbols=True,
+                has_many_angles=True)
+
+
 def single(kind, model, **more):
     return Case(kind, 1, (Emitted("gauss", model, ""),), **more)
 
@@ -59,6 +76,7 @@ def alone(model, size, count="n", **more):
 
 CASES = [
     *(planar(size) for size in (1, 2, 5, 10, 20, 50)),
+    *(pendulum(size) for size in (10, 20)),
     *(spatial(size) for size in (2, 4, 6)),
     single("four_bar", "four_bar", is_by_hand=True, libraries=LIBRARIES, is_quick=True, has_batches=True,
            reactions=("rhs_and_reactions", "joint_reactions")),
@@ -66,7 +84,8 @@ CASES = [
            reactions=("rhs_and_reactions",)),
     single("sphere_quaternion", "sphere_in_cylinder_quaternion", is_by_hand=True, has_batches=True, reactions=("rhs_and_reactions",)),
     single("rolling_disc", "rolling_disc", is_by_hand=True, sympy="those of the model", reactions=("rhs_and_reactions",)),
-    single("bicycle", "bicycle", sympy="those of SymPy's own model", reactions=("rhs_and_reactions",), has_many_angles=True),
+    Case("bicycle", 1, (Emitted("gauss", "bicycle", ""), *in_symbols("bicycle", "")), sympy="those of SymPy's own model",
+         reactions=("rhs_and_reactions",), has_many_angles=True, has_symbols=True),
     alone("families/planar_chain_maximal", 10),
     alone("families/n_four_bar", 2),
     alone("families/balls_in_cylinder", 4),

@@ -4,9 +4,8 @@ import re
 import statistics
 import tempfile
 from pathlib import Path
-from types import SimpleNamespace
 
-from . import build, measure
+from . import build, cases, measure
 
 
 def measure_all(generations, builder, results, options):
@@ -20,7 +19,7 @@ def measure_all(generations, builder, results, options):
 
 
 def one(key, what, outputs, generation, builder, results, options):
-    emitted = SimpleNamespace(model=generation.model, count=generation.count)
+    emitted = cases.Emitted("gauss", generation.model, generation.count)
     arguments = builder.generator_arguments(emitted, generation.size, outputs or ("rhs",))
     if not outputs:
         arguments = arguments[:arguments.index("--outputs")]

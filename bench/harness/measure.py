@@ -55,9 +55,14 @@ class Driver:
                 "gauss.cpp", flags, e, case.size, ("rhs", "initial_state"), ("METRIC=rhs",)))
         if case.is_by_hand:
             objects.append(builder.object("by_hand.cpp", flags, (f"CASE_{case.kind}", f"SIZE={case.size}")))
-        if case.sympy and self.options.has("sympy"):
-            self.attempt(objects, "sympy", lambda: self.sympy_object(flags))
+        for parameters in self.sympy_codes():
+            self.attempt(objects, sympy_code.TOOLS[parameters], lambda p=parameters: self.sympy_object(flags, p))
         return objects
+
+    def sympy_codes(self):
+        if not self.case.sympy or not self.options.has("sympy"):
+            return ()
+        return ("numbers", "symbols") if self.case.has_symbols else ("numbers",)
 
     def functions(self, flags):
         """What emitted code has besides the right-hand side, of its first model."""
@@ -84,10 +89,10 @@ class Driver:
                 "gauss_vectorised.cpp", flags, self.case.emitted[0], self.case.size, ("rhs", "initial_state")))
         return objects
 
-    def sympy_object(self, flags):
-        header = sympy_code.header(self.case, self.builder.folder / "sympy", self.options, self.results)
-        return self.builder.object("sympy.cpp", flags, (f"CASE_{self.case.kind}", f"SIZE={self.case.size}", f'HEADER="{header}"'),
-                                   [header.parent], header.read_bytes())
+    def sympy_object(self, flags, parameters):
+        header = sympy_code.header(self.case, self.builder.folder / "sympy", parameters, self.options, self.results)
+        return self.builder.object("sympy.cpp", flags, (f"CASE_{self.case.kind}", f"SIZE={self.case.size}", f'HEADER="{header}"',
+                                                        f'TOOL="{sympy_code.TOOLS[parameters]}"'), [header.parent], header.read_bytes())
 
     def linked(self, suffix, flags, *groups):
         objects = self.right_hand_sides(flags)
@@ -154,10 +159,11 @@ class Driver:
             self.unit(emitted.tool, [f'-DHEADER="{header}"', f"-DMODEL={name_space}", f"-I{header.parent}"])
         if case.is_by_hand and not case.kind.startswith("sphere"):
             self.unit("by hand", [f"-DCASE_{case.kind}", f"-DSIZE={case.size}"])
-        if case.sympy and self.options.has("sympy") and "sympy" not in self.left_out:
-            header = sympy_code.existing(case, self.builder.folder / "sympy")
+        for parameters in self.sympy_codes():
+            tool = sympy_code.TOOLS[parameters]
+            header = None if tool in self.left_out else sympy_code.existing(case, self.builder.folder / "sympy", parameters)
             if header:
-                self.unit("sympy", [f"-I{header.parent}", f'-DHEADER="{header}"', f"-DSIZE={case.size}"], "sympy_unit.cpp")
+                self.unit(tool, [f"-I{header.parent}", f'-DHEADER="{header}"', f"-DSIZE={case.size}"], "sympy_unit.cpp")
 
     def unit(self, tool, flags, source="unit.cpp"):
         with tempfile.TemporaryDirectory(prefix="gauss bench ") as folder:

@@ -31,11 +31,11 @@ ratios within one line can be compared.
 | 3-D chain 2 / 4 / 6, recursive velocities | 124 / 527 / 1 202 ns | – |
 """
 SECTIONS = [
-    ("Time of a right-hand side", "ns_rhs", "ns, median of the rounds. SymPy's code leaves rates of the configuration out where they are the speeds.",
+    ("Time of a right-hand side", "ns_rhs", "ns, median of the rounds. Symbols: parameters are read in each call, as in the code that PyDy generates; else they are numbers in the code.",
      True),
     ("Instructions of a right-hand side", "instructions_rhs", "By callgrind, for x86-64-v3.", True),
     ("Operations of a right-hand side", "operations",
-     "+ − × ÷, square roots, sines and cosines after sharing, with parameters as numbers; what follows from constants alone is free, and so is a change of sign.",
+     "+ − × ÷, square roots, sines and cosines after sharing; what follows from constants alone is free, and so is a change of sign.",
      True),
     ("Operations by the table of the header", "operations_by_header", "As above, and quotients of constants, which compilers compute.", False),
     ("Bytes of code", "code", "Sections .text of one right-hand side, g++ -O2.", False),
@@ -139,7 +139,7 @@ CHARTS = [("planar_chain", "Planar chain: time of a right-hand side", "rods", "n
 
 
 def one_line(tool):
-    """Of several ways of a peer, each size shows its best; our two models are two lines."""
+    """Of several ways of a peer, each size shows its best; our models are lines of their own."""
     return tool if tool.startswith("gauss") else tool.split(",")[0]
 
 
@@ -147,7 +147,7 @@ def chart(document, entry):
     _, title, across, up, metric, models = entry
     lines = {}
     for row in document.rows:
-        if row["model"] in models and row["metric"] == metric and row["value"] > 0:
+        if row["model"] in models and row["metric"] == metric and row["value"] > 0 and not row["tool"].endswith(", symbols"):
             points = lines.setdefault(one_line(row["tool"]), {})
             points[row["size"]] = min(row["value"], points.get(row["size"], row["value"]))
     found = [(tool, sorted(points.items())) for tool, points in sorted(lines.items(), key=lambda line: not line[0].startswith("gauss"))

@@ -59,6 +59,29 @@ def planar_chain(n):
     return chain(turns, q, u)
 
 
+def planar_pendulum(n):
+    """Angles against the vertical, likewise."""
+    q, u = me.dynamicsymbols(f"q:{n}"), me.dynamicsymbols(f"u:{n}")
+    masses, lengths, g = sm.symbols(f"m1:{n + 1}"), sm.symbols(f"l1:{n + 1}"), sm.Symbol("g")
+    space = me.ReferenceFrame("N")
+    place = me.Point("O")
+    place.set_vel(space, 0)
+    bobs, loads = [], []
+    for i in range(n):
+        frame = space.orientnew(f"B{i}", "Axis", [q[i], space.y])
+        frame.set_ang_vel(space, u[i] * space.y)
+        end = place.locatenew(f"E{i}", -lengths[i] * frame.z)
+        end.v2pt_theory(place, space, frame)
+        bobs.append(me.Particle(f"bob{i}", end, masses[i]))
+        loads.append((end, -masses[i] * g * space.z))
+        place = end
+    kane = me.KanesMethod(space, q_ind=q, u_ind=u, kd_eqs=[a - b.diff(T) for a, b in zip(u, q)])
+    kane.kanes_equations(bobs, loads)
+    numbers = {symbol: start + sm.Rational(i, 100) for symbols, start in ((masses, 1), (lengths, sm.Rational(1, 2)))
+               for i, symbol in enumerate(symbols, 1)}
+    return solved(kane, q, u, {**numbers, g: sm.Float("9.81")}, True)
+
+
 def spatial_chain(n):
     q, u = me.dynamicsymbols(f"q:{2 * n}"), me.dynamicsymbols(f"u:{2 * n}")
 

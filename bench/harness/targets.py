@@ -63,12 +63,15 @@ def against_peers(document):
     def ours(model, size):
         return document.value(model, size, "gauss", "ns_rhs")
     for model, size, times in [("planar_chain", 10, 3), ("planar_chain", 20, 8), ("spatial_chain", 6, 12), ("sphere", 1, 5),
-                               ("rolling_disc", 1, 4), ("bicycle", 1, 2.5)]:
+                               ("rolling_disc", 1, 4), ("bicycle", 1, 2.5), ("planar_pendulum", 10, 3), ("planar_pendulum", 20, 8)]:
         theirs = document.value(model, size, "sympy", "ns_rhs")
         yield faster(f"time against SymPy, {model}, {size}", ours(model, size), theirs, times)
         together = document.value(model, size, "gauss", "ns_rhs_vectorised")
         if together is not None:
             yield faster(f"the same with sines together, {model}, {size}", together, theirs, times)
+        symbols = [document.value(model, size, f"{tool}, symbols", "ns_rhs") for tool in ("gauss", "sympy")]
+        if any(symbols):
+            yield faster(f"the same with parameters as symbols in both, {model}, {size}", *symbols, times)
     for model, size, times in [("planar_chain", 2, 20), ("planar_chain", 10, 12), ("planar_chain", 50, 22), ("spatial_chain", 6, 8),
                                ("four_bar", 1, 25)]:
         yield faster(f"time against MuJoCo, {model}, {size}", ours(model, size), document.best(model, size, "ns_rhs", "mujoco"), times)
