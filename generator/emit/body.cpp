@@ -51,7 +51,7 @@ std::size_t Body::angles_from(const Assignments& assignments, std::size_t first)
       stack.pop_back();
       if (found.count(id.index) != 0) return true;
       if (writer_.bound(id) != nullptr) continue;
-      const std::vector<NodeId>& operands = writing_.operands(id);
+      const ir::Children& operands = writing_.operands(id);
       stack.insert(stack.end(), operands.begin(), operands.end());
     }
     return false;

@@ -105,7 +105,7 @@ bool is_negation(const Node& node) {
 void ExpressionWriter::multiply(Fraction& fraction, NodeId factor) const {
   const Node& node = writing_.graph()[factor];
   if (bound(factor) == nullptr && node.kind == Kind::product) {
-    std::vector<NodeId> children = node.children;
+    std::vector<NodeId> children = listed(node.children);
     if (children.size() > 2) {
       std::stable_sort(children.begin(), children.end(),
                        [&](NodeId a, NodeId b) { return writing_.ready(a) < writing_.ready(b); });

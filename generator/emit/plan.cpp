@@ -66,7 +66,7 @@ NodeId not_finite(ir::Graph& graph, const Artefact& artefact, const Unit& unit) 
 std::vector<NodeId> checked_by(const ir::Graph& graph, NodeId condition) {
   const ir::Node& node = graph[condition];
   if (node.kind != ir::Kind::function) return {};
-  if (node.function == ir::Function::not_finite) return node.children;
+  if (node.function == ir::Function::not_finite) return listed(node.children);
   std::vector<NodeId> values;
   if (node.function != ir::Function::any) return values;
   for (const NodeId part : node.children) {

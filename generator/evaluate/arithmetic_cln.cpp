@@ -70,7 +70,7 @@ cl_F Arithmetic<cl_F>::widened(const cl_F& x, std::int64_t bits) const {
   return cln::cl_float(x, static_cast<cln::float_format_t>(own + bits));
 }
 
-Result Arithmetic<cl_F>::sum(const Rational& constant, const std::vector<Rational>& coefficients,
+Result Arithmetic<cl_F>::sum(const Rational& constant, const ir::Coefficients& coefficients,
                              const std::vector<cl_F>& x) const {
   return guarded([&] {
     cl_F total = number(constant);

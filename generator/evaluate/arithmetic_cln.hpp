@@ -23,7 +23,7 @@ class Arithmetic<cln::cl_F> {
 
   cln::cl_F pi() const { return cln::pi(format_); }
   cln::cl_F epsilon() const;
-  Outcome<cln::cl_F> sum(const Rational& constant, const std::vector<Rational>& coefficients,
+  Outcome<cln::cl_F> sum(const Rational& constant, const ir::Coefficients& coefficients,
                          const std::vector<cln::cl_F>& x) const;
   Outcome<cln::cl_F> product(const std::vector<cln::cl_F>& x) const;
   Outcome<cln::cl_F> power(const cln::cl_F& x, const Rational& exponent) const;

@@ -97,7 +97,7 @@ F NativeArithmetic<F>::epsilon() const {
 }
 
 template <class F>
-Outcome<F> NativeArithmetic<F>::sum(const Rational& constant, const std::vector<Rational>& coefficients,
+Outcome<F> NativeArithmetic<F>::sum(const Rational& constant, const ir::Coefficients& coefficients,
                                     const std::vector<F>& x) const {
   F total = number(constant);
   for (std::size_t i = 0; i < x.size(); ++i) total += number(coefficients[i]) * x[i];

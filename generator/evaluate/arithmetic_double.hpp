@@ -12,7 +12,7 @@ class NativeArithmetic {
   F number(const Rational& value) const;
   F pi() const;
   F epsilon() const;
-  Outcome<F> sum(const Rational& constant, const std::vector<Rational>& coefficients, const std::vector<F>& x) const;
+  Outcome<F> sum(const Rational& constant, const ir::Coefficients& coefficients, const std::vector<F>& x) const;
   Outcome<F> product(const std::vector<F>& x) const;
   Outcome<F> power(F x, const Rational& exponent) const;
   Outcome<F> call(ir::Function function, const std::vector<F>& x) const;

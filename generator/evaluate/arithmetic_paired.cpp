@@ -49,7 +49,7 @@ cl_F Arithmetic<Paired>::apart(const Paired& x) const { return cln::abs(x.fine -
 /// Of 1, where it has no digits left.
 cl_F Arithmetic<Paired>::rounding() const { return fine_.number(cln::expt(Rational(10), -k_digits_of_rounding)); }
 
-Result Arithmetic<Paired>::sum(const Rational& constant, const std::vector<Rational>& coefficients,
+Result Arithmetic<Paired>::sum(const Rational& constant, const ir::Coefficients& coefficients,
                                const std::vector<Paired>& x) const {
   cl_F size = cln::abs(fine_.number(constant));
   for (std::size_t i = 0; i < x.size(); ++i) {

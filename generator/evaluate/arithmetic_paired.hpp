@@ -31,7 +31,7 @@ class Arithmetic<Paired> {
   Paired pi() const { return {fine_.pi(), coarse_.pi()}; }
   /// Of the coarse numbers.
   Paired epsilon() const { return number(coarse_.epsilon()); }
-  Outcome<Paired> sum(const Rational& constant, const std::vector<Rational>& coefficients,
+  Outcome<Paired> sum(const Rational& constant, const ir::Coefficients& coefficients,
                       const std::vector<Paired>& x) const;
   Outcome<Paired> product(const std::vector<Paired>& x) const;
   Outcome<Paired> power(const Paired& x, const Rational& exponent) const;

@@ -31,9 +31,9 @@ Outcome<Scaled<T>> Arithmetic<Scaled<T>>::joined(const Outcome<T>& value, const 
 }
 
 template <class T>
-Outcome<Scaled<T>> Arithmetic<Scaled<T>>::sum(const Rational& constant, const std::vector<Rational>& coefficients,
+Outcome<Scaled<T>> Arithmetic<Scaled<T>>::sum(const Rational& constant, const ir::Coefficients& coefficients,
                                               const std::vector<Scaled<T>>& x) const {
-  std::vector<Rational> sizes;
+  ir::Coefficients sizes;
   for (const Rational& coefficient : coefficients) sizes.push_back(cln::abs(coefficient));
   return joined(base_.sum(constant, coefficients, values_of(x)), base_.sum(cln::abs(constant), sizes, scales_of(x)));
 }

@@ -28,7 +28,7 @@ class Arithmetic<Scaled<T>> {
   Scaled<T> number(const Rational& value) const { return input(base_.number(value)); }
   Scaled<T> pi() const { return input(base_.pi()); }
   Scaled<T> epsilon() const { return input(base_.epsilon()); }
-  Outcome<Scaled<T>> sum(const Rational& constant, const std::vector<Rational>& coefficients,
+  Outcome<Scaled<T>> sum(const Rational& constant, const ir::Coefficients& coefficients,
                          const std::vector<Scaled<T>>& x) const;
   Outcome<Scaled<T>> product(const std::vector<Scaled<T>>& x) const;
   Outcome<Scaled<T>> power(const Scaled<T>& x, const Rational& exponent) const;

@@ -36,7 +36,7 @@ Power as_power(const Graph& graph, NodeId factor) {
 }
 
 std::vector<NodeId> factors_of(const Graph& graph, NodeId product) {
-  return graph[product].kind == Kind::product ? graph[product].children : std::vector<NodeId>{product};
+  return graph[product].kind == Kind::product ? listed(graph[product].children) : std::vector<NodeId>{product};
 }
 
 /// How many terms `expanded` gives: 1 where they would be too many.
@@ -57,7 +57,7 @@ bool has_too_many_terms(const Graph& graph, const std::vector<NodeId>& products)
   std::size_t count = 0;
   for (const NodeId product : products) {
     const Node& node = graph[product];
-    const std::vector<NodeId> terms = node.kind == Kind::sum ? node.children : std::vector<NodeId>{product};
+    const std::vector<NodeId> terms = node.kind == Kind::sum ? listed(node.children) : std::vector<NodeId>{product};
     if (node.kind == Kind::sum && node.value != 0) ++count;
     for (const NodeId term : terms) count += expanded_count(graph, term);
     if (count > k_expansion_limit) return true;

@@ -41,7 +41,7 @@ NodeId Directional::of_node(NodeId id) {
       std::vector<NodeId> terms;
       for (std::size_t i = 0; i < node.children.size(); ++i) {
         if (is_skipped(node.children[i]) || graph_.is_zero(known(node.children[i]))) continue;
-        std::vector<NodeId> factors = node.children;
+        std::vector<NodeId> factors = listed(node.children);
         factors[i] = known(node.children[i]);
         terms.push_back(graph_.product(factors));
       }

@@ -213,7 +213,7 @@ NodeId Graph::call(Function function, std::vector<NodeId> arguments) {
   Node node;
   node.kind = Kind::function;
   node.function = function;
-  node.children = std::move(arguments);
+  node.children.assign(arguments.begin(), arguments.end());
   return intern(std::move(node));
 }
 

@@ -64,17 +64,15 @@ TableId Graph::declare(std::shared_ptr<const support::Table> table) {
 }
 
 NodeId Graph::intern(Node node) {
-  const std::size_t hash = hash_of(node);
-  const auto [first, last] = index_.equal_range(hash);
-  for (auto it = first; it != last; ++it) {
-    if (same(nodes_[it->second.index], node)) return it->second;
-  }
+  const auto hash = static_cast<std::uint32_t>(hash_of(node) >> 32U);
+  const auto is_same = [&](NodeId known) { return same(nodes_[known.index], node); };
+  if (const NodeId* const known = index_.find(hash, is_same)) return *known;
   if (nodes_.size() >= most_nodes_) throw TooManyNodes(fmt::format("more than {} nodes", most_nodes_));
   const NodeId id{static_cast<std::uint32_t>(nodes_.size())};
   undefined_.push_back(has_no_value(*this, node));
   varies_.push_back(has_variable(node));
   nodes_.push_back(std::move(node));
-  index_.emplace(hash, id);
+  index_.insert(hash, id);
   return id;
 }
 

@@ -19,6 +19,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ir/hash_index.hpp"
 #include "ir/node.hpp"
 #include "support/table.hpp"
 
@@ -115,7 +116,7 @@ class Graph {
   std::deque<Node> nodes_;       // references to nodes stay valid while the graph grows
   std::vector<bool> undefined_;  ///< parallel to nodes_
   std::vector<bool> varies_;     ///< likewise
-  std::unordered_multimap<std::size_t, NodeId> index_;
+  HashIndex index_;
   std::unordered_map<std::uint32_t, std::string> labels_;
   std::unordered_map<std::uint32_t, NodeId> wrappers_;     ///< value -> its named node
   mutable std::unordered_map<std::uint64_t, int> orders_;  ///< of pairs of nested functions, lower index first

@@ -1,6 +1,7 @@
 #pragma once
 // What a node of the expression graph is.
 
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -105,15 +106,22 @@ bool is_choice(Function function);
 enum class Parity { none, odd, even };
 Parity parity(Function function);
 
+// Most nodes have few: in the node, they take no memory of their own.
+using Children = boost::container::small_vector<NodeId, 4>;
+using Coefficients = boost::container::small_vector<Rational, 2>;
+
 struct Node {
   Kind kind = Kind::constant;
   Function function = Function::sin;
   SymbolId symbol;
   TableId table;  ///< function table
   Rational value = 0;
-  std::vector<NodeId> children;
-  std::vector<Rational> coefficients;  ///< kind sum, parallel to children
+  Children children;
+  Coefficients coefficients;  ///< kind sum, parallel to children
   std::string name;                    ///< kind named
 };
+
+/// As what the functions of Graph take.
+inline std::vector<NodeId> listed(const Children& children) { return {children.begin(), children.end()}; }
 
 }  // namespace gaussgen::ir

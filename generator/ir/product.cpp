@@ -155,7 +155,7 @@ NodeId Graph::product(const std::vector<NodeId>& nodes) {
   std::sort(factors.begin(), factors.end(), [this](NodeId a, NodeId b) { return compare(a, b) < 0; });
   Node node;
   node.kind = Kind::product;
-  node.children = std::move(factors);
+  node.children.assign(factors.begin(), factors.end());
   return scale(collector.coefficient(), intern(std::move(node)));
 }
 
@@ -173,7 +173,7 @@ NodeId Graph::product_in_groups(const std::vector<NodeId>& factors, const std::s
   const Node& node = (*this)[whole];
   const bool has_coefficient = node.kind == Kind::sum && node.value == 0 && node.children.size() == 1;
   if (has_coefficient) return scale(node.coefficients[0], product_in_groups({node.children[0]}, name));
-  return node.kind == Kind::product && node.children.size() > k_most_side_by_side ? grouped(node.children, name)
+  return node.kind == Kind::product && node.children.size() > k_most_side_by_side ? grouped(listed(node.children), name)
                                                                                   : whole;
 }
 

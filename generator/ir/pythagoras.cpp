@@ -28,12 +28,12 @@ bool is_trigonometric_power(const Graph& graph, NodeId factor) {
 
 std::vector<Square> squares_in(Graph& graph, NodeId term) {
   std::vector<NodeId> factors{term};
-  if (graph[term].kind == Kind::product) factors = graph[term].children;
+  if (graph[term].kind == Kind::product) factors = listed(graph[term].children);
   std::vector<Square> squares;
   for (const NodeId factor : factors) {
     if (!is_trigonometric_power(graph, factor)) continue;
     const NodeId base = graph[factor].children[0];
-    const NodeId partner_base = graph.call(*other(graph[base].function), graph[base].children);
+    const NodeId partner_base = graph.call(*other(graph[base].function), listed(graph[base].children));
     const NodeId rest = graph.product({term, graph.power(base, -2)});
     squares.push_back({rest, graph.product({rest, graph.power(partner_base, 2)})});
   }

@@ -74,7 +74,7 @@ void Reverse::contribute(NodeId id, NodeId adjoint, Contributions& to) {
     case Kind::product:
       for (std::size_t i = 0; i < node.children.size(); ++i) {
         if (!depends(node.children[i])) continue;
-        std::vector<NodeId> factors = node.children;
+        std::vector<NodeId> factors = listed(node.children);
         factors[i] = adjoint;
         add(node.children[i], 1, graph_.product(factors), to);
       }
@@ -108,7 +108,7 @@ void Reverse::add_choice(NodeId id, NodeId adjoint, Contributions& to) {
 /// ∂node/∂child of a function.
 NodeId Reverse::slope(NodeId id, std::size_t child) {
   Directional along(graph_);
-  const std::vector<NodeId> children = graph_[id].children;
+  const Children children = graph_[id].children;
   for (const NodeId other : children) along.take({graph_, other}, {graph_, graph_.constant(0)});
   along.take({graph_, children[child]}, {graph_, graph_.constant(1)});
   return along({graph_, id}).id();

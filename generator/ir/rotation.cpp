@@ -19,7 +19,7 @@ std::vector<NodeId> factors_of(const Graph& graph, NodeId id) {
   const Node& node = graph[id];
   const bool is_scaled = node.kind == Kind::sum && node.value == 0 && node.children.size() == 1;
   if (is_scaled) id = node.children[0];
-  return graph[id].kind == Kind::product ? graph[id].children : std::vector<NodeId>{id};
+  return graph[id].kind == Kind::product ? listed(graph[id].children) : std::vector<NodeId>{id};
 }
 
 std::optional<Polar> polar(Expr x, Expr y) {

@@ -32,7 +32,7 @@ NodeId Substitution::rebuilt(NodeId id) {
   }
   std::vector<NodeId> children;
   for (const NodeId child : node.children) children.push_back(memo_.at(child.index));
-  if (children == node.children) return id;
+  if (children == listed(node.children)) return id;
   const std::string label = node.kind == Kind::named ? "" : graph_.label(id);
   const auto relabelled = [&](NodeId result) {
     if (rounds_) result = rounded({graph_, result}).id();

@@ -22,7 +22,7 @@ std::vector<NodeId> post_order(const Graph& graph, const std::vector<NodeId>& ro
     if (mark == Mark::unseen) {
       mark = Mark::open;
       if (stop(id)) continue;
-      const std::vector<NodeId>& children = graph[id].children;
+      const Children& children = graph[id].children;
       for (auto it = children.rbegin(); it != children.rend(); ++it) {
         if (!marks.contains(*it)) stack.push_back(*it);
       }

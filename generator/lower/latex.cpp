@@ -98,7 +98,7 @@ class LatexPrinter {
     std::vector<Factor> above;
     std::vector<Factor> below;
     Rational rest = coefficient;
-    for (const NodeId factor : node.kind == Kind::product ? node.children : std::vector<NodeId>{id}) {
+    for (const NodeId factor : node.kind == Kind::product ? listed(node.children) : std::vector<NodeId>{id}) {
       const bool is_divisor = graph_[factor].kind == Kind::power && graph_[factor].value < 0;
       (is_divisor ? below : above).push_back(is_divisor ? Factor{factor} : shifted(factor, rest));
     }

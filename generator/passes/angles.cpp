@@ -97,7 +97,7 @@ class AngleJoiner {
 
   NodeId other(NodeId f) {
     const Node node = graph_[f];
-    return graph_.call(node.function == Function::sin ? Function::cos : Function::sin, node.children);
+    return graph_.call(node.function == Function::sin ? Function::cos : Function::sin, listed(node.children));
   }
 
   /// sin a cos b ± cos a sin b = sin(a ± b), cos a cos b ∓ sin a sin b = cos(a ± b)

@@ -63,7 +63,7 @@ class Checker {
         if (defined_.count(id.index) == 0) report(id, "temporary used before its definition");
         continue;
       }
-      const std::vector<NodeId>& operands = writing_.operands(id);
+      const ir::Children& operands = writing_.operands(id);
       if (!written_.insert(id.index).second && !is_trivial(writing_.graph(), id)) report(id, "computed twice");
       stack.insert(stack.end(), operands.begin(), operands.end());
     }

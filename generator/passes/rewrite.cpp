@@ -19,7 +19,7 @@ NodeId Rewrite::rebuilt(NodeId old) const {
   const Node& node = graph_[old];
   std::vector<NodeId> children;
   for (const NodeId child : node.children) children.push_back((*this)(child));
-  if (children == node.children) return old;
+  if (children == listed(node.children)) return old;
   switch (node.kind) {
     case Kind::sum: {
       std::vector<Term> terms;

@@ -60,7 +60,7 @@ class Scheduler {
       const NodeId id = stack.back();
       stack.pop_back();
       if (sharing_.is_temporary(id)) return false;
-      const std::vector<NodeId>& operands = writing_.operands(id);
+      const ir::Children& operands = writing_.operands(id);
       stack.insert(stack.end(), operands.begin(), operands.end());
     }
     return true;
@@ -82,7 +82,7 @@ class Scheduler {
     while (!stack.empty()) {
       const NodeId id = stack.back();
       if (seen_.insert(id.index).second) {
-        const std::vector<NodeId>& operands = writing_.operands(id);
+        const ir::Children& operands = writing_.operands(id);
         for (auto it = operands.rbegin(); it != operands.rend(); ++it) {
           if (seen_.count(it->index) == 0) stack.push_back(*it);
         }

@@ -24,7 +24,7 @@ constexpr std::size_t k_most_terms = 48;
 constexpr int k_most_depth = 3;
 
 std::vector<NodeId> factors(const Graph& graph, NodeId term) {
-  return graph[term].kind == Kind::product ? graph[term].children : std::vector<NodeId>{term};
+  return graph[term].kind == Kind::product ? listed(graph[term].children) : std::vector<NodeId>{term};
 }
 
 /// The angle of a sine, a cosine or a power of one.

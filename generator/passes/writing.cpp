@@ -25,7 +25,7 @@ void Writing::walk(const std::vector<NodeId>& roots) {
     const NodeId id = stack.back();
     if (reached_.insert(id.index).second) {
       decompose(id);
-      const std::vector<NodeId>& below = operands(id);
+      const ir::Children& below = operands(id);
       for (auto it = below.rbegin(); it != below.rend(); ++it) {
         if (reached_.count(it->index) == 0) stack.push_back(*it);
       }
@@ -36,10 +36,11 @@ void Writing::walk(const std::vector<NodeId>& roots) {
   }
 }
 
-const std::vector<NodeId>& Writing::operands(NodeId id) const {
+const ir::Children& Writing::operands(NodeId id) const {
   const Node& node = graph_[id];
   if (const auto choice = choices_.find(id.index); choice != choices_.end()) return choice->second;
-  return node.kind == Kind::power ? power_form(id).operands : node.children;
+  if (node.kind == Kind::power) return power_form(id).operands;
+  return node.children;
 }
 
 void Writing::decompose(NodeId id) {
@@ -50,10 +51,10 @@ void Writing::decompose(NodeId id) {
 }
 
 // Written as comparisons and selections, which mention what they compare at least twice.
-std::vector<NodeId> Writing::choice_of(NodeId id) const {
+ir::Children Writing::choice_of(NodeId id) const {
   const Node& node = graph_[id];
-  std::vector<NodeId> compared = node.children;
-  std::vector<NodeId> operands;
+  ir::Children compared = node.children;
+  ir::Children operands;
   if (node.function == ir::Function::piecewise) {
     operands = {node.children[1], node.children[2]};
     compared = graph_[node.children[0]].children;

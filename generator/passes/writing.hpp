@@ -20,7 +20,7 @@ struct PowerForm {
     general,      ///< pow(operand, exponent)
   };
   Kind kind = Kind::general;
-  std::vector<NodeId> operands;
+  ir::Children operands;
 };
 
 /// The nodes below some roots as they will be written. Powers that occur only in the writing of others (x^2 for x^3) are
@@ -32,7 +32,7 @@ class Writing {
   const Graph& graph() const { return graph_; }
 
   /// What the written form of a node mentions, with repetitions.
-  const std::vector<NodeId>& operands(NodeId id) const;
+  const ir::Children& operands(NodeId id) const;
   const PowerForm& power_form(NodeId power) const { return forms_.at(power.index); }
 
   /// When a node can be there: see ir/latency.hpp.
@@ -49,13 +49,13 @@ class Writing {
   void walk(const std::vector<NodeId>& roots);
   void decompose(NodeId id);
   PowerForm form_of(NodeId power);
-  std::vector<NodeId> choice_of(NodeId id) const;
+  ir::Children choice_of(NodeId id) const;
   PowerForm integer_power(NodeId base, int exponent);
 
   Graph& graph_;
   std::unordered_set<std::uint32_t> inverted_;  ///< bases x whose 1/x is wanted anyway
   std::unordered_map<std::uint32_t, PowerForm> forms_;
-  std::unordered_map<std::uint32_t, std::vector<NodeId>> choices_;  ///< operands of abs to piecewise
+  std::unordered_map<std::uint32_t, ir::Children> choices_;  ///< operands of abs to piecewise
   std::unordered_set<std::uint32_t> reached_;
   std::vector<NodeId> order_;
   ir::NodeTable<int> ready_;
