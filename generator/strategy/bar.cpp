@@ -48,10 +48,12 @@ PostponedBlock::PostponedBlock(const Bar& bar, const std::string& name, Steps& s
   denominator_ = steps.name(denominator, name);
 }
 
-bool PostponedBlock::is_led_by_end() const {
+bool PostponedBlock::is_negative() const {
   const ir::Node& unit = unit_.graph()[unit_.id()];
   return unit.kind == ir::Kind::constant && unit.value < 0;
 }
+
+bool PostponedBlock::is_led_by_end() const { return is_negative() || inertia_.is_zero(); }
 
 // det (P + m) = det P + m (tr P + m)
 void PostponedBlock::add_mass(Expr mass) {

@@ -54,7 +54,10 @@ class PostponedBlock {
   /// J/I: as much of an acceleration of the origin across the bar as the end follows.
   ir::Expr left_to_end() const { return inertia_ * inverse(); }
 
-  /// Whether the bar by itself resists less than what it carries, in any configuration: its masses went to its ends.
+  /// The denominator is below zero: masses went to the ends, and left less than nothing.
+  bool is_negative() const;
+
+  /// Whether the bar by itself resists no turn, in any configuration: it has no mass, or its masses went to its ends.
   bool is_led_by_end() const;
 
   /// Turned into other axes.

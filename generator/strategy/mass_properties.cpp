@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ir/traverse.hpp"
+#include "strategy/axes.hpp"
 
 namespace gaussgen::strategy {
 
@@ -37,16 +38,57 @@ Matrix3 difference(const Matrix3& a, const Matrix3& b) { return {a[0] - b[0], a[
 
 Expr trace(const Matrix3& m) { return m[0][0] + m[1][1] + m[2][2]; }
 
-// The mass that would go to the end, against the inertia that stays: with numbers only, since parameters may be anything.
-bool keeps_digits(Expr moved, Expr inertia) {
-  const ir::Graph& graph = moved.graph();
-  const ir::Node& a = graph[moved.id()];
-  const ir::Node& b = graph[inertia.id()];
-  if (a.kind != ir::Kind::constant || b.kind != ir::Kind::constant) return false;
-  return b.value > 0 && cln::abs(a.value) <= 4 * b.value;
+const Rational* number(Expr e) {
+  const ir::Node& node = e.graph()[e.id()];
+  return node.kind == ir::Kind::constant ? &node.value : nullptr;
+}
+
+// Whether the mass `moved` takes to r no more than a few times the inertia of the bar about its origin with it, so that what stays has the
+// digits of that: of parameters, which may be anything, only where it is a known part of the mass. With the mass centre at r moved/mass
+// that inertia is at least r² moved²/mass, and its trace twice that.
+bool keeps_digits(const MassProperties& bar, Expr moved, const Vector3& r) {
+  const Rational* inertia = number(trace(bar.inertia));
+  const Rational* needed = number(moved * squared(r));
+  if (inertia != nullptr && needed != nullptr) return *inertia > 0 && cln::abs(*needed) <= 4 * *inertia;
+  const Rational* part = bar.mass.is_zero() ? nullptr : number(moved / bar.mass);
+  return part != nullptr && *part >= Rational(1) / 8 && *part <= 1;
+}
+
+// Of a chain of n links with a parameter each, sums would be written out n times, with up to n terms.
+Expr kept_short(Expr sum, const std::string& name) {
+  constexpr std::size_t k_few_terms = 4;
+  return sum.graph()[sum.id()].children.size() > k_few_terms ? sum.named(name) : sum;
+}
+
+bool is_end(const Link& link) {
+  return link.kind == Link::Kind::shift && link.freedoms.empty() && link.parent != k_ground && is_fixed(link.offset);
+}
+
+bool is_point(const MassProperties& own) {
+  return is_zero(own.first) &&
+         std::all_of(own.inertia.begin(), own.inertia.end(), [](const Vector3& row) { return is_zero(row); });
+}
+
+// A particle at the end of a bar, where the next bar begins, goes with that.
+void gather_at_ends(const std::vector<Link>& links, std::vector<MassProperties>& properties, Vector& all_moved) {
+  const std::vector<std::vector<std::size_t>> children = children_of(links);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (!is_end(links[i]) || !children[i].empty() || !is_point(properties[i]) || properties[i].mass.is_zero()) continue;
+    for (const std::size_t next : children[links[i].parent]) {
+      if (!is_end(links[next]) || children[next].empty() || links[next].offset != links[i].offset) continue;
+      const Expr mass = properties[i].mass;
+      properties[i].mass -= mass;
+      properties[next].mass += mass;
+      all_moved[i] -= mass;
+      all_moved[next] += mass;
+      break;
+    }
+  }
 }
 
 }  // namespace
+
+bool has_nothing(const MassProperties& own) { return own.mass.is_zero() && is_point(own); }
 
 std::vector<MassProperties> mass_properties(const kinematics::Linkage& linkage, ir::Graph& graph) {
   const Vector3 none = ir::zero3(graph);
@@ -63,15 +105,15 @@ std::vector<MassProperties> mass_properties(const kinematics::Linkage& linkage, 
 Vector move_masses_to_ends(const std::vector<Link>& links, std::vector<MassProperties>& properties) {
   Vector all_moved;
   for (const MassProperties& own : properties) all_moved.push_back(Rational(0) * own.mass);
+  gather_at_ends(links, properties, all_moved);
   for (std::size_t i = 0; i < links.size(); ++i) {
     const Link& link = links[i];
-    const bool is_end = link.kind == Link::Kind::shift && link.freedoms.empty() && link.parent != k_ground;
-    if (!is_end || !is_fixed(link.offset)) continue;
+    if (!is_end(link)) continue;
     MassProperties& bar = properties[link.parent];
     if (is_zero(bar.first)) continue;
     const Vector3& r = link.offset;
     const Expr moved = (bar.first[0] * r[0] + bar.first[1] * r[1] + bar.first[2] * r[2]) / squared(r);
-    if (!is_zero(bar.first - moved * r) || !keeps_digits(moved * squared(r), trace(bar.inertia))) continue;
+    if (!is_zero(bar.first - moved * r) || !keeps_digits(bar, moved, r)) continue;
     all_moved[i] = moved;
     properties[i].mass += moved;
     bar.mass -= moved;
@@ -89,10 +131,12 @@ std::vector<MassBound> mass_bounds(const std::vector<Link>& links, const std::ve
   }
   const auto size = [](Expr x) { return call(ir::Function::abs, x); };
   for (std::size_t i = links.size(); i-- > 0;) {
+    bounds[i].mass = kept_short(bounds[i].mass, "mass_on_" + links[i].name);
+    bounds[i].inertia = kept_short(bounds[i].inertia, "inertia_on_" + links[i].name);
     if (links[i].parent == k_ground) continue;
     const Vector3& r = links[i].offset;
     MassBound& parent = bounds[links[i].parent];
-    const Expr reach = bounds[i].reach + size(r[0]) + size(r[1]) + size(r[2]);
+    const Expr reach = kept_short(bounds[i].reach + size(r[0]) + size(r[1]) + size(r[2]), "reach_of_" + links[i].name);
     // The farther of two branches, without a square root.
     parent.reach = parent.reach.is_zero() ? reach : parent.reach == reach ? reach : parent.reach + reach;
     parent.mass += bounds[i].mass;

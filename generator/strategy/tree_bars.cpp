@@ -18,7 +18,10 @@ PlaneVector across(const Vector3& v, std::size_t axis) { return {v[(axis + 1) % 
 }  // namespace
 
 bool TreeZ::is_only_child(std::size_t i) const {
-  return links_[i].parent != k_ground && children_[links_[i].parent].size() == 1;
+  if (links_[i].parent == k_ground) return false;
+  const std::vector<std::size_t>& children = children_[links_[i].parent];
+  return std::all_of(children.begin(), children.end(),
+                     [&](std::size_t child) { return child == i || is_bare_[child] != 0; });
 }
 
 PlaneBlock TreeZ::block_of(std::size_t i, std::size_t axis) const {
@@ -64,7 +67,7 @@ std::optional<Bar> TreeZ::bar_at(std::size_t i, Component c) const {
 Eliminated TreeZ::minimise_bar(std::size_t i, Component c, const Bar& bar) {
   const PostponedBlock block(bar, name_of(c, c), steps_);
   // The denominator has the sign of its unit.
-  const Rational sign = block.is_led_by_end() ? -1 : 1;
+  const Rational sign = block.is_negative() ? -1 : 1;
   margins_.push_back({sign * block.denominator(), sign * block.unit() * rounding(i, c)});
   is_clean_ = false;
   Eliminated result = Z_.minimise(c, block.inverse(), steps_);

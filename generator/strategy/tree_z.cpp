@@ -66,6 +66,7 @@ bool TreeZ::minimise() {
   const auto& uses = own_.uses;
   if (std::any_of(uses.begin(), uses.end(), [](const auto& links) { return links.empty(); })) return false;
   place_rows();
+  find_bare_links();
   if (!by_link()) {
     const auto floats = [this](std::size_t i, std::size_t k) {
       return own_.base_at(i) != nullptr && own_.base_at(i)->along[k];
@@ -137,22 +138,33 @@ std::vector<char> TreeZ::acted_on() const {
 // A row waits at the last link that carries all it acts on: from there on it is complete.
 void TreeZ::place_rows() {
   waiting_.resize(links_.size());
+  terms_of_.resize(links_.size());
   for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
     const LinkRow& row = rows_.rows[r];
     Z_.add(dual(r), row.rest);
     if (row.links.empty()) continue;
     std::size_t top = row.links[0].link;
-    for (const LinkTerm& term : row.links) top = common_carrier(links_, top, term.link);
+    for (const LinkTerm& term : row.links) {
+      top = common_carrier(links_, top, term.link);
+      terms_of_[term.link].push_back({r, &term});
+    }
     if (top != k_ground) waiting_[top].push_back(r);
   }
 }
 
-void TreeZ::add_rows(std::size_t i) {
-  for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
-    for (const LinkTerm& term : rows_.rows[r].links) {
-      if (term.link == i) add_term(term, r);
-    }
+// Where a particle was whose mass went elsewhere, and no row acts.
+void TreeZ::find_bare_links() {
+  is_bare_.assign(links_.size(), 0);
+  for (std::size_t i = links_.size(); i-- > 0;) {
+    const auto& children = children_[i];
+    is_bare_[i] = static_cast<char>(
+        links_[i].freedoms.empty() && has_nothing(properties_[i]) && terms_of_[i].empty() &&
+        std::all_of(children.begin(), children.end(), [this](std::size_t child) { return is_bare_[child] != 0; }));
   }
+}
+
+void TreeZ::add_rows(std::size_t i) {
+  for (const auto& [row, term] : terms_of_[i]) add_term(*term, row);
 }
 
 void TreeZ::add_term(const LinkTerm& term, std::size_t r) {

@@ -56,6 +56,7 @@ class TreeZ {
 
   // Constraints.
   void place_rows();
+  void find_bare_links();
   void add_rows(std::size_t i);
   void add_term(const LinkTerm& term, std::size_t r);
   void act(Component c, std::size_t speed, ir::Expr per);
@@ -117,6 +118,7 @@ class TreeZ {
   Vector masses_;                                             ///< at the origins, where they are the same in all axes
   std::vector<std::vector<Eliminated>> eliminated_, shared_;  ///< by link, in order
   std::vector<std::vector<std::size_t>> waiting_;             ///< rows, by link
+  std::vector<std::vector<std::pair<std::size_t, const LinkTerm*>>> terms_of_;  ///< of rows, by link
   /// What turns with a link, in the axes across that of the turn.
   struct Turned {
     std::size_t axis;
@@ -130,6 +132,7 @@ class TreeZ {
   std::map<std::size_t, ir::Expr> determinants_;    ///< by link, of the block in the plane that was divided last
   std::map<std::size_t, End> ends_;                 ///< by the link that turns
   std::vector<std::vector<std::size_t>> children_;  ///< by link
+  std::vector<char> is_bare_;                       ///< by link: neither it nor what it carries has mass, or is held
   std::vector<Imposed> imposed_;
   std::set<Component> is_imposed_;
   std::map<Component, Response> responses_;  ///< of multipliers
