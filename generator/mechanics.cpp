@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
+#include "evaluate/arithmetic_double.hpp"
+#include "evaluation.hpp"
 #include "generic_point.hpp"
 #include "kinematics/hold.hpp"
 #include "strategy/composite_metric.hpp"
@@ -34,6 +38,11 @@ strategy::DependentRows rows_found_at_generic_point(ModelGraph& motion) {
 strategy::Dynamics dynamics_of(Mechanics& mechanics, strategy::DependentRows dependent_rows) {
   strategy::Dynamics result = strategy::build_dynamics(
       mechanics.kinematics, mechanics.covariant, std::move(dependent_rows), mechanics.steps, mechanics.metric_steps);
+  const auto values = std::make_shared<evaluate::Evaluator<double>>(mechanics.graph, evaluate::Arithmetic<double>());
+  bind_parameters(mechanics, *values);
+  result.at_parameters = [values](ir::Expr e) {
+    return (*values)(e.id()).value_or(std::numeric_limits<double>::infinity());
+  };
   if (result.n() <= k_few_speeds) return result;
   result.g = support::LazyList<strategy::Matrix>([&mechanics, labels = result.labels] {
     return strategy::composite_metric(*mechanics.linkage, labels, mechanics.graph, mechanics.metric_steps);
@@ -56,6 +65,7 @@ std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const Me
                                  [&](ir::Expr e) { return mechanics.expressions.rate(e); },
                                  [&](ir::Expr e) { return e.is_zero() || vanishes_everywhere(e); },
                                  {},
+                                 {},
                                  {}},
                                 ""};
   if (dynamics.n() <= k_few_speeds) {
@@ -64,6 +74,10 @@ std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const Me
     };
   }
   GenericPoint point(mechanics);
+  problem.constraints.estimate = [&](ir::Expr e) {
+    if (ir::is_of_parameters(mechanics.graph, e.id())) return dynamics.at_parameters(e);
+    return cln::double_approx(point({{e}})(0, 0));
+  };
   if (options.fold) {
     problem.constraints.value_of = [&](ir::Expr e) { return cln::double_approx(point({{e}})(0, 0)); };
   }

@@ -76,7 +76,17 @@ class Driver:
             more = ("WITH_DERIVATIVE",) if name == "rhs_and_reactions" else ()
             self.attempt(objects, name, lambda f=name, o=outputs, m=more: builder.emitted_object(
                 "gauss.cpp", flags, case.emitted[0], case.size, o, (f"METRIC={f}", f"RESULT={OF_RESULT[f]}", *m)))
+        self.attempt(objects, "sines", lambda: self.sines_object(flags))
         return objects
+
+    def sines_object(self, flags):
+        """What the first model's right-hand side asks of the library, alone."""
+        emitted = self.case.emitted[0]
+        header, _ = self.builder.header(emitted, self.case.size)
+        angles = len(re.findall(r"^  S sin_\w+, cos_\w+;$", header.read_text(encoding="utf-8"), re.M))
+        if angles == 0:
+            raise build.BuildError("it has none")
+        return self.builder.object("sines.cpp", flags, (f"ANGLES={angles}", f'TOOL="{emitted.tool}"'))
 
     def batches(self, flags):
         objects = []

@@ -114,6 +114,25 @@ def losses(document):
     return "## What we lose\n\n" + (text + table(["model, size", "what", "best", "ours"], rows) if rows else "Nothing, in this run.\n") + "\n"
 
 
+def profile(document):
+    """How much of a right-hand side the library's sines and cosines are, and how much would be left without."""
+    rows = []
+    for model, size in cases_of(document, "ns_sines"):
+        values = [document.value(model, size, "gauss", f"{unit}_{what}") for unit in ("ns", "instructions") for what in ("rhs", "sines")]
+        if None in values:
+            continue
+        time, sines, all_instructions, of_sines = values
+        together = document.value(model, size, "gauss", "ns_rhs_vectorised")
+        rows.append([f"{model}, {size}", number(time), f"{number(sines)} ({100 * sines / time:.0f} %)", number(together), number(all_instructions),
+                     f"{number(of_sines)} ({100 * of_sines / all_instructions:.0f} %)"])
+    if not rows:
+        return ""
+    about = ("A right-hand side, and the sines and cosines that it asks of the C library, called one after the other with nothing else. Where these do not wait for each other "
+             "the processor works at other things meanwhile, so parts do not add up; instructions do. Together: with `gauss::Vectorised<double>`.\n\n")
+    head = ["model, size", "ns", "ns of sines alone", "ns with sines together", "instructions", "of sines"]
+    return "## Where the time goes\n\n" + about + table(head, rows) + "\n"
+
+
 def generation_block(document):
     rows = []
     for metric, words in (("derive", "rhs"), ("derive_all", "all usual outputs")):
@@ -167,7 +186,7 @@ def text_of(document, has_charts=True):
         titles = {f"performance/{entry[0]}.svg": entry[1] for entry in CHARTS}
         text += "".join(f"![{titles[name]}]({name})\n\n" for name in pictures(document))
     text += target_block(document) + losses(document) + generation_block(document)
-    text += "".join(section(document, *entry) for entry in SECTIONS)
+    text += "".join(section(document, *entry) for entry in SECTIONS) + profile(document)
     return text + QUOTED + "\n" + left_out(document).rstrip("\n") + "\n"
 
 

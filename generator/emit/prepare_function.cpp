@@ -1,5 +1,7 @@
 // `prepare`: formulas of the model in the order in which they need each other, then the terms that functions read.
 
+#include <algorithm>
+
 #include "emit/body.hpp"
 #include "emit/functions.hpp"
 #include "passes/schedule.hpp"
@@ -28,6 +30,7 @@ class PrepareBuilder {
     }
     blank_line();
     fill_members();
+    name_type_of_conditions();
     return std::move(function_);
   }
 
@@ -39,6 +42,15 @@ class PrepareBuilder {
   void blank_line() {
     const bool is_needed = !function_.body.empty() && !std::holds_alternative<cpp::BlankLine>(function_.body.back());
     if (is_needed) function_.body.push_back(cpp::BlankLine{});
+  }
+
+  void name_type_of_conditions() {
+    std::vector<cpp::Statement>& body = function_.body;
+    const bool has_conditions = std::any_of(body.begin(), body.end(), [](const cpp::Statement& statement) {
+      const auto* definition = std::get_if<cpp::Definition>(&statement);
+      return definition != nullptr && definition->type == "const Bool";
+    });
+    if (has_conditions) body.insert(body.begin(), cpp::Alias{"Bool", "typename Math<S>::Bool"});
   }
 
   void read_parameters() {

@@ -56,8 +56,9 @@ constexpr Place k_place_of_force =
                           "use numbers and parameters; a place that moves there is declared under 'points'"});
 constexpr Place k_axis{"an axis", "it is fixed in its frame", "use numbers and parameters"};
 constexpr Place k_placement =
-    differentiated(2, in(Quantity::length, {"a position", "a place does not depend on speeds or on inputs",
-                                            "use coordinates, parameters and t", true, true, true}));
+    differentiated(2, in(Quantity::length, {"a position", "it is a formula of coordinates and time",
+                                            "use coordinates, parameters and t; what begins at another frame names it as 'parent'",
+                                            true, true, true}));
 constexpr Place k_point = with_places(differentiated(
     1, in(Quantity::length, {"the point of a constraint", "a place does not depend on speeds or on inputs",
                              "use coordinates, parameters and t", true, true, true})));

@@ -69,6 +69,7 @@ class UnitChoice {
       case Kind::named: return of_named(id);
       case Kind::function:
         if (node.function == ir::Function::less || node.function == ir::Function::at_most) return {1, compared(id)};
+        if (node.function == ir::Function::not_finite) return {1, looked_at(id)};
         [[fallthrough]];
       default: return {1, rewrite_.rebuilt(id)};
     }
@@ -83,6 +84,14 @@ class UnitChoice {
     const NodeId first = left.node;
     const NodeId second = graph_.scale(right.factor / left.factor, right.node);
     return graph_.call_again(node, swaps ? std::vector<NodeId>{second, first} : std::vector<NodeId>{first, second});
+  }
+
+  // What no result comes from by products alone is infinite in any unit.
+  NodeId looked_at(NodeId id) {
+    const Node node = graph_[id];
+    std::vector<NodeId> values;
+    for (const NodeId value : node.children) values.push_back(last_.contains(value) ? whole(at(value)) : at(value).node);
+    return graph_.call_again(node, values);
   }
 
   Scaled apart(NodeId id) {

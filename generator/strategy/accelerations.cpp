@@ -1,6 +1,7 @@
 #include "strategy/accelerations.hpp"
 
 #include "ir/cost.hpp"
+#include "strategy/bounds.hpp"
 #include "strategy/inner.hpp"
 #include "strategy/margins.hpp"
 #include "support/suggest.hpp"
@@ -127,11 +128,17 @@ Vector multipliers_of(const Dynamics& dynamics, const Elimination& elimination, 
   return lambda;
 }
 
-// Pivots of either sign: |p| <= 0.
-Expr vanished(ir::Graph& graph, const Vector& pivots) {
+// Pivots of either sign: |p| <= 0. And where parameters change after the choice was made, half of the digits have to be left beside what
+// the dependent ones add.
+Expr vanished(const Elimination& elimination, Expr epsilon) {
+  ir::Graph& graph = epsilon.graph();
   const Expr zero(graph, graph.constant(0));
   Margins margins(graph);
-  for (const Expr pivot : pivots) margins.require(select(less(pivot, zero), -pivot, pivot), zero);
+  for (const Expr pivot : elimination.pivots) margins.require(select(less(pivot, zero), -pivot, pivot), zero);
+  for (const auto& [added, before] : elimination.additions) {
+    if (!before.is_zero() && !is_number(added / before))
+      margins.require(before, pow(epsilon, ir::Rational(1) / 2) * added);
+  }
   return margins.violated("least_pivot");
 }
 
@@ -186,7 +193,7 @@ Solution solve_by_elimination(const Dynamics& dynamics, const Elimination& elimi
   return {a,
           lambda,
           breakdown,
-          vanished(graph, elimination.pivots),
+          vanished(elimination, epsilon),
           "elimination (3.6)-(3.7) with dependent speeds " +
               support::joined(labels_of(dynamics, elimination.dependent)) +
               "; safe because det b over them depends on parameters alone",

@@ -30,6 +30,8 @@ struct Dynamics {
   Vector b_drift;                        ///< Θ_μ + β_μi c̈^i
   NamesOfUnknowns names;
   DependentRows dependent_rows;
+  /// Of what depends on parameters alone, with those of the model; infinite where it has no value. May be empty.
+  std::function<double(ir::Expr)> at_parameters;
 
   std::size_t n() const { return labels.size(); }
   std::size_t l() const { return constraints.size(); }

@@ -1,9 +1,11 @@
 #include "strategy/elimination.hpp"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 
 #include "ir/cost.hpp"
+#include "strategy/bounds.hpp"
 #include "strategy/safety.hpp"
 
 namespace gaussgen::strategy {
@@ -29,7 +31,12 @@ struct Pivot {
 class GaussJordan {
  public:
   GaussJordan(const Dynamics& dynamics, const std::vector<std::size_t>& allowed)
-      : b_(dynamics.b), drift_(dynamics.b_drift), row_used_(dynamics.l(), 0), column_allowed_(dynamics.n(), 0) {
+      : dynamics_(dynamics),
+        is_chosen_(!allowed.empty()),
+        b_(dynamics.b),
+        drift_(dynamics.b_drift),
+        row_used_(dynamics.l(), 0),
+        column_allowed_(dynamics.n(), 0) {
     for (std::size_t j = 0; j < dynamics.n(); ++j) {
       column_allowed_[j] = allowed.empty() || std::find(allowed.begin(), allowed.end(), j) != allowed.end() ? 1 : 0;
     }
@@ -39,6 +46,8 @@ class GaussJordan {
     for (std::size_t step = 0; step < b_.size(); ++step) {
       const Pivot pivot = best_pivot();
       if (pivot.safety == Safety::unknown) return false;
+      for (const auto& [added, before] : additions(pivot.row, pivot.column))
+        result.additions.emplace_back(added, before);
       row_used_[pivot.row] = 1;
       column_allowed_[pivot.column] = 0;
       result.dependent.push_back(pivot.column);
@@ -53,7 +62,7 @@ class GaussJordan {
   Expr drift(std::size_t row) const { return drift_[row]; }
 
  private:
-  Pivot best_pivot() const {
+  Pivot best_pivot() {
     Pivot best;
     for (std::size_t i = 0; i < b_.size(); ++i) {
       if (row_used_[i] != 0) continue;
@@ -63,10 +72,39 @@ class GaussJordan {
         if (column_allowed_[j] == 0) continue;
         const Expr e = b_[i][j];
         const Pivot candidate{safety(e), ir::count_operations(e.graph(), {e.id()}, true).total(), entries, i, j};
-        if (candidate.safety != Safety::unknown && candidate < best) best = candidate;
+        if (candidate.safety != Safety::unknown && candidate < best && (is_chosen_ || !drowns_others(i, j)))
+          best = candidate;
       }
     }
     return best;
+  }
+
+  // a_c = -Σ (b_j/b_c) a_j puts g_cc (b_j/b_c)² beside g_jj: of that, rounding leaves nothing where it is much less.
+  bool drowns_others(std::size_t row, std::size_t column) {
+    constexpr double k_most = 100;
+    for (const auto& [added, before] : additions(row, column)) {
+      if (!added.is_zero() && !before.is_zero() && !(dynamics_.at_parameters(added / before) <= k_most)) return true;
+    }
+    return false;
+  }
+
+  std::vector<std::pair<Expr, Expr>> additions(std::size_t row, std::size_t column) {
+    std::vector<std::pair<Expr, Expr>> result;
+    const std::optional<Expr> own = inertia(column);
+    if (!dynamics_.at_parameters || !own) return result;
+    for (std::size_t j = 0; j < b_[row].size(); ++j) {
+      if (j == column || b_[row][j].is_zero()) continue;
+      const std::optional<Expr> entry = bound_of(b_[row][j]);
+      const std::optional<Expr> before = inertia(j);
+      if (entry && before) result.emplace_back(*own * pow(*entry / b_[row][column], 2), *before);
+    }
+    return result;
+  }
+
+  const std::optional<Expr>& inertia(std::size_t speed) {
+    const auto known = inertias_.find(speed);
+    if (known != inertias_.end()) return known->second;
+    return inertias_.emplace(speed, bound_of(dynamics_.g[speed][speed])).first->second;
   }
 
   // Gauss-Jordan: the pivot row is scaled to 1, and the column vanishes from every other row.
@@ -82,6 +120,9 @@ class GaussJordan {
     }
   }
 
+  const Dynamics& dynamics_;
+  bool is_chosen_;                                       ///< by whoever wrote the model
+  std::map<std::size_t, std::optional<Expr>> inertias_;  ///< g_cc at most
   Matrix b_;
   Vector drift_;
   std::vector<char> row_used_;

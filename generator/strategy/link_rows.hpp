@@ -57,6 +57,8 @@ struct ConstraintProblem {
   /// A - Q along a speed, of accelerations, by the metric over all speeds; none where that would be long.
   std::function<ir::Expr(std::size_t speed, const Vector& a)> excess;
   std::function<double(ir::Expr)> value_of;  ///< at some point; none where parameters may take any value
+  /// With parameters as in the model and, where there are coordinates in it, at some point; infinite where it has no value.
+  std::function<double(ir::Expr)> estimate;
 };
 
 /// Which rows are those of places on links, and what they say.

@@ -11,6 +11,7 @@ namespace gaussgen::strategy {
 
 /// Collects values that must exceed their bounds, and says with one condition whether one does not.
 ///
+/// One that is infinite counts as one that is too small: behind a division nobody would see it. (A bound is infinite with its value.)
 /// What depends on parameters alone costs one comparison per call, however much it is: `prepare` finds the least margin.
 class Margins {
  public:
@@ -22,6 +23,15 @@ class Margins {
   ir::Expr violated(const std::string& least) const;
 
  private:
+  /// Of parameters alone: what must be above zero, and what must be finite.
+  struct Prepared {
+    std::vector<ir::Expr> margins;
+    std::vector<ir::NodeId> finite;
+  };
+  ir::Expr smallest(Prepared prepared, const std::string& least) const;
+  ir::Expr not_finite(std::vector<ir::NodeId> values) const;
+  ir::Expr number(int value) const;
+
   ir::Graph& graph_;
   std::vector<std::pair<ir::Expr, ir::Expr>> required_;
 };

@@ -54,12 +54,6 @@ bool keeps_digits(const MassProperties& bar, Expr moved, const Vector3& r) {
   return part != nullptr && *part >= Rational(1) / 8 && *part <= 1;
 }
 
-// Of a chain of n links with a parameter each, sums would be written out n times, with up to n terms.
-Expr kept_short(Expr sum, const std::string& name) {
-  constexpr std::size_t k_few_terms = 4;
-  return sum.graph()[sum.id()].children.size() > k_few_terms ? sum.named(name) : sum;
-}
-
 bool is_end(const Link& link) {
   return link.kind == Link::Kind::shift && link.freedoms.empty() && link.parent != k_ground && is_fixed(link.offset);
 }
@@ -121,28 +115,6 @@ Vector move_masses_to_ends(const std::vector<Link>& links, std::vector<MassPrope
     bar.inertia = difference(bar.inertia, of_mass(moved, r));
   }
   return all_moved;
-}
-
-std::vector<MassBound> mass_bounds(const std::vector<Link>& links, const std::vector<MassProperties>& properties) {
-  std::vector<MassBound> bounds;
-  for (const MassProperties& own : properties) {
-    const Expr none(own.mass.graph(), own.mass.graph().constant(0));
-    bounds.push_back({own.mass, none, trace(own.inertia)});
-  }
-  const auto size = [](Expr x) { return call(ir::Function::abs, x); };
-  for (std::size_t i = links.size(); i-- > 0;) {
-    bounds[i].mass = kept_short(bounds[i].mass, "mass_on_" + links[i].name);
-    bounds[i].inertia = kept_short(bounds[i].inertia, "inertia_on_" + links[i].name);
-    if (links[i].parent == k_ground) continue;
-    const Vector3& r = links[i].offset;
-    MassBound& parent = bounds[links[i].parent];
-    const Expr reach = kept_short(bounds[i].reach + size(r[0]) + size(r[1]) + size(r[2]), "reach_of_" + links[i].name);
-    // The farther of two branches, without a square root.
-    parent.reach = parent.reach.is_zero() ? reach : parent.reach == reach ? reach : parent.reach + reach;
-    parent.mass += bounds[i].mass;
-    parent.inertia += bounds[i].inertia;
-  }
-  return bounds;
 }
 
 }  // namespace gaussgen::strategy

@@ -24,14 +24,4 @@ std::vector<MassProperties> mass_properties(const kinematics::Linkage& linkage, 
 /// Returns, for each link, the mass that belongs to the link before.
 Vector move_masses_to_ends(const std::vector<kinematics::Link>& links, std::vector<MassProperties>& properties);
 
-/// What moments of inertia and masses add up to at most, in any configuration: all that a link carries, about its origin.
-struct MassBound {
-  ir::Expr mass;
-  ir::Expr reach;    ///< m, of the mass centres from the origin
-  ir::Expr inertia;  ///< of the parts about their own origins
-};
-
-std::vector<MassBound> mass_bounds(const std::vector<kinematics::Link>& links,
-                                   const std::vector<MassProperties>& properties);
-
 }  // namespace gaussgen::strategy

@@ -392,7 +392,7 @@ class Tree : private TreeZ {
     Margins margins(graph_);
     for (const auto& [pivot, bound] : margins_) margins.require(pivot, bound);
     Margins rows(graph_);
-    for (const Imposed& imposed : imposed_) rows.require(pow(imposed.component.pivot, 2), zero_);
+    for (const auto& [value, bound] : row_margins_) rows.require(value, bound);
     const Expr dependent = any(graph_, {dependent_, rows.violated("least_coefficient")});
     const Expr singular = any(graph_, {margins.violated("least_pivot"), lost_});
     return {accelerations, multipliers(accelerations), singular, dependent, "", {}, {}, {}, false, motion()};
@@ -423,7 +423,7 @@ class Tree : private TreeZ {
     return i;
   }
 
-  Vector w_;                    ///< by component
+  Vector w_;                               ///< by component
   std::map<std::size_t, LinearTerm> led_;  ///< by the link that turns: the acceleration of its end
   std::vector<Vector3> given_;  ///< of links: what their joints do not decide of the components that are moved
   std::vector<LinkAcceleration> moving_;  ///< of links: where they have mass, the accelerations that were found

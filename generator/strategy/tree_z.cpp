@@ -4,6 +4,7 @@
 
 #include "ir/contract.hpp"
 #include "strategy/axes.hpp"
+#include "strategy/bounds.hpp"
 #include "strategy/fixed_turns.hpp"
 #include "strategy/safety.hpp"
 #include "strategy/spins.hpp"
@@ -53,7 +54,7 @@ TreeZ::TreeZ(const TreeProblem& problem, const TreeForm& form, Expr epsilon, Ste
   for (const Link& link : links_) carriers_.push_back(link.parent);
   find_spins(properties_, linkage_);
   children_ = children_of(links_);
-  bounds_ = mass_bounds(links_, properties_);
+  for (const MassProperties& own : properties_) bounds_.push_back(MassBound::of(own));
   moved_ = move_masses_to_ends(links_, properties_);
 }
 
@@ -197,6 +198,8 @@ void TreeZ::impose_rows(std::size_t i, std::vector<Component>& free) {
     }
     const Component c = free[*best];
     free.erase(free.begin() + static_cast<std::ptrdiff_t>(*best));
+    row_margins_.push_back({pow(Z_.entry(dual(r), c), 2), zero_});
+    add_bounds(r, c);
     Z_.name({dual(r)}, steps_);
     Z_.add(dual(r),
            -rows_.rows[r].fall);  // apart, so that it cancels where free fall is taken out of what the row says
@@ -213,10 +216,56 @@ std::optional<std::size_t> TreeZ::safest(std::size_t r, const std::vector<Compon
   std::optional<std::size_t> best;
   for (std::size_t at = 0; at < free.size(); ++at) {
     const Expr pivot = Z_.entry(dual(r), free[at]);
-    if (safety(pivot) == Safety::unknown) continue;
+    if (safety(pivot) == Safety::unknown || drowns_others(r, free[at])) continue;
     if (!best || safety(pivot) < safety(Z_.entry(dual(r), free[*best]))) best = at;
   }
   return best;
+}
+
+Expr TreeZ::largest(Component c) const {
+  const MassBound& bound = bounds_[c / 6];
+  return is_linear(c) ? bound.mass : bound.inertia.along(c % 3);
+}
+
+// w_c = -Σ f_j w_j: ½ P_cc w_c² becomes ½ P_cc f_j² w_j² and more.
+std::vector<TreeZ::Addition> TreeZ::additions(std::size_t r, Component c) const {
+  std::vector<Addition> result;
+  for (const Component j : Z_.neighbours(dual(r))) {
+    if (j == c || !is_of_link(j)) continue;
+    const std::optional<Expr> entry = bound_of(Z_.entry(dual(r), j));
+    if (entry) result.push_back({j, largest(c) * pow(*entry / Z_.entry(dual(r), c), 2)});
+  }
+  return result;
+}
+
+// Of what was there before, rounding leaves nothing beside something so much larger.
+bool TreeZ::drowns_others(std::size_t r, Component c) const {
+  constexpr double k_most = 100;
+  for (const Addition& addition : additions(r, c)) {
+    const Expr before = largest(addition.to);
+    if (before.is_zero() || addition.inertia.is_zero()) continue;
+    if (!(problem_.constraints.estimate(addition.inertia / before) <= k_most)) return true;
+  }
+  return false;
+}
+
+// For parameters that change after the choice was made: half of the digits have to be left.
+void TreeZ::add_bounds(std::size_t r, Component c) {
+  const Expr part = pow(epsilon_, Rational(1) / 2);
+  const bool by_number = safety(Z_.entry(dual(r), c)) == Safety::number;
+  for (const Addition& addition : additions(r, c)) {
+    const Expr before = largest(addition.to);
+    const bool is_fixed = ir::is_of_parameters(graph_, addition.inertia.id());
+    const bool may_change = !before.is_zero() && !strategy::is_number(addition.inertia / before);
+    if (may_change && (is_fixed || !by_number)) row_margins_.push_back({before, part * addition.inertia});
+    if (!is_fixed) continue;
+    MassBound& bound = bounds_[addition.to / 6];
+    if (is_linear(addition.to)) {
+      bound.mass += addition.inertia;
+    } else {
+      bound.inertia.add(addition.to % 3, addition.inertia);
+    }
+  }
 }
 
 void TreeZ::add_body(std::size_t i) {
@@ -332,25 +381,34 @@ Eliminated TreeZ::minimise(std::size_t i, Component c) {
   ++pivots_;
   if (const std::optional<Bar> bar = bar_at(i, c)) return minimise_bar(i, c, *bar);
   const Eliminated result = Z_.minimise(c, steps_);
-  margins_.push_back({result.pivot, is_clean_ ? zero_ : rounding(i, c)});
+  margins_.push_back({result.pivot, is_clean_ ? rounding_of_sum(result.pivot) : rounding(c)});
   is_clean_ = false;
   return result;
 }
 
+// Nothing was minimised yet, but a difference of parameters can be nothing but rounding.
+Expr TreeZ::rounding_of_sum(Expr pivot) const {
+  if (!ir::is_of_parameters(graph_, pivot.id())) return zero_;
+  const ir::Node* node = &graph_[pivot.id()];
+  while (node->kind == ir::Kind::named) node = &graph_[node->children[0]];
+  const auto is_negative = [](const Rational& coefficient) { return coefficient < 0; };
+  if (std::none_of(node->coefficients.begin(), node->coefficients.end(), is_negative)) return zero_;
+  Expr sum(graph_, graph_.constant(cln::abs(node->value)));
+  for (std::size_t at = 0; at < node->children.size(); ++at) {
+    sum += cln::abs(node->coefficients[at]) * call(ir::Function::abs, Expr(graph_, node->children[at]));
+  }
+  return Rational(4) * epsilon_ * sum;
+}
+
 // Of the sum of all that a pivot is the rest of.
-Expr TreeZ::rounding(std::size_t i, Component c) const {
+Expr TreeZ::rounding(Component c) const {
   Expr sum = zero_;
   if (is_of_link(c)) {
-    sum = is_linear(c) ? bounds_[i].mass : greatest_inertia(i);
+    sum = largest(c);
   } else {
     for (const std::size_t link : own_.uses[c - shared(0)]) sum += bound_along(link, c - shared(0));
   }
   return ir::Rational(4 * static_cast<int>(pivots_)) * epsilon_ * sum;
-}
-
-Expr TreeZ::greatest_inertia(std::size_t i) const {
-  const MassBound& bound = bounds_[i];
-  return ir::Rational(2) * (bound.inertia + bound.mass * bound.reach * bound.reach);
 }
 
 Expr TreeZ::bound_along(std::size_t i, std::size_t speed) const {
@@ -358,12 +416,23 @@ Expr TreeZ::bound_along(std::size_t i, std::size_t speed) const {
   for (const Freedom& freedom : links_[i].freedoms) {
     if (freedom.speed.value == speed) squares += ir::dot(freedom.column, freedom.column);
   }
-  return squares * (is_shift(i) ? bounds_[i].mass : greatest_inertia(i));
+  return squares * (is_shift(i) ? bounds_[i].mass : bounds_[i].inertia.sum());
+}
+
+// Own components over which Z was minimised are left to themselves.
+void TreeZ::pass_bounds(std::size_t i) {
+  if (links_[i].parent == k_ground) return;
+  MassBound bound = bounds_[i];
+  for (const Eliminated& e : eliminated_[i]) {
+    if (!is_linear(e.component)) bound.minimise(e.component % 3);
+  }
+  bounds_[links_[i].parent].add(passed_on(links_[i], bound));
 }
 
 // w_i in terms of what is before the link.
 void TreeZ::pass_on(std::size_t i) {
   const Link& link = links_[i];
+  pass_bounds(i);
   for (std::size_t k = 0; k < 3; ++k) {
     const bool floats = own_.base_at(i) != nullptr && own_.base_at(i)->along[k];
     if (!by_link() && !floats) continue;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "strategy/bar.hpp"
+#include "strategy/mass_bounds.hpp"
 #include "strategy/own_components.hpp"
 #include "strategy/quadratic_form.hpp"
 #include "strategy/tree.hpp"
@@ -62,6 +63,15 @@ class TreeZ {
   void act(Component c, std::size_t speed, ir::Expr per);
   void impose_rows(std::size_t i, std::vector<Component>& free);
   std::optional<std::size_t> safest(std::size_t r, const std::vector<Component>& free) const;
+  /// What a row that is put in adds to a component: inertia of the one that leaves.
+  struct Addition {
+    Component to;
+    ir::Expr inertia;
+  };
+  std::vector<Addition> additions(std::size_t r, Component c) const;
+  void add_bounds(std::size_t r, Component c);
+  bool drowns_others(std::size_t r, Component c) const;
+  ir::Expr largest(Component c) const;
 
   // From the leaves to the ground.
   /// Of the body itself (theory section 6): ½ a·m a + a·(α × f) + ½ α·I α, with what velocities and the drift do.
@@ -75,8 +85,9 @@ class TreeZ {
   std::vector<Component> free_to_float(const FloatingBase& floating);
   bool has_no_inertia(const Eliminated& e) const;
   Eliminated minimise(std::size_t i, Component c);
-  ir::Expr rounding(std::size_t i, Component c) const;
-  ir::Expr greatest_inertia(std::size_t i) const;
+  ir::Expr rounding(Component c) const;
+  ir::Expr rounding_of_sum(ir::Expr pivot) const;
+  void pass_bounds(std::size_t i);
   ir::Expr bound_along(std::size_t i, std::size_t speed) const;
   void pass_on(std::size_t i);
   void add_shared(std::size_t i, std::size_t k, std::vector<LinearTerm>& terms) const;
@@ -135,8 +146,9 @@ class TreeZ {
   std::vector<char> is_bare_;                       ///< by link: neither it nor what it carries has mass, or is held
   std::vector<Imposed> imposed_;
   std::set<Component> is_imposed_;
-  std::map<Component, Response> responses_;  ///< of multipliers
-  std::vector<std::pair<ir::Expr, ir::Expr>> margins_;
+  std::map<Component, Response> responses_;                 ///< of multipliers
+  std::vector<std::pair<ir::Expr, ir::Expr>> margins_;      ///< of pivots
+  std::vector<std::pair<ir::Expr, ir::Expr>> row_margins_;  ///< likewise, of rows that were put in
   bool is_clean_ = true;  ///< nothing was minimised yet, so nothing has cancelled
   std::size_t pivots_ = 0;
 };

@@ -116,6 +116,7 @@ TEST_CASE("accelerations and multipliers of trees satisfy the equations over all
   const std::vector<Size> sizes{{"planar_chain_relative", 100},
                                 {"planar_chain_absolute", 100},
                                 {"planar_chain_maximal", 50},
+                                {"planar_pendulum", 100},
                                 {"spatial_chain", 100},
                                 {"tree", 50},
                                 {"floating_chain", 50},

@@ -158,7 +158,7 @@ std::vector<std::string> compared(const std::string& file, bool is_folded) {
 
 std::vector<std::string> all_files() {
   std::vector<std::string> files = agreement::model_files();
-  for (const char* family : {"floating_chain", "n_four_bar", "planar_chain_absolute", "planar_chain_maximal",
+  for (const char* family : {"floating_chain", "n_four_bar", "planar_chain_absolute", "planar_chain_maximal", "planar_pendulum",
                              "planar_chain_relative", "quadruped", "road_train", "spatial_chain", "tree"}) {
     files.push_back(std::string("families/") + family);
   }

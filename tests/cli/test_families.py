@@ -6,7 +6,7 @@ import unittest
 from gauss_gen import MODELS, Evaluate
 
 FAMILIES = MODELS / "families"
-SMALL = {"planar_chain_relative": "n=3", "planar_chain_absolute": "n=3", "planar_chain_maximal": "n=3", "spatial_chain": "n=2", "floating_chain": "n=1",
+SMALL = {"planar_chain_relative": "n=3", "planar_chain_absolute": "n=3", "planar_chain_maximal": "n=3", "planar_pendulum": "n=3", "spatial_chain": "n=2", "floating_chain": "n=1",
          "tree": "n=3", "n_four_bar": "n=1", "balls_in_cylinder": "n=2", "balls_in_cylinder_euler": "n=2", "road_train": "n=1",
          "quadruped": "legs=1", "humanoid": ""}
 G = 9.81
@@ -57,6 +57,20 @@ class Families(Evaluate):
         pinned = self.found("planar_chain_maximal", "n=4", *start)
         for i in range(1, 5):
             self.near(pinned[f"theta_{i}_ddot"], absolute[f"q_{i}_ddot"], i)
+
+    def test_the_pendulum_satisfies_lagranges_equations(self):
+        """Of point masses, in absolute angles: the sum over j of min(i, j)'s mass below, l_i l_j cos(t_i - t_j) t_j'' + l_i l_j sin(t_i - t_j) t_j'^2,
+        and the weight of what hangs at i."""
+        n = 4
+        m, l = ([start + i / 100 for i in range(1, n + 1)] for start in (1, 0.5))
+        found = self.found("planar_pendulum", f"n={n}")
+        theta, omega, alpha = ([sum(found[f"q_{k}{suffix}"] for k in range(1, i + 1)) for i in range(1, n + 1)] for suffix in ("", "_dot", "_ddot"))
+        for i in range(n):
+            moment = sum(m[i:]) * G * l[i] * math.sin(theta[i])
+            for j in range(n):
+                below = sum(m[max(i, j):]) * l[i] * l[j]
+                moment += below * (math.cos(theta[i] - theta[j]) * alpha[j] + math.sin(theta[i] - theta[j]) * omega[j]**2)
+            self.near(moment, 0, i)
 
     def test_a_chain_in_a_plane_of_space_is_the_planar_one(self):
         start = [word for i in (1, 2, 3) for name, value in (("a", 0), ("b", 0.1)) for word in

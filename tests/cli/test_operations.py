@@ -17,7 +17,7 @@ MOST = [
     (280, SPATIAL, "--count", "n=2"), (960, SPATIAL, "--count", "n=4"), (1620, SPATIAL, "--count", "n=6"),
 ]
 # Families whose constraints are on the tree, and the counts between which they are compared.
-GROWING = [(CHAIN, 50, 200), (SPATIAL, 10, 40), (FAMILIES / "planar_chain_maximal.yaml", 10, 40), (FAMILIES / "n_four_bar.yaml", 5, 20),
+GROWING = [(CHAIN, 50, 200), (SPATIAL, 10, 40), (FAMILIES / "planar_chain_maximal.yaml", 10, 40), (FAMILIES / "planar_pendulum.yaml", 20, 80), (FAMILIES / "n_four_bar.yaml", 5, 20),
            (FAMILIES / "road_train.yaml", 2, 8)]
 # Functions of the chain that take what all links do: these too.
 GROWING_FUNCTIONS = ["joint_reactions", "energy", "compulsion"]

@@ -31,8 +31,8 @@ TEST_CASE("powers of one base share their squares") {
   Graph graph;
   const Expr x = declare(graph, SymbolClass::configuration, "x");
   Writing writing(graph, {pow(x, 2).id(), pow(x, 3).id(), pow(x, 5).id()});
-  CHECK(writing.operands(pow(x, 3).id()) == std::vector<NodeId>{x.id(), pow(x, 2).id()});
-  CHECK(writing.operands(pow(x, 5).id()) == std::vector<NodeId>{x.id(), pow(x, 2).id(), pow(x, 2).id()});
+  CHECK(writing.operands(pow(x, 3).id()) == gaussgen::ir::Children{x.id(), pow(x, 2).id()});
+  CHECK(writing.operands(pow(x, 5).id()) == gaussgen::ir::Children{x.id(), pow(x, 2).id(), pow(x, 2).id()});
   const Program program = program_of(graph, {{pow(x, 3).id(), pow(x, 5).id()}, {}, {}});
   CHECK(contains(temporaries(program), pow(x, 2)));
 }
@@ -48,9 +48,9 @@ TEST_CASE("one reciprocal serves all powers of it that are wanted beside it") {
   Graph graph;
   const Expr x = declare(graph, SymbolClass::configuration, "x");
   Writing beside(graph, {pow(x, -1).id(), pow(x, -2).id()});
-  CHECK(beside.operands(pow(x, -2).id()) == std::vector<NodeId>{pow(x, -1).id(), pow(x, -1).id()});
+  CHECK(beside.operands(pow(x, -2).id()) == gaussgen::ir::Children{pow(x, -1).id(), pow(x, -1).id()});
   Writing alone(graph, {pow(x, -2).id()});
-  CHECK(alone.operands(pow(x, -2).id()) == std::vector<NodeId>{pow(x, 2).id()});
+  CHECK(alone.operands(pow(x, -2).id()) == gaussgen::ir::Children{pow(x, 2).id()});
 }
 
 TEST_CASE("half powers are a square root and a power") {
@@ -58,7 +58,7 @@ TEST_CASE("half powers are a square root and a power") {
   const Expr x = declare(graph, SymbolClass::configuration, "x");
   const auto half = [](int n) { return gaussgen::ir::Rational(n) / 2; };
   Writing writing(graph, {pow(x, half(5)).id()});
-  CHECK(writing.operands(pow(x, half(5)).id()) == std::vector<NodeId>{pow(x, 2).id(), pow(x, half(1)).id()});
+  CHECK(writing.operands(pow(x, half(5)).id()) == gaussgen::ir::Children{pow(x, 2).id(), pow(x, half(1)).id()});
 }
 
 TEST_CASE("a sine and a cosine of one argument are one assignment") {
