@@ -36,7 +36,11 @@ PlaneBlock numerators_of(const Bar& bar, const PlaneVector& u, const PlaneVector
 }  // namespace
 
 PostponedBlock::PostponedBlock(const Bar& bar, const std::string& name, Steps& steps)
-    : numerators_(bar.end), denominator_(bar.inertia), unit_(bar.inertia), inertia_(bar.inertia) {
+    : numerators_(bar.end),
+      denominator_(bar.inertia),
+      unit_(bar.inertia),
+      inertia_(bar.inertia),
+      has_no_first_(is_zero(bar.first)) {
   const PlaneVector u = quarter_turn(bar.offset);
   const PlaneVector k = quarter_turn(bar.first);
   unit_ = unit_of(bar, k);
@@ -53,7 +57,7 @@ bool PostponedBlock::is_negative() const {
   return unit.kind == ir::Kind::constant && unit.value < 0;
 }
 
-bool PostponedBlock::is_led_by_end() const { return is_negative() || inertia_.is_zero(); }
+bool PostponedBlock::is_led_by_end() const { return is_negative() || (has_no_first_ && inertia_.is_zero()); }
 
 // det (P + m) = det P + m (tr P + m)
 void PostponedBlock::add_mass(Expr mass) {

@@ -71,6 +71,7 @@ class PostponedBlock {
  private:
   PlaneBlock numerators_;
   ir::Expr denominator_, unit_, inertia_;
+  bool has_no_first_;
 };
 
 }  // namespace gaussgen::strategy

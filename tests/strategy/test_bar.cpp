@@ -71,7 +71,7 @@ TEST_CASE("numerators over one denominator are the Schur complement over the tur
   }
 }
 
-TEST_CASE("a bar is led by its end where its masses at the ends leave less than none to its turn") {
+TEST_CASE("a bar is led by its end where its masses at the ends leave none to its turn, or less") {
   Numbers n;
   Steps steps;
   const Expr none = n.number(0);
@@ -81,7 +81,8 @@ TEST_CASE("a bar is led by its end where its masses at the ends leave less than 
   };
   CHECK(is_led(n.number(Rational(-1) / 6), none));
   CHECK_FALSE(is_led(n.number(Rational(1) / 6), none));
-  CHECK_FALSE(is_led(none, none));
+  CHECK(is_led(none, none));  // without mass of its own
+  CHECK_FALSE(is_led(none, n.number(1)));
   CHECK_FALSE(is_led(n.number(Rational(-1) / 6), n.number(1)));
 }
 
