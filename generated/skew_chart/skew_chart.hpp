@@ -333,7 +333,7 @@ struct Prepared {
   S c10;                         ///< 0.5 * amplitude^2 * frequency^2
   S rounding_m2;                 ///< 10 * epsilon * m2
   S c11;                         ///< 5 / 9 * epsilon
-  S least_pivot;                 ///< min(m1 - 16 * epsilon * m1, m1 - 12 * epsilon * m1)
+  S least_pivot;
   S m1_g;                        ///< m1 * g
   S half_m1_g;                   ///< 0.5 * m1 * g
   S m1_over_36;                  ///< 1 / 36 * m1
@@ -347,7 +347,8 @@ struct Prepared {
   S m2_over_25;                  ///< 1 / 25 * m2
   S m2_over_3;                   ///< 1 / 3 * m2
   S rounding_m2_2;               ///< 30 * epsilon * m2
-  S c12;                         ///< 24 * epsilon
+  S c12;                         ///< select(not_finite(m1), 0, m1)
+  S c13;                         ///< 24 * epsilon
   S amplitude_frequency_over_3;  ///< 1 / 3 * amplitude * frequency
   S half_amplitude_frequency;    ///< 0.5 * amplitude * frequency
   S g_over_4;                    ///< 0.25 * g
@@ -456,6 +457,7 @@ struct MassMatrix {
 /// What depends on parameters alone, to be computed once.
 template <class S>
 GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
+  using Bool = typename Math<S>::Bool;
   const S& m1 = parameters.m1;
   const S& m2 = parameters.m2;
   const S& g = parameters.g;
@@ -473,10 +475,11 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S G_e_e = S(1.25) * m2;
   const S amplitude_2_frequency_2 = amplitude * amplitude * frequency_2;
   const S rounding_m2_3 = Math<S>::epsilon() * m2;
+  const Bool t1 = Math<S>::not_finite(m1);
   const S rounding_m1 = Math<S>::epsilon() * m1;
-  const S t1 = m1 - S(16) * rounding_m1;
-  const S t2 = m1 - S(12) * rounding_m1;
-  const S least_pivot = Math<S>::select(Math<S>::less(t1, t2), t1, t2);
+  const S t2 = m1 - S(16) * rounding_m1;
+  const S t3 = m1 - S(12) * rounding_m1;
+  const S least_pivot = Math<S>::select(t1, S(0), Math<S>::select(Math<S>::less(t2, t3), t2, t3));
   const S m1_g = m1 * g;
 
   Prepared<S> prepared;
@@ -525,7 +528,8 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.m2_over_25 = S(1) / S(25) * m2;
   prepared.m2_over_3 = S(1) / S(3) * m2;
   prepared.rounding_m2_2 = S(30) * rounding_m2_3;
-  prepared.c12 = S(24) * Math<S>::epsilon();
+  prepared.c12 = Math<S>::select(t1, S(0), m1);
+  prepared.c13 = S(24) * Math<S>::epsilon();
   prepared.amplitude_frequency_over_3 = S(1) / S(3) * amplitude_frequency;
   prepared.half_amplitude_frequency = S(0.5) * amplitude_frequency;
   prepared.g_over_4 = S(0.25) * g;
@@ -643,7 +647,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)),
       Math<S>::at_most(Z_e_e, rounding_m2),
       Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(9) * m2 * (S(4) + s_2))),
-      Math<S>::at_most(least_pivot, S(0)));
+      Math<S>::at_most(least_pivot, S(0)), Math<S>::not_finite(Z_d_d));
   const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, a_b, a_c, a_d);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
@@ -773,7 +777,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)),
       Math<S>::at_most(Z_e_e, rounding_m2),
       Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(36) * m2 * t5)),
-      Math<S>::at_most(least_pivot, S(0)));
+      Math<S>::at_most(least_pivot, S(0)), Math<S>::not_finite(Z_d_d));
   const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
@@ -914,7 +918,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)),
       Math<S>::at_most(Z_e_e, rounding_m2),
       Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(36) * m2 * t6)),
-      Math<S>::at_most(least_pivot, S(0)));
+      Math<S>::at_most(least_pivot, S(0)), Math<S>::not_finite(Z_d_d));
   const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
@@ -973,6 +977,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& m2_over_3 = prepared.m2_over_3;
   const S& rounding_m2_2 = prepared.rounding_m2_2;
   const S& c12 = prepared.c12;
+  const S& c13 = prepared.c13;
   const S& a = state.a();
   const S& b = state.b();
   const S& c = state.c();
@@ -1110,9 +1115,10 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S t21 = m2_over_3 * (t9 - S(3) * a_d);
   const Bool t22 = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, rounding_m2),
       Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * t2 + S(36) * m2 * t1)),
-      Math<S>::at_most(least_pivot, S(0)), Math<S>::at_most(g_pivot_a, c12 * G_a_a),
-      Math<S>::at_most(g_pivot_d, c12 * G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
-      Math<S>::at_most(G_pivot_s, c12 * G_s_s), Math<S>::at_most(m1, S(0)));
+      Math<S>::at_most(least_pivot, S(0)), Math<S>::not_finite(Z_d_d),
+      Math<S>::at_most(g_pivot_a, c13 * G_a_a), Math<S>::at_most(g_pivot_d, c13 * G_d_d),
+      Math<S>::at_most(g_pivot_e, rounding_m2_2), Math<S>::at_most(G_pivot_s, c13 * G_s_s),
+      Math<S>::at_most(c12, S(0)));
 
   reaction_forces.s.force_on_first[0] = force_s_first_x;
   reaction_forces.s.force_on_first[1] = force_s_first_y;
@@ -1206,7 +1212,6 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
                                       const Prepared<S>& prepared, const Derivative<S>& accelerations,
                                       Compulsion<S>& compulsion) noexcept {
   using Bool = typename Math<S>::Bool;
-  const S& m1 = prepared.m1;
   const S& m2 = prepared.m2;
   const S& k = prepared.k;
   const S& amplitude = prepared.amplitude;
@@ -1234,6 +1239,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S& m2_over_3 = prepared.m2_over_3;
   const S& rounding_m2_2 = prepared.rounding_m2_2;
   const S& c12 = prepared.c12;
+  const S& c13 = prepared.c13;
   const S& half_inv_m1 = prepared.half_inv_m1;
   const S& half_inv_m2 = prepared.half_inv_m2;
   const S& a = state.a();
@@ -1334,9 +1340,9 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
 
   compulsion.Z = Z;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, c12 * G_a_a),
-      Math<S>::at_most(g_pivot_d, c12 * G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
-      Math<S>::at_most(G_pivot_s, c12 * G_s_s), Math<S>::at_most(m1, S(0)));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, c13 * G_a_a),
+      Math<S>::at_most(g_pivot_d, c13 * G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
+      Math<S>::at_most(G_pivot_s, c13 * G_s_s), Math<S>::at_most(c12, S(0)));
   const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, Z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }

@@ -459,7 +459,8 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S t2 = g_pivot_q3 - S(12) * Math<S>::epsilon() * G_q3_q3;
   const S t3 = g_pivot_q2 - S(12) * Math<S>::epsilon() * G_q2_q2;
   const S t4 = Math<S>::select(Math<S>::less(t3, G_q1_q1), t3, G_q1_q1);
-  const S least_g_pivot = Math<S>::select(Math<S>::less(t2, t4), t2, t4);
+  const S least_g_pivot = Math<S>::select(Math<S>::not_finite(G_q1_q1, g_pivot_q2, g_pivot_q3), S(0),
+      Math<S>::select(Math<S>::less(t2, t4), t2, t4));
 
   Prepared<S> prepared;
   prepared.m1 = m1;
@@ -565,7 +566,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.q3_ddot() = a_q3;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3), Math<S>::not_finite(M_q1_q1));
   const Bool not_finite = Math<S>::not_finite(t, q3, a_q2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
@@ -660,7 +661,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   reactions.x2.generalized = R_x2;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3), Math<S>::not_finite(M_q1_q1));
   const Bool not_finite = Math<S>::not_finite(t, q3, q2_excess_q2, beta_blade_q3_excess_q2, R_x1, R_x2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
@@ -762,7 +763,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   reactions.x2.generalized = R_x2;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3), Math<S>::not_finite(M_q1_q1));
   const Bool not_finite = Math<S>::not_finite(t, q3, q2_excess_q2, beta_blade_q3_excess_q2, R_x1, R_x2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
@@ -845,7 +846,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_second.force[2] = force_on_second_z;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3), Math<S>::not_finite(M_q1_q1));
   const Bool not_finite = Math<S>::not_finite(t, q3, force_on_first_x, force_on_first_y, force_on_first_z,
       force_on_second_x, force_on_second_y, force_on_second_z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -1050,6 +1051,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
 
   // Results
   const S squares_blade = S(1) + q2 * q2 + beta_blade_q3 * beta_blade_q3;
+  const S squares_blade_3 = squares_blade * squares_blade * squares_blade;
+  const S S_blade_blade_3 = S_blade_blade * S_blade_blade * S_blade_blade;
 
   state.q1() = q1;
   state.q2() = q2;
@@ -1059,8 +1062,9 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   state.q3_dot() = q3_rate;
 
   const Bool singular_mass_matrix = Math<S>::at_most(least_g_pivot, S(0));
-  const Bool dependent_constraints = Math<S>::any(t3, Math<S>::at_most(squares_blade * squares_blade
-      * squares_blade, S(0)), Math<S>::at_most(S_blade_blade * S_blade_blade * S_blade_blade, S(0)));
+  const Bool dependent_constraints = Math<S>::any(t3, Math<S>::not_finite(S_blade_blade),
+      Math<S>::at_most(squares_blade_3, S(0)), Math<S>::at_most(S_blade_blade_3, S(0)),
+      Math<S>::not_finite(squares_blade_3, S_blade_blade_3));
   const Bool not_finite = Math<S>::not_finite(t, q3, q1_rate, q2_rate, q3_rate);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
@@ -1078,6 +1082,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
 
   // Results
   const S S_blade = S(11881) / (S(10000) * G_q3_q3);
+  const S S_blade_3 = S_blade * S_blade * S_blade;
 
   state.q1() = S(3) / S(10);
   state.q2() = S(1) / S(10);
@@ -1086,9 +1091,11 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.q2_dot() = -S(1) / S(5);
   state.q3_dot() = -S(25) / S(109);
 
-  const Bool singular_mass_matrix = Math<S>::at_most(G_q3_q3, S(0));
-  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(S_blade, S(0)),
-      Math<S>::at_most(S_blade * S_blade * S_blade, S(0)),
+  const Bool singular_mass_matrix = Math<S>::at_most(Math<S>::select(Math<S>::not_finite(G_q3_q3), S(0),
+      G_q3_q3), S(0));
+  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(Math<S>::select(Math<S>::not_finite(S_blade),
+      S(0), S_blade), S(0)),
+      Math<S>::at_most(Math<S>::select(Math<S>::not_finite(S_blade_3), S(0), S_blade_3), S(0)),
       Math<S>::less(S(11881) / S(10000), S(2198100) * Math<S>::epsilon() * Math<S>::epsilon()));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, Bool(false));
 }

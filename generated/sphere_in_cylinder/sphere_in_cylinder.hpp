@@ -30,7 +30,7 @@
 //
 // Operations per call
 //                      + -  *   /  sqrt  functions
-//   prepare            5    29  5  0     0
+//   prepare            10   42  5  1     0
 //   rhs                16   40  2  0     4
 //   reactions          16   41  2  0     4
 //   rhs_and_reactions  17   45  2  0     4
@@ -310,40 +310,40 @@ struct Inputs {};
 /// Parameters as the functions read them, and what follows from them alone; made by prepare().
 template <class S>
 struct Prepared {
-  S m;                      ///< mass of the ball
-  S r;                      ///< radius of the ball
-  S R;                      ///< radius of the cylinder
-  S psi_0;                  ///< precession at t = 0
-  S theta_0;                ///< nutation at t = 0
-  S phi_0;                  ///< spin at t = 0
-  S zeta_dot_0;             ///< rate of climb at t = 0
-  S omega_r_0;              ///< angular velocity about the line to the contact at t = 0
-  S J;                      ///< moment of inertia of the ball about a diameter
-  S m_r_2;                  ///< m * r^2
-  S m_2_r_4;                ///< m^2 * r^4
-  S m_g;                    ///< m * g
-  S M_chi_chi;              ///< m * (R - r)^2 + J * (R - r)^2 / r^2
-  S c1;                     ///< abs(r)
-  S m_rho;                  ///< m * (R - r)
-  S rounding_J;             ///< 24 * epsilon * J
-  S G_chi_chi;              ///< m * (R - r)^2
+  S m;               ///< mass of the ball
+  S r;               ///< radius of the ball
+  S R;               ///< radius of the cylinder
+  S psi_0;           ///< precession at t = 0
+  S theta_0;         ///< nutation at t = 0
+  S phi_0;           ///< spin at t = 0
+  S zeta_dot_0;      ///< rate of climb at t = 0
+  S omega_r_0;       ///< angular velocity about the line to the contact at t = 0
+  S J;               ///< moment of inertia of the ball about a diameter
+  S m_r_2;           ///< m * r^2
+  S m_2_r_4;         ///< m^2 * r^4
+  S m_g;             ///< m * g
+  S c1;
+  S G_chi_chi;       ///< m * (R - r)^2
+  S least_pivot;
+  S m_rho;           ///< m * (R - r)
+  S rounding_J;      ///< 24 * epsilon * J
   S least_G_pivot;
-  S rho_2;                  ///< (R - r)^2
-  S half_m;                 ///< 0.5 * m
-  S half_J;                 ///< 0.5 * J
-  S rho;                    ///< R - r
-  S half_inv_m;             ///< 0.5 / m
-  S half_inv_J;             ///< 0.5 / J
-  S r_minus_R;              ///< r - R
-  S c2;                     ///< 1 / (m * (1 / m + r^2 / J))
-  S c3;                     ///< r / (J * (1 / m + r^2 / J))
-  S c4;                     ///< r^2 / (J * (1 / m + r^2 / J))
-  S c5;                     ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
-  S rounding_J_2;           ///< 20 * epsilon * J
-  S inv_m_plus_r_2_over_J;  ///< 1 / m + r^2 / J
-  S r_2;                    ///< r^2
-  S r_2_plus_rho_2;         ///< r^2 + (R - r)^2
-  S S_rolling_around_3;     ///< (1 / m + r^2 / J)^3
+  S rho_2;           ///< (R - r)^2
+  S half_m;          ///< 0.5 * m
+  S half_J;          ///< 0.5 * J
+  S rho;             ///< R - r
+  S half_inv_m;      ///< 0.5 / m
+  S half_inv_J;      ///< 0.5 / J
+  S r_minus_R;       ///< r - R
+  S c2;              ///< 1 / (m * (1 / m + r^2 / J))
+  S c3;              ///< r / (J * (1 / m + r^2 / J))
+  S c4;              ///< r^2 / (J * (1 / m + r^2 / J))
+  S c5;              ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
+  S rounding_J_2;    ///< 20 * epsilon * J
+  S c6;              ///< select(not_finite(1 / m + r^2 / J), 0, 1 / m + r^2 / J)
+  S r_2;             ///< r^2
+  S r_2_plus_rho_2;  ///< r^2 + (R - r)^2
+  S c7;
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -485,14 +485,28 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S rho = R - r;
   const S rho_2 = rho * rho;
   const S G_chi_chi = m * rho_2;
-  const S M_chi_chi = G_chi_chi + J * rho_2 / r_2;
+  const S inv_r_2 = S(1) / r_2;
+  const S M_chi_chi = G_chi_chi + inv_r_2 * J * rho_2;
+  const S abs_J = Math<S>::select(Math<S>::less(J, S(0)), -J, J);
+  const S abs_m = Math<S>::select(Math<S>::less(m, S(0)), -m, m);
+  const S t1 = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
+  const S sqrt_epsilon = Math<S>::sqrt(Math<S>::epsilon());
+  const S t2 = G_chi_chi - sqrt_epsilon * inv_r_2 * J * rho_2;
+  const S J_minus_sqrt_epsilon_m_r_2 = J - sqrt_epsilon * m * r_2;
+  const S t3 = Math<S>::select(Math<S>::less(J_minus_sqrt_epsilon_m_r_2, t1), J_minus_sqrt_epsilon_m_r_2, t1);
+  const S least_pivot = Math<S>::select(Math<S>::not_finite(J, G_chi_chi, t1), S(0),
+      Math<S>::select(Math<S>::less(t2, t3), t2, t3));
   const S rounding_J_3 = Math<S>::epsilon() * J;
-  const S t1 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
-  const S least_G_pivot = Math<S>::select(Math<S>::less(J, t1), J, t1);
+  const S t4 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
+  const S least_G_pivot = Math<S>::select(Math<S>::not_finite(m, J, G_chi_chi), S(0),
+      Math<S>::select(Math<S>::less(J, t4), J, t4));
   const S inv_m = S(1) / m;
   const S inv_J = S(1) / J;
-  const S inv_m_plus_r_2_over_J = inv_m + r_2 * inv_J;
-  const S inv_inv_m_plus_r_2_over_J = S(1) / inv_m_plus_r_2_over_J;
+  const S S_rolling_around = inv_m + r_2 * inv_J;
+  const S inv_S_rolling_around = S(1) / S_rolling_around;
+  const S S_rolling_around_3 = S_rolling_around * S_rolling_around * S_rolling_around;
+  const S t5 = S(2) * r_2 + rho_2;
+  const S t6 = S(1) + S(2) * r_2;
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -507,11 +521,11 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.m_r_2 = m * r_2;
   prepared.m_2_r_4 = m * m * r_2 * r_2;
   prepared.m_g = m * g;
-  prepared.M_chi_chi = M_chi_chi;
-  prepared.c1 = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
+  prepared.c1 = Math<S>::select(Math<S>::not_finite(M_chi_chi, abs_J + r_2 * abs_m), S(0), M_chi_chi);
+  prepared.G_chi_chi = G_chi_chi;
+  prepared.least_pivot = least_pivot;
   prepared.m_rho = m * rho;
   prepared.rounding_J = S(24) * rounding_J_3;
-  prepared.G_chi_chi = G_chi_chi;
   prepared.least_G_pivot = least_G_pivot;
   prepared.rho_2 = rho_2;
   prepared.half_m = S(0.5) * m;
@@ -520,15 +534,16 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_inv_m = S(0.5) * inv_m;
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r - R;
-  prepared.c2 = inv_m * inv_inv_m_plus_r_2_over_J;
-  prepared.c3 = r * inv_J * inv_inv_m_plus_r_2_over_J;
-  prepared.c4 = r_2 * inv_J * inv_inv_m_plus_r_2_over_J;
-  prepared.c5 = inv_m * inv_inv_m_plus_r_2_over_J / rho;
+  prepared.c2 = inv_m * inv_S_rolling_around;
+  prepared.c3 = r * inv_J * inv_S_rolling_around;
+  prepared.c4 = r_2 * inv_J * inv_S_rolling_around;
+  prepared.c5 = inv_m * inv_S_rolling_around / rho;
   prepared.rounding_J_2 = S(20) * rounding_J_3;
-  prepared.inv_m_plus_r_2_over_J = inv_m_plus_r_2_over_J;
+  prepared.c6 = Math<S>::select(Math<S>::not_finite(S_rolling_around), S(0), S_rolling_around);
   prepared.r_2 = r_2;
   prepared.r_2_plus_rho_2 = r_2 + rho_2;
-  prepared.S_rolling_around_3 = inv_m_plus_r_2_over_J * inv_m_plus_r_2_over_J * inv_m_plus_r_2_over_J;
+  prepared.c7 = Math<S>::select(Math<S>::not_finite(S_rolling_around_3, t5 * t5 * t5, t6 * t6 * t6), S(0),
+      S_rolling_around_3);
   return prepared;
 }
 
@@ -543,8 +558,8 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
-  const S& M_chi_chi = prepared.M_chi_chi;
   const S& c1 = prepared.c1;
+  const S& least_pivot = prepared.least_pivot;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
   const S& phi = state.phi();
@@ -617,8 +632,8 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
       Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
-      Math<S>::at_most(M_chi_chi, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
+      Math<S>::at_most(c1, S(0)));
+  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, a_zeta, a_psi);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
@@ -634,8 +649,8 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
-  const S& M_chi_chi = prepared.M_chi_chi;
   const S& c1 = prepared.c1;
+  const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
@@ -715,8 +730,8 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
       Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
-      Math<S>::at_most(M_chi_chi, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
+      Math<S>::at_most(c1, S(0)));
+  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, rolling_along_generalized_2,
       rolling_along_generalized_4, t8);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
@@ -734,8 +749,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
-  const S& M_chi_chi = prepared.M_chi_chi;
   const S& c1 = prepared.c1;
+  const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
@@ -830,8 +845,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
       Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
-      Math<S>::at_most(M_chi_chi, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
+      Math<S>::at_most(c1, S(0)));
+  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, a_psi, rolling_along_generalized_2,
       rolling_along_generalized_4, t6);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
@@ -851,8 +866,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
-  const S& M_chi_chi = prepared.M_chi_chi;
   const S& c1 = prepared.c1;
+  const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
   const S& rounding_J = prepared.rounding_J;
   const S& least_G_pivot = prepared.least_G_pivot;
@@ -967,9 +982,9 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
       Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
-      Math<S>::at_most(M_chi_chi, S(0)), Math<S>::at_most(I_ball_zz, rounding_J),
+      Math<S>::at_most(c1, S(0)), Math<S>::at_most(I_ball_zz, rounding_J),
       Math<S>::at_most(least_G_pivot, S(0)));
-  const Bool dependent_constraints = Math<S>::at_most(c1, S(0));
+  const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, moment_rolling_along_ball_x,
       r_excess_zeta_cos_chi, t12, t13, moment_on_ball_x, t16, S(0));
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
@@ -1215,10 +1230,10 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S c4 = prepared.c4;
   const S c5 = prepared.c5;
   const S rounding_J_2 = prepared.rounding_J_2;
-  const S inv_m_plus_r_2_over_J = prepared.inv_m_plus_r_2_over_J;
+  const S c6 = prepared.c6;
   const S r_2 = prepared.r_2;
   const S r_2_plus_rho_2 = prepared.r_2_plus_rho_2;
-  const S S_rolling_around_3 = prepared.S_rolling_around_3;
+  const S c7 = prepared.c7;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S phi = from.phi();
@@ -1279,10 +1294,10 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(I_ball_zz, rounding_J_2),
       Math<S>::at_most(least_G_pivot, S(0)));
-  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(inv_m_plus_r_2_over_J, S(0)),
+  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(c6, S(0)),
       Math<S>::at_most(squares_rolling_around * squares_rolling_around * squares_rolling_around, S(0)),
       Math<S>::at_most(squares_rolling_along * squares_rolling_along * squares_rolling_along, S(0)),
-      Math<S>::at_most(S_rolling_around_3, S(0)));
+      Math<S>::at_most(c7, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, chi_rate, zeta_rate, phi_rate, psi_rate,
       theta_rate);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
@@ -1324,20 +1339,22 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   const S phi_dot = -inv_sin_theta_0 * t1;
   const S squares_rolling_around = r * r;
   const S inv_J = S(1) / J;
+  const S S_rolling_around = squares_rolling_around * inv_J;
   const S sin_psi_0_2 = sin_psi_0 * sin_psi_0;
   const S S_rolling_along = squares_rolling_around * inv_J * sin_psi_0_2;
-  const S S_rolling_around = squares_rolling_around * inv_J;
-  const S least_S_pivot = Math<S>::select(Math<S>::less(S_rolling_along, S_rolling_around), S_rolling_along,
-      S_rolling_around);
-  const S S_rolling_along_3 = S_rolling_along * S_rolling_along * S_rolling_along;
+  const S least_S_pivot = Math<S>::select(Math<S>::not_finite(S_rolling_around, S_rolling_along), S(0),
+      Math<S>::select(Math<S>::less(S_rolling_along, S_rolling_around), S_rolling_along, S_rolling_around));
+  const S squares_rolling_around_3 = squares_rolling_around * squares_rolling_around * squares_rolling_around;
+  const S S_rolling_around_3 = S_rolling_around * S_rolling_around * S_rolling_around;
   const S squares_rolling_along = squares_rolling_around * sin_psi_0_2;
   const S squares_rolling_along_3 = squares_rolling_along * squares_rolling_along * squares_rolling_along;
-  const S S_rolling_around_3 = S_rolling_around * S_rolling_around * S_rolling_around;
-  const S squares_rolling_around_3 = squares_rolling_around * squares_rolling_around * squares_rolling_around;
+  const S S_rolling_along_3 = S_rolling_along * S_rolling_along * S_rolling_along;
   const S t4 = Math<S>::select(Math<S>::less(S_rolling_around_3, squares_rolling_around_3),
       S_rolling_around_3, squares_rolling_around_3);
   const S t5 = Math<S>::select(Math<S>::less(squares_rolling_along_3, t4), squares_rolling_along_3, t4);
-  const S least_cube = Math<S>::select(Math<S>::less(S_rolling_along_3, t5), S_rolling_along_3, t5);
+  const S least_cube = Math<S>::select(Math<S>::not_finite(squares_rolling_around_3, S_rolling_around_3,
+      squares_rolling_along_3, S_rolling_along_3), S(0),
+      Math<S>::select(Math<S>::less(S_rolling_along_3, t5), S_rolling_along_3, t5));
   const S epsilon_2 = Math<S>::epsilon() * Math<S>::epsilon();
   const S rho = R - r;
 
@@ -1352,7 +1369,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.psi_dot() = change_psi;
   state.theta_dot() = change_theta;
 
-  const Bool singular_mass_matrix = Math<S>::at_most(J, S(0));
+  const Bool singular_mass_matrix = Math<S>::at_most(Math<S>::select(Math<S>::not_finite(J), S(0), J), S(0));
   const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(least_S_pivot, S(0)),
       Math<S>::at_most(least_cube, S(0)),
       Math<S>::less(squares_rolling_around, S(1000000) * epsilon_2

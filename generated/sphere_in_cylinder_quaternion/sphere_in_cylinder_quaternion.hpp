@@ -315,45 +315,45 @@ struct Inputs {};
 /// Parameters as the functions read them, and what follows from them alone; made by prepare().
 template <class S>
 struct Prepared {
-  S m;                      ///< mass of the ball
-  S r;                      ///< radius of the ball
-  S R;                      ///< radius of the cylinder
-  S g;                      ///< acceleration of gravity
-  S psi_0;                  ///< precession at t = 0
-  S theta_0;                ///< nutation at t = 0
-  S phi_0;                  ///< spin at t = 0
-  S omega_r_0;              ///< angular velocity about the line to the contact at t = 0
-  S J;                      ///< moment of inertia of the ball about a diameter
-  S c1;                     ///< 1 / (m * (-(1 / m + r^2 / J)))
-  S c2;                     ///< r^2 / (J * (-(1 / m + r^2 / J)))
-  S c3;                     ///< r / (J * (-(1 / m + r^2 / J)))
+  S m;               ///< mass of the ball
+  S r;               ///< radius of the ball
+  S R;               ///< radius of the cylinder
+  S g;               ///< acceleration of gravity
+  S psi_0;           ///< precession at t = 0
+  S theta_0;         ///< nutation at t = 0
+  S phi_0;           ///< spin at t = 0
+  S omega_r_0;       ///< angular velocity about the line to the contact at t = 0
+  S J;               ///< moment of inertia of the ball about a diameter
+  S c1;              ///< 1 / (m * (-(1 / m + r^2 / J)))
+  S c2;              ///< r^2 / (J * (-(1 / m + r^2 / J)))
+  S c3;              ///< r / (J * (-(1 / m + r^2 / J)))
+  S G_chi_chi;       ///< m * (R - r)^2
   S least_pivot;
-  S r_2_plus_rho_2;         ///< r^2 + (R - r)^2
+  S r_2_plus_rho_2;  ///< r^2 + (R - r)^2
   S c4;
-  S c5;                     ///< 1 + r^2
+  S c5;              ///< 1 + r^2
   S c6;
-  S c7;                     ///< 1 / m + r^2 / J
-  S c8;                     ///< 1 / (-(1 / m + r^2 / J))
-  S m_rho;                  ///< m * (R - r)
+  S c7;              ///< select(not_finite(1 / m + r^2 / J), 0, 1 / m + r^2 / J)
+  S c8;              ///< 1 / (-(1 / m + r^2 / J))
+  S m_rho;           ///< m * (R - r)
   S c9;
-  S rho;                    ///< R - r
-  S m_g;                    ///< m * g
-  S G_chi_chi;              ///< m * (R - r)^2
+  S rho;             ///< R - r
+  S m_g;             ///< m * g
   S least_G_pivot;
-  S c10;                    ///< R - (R - r)
-  S rho_2;                  ///< (R - r)^2
-  S half_m;                 ///< 0.5 * m
-  S half_J;                 ///< 0.5 * J
-  S half_inv_m;             ///< 0.5 / m
-  S half_J_2;               ///< 0.5 * J
-  S r_minus_R;              ///< r - R
-  S c11;                    ///< 1 / (m * (1 / m + r^2 / J))
-  S c12;                    ///< r^2 / (J * (1 / m + r^2 / J))
-  S c13;                    ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
-  S c14;                    ///< r / (J * (1 / m + r^2 / J))
-  S inv_m_plus_r_2_over_J;  ///< 1 / m + r^2 / J
+  S c10;             ///< R - (R - r)
+  S rho_2;           ///< (R - r)^2
+  S half_m;          ///< 0.5 * m
+  S half_J;          ///< 0.5 * J
+  S half_inv_m;      ///< 0.5 / m
+  S half_J_2;        ///< 0.5 * J
+  S r_minus_R;       ///< r - R
+  S c11;             ///< 1 / (m * (1 / m + r^2 / J))
+  S c12;             ///< r^2 / (J * (1 / m + r^2 / J))
+  S c13;             ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
+  S c14;             ///< r / (J * (1 / m + r^2 / J))
+  S c15;             ///< select(not_finite(1 / m + r^2 / J), 0, 1 / m + r^2 / J)
   S least_cube;
-  S c15;                    ///< 1 / (m * (1 / m + r^2 / J)) + r^2 / (J * (1 / m + r^2 / J))
+  S c16;             ///< 1 / (m * (1 / m + r^2 / J)) + r^2 / (J * (1 / m + r^2 / J))
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -483,6 +483,7 @@ struct MassMatrix {
 /// What depends on parameters alone, to be computed once.
 template <class S>
 GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
+  using Bool = typename Math<S>::Bool;
   const S& m = parameters.m;
   const S& r = parameters.r;
   const S& R = parameters.R;
@@ -506,34 +507,36 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S rho = R - r;
   const S rho_2 = rho * rho;
   const S G_chi_chi = m * rho_2;
-  const S t1 = G_chi_chi - S(20) * Math<S>::epsilon() * m * rho_2;
+  const Bool t1 = Math<S>::not_finite(m, J, G_chi_chi);
+  const S t2 = G_chi_chi - S(20) * Math<S>::epsilon() * m * rho_2;
   const S rounding_J = Math<S>::epsilon() * J;
-  const S t2 = J - S(96) * rounding_J;
-  const S t3 = J - S(72) * rounding_J;
-  const S t4 = J - S(48) * rounding_J;
-  const S t5 = Math<S>::select(Math<S>::less(t4, m), t4, m);
-  const S t6 = Math<S>::select(Math<S>::less(t3, t5), t3, t5);
-  const S t7 = Math<S>::select(Math<S>::less(t2, t6), t2, t6);
-  const S least_pivot = Math<S>::select(Math<S>::less(t1, t7), t1, t7);
+  const S t3 = J - S(16) * rounding_J;
+  const S t4 = J - S(12) * rounding_J;
+  const S t5 = J - S(8) * rounding_J;
+  const S t6 = Math<S>::select(Math<S>::less(t5, m), t5, m);
+  const S t7 = Math<S>::select(Math<S>::less(t4, t6), t4, t6);
+  const S t8 = Math<S>::select(Math<S>::less(t3, t7), t3, t7);
+  const S least_pivot = Math<S>::select(t1, S(0), Math<S>::select(Math<S>::less(t2, t8), t2, t8));
   const S r_2_plus_rho_2 = r_2 + rho_2;
   const S epsilon_2 = Math<S>::epsilon() * Math<S>::epsilon();
   const S r_2_J = r_2 * J;
   const S inertia_rolling_around = (m * rho_2 * rho_2 + r_2_J) / r_2_plus_rho_2;
-  const S inv_m_plus_r_2_over_J = inv_m + r_2_over_J;
+  const S S_rolling_around = inv_m + r_2_over_J;
   const S c5 = S(1) + r_2;
   const S inertia_rolling_along = (m + r_2_J) / c5;
-  const S t8 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
-  const S least_G_pivot = Math<S>::select(Math<S>::less(J, t8), J, t8);
+  const S t9 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
+  const S least_G_pivot = Math<S>::select(t1, S(0), Math<S>::select(Math<S>::less(J, t9), J, t9));
   const S half_J = S(0.5) * J;
-  const S inv_inv_m_plus_r_2_over_J = S(1) / inv_m_plus_r_2_over_J;
-  const S c11 = inv_m * inv_inv_m_plus_r_2_over_J;
-  const S c12 = r_2 * inv_J * inv_inv_m_plus_r_2_over_J;
-  const S t9 = c5 * c5 * c5;
-  const S inv_m_plus_r_2_over_J_3 = inv_m_plus_r_2_over_J * inv_m_plus_r_2_over_J * inv_m_plus_r_2_over_J;
+  const S inv_S_rolling_around = S(1) / S_rolling_around;
+  const S c11 = inv_m * inv_S_rolling_around;
+  const S c12 = r_2 * inv_J * inv_S_rolling_around;
   const S r_2_plus_rho_2_3 = r_2_plus_rho_2 * r_2_plus_rho_2 * r_2_plus_rho_2;
-  const S t10 = Math<S>::select(Math<S>::less(inv_m_plus_r_2_over_J_3, r_2_plus_rho_2_3),
-      inv_m_plus_r_2_over_J_3, r_2_plus_rho_2_3);
-  const S least_cube = Math<S>::select(Math<S>::less(t9, t10), t9, t10);
+  const S S_rolling_around_3 = S_rolling_around * S_rolling_around * S_rolling_around;
+  const S t10 = c5 * c5 * c5;
+  const S t11 = Math<S>::select(Math<S>::less(S_rolling_around_3, r_2_plus_rho_2_3), S_rolling_around_3,
+      r_2_plus_rho_2_3);
+  const S least_cube = Math<S>::select(Math<S>::not_finite(r_2_plus_rho_2_3, S_rolling_around_3, t10), S(0),
+      Math<S>::select(Math<S>::less(t10, t11), t10, t11));
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -548,18 +551,19 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.c1 = c1;
   prepared.c2 = c2;
   prepared.c3 = r * inv_J * c8;
+  prepared.G_chi_chi = G_chi_chi;
   prepared.least_pivot = least_pivot;
   prepared.r_2_plus_rho_2 = r_2_plus_rho_2;
-  prepared.c4 = S(1000000) * epsilon_2 * inertia_rolling_around * inv_m_plus_r_2_over_J;
+  prepared.c4 = S(1000000) * epsilon_2 * inertia_rolling_around * S_rolling_around;
   prepared.c5 = c5;
-  prepared.c6 = S(1000000) * epsilon_2 * inertia_rolling_along * inv_m_plus_r_2_over_J;
-  prepared.c7 = -S_rolling_around_rolling_around;
+  prepared.c6 = S(1000000) * epsilon_2 * inertia_rolling_along * S_rolling_around;
+  prepared.c7 = Math<S>::select(Math<S>::not_finite(-S_rolling_around_rolling_around), S(0),
+      -S_rolling_around_rolling_around);
   prepared.c8 = c8;
   prepared.m_rho = m * rho;
   prepared.c9 = c1 + c2;
   prepared.rho = rho;
   prepared.m_g = m * g;
-  prepared.G_chi_chi = G_chi_chi;
   prepared.least_G_pivot = least_G_pivot;
   prepared.c10 = R - rho;
   prepared.rho_2 = rho_2;
@@ -570,11 +574,11 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.r_minus_R = r - R;
   prepared.c11 = c11;
   prepared.c12 = c12;
-  prepared.c13 = inv_m * inv_inv_m_plus_r_2_over_J / rho;
-  prepared.c14 = r * inv_J * inv_inv_m_plus_r_2_over_J;
-  prepared.inv_m_plus_r_2_over_J = inv_m_plus_r_2_over_J;
+  prepared.c13 = inv_m * inv_S_rolling_around / rho;
+  prepared.c14 = r * inv_J * inv_S_rolling_around;
+  prepared.c15 = Math<S>::select(Math<S>::not_finite(S_rolling_around), S(0), S_rolling_around);
   prepared.least_cube = least_cube;
-  prepared.c15 = c11 + c12;
+  prepared.c16 = c11 + c12;
   return prepared;
 }
 
@@ -1177,9 +1181,9 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S c12 = prepared.c12;
   const S c13 = prepared.c13;
   const S c14 = prepared.c14;
-  const S inv_m_plus_r_2_over_J = prepared.inv_m_plus_r_2_over_J;
-  const S least_cube = prepared.least_cube;
   const S c15 = prepared.c15;
+  const S least_cube = prepared.least_cube;
+  const S c16 = prepared.c16;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S e0 = from.e0();
@@ -1204,7 +1208,7 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S t1 = zeta_dot + r * (wx * sin_chi - wy * cos_chi);
   const S rough_change_zeta = -c11 * t1;
   const S t2 = r * wz - r_minus_R * chi_dot;
-  const S correction_y_rolling_around = c15 * t2 - t2;
+  const S correction_y_rolling_around = c16 * t2 - t2;
   const S correction_y_rolling_along = c12 * t1 - t1 - rough_change_zeta;
   const S t3 = correction_y_rolling_around - t2;
   const S change_chi = c13 * t3;
@@ -1237,7 +1241,7 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   state.wz() = wz_rate;
 
   const Bool singular_mass_matrix = Math<S>::at_most(least_G_pivot, S(0));
-  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(inv_m_plus_r_2_over_J, S(0)),
+  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(c15, S(0)),
       Math<S>::at_most(least_cube, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, zeta, e0_new, e1_new, e2_new, e3_new, chi_rate, zeta_rate,
       wx_rate, wy_rate, wz_rate);
@@ -1279,10 +1283,11 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   const S e3 = t1 * cos_half_theta_0;
   const S squares_rolling_around = r * r;
   const S S_rolling_around = squares_rolling_around / J;
-  const S S_rolling_around_3 = S_rolling_around * S_rolling_around * S_rolling_around;
   const S squares_rolling_around_3 = squares_rolling_around * squares_rolling_around * squares_rolling_around;
-  const S least_cube = Math<S>::select(Math<S>::less(S_rolling_around_3, squares_rolling_around_3),
-      S_rolling_around_3, squares_rolling_around_3);
+  const S S_rolling_around_3 = S_rolling_around * S_rolling_around * S_rolling_around;
+  const S least_cube = Math<S>::select(Math<S>::not_finite(squares_rolling_around_3, S_rolling_around_3),
+      S(0), Math<S>::select(Math<S>::less(S_rolling_around_3, squares_rolling_around_3), S_rolling_around_3,
+      squares_rolling_around_3));
   const S epsilon_2 = Math<S>::epsilon() * Math<S>::epsilon();
   const S rho = R - r;
 
@@ -1298,9 +1303,9 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   state.wy() = rough_change_wy;
   state.wz() = change_wz;
 
-  const Bool singular_mass_matrix = Math<S>::at_most(J, S(0));
-  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(S_rolling_around, S(0)),
-      Math<S>::at_most(least_cube, S(0)),
+  const Bool singular_mass_matrix = Math<S>::at_most(Math<S>::select(Math<S>::not_finite(J), S(0), J), S(0));
+  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(Math<S>::select(Math<S>::not_finite(S_rolling_around),
+      S(0), S_rolling_around), S(0)), Math<S>::at_most(least_cube, S(0)),
       Math<S>::less(squares_rolling_around, S(1000000) * epsilon_2 * (squares_rolling_around + rho * rho)),
       Math<S>::less(squares_rolling_around, S(1000000) * epsilon_2 * (S(1) + squares_rolling_around)));
   const Bool not_finite = Math<S>::not_finite(e0, e1, e2, e3, omega_r_0, rough_change_wy, change_wz);

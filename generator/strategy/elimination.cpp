@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "ir/cost.hpp"
+#include "ir/traverse.hpp"
 #include "strategy/bounds.hpp"
 #include "strategy/safety.hpp"
 
@@ -104,7 +105,9 @@ class GaussJordan {
   const std::optional<Expr>& inertia(std::size_t speed) {
     const auto known = inertias_.find(speed);
     if (known != inertias_.end()) return known->second;
-    return inertias_.emplace(speed, bound_of(dynamics_.g[speed][speed])).first->second;
+    const Expr g = dynamics_.g[speed][speed];
+    const bool is_fixed = ir::is_of_parameters(g.graph(), g.id());  // then it needs no sign
+    return inertias_.emplace(speed, is_fixed ? std::optional<Expr>(g) : bound_of(g)).first->second;
   }
 
   // Gauss-Jordan: the pivot row is scaled to 1, and the column vanishes from every other row.
