@@ -262,3 +262,18 @@ TEST_CASE("a value that is used in products only is computed in its own unit") {
   CHECK(operations(graph, outputs) == 6);
   CHECK(operations(graph, after.outputs) == 4);
 }
+
+TEST_CASE("whether a value is finite is asked in its own unit, but of results in theirs") {
+  Graph graph;
+  const Expr x = declare(graph, SymbolClass::configuration, "x");
+  const Expr y = declare(graph, SymbolClass::configuration, "y");
+  const gaussgen::ir::Rational f = gaussgen::ir::Rational(49) / 100;
+  const Expr inertia = (f * x + f * y).named("M");
+  const Expr result = f * (x * y + pow(x, 2));
+  const NodeId question = graph.call(Function::not_finite, {inertia.id(), result.id()});
+  const std::vector<NodeId> values{(x / inertia + y).id(), result.id()};
+  const Request after = gaussgen::passes::choose_units(graph, {{values[0], values[1], question}, {}, {}});
+  const auto& asked = graph[after.outputs[2]].children;
+  CHECK(std::count(asked.begin(), asked.end(), after.outputs[1]) == 1);
+  CHECK(operations(graph, after.outputs) == operations(graph, {after.outputs[0], after.outputs[1]}));
+}
