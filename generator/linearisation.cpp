@@ -116,10 +116,12 @@ class Lineariser {
       result_.warnings.emplace_back(
           "constraints follow from each other here; what they leave independent is not touched by that");
     }
+    bool has_impossible = false;
     for (const support::Diagnostic& found : model::impossible_bodies(mechanics_.model)) {
       result_.warnings.push_back(found.message);
-      if (found.severity == support::Severity::error) result_.doubts.emplace_back("impossible_bodies");
+      has_impossible = has_impossible || found.severity == support::Severity::error;
     }
+    if (has_impossible) result_.doubts.emplace_back("impossible_bodies");
     const auto residuals = fine_.numbers();
     const Real left =
         std::max<Real>(residuals->positions.size() == 0 ? 0 : residuals->positions.lpNorm<Eigen::Infinity>(),

@@ -93,6 +93,8 @@ void check(const CLI::App& app, const Options& options) {
   if (!refusal.empty()) refuse("--namespace", refusal);
   if (options.pipeline.fold && !options.pipeline.sensitivities.empty())
     refuse("--sensitivities", "with --fold parameters are numbers; leave one of the two out");
+  if (options.pipeline.route == Route::paper && options.pipeline.strategy != Strategy::automatic)
+    refuse("--strategy", "the paper's route has one way, (3.7)-(3.8); leave one of the two out");
   if (!options.split.empty() && options.output == "-") refuse("--split", "it writes two files; name a folder by -o");
   if (app.count("--depfile") != 0 && options.depfile.empty()) refuse("--depfile", "a file name is needed");
   if (app.count("--depfile-target") != 0 && (options.depfile.empty() || options.depfile_target.empty()))

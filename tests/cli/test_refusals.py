@@ -16,6 +16,7 @@ USAGE = {
     "an unknown output": [SKEW, "--outputs", "rhs,energi"],
     "an empty list": [SKEW, "--outputs="],
     "an unknown route": [SKEW, "--route", "papr"],
+    "a strategy on the paper's route": [SKEW, "--route", "paper", "--strategy", "tree"],
     "an unknown stage": [SKEW, "--dump", "modell"],
     "a namespace with a blank": [SKEW, "--namespace", "a b"],
     "a namespace that begins with a digit": [SKEW, "--namespace", "1x"],
