@@ -8,8 +8,6 @@ using ir::Expr;
 using kinematics::Kinematics;
 using kinematics::Linkage;
 
-namespace {
-
 Linkage at_rest(Linkage linkage, Expr zero) {
   const ir::Vector3 none{zero, zero, zero};
   for (kinematics::Link& link : linkage.links) {
@@ -25,8 +23,6 @@ Kinematics without_constraints(Kinematics kinematics) {
   kinematics.idle_slips.clear();
   return kinematics;
 }
-
-}  // namespace
 
 std::optional<Candidate> accelerated_from_rest(const Linkage& linkage, const Kinematics& kinematics,
                                                const Vector& forces, Expr epsilon) {
