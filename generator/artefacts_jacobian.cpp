@@ -67,8 +67,9 @@ std::vector<DerivativeMethod> promising_methods(Mechanics& mechanics, const std:
   double best = std::numeric_limits<double>::infinity();
   for (const DerivativeMethod method : all) {
     if (!may_be_short(mechanics, method, count, best)) continue;
-    predicted.emplace_back(method, predicted_operations(mechanics, variables, method));
-    best = std::min(best, predicted.back().second);
+    const double whole = std::max(solution, predicted_operations(mechanics, variables, method));
+    predicted.emplace_back(method, whole);
+    best = std::min(best, whole);
   }
   std::vector<DerivativeMethod> result;
   for (const auto& [method, operations] : predicted) {

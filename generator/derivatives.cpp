@@ -258,9 +258,9 @@ Matrix jacobian(Mechanics& mechanics, const std::vector<Variable>& variables, De
 
 namespace {
 
-constexpr std::size_t k_samples = 4;
+constexpr std::size_t k_samples = 8;
 
-/// Somewhere in each quarter of them: what is far from the ground takes more operations, or fewer.
+/// Somewhere in each eighth of them: what is far from the ground takes more operations, or fewer, and nothing may depend on a place.
 std::vector<std::size_t> sample_of(std::size_t count) {
   std::vector<std::size_t> result;
   const std::size_t samples = std::min(k_samples, count);
