@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <limits>
+#include <optional>
+
 #include "artefact_builder.hpp"
 #include "derivatives.hpp"
 #include "ir/cost.hpp"
@@ -36,20 +40,51 @@ Candidate derived(Mechanics& mechanics, const std::vector<Variable>& variables, 
   return result;
 }
 
-/// Beyond, the other ways are longer by far, and take long to find out.
-constexpr std::size_t k_most_entries = 100'000;
+/// Up to this number of operations of the solution times variables, all ways are formed and counted.
+constexpr double k_few_entries = 20'000;
+
+/// How far a prediction may be off.
+constexpr double k_margin = 1.5;
+
+/// How many times fewer operations than with full rows a sparse metric may take.
+constexpr double k_sparse = 2;
+
+/// Whether the system over all speeds may be worth while: it is there, or its factorisation is no longer than what is known.
+bool may_be_short(const Mechanics& mechanics, DerivativeMethod method, double variables, double best) {
+  const bool is_over_speeds = method == DerivativeMethod::implicit || method == DerivativeMethod::reverse;
+  if (!is_over_speeds || mechanics.solution.is_of_metric) return true;
+  const auto n = static_cast<double>(mechanics.dynamics.n());
+  return n * n * (n / 3 + 2 * variables) <= k_sparse * best;
+}
+
+/// All ways, or those of which some columns or rows say that they may be the cheapest.
+std::vector<DerivativeMethod> promising_methods(Mechanics& mechanics, const std::vector<Variable>& variables) {
+  const std::vector<DerivativeMethod> all = derivative_methods(mechanics);
+  const double solution = ir::operations(mechanics.graph, ids(mechanics.solution.accelerations));
+  const auto count = static_cast<double>(variables.size());
+  if (all.size() == 1 || solution * count <= k_few_entries) return all;
+  std::vector<std::pair<DerivativeMethod, double>> predicted;
+  double best = std::numeric_limits<double>::infinity();
+  for (const DerivativeMethod method : all) {
+    if (!may_be_short(mechanics, method, count, best)) continue;
+    const double whole = std::max(solution, predicted_operations(mechanics, variables, method));
+    predicted.emplace_back(method, whole);
+    best = std::min(best, whole);
+  }
+  std::vector<DerivativeMethod> result;
+  for (const auto& [method, operations] : predicted) {
+    if (operations <= k_margin * best) result.push_back(method);
+  }
+  return result;
+}
 
 Candidate cheapest(Mechanics& mechanics, const std::vector<Variable>& variables) {
-  const std::vector<DerivativeMethod> methods = derivative_methods(mechanics);
-  Candidate best = derived(mechanics, variables, methods.front());
-  const auto solution =
-      static_cast<std::size_t>(ir::operations(mechanics.graph, ids(mechanics.solution.accelerations)));
-  if (solution * variables.size() > k_most_entries) return best;
-  for (std::size_t i = 1; i < methods.size(); ++i) {
-    Candidate other = derived(mechanics, variables, methods[i]);
-    if (other.operations < best.operations) best = std::move(other);
+  std::optional<Candidate> best;
+  for (const DerivativeMethod method : promising_methods(mechanics, variables)) {
+    Candidate other = derived(mechanics, variables, method);
+    if (!best || other.operations < best->operations) best = std::move(other);
   }
-  return best;
+  return *std::move(best);
 }
 
 /// Columns `first` and on of `entries` as a sparse matrix. One without entries keeps a zero, so that every model has the same members.

@@ -132,10 +132,10 @@ std::optional<strategy::Compulsion> compulsion(Mechanics& mechanics, Steps& step
   auto [found, own] = shorter<std::optional<strategy::Compulsion>>(
       mechanics,
       [&](const kinematics::Linkage& linkage, Steps& of_links) -> std::optional<std::optional<strategy::Compulsion>> {
-        const auto Z =
+        auto by_links =
             strategy::compulsion_of_links(mechanics.dynamics, linkage, candidate, mechanics.epsilon(), of_links);
-        if (!Z) return std::nullopt;
-        return strategy::Compulsion{*Z, mechanics.expressions.number(0)};
+        if (!by_links) return std::nullopt;
+        return by_links;
       },
       [&](Steps& of_bodies) {
         return strategy::compulsion(mechanics.dynamics, candidate, mechanics.epsilon(), of_bodies);

@@ -1,5 +1,9 @@
 #include "derivatives.hpp"
 
+#include <algorithm>
+#include <functional>
+
+#include "ir/cost.hpp"
 #include "ir/reverse.hpp"
 
 namespace gaussgen {
@@ -38,9 +42,13 @@ std::vector<Variable> input_variables(const Mechanics& mechanics) {
 }
 
 std::vector<DerivativeMethod> derivative_methods(const Mechanics& mechanics) {
+  std::vector<DerivativeMethod> methods{DerivativeMethod::forward};
+  if (strategy::has_tree_tangent(mechanics.dynamics, mechanics.solution)) methods.push_back(DerivativeMethod::links);
   const bool has_quaternions = !mechanics.symbols.first_quaternion_component.empty();
-  if (has_quaternions && !mechanics.solution.is_of_metric) return {DerivativeMethod::forward};
-  return {DerivativeMethod::implicit, DerivativeMethod::forward, DerivativeMethod::reverse};
+  if (has_quaternions && !mechanics.solution.is_of_metric) return methods;
+  methods.push_back(DerivativeMethod::implicit);
+  methods.push_back(DerivativeMethod::reverse);
+  return methods;
 }
 
 Variable time_variable(const Mechanics& mechanics) { return {mechanics.symbols.time, "t"}; }
@@ -55,6 +63,8 @@ Derivatives::Derivatives(Mechanics& mechanics, std::vector<Variable> variables, 
   // They are the same for every right-hand side, and found by numbers.
   const strategy::Dynamics& dynamics = mechanics.dynamics;
   if (method_ == DerivativeMethod::implicit && dynamics.l() > 0) dependent_rows_ = dynamics.dependent_rows(dynamics.g);
+  if (method_ == DerivativeMethod::links)
+    tangent_.emplace(strategy::tree_tangent(dynamics, mechanics.solution, mechanics.epsilon(), steps_));
 }
 
 void Derivatives::by(std::size_t variable) {
@@ -67,7 +77,9 @@ void Derivatives::by(std::size_t variable) {
   } else {
     along_->skip_others(dependence_, variable);
   }
-  if (method_ == DerivativeMethod::implicit && mechanics_.dynamics.n() > 0) solve(name);
+  if (mechanics_.dynamics.n() == 0) return;
+  if (method_ == DerivativeMethod::implicit) solve(name);
+  if (method_ == DerivativeMethod::links) solve_along_links(name);
 }
 
 Vector Derivatives::operator()(const Vector& functions) {
@@ -115,6 +127,54 @@ void Derivatives::solve(const std::string& name) {
   const strategy::Solution rates = solved_again(mechanics_, other, steps_);
   for (std::size_t i = 0; i < given.n(); ++i) along_->take(solution.accelerations[i], rates.accelerations[i]);
   for (std::size_t mu = 0; mu < given.l(); ++mu) along_->take(solution.multipliers[mu], rates.multipliers[mu]);
+}
+
+// Derivatives of the terms are the disturbances; what these do to the links at rest is the derivative of the accelerations.
+void Derivatives::solve_along_links(const std::string& name) {
+  ir::Directional response(mechanics_.graph);
+  response.name_rates("_by_" + name);
+  std::vector<bool> is_disturbed(tangent_->terms.size(), false);
+  for (std::size_t d = 0; d < tangent_->terms.size(); ++d) {
+    const Expr rate = tangent_->solved((*along_)(tangent_->terms[d]));
+    if (rate.is_zero()) continue;
+    response.seed(tangent_->disturbances[d], rate.named("disturbance_by_" + name));
+    is_disturbed[d] = true;
+  }
+  std::vector<bool> is_known(mechanics_.dynamics.n(), false);
+  for (std::size_t i = 0; i < tangent_->limbs.size(); ++i) {
+    const strategy::Limb& limb = tangent_->limbs[i];
+    const auto moves_itself = [&](std::size_t d) { return is_disturbed[d]; };
+    if (is_known[limb.speeds[0]] || std::any_of(limb.disturbances.begin(), limb.disturbances.end(), moves_itself))
+      continue;
+    follow(limb, i, response);
+    for (const std::size_t u : limb.speeds) is_known[u] = true;
+  }
+  for (std::size_t i = 0; i < mechanics_.dynamics.n(); ++i) {
+    const Expr rate = response(tangent_->accelerations[i]);
+    along_->take(mechanics_.solution.accelerations[i],
+                 steps_.name(rate, "a_" + mechanics_.dynamics.labels[i] + "_by_" + name));
+  }
+}
+
+// What a limb does for each component of the acceleration before it is the same in all columns.
+void Derivatives::follow(const strategy::Limb& limb, std::size_t index, ir::Directional& response) {
+  const Expr one(mechanics_.graph, mechanics_.graph.constant(1)), zero = one - one;
+  Matrix& per_component = responses_[index];
+  for (std::size_t c = per_component.size(); c < limb.before.size(); ++c) {
+    ir::Directional per(mechanics_.graph);
+    per.name_rates("_per_" + mechanics_.graph.label(limb.before[c].id()));
+    for (const Expr other : limb.before) per.take(other, zero);
+    per.take(limb.before[c], one);
+    per_component.emplace_back();
+    for (const std::size_t u : limb.speeds)
+      per_component.back().push_back(
+          per(tangent_->accelerations[u]).named("response_of_" + mechanics_.dynamics.labels[u]));
+  }
+  for (std::size_t k = 0; k < limb.speeds.size(); ++k) {
+    Expr rate = zero;
+    for (std::size_t c = 0; c < limb.before.size(); ++c) rate += per_component[c][k] * response(limb.before[c]);
+    response.take(tangent_->accelerations[limb.speeds[k]], rate);
+  }
 }
 
 Vector state_rates(const Mechanics& mechanics) {
@@ -194,6 +254,48 @@ Matrix jacobian(Mechanics& mechanics, const std::vector<Variable>& variables, De
     for (std::size_t i = 0; i < rates.size(); ++i) result[i].push_back(derivatives(rates[i]));
   }
   return result;
+}
+
+namespace {
+
+constexpr std::size_t k_samples = 8;
+
+/// Somewhere in each eighth of them: what is far from the ground takes more operations, or fewer, and nothing may depend on a place.
+std::vector<std::size_t> sample_of(std::size_t count) {
+  std::vector<std::size_t> result;
+  const std::size_t samples = std::min(k_samples, count);
+  for (std::size_t k = 0; k < samples; ++k) result.push_back((2 * k + 1) * count / (2 * samples));
+  return result;
+}
+
+/// `next` forms a column or row, of which there are `count`.
+double extrapolated(ir::Graph& graph, std::size_t count, const std::function<Vector(std::size_t)>& next) {
+  const std::vector<std::size_t> sample = sample_of(count);
+  std::vector<ir::NodeId> roots;
+  double first = 0, all = 0;
+  for (const std::size_t k : sample) {
+    for (const Expr entry : next(k)) roots.push_back(entry.id());
+    all = ir::operations(graph, roots);
+    if (k == sample.front()) first = all;
+  }
+  if (sample.size() < 2) return all;
+  return first + (all - first) / static_cast<double>(sample.size() - 1) * static_cast<double>(count - 1);
+}
+
+}  // namespace
+
+double predicted_operations(Mechanics& mechanics, const std::vector<Variable>& variables, DerivativeMethod method) {
+  strategy::Steps steps;
+  if (method == DerivativeMethod::reverse) {
+    Rows rows(mechanics, variables, steps);
+    return extrapolated(mechanics.graph, mechanics.dynamics.n(),
+                        [&](std::size_t i) { return rows.of_acceleration(i); });
+  }
+  Derivatives derivatives(mechanics, variables, method, steps);
+  return extrapolated(mechanics.graph, variables.size(), [&](std::size_t k) {
+    derivatives.by(k);
+    return derivatives(mechanics.solution.accelerations);
+  });
 }
 
 }  // namespace gaussgen

@@ -324,9 +324,9 @@ struct Prepared {
   S phi_0;           ///< spin at t = 0
   S omega_r_0;       ///< angular velocity about the line to the contact at t = 0
   S J;               ///< moment of inertia of the ball about a diameter
-  S c1;              ///< 1 / (m * (-(1 / m + r^2 / J)))
-  S c2;              ///< r^2 / (J * (-(1 / m + r^2 / J)))
-  S c3;              ///< r / (J * (-(1 / m + r^2 / J)))
+  S c1;              ///< -1 / (m * (1 / m + r^2 / J))
+  S c2;              ///< -r^2 / (J * (1 / m + r^2 / J))
+  S c3;              ///< -r / (J * (1 / m + r^2 / J))
   S G_chi_chi;       ///< m * (R - r)^2
   S least_pivot;
   S r_2_plus_rho_2;  ///< r^2 + (R - r)^2
@@ -334,9 +334,9 @@ struct Prepared {
   S c5;              ///< 1 + r^2
   S c6;
   S c7;              ///< select(not_finite(1 / m + r^2 / J), 0, 1 / m + r^2 / J)
-  S c8;              ///< 1 / (-(1 / m + r^2 / J))
+  S c8;              ///< -1 / (1 / m + r^2 / J)
   S m_rho;           ///< m * (R - r)
-  S c9;
+  S c9;              ///< -1 / (m * (1 / m + r^2 / J)) - r^2 / (J * (1 / m + r^2 / J))
   S rho;             ///< R - r
   S m_g;             ///< m * g
   S least_G_pivot;

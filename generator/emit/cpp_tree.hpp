@@ -28,17 +28,14 @@ inline Expression atom(std::string text) { return {Expression::Kind::atom, std::
 inline Expression call(std::string callee, std::vector<Expression> arguments) {
   return {Expression::Kind::call, std::move(callee), std::move(arguments)};
 }
-inline Expression list(std::vector<Expression> items) {
-  return {Expression::Kind::list, {}, std::move(items)};
-}
-inline Expression quotient(Expression top, Expression bottom) {
-  return {Expression::Kind::quotient, {}, {std::move(top), std::move(bottom)}};
-}
+inline Expression list(std::vector<Expression> items) { return {Expression::Kind::list, {}, std::move(items)}; }
 
 /// Cancels a double minus.
 Expression negated(Expression operand);
-/// A lone operand stands for itself.
+/// A lone operand stands for itself. Signs of factors, top and bottom go in front of the whole, where they cancel or become subtractions:
+/// a second minus behind a first one would be a decrement.
 Expression product(std::vector<Expression> factors);
+Expression quotient(Expression top, Expression bottom);
 Expression sum(std::vector<Expression> terms);
 
 /// `type name = value;`

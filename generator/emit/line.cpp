@@ -28,9 +28,33 @@ Expression negated(Expression operand) {
   return {Kind::negation, {}, {std::move(operand)}};
 }
 
+namespace {
+
+/// Takes the signs off the factors; whether an odd number of them was negative.
+bool take_signs(std::vector<Expression>& factors) {
+  bool is_negative = false;
+  for (Expression& factor : factors) {
+    if (factor.kind != Kind::negation) continue;
+    is_negative = !is_negative;
+    factor = Expression(std::move(factor.operands[0]));
+  }
+  return is_negative;
+}
+
+Expression signed_as(bool is_negative, Expression size) { return is_negative ? negated(std::move(size)) : size; }
+
+}  // namespace
+
 Expression product(std::vector<Expression> factors) {
   if (factors.size() == 1) return std::move(factors[0]);
-  return {Kind::product, {}, std::move(factors)};
+  const bool is_negative = take_signs(factors);
+  return signed_as(is_negative, {Kind::product, {}, std::move(factors)});
+}
+
+Expression quotient(Expression top, Expression bottom) {
+  std::vector<Expression> both{std::move(top), std::move(bottom)};
+  const bool is_negative = take_signs(both);
+  return signed_as(is_negative, {Kind::quotient, {}, std::move(both)});
 }
 
 Expression sum(std::vector<Expression> terms) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ir/contract.hpp"
-#include "strategy/compulsion.hpp"
+#include "strategy/forces_from_rest.hpp"
 #include "strategy/link_axes.hpp"
 #include "strategy/link_motion.hpp"
 
@@ -83,18 +83,39 @@ bool has_inertia(const Part& part) {
   return !std::all_of(part.inertia.begin(), part.inertia.end(), [](const Vector3& row) { return is_zero(row); });
 }
 
+/// A candidate without what forces of no body do, and the condition under which it cannot be trusted.
+struct Spread {
+  Vector candidate;
+  Expr singular;
+};
+
+/// Where constraints are there, Z may have a minimum though the metric has no inverse.
+bool has_metric(const Dynamics& dynamics) { return dynamics.l() == 0 || dynamics.dependent_rows(dynamics.g).empty(); }
+
+std::optional<Spread> spread_forces(const Dynamics& dynamics, const kinematics::Linkage& linkage,
+                                    const Vector& candidate, Expr epsilon, Steps& steps) {
+  const kinematics::Kinematics& kinematics = *dynamics.kinematics;
+  Spread result{candidate, {epsilon.graph(), epsilon.graph().constant(0)}};
+  const Vector& forces = kinematics.other_force.values();
+  if (std::all_of(forces.begin(), forces.end(), [](Expr Q) { return Q.is_zero(); })) return result;
+  if (kinematics.symbols.held.size() > 0 || !has_metric(dynamics)) return std::nullopt;
+  const std::optional<Candidate> found = accelerated_from_rest(linkage, kinematics, forces, epsilon);
+  if (!found) return std::nullopt;
+  steps.append(found->steps);
+  for (std::size_t u = 0; u < candidate.size(); ++u) result.candidate[u] -= found->solution.accelerations[u];
+  result.singular = found->solution.singular_mass_matrix;
+  return result;
+}
+
 }  // namespace
 
-std::optional<Expr> compulsion_of_links(const Dynamics& dynamics, const kinematics::Linkage& given,
-                                        const Vector& candidate, Expr epsilon, Steps& steps) {
+std::optional<Compulsion> compulsion_of_links(const Dynamics& dynamics, const kinematics::Linkage& given,
+                                              const Vector& candidate, Expr epsilon, Steps& steps) {
+  if (given.parts.size() != dynamics.kinematics->loads.size()) return std::nullopt;
+  const std::optional<Spread> spread = spread_forces(dynamics, given, candidate, epsilon, steps);
+  if (!spread) return std::nullopt;
   const kinematics::Linkage linkage = with_mixed_speeds(given);
-  const kinematics::Kinematics& kinematics = *dynamics.kinematics;
-  const auto is_zero_here = [](Expr e) { return e.is_zero(); };
-  if (linkage.parts.size() != kinematics.loads.size() ||
-      !std::all_of(kinematics.other_force.begin(), kinematics.other_force.end(), is_zero_here)) {
-    return std::nullopt;
-  }
-  LinkDeviations deviations(linkage, kinematics, candidate, steps);
+  LinkDeviations deviations(linkage, *dynamics.kinematics, spread->candidate, steps);
   Expr twice(epsilon.graph(), epsilon.graph().constant(0));
   for (const Part& part : linkage.parts) {
     const std::string& name = linkage.links[part.link].name;
@@ -106,7 +127,7 @@ std::optional<Expr> compulsion_of_links(const Dynamics& dynamics, const kinemati
     const Vector3 torque = steps.name(deviations.moment(part), "torque_" + name);
     twice += square_in_inverse_inertia({part.inertia, false, name}, torque, epsilon, steps);
   }
-  return ir::Rational(1) / 2 * twice;
+  return Compulsion{ir::Rational(1) / 2 * twice, spread->singular};
 }
 
 }  // namespace gaussgen::strategy

@@ -242,6 +242,7 @@ class Tree : private TreeZ {
     Vector3& moved = is_shift(i) ? linear : angular;
     if (is_shift(i)) linear = at_end(i, linear, alpha_before);
     if (falls) moved = moved + motion_.drift(i, steps_);
+    if (!is_shift(i) && floats(i) == nullptr) linear = linear + disturbance(i);
     const Vector3 given = moved;
     moved = moved + by_shared(i);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -327,6 +328,11 @@ class Tree : private TreeZ {
     find_base(*floating, said, is_said);
   }
 
+  /// Of the origin of a link that turns; on the way back from where a base floats, in the axes before it.
+  Vector3 disturbance(std::size_t i) const {
+    return problem_.disturbance == nullptr || is_correcting_ ? ir::zero3(graph_) : problem_.disturbance->linear[i];
+  }
+
   // Back along the way to the link that floats.
   void find_base(const FloatingBase& floating, Vector3 v, bool is_without_fall) {
     for (std::size_t at = floating.anchor; at != floating.base; at = links_[at].parent) {
@@ -335,7 +341,7 @@ class Tree : private TreeZ {
         v = v - cross(of(alpha(parent, 0)), links_[at].offset);
         if (by_link() && !is_correcting_) v = v - motion_.drift(at, steps_);
       } else {
-        v = motion_.turned_back(at, v);
+        v = motion_.turned_back(at, v) + disturbance(at);
       }
     }
     Vector3 given = ir::zero3(graph_);
@@ -405,6 +411,7 @@ class Tree : private TreeZ {
                       {},          {}};
     result.length = 1 / per_length_;
     result.mass = per_length_ / per_force_;
+    result.bases = own_.bases;
     for (std::size_t i = 0; i < links_.size(); ++i) {
       LinkAcceleration& a = result.accelerations[i];
       if (!by_link()) {

@@ -9,6 +9,15 @@
 
 namespace gaussgen::strategy {
 
+/// What is added to the equations of links, in their axes: all parallel to the links.
+struct Disturbance {
+  /// To the acceleration of an origin that a turn leaves where it is; of turns between a floating base and its anchor, from where its
+  /// acceleration is found, in the axes before the turn.
+  std::vector<ir::Vector3> linear;
+  std::vector<ir::Vector3> force;  ///< to what a link takes for its acceleration, at its origin
+  std::vector<ir::Vector3> moment;
+};
+
 /// A tree of links with what acts on it.
 struct TreeProblem {
   const kinematics::Linkage& linkage;
@@ -16,7 +25,8 @@ struct TreeProblem {
   ir::Vector3 field;  ///< m/s², space: the sum of uniform fields
   Vector forces;      ///< of the free speeds, without uniform fields
   ConstraintProblem constraints;
-  std::string prefix;  ///< of names
+  std::string prefix;                        ///< of names
+  const Disturbance* disturbance = nullptr;  ///< with the drift by link, and blocks divided at once
 };
 
 /// Where accelerations that come from velocities enter.

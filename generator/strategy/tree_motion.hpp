@@ -3,6 +3,7 @@
 
 #include "strategy/link_motion.hpp"
 #include "strategy/mass_properties.hpp"
+#include "strategy/own_components.hpp"
 
 namespace gaussgen::strategy {
 
@@ -25,6 +26,7 @@ struct TreeMotion {
   ir::Vector3 fall;                             ///< of the ground against free fall, in the unit of length
   ir::Rational length;                          ///< m
   ir::Rational mass;                            ///< kg
+  std::vector<FloatingBase> bases = {};
 };
 
 std::vector<std::optional<SoleFreedom>> sole_freedoms(const std::vector<kinematics::Link>& links);

@@ -279,6 +279,10 @@ void TreeZ::add_body(std::size_t i) {
     force = force + cross(angular, body.first);
     moment = moment + cross(body.first, linear) + ir::multiply(body.inertia, angular);
   }
+  if (problem_.disturbance != nullptr) {
+    force = force + problem_.disturbance->force[i];
+    moment = moment + problem_.disturbance->moment[i];
+  }
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t p = (k + 1) % 3, q = (k + 2) % 3;
     Z_.add(alpha(i, p), a(i, q), -body.first[k]);
@@ -441,8 +445,18 @@ void TreeZ::pass_on(std::size_t i) {
     if (link.parent == k_ground) Z_.displace(a(i, k), motion_.fall_at(i)[k]);
   }
   if (is_shift(i)) return shift(i);
+  disturb_origin(i);
   if (link.parent != k_ground) masses_[link.parent] += masses_[i];
   turn(i);
+}
+
+void TreeZ::disturb_origin(std::size_t i) {
+  if (problem_.disturbance == nullptr) return;
+  for (std::size_t k = 0; k < 3; ++k) {  // where a base floats, nothing is left along these components
+    const Expr by = problem_.disturbance->linear[i][k];
+    Z_.displace(a(i, k), by);
+    Z_.add(a(i, k), masses_[i] * by);
+  }
 }
 
 void TreeZ::add_shared(std::size_t i, std::size_t k, std::vector<LinearTerm>& terms) const {

@@ -90,6 +90,7 @@ class TreeZ {
   void pass_bounds(std::size_t i);
   ir::Expr bound_along(std::size_t i, std::size_t speed) const;
   void pass_on(std::size_t i);
+  void disturb_origin(std::size_t i);
   void add_shared(std::size_t i, std::size_t k, std::vector<LinearTerm>& terms) const;
   bool is_own(const kinematics::Freedom& freedom) const { return own_.is_owned[freedom.speed.value] != 0; }
   void shift(std::size_t i);

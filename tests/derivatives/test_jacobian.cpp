@@ -100,9 +100,10 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("each method gives the same derivatives: by the system, through its solution, and backwards") {
+TEST_CASE("each method gives the same derivatives: by the system, through its solution, backwards, and link by link") {
   for (const char* file : {"double_pendulum", "chain", "functions", "rolling_disc", "four_bar", "skew_nonholonomic",
-                           "rattleback", "lagrange_top", "bicycle"}) {
+                           "rattleback", "lagrange_top", "bicycle", "robot_arm", "double_pendulum_points",
+                           "families/planar_chain_relative", "families/spatial_chain", "families/tree"}) {
     INFO(file);
     const model::Model model = agreement::load(file);
     Mechanics mechanics(model, {});
@@ -117,6 +118,74 @@ TEST_CASE("each method gives the same derivatives: by the system, through its so
       }
       std::printf("%-30s method %d: %d operations\n", file, static_cast<int>(method),
                   ir::operations(mechanics.graph, all));
+    }
+  }
+}
+
+namespace {
+
+model::Model chain_of(int n) {
+  support::Source source("chain.yaml", "gauss: 1\nname: chain\ncounts: {n: " + std::to_string(n) + R"(}
+parameters: {m: 1.3, L: 0.7, J: 0.05, g: 9.81}
+joints:
+  hinge_1: {type: revolute, child: link_1, axis: y, coordinates: q_1, initial: 0.3}
+  hinge_$(i+1): {count: $(n-1), type: revolute, parent: link_$i, child: link_$(i+1), at: [0, 0, -L], axis: y, coordinates: q_$(i+1), initial: 0.1}
+bodies:
+  body_$i: {count: n, frame: link_$i, mass: m, inertia: J, centre: [0, 0, -L/2]}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+)");
+  support::Diagnostics diagnostics;
+  auto model = read_model(source, diagnostics);
+  REQUIRE(model);
+  return *std::move(model);
+}
+
+/// Operations and nodes of the Jacobian of a chain, parameters folded.
+std::pair<double, double> size_of_jacobian(int n) {
+  const model::Model model = chain_of(n);
+  Mechanics mechanics(model, {true});
+  const auto artefacts = build_artefact("jacobian", mechanics);
+  std::vector<ir::NodeId> entries;
+  for (const emit::Field& field : artefacts.at(0).groups.at(0).fields)
+    entries.insert(entries.end(), field.values.begin(), field.values.end());
+  return {ir::operations(mechanics.graph, entries), static_cast<double>(mechanics.graph.size())};
+}
+
+}  // namespace
+
+TEST_CASE("the Jacobian of a chain takes operations and nodes for each entry, at no size a leap") {
+  const auto [of_20, nodes_of_20] = size_of_jacobian(20);
+  const auto [of_28, nodes_of_28] = size_of_jacobian(28);
+  const auto [of_30, nodes_of_30] = size_of_jacobian(30);
+  const auto [of_40, nodes_of_40] = size_of_jacobian(40);
+  CHECK(of_30 / of_28 < 1.2);
+  CHECK(of_40 / of_20 < 4.1);
+  CHECK(nodes_of_40 / nodes_of_20 < 4.1);
+  CHECK(of_40 < 30 * 40 * 80);  // 2 n columns with n accelerations each
+}
+
+TEST_CASE(
+    "a tree is differentiated link by link, and limbs only follow what they hang on where nothing in them changes") {
+  for (const char* file : {"families/quadruped", "families/humanoid"}) {
+    INFO(file);
+    const model::Model model = agreement::load(file);
+    Mechanics mechanics(model, {true});
+    strategy::Steps steps;
+    const strategy::TreeTangent tangent =
+        strategy::tree_tangent(mechanics.dynamics, mechanics.solution, mechanics.epsilon(), steps);
+    CHECK(tangent.limbs.size() >= 4);
+    const Variables variables = variables_of(mechanics);
+    std::vector<Variable> some;
+    for (std::size_t k = 0; k < variables.all.size(); k += 7) some.push_back(variables.all[k]);
+    const strategy::Matrix by_links = jacobian(mechanics, some, DerivativeMethod::links, steps);
+    const strategy::Matrix through = jacobian(mechanics, some, DerivativeMethod::forward, steps);
+    agreement::RandomStates states(mechanics.symbols, 7);
+    Numbers numbers(mechanics, states.next());
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      INFO("by " << some[k].name);
+      CHECK(derivatives::deviation(numbers(column(by_links, k)), numbers(column(through, k))) <
+            derivatives::k_tolerance);
     }
   }
 }

@@ -23,10 +23,23 @@ TEST_CASE("brackets stand where precedence needs them, and only there") {
   CHECK(print(quotient(a, quotient(b, c))) == "a / (b / c)");
   CHECK(print(product({quotient(a, b), c})) == "a / b * c");
   CHECK(print(product({a, quotient(b, c)})) == "a * (b / c)");
-  CHECK(print(product({a, negated(b)})) == "a * (-b)");
   CHECK(print(negated(sum({a, b}))) == "-(a + b)");
   CHECK(print(negated(negated(a))) == "a");
   CHECK(print(call("f", {sum({a, b}), negated(c)})) == "f(a + b, -c)");
+}
+
+TEST_CASE("two signs never meet: those of factors go in front, where they cancel or subtract") {
+  const Expression twice = product({call("S", {atom("2")}), a});
+  CHECK(print(product({a, negated(b)})) == "-a * b");
+  CHECK(print(product({negated(twice), b})) == "-S(2) * a * b");
+  CHECK(print(negated(product({negated(twice), b}))) == "S(2) * a * b");
+  CHECK(print(negated(product({a, negated(b), c}))) == "a * b * c");
+  CHECK(print(negated(quotient(negated(a), b))) == "a / b");
+  CHECK(print(negated(quotient(a, negated(b)))) == "a / b");
+  CHECK(print(quotient(product({negated(a), b}), negated(c))) == "a * b / c");
+  CHECK(print(sum({c, product({negated(a), b})})) == "c - a * b");
+  CHECK(print(sum({c, negated(product({negated(a), b}))})) == "c + a * b");
+  CHECK(print(sum({c, quotient(negated(a), b)})) == "c - a / b");
 }
 
 TEST_CASE("long statements are broken before an operator, outermost first") {
