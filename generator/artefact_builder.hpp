@@ -60,11 +60,11 @@ emit::Artefact energy_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> compulsion_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> residuals_artefact(Mechanics& mechanics);
 emit::Artefact mass_matrix_artefact(Mechanics& mechanics);
-emit::Artefact project_artefact(Mechanics& mechanics);
+std::vector<emit::Artefact> project_artefacts(Mechanics& mechanics);
 std::vector<emit::Artefact> inverse_dynamics_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> jacobian_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> sensitivities_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> quantities_artefact(Mechanics& mechanics);
-emit::Artefact initial_state_artefact(Mechanics& mechanics);
+std::vector<emit::Artefact> initial_state_artefacts(Mechanics& mechanics);
 
 }  // namespace gaussgen

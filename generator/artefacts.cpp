@@ -42,8 +42,8 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   if (name == "compulsion") return compulsion_artefact(mechanics);
   if (name == "residuals") return residuals_artefact(mechanics);
   if (name == "mass_matrix") return one(mass_matrix_artefact(mechanics));
-  if (name == "project") return one(project_artefact(mechanics));
-  if (name == "initial_state") return one(initial_state_artefact(mechanics));
+  if (name == "project") return project_artefacts(mechanics);
+  if (name == "initial_state") return initial_state_artefacts(mechanics);
   if (name == "inverse_dynamics" && has_state) return inverse_dynamics_artefact(mechanics);
   if (name == "jacobian" && has_state) return jacobian_artefact(mechanics);
   if (name == "sensitivities") return sensitivities_artefact(mechanics);

@@ -9,8 +9,8 @@
 #include "strategy/compulsion.hpp"
 #include "strategy/link_compulsion.hpp"
 #include "strategy/link_energy.hpp"
-#include "strategy/projection.hpp"
 #include "strategy/quaternions.hpp"
+#include "strategy/state_search.hpp"
 
 namespace gaussgen {
 
@@ -67,19 +67,6 @@ void add_positions(const Mechanics& mechanics, std::vector<Field>& fields) {
   }
   if (values.empty()) return;
   fields.push_back({"position", "f of each equation of positions", {static_cast<int>(values.size())}, ids(values)});
-}
-
-Artefact state_artefact(ArtefactBuilder& builder, const strategy::ProjectedState& state, const Steps& steps) {
-  Artefact& artefact = builder.artefact();
-  artefact.target = emit::Target::state;
-  artefact.takes_inputs = false;
-  artefact.state = ids(state.configuration);
-  const std::vector<NodeId> speeds = ids(state.speeds);
-  artefact.state.insert(artefact.state.end(), speeds.begin(), speeds.end());
-  artefact.status.singular_mass_matrix = state.singular_mass_matrix.id();
-  artefact.status.dependent_constraints = state.dependent_constraints.id();
-  artefact.status.violated_constraints = state.violated_constraints.id();
-  return builder.finish(steps);
 }
 
 struct Energy {
@@ -246,32 +233,6 @@ Artefact mass_matrix_artefact(Mechanics& mechanics) {
   const int n = static_cast<int>(mechanics.dynamics.n());
   builder.fields("", "", "", {{"g", "symmetric, in the order of the speeds", {n, n}, entries_of(form.result)}});
   return builder.finish(form.steps);
-}
-
-Artefact project_artefact(Mechanics& mechanics) {
-  ArtefactBuilder builder(
-      "project",
-      "The nearest state that satisfies the constraints: unit quaternions, then the smallest change of\n"
-      "the speeds in the mass metric (two Newton steps for constraints nonlinear in the velocities).",
-      mechanics);
-  Steps steps;
-  const auto state = strategy::project(mechanics.dynamics, mechanics.epsilon(), steps);
-  return state_artefact(builder, state, steps);
-}
-
-Artefact initial_state_artefact(Mechanics& mechanics) {
-  ArtefactBuilder builder(
-      "initial_state",
-      "The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints;\n"
-      "what these leave open, too, is the least motion, weighed by mass.",
-      mechanics);
-  Steps steps;
-  const auto state = strategy::initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions,
-                                             mechanics.expressions.number(0), mechanics.epsilon(), steps);
-  builder.artefact().takes_time = false;
-  builder.artefact().takes_state = false;
-  builder.artefact().extends_preparation = false;
-  return state_artefact(builder, state, steps);
 }
 
 }  // namespace gaussgen

@@ -143,7 +143,7 @@ class Report {
 
   bool set_state() {
     add_time();
-    const std::vector<InitialValue> state = initial_values(mechanics_);
+    const std::vector<InitialValue> state = initial_values(mechanics_, value_of_);
     const bool is_defined = bind_initial_values(mechanics_, state, value_of_);
     if (is_defined) refine_initial_values(mechanics_, digits_, value_of_);
     for (const InitialValue& value : state) {
@@ -435,7 +435,7 @@ template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<d
 bool is_start_reached(Mechanics& mechanics, const support::Rational& time, int digits) {
   if (!has_open_positions(mechanics)) return true;
   ModelValues values(mechanics, time, digits);
-  if (!bind_initial_values(mechanics, initial_values(mechanics), values)) return true;
+  if (!bind_initial_values(mechanics, initial_values(mechanics, values), values)) return true;
   refine_initial_values(mechanics, digits, values);
   return not_reached(mechanics, values, digits) == nullptr;
 }

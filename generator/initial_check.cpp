@@ -38,7 +38,7 @@ class InitialCheck {
         values_(mechanics, support::Rational(0), k_digits) {}
 
   void run() {
-    const std::vector<InitialValue> state = initial_values(mechanics_);
+    const std::vector<InitialValue> state = initial_values(mechanics_, values_);
     const bool has_state = bind_initial_values(mechanics_, state, values_);
     const std::vector<UndefinedPart> undefined = undefined_parts(mechanics_, values_);
     for (const UndefinedPart& part : undefined) report_undefined(part);
@@ -268,7 +268,7 @@ void check_initial_state(Mechanics& mechanics, const StartOptions& options, supp
 std::vector<std::string> assembled_values(Mechanics& mechanics, const StatedStart& stated,
                                           const support::Rational& time) {
   ModelValues values(mechanics, time, k_digits);
-  const std::vector<InitialValue> reached = initial_values(mechanics);
+  const std::vector<InitialValue> reached = initial_values(mechanics, values);
   std::vector<std::string> moved;
   for (std::size_t i = 0; i < reached.size(); ++i) {
     if (!stated[i]) continue;

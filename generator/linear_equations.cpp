@@ -116,7 +116,8 @@ StatePoint<T>::StatePoint(Mechanics& mechanics, const LinearEquations& equations
 template <class T>
 bool StatePoint<T>::start() {
   Vector nodes;
-  for (const InitialValue& value : initial_values(mechanics_)) nodes.emplace_back(mechanics_.graph, value.node);
+  for (const InitialValue& value : initial_values(mechanics_, values_))
+    nodes.emplace_back(mechanics_.graph, value.node);
   auto state = values(nodes);
   if (!state) return false;
   set(*std::move(state));

@@ -10,6 +10,7 @@
 #include "kinematics/hold.hpp"
 #include "strategy/composite_metric.hpp"
 #include "strategy/inner.hpp"
+#include "strategy/least_change.hpp"
 #include "strategy/tree_choice.hpp"
 
 namespace gaussgen {
@@ -34,8 +35,58 @@ strategy::DependentRows rows_found_at_generic_point(ModelGraph& motion) {
   };
 }
 
+/// Whoever names the dependent speeds wants them expressed by the others.
+bool wants_tree(const Mechanics& mechanics, Strategy strategy) {
+  if (mechanics.symbols.speeds.size() == 0) return false;
+  return strategy == Strategy::tree || (strategy == Strategy::automatic && mechanics.model.dependent.empty());
+}
+
+strategy::TreeProblem tree_problem(Mechanics& mechanics, std::function<bool(ir::Expr)> vanishes, GenericPoint& point,
+                                   bool folds) {
+  const kinematics::Kinematics& kinematics = mechanics.kinematics;
+  strategy::TreeProblem problem{*mechanics.linkage,
+                                mechanics.symbols,
+                                kinematics.field,
+                                {},
+                                {kinematics,
+                                 mechanics.dynamics.b,
+                                 mechanics.dynamics.b_drift,
+                                 [&](ir::Expr e) { return mechanics.expressions.rate(e); },
+                                 std::move(vanishes),
+                                 {},
+                                 {},
+                                 {},
+                                 {}},
+                                ""};
+  problem.constraints.estimate = [&](ir::Expr e) {
+    if (ir::is_of_parameters(mechanics.graph, e.id())) return mechanics.dynamics.at_parameters(e);
+    return cln::double_approx(point({{e}})(0, 0));
+  };
+  if (folds) {
+    problem.constraints.value_of = [&](ir::Expr e) { return cln::double_approx(point({{e}})(0, 0)); };
+  }
+  return problem;
+}
+
+std::function<bool(ir::Expr)> vanishing(const std::shared_ptr<VanishesEverywhere>& vanishes_everywhere) {
+  return [vanishes_everywhere](ir::Expr e) { return e.is_zero() || (*vanishes_everywhere)(e); };
+}
+
+/// What is asked for of changes of a state, link by link.
+void add_forms_of_links(Mechanics& mechanics, const MechanicsOptions& options, strategy::Dynamics& dynamics) {
+  if (!wants_tree(mechanics, options.strategy)) return;
+  const auto vanishes = vanishing(std::make_shared<VanishesEverywhere>(mechanics));
+  dynamics.change_of_links = [&mechanics, vanishes, folds = options.fold](const strategy::Change& change,
+                                                                          strategy::Steps& steps) {
+    GenericPoint point(mechanics);
+    const strategy::TreeProblem problem = tree_problem(mechanics, vanishes, point, folds);
+    return strategy::least_change_of_links(problem, change, mechanics.epsilon(), steps);
+  };
+}
+
 /// Of many coordinates, with composite bodies where the model has links: each entry takes a few operations then.
-strategy::Dynamics dynamics_of(Mechanics& mechanics, strategy::DependentRows dependent_rows) {
+strategy::Dynamics dynamics_of(Mechanics& mechanics, const MechanicsOptions& options,
+                               strategy::DependentRows dependent_rows) {
   strategy::Dynamics result = strategy::build_dynamics(
       mechanics.kinematics, mechanics.covariant, std::move(dependent_rows), mechanics.steps, mechanics.metric_steps);
   const auto values = std::make_shared<evaluate::Evaluator<double>>(mechanics.graph, evaluate::Arithmetic<double>());
@@ -43,7 +94,11 @@ strategy::Dynamics dynamics_of(Mechanics& mechanics, strategy::DependentRows dep
   result.at_parameters = [values](ir::Expr e) {
     return (*values)(e.id()).value_or(std::numeric_limits<double>::infinity());
   };
+  add_forms_of_links(mechanics, options, result);
   if (result.n() <= k_few_speeds) return result;
+  result.inertias_of_links = [&mechanics, labels = result.labels] {
+    return strategy::composite_inertias(*mechanics.linkage, labels, mechanics.graph, mechanics.metric_steps);
+  };
   result.g = support::LazyList<strategy::Matrix>([&mechanics, labels = result.labels] {
     return strategy::composite_metric(*mechanics.linkage, labels, mechanics.graph, mechanics.metric_steps);
   });
@@ -51,35 +106,15 @@ strategy::Dynamics dynamics_of(Mechanics& mechanics, strategy::DependentRows dep
 }
 
 std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const MechanicsOptions& options) {
-  const kinematics::Linkage& linkage = *mechanics.linkage;
   const kinematics::Kinematics& kinematics = mechanics.kinematics;
-  VanishesEverywhere vanishes_everywhere(mechanics);
   const strategy::Dynamics& dynamics = mechanics.dynamics;
-  strategy::TreeProblem problem{linkage,
-                                mechanics.symbols,
-                                kinematics.field,
-                                {},
-                                {kinematics,
-                                 dynamics.b,
-                                 dynamics.b_drift,
-                                 [&](ir::Expr e) { return mechanics.expressions.rate(e); },
-                                 [&](ir::Expr e) { return e.is_zero() || vanishes_everywhere(e); },
-                                 {},
-                                 {},
-                                 {}},
-                                ""};
+  GenericPoint point(mechanics);
+  strategy::TreeProblem problem =
+      tree_problem(mechanics, vanishing(std::make_shared<VanishesEverywhere>(mechanics)), point, options.fold);
   if (dynamics.n() <= k_few_speeds) {
     problem.constraints.excess = [&](std::size_t u, const strategy::Vector& a) {
       return strategy::inner(mechanics.graph, dynamics.g[u], a) - dynamics.f[u];
     };
-  }
-  GenericPoint point(mechanics);
-  problem.constraints.estimate = [&](ir::Expr e) {
-    if (ir::is_of_parameters(mechanics.graph, e.id())) return dynamics.at_parameters(e);
-    return cln::double_approx(point({{e}})(0, 0));
-  };
-  if (options.fold) {
-    problem.constraints.value_of = [&](ir::Expr e) { return cln::double_approx(point({{e}})(0, 0)); };
   }
   for (const auto i : mechanics.symbols.speeds.indices()) {
     const auto a = mechanics.symbols.full(i);
@@ -112,12 +147,6 @@ strategy::Candidate solved_over_metric(const Mechanics& mechanics, const Mechani
   strategy::Solution solution = dynamics.l() == 0 ? strategy::solve_unconstrained(dynamics, mechanics.epsilon(), steps)
                                                   : solved_constrained(mechanics, dynamics, options, steps);
   return strategy::counted(std::move(solution), std::move(steps));
-}
-
-/// Whoever names the dependent speeds wants them expressed by the others.
-bool wants_tree(const Mechanics& mechanics, Strategy strategy) {
-  if (mechanics.dynamics.n() == 0) return false;
-  return strategy == Strategy::tree || (strategy == Strategy::automatic && mechanics.model.dependent.empty());
 }
 
 strategy::Solution solved(Mechanics& mechanics, const MechanicsOptions& options, strategy::Steps& steps) {
@@ -189,7 +218,7 @@ Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& 
         return kinematics::build_linkage(model, symbols, expressions, hold);
       }),
       covariant([this] { return kinematics::build_covariant(kinematics, graph); }),
-      dynamics(dynamics_of(*this, rows_found_at_generic_point(*this))),
+      dynamics(dynamics_of(*this, chosen, rows_found_at_generic_point(*this))),
       solution(solved(*this, chosen, steps)),
       held_reactions(strategy::held_reactions(dynamics, solution, steps)),
       options(chosen) {

@@ -71,6 +71,7 @@ struct Mechanics : KinematicModel {
   strategy::Solution solution;
   strategy::Vector held_reactions;
   MechanicsOptions options;
+  std::vector<ir::SymbolId> start;  ///< of the configuration before a projection, where one was made
 };
 
 /// Accelerations and multipliers of the same metric and constraints with other forces and drifts. Equal nodes are one: factors are not

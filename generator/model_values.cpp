@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "evaluation.hpp"
-#include "strategy/projection.hpp"
+#include "strategy/state_search.hpp"
 
 namespace gaussgen {
 
@@ -45,7 +45,9 @@ int carried(Mechanics& mechanics, int digits) { return 2 * (digits + orders_apar
 }  // namespace
 
 ModelValues::ModelValues(Mechanics& mechanics, const Rational& time, int digits)
-    : values_(mechanics.graph, Arithmetic<Paired>(carried(mechanics, digits), k_more_digits)),
+    : graph_(mechanics.graph),
+      carried_(carried(mechanics, digits)),
+      values_(mechanics.graph, Arithmetic<Paired>(carried_, k_more_digits)),
       scales_(mechanics.graph, Arithmetic<Scaled<cl_F>>(values_.arithmetic().fine())) {
   bind(mechanics.symbols.time, values_.arithmetic().number(time));
   bind_parameters(mechanics, values_);
@@ -71,15 +73,38 @@ bool ModelValues::is_true(ir::Expr condition) {
   return value && values_.arithmetic().is_true(*value);
 }
 
-bool ModelValues::bind(const std::vector<std::pair<ir::SymbolId, ir::NodeId>>& nodes) {
-  std::vector<Paired> found;
-  for (const auto& [symbol, node] : nodes) {
-    const std::optional<Paired> value = values_(node);
-    if (!value) return false;
-    found.push_back(*value);
+// All before the first is bound: they may depend on each other's symbols.
+std::vector<std::optional<Paired>> ModelValues::found(const Bindings& nodes) {
+  std::vector<std::optional<Paired>> values;
+  for (const auto& [symbol, node] : nodes) values.push_back(values_(node));
+  return values;
+}
+
+void ModelValues::bind_defined(const Bindings& nodes) {
+  const std::vector<std::optional<Paired>> values = found(nodes);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (values[i]) bind(nodes[i].first, *values[i]);
   }
-  for (std::size_t i = 0; i < nodes.size(); ++i) bind(nodes[i].first, found[i]);
+}
+
+bool ModelValues::bind(const Bindings& nodes) {
+  const std::vector<std::optional<Paired>> values = found(nodes);
+  if (std::any_of(values.begin(), values.end(), [](const auto& value) { return !value; })) return false;
+  for (std::size_t i = 0; i < nodes.size(); ++i) bind(nodes[i].first, *values[i]);
   return true;
+}
+
+// Where half of the digits stay, the next step finds the other half.
+Taken ModelValues::take_step(const Bindings& nodes) {
+  const cl_F part = number(cln::expt(Rational(10), -(carried_ / 2 + 1)));
+  std::vector<std::optional<cl_F>> before;
+  for (const auto& [symbol, node] : nodes) before.push_back((*this)(graph_.use(symbol)));
+  if (!bind(nodes)) return Taken::undefined;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const cl_F now = *(*this)(graph_.use(nodes[i].first));
+    if (!before[i] || cln::abs(now - *before[i]) > part * cln::abs(now)) return Taken::moved;
+  }
+  return Taken::arrived;
 }
 
 void ModelValues::bind(ir::SymbolId symbol, const Paired& value) {
@@ -112,11 +137,9 @@ std::size_t ModelValues::rank(const evaluate::Matrix& matrix, const cl_F& part) 
   return evaluate::rank(evaluate::equilibrated(matrix), part);
 }
 
-std::vector<InitialValue> initial_values(Mechanics& mechanics) {
-  const kinematics::Symbols& symbols = mechanics.symbols;
-  strategy::Steps steps;
-  const auto state = strategy::initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions,
-                                             mechanics.expressions.symbol(symbols.time), mechanics.epsilon(), steps);
+namespace {
+
+std::vector<InitialValue> values_of(const kinematics::Symbols& symbols, const strategy::ProjectedState& state) {
   std::vector<InitialValue> result;
   for (const auto i : symbols.configuration.indices()) {
     const auto& q = symbols.configuration[i];
@@ -129,11 +152,39 @@ std::vector<InitialValue> initial_values(Mechanics& mechanics) {
   return result;
 }
 
-bool bind_initial_values(Mechanics& mechanics, const std::vector<InitialValue>& state, ModelValues& values) {
-  std::vector<std::pair<ir::SymbolId, ir::NodeId>> nodes;
+Bindings bindings_of(const std::vector<InitialValue>& state) {
+  Bindings nodes;
   for (const InitialValue& value : state) nodes.emplace_back(value.symbol, value.node);
+  return nodes;
+}
+
+}  // namespace
+
+std::vector<InitialValue> initial_values(Mechanics& mechanics, const std::function<Taken(const Bindings&)>& take_step) {
+  strategy::StateSearch search =
+      strategy::initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions,
+                              mechanics.expressions.symbol(mechanics.symbols.time), mechanics.epsilon());
+  std::vector<strategy::SearchStage>& stages = search.stages;
+  if (stages.back().kind == strategy::SearchStage::Kind::check) stages.pop_back();
+  for (const strategy::SearchStage& stage : stages) {
+    std::vector<InitialValue> next = values_of(mechanics.symbols, stage.state);
+    const bool is_last = &stage == &stages.back();
+    Taken taken = Taken::moved;
+    for (int step = is_last ? 1 : 0; step < stage.times && taken == Taken::moved; ++step)
+      taken = take_step(bindings_of(next));
+    if (is_last || taken == Taken::undefined) return next;
+  }
+  return {};
+}
+
+std::vector<InitialValue> initial_values(Mechanics& mechanics, ModelValues& values) {
+  return initial_values(mechanics, [&](const Bindings& nodes) { return values.take_step(nodes); });
+}
+
+bool bind_initial_values(Mechanics& mechanics, const std::vector<InitialValue>& state, ModelValues& values) {
+  const Bindings nodes = bindings_of(state);
   const bool is_defined = values.bind(nodes);
-  for (std::size_t i = 0; i < nodes.size() && !is_defined; ++i) values.bind({nodes[i]});
+  if (!is_defined) values.bind_defined(nodes);
   for (const kinematics::HeldCoordinate& held : mechanics.symbols.held) {
     const ir::Expr c = mechanics.expressions(*mechanics.model.coordinates[held.model_index].held_at);
     const ir::Expr c_dot = mechanics.expressions.rate(c);
@@ -146,17 +197,13 @@ bool bind_initial_values(Mechanics& mechanics, const std::vector<InitialValue>& 
 
 void refine_initial_values(Mechanics& mechanics, int digits, ModelValues& values) {
   if (digits <= k_digits_found) return;
-  strategy::Steps steps;
-  const auto next =
-      strategy::refined_state(mechanics.model, mechanics.dynamics, mechanics.expressions,
-                              mechanics.expressions.symbol(mechanics.symbols.time), mechanics.epsilon(), steps);
-  const kinematics::Symbols& symbols = mechanics.symbols;
-  std::vector<std::pair<ir::SymbolId, ir::NodeId>> nodes;
-  for (const auto i : symbols.configuration.indices())
-    nodes.emplace_back(symbols.configuration[i].symbol, next.configuration[i.value].id());
-  for (const auto i : symbols.speeds.indices()) nodes.emplace_back(symbols.speeds[i].symbol, next.speeds[i.value].id());
-  // Each step doubles the digits.
-  for (int found = k_digits_found / 2; found < digits; found *= 2) values.bind(nodes);
+  const std::vector<strategy::ProjectedState> steps =
+      strategy::steps_to_initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions, mechanics.epsilon());
+  for (const strategy::ProjectedState& step : steps) {
+    const Bindings nodes = bindings_of(values_of(mechanics.symbols, step));
+    // Each step doubles the digits.
+    for (int found = k_digits_found / 2; found < digits; found *= 2) values.bind(nodes);
+  }
 }
 
 }  // namespace gaussgen

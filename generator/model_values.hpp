@@ -1,6 +1,8 @@
 #pragma once
 // Numbers of a model at one state, each with a bound on what rounding can have done to it.
 
+#include <functional>
+
 #include "evaluate/arithmetic_paired.hpp"
 #include "evaluate/arithmetic_scale.hpp"
 #include "evaluate/dense.hpp"
@@ -8,6 +10,15 @@
 #include "mechanics.hpp"
 
 namespace gaussgen {
+
+using Bindings = std::vector<std::pair<ir::SymbolId, ir::NodeId>>;
+
+/// What became of a step to an initial state.
+enum class Taken {
+  undefined,  ///< nothing is bound
+  arrived,    ///< the next one would change nothing that counts
+  moved,
+};
 
 /// Values at the model's initial state and a time, good to `digits` digits: twice as many are carried, since as many may cancel, and
 /// as many more as parameters are apart.
@@ -47,11 +58,20 @@ class ModelValues {
   }
 
   /// Gives symbols the values of nodes, all found before the first is given; false, and nothing given, if one is undefined.
-  bool bind(const std::vector<std::pair<ir::SymbolId, ir::NodeId>>& nodes);
+  bool bind(const Bindings& nodes);
+
+  /// Likewise those nodes that have a value.
+  void bind_defined(const Bindings& nodes);
+
+  /// As `bind`, for a step of Newton's method.
+  Taken take_step(const Bindings& nodes);
 
  private:
+  std::vector<std::optional<evaluate::Paired>> found(const Bindings& nodes);
   void bind(ir::SymbolId symbol, const evaluate::Paired& value);
 
+  ir::Graph& graph_;
+  int carried_;  ///< digits
   evaluate::Evaluator<evaluate::Paired> values_;
   evaluate::Evaluator<evaluate::Scaled<cln::cl_F>> scales_;
 };
@@ -64,9 +84,25 @@ struct InitialValue {
   ir::NodeId node;
 };
 
-/// In the order of the state: configuration, then speeds. Open ones are exact to some 50 digits: the graph keeps no more of numbers
-/// that are found.
-std::vector<InitialValue> initial_values(Mechanics& mechanics);
+/// In the order of the state: configuration, then speeds. `take_step` evaluates and binds the steps that lead there; the nodes of the last one are
+/// returned, to be evaluated where those were bound, or the nodes of the first one that is undefined.
+std::vector<InitialValue> initial_values(Mechanics& mechanics, const std::function<Taken(const Bindings&)>& take_step);
+std::vector<InitialValue> initial_values(Mechanics& mechanics, ModelValues& values);
+
+/// With any other numbers.
+template <class T>
+std::vector<InitialValue> initial_values(Mechanics& mechanics, evaluate::Evaluator<T>& values) {
+  return initial_values(mechanics, [&](const Bindings& nodes) {
+    std::vector<T> found;
+    for (const auto& [symbol, node] : nodes) {
+      const std::optional<T> value = values(node);
+      if (!value) return Taken::undefined;
+      found.push_back(*value);
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) values.bind(nodes[i].first, found[i]);
+    return Taken::moved;
+  });
+}
 
 /// The state as numbers, so that everything else is evaluated at it, and the values of held coordinates; false if part of the
 /// state is undefined: that part stays unbound.

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "position_equations.hpp"
-#include "strategy/projection.hpp"
+#include "strategy/state_search.hpp"
 
 namespace gaussgen {
 

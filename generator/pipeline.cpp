@@ -29,7 +29,8 @@ const char* const k_check = "check";
 /// Times stages, and shows to the observer what comes out.
 class Stages {
  public:
-  explicit Stages(const StageObserver& observe) : observe_(observe), last_(Clock::now()) {}
+  Stages(const StageObserver& observe, std::string last_stage)
+      : observe_(observe), last_stage_(std::move(last_stage)), last_(Clock::now()) {}
 
   /// A stage took from the end of the one before until then.
   void took(const std::string& stage, const Milestone& end, std::size_t bytes = 0) {
@@ -42,12 +43,13 @@ class Stages {
   /// Until now.
   void took(const std::string& stage, const ir::Graph& graph) { took(stage, {Clock::now(), graph.size()}); }
 
-  /// What dumps take is no part of any stage.
-  void show(const std::string& stage, const std::function<std::string()>& dump) {
+  /// What dumps take is no part of any stage. True where nobody asks for what comes after it.
+  bool show(const std::string& stage, const std::function<std::string()>& dump) {
     const auto begin = Clock::now();
     ++shown_;
     if (observe_) observe_(stage, dump);
     last_ += Clock::now() - begin;
+    return stage == last_stage_;
   }
 
   std::vector<StageTime> times() && { return std::move(times_); }
@@ -58,6 +60,7 @@ class Stages {
   using Clock = std::chrono::steady_clock;
 
   const StageObserver& observe_;
+  std::string last_stage_;
   Clock::time_point last_;
   std::size_t nodes_ = 0;
   std::size_t shown_ = 0;
@@ -97,7 +100,14 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   std::optional<model::Model> model = read_model(source, diagnostics, options.counts);
   if (!model) return std::nullopt;
   stages.took("model", {std::chrono::steady_clock::now(), 0}, source.text().size());
-  stages.show("model", [&] { return dump_model(*model, source); });
+  PipelineResult result;
+  result.model_name = model->name.text;
+  result.has_units = model::has_units(*model);
+  const auto up_to_here = [&] {
+    result.times = std::move(stages).times();
+    return result;
+  };
+  if (stages.show("model", [&] { return dump_model(*model, source); })) return up_to_here();
 
   if (!options.sensitivities.empty()) choose_sensitivities(options.sensitivities, *model, diagnostics);
   if (options.fold) model::check_fold(*model, diagnostics);
@@ -120,14 +130,14 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
     report_found(improve_guesses(mechanics, *model), *model, diagnostics);
   }
   stages.took("start", mechanics.graph);
-  stages.show("kinematics", [&] { return dump_kinematics(mechanics); });
+  if (stages.show("kinematics", [&] { return dump_kinematics(mechanics); })) return up_to_here();
 
   // The paper's route in GiNaC replaces the result where it is asked for; otherwise it is made for its dump only.
   if (options.route != Route::paper) check_choice(mechanics, diagnostics);
   if (options.route == Route::paper && !take_paper_route(mechanics, options.fold, diagnostics)) return std::nullopt;
   if (options.route == Route::paper) stages.took("paper", mechanics.graph);
-  stages.show("paper", [&] { return dump_paper(mechanics); });
-  stages.show("strategy", [&] { return dump_strategy(mechanics); });
+  if (stages.show("paper", [&] { return dump_paper(mechanics); })) return up_to_here();
+  if (stages.show("strategy", [&] { return dump_strategy(mechanics); })) return up_to_here();
 
   // Before all else that takes long.
   check_initial_state(mechanics, {emits_initial_state(mechanics, options), options.assemble}, diagnostics);
@@ -141,11 +151,8 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   check_range(mechanics.graph, unit, model->name, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   stages.took("artefacts", mechanics.graph);
-  stages.show("artefacts", [&] { return dump_artefacts(mechanics, unit); });
+  if (stages.show("artefacts", [&] { return dump_artefacts(mechanics, unit); })) return up_to_here();
 
-  PipelineResult result;
-  result.model_name = model->name.text;
-  result.has_units = model::has_units(*model);
   emit::Header header = header_in_range(mechanics.graph, unit, model->name, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   result.header = std::move(header.text);
@@ -156,15 +163,14 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   stages.show("header", [&] { return result.header; });
 
   if (options.assemble) result.assembled = assembled_values(mechanics, stated);
-  result.times = std::move(stages).times();
-  return result;
+  return up_to_here();
 }
 
 }  // namespace
 
 std::optional<PipelineResult> compile(support::Source& source, const PipelineOptions& options,
                                       support::Diagnostics& diagnostics, const StageObserver& observe) {
-  Stages stages(observe);
+  Stages stages(observe, options.last_stage);
   try {
     return compile(source, options, diagnostics, stages);
   } catch (const ir::TooManyNodes& error) {

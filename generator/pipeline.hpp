@@ -29,10 +29,11 @@ struct PipelineOptions {
   bool assemble = false;  ///< constraints may move given initial values
   Route route = Route::emitted;
   Strategy strategy = Strategy::automatic;
-  std::string name_space;  ///< empty: gauss::<model name>
+  std::string name_space;                         ///< empty: gauss::<model name>
   int part_operations = emit::k_part_operations;  ///< of a function above twice as many
   std::vector<std::string> compiled_for;          ///< scalar types of a source file of its own; empty: none
   std::size_t most_nodes = ir::k_most_nodes;
+  std::string last_stage;  ///< after which nothing is asked for; empty: the last one
 };
 
 /// One stage as `--timings` shows it. Nodes are those of the graph: what one stage has made, the next one finds there.

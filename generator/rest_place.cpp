@@ -68,7 +68,7 @@ RestPlace<T>::RestPlace(Mechanics& mechanics, const RestEquations& rest, const s
 template <class T>
 bool RestPlace<T>::start() {
   std::vector<ir::NodeId> initial, guess;
-  for (const InitialValue& value : initial_values(mechanics_)) initial.push_back(value.node);
+  for (const InitialValue& value : initial_values(mechanics_, values_)) initial.push_back(value.node);
   for (const Expr value : strategy::guessed_state(mechanics_.model, mechanics_.expressions))
     guess.push_back(value.id());
   auto position = position_of(initial);

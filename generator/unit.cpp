@@ -93,6 +93,10 @@ class UnitBuilder {
       for (emit::Artefact& artefact : build_artefact(kind.name, mechanics_))
         unit_.artefacts.push_back(std::move(artefact));
     }
+    for (std::size_t i = 0; i < mechanics_.start.size(); ++i) {
+      const emit::Entry& now = unit_.configuration[i];
+      unit_.start.push_back({mechanics_.start[i], now.name, now.unit, "before a projection"});
+    }
     for (emit::Artefact& artefact : unit_.artefacts) point_to_model_lines(artefact);
   }
 

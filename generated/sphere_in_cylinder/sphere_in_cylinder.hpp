@@ -54,7 +54,7 @@
 #ifndef GAUSS_MATH_HPP
 #define GAUSS_MATH_HPP
 
-#define GAUSS_MATH_VERSION 2
+#define GAUSS_MATH_VERSION 3
 
 // Conditions on values that are not finite, and the order of sums, are part of the results.
 #if defined(__FAST_MATH__) && !defined(GAUSS_ALLOW_FAST_MATH)
@@ -174,6 +174,11 @@ struct ScalarLogic {
                                    : Status::ok;
   }
 
+  /// What one computation has to say of both.
+  GAUSS_FUNCTION static Status worse(Status a, Status b) {
+    return a == Status::ok ? b : b == Status::ok ? a : a < b ? a : b;
+  }
+
   GAUSS_FUNCTION static S epsilon() { return std::numeric_limits<S>::epsilon(); }
   /// A number that needs more digits than double has, as hi + mid + lo.
   GAUSS_FUNCTION static S constant(double hi, double mid, double lo) {
@@ -277,7 +282,7 @@ using StatusOf = typename Math<S>::Status;
 
 }  // namespace gauss
 
-#elif GAUSS_MATH_VERSION != 2
+#elif GAUSS_MATH_VERSION != 3
 #error "Two versions of the gauss prelude meet in one file: generate all models with the same gauss-gen."
 #endif  // GAUSS_MATH_HPP
 

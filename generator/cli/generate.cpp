@@ -81,6 +81,19 @@ int check_or_list(const Options& options, support::Source& source) {
 
 }  // namespace
 
+namespace {
+
+/// Of those that are to be printed; none where the header is wanted.
+std::string last_stage(const std::vector<std::string>& dumps) {
+  std::string last;
+  for (const std::string& stage : stage_names()) {
+    if (std::find(dumps.begin(), dumps.end(), stage) != dumps.end()) last = stage;
+  }
+  return last;
+}
+
+}  // namespace
+
 int generate(const Options& options) {
   std::optional<ReadingGuard> guard(options.messages);
   support::Source source = read_source(options.model);
@@ -97,7 +110,9 @@ int generate(const Options& options) {
     dumped += dump();
   };
   support::Diagnostics diagnostics;
-  const auto result = compile(source, options.pipeline, diagnostics, observe);
+  PipelineOptions pipeline = options.pipeline;
+  pipeline.last_stage = last_stage(options.dumps);
+  const auto result = compile(source, pipeline, diagnostics, observe);
   derivation.reset();  // before anything is written
   const int code = report(diagnostics, source, options.messages);
   if (!result || code != k_ok) {

@@ -5,6 +5,7 @@
 
 #include "emit/body.hpp"
 #include "emit/identifiers.hpp"
+#include "emit/literal.hpp"
 #include "emit/outputs.hpp"
 #include "emit/text.hpp"
 #include "passes/schedule.hpp"
@@ -20,6 +21,7 @@ using passes::Writing;
 namespace {
 
 constexpr std::size_t k_comment_width = 104;
+const std::string k_start = "start";              ///< of a search: the state before it
 constexpr std::size_t k_required_conditions = 3;  ///< of Math<S>::status
 
 Program scheduled(const Writing& writing, const Request& request) {
@@ -47,9 +49,12 @@ class Reader {
 
   /// True if anything was read.
   bool read(SymbolId symbol, const std::string& from, const std::string& call = "") {
+    return read_as(symbol, from + "." + names_.of_symbol(symbol) + call);
+  }
+
+  bool read_as(SymbolId symbol, const std::string& place) {
     if (!uses(symbol)) return false;
-    const std::string name = names_.of_symbol(symbol);
-    body_.add(cpp::Definition{type_, name, cpp::atom(from + "." + name + call)});
+    body_.add(cpp::Definition{type_, names_.of_symbol(symbol), cpp::atom(place)});
     return true;
   }
 
@@ -124,9 +129,14 @@ std::vector<cpp::Argument> read_arguments(const Plan& plan, const Artefact& arte
   const bool reads_inputs = reader.read_all(unit.inputs, "inputs", "");
   const bool reads_coordinates = reader.read_all(unit.configuration, source, "()");
   const bool reads_state = reader.read_all(unit.speeds, source, "()") || reads_coordinates;
+  bool reads_start = false;
+  for (std::size_t i = 0; i < unit.start.size(); ++i)
+    reads_start = reader.read_as(unit.start[i].symbol, k_start + ("." + plan.names.of(unit.configuration[i]) + "()")) ||
+                  reads_start;
   const bool reads_accelerations = reader.read_all(unit.accelerations, "accelerations", "()");
   std::vector<cpp::Argument> arguments;
   if (artefact.takes_time) arguments.push_back({"const S&", "t", reader.uses(unit.time)});
+  if (artefact.takes_start) arguments.push_back({"const State<S>&", k_start, reads_start});
   if (artefact.takes_state) arguments.push_back({"const State<S>&", source, reads_state});
   if (artefact.takes_inputs) arguments.push_back({"const Inputs<S>&", "inputs", reads_inputs});
   arguments.push_back({"const Prepared<S>&", "prepared", reads_prepared});
@@ -171,6 +181,45 @@ FunctionCode artefact_function(Plan& plan, const Task& task) {
   return_status(body, plan.graph, task);
   function.body = body.take();
   return {std::move(function), reads, may_alias};
+}
+
+cpp::Function search_function(const Artefact& artefact) {
+  cpp::Function function;
+  function.comment = wrapped(artefact.about, k_comment_width);
+  function.prefix = "GAUSS_FUNCTION";
+  function.type = "StatusOf<S>";
+  function.name = artefact.name;
+  function.suffix = "noexcept";
+  if (artefact.takes_time) function.arguments.push_back({"const S&", "t"});
+  if (artefact.takes_state) function.arguments.push_back({"const State<S>&", "from"});
+  function.arguments.push_back({"const Prepared<S>&", "prepared"});
+  function.arguments.push_back({"State<S>&", "state"});
+
+  // `state` may be `from`.
+  const bool keeps_start =
+      std::any_of(artefact.calls.begin(), artefact.calls.end(), [](const Call& call) { return call.takes_start; });
+  if (keeps_start) function.body.emplace_back(cpp::Definition{"const State<S>", k_start, cpp::atom("from")});
+  if (artefact.takes_state) function.body.emplace_back(cpp::Assignment{cpp::atom("state"), cpp::atom("from")});
+  function.body.emplace_back(cpp::Definition{"StatusOf<S>", "status", cpp::call("StatusOf<S>", {})});
+  for (const Call& call : artefact.calls) {
+    std::vector<cpp::Expression> arguments;
+    if (call.takes_state) arguments.push_back(artefact.takes_time ? cpp::atom("t") : literal(0));
+    if (call.takes_start) arguments.push_back(cpp::atom(k_start));
+    if (call.takes_state) arguments.push_back(cpp::atom("state"));
+    arguments.push_back(cpp::atom("prepared"));
+    arguments.push_back(cpp::atom("state"));
+    cpp::Assignment step{
+        cpp::atom("status"),
+        cpp::call("Math<S>::worse", {cpp::atom("status"), cpp::call(call.function, std::move(arguments))})};
+    if (call.times == 1) {
+      function.body.emplace_back(std::move(step));
+    } else {
+      function.body.emplace_back(
+          cpp::Loop{"step", "0", std::to_string(call.times), {cpp::AnyStatement{std::move(step)}}});
+    }
+  }
+  function.body.emplace_back(cpp::Return{cpp::atom("status")});
+  return function;
 }
 
 }  // namespace gaussgen::emit

@@ -12,4 +12,7 @@ cpp::Function prepare_function(Plan& plan);
 /// One function of the unit, in one piece.
 FunctionCode artefact_function(Plan& plan, const Task& task);
 
+/// One that calls others of the unit.
+cpp::Function search_function(const Artefact& artefact);
+
 }  // namespace gaussgen::emit

@@ -45,8 +45,10 @@ class HeaderBuilder {
     const std::string guard = guard_name(file_.name_space);
     std::vector<cpp::Function> functions{prepare_function(plan_)};
     std::vector<Parts> parts;
-    for (const Task& task : plan_.tasks) {
-      FunctionCode code = artefact_function(plan_, task);
+    auto task = plan_.tasks.begin();
+    for (const Artefact& artefact : plan_.unit.artefacts) {
+      const bool calls = !artefact.calls.empty();
+      FunctionCode code = calls ? FunctionCode{search_function(artefact)} : artefact_function(plan_, *task++);
       functions.push_back(code.function);
       parts.push_back(split(std::move(code), plan_.unit.part_operations));
     }

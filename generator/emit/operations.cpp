@@ -17,8 +17,8 @@ constexpr int k_arguments_of_angle = 3;  ///< itself, its sine, its cosine
 bool is_number(const Expression& e) { return e.kind == Kind::call && e.text == "S"; }
 
 bool is_free(const std::string& callee) {
-  static constexpr std::array k_free{"less",   "at_most", "select",   "any", "not_finite",
-                                     "status", "epsilon", "constant", "pi"};
+  static constexpr std::array k_free{"less",   "at_most", "select",  "any",      "not_finite",
+                                     "status", "worse",   "epsilon", "constant", "pi"};
   return std::any_of(k_free.begin(), k_free.end(),
                      [&](const char* name) { return callee == "Math<S>::" + std::string(name); });
 }
@@ -69,14 +69,25 @@ class Tally {
 
 }  // namespace
 
+namespace {
+
+void add(const cpp::Statement& statement, Tally& tally) {
+  if (const auto* definition = std::get_if<cpp::Definition>(&statement)) tally.add(definition->value);
+  if (const auto* assignment = std::get_if<cpp::Assignment>(&statement)) tally.add(assignment->value);
+  if (const auto* evaluation = std::get_if<cpp::Evaluation>(&statement)) tally.add(evaluation->expression);
+  if (const auto* result = std::get_if<cpp::Return>(&statement)) tally.add(result->value);
+  const auto* loop = std::get_if<cpp::Loop>(&statement);
+  if (loop == nullptr) return;
+  for (int time = std::stoi(loop->from); time < std::stoi(loop->to); ++time) {
+    for (const cpp::AnyStatement& inner : loop->body) add(inner.statement, tally);
+  }
+}
+
+}  // namespace
+
 Operations operations_of(const cpp::Function& function, const std::map<std::string, Operations>& callees) {
   Tally tally(callees);
-  for (const cpp::Statement& statement : function.body) {
-    if (const auto* definition = std::get_if<cpp::Definition>(&statement)) tally.add(definition->value);
-    if (const auto* assignment = std::get_if<cpp::Assignment>(&statement)) tally.add(assignment->value);
-    if (const auto* evaluation = std::get_if<cpp::Evaluation>(&statement)) tally.add(evaluation->expression);
-    if (const auto* result = std::get_if<cpp::Return>(&statement)) tally.add(result->value);
-  }
+  for (const cpp::Statement& statement : function.body) add(statement, tally);
   return tally.operations;
 }
 

@@ -27,6 +27,7 @@ std::vector<SymbolId> arguments_of(const Artefact& artefact, const Unit& unit) {
   if (artefact.takes_time) symbols.push_back(unit.time);
   if (artefact.takes_state) append(unit.configuration);
   if (artefact.takes_state) append(unit.speeds);
+  if (artefact.takes_start) append(unit.start);
   if (artefact.takes_inputs) {
     for (const InputEntry& input : unit.inputs) symbols.push_back(input.entry.symbol);
   }
@@ -127,6 +128,7 @@ class Planner {
 
   void run() {
     for (const Artefact& artefact : plan_.unit.artefacts) {
+      if (!artefact.calls.empty()) continue;
       Task task{&artefact, {}, {}};
       task.request = runs_once(artefact) ? as_it_is(artefact) : over_prepared(artefact, task.effects);
       plan_.tasks.push_back(std::move(task));

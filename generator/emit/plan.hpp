@@ -11,7 +11,7 @@
 
 namespace gaussgen::emit {
 
-/// One artefact over prepared values. `outputs` holds derivative, state, the fields of all groups, then the status.
+/// One artefact over prepared values; those that only call others have none. `outputs` holds derivative, state, the fields of all groups, then the status.
 struct Task {
   const Artefact* artefact;
   passes::Request request;

@@ -41,10 +41,12 @@ std::string quantities(const Unit& unit) {
          table("Inputs", inputs);
 }
 
-std::string operations(const std::vector<cpp::Function>& functions, const std::map<std::string, Operations>& callees) {
+std::string operations(const std::vector<cpp::Function>& functions, std::map<std::string, Operations> callees) {
   Rows rows{{"", "+ -", "*", "/", "sqrt", "functions"}};
   for (const cpp::Function& function : functions) {
+    // Functions that call others come after these.
     const Operations count = operations_of(function, callees);
+    callees.insert_or_assign(function.name, count);
     rows.push_back({function.name, std::to_string(count.additions), std::to_string(count.multiplications),
                     std::to_string(count.divisions), std::to_string(count.square_roots),
                     std::to_string(count.functions)});

@@ -61,7 +61,7 @@ struct Field {
   std::string name;
   std::string about;  ///< meaning, unit, frame, sign
   std::vector<int> shape;
-  std::vector<NodeId> values;  ///< row-major, as many as the shape says
+  std::vector<NodeId> values;           ///< row-major, as many as the shape says
   std::optional<Pattern> pattern = {};  ///< of a sparse matrix: values are its entries
 };
 
@@ -77,7 +77,8 @@ struct Group {
 /// is a section without any.
 struct Section {
   std::string comment;  ///< what it is, the equation, the model line; may have several lines
-  std::string subject;  ///< element of the model that it is about, resolved into `comment` by the pipeline; may be empty
+  std::string
+      subject;  ///< element of the model that it is about, resolved into `comment` by the pipeline; may be empty
   std::vector<std::pair<NodeId, std::string>> nodes;  ///< in order of printing, with the physical name wanted
 };
 
@@ -96,6 +97,14 @@ enum class Target {
   result,      ///< fills the struct `result_type`
 };
 
+/// A call of another function with target state, which takes the state that was reached to the next.
+struct Call {
+  std::string function;
+  int times = 1;
+  bool takes_state = true;   ///< false: it makes the first state out of nothing
+  bool takes_start = false;  ///< with the state before the first call as well
+};
+
 /// One emitted function.
 struct Artefact {
   std::string name;   ///< rhs, reactions, rhs_and_reactions, energy, …
@@ -103,12 +112,14 @@ struct Artefact {
   bool takes_time = true;
   bool takes_state = true;
   bool takes_inputs = true;
-  bool extends_preparation = true;  ///< false (initial_state): parameter-only values stay inside the function
+  bool extends_preparation = true;   ///< false (initial_state): parameter-only values stay inside the function
   bool takes_accelerations = false;  ///< an extra `const Derivative<S>&`: candidate accelerations
+  bool takes_start = false;          ///< an extra `const State<S>&`: Unit::start
   Target target = Target::result;
-  std::vector<NodeId> derivative;    ///< target derivative (also beside groups, for rhs_and_reactions): n_q + n_v values
-  std::vector<NodeId> state;         ///< target state: n_q + n_v values
-  std::string result_type;           ///< struct name, such as Reactions; several artefacts may fill the same struct
+  std::vector<NodeId> derivative;  ///< target derivative (also beside groups, for rhs_and_reactions): n_q + n_v values
+  std::vector<NodeId> state;       ///< target state: n_q + n_v values
+  std::vector<Call> calls;         ///< likewise, instead of values: of functions that come before this one
+  std::string result_type;         ///< struct name, such as Reactions; several artefacts may fill the same struct
   std::vector<Group> groups;
   std::vector<Section> sections;
   StatusNodes status;
@@ -118,8 +129,8 @@ struct Provenance {
   std::string tool_version;
   std::string model_file;  ///< base name
   std::string model_hash;
-  std::string command;     ///< the options that matter, without paths
-  std::string strategy;    ///< one sentence: how the accelerations are found, and why that is safe
+  std::string command;   ///< the options that matter, without paths
+  std::string strategy;  ///< one sentence: how the accelerations are found, and why that is safe
   std::vector<std::string> notes;
 };
 
@@ -134,6 +145,7 @@ struct Unit {
   std::vector<ParameterEntry> parameters;
   std::vector<InputEntry> inputs;
   std::vector<Entry> configuration;  ///< n_q
+  std::vector<Entry> start;          ///< n_q or none; likewise named, of the state from which a search began
   std::vector<Entry> speeds;         ///< n_v; names as emitted: chi_dot, wx
   std::vector<Entry> accelerations;  ///< n_v; names as emitted: chi_ddot, wx_dot
   std::vector<std::string> configuration_rates;  ///< n_q, names in Derivative: chi_dot, e0_dot
@@ -141,11 +153,11 @@ struct Unit {
   std::vector<ConstraintEntry> constraints;
   std::vector<Artefact> artefacts;
   SymbolId time;
-  SymbolId epsilon;  ///< rounding unit of S
+  SymbolId epsilon;                         ///< rounding unit of S
   int part_operations = k_part_operations;  ///< functions of more than twice as many are split
   std::vector<std::string> compiled_for;    ///< scalar types of a source file of its own; empty: there is none
-  bool folded = false;  ///< parameters are numbers already; Parameters<S> is empty
-  bool optimised = true;  ///< false: values are computed as they were derived, without rewriting them
+  bool folded = false;                      ///< parameters are numbers already; Parameters<S> is empty
+  bool optimised = true;                    ///< false: values are computed as they were derived, without rewriting them
 };
 
 }  // namespace gaussgen::emit

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "ir/contract.hpp"
+#include "ir/reverse.hpp"
 #include "ir/substitute.hpp"
 #include "ir/traverse.hpp"
 #include "kinematics/body_motions.hpp"
@@ -19,6 +20,9 @@ using model::Axes;
 using support::Indexed;
 
 namespace {
+
+/// Up to this number of rates derivatives by each of them are short.
+constexpr std::size_t k_few_rates = 6;
 
 class Builder {
  public:
@@ -179,9 +183,7 @@ class Builder {
   ConstraintRow constraint_row(const model::Constraint& constraint) {
     ConstraintRow row = empty_row(constraint);
     std::visit([&](const auto& law) { state(law, row); }, constraint.law);
-    for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) {
-      row.beta.push_back(partial(row.phi, i));
-    }
+    row.beta = gradient(row);
     for (const FullIndex i : row.beta.indices()) {
       if (row.beta[i].is_zero()) continue;
       for (const FullIndex j : row.beta.indices()) row.is_linear = row.is_linear && partial(row.beta[i], j).is_zero();
@@ -190,6 +192,18 @@ class Builder {
     row.beta_drift = expressions_.rate(row.phi);
     if (constraint.point) row.point = expressions_(*constraint.point);
     return row;
+  }
+
+  // Of many rates, from φ back along the links to each of them: forwards, every rate goes the whole way to φ by itself.
+  Components gradient(const ConstraintRow& row) {
+    Components beta;
+    if (symbols_.full_count() <= k_few_rates) {
+      for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) beta.push_back(partial(row.phi, i));
+      return beta;
+    }
+    std::vector<ir::SymbolId> rates;
+    for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) rates.push_back(symbols_.rate(i));
+    return Components(ir::Reverse(graph_, rates)({{row.phi, number(1)}}, "beta_" + row.name));
   }
 
   void state(const model::VelocityLaw& law, ConstraintRow& row) {
@@ -356,12 +370,20 @@ class Builder {
     const Components all = generalized(frame, point, force, moment);
     const Components none(symbols_.full_count(), number(0));
     if (!body) return {none, all};
-    const std::size_t carrier = pushed(frame);
-    const bool has_unfelt_moment = !motions_.is_rigid(*body) && !is_zero(moment_about(*body, point, force, moment));
-    if (carrier == frame && !has_unfelt_moment) return {all, none};
-    Effect result{has_unfelt_moment ? at_centre(*body, force) : generalized(carrier, point, force, moment), all};
+    if (is_felt_whole(frame, point, force, moment, *body)) return {all, none};
+    const bool at_particle = has_unfelt_moment(point, force, moment, *body);
+    Effect result{at_particle ? at_centre(*body, force) : generalized(pushed(frame), point, force, moment), all};
     for (const FullIndex i : all.indices()) result.unfelt[i] -= result.felt[i];
     return result;
+  }
+
+  bool has_unfelt_moment(const Vector3& point, const Vector3& force, const Vector3& moment, BodyIndex body) {
+    return !motions_.is_rigid(body) && !is_zero(moment_about(body, point, force, moment));
+  }
+
+  bool is_felt_whole(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment,
+                     BodyIndex body) {
+    return pushed(frame) == frame && !has_unfelt_moment(point, force, moment, body);
   }
 
   Vector3 moment_about(BodyIndex body, const Vector3& point, const Vector3& force, const Vector3& moment) {
@@ -407,7 +429,10 @@ class Builder {
     for (const ConstraintAction& action : row.actions) {
       if (action.frame == model::k_space) continue;
       const std::optional<BodyIndex> body = body_of(pushed(action.frame));
-      const Components unfelt = effect(action.frame, action.point, action.direction, ir::zero3(graph_), body).unfelt;
+      const Vector3 none = ir::zero3(graph_);
+      // Its effect along every rate is not asked for then.
+      if (body && is_felt_whole(action.frame, action.point, action.direction, none, *body)) continue;
+      const Components unfelt = effect(action.frame, action.point, action.direction, none, body).unfelt;
       for (const FullIndex i : unfelt.indices()) row.carried[i] += unfelt[i];
     }
   }
@@ -419,7 +444,8 @@ class Builder {
       action.along_way = power;
       for (const FreeIndex a : symbols_.speeds.indices()) {
         const FullIndex i = symbols_.full(a);
-        if (moves_body(i)) row.beside[i] += partial(power, i);
+        const Expr along = partial(power, i);
+        if (!along.is_zero() && moves_body(i)) row.beside[i] += along;
       }
     }
   }

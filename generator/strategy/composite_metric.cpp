@@ -41,21 +41,40 @@ class CompositeMetric {
         g_(labels.size(), Vector(labels.size(), number(0))) {}
 
   Matrix run() {
+    find_composites();
+    steps_.begin("metric g_ab (1.10): momentum by one speed, along the other");
+    for (std::size_t j = 0; j < links_.size(); ++j) {
+      for (const Freedom& freedom : links_[j].freedoms) carry(j, freedom, k_ground);
+    }
+    name_entries();
+    return std::move(g_);
+  }
+
+  Vector diagonal() {
+    find_composites();
+    // A speed that moves one link alone has nothing to do with those before.
+    std::vector<std::size_t> first(labels_.size(), k_ground);
+    for (std::size_t j = links_.size(); j-- > 0;) {
+      for (const Freedom& freedom : links_[j].freedoms) first[freedom.speed.value] = j;
+    }
+    for (std::size_t j = 0; j < links_.size(); ++j) {
+      for (const Freedom& freedom : links_[j].freedoms) carry(j, freedom, links_[first[freedom.speed.value]].parent);
+    }
+    Vector result;
+    for (std::size_t i = 0; i < labels_.size(); ++i) result.push_back(g_[i][i]);
+    return result;
+  }
+
+ private:
+  void find_composites() {
     steps_.begin("what each link carries as one rigid body, about the origin of the link, in space");
     for (std::size_t i = 0; i < links_.size(); ++i) {
       composites_.push_back(own(i));
       arms_.push_back(arm(i));
     }
     for (std::size_t i = links_.size(); i-- > 0;) complete(i);
-    steps_.begin("metric g_ab (1.10): momentum by one speed, along the other");
-    for (std::size_t j = 0; j < links_.size(); ++j) {
-      for (const Freedom& freedom : links_[j].freedoms) carry(j, freedom);
-    }
-    name_entries();
-    return std::move(g_);
   }
 
- private:
   Expr number(int value) const { return {graph_, graph_.constant(value)}; }
 
   Composite own(std::size_t i) {
@@ -110,16 +129,16 @@ class CompositeMetric {
     return {cross(along, body.first), ir::multiply(body.inertia, along)};
   }
 
-  // To the ground, about the origin of each link on the way.
-  void carry(std::size_t j, const Freedom& freedom) {
+  // To the link `end`, or to the ground, about the origin of each link on the way.
+  void carry(std::size_t j, const Freedom& freedom, std::size_t end) {
     Momentum p = momentum(j, along(j, freedom));
     const std::string& label = labels_[freedom.speed.value];
-    for (std::size_t i = j; i != k_ground; i = links_[i].parent) {
+    for (std::size_t i = j; i != k_ground && i != end; i = links_[i].parent) {
       for (const Freedom& other : links_[i].freedoms) {
         const bool is_linear = links_[i].kind == Link::Kind::shift;
         add(freedom, other, i == j, dot(along(i, other), is_linear ? p.linear : p.angular));
       }
-      if (links_[i].parent == k_ground || is_zero(arms_[i])) continue;
+      if (links_[i].parent == k_ground || links_[i].parent == end || is_zero(arms_[i])) continue;
       p.angular =
           steps_.name(p.angular + cross(arms_[i], p.linear), "L_" + label + "_" + links_[links_[i].parent].name);
     }
@@ -157,6 +176,11 @@ class CompositeMetric {
 Matrix composite_metric(const kinematics::Linkage& linkage, const std::vector<std::string>& labels, ir::Graph& graph,
                         Steps& steps) {
   return CompositeMetric(linkage, labels, graph, steps).run();
+}
+
+Vector composite_inertias(const kinematics::Linkage& linkage, const std::vector<std::string>& labels, ir::Graph& graph,
+                          Steps& steps) {
+  return CompositeMetric(linkage, labels, graph, steps).diagonal();
 }
 
 }  // namespace gaussgen::strategy

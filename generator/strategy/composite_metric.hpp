@@ -10,4 +10,8 @@ namespace gaussgen::strategy {
 Matrix composite_metric(const kinematics::Linkage& linkage, const std::vector<std::string>& labels, ir::Graph& graph,
                         Steps& steps);
 
+/// Its diagonal: what speed alone takes as momentum, at a few operations for each link.
+Vector composite_inertias(const kinematics::Linkage& linkage, const std::vector<std::string>& labels, ir::Graph& graph,
+                          Steps& steps);
+
 }  // namespace gaussgen::strategy

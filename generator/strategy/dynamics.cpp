@@ -63,6 +63,13 @@ void add_rows(const kinematics::Kinematics& kinematics, Dynamics& result, Steps&
 
 }  // namespace
 
+Vector inertias(const Dynamics& dynamics) {
+  if (dynamics.inertias_of_links) return dynamics.inertias_of_links();
+  Vector result;
+  for (std::size_t i = 0; i < dynamics.n(); ++i) result.push_back(dynamics.g[i][i]);
+  return result;
+}
+
 Matrix g_above_b(const Dynamics& dynamics) {
   Matrix rows = dynamics.g;
   rows.insert(rows.end(), dynamics.b.begin(), dynamics.b.end());
@@ -71,12 +78,16 @@ Matrix g_above_b(const Dynamics& dynamics) {
 
 DependentRows dependent_rows_over(const Dynamics& dynamics, const std::vector<std::size_t>& speeds) {
   if (dynamics.l() == 0) return [](const Matrix&) { return std::vector<std::size_t>(); };
-  Matrix block;
-  for (const std::size_t i : speeds) {
-    block.emplace_back();
-    for (const std::size_t j : speeds) block.back().push_back(dynamics.g[i][j]);
-  }
-  return [rows = dynamics.dependent_rows(block)](const Matrix&) { return rows; };
+  // Once, and only where somebody asks: the block has as many entries as there are pairs of speeds.
+  const support::Lazy<std::vector<std::size_t>> rows([&dynamics, speeds] {
+    Matrix block;
+    for (const std::size_t i : speeds) {
+      block.emplace_back();
+      for (const std::size_t j : speeds) block.back().push_back(dynamics.g[i][j]);
+    }
+    return dynamics.dependent_rows(block);
+  });
+  return [rows](const Matrix&) { return *rows; };
 }
 
 Dynamics build_dynamics(const kinematics::Kinematics& kinematics, const support::Lazy<kinematics::Covariant>& covariant,

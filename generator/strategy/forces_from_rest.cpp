@@ -35,7 +35,7 @@ std::optional<Candidate> accelerated_from_rest(const Linkage& linkage, const Kin
                             unconstrained.symbols,
                             {zero, zero, zero},
                             forces,
-                            {unconstrained, {}, {}, no_rate, vanishes, {}, {}, {}},
+                            {unconstrained, {}, {}, no_rate, vanishes, {}, {}, {}, {}},
                             "spread_"};
   return cheapest_tree(problem, epsilon);
 }

@@ -220,7 +220,10 @@ void LinkRowBuilder::add(const Group& group, LinkMotion& motion, LinkAxes& in_sp
     const Vector3 in_axes = in_space.of(axes, steps)[k];
     for (std::size_t i = 0; i < directions.size(); ++i) {
       const Expr share = in_axes[directions[i]] * as.spots[0].direction[k];
-      if (!share.is_zero()) result.multipliers[as.constraint].push_back({first_row + i, share});
+      if (share.is_zero()) continue;
+      result.multipliers[as.constraint].push_back({first_row + i, share});
+      // The axes of the rows are as orthogonal as those of space: what turns multipliers turns residuals back.
+      result.rows[first_row + i].rest += share * residual(as.constraint);
     }
   }
 }
@@ -245,6 +248,7 @@ void LinkRowBuilder::add(const PlacedRow& placed, LinkMotion& motion, Steps& ste
     row.rest += dot(turning, motion.velocity(spot.link, steps) + cross(motion.omega(spot.link), position(spot)));
   }
   if (!is_zero(falling)) set_fall(dot(falling, motion.fall_at(axes)), row);
+  row.rest += residual(placed.constraint);
   result.multipliers[placed.constraint].push_back({result.rows.size(), number(1)});
   result.rows.push_back(std::move(row));
 }

@@ -59,6 +59,8 @@ struct ConstraintProblem {
   std::function<double(ir::Expr)> value_of;  ///< at some point; none where parameters may take any value
   /// With parameters as in the model and, where there are coordinates in it, at some point; infinite where it has no value.
   std::function<double(ir::Expr)> estimate;
+  /// Added to b du/dt of each constraint beside what velocities make of it: what is left of an equation where nothing moves. None of it: empty.
+  Vector residuals;
 };
 
 /// Which rows are those of places on links, and what they say.
@@ -104,6 +106,9 @@ class LinkRowBuilder {
   LinkRow empty_row(std::size_t index) const;
   void set_fall(ir::Expr fall, LinkRow& row) const;
   bool is_idle(std::size_t index) const { return placed_[index]->constraint >= problem_.b.size(); }
+  ir::Expr residual(std::size_t constraint) const {
+    return problem_.residuals.empty() ? number(0) : problem_.residuals[constraint];
+  }
   ir::Expr number(int value) const { return {graph_, graph_.constant(value)}; }
 
   const ConstraintProblem& problem_;

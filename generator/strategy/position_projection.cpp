@@ -3,10 +3,9 @@
 #include <algorithm>
 
 #include "ir/differentiate.hpp"
-#include "ir/rounded.hpp"
-#include "strategy/accelerations.hpp"
+#include "ir/substitute.hpp"
+#include "strategy/least_change.hpp"
 #include "strategy/quaternions.hpp"
-#include "strategy/state_values.hpp"
 
 namespace gaussgen::strategy {
 
@@ -15,17 +14,23 @@ using kinematics::ConfigurationIndex;
 using kinematics::ConstraintIndex;
 using kinematics::FreeIndex;
 
-PositionProjection::PositionProjection(const Dynamics& dynamics, std::vector<std::size_t> moving,
-                                       std::optional<Expr> time, Expr epsilon)
+PositionProjection::PositionProjection(const Dynamics& dynamics, std::vector<std::size_t> moving, const Vector& at,
+                                       Expr epsilon)
     : dynamics_(dynamics),
       moving_(std::move(moving)),
       dependent_rows_(dependent_rows_over(dynamics, moving_)),
-      time_(time),
       epsilon_(epsilon),
       singular_(epsilon.graph(), epsilon.graph().constant(0)),
       dependent_(singular_) {
+  ir::Substitution put_in(epsilon.graph());
+  for (std::size_t i = 0; i < at.size(); ++i)
+    put_in.replace(dynamics.kinematics->symbols.configuration[ConfigurationIndex{i}].symbol, at[i]);
   for (const ConstraintIndex mu : dynamics.kinematics->constraints.indices()) {
-    if (dynamics.kinematics->constraints[mu].f) rows_.push_back(mu.value);
+    if (!dynamics.kinematics->constraints[mu].f) continue;
+    rows_.push_back(mu.value);
+    const Vector& b = dynamics.b[mu.value];
+    if (std::any_of(moving_.begin(), moving_.end(), [&](std::size_t i) { return !put_in(b[i]).is_zero(); }))
+      movable_.push_back(mu.value);
   }
 }
 
@@ -33,88 +38,64 @@ Vector PositionProjection::zeros(std::size_t count) const {
   return Vector(count, Expr(epsilon_.graph(), epsilon_.graph().constant(0)));
 }
 
-Vector PositionProjection::at(const Vector& expressions, const Vector& configuration, const Vector& speeds) const {
-  ir::Substitution put_in = state_values(dynamics_.kinematics->symbols, time_, configuration, speeds);
-  Vector values;
-  for (const Expr expression : expressions) values.push_back(put_in(expression));
-  return values;
+Expr PositionProjection::symbol(std::size_t i) const {
+  ir::Graph& graph = epsilon_.graph();
+  return {graph, graph.use(dynamics_.kinematics->symbols.configuration[ConfigurationIndex{i}].symbol)};
 }
 
-Dynamics PositionProjection::problem_at(const Vector& configuration, const std::string& prefix) const {
-  const Vector rest = zeros(dynamics_.n());
-  const auto part = [&](const Vector& row) {
-    Vector chosen;
-    for (const std::size_t i : moving_) chosen.push_back(row[i]);
-    return at(chosen, configuration, rest);
-  };
-  Dynamics problem;
-  problem.names = {prefix, "move", "push"};
-  problem.dependent_rows = dependent_rows_;
-  for (const std::size_t i : moving_) {
-    problem.labels.push_back(dynamics_.labels[i]);
-    problem.g.push_back(part(dynamics_.g[i]));
-  }
-  problem.f = zeros(moving_.size());
-  for (const std::size_t mu : rows_) {
-    const Vector row = part(dynamics_.b[mu]);
-    if (std::all_of(row.begin(), row.end(), [](Expr e) { return e.is_zero(); })) continue;
-    problem.constraints.push_back(dynamics_.constraints[mu]);
-    problem.b.push_back(row);
-    const Expr f = *dynamics_.kinematics->constraints[ConstraintIndex{mu}].f;
-    problem.b_drift.push_back(without_rounding(at({f}, configuration, rest)[0]));
-  }
-  return problem;
+Vector PositionProjection::rates_at(const Vector& speeds) const {
+  const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
+  ir::Substitution put_in(epsilon_.graph());
+  for (const FreeIndex i : symbols.speeds.indices()) put_in.replace(symbols.speeds[i].symbol, speeds[i.value]);
+  Vector values;
+  for (const Expr rate : dynamics_.kinematics->configuration_rates) values.push_back(put_in(rate));
+  return values;
 }
 
 // dq = q̇(u = δ) - q̇(u = 0): what the speeds add, without the part of given motions.
 void PositionProjection::displace(const Vector& change, Vector& configuration) const {
   Vector speeds = zeros(dynamics_.n());
-  const Vector& rates = dynamics_.kinematics->configuration_rates.values();
-  const Vector carried = at(rates, configuration, speeds);
+  const Vector carried = rates_at(speeds);
   for (std::size_t j = 0; j < moving_.size(); ++j) speeds[moving_[j]] = change[j];
-  const Vector moved = at(rates, configuration, speeds);
+  const Vector moved = rates_at(speeds);
   for (std::size_t i = 0; i < configuration.size(); ++i) {
-    configuration[i] = rounded(configuration[i] + (moved[i] - carried[i]));
+    configuration[i] = configuration[i] + (moved[i] - carried[i]);
   }
 }
 
-void PositionProjection::run(int count, Vector& configuration, Steps& steps) {
+void PositionProjection::step(Vector& configuration, Steps& steps) {
   const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
-  for (int step = 0; step < count; ++step) {
-    const std::string prefix = "move" + std::to_string(step + 1) + "_";
-    const Dynamics problem = problem_at(configuration, prefix);
-    if (problem.l() == 0) return;
-    Steps inner_steps;
-    const Solution change = solve_with_multipliers(problem, epsilon_, inner_steps);
-    steps.begin("smallest displacement in the mass metric that satisfies the linearised equations of positions");
-    for (const Step& inner_step : inner_steps.all()) steps.append(inner_step.values);
-    displace(change.accelerations, configuration);
-    normalise(symbols, configuration);
-    for (const ConfigurationIndex i : symbols.configuration.indices()) {
-      configuration[i.value] = steps.name(configuration[i.value], prefix + symbols.configuration[i].name);
-    }
-    singular_ = any(epsilon_.graph(), {singular_, change.singular_mass_matrix});
-    dependent_ = any(epsilon_.graph(), {dependent_, change.dependent_constraints});
+  const std::string prefix = "move_";
+  Change wanted{moving_, movable_, {}, prefix};
+  for (const std::size_t mu : movable_)
+    wanted.residuals.push_back(*dynamics_.kinematics->constraints[ConstraintIndex{mu}].f);
+  steps.begin("smallest displacement in the mass metric that satisfies the linearised equations of positions");
+  const Solution found = least_change(dynamics_, wanted, dependent_rows_, epsilon_, steps);
+  displace(found.accelerations, configuration);
+  normalise(symbols, configuration);
+  for (const ConfigurationIndex i : symbols.configuration.indices()) {
+    configuration[i.value] = steps.name(configuration[i.value], prefix + symbols.configuration[i].name);
   }
+  singular_ = found.singular_mass_matrix;
+  dependent_ = found.dependent_constraints;
 }
 
 /// ∂f/∂q of a coordinate whose rate is no speed, times the size of q; squares.
-Expr PositionProjection::along_coordinate(std::size_t mu, std::size_t i, const Vector& start,
-                                          const Vector& configuration) const {
+Expr PositionProjection::along_coordinate(std::size_t mu, std::size_t i, const Vector& start) const {
   const kinematics::ConfigurationVariable& q = dynamics_.kinematics->symbols.configuration[ConfigurationIndex{i}];
   const Expr gradient = ir::partial(*dynamics_.kinematics->constraints[ConstraintIndex{mu}].f, q.symbol);
   if (gradient.is_zero()) return zeros(1)[0];
-  const Expr size = pow(start[i], 2) + pow(configuration[i], 2);
+  const Expr size = pow(start[i], 2) + pow(symbol(i), 2);
   const Expr one(epsilon_.graph(), epsilon_.graph().constant(q.unit == "m" ? 0 : 1));
-  return pow(at({gradient}, configuration, zeros(dynamics_.n()))[0], 2) * (size + one);
+  return pow(gradient, 2) * (size + one);
 }
 
 // Angles count as 1 besides their size, since they may have gone anywhere.
-Expr PositionProjection::size_of(FreeIndex i, const Vector& start, const Vector& configuration) const {
+Expr PositionProjection::size_of(FreeIndex i, const Vector& start) const {
   const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
   Expr size(epsilon_.graph(), epsilon_.graph().constant(symbols.speeds[i].is_of_length() ? 0 : 1));
   if (i.value < symbols.plain_count() && !symbols.speeds[i].replaces_rate) {
-    size += pow(start[i.value], 2) + pow(configuration[i.value], 2);
+    size += pow(start[i.value], 2) + pow(symbol(i.value), 2);
   }
   return size;
 }
@@ -133,27 +114,21 @@ Expr PositionProjection::left_by_all(const Vector& b, const Vector& inertia, Exp
 
 // f against what it is made of to first order, with half of the digits: Newton's method leaves rounding, or much more. Squares, since
 // a condition has no sign.
-Expr PositionProjection::violated(const Vector& start, const Vector& configuration) const {
+Expr PositionProjection::violated(const Vector& start) const {
   const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
-  const Vector rest = zeros(dynamics_.n());
-  Vector inertia;
-  for (std::size_t i = 0; i < dynamics_.n(); ++i) inertia.push_back(dynamics_.g[i][i]);
-  inertia = at(inertia, configuration, rest);
+  const Vector inertia = inertias(dynamics_);
   Expr size_of_all = zeros(1)[0];
-  for (const FreeIndex i : symbols.speeds.indices()) {
-    size_of_all += inertia[i.value] * size_of(i, start, configuration);
-  }
+  for (const FreeIndex i : symbols.speeds.indices()) size_of_all += inertia[i.value] * size_of(i, start);
   std::vector<Expr> conditions;
   for (const std::size_t mu : rows_) {
-    const Expr f =
-        without_rounding(at({*dynamics_.kinematics->constraints[ConstraintIndex{mu}].f}, configuration, rest)[0]);
-    const Vector b = at(dynamics_.b[mu], configuration, rest);
+    const Expr f = *dynamics_.kinematics->constraints[ConstraintIndex{mu}].f;
+    const Vector& b = dynamics_.b[mu];
     Expr scale = zeros(1)[0];
     for (const FreeIndex i : symbols.speeds.indices()) {
-      if (!b[i.value].is_zero()) scale += pow(b[i.value], 2) * size_of(i, start, configuration);
+      if (!b[i.value].is_zero()) scale += pow(b[i.value], 2) * size_of(i, start);
     }
     for (const FreeIndex i : symbols.speeds.indices()) {
-      if (symbols.speeds[i].replaces_rate) scale += along_coordinate(mu, i.value, start, configuration);
+      if (symbols.speeds[i].replaces_rate) scale += along_coordinate(mu, i.value, start);
     }
     conditions.push_back(less(epsilon_ * scale + left_by_all(b, inertia, size_of_all), pow(f, 2)));
   }

@@ -259,7 +259,7 @@ class Builder {
                               unconstrained.symbols,
                               ir::zero3(graph_),
                               forces_,
-                              {unconstrained, {}, {}, no_rate, vanishes, {}, {}, {}},
+                              {unconstrained, {}, {}, no_rate, vanishes, {}, {}, {}, {}},
                               "",
                               &disturbance_};
     Steps factors;

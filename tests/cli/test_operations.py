@@ -29,6 +29,32 @@ ADDED = [
     (1.47, "joint_reactions", "joint_reactions", SPATIAL, "--count", "n=6"),
 ]
 
+# A hanging bridge in space: a chain of universal joints from one fixed point to another, which one 'coincide' closes.
+BRIDGE = """gauss: 1
+name: bridge
+counts: {n: 5}
+parameters:
+  m: {value: 1.3, unit: kg}
+  L: {value: 0.7, unit: m}
+  J: {value: m*L^2/12, unit: kg*m^2}
+  Ja: {value: 0.01, unit: kg*m^2}
+  g: {value: 9.81, unit: m/s^2}
+frames:
+  link_0: {position: [-L, 0, 0]}
+joints:
+  first: {type: universal, parent: link_0, child: link_1, at: [L, 0, 0], axes: [z, y], coordinates: [a_1, b_1], initial_guess: [0, -0.6]}
+  joint_$(i+1): {count: $(n-1), type: universal, parent: link_$i, child: link_$(i+1), at: [L, 0, 0], axes: [z, y], coordinates: [a_$(i+1), b_$(i+1)], initial_guess: [0, 1.2/$n]}
+bodies:
+  body_$i: {count: n, frame: link_$i, mass: m, inertia: [Ja, J, J], centre: [L/2, 0, 0]}
+points:
+  end: {on: link_$n, at: [L, 0, 0]}
+  pin: {on: space, at: [0.94*L*$n, 0, 0]}
+constraints:
+  closed: {coincide: [end, pin]}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+"""
+
 
 def small_stack():
     resource.setrlimit(resource.RLIMIT_STACK, (256 * 1024, 256 * 1024))
@@ -66,6 +92,32 @@ class Operations(Program):
             with self.subTest(function):
                 count = [self.operations(CHAIN, "--count", f"n={n}", function=function, output=function) for n in (50, 200)]
                 self.assertLess(count[1], 4.5 * count[0])
+
+    def bridge(self, n, function, output):
+        return self.operations(self.write("bridge.yaml", BRIDGE), "--count", f"n={n}", function=function, output=output)
+
+    def test_searches_for_states_follow_the_links_of_a_closed_chain(self):
+        for function, most in [("project", 4), ("initial_state_positions", 1.2), ("initial_state_speeds", 2)]:
+            with self.subTest(function):
+                output = "project" if function == "project" else "initial_state"
+                count = [self.bridge(n, function, output) for n in (10, 40)]
+                self.assertLess(count[1], 4.6 * count[0])
+                self.assertLess(count[0], most * self.bridge(10, "rhs", "rhs"))
+
+    def test_steps_of_a_search_are_emitted_once(self):
+        header = self.header("--outputs", "initial_state", self.write("bridge.yaml", BRIDGE))
+        self.assertEqual(header.count("StatusOf<S> initial_state_positions("), 1)
+        self.assertRegex(header, r"for \(int step = 0; step < 8; \+\+step\) \{\n *status = Math<S>::worse\(status, initial_state_positions\(")
+
+    def test_nodes_follow_the_links_of_a_closed_chain(self):
+        for stage in ("kinematics", "check"):
+            with self.subTest(stage):
+                made = []
+                for n in (10, 40):
+                    run = self.run_it(self.write("bridge.yaml", BRIDGE), "--count", f"n={n}", "--outputs", "rhs", "--timings", "-o", self.folder)
+                    nodes = re.search(rf"^{stage} +\S+ +(\d+) +(\d+)", run.stdout + run.stderr, re.M)
+                    made.append(int(nodes[2]) - int(nodes[1]))
+                self.assertLess(made[1], 5.2 * made[0])
 
     def test_an_entry_of_the_mass_matrix_takes_few(self):
         for n in (20, 60):

@@ -67,10 +67,45 @@ std::map<std::string, Vec> EmittedNumbers::fields(const std::string& function) {
 }
 
 Vec EmittedNumbers::derivative(const std::string& function) { return (*this)(artefact(function).derivative); }
-Vec EmittedNumbers::state(const std::string& function) { return (*this)(artefact(function).state); }
+Vec EmittedNumbers::state(const std::string& function) {
+  const emit::Artefact& of = artefact(function);
+  return of.calls.empty() ? (*this)(of.state) : searched(of).state;
+}
 
 std::vector<std::string> EmittedNumbers::troubles(const std::string& function) {
-  const emit::StatusNodes& nodes = artefact(function).status;
+  const emit::Artefact& of = artefact(function);
+  return of.calls.empty() ? troubles(of.status) : searched(of).troubles;
+}
+
+std::vector<ir::SymbolId> EmittedNumbers::state_symbols() const {
+  std::vector<ir::SymbolId> symbols;
+  for (const auto& q : mechanics_.symbols.configuration) symbols.push_back(q.symbol);
+  for (const auto& u : mechanics_.symbols.speeds) symbols.push_back(u.symbol);
+  return symbols;
+}
+
+// As the emitted function does it; afterwards everything is bound as it was.
+EmittedNumbers::Searched EmittedNumbers::searched(const emit::Artefact& caller) {
+  const std::vector<ir::SymbolId> symbols = state_symbols();
+  const std::map<std::uint32_t, cln::cl_F> before = bound_;
+  for (std::size_t i = 0; i < mechanics_.start.size(); ++i)
+    evaluator_.bind(mechanics_.start[i], before.at(symbols[i].index));
+  if (!caller.takes_time) bind(mechanics_.symbols.time, 0);
+  Searched result;
+  for (const emit::Call& call : caller.calls) {
+    const emit::Artefact& step = artefact(call.function);
+    for (int time = 0; time < call.times; ++time) {
+      for (const std::string& trouble : troubles(step.status)) result.troubles.push_back(trouble);
+      result.state = (*this)(step.state);
+      for (std::size_t i = 0; i < symbols.size(); ++i) bind(symbols[i], result.state[i]);
+    }
+  }
+  for (const auto& [index, value] : before) evaluator_.bind(ir::SymbolId{index}, value);
+  bound_ = before;
+  return result;
+}
+
+std::vector<std::string> EmittedNumbers::troubles(const emit::StatusNodes& nodes) {
   std::vector<std::string> result;
   for (const auto& [node, name] :
        {std::pair(nodes.singular_mass_matrix, "singular mass matrix"),
@@ -82,7 +117,8 @@ std::vector<std::string> EmittedNumbers::troubles(const std::string& function) {
 }
 
 void EmittedNumbers::bind(ir::SymbolId symbol, const Real& value) {
-  evaluator_.bind(symbol, as_cln(evaluator_.arithmetic(), value));
+  bound_.insert_or_assign(symbol.index, as_cln(evaluator_.arithmetic(), value));
+  evaluator_.bind(symbol, bound_.at(symbol.index));
 }
 
 void EmittedNumbers::bind_accelerations(const Vec& free) {

@@ -33,11 +33,20 @@ class EmittedNumbers {
   void bind_configuration(const Vec& q);
 
  private:
+  /// What a function that calls others leaves: the state, and the conditions that held in one of them.
+  struct Searched {
+    Vec state;
+    std::vector<std::string> troubles;
+  };
+  Searched searched(const emit::Artefact& caller);
+  std::vector<ir::SymbolId> state_symbols() const;
+  std::vector<std::string> troubles(const emit::StatusNodes& nodes);
   const emit::Artefact& artefact(const std::string& function);
 
   Mechanics mechanics_;
   evaluate::Evaluator<cln::cl_F> evaluator_;
   std::map<std::string, emit::Artefact> artefacts_;
+  std::map<std::uint32_t, cln::cl_F> bound_;
 };
 
 /// The larger of deviations by component.

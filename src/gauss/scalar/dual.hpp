@@ -219,6 +219,7 @@ struct Math<Dual<T, N>> {
                                       const Bool& not_finite, const Bool& violated_constraints = Bool(false)) noexcept {
     return Math<T>::status(singular_mass_matrix, dependent_constraints, not_finite, violated_constraints);
   }
+  GAUSS_FUNCTION static Status worse(const Status& a, const Status& b) noexcept { return Math<T>::worse(a, b); }
 
   GAUSS_FUNCTION static S epsilon() noexcept { return S(Math<T>::epsilon()); }
   GAUSS_FUNCTION static S pi() noexcept { return S(Math<T>::pi()); }

@@ -75,6 +75,10 @@ struct Math<xsimd::batch<T, Arch>> {
                        const Bool& violated_constraints = Bool(false)) noexcept {
     return {singular_mass_matrix, dependent_constraints, not_finite, violated_constraints};
   }
+  static Status worse(const Status& a, const Status& b) noexcept {
+    return {a.singular_mass_matrix || b.singular_mass_matrix, a.dependent_constraints || b.dependent_constraints,
+            a.not_finite || b.not_finite, a.violated_constraints || b.violated_constraints};
+  }
 
   static S epsilon() noexcept { return S(std::numeric_limits<T>::epsilon()); }
   static S pi() noexcept { return S(Math<T>::pi()); }

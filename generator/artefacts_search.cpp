@@ -1,0 +1,135 @@
+// States that satisfy the constraints: project, initial_state.
+
+#include <algorithm>
+
+#include "artefact_builder.hpp"
+#include "strategy/state_search.hpp"
+
+namespace gaussgen {
+
+using emit::Artefact;
+using strategy::SearchStage;
+using strategy::StateSearch;
+using Kind = SearchStage::Kind;
+
+namespace {
+
+const char* const k_about_project =
+    "The nearest state that satisfies the constraints: unit quaternions, then the smallest change of\n"
+    "the speeds in the mass metric (two Newton steps for constraints nonlinear in the velocities).";
+
+const char* const k_about_initial_state =
+    "The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints;\n"
+    "what these leave open, too, is the least motion, weighed by mass.";
+
+std::string suffix(Kind kind) {
+  switch (kind) {
+    case Kind::begin: return "_begin";
+    case Kind::positions: return "_positions";
+    case Kind::speeds: return "_speeds";
+    default: return "_check";
+  }
+}
+
+std::string about(Kind kind, const std::string& whole) {
+  switch (kind) {
+    case Kind::begin: return "Of " + whole + ": the values that are given, quaternions to unit length.";
+    case Kind::positions: return "Of " + whole + ": a step of Newton's method on the equations of positions.";
+    case Kind::speeds: return "Of " + whole + ": a step of Newton's method on the constraints of velocities.";
+    default: return "Of " + whole + ": whether the constraints hold.";
+  }
+}
+
+/// What all functions of a search have.
+void fill(const SearchStage& stage, Artefact& artefact) {
+  artefact.target = emit::Target::state;
+  artefact.takes_inputs = false;
+  artefact.state = ids(stage.state.configuration);
+  const std::vector<emit::NodeId> speeds = ids(stage.state.speeds);
+  artefact.state.insert(artefact.state.end(), speeds.begin(), speeds.end());
+  artefact.status.singular_mass_matrix = stage.state.singular_mass_matrix.id();
+  artefact.status.dependent_constraints = stage.state.dependent_constraints.id();
+  artefact.status.violated_constraints = stage.state.violated_constraints.id();
+}
+
+class SearchArtefacts {
+ public:
+  SearchArtefacts(std::string name, std::string about, bool is_from_state, Mechanics& mechanics)
+      : name_(std::move(name)), about_(std::move(about)), is_from_state_(is_from_state), mechanics_(mechanics) {}
+
+  /// The functions of its stages, then the one that calls them; where there is one stage, that alone.
+  std::vector<Artefact> run(const StateSearch& search) {
+    std::vector<Artefact> result;
+    if (search.stages.size() == 1 && search.start.empty()) {
+      result.push_back(function(search.stages[0], name_, about_));
+      return result;
+    }
+    Artefact all = caller();
+    for (const SearchStage& stage : search.stages) {
+      const bool is_last = &stage == &search.stages.back();
+      result.push_back(function(stage, name_ + suffix(stage.kind), about(stage.kind, name_)));
+      Artefact& made = result.back();
+      made.takes_start = is_last && !search.start.empty();
+      // What is not finite on the way is so at the end.
+      if (!is_last) made.status.not_finite = mechanics_.graph.constant(0);
+      all.calls.push_back({made.name, stage.times, made.takes_state, made.takes_start});
+    }
+    result.push_back(std::move(all));
+    return result;
+  }
+
+ private:
+  Artefact function(const SearchStage& stage, const std::string& name, const std::string& about) {
+    ArtefactBuilder builder(name, about, mechanics_);
+    Artefact& artefact = builder.artefact();
+    fill(stage, artefact);
+    if (stage.kind == Kind::begin && !is_from_state_) {
+      artefact.takes_time = false;
+      artefact.takes_state = false;
+      artefact.extends_preparation = false;
+    }
+    return builder.finish(stage.steps);
+  }
+
+  Artefact caller() {
+    const emit::NodeId never = mechanics_.graph.constant(0);
+    Artefact artefact;
+    artefact.name = name_;
+    artefact.about = about_;
+    artefact.target = emit::Target::state;
+    artefact.takes_time = artefact.takes_state = is_from_state_;
+    artefact.takes_inputs = false;
+    artefact.status = {never, never, never, never};
+    return artefact;
+  }
+
+  std::string name_, about_;
+  bool is_from_state_;
+  Mechanics& mechanics_;
+};
+
+/// Symbols for the configuration before a projection.
+strategy::Vector start_of(Mechanics& mechanics) {
+  if (mechanics.start.empty()) {
+    for (const auto& q : mechanics.symbols.configuration)
+      mechanics.start.push_back(mechanics.graph.declare(ir::SymbolClass::configuration, q.name + "_at_start"));
+  }
+  strategy::Vector start;
+  for (const ir::SymbolId symbol : mechanics.start) start.push_back(mechanics.expressions.symbol(symbol));
+  return start;
+}
+
+}  // namespace
+
+std::vector<Artefact> project_artefacts(Mechanics& mechanics) {
+  const StateSearch search = strategy::projection(mechanics.dynamics, start_of(mechanics), mechanics.epsilon());
+  return SearchArtefacts("project", k_about_project, true, mechanics).run(search);
+}
+
+std::vector<Artefact> initial_state_artefacts(Mechanics& mechanics) {
+  const StateSearch search = strategy::initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions,
+                                                     mechanics.expressions.number(0), mechanics.epsilon());
+  return SearchArtefacts("initial_state", k_about_initial_state, false, mechanics).run(search);
+}
+
+}  // namespace gaussgen

@@ -1,0 +1,251 @@
+#include "strategy/state_search.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "ir/rounded.hpp"
+#include "strategy/position_projection.hpp"
+#include "strategy/projection.hpp"
+#include "strategy/quaternions.hpp"
+#include "strategy/state_values.hpp"
+#include "strategy/velocity_projection.hpp"
+
+namespace gaussgen::strategy {
+
+using ir::Expr;
+using Kind = SearchStage::Kind;
+
+namespace {
+
+/// Up to this number of speeds what numbers of a model make of the metric may vanish, and one step is short: it is taken over
+/// the given values themselves.
+constexpr std::size_t k_few_speeds = 6;
+
+constexpr int k_steps_of_projection =
+    2;  ///< from what one step of an integrator leaves, the second arrives at rounding
+
+// Each quaternion (four components in a row) divided by its norm. Boolean: some norm has no digits to divide by.
+Expr normalise_quaternions(const kinematics::Symbols& symbols, Vector& configuration, ir::Graph& graph, Steps& steps) {
+  if (!symbols.first_quaternion_component.empty()) steps.begin("quaternions to unit length");
+  const Vector norms = squared_norms(symbols, configuration);
+  for (std::size_t k = 0; k < norms.size(); ++k) {
+    const std::size_t first = symbols.first_quaternion_component[k].value;
+    const Expr scale = steps.name(pow(norms[k], support::Rational(-1) / 2), "unit");
+    for (std::size_t i = 0; i < 4; ++i) configuration[first + i] = configuration[first + i] * scale;
+  }
+  return is_beyond_scaling(graph, norms);
+}
+
+bool all_linear(const Dynamics& dynamics) {
+  const auto& rows = dynamics.kinematics->constraints;
+  return std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.is_linear; });
+}
+
+bool has_positions(const Dynamics& dynamics) {
+  const auto& rows = dynamics.kinematics->constraints;
+  return std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.f.has_value(); });
+}
+
+std::vector<std::size_t> first(std::size_t count) {
+  std::vector<std::size_t> indices(count);
+  std::iota(indices.begin(), indices.end(), 0);
+  return indices;
+}
+
+/// Expressions at a state that is put in.
+VelocityProblem put_in(const Dynamics& dynamics, ir::Substitution& state, bool with_metric) {
+  VelocityProblem problem;
+  for (const auto& row : dynamics.kinematics->constraints) problem.phi.push_back(ir::without_rounding(state(row.phi)));
+  const auto at_state = [&](const Matrix& rows) {
+    Matrix values;
+    for (const Vector& row : rows) {
+      values.emplace_back();
+      for (const Expr e : row) values.back().push_back(state(e));
+    }
+    return values;
+  };
+  problem.b = at_state(dynamics.b);
+  if (with_metric) problem.g = at_state(dynamics.g);
+  return problem;
+}
+
+Vector symbols_of_configuration(const kinematics::Symbols& symbols, ir::Graph& graph) {
+  Vector result;
+  for (const auto& q : symbols.configuration) result.emplace_back(graph, graph.use(q.symbol));
+  return result;
+}
+
+Vector symbols_of_speeds(const kinematics::Symbols& symbols, ir::Graph& graph) {
+  Vector result;
+  for (const auto& u : symbols.speeds) result.emplace_back(graph, graph.use(u.symbol));
+  return result;
+}
+
+/// Makes the stages for the speeds and positions that may move.
+class Stages {
+ public:
+  Stages(const Dynamics& dynamics, const GivenState& given, Expr epsilon)
+      : dynamics_(dynamics),
+        symbols_(dynamics.kinematics->symbols),
+        graph_(epsilon.graph()),
+        epsilon_(epsilon),
+        given_(given),
+        is_lost_(normalise_quaternions(symbols_, given_.configuration, graph_, begin_)),
+        positions_(dynamics, given.open_positions, settled(), epsilon) {}
+
+  /// From values, which are over parameters or symbols: one stage where it is enough.
+  StateSearch run(const Vector& start, const std::optional<Expr>& time, int most_steps) {
+    Steps steps = begin_;
+    ProjectedState begun{given_.configuration, given_.speeds, never(), never(), is_lost_};
+    const bool is_here = given_.configuration == symbols_of_configuration(symbols_, graph_) &&
+                         given_.speeds == symbols_of_speeds(symbols_, graph_);
+    const bool is_short = dynamics_.n() <= k_few_speeds && !has_positions(dynamics_) && all_linear(dynamics_);
+    StateSearch search;
+    if (dynamics_.l() == 0 || is_short) {
+      if (dynamics_.l() != 0) step_over_values(time, begun, steps);
+      search.stages.push_back({Kind::begin, 1, begun, steps});
+      return search;
+    }
+    if (!is_here) search.stages.push_back({Kind::begin, 1, begun, steps});
+    find_movable(time);
+    if (positions_.can_move()) search.stages.push_back(step_of_positions(most_steps));
+    search.stages.push_back(step_of_speeds(all_linear(dynamics_) ? 1 : most_steps));
+    check(start.empty() ? given_.configuration : start, search);
+    if (positions_.has_rows()) search.start = start;
+    return search;
+  }
+
+  /// For numbers beside `run`: the same steps.
+  std::vector<ProjectedState> steps() {
+    std::vector<ProjectedState> result;
+    if (dynamics_.l() == 0) return result;
+    find_movable(std::nullopt);
+    if (positions_.can_move()) result.push_back(step_of_positions(1).state);
+    result.push_back(step_of_speeds(1).state);
+    return result;
+  }
+
+ private:
+  Expr never() const { return {graph_, graph_.constant(0)}; }
+
+  VelocityProblem here() const {
+    VelocityProblem problem;
+    for (const auto& row : dynamics_.kinematics->constraints) problem.phi.push_back(row.phi);
+    problem.b = dynamics_.b;
+    return problem;
+  }
+
+  /// The configuration as far as it is given and stays so, with symbols for the rest.
+  Vector settled() const {
+    Vector result = symbols_of_configuration(symbols_, graph_);
+    std::vector<bool> stays(symbols_.speeds.size(), true);
+    for (const std::size_t i : given_.open_positions) stays[i] = false;
+    // A speed that takes the place of a rate moves any of the coordinates.
+    const bool all_stay = given_.open_positions.empty();
+    for (std::size_t i = 0; i < symbols_.plain_count(); ++i) {
+      const bool has_rate = !symbols_.speeds[kinematics::FreeIndex{i}].replaces_rate;
+      if (has_rate ? stays[i] : all_stay) result[i] = given_.configuration[i];
+    }
+    for (std::size_t k = 0; k < symbols_.first_angular_velocity.size(); ++k) {
+      const std::size_t u = symbols_.first_angular_velocity[k].value;
+      const std::size_t e = symbols_.first_quaternion_component[k].value;
+      for (std::size_t i = 0; i < 4 && stays[u] && stays[u + 1] && stays[u + 2]; ++i)
+        result[e + i] = given_.configuration[e + i];
+    }
+    return result;
+  }
+
+  /// What is zero by the given numbers says nothing, whatever rounding makes of it later: a wheel that stands across, at the height
+  /// of its axle.
+  void find_movable(const std::optional<Expr>& time) {
+    ir::Substitution state =
+        state_values(symbols_, time, positions_.can_move() ? settled() : given_.configuration, given_.speeds);
+    movable_ = VelocityProjection(dynamics_, given_.open, epsilon_).movable(put_in(dynamics_, state, false));
+  }
+
+  void step_over_values(const std::optional<Expr>& time, ProjectedState& at, Steps& steps) {
+    ir::Substitution state = state_values(symbols_, time, at.configuration, at.speeds);
+    const VelocityProblem problem = put_in(dynamics_, state, true);
+    VelocityProjection projection(dynamics_, given_.open, epsilon_);
+    const std::vector<std::size_t> movable = projection.movable(problem);
+    projection.step(problem, movable, "", at.speeds, steps);
+    ir::Substitution after = state_values(symbols_, time, at.configuration, at.speeds);
+    const Expr is_violated =
+        violated(put_in(dynamics_, after, false), at.speeds, projection.to_be_checked(movable), epsilon_);
+    at.singular_mass_matrix = projection.singular();
+    at.dependent_constraints = projection.dependent();
+    at.violated_constraints = any(graph_, {at.violated_constraints, is_violated});
+  }
+
+  SearchStage step_of_positions(int times) {
+    Steps steps;
+    Vector configuration = symbols_of_configuration(symbols_, graph_);
+    positions_.step(configuration, steps);
+    return {
+        Kind::positions,
+        times,
+        {configuration, symbols_of_speeds(symbols_, graph_), positions_.singular(), positions_.dependent(), never()},
+        steps};
+  }
+
+  SearchStage step_of_speeds(int times) const {
+    Steps steps;
+    Vector speeds = symbols_of_speeds(symbols_, graph_);
+    VelocityProjection projection(dynamics_, given_.open, epsilon_);
+    projection.step(here(), movable_, "", speeds, steps);
+    return {
+        Kind::speeds,
+        times,
+        {symbols_of_configuration(symbols_, graph_), speeds, projection.singular(), projection.dependent(), never()},
+        steps};
+  }
+
+  /// In the last stage where it is taken once, else in one of its own.
+  void check(const Vector& start, StateSearch& search) const {
+    if (search.stages.back().times != 1)
+      search.stages.push_back(
+          {Kind::check,
+           1,
+           {symbols_of_configuration(symbols_, graph_), symbols_of_speeds(symbols_, graph_), never(), never(), never()},
+           {}});
+    ProjectedState& last = search.stages.back().state;
+    ir::Substitution after = state_values(symbols_, std::nullopt, last.configuration, last.speeds);
+    const std::vector<std::size_t> rows = VelocityProjection(dynamics_, given_.open, epsilon_).to_be_checked(movable_);
+    std::vector<Expr> conditions;
+    if (!rows.empty()) conditions.push_back(violated(put_in(dynamics_, after, false), last.speeds, rows, epsilon_));
+    if (positions_.has_rows()) conditions.push_back(positions_.violated(start));
+    last.violated_constraints = any(graph_, conditions);
+  }
+
+  const Dynamics& dynamics_;
+  const kinematics::Symbols& symbols_;
+  ir::Graph& graph_;
+  Expr epsilon_;
+  GivenState given_;  ///< quaternions of unit length
+  Steps begin_;
+  Expr is_lost_;
+  PositionProjection positions_;
+  std::vector<std::size_t> movable_;  ///< constraints that open speeds change
+};
+
+}  // namespace
+
+StateSearch projection(const Dynamics& dynamics, const Vector& start, Expr epsilon) {
+  ir::Graph& graph = epsilon.graph();
+  const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
+  const std::vector<std::size_t> all = first(dynamics.n());
+  const GivenState here{symbols_of_configuration(symbols, graph), symbols_of_speeds(symbols, graph), all, all};
+  return Stages(dynamics, here, epsilon).run(start, std::nullopt, k_steps_of_projection);
+}
+
+StateSearch initial_state(const model::Model& model, const Dynamics& dynamics, kinematics::Expressions& expressions,
+                          Expr time, Expr epsilon) {
+  return Stages(dynamics, given_state(model, expressions), epsilon).run({}, time, k_steps_to_start);
+}
+
+std::vector<ProjectedState> steps_to_initial_state(const model::Model& model, const Dynamics& dynamics,
+                                                   kinematics::Expressions& expressions, Expr epsilon) {
+  return Stages(dynamics, given_state(model, expressions), epsilon).steps();
+}
+
+}  // namespace gaussgen::strategy
