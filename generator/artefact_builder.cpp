@@ -62,6 +62,7 @@ void ArtefactBuilder::with_singular_metric(ir::Expr is_singular) {
 void ArtefactBuilder::with_solution_status() {
   artefact_.status.singular_mass_matrix = mechanics_.solution.singular_mass_matrix.id();
   artefact_.status.dependent_constraints = mechanics_.solution.dependent_constraints.id();
+  looked_at_ = mechanics_.solution.looked_at;
 }
 
 Artefact ArtefactBuilder::finish(const Steps& own) {
@@ -79,6 +80,7 @@ void ArtefactBuilder::add_sections(const std::vector<strategy::Step>& steps) {
 // The emitter adds the arguments of the function, since a NaN in one that nothing depends on would not reach an output.
 NodeId ArtefactBuilder::not_finite() const {
   std::vector<NodeId> values = artefact_.derivative;
+  values.insert(values.end(), looked_at_.begin(), looked_at_.end());
   values.insert(values.end(), artefact_.state.begin(), artefact_.state.end());
   for (const Group& group : artefact_.groups) {
     for (const Field& field : group.fields) values.insert(values.end(), field.values.begin(), field.values.end());

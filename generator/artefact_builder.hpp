@@ -47,6 +47,7 @@ class ArtefactBuilder {
 
   Mechanics& mechanics_;
   emit::Artefact artefact_;
+  std::vector<emit::NodeId> looked_at_;  ///< beside the results
 };
 
 /// rhs, reactions, rhs_and_reactions, reaction_forces.

@@ -11,6 +11,7 @@
 #include "strategy/composite_metric.hpp"
 #include "strategy/inner.hpp"
 #include "strategy/least_change.hpp"
+#include "strategy/margins.hpp"
 #include "strategy/tree_choice.hpp"
 
 namespace gaussgen {
@@ -176,6 +177,13 @@ strategy::Solution solved(Mechanics& mechanics, const MechanicsOptions& options,
   return taken(std::move(*metric), fmt::format(", and {} body by body along the tree", tree->operations), steps);
 }
 
+/// A pivot that is infinite is no matter of mass or constraints: a state may be infinite, too.
+strategy::Solution with_questions_apart(strategy::Solution solution) {
+  for (ir::Expr* condition : {&solution.singular_mass_matrix, &solution.dependent_constraints})
+    *condition = strategy::without_questions(*condition, solution.looked_at);
+  return solution;
+}
+
 // Rates of coordinates are speeds and need no name; those of quaternions are expressions.
 void name_rates(Mechanics& mechanics) {
   const bool has_quaternions = !mechanics.symbols.first_quaternion_component.empty();
@@ -219,7 +227,7 @@ Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& 
       }),
       covariant([this] { return kinematics::build_covariant(kinematics, graph); }),
       dynamics(dynamics_of(*this, chosen, rows_found_at_generic_point(*this))),
-      solution(solved(*this, chosen, steps)),
+      solution(with_questions_apart(solved(*this, chosen, steps))),
       held_reactions(strategy::held_reactions(dynamics, solution, steps)),
       options(chosen) {
   name_rates(*this);

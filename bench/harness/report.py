@@ -2,7 +2,7 @@
 
 import json
 
-from . import charts, targets
+from . import charts, reasons, targets
 from .targets import number
 
 INTRODUCTION = """# What it costs
@@ -99,6 +99,17 @@ def target_block(document):
     return f"## Figures to reach\n\n{met} of {len(outcomes)} are reached.\n\n" + table(["work", "target", "reached", "met"], rows) + "\n"
 
 
+def missed(document):
+    """Works with the same reason share it."""
+    found = {}
+    for outcome in targets.all_of(document):
+        why = "" if outcome.is_met else reasons.of(document, outcome)
+        if why:
+            found.setdefault(why, []).append(f"{outcome.work} ({outcome.reached})")
+    rows = "\n".join(f"- **{'; '.join(works)}**. {why}" for why, works in found.items())
+    return f"## What is not reached, and why\n\n{rows}\n\n" if rows else ""
+
+
 def losses(document):
     """Every case in which somebody is better than we are."""
     rows = []
@@ -185,7 +196,7 @@ def text_of(document, has_charts=True):
     if has_charts:
         titles = {f"performance/{entry[0]}.svg": entry[1] for entry in CHARTS}
         text += "".join(f"![{titles[name]}]({name})\n\n" for name in pictures(document))
-    text += target_block(document) + losses(document) + generation_block(document)
+    text += target_block(document) + missed(document) + losses(document) + generation_block(document)
     text += "".join(section(document, *entry) for entry in SECTIONS) + profile(document)
     return text + QUOTED + "\n" + left_out(document).rstrip("\n") + "\n"
 

@@ -652,8 +652,8 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)),
       Math<S>::at_most(Z_e_e, rounding_m2),
       Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(9) * m2 * (S(4) + s_2))),
-      Math<S>::at_most(least_pivot, S(0)), Math<S>::not_finite(Z_d_d));
-  const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, a_b, a_c, a_d);
+      Math<S>::at_most(least_pivot, S(0)));
+  const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, a_b, a_c, a_d, Z_d_d);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -782,8 +782,8 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)),
       Math<S>::at_most(Z_e_e, rounding_m2),
       Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(36) * m2 * t5)),
-      Math<S>::at_most(least_pivot, S(0)), Math<S>::not_finite(Z_d_d));
-  const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, R_s);
+      Math<S>::at_most(least_pivot, S(0)));
+  const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, Z_d_d, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -923,8 +923,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)),
       Math<S>::at_most(Z_e_e, rounding_m2),
       Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(36) * m2 * t6)),
-      Math<S>::at_most(least_pivot, S(0)), Math<S>::not_finite(Z_d_d));
-  const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, R_s);
+      Math<S>::at_most(least_pivot, S(0)));
+  const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, Z_d_d, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -1120,10 +1120,9 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S t21 = m2_over_3 * (t9 - S(3) * a_d);
   const Bool t22 = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, rounding_m2),
       Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * t2 + S(36) * m2 * t1)),
-      Math<S>::at_most(least_pivot, S(0)), Math<S>::not_finite(Z_d_d),
-      Math<S>::at_most(g_pivot_a, c13 * G_a_a), Math<S>::at_most(g_pivot_d, c13 * G_d_d),
-      Math<S>::at_most(g_pivot_e, rounding_m2_2), Math<S>::at_most(G_pivot_s, c13 * G_s_s),
-      Math<S>::at_most(c12, S(0)));
+      Math<S>::at_most(least_pivot, S(0)), Math<S>::at_most(g_pivot_a, c13 * G_a_a),
+      Math<S>::at_most(g_pivot_d, c13 * G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
+      Math<S>::at_most(G_pivot_s, c13 * G_s_s), Math<S>::at_most(c12, S(0)));
 
   reaction_forces.s.force_on_first[0] = force_s_first_x;
   reaction_forces.s.force_on_first[1] = force_s_first_y;
@@ -1138,8 +1137,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_second.force[1] = force_on_second_y;
   reaction_forces.on_second.force[2] = force_on_second_z;
 
-  const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, force_s_first_x, force_s_first_y,
-      force_s_second_x, t19, force_s_second_z, t20, force_on_first_y, force_on_first_z, t21,
+  const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, Z_d_d, force_s_first_x,
+      force_s_first_y, force_s_second_x, t19, force_s_second_z, t20, force_on_first_y, force_on_first_z, t21,
       force_on_second_y, force_on_second_z);
   return Math<S>::status(t22, Bool(false), not_finite);
 }

@@ -571,8 +571,8 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.q3_ddot() = a_q3;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3), Math<S>::not_finite(M_q1_q1));
-  const Bool not_finite = Math<S>::not_finite(t, q3, a_q2);
+      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+  const Bool not_finite = Math<S>::not_finite(t, q3, a_q2, M_q1_q1);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -666,8 +666,9 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   reactions.x2.generalized = R_x2;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3), Math<S>::not_finite(M_q1_q1));
-  const Bool not_finite = Math<S>::not_finite(t, q3, q2_excess_q2, beta_blade_q3_excess_q2, R_x1, R_x2);
+      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+  const Bool not_finite = Math<S>::not_finite(t, q3, M_q1_q1, q2_excess_q2, beta_blade_q3_excess_q2, R_x1,
+      R_x2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -768,8 +769,9 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   reactions.x2.generalized = R_x2;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3), Math<S>::not_finite(M_q1_q1));
-  const Bool not_finite = Math<S>::not_finite(t, q3, q2_excess_q2, beta_blade_q3_excess_q2, R_x1, R_x2);
+      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+  const Bool not_finite = Math<S>::not_finite(t, q3, M_q1_q1, q2_excess_q2, beta_blade_q3_excess_q2, R_x1,
+      R_x2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 
@@ -851,9 +853,9 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_second.force[2] = force_on_second_z;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3), Math<S>::not_finite(M_q1_q1));
-  const Bool not_finite = Math<S>::not_finite(t, q3, force_on_first_x, force_on_first_y, force_on_first_z,
-      force_on_second_x, force_on_second_y, force_on_second_z);
+      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+  const Bool not_finite = Math<S>::not_finite(t, q3, M_q1_q1, force_on_first_x, force_on_first_y,
+      force_on_first_z, force_on_second_x, force_on_second_y, force_on_second_z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
 

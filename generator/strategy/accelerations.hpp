@@ -20,6 +20,8 @@ struct Solution {
   std::vector<std::size_t> dependent;             ///< speeds that elimination expresses by the others
   bool is_of_metric = true;                       ///< a solution of the system over g and b
   std::shared_ptr<const TreeMotion> motion = {};  ///< of the links, where these accelerations were found body by body
+  std::vector<ir::NodeId> looked_at =
+      {};  ///< what is divided by, and has no bound: where it is infinite, nobody else would see it
 };
 
 /// No nonholonomic constraints: g a = f (Vujičić (1.15)).

@@ -19,6 +19,20 @@ std::vector<ir::NodeId> ids_of(const std::vector<std::pair<Expr, Expr>>& require
 
 }  // namespace
 
+Expr without_questions(Expr condition, std::vector<ir::NodeId>& looked_at) {
+  ir::Graph& graph = condition.graph();
+  const ir::Node node = graph[condition.id()];
+  if (node.kind != ir::Kind::function) return condition;
+  if (node.function == ir::Function::not_finite) {
+    looked_at.insert(looked_at.end(), node.children.begin(), node.children.end());
+    return {graph, graph.constant(0)};
+  }
+  if (node.function != ir::Function::any) return condition;
+  std::vector<Expr> rest;
+  for (const ir::NodeId child : node.children) rest.push_back(without_questions(Expr(graph, child), looked_at));
+  return any(graph, rest);
+}
+
 Expr Margins::violated(const std::string& least) const {
   const std::vector<ir::NodeId> order = ir::post_order(graph_, ids_of(required_));
   const ir::NodeSet varying = ir::depends_on(graph_, order, ir::varies);

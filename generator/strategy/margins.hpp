@@ -9,6 +9,9 @@
 
 namespace gaussgen::strategy {
 
+/// Takes the questions after what is infinite out of a condition, and adds what they ask about to `looked_at`.
+ir::Expr without_questions(ir::Expr condition, std::vector<ir::NodeId>& looked_at);
+
 /// Collects values that must exceed their bounds, and says with one condition whether one does not.
 ///
 /// One that is infinite counts as one that is too small: behind a division nobody would see it. (A bound is infinite with its value.)
