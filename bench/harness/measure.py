@@ -82,8 +82,8 @@ class Driver:
     def sines_object(self, flags):
         """What the first model's right-hand side asks of the library, alone."""
         emitted = self.case.emitted[0]
-        header, _ = self.builder.header(emitted, self.case.size)
-        angles = len(re.findall(r"^  S sin_\w+, cos_\w+;$", header.read_text(encoding="utf-8"), re.M))
+        header, _ = self.builder.header(emitted, self.case.size, ("rhs",))
+        angles = len(set(re.findall(r"^  S (sin_\w+), cos_\w+;$", header.read_text(encoding="utf-8"), re.M)))
         if angles == 0:
             raise build.BuildError("it has none")
         return self.builder.object("sines.cpp", flags, (f"ANGLES={angles}", f'TOOL="{emitted.tool}"'))
