@@ -149,16 +149,22 @@ std::vector<cpp::Argument> read_arguments(const Plan& plan, const Artefact& arte
   return arguments;
 }
 
-}  // namespace
-
-FunctionCode artefact_function(Plan& plan, const Task& task) {
-  const Artefact& artefact = *task.artefact;
+/// Without arguments and body.
+cpp::Function declared(const Artefact& artefact) {
   cpp::Function function;
   function.comment = wrapped(artefact.about, k_comment_width);
   function.prefix = "GAUSS_FUNCTION";
   function.type = "StatusOf<S>";
   function.name = artefact.name;
   function.suffix = "noexcept";
+  return function;
+}
+
+}  // namespace
+
+FunctionCode artefact_function(Plan& plan, const Task& task) {
+  const Artefact& artefact = *task.artefact;
+  cpp::Function function = declared(artefact);
 
   const Writing writing(plan.graph, task.request.outputs);
   const SymbolSet used = symbols_in(writing);
@@ -184,12 +190,7 @@ FunctionCode artefact_function(Plan& plan, const Task& task) {
 }
 
 cpp::Function search_function(const Artefact& artefact) {
-  cpp::Function function;
-  function.comment = wrapped(artefact.about, k_comment_width);
-  function.prefix = "GAUSS_FUNCTION";
-  function.type = "StatusOf<S>";
-  function.name = artefact.name;
-  function.suffix = "noexcept";
+  cpp::Function function = declared(artefact);
   if (artefact.takes_time) function.arguments.push_back({"const S&", "t"});
   if (artefact.takes_state) function.arguments.push_back({"const State<S>&", "from"});
   function.arguments.push_back({"const Prepared<S>&", "prepared"});

@@ -1,7 +1,6 @@
 #include "strategy/accelerations.hpp"
 
 #include "ir/cost.hpp"
-#include "strategy/bounds.hpp"
 #include "strategy/inner.hpp"
 #include "strategy/margins.hpp"
 #include "support/suggest.hpp"
@@ -135,9 +134,8 @@ Expr vanished(const Elimination& elimination, Expr epsilon) {
   const Expr zero(graph, graph.constant(0));
   Margins margins(graph);
   for (const Expr pivot : elimination.pivots) margins.require(select(less(pivot, zero), -pivot, pivot), zero);
-  for (const auto& [added, before] : elimination.additions) {
-    if (!before.is_zero() && !is_number(added / before))
-      margins.require(before, pow(epsilon, ir::Rational(1) / 2) * added);
+  for (const Addition& addition : elimination.additions) {
+    if (!addition.is_known()) margins.require(addition.before, addition.least(epsilon));
   }
   return margins.violated("least_pivot");
 }

@@ -75,6 +75,11 @@ class Bounds {
 
 std::optional<Expr> bound_of(Expr e) { return Bounds(e.graph())(e.id()); }
 
+bool Addition::drowns(const std::function<double(Expr)>& estimate) const {
+  constexpr double k_most = 100;
+  return !added.is_zero() && !before.is_zero() && !(estimate(added / before) <= k_most);
+}
+
 bool is_number(Expr e) {
   const ir::Graph& graph = e.graph();
   const std::vector<NodeId> order = ir::post_order(graph, {e.id()});

@@ -1,6 +1,7 @@
 #pragma once
 // How large an expression can be in any configuration.
 
+#include <functional>
 #include <optional>
 
 #include "ir/expr.hpp"
@@ -13,5 +14,17 @@ std::optional<ir::Expr> bound_of(ir::Expr e);
 
 /// Whether it is a number, whatever its form.
 bool is_number(ir::Expr e);
+
+/// What inertia an acceleration that is put in brings beside that of another, at most, and what that was (docs/decisions/0010).
+struct Addition {
+  ir::Expr added, before;
+
+  /// Rounding leaves nothing of `before` beside it, by the numbers of `estimate`.
+  bool drowns(const std::function<double(ir::Expr)>& estimate) const;
+  /// No parameter changes how many times the one is the other.
+  bool is_known() const { return before.is_zero() || is_number(added / before); }
+  /// What `before` has to be above for half of the digits to be left.
+  ir::Expr least(ir::Expr epsilon) const { return pow(epsilon, ir::Rational(1) / 2) * added; }
+};
 
 }  // namespace gaussgen::strategy

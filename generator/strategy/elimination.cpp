@@ -6,7 +6,6 @@
 
 #include "ir/cost.hpp"
 #include "ir/traverse.hpp"
-#include "strategy/bounds.hpp"
 #include "strategy/safety.hpp"
 
 namespace gaussgen::strategy {
@@ -47,8 +46,7 @@ class GaussJordan {
     for (std::size_t step = 0; step < b_.size(); ++step) {
       const Pivot pivot = best_pivot();
       if (pivot.safety == Safety::unknown) return false;
-      for (const auto& [added, before] : additions(pivot.row, pivot.column))
-        result.additions.emplace_back(added, before);
+      for (const Addition& addition : additions(pivot.row, pivot.column)) result.additions.push_back(addition);
       row_used_[pivot.row] = 1;
       column_allowed_[pivot.column] = 0;
       result.dependent.push_back(pivot.column);
@@ -82,22 +80,20 @@ class GaussJordan {
 
   // a_c = -Σ (b_j/b_c) a_j puts g_cc (b_j/b_c)² beside g_jj: of that, rounding leaves nothing where it is much less.
   bool drowns_others(std::size_t row, std::size_t column) {
-    constexpr double k_most = 100;
-    for (const auto& [added, before] : additions(row, column)) {
-      if (!added.is_zero() && !before.is_zero() && !(dynamics_.at_parameters(added / before) <= k_most)) return true;
-    }
-    return false;
+    const std::vector<Addition> all = additions(row, column);
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Addition& each) { return each.drowns(dynamics_.at_parameters); });
   }
 
-  std::vector<std::pair<Expr, Expr>> additions(std::size_t row, std::size_t column) {
-    std::vector<std::pair<Expr, Expr>> result;
+  std::vector<Addition> additions(std::size_t row, std::size_t column) {
+    std::vector<Addition> result;
     const std::optional<Expr> own = inertia(column);
     if (!dynamics_.at_parameters || !own) return result;
     for (std::size_t j = 0; j < b_[row].size(); ++j) {
       if (j == column || b_[row][j].is_zero()) continue;
       const std::optional<Expr> entry = bound_of(b_[row][j]);
       const std::optional<Expr> before = inertia(j);
-      if (entry && before) result.emplace_back(*own * pow(*entry / b_[row][column], 2), *before);
+      if (entry && before) result.push_back({*own * pow(*entry / b_[row][column], 2), *before});
     }
     return result;
   }

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "strategy/bounds.hpp"
 #include "strategy/dynamics.hpp"
 
 namespace gaussgen::strategy {
@@ -14,8 +15,7 @@ struct Elimination {
   Matrix c_dep;                          ///< l×(n-l)
   Vector drift;                          ///< l
   Vector pivots;                         ///< l: numbers and terms of parameters that were divided by
-  /// What inertia of a dependent acceleration adds to that of an independent one, at most, and what that was.
-  std::vector<std::pair<ir::Expr, ir::Expr>> additions;
+  std::vector<Addition> additions;       ///< of dependent accelerations to independent ones
 };
 
 /// A partition that holds in every configuration: every pivot of the elimination is a number or depends on parameters alone

@@ -4,7 +4,6 @@
 
 #include "ir/contract.hpp"
 #include "strategy/axes.hpp"
-#include "strategy/bounds.hpp"
 #include "strategy/fixed_turns.hpp"
 #include "strategy/safety.hpp"
 #include "strategy/spins.hpp"
@@ -228,42 +227,36 @@ Expr TreeZ::largest(Component c) const {
 }
 
 // w_c = -Σ f_j w_j: ½ P_cc w_c² becomes ½ P_cc f_j² w_j² and more.
-std::vector<TreeZ::Addition> TreeZ::additions(std::size_t r, Component c) const {
-  std::vector<Addition> result;
+std::vector<std::pair<Component, Addition>> TreeZ::additions(std::size_t r, Component c) const {
+  std::vector<std::pair<Component, Addition>> result;
   for (const Component j : Z_.neighbours(dual(r))) {
     if (j == c || !is_of_link(j)) continue;
     const std::optional<Expr> entry = bound_of(Z_.entry(dual(r), j));
-    if (entry) result.push_back({j, largest(c) * pow(*entry / Z_.entry(dual(r), c), 2)});
+    if (entry) result.push_back({j, {largest(c) * pow(*entry / Z_.entry(dual(r), c), 2), largest(j)}});
   }
   return result;
 }
 
 // Of what was there before, rounding leaves nothing beside something so much larger.
 bool TreeZ::drowns_others(std::size_t r, Component c) const {
-  constexpr double k_most = 100;
-  for (const Addition& addition : additions(r, c)) {
-    const Expr before = largest(addition.to);
-    if (before.is_zero() || addition.inertia.is_zero()) continue;
-    if (!(problem_.constraints.estimate(addition.inertia / before) <= k_most)) return true;
-  }
-  return false;
+  const auto all = additions(r, c);
+  return std::any_of(all.begin(), all.end(),
+                     [this](const auto& each) { return each.second.drowns(problem_.constraints.estimate); });
 }
 
 // For parameters that change after the choice was made: half of the digits have to be left.
 void TreeZ::add_bounds(std::size_t r, Component c) {
-  const Expr part = pow(epsilon_, Rational(1) / 2);
   const bool by_number = safety(Z_.entry(dual(r), c)) == Safety::number;
-  for (const Addition& addition : additions(r, c)) {
-    const Expr before = largest(addition.to);
-    const bool is_fixed = ir::is_of_parameters(graph_, addition.inertia.id());
-    const bool may_change = !before.is_zero() && !strategy::is_number(addition.inertia / before);
-    if (may_change && (is_fixed || !by_number)) row_margins_.push_back({before, part * addition.inertia});
+  for (const auto& [to, addition] : additions(r, c)) {
+    const bool is_fixed = ir::is_of_parameters(graph_, addition.added.id());
+    if (!addition.is_known() && (is_fixed || !by_number))
+      row_margins_.push_back({addition.before, addition.least(epsilon_)});
     if (!is_fixed) continue;
-    MassBound& bound = bounds_[addition.to / 6];
-    if (is_linear(addition.to)) {
-      bound.mass += addition.inertia;
+    MassBound& bound = bounds_[to / 6];
+    if (is_linear(to)) {
+      bound.mass += addition.added;
     } else {
-      bound.inertia.add(addition.to % 3, addition.inertia);
+      bound.inertia.add(to % 3, addition.added);
     }
   }
 }

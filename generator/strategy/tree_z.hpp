@@ -6,6 +6,7 @@
 #include <set>
 
 #include "strategy/bar.hpp"
+#include "strategy/bounds.hpp"
 #include "strategy/mass_bounds.hpp"
 #include "strategy/own_components.hpp"
 #include "strategy/quadratic_form.hpp"
@@ -63,12 +64,8 @@ class TreeZ {
   void act(Component c, std::size_t speed, ir::Expr per);
   void impose_rows(std::size_t i, std::vector<Component>& free);
   std::optional<std::size_t> safest(std::size_t r, const std::vector<Component>& free) const;
-  /// What a row that is put in adds to a component: inertia of the one that leaves.
-  struct Addition {
-    Component to;
-    ir::Expr inertia;
-  };
-  std::vector<Addition> additions(std::size_t r, Component c) const;
+  /// What a row that is put in adds to components: inertia of the one that leaves.
+  std::vector<std::pair<Component, Addition>> additions(std::size_t r, Component c) const;
   void add_bounds(std::size_t r, Component c);
   bool drowns_others(std::size_t r, Component c) const;
   ir::Expr largest(Component c) const;
@@ -150,7 +147,7 @@ class TreeZ {
   std::map<Component, Response> responses_;                 ///< of multipliers
   std::vector<std::pair<ir::Expr, ir::Expr>> margins_;      ///< of pivots
   std::vector<std::pair<ir::Expr, ir::Expr>> row_margins_;  ///< likewise, of rows that were put in
-  bool is_clean_ = true;  ///< nothing was minimised yet, so nothing has cancelled
+  bool is_clean_ = true;                                    ///< nothing was minimised yet, so nothing has cancelled
   std::size_t pivots_ = 0;
 };
 
