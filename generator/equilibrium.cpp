@@ -34,11 +34,11 @@ constexpr int k_patience = 30;  ///< steps in which less than a tenth is won
 constexpr int k_more_digits = 15;
 constexpr int k_most_descents = 4;
 constexpr int k_steps_of_descent = 300;
-constexpr double k_shortest_descent = 1e-4;
 constexpr double k_rough = 1e-10;          ///< of the largest term, where double is enough
 constexpr double k_solved = 1e-12;         ///< likewise, with more digits
 constexpr double k_wanted = 1e-20;         ///< likewise, if it can be had: where nothing is stiff, places need it
 constexpr double k_nothing = 1e-25;        ///< likewise: rounding of all digits
+constexpr double k_foreseen = 0.5;         ///< of the forces before or after a step
 constexpr double k_near = 1e-4;            ///< likewise: rounding of double may be in the way, and nothing else
 constexpr double k_balanced = 1e-6;        ///< after the last digits, of the largest term at the start
 constexpr double k_faded = 1e-3;           ///< play along a speed: no place at all
@@ -117,7 +117,7 @@ class Search {
   double approach(double enough) {
     Linearised here = linearised();
     double damping = 1, best = HUGE_VAL;
-    for (int i = 0, since = 0; i < k_most_steps && here.is_defined && here.norm() > enough; ++i) {
+    for (int i = 0, since = 0; i < k_most_steps && here.is_defined && here.norm() > enough; ++i, ++steps_) {
       since = here.norm() < 0.9 * best ? 0 : since + 1;
       best = std::min(best, here.norm());
       if (since > k_patience || !improve(here, damping)) break;
@@ -126,25 +126,25 @@ class Search {
     return here.is_defined ? here.norm() : HUGE_VAL;
   }
 
-  /// Along the accelerations that the model has at rest, as through syrup: forces of springs and weights do work there until they
-  /// are in balance. Steps are short, and shorter where the way turns back.
+  /// The way that the model would take through syrup, g q' = f + bᵀ λ, in which forces of springs and weights do work until they are
+  /// in balance: by implicit steps in s, which grow as the way gets straighter (pseudo-transient continuation). [Kelley, Keyes: SIAM
+  /// J. Numer. Anal. 35 (1998) 508-523]
   void sink() {
-    double limit = k_largest_step / 4;
-    Eigen::VectorXd before = Eigen::VectorXd::Zero(columns());
-    for (int i = 0; i < k_steps_of_descent && limit > k_shortest_descent; ++i) {
-      Eigen::VectorXd way = Eigen::VectorXd::Zero(before.size());
-      for (std::size_t a = 0; a < rest_.accelerations.size(); ++a) {
-        const auto acceleration = place_.value_of(rest_.accelerations[a].id());
-        if (acceleration) way[static_cast<Eigen::Index>(a)] = to_double(*acceleration);
+    const auto n = static_cast<Eigen::Index>(mechanics_.dynamics.n());
+    double pace = 0;
+    for (int i = 0; i < k_steps_of_descent; ++i, ++steps_) {
+      const Linearised here = linearised();
+      if (!here.is_defined || here.norm() <= k_near) return;
+      const Eigen::MatrixXd inertia = place_.rows_of(rest_.metric);
+      if (i == 0) pace = first_pace(inertia, here.matrix.topLeftCorner(n, n));
+      while (!descend(here, inertia, pace)) {
+        if (!((pace /= 4) > std::numeric_limits<double>::min())) return;
       }
-      const double largest = way.lpNorm<Eigen::Infinity>();
-      if (!(largest > 0) || !std::isfinite(largest)) return;
-      way *= limit / largest;
-      if (way.dot(before) < 0) limit /= 2;
-      place_.move(way, place_.number(1.0), is_held());
-      before = way;
+      pace *= 2;
     }
   }
+
+  int steps() const { return steps_; }
 
   /// With the matrix in double, each step is good for some eight digits.
   void polish(int digits) {
@@ -202,13 +202,15 @@ class Search {
   /// Along the speed where most of the forces remains, of their size.
   std::string where_most_remains() {
     const Linearised here = linearised();
-    std::size_t most = 0;
-    for (std::size_t a = 0; a < mechanics_.dynamics.n(); ++a) {
-      if (here.size(a) > here.size(most)) most = a;
-    }
+    const std::size_t most = most_left(here);
     const std::string unit = generalized_unit(mechanics_.symbols.speeds[FreeIndex{most}].unit);
     return fmt::format("{:.3g}{}{} along '{}' are not in balance", to_double(here.residual[most]),
                        unit.empty() ? "" : " ", unit, mechanics_.dynamics.labels[most]);
+  }
+
+  std::string where_it_fades() {
+    return fmt::format("along '{}' forces fade, and do not vanish",
+                       mechanics_.dynamics.labels[most_left(linearised())]);
   }
 
   std::string undefined_part() {
@@ -219,10 +221,53 @@ class Search {
   }
 
  private:
+  /// s², of the quickest of its motions.
+  static double first_pace(const Eigen::MatrixXd& inertia, const Eigen::MatrixXd& stiffness) {
+    const double pace = inertia.cwiseAbs().maxCoeff() / stiffness.cwiseAbs().maxCoeff();
+    return pace > 0 && std::isfinite(pace) ? pace : 1;
+  }
+
+  /// One implicit step; false, and nowhere else, where it is too long for what is known here.
+  bool descend(const Linearised& here, const Eigen::MatrixXd& inertia, double pace) {
+    const Eigen::Index n = inertia.rows();
+    Linearised slowed = here;
+    slowed.matrix.topLeftCorner(n, n) -= inertia / pace;
+    const Eigen::VectorXd way = step(slowed).least(right_of(here, place_.number(1.0)), k_rank);
+    // Where stiffness is negative, it would lead uphill.
+    if (way.head(n).dot(slowed.matrix.topLeftCorner(n, n) * way.head(n)) > 0 || allowed(way) < 1) return false;
+    const auto from = std::pair(place_.position(), place_.multipliers());
+    place_.move(way, place_.number(1.0), is_held());
+    Linearised there = here;
+    if (find_residual(there) && is_foreseen(here, there, way)) return true;
+    place_.set(from.first, from.second);
+    return false;
+  }
+
+  /// A pole is not crossed: beyond it forces are not those that their changes before it let expect.
+  bool is_foreseen(const Linearised& here, const Linearised& there, const Eigen::VectorXd& way) const {
+    const Eigen::VectorXd change = here.matrix * way;
+    double missed = 0, largest = 0;
+    for (std::size_t i = 0; i < here.residual.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      const double before = to_double(here.residual[i]), after = to_double(there.residual[i]);
+      missed = std::max(missed, std::abs(after - before - change[row]) / here.scale[row]);
+      largest = std::max({largest, std::abs(before) / here.scale[row], std::abs(after) / here.scale[row]});
+    }
+    return missed <= k_foreseen * largest;
+  }
+
   bool is_held() const { return !rest_.held.empty() && !goes_anywhere_; }
 
   Eigen::Index rows() const { return static_cast<Eigen::Index>(rest_.equations.size()); }
   Eigen::Index columns() const { return static_cast<Eigen::Index>(mechanics_.dynamics.n() + rest_.multipliers.size()); }
+
+  std::size_t most_left(const Linearised& at) const {
+    std::size_t most = 0;
+    for (std::size_t a = 0; a < mechanics_.dynamics.n(); ++a) {
+      if (at.size(a) > at.size(most)) most = a;
+    }
+    return most;
+  }
 
   bool find_residual(Linearised& at) {
     bool is_defined = true;
@@ -256,7 +301,8 @@ class Search {
     const auto n = static_cast<Eigen::Index>(mechanics_.dynamics.n());
     const Eigen::MatrixXd matrix = at.scale.cwiseInverse().asDiagonal() * at.matrix;
     RestUnknowns unknowns{matrix.colwise().norm(), Eigen::VectorXd::Zero(n), Eigen::MatrixXd(0, n)};
-    for (Eigen::Index a = 0; a < n; ++a) unknowns.masses[a] = place_.plain(rest_.metric[static_cast<std::size_t>(a)]);
+    for (Eigen::Index a = 0; a < n; ++a)
+      unknowns.masses[a] = place_.plain(rest_.metric[static_cast<std::size_t>(a)][static_cast<std::size_t>(a)]);
     if (is_held()) unknowns.held = place_.rows_of(rest_.held);
     return RestStep(matrix, unknowns);
   }
@@ -303,6 +349,7 @@ class Search {
   const RestEquations& rest_;
   RestPlace<T> place_;
   double stride_ = 1;  ///< of the longest steps
+  int steps_ = 0;
   bool goes_anywhere_ = false;
 };
 
@@ -334,7 +381,7 @@ class Equilibration {
       why = "at rest at the initial position there is no force: " + fine_.undefined_part();
       return std::nullopt;
     }
-    if (!come_near(why)) return std::nullopt;
+    if (!come_near(at_start.scale, why)) return std::nullopt;
     fine_.polish(digits_ + k_more_digits);
     if (!fine_.is_balanced(at_start.scale)) {
       why = "no equilibrium was found near the initial position: towards the nearest one forces grow without bound";
@@ -352,7 +399,7 @@ class Equilibration {
   }
 
  private:
-  bool come_near(std::string& why) {
+  bool come_near(const Eigen::VectorXd& scale_at_start, std::string& why) {
     double left = rough_.start() ? look_around() : HUGE_VAL;
     if (!(left <= k_near) && !rest_.held.empty()) {
       rough_.go_anywhere();
@@ -363,7 +410,7 @@ class Equilibration {
       fine_.place().set(precise(rough_.place().position()), precise(rough_.place().multipliers()));
       if (fine_.approach(k_wanted) <= k_solved) return true;
     }
-    why = why_not(left);
+    why = why_not(left, scale_at_start);
     return false;
   }
 
@@ -378,13 +425,17 @@ class Equilibration {
     return left;
   }
 
-  std::string why_not(double left) {
+  std::string why_not(double left, const Eigen::VectorXd& scale_at_start) {
     const std::string none = "no equilibrium was found near the initial position: ";
     if (!std::isfinite(left)) return none + "the search ends where there is no force: " + rough_.undefined_part();
     const std::string mover = rough_.what_moves_it();
-    if (mover.empty()) return none + "where the search ends, " + rough_.where_most_remains();
-    return fmt::format("no position was found near the initial one at which constraint '{}' lets the model rest",
-                       mover);
+    if (!mover.empty()) {
+      return fmt::format("no position was found near the initial one at which constraint '{}' lets the model rest",
+                         mover);
+    }
+    if (rough_.is_balanced(scale_at_start)) return none + rough_.where_it_fades();
+    return fmt::format("{}where the search ends, after {} steps, {}", none, rough_.steps(),
+                       rough_.where_most_remains());
   }
 
   std::vector<cl_F> precise(const std::vector<double>& values) const {

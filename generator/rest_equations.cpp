@@ -23,15 +23,15 @@ void RestEquations::pose(Mechanics& mechanics) {
     at_rest.replace(mechanics.symbols.speeds[a].symbol, speed);
     changes.push_back(ir::partial(speed, mechanics.symbols.time));
   }
-  for (const Expr acceleration : mechanics.solution.accelerations) accelerations.push_back(at_rest(acceleration));
   for (std::size_t mu = 0; mu < dynamics.l(); ++mu)
     multipliers.push_back(mechanics.graph.declare(ir::SymbolClass::input, "multiplier_" + std::to_string(mu + 1)));
   for (std::size_t a = 0; a < dynamics.n(); ++a) {
-    metric.push_back(at_rest(dynamics.g[a][a]));
+    metric.emplace_back();
+    for (const Expr entry : dynamics.g[a]) metric.back().push_back(at_rest(entry));
     Expr force = at_rest(dynamics.f[a]);
     for (std::size_t mu = 0; mu < dynamics.l(); ++mu)
       force += at_rest(dynamics.b[mu][a]) * mechanics.expressions.symbol(multipliers[mu]);
-    for (std::size_t b = 0; b < dynamics.n(); ++b) force -= at_rest(dynamics.g[a][b]) * changes[b];
+    for (std::size_t b = 0; b < dynamics.n(); ++b) force -= metric[a][b] * changes[b];
     equations.push_back(force);
   }
   for (const auto& row : mechanics.kinematics.constraints) {

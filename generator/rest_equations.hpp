@@ -22,8 +22,7 @@ struct RestEquations {
   std::vector<std::vector<ir::Expr>> rates;    ///< ∂q̇/∂u of each q, by speeds
   std::vector<std::vector<ir::Expr>> held;     ///< b of each constraint on velocities alone: no way leads across it
   std::vector<std::vector<ir::Expr>> closing;  ///< b of each equation of positions
-  std::vector<ir::Expr> metric;                ///< g_αα, by speeds
-  std::vector<ir::Expr> accelerations;         ///< that the model has when it is let go at rest
+  std::vector<std::vector<ir::Expr>> metric;   ///< g, by speeds
   std::vector<ir::Expr> changes;               ///< u̇
   std::vector<std::pair<std::size_t, std::size_t>>
       drives;  ///< equations that a constraint may drive, and that constraint

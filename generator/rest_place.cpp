@@ -200,7 +200,7 @@ typename RestPlace<T>::Vector RestPlace<T>::rates_at(const Vector& position, con
   bind_position(position);
   VectorXd roots(speeds.size());
   for (Eigen::Index a = 0; a < roots.size(); ++a) {
-    const double mass = plain(rest_.metric[static_cast<std::size_t>(a)]);
+    const double mass = plain(rest_.metric[static_cast<std::size_t>(a)][static_cast<std::size_t>(a)]);
     roots[a] = mass > 0 ? std::sqrt(mass) : 1;
   }
   const MatrixXd held = rows_of(rest_.held), closed = rows_of(rest_.closing);

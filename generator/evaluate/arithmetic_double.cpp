@@ -43,8 +43,14 @@ Rational exact_value(F value) {
 // pieces of 53 bits, and taken back.
 template <class F>
 F rounded(const Rational& value) {
-  const std::int64_t exponent = static_cast<std::int64_t>(cln::integer_length(cln::numerator(value))) -
-                                static_cast<std::int64_t>(cln::integer_length(cln::denominator(value)));
+  const cln::cl_I above = cln::numerator(value), below = cln::denominator(value);
+  const auto digits_above = static_cast<std::int64_t>(cln::integer_length(above));
+  const auto digits_below = static_cast<std::int64_t>(cln::integer_length(below));
+  constexpr std::int64_t k_exact = std::numeric_limits<double>::digits;
+  // Both are numbers of the type, and a division is rounded correctly.
+  if (digits_above <= k_exact && digits_below <= k_exact)
+    return static_cast<F>(cln::cl_I_to_long(above)) / static_cast<F>(cln::cl_I_to_long(below));
+  const std::int64_t exponent = digits_above - digits_below;
   constexpr std::int64_t k_beyond_any = 100'000;
   if (exponent > k_beyond_any)
     return value < 0 ? -std::numeric_limits<F>::infinity() : std::numeric_limits<F>::infinity();

@@ -355,8 +355,23 @@ forces: {pull: {uniform: [9.81, 0, 0]}}
             self.assertAlmostEqual(float(json.loads(done.stdout)["state"]["a"]["value"]), end, 15)
             self.assertIn("the mass matrix is singular here", done.stderr)
 
+    def test_a_long_chain_uncoils(self):
+        # Let go in a coil of more than half a turn, 40 rods hang straight down: nothing but springs that are at rest there and weights.
+        chain = HEAD + """counts: {n: 40}
+joints:
+  hinge_1: {type: revolute, child: link_1, axis: y, coordinates: q_1, initial: 0.1}
+  hinge_$(i+1): {count: n-1, type: revolute, parent: link_$i, child: link_$(i+1), at: [0, 0, -0.7], axis: y, coordinates: q_$(i+1), initial: 0.1}
+bodies: {link_$i: {count: n, mass: 1.3, inertia: [0.053, 0.053, 0.001], centre: [0, 0, -0.35]}}
+forces: {spring_$i: {count: n, spring: q_$i, stiffness: 3}, gravity: {uniform: [0, 0, -9.81]}}
+"""
+        done = self.run_it("evaluate", "-", "--equilibrium", "--format=json", "--digits", "9", stdin=chain)
+        state = json.loads(done.stdout)["state"]
+        self.assertEqual(len([name for name in state if name.startswith("q_")]), 2 * 40)
+        for name, entry in state.items():
+            self.assertAlmostEqual(float(entry["value"]), 0, 9, msg=name)
+
     def test_what_falls_has_none(self):
-        self.assertIn("no equilibrium was found near the initial position: where the search ends, -9.81 along 'z' are not in balance",
+        self.assertIn("no equilibrium was found near the initial position: where the search ends, after 1200 steps, -9.81 along 'z' are not in balance",
                       self.refused(1, "evaluate", "-", "--equilibrium", stdin=FALLING))
 
 
@@ -481,7 +496,7 @@ coordinates: {x: {initial: 1}}
 particles: {p: {mass: 1, position: [x, 0, 0]}}
 forces: {pull: {potential: -1/x}}
 """
-        self.assertIn("the search ends where there is no force: division by zero",
+        self.assertIn("along 'x' forces fade, and do not vanish",
                       self.refused(1, "evaluate", "-", "--equilibrium", stdin=funnel))
 
     def test_names_and_numbers_are_checked(self):
