@@ -13,6 +13,7 @@
 #include "model_values.hpp"
 #include "rest_equations.hpp"
 #include "rest_place.hpp"
+#include "rest_slope.hpp"
 #include "rest_step.hpp"
 #include "strategy/projection.hpp"
 
@@ -34,10 +35,11 @@ constexpr int k_patience = 30;  ///< steps in which less than a tenth is won
 constexpr int k_more_digits = 15;
 constexpr int k_most_descents = 4;
 constexpr int k_steps_of_descent = 300;
-constexpr double k_rough = 1e-10;          ///< of the largest term, where double is enough
-constexpr double k_solved = 1e-12;         ///< likewise, with more digits
-constexpr double k_wanted = 1e-20;         ///< likewise, if it can be had: where nothing is stiff, places need it
-constexpr double k_nothing = 1e-25;        ///< likewise: rounding of all digits
+constexpr double k_rough = 1e-10;    ///< of the largest term, where double is enough
+constexpr double k_solved = 1e-12;   ///< likewise, with more digits
+constexpr double k_wanted = 1e-20;   ///< likewise, if it can be had: where nothing is stiff, places need it
+constexpr double k_nothing = 1e-25;  ///< likewise: rounding of all digits
+constexpr double k_shortest_descent = 1e-6;
 constexpr double k_foreseen = 0.5;         ///< of the forces before or after a step
 constexpr double k_near = 1e-4;            ///< likewise: rounding of double may be in the way, and nothing else
 constexpr double k_balanced = 1e-6;        ///< after the last digits, of the largest term at the start
@@ -126,21 +128,13 @@ class Search {
     return here.is_defined ? here.norm() : HUGE_VAL;
   }
 
-  /// The way that the model would take through syrup, g q' = f + bᵀ λ, in which forces of springs and weights do work until they are
-  /// in balance: by implicit steps in s, which grow as the way gets straighter (pseudo-transient continuation). [Kelley, Keyes: SIAM
-  /// J. Numer. Anal. 35 (1998) 508-523]
+  /// Downhill along the modes that the model has at rest, until forces of springs and weights are in balance and hold it there.
   void sink() {
-    const auto n = static_cast<Eigen::Index>(mechanics_.dynamics.n());
-    double pace = 0;
     for (int i = 0; i < k_steps_of_descent; ++i, ++steps_) {
       const Linearised here = linearised();
-      if (!here.is_defined || here.norm() <= k_near) return;
-      const Eigen::MatrixXd inertia = place_.rows_of(rest_.metric);
-      if (i == 0) pace = first_pace(inertia, here.matrix.topLeftCorner(n, n));
-      while (!descend(here, inertia, pace)) {
-        if (!((pace /= 4) > std::numeric_limits<double>::min())) return;
-      }
-      pace *= 2;
+      if (!here.is_defined || here.norm() <= k_rough) return;
+      const RestSlope slope(forces(here));
+      if ((here.norm() <= k_near && slope.is_bottom()) || !descend(here, slope)) return;
     }
   }
 
@@ -152,7 +146,12 @@ class Search {
       const Linearised here = linearised();
       const Real unit = largest_residual(here);
       if (unit == place_.number(0.0)) return;
+      const auto from = std::pair(place_.position(), place_.multipliers());
       place_.move(step(here).least(right_of(here, unit), k_rank), unit, is_held());
+      Linearised there = here;
+      if (find_residual(there)) continue;
+      // Of what is left there, no digit is known: it was as good before.
+      return place_.set(from.first, from.second);
     }
   }
 
@@ -221,26 +220,42 @@ class Search {
   }
 
  private:
-  /// s², of the quickest of its motions.
-  static double first_pace(const Eigen::MatrixXd& inertia, const Eigen::MatrixXd& stiffness) {
-    const double pace = inertia.cwiseAbs().maxCoeff() / stiffness.cwiseAbs().maxCoeff();
-    return pace > 0 && std::isfinite(pace) ? pace : 1;
+  RestForces forces(const Linearised& here) {
+    const auto n = static_cast<Eigen::Index>(mechanics_.dynamics.n());
+    const Eigen::MatrixXd closing = place_.rows_of(rest_.closing);
+    const Eigen::MatrixXd held = is_held() ? place_.rows_of(rest_.held) : Eigen::MatrixXd(0, n);
+    RestForces forces{plain(here.residual).head(n), -here.matrix.topLeftCorner(n, n), place_.rows_of(rest_.metric),
+                      Eigen::MatrixXd(closing.rows() + held.rows(), n)};
+    forces.rows << closing, held;
+    return forces;
   }
 
-  /// One implicit step; false, and nowhere else, where it is too long for what is known here.
-  bool descend(const Linearised& here, const Eigen::MatrixXd& inertia, double pace) {
-    const Eigen::Index n = inertia.rows();
-    Linearised slowed = here;
-    slowed.matrix.topLeftCorner(n, n) -= inertia / pace;
-    const Eigen::VectorXd way = step(slowed).least(right_of(here, place_.number(1.0)), k_rank);
-    // Where stiffness is negative, it would lead uphill.
-    if (way.head(n).dot(slowed.matrix.topLeftCorner(n, n) * way.head(n)) > 0 || allowed(way) < 1) return false;
+  /// Nowhere, and false, where nothing can be foreseen.
+  bool descend(const Linearised& here, const RestSlope& slope) {
+    const Eigen::Index n = static_cast<Eigen::Index>(mechanics_.dynamics.n()), l = columns() - n;
+    Eigen::VectorXd longest(n);
+    for (Eigen::Index a = 0; a < n; ++a) longest[a] = k_largest_step * reach(static_cast<std::size_t>(a));
+    Eigen::VectorXd way(columns());
+    way.head(n) = slope.downhill(longest);
+    const Eigen::VectorXd force = plain(here.residual).head(n);
+    if (l > 0) way.tail(l) = -here.matrix.topRightCorner(n, l).completeOrthogonalDecomposition().solve(force);
     const auto from = std::pair(place_.position(), place_.multipliers());
-    place_.move(way, place_.number(1.0), is_held());
-    Linearised there = here;
-    if (find_residual(there) && is_foreseen(here, there, way)) return true;
-    place_.set(from.first, from.second);
+    for (double part = 1; part > k_shortest_descent; part /= 2) {
+      place_.move(part * way, place_.number(1.0), is_held());
+      Linearised there = here;
+      // The more work has been done, and the less is undone at the end, the lower it is.
+      if (find_residual(there) && is_foreseen(here, there, part * way) &&
+          plain(there.residual).head(n).dot(way.head(n)) >= -k_foreseen * force.dot(way.head(n)))
+        return true;
+      place_.set(from.first, from.second);
+    }
     return false;
+  }
+
+  static Eigen::VectorXd plain(const std::vector<Real>& values) {
+    Eigen::VectorXd result(static_cast<Eigen::Index>(values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i) result[static_cast<Eigen::Index>(i)] = to_double(values[i]);
+    return result;
   }
 
   /// A pole is not crossed: beyond it forces are not those that their changes before it let expect.
