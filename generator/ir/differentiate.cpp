@@ -13,10 +13,10 @@ void Directional::seed(SymbolId symbol, Expr rate) {
 Expr Directional::operator()(Expr function) { return {graph_, derivative(function.id())}; }
 
 NodeId Directional::derivative(NodeId root) {
-  const auto is_known = [this](NodeId id) { return is_skipped(id) || memo_.count(id.index) != 0; };
+  const auto is_known = [this](NodeId id) { return is_skipped(id) || memo_.contains(id); };
   if (is_known(root)) return known(root);
   for (const NodeId id : post_order(graph_, {root}, is_known)) {
-    if (!is_known(id)) memo_.emplace(id.index, of_node(id));
+    if (!is_known(id)) memo_[id] = of_node(id);
   }
   return known(root);
 }

@@ -25,7 +25,7 @@ class Directional {
 
   /// From here on `value` has this rate, whatever it is made of: the solution of a linear system, whose rate is that of another one.
   /// After the seeds.
-  void take(Expr value, Expr rate) { memo_.insert_or_assign(value.id().index, rate.id()); }
+  void take(Expr value, Expr rate) { memo_[value.id()] = rate.id(); }
 
   /// Rates of named nodes are named, too, with this behind the name: what is shared in a function is shared in its derivatives, which
   /// are as many nodes as it has then, and not the square.
@@ -40,14 +40,14 @@ class Directional {
   /// The rate of the child `first` where the condition holds, of the next one elsewhere.
   NodeId chosen(NodeId condition, const Node& node, std::size_t first);
   bool is_skipped(NodeId id) { return sets_ != nullptr && !sets_->depends(id, symbol_); }
-  NodeId known(NodeId id) { return is_skipped(id) ? graph_.constant(0) : memo_.at(id.index); }
+  NodeId known(NodeId id) { return is_skipped(id) ? graph_.constant(0) : *memo_.find(id); }
 
   Graph& graph_;
   SymbolSets* sets_ = nullptr;
   std::size_t symbol_ = 0;  ///< in sets_
   std::string suffix_;      ///< of rates; empty: they have no names
   std::unordered_map<std::uint32_t, NodeId> seeds_;
-  std::unordered_map<std::uint32_t, NodeId> memo_;
+  NodeTable<NodeId> memo_;
 };
 
 /// ∂f/∂s

@@ -118,13 +118,13 @@ NodeId Graph::kept_whole(NodeId id, const std::string& name) {
   const Kind kind = (*this)[id].kind;
   if (kind == Kind::constant || kind == Kind::symbol || kind == Kind::named) return id;
   // One wrapper for one value: under two names it would not cancel against itself.
-  if (const auto known = wrappers_.find(id.index); known != wrappers_.end()) return known->second;
+  if (const NodeId* const known = wrappers_.find(id)) return *known;
   Node wrapper;
   wrapper.kind = Kind::named;
   wrapper.children = {id};
   wrapper.name = name;
   const NodeId result = intern(std::move(wrapper));
-  wrappers_.emplace(id.index, result);
+  wrappers_[id] = result;
   return result;
 }
 

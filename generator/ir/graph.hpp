@@ -10,8 +10,8 @@
 //    and stays in a sum in which it cancels;
 //  - the order is built from declaration order and structure, never from addresses or creation order.
 
+#include <boost/container/deque.hpp>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -21,6 +21,7 @@
 
 #include "ir/hash_index.hpp"
 #include "ir/node.hpp"
+#include "ir/node_table.hpp"
 #include "support/table.hpp"
 
 namespace gaussgen::ir {
@@ -101,6 +102,10 @@ class Graph {
   bool is_one(NodeId id) const { return is_constant(id, 1); }
 
  private:
+  // Blocks of a few hundred nodes: not one allocation for every three of them.
+  using Nodes =
+      boost::container::deque<Node, void, boost::container::deque_options<boost::container::block_size<256U>>::type>;
+
   NodeId intern(Node node);
   bool has_variable(const Node& node) const;
   NodeId grouped(const std::vector<NodeId>& factors, const std::string& name);
@@ -113,12 +118,12 @@ class Graph {
   std::size_t most_nodes_;
   std::vector<Symbol> symbols_;
   std::vector<std::shared_ptr<const support::Table>> tables_;
-  std::deque<Node> nodes_;       // references to nodes stay valid while the graph grows
+  Nodes nodes_;                  // references to nodes stay valid while the graph grows
   std::vector<bool> undefined_;  ///< parallel to nodes_
   std::vector<bool> varies_;     ///< likewise
   HashIndex index_;
-  std::unordered_map<std::uint32_t, std::string> labels_;
-  std::unordered_map<std::uint32_t, NodeId> wrappers_;     ///< value -> its named node
+  std::unordered_map<std::uint32_t, std::string> labels_;  // references to labels stay valid, too
+  NodeTable<NodeId> wrappers_;                             ///< value -> its named node
   mutable std::unordered_map<std::uint64_t, int> orders_;  ///< of pairs of nested functions, lower index first
 };
 

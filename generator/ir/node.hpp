@@ -118,7 +118,7 @@ struct Node {
   Rational value = 0;
   Children children;
   Coefficients coefficients;  ///< kind sum, parallel to children
-  std::string name;                    ///< kind named
+  std::string name;           ///< kind named
 };
 
 /// As what the functions of Graph take.

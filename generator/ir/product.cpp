@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <optional>
-#include <unordered_map>
 
 #include "ir/content.hpp"
 #include "ir/graph.hpp"
+#include "ir/positions.hpp"
 #include "support/assert.hpp"
 
 namespace gaussgen::ir {
@@ -51,11 +51,11 @@ class FactorCollector {
 
  private:
   void merge(NodeId base, const Rational& exponent) {
-    const auto [place, is_new] = position_.emplace(base.index, factors_.size());
+    const auto [place, is_new] = positions_.emplace(base);
     if (is_new) {
       factors_.push_back({base, exponent});
     } else {
-      Rational& sum = factors_[place->second].exponent;
+      Rational& sum = factors_[place].exponent;
       sum = sum + exponent;
     }
   }
@@ -63,7 +63,7 @@ class FactorCollector {
   Graph& graph_;
   Rational coefficient_ = 1;
   std::vector<Factor> factors_;
-  std::unordered_map<std::uint32_t, std::size_t> position_;
+  Positions positions_;  ///< in factors_
 };
 
 bool can_be_factor(const Node& node) {

@@ -1,7 +1,6 @@
 #include "ir/pythagoras.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace gaussgen::ir {
 
@@ -51,7 +50,7 @@ class PairFinder {
  public:
   PairFinder(Graph& graph, const Rational& constant, const std::vector<Term>& terms)
       : graph_(graph), constant_(constant), terms_(terms) {
-    for (std::size_t i = 0; i < terms.size(); ++i) position_.emplace(terms[i].node.index, i);
+    for (std::size_t i = 0; i < terms.size(); ++i) position_[terms[i].node] = i;
   }
 
   std::optional<Replacement> find() {
@@ -66,10 +65,10 @@ class PairFinder {
 
  private:
   std::optional<Replacement> with_partner(std::size_t i, const Square& square) const {
-    const auto partner = position_.find(square.partner.index);
-    if (partner == position_.end() || terms_[partner->second].coefficient != terms_[i].coefficient) return std::nullopt;
+    const std::size_t* const partner = position_.find(square.partner);
+    if (partner == nullptr || terms_[*partner].coefficient != terms_[i].coefficient) return std::nullopt;
     Replacement result{constant_, {}};
-    copy_without(i, partner->second, result);
+    copy_without(i, *partner, result);
     result.terms.push_back({terms_[i].coefficient, square.rest});
     return result;
   }
@@ -82,9 +81,9 @@ class PairFinder {
       result.constant = 0;
       copy_without(i, i, result);
     } else {
-      const auto rest = position_.find(square.rest.index);
-      if (rest == position_.end() || terms_[rest->second].coefficient != wanted) return std::nullopt;
-      copy_without(i, rest->second, result);
+      const std::size_t* const rest = position_.find(square.rest);
+      if (rest == nullptr || terms_[*rest].coefficient != wanted) return std::nullopt;
+      copy_without(i, *rest, result);
     }
     result.terms.push_back({wanted, square.partner});
     return result;
@@ -99,7 +98,7 @@ class PairFinder {
   Graph& graph_;
   const Rational& constant_;
   const std::vector<Term>& terms_;
-  std::unordered_map<std::uint32_t, std::size_t> position_;
+  NodeTable<std::size_t> position_;
 };
 
 }  // namespace

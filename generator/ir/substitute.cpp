@@ -16,11 +16,11 @@ void Substitution::round_numbers() {
 }
 
 Expr Substitution::operator()(Expr expression) {
-  const auto is_known = [this](NodeId id) { return memo_.count(id.index) != 0; };
+  const auto is_known = [this](NodeId id) { return memo_.contains(id); };
   for (const NodeId id : post_order(graph_, {expression.id()}, is_known)) {
-    if (!is_known(id)) memo_.emplace(id.index, rebuilt(id));
+    if (!is_known(id)) memo_[id] = rebuilt(id);
   }
-  return {graph_, memo_.at(expression.id().index)};
+  return {graph_, *memo_.find(expression.id())};
 }
 
 NodeId Substitution::rebuilt(NodeId id) {
@@ -31,7 +31,7 @@ NodeId Substitution::rebuilt(NodeId id) {
     return found == replacements_.end() ? id : found->second;
   }
   std::vector<NodeId> children;
-  for (const NodeId child : node.children) children.push_back(memo_.at(child.index));
+  for (const NodeId child : node.children) children.push_back(*memo_.find(child));
   if (children == listed(node.children)) return id;
   const std::string label = node.kind == Kind::named ? "" : graph_.label(id);
   const auto relabelled = [&](NodeId result) {

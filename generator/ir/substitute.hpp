@@ -22,7 +22,7 @@ class Substitution {
   Graph& graph_;
   bool rounds_ = false;
   std::unordered_map<std::uint32_t, NodeId> replacements_;
-  std::unordered_map<std::uint32_t, NodeId> memo_;
+  NodeTable<NodeId> memo_;
 };
 
 }  // namespace gaussgen::ir

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <optional>
-#include <unordered_map>
 
 #include "ir/graph.hpp"
+#include "ir/positions.hpp"
 #include "ir/pythagoras.hpp"
 
 namespace gaussgen::ir {
@@ -40,11 +40,11 @@ class TermCollector {
 
  private:
   void add_term(const Rational& coefficient, NodeId node) {
-    const auto [place, is_new] = position_.emplace(node.index, terms_.size());
+    const auto [place, is_new] = positions_.emplace(node);
     if (is_new) {
       terms_.push_back({coefficient, node});
     } else {
-      Rational& sum = terms_[place->second].coefficient;
+      Rational& sum = terms_[place].coefficient;
       sum = sum + coefficient;
     }
   }
@@ -52,7 +52,7 @@ class TermCollector {
   const Graph& graph_;
   Rational constant_ = 0;
   std::vector<Term> terms_;
-  std::unordered_map<std::uint32_t, std::size_t> position_;
+  Positions positions_;  ///< in terms_
 };
 
 }  // namespace

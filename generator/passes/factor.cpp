@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "ir/node_table.hpp"
 #include "ir/traverse.hpp"
 #include "passes/rewrite.hpp"
 #include "passes/share.hpp"
@@ -29,9 +30,9 @@ class Factoring {
   Factoring(Graph& graph, const Request& request)
       : graph_(graph), order_(ir::post_order(graph, request.outputs)), rewrite_(graph) {
     for (const NodeId id : order_) {
-      for (const NodeId child : graph[id].children) ++uses_[child.index];
+      for (const NodeId child : graph[id].children) ++uses_[child];
     }
-    for (const NodeId id : request.outputs) ++uses_[id.index];
+    for (const NodeId id : request.outputs) ++uses_[id];
   }
 
   Request run(const Request& request) {
@@ -46,7 +47,7 @@ class Factoring {
     const Node node = graph_[id];
     std::vector<Summand> summands;
     for (std::size_t i = 0; i < node.children.size(); ++i) {
-      summands.push_back({node.coefficients[i], rewrite_(node.children[i]), uses_.at(node.children[i].index) == 1});
+      summands.push_back({node.coefficients[i], rewrite_(node.children[i]), *uses_.find(node.children[i]) == 1});
     }
     return factored(node.value, std::move(summands));
   }
@@ -163,7 +164,7 @@ class Factoring {
   Graph& graph_;
   std::vector<NodeId> order_;
   Rewrite rewrite_;
-  std::unordered_map<std::uint32_t, int> uses_;
+  ir::NodeTable<int> uses_;
 };
 
 }  // namespace

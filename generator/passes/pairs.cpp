@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "ir/node_table.hpp"
 #include "ir/traverse.hpp"
 #include "passes/rewrite.hpp"
 
@@ -110,11 +111,11 @@ class FactorSharing {
   FactorSharing(Graph& graph, const Request& request)
       : graph_(graph), order_(ir::post_order(graph, request.outputs)), rewrite_(graph) {
     for (const NodeId id : order_) {
-      for (const NodeId child : graph[id].children) ++uses_[child.index];
+      for (const NodeId child : graph[id].children) ++uses_[child];
     }
-    for (const NodeId id : request.outputs) ++uses_[id.index];
+    for (const NodeId id : request.outputs) ++uses_[id];
     for (const Section& section : request.sections) {
-      for (const auto& [node, name] : section.nodes) ++uses_[node.index];
+      for (const auto& [node, name] : section.nodes) ++uses_[node];
     }
   }
 
@@ -153,7 +154,7 @@ class FactorSharing {
       if (cln::abs(node.coefficients[i]) == 1 || is_quotient(child)) continue;
       const Atom number = names_.of(graph_.constant(cln::abs(node.coefficients[i])), false);
       const auto product = place_.find(child.index);
-      const bool is_private = uses_.at(child.index) == 1 && graph_.label(child).empty();
+      const bool is_private = *uses_.find(child) == 1 && graph_.label(child).empty();
       if (product == place_.end() || !is_private) {
         add({number, names_.of(child, false)}, lists, multiples_, TermId{sum.index, i});
       } else {
@@ -240,7 +241,7 @@ class FactorSharing {
   std::vector<NodeId> order_;
   Rewrite rewrite_;
   FactorNames names_;
-  std::unordered_map<std::uint32_t, int> uses_;
+  ir::NodeTable<int> uses_;
   std::unordered_map<std::uint32_t, std::size_t> place_;  ///< of products among the lists
   std::map<TermId, std::size_t> multiples_;               ///< of terms with a number among the lists
   std::map<Atom, Pair> pairs_;

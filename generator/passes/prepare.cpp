@@ -37,19 +37,18 @@ PreparationSplit::PreparationSplit(Graph& graph, std::unordered_map<std::uint32_
     : graph_(graph), names_(std::move(names)), definitions_(graph) {}
 
 NodeId PreparationSplit::operator()(NodeId root) {
-  for (const NodeId id : ir::post_order(graph_, {root}, [this](NodeId node) { return memo_.count(node.index) != 0; })) {
-    if (memo_.count(id.index) == 0) memo_.emplace(id.index, varies(id) ? rebuilt(id) : id);
+  for (const NodeId id : ir::post_order(graph_, {root}, [this](NodeId node) { return memo_.contains(node); })) {
+    if (!memo_.contains(id)) memo_[id] = varies(id) ? rebuilt(id) : id;
   }
   const NodeId result = known(root);
   return varies(root) || stays_in_place(graph_, root) ? result : prepared(root);
 }
 
 bool PreparationSplit::varies(NodeId id) {
-  const auto found = varies_.find(id.index);
-  if (found != varies_.end()) return found->second;
+  if (const bool* const found = varies_.find(id)) return *found;
   // Conditions have a type of their own, so they are not prepared, only what they compare or choose.
   const bool result = is_boolean(graph_, id) || depends(id);
-  varies_.emplace(id.index, result);
+  varies_[id] = result;
   return result;
 }
 
@@ -61,7 +60,7 @@ bool PreparationSplit::depends(NodeId id) {
 }
 
 NodeId PreparationSplit::prepared(NodeId id) {
-  if (const auto found = prepared_.find(id.index); found != prepared_.end()) return found->second;
+  if (const NodeId* const found = prepared_.find(id)) return *found;
   if (stays_in_place(graph_, id)) return id;
   const Node& node = graph_[id];
   const bool is_parameter = is_symbol(graph_, id, SymbolClass::parameter);
@@ -70,9 +69,9 @@ NodeId PreparationSplit::prepared(NodeId id) {
   const NodeId value = is_parameter ? id : definitions_(Expr(graph_, id)).id();
   values_.push_back({symbol, value, name});
   const NodeId use = graph_.use(symbol);
-  prepared_.emplace(id.index, use);
-  prepared_.emplace(use.index, use);
-  varies_.emplace(use.index, false);
+  prepared_[id] = use;
+  prepared_[use] = use;
+  varies_[use] = false;
   if (!is_parameter) definitions_.replace(symbol, Expr(graph_, value));
   return use;
 }

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ir/node_table.hpp"
 #include "ir/substitute.hpp"
 
 namespace gaussgen::passes {
@@ -51,22 +52,23 @@ class PreparationSplit {
   NodeId rebuilt_sum(NodeId id);
   NodeId rebuilt_term(const ir::Rational& coefficient, NodeId node);
   NodeId rebuilt_product(NodeId id);
-  NodeId known(NodeId id) const { return memo_.at(id.index); }
+  NodeId known(NodeId id) const { return *memo_.find(id); }
   std::string name_of(NodeId id) const;
   Parts split_factors(NodeId product);
   NodeId relabelled(NodeId old, NodeId replacement);
 
   Graph& graph_;
   std::unordered_map<std::uint32_t, std::string> names_;
-  std::unordered_map<std::uint32_t, bool> varies_;
-  std::unordered_map<std::uint32_t, NodeId> memo_;
-  std::unordered_map<std::uint32_t, NodeId> prepared_;  ///< node over parameters -> the symbol that stands for it
+  ir::NodeTable<bool> varies_;
+  ir::NodeTable<NodeId> memo_;
+  ir::NodeTable<NodeId> prepared_;  ///< node over parameters -> the symbol that stands for it
   std::vector<PreparedValue> values_;
   ir::Substitution definitions_;  ///< of prepared values, for others that are made of them
 };
 
 /// For results of the split: what varies among their prepared values, and what could have been prepared in them. Empty
 /// when sound.
-std::vector<std::string> violations(const Graph& graph, const PreparationSplit& split, const std::vector<NodeId>& roots);
+std::vector<std::string> violations(const Graph& graph, const PreparationSplit& split,
+                                    const std::vector<NodeId>& roots);
 
 }  // namespace gaussgen::passes

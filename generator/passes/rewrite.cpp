@@ -12,7 +12,7 @@ using ir::Term;
 void Rewrite::replace(NodeId old, NodeId now) {
   const std::string& label = graph_.label(old);
   if (graph_[old].kind != Kind::named && !label.empty() && graph_.label(now).empty()) graph_.relabel(now, label);
-  map_.insert_or_assign(old.index, now);
+  map_[old] = now;
 }
 
 NodeId Rewrite::rebuilt(NodeId old) const {

@@ -1,9 +1,9 @@
 #pragma once
 // What passes share that make a new graph of values from an old one.
 
-#include <unordered_map>
 #include <vector>
 
+#include "ir/node_table.hpp"
 #include "passes/program.hpp"
 
 namespace gaussgen::passes {
@@ -13,8 +13,8 @@ class Rewrite {
  public:
   explicit Rewrite(Graph& graph) : graph_(graph) {}
 
-  bool knows(NodeId old) const { return map_.count(old.index) != 0; }
-  NodeId operator()(NodeId old) const { return map_.at(old.index); }
+  bool knows(NodeId old) const { return map_.contains(old); }
+  NodeId operator()(NodeId old) const { return *map_.find(old); }
 
   /// `now` takes the place of `old`, and its name.
   void replace(NodeId old, NodeId now);
@@ -27,7 +27,7 @@ class Rewrite {
 
  private:
   Graph& graph_;
-  std::unordered_map<std::uint32_t, NodeId> map_;
+  ir::NodeTable<NodeId> map_;
 };
 
 /// A value that further simplification does not take apart, without a name of its own; a sign that most of its terms have
