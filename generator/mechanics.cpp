@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "evaluate/arithmetic_double.hpp"
 #include "evaluation.hpp"
 #include "generic_point.hpp"
 #include "kinematics/hold.hpp"
+#include "rounding.hpp"
 #include "strategy/composite_metric.hpp"
 #include "strategy/inner.hpp"
 #include "strategy/least_change.hpp"
@@ -17,6 +20,11 @@
 namespace gaussgen {
 
 namespace {
+
+constexpr std::size_t k_most_speeds_compared = 30;
+constexpr double k_rounding_of_few = 1e-12;   ///< of accelerations: more of it is worth a look at the other solution,
+constexpr double k_rounding_of_many = 1e-10;  ///< which has to be derived for it where speeds are many
+constexpr double k_many_times = 100;
 
 const char* const k_about_tree = "Z minimised body by body along the tree";
 
@@ -150,6 +158,20 @@ strategy::Candidate solved_over_metric(const Mechanics& mechanics, const Mechani
   return strategy::counted(std::move(solution), std::move(steps));
 }
 
+/// How many more digits rounding takes on the tree than over the metric, if they are many: a heavy part at the end of light ones comes
+/// through each of them as a difference of large numbers.
+std::optional<int> lost_on_tree(Mechanics& mechanics, const MechanicsOptions& options, const strategy::Candidate& tree,
+                                std::optional<strategy::Candidate>& metric) {
+  if (mechanics.dynamics.n() > k_most_speeds_compared) return std::nullopt;
+  Rounding rounding(mechanics);
+  const double on_tree = rounding(tree.solution);
+  if (!(on_tree > (metric ? k_rounding_of_few : k_rounding_of_many))) return std::nullopt;
+  if (!metric) metric = solved_over_metric(mechanics, options);
+  const double over_metric = std::max(rounding(metric->solution), std::numeric_limits<double>::epsilon());
+  if (!(on_tree > k_many_times * over_metric)) return std::nullopt;
+  return static_cast<int>(std::lround(std::log10(on_tree / over_metric)));
+}
+
 strategy::Solution solved(Mechanics& mechanics, const MechanicsOptions& options, strategy::Steps& steps) {
   const bool tries_tree = wants_tree(mechanics, options.strategy);
   const std::size_t n = mechanics.dynamics.n();
@@ -168,6 +190,14 @@ strategy::Solution solved(Mechanics& mechanics, const MechanicsOptions& options,
   if (!tree) {
     steps.append(metric->steps);
     return metric->solution;
+  }
+  if (options.strategy == Strategy::automatic) {
+    if (const auto lost = lost_on_tree(mechanics, options, *tree, metric)) {
+      return taken(std::move(*metric),
+                   fmt::format(", and {} body by body along the tree, where rounding takes up to {} digits more",
+                               tree->operations, *lost),
+                   steps);
+    }
   }
   if (!metric) return taken(std::move(*tree), "", steps);
   if (tree->operations < metric->operations) {
