@@ -182,7 +182,8 @@ class Report {
       mechanics_.solution.multipliers[mu] = mechanics_.expressions.number((*resting_)[mu]);
     mechanics_.solution.motion.reset();
     strategy::Steps steps;
-    mechanics_.held_reactions = strategy::held_reactions(mechanics_.dynamics, mechanics_.solution, steps);
+    mechanics_.held_reactions =
+        strategy::held_reactions(mechanics_.model, mechanics_.dynamics, mechanics_.solution, steps);
   }
 
   // From here on everything is about the motion that is wanted, made by the forces `missing`: the least ones leave multipliers as they
@@ -204,7 +205,8 @@ class Report {
     strategy::Vector& accelerations = mechanics_.solution.accelerations;
     for (const auto i : mechanics_.symbols.speeds.indices())
       accelerations[i.value] = mechanics_.expressions.symbol(mechanics_.symbols.speeds[i].acceleration);
-    mechanics_.held_reactions = strategy::held_reactions(mechanics_.dynamics, mechanics_.solution, steps);
+    mechanics_.held_reactions =
+        strategy::held_reactions(mechanics_.model, mechanics_.dynamics, mechanics_.solution, steps);
   }
 
   void add_inverse_dynamics() {

@@ -258,7 +258,7 @@ Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& 
       covariant([this] { return kinematics::build_covariant(kinematics, graph); }),
       dynamics(dynamics_of(*this, chosen, rows_found_at_generic_point(*this))),
       solution(with_questions_apart(solved(*this, chosen, steps))),
-      held_reactions(strategy::held_reactions(dynamics, solution, steps)),
+      held_reactions(strategy::held_reactions(model, dynamics, solution, steps)),
       options(chosen) {
   name_rates(*this);
 }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "kinematics/linkage.hpp"
+#include "strategy/held_reactions.hpp"
 #include "strategy/reactions.hpp"
 
 namespace gaussgen {

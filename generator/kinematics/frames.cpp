@@ -154,15 +154,30 @@ Frames::Step Frames::quaternion(std::size_t orientation) {
   return {matrix, ir::multiply(matrix, omega), omega, {}, {}};
 }
 
+Vector3 Frames::turning(std::size_t frame) {
+  Vector3 omega = ir::zero3(expressions_.graph());
+  for (const Vector3& part : turns_in_parent(frame)) omega = omega + part;
+  return omega;
+}
+
+// α̇ a, R_a (β̇ b), R_a R_b (γ̇ c)
+std::vector<Vector3> Frames::turns_in_parent(std::size_t frame) {
+  const std::vector<Step>& steps = placed(frame).steps;
+  std::vector<Vector3> parts;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    Vector3 part = steps[i].before;
+    for (std::size_t j = i; j-- > 0;) part = ir::multiply(steps[j].matrix, part);
+    parts.push_back(part);
+  }
+  return parts;
+}
+
 // ω = ω_parent + A_parent (α̇ a + R_a (β̇ b) + R_a R_b (γ̇ c)), for every parent in turn.
 Vector3 Frames::omega_in_space(std::size_t frame) {
   Vector3 omega = ir::zero3(expressions_.graph());
   for (std::size_t at = frame; at != k_space; at = model_.frames[at].parent) {
-    const std::vector<Step>& steps = placed(at).steps;
     const std::size_t parent = model_.frames[at].parent;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      Vector3 part = steps[i].before;
-      for (std::size_t j = i; j-- > 0;) part = ir::multiply(steps[j].matrix, part);
+    for (const Vector3& part : turns_in_parent(at)) {
       omega = omega + (parent == k_space ? part : ir::multiply(axes(parent), part));
     }
   }

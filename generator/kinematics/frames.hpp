@@ -42,6 +42,9 @@ class Frames {
   /// rad/s, in space or along the frame's own axes.
   ir::Vector3 omega(std::size_t frame, model::Axes axes);
 
+  /// Angular velocity against the parent, along the axes of the parent, rad/s.
+  ir::Vector3 turning(std::size_t frame);
+
   Rotation rotation(std::size_t frame, model::Axes axes) { return {this->axes(frame), omega(frame, axes), axes}; }
 
  private:
@@ -70,6 +73,7 @@ class Frames {
   std::vector<Step> steps_of(const model::Attitude& attitude);
   Step turn(const model::Turn& turn);
   Step quaternion(std::size_t orientation);
+  std::vector<ir::Vector3> turns_in_parent(std::size_t frame);
   ir::Vector3 omega_in_space(std::size_t frame);
   ir::Vector3 omega_in_body(std::size_t frame);
   ir::Matrix3 identity() const;

@@ -39,8 +39,16 @@ class Holder {
     (*this)(body.eta);
   }
 
-  void operator()(std::vector<JointPlace>& joints) {
-    for (JointPlace& joint : joints) (*this)(joint.point);
+  void operator()(std::vector<Cut>& cuts) {
+    for (Cut& cut : cuts) (*this)(cut.point);
+  }
+
+  void operator()(std::vector<HeldFrame>& frames) {
+    for (HeldFrame& frame : frames) {
+      (*this)(frame.cut.point);
+      (*this)(frame.velocity);
+      (*this)(frame.omega);
+    }
   }
 
   void operator()(std::vector<AppliedForce>& forces) {

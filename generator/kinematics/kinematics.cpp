@@ -8,6 +8,7 @@
 #include "ir/substitute.hpp"
 #include "ir/traverse.hpp"
 #include "kinematics/body_motions.hpp"
+#include "kinematics/held_frames.hpp"
 #include "kinematics/hold.hpp"
 #include "kinematics/place_symbols.hpp"
 #include "model/rate.hpp"
@@ -40,6 +41,7 @@ class Builder {
   Kinematics run() {
     const Components none(symbols_.full_count(), number(0));
     Kinematics result{symbols_,
+                      {},
                       {},
                       {},
                       {},
@@ -100,13 +102,15 @@ class Builder {
     return result;
   }
 
-  std::vector<JointPlace> joints() {
-    std::vector<JointPlace> result;
+  std::vector<Cut> joints() {
+    std::vector<Cut> result;
     for (const model::Joint& joint : model_.joints) {
-      result.push_back({joint.name.text, joint.frame, expressions_.frames().origin(joint.frame)});
+      result.push_back({joint.name.text, joint.frame, expressions_.frames().origin(joint.frame), true});
     }
     return result;
   }
+
+  std::vector<HeldFrame> held_frames() { return kinematics::held_frames(model_, symbols_, expressions_, partials_); }
 
   // Q_A = m field·J_A and V = -m field·r (theory section 6)
   Indexed<FullIndex, Expr> field_force(const Vector3& field) {
@@ -564,7 +568,8 @@ Kinematics build_kinematics(const model::Model& model, ir::Graph& graph, Express
     return value;
   };
   result.bodies = support::Lazy<Indexed<BodyIndex, BodyMotion>>([=] { return held(builder->bodies(field)); });
-  result.joints = support::Lazy<std::vector<JointPlace>>([=] { return held(builder->joints()); });
+  result.joints = support::Lazy<std::vector<Cut>>([=] { return held(builder->joints()); });
+  result.held_frames = support::Lazy<std::vector<HeldFrame>>([=] { return held(builder->held_frames()); });
   result.field_force = support::Lazy<Indexed<FullIndex, Expr>>([=] { return held(builder->field_force(field)); });
   result.other_potential = support::Lazy<Expr>([=] { return held(builder->other_potential()); });
   result.potential = support::Lazy<Expr>([=] { return held(builder->potential(field)); });

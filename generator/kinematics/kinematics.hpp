@@ -64,11 +64,19 @@ struct ConstraintRow {
   support::Indexed<FullIndex, ir::Expr> carried;  ///< the part of beta that is of places on which no body feels it
 };
 
-/// A joint of the model, in its order.
-struct JointPlace {
-  std::string name;
-  std::size_t frame = model::k_space;  ///< the child
-  ir::Vector3 point;                   ///< origin of the child, m, space
+/// A frame as it is cut off from its parent, with all that it carries.
+struct Cut {
+  std::string name;                    ///< of the joint, or of the frame
+  std::size_t frame = model::k_space;  ///< the child of a joint
+  ir::Vector3 point;                   ///< its origin, m, space
+  bool is_joint = false;
+};
+
+/// A frame that held coordinates move against its parent, and how it moves per rate of each, in space.
+struct HeldFrame {
+  Cut cut;
+  support::Indexed<HeldIndex, ir::Vector3> velocity;  ///< ∂v/∂ẋ^j of its origin
+  support::Indexed<HeldIndex, ir::Vector3> omega;     ///< ∂ω/∂ẋ^j
 };
 
 /// A force with its moment about a point, on a frame of the model, in space.
@@ -93,9 +101,10 @@ struct Kinematics {
   Symbols symbols;
   support::Lazy<support::Indexed<BodyIndex, BodyMotion>> bodies;
   support::Indexed<ConstraintIndex, ConstraintRow> constraints;
-  std::vector<ConstraintRow> idle_slips;  ///< rows that hold whatever the speeds are; their places only
-  support::Lazy<std::vector<JointPlace>> joints;
-  std::vector<std::string> frame_names;  ///< parallel to Model::frames
+  std::vector<ConstraintRow> idle_slips;              ///< rows that hold whatever the speeds are; their places only
+  support::Lazy<std::vector<Cut>> joints;             ///< in the order of the model
+  support::Lazy<std::vector<HeldFrame>> held_frames;  ///< parents first
+  std::vector<std::string> frame_names;               ///< parallel to Model::frames
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates;
   support::Indexed<FreeIndex, ir::Expr> speeds_at_rest;
   support::Lazy<ir::Expr> potential;                 ///< J; gravity (uniform fields) included

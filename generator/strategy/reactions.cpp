@@ -12,34 +12,8 @@ using ir::Expr;
 using ir::Vector3;
 using kinematics::BodyMotion;
 using kinematics::ConstraintIndex;
-using kinematics::FreeIndex;
 using kinematics::FullIndex;
 using kinematics::HeldIndex;
-
-Vector held_reactions(const Dynamics& dynamics, const Solution& solution, Steps& steps) {
-  const kinematics::Kinematics& kinematics = *dynamics.kinematics;
-  const kinematics::Symbols& symbols = kinematics.symbols;
-  Vector reactions;
-  if (symbols.held.values().empty()) return reactions;
-  const kinematics::Covariant& covariant = **dynamics.covariant;
-  for (const HeldIndex j : symbols.held.indices()) {
-    const std::string& name = symbols.held[j].name;
-    steps.begin("reaction of " + name + ": R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4)", name);
-    const FullIndex row = symbols.full(j);
-    Expr R = covariant.bias[row] - covariant.Q[row];
-    for (const FreeIndex a : symbols.speeds.indices()) {
-      R += covariant.G[row][symbols.full(a)] * solution.accelerations[a.value];
-    }
-    for (const HeldIndex k : symbols.held.indices()) {
-      R += covariant.G[row][symbols.full(k)] * kinematics.held_acceleration[k];
-    }
-    for (const ConstraintIndex mu : kinematics.constraints.indices()) {
-      R -= solution.multipliers[mu.value] * kinematics.constraints[mu].beta[row];
-    }
-    reactions.push_back(steps.name(R, "R_" + name));
-  }
-  return reactions;
-}
 
 Matrix generalized_reactions(const Dynamics& dynamics, const Solution& solution, Steps&) {
   Matrix result;

@@ -4,9 +4,6 @@
 
 namespace gaussgen::strategy {
 
-/// R_j = A_j - Q_j - λ_μ β_μj for every held coordinate (theory section 4; Vujičić (3.5), (3.8) in covariant form).
-Vector held_reactions(const Dynamics& dynamics, const Solution& solution, Steps& steps);
-
 /// λ_μ β_μα: what constraint μ adds to the right-hand side of the equation of the free α (Vujičić (3.4)).
 Matrix generalized_reactions(const Dynamics& dynamics, const Solution& solution, Steps& steps);
 

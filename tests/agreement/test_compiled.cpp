@@ -188,7 +188,7 @@ Equations equations(Mechanics& mechanics) {
   given.accelerations = a;
   given.multipliers = lambda;
   gaussgen::strategy::Steps steps;
-  const gaussgen::strategy::Vector expected = gaussgen::strategy::held_reactions(dynamics, given, steps);
+  const gaussgen::strategy::Vector expected = gaussgen::strategy::held_reactions_by_metric(dynamics, given, steps);
   gaussgen::strategy::Vector held;
   for (const auto j : symbols.held.indices()) {
     result.held.push_back(mechanics.graph.declare(gaussgen::ir::SymbolClass::opaque, "R_" + symbols.held[j].name));

@@ -292,7 +292,7 @@ class Comparison {
     at_rest.accelerations.assign(mechanics.dynamics.n(), mechanics.expressions.number(0));
     at_rest.multipliers.assign(mechanics.dynamics.l(), mechanics.expressions.number(0));
     gaussgen::strategy::Steps steps;
-    return gaussgen::strategy::held_reactions(mechanics.dynamics, at_rest, steps);
+    return gaussgen::strategy::held_reactions_by_metric(mechanics.dynamics, at_rest, steps);
   }
 
   /// As the paper's route knows them: x for x_dot, also where a speed of the model's own is in its place.

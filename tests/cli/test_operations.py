@@ -55,6 +55,41 @@ forces:
   gravity: {uniform: [0, 0, -g]}
 """
 
+# Chains whose first link hangs on a frame that held coordinates move: a trolley in the plane of a chain of rods, and a pivot that is shaken
+# and turns, with universal and ball joints.
+HELD = """gauss: 1
+name: held_chain
+counts: {n: 10}
+parameters: {m: 1.3, L: 0.7, J: 0.05, Ja: 0.004, g: 9.81, A: 0.1, w: 9}
+coordinates:
+  x: {held_at: A*sin(w*t)}
+  z: {held_at: A*cos(2*w*t)}
+"""
+TROLLEY = HELD + """
+frames:
+  link_0: {position: [x, 0, z]}
+joints:
+  hinge_1: {type: revolute, parent: link_0, child: link_1, axis: y, coordinates: q_1, initial: 0.3}
+  hinge_$(i+1): {count: $(n-1), type: revolute, parent: link_$i, child: link_$(i+1), at: [0, 0, -L], axis: y, coordinates: q_$(i+1), initial: 0.1}
+bodies:
+  body_$i: {count: n, frame: link_$i, mass: m, inertia: [J, J, Ja], centre: [0, 0, -L/2]}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+"""
+PIVOT = HELD + """
+  turn: {held_at: 2*t + A*sin(w*t)}
+frames:
+  link_0: {position: [x, 0.1, z], orientation: {axis: z, angle: turn}}
+joints:
+  hook_$i: {count: n, type: universal, parent: link_$(i-1), child: arm_$i, at: [0, 0, -L], axes: [x, y], coordinates: [u_$i, v_$i], initial: [0.4, 0.3]}
+  ball_$i: {count: n, type: spherical, parent: arm_$i, child: link_$i, at: [0, 0, -L], initial_angular_velocity: [0.4, 0.2*$i, -0.6]}
+bodies:
+  arm_$i: {count: n, mass: m, inertia: [J, 1.02*J, Ja], centre: [0, 0, -L/2]}
+  link_$i: {count: n, mass: m, inertia: [J, 1.02*J, Ja], centre: [L/9, 0, -L/2]}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+"""
+
 
 def small_stack():
     resource.setrlimit(resource.RLIMIT_STACK, (256 * 1024, 256 * 1024))
@@ -92,6 +127,14 @@ class Operations(Program):
             with self.subTest(function):
                 count = [self.operations(CHAIN, "--count", f"n={n}", function=function, output=function) for n in (50, 200)]
                 self.assertLess(count[1], 4.5 * count[0])
+
+    def test_what_moves_a_pivot_follows_the_links_of_the_chain_on_it(self):
+        for text, few in ((TROLLEY, 20), (PIVOT, 4)):
+            model = self.write("held.yaml", text)
+            with self.subTest(f"{few} links and twice as many"):
+                count = [self.operations(model, "--count", f"n={n}", function="reactions", output="reactions") for n in (few, 2 * few)]
+                self.assertLess(count[1], 2.3 * count[0])
+                self.assertLess(count[1], 1.35 * self.operations(model, "--count", f"n={2 * few}"))
 
     def bridge(self, n, function, output):
         return self.operations(self.write("bridge.yaml", BRIDGE), "--count", f"n={n}", function=function, output=output)

@@ -1,4 +1,4 @@
-#include "strategy/joint_inertia.hpp"
+#include "strategy/cut_inertia.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -14,35 +14,34 @@ using ir::Expr;
 using ir::Matrix3;
 using ir::Vector3;
 using kinematics::BodyIndex;
-using kinematics::JointPlace;
 using kinematics::k_ground;
 using kinematics::Link;
 
-JointTree joint_tree(const model::Model& model) {
-  JointTree tree;
-  std::vector<std::size_t> own(model.frames.size(), k_no_joint);
-  for (std::size_t j = 0; j < model.joints.size(); ++j) own[model.joints[j].frame] = j;
-  const auto carrier = [&](std::size_t frame) { return frame == model::k_space ? k_no_joint : tree.carrier[frame]; };
+CutTree cut_tree(const model::Model& model, std::vector<kinematics::Cut> cuts) {
+  CutTree tree{std::move(cuts), {}, {}, {}};
+  std::vector<std::size_t> own(model.frames.size(), k_no_cut);
+  for (std::size_t j = 0; j < tree.cuts.size(); ++j) own[tree.cuts[j].frame] = j;
+  const auto carrier = [&](std::size_t frame) { return frame == model::k_space ? k_no_cut : tree.carrier[frame]; };
   // Frames come after their parents.
   for (std::size_t f = 0; f < model.frames.size(); ++f) {
     const std::size_t before = carrier(model.frames[f].parent);
-    tree.carrier.push_back(own[f] == k_no_joint ? before : own[f]);
+    tree.carrier.push_back(own[f] == k_no_cut ? before : own[f]);
   }
-  for (const model::Joint& joint : model.joints) tree.before.push_back(carrier(model.frames[joint.frame].parent));
-  tree.inward.resize(model.joints.size());
+  for (const kinematics::Cut& cut : tree.cuts) tree.before.push_back(carrier(model.frames[cut.frame].parent));
+  tree.inward.resize(tree.cuts.size());
   std::iota(tree.inward.begin(), tree.inward.end(), std::size_t{0});
   std::sort(tree.inward.begin(), tree.inward.end(),
-            [&](std::size_t a, std::size_t b) { return model.joints[a].frame > model.joints[b].frame; });
+            [&](std::size_t a, std::size_t b) { return tree.cuts[a].frame > tree.cuts[b].frame; });
   return tree;
 }
 
 namespace {
 
-JointInertia nothing(const kinematics::Kinematics& kinematics) {
-  const std::vector<JointPlace>& joints = *kinematics.joints;
-  const Vector3 zero = ir::zero3(kinematics.field[0].graph());
-  return {std::vector<Wrench>(joints.size(), Wrench{zero, zero}), std::vector<Vector3>(joints.size(), zero),
-          std::vector<std::optional<FreeTurn>>(joints.size()), true};
+CutInertia nothing(const CutTree& tree, ir::Graph& graph) {
+  const Vector3 zero = ir::zero3(graph);
+  const std::size_t count = tree.cuts.size();
+  return {std::vector<Wrench>(count, Wrench{zero, zero}), std::vector<Vector3>(count, zero),
+          std::vector<std::optional<FreeTurn>>(count), true};
 }
 
 void add(Wrench& sum, const Wrench& wrench, const Vector3& arm) {
@@ -52,22 +51,21 @@ void add(Wrench& sum, const Wrench& wrench, const Vector3& arm) {
 
 }  // namespace
 
-JointInertia inertia_by_bodies(const model::Model& model, const JointTree& tree, const Dynamics& dynamics,
-                               const Solution& solution, Steps& steps) {
+CutInertia inertia_by_bodies(const model::Model& model, const CutTree& tree, const Dynamics& dynamics,
+                             const Solution& solution, Steps& steps) {
   const kinematics::Kinematics& kinematics = *dynamics.kinematics;
-  JointInertia result = nothing(kinematics);
-  const std::vector<JointPlace>& joints = *kinematics.joints;
+  CutInertia result = nothing(tree, kinematics.field[0].graph());
   const std::vector<BodyReaction> bodies = body_reactions(dynamics, solution, steps);
   for (const BodyIndex i : kinematics.bodies->indices()) {
     const std::size_t frame = model.bodies[i.value].frame;
-    const std::size_t j = frame == model::k_space ? k_no_joint : tree.carrier[frame];
-    if (j == k_no_joint) continue;
+    const std::size_t j = frame == model::k_space ? k_no_cut : tree.carrier[frame];
+    if (j == k_no_cut) continue;
     const BodyReaction& body = bodies[i.value];
     add(result.own[j], {body.force, body.moment.value_or(ir::zero3(kinematics.field[0].graph()))},
-        (*kinematics.bodies)[i].position - joints[j].point);
+        (*kinematics.bodies)[i].position - tree.cuts[j].point);
   }
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    if (tree.before[j] != k_no_joint) result.arms[j] = joints[j].point - joints[tree.before[j]].point;
+  for (std::size_t j = 0; j < tree.cuts.size(); ++j) {
+    if (tree.before[j] != k_no_cut) result.arms[j] = tree.cuts[j].point - tree.cuts[tree.before[j]].point;
   }
   return result;
 }
@@ -76,56 +74,53 @@ namespace {
 
 class LinkInertia {
  public:
-  LinkInertia(const model::Model& model, const JointTree& tree, const kinematics::Kinematics& kinematics,
-              const TreeMotion& motion, Steps& steps)
-      : model_(model),
-        tree_(tree),
+  LinkInertia(const CutTree& tree, const kinematics::Kinematics& kinematics, const TreeMotion& motion, Steps& steps)
+      : tree_(tree),
         motion_(motion),
         links_(motion.linkage.links),
         steps_(steps),
         graph_(kinematics.field[0].graph()),
         axes_(links_, graph_),
         in_space_(links_.size()),
+        shifts_(links_.size(), ir::zero3(graph_)),
         arms_(links_.size(), ir::zero3(graph_)),
         before_(links_.size(), ir::zero3(graph_)),
-        result_(nothing(kinematics)) {
+        result_(nothing(tree, graph_)) {
     result_.counts_loads = false;
   }
 
-  bool tells_joints_apart() const {
-    for (const model::Body& body : model_.bodies) {
-      if (body.frame != model::k_space && motion_.linkage.ends[body.frame] == k_ground) return false;
-    }
-    for (const kinematics::Part& part : motion_.linkage.parts) {
-      if (carrier(part.link) != tree_.carrier[model_.bodies[part.body].frame]) return false;
-    }
-    return true;
-  }
-
-  JointInertia run(const std::vector<JointPlace>& joints) {
+  CutInertia run() {
     steps_.begin("axes and places of the links, and accelerations of their origins against free fall, in space");
     for (std::size_t i = 0; i < links_.size(); ++i) find_arm(i);
     for (std::size_t i = 0; i < links_.size(); ++i) add_link(i);
-    for (std::size_t j = 0; j < joints.size(); ++j) find_joint(j, joints);
+    for (std::size_t j = 0; j < tree_.cuts.size(); ++j) find_cut(j);
     return std::move(result_);
   }
 
  private:
-  std::size_t carrier(std::size_t link) const { return tree_.carrier[links_[link].frame]; }
-
-  bool is_of_joint(std::size_t link, std::size_t joint) const {
-    return joint != k_no_joint && model_.joints[joint].frame == links_[link].frame;
+  std::size_t carrier(std::size_t link) const {
+    return link == k_ground ? k_no_cut : tree_.carrier[links_[link].frame];
   }
 
-  // From the origin of the child of the joint that carries the link, and from that of the joint that carries the one before.
+  bool is_of_cut(std::size_t link, std::size_t cut) const {
+    return cut != k_no_cut && tree_.cuts[cut].frame == links_[link].frame;
+  }
+
+  // From the origins of the cut that carries the link, and of the one that carries the link before.
   void find_arm(std::size_t i) {
     const std::size_t before = motion_.carriers[i];
-    if (before != k_ground) before_[i] = arms_[before];
     if (links_[i].kind == Link::Kind::shift) {
       const Vector3 shift = ir::multiply(axes_.of(i, steps_), scaled(motion_.length, links_[i].offset));
-      before_[i] = before_[i] + steps_.name(shift, "shift_" + links_[i].name);
+      shifts_[i] = steps_.name(shift, "shift_" + links_[i].name);
     }
-    if (!is_of_joint(i, carrier(i))) arms_[i] = before_[i];
+    before_[i] = from(carrier(before), i);
+    if (!is_of_cut(i, carrier(i))) arms_[i] = from(carrier(i), i);
+  }
+
+  // A cut to which no link of its own leads is where the link before ends.
+  Vector3 from(std::size_t cut, std::size_t i) const {
+    const std::size_t before = motion_.carriers[i];
+    return before != k_ground && carrier(before) == cut ? arms_[before] + shifts_[i] : shifts_[i];
   }
 
   // With a mass at the origin, where the axes of no link matter, and the rest in the axes of this one.
@@ -137,8 +132,8 @@ class LinkInertia {
     if (!moved.is_zero()) add_to(carrier(motion_.carriers[i]), {force(i, moved), ir::zero3(graph_)}, before_[i]);
   }
 
-  void add_to(std::size_t joint, const Wrench& wrench, const Vector3& arm) {
-    if (joint != k_no_joint) add(result_.own[joint], wrench, arm);
+  void add_to(std::size_t cut, const Wrench& wrench, const Vector3& arm) {
+    if (cut != k_no_cut) add(result_.own[cut], wrench, arm);
   }
 
   Vector3 force(std::size_t i, Expr mass) {
@@ -174,19 +169,23 @@ class LinkInertia {
     return {ir::multiply(axes, wrench.force), ir::multiply(axes, wrench.moment)};
   }
 
-  void find_joint(std::size_t j, const std::vector<JointPlace>& joints) {
-    const std::size_t frame = model_.joints[j].frame, end = motion_.linkage.ends[frame];
+  void find_cut(std::size_t j) {
+    const std::size_t frame = tree_.cuts[j].frame, end = motion_.linkage.ends[frame];
     const std::size_t before = tree_.before[j];
     if (end == k_ground) {
-      if (before != k_no_joint) result_.arms[j] = joints[j].point - joints[before].point;
+      if (before != k_no_cut) result_.arms[j] = tree_.cuts[j].point - tree_.cuts[before].point;
       return;
     }
     std::size_t first = end;
     while (motion_.carriers[first] != k_ground && links_[motion_.carriers[first]].frame == frame) {
       first = motion_.carriers[first];
     }
-    // A link of another frame: the joint adds nothing that moves or leads elsewhere.
-    result_.arms[j] = links_[first].frame == frame ? before_[first] : arms_[first];
+    if (links_[first].frame == frame) {
+      result_.arms[j] = from(before, first);
+    } else if (carrier(first) == before) {
+      // A link of another frame: nothing moves here or leads elsewhere.
+      result_.arms[j] = arms_[first];
+    }
     if (links_[end].frame == frame) result_.turns[j] = free_turn(end);
   }
 
@@ -202,27 +201,33 @@ class LinkInertia {
     return std::nullopt;
   }
 
-  const model::Model& model_;
-  const JointTree& tree_;
+  const CutTree& tree_;
   const TreeMotion& motion_;
   const std::vector<Link>& links_;
   Steps& steps_;
   ir::Graph& graph_;
   LinkAxes axes_;
   std::vector<std::optional<Vector3>> in_space_;
-  std::vector<Vector3> arms_, before_;
-  JointInertia result_;
+  std::vector<Vector3> shifts_, arms_, before_;
+  CutInertia result_;
 };
 
 }  // namespace
 
-std::optional<JointInertia> inertia_by_links(const model::Model& model, const JointTree& tree, const Dynamics& dynamics,
-                                             const Solution& solution, Steps& steps) {
-  if (!solution.motion) return std::nullopt;
-  const kinematics::Kinematics& kinematics = *dynamics.kinematics;
-  LinkInertia inertia(model, tree, kinematics, *solution.motion, steps);
-  if (!inertia.tells_joints_apart()) return std::nullopt;
-  return inertia.run(*kinematics.joints);
+bool links_tell_apart(const model::Model& model, const CutTree& tree, const Solution& solution) {
+  if (!solution.motion) return false;
+  const kinematics::Linkage& linkage = solution.motion->linkage;
+  for (const model::Body& body : model.bodies) {
+    if (body.frame == model::k_space || tree.carrier[body.frame] == k_no_cut) continue;
+    if (linkage.ends[body.frame] == k_ground) return false;
+  }
+  return std::all_of(linkage.parts.begin(), linkage.parts.end(), [&](const kinematics::Part& part) {
+    return tree.carrier[linkage.links[part.link].frame] == tree.carrier[model.bodies[part.body].frame];
+  });
+}
+
+CutInertia inertia_by_links(const CutTree& tree, const Dynamics& dynamics, const Solution& solution, Steps& steps) {
+  return LinkInertia(tree, *dynamics.kinematics, *solution.motion, steps).run();
 }
 
 }  // namespace gaussgen::strategy

@@ -1,0 +1,123 @@
+#include "strategy/held_reactions.hpp"
+
+#include <algorithm>
+
+#include "ir/contract.hpp"
+#include "ir/cost.hpp"
+#include "strategy/cut_wrenches.hpp"
+#include "strategy/tree_motion.hpp"
+
+namespace gaussgen::strategy {
+
+using ir::Expr;
+using kinematics::ConstraintIndex;
+using kinematics::Cut;
+using kinematics::FreeIndex;
+using kinematics::FullIndex;
+using kinematics::HeldFrame;
+using kinematics::HeldIndex;
+
+namespace {
+
+/// Where no more speeds than these move a body, its sums over all of them may be shorter than what follows link by link.
+constexpr std::size_t k_few_speeds = 6;
+
+void begin(const std::string& name, const std::string& formula, Steps& steps) {
+  steps.begin("reaction of " + name + ": " + formula + " (theory.md, section 4)", name);
+}
+
+}  // namespace
+
+Vector held_reactions_by_metric(const Dynamics& dynamics, const Solution& solution, Steps& steps) {
+  const kinematics::Kinematics& kinematics = *dynamics.kinematics;
+  const kinematics::Symbols& symbols = kinematics.symbols;
+  Vector reactions;
+  if (symbols.held.values().empty()) return reactions;
+  const kinematics::Covariant& covariant = **dynamics.covariant;
+  for (const HeldIndex j : symbols.held.indices()) {
+    const std::string& name = symbols.held[j].name;
+    begin(name, "R_j = A_j - Q_j - lambda_m beta_m_j", steps);
+    const FullIndex row = symbols.full(j);
+    Expr R = covariant.bias[row] - covariant.Q[row];
+    for (const FreeIndex a : symbols.speeds.indices()) {
+      R += covariant.G[row][symbols.full(a)] * solution.accelerations[a.value];
+    }
+    for (const HeldIndex k : symbols.held.indices()) {
+      R += covariant.G[row][symbols.full(k)] * kinematics.held_acceleration[k];
+    }
+    for (const ConstraintIndex mu : kinematics.constraints.indices()) {
+      R -= solution.multipliers[mu.value] * kinematics.constraints[mu].beta[row];
+    }
+    reactions.push_back(steps.name(R, "R_" + name));
+  }
+  return reactions;
+}
+
+std::optional<Vector> held_reactions_by_links(const model::Model& model, const Dynamics& dynamics,
+                                              const Solution& solution, Steps& steps) {
+  const kinematics::Kinematics& kinematics = *dynamics.kinematics;
+  const kinematics::Symbols& symbols = kinematics.symbols;
+  const std::vector<HeldFrame>& frames = *kinematics.held_frames;
+  std::vector<Cut> cuts;
+  for (const HeldFrame& frame : frames) cuts.push_back(frame.cut);
+  CutTree tree = cut_tree(model, std::move(cuts));
+  if (!links_tell_apart(model, tree, solution)) return std::nullopt;
+  const std::vector<Wrench> wrenches = cut_wrenches(model, std::move(tree), dynamics, solution, steps);
+  Vector reactions;
+  for (const HeldIndex j : symbols.held.indices()) {
+    const std::string& name = symbols.held[j].name;
+    begin(name, "R_j = F dv/dx_j + M domega/dx_j where x_j moves a frame, less what else acts along x_j", steps);
+    const FullIndex row = symbols.full(j);
+    // What acts where no body feels it is among the forces at places, which the wrenches have.
+    Expr R = kinematics.carried_force[row] - kinematics.other_force[row];
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      R += dot(wrenches[i].force, frames[i].velocity[j]) + dot(wrenches[i].moment, frames[i].omega[j]);
+    }
+    for (const ConstraintIndex mu : kinematics.constraints.indices()) {
+      R -= solution.multipliers[mu.value] * kinematics.constraints[mu].beside[row];
+    }
+    reactions.push_back(steps.name(R, "R_" + name));
+  }
+  return reactions;
+}
+
+namespace {
+
+/// All bodies.
+bool are_moved_by_few_speeds(const Dynamics& dynamics, const TreeMotion& motion) {
+  if (dynamics.n() <= k_few_speeds) return true;
+  const std::vector<kinematics::Link>& links = motion.linkage.links;
+  std::vector<std::size_t> count;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const std::size_t before = motion.carriers[i];
+    count.push_back(links[i].freedoms.size() + (before == kinematics::k_ground ? 0 : count[before]));
+  }
+  return std::all_of(motion.linkage.parts.begin(), motion.linkage.parts.end(),
+                     [&](const kinematics::Part& part) { return count[part.link] <= k_few_speeds; });
+}
+
+int operations(const Vector& reactions, const Solution& solution) {
+  std::vector<ir::NodeId> roots;
+  for (const Vector* values : {&solution.accelerations, &solution.multipliers, &reactions}) {
+    for (const Expr value : *values) roots.push_back(value.id());
+  }
+  return ir::operations(reactions[0].graph(), roots);
+}
+
+}  // namespace
+
+Vector held_reactions(const model::Model& model, const Dynamics& dynamics, const Solution& solution, Steps& steps) {
+  if (dynamics.kinematics->symbols.held.values().empty()) return {};
+  Steps along_links, over_bodies;
+  std::optional<Vector> links = held_reactions_by_links(model, dynamics, solution, along_links);
+  if (links && !are_moved_by_few_speeds(dynamics, *solution.motion)) {
+    steps.append(along_links);
+    return *links;
+  }
+  const Vector bodies = held_reactions_by_metric(dynamics, solution, over_bodies);
+  const bool takes_links = links && operations(*links, solution) < operations(bodies, solution);
+  steps.append(takes_links ? along_links : over_bodies);
+  return takes_links ? *links : bodies;
+}
+
+}  // namespace gaussgen::strategy
