@@ -16,7 +16,7 @@ inline constexpr std::size_t k_few_speeds = 6;
 
 /// How Z is minimised.
 enum class Strategy {
-  automatic,    ///< as takes the fewest operations
+  automatic,    ///< as takes the fewest operations and keeps its digits
   tree,         ///< body by body; nothing where a model has no such form
   metric,       ///< over all speeds at once: by elimination (3.6)-(3.7) where it is safe, else with multipliers
   multipliers,  ///< over all speeds at once, by (3.4) even where elimination is safe

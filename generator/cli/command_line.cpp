@@ -58,7 +58,8 @@ class Adder {
       strategies.emplace_back(name_of(one), one);
     }
     add_choice<Strategy>("--strategy", options_.pipeline.strategy, strategies, "STRATEGY",
-                         "how Z is minimised: auto (default) takes the fewest operations; tree: body by body; metric: "
+                         "how Z is minimised: auto (default) takes the fewest operations that keep their digits; tree: "
+                         "body by body; metric: "
                          "over all speeds at once, "
                          "eliminating dependent ones where that is safe; multipliers: likewise, but by (3.4)");
     const auto take_parts = [&options = options_](const std::string& operations) {
