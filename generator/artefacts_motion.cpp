@@ -3,6 +3,7 @@
 #include <cctype>
 
 #include "description.hpp"
+#include "strategy/body_reactions.hpp"
 #include "strategy/joint_reactions.hpp"
 #include "support/suggest.hpp"
 
@@ -137,7 +138,7 @@ std::string undetermined_note(const Mechanics& mechanics) {
 
 void add_sums(ArtefactBuilder& builder, Mechanics& mechanics, Steps& steps) {
   for (const strategy::BodyReaction& reaction :
-       strategy::body_reactions(mechanics.dynamics, mechanics.solution, steps)) {
+       strategy::body_reactions(mechanics.model, mechanics.dynamics, mechanics.solution, steps)) {
     std::vector<Field> fields{{"force", "[N], space axes", {3}, ids(reaction.force)}};
     if (reaction.moment) {
       fields.push_back({"moment", "[N*m], space axes, about the mass centre", {3}, ids(*reaction.moment)});

@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "ir/contract.hpp"
-#include "strategy/link_axes.hpp"
-#include "strategy/reactions.hpp"
+#include "strategy/body_reactions.hpp"
+#include "strategy/link_origins.hpp"
 #include "strategy/tree_motion.hpp"
 
 namespace gaussgen::strategy {
@@ -55,7 +55,7 @@ CutInertia inertia_by_bodies(const model::Model& model, const CutTree& tree, con
                              const Solution& solution, Steps& steps) {
   const kinematics::Kinematics& kinematics = *dynamics.kinematics;
   CutInertia result = nothing(tree, kinematics.field[0].graph());
-  const std::vector<BodyReaction> bodies = body_reactions(dynamics, solution, steps);
+  const std::vector<BodyReaction> bodies = body_reactions_by_speeds(dynamics, solution, steps);
   for (const BodyIndex i : kinematics.bodies->indices()) {
     const std::size_t frame = model.bodies[i.value].frame;
     const std::size_t j = frame == model::k_space ? k_no_cut : tree.carrier[frame];
@@ -80,8 +80,7 @@ class LinkInertia {
         links_(motion.linkage.links),
         steps_(steps),
         graph_(kinematics.field[0].graph()),
-        axes_(links_, graph_),
-        in_space_(links_.size()),
+        origins_(motion, graph_, steps),
         shifts_(links_.size(), ir::zero3(graph_)),
         arms_(links_.size(), ir::zero3(graph_)),
         before_(links_.size(), ir::zero3(graph_)),
@@ -110,7 +109,7 @@ class LinkInertia {
   void find_arm(std::size_t i) {
     const std::size_t before = motion_.carriers[i];
     if (links_[i].kind == Link::Kind::shift) {
-      const Vector3 shift = ir::multiply(axes_.of(i, steps_), scaled(motion_.length, links_[i].offset));
+      const Vector3 shift = ir::multiply(origins_.axes(i), scaled(motion_.length, links_[i].offset));
       shifts_[i] = steps_.name(shift, "shift_" + links_[i].name);
     }
     before_[i] = from(carrier(before), i);
@@ -138,18 +137,7 @@ class LinkInertia {
 
   Vector3 force(std::size_t i, Expr mass) {
     if (mass.is_zero()) return ir::zero3(graph_);
-    return ((motion_.mass * motion_.length) * mass) * origin(i);
-  }
-
-  /// Acceleration in the unit of length.
-  const Vector3& origin(std::size_t i) {
-    const std::size_t at = motion_.origins[i];
-    if (at == k_ground) return motion_.fall;
-    if (!in_space_[at]) {
-      const Vector3 a = ir::multiply(axes_.of(at, steps_), motion_.accelerations[at].linear);
-      in_space_[at] = steps_.name(a, "a_space_" + links_[at].name);
-    }
-    return *in_space_[at];
+    return ((motion_.mass * motion_.length) * mass) * origins_.acceleration(i);
   }
 
   // Newton and Euler for a body of which the mass centre is not the origin (theory section 6), but for m a.
@@ -165,7 +153,7 @@ class LinkInertia {
   }
 
   Wrench resolved(std::size_t i, const Wrench& wrench) {
-    const Matrix3& axes = axes_.of(i, steps_);
+    const Matrix3& axes = origins_.axes(i);
     return {ir::multiply(axes, wrench.force), ir::multiply(axes, wrench.moment)};
   }
 
@@ -192,7 +180,7 @@ class LinkInertia {
   std::optional<FreeTurn> free_turn(std::size_t i) {
     const std::optional<SoleFreedom>& sole = motion_.sole[i];
     if (!sole) return std::nullopt;
-    const Vector3 along = column(axes_.of(i, steps_), links_[i].axis);
+    const Vector3 along = column(origins_.axes(i), links_[i].axis);
     for (std::size_t k = 0; k < 3; ++k) {
       const bool is_alone = along[(k + 1) % 3].is_zero() && along[(k + 2) % 3].is_zero();
       if (is_alone && (along[k].is_one() || (-along[k]).is_one()))
@@ -206,8 +194,7 @@ class LinkInertia {
   const std::vector<Link>& links_;
   Steps& steps_;
   ir::Graph& graph_;
-  LinkAxes axes_;
-  std::vector<std::optional<Vector3>> in_space_;
+  LinkOrigins origins_;
   std::vector<Vector3> shifts_, arms_, before_;
   CutInertia result_;
 };

@@ -20,7 +20,6 @@ using kinematics::HeldIndex;
 namespace {
 
 /// Where no more speeds than these move a body, its sums over all of them may be shorter than what follows link by link.
-constexpr std::size_t k_few_speeds = 6;
 
 void begin(const std::string& name, const std::string& formula, Steps& steps) {
   steps.begin("reaction of " + name + ": " + formula + " (theory.md, section 4)", name);
@@ -83,19 +82,6 @@ std::optional<Vector> held_reactions_by_links(const model::Model& model, const D
 
 namespace {
 
-/// All bodies.
-bool are_moved_by_few_speeds(const Dynamics& dynamics, const TreeMotion& motion) {
-  if (dynamics.n() <= k_few_speeds) return true;
-  const std::vector<kinematics::Link>& links = motion.linkage.links;
-  std::vector<std::size_t> count;
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const std::size_t before = motion.carriers[i];
-    count.push_back(links[i].freedoms.size() + (before == kinematics::k_ground ? 0 : count[before]));
-  }
-  return std::all_of(motion.linkage.parts.begin(), motion.linkage.parts.end(),
-                     [&](const kinematics::Part& part) { return count[part.link] <= k_few_speeds; });
-}
-
 int operations(const Vector& reactions, const Solution& solution) {
   std::vector<ir::NodeId> roots;
   for (const Vector* values : {&solution.accelerations, &solution.multipliers, &reactions}) {
@@ -110,7 +96,7 @@ Vector held_reactions(const model::Model& model, const Dynamics& dynamics, const
   if (dynamics.kinematics->symbols.held.values().empty()) return {};
   Steps along_links, over_bodies;
   std::optional<Vector> links = held_reactions_by_links(model, dynamics, solution, along_links);
-  if (links && !are_moved_by_few_speeds(dynamics, *solution.motion)) {
+  if (links && !are_moved_by_few_speeds(*solution.motion)) {
     steps.append(along_links);
     return *links;
   }

@@ -74,10 +74,6 @@ Vector3 combination(const support::Indexed<FullIndex, Vector3>& columns, const V
   return sum;
 }
 
-Vector3 in_space(const BodyMotion& body, const Vector3& v) {
-  return body.rotation.axes == model::Axes::space ? v : ir::multiply(body.rotation.matrix, v);
-}
-
 /// Nothing where the constraint cannot reach the body, whatever its size. (A reaction that happens to be zero is reported.)
 std::optional<ReactionWrench> wrench_on(const BodyMotion& body, const Source& source, const Vector& z, Steps& steps) {
   const std::string suffix = source.name + "_" + body.name;
@@ -189,21 +185,8 @@ std::vector<std::string> undetermined_wrenches(const Dynamics& dynamics, const S
   return names;
 }
 
-std::vector<BodyReaction> body_reactions(const Dynamics& dynamics, const Solution& solution, Steps& steps) {
-  std::vector<BodyReaction> reactions;
-  for (const BodyMotion& body : *dynamics.kinematics->bodies) {
-    steps.begin("all constraint forces on " + body.name + ": m a - F and d(I omega)/dt - M (theory.md, section 4)");
-    const BodyAcceleration a = acceleration_of(body, dynamics, solution.accelerations);
-    BodyReaction reaction{body.name, steps.name(body.mass * a.linear - body.force, "force_on_" + body.name), {}};
-    if (body.is_rigid) {
-      Vector3 moment = body.inertia_times(a.angular);
-      const Vector3& omega = body.rotation.omega;
-      if (!body.is_isotropic) moment = moment + cross(omega, body.inertia_times(omega));
-      reaction.moment = steps.name(in_space(body, moment) - body.moment, "moment_on_" + body.name);
-    }
-    reactions.push_back(std::move(reaction));
-  }
-  return reactions;
+Vector3 in_space(const BodyMotion& body, const Vector3& v) {
+  return body.rotation.axes == model::Axes::space ? v : ir::multiply(body.rotation.matrix, v);
 }
 
 BodyAcceleration acceleration_of(const BodyMotion& body, const Dynamics& dynamics, const Vector& free) {

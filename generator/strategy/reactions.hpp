@@ -33,16 +33,6 @@ ReactionWrenches reaction_wrenches(const Dynamics& dynamics, const Solution& sol
 /// Constraints that reaction_wrenches leaves out.
 std::vector<std::string> undetermined_wrenches(const Dynamics& dynamics, const Solution& solution, const Vector& held);
 
-/// All constraint forces on one body together, by Newton and Euler: m a - F and d(I ω)/dt - M, in space, the moment about the
-/// mass centre. Forces that the model gives as potentials or generalized forces are in it, since they name no body.
-struct BodyReaction {
-  std::string body;
-  ir::Vector3 force;
-  std::optional<ir::Vector3> moment;  ///< rigid bodies only
-};
-
-std::vector<BodyReaction> body_reactions(const Dynamics& dynamics, const Solution& solution, Steps& steps);
-
 /// Acceleration of a body's mass centre and of its rotation: J_A ÿ^A + h, W_A ÿ^A + η.
 struct BodyAcceleration {
   ir::Vector3 linear;
@@ -50,5 +40,8 @@ struct BodyAcceleration {
 };
 
 BodyAcceleration acceleration_of(const kinematics::BodyMotion& body, const Dynamics& dynamics, const Vector& free);
+
+/// From the axes of its ω to those of space.
+ir::Vector3 in_space(const kinematics::BodyMotion& body, const ir::Vector3& v);
 
 }  // namespace gaussgen::strategy

@@ -1,8 +1,15 @@
 #include "strategy/tree_motion.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace gaussgen::strategy {
+
+namespace {
+
+constexpr std::size_t k_few_speeds = 6;
+
+}  // namespace
 
 using kinematics::Freedom;
 using kinematics::Link;
@@ -22,6 +29,17 @@ std::vector<std::optional<SoleFreedom>> sole_freedoms(const std::vector<Link>& l
     if (is_number && uses.at(freedom.speed.value) == 1) result.back() = SoleFreedom{freedom.speed.value, factor};
   }
   return result;
+}
+
+bool are_moved_by_few_speeds(const TreeMotion& motion) {
+  const std::vector<kinematics::Link>& links = motion.linkage.links;
+  std::vector<std::size_t> count;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const std::size_t before = motion.carriers[i];
+    count.push_back(links[i].freedoms.size() + (before == kinematics::k_ground ? 0 : count[before]));
+  }
+  return std::all_of(motion.linkage.parts.begin(), motion.linkage.parts.end(),
+                     [&](const kinematics::Part& part) { return count[part.link] <= k_few_speeds; });
 }
 
 }  // namespace gaussgen::strategy

@@ -31,4 +31,7 @@ struct TreeMotion {
 
 std::vector<std::optional<SoleFreedom>> sole_freedoms(const std::vector<kinematics::Link>& links);
 
+/// All bodies: then sums over speeds may take fewer operations than sums over links.
+bool are_moved_by_few_speeds(const TreeMotion& motion);
+
 }  // namespace gaussgen::strategy

@@ -10,6 +10,7 @@
 #include "evaluate/decimal.hpp"
 #include "ir/traverse.hpp"
 #include "models.hpp"
+#include "strategy/body_reactions.hpp"
 
 namespace {
 
@@ -155,7 +156,7 @@ void add_forces(Mechanics& mechanics, const gaussgen::strategy::Solution& given,
     add(wrench.force, result.wrenches);
     if (wrench.moment) add(*wrench.moment, result.wrenches);
   }
-  for (const auto& sum : gaussgen::strategy::body_reactions(mechanics.dynamics, given, steps)) {
+  for (const auto& sum : gaussgen::strategy::body_reactions_by_speeds(mechanics.dynamics, given, steps)) {
     add(sum.force, result.sums);
     if (sum.moment) add(*sum.moment, result.sums);
   }

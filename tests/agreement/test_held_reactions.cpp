@@ -9,6 +9,7 @@
 #include "ir/differentiate.hpp"
 #include "models.hpp"
 #include "newton/random_mechanism.hpp"
+#include "strategy/body_reactions.hpp"
 #include "strategy/held_reactions.hpp"
 #include "strategy/joint_reactions.hpp"
 
@@ -259,6 +260,25 @@ Vector wrenches(Mechanics& mechanics, const gaussgen::strategy::Solution& soluti
   return values;
 }
 
+Vector values_of(const std::vector<gaussgen::strategy::BodyReaction>& reactions) {
+  Vector values;
+  for (const auto& body : reactions) {
+    values.insert(values.end(), body.force.begin(), body.force.end());
+    if (body.moment) values.insert(values.end(), body.moment->begin(), body.moment->end());
+  }
+  return values;
+}
+
+/// Of what bodies feel, in how many states both forms are there.
+int agreeing_on_bodies(const gaussgen::model::Model& model) {
+  Mechanics mechanics(model, {true, Strategy::tree});
+  Steps steps;
+  const auto links = body_reactions_by_links(mechanics.model, mechanics.dynamics, mechanics.solution, steps);
+  if (!links) return 0;
+  const auto speeds = body_reactions_by_speeds(mechanics.dynamics, mechanics.solution, steps);
+  return compared(mechanics, values_of(*links), values_of(speeds));
+}
+
 /// Three links of a chain in space on a pivot that is shaken and turns, without damping.
 constexpr const char* k_shaken = R"(
 coordinates: {x: {held_at: 0.2*sin(3*t)}, y: {held_at: 0.1*cos(t)}, z: {held_at: 0.3*t}, w: {held_at: 2*t + 0.1*sin(3*t)}}
@@ -304,6 +324,22 @@ TEST_CASE("they agree on mechanisms that nobody chose") {
     if (model && agreeing(*model) > 0) ++mechanisms;
   }
   CHECK(mechanisms > 40);
+}
+
+TEST_CASE("what bodies feel by the accelerations of links is what they feel by those along speeds") {
+  for (const Named& each : k_on_two_links) {
+    INFO(each.name);
+    CHECK(agreeing_on_bodies(model_of(std::string(each.text) + k_two_links)) == k_states);
+  }
+  CHECK(agreeing_on_bodies(model_of(k_weld)) == k_states);
+  int mechanisms = 0;
+  for (unsigned seed = 1; seed <= 150; ++seed) {
+    INFO("seed " << seed);
+    std::string why;
+    const auto model = parsed(agreement::newton::random_mechanism(seed), why);
+    if (model && agreeing_on_bodies(*model) > 0) ++mechanisms;
+  }
+  CHECK(mechanisms > 60);
 }
 
 TEST_CASE("a frame that neither moves nor leads anywhere takes its moment about where the link before ends") {

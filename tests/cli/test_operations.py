@@ -136,6 +136,12 @@ class Operations(Program):
                 self.assertLess(count[1], 2.3 * count[0])
                 self.assertLess(count[1], 1.35 * self.operations(model, "--count", f"n={2 * few}"))
 
+    def test_what_bodies_feel_follows_the_links_of_the_chain(self):
+        model = self.write("held.yaml", TROLLEY)
+        count = [self.operations(model, "--count", f"n={n}", function="reaction_forces", output="reaction_forces") for n in (20, 40)]
+        self.assertLess(count[1], 2.3 * count[0])
+        self.assertLess(count[1], 1.6 * self.operations(model, "--count", "n=40"))
+
     def bridge(self, n, function, output):
         return self.operations(self.write("bridge.yaml", BRIDGE), "--count", f"n={n}", function=function, output=output)
 

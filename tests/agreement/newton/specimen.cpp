@@ -1,6 +1,7 @@
 #include "newton/specimen.hpp"
 
 #include "ir/differentiate.hpp"
+#include "strategy/body_reactions.hpp"
 #include "strategy/joint_reactions.hpp"
 
 namespace agreement::newton {
@@ -13,7 +14,10 @@ Specimen::Specimen(gaussgen::model::Model read)
       fixed(constants(model)),
       evaluator_(mechanics.graph, Arithmetic<double>()) {
   gaussgen::strategy::Steps steps;
-  for (const auto& body : gaussgen::strategy::body_reactions(mechanics.dynamics, mechanics.solution, steps)) {
+  // Both ways are chosen by operations; the recursion over links is what can be wrong.
+  auto bodies = body_reactions_by_links(model, mechanics.dynamics, mechanics.solution, steps);
+  if (!bodies) bodies = body_reactions_by_speeds(mechanics.dynamics, mechanics.solution, steps);
+  for (const auto& body : *bodies) {
     bodies_.push_back({body.force, body.moment.value_or(gaussgen::ir::zero3(mechanics.graph))});
   }
   for (const auto& joint : gaussgen::strategy::joint_reactions(model, mechanics.dynamics, mechanics.solution, steps)) {
