@@ -516,6 +516,10 @@ forces: {g: {uniform: [0, 0, -9.81]}, wind: {force: [3, 0, 0], on: hook}}
         groups = json.loads(self.run_it("evaluate", "--format=json", *pole).stdout)["not_finite"]
         self.assertEqual(groups[0], "accelerations")
         self.assertNotIn("state", groups)
+        force = "gauss: 1\nname: pole\ncoordinates: {a: {initial: pi/2}}\nparticles: {p: {mass: 1, position: [a, 0, 0]}}\nforces: {f: {generalized: {a: tan(a)}}}\n"
+        text = self.run_it("evaluate", "-", stdin=force).stdout
+        self.assertRegex(text, r"(?m)^  not to be trusted: not_finite$")
+        self.assertNotIn("are to be trusted", text)
 
     def test_forces_that_are_left_out_are_named(self):
         left_out = "Not stated one by one, as the coordinates do not describe every motion of the bodies: platform."
