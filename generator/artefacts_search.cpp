@@ -16,7 +16,7 @@ namespace {
 
 const char* const k_about_project =
     "The nearest state that satisfies the constraints: unit quaternions, then the smallest change of\n"
-    "the speeds in the mass metric (two Newton steps for constraints nonlinear in the velocities).";
+    "the speeds in the mass metric (four Newton steps for constraints nonlinear in the velocities).";
 
 const char* const k_about_initial_state =
     "The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints;\n"

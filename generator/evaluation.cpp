@@ -414,6 +414,23 @@ class Report {
 
 }  // namespace
 
+std::vector<std::string> undefined_groups(const Evaluation& evaluation) {
+  std::vector<std::string> groups;
+  for (const EvaluatedValue& value : evaluation.values) {
+    if (!value.is_defined && std::find(groups.begin(), groups.end(), value.group) == groups.end()) {
+      groups.push_back(value.group);
+    }
+  }
+  return groups;
+}
+
+bool are_others_trusted(const Evaluation& evaluation) {
+  const std::vector<std::string> groups = undefined_groups(evaluation);
+  const auto is_of_motion = [](const std::string& group) { return group == "state" || group == "accelerations"; };
+  return evaluation.doubts == std::vector<std::string>{"not_finite"} &&
+         std::none_of(groups.begin(), groups.end(), is_of_motion);
+}
+
 template <class T>
 void bind_parameters(Mechanics& mechanics, evaluate::Evaluator<T>& evaluator) {
   const model::Model& model = mechanics.model;

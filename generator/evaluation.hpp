@@ -29,6 +29,13 @@ struct Evaluation {
   std::vector<std::string> notes;  ///< what a group holds, and what is left out of it on purpose
 };
 
+/// Groups in which a value is undefined, in their order.
+std::vector<std::string> undefined_groups(const Evaluation& evaluation);
+
+/// Whether the groups in which all values are defined are to be trusted, as functions of emitted code each have a status of their own: nothing else is in
+/// doubt, and the motion is known.
+bool are_others_trusted(const Evaluation& evaluation);
+
 /// Accelerations of which the forces and inputs are asked for, by their names; others are 0.
 using WantedAccelerations = std::map<std::string, support::Rational>;
 

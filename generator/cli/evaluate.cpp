@@ -72,10 +72,18 @@ std::string rows(const std::vector<EvaluatedValue>& values) {
   return text;
 }
 
+std::string status_of(const Evaluation& evaluation) {
+  if (evaluation.doubts.empty()) return "  ok\n";
+  std::string text = "  not to be trusted: " + support::joined(evaluation.doubts) + "\n";
+  const std::vector<std::string> undefined = undefined_groups(evaluation);
+  if (undefined.empty()) return text;
+  text += "  not_finite in " + support::joined(undefined);
+  if (are_others_trusted(evaluation)) text += " alone: the other groups are to be trusted";
+  return text + "\n";
+}
+
 std::string table(const Evaluation& evaluation) {
-  std::string text = "status\n  " +
-                     (evaluation.doubts.empty() ? "ok" : "not to be trusted: " + support::joined(evaluation.doubts)) +
-                     "\n";
+  std::string text = "status\n" + status_of(evaluation);
   text += rows(evaluation.values);
   if (!evaluation.notes.empty()) text += "\nnotes\n";
   for (const std::string& note : evaluation.notes) text += "  " + note + "\n";
@@ -88,6 +96,7 @@ std::string json(const Evaluation& evaluation, const model::Model& model, const 
   document["digits"] = options.digits;
   document["time"] = options.time;
   document["status"] = evaluation.doubts.empty() ? "ok" : support::joined(evaluation.doubts);
+  document["not_finite"] = undefined_groups(evaluation);
   for (const EvaluatedValue& value : evaluation.values) {
     nlohmann::ordered_json entry;
     // Text, since a JSON number would be cut to a double.

@@ -35,7 +35,7 @@ const char* const k_about_status =
     "  singular_mass_matrix   a motion has no inertia here, or the coordinates are singular\n"
     "  dependent_constraints  multipliers are not unique\n"
     "  violated_constraints   the initial state does not satisfy a constraint\n"
-    "  not_finite             a value is undefined\n"
+    "  not_finite             a value is undefined; evaluate says in which groups\n"
     "  impossible_bodies      masses or inertias are such as no body has\n"
     "The exit code is 0 with each of them. In JSON numbers are strings, so that no digit is lost.";
 

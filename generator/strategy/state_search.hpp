@@ -42,9 +42,9 @@ struct StateSearch {
   Vector start;
 };
 
-/// From the state that symbols stand for: quaternions to unit length, then the smallest displacement (two steps) and the smallest change
+/// From the state that symbols stand for: quaternions to unit length, then the smallest displacement (four steps) and the smallest change
 /// of the speeds in the mass metric that satisfy the constraints: δu = -g^-1 bᵀ (b g^-1 bᵀ)^-1 φ. Exact for constraints linear in
-/// the velocities, two steps for others, after which `violated_constraints` tells whether it was enough.
+/// the velocities, four steps for others, after which `violated_constraints` tells whether it was enough.
 /// `start`: symbols for the configuration to compare with.
 StateSearch projection(const Dynamics& dynamics, const Vector& start, ir::Expr epsilon);
 

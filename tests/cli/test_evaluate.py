@@ -175,7 +175,7 @@ class Json(Evaluate):
         for model in sorted(MODELS.rglob("*.yaml")):
             document = self.document(model)
             self.assertEqual([key for key in document if key in GROUPS], [key for key in GROUPS if key in document])
-            self.assertEqual(set(document) - set(GROUPS), {"model", "digits", "time", "status", "warnings", "notes"})
+            self.assertEqual(set(document) - set(GROUPS), {"model", "digits", "time", "status", "not_finite", "warnings", "notes"})
             # Without inertia about an axis, as thin bars are, there is no compulsion.
             expected = {"state", "accelerations", "energy"} | ({"compulsion"} if document["model"] not in ("chain", "bar") else set())
             self.assertGreaterEqual(set(document), expected)
@@ -480,6 +480,46 @@ class Warnings(Evaluate):
         late = self.run_it("evaluate", SPHERE, "--set", "dot(psi)=1", "--set", "dot(theta)=0")
         self.assertIn("status\n  not to be trusted: violated_constraints\n", late.stdout)
         self.assertIn("status\n  ok\n", self.ok("evaluate", SPHERE))
+
+    CRANE = """gauss: 1
+name: crane
+parameters: {m: 1, M: 2, J: 0.05}
+joints: {slew: {type: revolute, axis: y, child: arm, initial: 0.4, initial_rate: 2}}
+bodies:
+  load: {mass: M, inertia: J, frame: arm, centre: [0, 0, -1]}
+  hook: {mass: m, inertia: J, frame: arm, centre: [0.1, 0, 0]}
+forces: {g: {uniform: [0, 0, -9.81]}, wind: {force: [3, 0, 0], on: hook}}
+"""
+
+    def test_undefined_values_of_one_group_leave_the_others_to_be_trusted(self):
+        text = self.run_it("evaluate", "-", "--set", "m=0", stdin=self.CRANE).stdout
+        self.assertIn("status\n  not to be trusted: not_finite\n  not_finite in compulsion alone: the other groups are to be trusted\n", text)
+        massless = self.document("-", "--set", "m=0", stdin=self.CRANE)
+        self.assertEqual((massless["status"], massless["not_finite"]), ("not_finite", ["compulsion"]))
+        self.assertIn("undefined", massless["compulsion"]["Z"])
+        # What a mass of 1e-40 changes is beyond all digits.
+        light = self.document("-", "--set", "m=1e-40", stdin=self.CRANE)
+        self.assertEqual((light["status"], light["not_finite"]), ("ok", []))
+        for group in ("state", "accelerations", "joint_reactions", "energy"):
+            self.assertGreater(len(light[group]), 0)
+            for name, entry in light[group].items():
+                self.close(massless[group][name]["value"], entry["value"])
+        # By hand: (M l^2 + 2 J) theta_ddot = -M g l sin(theta) + moment of the wind at the hook.
+        moment = -2 * 9.81 * math.sin(0.4) - 3 * 0.1 * math.sin(0.4)
+        self.assertAlmostEqual(float(massless["accelerations"]["slew_ddot"]["value"]), moment / 2.1, places=13)
+
+    def test_where_the_motion_is_undefined_no_group_is_to_be_trusted(self):
+        pole = [SPHERE, "--set", "theta=0", "--set", "dot(phi)=0"]
+        text = self.run_it("evaluate", *pole).stdout
+        self.assertRegex(text, r"(?m)^  not_finite in accelerations, .*compulsion$")
+        self.assertNotIn("are to be trusted", text)
+        groups = json.loads(self.run_it("evaluate", "--format=json", *pole).stdout)["not_finite"]
+        self.assertEqual(groups[0], "accelerations")
+        self.assertNotIn("state", groups)
+        force = "gauss: 1\nname: pole\ncoordinates: {a: {initial: pi/2}}\nparticles: {p: {mass: 1, position: [a, 0, 0]}}\nforces: {f: {generalized: {a: tan(a)}}}\n"
+        text = self.run_it("evaluate", "-", stdin=force).stdout
+        self.assertRegex(text, r"(?m)^  not to be trusted: not_finite$")
+        self.assertNotIn("are to be trusted", text)
 
     def test_forces_that_are_left_out_are_named(self):
         left_out = "Not stated one by one, as the coordinates do not describe every motion of the bodies: platform."

@@ -38,7 +38,7 @@ std::vector<double> differences(const Computed& plain, const Computed& other,
       const Wide now = headertest::largest_difference(answers[s].parts[p], expected[s].parts[p]) / scale;
       if (!(now <= worst)) worst = now;
     }
-    // After two steps of Newton's method from anywhere, a position is at the bar now and then, and rounding decides.
+    // After four steps of Newton's method from anywhere, a position is at the bar now and then, and rounding decides.
     const bool may_differ = plain.name == "double_pendulum_planar";
     CHECK((may_differ || answers[s].statuses == expected[s].statuses));
     result.push_back(isfinite(worst) ? static_cast<double>(worst) : HUGE_VAL);

@@ -113,7 +113,7 @@ TEST_CASE("project satisfies phi where phi is linear in the velocities") {
   }
 }
 
-TEST_CASE("from nearby project satisfies a nonlinear phi to fourth order: two Newton steps") {
+TEST_CASE("from nearby project satisfies a nonlinear phi in all digits that bare points have") {
   int count = 0;
   for (const BareModel& model : bare_models()) {
     if (!model.at(2).bare.constraints) continue;
