@@ -12,7 +12,6 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -70,8 +69,6 @@ void set_timer(int seconds) {
 }  // namespace
 
 void limit_memory() {
-  // An allocator in C, such as mimalloc, ends the program unless somebody else throws.
-  std::set_new_handler([] { throw std::bad_alloc(); });
   rlimit limit{};
   if (k_is_sanitized || getrlimit(RLIMIT_AS, &limit) != 0) return;
   limit.rlim_cur = std::min(limit.rlim_cur, memory());

@@ -178,7 +178,7 @@ class Limits(Program):
 
     def test_memory_that_is_spent_is_a_message(self):
         def limit():
-            resource.setrlimit(resource.RLIMIT_AS, (40 << 20, 40 << 20))
+            resource.setrlimit(resource.RLIMIT_AS, (120 << 20, 120 << 20))
 
         for more in ([], ["--diagnostics=json"]):
             said = self.refused(4, "-", *more, preexec_fn=limit, stdin=BOMBS["many parameters"])
