@@ -26,11 +26,11 @@
 //
 // Operations per call
 //                      + -  *    /  sqrt  functions
-//   prepare            2    55   2  0     0
+//   prepare            2    54   2  0     0
 //   rhs                35   56   3  0     2
 //   reactions          45   65   3  0     2
 //   rhs_and_reactions  49   72   3  0     2
-//   reaction_forces    96   172  7  0     2
+//   reaction_forces    81   147  7  0     2
 //   energy             25   33   0  0     2
 //   compulsion         72   120  4  0     2
 //   mass_matrix        6    14   0  0     1
@@ -349,17 +349,16 @@ struct Prepared {
   S half_m1;                     ///< 0.5 * m1
   S m1_over_3;                   ///< 1 / 3 * m1
   S m2_over_10;                  ///< 1 / 10 * m2
-  S m1_g;                        ///< m1 * g
   S rounding_m2_2;               ///< 30 * epsilon * m2
   S c12;                         ///< select(not_finite(m1), 0, m1)
-  S c13;                         ///< 2.5 * amplitude * frequency
-  S c14;                         ///< 2 * m2
-  S c15;                         ///< 24 * epsilon
+  S c13;                         ///< 2 * m2
+  S c14;                         ///< 24 * epsilon
   S amplitude_frequency_over_3;  ///< 1 / 3 * amplitude * frequency
   S half_amplitude_frequency;    ///< 0.5 * amplitude * frequency
   S g_over_4;                    ///< 0.25 * g
   S half_g;                      ///< 0.5 * g
   S half_k;                      ///< 0.5 * k
+  S m1_g;                        ///< m1 * g
   S half_inv_m1;                 ///< 0.5 / m1
   S half_inv_m2;                 ///< 0.5 / m2
 };
@@ -530,17 +529,16 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_m1 = S(0.5) * m1;
   prepared.m1_over_3 = S(1) / S(3) * m1;
   prepared.m2_over_10 = S(1) / S(10) * m2;
-  prepared.m1_g = m1 * g;
   prepared.rounding_m2_2 = S(30) * rounding_m2_3;
   prepared.c12 = Math<S>::select(t1, S(0), m1);
-  prepared.c13 = S(2.5) * amplitude_frequency;
-  prepared.c14 = S(2) * m2;
-  prepared.c15 = S(24) * Math<S>::epsilon();
+  prepared.c13 = S(2) * m2;
+  prepared.c14 = S(24) * Math<S>::epsilon();
   prepared.amplitude_frequency_over_3 = S(1) / S(3) * amplitude_frequency;
   prepared.half_amplitude_frequency = S(0.5) * amplitude_frequency;
   prepared.g_over_4 = S(0.25) * g;
   prepared.half_g = S(0.5) * g;
   prepared.half_k = S(0.5) * k;
+  prepared.m1_g = m1 * g;
   prepared.half_inv_m1 = S(0.5) / m1;
   prepared.half_inv_m2 = S(0.5) / m2;
   return prepared;
@@ -950,10 +948,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& m2_over_4 = prepared.m2_over_4;
   const S& m2_2_over_25 = prepared.m2_2_over_25;
   const S& m1_over_4 = prepared.m1_over_4;
-  const S& c8 = prepared.c8;
   const S& c9 = prepared.c9;
-  const S& amplitude_2_frequency_2 = prepared.amplitude_2_frequency_2;
-  const S& c10 = prepared.c10;
   const S& rounding_m2 = prepared.rounding_m2;
   const S& c11 = prepared.c11;
   const S& least_pivot = prepared.least_pivot;
@@ -967,12 +962,10 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& half_m1 = prepared.half_m1;
   const S& m1_over_3 = prepared.m1_over_3;
   const S& m2_over_10 = prepared.m2_over_10;
-  const S& m1_g = prepared.m1_g;
   const S& rounding_m2_2 = prepared.rounding_m2_2;
   const S& c12 = prepared.c12;
   const S& c13 = prepared.c13;
   const S& c14 = prepared.c14;
-  const S& c15 = prepared.c15;
   const S& a = state.a();
   const S& b = state.b();
   const S& c = state.c();
@@ -999,10 +992,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S G_a_e = half_m2 * (S(1) - s);
 
   // Z of all that second carries, at its minimum over the own acceleration of second
-  const S a_dot_cos_frequency_t = a_dot * cos_frequency_t;
-  const S t3 = d_dot * d_dot - c13 * a_dot_cos_frequency_t;
-  const S t4 = half_amplitude_frequency_2 * sin_frequency_t;
-  const S drift_a_second_y = S(2) / S(5) * t3 + a * t4;
+  const S drift_a_second_y = S(2) / S(5) * d_dot * d_dot - amplitude_frequency * a_dot * cos_frequency_t
+      + half_amplitude_frequency_2 * a * sin_frequency_t;
   const S Z_d_d = m2 + c3 * d_2;
   const S k_d_minus_s = k * (d - s);
   const S Q_d = k_d_minus_s - c1 * sin_frequency_t + c2 * d * drift_a_second_y;
@@ -1019,8 +1010,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
       + m2_over_5_d_over_Z_d_d_s * Q_d;
   const S Z_e_e = G_e_e - c6 * d * d_over_Z_d_d;
   const S F_second_y = m2 * drift_a_second_y;
-  const S t5 = c2 * d_over_Z_d_d;
-  const S Q_e = half_m2_g - c4 * sin_frequency_t + F_second_y - t5 * Q_d;
+  const S t3 = c2 * d_over_Z_d_d;
+  const S Q_e = half_m2_g - c4 * sin_frequency_t + F_second_y - t3 * Q_d;
   const S k_a_minus_e = k * (a - e);
   const S Q_e_minus_k_a_minus_e = Q_e - k_a_minus_e;
   const S inv_Z_e_e = S(1) / Z_e_e;
@@ -1029,36 +1020,30 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S Q_a_2 = Q_a - Z_a_e_over_Z_e_e * Q_e_minus_k_a_minus_e;
 
   // Z of all that first carries, at its minimum over the own acceleration of first
-  const S t6 = c9 * sin_frequency_t;
-  const S drift_a_first_y = c8 * a_dot_cos_frequency_t - a * t6;
-  const S cos_frequency_t_2 = cos_frequency_t * cos_frequency_t;
-  const S drift_a_first_z = t4 * s - c10 * cos_frequency_t_2;
   const S m1_over_4_plus_Z_a_a_2 = m1_over_4 + Z_a_a_2;
   const S Q_a_3 = k_a_minus_e - c7 * sin_frequency_t + Q_a_2;
 
-  // acceleration of second
-  const S t7 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
-  const S a_e = t7 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
-  const S Q_d_over_Z_d_d = Q_d * inv_Z_d_d;
-  const S t8 = (t5 * a_e + Q_d_over_Z_d_d) + m2_over_5_d_over_Z_d_d_s * t7;
-  const S a_second_x = -(t6 + t8);
-  const S t9 = t7 * s;
-  const S a_second_y = drift_a_second_y + S(0.5) * t9 + a_e
-      - S(2) / S(25) * d * (S(5) * Q_d_over_Z_d_d + m2 * d_over_Z_d_d_s * t7 + c14 * d_over_Z_d_d * a_e);
-  const S t10 = amplitude_frequency_2 * sin_frequency_t;
-  const S t11 = (t10 + t7) - S(0.5) * a_e;
-  const S a_second_z = g - t11;
+  // acceleration of first
+  const S t4 = Q_a_3 / m1_over_4_plus_Z_a_a_2;
+  const S t5 = S(0.5) * t4;
+  const S t6 = amplitude_frequency_2 * sin_frequency_t;
+  const S a_first_x = -(t5 + t6);
 
-  // accelerations along the speeds
-  const S a_b = S(1) / S(3) * t9 - drift_a_first_y;
-  const S a_c = -(g + drift_a_first_z);
+  // acceleration of second
+  const S a_e = t4 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
+  const S Q_d_over_Z_d_d = Q_d * inv_Z_d_d;
+  const S a_second_x = -(c9 * sin_frequency_t + Q_d_over_Z_d_d + m2_over_5_d_over_Z_d_d_s * t4 + t3 * a_e);
+  const S a_second_y = drift_a_second_y + a_e + t5 * s
+      - S(2) / S(25) * d * (S(5) * Q_d_over_Z_d_d + m2 * d_over_Z_d_d_s * t4 + c13 * d_over_Z_d_d * a_e);
+  const S a_second_z = g - t6 - t4 + S(0.5) * a_e;
 
   // what second feels from its parent: Newton and Euler for all that it carries
+  const S force_in_second_x = m2 * a_second_x;
+  const S force_in_second_y = m2 * a_second_y;
   const S force_in_second_z = m2 * a_second_z;
 
   // what first feels from its parent: Newton and Euler for all that it carries
-  const S t12 = t10 + S(0.5) * t7;
-  const S force_in_first_x = -m1 * t12;
+  const S force_in_first_x = m1 * a_first_x;
 
   // reaction of s: R_j = F dv/dx_j + M domega/dx_j where x_j moves a frame, less what else acts along x_j
   // (theory.md, section 4), model line 17
@@ -1076,74 +1061,59 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S inv_g_pivot_d_over_5 = S(1) / (S(5) * g_pivot_d);
   const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
   const S m2_d_s = m2 * d_s;
-  const S t13 = S(5) * G_d_s + m2_d_s * G_factor_s_a;
-  const S G_factor_s_d = inv_g_pivot_d_over_5 * t13;
+  const S t7 = S(5) * G_d_s + m2_d_s * G_factor_s_a;
+  const S G_factor_s_d = inv_g_pivot_d_over_5 * t7;
   const S a_2 = a * a;
   const S G_s_s = S(4) * m1_over_36 * (a_2 + S(9) * t1) + m2_over_36 * (S(40) + S(9) * a_2);
   const S G_e_s = half_m2 * (S(1) - a);
   const S G_factor_s_d_over_5 = S(1) / S(5) * G_factor_s_d;
   const S G_a_e_over_g_pivot_a = G_a_e * inv_g_pivot_a;
-  const S t14 = c14 * d + m2_d_s * G_a_e_over_g_pivot_a;
-  const S t15 = G_a_e * G_factor_s_a - G_e_s + G_factor_s_d_over_5 * t14;
-  const S g_factor_e_d = inv_g_pivot_d_over_5 * t14;
-  const S g_pivot_e = G_e_e - G_a_e_over_g_pivot_a * G_a_e - S(1) / S(5) * g_factor_e_d * t14;
-  const S t16 = t15 / g_pivot_e;
+  const S t8 = c13 * d + m2_d_s * G_a_e_over_g_pivot_a;
+  const S t9 = G_a_e * G_factor_s_a - G_e_s + G_factor_s_d_over_5 * t8;
+  const S g_factor_e_d = inv_g_pivot_d_over_5 * t8;
+  const S g_pivot_e = G_e_e - G_a_e_over_g_pivot_a * G_a_e - S(1) / S(5) * g_factor_e_d * t8;
+  const S t10 = t9 / g_pivot_e;
   const S G_pivot_s = G_s_s - m1_over_9 * a_2 - m1_over_4 * s_2 - G_a_s_minus_m1_over_9_a_s * G_factor_s_a
-      - G_factor_s_d_over_5 * t13 - t15 * t16;
+      - G_factor_s_d_over_5 * t7 - t9 * t10;
 
   // direction z of s in the metric: G z = its covariant components
   const S z_s_s = S(1) / G_pivot_s;
-  const S t17 = -t16 * z_s_s;
-  const S z_s_d = t17 * g_factor_e_d - G_factor_s_d * z_s_s;
-  const S z_s_a = G_a_e_over_g_pivot_a * t17 - G_factor_s_a * z_s_s + m2_over_5 * d_s * inv_g_pivot_a * z_s_d;
-  const S t18 = a * z_s_s + s * z_s_a;
-  const S z_s_b = -S(1) / S(3) * t18;
+  const S t11 = -t10 * z_s_s;
+  const S z_s_d = t11 * g_factor_e_d - G_factor_s_d * z_s_s;
+  const S z_s_a = G_a_e_over_g_pivot_a * t11 - G_factor_s_a * z_s_s + m2_over_5 * d_s * inv_g_pivot_a * z_s_d;
+  const S t12 = a * z_s_s + s * z_s_a;
+  const S z_s_b = -S(1) / S(3) * t12;
 
   // force and moment of s: m J z and I W z, times its reaction, model line 17
   const S force_s_first_x = half_m1 * R_s * (S(2) * z_s_s + z_s_a);
-  const S force_s_first_y = m1_over_3 * R_s * (t18 + S(3) * z_s_b);
+  const S force_s_first_y = m1_over_3 * R_s * (t12 + S(3) * z_s_b);
   const S force_s_second_x = m2_over_3 * R_s * (z_s_s + S(3) * z_s_d);
-  const S force_s_second_z = half_m2 * R_s * (S(2) * z_s_s - t17 + S(2) * z_s_a);
-
-  // all constraint forces on first: m a - F and d(I omega)/dt - M (theory.md, section 4)
-  const S force_on_first_x = -S(2) * half_m1 * t12;
-  const S t19 = a * t10 + t9;
-  const S force_on_first_y = m1_over_3 * (S(2) * amplitude_frequency * a_dot_cos_frequency_t - t19
-      + S(3) * a_b);
-  const S force_on_first_z = m1_g + half_m1
-      * (t10 * s - amplitude_2_frequency_2 * cos_frequency_t_2 + S(2) * a_c);
-
-  // all constraint forces on second: m a - F and d(I omega)/dt - M (theory.md, section 4)
-  const S t20 = S(4) * d;
-  const S force_on_second_y = m2_over_10 * (S(4) * t3 + S(5) * t19 + S(10) * a_e - t20 * t8);
-  const S force_on_second_z = m2_g - S(2) * half_m2 * t11;
+  const S force_s_second_z = half_m2 * R_s * (S(2) * z_s_s - t11 + S(2) * z_s_a);
 
   // Results
-  const S t21 = m2_over_10 * R_s * (S(10) * t17 - t20 * z_s_d + S(5) * t18);
-  const S t22 = m2_over_3 * (t10 + S(3) * t8);
-  const Bool t23 = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, rounding_m2),
+  const S t13 = m2_over_10 * R_s * (S(10) * t11 - S(4) * d * z_s_d + S(5) * t12);
+  const Bool t14 = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, rounding_m2),
       Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * t2 + S(36) * m2 * t1)),
-      Math<S>::at_most(least_pivot, S(0)), Math<S>::at_most(g_pivot_a, c15 * G_a_a),
-      Math<S>::at_most(g_pivot_d, c15 * G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
-      Math<S>::at_most(G_pivot_s, c15 * G_s_s), Math<S>::at_most(c12, S(0)));
+      Math<S>::at_most(least_pivot, S(0)), Math<S>::at_most(g_pivot_a, c14 * G_a_a),
+      Math<S>::at_most(g_pivot_d, c14 * G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
+      Math<S>::at_most(G_pivot_s, c14 * G_s_s), Math<S>::at_most(c12, S(0)));
 
   reaction_forces.s.force_on_first[0] = force_s_first_x;
   reaction_forces.s.force_on_first[1] = force_s_first_y;
   reaction_forces.s.force_on_first[2] = S(0);
   reaction_forces.s.force_on_second[0] = force_s_second_x;
-  reaction_forces.s.force_on_second[1] = -t21;
+  reaction_forces.s.force_on_second[1] = -t13;
   reaction_forces.s.force_on_second[2] = force_s_second_z;
-  reaction_forces.on_first.force[0] = force_on_first_x;
-  reaction_forces.on_first.force[1] = force_on_first_y;
-  reaction_forces.on_first.force[2] = force_on_first_z;
-  reaction_forces.on_second.force[0] = -t22;
-  reaction_forces.on_second.force[1] = force_on_second_y;
-  reaction_forces.on_second.force[2] = force_on_second_z;
+  reaction_forces.on_first.force[0] = force_in_first_x;
+  reaction_forces.on_first.force[1] = S(0);
+  reaction_forces.on_first.force[2] = S(0);
+  reaction_forces.on_second.force[0] = force_in_second_x;
+  reaction_forces.on_second.force[1] = force_in_second_y;
+  reaction_forces.on_second.force[2] = force_in_second_z;
 
   const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, Z_d_d, force_s_first_x,
-      force_s_first_y, force_s_second_x, t21, force_s_second_z, force_on_first_x, force_on_first_y,
-      force_on_first_z, t22, force_on_second_y, force_on_second_z);
-  return Math<S>::status(t23, Bool(false), not_finite);
+      force_s_first_y, force_s_second_x, t13, force_s_second_z, force_in_second_x, force_in_second_y);
+  return Math<S>::status(t14, Bool(false), not_finite);
 }
 
 /// Kinetic energy, potential energy of uniform fields, potentials and springs, and their sum.
@@ -1243,10 +1213,10 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S& half_m1 = prepared.half_m1;
   const S& m1_over_3 = prepared.m1_over_3;
   const S& m2_over_10 = prepared.m2_over_10;
-  const S& m1_g = prepared.m1_g;
   const S& rounding_m2_2 = prepared.rounding_m2_2;
   const S& c12 = prepared.c12;
-  const S& c15 = prepared.c15;
+  const S& c14 = prepared.c14;
+  const S& m1_g = prepared.m1_g;
   const S& half_inv_m1 = prepared.half_inv_m1;
   const S& half_inv_m2 = prepared.half_inv_m2;
   const S& a = state.a();
@@ -1347,9 +1317,9 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
 
   compulsion.Z = Z;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, c15 * G_a_a),
-      Math<S>::at_most(g_pivot_d, c15 * G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
-      Math<S>::at_most(G_pivot_s, c15 * G_s_s), Math<S>::at_most(c12, S(0)));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, c14 * G_a_a),
+      Math<S>::at_most(g_pivot_d, c14 * G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
+      Math<S>::at_most(G_pivot_s, c14 * G_s_s), Math<S>::at_most(c12, S(0)));
   const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, Z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
