@@ -20,11 +20,13 @@ using ir::Expr;
 class Gradients {
  public:
   explicit Gradients(ModelGraph& motion)
-      : motion_(motion), rates_(rates_of(motion.symbols)), sets_(motion.graph, rates_), hold_(held_values(motion)) {}
+      : motion_(motion),
+        rates_(rates_of(motion.symbols)),
+        sets_(motion.graph, rates_),
+        hold_(held_values(motion)),
+        point_(motion) {}
 
-  bool vanishes(const model::Constraint& constraint) {
-    return generic_rank(GenericPoint(motion_)({gradient(phi(constraint))})) == 0;
-  }
+  bool vanishes(const model::Constraint& constraint) { return generic_rank(point_({gradient(phi(constraint))})) == 0; }
 
  private:
   static std::vector<ir::SymbolId> rates_of(const kinematics::Symbols& symbols) {
@@ -41,6 +43,10 @@ class Gradients {
   strategy::Vector gradient(Expr phi) {
     strategy::Vector row;
     for (std::size_t i = 0; i < rates_.size(); ++i) {
+      if (!sets_.depends(phi.id(), i)) {
+        row.push_back(motion_.expressions.number(0));
+        continue;
+      }
       ir::Directional along(motion_.graph);
       along.seed(rates_[i], motion_.expressions.number(1));
       along.skip_others(sets_, i);
@@ -53,6 +59,7 @@ class Gradients {
   std::vector<ir::SymbolId> rates_;  ///< of free coordinates, and speeds
   ir::SymbolSets sets_;
   ir::Substitution hold_;
+  GenericPoint point_;
 };
 
 /// Springs with a length whose ends are one place in every configuration: the line of the force has no direction.

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <map>
 
 namespace gaussgen::cli {
 
@@ -45,9 +46,11 @@ void print_stages(const std::vector<StageTime>& stages, const MessageOptions& me
          {{"stage", "total"}, {"milliseconds", total}, {"peak_bytes", peak}}, messages);
 }
 
-/// A pass over all functions: it may run more than once, and each time counts for itself.
+/// A pass over all functions: it may run more than once, and each time counts for itself. Functions that take different orders of passes
+/// have different rows.
 struct PassSum {
   std::string name;
+  int run = 0;  ///< of this pass, in its function
   double milliseconds = 0;
   int before = 0;
   int after = 0;
@@ -56,12 +59,17 @@ struct PassSum {
 std::vector<PassSum> sums_of(const std::vector<emit::PassEffects>& functions) {
   std::vector<PassSum> sums;
   for (const emit::PassEffects& function : functions) {
-    for (std::size_t i = 0; i < function.passes.size(); ++i) {
-      const passes::PassEffect& pass = function.passes[i];
-      if (i == sums.size()) sums.push_back({pass.pass});
-      sums[i].milliseconds += pass.milliseconds;
-      sums[i].before += pass.before;
-      sums[i].after += pass.after;
+    std::map<std::string, int> runs;
+    std::size_t next = 0;  // what is new stands behind the pass before it
+    for (const passes::PassEffect& pass : function.passes) {
+      const int run = runs[pass.pass]++;
+      auto sum = std::find_if(sums.begin(), sums.end(),
+                              [&](const PassSum& known) { return known.name == pass.pass && known.run == run; });
+      if (sum == sums.end()) sum = sums.insert(sums.begin() + static_cast<std::ptrdiff_t>(next), {pass.pass, run});
+      sum->milliseconds += pass.milliseconds;
+      sum->before += pass.before;
+      sum->after += pass.after;
+      next = static_cast<std::size_t>(sum - sums.begin()) + 1;
     }
   }
   return sums;

@@ -1,6 +1,7 @@
 #include "emit/plan.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <unordered_set>
 
 #include "emit/natural.hpp"
@@ -169,14 +170,33 @@ class Planner {
     }
     if (!plan_.unit.optimised) return over_prepared(std::move(request));
     request = passes::apply(plan_.graph, request, passes::identities(), &effects);
-    request = over_prepared(std::move(request));
     // What `prepare` computes is no operation any more.
-    effects.push_back({"prepare", effects.back().after, ir::operations(plan_.graph, request.outputs), 0});
-    request = over_prepared(passes::apply_best_order(plan_.graph, request, &effects));
-    request = over_prepared(passes::apply_rotations(plan_.graph, request, &effects));
+    request = prepared_again(std::move(request), effects);
+    request = prepared_again(passes::apply_best_order(plan_.graph, request, &effects), effects);
+    request = prepared_again(passes::apply_rotations(plan_.graph, request, &effects), effects);
+    const auto begin = Clock::now();
+    const std::vector<NodeId> before = request.outputs;
     NodeId& condition = request.outputs[request.outputs.size() - k_outputs_from_not_finite];
     condition = over_fewest_values(plan_.graph, condition);
+    add_effect("checks", before, request.outputs, begin, effects);
     return request;
+  }
+
+  using Clock = std::chrono::steady_clock;
+
+  passes::Request prepared_again(passes::Request request, std::vector<passes::PassEffect>& effects) {
+    const auto begin = Clock::now();
+    const std::vector<NodeId> before = request.outputs;
+    passes::Request result = over_prepared(std::move(request));
+    add_effect("prepare", before, result.outputs, begin, effects);
+    return result;
+  }
+
+  void add_effect(const char* name, const std::vector<NodeId>& before, const std::vector<NodeId>& now,
+                  Clock::time_point begin, std::vector<passes::PassEffect>& effects) const {
+    const int operations = now == before ? effects.back().after : ir::operations(plan_.graph, now);
+    const std::chrono::duration<double, std::milli> taken = Clock::now() - begin;
+    effects.push_back({name, effects.back().after, operations, taken.count()});
   }
 
   // Passes bring together what depends on parameters alone, as the difference of two moments of inertia.

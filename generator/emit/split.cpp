@@ -79,6 +79,7 @@ class Splitter {
     std::size_t defined = 0;    ///< step
     std::size_t last_used = 0;  ///< step
     bool is_condition = false;
+    std::size_t place = 0;            ///< in order_
     std::size_t written = k_nowhere;  ///< step that writes it into a result,
     std::string home = {};            ///< where it is from then on
   };
@@ -98,6 +99,7 @@ class Splitter {
         add(step, std::move(body[i]));
       }
     }
+    body.clear();  // every part starts from a copy of the function
   }
 
   // A declaration waits for the call that fills it.
@@ -139,7 +141,7 @@ class Splitter {
   void find_ranges() {
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       for (const std::string& name : steps_[i].defined) {
-        values_[name] = {i, i, steps_[i].is_condition};
+        values_[name] = {i, i, steps_[i].is_condition, order_.size()};
         order_.push_back(name);
       }
       for (const std::string& atom : steps_[i].atoms) use(atom, i);
@@ -282,9 +284,9 @@ class Splitter {
     }
     bool has_conditions = false;
     for (std::size_t i = begin; i < end; ++i) has_conditions = has_conditions || steps_[i].is_condition;
-    for (const std::string& name : order_) {
+    for (const std::size_t i : places_before(begin, atoms)) {
+      const std::string& name = order_[i];
       const Value& value = values_.at(name);
-      if (value.defined >= begin || atoms.count(name) == 0) continue;
       const bool is_written = value.written < begin;
       has_conditions = has_conditions || value.is_condition;
       const std::string place = is_written ? value.home : k_live + ("." + name);
@@ -294,12 +296,24 @@ class Splitter {
     return body;
   }
 
+  /// Where in order_ those of the atoms are that earlier parts define.
+  std::vector<std::size_t> places_before(std::size_t begin, const std::set<std::string>& atoms) const {
+    std::vector<std::size_t> places;
+    for (const std::string& atom : atoms) {
+      const auto found = values_.find(atom);
+      if (found != values_.end() && found->second.defined < begin) places.push_back(found->second.place);
+    }
+    std::sort(places.begin(), places.end());
+    return places;
+  }
+
   void hand_on(std::size_t begin, std::size_t end, std::vector<cpp::Statement>& body) {
+    Names own;
+    for (std::size_t i = begin; i < end; ++i) own.insert(own.end(), steps_[i].defined.begin(), steps_[i].defined.end());
     bool is_first = true;
-    for (const std::string& name : order_) {
+    for (const std::string& name : own) {
       const Value& value = values_.at(name);
-      const bool is_needed =
-          value.defined >= begin && value.defined < end && value.last_used >= end && value.written >= end;
+      const bool is_needed = value.last_used >= end && value.written >= end;
       if (!is_needed) continue;
       if (is_first) body.emplace_back(cpp::BlankLine{});
       is_first = false;

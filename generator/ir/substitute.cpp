@@ -1,5 +1,7 @@
 #include "ir/substitute.hpp"
 
+#include <algorithm>
+
 #include "ir/rounded.hpp"
 #include "ir/traverse.hpp"
 
@@ -16,6 +18,7 @@ void Substitution::round_numbers() {
 }
 
 Expr Substitution::operator()(Expr expression) {
+  if (const NodeId* const found = memo_.find(expression.id())) return {graph_, *found};
   const auto is_known = [this](NodeId id) { return memo_.contains(id); };
   for (const NodeId id : post_order(graph_, {expression.id()}, is_known)) {
     if (!is_known(id)) memo_[id] = rebuilt(id);
@@ -30,9 +33,12 @@ NodeId Substitution::rebuilt(NodeId id) {
     const auto found = replacements_.find(node.symbol.index);
     return found == replacements_.end() ? id : found->second;
   }
+  const bool is_same = std::all_of(node.children.begin(), node.children.end(),
+                                   [this](NodeId child) { return *memo_.find(child) == child; });
+  if (is_same) return id;
   std::vector<NodeId> children;
+  children.reserve(node.children.size());
   for (const NodeId child : node.children) children.push_back(*memo_.find(child));
-  if (children == listed(node.children)) return id;
   const std::string label = node.kind == Kind::named ? "" : graph_.label(id);
   const auto relabelled = [&](NodeId result) {
     if (rounds_) result = rounded({graph_, result}).id();

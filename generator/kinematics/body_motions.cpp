@@ -19,7 +19,8 @@ std::vector<ir::SymbolId> rates_of(const Symbols& symbols) {
 
 }  // namespace
 
-Partials::Partials(ir::Graph& graph, const Symbols& symbols) : rates_in_(graph, rates_of(symbols)) {
+Partials::Partials(ir::Graph& graph, const Symbols& symbols)
+    : rates_in_(graph, rates_of(symbols)), zero_(graph, graph.constant(0)) {
   for (std::size_t i = 0; i < symbols.full_count(); ++i) {
     along_rate_.emplace_back(graph);
     along_rate_.back().seed(symbols.rate(FullIndex{i}), Expr(graph, graph.constant(1)));

@@ -10,7 +10,12 @@ class Partials {
  public:
   Partials(ir::Graph& graph, const Symbols& symbols);
 
-  ir::Expr operator()(ir::Expr function, FullIndex i) { return along_rate_[i.value](function); }
+  ir::Expr operator()(ir::Expr function, FullIndex i) {
+    return depends(function, i) ? along_rate_[i.value](function) : zero_;
+  }
+
+  /// Whether the rate along A occurs in it: most do not, so that whoever goes over all of them asks first.
+  bool depends(ir::Expr function, FullIndex i) { return rates_in_.depends(function.id(), i.value); }
 
   /// ∂v/∂ẏ^A for all A
   support::Indexed<FullIndex, ir::Vector3> operator()(const ir::Vector3& v);
@@ -18,6 +23,7 @@ class Partials {
  private:
   ir::SymbolSets rates_in_;  ///< of the nodes that are differentiated
   std::vector<ir::Directional> along_rate_;
+  ir::Expr zero_;
 };
 
 /// The motion of a model's bodies with x^i free, without forces.

@@ -245,7 +245,8 @@ class Builder {
                              LocalDirection{frame, model::k_space, direction, pushed(frame)}});
     }
     for (const FullIndex i : support::indices<FullIndex>(symbols_.full_count())) {
-      row.beside.push_back(put_in(partial(watched, i)));
+      const Expr along = partial(watched, i);
+      row.beside.push_back(along.is_zero() ? along : put_in(along));
     }
   }
 

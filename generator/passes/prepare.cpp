@@ -85,6 +85,7 @@ std::string PreparationSplit::name_of(NodeId id) const {
 
 // Called for nodes that vary, after their children.
 NodeId PreparationSplit::rebuilt(NodeId id) {
+  if (stays(graph_[id])) return graph_[id].kind == Kind::named ? id : relabelled(id, id);
   const Node node = graph_[id];
   std::vector<NodeId> children;
   switch (node.kind) {
@@ -97,6 +98,22 @@ NodeId PreparationSplit::rebuilt(NodeId id) {
       return relabelled(id, graph_.call_again(node, children));
     default: return id;
   }
+}
+
+// Most do: with parameters folded in, nearly all.
+bool PreparationSplit::stays(const Node& node) {
+  const bool has_same = std::all_of(node.children.begin(), node.children.end(),
+                                    [this](NodeId child) { return varies(child) && known(child) == child; });
+  if (!has_same || node.kind != Kind::sum) return has_same;
+  for (std::size_t i = 0; i < node.children.size(); ++i) {
+    if (!is_short(node.coefficients[i]) && has_constant_factor(graph_[node.children[i]])) return false;
+  }
+  return true;
+}
+
+bool PreparationSplit::has_constant_factor(const Node& node) {
+  return node.kind == Kind::product &&
+         std::any_of(node.children.begin(), node.children.end(), [this](NodeId factor) { return !varies(factor); });
 }
 
 NodeId PreparationSplit::relabelled(NodeId old, NodeId replacement) {

@@ -55,6 +55,9 @@ class PreparationSplit {
   NodeId known(NodeId id) const { return *memo_.find(id); }
   std::string name_of(NodeId id) const;
   Parts split_factors(NodeId product);
+  /// Whether nothing in a node is prepared: then it is its own result.
+  bool stays(const ir::Node& node);
+  bool has_constant_factor(const ir::Node& node);
   NodeId relabelled(NodeId old, NodeId replacement);
 
   Graph& graph_;

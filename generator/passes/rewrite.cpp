@@ -1,5 +1,7 @@
 #include "passes/rewrite.hpp"
 
+#include <algorithm>
+
 #include "ir/content.hpp"
 #include "passes/share.hpp"
 
@@ -10,16 +12,21 @@ using ir::Node;
 using ir::Term;
 
 void Rewrite::replace(NodeId old, NodeId now) {
-  const std::string& label = graph_.label(old);
-  if (graph_[old].kind != Kind::named && !label.empty() && graph_.label(now).empty()) graph_.relabel(now, label);
   map_[old] = now;
+  if (old == now || graph_[old].kind == Kind::named) return;
+  const std::string& label = graph_.label(old);
+  if (!label.empty() && graph_.label(now).empty()) graph_.relabel(now, label);
 }
 
 NodeId Rewrite::rebuilt(NodeId old) const {
   const Node& node = graph_[old];
+  // Most nodes stay as they are.
+  const bool is_same =
+      std::all_of(node.children.begin(), node.children.end(), [this](NodeId child) { return (*this)(child) == child; });
+  if (is_same) return old;
   std::vector<NodeId> children;
+  children.reserve(node.children.size());
   for (const NodeId child : node.children) children.push_back((*this)(child));
-  if (children == listed(node.children)) return old;
   switch (node.kind) {
     case Kind::sum: {
       std::vector<Term> terms;

@@ -1,5 +1,8 @@
 #include "strategy/ldl.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "ir/traverse.hpp"
 #include "strategy/margins.hpp"
 #include "support/assert.hpp"
@@ -10,17 +13,11 @@ using ir::Expr;
 
 namespace {
 
-std::size_t sparsest_row(const Matrix& rest, const std::vector<char>& done) {
+/// The first one of the fewest entries.
+std::size_t sparsest_row(const std::vector<std::map<std::size_t, Expr>>& rest, const std::vector<char>& done) {
   std::size_t best = rest.size();
-  std::size_t best_count = 0;
   for (std::size_t i = 0; i < rest.size(); ++i) {
-    if (done[i] != 0) continue;
-    std::size_t count = 0;
-    for (std::size_t j = 0; j < rest.size(); ++j) count += done[j] == 0 && !rest[i][j].is_zero() ? 1U : 0U;
-    if (best == rest.size() || count < best_count) {
-      best = i;
-      best_count = count;
-    }
+    if (done[i] == 0 && (best == rest.size() || rest[i].size() < rest[best].size())) best = i;
   }
   return best;
 }
@@ -40,37 +37,64 @@ Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std
   const Expr zero(graph_, graph_.constant(0));
   d_.assign(n, zero);
   is_original_.assign(n, 0);
-  l_.assign(n, Vector(n, zero));
-  for (std::size_t i = 0; i < n; ++i) diagonal_.push_back(matrix[i][i]);
-  Matrix rest = matrix;
+  l_.resize(n);
+  Rest rest(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    diagonal_.push_back(matrix[i][i]);
+    for (std::size_t j = 0; j < n; ++j) {
+      if (!matrix[i][j].is_zero()) rest[i].emplace(j, matrix[i][j]);
+    }
+  }
   std::vector<char> done(n, 0);
   for (std::size_t step = 0; step < n; ++step) {
     const std::size_t pivot = sparsest_row(rest, done);
     order_.push_back(pivot);
     done[pivot] = 1;
-    eliminate(pivot, rest, done, steps);
+    eliminate(pivot, rest, steps);
+  }
+  sort_columns();
+}
+
+void Ldl::eliminate(std::size_t pivot, Rest& rest, Steps& steps) {
+  const std::map<std::size_t, Expr> row = std::move(rest[pivot]);
+  rest[pivot].clear();
+  const auto diagonal = row.find(pivot);
+  const Expr entry = diagonal == row.end() ? Expr(graph_, graph_.constant(0)) : diagonal->second;
+  is_original_[pivot] = entry == diagonal_[pivot] ? 1 : 0;
+  // A diagonal entry has its name from elsewhere, if it has one.
+  d_[pivot] = is_original_[pivot] != 0 ? entry : steps.name(entry, prefix_ + "_pivot_" + labels_[pivot]);
+  const Expr inverse = reciprocal(pivot);
+  for (const auto& [i, value] : row) {
+    if (i == pivot) continue;
+    const std::string name = prefix_ + "_factor_" + labels_[i] + "_" + labels_[pivot];
+    const Expr factor = value * inverse;
+    const Expr named = is_selected(inverse) ? factor.kept_whole(name) : steps.name(factor, name);
+    if (!named.is_zero()) l_[pivot].push_back({i, named});
+    rest[i].erase(pivot);
+  }
+  for (const Entry& below : l_[pivot]) {
+    for (const Entry& beside : l_[pivot]) {
+      if (beside.row > below.row) break;
+      const auto known = rest[below.row].find(beside.row);
+      const Expr before = known == rest[below.row].end() ? Expr(graph_, graph_.constant(0)) : known->second;
+      const Expr now = before - below.value * row.at(beside.row);
+      for (const auto& [i, j] : {std::pair{below.row, beside.row}, std::pair{beside.row, below.row}}) {
+        if (now.is_zero()) {
+          rest[i].erase(j);
+        } else {
+          rest[i].insert_or_assign(j, now);
+        }
+      }
+    }
   }
 }
 
-void Ldl::eliminate(std::size_t pivot, Matrix& rest, const std::vector<char>& done, Steps& steps) {
-  is_original_[pivot] = rest[pivot][pivot] == diagonal_[pivot] ? 1 : 0;
-  // A diagonal entry has its name from elsewhere, if it has one.
-  const Expr entry = rest[pivot][pivot];
-  d_[pivot] = is_original_[pivot] != 0 ? entry : steps.name(entry, prefix_ + "_pivot_" + labels_[pivot]);
-  const Expr inverse = reciprocal(pivot);
-  for (std::size_t i = 0; i < rest.size(); ++i) {
-    if (done[i] != 0 || rest[i][pivot].is_zero()) continue;
-    const std::string name = prefix_ + "_factor_" + labels_[i] + "_" + labels_[pivot];
-    l_[i][pivot] =
-        is_selected(inverse) ? (rest[i][pivot] * inverse).kept_whole(name) : steps.name(rest[i][pivot] * inverse, name);
-  }
-  for (std::size_t i = 0; i < rest.size(); ++i) {
-    if (done[i] != 0 || l_[i][pivot].is_zero()) continue;
-    for (std::size_t j = 0; j <= i; ++j) {
-      if (done[j] != 0 || l_[j][pivot].is_zero()) continue;
-      rest[i][j] = rest[i][j] - l_[i][pivot] * rest[j][pivot];
-      rest[j][i] = rest[i][j];
-    }
+void Ldl::sort_columns() {
+  std::vector<std::size_t> place(order_.size());
+  for (std::size_t step = 0; step < order_.size(); ++step) place[order_[step]] = step;
+  for (std::vector<Entry>& column : l_) {
+    std::sort(column.begin(), column.end(),
+              [&](const Entry& a, const Entry& b) { return place[a.row] < place[b.row]; });
   }
 }
 
@@ -80,20 +104,14 @@ Vector Ldl::solve(const Vector& right_hand_side, const std::string& name, Steps&
   for (std::size_t step = 0; step < order_.size(); ++step) {
     const std::size_t i = order_[step];
     x[i] = steps.name_varying(x[i], name + "_y_" + labels_[i]);
-    for (std::size_t later = step + 1; later < order_.size(); ++later) {
-      const std::size_t j = order_[later];
-      if (!l_[j][i].is_zero()) x[j] = x[j] - l_[j][i] * x[i];
-    }
+    for (const auto& [j, factor] : l_[i]) x[j] = x[j] - factor * x[i];
   }
   for (std::size_t step = order_.size(); step-- > 0;) {
     const std::size_t i = order_[step];
     const Expr inverse = reciprocal(i);
     Expr value = x[i] * inverse;
     if (is_selected(inverse)) value = value.kept_whole(name + "_z_" + labels_[i]);
-    for (std::size_t later = step + 1; later < order_.size(); ++later) {
-      const std::size_t j = order_[later];
-      if (!l_[j][i].is_zero()) value = value - l_[j][i] * x[j];
-    }
+    for (const auto& [j, factor] : l_[i]) value = value - factor * x[j];
     x[i] = steps.name_varying(value, name + "_" + labels_[i]);
   }
   return x;

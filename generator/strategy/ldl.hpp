@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,17 @@ class Ldl {
   std::vector<std::string> vanishing() const;
 
  private:
-  void eliminate(std::size_t pivot, Matrix& rest, const std::vector<char>& done, Steps& steps);
+  /// What is left of the matrix: the rows that are not eliminated yet, by column; zeros have no entry.
+  using Rest = std::vector<std::map<std::size_t, ir::Expr>>;
+
+  /// A factor below the pivot of its column.
+  struct Entry {
+    std::size_t row;
+    ir::Expr value;
+  };
+
+  void eliminate(std::size_t pivot, Rest& rest, Steps& steps);
+  void sort_columns();
 
   ir::Expr tolerance(std::size_t pivot, int lost = 4) const;
   ir::Expr reciprocal(std::size_t pivot) const;
@@ -51,7 +62,7 @@ class Ldl {
   Vector diagonal_;
   std::vector<char> is_original_;  ///< the pivot is the diagonal entry itself
   Vector d_;
-  Matrix l_;
+  std::vector<std::vector<Entry>> l_;  ///< by column, rows in the order of elimination
 };
 
 }  // namespace gaussgen::strategy

@@ -105,6 +105,7 @@ Expr PositionProjection::left_by_all(const Vector& b, const Vector& inertia, Exp
   const Expr zero = zeros(1)[0];
   Expr squares = zero, weighted = zero;
   for (std::size_t i = 0; i < b.size(); ++i) {
+    if (b[i].is_zero()) continue;
     squares += pow(b[i], 2);
     weighted += pow(b[i], 2) * inertia[i];
   }
@@ -117,15 +118,20 @@ Expr PositionProjection::left_by_all(const Vector& b, const Vector& inertia, Exp
 Expr PositionProjection::violated(const Vector& start) const {
   const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
   const Vector inertia = inertias(dynamics_);
-  Expr size_of_all = zeros(1)[0];
-  for (const FreeIndex i : symbols.speeds.indices()) size_of_all += inertia[i.value] * size_of(i, start);
+  Vector sizes;
+  std::vector<ir::NodeId> weighted;
+  for (const FreeIndex i : symbols.speeds.indices()) {
+    sizes.push_back(size_of(i, start));
+    weighted.push_back((inertia[i.value] * sizes.back()).id());
+  }
+  const Expr size_of_all(epsilon_.graph(), epsilon_.graph().sum(weighted));
   std::vector<Expr> conditions;
   for (const std::size_t mu : rows_) {
     const Expr f = *dynamics_.kinematics->constraints[ConstraintIndex{mu}].f;
     const Vector& b = dynamics_.b[mu];
     Expr scale = zeros(1)[0];
     for (const FreeIndex i : symbols.speeds.indices()) {
-      if (!b[i.value].is_zero()) scale += pow(b[i.value], 2) * size_of(i, start);
+      if (!b[i.value].is_zero()) scale += pow(b[i.value], 2) * sizes[i.value];
     }
     for (const FreeIndex i : symbols.speeds.indices()) {
       if (symbols.speeds[i].replaces_rate) scale += along_coordinate(mu, i.value, start);

@@ -71,7 +71,10 @@ class Tree : private TreeZ {
     for (const std::size_t r : left_) {
       Z_.name({dual(r)}, steps_);
       S.emplace_back();
-      for (const std::size_t other : left_) S.back().push_back(-Z_.entry(dual(r), dual(other)));
+      for (const std::size_t other : left_) {
+        const Expr entry = Z_.entry(dual(r), dual(other));
+        S.back().push_back(entry.is_zero() ? entry : -entry);
+      }
     }
     schur_.emplace(S, labels, problem_.prefix + "S", epsilon_, steps_, Dependent::drop);
     if (!schur_->vanishing().empty()) return false;

@@ -126,6 +126,28 @@ class WritingNothing(Program):
         self.assertAlmostEqual(steps[0]["operations_before"], plain, delta=3)
         self.assertAlmostEqual(steps[-1]["operations_after"], optimised, delta=3)
 
+    def test_what_is_tried_and_left_out_has_its_time_and_saves_nothing(self):
+        steps = [row for row in self.facts(SPHERE, "--outputs", "rhs") if "pass" in row]
+        self.assertEqual([row["pass"] for row in steps if row["pass"] in ("left out", "checks")], ["left out", "checks"])
+        self.assertEqual([row["pass"] for row in steps].count("prepare"), 3)
+        left_out = next(row for row in steps if row["pass"] == "left out")
+        self.assertEqual(left_out["operations_before"], left_out["operations_after"])
+        self.assertGreater(left_out["milliseconds"], 0)
+
+    def test_a_row_of_the_table_holds_one_pass_of_all_functions(self):
+        sums, runs = {}, {}
+        for row in self.facts(SPHERE, "--fold"):
+            if "pass" not in row: continue
+            function = row["function"], row["pass"]
+            runs[function] = runs.get(function, 0) + 1
+            before, after = sums.get((row["pass"], runs[function]), (0, 0))
+            sums[row["pass"], runs[function]] = before + row["operations_before"], after + row["operations_after"]
+        table = self.run_it(SPHERE, "--fold", "--timings", "-o", "-").stderr.split("\npass ")[1].split("\nfunction ")[0]
+        rows = re.findall(r"^([a-z ]+?) +\d+\.\d{3} +(\d+) +(\d+) +-?\d+$", table, re.M)
+        self.assertIn("units", [name for name, *_ in rows])
+        self.assertEqual(sorted((name, int(before), int(after)) for name, before, after in rows),
+                         sorted((name, before, after) for (name, _), (before, after) in sums.items()))
+
     def test_without_passes_there_is_nothing_to_say_of_them(self):
         self.assertFalse([row for row in self.facts(SPHERE, "--no-optimise") if "pass" in row])
         result = self.run_it(SPHERE, "--timings", "--no-optimise", "-o", "-")

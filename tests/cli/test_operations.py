@@ -1,5 +1,6 @@
 """How many operations emitted code takes, and that this grows with the model and no faster. Counts are the same on every machine."""
 
+import json
 import re
 import resource
 import unittest
@@ -115,6 +116,19 @@ class Operations(Program):
             with self.subTest(model.name):
                 count = [self.operations(model, "--count", f"n={n}") for n in (few, many)]
                 self.assertLess(count[1], 4.5 * count[0])
+
+    def test_stages_make_as_many_nodes_for_each_link(self):
+        for model, few, many in GROWING + [(FAMILIES / "planar_chain_absolute.yaml", 25, 100), (FAMILIES / "balls_in_cylinder.yaml", 5, 20)]:
+            with self.subTest(model.name):
+                made = [self.nodes_made(model, n) for n in (few, many)]
+                self.assertLess(made[1]["strategy"] + made[1]["passes"], 4.6 * (made[0]["strategy"] + made[0]["passes"]))
+                # Rows of rolling are over all speeds before a wheel.
+                if model.name != "road_train.yaml": self.assertLess(made[1]["kinematics"], 4.6 * made[0]["kinematics"])
+
+    def nodes_made(self, model, n):
+        result = self.run_it(model, "--count", f"n={n}", "--fold", "--outputs", "rhs", "--timings", "--diagnostics", "json", "-o", "-")
+        rows = [row for row in map(json.loads, result.stderr.splitlines()) if row.get("stage", "total") != "total"]
+        return {row["stage"]: row["nodes_out"] - row["nodes_in"] for row in rows}
 
     def test_long_chains_do_not_wait_for_divisions(self):
         text = " ".join(self.header("--outputs", "rhs", CHAIN, "--count", "n=20").split("\n// "))
