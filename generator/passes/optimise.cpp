@@ -21,7 +21,7 @@ namespace {
 constexpr double k_least_worth = 0.97;
 constexpr int k_fewest_saved = 4;
 
-/// What units save by themselves, of all operations, for the rest to be tried in them, too. Sharing makes more of it: eight times as much of the
+/// What units save by themselves, of all operations, for the rest to be tried in them, too. Sharing makes more of it: seven times as much of the
 /// 1 % of a row of 80 planar pendulums. Of the 0.1 % of 100 links in space it makes nothing, and takes as long as all other passes.
 constexpr double k_least_promise = 0.002;
 

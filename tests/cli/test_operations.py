@@ -118,7 +118,7 @@ class Operations(Program):
                 self.assertLess(count[1], 4.5 * count[0])
 
     def test_stages_make_as_many_nodes_for_each_link(self):
-        for model, few, many in GROWING + [(FAMILIES / "planar_chain_absolute.yaml", 25, 100), (FAMILIES / "balls_in_cylinder.yaml", 5, 20)]:
+        for model, few, many in GROWING + [(SPATIAL, 25, 100), (FAMILIES / "planar_chain_absolute.yaml", 25, 100), (FAMILIES / "balls_in_cylinder.yaml", 5, 20)]:
             with self.subTest(model.name):
                 made = [self.nodes_made(model, n) for n in (few, many)]
                 self.assertLess(made[1]["strategy"] + made[1]["passes"], 4.6 * (made[0]["strategy"] + made[0]["passes"]))
