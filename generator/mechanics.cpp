@@ -24,6 +24,7 @@ namespace {
 constexpr std::size_t k_most_speeds_compared = 30;
 constexpr double k_rounding_of_few = 1e-12;   ///< of accelerations: more of it is worth a look at the other solution,
 constexpr double k_rounding_of_many = 1e-10;  ///< which has to be derived for it where speeds are many
+constexpr double k_rounding_of_constrained = 1e-8;  ///< likewise: loops that are nearly folded are nearly singular
 constexpr double k_many_times = 100;
 
 const char* const k_about_tree = "Z minimised body by body along the tree";
@@ -114,6 +115,20 @@ strategy::Dynamics dynamics_of(Mechanics& mechanics, const MechanicsOptions& opt
   return result;
 }
 
+/// None where none of them is anything, or one is on no link.
+std::vector<kinematics::BodyLoad> loads_on_links(const kinematics::Linkage& linkage,
+                                                 const std::vector<kinematics::BodyLoad>& loads) {
+  std::vector<char> is_on_link(loads.size(), 0);
+  for (const kinematics::Part& part : linkage.parts) is_on_link[part.body] = part.link != kinematics::k_ground ? 1 : 0;
+  bool any = false;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const bool acts = !is_zero(loads[i].force) || !is_zero(loads[i].moment);
+    if (acts && is_on_link[i] == 0) return {};
+    any = any || acts;
+  }
+  return any ? loads : std::vector<kinematics::BodyLoad>();
+}
+
 std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const MechanicsOptions& options) {
   const kinematics::Kinematics& kinematics = mechanics.kinematics;
   const strategy::Dynamics& dynamics = mechanics.dynamics;
@@ -128,7 +143,9 @@ std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const Me
   for (const auto i : mechanics.symbols.speeds.indices()) {
     const auto a = mechanics.symbols.full(i);
     problem.forces.push_back(kinematics.body_force[a] + kinematics.other_force[a]);
+    problem.forces_beside.push_back(kinematics.other_force[a]);
   }
+  problem.loads = loads_on_links(*mechanics.linkage, kinematics.loads);
   return strategy::cheapest_tree(problem, mechanics.epsilon());
 }
 
@@ -165,7 +182,9 @@ std::optional<int> lost_on_tree(Mechanics& mechanics, const MechanicsOptions& op
   if (mechanics.dynamics.n() > k_most_speeds_compared) return std::nullopt;
   Rounding rounding(mechanics);
   const double on_tree = rounding(tree.solution);
-  if (!(on_tree > (metric ? k_rounding_of_few : k_rounding_of_many))) return std::nullopt;
+  const bool has_constraints = mechanics.dynamics.l() > 0;
+  const double much = has_constraints ? k_rounding_of_constrained : metric ? k_rounding_of_few : k_rounding_of_many;
+  if (!(on_tree > much)) return std::nullopt;
   if (!metric) metric = solved_over_metric(mechanics, options);
   const double over_metric = std::max(rounding(metric->solution), std::numeric_limits<double>::epsilon());
   if (!(on_tree > k_many_times * over_metric)) return std::nullopt;

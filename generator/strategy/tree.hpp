@@ -27,6 +27,9 @@ struct TreeProblem {
   ConstraintProblem constraints;
   std::string prefix;                        ///< of names
   const Disturbance* disturbance = nullptr;  ///< with the drift by link, and blocks divided at once
+  /// Of bodies, each of which is on a link; empty where none is known, or some is not. `forces` has their part, too.
+  std::vector<kinematics::BodyLoad> loads = {};
+  Vector forces_beside = {};  ///< `forces` without the part of the loads
 };
 
 /// Where accelerations that come from velocities enter.
@@ -40,6 +43,8 @@ struct TreeForm {
   ir::Rational length = 1;    ///< m: the unit in which Z is minimised; of many equal lengths, theirs saves operations
   ir::Rational mass = 1;      ///< kg, likewise
   bool chooses_axes = false;  ///< such that turns by fixed angles vanish
+  bool puts_loads_on_links =
+      false;               ///< forces at places go down the tree, and not along all the speeds that move the place
   bool postpones = false;  ///< divisions by the pivots of bars, so that what hangs on them does not wait: see bar.hpp
 };
 

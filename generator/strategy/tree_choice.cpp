@@ -131,8 +131,17 @@ std::optional<Candidate> cheapest_tree(const TreeProblem& problem, Expr epsilon)
     best = std::move(candidate);
     chosen = form;
   }
+  const TreeForm along_speeds = chosen;
+  if (!problem.loads.empty()) {
+    chosen.puts_loads_on_links = true;
+    std::optional<Candidate> on_links = solved(problem, chosen, epsilon);
+    if (on_links && on_links->operations < best->operations) {
+      on_links->about = ", forces at places on the links that carry them";
+      return on_links;
+    }
+  }
   const int waiting = best->latency;
-  for (const TreeForm& form : postponed(problem.linkage, chosen)) {
+  for (const TreeForm& form : postponed(problem.linkage, along_speeds)) {
     std::optional<Candidate> candidate = solved(problem, form, epsilon);
     if (!candidate || candidate->cycles() >= best->cycles()) continue;
     candidate->about = fmt::format(

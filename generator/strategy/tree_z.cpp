@@ -5,6 +5,7 @@
 #include "ir/contract.hpp"
 #include "strategy/axes.hpp"
 #include "strategy/fixed_turns.hpp"
+#include "strategy/link_axes.hpp"
 #include "strategy/safety.hpp"
 #include "strategy/spins.hpp"
 
@@ -66,6 +67,7 @@ bool TreeZ::minimise() {
   const auto& uses = own_.uses;
   if (std::any_of(uses.begin(), uses.end(), [](const auto& links) { return links.empty(); })) return false;
   place_rows();
+  place_loads();
   find_bare_links();
   if (!by_link()) {
     const auto floats = [this](std::size_t i, std::size_t k) {
@@ -152,13 +154,34 @@ void TreeZ::place_rows() {
   }
 }
 
+// A force at a place acts along every speed that moves the place; on the link that carries it, it is two vectors.
+void TreeZ::place_loads() {
+  if (!form_.puts_loads_on_links) return;
+  steps_.begin("forces and moments on links, in their axes");
+  LinkAxes axes(links_, graph_);
+  for (const kinematics::Part& part : linkage_.parts) {
+    const kinematics::BodyLoad& load = problem_.loads[part.body];
+    if (is_zero(load.force) && is_zero(load.moment)) continue;
+    const ir::Matrix3 inward = transposed(axes.of(part.link, steps_));
+    const Vector3 force = scaled(per_force_, ir::multiply(inward, load.force));
+    const Vector3 moment =
+        scaled(per_force_ * per_length_, ir::multiply(inward, load.moment)) + cross(part.centre, force);
+    const auto [known, is_new] = loads_.try_emplace(part.link, Load{force, moment});
+    if (!is_new) known->second = {known->second.force + force, known->second.moment + moment};
+  }
+  for (auto& [link, load] : loads_) {
+    load.force = steps_.name(load.force, problem_.prefix + "F_on_" + links_[link].name);
+    load.moment = steps_.name(load.moment, problem_.prefix + "N_on_" + links_[link].name);
+  }
+}
+
 // Where a particle was whose mass went elsewhere, and no row acts.
 void TreeZ::find_bare_links() {
   is_bare_.assign(links_.size(), 0);
   for (std::size_t i = links_.size(); i-- > 0;) {
     const auto& children = children_[i];
     is_bare_[i] = static_cast<char>(
-        links_[i].freedoms.empty() && has_nothing(properties_[i]) && terms_of_[i].empty() &&
+        links_[i].freedoms.empty() && has_nothing(properties_[i]) && terms_of_[i].empty() && loads_.count(i) == 0 &&
         std::all_of(children.begin(), children.end(), [this](std::size_t child) { return is_bare_[child] != 0; }));
   }
 }
@@ -275,6 +298,10 @@ void TreeZ::add_body(std::size_t i) {
   if (problem_.disturbance != nullptr) {
     force = force + problem_.disturbance->force[i];
     moment = moment + problem_.disturbance->moment[i];
+  }
+  if (const auto load = loads_.find(i); load != loads_.end()) {
+    force = force - load->second.force;
+    moment = moment - load->second.moment;
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t p = (k + 1) % 3, q = (k + 2) % 3;

@@ -51,13 +51,16 @@ class TreeZ {
   std::string name_of(Component c) const;
   std::string name_of(Component i, Component j) const;
   ir::Expr one() const { return {graph_, graph_.constant(1)}; }
-  ir::Expr force(std::size_t speed) const { return per_power_ * problem_.forces[speed]; }
+  ir::Expr force(std::size_t speed) const {
+    return per_power_ * (form_.puts_loads_on_links ? problem_.forces_beside : problem_.forces)[speed];
+  }
   std::vector<char> acted_on() const;
 
   bool mixes_speeds();
 
   // Constraints.
   void place_rows();
+  void place_loads();
   void find_bare_links();
   void add_rows(std::size_t i);
   void add_term(const LinkTerm& term, std::size_t r);
@@ -128,6 +131,10 @@ class TreeZ {
   std::vector<std::vector<Eliminated>> eliminated_, shared_;  ///< by link, in order
   std::vector<std::vector<std::size_t>> waiting_;             ///< rows, by link
   std::vector<std::vector<std::pair<std::size_t, const LinkTerm*>>> terms_of_;  ///< of rows, by link
+  /// On a link, in its axes, at its origin.
+  struct Load {
+    ir::Vector3 force, moment;
+  };
   /// What turns with a link, in the axes across that of the turn.
   struct Turned {
     std::size_t axis;
@@ -141,6 +148,7 @@ class TreeZ {
   std::map<std::size_t, ir::Expr> determinants_;    ///< by link, of the block in the plane that was divided last
   std::map<std::size_t, End> ends_;                 ///< by the link that turns
   std::vector<std::vector<std::size_t>> children_;  ///< by link
+  std::map<std::size_t, Load> loads_;               ///< by link
   std::vector<char> is_bare_;                       ///< by link: neither it nor what it carries has mass, or is held
   std::vector<Imposed> imposed_;
   std::set<Component> is_imposed_;

@@ -56,6 +56,31 @@ forces:
   gravity: {uniform: [0, 0, -g]}
 """
 
+# A force at the tip, drag of every link, and springs between neighbours, on the chains of the families.
+LOADED = """gauss: 1
+name: loaded
+counts: {n: 10}
+parameters: {m: 1.3, L: 0.7, J: 0.05, Ja: 0.004, g: 9.81}
+frames:
+  link_0: {position: [0, 0, L]}
+joints:
+  joint_$i: {count: n, type: %s, parent: link_$(i-1), child: link_$i, at: [0, 0, -L], %s}
+bodies:
+  body_$i: {count: n, frame: link_$i, mass: m, inertia: [J, J, Ja], centre: [0, 0, -L/2]}
+points:
+  tip: {on: link_$n, at: [0, 0, -L]}
+  side_$i: {count: n, on: link_$i, at: [0.1, 0, -L/3]}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+  %s
+"""
+REVOLUTE = ("revolute", "axis: y, coordinates: q_$i, initial: 0.1")
+UNIVERSAL = ("universal", "coordinates: [a_$i, b_$i], initial: [0.1, 0.2]")
+# With how many times the operations four times the links may take: velocities and lengths are sums from the ground on, of which passes share
+# a part only.
+LOADS = [(5, "push: {on: tip, force: [1, 0, 2]}"), (6, "muscle_$i: {count: n-1, spring: [side_$i, side_$(i+1)], stiffness: 2, damping: 0.3}"),
+         (8, "drag_$i: {count: n, on: side_$i, force: [-0.3*dot(side_$i.x), 0, -0.3*dot(side_$i.z)]}")]
+
 # Chains whose first link hangs on a frame that held coordinates move: a trolley in the plane of a chain of rods, and a pivot that is shaken
 # and turns, with universal and ball joints.
 HELD = """gauss: 1
@@ -149,6 +174,14 @@ class Operations(Program):
                 count = [self.operations(model, "--count", f"n={n}", function="reactions", output="reactions") for n in (few, 2 * few)]
                 self.assertLess(count[1], 2.3 * count[0])
                 self.assertLess(count[1], 1.35 * self.operations(model, "--count", f"n={2 * few}"))
+
+    def test_so_do_they_with_forces_at_places(self):
+        for joint, few in ((REVOLUTE, 20), (UNIVERSAL, 6)):
+            for most, load in LOADS:
+                model = self.write("loaded.yaml", LOADED % (*joint, load))
+                with self.subTest(f"{joint[0]}: {load}"):
+                    count = [self.operations(model, "--count", f"n={n}") for n in (few, 4 * few)]
+                    self.assertLess(count[1], most * count[0])
 
     def test_what_bodies_feel_follows_the_links_of_the_chain(self):
         model = self.write("held.yaml", TROLLEY)
