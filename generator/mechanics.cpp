@@ -115,13 +115,15 @@ strategy::Dynamics dynamics_of(Mechanics& mechanics, const MechanicsOptions& opt
   return result;
 }
 
-/// None where none of them is anything, or one is on no link.
-std::vector<kinematics::BodyLoad> loads_on_links(const kinematics::Linkage& linkage,
-                                                 const std::vector<kinematics::BodyLoad>& loads) {
+/// None where none of them is anything, or one is on no link. Particles feel no moment: what acts beside them is in other_force.
+std::vector<kinematics::BodyLoad> loads_on_links(Mechanics& mechanics) {
+  std::vector<kinematics::BodyLoad> loads = mechanics.kinematics.loads;
   std::vector<char> is_on_link(loads.size(), 0);
-  for (const kinematics::Part& part : linkage.parts) is_on_link[part.body] = part.link != kinematics::k_ground ? 1 : 0;
+  for (const kinematics::Part& part : mechanics.linkage->parts)
+    is_on_link[part.body] = part.link != kinematics::k_ground ? 1 : 0;
   bool any = false;
   for (std::size_t i = 0; i < loads.size(); ++i) {
+    if (!mechanics.model.bodies[i].inertia) loads[i].moment = ir::zero3(mechanics.graph);
     const bool acts = !is_zero(loads[i].force) || !is_zero(loads[i].moment);
     if (acts && is_on_link[i] == 0) return {};
     any = any || acts;
@@ -145,7 +147,7 @@ std::optional<strategy::Candidate> solved_as_tree(Mechanics& mechanics, const Me
     problem.forces.push_back(kinematics.body_force[a] + kinematics.other_force[a]);
     problem.forces_beside.push_back(kinematics.other_force[a]);
   }
-  problem.loads = loads_on_links(*mechanics.linkage, kinematics.loads);
+  problem.loads = loads_on_links(mechanics);
   return strategy::cheapest_tree(problem, mechanics.epsilon());
 }
 

@@ -72,6 +72,21 @@ const Named k_whole[] = {
      "[-c*dot(tip.x), 0, 0]}}\n"},
 };
 
+/// The second link has nothing but a particle.
+constexpr const char* k_beside_a_particle = R"(
+frames: {link_0: {position: [0, 0.2, L]}}
+joints:
+  joint_$i: {count: n, type: universal, parent: link_$(i-1), child: link_$i, at: [0, 0, -L], coordinates: [a_$i, b_$i]}
+bodies:
+  link_1: {mass: m, inertia: [J, 1.2*J, 0.4*J], centre: [0.1, 0, -L/2]}
+  link_$(i+2): {count: n-2, mass: m, inertia: [J, 1.2*J, 0.4*J], centre: [0.1, 0, -L/2]}
+particles: {bob: {frame: link_2, mass: 0.4, centre: [0.3, 0.1, -0.2]}}
+points:
+  beside: {on: link_2, at: [-0.1, 0.2, 0.1]}
+  tip: {on: link_5, at: [0.1, 0, -L]}
+forces: {pull: {on: beside, force: [4, 0, k]}, muscle: {spring: [beside, tip], stiffness: k, damping: c}}
+)";
+
 constexpr const char* k_ship = R"(
 joints:
   free: {type: free, child: hull}
@@ -156,5 +171,7 @@ TEST_CASE("forces at places of a deep tree go down its links") {
     compare(std::string(k_rods) + each.text);
   }
 }
+
+TEST_CASE("a force beside a particle turns what carries the particle") { compare(k_beside_a_particle); }
 
 TEST_CASE("they do so where something floats, spins or turns freely") { compare(k_ship); }
