@@ -47,18 +47,19 @@ void add_reaction_fields(ArtefactBuilder& builder, Mechanics& mechanics, Steps& 
   builder.result_type("Reactions");
   for (std::size_t mu = 0; mu < mechanics.dynamics.l(); ++mu) {
     const std::string& name = mechanics.dynamics.constraints[mu];
-    const std::string& unit = mechanics.kinematics.constraints[kinematics::ConstraintIndex{mu}].unit;
+    const kinematics::ConstraintRow& row = mechanics.kinematics.constraints[kinematics::ConstraintIndex{mu}];
     std::vector<Field> fields;
     fields.push_back(
         {"multiplier",
-         "lambda of (3.4)" + quantity(unit) + ": the constraint adds lambda * dphi/du to the equations of motion",
+         "lambda of (3.4)" + quantity(row.unit) + ": the constraint adds lambda * dphi/du to the equations of motion",
          {},
          {mechanics.solution.multipliers[mu].id()}});
     fields.push_back({"generalized",
                       "lambda * dphi/du for each speed, in the order of the state",
                       {static_cast<int>(mechanics.dynamics.n())},
                       ids(generalized[mu])});
-    builder.fields(name, pascal(name) + "Reaction", "nonholonomic constraint " + name, std::move(fields));
+    const std::string kind = row.f ? "holonomic constraint " : "nonholonomic constraint ";
+    builder.fields(name, pascal(name) + "Reaction", kind + name, std::move(fields));
   }
   for (const auto i : mechanics.symbols.held.indices()) {
     const auto& held = mechanics.symbols.held[i];
