@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rest_step.hpp"
+
 namespace gaussgen {
 
 namespace {
@@ -11,16 +13,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double k_rank = 1e-10;      ///< of the largest singular value: a constraint that says something of its own
 constexpr double k_massless = 1e-9;   ///< of the largest mass: what moves without any
 constexpr double k_no_slope = 1e-10;  ///< of the largest stiffness: rounding
-
-MatrixXd open_ways(const MatrixXd& rows) {
-  if (rows.rows() == 0) return MatrixXd::Identity(rows.cols(), rows.cols());
-  Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
-  svd.setThreshold(k_rank);
-  return svd.matrixV().rightCols(rows.cols() - svd.rank());
-}
 
 }  // namespace
 

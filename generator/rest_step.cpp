@@ -51,16 +51,22 @@ MatrixXd allowed_ways(const RestUnknowns& unknowns, const VectorXd& weight) {
     const double size = b.row(mu).norm();
     if (size > 0) b.row(mu) /= size;
   }
-  Eigen::JacobiSVD<MatrixXd> svd(b, Eigen::ComputeFullV);
-  svd.setThreshold(k_held);
-  const Index free = n - svd.rank();
+  const MatrixXd open = open_ways(b);
+  const Index free = open.cols();
   MatrixXd ways = MatrixXd::Zero(all, free + all - n);
-  ways.topLeftCorner(n, free) = svd.matrixV().rightCols(free);
+  ways.topLeftCorner(n, free) = open;
   ways.bottomRightCorner(all - n, all - n).setIdentity();
   return ways;
 }
 
 }  // namespace
+
+MatrixXd open_ways(const MatrixXd& rows) {
+  if (rows.rows() == 0) return MatrixXd::Identity(rows.cols(), rows.cols());
+  Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
+  svd.setThreshold(k_held);
+  return svd.matrixV().rightCols(rows.cols() - svd.rank());
+}
 
 RestStep::RestStep(const MatrixXd& matrix, const RestUnknowns& unknowns) {
   const VectorXd weight = weights(unknowns);

@@ -12,6 +12,9 @@ struct RestUnknowns {
   Eigen::MatrixXd held;     ///< rows of n: ∂φ/∂u of constraints that no way leads across
 };
 
+/// Orthonormal columns: the changes that rows of constraints leave open.
+Eigen::MatrixXd open_ways(const Eigen::MatrixXd& rows);
+
 class RestStep {
  public:
   /// The equations, linearised, in units of their sizes.

@@ -1,14 +1,13 @@
 #include "strategy/body_reactions.hpp"
 
 #include "ir/contract.hpp"
-#include "ir/cost.hpp"
+#include "strategy/link_choice.hpp"
 #include "strategy/link_origins.hpp"
 #include "strategy/reactions.hpp"
 
 namespace gaussgen::strategy {
 
 using ir::Vector3;
-using kinematics::BodyIndex;
 using kinematics::BodyMotion;
 
 namespace {
@@ -111,34 +110,22 @@ std::optional<std::vector<BodyReaction>> body_reactions_by_links(const model::Mo
 
 namespace {
 
-int operations(const std::vector<BodyReaction>& reactions, const Solution& solution) {
-  std::vector<ir::NodeId> roots;
-  const auto add = [&](const auto& values) {
-    for (const ir::Expr value : values) roots.push_back(value.id());
-  };
-  add(solution.accelerations);
-  add(solution.multipliers);
+Vector values_of(const std::vector<BodyReaction>& reactions) {
+  Vector values;
   for (const BodyReaction& reaction : reactions) {
-    add(reaction.force);
-    if (reaction.moment) add(*reaction.moment);
+    values.insert(values.end(), reaction.force.begin(), reaction.force.end());
+    if (reaction.moment) values.insert(values.end(), reaction.moment->begin(), reaction.moment->end());
   }
-  return ir::operations(solution.singular_mass_matrix.graph(), roots);
+  return values;
 }
 
 }  // namespace
 
 std::vector<BodyReaction> body_reactions(const model::Model& model, const Dynamics& dynamics, const Solution& solution,
                                          Steps& steps) {
-  Steps along_links, over_speeds;
-  auto links = body_reactions_by_links(model, dynamics, solution, along_links);
-  if (links && !are_moved_by_few_speeds(*solution.motion)) {
-    steps.append(along_links);
-    return std::move(*links);
-  }
-  std::vector<BodyReaction> speeds = body_reactions_by_speeds(dynamics, solution, over_speeds);
-  const bool takes_links = links && operations(*links, solution) < operations(speeds, solution);
-  steps.append(takes_links ? along_links : over_speeds);
-  return takes_links ? std::move(*links) : speeds;
+  return by_links_or_speeds<std::vector<BodyReaction>>(
+      solution, [&](Steps& own) { return body_reactions_by_links(model, dynamics, solution, own); },
+      [&](Steps& own) { return body_reactions_by_speeds(dynamics, solution, own); }, values_of, steps);
 }
 
 }  // namespace gaussgen::strategy

@@ -1,11 +1,8 @@
 #include "strategy/held_reactions.hpp"
 
-#include <algorithm>
-
 #include "ir/contract.hpp"
-#include "ir/cost.hpp"
 #include "strategy/cut_wrenches.hpp"
-#include "strategy/tree_motion.hpp"
+#include "strategy/link_choice.hpp"
 
 namespace gaussgen::strategy {
 
@@ -18,8 +15,6 @@ using kinematics::HeldFrame;
 using kinematics::HeldIndex;
 
 namespace {
-
-/// Where no more speeds than these move a body, its sums over all of them may be shorter than what follows link by link.
 
 void begin(const std::string& name, const std::string& formula, Steps& steps) {
   steps.begin("reaction of " + name + ": " + formula + " (theory.md, section 4)", name);
@@ -80,30 +75,12 @@ std::optional<Vector> held_reactions_by_links(const model::Model& model, const D
   return reactions;
 }
 
-namespace {
-
-int operations(const Vector& reactions, const Solution& solution) {
-  std::vector<ir::NodeId> roots;
-  for (const Vector* values : {&solution.accelerations, &solution.multipliers, &reactions}) {
-    for (const Expr value : *values) roots.push_back(value.id());
-  }
-  return ir::operations(reactions[0].graph(), roots);
-}
-
-}  // namespace
-
 Vector held_reactions(const model::Model& model, const Dynamics& dynamics, const Solution& solution, Steps& steps) {
   if (dynamics.kinematics->symbols.held.values().empty()) return {};
-  Steps along_links, over_bodies;
-  std::optional<Vector> links = held_reactions_by_links(model, dynamics, solution, along_links);
-  if (links && !are_moved_by_few_speeds(*solution.motion)) {
-    steps.append(along_links);
-    return *links;
-  }
-  const Vector bodies = held_reactions_by_metric(dynamics, solution, over_bodies);
-  const bool takes_links = links && operations(*links, solution) < operations(bodies, solution);
-  steps.append(takes_links ? along_links : over_bodies);
-  return takes_links ? *links : bodies;
+  return by_links_or_speeds<Vector>(
+      solution, [&](Steps& own) { return held_reactions_by_links(model, dynamics, solution, own); },
+      [&](Steps& own) { return held_reactions_by_metric(dynamics, solution, own); },
+      [](const Vector& reactions) { return reactions; }, steps);
 }
 
 }  // namespace gaussgen::strategy
