@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "assembly.hpp"
 #include "dumps.hpp"
@@ -153,7 +154,8 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   stages.took("artefacts", mechanics.graph);
   if (stages.show("artefacts", [&] { return dump_artefacts(mechanics, unit); })) return up_to_here();
 
-  emit::Header header = header_in_range(mechanics.graph, unit, model->name, diagnostics);
+  if (options.assemble) result.assembled = assembled_values(mechanics, stated);
+  emit::Header header = header_in_range(std::move(mechanics.graph), unit, model->name, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   result.header = std::move(header.text);
   result.source = std::move(header.source);
@@ -162,7 +164,6 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   stages.took("header", {std::chrono::steady_clock::now(), header.nodes}, result.header.size());
   stages.show("header", [&] { return result.header; });
 
-  if (options.assemble) result.assembled = assembled_values(mechanics, stated);
   return up_to_here();
 }
 

@@ -4,6 +4,8 @@
 #include <cln/float.h>
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "emit/header.hpp"
 #include "generic_point.hpp"
 #include "ir/substitute.hpp"
@@ -163,10 +165,10 @@ void check_range(const ir::Graph& graph, const emit::Unit& unit, const model::Na
   }
 }
 
-emit::Header header_in_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
+emit::Header header_in_range(ir::Graph graph, const emit::Unit& unit, const model::Name& model,
                              support::Diagnostics& diagnostics) {
   try {
-    return emit::build_header(graph, unit);
+    return emit::build_header(std::move(graph), unit);
   } catch (const cln::floating_point_exception&) {
     refuse_range(model, "", diagnostics);
     return {};

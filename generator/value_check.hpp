@@ -24,7 +24,7 @@ void check_range(const ir::Graph& graph, const emit::Unit& unit, const model::Na
                  support::Diagnostics& diagnostics);
 
 /// The header; without text, with the same error, where it is a rewriting of the passes that makes such a number.
-emit::Header header_in_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
+emit::Header header_in_range(ir::Graph graph, const emit::Unit& unit, const model::Name& model,
                              support::Diagnostics& diagnostics);
 
 }  // namespace gaussgen

@@ -1,5 +1,7 @@
 #include "emit/header.hpp"
 
+#include <utility>
+
 #include "emit/cpp_printer.hpp"
 #include "emit/functions.hpp"
 #include "emit/identifiers.hpp"
@@ -138,8 +140,8 @@ class HeaderBuilder {
 
 }  // namespace
 
-Header build_header(const ir::Graph& graph, const Unit& unit) {
-  Plan plan(graph, unit);
+Header build_header(ir::Graph graph, const Unit& unit) {
+  Plan plan(std::move(graph), unit);
   Header header;
   header.planned = std::chrono::steady_clock::now();
   header.nodes_planned = plan.graph.size();
@@ -151,6 +153,6 @@ Header build_header(const ir::Graph& graph, const Unit& unit) {
   return header;
 }
 
-std::string emit_header(const ir::Graph& graph, const Unit& unit) { return build_header(graph, unit).text; }
+std::string emit_header(ir::Graph graph, const Unit& unit) { return build_header(std::move(graph), unit).text; }
 
 }  // namespace gaussgen::emit

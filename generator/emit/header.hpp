@@ -27,11 +27,11 @@ struct Header {
   std::size_t nodes = 0;                          ///< of the graph, in the end
 };
 
-/// Same unit, same bytes of text.
-Header build_header(const ir::Graph& graph, const Unit& unit);
+/// Same unit, same bytes of text. The graph is for this only: preparing and printing add to it.
+Header build_header(ir::Graph graph, const Unit& unit);
 
 /// Its text.
-std::string emit_header(const ir::Graph& graph, const Unit& unit);
+std::string emit_header(ir::Graph graph, const Unit& unit);
 
 /// The text of src/gauss/math.hpp, which every header carries.
 std::string_view prelude();

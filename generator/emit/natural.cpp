@@ -54,7 +54,7 @@ class Namer {
   // Its definition may have got another name, since this one was taken.
   std::string of_named(const Node& node) const {
     const std::string given = name_of_(node.children[0]);
-    return given.empty() ? node.name : given;
+    return given.empty() ? graph_.name(node) : given;
   }
 
   std::string of_function(const Node& node) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <unordered_set>
+#include <utility>
 
 #include "emit/natural.hpp"
 #include "emit/text.hpp"
@@ -254,8 +255,8 @@ class Planner {
 
 }  // namespace
 
-Plan::Plan(const ir::Graph& original, const Unit& described)
-    : graph(original), unit(described), names(graph, unit), result_types(unit) {
+Plan::Plan(ir::Graph own, const Unit& described)
+    : graph(std::move(own)), unit(described), names(graph, unit), result_types(unit) {
   Planner(*this).run();
 }
 

@@ -28,9 +28,9 @@ struct PreparedMember {
 };
 
 struct Plan {
-  explicit Plan(const ir::Graph& original, const Unit& described);
+  Plan(ir::Graph own, const Unit& described);
 
-  ir::Graph graph;  ///< a copy: printing adds powers and prepared symbols
+  ir::Graph graph;  ///< printing adds powers and prepared symbols
   const Unit& unit;
   UnitNames names;
   ResultTypes result_types;

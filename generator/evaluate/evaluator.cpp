@@ -33,7 +33,6 @@ bool is_known(const Arithmetic<T>&, const T&) {
 bool is_known(const Arithmetic<Paired>& arithmetic, const Paired& value) { return arithmetic.is_known(value); }
 
 std::string name_of(const ir::Graph& graph, NodeId id) {
-  if (!graph[id].name.empty()) return graph[id].name;
   const std::string& label = graph.label(id);
   return label.empty() ? ir::print_brief(graph, id) : label;
 }

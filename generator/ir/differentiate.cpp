@@ -55,7 +55,7 @@ NodeId Directional::of_node(NodeId id) {
     case Kind::function: return of_function(node);
     case Kind::named: {
       const NodeId rate = known(node.children[0]);
-      return suffix_.empty() ? rate : graph_.named(rate, node.name + suffix_);
+      return suffix_.empty() ? rate : graph_.named(rate, graph_.name(node) + suffix_);
     }
   }
   return graph_.constant(0);

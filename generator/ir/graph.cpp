@@ -23,16 +23,15 @@ std::size_t hash_of(const Node& node) {
   std::size_t seed = static_cast<std::size_t>(node.kind);
   seed = mix(seed, static_cast<std::size_t>(node.function));
   seed = mix(seed, node.symbol.index);
-  seed = mix(seed, node.table.index);
   seed = mix(seed, support::hash(node.value));
   for (const NodeId child : node.children) seed = mix(seed, child.index);
   for (const Rational& coefficient : node.coefficients) seed = mix(seed, support::hash(coefficient));
-  return mix(seed, std::hash<std::string>{}(node.name));
+  return seed;
 }
 
 bool same(const Node& a, const Node& b) {
-  return a.kind == b.kind && a.function == b.function && a.symbol == b.symbol && a.table == b.table &&
-         a.value == b.value && a.children == b.children && a.coefficients == b.coefficients && a.name == b.name;
+  return a.kind == b.kind && a.function == b.function && a.symbol == b.symbol && a.value == b.value &&
+         a.children == b.children && a.coefficients == b.coefficients;
 }
 
 bool is_many_term_sum(const Node& node) {
@@ -108,7 +107,7 @@ NodeId Graph::named(NodeId id, const std::string& name) {
     default: break;
   }
   if (!can_be_flattened(*this, id)) {
-    labels_.emplace(id.index, name);
+    relabel(id, name);
     return id;
   }
   return kept_whole(id, name);
@@ -122,17 +121,20 @@ NodeId Graph::kept_whole(NodeId id, const std::string& name) {
   Node wrapper;
   wrapper.kind = Kind::named;
   wrapper.children = {id};
-  wrapper.name = name;
+  wrapper.name = names_.insert(name);
   const NodeId result = intern(std::move(wrapper));
   wrappers_[id] = result;
   return result;
 }
 
+void Graph::relabel(NodeId id, const std::string& name) {
+  if (!labels_.contains(id)) labels_[id] = names_.insert(name);
+}
+
 const std::string& Graph::label(NodeId id) const {
-  static const std::string k_none;
-  if ((*this)[id].kind == Kind::named) return (*this)[id].name;
-  const auto it = labels_.find(id.index);
-  return it == labels_.end() ? k_none : it->second;
+  if ((*this)[id].kind == Kind::named) return name((*this)[id]);
+  const NameId* const found = labels_.find(id);
+  return names_[found == nullptr ? NameId{} : *found];
 }
 
 bool Graph::is_constant(NodeId id, int value) const {

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "ir/hash_index.hpp"
+#include "ir/names.hpp"
 #include "ir/node.hpp"
 #include "ir/node_table.hpp"
 #include "support/table.hpp"
@@ -82,12 +83,15 @@ class Graph {
   NodeId kept_whole(NodeId node, const std::string& name);
 
   /// Gives a node without a name one that says nothing to simplification.
-  void relabel(NodeId node, const std::string& name) { labels_.emplace(node.index, name); }
+  void relabel(NodeId node, const std::string& name);
 
   const Node& operator[](NodeId id) const { return nodes_[id.index]; }
   std::size_t size() const { return nodes_.size(); }
 
-  /// The name that `named` gave, the first one when there were several; empty if none.
+  /// Of a node of kind named, or empty. Stays valid.
+  const std::string& name(const Node& node) const { return names_[node.name]; }
+
+  /// The name that `named` gave, the first one when there were several; empty if none. Stays valid.
   const std::string& label(NodeId id) const;
 
   /// Canonical order: <0, 0, >0. Independent of the order in which nodes were created.
@@ -122,7 +126,8 @@ class Graph {
   std::vector<bool> undefined_;  ///< parallel to nodes_
   std::vector<bool> varies_;     ///< likewise
   HashIndex index_;
-  std::unordered_map<std::uint32_t, std::string> labels_;  // references to labels stay valid, too
+  Names names_;
+  NodeTable<NameId> labels_;
   NodeTable<NodeId> wrappers_;                             ///< value -> its named node
   mutable std::unordered_map<std::uint64_t, int> orders_;  ///< of pairs of nested functions, lower index first
 };

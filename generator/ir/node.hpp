@@ -1,7 +1,17 @@
 #pragma once
 // What a node of the expression graph is.
 
-#include <boost/container/small_vector.hpp>
+// It copies its places also where nothing is in them, which g++ 12 takes for a mistake.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#endif
+#include <absl/container/inlined_vector.h>
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -30,6 +40,13 @@ struct SymbolId {
 struct TableId {
   std::uint32_t index = 0;
   friend bool operator==(TableId a, TableId b) { return a.index == b.index; }
+};
+
+/// Index of a name in its Graph; 0 is none.
+struct NameId {
+  std::uint32_t index = 0;
+  friend bool operator==(NameId a, NameId b) { return a.index == b.index; }
+  friend bool operator!=(NameId a, NameId b) { return a.index != b.index; }
 };
 
 /// What a symbol stands for. The order of this list is the order of factors in printed products.
@@ -107,19 +124,27 @@ enum class Parity { none, odd, even };
 Parity parity(Function function);
 
 // Most nodes have few: in the node, they take no memory of their own.
-using Children = boost::container::small_vector<NodeId, 4>;
-using Coefficients = boost::container::small_vector<Rational, 2>;
+using Children = absl::InlinedVector<NodeId, 4>;
+using Coefficients = absl::InlinedVector<Rational, 2>;
 
+// There are many, and passes read them in an order that no processor guesses: one fills a line of the cache.
 struct Node {
+  Node() : symbol{} {}
+
   Kind kind = Kind::constant;
   Function function = Function::sin;
-  SymbolId symbol;
-  TableId table;  ///< function table
+  // A node has one of them at most. Each is a number, and of each the number may be read whichever it is.
+  union {
+    SymbolId symbol;  ///< kind symbol
+    TableId table;    ///< function table
+    NameId name;      ///< kind named; see Graph::name
+  };
   Rational value = 0;
   Children children;
   Coefficients coefficients;  ///< kind sum, parallel to children
-  std::string name;           ///< kind named
 };
+
+static_assert(sizeof(Node) <= 64 || sizeof(void*) > 8, "a node is larger than a line of the cache");
 
 /// As what the functions of Graph take.
 inline std::vector<NodeId> listed(const Children& children) { return {children.begin(), children.end()}; }

@@ -84,9 +84,11 @@ int Graph::compare(NodeId a, NodeId b) const {
     if (x.symbol_class != y.symbol_class) return three_way(x.symbol_class, y.symbol_class);
     return three_way(left.symbol.index, right.symbol.index);
   }
-  if (left.kind == Kind::named && left.name != right.name) return compare_natural(left.name, right.name);
+  if (left.kind == Kind::named && left.name != right.name) return compare_natural(name(left), name(right));
   if (left.function != right.function) return three_way(left.function, right.function);
-  if (!(left.table == right.table)) return three_way(left.table.index, right.table.index);
+  if (left.function == Function::table && !(left.table == right.table)) {
+    return three_way(left.table.index, right.table.index);
+  }
   // Functions of functions: products of the derivatives of a deep one meet each other at every depth.
   if (!is_nested(*this, left) || !is_nested(*this, right)) return compare_parts(left, right);
   const bool is_swapped = b.index < a.index;

@@ -17,7 +17,7 @@ class Printer {
     switch (node.kind) {
       case Kind::constant: return number(node.value, outer);
       case Kind::symbol: return graph_.symbol(node.symbol).name;
-      case Kind::named: return node.name;
+      case Kind::named: return graph_.name(node);
       case Kind::sum: return bracketed(sum(node), k_sum, outer);
       case Kind::product: return bracketed(product(node), k_product, outer);
       case Kind::power:

@@ -61,7 +61,7 @@ NodeId Reverse::kept(NodeId id, NodeId adjoint, const std::string& name) {
   const Kind own = graph_[adjoint].kind;
   const bool costs = own == Kind::sum || own == Kind::product;
   if (!costs || (takers < 2 && kind != Kind::named)) return adjoint;
-  const std::string& label = kind == Kind::named ? graph_[id].name : graph_.label(id);
+  const std::string& label = graph_.label(id);
   return graph_.kept_whole(adjoint, label.empty() ? name : name + "_" + label);
 }
 

@@ -53,7 +53,7 @@ NodeId Substitution::rebuilt(NodeId id) {
     case Kind::product: return relabelled(graph_.product(children));
     case Kind::power: return relabelled(graph_.power(children[0], node.value));
     case Kind::function: return relabelled(graph_.call_again(node, children));
-    case Kind::named: return graph_.named(children[0], node.name);
+    case Kind::named: return graph_.named(children[0], graph_.name(node));
     default: return id;
   }
 }

@@ -28,7 +28,7 @@ class LatexPrinter {
     switch (node.kind) {
       case Kind::constant: return bracketed(styled(node.value), node.value < 0 ? k_sum : k_atom, outer);
       case Kind::symbol: return symbol(node, outer);
-      case Kind::named: return latex_name(node.name);
+      case Kind::named: return latex_name(graph_.name(node));
       case Kind::sum: return sum(node, outer);
       case Kind::product: return bracketed(scaled(1, id), k_product, outer);
       case Kind::power: return power(node, id, outer);

@@ -79,7 +79,7 @@ NodeId PreparationSplit::prepared(NodeId id) {
 std::string PreparationSplit::name_of(NodeId id) const {
   if (const auto wanted = names_.find(id.index); wanted != names_.end()) return wanted->second;
   const Node& node = graph_[id];
-  if (node.kind == Kind::named) return node.name;
+  if (node.kind == Kind::named) return graph_.name(node);
   return node.kind == Kind::symbol ? graph_.symbol(node.symbol).name : graph_.label(id);
 }
 
@@ -92,7 +92,7 @@ NodeId PreparationSplit::rebuilt(NodeId id) {
     case Kind::sum: return relabelled(id, rebuilt_sum(id));
     case Kind::product: return relabelled(id, rebuilt_product(id));
     case Kind::power: return relabelled(id, graph_.power(known(node.children[0]), node.value));
-    case Kind::named: return graph_.kept_whole(known(node.children[0]), node.name);
+    case Kind::named: return graph_.kept_whole(known(node.children[0]), graph_.name(node));
     case Kind::function:
       for (const NodeId child : node.children) children.push_back(varies(child) ? known(child) : prepared(child));
       return relabelled(id, graph_.call_again(node, children));

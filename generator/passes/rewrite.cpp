@@ -36,7 +36,7 @@ NodeId Rewrite::rebuilt(NodeId old) const {
     case Kind::product: return graph_.product(children);
     case Kind::power: return graph_.power(children[0], node.value);
     case Kind::function: return graph_.call_again(node, children);
-    case Kind::named: return graph_.kept_whole(children[0], node.name);
+    case Kind::named: return graph_.kept_whole(children[0], graph_.name(node));
     default: return old;
   }
 }

@@ -90,7 +90,8 @@ class UnitChoice {
   NodeId looked_at(NodeId id) {
     const Node node = graph_[id];
     std::vector<NodeId> values;
-    for (const NodeId value : node.children) values.push_back(last_.contains(value) ? whole(at(value)) : at(value).node);
+    for (const NodeId value : node.children)
+      values.push_back(last_.contains(value) ? whole(at(value)) : at(value).node);
     return graph_.call_again(node, values);
   }
 
@@ -178,8 +179,9 @@ class UnitChoice {
   Scaled of_named(NodeId id) {
     const Node node = graph_[id];
     const Scaled inner = at(node.children[0]);
-    if (inner.factor == 1) return {1, graph_.kept_whole(inner.node, node.name)};
-    const std::string name = node.name.empty() || cln::abs(inner.factor) == 1 ? node.name : node.name + "_scaled";
+    if (inner.factor == 1) return {1, graph_.kept_whole(inner.node, graph_.name(node))};
+    const std::string& own = graph_.name(node);
+    const std::string name = own.empty() || cln::abs(inner.factor) == 1 ? own : own + "_scaled";
     return {inner.factor, graph_.kept_whole(inner.node, name)};
   }
 

@@ -45,7 +45,6 @@ class Sharer {
     }
     for (const auto& [node, name] : request.suggestions) suggest(node, name);
     for (const NodeId id : writing_.order()) {
-      if (graph_[id].kind == Kind::named && !graph_[id].name.empty()) want(id, graph_[id].name);
       if (!graph_.label(id).empty()) want(id, graph_.label(id));
     }
   }
