@@ -56,6 +56,11 @@ std::vector<emit::Artefact> reactions_artefacts(Mechanics& mechanics);
 std::vector<emit::Artefact> reaction_forces_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> joint_reactions_artefact(Mechanics& mechanics);
 
+bool has_quaternions(const Mechanics& mechanics);
+
+/// False where a body has no inertia to divide by, or no motion of the bodies takes up forces that are known by generalized components.
+bool has_compulsion(Mechanics& mechanics);
+
 /// What is known of a state, and states themselves.
 emit::Artefact energy_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> compulsion_artefact(Mechanics& mechanics);

@@ -51,4 +51,17 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   return {};
 }
 
+bool has_output(const std::string& name, Mechanics& mechanics) {
+  const model::Model& model = mechanics.model;
+  const bool has_constraints = mechanics.dynamics.l() > 0;
+  if (name == "reactions" || name == "reaction_forces") return has_constraints || mechanics.symbols.held.size() > 0;
+  if (name == "joint_reactions") return !model.joints.empty();
+  if (name == "residuals") return has_constraints || has_quaternions(mechanics);
+  if (name == "quantities") return !model.quantities.empty();
+  if (name == "sensitivities") return !model.sensitivities.empty() && !mechanics.options.fold;
+  if (name == "compulsion") return has_compulsion(mechanics);
+  if (name == "energy") return true;
+  return mechanics.dynamics.n() > 0;
+}
+
 }  // namespace gaussgen

@@ -21,6 +21,9 @@ const std::vector<OutputKind>& output_kinds();
 /// The artefact called `name`; nothing when the model has none (no reactions, compulsion of a massless body).
 std::vector<emit::Artefact> build_artefact(const std::string& name, Mechanics& mechanics);
 
+/// Whether `build_artefact` makes anything: found without forming it.
+bool has_output(const std::string& name, Mechanics& mechanics);
+
 /// Of Model::inputs, those that inverse dynamics finds.
 std::vector<std::size_t> sought_inputs(const model::Model& model);
 

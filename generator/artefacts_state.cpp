@@ -136,6 +136,10 @@ std::optional<strategy::Compulsion> compulsion(Mechanics& mechanics, Steps& step
 
 }  // namespace
 
+bool has_compulsion(Mechanics& mechanics) {
+  return !has_massless_body(mechanics) && strategy::has_compulsion(mechanics.dynamics);
+}
+
 std::vector<Artefact> compulsion_artefact(Mechanics& mechanics) {
   if (has_massless_body(mechanics)) return {};
   ArtefactBuilder builder(
@@ -153,6 +157,10 @@ std::vector<Artefact> compulsion_artefact(Mechanics& mechanics) {
   std::vector<Artefact> result;
   result.push_back(builder.finish(steps));
   return result;
+}
+
+bool has_quaternions(const Mechanics& mechanics) {
+  return !strategy::squared_norms(mechanics.symbols, configuration_of(mechanics)).empty();
 }
 
 std::vector<Artefact> residuals_artefact(Mechanics& mechanics) {

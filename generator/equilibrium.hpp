@@ -11,6 +11,7 @@ namespace gaussgen {
 
 struct Equilibrium {
   std::string failure;              ///< why there is none; empty
+  std::string remedy;               ///< what to do about that, where it is known
   std::vector<std::string> doubts;  ///< that it lasts, or is where it is found
   /// λ of each constraint, which no mass has a part in: where the mass matrix is singular, they have values all the same.
   std::vector<support::Rational> multipliers;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "artefacts.hpp"
 #include "support/error_codes.hpp"
 
 namespace gaussgen {
@@ -62,17 +63,32 @@ std::vector<model::Name> asked_for(const model::Model& model, const PipelineOpti
 
 }  // namespace
 
-void check_outputs(const Mechanics& mechanics, const emit::Unit& unit, const PipelineOptions& options,
-                   support::Diagnostics& diagnostics) {
+namespace {
+
+template <class Has>
+void report_absent(const model::Model& model, const PipelineOptions& options, support::Diagnostics& diagnostics,
+                   const Has& has_output) {
   std::set<std::string> seen;
-  for (const model::Name& name : asked_for(mechanics.model, options)) {
-    if (!seen.insert(name.text).second || has(unit, name.text)) continue;
+  for (const model::Name& name : asked_for(model, options)) {
+    if (!seen.insert(name.text).second || has_output(name.text)) continue;
     const Absence absence = absence_of(name.text);
     diagnostics.warning(
         support::code::k_empty_output, name.span,
         fmt::format("the output '{}' is left out, as this model has nothing for it: {}", name.text, absence.why),
         absence.hint);
   }
+}
+
+}  // namespace
+
+void check_outputs(const emit::Unit& unit, const model::Model& model, const PipelineOptions& options,
+                   support::Diagnostics& diagnostics) {
+  report_absent(model, options, diagnostics, [&](const std::string& output) { return has(unit, output); });
+}
+
+void check_outputs(Mechanics& mechanics, const PipelineOptions& options, support::Diagnostics& diagnostics) {
+  report_absent(mechanics.model, options, diagnostics,
+                [&](const std::string& output) { return has_output(output, mechanics); });
 }
 
 }  // namespace gaussgen

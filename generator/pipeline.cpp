@@ -96,6 +96,17 @@ void check_strategy(const Mechanics& mechanics, support::Diagnostics& diagnostic
                     "leave --strategy=tree out");
 }
 
+/// What outputs would show, as far as equations of motion and reactions do: forming all of them may take a hundred times as long.
+void check_unformed(Mechanics& mechanics, const PipelineOptions& options, support::Diagnostics& diagnostics) {
+  check_outputs(mechanics, options, diagnostics);
+  std::vector<ir::NodeId> nodes;
+  for (const auto* values :
+       {&mechanics.solution.accelerations, &mechanics.solution.multipliers, &mechanics.held_reactions}) {
+    for (const ir::Expr value : *values) nodes.push_back(value.id());
+  }
+  check_range(mechanics.graph, nodes, mechanics.model.name, diagnostics);
+}
+
 std::optional<PipelineResult> compile(support::Source& source, const PipelineOptions& options,
                                       support::Diagnostics& diagnostics, Stages& stages) {
   std::optional<model::Model> model = read_model(source, diagnostics, options.counts);
@@ -147,8 +158,15 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   stages.took(k_check, mechanics.graph);
   stages.show(k_check, [] { return std::string(); });
 
+  if (options.only_check) {
+    check_unformed(mechanics, options, diagnostics);
+    if (diagnostics.has_errors()) return std::nullopt;
+    if (options.assemble) result.assembled = assembled_values(mechanics, stated);
+    return up_to_here();
+  }
+
   const emit::Unit unit = build_unit(mechanics, source, options);
-  check_outputs(mechanics, unit, options, diagnostics);
+  check_outputs(unit, mechanics.model, options, diagnostics);
   check_range(mechanics.graph, unit, model->name, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   stages.took("artefacts", mechanics.graph);
@@ -160,6 +178,8 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   result.header = std::move(header.text);
   result.source = std::move(header.source);
   result.passes = std::move(header.passes);
+  result.outputs = std::move(header.outputs);
+  result.chose_outputs = !options.outputs.empty() || !mechanics.model.outputs.empty();
   stages.took("passes", {header.planned, header.nodes_planned});
   stages.took("header", {std::chrono::steady_clock::now(), header.nodes}, result.header.size());
   stages.show("header", [&] { return result.header; });

@@ -33,7 +33,8 @@ struct PipelineOptions {
   int part_operations = emit::k_part_operations;  ///< of a function above twice as many
   std::vector<std::string> compiled_for;          ///< scalar types of a source file of its own; empty: none
   std::size_t most_nodes = ir::k_most_nodes;
-  std::string last_stage;  ///< after which nothing is asked for; empty: the last one
+  bool only_check = false;  ///< what is wrong with the model is all that is wanted: no output is formed
+  std::string last_stage;   ///< after which nothing is asked for; empty: the last one
 };
 
 /// One stage as `--timings` shows it. Nodes are those of the graph: what one stage has made, the next one finds there.
@@ -56,6 +57,8 @@ struct PipelineResult {
   std::vector<std::string> assembled;  ///< initial values that the constraints moved, in words
   std::vector<StageTime> times;
   std::vector<emit::PassEffects> passes;  ///< what each pass saved, function by function
+  std::vector<emit::OutputSize> outputs;  ///< what is in the header
+  bool chose_outputs = false;             ///< whether the model or the options name them
 };
 
 /// Nothing when the model has errors; they are in `diagnostics`. Throws ir::TooManyNodes, which says

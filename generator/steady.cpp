@@ -21,7 +21,8 @@ constexpr int k_closing_steps = 8;
 constexpr Real k_closed = 1e-11L;
 constexpr Real k_polished = 1e-30L;
 constexpr Real k_effect = 1e-11L;  ///< of the largest in a row: beside it, less is rounding of double
-constexpr int k_polish_steps = 8;  ///< each is good for some ten digits
+constexpr int k_polish_steps = 8;
+constexpr Real k_step = 1e-10L;  ///< what a step leaves of itself: each is good for some ten digits
 constexpr Real k_largest_step = 0.5L;
 constexpr Real k_rank = 1e-9L;
 constexpr Real k_solved = 1e-9L;
@@ -142,6 +143,16 @@ bool improve(StatePoint<double>& point, const IndependentChoice& choice, const E
   return false;
 }
 
+/// What is no larger than its own error is 0: what remains to be done would take it anywhere around that.
+void leave_out(StatePoint<cl_F>& point, Real error) {
+  constexpr Real k_times = 2;  // where roots coincide, a step goes half of the way
+  auto state = point.state();
+  for (cl_F& value : state) {
+    if (std::abs(to_real(value)) <= k_times * error) value = point.number(Real(0));
+  }
+  point.set(std::move(state));
+}
+
 }  // namespace
 
 std::vector<std::size_t> cyclic_coordinates(const ReducedMotion& motion, const IndependentChoice& choice) {
@@ -225,6 +236,8 @@ std::string find_steady(StatePoint<double>& rough, StatePoint<cl_F>& fine, const
     for (const double value : rough.state()) state.push_back(fine.number(static_cast<Real>(value)));
     return state;
   }());
+  // As large as the last step; where the search is done, as the steps that it leaves out, or as what the last one leaves.
+  Real error = 0;
   for (int i = 0; i < k_polish_steps; ++i) {
     const auto numbers = fine.numbers();
     const auto closed = numbers ? closing(*numbers, choice) : std::nullopt;
@@ -232,9 +245,12 @@ std::string find_steady(StatePoint<double>& rough, StatePoint<cl_F>& fine, const
     if (!closed || !motion) return "at the steady motion a value is undefined: " + fine.trouble();
     const Vector step = equations.step(*motion, equations.residual(*motion), 0) + *closed;
     const Real size = step.size() == 0 ? 0 : step.lpNorm<Eigen::Infinity>();
-    if (!(size > k_polished)) break;
+    const bool is_last = !(size > k_polished);
+    error = is_last ? std::max(k_polished, k_step * error) : size;
+    if (is_last) break;
     fine.move(step / size, fine.number(size));
   }
+  leave_out(fine, error);
   return "";
 }
 

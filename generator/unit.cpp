@@ -90,8 +90,10 @@ class UnitBuilder {
     for (const OutputKind& kind : output_kinds()) {
       const bool is_wanted = kind.name == "rhs" || std::find(wanted.begin(), wanted.end(), kind.name) != wanted.end();
       if (!is_wanted) continue;
-      for (emit::Artefact& artefact : build_artefact(kind.name, mechanics_))
+      for (emit::Artefact& artefact : build_artefact(kind.name, mechanics_)) {
+        artefact.output = kind.name;
         unit_.artefacts.push_back(std::move(artefact));
+      }
     }
     for (std::size_t i = 0; i < mechanics_.start.size(); ++i) {
       const emit::Entry& now = unit_.configuration[i];

@@ -159,7 +159,12 @@ void check_equations(Mechanics& mechanics, support::Diagnostics& diagnostics) {
 
 void check_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
                  support::Diagnostics& diagnostics) {
-  const std::vector<ir::NodeId> order = ir::post_order(graph, outputs_of(unit));
+  check_range(graph, outputs_of(unit), model, diagnostics);
+}
+
+void check_range(const ir::Graph& graph, const std::vector<ir::NodeId>& values, const model::Name& model,
+                 support::Diagnostics& diagnostics) {
+  const std::vector<ir::NodeId> order = ir::post_order(graph, values);
   for (const ir::NodeId id : order) {
     if (!is_in_range(graph[id])) return refuse_range(model, name_around(graph, order, id), diagnostics);
   }

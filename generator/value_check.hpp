@@ -20,6 +20,10 @@ void check_values(ModelGraph& mechanics, support::Diagnostics& diagnostics);
 void check_equations(Mechanics& mechanics, support::Diagnostics& diagnostics);
 
 /// An error when numbers of the model multiply to one beyond the range of double, from which emitted code reads its constants.
+void check_range(const ir::Graph& graph, const std::vector<ir::NodeId>& values, const model::Name& model,
+                 support::Diagnostics& diagnostics);
+
+/// Likewise, of all that `unit` computes.
 void check_range(const ir::Graph& graph, const emit::Unit& unit, const model::Name& model,
                  support::Diagnostics& diagnostics);
 

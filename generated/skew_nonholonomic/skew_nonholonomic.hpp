@@ -330,8 +330,6 @@ struct Prepared {
   S half_m1;         ///< 0.5 * m1
   S g_over_20;       ///< 1 / 20 * g
   S g_over_10;       ///< 1 / 10 * g
-  S half_m1_2;       ///< 0.5 * m1
-  S half_m2_2;       ///< 0.5 * m2
   S g_factor_q2_q1;  ///< (2 / 15 * m1 + 3 / 5 * m2) / (229 / 225 * m1 + 21 / 20 * m2)
   S g_factor_q3_q2;
   S g_factor_q3_q1;  ///< 1 / 5 * m2 / (229 / 225 * m1 + 21 / 20 * m2)
@@ -450,8 +448,6 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S G_q3_q3 = m1 + m2;
   const S G_q1_q3 = S(1) / S(5) * m2;
   const S G_q2_q3 = S(1) / S(20) * m1;
-  const S half_m2 = S(0.5) * m2;
-  const S half_m1 = S(0.5) * m1;
   const S inv_G_q1_q1 = S(1) / G_q1_q1;
   const S g_factor_q2_q1 = inv_G_q1_q1 * G_q1_q2;
   const S g_pivot_q2 = G_q2_q2 - inv_G_q1_q1 * G_q1_q2 * G_q1_q2;
@@ -488,17 +484,15 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.m2_over_60 = S(1) / S(60) * m2;
   prepared.c3 = S(2) / S(15) * m1;
   prepared.m1_over_80 = S(1) / S(80) * m1;
-  prepared.half_m2 = half_m2;
+  prepared.half_m2 = S(0.5) * m2;
   prepared.m1_over_4 = S(0.25) * m1;
   prepared.m2_over_3 = S(1) / S(3) * m2;
   prepared.m1_g_over_4 = S(0.25) * F_first_z;
   prepared.m1_over_15 = S(1) / S(15) * m1;
   prepared.m2_over_10 = S(1) / S(10) * m2;
-  prepared.half_m1 = half_m1;
+  prepared.half_m1 = S(0.5) * m1;
   prepared.g_over_20 = S(1) / S(20) * g;
   prepared.g_over_10 = S(1) / S(10) * g;
-  prepared.half_m1_2 = half_m1;
-  prepared.half_m2_2 = half_m2;
   prepared.g_factor_q2_q1 = g_factor_q2_q1;
   prepared.g_factor_q3_q2 = g_factor_q3_q2;
   prepared.g_factor_q3_q1 = g_factor_q3_q1;
@@ -911,8 +905,8 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
                                       Compulsion<S>& compulsion) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& g = prepared.g;
-  const S& half_m1_2 = prepared.half_m1_2;
-  const S& half_m2_2 = prepared.half_m2_2;
+  const S& half_m2 = prepared.half_m2;
+  const S& half_m1 = prepared.half_m1;
   const S& q1 = state.q1();
   const S& q2 = state.q2();
   const S& q3 = state.q3();
@@ -931,10 +925,10 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S candidate_a_second_z = g + q1_ddot + S(0.5) * q2_ddot;
 
   // Results
-  const S Z = half_m1_2 * (q1_ddot * q1_ddot + candidate_a_first_y * candidate_a_first_y
+  const S Z = half_m1 * (q1_ddot * q1_ddot + candidate_a_first_y * candidate_a_first_y
       + candidate_a_first_z * candidate_a_first_z)
-      + half_m2_2 * (candidate_a_second_x * candidate_a_second_x
-      + candidate_a_second_y * candidate_a_second_y + candidate_a_second_z * candidate_a_second_z);
+      + half_m2 * (candidate_a_second_x * candidate_a_second_x + candidate_a_second_y * candidate_a_second_y
+      + candidate_a_second_z * candidate_a_second_z);
 
   compulsion.Z = Z;
 

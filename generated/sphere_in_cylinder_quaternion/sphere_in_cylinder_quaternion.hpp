@@ -350,7 +350,6 @@ struct Prepared {
   S half_m;          ///< 0.5 * m
   S half_J;          ///< 0.5 * J
   S half_inv_m;      ///< 0.5 / m
-  S half_J_2;        ///< 0.5 * J
   S r_minus_R;       ///< r - R
   S c11;             ///< 1 / (m * (1 / m + r^2 / J))
   S c12;             ///< r^2 / (J * (1 / m + r^2 / J))
@@ -531,7 +530,6 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S inertia_rolling_along = (m + r_2_J) / c5;
   const S t9 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
   const S least_G_pivot = Math<S>::select(t1, S(0), Math<S>::select(Math<S>::less(J, t9), J, t9));
-  const S half_J = S(0.5) * J;
   const S inv_S_rolling_around = S(1) / S_rolling_around;
   const S c11 = inv_m * inv_S_rolling_around;
   const S c12 = r_2 * inv_J * inv_S_rolling_around;
@@ -573,9 +571,8 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.c10 = R - rho;
   prepared.rho_2 = rho_2;
   prepared.half_m = S(0.5) * m;
-  prepared.half_J = half_J;
+  prepared.half_J = S(0.5) * J;
   prepared.half_inv_m = S(0.5) * inv_m;
-  prepared.half_J_2 = half_J;
   prepared.r_minus_R = r - R;
   prepared.c11 = c11;
   prepared.c12 = c12;
@@ -1019,8 +1016,8 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S& m = prepared.m;
   const S& rho = prepared.rho;
   const S& m_g = prepared.m_g;
+  const S& half_J = prepared.half_J;
   const S& half_inv_m = prepared.half_inv_m;
-  const S& half_J_2 = prepared.half_J_2;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
   const S& e0 = state.e0();
@@ -1052,8 +1049,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   // Results
   const S t1 = m * (chi_ddot * shift_ball_y + chi_dot_2 * shift_ball_x);
   const S Z = half_inv_m * (deviation_ball_z * deviation_ball_z + t1 * t1
-      + deviation_ball_y * deviation_ball_y)
-      + half_J_2 * (wx_dot * wx_dot + wy_dot * wy_dot + wz_dot * wz_dot);
+      + deviation_ball_y * deviation_ball_y) + half_J * (wx_dot * wx_dot + wy_dot * wy_dot + wz_dot * wz_dot);
   const S norm_squared = e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3;
 
   compulsion.Z = Z;

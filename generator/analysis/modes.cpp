@@ -26,6 +26,19 @@ Matrix range_of(const Matrix& a) {
   return svd.matrixU().leftCols(svd.rank());
 }
 
+/// How far, to first order, each eigenvalue goes for a change of the matrix by 1: |x| |y| of its right and left eigenvector, with y x = 1
+/// (Golub & Van Loan, Matrix Computations, 7.2.2). A double one goes as the root of the change, which sets the limit.
+Vector conditions_of(const ComplexMatrix& right) {
+  const Real most = 1 / std::sqrt(k_rounding);
+  const Eigen::FullPivLU<ComplexMatrix> solver(right);
+  if (!solver.isInvertible()) return Vector::Constant(right.cols(), most);
+  const ComplexMatrix left = solver.inverse();
+  Vector conditions(right.cols());
+  for (Eigen::Index k = 0; k < right.cols(); ++k)
+    conditions[k] = std::min(most, std::max<Real>(1, left.row(k).norm() * right.col(k).norm()));
+  return conditions;
+}
+
 /// a over the range of its powers: the eigenvalues other than 0, which would be roots of rounding if there are several.
 struct Core {
   Matrix matrix;
@@ -62,11 +75,12 @@ class Finder {
     const Core core = core_of(balanced);
     if (core.matrix.rows() > 0) {
       const Eigen::EigenSolver<Matrix> solver(core.matrix);
+      const Vector conditions = conditions_of(solver.eigenvectors());
       for (Eigen::Index k = 0; k < core.matrix.rows(); ++k) {
         const ComplexVector shape =
             d.cast<Complex>().asDiagonal() * (core.basis.cast<Complex>() * solver.eigenvectors().col(k)).eval();
-        const Complex s = without_rounding(solver.eigenvalues()[k], balanced.norm());
-        modes_.push_back({s, followed(b, s, shape), block});
+        const Complex s = without_rounding(solver.eigenvalues()[k], conditions[k] * balanced.norm());
+        modes_.push_back({s, s == Complex(0) ? ComplexVector() : followed(b, s, shape), block});
       }
     }
     for (auto k = static_cast<std::size_t>(core.matrix.rows()); k < block.size(); ++k)

@@ -146,7 +146,7 @@ int evaluate(const Options& options) {
   derivation->finish_stage();
   if (options.at_equilibrium) {
     const Equilibrium found = go_to_equilibrium(mechanics, *model, time, options.digits);
-    if (!found.failure.empty()) return fail(found.failure, k_model_error, options.messages);
+    if (!found.failure.empty()) return fail(found.failure, k_model_error, options.messages, found.remedy);
     resting = found.multipliers;
     doubts = found.doubts;
   }

@@ -9,6 +9,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
 #include "cli/guard.hpp"
+#include "cli/messages.hpp"
 #include "cli/replacement.hpp"
 #include "cli/timings.hpp"
 #include "read_model.hpp"
@@ -67,6 +68,29 @@ void write_files(const Options& options, const PipelineResult& result, const sup
   for (Replacement& replacement : replacements) replacement.commit();
 }
 
+/// Below, compilers take no time to speak of.
+constexpr int k_large_header = 20'000;
+
+/// Of outputs that nobody asked for by name: the one that is more than half of a large header, with what is left without it.
+void remark_on_size(const PipelineResult& result, const MessageOptions& messages) {
+  int sum = 0;
+  for (const emit::OutputSize& one : result.outputs) sum += one.operations;
+  if (result.chose_outputs || sum < k_large_header) return;
+  const auto is_most = [&](const emit::OutputSize& one) { return one.operations > sum / 2 && one.output != "rhs"; };
+  const auto most = std::find_if(result.outputs.begin(), result.outputs.end(), is_most);
+  if (most == result.outputs.end()) return;
+  std::vector<std::string> others;
+  for (const emit::OutputSize& one : result.outputs) {
+    if (&one != &*most) others.push_back(one.output);
+  }
+  remark(fmt::format("'{}' is {} of the {} operations in {}.hpp; without it: --outputs {} (or 'outputs' in the model)",
+                     most->output, most->operations, sum, result.model_name, fmt::join(others, ",")),
+         {{"output", most->output},
+          {"operations", static_cast<long long>(most->operations)},
+          {"of_operations", static_cast<long long>(sum)}},
+         messages);
+}
+
 /// Only the model's own text is needed for these two, so no derivation is made.
 int check_or_list(const Options& options, support::Source& source) {
   support::Diagnostics diagnostics;
@@ -112,6 +136,7 @@ int generate(const Options& options) {
   support::Diagnostics diagnostics;
   PipelineOptions pipeline = options.pipeline;
   pipeline.last_stage = last_stage(options.dumps);
+  pipeline.only_check = options.check && options.dumps.empty();
   const auto result = compile(source, pipeline, diagnostics, observe);
   derivation.reset();  // before anything is written
   const int code = report(diagnostics, source, options.messages);
@@ -135,6 +160,7 @@ int generate(const Options& options) {
     return k_ok;
   }
   write_files(options, *result, source);
+  remark_on_size(*result, options.messages);
   return k_ok;
 }
 

@@ -140,13 +140,13 @@ std::string eigenvalues_text(const Linearisation& found, int digits) {
     if (is_zero(mode) || mode.eigenvalue.imag() < 0) continue;
     const Figures figures = figures_of(mode, digits);
     const std::string imaginary = is_oscillation(mode) ? "+-" + text_of(mode.eigenvalue.imag(), digits) : "";
-    const std::string grows = mode.eigenvalue.real() > 0 ? " grows" : "";
+    const std::string grows = mode.eigenvalue.real() > 0 ? " grows" : mode.eigenvalue.real() == 0 ? "neutral" : "";
     rows.push_back({std::to_string(++number), text_of(mode.eigenvalue.real(), digits), imaginary, figures.frequency,
                     figures.damping, figures.time + grows});
   }
   std::string text = "\neigenvalues\n" + (rows.size() > 1 ? aligned(rows) : std::string());
   if (zeros == 0) return text;
-  text += fmt::format("  {} {} 0", zeros, zeros == 1 ? "is" : "are");
+  text += fmt::format("  {} {} 0 (neutral)", zeros, zeros == 1 ? "is" : "are");
   if (!found.cyclic.empty())
     text += fmt::format(", {} of {} on which nothing else depends: {}", found.cyclic.size(),
                         found.cyclic.size() == 1 ? "a coordinate" : "coordinates",
@@ -273,7 +273,7 @@ int linearize(const Options& options) {
   std::vector<std::string> doubts;
   if (options.linearised_at == LinearisedAt::equilibrium) {
     const Equilibrium found = go_to_equilibrium(mechanics, *model, time, 2 * k_start_digits);
-    if (!found.failure.empty()) return fail(found.failure, k_model_error, options.messages);
+    if (!found.failure.empty()) return fail(found.failure, k_model_error, options.messages, found.remedy);
     doubts = found.doubts;
   }
   derivation->finish_stage();

@@ -27,9 +27,13 @@ void Body::blank_line() {
 }
 
 void Body::define(const passes::Program& program) {
+  const std::string* above = nullptr;
   for (const passes::Block& block : program.blocks) {
-    blank_line();
-    if (!block.comment.empty()) add(cpp::Comment{wrapped(block.comment, k_comment_width)});
+    // A link with two hinges is minimised over one after the other: one heading is enough for what goes on under it.
+    const bool goes_on = above != nullptr && !block.comment.empty() && *above == block.comment;
+    above = &block.comment;
+    if (!goes_on) blank_line();
+    if (!goes_on && !block.comment.empty()) add(cpp::Comment{wrapped(block.comment, k_comment_width)});
     for (std::size_t i = 0; i < block.assignments.size();) {
       const std::size_t angles = angles_from(block.assignments, i);
       if (angles > 1) {

@@ -39,6 +39,14 @@ SymbolSet symbols_in(const Writing& writing) {
   return found;
 }
 
+/// Of the symbols for a prepared value, one that the function has; all have the same name.
+SymbolId used_of(const PreparedMember& member, const SymbolSet& used) {
+  for (const SymbolId other : member.others) {
+    if (used.count(other.index) != 0) return other;
+  }
+  return member.symbol;
+}
+
 /// Local names for what a function reads, so that formulas read as on paper.
 class Reader {
  public:
@@ -68,7 +76,7 @@ class Reader {
  private:
   static SymbolId symbol_of(const Entry& entry) { return entry.symbol; }
   static SymbolId symbol_of(const InputEntry& input) { return input.entry.symbol; }
-  static SymbolId symbol_of(const PreparedMember& member) { return member.symbol; }
+  SymbolId symbol_of(const PreparedMember& member) const { return used_of(member, used_); }
 
   Body& body_;
   const UnitNames& names_;
@@ -105,7 +113,7 @@ NameScope scope_for(const Plan& plan, const Artefact& artefact, const SymbolSet&
   NameScope scope = plan.names.function_scope();
   for (const PreparedMember& member : plan.prepared) {
     const bool is_term = !member.is_plain && !member.is_formula;
-    if (is_term && used.count(member.symbol.index) == 0) scope.release(member.name);
+    if (is_term && used.count(used_of(member, used).index) == 0) scope.release(member.name);
   }
   const std::vector<Entry>& speeds = plan.unit.speeds;
   for (const std::string& rate : plan.unit.configuration_rates) {

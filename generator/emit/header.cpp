@@ -6,6 +6,7 @@
 #include "emit/functions.hpp"
 #include "emit/identifiers.hpp"
 #include "emit/lookup.hpp"
+#include "emit/operations.hpp"
 #include "emit/patterns.hpp"
 #include "emit/provenance.hpp"
 #include "emit/structs.hpp"
@@ -55,7 +56,9 @@ class HeaderBuilder {
       parts.push_back(split(std::move(code), plan_.unit.part_operations));
     }
     std::vector<cpp::Function> tables = table_functions(plan_);
-    file_.before = {cpp::Comment{provenance_text(plan_, functions, costs_of(tables))}, cpp::BlankLine{},
+    const std::vector<Operations> counts = operations_of_all(functions, costs_of(tables));
+    add_sizes(counts);
+    file_.before = {cpp::Comment{provenance_text(plan_, functions, counts)}, cpp::BlankLine{},
                     cpp::Verbatim{"#ifndef " + guard + "\n#define " + guard + "\n\n"},
                     cpp::Verbatim{std::string(prelude())}, cpp::BlankLine{}};
     // A model outside of namespace gauss still needs Math, Status and their like.
@@ -86,6 +89,9 @@ class HeaderBuilder {
   }
 
   /// After the header.
+  std::vector<OutputSize> sizes_of_outputs() { return std::move(sizes_); }
+
+  /// After the header.
   cpp::File source() const {
     const Unit& unit = plan_.unit;
     cpp::File file;
@@ -113,6 +119,17 @@ class HeaderBuilder {
     return items;
   }
 
+  /// `counts` are of `prepare`, which belongs to all, then of the artefacts.
+  void add_sizes(const std::vector<Operations>& counts) {
+    std::size_t next = 1;
+    for (const Artefact& artefact : plan_.unit.artefacts) {
+      const int operations = total(counts[next++]);
+      if (sizes_.empty() || sizes_.back().output != artefact.output) sizes_.push_back({artefact.output, 0});
+      // What a search calls is counted where it is written.
+      if (artefact.calls.empty()) sizes_.back().operations += operations;
+    }
+  }
+
   void add(cpp::Item item) { add_all({std::move(item)}); }
 
   void add_all(std::vector<cpp::Item> items) {
@@ -136,6 +153,7 @@ class HeaderBuilder {
   Plan& plan_;
   cpp::File file_;
   std::vector<cpp::Function> compiled_;
+  std::vector<OutputSize> sizes_;
 };
 
 }  // namespace
@@ -148,6 +166,7 @@ Header build_header(ir::Graph graph, const Unit& unit) {
   for (Task& task : plan.tasks) header.passes.push_back({task.artefact->name, std::move(task.effects)});
   HeaderBuilder builder(plan);
   header.text = cpp::print(builder.header());
+  header.outputs = builder.sizes_of_outputs();
   if (!unit.compiled_for.empty()) header.source = cpp::print(builder.source());
   header.nodes = plan.graph.size();
   return header;

@@ -17,11 +17,18 @@ struct PassEffects {
   std::vector<passes::PassEffect> passes;  ///< in the order in which they ran
 };
 
+/// How much of a header one output is.
+struct OutputSize {
+  std::string output;
+  int operations = 0;  ///< as written: of a search, those of one step each
+};
+
 /// A header, and what it took to make it.
 struct Header {
   std::string text;
   std::string source;  ///< instantiates its functions for Unit::compiled_for; empty where that is
   std::vector<PassEffects> passes;
+  std::vector<OutputSize> outputs;                ///< in their order
   std::chrono::steady_clock::time_point planned;  ///< when nothing was left but to write it
   std::size_t nodes_planned = 0;                  ///< of the graph, then
   std::size_t nodes = 0;                          ///< of the graph, in the end

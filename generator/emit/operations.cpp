@@ -91,4 +91,19 @@ Operations operations_of(const cpp::Function& function, const std::map<std::stri
   return tally.operations;
 }
 
+int total(const Operations& operations) {
+  return operations.additions + operations.multiplications + operations.divisions + operations.square_roots +
+         operations.functions;
+}
+
+std::vector<Operations> operations_of_all(const std::vector<cpp::Function>& functions,
+                                          std::map<std::string, Operations> callees) {
+  std::vector<Operations> counts;
+  for (const cpp::Function& function : functions) {
+    counts.push_back(operations_of(function, callees));
+    callees.insert_or_assign(function.name, counts.back());
+  }
+  return counts;
+}
+
 }  // namespace gaussgen::emit

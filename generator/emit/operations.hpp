@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "emit/cpp_tree.hpp"
 
@@ -16,7 +17,13 @@ struct Operations {
   int functions = 0;  ///< sin, pow, …; a sine and a cosine together are two
 };
 
+int total(const Operations& operations);
+
 /// `callees`: what calls of functions of the same header cost.
 Operations operations_of(const cpp::Function& function, const std::map<std::string, Operations>& callees = {});
+
+/// Of each; functions come after those that they call.
+std::vector<Operations> operations_of_all(const std::vector<cpp::Function>& functions,
+                                          std::map<std::string, Operations> callees);
 
 }  // namespace gaussgen::emit

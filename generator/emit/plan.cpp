@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <unordered_set>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "passes/finite.hpp"
 #include "passes/optimise.hpp"
 #include "passes/prepare.hpp"
+#include "passes/share.hpp"
 #include "support/assert.hpp"
 
 namespace gaussgen::emit {
@@ -141,14 +143,15 @@ class Planner {
       roots.insert(roots.end(), task.request.outputs.begin(), task.request.outputs.end());
     const std::vector<passes::PreparedValue> values = split_.values_in(roots);
     IdSet used;
-    for (const passes::PreparedValue& value : values) used.insert(value.symbol.index);
+    for (const passes::PreparedValue& value : values) {
+      used.insert(value.symbol.index);
+      if (const auto parameter = parameter_in(value)) used.insert(parameter->index);
+    }
     for (const ParameterEntry& parameter : plan_.unit.parameters) {
       if (!parameter.is_formula && used.count(parameter.entry.symbol.index) != 0) add_parameter(parameter);
     }
     for (const passes::PreparedValue& value : values) add_formulas_in(value.value);
-    for (const passes::PreparedValue& value : values) {
-      if (position_.count(value.symbol.index) == 0) add_term(value);
-    }
+    add_terms(values);
   }
 
  private:
@@ -218,7 +221,7 @@ class Planner {
     if (!added_.insert(entry.symbol.index).second) return;
     const NodeId value = parameter.is_formula ? parameter.value : plan_.graph.use(entry.symbol);
     plan_.prepared.push_back(
-        {entry.symbol, plan_.names.of(entry), entry.about, value, !parameter.is_formula, parameter.is_formula});
+        {entry.symbol, {}, plan_.names.of(entry), entry.about, value, !parameter.is_formula, parameter.is_formula});
   }
 
   // Formulas do not depend on themselves (the model is checked), so this ends.
@@ -235,6 +238,37 @@ class Planner {
     }
   }
 
+  /// The parameter of which a term is a copy under another name.
+  std::optional<SymbolId> parameter_in(const passes::PreparedValue& value) const {
+    const ir::Node& node = plan_.graph[passes::unwrapped(plan_.graph, value.value)];
+    const bool is_copy = node.kind == ir::Kind::symbol && position_.count(node.symbol.index) != 0;
+    return is_copy ? std::optional(node.symbol) : std::nullopt;
+  }
+
+  // Passes name parts of what functions compute, so that one value may have been prepared under several names.
+  void add_terms(const std::vector<passes::PreparedValue>& values) {
+    std::unordered_map<std::uint32_t, std::string> names;
+    for (const passes::PreparedValue& value : values) {
+      std::string& name = names[passes::unwrapped(plan_.graph, value.value).index];
+      if (name.empty()) name = value.name;
+    }
+    std::unordered_map<std::uint32_t, std::size_t> members;
+    for (std::size_t i = 0; i < plan_.prepared.size(); ++i)
+      members.emplace(plan_.graph.use(plan_.prepared[i].symbol).index, i);
+    for (const passes::PreparedValue& value : values) {
+      if (position_.count(value.symbol.index) != 0) continue;
+      const NodeId open = passes::unwrapped(plan_.graph, value.value);
+      const auto [place, is_new] = members.emplace(open.index, plan_.prepared.size());
+      if (is_new) {
+        add_term({value.symbol, value.value, names.at(open.index)});
+        continue;
+      }
+      PreparedMember& same = plan_.prepared[place->second];
+      plan_.names.bind(value.symbol, same.name);
+      same.others.push_back(value.symbol);
+    }
+  }
+
   void add_term(const passes::PreparedValue& value) {
     const auto name_of = [this](NodeId id) -> std::string {
       const ir::Node& node = plan_.graph[id];
@@ -244,7 +278,7 @@ class Planner {
     NameScope& scope = plan_.names.scope();
     const std::string name = wanted.empty() ? scope.allocate_anonymous("c") : scope.allocate(wanted);
     plan_.names.bind(value.symbol, name);
-    plan_.prepared.push_back({value.symbol, name, {}, value.value, false, false});
+    plan_.prepared.push_back({value.symbol, {}, name, {}, value.value, false, false});
   }
 
   Plan& plan_;

@@ -20,6 +20,7 @@ struct Task {
 
 struct PreparedMember {
   SymbolId symbol;
+  std::vector<SymbolId> others;  ///< which stand for the same value
   std::string name;
   std::string about;
   NodeId value;             ///< over parameters and formulas

@@ -41,13 +41,11 @@ std::string quantities(const Unit& unit) {
          table("Inputs", inputs);
 }
 
-std::string operations(const std::vector<cpp::Function>& functions, std::map<std::string, Operations> callees) {
+std::string operations(const std::vector<cpp::Function>& functions, const std::vector<Operations>& counts) {
   Rows rows{{"", "+ -", "*", "/", "sqrt", "functions"}};
-  for (const cpp::Function& function : functions) {
-    // Functions that call others come after these.
-    const Operations count = operations_of(function, callees);
-    callees.insert_or_assign(function.name, count);
-    rows.push_back({function.name, std::to_string(count.additions), std::to_string(count.multiplications),
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    const Operations& count = counts[i];
+    rows.push_back({functions[i].name, std::to_string(count.additions), std::to_string(count.multiplications),
                     std::to_string(count.divisions), std::to_string(count.square_roots),
                     std::to_string(count.functions)});
   }
@@ -57,7 +55,7 @@ std::string operations(const std::vector<cpp::Function>& functions, std::map<std
 }  // namespace
 
 std::string provenance_text(const Plan& plan, const std::vector<cpp::Function>& functions,
-                            const std::map<std::string, Operations>& callees) {
+                            const std::vector<Operations>& counts) {
   const Unit& unit = plan.unit;
   const Provenance& provenance = unit.provenance;
   std::string text = wrapped(unit.model_name + (unit.about.empty() ? "" : ": " + unit.about), k_width);
@@ -66,7 +64,7 @@ std::string provenance_text(const Plan& plan, const std::vector<cpp::Function>& 
   text += paragraph("Command: " + provenance.command);
   if (!provenance.strategy.empty()) text += "\n" + paragraph(provenance.strategy);
   for (const std::string& note : provenance.notes) text += paragraph(note);
-  return text + quantities(unit) + operations(functions, callees);
+  return text + quantities(unit) + operations(functions, counts);
 }
 
 }  // namespace gaussgen::emit

@@ -9,8 +9,8 @@
 
 namespace gaussgen::emit {
 
-/// The text on top of the header: what it is, where it comes from, what each of `functions` costs. No date, path or host.
+/// The text on top of the header: what it is, where it comes from, what each of `functions` costs, by its count. No date, path or host.
 std::string provenance_text(const Plan& plan, const std::vector<cpp::Function>& functions,
-                            const std::map<std::string, Operations>& callees);
+                            const std::vector<Operations>& counts);
 
 }  // namespace gaussgen::emit

@@ -107,8 +107,9 @@ struct Call {
 
 /// One emitted function.
 struct Artefact {
-  std::string name;   ///< rhs, reactions, rhs_and_reactions, energy, …
-  std::string about;  ///< comment above the function, several lines allowed
+  std::string name;         ///< rhs, reactions, rhs_and_reactions, energy, …
+  std::string output = {};  ///< to which it belongs: reactions, of the two
+  std::string about;        ///< comment above the function, several lines allowed
   bool takes_time = true;
   bool takes_state = true;
   bool takes_inputs = true;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "model/principal_moments.hpp"
+#include "model/turning.hpp"
 #include "support/error_codes.hpp"
 
 namespace gaussgen::model {
@@ -24,8 +25,8 @@ constexpr double k_written_digits = 1e-3;
 
 class BodyCheck {
  public:
-  BodyCheck(const Body& body, const Values& values, std::vector<Diagnostic>& found)
-      : body_(body), values_(values), found_(found) {}
+  BodyCheck(const Model& model, const Body& body, const Values& values, std::vector<Diagnostic>& found)
+      : model_(model), body_(body), values_(values), found_(found) {}
 
   void run() {
     const std::size_t before = found_.size();
@@ -77,7 +78,7 @@ class BodyCheck {
       refuse(
           span, fmt::format("the inertia of '{}' has a negative principal moment: {}", body_.name.text, moments),
           "products of inertia are too large for the moments; the entry in row x, column y is the integral of -x*y dm");
-    } else if (J[2] - J[1] - J[0] > k_written_digits * J[2]) {
+    } else if (J[2] - J[1] - J[0] > k_written_digits * J[2] && !has_one_moment_in_use()) {
       // The equations hold all the same, so that a textbook example with such numbers can be computed.
       found_.push_back(
           {Severity::warning, code::k_unreal_inertia, span,
@@ -101,6 +102,12 @@ class BodyCheck {
                       "what it alone would move has no acceleration"});
   }
 
+  /// Then the other two moments have no part in any motion, and some body has the one that has: a planar model says [0, 0, J].
+  bool has_one_moment_in_use() const {
+    return body_.inertia->shape == Inertia::Shape::diagonal && turns_about_one_own_axis(model_, body_.frame);
+  }
+
+  const Model& model_;
   const Body& body_;
   const Values& values_;
   std::vector<Diagnostic>& found_;
@@ -108,14 +115,14 @@ class BodyCheck {
 
 }  // namespace
 
-std::vector<Diagnostic> impossible_bodies(const std::vector<Body>& bodies, const Values& values) {
+std::vector<Diagnostic> impossible_bodies(const Model& model, const Values& values) {
   std::vector<Diagnostic> found;
-  for (const Body& body : bodies) BodyCheck(body, values, found).run();
+  for (const Body& body : model.bodies) BodyCheck(model, body, values, found).run();
   return found;
 }
 
 std::vector<Diagnostic> impossible_bodies(const Model& model) {
-  return impossible_bodies(model.bodies, parameter_values(model));
+  return impossible_bodies(model, parameter_values(model));
 }
 
 }  // namespace gaussgen::model

@@ -10,9 +10,10 @@
 namespace gaussgen::model {
 
 /// What is wrong with the bodies of a model at the values of its parameters, `pi` among them: negative masses and moments, an
-/// inertia that is not positive semidefinite, principal moments of which one exceeds the sum of the others, are errors; neither
-/// mass nor inertia is a warning. Flat bodies and thin rods are fine. What has no known value is passed over.
-std::vector<support::Diagnostic> impossible_bodies(const std::vector<Body>& bodies, const Values& values);
+/// inertia that is not positive semidefinite are errors; principal moments of which one exceeds the sum of the others, where more than one of
+/// them has a part in the motion, and neither mass nor inertia, are warnings. Flat bodies and thin rods are fine. What has no known value is
+/// passed over.
+std::vector<support::Diagnostic> impossible_bodies(const Model& model, const Values& values);
 
 /// The same with the values that the parameters of the model have, wherever they come from.
 std::vector<support::Diagnostic> impossible_bodies(const Model& model);

@@ -168,7 +168,7 @@ class Parser {
   }
 
   static std::string hint_for_size() {
-    return fmt::format("numerator and denominator may be up to {}", k_largest_power);
+    return fmt::format("it may be up to {}, and its denominator up to {}", k_largest_power, k_largest_root);
   }
 
   Ast without_value(support::Span span, std::string message, std::string hint) {
@@ -186,7 +186,7 @@ class Parser {
                            "write exp(b*log(a)) for a^b with a variable b");
     }
     const bool small =
-        cln::abs(cln::numerator(*value)) <= k_largest_power && cln::denominator(*value) <= k_largest_power;
+        cln::abs(cln::numerator(*value)) <= k_largest_power && cln::denominator(*value) <= k_largest_root;
     if (!small && cln::abs(*value) <= k_largest_power) {
       return without_value(exponent.span,
                            fmt::format("the exponent {} is no simple fraction", support::to_text(*value)),

@@ -13,7 +13,8 @@ namespace gaussgen::model {
 inline constexpr const char* k_any_table = "";
 
 inline constexpr int k_deepest_expression = 64;
-inline constexpr int k_largest_power = 64;
+inline constexpr int k_largest_power = 10'000;  // as many as copies of an entry: q^$i
+inline constexpr int k_largest_root = 64;
 
 inline constexpr const char* k_hint_for_empty_expression = "write a number or a formula; what vanishes is written as 0";
 

@@ -34,14 +34,14 @@ class Uses {
   std::set<const support::Table*> tables_;
 };
 
-/// Of the first file alone: a model may take a part without all that is in it. What stands for many is reported once.
+/// Of the first file alone: a model may take a part without all that is in it.
 class Reporter {
  public:
   Reporter(const support::Source& source, support::Diagnostics& diagnostics)
       : source_(source), diagnostics_(diagnostics) {}
 
   void report(const Name& name, const char* kind, const std::string& hint) {
-    if (source_.name_at(name.span.begin) != source_.name() || !reported_.insert(name.span.begin).second) return;
+    if (source_.name_at(name.span.begin) != source_.name()) return;
     diagnostics_.warning(support::code::k_unused, name.span,
                          fmt::format("no expression uses the {} '{}'", kind, name.text), hint);
   }
@@ -49,7 +49,6 @@ class Reporter {
  private:
   const support::Source& source_;
   support::Diagnostics& diagnostics_;
-  std::set<std::uint32_t> reported_;
 };
 
 }  // namespace

@@ -49,7 +49,7 @@ void check_expressions(const Values& values, Reading& reading) {
 }
 
 void check_bodies(const Values& values, Reading& reading) {
-  for (const support::Diagnostic& found : impossible_bodies(reading.model.bodies, values)) {
+  for (const support::Diagnostic& found : impossible_bodies(reading.model, values)) {
     if (found.severity == support::Severity::error) {
       reading.diagnostics.error(found.code, found.span, found.message, found.hint);
     } else {

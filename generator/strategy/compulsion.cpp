@@ -67,6 +67,12 @@ Expr square_in_inverse_inertia(const NamedInertia& inertia, const Vector3& n, Ex
   return dot(n, {solved[0], solved[1], solved[2]});
 }
 
+bool has_compulsion(const Dynamics& dynamics) {
+  const Vector spread = forces_without_body(dynamics);
+  const bool has_spread = std::any_of(spread.begin(), spread.end(), [](Expr e) { return !e.is_zero(); });
+  return !has_spread || spreading_coordinates(dynamics);
+}
+
 std::optional<Compulsion> compulsion(const Dynamics& dynamics, const Vector& candidate, Expr epsilon, Steps& steps) {
   const kinematics::Kinematics& kinematics = *dynamics.kinematics;
   ir::Graph& graph = kinematics.field[0].graph();

@@ -27,4 +27,7 @@ ir::Expr square_in_inverse_inertia(const NamedInertia& inertia, const ir::Vector
 /// Nothing where there are such forces, and free coordinates that others repeat: no motion of the bodies takes them up.
 std::optional<Compulsion> compulsion(const Dynamics& dynamics, const Vector& candidate, ir::Expr epsilon, Steps& steps);
 
+/// Whether there is such a function, without forming it.
+bool has_compulsion(const Dynamics& dynamics);
+
 }  // namespace gaussgen::strategy

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <tuple>
@@ -180,6 +182,39 @@ void shorten(std::string& text) {
 
 namespace {
 
+constexpr std::size_t k_most_copies_named = 4;
+
+/// Of what a message is about.
+std::string first_quoted(const std::string& message) {
+  const std::size_t begin = message.find('\'');
+  const std::size_t end = begin == std::string::npos ? begin : message.find('\'', begin + 1);
+  return end == std::string::npos ? std::string() : message.substr(begin, end - begin + 1);
+}
+
+/// A finding with the names of copies of the same entry that have it, too.
+struct Shared {
+  Diagnostic finding;
+  std::vector<std::string> names;  ///< in their order
+  std::set<std::string> known;     ///< likewise: there may be thousands
+
+  void add(const Diagnostic& copy) {
+    const std::string name = first_quoted(copy.message);
+    if (!name.empty() && name != first_quoted(finding.message) && known.insert(name).second) names.push_back(name);
+  }
+
+  Diagnostic whole() const {
+    Diagnostic result = finding;
+    shorten(result.message);
+    shorten(result.hint);
+    if (names.empty()) return result;
+    const std::size_t count = std::min(names.size(), k_most_copies_named);
+    const std::vector<std::string> first(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(count));
+    result.message += fmt::format("; likewise {}", fmt::join(first, ", "));
+    if (count < names.size()) result.message += fmt::format(" and {} more", names.size() - count);
+    return result;
+  }
+};
+
 std::string without_numbers(std::string text) {
   text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; }), text.end());
   return text;
@@ -192,18 +227,23 @@ std::vector<Diagnostic> in_order(const Diagnostics& diagnostics, std::size_t& le
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
   // Copies of an entry have the same mistakes, up to the indices in their names.
-  std::set<std::tuple<std::uint32_t, std::uint32_t, std::string, std::string>> seen;
-  const auto is_copy = [&](const Diagnostic& finding) {
-    return !seen.emplace(finding.span.begin, finding.span.end, finding.code, without_numbers(finding.message)).second;
-  };
-  sorted.erase(std::remove_if(sorted.begin(), sorted.end(), is_copy), sorted.end());
-  left_out = sorted.size() - std::min(sorted.size(), k_most_findings);
-  sorted.resize(sorted.size() - left_out);
+  std::map<std::tuple<std::uint32_t, std::uint32_t, std::string, std::string>, std::size_t> seen;
+  std::vector<Shared> shared;
   for (Diagnostic& finding : sorted) {
-    shorten(finding.message);
-    shorten(finding.hint);
+    const auto [place, is_new] =
+        seen.emplace(std::tuple(finding.span.begin, finding.span.end, finding.code, without_numbers(finding.message)),
+                     shared.size());
+    if (is_new) {
+      shared.push_back({std::move(finding), {}, {}});
+    } else {
+      shared[place->second].add(finding);
+    }
   }
-  return sorted;
+  left_out = shared.size() - std::min(shared.size(), k_most_findings);
+  shared.resize(shared.size() - left_out);
+  std::vector<Diagnostic> result;
+  for (const Shared& one : shared) result.push_back(one.whole());
+  return result;
 }
 
 std::string render(const Diagnostics& diagnostics, const Source& source, Colour colour) {

@@ -10,6 +10,22 @@ STAGES = {"model": "  rolling_around: ", "kinematics": "body ball: dv/dt", "pape
           "strategy": "G_", "artefacts": "rhs", "header": "#ifndef"}
 
 
+# Springs along coordinates beside a held one: forces that no body feels have to be spread over the bodies by the whole metric.
+SPRUNG_CHAIN = """gauss: 1
+name: sprung_$n
+counts: {n: 10}
+coordinates: {lift: {held_at: sin(t)/10}}
+frames: {hand: {position: [0, 0, lift]}}
+joints:
+  j_1: {type: universal, parent: hand, child: link_1, axes: [x, y]}
+  j_$(i+1): {count: n - 1, type: universal, parent: link_$i, child: link_$(i+1), at: [0, 0, -1/2], axes: [x, y]}
+bodies: {link_$i: {count: n, mass: 2, inertia: [0.04, 0.04, 0.001], centre: [0, 0, -1/4]}}
+forces:
+  gravity: {uniform: [0, 0, -9.81]}
+  bend_$i: {count: n, spring: j_$(i)_1, stiffness: 3}
+"""
+
+
 class Output(Program):
     def test_no_options_write_the_header_into_the_working_folder(self):
         self.assertEqual(self.ok(SPHERE), "")
@@ -65,7 +81,50 @@ class Output(Program):
         self.assertEqual((self.folder / "skew_chart.hpp").stat().st_mode & 0o444, 0o444)
 
 
+class Size(Program):
+    def said_of(self, model, *arguments):
+        result = self.run_it("-", *arguments, stdin=model)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stderr
+
+    def test_an_output_that_is_most_of_a_large_header_is_named_with_those_that_are_left(self):
+        said = self.said_of(SPRUNG_CHAIN)
+        found = re.fullmatch(r"'compulsion' is (\d+) of the (\d+) operations in sprung_10\.hpp; without it: --outputs (\S+) .*\n", said)
+        self.assertIsNotNone(found, said)
+        part, whole = int(found[1]), int(found[2])
+        self.assertGreater(2 * part, whole)
+        before = (self.folder / "sprung_10.hpp").stat().st_size
+        self.assertEqual(self.said_of(SPRUNG_CHAIN, "--outputs", found[3]), "")
+        header = (self.folder / "sprung_10.hpp").read_text()
+        self.assertNotIn("struct Compulsion", header)
+        self.assertIn("struct Energy", header)
+        self.assertLess(len(header.encode()), 0.6 * before)
+        row = next(line for line in header.splitlines() if line.startswith("//   rhs "))
+        self.assertGreater(whole - part, sum(map(int, row.split()[2:])))
+
+    def test_nothing_is_said_of_small_headers_and_of_what_was_asked_for(self):
+        self.assertEqual(self.said_of(SPRUNG_CHAIN, "--count", "n=2"), "")
+        self.assertEqual(self.said_of(SPRUNG_CHAIN, "--outputs", "rhs,compulsion"), "")
+
+
 class WritingNothing(Program):
+    def test_check_forms_no_output(self):
+        said = self.run_it("-", "--check", "--timings", stdin=SPRUNG_CHAIN).stderr
+        stages = [line.split()[0] for line in said.splitlines()]
+        self.assertIn("strategy", stages)
+        for stage in ("artefacts", "passes", "header", "compulsion"):
+            self.assertNotIn(stage, stages)
+
+    def test_check_warns_of_outputs_that_a_model_lacks_as_generation_does(self):
+        outputs = "reactions,reaction_forces,joint_reactions,residuals,quantities,compulsion,sensitivities,jacobian,energy"
+        warned = 0
+        for model in sorted(MODELS.glob("*.yaml")):
+            checked = self.run_it(model, "--check", "--outputs", outputs).stderr
+            generated = self.run_it(model, "-o", "-", "--outputs", outputs).stderr if warned < 60 else checked
+            self.assertEqual(checked, generated, model)
+            warned += checked.count("warning[")
+        self.assertGreater(warned, 10)
+
     def test_check_says_ok_and_writes_no_file(self):
         for model in sorted(MODELS.rglob("*.yaml")):
             remark = "" if "unit:" in model.read_text() else " (it states no units, so none are checked)"

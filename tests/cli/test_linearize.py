@@ -220,6 +220,23 @@ class Linearize(Program):
         self.check_eigenvalues(found, [1j * w, -1j * w])
         self.assertEqual(self.eigenvalues(found).count(0), 2)
 
+    def test_what_is_no_larger_than_its_rounding_is_nothing_in_steady_motion(self):
+        for model in ("bicycle", "chaplygin_sleigh_speeds", "free_top", "rattleback"):
+            found = json.loads(self.run_it("linearize", MODELS / f"{model}.yaml", "--at", "steady", "--format", "json").stdout)
+            for state in found["states"]:
+                self.assertTrue(float(state["value"]) == 0 or abs(float(state["value"])) > 1e-9, (model, state))
+
+    def test_what_neither_grows_nor_decays_is_called_neutral(self):
+        swing = """gauss: 1
+name: swing
+coordinates: {x: {}, y: {}}
+particles: {p: {mass: 2, position: [x, y, 0]}}
+forces: {s: {spring: x, stiffness: 8}}
+"""
+        said = self.ok("linearize", "-", stdin=swing)
+        self.assertRegex(said, r"1 +0 +\+-2\.00000 .* neutral\n")
+        self.assertIn("2 are 0 (neutral)", said)
+
     def test_what_is_no_steady_motion_says_what_changes(self):
         found = self.linear(PENDULUM, "--set", "theta=0.3", stderr="neither an equilibrium nor a steady motion")
         self.assertEqual((found["motion"], found["changing"]), ("neither", ["theta_dot"]))

@@ -319,6 +319,19 @@ forces: {push: {force: [5, 0, 0], on: p}, rope: {force: ["PULL", 0, 0], on: p}}
         found = self.at_equilibrium(bead.replace("PULL", "-6*tanh(x)"))
         self.assertAlmostEqual(float(found["state"]["x"]["value"]), math.atanh(5 / 6), 15)
 
+    def test_a_held_coordinate_that_moves_is_named_where_there_is_no_rest(self):
+        # A rope drum that holds the load at rest does not while the wind of the drive pulls it aside.
+        crane = HEAD + """parameters: {A: 0.1, Omega: 2, c: 20}
+coordinates: {y: {held_at: A*sin(Omega*t)}, phi: {}, beta: {initial: 0.1}}
+particles: {load: {mass: 3, position: [0, y + (5 + phi)*sin(beta), -(5 + phi)*cos(beta)]}}
+forces: {gravity: {uniform: [0, 0, -10]}, drum: {generalized: {phi: -30}}, air: {on: load, force: [0, -c*dot(load.y), 0]}}
+"""
+        error = self.refused(1, "evaluate", "-", "--equilibrium", stdin=crane)
+        self.assertIn("the held coordinate 'y' moves at this time, at 0.2 and 0, and drives the model", error)
+        self.assertIn("--set A, Omega", error.replace(" and ", ", "))
+        self.assertIn("'y' moves", self.refused(1, "linearize", "-", "--at", "equilibrium", stdin=crane))
+        self.at_equilibrium(crane, "--set", "A=0")
+
     def test_where_nothing_is_stiff_the_place_is_known_to_fewer_digits(self):
         # An inverted pendulum whose spring is just as stiff as its weight turns it: sin(a) - a, flat at 0.
         pendulum = HEAD + """coordinates: {a: {initial: 0.4}}

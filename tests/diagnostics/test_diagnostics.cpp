@@ -38,16 +38,18 @@ support::Source source_of(const fs::path& path) {
   return {"tests/diagnostics/" + path.filename().string(), read(path), read_part};
 }
 
-support::Diagnostics findings(support::Source& source) {
+support::Diagnostics findings(support::Source& source, bool only_check = false) {
   support::Diagnostics diagnostics;
-  const bool is_compiled = compile(source, {}, diagnostics, {}).has_value();
+  PipelineOptions options;
+  options.only_check = only_check;
+  const bool is_compiled = compile(source, options, diagnostics, {}).has_value();
   CHECK(is_compiled == !diagnostics.has_errors());
   return diagnostics;
 }
 
-std::string rendered(const fs::path& path) {
+std::string rendered(const fs::path& path, bool only_check = false) {
   support::Source source = source_of(path);
-  const support::Diagnostics found = findings(source);
+  const support::Diagnostics found = findings(source, only_check);
   return support::render(found, source);
 }
 
@@ -94,6 +96,13 @@ TEST_CASE("every faulty model is reported with exactly the expected text") {
     } else {
       CHECK(text == read(expectation_of(path)));
     }
+  }
+}
+
+TEST_CASE("a check finds what a generation finds, without forming the outputs") {
+  for (const fs::path& path : cases()) {
+    INFO(path.filename().string());
+    CHECK(rendered(path, true) == read(expectation_of(path)));
   }
 }
 

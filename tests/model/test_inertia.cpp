@@ -44,6 +44,40 @@ TEST_CASE("moments of which one exceeds the sum of the others earn a warning, wr
   CHECK(codes("1", "[k, 1, 1]", "k: 1.99").empty());
 }
 
+namespace {
+
+/// Of a body with the moments [0, 0, 1] that turns as `orientation` says.
+std::string planar_codes(const std::string& orientation, const std::string& inertia = "[0, 0, 1]") {
+  return Built(
+             "gauss: 1\nname: test\ncoordinates: {a: {}, b: {}}\nframes:\n  f: {orientation: {axis: z, angle: "
+             "b}}\nbodies:\n"
+             "  c: {mass: 1, frame: f, inertia: [1, 1, 2]}\n  e: {mass: 1, inertia: " +
+             inertia + ", position: [0, 0, 0], orientation: " + orientation + "}\n")
+      .codes();
+}
+
+}  // namespace
+
+TEST_CASE("a body that turns about one of its axes has use for one moment, and is not warned of the others") {
+  CHECK(planar_codes("{axis: z, angle: a}").empty());
+  CHECK(planar_codes("{axis: -z, angle: a}").empty());
+  CHECK(planar_codes("{axis: [0, 0, 3], angle: a + b}").empty());
+  CHECK(planar_codes("{axis: x, angle: a}").empty());
+  CHECK(planar_codes("{euler: zxz, angles: [a, b, 0]}") == "W063");
+  CHECK(planar_codes("{axis: [1, 0, 1], angle: a}") == "W063");
+  // Products of inertia load the bearings whatever the axis.
+  CHECK(planar_codes("{axis: z, angle: a}", "[[2, 1.5, 0], [1.5, 2, 0], [0, 0, 1]]") == "W063");
+  const auto on = [](const std::string& axis) {
+    return Built(
+               "gauss: 1\nname: test\njoints:\n  j: {type: revolute, child: p}\n  k: {type: revolute, parent: p, "
+               "child: e, axis: " +
+               axis + "}\nbodies:\n  e: {mass: 1, inertia: [0, 0, 1]}\n")
+        .codes();
+  };
+  CHECK(on("z").empty());
+  CHECK(on("y") == "W063");
+}
+
 TEST_CASE("flat bodies, thin rods and what was rounded to three digits are bodies") {
   CHECK(codes("1", "[1, 1, 2]").empty());
   CHECK(codes("1", "[0.1, 0.2, 0.1 + 0.2]").empty());

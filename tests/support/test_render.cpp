@@ -101,14 +101,27 @@ TEST_CASE("after a hundred findings the rest is counted") {
   CHECK(render(diagnostics, Source("m.yaml", std::string(103, 'a'))).find("and 3 more findings") != std::string::npos);
 }
 
-TEST_CASE("the same mistake in copies of an entry is shown once") {
+TEST_CASE("the same mistake in copies of an entry is shown once, with the names of all that have it") {
   Diagnostics diagnostics;
   for (const char* name : {"p_1", "p_2", "p_13"})
     diagnostics.error("E010", {0, 1}, std::string("particle '") + name + "' is odd");
   diagnostics.error("E010", {0, 1}, "particle 'q' is odd");
   const std::string text = render(diagnostics, Source("m.yaml", "a"));
   CHECK(text.find("'p_1'") != std::string::npos);
-  CHECK(text.find("'p_2'") == std::string::npos);
-  CHECK(text.find("'p_13'") == std::string::npos);
+  CHECK(text.find("particle 'p_1' is odd; likewise 'p_2', 'p_13'\n") != std::string::npos);
+  CHECK(text.find("particle 'p_2'") == std::string::npos);
   CHECK(text.find("'q'") != std::string::npos);
+}
+
+TEST_CASE("of many copies a few are named, and the others counted") {
+  Diagnostics diagnostics;
+  for (int i = 1; i <= 9; ++i) diagnostics.error("E010", {0, 1}, "particle 'p_" + std::to_string(i) + "' is odd");
+  CHECK(render(diagnostics, Source("m.yaml", "a"))
+            .find("'p_1' is odd; likewise 'p_2', 'p_3', 'p_4', 'p_5' and 4 more\n") != std::string::npos);
+}
+
+TEST_CASE("copies with the very same mistake are not listed") {
+  Diagnostics diagnostics;
+  for (int i = 0; i < 3; ++i) diagnostics.error("E010", {0, 1}, "there is no parameter 'k'");
+  CHECK(render(diagnostics, Source("m.yaml", "a")).find("likewise") == std::string::npos);
 }
