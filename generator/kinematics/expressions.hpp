@@ -1,11 +1,14 @@
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 
 #include "ir/differentiate.hpp"
 #include "ir/vector3.hpp"
 #include "kinematics/frames.hpp"
+#include "kinematics/relative_places.hpp"
 
 namespace gaussgen::kinematics {
 
@@ -41,6 +44,9 @@ class Expressions {
 
   Frames& frames() { return frames_; }
 
+  /// The same as from a frame that carries what is asked for.
+  Frames& frames_from(std::size_t base);
+
   /// From now on places in expressions are symbols of `places`; nullptr: what they are in space.
   void watch(PlaceSymbols* places) { watched_ = places; }
 
@@ -50,7 +56,11 @@ class Expressions {
   ir::Expr symbol(ir::SymbolId id) const { return {graph_, graph_.use(id)}; }
 
  private:
+  ir::Expr formed(const model::Ast& ast);
+  /// Parts that are the same from a frame that moves are formed there.
+  ir::Expr formed_from_carriers(const model::Ast& ast);
   ir::Expr resolved(const std::string& name);
+  ir::Expr axis(std::size_t index);
   ir::Expr place(std::size_t frame, std::size_t component);
   ir::Expr folded(std::size_t parameter);
   ir::Expr call(const model::Ast& ast);
@@ -73,6 +83,10 @@ class Expressions {
   std::vector<ir::Expr> speeds_at_rest_;
   bool has_rates_ = true;
   Frames frames_;
+  std::map<std::size_t, std::unique_ptr<Frames>> frames_from_;
+  RelativePlaces relative_places_;
+  Frames* seen_ = &frames_;          ///< of which places and axes in expressions are
+  bool looks_for_carriers_ = false;  ///< in an expression with places, as long as they are those in space
   PlaceSymbols* watched_ = nullptr;
 };
 

@@ -28,7 +28,9 @@ ir::Matrix3 inertia_matrix(const model::Inertia& inertia, Expressions& expressio
 /// Frames are indices into Model::frames, or model::k_space. Each is placed once.
 class Frames {
  public:
-  Frames(const model::Model& model, const Symbols& symbols, Expressions& expressions);
+  /// Seen from `base`, as if that were space: of frames that it carries, and itself.
+  Frames(const model::Model& model, const Symbols& symbols, Expressions& expressions,
+         std::size_t base = model::k_space);
 
   /// m, space
   ir::Vector3 origin(std::size_t frame);
@@ -81,6 +83,7 @@ class Frames {
   const model::Model& model_;
   const Symbols& symbols_;
   Expressions& expressions_;
+  std::size_t base_;
   std::unordered_map<std::size_t, Placed> placed_;
 };
 
