@@ -22,6 +22,7 @@ Expressions::Expressions(const model::Model& model, const Symbols& symbols, ir::
       graph_(graph),
       fold_(fold),
       time_derivative_(graph),
+      carried_derivative_(graph),
       frames_(model, symbols, *this),
       relative_places_(model, *this) {
   seed_rates();
@@ -98,8 +99,10 @@ void Expressions::seed_rates() {
   }
   for (const ConfigurationIndex i : configuration_rates_.indices()) {
     time_derivative_.seed(symbols_.configuration[i].symbol, configuration_rates_[i]);
+    carried_derivative_.seed(symbols_.configuration[i].symbol, configuration_rates_[i]);
   }
   seed_what_speeds_leave(time_derivative_);
+  seed_what_speeds_leave(carried_derivative_);
 }
 
 // ė = ½ (0, ω) ∘ e with ω in space, ė = ½ e ∘ (0, ω) with ω in the body (Wittenburg, Dynamics of Multibody Systems, 2.2).
@@ -217,15 +220,22 @@ Expr Expressions::resolved(const std::string& name) {
 Expr Expressions::axis(std::size_t index) {
   if (watched_ == nullptr || !watched_->has_axes()) return seen_->axes(index / 9)[index % 3][index / 3 % 3];
   const PlaceSymbols::Component& symbols = watched_->of_axis(index / 3)[index % 3];
-  time_derivative_.seed(symbols.place, symbol(symbols.rate));
-  return symbol(symbols.place);
+  return watched(symbols);
 }
 
 Expr Expressions::place(std::size_t frame, std::size_t component) {
-  if (watched_ == nullptr) return seen_->origin(frame)[component];
+  if (watched_ == nullptr) {
+    if (carries_velocities_) seen_->carry_velocities(frame, carried_derivative_);
+    return seen_->origin(frame)[component];
+  }
   const PlaceSymbols::Component& symbols = watched_->of(frame)[component];
-  time_derivative_.seed(symbols.place, symbol(symbols.rate));
-  return symbol(symbols.place);
+  return watched(symbols);
+}
+
+Expr Expressions::watched(const PlaceSymbols::Component& component) {
+  for (ir::Directional* derivative : {&time_derivative_, &carried_derivative_})
+    derivative->seed(component.place, symbol(component.rate));
+  return symbol(component.place);
 }
 
 Expr Expressions::call(const Ast& ast) {

@@ -8,11 +8,10 @@
 #include "ir/differentiate.hpp"
 #include "ir/vector3.hpp"
 #include "kinematics/frames.hpp"
+#include "kinematics/place_symbols.hpp"
 #include "kinematics/relative_places.hpp"
 
 namespace gaussgen::kinematics {
-
-class PlaceSymbols;
 
 /// Turns the user's expressions into nodes. They never pass through GiNaC, whose order and signs change from run to run
 /// (docs/decisions/0001).
@@ -29,8 +28,17 @@ class Expressions {
 
   /// Total time derivative along the motion with accelerations left out: d/dt of a position expression is its velocity,
   /// of a velocity expression its part that holds no acceleration (theory, section 4: h, Θ, η).
-  ir::Expr rate(ir::Expr expression) { return (defining_ ? *defining_ : time_derivative_)(expression); }
+  ir::Expr rate(ir::Expr expression) {
+    return (defining_ ? *defining_ : carries_velocities_ ? carried_derivative_ : time_derivative_)(expression);
+  }
   ir::Vector3 rate(const ir::Vector3& v) { return {rate(v[0]), rate(v[1]), rate(v[2])}; }
+
+  /// Whether velocities of places are those of the frames that carry them and what is between, each under a name: what is shared along a chain is written
+  /// once then, and what would cancel between two of them stays.
+  void carry_velocities(bool carries) { carries_velocities_ = carries; }
+
+  /// The last frame that carries all of these, from where they may as well be seen: space where it does not move.
+  std::size_t carrier_of(const std::set<std::size_t>& frames) const { return relative_places_.moving_carrier(frames); }
 
   /// q̇ as functions of q and u.
   const support::Indexed<ConfigurationIndex, ir::Expr>& configuration_rates() const { return configuration_rates_; }
@@ -61,6 +69,7 @@ class Expressions {
   ir::Expr formed_from_carriers(const model::Ast& ast);
   ir::Expr resolved(const std::string& name);
   ir::Expr axis(std::size_t index);
+  ir::Expr watched(const PlaceSymbols::Component& component);
   ir::Expr place(std::size_t frame, std::size_t component);
   ir::Expr folded(std::size_t parameter);
   ir::Expr call(const model::Ast& ast);
@@ -78,6 +87,8 @@ class Expressions {
   std::unordered_map<std::size_t, ir::Expr> folded_;  ///< values of parameters
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates_;
   ir::Directional time_derivative_;
+  ir::Directional carried_derivative_;  ///< likewise, with velocities from frame to frame
+  bool carries_velocities_ = false;
   std::optional<ir::Directional> defining_;  ///< with the rates as symbols, where they are not known yet
   std::vector<std::vector<ir::Expr>> speed_matrix_;
   std::vector<ir::Expr> speeds_at_rest_;

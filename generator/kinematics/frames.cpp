@@ -85,6 +85,38 @@ const Frames::Placed& Frames::placed(std::size_t frame) {
   return placed_.at(frame);
 }
 
+void Frames::carry_velocities(std::size_t frame, ir::Directional& rates) {
+  std::vector<std::size_t> path;
+  for (std::size_t at = frame; at != base_ && carried_.count(at) == 0; at = model_.frames[at].parent)
+    path.push_back(at);
+  for (auto at = path.rbegin(); at != path.rend(); ++at) {
+    carried_.insert(*at);
+    if (model_.frames[*at].parent == base_) continue;
+    carry_velocity(*at, rates);
+    carry_angle(*at, rates);
+  }
+}
+
+// v = v_parent + d/dt (A_parent r)
+void Frames::carry_velocity(std::size_t frame, ir::Directional& rates) {
+  const model::Frame& what = model_.frames[frame];
+  const Vector3 before = origin(what.parent), now = origin(frame);
+  const Vector3 between = ir::multiply(axes(what.parent), expressions_(what.position));
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (before[k].is_zero() || between[k].is_zero()) continue;
+    const Expr rate = rates(before[k]) + rates(between[k]);
+    if (!rate.is_zero()) rates.take(now[k], rate.named("v_of_" + what.name.text + "_" + "xyz"[k]));
+  }
+}
+
+void Frames::carry_angle(std::size_t frame, ir::Directional& rates) {
+  const Placed& now = placed(frame);
+  const Placed& before = placed(model_.frames[frame].parent);
+  if (now.steps.size() != 1 || !now.axis || now.axis != before.axis || *now.angle == *before.angle) return;
+  const Expr rate = rates(*before.angle) + rates(*now.steps[0].angle);
+  rates.take(*now.angle, rate.named("rate_of_" + model_.frames[frame].name.text));
+}
+
 Frames::Placed Frames::place(std::size_t index) {
   const model::Frame& frame = model_.frames[index];
   const Vector3 inside = expressions_(frame.position);

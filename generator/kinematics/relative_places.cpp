@@ -99,6 +99,11 @@ std::size_t RelativePlaces::common_carrier(const std::set<std::size_t>& frames) 
   return common.empty() ? k_space : common.front();
 }
 
+std::size_t RelativePlaces::moving_carrier(const std::set<std::size_t>& frames) const {
+  const std::size_t frame = common_carrier(frames);
+  return frame != k_space && moves(frame) ? frame : k_space;
+}
+
 bool RelativePlaces::moves(std::size_t frame) const {
   Frames& frames = expressions_.frames();
   const auto is_fixed = [](const Vector3& v) {
@@ -130,8 +135,8 @@ std::optional<std::size_t> RelativePlaces::carrier(const Ast& ast) {
   std::set<std::size_t> frames;
   collect(ast, frames);
   if (frames.empty()) return std::nullopt;
-  const std::size_t frame = common_carrier(frames);
-  if (frame == k_space || !moves(frame) || has_cases(ast) || !is_the_same_from(frame, ast)) return std::nullopt;
+  const std::size_t frame = moving_carrier(frames);
+  if (frame == k_space || has_cases(ast) || !is_the_same_from(frame, ast)) return std::nullopt;
   return frame;
 }
 

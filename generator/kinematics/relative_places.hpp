@@ -25,6 +25,9 @@ class RelativePlaces {
   /// space, or as good as space.
   std::optional<std::size_t> carrier(const model::Ast& ast);
 
+  /// The last frame that carries all of these; space where that does not move.
+  std::size_t moving_carrier(const std::set<std::size_t>& frames) const;
+
  private:
   /// How axes of a frame turn against space, in any motion.
   struct Turning {
