@@ -108,10 +108,10 @@ forces:
 """
 REVOLUTE = ("revolute", "axis: y, coordinates: q_$i, initial: 0.1")
 UNIVERSAL = ("universal", "coordinates: [a_$i, b_$i], initial: [0.1, 0.2]")
-# With how many times the operations four times the links may take: velocities and lengths are sums from the ground on, of which passes share
+# With how many times the operations four times the links may take: vectors of springs whose damper is across them are sums from the ground on, of which passes share
 # a part only.
 LOADS = [(5, "push: {on: tip, force: [1, 0, 2]}"), (6, "muscle_$i: {count: n-1, spring: [side_$i, side_$(i+1)], stiffness: 2, damping: 0.3}"),
-         (8, "drag_$i: {count: n, on: side_$i, force: [-0.3*dot(side_$i.x), 0, -0.3*dot(side_$i.z)]}")]
+         (5, "drag_$i: {count: n, on: side_$i, force: [-0.3*dot(side_$i.x), 0, -0.3*dot(side_$i.z)]}")]
 
 # Chains whose first link hangs on a frame that held coordinates move: a trolley in the plane of a chain of rods, and a pivot that is shaken
 # and turns, with universal and ball joints.
