@@ -7,7 +7,8 @@ namespace gaussgen::ir {
 
 void Directional::seed(SymbolId symbol, Expr rate) {
   seeds_.insert_or_assign(symbol.index, rate.id());
-  memo_.clear();
+  // What was differentiated before depends on it only where it was differentiated itself.
+  if (memo_.contains(graph_.use(symbol))) memo_.clear();
 }
 
 Expr Directional::operator()(Expr function) { return {graph_, derivative(function.id())}; }

@@ -22,8 +22,17 @@ Expressions::Expressions(const model::Model& model, const Symbols& symbols, ir::
       graph_(graph),
       fold_(fold),
       time_derivative_(graph),
-      frames_(model, symbols, *this) {
+      carried_derivative_(graph),
+      frames_(model, symbols, *this),
+      relative_places_(model, *this) {
   seed_rates();
+}
+
+Frames& Expressions::frames_from(std::size_t base) {
+  if (base == model::k_space) return frames_;
+  std::unique_ptr<Frames>& known = frames_from_[base];
+  if (!known) known = std::make_unique<Frames>(model_, symbols_, *this, base);
+  return *known;
 }
 
 void Expressions::seed_what_speeds_leave(ir::Directional& derivative) {
@@ -90,8 +99,10 @@ void Expressions::seed_rates() {
   }
   for (const ConfigurationIndex i : configuration_rates_.indices()) {
     time_derivative_.seed(symbols_.configuration[i].symbol, configuration_rates_[i]);
+    carried_derivative_.seed(symbols_.configuration[i].symbol, configuration_rates_[i]);
   }
   seed_what_speeds_leave(time_derivative_);
+  seed_what_speeds_leave(carried_derivative_);
 }
 
 // ė = ½ (0, ω) ∘ e with ω in space, ė = ½ e ∘ (0, ω) with ω in the body (Wittenburg, Dynamics of Multibody Systems, 2.2).
@@ -114,6 +125,27 @@ std::array<Expr, 4> Expressions::quaternion_rates(std::size_t orientation) {
 }
 
 Expr Expressions::operator()(const Ast& ast) {
+  if (looks_for_carriers_) return formed_from_carriers(ast);
+  const bool is_in_space = watched_ == nullptr && seen_ == &frames_;
+  if (!is_in_space || !relative_places_.has_places(ast)) return formed(ast);
+  looks_for_carriers_ = true;
+  const Expr result = formed_from_carriers(ast);
+  looks_for_carriers_ = false;
+  return result;
+}
+
+Expr Expressions::formed_from_carriers(const Ast& ast) {
+  looks_for_carriers_ = false;
+  const std::optional<std::size_t> carrier = relative_places_.carrier(ast);
+  if (carrier) seen_ = &frames_from(*carrier);
+  looks_for_carriers_ = !carrier;
+  const Expr result = formed(ast);
+  seen_ = &frames_;
+  looks_for_carriers_ = true;
+  return result;
+}
+
+Expr Expressions::formed(const Ast& ast) {
   std::vector<Expr> children;
   // A power takes its exponent as a number, and a call its arguments by itself.
   if (ast.kind != AstKind::power && ast.kind != AstKind::call) {
@@ -179,16 +211,31 @@ Expr Expressions::resolved(const std::string& name) {
       return symbol(symbols_.speeds[FreeIndex{place.index}].symbol);
     }
     case model::SymbolKind::place: return place(ref.index / 3, ref.index % 3);
-    case model::SymbolKind::axis: return frames_.axes(ref.index / 9)[ref.index % 3][ref.index / 3 % 3];
+    case model::SymbolKind::axis: return axis(ref.index);
   }
   return number(0);
 }
 
+// 9 frame + 3 axis + component
+Expr Expressions::axis(std::size_t index) {
+  if (watched_ == nullptr || !watched_->has_axes()) return seen_->axes(index / 9)[index % 3][index / 3 % 3];
+  const PlaceSymbols::Component& symbols = watched_->of_axis(index / 3)[index % 3];
+  return watched(symbols);
+}
+
 Expr Expressions::place(std::size_t frame, std::size_t component) {
-  if (watched_ == nullptr) return frames_.origin(frame)[component];
+  if (watched_ == nullptr) {
+    if (carries_velocities_) seen_->carry_velocities(frame, carried_derivative_);
+    return seen_->origin(frame)[component];
+  }
   const PlaceSymbols::Component& symbols = watched_->of(frame)[component];
-  time_derivative_.seed(symbols.place, symbol(symbols.rate));
-  return symbol(symbols.place);
+  return watched(symbols);
+}
+
+Expr Expressions::watched(const PlaceSymbols::Component& component) {
+  for (ir::Directional* derivative : {&time_derivative_, &carried_derivative_})
+    derivative->seed(component.place, symbol(component.rate));
+  return symbol(component.place);
 }
 
 Expr Expressions::call(const Ast& ast) {

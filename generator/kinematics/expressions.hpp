@@ -1,15 +1,17 @@
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 
 #include "ir/differentiate.hpp"
 #include "ir/vector3.hpp"
 #include "kinematics/frames.hpp"
+#include "kinematics/place_symbols.hpp"
+#include "kinematics/relative_places.hpp"
 
 namespace gaussgen::kinematics {
-
-class PlaceSymbols;
 
 /// Turns the user's expressions into nodes. They never pass through GiNaC, whose order and signs change from run to run
 /// (docs/decisions/0001).
@@ -26,8 +28,17 @@ class Expressions {
 
   /// Total time derivative along the motion with accelerations left out: d/dt of a position expression is its velocity,
   /// of a velocity expression its part that holds no acceleration (theory, section 4: h, Θ, η).
-  ir::Expr rate(ir::Expr expression) { return (defining_ ? *defining_ : time_derivative_)(expression); }
+  ir::Expr rate(ir::Expr expression) {
+    return (defining_ ? *defining_ : carries_velocities_ ? carried_derivative_ : time_derivative_)(expression);
+  }
   ir::Vector3 rate(const ir::Vector3& v) { return {rate(v[0]), rate(v[1]), rate(v[2])}; }
+
+  /// Whether velocities of places are those of the frames that carry them and what is between, each under a name: what is shared along a chain is written
+  /// once then, and what would cancel between two of them stays.
+  void carry_velocities(bool carries) { carries_velocities_ = carries; }
+
+  /// The last frame that carries all of these, from where they may as well be seen: space where it does not move.
+  std::size_t carrier_of(const std::set<std::size_t>& frames) const { return relative_places_.moving_carrier(frames); }
 
   /// q̇ as functions of q and u.
   const support::Indexed<ConfigurationIndex, ir::Expr>& configuration_rates() const { return configuration_rates_; }
@@ -41,6 +52,9 @@ class Expressions {
 
   Frames& frames() { return frames_; }
 
+  /// The same as from a frame that carries what is asked for.
+  Frames& frames_from(std::size_t base);
+
   /// From now on places in expressions are symbols of `places`; nullptr: what they are in space.
   void watch(PlaceSymbols* places) { watched_ = places; }
 
@@ -50,7 +64,12 @@ class Expressions {
   ir::Expr symbol(ir::SymbolId id) const { return {graph_, graph_.use(id)}; }
 
  private:
+  ir::Expr formed(const model::Ast& ast);
+  /// Parts that are the same from a frame that moves are formed there.
+  ir::Expr formed_from_carriers(const model::Ast& ast);
   ir::Expr resolved(const std::string& name);
+  ir::Expr axis(std::size_t index);
+  ir::Expr watched(const PlaceSymbols::Component& component);
   ir::Expr place(std::size_t frame, std::size_t component);
   ir::Expr folded(std::size_t parameter);
   ir::Expr call(const model::Ast& ast);
@@ -68,11 +87,17 @@ class Expressions {
   std::unordered_map<std::size_t, ir::Expr> folded_;  ///< values of parameters
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates_;
   ir::Directional time_derivative_;
+  ir::Directional carried_derivative_;  ///< likewise, with velocities from frame to frame
+  bool carries_velocities_ = false;
   std::optional<ir::Directional> defining_;  ///< with the rates as symbols, where they are not known yet
   std::vector<std::vector<ir::Expr>> speed_matrix_;
   std::vector<ir::Expr> speeds_at_rest_;
   bool has_rates_ = true;
   Frames frames_;
+  std::map<std::size_t, std::unique_ptr<Frames>> frames_from_;
+  RelativePlaces relative_places_;
+  Frames* seen_ = &frames_;          ///< of which places and axes in expressions are
+  bool looks_for_carriers_ = false;  ///< in an expression with places, as long as they are those in space
   PlaceSymbols* watched_ = nullptr;
 };
 

@@ -9,7 +9,6 @@ using ir::Expr;
 using ir::Matrix3;
 using ir::Vector3;
 using model::Axes;
-using model::k_space;
 
 namespace {
 
@@ -59,19 +58,19 @@ Matrix3 quaternion_matrix(const std::array<Expr, 4>& e) {
                   one - two * (e[1] * e[1] + e[2] * e[2])}};
 }
 
-Frames::Frames(const model::Model& model, const Symbols& symbols, Expressions& expressions)
-    : model_(model), symbols_(symbols), expressions_(expressions) {}
+Frames::Frames(const model::Model& model, const Symbols& symbols, Expressions& expressions, std::size_t base)
+    : model_(model), symbols_(symbols), expressions_(expressions), base_(base) {}
 
 Matrix3 Frames::identity() const { return ir::identity3(expressions_.graph()); }
 
 Vector3 Frames::origin(std::size_t frame) {
-  return frame == k_space ? ir::zero3(expressions_.graph()) : placed(frame).origin;
+  return frame == base_ ? ir::zero3(expressions_.graph()) : placed(frame).origin;
 }
 
-Matrix3 Frames::axes(std::size_t frame) { return frame == k_space ? identity() : placed(frame).axes; }
+Matrix3 Frames::axes(std::size_t frame) { return frame == base_ ? identity() : placed(frame).axes; }
 
 Vector3 Frames::point(std::size_t frame, const Vector3& inside) {
-  return frame == k_space ? inside : origin(frame) + ir::multiply(axes(frame), inside);
+  return frame == base_ ? inside : origin(frame) + ir::multiply(axes(frame), inside);
 }
 
 Vector3 Frames::omega(std::size_t frame, Axes axes) {
@@ -81,17 +80,48 @@ Vector3 Frames::omega(std::size_t frame, Axes axes) {
 // From space outwards, so that long chains need no stack.
 const Frames::Placed& Frames::placed(std::size_t frame) {
   std::vector<std::size_t> path;
-  for (std::size_t at = frame; at != k_space && placed_.count(at) == 0; at = model_.frames[at].parent)
-    path.push_back(at);
+  for (std::size_t at = frame; at != base_ && placed_.count(at) == 0; at = model_.frames[at].parent) path.push_back(at);
   for (auto at = path.rbegin(); at != path.rend(); ++at) placed_.emplace(*at, place(*at));
   return placed_.at(frame);
+}
+
+void Frames::carry_velocities(std::size_t frame, ir::Directional& rates) {
+  std::vector<std::size_t> path;
+  for (std::size_t at = frame; at != base_ && carried_.count(at) == 0; at = model_.frames[at].parent)
+    path.push_back(at);
+  for (auto at = path.rbegin(); at != path.rend(); ++at) {
+    carried_.insert(*at);
+    if (model_.frames[*at].parent == base_) continue;
+    carry_velocity(*at, rates);
+    carry_angle(*at, rates);
+  }
+}
+
+// v = v_parent + d/dt (A_parent r)
+void Frames::carry_velocity(std::size_t frame, ir::Directional& rates) {
+  const model::Frame& what = model_.frames[frame];
+  const Vector3 before = origin(what.parent), now = origin(frame);
+  const Vector3 between = ir::multiply(axes(what.parent), expressions_(what.position));
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (before[k].is_zero() || between[k].is_zero()) continue;
+    const Expr rate = rates(before[k]) + rates(between[k]);
+    if (!rate.is_zero()) rates.take(now[k], rate.named("v_of_" + what.name.text + "_" + "xyz"[k]));
+  }
+}
+
+void Frames::carry_angle(std::size_t frame, ir::Directional& rates) {
+  const Placed& now = placed(frame);
+  const Placed& before = placed(model_.frames[frame].parent);
+  if (now.steps.size() != 1 || !now.axis || now.axis != before.axis || *now.angle == *before.angle) return;
+  const Expr rate = rates(*before.angle) + rates(*now.steps[0].angle);
+  rates.take(*now.angle, rate.named("rate_of_" + model_.frames[frame].name.text));
 }
 
 Frames::Placed Frames::place(std::size_t index) {
   const model::Frame& frame = model_.frames[index];
   const Vector3 inside = expressions_(frame.position);
   Placed result{inside, identity(), {}, {}, identity(), steps_of(frame.attitude)};
-  if (frame.parent != k_space) {
+  if (frame.parent != base_) {
     const Placed& parent = placed_.at(frame.parent);
     result.origin = parent.origin + ir::multiply(parent.axes, inside);
     result.base = parent.base;
@@ -175,10 +205,10 @@ std::vector<Vector3> Frames::turns_in_parent(std::size_t frame) {
 // ω = ω_parent + A_parent (α̇ a + R_a (β̇ b) + R_a R_b (γ̇ c)), for every parent in turn.
 Vector3 Frames::omega_in_space(std::size_t frame) {
   Vector3 omega = ir::zero3(expressions_.graph());
-  for (std::size_t at = frame; at != k_space; at = model_.frames[at].parent) {
+  for (std::size_t at = frame; at != base_; at = model_.frames[at].parent) {
     const std::size_t parent = model_.frames[at].parent;
     for (const Vector3& part : turns_in_parent(at)) {
-      omega = omega + (parent == k_space ? part : ir::multiply(axes(parent), part));
+      omega = omega + (parent == base_ ? part : ir::multiply(axes(parent), part));
     }
   }
   return omega;
@@ -187,7 +217,7 @@ Vector3 Frames::omega_in_space(std::size_t frame) {
 // The same vectors turned back into the frame, step by step.
 Vector3 Frames::omega_in_body(std::size_t frame) {
   std::vector<std::size_t> path;
-  for (std::size_t at = frame; at != k_space; at = model_.frames[at].parent) path.push_back(at);
+  for (std::size_t at = frame; at != base_; at = model_.frames[at].parent) path.push_back(at);
   Vector3 omega = ir::zero3(expressions_.graph());
   for (auto at = path.rbegin(); at != path.rend(); ++at) {
     const std::vector<Step>& steps = placed(*at).steps;

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <unordered_map>
 
+#include "ir/differentiate.hpp"
 #include "ir/vector3.hpp"
 #include "kinematics/symbols.hpp"
 
@@ -28,7 +30,9 @@ ir::Matrix3 inertia_matrix(const model::Inertia& inertia, Expressions& expressio
 /// Frames are indices into Model::frames, or model::k_space. Each is placed once.
 class Frames {
  public:
-  Frames(const model::Model& model, const Symbols& symbols, Expressions& expressions);
+  /// Seen from `base`, as if that were space: of frames that it carries, and itself.
+  Frames(const model::Model& model, const Symbols& symbols, Expressions& expressions,
+         std::size_t base = model::k_space);
 
   /// m, space
   ir::Vector3 origin(std::size_t frame);
@@ -41,6 +45,10 @@ class Frames {
 
   /// rad/s, in space or along the frame's own axes.
   ir::Vector3 omega(std::size_t frame, model::Axes axes);
+
+  /// From here on the origin of a frame has the velocity of its parent's and what is between them as its rate, under a name, and turns about one axis
+  /// add to each other likewise: of many frames on each other, sums from the ground on that are written once.
+  void carry_velocities(std::size_t frame, ir::Directional& rates);
 
   /// Angular velocity against the parent, along the axes of the parent, rad/s.
   ir::Vector3 turning(std::size_t frame);
@@ -69,6 +77,8 @@ class Frames {
   };
 
   const Placed& placed(std::size_t frame);
+  void carry_velocity(std::size_t frame, ir::Directional& rates);
+  void carry_angle(std::size_t frame, ir::Directional& rates);
   Placed place(std::size_t frame);
   std::vector<Step> steps_of(const model::Attitude& attitude);
   Step turn(const model::Turn& turn);
@@ -81,7 +91,9 @@ class Frames {
   const model::Model& model_;
   const Symbols& symbols_;
   Expressions& expressions_;
+  std::size_t base_;
   std::unordered_map<std::size_t, Placed> placed_;
+  std::set<std::size_t> carried_;
 };
 
 }  // namespace gaussgen::kinematics

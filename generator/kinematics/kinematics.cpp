@@ -73,6 +73,7 @@ class Builder {
       state(std::get<model::SlipLaw>(constraint.law), result.idle_slips.back());
     }
     for (const model::Frame& frame : model_.frames) result.frame_names.push_back(frame.name.text);
+    expressions_.carry_velocities(symbols_.full_count() > k_few_rates);
     for (std::size_t i = 0; i < model_.forces.size(); ++i) {
       const std::vector<ir::NodeId> before = felt(result);
       const std::size_t applied = result.applied.size();
@@ -88,6 +89,7 @@ class Builder {
       result.quantities.emplace_back();
       for (const model::Ast& value : quantity.values) result.quantities.back().push_back(expressions_(value));
     }
+    expressions_.carry_velocities(false);
     return result;
   }
 
@@ -317,8 +319,11 @@ class Builder {
 
   // k s + c ds/dt along the line, where s = d - L is the stretch, or k d + c v for a spring without length.
   void apply(const model::Spring& law, Kinematics& result) {
-    Frames& frames = expressions_.frames();
-    const Vector3 gap = frames.origin(law.second) - frames.origin(law.first);
+    // A damper across the line knows how the line turns in space.
+    const bool is_along_line = law.length || !law.damping;
+    const std::size_t base = is_along_line ? expressions_.carrier_of({law.first, law.second}) : model::k_space;
+    Frames& seen = expressions_.frames_from(base);
+    const Vector3 gap = seen.origin(law.second) - seen.origin(law.first);
     const Vector3 opening = expressions_.rate(gap);
     const Expr k = expressions_(law.stiffness);
     const Expr c = law.damping ? expressions_(*law.damping) : number(0);
@@ -333,6 +338,8 @@ class Builder {
       stretch_squared = ir::pow(stretch, 2);
     }
     potential_ += support::Rational(1) / 2 * k * stretch_squared;
+    Frames& frames = expressions_.frames();
+    if (base != model::k_space) pull = ir::multiply(frames.axes(base), pull);
     push(law.first, frames.origin(law.first), pull, ir::zero3(graph_), result);
     push(law.second, frames.origin(law.second), -pull, ir::zero3(graph_), result);
   }

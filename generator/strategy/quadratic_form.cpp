@@ -44,25 +44,43 @@ Eliminated QuadraticForm::minimise(Component i, Steps& steps) {
   return minimise(i, pow(entry(i, i), -1), steps);
 }
 
-Eliminated QuadraticForm::minimise(Component i, Expr inverse, Steps& steps) {
-  Eliminated result{i, entry(i, i), -(p_[i] * inverse), {}, {}};
-  Row row = extract(i);
-  row.erase(i);
+std::vector<Component> QuadraticForm::put_in(Component i, const Row& row, const Vector& factors, Eliminated& result) {
   std::vector<Component> others;
+  std::size_t at = 0;
   for (auto it = row.begin(); it != row.end(); ++it) {
-    const Expr factor = it->second * inverse;
+    const Expr factor = factors[at++];
     result.factors.push_back({it->first, factor});
     others.push_back(it->first);
     for (auto other = it; other != row.end(); ++other) add(it->first, other->first, -(factor * other->second));
     p_[it->first] -= factor * p_[i];
   }
   p_[i] = zero_;
-  for (const Component other : others) {
+  return others;
+}
+
+Eliminated QuadraticForm::minimise(Component i, Expr inverse, Steps& steps) {
+  Eliminated result{i, entry(i, i), -(p_[i] * inverse), {}, {}};
+  Row row = extract(i);
+  row.erase(i);
+  Vector factors;
+  for (const auto& [j, value] : row) factors.push_back(value * inverse);
+  for (const Component other : put_in(i, row, factors, result)) {
     for (const Component j : row_of(other)) {
       if (other < first_dual_ || j < first_dual_) name(other, j, steps);
     }
     p_[other] = steps.name(p_[other], name_of_(other, other, true));
   }
+  return result;
+}
+
+Eliminated QuadraticForm::resolve(Component i, Expr inverse, const std::string& name) {
+  Eliminated result{i, entry(i, i), (p_[i] * inverse).kept_whole(name), {}, {}};
+  Row row = extract(i);
+  row.erase(i);
+  Vector factors;
+  for (const auto& [j, value] : row)
+    factors.push_back(-(value * inverse).kept_whole(name + "_" + name_of_(j, j, true)));
+  put_in(i, row, factors, result);
   return result;
 }
 

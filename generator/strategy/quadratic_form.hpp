@@ -69,6 +69,10 @@ class QuadraticForm {
   /// Likewise, with 1/P_ii as it is given.
   Eliminated minimise(Component i, ir::Expr inverse, Steps& steps);
 
+  /// Likewise of a multiplier, over which the form is stationary: P_ii is -S with S > 0, and `inverse` is 1/S, or 0 where its row is dropped. Products
+  /// with it are formed as such, for a pivot next to nothing comes with a reciprocal beyond all others.
+  Eliminated resolve(Component i, ir::Expr inverse, const std::string& name);
+
   void replace(Component i, Component j, ir::Expr value);
 
   /// The row of a dual, P_λc w_c + Σ P_λj w_j + p_λ = 0, put into the rest: both leave.
@@ -97,6 +101,9 @@ class QuadraticForm {
 
   /// Takes the row of a component out.
   Row extract(Component i);
+
+  /// Takes a component out that follows the others by these factors; the row is what stood beside it.
+  std::vector<Component> put_in(Component i, const Row& row, const Vector& factors, Eliminated& result);
 
   std::vector<Component> row_of(Component i) const;
   void name(Component i, Component j, Steps& steps);

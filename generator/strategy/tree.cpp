@@ -44,7 +44,8 @@ class Tree : private TreeZ {
   std::optional<Solution> run() {
     if (!minimise() || !factorise_rows()) return std::nullopt;
     find_accelerations();
-    if (schur_ && needs_correction()) correct();
+    find_solved_rows();
+    if (!solved_rows_.empty() && needs_correction()) correct();
     find_imposed();
     return solution();
   }
@@ -61,7 +62,7 @@ class Tree : private TreeZ {
     for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
       const bool is_gone =
           std::any_of(imposed_.begin(), imposed_.end(), [&](const Imposed& i) { return i.dual == dual(r); });
-      if (is_gone) continue;
+      if (is_gone || is_closed(r)) continue;
       left_.push_back(r);
       labels.push_back(rows_.rows[r].name);
     }
@@ -88,6 +89,12 @@ class Tree : private TreeZ {
     for (std::size_t at = 0; at < left_.size(); ++at) w_[dual(left_[at])] = -lambda[at];
   }
 
+  /// At the ground and where loops close.
+  void find_solved_rows() {
+    solved_rows_ = left_;
+    for (const auto& [link, loop] : loops_) solved_rows_.insert(solved_rows_.end(), loop.rows.begin(), loop.rows.end());
+  }
+
   void find_accelerations() {
     if (schur_) {
       Vector defect;
@@ -106,7 +113,7 @@ class Tree : private TreeZ {
   // Accelerations without constraints may be large where something is light, and leave their rounding: then rows are not what
   // they should be. With parameters that anybody may change it can be so; numbers show it.
   bool needs_correction() {
-    return std::any_of(left_.begin(), left_.end(), [&](std::size_t r) {
+    return std::any_of(solved_rows_.begin(), solved_rows_.end(), [&](std::size_t r) {
       if (!problem_.constraints.value_of) return true;
       const Response& response = responses_.at(dual(r));
       return !(problem_.constraints.value_of(response.spread()) <= k_widest_range);
@@ -116,7 +123,7 @@ class Tree : private TreeZ {
   // Correcting once squares the relative error of a solve: as in the multiplier form.
   Expr lost_inertia() {
     std::vector<Expr> conditions;
-    for (const std::size_t r : left_) {
+    for (const std::size_t r : solved_rows_) {
       const Response& response = responses_.at(dual(r));
       const Expr inertia =
           steps_.name(response.inertia / response.squares, problem_.prefix + "inertia_" + rows_.rows[r].name);
@@ -135,15 +142,33 @@ class Tree : private TreeZ {
     if (is_forced()) lost_ = lost_inertia();
     steps_.begin("corrected once, by what rounding has left of the rows");
     Vector defect;
-    for (const std::size_t r : left_) {
-      defect.push_back(-steps_.name(defect_of(r), problem_.prefix + "defect_" + rows_.rows[r].name));
-    }
+    for (const std::size_t r : left_) defect.push_back(-named_defect_of(r));
+    for (const auto& [link, loop] : loops_) find_corrections(loop);
     const Vector rough = w_;
     w_.assign(w_.size(), zero_);
     is_correcting_ = true;
-    solve_rows(defect, "correction");
+    if (schur_) solve_rows(defect, "correction");
     spread();
     for (std::size_t c = 0; c < w_.size(); ++c) w_[c] = rough[c] + w_[c];
+  }
+
+  Expr named_defect_of(std::size_t r) {
+    return steps_.name(defect_of(r), problem_.prefix + "defect_" + rows_.rows[r].name);
+  }
+
+  // With what carries the loop as it is: its acceleration is not in these rows.
+  void find_corrections(const ClosedLoop& loop) {
+    Vector defect;
+    for (const std::size_t r : loop.rows) defect.push_back(named_defect_of(r));
+    for (std::size_t at = 0; at < loop.rows.size(); ++at) {
+      const Eliminated& e = loop.multipliers[at];
+      corrections_.insert_or_assign(e.component, defect[at] * loop.inverses[at]);
+      for (std::size_t later = at + 1; later < loop.rows.size(); ++later) {
+        for (const LinearTerm& term : e.factors) {
+          if (term.component == dual(loop.rows[later])) defect[later] -= term.coefficient * defect[at];
+        }
+      }
+    }
   }
 
   // Accelerations of links are larger than those of coordinates where turns between them cancel again: the row of the model sees
@@ -224,7 +249,8 @@ class Tree : private TreeZ {
   }
 
   Expr at_minimum(const Eliminated& e) const {
-    Expr w = is_correcting_ ? zero_ : e.offset;
+    const auto correction = corrections_.find(e.component);
+    Expr w = !is_correcting_ ? e.offset : correction == corrections_.end() ? zero_ : correction->second;
     for (const LinearTerm& term : e.factors) w -= term.coefficient * w_[term.component];
     return w;
   }
@@ -254,6 +280,15 @@ class Tree : private TreeZ {
     }
     name_given(i);
     find_own(i, given);
+    if (const auto loop = loops_.find(i); loop != loops_.end()) find_multipliers(loop->second);
+  }
+
+  // The last one first, as the others depend on it.
+  void find_multipliers(const ClosedLoop& loop) {
+    for (auto e = loop.multipliers.rbegin(); e != loop.multipliers.rend(); ++e) {
+      const std::string name = problem_.prefix + (is_correcting_ ? "correction_" : "force_") + axis_of(e->component);
+      w_[e->component] = steps_.name(at_minimum(*e), name);
+    }
   }
 
   /// Of the end of a link by that of its origin; what was found there before it said how the link turns stays what it is.
@@ -402,7 +437,10 @@ class Tree : private TreeZ {
     for (const auto& [pivot, bound] : margins_) margins.require(pivot, bound);
     Margins rows(graph_);
     for (const auto& [value, bound] : row_margins_) rows.require(value, bound);
-    const Expr dependent = any(graph_, {dependent_, rows.violated("least_coefficient")});
+    Margins loops(graph_);
+    for (const auto& [pivot, bound] : loop_margins_) loops.require(pivot, bound);
+    const Expr dependent = any(graph_, {dependent_, rows.violated("least_coefficient"),
+                                        loops.violated("least_" + problem_.prefix + "S_pivot_of_loops")});
     const Expr singular = any(graph_, {margins.violated("least_pivot"), lost_});
     return {accelerations, multipliers(accelerations), singular, dependent, "", {}, {}, {}, false, motion()};
   }
@@ -436,8 +474,10 @@ class Tree : private TreeZ {
   Vector w_;                               ///< by component
   std::map<std::size_t, LinearTerm> led_;  ///< by the link that turns: the acceleration of its end
   std::vector<Vector3> given_;  ///< of links: what their joints do not decide of the components that are moved
-  std::vector<LinkAcceleration> moving_;  ///< of links: where they have mass, the accelerations that were found
-  std::vector<std::size_t> left_;         ///< rows that were not imposed
+  std::vector<LinkAcceleration> moving_;   ///< of links: where they have mass, the accelerations that were found
+  std::vector<std::size_t> left_;          ///< rows that were not imposed, and do not close before the ground
+  std::vector<std::size_t> solved_rows_;   ///< these, and those that do
+  std::map<Component, Expr> corrections_;  ///< of multipliers of loops, with what carries them as it is
   std::optional<Ldl> schur_;
   bool is_correcting_ = false;
   Expr dependent_, lost_;

@@ -67,6 +67,7 @@ bool TreeZ::minimise() {
   const auto& uses = own_.uses;
   if (std::any_of(uses.begin(), uses.end(), [](const auto& links) { return links.empty(); })) return false;
   place_rows();
+  place_loops();
   place_loads();
   find_bare_links();
   if (!by_link()) {
@@ -344,6 +345,7 @@ bool TreeZ::inward(std::size_t i) {
   add_body(i);
   if (is_shift(i) || floating != nullptr) add_mass(i);
   add_rows(i);
+  if (!close_loops(i)) return false;
   std::vector<Component> free;
   if (floating != nullptr) free = free_to_float(*floating);
   const std::vector<Component> own = own_of_joint(i);

@@ -24,6 +24,13 @@ struct Response {
   ir::Expr spread() const { return compliance * inertia / pow(squares, 2); }
 };
 
+/// Rows that close within what a link carries, and their multipliers over what stays of it.
+struct ClosedLoop {
+  std::vector<std::size_t> rows;
+  std::vector<Eliminated> multipliers;  ///< in order; the factors are those of the multipliers that follow, too
+  Vector inverses;                      ///< of the pivots of S
+};
+
 class TreeZ {
  public:
   TreeZ(const TreeProblem& problem, const TreeForm& form, ir::Expr epsilon, Steps& steps);
@@ -72,6 +79,14 @@ class TreeZ {
   void add_bounds(std::size_t r, Component c);
   bool drowns_others(std::size_t r, Component c) const;
   ir::Expr largest(Component c) const;
+
+  // Loops that close on a link (tree_loops.cpp).
+  void place_loops();
+  /// False where a row is nothing in any configuration.
+  bool close_loops(std::size_t i);
+  bool resolve(ClosedLoop& loop, std::size_t at, ir::Expr diagonal);
+  std::vector<std::size_t> closing_at(std::size_t i) const;
+  bool is_closed(std::size_t r) const { return is_closed_[r] != 0; }
 
   // From the leaves to the ground.
   /// Of the body itself (theory section 6): ½ a·m a + a·(α × f) + ½ α·I α, with what velocities and the drift do.
@@ -152,10 +167,14 @@ class TreeZ {
   std::vector<char> is_bare_;                       ///< by link: neither it nor what it carries has mass, or is held
   std::vector<Imposed> imposed_;
   std::set<Component> is_imposed_;
-  std::map<Component, Response> responses_;                 ///< of multipliers
-  std::vector<std::pair<ir::Expr, ir::Expr>> margins_;      ///< of pivots
-  std::vector<std::pair<ir::Expr, ir::Expr>> row_margins_;  ///< likewise, of rows that were put in
-  bool is_clean_ = true;                                    ///< nothing was minimised yet, so nothing has cancelled
+  std::vector<std::vector<std::size_t>> closing_;  ///< rows over speeds, by the link that carries all these move
+  std::vector<char> is_closed_;                    ///< by row
+  std::map<std::size_t, ClosedLoop> loops_;        ///< by link
+  std::vector<std::pair<ir::Expr, ir::Expr>> loop_margins_;  ///< of the pivots of S there
+  std::map<Component, Response> responses_;                  ///< of multipliers
+  std::vector<std::pair<ir::Expr, ir::Expr>> margins_;       ///< of pivots
+  std::vector<std::pair<ir::Expr, ir::Expr>> row_margins_;   ///< likewise, of rows that were put in
+  bool is_clean_ = true;                                     ///< nothing was minimised yet, so nothing has cancelled
   std::size_t pivots_ = 0;
 };
 

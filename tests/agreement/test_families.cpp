@@ -125,7 +125,8 @@ TEST_CASE("accelerations and multipliers of trees satisfy the equations over all
                                 {"balls_in_cylinder_euler", 50},
                                 {"quadruped", 10},
                                 {"uneven_bars", 100, "../tests/agreement/"},
-                                {"slanted_arm", 10, "../tests/agreement/"}};
+                                {"slanted_arm", 10, "../tests/agreement/"},
+                                {"loops_on_arm", 30, "../tests/agreement/"}};
   std::printf("%-26s %12s %12s\n", "model", "residual/eps", "folded");
   for (const Size& size : sizes) {
     INFO(size.name);

@@ -194,7 +194,7 @@ std::vector<std::string> all_files() {
     files.push_back(std::string("families/") + family);
   }
   files.emplace_back(k_sprung_arm);
-  for (const char* own : {"uneven_bars", "slanted_arm"}) files.push_back(std::string("../tests/agreement/") + own);
+  for (const char* own : {"uneven_bars", "slanted_arm", "loops_on_arm"}) files.push_back(std::string("../tests/agreement/") + own);
   return files;
 }
 

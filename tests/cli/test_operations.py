@@ -56,6 +56,38 @@ forces:
   gravity: {uniform: [0, 0, -g]}
 """
 
+# A chain of universal joints in space with a linkage that closes on each of its links, or on the last one only, or open.
+ARM = """gauss: 1
+name: arm
+counts: {n: 5}
+parameters: {g: 9.81, L: 0.5, m: 1, J: 0.1}
+joints:
+  turntable: {type: revolute, child: b_0, axis: z, initial: 0.1}
+  j_$i: {count: n, type: universal, parent: b_$(i-1), child: b_$i, at: [L, 0, 0], axes: [y, z], initial: [0.3, 0.1]}
+%s
+bodies:
+  b_0: {mass: m, inertia: J, centre: [L/2, 0, 0]}
+  b_$i: {count: n, mass: m, inertia: [J, 1.2*J, 0.7*J], centre: [L/2, 0, 0]}
+%s
+forces:
+  gravity: {uniform: [0, 0, -g]}
+"""
+LINKAGE = ("""
+  bucket_{i}: {{{count}type: revolute, parent: b_{i}, child: bucket_{i}, at: [L, 0, 0], axis: -y, initial_guess: -0.3}}
+  rocker_{i}: {{{count}type: revolute, parent: b_{i}, child: rocker_{i}, at: [0.1, 0, 0], axis: -y, initial: 1.4}}
+  coupler_{i}: {{{count}type: revolute, parent: rocker_{i}, child: coupler_{i}, at: [0.45, 0, 0], axis: -y, initial_guess: -1.3}}
+points:
+  end_{i}: {{{count}on: coupler_{i}, at: [0.42, 0, 0]}}
+  ear_{i}: {{{count}on: bucket_{i}, at: [0, 0, 0.4]}}
+""", """
+  bucket_{i}: {{{count}mass: m, inertia: J, centre: [0.4, 0, 0]}}
+  rocker_{i}: {{{count}mass: m, inertia: J, centre: [0.2, 0, 0]}}
+  coupler_{i}: {{{count}mass: m, inertia: J, centre: [0.2, 0, 0]}}
+""")
+CLOSED = """constraints:
+  linkage_{i}: {{{count}coincide: [end_{i}, ear_{i}], in: {axes}}}
+"""
+
 # A force at the tip, drag of every link, and springs between neighbours, on the chains of the families.
 LOADED = """gauss: 1
 name: loaded
@@ -76,10 +108,10 @@ forces:
 """
 REVOLUTE = ("revolute", "axis: y, coordinates: q_$i, initial: 0.1")
 UNIVERSAL = ("universal", "coordinates: [a_$i, b_$i], initial: [0.1, 0.2]")
-# With how many times the operations four times the links may take: velocities and lengths are sums from the ground on, of which passes share
+# With how many times the operations four times the links may take: vectors of springs whose damper is across them are sums from the ground on, of which passes share
 # a part only.
 LOADS = [(5, "push: {on: tip, force: [1, 0, 2]}"), (6, "muscle_$i: {count: n-1, spring: [side_$i, side_$(i+1)], stiffness: 2, damping: 0.3}"),
-         (8, "drag_$i: {count: n, on: side_$i, force: [-0.3*dot(side_$i.x), 0, -0.3*dot(side_$i.z)]}")]
+         (5, "drag_$i: {count: n, on: side_$i, force: [-0.3*dot(side_$i.x), 0, -0.3*dot(side_$i.z)]}")]
 
 # Chains whose first link hangs on a frame that held coordinates move: a trolley in the plane of a chain of rods, and a pivot that is shaken
 # and turns, with universal and ball joints.
@@ -215,6 +247,23 @@ class Operations(Program):
                     nodes = re.search(rf"^{stage} +\S+ +(\d+) +(\d+)", run.stdout + run.stderr, re.M)
                     made.append(int(nodes[2]) - int(nodes[1]))
                 self.assertLess(made[1], 5.2 * made[0])
+
+    def arm(self, n, *constraints, each=False):
+        where = {"i": "$i" if each else "$n", "count": "count: n, " if each else ""}
+        parts = [part.format(**where) for part in LINKAGE]
+        closed = "".join(CLOSED.format(axes=axes.format(**where), **where) for axes in constraints)
+        return self.write("arm.yaml", ARM % (parts[0], parts[1] + closed)), "--count", f"n={n}"
+
+    def test_a_loop_costs_the_same_wherever_on_a_chain_it_closes(self):
+        added = [self.operations(*self.arm(n, "b_{i}")) - self.operations(*self.arm(n)) for n in (4, 16)]
+        self.assertLess(added[1], 1.1 * added[0] + 20)
+
+    def test_loops_on_every_link_leave_a_chain_linear(self):
+        models = [self.arm(n, "b_{i}", each=True) for n in (3, 12)]
+        count = [self.operations(self.arm(n, "b_{i}", each=True)[0], "--count", f"n={n}") for n in (3, 12)]
+        self.assertLess(count[1], 4.5 * count[0])
+        made = [self.nodes_made(models[0][0], n) for n in (3, 12)]
+        self.assertLess(made[1]["strategy"] + made[1]["passes"], 4.5 * (made[0]["strategy"] + made[0]["passes"]))
 
     def test_an_entry_of_the_mass_matrix_takes_few(self):
         for n in (20, 60):
