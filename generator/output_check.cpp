@@ -61,10 +61,6 @@ std::vector<model::Name> asked_for(const model::Model& model, const PipelineOpti
   return names;
 }
 
-}  // namespace
-
-namespace {
-
 template <class Has>
 void report_absent(const model::Model& model, const PipelineOptions& options, support::Diagnostics& diagnostics,
                    const Has& has_output) {
