@@ -5,7 +5,7 @@ import re
 import subprocess
 import unittest
 
-from gauss_gen import Program
+from gauss_gen import MODELS, Program
 
 COMPILER = os.environ["GAUSS_CXX"]
 
@@ -124,6 +124,24 @@ class Names(Program):
                 self.assertRegex(result.stderr, r"error\[E02[01]\]: '\w+' is (a name of emitted code|not a valid name)(.|\n)*= hint: ")
         self.assertGreater(accepted, 150)
         self.compiles()
+
+    # What is prepared once has one name; a reader who meets two looks for a difference.
+    def test_each_prepared_value_has_one_name(self):
+        headers = [self.ok(MODELS / name, "-o", "-") for name in ("bicycle.yaml", "rattleback.yaml", "families/quadruped.yaml")]
+        for text in headers:
+            prepared = re.findall(r"(?m)^  prepared\.(\w+) = (\w+);$", text)
+            self.assertGreater(len(prepared), 10)
+            values = [value for _, value in prepared]
+            self.assertEqual(sorted(set(values)), sorted(values))
+
+    def test_headings_are_not_repeated(self):
+        text = self.ok(MODELS / "families" / "road_train.yaml", "-o", "-")
+        headings = 0
+        for body in re.findall(r"(?ms)^GAUSS_FUNCTION .*?^}", text):
+            found = re.findall(r"(?m)^  // (.*)$", body)
+            headings += len(found)
+            self.assertFalse([a for a, b in zip(found, found[1:]) if a == b])
+        self.assertGreater(headings, 50)
 
 
 if __name__ == "__main__":
