@@ -200,7 +200,7 @@ class Limits(Program):
             self.assertTrue(said, result.stderr)
             stages.append(said[1])
             self.assertEqual(self.files(), ["m.yaml"])
-        self.assertEqual(sorted(set(stages), key=stages.index), ["kinematics", "check", "artefacts", "header"])
+        self.assertEqual(sorted(set(stages), key=stages.index), ["kinematics", "artefacts", "header"])
         self.assertEqual(self.files(), ["m.yaml", "particle.hpp"])
         for wrong in ("0", "-1", "many"):
             self.refused(2, "m.yaml", "--max-nodes", wrong)
