@@ -83,3 +83,17 @@ TEST_CASE("what cancels leaves nothing") {
   b << 1, 1, 1;
   CHECK(product(a, b)(0, 0) != 0);
 }
+
+TEST_CASE(
+    "nearly equal oscillations without damping have no real part: their eigenvalues move further than the matrix") {
+  // One drives the other, whose frequency is 1e-5 higher, in a basis in which nothing is apart.
+  Matrix a = Matrix::Zero(4, 4);
+  a << 0, 1, 0, 0, -1, 0, 1, 0, 0, 0, 0, 1 + 1e-5L, 0, 0, -(1 + 1e-5L), 0;
+  Matrix mix(4, 4);
+  mix << 1, 0.3L, 0.1L, 0, 0.2L, 1, 0, 0.7L, 0, 0.1L, 1, 0.4L, 0.5L, 0, 0.3L, 1;
+  for (const Mode& mode : modes(mix * a * mix.inverse())) CHECK(mode.eigenvalue.real() == 0);
+  // What is larger than that stays.
+  a -= 1e-9L * Matrix::Identity(4, 4);
+  for (const Mode& mode : modes(mix * a * mix.inverse()))
+    CHECK(static_cast<double>(mode.eigenvalue.real()) == Approx(-1e-9).epsilon(1e-3));
+}
