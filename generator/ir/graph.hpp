@@ -113,8 +113,8 @@ class Graph {
   NodeId intern(Node node);
   bool has_variable(const Node& node) const;
   NodeId grouped(const std::vector<NodeId>& factors, const std::string& name);
-  /// Children, then coefficients, then the value.
-  int compare_parts(const Node& left, const Node& right) const;
+  /// The order of two different nodes, or nothing if it is that of two of their parts, to which this goes.
+  std::optional<int> step_down(NodeId& a, NodeId& b) const;
   std::optional<NodeId> first_undefined(const std::vector<NodeId>& nodes) const;
   /// `terms` without repetitions and in canonical order.
   NodeId finish_sum(const Rational& constant, const std::vector<Term>& terms);
@@ -129,7 +129,7 @@ class Graph {
   Names names_;
   NodeTable<NameId> labels_;
   NodeTable<NodeId> wrappers_;                             ///< value -> its named node
-  mutable std::unordered_map<std::uint64_t, int> orders_;  ///< of pairs of nested functions, lower index first
+  mutable std::unordered_map<std::uint64_t, int> orders_;  ///< of pairs that were met deep down, lower index first
 };
 
 }  // namespace gaussgen::ir

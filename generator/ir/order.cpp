@@ -1,6 +1,10 @@
 // Canonical order of nodes: declaration order of symbols, then structure (architecture, decision 1).
 
 #include "ir/order.hpp"
+
+#include <algorithm>
+#include <utility>
+
 #include "ir/graph.hpp"
 #include "support/characters.hpp"
 
@@ -30,12 +34,10 @@ int rank(Kind kind) {
   return 7;
 }
 
-/// Larger than a leaf: worth more than looking its order up.
-bool is_nested(const Graph& graph, const Node& node) {
-  if (node.kind != Kind::function) return false;
-  const Kind argument = graph[node.children[0]].kind;
-  return argument != Kind::symbol && argument != Kind::constant;
-}
+/// Pairs further down than this are looked up: where deep expressions meet, they meet again and again.
+constexpr int k_steps_before_lookup = 4;
+
+std::uint64_t key_of(NodeId lower, NodeId upper) { return (std::uint64_t{lower.index} << 32U) | upper.index; }
 
 std::size_t digits_end(const std::string& text, std::size_t from) {
   while (from < text.size() && is_digit(text[from])) ++from;
@@ -65,15 +67,45 @@ int compare_natural(const std::string& a, const std::string& b) {
   return three_way(a.size() - i, b.size() - j);
 }
 
+// Different nodes differ somewhere: the order of two is that of the first of their parts that differ. So this needs no stack.
 int Graph::compare(NodeId a, NodeId b) const {
   if (a == b) return 0;
+  std::vector<std::pair<NodeId, NodeId>> path;
+  std::optional<int> order;
+  for (int step = 0; !order; ++step) {
+    if (step < k_steps_before_lookup) {
+      order = step_down(a, b);
+      continue;
+    }
+    const bool is_swapped = b.index < a.index;
+    const auto known = orders_.find(is_swapped ? key_of(b, a) : key_of(a, b));
+    if (known != orders_.end()) {
+      order = is_swapped ? -known->second : known->second;
+    } else {
+      path.emplace_back(a, b);
+      order = step_down(a, b);
+    }
+  }
+  for (const auto& [left, right] : path) {
+    const bool is_swapped = right.index < left.index;
+    orders_.emplace(is_swapped ? key_of(right, left) : key_of(left, right), is_swapped ? -*order : *order);
+  }
+  return *order;
+}
+
+std::optional<int> Graph::step_down(NodeId& a, NodeId& b) const {
   const Node& left = (*this)[a];
   const Node& right = (*this)[b];
+  const auto go_to = [&](NodeId below_a, NodeId below_b) {
+    a = below_a;
+    b = below_b;
+    return std::nullopt;
+  };
   // A power stands beside its base, so that x, x^2, y appear in this order.
   if (left.kind == Kind::power || right.kind == Kind::power) {
     const NodeId left_base = left.kind == Kind::power ? left.children[0] : a;
     const NodeId right_base = right.kind == Kind::power ? right.children[0] : b;
-    if (left_base != right_base) return compare(left_base, right_base);
+    if (left_base != right_base) return go_to(left_base, right_base);
     const Rational one = 1;
     return three_way(left.kind == Kind::power ? left.value : one, right.kind == Kind::power ? right.value : one);
   }
@@ -89,24 +121,10 @@ int Graph::compare(NodeId a, NodeId b) const {
   if (left.function == Function::table && !(left.table == right.table)) {
     return three_way(left.table.index, right.table.index);
   }
-  // Functions of functions: products of the derivatives of a deep one meet each other at every depth.
-  if (!is_nested(*this, left) || !is_nested(*this, right)) return compare_parts(left, right);
-  const bool is_swapped = b.index < a.index;
-  const std::uint64_t pair =
-      is_swapped ? (std::uint64_t{b.index} << 32U) | a.index : (std::uint64_t{a.index} << 32U) | b.index;
-  const auto known = orders_.find(pair);
-  if (known != orders_.end()) return is_swapped ? -known->second : known->second;
-  const int order = compare_parts(left, right);
-  orders_.emplace(pair, is_swapped ? -order : order);
-  return order;
-}
-
-int Graph::compare_parts(const Node& left, const Node& right) const {
-  const std::size_t common =
-      left.children.size() < right.children.size() ? left.children.size() : right.children.size();
-  for (std::size_t i = 0; i < common; ++i) {
-    if (const int order = compare(left.children[i], right.children[i]); order != 0) return order;
-  }
+  // Children, then coefficients, then the value.
+  const auto [differing, other] =
+      std::mismatch(left.children.begin(), left.children.end(), right.children.begin(), right.children.end());
+  if (differing != left.children.end() && other != right.children.end()) return go_to(*differing, *other);
   if (left.children.size() != right.children.size()) return three_way(left.children.size(), right.children.size());
   for (std::size_t i = 0; i < left.coefficients.size(); ++i) {
     if (const int order = three_way(left.coefficients[i], right.coefficients[i]); order != 0) return order;

@@ -11,6 +11,7 @@
 #include "kinematics/held_frames.hpp"
 #include "kinematics/hold.hpp"
 #include "kinematics/place_symbols.hpp"
+#include "kinematics/slip.hpp"
 #include "model/rate.hpp"
 
 namespace gaussgen::kinematics {
@@ -259,7 +260,7 @@ class Builder {
         place != nullptr ? frames.origin(*place) : expressions_(std::get<std::array<model::Ast, 3>>(law.at));
     const Vector3 components = expressions_(law.direction);
     const Vector3 direction = ir::multiply(frames.axes(law.axes), components);
-    row.phi = dot(direction, velocity_at(law.frame, point) - velocity_at(law.surface, point));
+    row.phi = slip(expressions_, law, point, direction);
     row.actions.push_back({law.frame, point, direction});
     row.actions.push_back({law.surface, point, -direction});
     if (place != nullptr) {
@@ -267,14 +268,6 @@ class Builder {
       row.actions[1].local = {*place, law.axes, -components, law.surface};
     }
     row.beside = Components(symbols_.full_count(), number(0));
-  }
-
-  /// Of the point of a frame that is at `place` now: v + ω × r.
-  Vector3 velocity_at(std::size_t frame, const Vector3& place) {
-    if (frame == model::k_space) return ir::zero3(graph_);
-    Frames& frames = expressions_.frames();
-    const Vector3 origin = frames.origin(frame);
-    return expressions_.rate(origin) + cross(frames.omega(frame, Axes::space), place - origin);
   }
 
   void apply(const model::UniformField& law, Kinematics& result) {
@@ -360,7 +353,7 @@ class Builder {
   /// Q_A = F·∂v_P/∂ẏ^A + M·∂ω/∂ẏ^A (theory section 6)
   Components generalized(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment) {
     Components Q(symbols_.full_count(), number(0));
-    const Vector3 velocity = velocity_at(frame, point);
+    const Vector3 velocity = velocity_at(expressions_, frame, point);
     const Vector3 omega = expressions_.frames().omega(frame, Axes::space);
     for (const FullIndex i : Q.indices()) {
       for (std::size_t x = 0; x < 3; ++x) {

@@ -4,6 +4,7 @@ import json
 import re
 import resource
 import unittest
+from fractions import Fraction
 
 from gauss_gen import MODELS, Program
 
@@ -153,6 +154,21 @@ def small_stack():
     resource.setrlimit(resource.RLIMIT_STACK, (256 * 1024, 256 * 1024))
 
 
+# A planet on an arm meshes with a sun, the arm at any angle in its own axes: the same motion.
+PLANET = """gauss: 1
+name: planet_on_arm
+parameters: {{r: {{value: 0.02, unit: m}}, R: {{value: 0.05, unit: m}}, m: {{value: 2, unit: kg}}, J: {{value: 1e-3, unit: kg*m^2}}, at: {{value: {at}, unit: rad}}}}
+joints:
+  arm_axis: {{type: revolute, child: arm, axis: z, coordinates: a, initial: 0.7, initial_rate: 2}}
+  sun_axis: {{type: revolute, child: sun, axis: z, coordinates: s, initial_rate: 9}}
+  planet_axis: {{type: revolute, parent: arm, child: planet, at: [(r+R)*cos(at), (r+R)*sin(at), 0], coordinates: p}}
+bodies: {{arm: {{mass: m, inertia: J}}, sun: {{mass: m, inertia: 2*J}}, planet: {{mass: m, inertia: 3*J}}}}
+points: {{mesh: {{on: arm, at: [r*cos(at), r*sin(at), 0]}}}}
+constraints: {{tooth: {{no_slip: planet, on: sun, at: mesh, direction: [-sin(at), cos(at), 0], in: arm}}}}
+forces: {{drive: {{torque: [0, 0, 0.4], on: sun}}}}
+"""
+
+
 class Operations(Program):
     def header(self, *arguments, **more):
         return self.ok("--fold", *arguments, "-o", "-", **more)
@@ -264,6 +280,29 @@ class Operations(Program):
         self.assertLess(count[1], 4.5 * count[0])
         made = [self.nodes_made(models[0][0], n) for n in (3, 12)]
         self.assertLess(made[1]["strategy"] + made[1]["passes"], 4.5 * (made[0]["strategy"] + made[0]["passes"]))
+
+    # Places and axes that turn with the arm are constants there: nothing is left of the angle, which in space is in every term.
+    def test_a_tooth_costs_the_same_wherever_on_an_arm_it_is(self):
+        for at in (0, 0.3):
+            with self.subTest(at=at):
+                text = self.ok("-", "--outputs", "rhs", "-o", "-", stdin=PLANET.format(at=at))
+                counts = re.search(r"(?m)^//   rhs +(.*)$", text)[1].split()
+                self.assertLessEqual(sum(map(int, counts)), 10)
+
+    # Unknowns a, s, p and the force of the tooth, along r a - r s - R p = 0: by the velocity of the planet at the tooth, (r + R) a - R (a + p).
+    def test_a_tooth_turns_what_it_should(self):
+        r, R, m, J = Fraction(2, 100), Fraction(5, 100), 2, Fraction(1, 1000)
+        arm = J + m * (r + R) ** 2 + 3 * J
+        # By the force F on the planet: s = (0.4 - r F) / 2J, 3J (a + p) = -R F, arm a + 3J p = r F.
+        per_force_a = (r + R) / (arm - 3 * J)
+        per_force_p = -R / (3 * J) - per_force_a
+        force = r * Fraction("0.4") / (2 * J) / (r * per_force_a + r * r / (2 * J) - R * per_force_p)
+        expected = {"a_ddot": per_force_a * force, "s_ddot": (Fraction("0.4") - r * force) / (2 * J), "p_ddot": per_force_p * force}
+        for at in (0, 0.3, 2):
+            with self.subTest(at=at):
+                found = json.loads(self.ok("evaluate", "-", "--format=json", stdin=PLANET.format(at=at)))["accelerations"]
+                for name, value in expected.items():
+                    self.assertAlmostEqual(float(found[name]["value"]) / float(value), 1, 14)
 
     def test_an_entry_of_the_mass_matrix_takes_few(self):
         for n in (20, 60):

@@ -1,0 +1,74 @@
+#include "kinematics/slip.hpp"
+
+#include "ir/contract.hpp"
+#include "ir/cost.hpp"
+
+namespace gaussgen::kinematics {
+
+using ir::Expr;
+using ir::Vector3;
+using model::Axes;
+
+namespace {
+
+constexpr int k_times_shared = 2;
+
+/// Who moves along with the axes in which the direction is given. What turns with them, too, has constant places and axes there, where in
+/// space each is a product of sines and cosines, which cancel in ways that no simplification is sure to find.
+class Observer {
+ public:
+  Observer(Expressions& expressions, std::size_t frame, std::size_t place)
+      : expressions_(expressions), frame_(frame), place_frame_(place), place_(place_seen()) {}
+
+  /// Of the point of a frame that is at the place now, in the observer's axes: with δ from the observer's origin to that of the frame,
+  /// v_B - v_O + ω_B × (r - δ) - ω_O × r.
+  Vector3 velocity(std::size_t frame) {
+    if (frame == frame_) return ir::zero3(expressions_.graph());
+    Frames& frames = from_carrier_of(frame);
+    const Vector3 away = turned(frames, frames.origin(frame) - frames.origin(frame_));
+    const Vector3 shift =
+        turned(frames, expressions_.rate(frames.origin(frame)) - expressions_.rate(frames.origin(frame_)));
+    return shift + cross(turned(frames, frames.omega(frame, Axes::space)), place_ - away) -
+           cross(frames.omega(frame_, Axes::body), place_);
+  }
+
+ private:
+  Frames& from_carrier_of(std::size_t frame) {
+    return expressions_.frames_from(expressions_.carrier_of({frame_, place_frame_, frame}));
+  }
+
+  Vector3 place_seen() {
+    Frames& frames = from_carrier_of(place_frame_);
+    return turned(frames, frames.origin(place_frame_) - frames.origin(frame_));
+  }
+
+  Vector3 turned(Frames& frames, const Vector3& v) const { return ir::multiply(transposed(frames.axes(frame_)), v); }
+
+  Expressions& expressions_;
+  std::size_t frame_;
+  std::size_t place_frame_;
+  Vector3 place_;
+};
+
+}  // namespace
+
+Vector3 velocity_at(Expressions& expressions, std::size_t frame, const Vector3& place) {
+  if (frame == model::k_space) return ir::zero3(expressions.graph());
+  Frames& frames = expressions.frames();
+  const Vector3 origin = frames.origin(frame);
+  return expressions.rate(origin) + cross(frames.omega(frame, Axes::space), place - origin);
+}
+
+Expr slip(Expressions& expressions, const model::SlipLaw& law, const Vector3& place, const Vector3& direction) {
+  const Expr in_space =
+      dot(direction, velocity_at(expressions, law.frame, place) - velocity_at(expressions, law.surface, place));
+  const auto* const frame = std::get_if<std::size_t>(&law.at);
+  if (frame == nullptr || expressions.carrier_of({law.axes}) == model::k_space) return in_space;
+  Observer observer(expressions, law.axes, *frame);
+  const Expr observed = dot(expressions(law.direction), observer.velocity(law.frame) - observer.velocity(law.surface));
+  // In space, rows of several wheels share what moves their axles.
+  const auto operations = [&](Expr e) { return ir::operations(expressions.graph(), {e.id()}); };
+  return k_times_shared * operations(observed) < operations(in_space) ? observed : in_space;
+}
+
+}  // namespace gaussgen::kinematics
