@@ -5,6 +5,7 @@
 
 #include "ir/content.hpp"
 #include "ir/graph.hpp"
+#include "ir/quarter_turns.hpp"
 
 namespace gaussgen::ir {
 
@@ -200,6 +201,7 @@ NodeId Graph::call(Function function, std::vector<NodeId> arguments) {
     Rational value = 0;
     if (function == Function::abs && is_size(argument)) return arguments[0];
     if (argument.kind == Kind::constant && exact_value(function, argument.value, value)) return constant(value);
+    if (const auto turned = of_quarter_turns(*this, function, arguments[0])) return *turned;
     if (const auto direction = of_fixed_direction(*this, function, argument)) return *direction;
     const Parity kind = parity(function);
     if (kind != Parity::none && has_negative_sign(argument)) {

@@ -8,6 +8,7 @@
 #include "ir/traverse.hpp"
 #include "kinematics/expressions.hpp"
 #include "kinematics/place_symbols.hpp"
+#include "model/constant.hpp"
 #include "model/functions.hpp"
 
 namespace gaussgen::kinematics {
@@ -72,6 +73,11 @@ std::vector<std::size_t> carriers_of(const model::Model& model, std::size_t fram
   return result;
 }
 
+bool is_whole(const Ast& exponent) {
+  const auto value = model::exact_value(exponent);
+  return value && support::is_integer(*value);
+}
+
 }  // namespace
 
 void RelativePlaces::collect(const Ast& ast, std::set<std::size_t>& frames) const {
@@ -123,11 +129,14 @@ RelativePlaces::Turning RelativePlaces::turning(std::size_t frame) const {
   return {true, {}};
 }
 
-// Of cases a test by numbers sees one.
+// Of what is not one analytic function everywhere, such as a table or a root of a square, a test by numbers sees the part in which the numbers are.
+// Arguments are formed from their own carriers all the same.
 bool RelativePlaces::has_cases(const Ast& ast) const {
-  static const std::set<std::string> k_functions{"abs", "sign", "min", "max", model::k_piecewise};
-  if (ast.kind == AstKind::comparison || (ast.kind == AstKind::call && k_functions.count(ast.name) != 0))
-    return has_places(ast);
+  static const std::set<std::string> k_analytic{model::k_dot, "sin",  "cos",  "tan", "atan",
+                                                "exp",        "sinh", "cosh", "tanh"};
+  const bool is_other = ast.kind == AstKind::call && k_analytic.count(ast.name) == 0;
+  const bool is_root = ast.kind == AstKind::power && !is_whole(ast.children[1]);
+  if (ast.kind == AstKind::comparison || is_other || is_root) return has_places(ast);
   return std::any_of(ast.children.begin(), ast.children.end(), [this](const Ast& child) { return has_cases(child); });
 }
 

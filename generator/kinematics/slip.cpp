@@ -11,6 +11,7 @@ using model::Axes;
 
 namespace {
 
+/// In space, rows of several wheels share what moves their axles.
 constexpr int k_times_shared = 2;
 
 /// Who moves along with the axes in which the direction is given. What turns with them, too, has constant places and axes there, where in
@@ -66,9 +67,10 @@ Expr slip(Expressions& expressions, const model::SlipLaw& law, const Vector3& pl
   if (frame == nullptr || expressions.carrier_of({law.axes}) == model::k_space) return in_space;
   Observer observer(expressions, law.axes, *frame);
   const Expr observed = dot(expressions(law.direction), observer.velocity(law.frame) - observer.velocity(law.surface));
-  // In space, rows of several wheels share what moves their axles.
-  const auto operations = [&](Expr e) { return ir::operations(expressions.graph(), {e.id()}); };
-  return k_times_shared * operations(observed) < operations(in_space) ? observed : in_space;
+  const auto count = [&](Expr e) { return ir::count_operations(expressions.graph(), {e.id()}); };
+  const ir::OperationCount seen = count(observed), before = count(in_space);
+  const bool has_no_angle_left = seen.functions == 0 && before.functions > 0;
+  return has_no_angle_left || k_times_shared * seen.total() < before.total() ? observed : in_space;
 }
 
 }  // namespace gaussgen::kinematics

@@ -160,6 +160,20 @@ constraints:
         self.assertEqual(self.document(MODELS / "four_bar.yaml")["multipliers"].popitem()[1]["unit"], "N")
 
 
+class Cases(Evaluate):
+    # What is the same almost everywhere is not the same: seen from the cart, the wall would be wherever the cart is.
+    def test_a_wall_stands_in_space_and_not_on_the_cart(self):
+        wall = {"soft(tip.x)": 20, "(sqrt(tip.x^2) + tip.x)": 2, "max(0, tip.x)": 1, "sqrt((tip.x - 1)^2)": -1, "log(tip.x)": 25}
+        for value, slope in wall.items():
+            with self.subTest(value):
+                model = ("gauss: 1\nname: wall\nparameters: {m: 2}\n"
+                         + "tables: {soft: {of: [0, 0.05, 0.1], values: [0, 1, 5], outside: hold}}\n" * ("soft" in value) +
+                         "joints: {slide: {type: prismatic, child: cart, axis: x, coordinates: x, initial: 0.03}}\n"
+                         "bodies: {cart: {mass: m, inertia: 0}}\npoints: {tip: {on: cart, at: [0.01, 0, 0]}}\n"
+                         f"forces: {{push: {{potential: {value}}}}}\n")
+                self.assertAlmostEqual(float(self.document("-", stdin=model)["accelerations"]["x_ddot"]["value"]), -slope / 2, 12)
+
+
 class Quantities(Evaluate):
     def test_their_names_are_the_users(self):
         text = "gauss: 1\nname: m\ncoordinates: {x: {initial: 2}}\nparticles: {p: {mass: 1, position: [x, 0, 0]}}\n" \
