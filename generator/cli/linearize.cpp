@@ -132,6 +132,11 @@ std::string states_text(const Linearisation& found, int digits) {
   return text;
 }
 
+bool has_no_effect(const Linearisation& found, const std::vector<std::size_t>& states) {
+  return std::all_of(states.begin(), states.end(),
+                     [&](std::size_t k) { return found.A.col(static_cast<Eigen::Index>(k)).isZero(0); });
+}
+
 std::string eigenvalues_text(const Linearisation& found, int digits) {
   Rows rows{{"", "real [1/s]", "imaginary", "frequency [Hz]", "damping ratio", "time constant [s]"}};
   std::size_t zeros = 0, number = 0;
@@ -148,8 +153,9 @@ std::string eigenvalues_text(const Linearisation& found, int digits) {
   if (zeros == 0) return text;
   text += fmt::format("  {} {} 0 (neutral)", zeros, zeros == 1 ? "is" : "are");
   if (!found.cyclic.empty())
-    text += fmt::format(", {} of {} on which nothing else depends: {}", found.cyclic.size(),
+    text += fmt::format(", {} of {} on which nothing else depends{}: {}", found.cyclic.size(),
                         found.cyclic.size() == 1 ? "a coordinate" : "coordinates",
+                        has_no_effect(found, found.cyclic) ? "" : " beyond rounding of the largest effects",
                         support::joined(names_of(found, found.cyclic)));
   return text + "\n";
 }
