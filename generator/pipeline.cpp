@@ -195,8 +195,10 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   try {
     return compile(source, options, diagnostics, stages);
   } catch (const ir::TooManyNodes& error) {
-    throw ir::TooManyNodes(
-        fmt::format("{} in the stage '{}'; --max-nodes allows more", error.what(), stages.under_way()));
+    // A derivative by each of n variables, such as 'jacobian', has n^2 entries where the equations have n.
+    const std::string& stage = stages.under_way();
+    const char* const less = stage == "artefacts" || stage == "header" ? ", and fewer of --outputs take less" : "";
+    throw ir::TooManyNodes(fmt::format("{} in the stage '{}'; --max-nodes allows more{}", error.what(), stage, less));
   }
 }
 

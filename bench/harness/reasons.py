@@ -47,7 +47,7 @@ def four_bar(document, _size):
 def growth(document, _size):
     memory = [number(document.value("planar_chain_relative", n, "gauss", "derive_memory")) for n in (50, 200)]
     return (f"Operations grow 4.1 times, and so do the instructions of the generator on this family (callgrind); memory goes from {memory[0]} to {memory[1]} MB, out of the "
-            "processor's second cache. Needed: nodes of less than their 136 bytes, or passes that work on a part of the graph at a time. Families with rolling grow faster: "
+            "processor's second cache. Needed: passes that work on a part of the graph at a time. Families with rolling grow faster: "
             "each wheel's row is formed over all speeds before it.")
 
 

@@ -196,8 +196,9 @@ class Limits(Program):
                 break
             self.assertEqual(result.returncode, 4, result.stderr)
             said = re.fullmatch(f"gauss-gen: the model is too large: more than {nodes} nodes in the stage '(\\w+)'; "
-                                "--max-nodes allows more\n", result.stderr)
+                                "--max-nodes allows more(, and fewer of --outputs take less)?\n", result.stderr)
             self.assertTrue(said, result.stderr)
+            self.assertEqual(said[2] is not None, said[1] in ("artefacts", "header"))
             stages.append(said[1])
             self.assertEqual(self.files(), ["m.yaml"])
         self.assertEqual(sorted(set(stages), key=stages.index), ["kinematics", "artefacts", "header"])
