@@ -2,9 +2,9 @@
 // Who is called what: one table per header, one scope per function.
 
 #include <map>
-#include <set>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "emit/unit.hpp"
@@ -23,7 +23,7 @@ class NameScope {
   bool is_free(const std::string& name) const { return taken_.count(name) == 0; }
 
  private:
-  std::set<std::string> taken_;
+  std::unordered_set<std::string> taken_;
   std::map<std::string, int> last_number_;
 };
 

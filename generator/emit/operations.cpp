@@ -85,10 +85,15 @@ void add(const cpp::Statement& statement, Tally& tally) {
 
 }  // namespace
 
-Operations operations_of(const cpp::Function& function, const std::map<std::string, Operations>& callees) {
+Operations operations_of(const std::vector<cpp::Statement>& statements,
+                         const std::map<std::string, Operations>& callees) {
   Tally tally(callees);
-  for (const cpp::Statement& statement : function.body) add(statement, tally);
+  for (const cpp::Statement& statement : statements) add(statement, tally);
   return tally.operations;
+}
+
+Operations operations_of(const cpp::Function& function, const std::map<std::string, Operations>& callees) {
+  return operations_of(function.body, callees);
 }
 
 int total(const Operations& operations) {

@@ -22,6 +22,9 @@ int total(const Operations& operations);
 /// `callees`: what calls of functions of the same header cost.
 Operations operations_of(const cpp::Function& function, const std::map<std::string, Operations>& callees = {});
 
+Operations operations_of(const std::vector<cpp::Statement>& statements,
+                         const std::map<std::string, Operations>& callees = {});
+
 /// Of each; functions come after those that they call.
 std::vector<Operations> operations_of_all(const std::vector<cpp::Function>& functions,
                                           std::map<std::string, Operations> callees);

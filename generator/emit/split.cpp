@@ -1,9 +1,11 @@
 #include "emit/split.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include "emit/operations.hpp"
 
@@ -41,12 +43,7 @@ std::set<std::string> atoms_of(const std::vector<cpp::Statement>& statements) {
   return atoms;
 }
 
-int cost_of(const std::vector<cpp::Statement>& statements) {
-  cpp::Function function;
-  function.body = statements;
-  const Operations count = operations_of(function);
-  return count.additions + count.multiplications + count.divisions + count.square_roots + count.functions;
-}
+int cost_of(const std::vector<cpp::Statement>& statements) { return total(operations_of(statements)); }
 
 /// Statements that stay together: a definition, sines and cosines with their declarations, a result.
 struct Step {
@@ -254,15 +251,16 @@ class Splitter {
     return function;
   }
 
+  // Each step is in one part.
   std::vector<cpp::Statement> body_of(std::size_t begin, std::size_t end, bool is_last) {
     std::vector<cpp::Statement> work;
     for (std::size_t i = begin; i < end; ++i) {
-      const Step& step = steps_[i];
+      Step& step = steps_[i];
       if (!step.comment.empty()) {
         work.emplace_back(cpp::BlankLine{});
         work.emplace_back(cpp::Comment{step.comment});
       }
-      work.insert(work.end(), step.statements.begin(), step.statements.end());
+      std::move(step.statements.begin(), step.statements.end(), std::back_inserter(work));
     }
     if (is_last) {
       work.emplace_back(cpp::BlankLine{});
@@ -271,7 +269,7 @@ class Splitter {
     std::vector<cpp::Statement> body = beginning(begin, end, atoms_of(work));
     if (!body.empty() && (work.empty() || !std::holds_alternative<cpp::BlankLine>(work.front())))
       body.emplace_back(cpp::BlankLine{});
-    body.insert(body.end(), work.begin(), work.end());
+    std::move(work.begin(), work.end(), std::back_inserter(body));
     if (!is_last) hand_on(begin, end, body);
     return body;
   }
