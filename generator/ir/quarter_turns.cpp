@@ -84,8 +84,8 @@ std::optional<NodeId> of_quarter_turns(Graph& graph, Function function, NodeId a
   if (!support::is_integer(quarters)) return std::nullopt;
   const int k = support::to_int(quarters);
   if (function != Function::tan) return turned_sine(graph, function == Function::sin ? k : k + 1, part->rest);
-  const NodeId tangent = graph.call(Function::tan, {part->rest});
-  return k % 2 == 0 ? tangent : graph.scale(-1, graph.power(tangent, -1));
+  // A quarter further its poles are elsewhere, and are poles of a tangent to whoever is told of them.
+  return k % 2 == 0 ? std::optional(graph.call(Function::tan, {part->rest})) : std::nullopt;
 }
 
 }  // namespace gaussgen::ir

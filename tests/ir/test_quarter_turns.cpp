@@ -44,7 +44,7 @@ TEST_CASE_METHOD(Fixture, "quarters of a turn leave sines and cosines of what st
   CHECK(of(Function::cos, x - Rational(1) / 2 * pi) == of(Function::sin, x));
   CHECK(of(Function::sin, pi - x) == of(Function::sin, x));
   CHECK(of(Function::tan, x + pi) == of(Function::tan, x));
-  CHECK(graph.is_undefined(of(Function::tan, Rational(1) / 2 * pi).id()));
+  CHECK(graph[of(Function::tan, x + Rational(1) / 2 * pi).id()].kind == Kind::function);
 }
 
 TEST_CASE_METHOD(Fixture, "values are those of the library, whatever multiple of pi/12 is beside x") {
