@@ -12,6 +12,9 @@ namespace gaussgen::strategy {
 using Vector = std::vector<ir::Expr>;
 using Matrix = std::vector<Vector>;  ///< rows
 
+/// How many times its rounding error a pivot has to exceed, or nothing is left of it.
+inline constexpr int k_lost_to_rounding = 4;
+
 /// What to do with a pivot that has lost all its digits.
 enum class Dependent {
   divide,  ///< as with any other: the result is not finite, and status says so
@@ -32,7 +35,7 @@ class Ldl {
   /// Boolean: some pivot is not positive or has lost all its digits against its diagonal entry, so the matrix is singular as
   /// far as the scalar type can tell. Pivots that are diagonal entries themselves cannot cancel and are compared with 0.
   /// `lost` is how many times its rounding error a pivot has to exceed.
-  ir::Expr breakdown(int lost = 4) const;
+  ir::Expr breakdown(int lost = k_lost_to_rounding) const;
 
   /// Rows whose pivot vanishes identically: the matrix is singular in every configuration.
   std::vector<std::string> vanishing() const;
@@ -50,7 +53,7 @@ class Ldl {
   void eliminate(std::size_t pivot, Rest& rest, Steps& steps);
   void sort_columns();
 
-  ir::Expr tolerance(std::size_t pivot, int lost = 4) const;
+  ir::Expr tolerance(std::size_t pivot, int lost = k_lost_to_rounding) const;
   ir::Expr reciprocal(std::size_t pivot) const;
 
   ir::Graph& graph_;

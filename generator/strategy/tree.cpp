@@ -21,9 +21,6 @@ using kinematics::Link;
 
 namespace {
 
-/// How many times its rounding error the response of a constraint exceeds where it says something of its own.
-constexpr int k_lost_in_rows = 1000;
-
 /// How many times an inertia may be another one for multipliers to be right without a correction, up to the digits of this number.
 constexpr double k_widest_range = 1e4;
 

@@ -11,10 +11,6 @@ using kinematics::k_ground;
 
 namespace {
 
-/// How many times its rounding error the response of a row exceeds where it says something of its own.
-constexpr int k_lost_in_rows = 1000;
-constexpr int k_lost_to_rounding = 4;
-
 /// The links of which a speed is a component; none where it moves others, too.
 std::vector<std::size_t> owners_of(const std::vector<kinematics::Link>& links, const OwnComponents& own,
                                    std::size_t speeds) {

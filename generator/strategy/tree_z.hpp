@@ -7,6 +7,7 @@
 
 #include "strategy/bar.hpp"
 #include "strategy/bounds.hpp"
+#include "strategy/ldl.hpp"
 #include "strategy/mass_bounds.hpp"
 #include "strategy/own_components.hpp"
 #include "strategy/quadratic_form.hpp"
@@ -23,6 +24,9 @@ struct Response {
   /// The largest inertia over the least, or nearly.
   ir::Expr spread() const { return compliance * inertia / pow(squares, 2); }
 };
+
+/// How many times its rounding error the response of a constraint exceeds where it says something of its own.
+inline constexpr int k_lost_in_rows = 1000;
 
 /// Rows that close within what a link carries, and their multipliers over what stays of it.
 struct ClosedLoop {
