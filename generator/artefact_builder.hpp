@@ -1,6 +1,7 @@
 #pragma once
 // What the builders of artefacts share.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,17 @@ emit::Artefact rhs_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> reactions_artefacts(Mechanics& mechanics);
 std::vector<emit::Artefact> reaction_forces_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> joint_reactions_artefact(Mechanics& mechanics);
+
+/// Constraints that may lose their rank somewhere, in a model that is small enough.
+bool has_general_way(Mechanics& mechanics);
+/// Of the constraints, where nothing singles a state out.
+std::size_t usual_rank(Mechanics& mechanics);
+emit::Artefact linear_system_artefact(Mechanics& mechanics);
+
+/// What `build` makes, in two ways each where the model has a general one; `shows_multipliers`: results contain them, or what follows from single
+/// ones.
+using ArtefactsOf = std::function<std::vector<emit::Artefact>(Mechanics&)>;
+std::vector<emit::Artefact> in_two_ways(const ArtefactsOf& build, bool shows_multipliers, Mechanics& mechanics);
 
 bool has_quaternions(const Mechanics& mechanics);
 

@@ -25,6 +25,18 @@ const std::vector<OutputKind>& output_kinds() {
   return k_kinds;
 }
 
+namespace {
+
+std::vector<Artefact> equations_of_motion(Mechanics& mechanics) {
+  std::vector<Artefact> result;
+  if (has_general_way(mechanics)) result.push_back(linear_system_artefact(mechanics));
+  const auto rhs = [](Mechanics& of) { return std::vector<Artefact>{rhs_artefact(of)}; };
+  for (Artefact& artefact : in_two_ways(rhs, false, mechanics)) result.push_back(std::move(artefact));
+  return result;
+}
+
+}  // namespace
+
 std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechanics) {
   const auto one = [](Artefact artefact) {
     std::vector<Artefact> list;
@@ -34,10 +46,10 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   // Without a free coordinate there is no state to look for; reactions of the held motion remain.
   const bool has_state = mechanics.dynamics.n() > 0;
   if (!has_state && (name == "rhs" || name == "mass_matrix" || name == "project" || name == "initial_state")) return {};
-  if (name == "rhs") return one(rhs_artefact(mechanics));
-  if (name == "reactions") return reactions_artefacts(mechanics);
-  if (name == "reaction_forces") return reaction_forces_artefact(mechanics);
-  if (name == "joint_reactions") return joint_reactions_artefact(mechanics);
+  if (name == "rhs") return equations_of_motion(mechanics);
+  if (name == "reactions") return in_two_ways(reactions_artefacts, true, mechanics);
+  if (name == "reaction_forces") return in_two_ways(reaction_forces_artefact, true, mechanics);
+  if (name == "joint_reactions") return in_two_ways(joint_reactions_artefact, true, mechanics);
   if (name == "energy") return one(energy_artefact(mechanics));
   if (name == "compulsion") return compulsion_artefact(mechanics);
   if (name == "residuals") return residuals_artefact(mechanics);

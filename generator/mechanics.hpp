@@ -72,6 +72,7 @@ struct Mechanics : KinematicModel {
   strategy::Solution solution;
   strategy::Vector held_reactions;
   MechanicsOptions options;
+  std::vector<ir::SymbolId> multipliers;  ///< of a solution that is given, where functions of one were made
   std::vector<ir::SymbolId> start;  ///< of the configuration before a projection, where one was made
 };
 

@@ -95,6 +95,10 @@ class UnitBuilder {
         unit_.artefacts.push_back(std::move(artefact));
       }
     }
+    for (std::size_t mu = 0; mu < mechanics_.multipliers.size(); ++mu) {
+      const std::string& name = mechanics_.dynamics.constraints[mu];
+      unit_.multipliers.push_back({mechanics_.multipliers[mu], "lambda_" + name, "", ""});
+    }
     for (std::size_t i = 0; i < mechanics_.start.size(); ++i) {
       const emit::Entry& now = unit_.configuration[i];
       unit_.start.push_back({mechanics_.start[i], now.name, now.unit, "before a projection"});

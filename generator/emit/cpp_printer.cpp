@@ -166,6 +166,9 @@ class Printer {
   void statement(const Assignment& s) { finish(Line(indent_).expression(s.target).text(" = ").expression(s.value)); }
   void statement(const Evaluation& s) { finish(Line(indent_).expression(s.expression)); }
   void statement(const Return& s) { finish(Line(indent_).text("return ").expression(s.value)); }
+  void statement(const EarlyReturn& s) {
+    finish(Line(indent_).text("if (").expression(s.condition).text(") return ").expression(s.value));
+  }
   void statement(const BlankLine&) { out += "\n"; }
   void statement(const Comment& s) { comment_lines(s.text, "//", indent_); }
 

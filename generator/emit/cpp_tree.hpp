@@ -94,8 +94,14 @@ struct Loop {
   std::vector<AnyStatement> body;
 };
 
-using Statement =
-    std::variant<Definition, Declaration, Alias, Assignment, Evaluation, Return, BlankLine, Comment, Array, Loop>;
+/// `if (condition) return value;`
+struct EarlyReturn {
+  Expression condition;
+  Expression value;
+};
+
+using Statement = std::variant<Definition, Declaration, Alias, Assignment, Evaluation, Return, EarlyReturn, BlankLine,
+                               Comment, Array, Loop>;
 
 /// A Statement before the type is complete.
 struct AnyStatement {

@@ -21,6 +21,7 @@ using passes::Writing;
 namespace {
 
 constexpr std::size_t k_comment_width = 104;
+const char* const k_solution_type = "const LinearSolution<S, n_v, n_constraints>&";
 const std::string k_start = "start";              ///< of a search: the state before it
 constexpr std::size_t k_required_conditions = 3;  ///< of Math<S>::status
 
@@ -124,9 +125,17 @@ NameScope scope_for(const Plan& plan, const Artefact& artefact, const SymbolSet&
     for (const Entry& entry : plan.unit.configuration) scope.release(plan.names.of(entry));
     for (const Entry& entry : speeds) scope.release(plan.names.of(entry));
   }
-  if (artefact.takes_accelerations) return scope;
+  if (artefact.takes_accelerations || artefact.takes_solution) return scope;
   for (const Entry& entry : plan.unit.accelerations) scope.release(plan.names.of(entry));
   return scope;
+}
+
+/// True if anything was read.
+bool read_list(Reader& reader, const std::vector<Entry>& entries, const std::string& from) {
+  bool any = false;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    any = reader.read_as(entries[i].symbol, from + "[" + std::to_string(i) + "]") || any;
+  return any;
 }
 
 /// Reads what a function needs and lists its arguments as it goes.
@@ -141,7 +150,13 @@ std::vector<cpp::Argument> read_arguments(const Plan& plan, const Artefact& arte
   for (std::size_t i = 0; i < unit.start.size(); ++i)
     reads_start = reader.read_as(unit.start[i].symbol, k_start + ("." + plan.names.of(unit.configuration[i]) + "()")) ||
                   reads_start;
-  const bool reads_accelerations = reader.read_all(unit.accelerations, "accelerations", "()");
+  bool reads_accelerations = false, reads_solution = false;
+  if (artefact.takes_solution) {
+    reads_solution = read_list(reader, unit.accelerations, "solved.accelerations");
+    reads_solution = read_list(reader, unit.multipliers, "solved.multipliers") || reads_solution;
+  } else {
+    reads_accelerations = reader.read_all(unit.accelerations, "accelerations", "()");
+  }
   std::vector<cpp::Argument> arguments;
   if (artefact.takes_time) arguments.push_back({"const S&", "t", reader.uses(unit.time)});
   if (artefact.takes_start) arguments.push_back({"const State<S>&", k_start, reads_start});
@@ -149,6 +164,7 @@ std::vector<cpp::Argument> read_arguments(const Plan& plan, const Artefact& arte
   if (artefact.takes_inputs) arguments.push_back({"const Inputs<S>&", "inputs", reads_inputs});
   arguments.push_back({"const Prepared<S>&", "prepared", reads_prepared});
   if (artefact.takes_accelerations) arguments.push_back({"const Derivative<S>&", "accelerations", reads_accelerations});
+  if (artefact.takes_solution) arguments.push_back({k_solution_type, "solved", reads_solution});
   if (!artefact.derivative.empty()) arguments.push_back({"Derivative<S>&", "derivative", true});
   if (!artefact.state.empty()) arguments.push_back({"State<S>&", "state", true});
   if (!artefact.result_type.empty()) {
@@ -156,6 +172,8 @@ std::vector<cpp::Argument> read_arguments(const Plan& plan, const Artefact& arte
   }
   return arguments;
 }
+
+}  // namespace
 
 /// Without arguments and body.
 cpp::Function declared(const Artefact& artefact) {
@@ -167,8 +185,6 @@ cpp::Function declared(const Artefact& artefact) {
   function.suffix = "noexcept";
   return function;
 }
-
-}  // namespace
 
 FunctionCode artefact_function(Plan& plan, const Task& task) {
   const Artefact& artefact = *task.artefact;

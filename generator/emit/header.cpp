@@ -1,5 +1,6 @@
 #include "emit/header.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "emit/cpp_printer.hpp"
@@ -11,6 +12,7 @@
 #include "emit/provenance.hpp"
 #include "emit/structs.hpp"
 #include "emit/tables.hpp"
+#include "emit/two_ways.hpp"
 
 namespace gaussgen::emit {
 
@@ -40,6 +42,10 @@ std::string guard_name(const std::string& name_space) {
   return guard + (guard.back() == '_' ? "HPP" : "_HPP");
 }
 
+bool has_two_ways(const Unit& unit) {
+  return std::any_of(unit.artefacts.begin(), unit.artefacts.end(), [](const Artefact& one) { return one.ways; });
+}
+
 class HeaderBuilder {
  public:
   explicit HeaderBuilder(Plan& plan) : plan_(plan) { file_.name_space = safe_name_space(plan.unit.name_space); }
@@ -50,8 +56,13 @@ class HeaderBuilder {
     std::vector<Parts> parts;
     auto task = plan_.tasks.begin();
     for (const Artefact& artefact : plan_.unit.artefacts) {
-      const bool calls = !artefact.calls.empty();
-      FunctionCode code = calls ? FunctionCode{search_function(artefact)} : artefact_function(plan_, *task++);
+      if (artefact.ways) {
+        parts.push_back(two_ways(artefact));
+        functions.push_back(parts.back().function);
+        continue;
+      }
+      FunctionCode code =
+          artefact.is_caller() ? FunctionCode{search_function(artefact)} : artefact_function(plan_, *task++);
       functions.push_back(code.function);
       parts.push_back(split(std::move(code), plan_.unit.part_operations));
     }
@@ -61,6 +72,10 @@ class HeaderBuilder {
     file_.before = {cpp::Comment{provenance_text(plan_, functions, counts)}, cpp::BlankLine{},
                     cpp::Verbatim{"#ifndef " + guard + "\n#define " + guard + "\n\n"},
                     cpp::Verbatim{std::string(prelude())}, cpp::BlankLine{}};
+    if (has_two_ways(plan_.unit)) {
+      file_.before.emplace_back(cpp::Verbatim{std::string(constrained_prelude())});
+      file_.before.emplace_back(cpp::BlankLine{});
+    }
     // A model outside of namespace gauss still needs Math, Status and their like.
     const bool is_inside = file_.name_space.rfind("gauss::", 0) == 0;
     file_.items.emplace_back(cpp::BlankLine{});
@@ -126,7 +141,7 @@ class HeaderBuilder {
       const int operations = total(counts[next++]);
       if (sizes_.empty() || sizes_.back().output != artefact.output) sizes_.push_back({artefact.output, 0});
       // What a search calls is counted where it is written.
-      if (artefact.calls.empty()) sizes_.back().operations += operations;
+      if (!artefact.is_caller()) sizes_.back().operations += operations;
     }
   }
 

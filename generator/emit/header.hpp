@@ -43,4 +43,7 @@ std::string emit_header(ir::Graph graph, const Unit& unit);
 /// The text of src/gauss/math.hpp, which every header carries.
 std::string_view prelude();
 
+/// src/gauss/constrained.hpp, without the include of math.hpp.
+std::string_view constrained_prelude();
+
 }  // namespace gaussgen::emit

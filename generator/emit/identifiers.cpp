@@ -28,7 +28,7 @@ const NameSet k_own_names = {
     "Angles", "Bool", "Derivative", "Inputs", "Math", "Parameters", "Prepared", "Quantity", "S", "State", "Status", "StatusOf",
     "accelerations", "constraint_table", "coordinate_table", "derivative", "gauss", "initial_state", "input_members",
     "input_table", "inputs", "live", "n_constraints", "n_inputs", "n_parameters", "n_q", "n_v", "name_of_model", "out",
-    "parameter_members", "parameter_table", "parameters", "prepare", "prepared", "from", "speed_table", "state", "status", "std",
+    "parameter_members", "parameter_table", "parameters", "prepare", "prepared", "from", "solved", "speed_table", "state", "status", "std",
     "t", "values"};
 
 }  // namespace

@@ -33,6 +33,7 @@ UnitNames::UnitNames(const ir::Graph& graph, const Unit& unit) {
   for (const Entry& entry : unit.speeds) add(entry);
   for (const Entry& entry : unit.start) bind(entry.symbol, scope_.allocate(entry.name + "_at_start"));
   for (const Entry& entry : unit.accelerations) add(entry);
+  for (const Entry& entry : unit.multipliers) bind(entry.symbol, scope_.allocate(entry.name));
   for (const std::string& rate : unit.configuration_rates) add(rate);
   for (std::uint32_t i = 0; i < graph.table_count(); ++i) add(graph.table(ir::TableId{i}));
   bind(unit.time, "t");

@@ -35,7 +35,8 @@ std::vector<SymbolId> arguments_of(const Artefact& artefact, const Unit& unit) {
   if (artefact.takes_inputs) {
     for (const InputEntry& input : unit.inputs) symbols.push_back(input.entry.symbol);
   }
-  if (artefact.takes_accelerations) append(unit.accelerations);
+  if (artefact.takes_accelerations || artefact.takes_solution) append(unit.accelerations);
+  if (artefact.takes_solution) append(unit.multipliers);
   return symbols;
 }
 
@@ -132,7 +133,7 @@ class Planner {
 
   void run() {
     for (const Artefact& artefact : plan_.unit.artefacts) {
-      if (!artefact.calls.empty()) continue;
+      if (artefact.is_caller()) continue;
       Task task{&artefact, {}, {}};
       task.request = runs_once(artefact) ? as_it_is(artefact) : over_prepared(artefact, task.effects);
       plan_.tasks.push_back(std::move(task));

@@ -29,6 +29,10 @@ struct AtomsOf {
   void operator()(const cpp::Definition& s) const { add_atoms(s.value, atoms); }
   void operator()(const cpp::Evaluation& s) const { add_atoms(s.expression, atoms); }
   void operator()(const cpp::Return& s) const { add_atoms(s.value, atoms); }
+  void operator()(const cpp::EarlyReturn& s) const {
+    add_atoms(s.condition, atoms);
+    add_atoms(s.value, atoms);
+  }
   void operator()(const cpp::Assignment& s) const {
     add_atoms(s.target, atoms);
     add_atoms(s.value, atoms);

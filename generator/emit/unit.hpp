@@ -105,6 +105,15 @@ struct Call {
   bool takes_start = false;  ///< with the state before the first call as well
 };
 
+/// A function that turns to the general solution of the constrained system where its own way is not to be trusted.
+struct TwoWays {
+  std::string regular;      ///< function of the own way; empty: there is none
+  std::string system;       ///< function that fills the struct of the same name
+  std::string of_solution;  ///< function that makes the results of accelerations and multipliers
+  int usual_rank = 0;       ///< of the constraints, where nothing singles a state out
+  bool shows_multipliers = false;  ///< they are no use where they are not unique
+};
+
 /// One emitted function.
 struct Artefact {
   std::string name;         ///< rhs, reactions, rhs_and_reactions, energy, …
@@ -116,14 +125,19 @@ struct Artefact {
   bool extends_preparation = true;   ///< false (initial_state): parameter-only values stay inside the function
   bool takes_accelerations = false;  ///< an extra `const Derivative<S>&`: candidate accelerations
   bool takes_start = false;          ///< an extra `const State<S>&`: Unit::start
+  bool takes_solution = false;       ///< an extra `const LinearSolution<S, n_v, n_constraints>&`
   Target target = Target::result;
   std::vector<NodeId> derivative;  ///< target derivative (also beside groups, for rhs_and_reactions): n_q + n_v values
   std::vector<NodeId> state;       ///< target state: n_q + n_v values
   std::vector<Call> calls;         ///< likewise, instead of values: of functions that come before this one
+  std::optional<TwoWays> ways;     ///< instead of values: these functions come before this one
   std::string result_type;         ///< struct name, such as Reactions; several artefacts may fill the same struct
   std::vector<Group> groups;
   std::vector<Section> sections;
   StatusNodes status;
+
+  /// It has no values of its own.
+  bool is_caller() const { return ways || !calls.empty(); }
 };
 
 struct Provenance {
@@ -149,6 +163,7 @@ struct Unit {
   std::vector<Entry> start;          ///< n_q or none; likewise named, of the state from which a search began
   std::vector<Entry> speeds;         ///< n_v; names as emitted: chi_dot, wx
   std::vector<Entry> accelerations;  ///< n_v; names as emitted: chi_ddot, wx_dot
+  std::vector<Entry> multipliers;                ///< of a solution, or none
   std::vector<std::string> configuration_rates;  ///< n_q, names in Derivative: chi_dot, e0_dot
   std::vector<HeldEntry> held;
   std::vector<ConstraintEntry> constraints;

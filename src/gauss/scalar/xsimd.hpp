@@ -24,6 +24,12 @@ struct BatchStatus {
   }
   bool any() const noexcept { return xsimd::any(bad()); }
 
+  /// In lanes of `mask`; ok in others.
+  BatchStatus within(const Mask& mask) const noexcept {
+    return {singular_mass_matrix && mask, dependent_constraints && mask, not_finite && mask,
+            violated_constraints && mask};
+  }
+
   /// Of one lane, as a scalar computation would have it.
   Status lane(std::size_t i) const noexcept {
     return singular_mass_matrix.get(i)    ? Status::singular_mass_matrix

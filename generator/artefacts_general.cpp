@@ -1,0 +1,137 @@
+// Functions that turn to the general solution of the linear system where their own way is lost (emit/two_ways.hpp).
+
+#include <algorithm>
+
+#include "artefact_builder.hpp"
+#include "generic_point.hpp"
+
+namespace gaussgen {
+
+using emit::Artefact;
+using emit::Field;
+using emit::NodeId;
+using ir::Expr;
+using strategy::Vector;
+
+namespace {
+
+/// Of speeds times speeds and constraints: beyond, code and time of the general solution are out of proportion, and a status has to do.
+constexpr std::size_t k_most_entries = 4000;
+
+const char* const k_regular = "_regular";
+const char* const k_of_solution = "_of_solution";
+const char* const k_system = "linear_system";
+
+std::vector<NodeId> entries_of(const strategy::Matrix& matrix) {
+  std::vector<NodeId> entries;
+  for (const Vector& row : matrix) {
+    for (const Expr entry : row) entries.push_back(entry.id());
+  }
+  return entries;
+}
+
+/// While it lasts, accelerations and multipliers are those that a caller hands over.
+class GivenSolution {
+ public:
+  explicit GivenSolution(Mechanics& mechanics)
+      : mechanics_(mechanics), solution_(mechanics.solution), held_reactions_(mechanics.held_reactions) {
+    const Expr never = mechanics.expressions.number(0);
+    strategy::Solution given{candidate_accelerations(mechanics),
+                             given_multipliers(mechanics),
+                             never,
+                             never,
+                             solution_.description,
+                             {},
+                             {},
+                             {}};
+    mechanics.solution = std::move(given);
+    mechanics.held_reactions =
+        strategy::held_reactions(mechanics.model, mechanics.dynamics, mechanics.solution, mechanics.steps);
+  }
+  ~GivenSolution() {
+    mechanics_.solution = std::move(solution_);
+    mechanics_.held_reactions = std::move(held_reactions_);
+  }
+  GivenSolution(const GivenSolution&) = delete;
+  GivenSolution& operator=(const GivenSolution&) = delete;
+
+ private:
+  static Vector given_multipliers(Mechanics& mechanics) {
+    if (mechanics.multipliers.empty()) {
+      for (const std::string& name : mechanics.dynamics.constraints)
+        mechanics.multipliers.push_back(mechanics.graph.declare(ir::SymbolClass::opaque, "lambda_" + name));
+    }
+    Vector given;
+    for (const ir::SymbolId symbol : mechanics.multipliers) given.push_back(mechanics.expressions.symbol(symbol));
+    return given;
+  }
+
+  Mechanics& mechanics_;
+  strategy::Solution solution_;
+  Vector held_reactions_;
+};
+
+/// What a caller sees, without values.
+Artefact caller_of(const Artefact& regular) {
+  Artefact caller;
+  caller.name = regular.name;
+  caller.about = regular.about;
+  caller.target = regular.target;
+  caller.takes_inputs = regular.takes_inputs;
+  caller.derivative = regular.derivative;
+  caller.result_type = regular.result_type;
+  caller.groups = regular.groups;
+  caller.status = regular.status;
+  return caller;
+}
+
+}  // namespace
+
+std::size_t usual_rank(Mechanics& mechanics) { return generic_rank(GenericPoint(mechanics)(mechanics.dynamics.b)); }
+
+bool has_general_way(Mechanics& mechanics) {
+  const std::size_t n = mechanics.dynamics.n(), l = mechanics.dynamics.l();
+  return n > 0 && l > 0 && !mechanics.solution.dependent_constraints.is_zero() && n * (n + l) <= k_most_entries;
+}
+
+Artefact linear_system_artefact(Mechanics& mechanics) {
+  ArtefactBuilder builder(k_system, "What Gauss's principle leaves to be solved: g a = f + b^T lambda, b a + drift = 0.",
+                          mechanics);
+  builder.result_type("LinearSystem");
+  const strategy::Dynamics& dynamics = mechanics.dynamics;
+  const int n = static_cast<int>(dynamics.n()), l = static_cast<int>(dynamics.l());
+  builder.fields("", "", "",
+                 {{"g", "the metric of the free speeds (1.10)", {n, n}, entries_of(dynamics.g)},
+                  {"f", "forces, less what inertia takes at constant speeds", {n}, ids(dynamics.f)},
+                  {"b", "dphi/du of each constraint", {l, n}, entries_of(dynamics.b)},
+                  {"drift", "dphi/dt of each at constant speeds", {l}, ids(dynamics.b_drift)}});
+  return builder.finish({});
+}
+
+std::vector<Artefact> in_two_ways(const ArtefactsOf& build, bool shows_multipliers, Mechanics& mechanics) {
+  std::vector<Artefact> regular = build(mechanics);
+  if (!has_general_way(mechanics)) return regular;
+  std::vector<Artefact> of_solution;
+  {
+    const GivenSolution given(mechanics);
+    of_solution = build(mechanics);
+  }
+  std::vector<Artefact> result;
+  for (std::size_t i = 0; i < regular.size(); ++i) {
+    Artefact caller = caller_of(regular[i]);
+    const bool shows = shows_multipliers && !regular[i].result_type.empty();
+    caller.ways = {caller.name + k_regular, k_system, caller.name + k_of_solution,
+                   static_cast<int>(usual_rank(mechanics)), shows};
+    regular[i].name += k_regular;
+    regular[i].about = "Of " + caller.name + ": as it is done where constraints are independent.";
+    of_solution[i].name += k_of_solution;
+    of_solution[i].about = "Of " + caller.name + ": from given accelerations and multipliers.";
+    of_solution[i].takes_solution = true;
+    result.push_back(std::move(regular[i]));
+    result.push_back(std::move(of_solution[i]));
+    result.push_back(std::move(caller));
+  }
+  return result;
+}
+
+}  // namespace gaussgen

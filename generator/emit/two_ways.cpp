@@ -1,0 +1,121 @@
+#include "emit/two_ways.hpp"
+
+#include "emit/functions.hpp"
+#include "emit/identifiers.hpp"
+
+namespace gaussgen::emit {
+
+namespace {
+
+using cpp::Argument;
+using cpp::Expression;
+
+const char* const k_general = "_general";
+
+/// What both ways read, without results.
+std::vector<Argument> inputs_of(const Artefact& artefact) {
+  return {{"const S&", "t"},
+          {"const State<S>&", "state"},
+          {"const Inputs<S>&", "inputs", artefact.takes_inputs},
+          {"const Prepared<S>&", "prepared"}};
+}
+
+std::vector<Argument> results_of(const Artefact& artefact) {
+  std::vector<Argument> results;
+  if (!artefact.derivative.empty()) results.push_back({"Derivative<S>&", "derivative"});
+  if (!artefact.result_type.empty())
+    results.push_back({artefact.result_type + "<S>&", snake_case(artefact.result_type)});
+  return results;
+}
+
+std::vector<Argument> operator+(std::vector<Argument> a, const std::vector<Argument>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+Expression call_with(const std::string& function, const std::vector<Argument>& arguments) {
+  std::vector<Expression> values;
+  for (const Argument& argument : arguments) values.push_back(cpp::atom(argument.name));
+  return cpp::call(function, std::move(values));
+}
+
+class GeneralWay {
+ public:
+  explicit GeneralWay(const Artefact& artefact) : artefact_(artefact), ways_(*artefact.ways) {}
+
+  /// Results go to `results`; the status is in `status` then.
+  void solve(cpp::Function& function, const std::vector<Argument>& results) {
+    const std::vector<Argument> inputs = inputs_of(artefact_);
+    const std::string type = "LinearSolution<S, n_v, n_constraints>";
+    add(function, cpp::Declaration{"LinearSystem<S>", {"system"}});
+    add(function, cpp::Definition{"StatusOf<S>", "status",
+                                  call_with(ways_.system, inputs + std::vector<Argument>{{"", "system"}})});
+    add(function, cpp::Declaration{type, {"solved"}});
+    add(function,
+        cpp::Evaluation{cpp::call("solve", {cpp::atom("system"), cpp::atom(std::to_string(ways_.usual_rank)),
+                                            cpp::call("default_rank_tolerance<S>", {}), cpp::atom("solved")})});
+    worsen(function, cpp::atom(ways_.shows_multipliers ? "solved.reactions" : "solved.motion"));
+    worsen(function, call_with(ways_.of_solution, inputs + std::vector<Argument>{{"", "solved"}} + results));
+  }
+
+ private:
+  static void add(cpp::Function& function, cpp::Statement statement) { function.body.push_back(std::move(statement)); }
+
+  static void worsen(cpp::Function& function, Expression with) {
+    add(function,
+        cpp::Assignment{cpp::atom("status"), cpp::call("Math<S>::worse", {cpp::atom("status"), std::move(with)})});
+  }
+
+  const Artefact& artefact_;
+  const TwoWays& ways_;
+};
+
+/// For the lanes of `regular` that are lost.
+cpp::Function general_function(const Artefact& artefact) {
+  cpp::Function function = declared(artefact);
+  function.name += k_general;
+  function.comment = "Of " + artefact.name +
+                     ": where constraints (nearly) follow from each other, or inertia is beyond all digits small. g a "
+                     "= f + b^T lambda\n"
+                     "and b a + drift = 0 are solved whatever their rank.";
+  function.prefix = "GAUSS_PART";
+  const std::vector<Argument> results = results_of(artefact);
+  function.arguments = inputs_of(artefact) + std::vector<Argument>{{"const StatusOf<S>&", "regular"}} + results;
+  std::vector<Argument> own;
+  for (const Argument& result : results) {
+    const std::string type = result.type.substr(0, result.type.size() - 1);
+    own.push_back({result.type, "own_" + result.name});
+    function.body.emplace_back(cpp::Declaration{type, {own.back().name}});
+  }
+  GeneralWay(artefact).solve(function, own);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    function.body.emplace_back(cpp::Evaluation{
+        cpp::call("detail::take_lost<S>", {cpp::atom("regular"), cpp::atom(own[i].name), cpp::atom(results[i].name)})});
+  }
+  function.body.emplace_back(
+      cpp::Return{cpp::call("detail::status_of_lost<S>", {cpp::atom("regular"), cpp::atom("status")})});
+  return function;
+}
+
+}  // namespace
+
+Parts two_ways(const Artefact& artefact) {
+  const TwoWays& ways = *artefact.ways;
+  const std::vector<Argument> inputs = inputs_of(artefact), results = results_of(artefact);
+  cpp::Function function = declared(artefact);
+  function.arguments = inputs + results;
+  if (ways.regular.empty()) {
+    GeneralWay(artefact).solve(function, results);
+    function.body.emplace_back(cpp::Return{cpp::atom("status")});
+    return {std::nullopt, {}, std::move(function)};
+  }
+  const std::vector<Argument> regular{{"", "regular"}};
+  function.body.emplace_back(
+      cpp::Definition{"const StatusOf<S>", "regular", call_with(ways.regular, inputs + results)});
+  function.body.emplace_back(cpp::EarlyReturn{cpp::call("detail::is_lost<S>", {cpp::atom("regular")}),
+                                              call_with(artefact.name + k_general, inputs + regular + results)});
+  function.body.emplace_back(cpp::Return{cpp::atom("regular")});
+  return {std::nullopt, {general_function(artefact)}, std::move(function)};
+}
+
+}  // namespace gaussgen::emit

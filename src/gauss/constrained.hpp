@@ -1,0 +1,467 @@
+// Accelerations and multipliers of any constrained system, whatever its rank: what emitted functions turn to where their
+// own, cheaper way has lost its digits.
+// SPDX-License-Identifier: MIT-0
+//
+// Gauss's principle leaves the linear problem  g a = f + b^T lambda,  b a + drift = 0  (theory, section 3). It is scaled by inertias and
+// by rows, b^T is factorised by Householder reflections with pivoting, what the constraints leave free is found from g there
+// (null space), and the whole is refined once: Golub and Van Loan, Matrix Computations, 4th ed., 5.4 and 6.2. So g may be singular where
+// constraints complete it, rows may follow from each other, and the error is that of the condition number, not of its square. All choices are selections, so that
+// the lanes of a batch may differ; there is no allocation.
+#ifndef GAUSS_CONSTRAINED_HPP
+#define GAUSS_CONSTRAINED_HPP
+
+#include <type_traits>
+
+#include "gauss/math.hpp"
+
+namespace gauss {
+
+/// Of n speeds and l constraints.
+template <class S, int n, int l>
+struct LinearSolution {
+  S accelerations[n];
+  S multipliers[l];  ///< of those that do, the ones of least norm, each row at unit length where inertias are 1
+  S is_shared[l];    ///< 1: the multiplier is not unique, another constraint can do what this one does; else 0
+  S rank;            ///< of b, to the tolerance
+  StatusOf<S>
+      motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
+      ///< violated_constraints: they contradict each other
+  StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
+};
+
+namespace detail {
+
+/// Numbers 0 and 1 stand for conditions here: they combine by products for every type.
+template <class S>
+GAUSS_FUNCTION S indicator(const typename Math<S>::Bool& condition) {
+  return Math<S>::select(condition, S(1), S(0));
+}
+
+template <class S>
+GAUSS_FUNCTION S positive(const S& x) {
+  return indicator<S>(Math<S>::less(S(0), x));
+}
+
+template <class S>
+GAUSS_FUNCTION S absolute(const S& x) {
+  return Math<S>::select(Math<S>::less(x, S(0)), -x, x);
+}
+
+template <class S>
+GAUSS_FUNCTION S larger(const S& a, const S& b) {
+  return Math<S>::select(Math<S>::less(a, b), b, a);
+}
+
+/// 1/x, and 0 where `use` is 0: nothing is divided by 0, not even in a lane that is not looked at.
+template <class S>
+GAUSS_FUNCTION S reciprocal(const S& x, const S& use) {
+  const auto is_used = Math<S>::less(S(0), use);
+  return Math<S>::select(is_used, S(1) / Math<S>::select(is_used, x, S(1)), S(0));
+}
+
+/// sqrt whose derivative at 0 is 0.
+template <class S>
+GAUSS_FUNCTION S root(const S& x) {
+  const auto is_positive = Math<S>::less(S(0), x);
+  return Math<S>::select(is_positive, Math<S>::sqrt(Math<S>::select(is_positive, x, S(1))), S(0));
+}
+
+template <class S>
+GAUSS_FUNCTION void swap_where(const typename Math<S>::Bool& condition, S& a, S& b) {
+  const S before = a;
+  a = Math<S>::select(condition, b, a);
+  b = Math<S>::select(condition, before, b);
+}
+
+template <class S, int n>
+GAUSS_FUNCTION S inner(const S (&a)[n], const S (&b)[n]) {
+  S sum = a[0] * b[0];
+  for (int i = 1; i < n; ++i) sum = sum + a[i] * b[i];
+  return sum;
+}
+
+/// L D L^T of a symmetric matrix of which some rows and columns count as those of the unit matrix.
+template <class S, int n>
+class MaskedLdl {
+ public:
+  /// `counts[i]` 1: row i is that of `matrix`; 0: of the unit matrix. A pivot below `tolerance` of its diagonal entry determines nothing.
+  GAUSS_FUNCTION void factorise(const S (&matrix)[n][n], const S (&counts)[n], const S& tolerance) {
+    is_determined = S(1);
+    for (int j = 0; j < n; ++j) {
+      for (int i = j; i < n; ++i) {
+        const S both = counts[i] * counts[j];
+        S entry = Math<S>::select(Math<S>::less(S(0), both), matrix[i][j], S(i == j ? 1 : 0));
+        const S diagonal = entry;
+        for (int k = 0; k < j; ++k) entry = entry - factor_[i][k] * factor_[j][k] * pivot_[k];
+        if (i == j) {
+          const S is_good = positive<S>(entry - tolerance * diagonal);
+          is_determined = is_determined * is_good;
+          pivot_[j] = entry;
+          inverse_[j] = reciprocal(entry, is_good);
+        } else {
+          factor_[i][j] = entry * inverse_[j];
+        }
+      }
+    }
+  }
+
+  GAUSS_FUNCTION void solve(S (&x)[n]) const {
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; k < i; ++k) x[i] = x[i] - factor_[i][k] * x[k];
+    }
+    for (int i = n - 1; i >= 0; --i) {
+      x[i] = x[i] * inverse_[i];
+      for (int k = i + 1; k < n; ++k) x[i] = x[i] - factor_[k][i] * x[k];
+    }
+  }
+
+  S is_determined;
+
+ private:
+  S factor_[n][n];
+  S pivot_[n];
+  S inverse_[n];
+};
+
+template <class S, int n, int l>
+class Constrained {
+  using Bool = typename Math<S>::Bool;
+  static constexpr int most = n < l ? n : l;  ///< rows that can say something of their own
+
+ public:
+  /// `most_rank`: of b on the constraints, as it usually is. `tolerance`: sine of the angle to all others below which a row says nothing of its own.
+  template <class System>
+  GAUSS_FUNCTION Constrained(const System& system, int most_rank, const S& tolerance) {
+    scale(system);
+    factorise_rows(most_rank, tolerance);
+    reduce_metric();
+    find_shared();
+  }
+
+  GAUSS_FUNCTION void solve(LinearSolution<S, n, l>& solution) const {
+    S a[n], lambda[l], residual_f[n], residual_c[l];
+    for (int i = 0; i < n; ++i) a[i] = S(0);
+    for (int mu = 0; mu < l; ++mu) lambda[mu] = S(0);
+    S contradiction = S(0);
+    for (int pass = 0; pass < 2; ++pass) {
+      residual(a, lambda, residual_f, residual_c);
+      const S found = add(residual_f, residual_c, a, lambda);
+      if (pass == 0) contradiction = found;
+    }
+    finish(a, lambda, contradiction, solution);
+  }
+
+ private:
+  /// Inertias to 1, rows to unit length. What has no inertia is measured by the rows.
+  template <class System>
+  GAUSS_FUNCTION void scale(const System& system) {
+    S massive[n];
+    for (int i = 0; i < n; ++i) {
+      massive[i] = positive<S>(system.g[i][i]);
+      speed_scale_[i] = root(reciprocal(system.g[i][i], massive[i]));
+    }
+    S of_massive[l];
+    for (int mu = 0; mu < l; ++mu) of_massive[mu] = length(system.b[mu]);
+    for (int i = 0; i < n; ++i) {
+      S beside = S(0), alone = S(0);
+      for (int mu = 0; mu < l; ++mu) {
+        const S size = absolute(system.b[mu][i]);
+        beside = larger(beside, size * reciprocal(of_massive[mu], positive<S>(of_massive[mu])));
+        alone = larger(alone, size);
+      }
+      const S largest = Math<S>::select(Math<S>::less(S(0), beside), beside, alone);
+      const S measured = Math<S>::select(Math<S>::less(S(0), largest), reciprocal(largest, positive<S>(largest)), S(1));
+      speed_scale_[i] = Math<S>::select(Math<S>::less(S(0), massive[i]), speed_scale_[i], measured);
+    }
+    for (int mu = 0; mu < l; ++mu) {
+      const S size = length(system.b[mu]);
+      row_scale_[mu] = reciprocal(size, positive<S>(size));
+      for (int i = 0; i < n; ++i) b_[mu][i] = row_scale_[mu] * system.b[mu][i] * speed_scale_[i];
+      // A row of zeros that asks for something is contradictory; its scale is lost.
+      c_[mu] = -Math<S>::select(Math<S>::less(S(0), size), row_scale_[mu], S(1)) * system.drift[mu];
+    }
+    for (int i = 0; i < n; ++i) {
+      f_[i] = speed_scale_[i] * system.f[i];
+      for (int j = 0; j < n; ++j) g_[i][j] = speed_scale_[i] * system.g[i][j] * speed_scale_[j];
+    }
+  }
+
+  GAUSS_FUNCTION S length(const S (&row)[n]) const {
+    S squares = S(0);
+    for (int i = 0; i < n; ++i) squares = squares + row[i] * speed_scale_[i] * (row[i] * speed_scale_[i]);
+    return root(squares);
+  }
+
+  /// b^T P = Q R. At each step the row that is longest across all before is next.
+  GAUSS_FUNCTION void factorise_rows(int most_rank, const S& tolerance) {
+    for (int mu = 0; mu < l; ++mu) {
+      for (int i = 0; i < n; ++i) r_[mu][i] = b_[mu][i];
+    }
+    for (int i = 0; i < n; ++i) is_row_[i] = S(0);
+    rank_ = S(0);
+    is_full_ = S(1);
+    S goes_on = S(1);
+    for (int k = 0; k < most; ++k) {
+      bring_longest(k);
+      const S size = root(squares_from(k, r_[k]));
+      goes_on = goes_on * (k < most_rank ? positive<S>(size - tolerance) : S(0));
+      if (k < most_rank) is_full_ = goes_on;
+      is_row_[k] = goes_on;
+      rank_ = rank_ + goes_on;
+      reflect(k, size);
+    }
+  }
+
+  GAUSS_FUNCTION S squares_from(int k, const S (&row)[n]) const {
+    S sum = S(0);
+    for (int i = k; i < n; ++i) sum = sum + row[i] * row[i];
+    return sum;
+  }
+
+  GAUSS_FUNCTION void bring_longest(int k) {
+    S longest = squares_from(k, r_[k]);
+    for (int j = k + 1; j < l; ++j) {
+      const S other = squares_from(k, r_[j]);
+      swapped_[k][j] = Math<S>::less(longest, other);
+      longest = Math<S>::select(swapped_[k][j], other, longest);
+      for (int i = 0; i < n; ++i) swap_where<S>(swapped_[k][j], r_[k][i], r_[j][i]);
+    }
+  }
+
+  GAUSS_FUNCTION void reflect(int k, const S& size) {
+    const S head = r_[k][k];
+    const S sign = Math<S>::select(Math<S>::less(head, S(0)), S(-1), S(1));
+    for (int i = 0; i < n; ++i) reflector_[k][i] = i < k ? S(0) : r_[k][i];
+    reflector_[k][k] = head + sign * size;
+    strength_[k] = reciprocal(size * (size + absolute(head)), is_row_[k]);
+    for (int j = k + 1; j < l; ++j) apply(k, r_[j]);
+    r_[k][k] = Math<S>::select(Math<S>::less(S(0), is_row_[k]), -sign * size, head);
+    inverse_[k] = reciprocal(r_[k][k], is_row_[k]);
+  }
+
+  GAUSS_FUNCTION void apply(int k, S (&x)[n]) const {
+    const S along = strength_[k] * inner(reflector_[k], x);
+    for (int i = k; i < n; ++i) x[i] = x[i] - along * reflector_[k][i];
+  }
+
+  /// Q^T x
+  GAUSS_FUNCTION void to_parts(S (&x)[n]) const {
+    for (int k = 0; k < most; ++k) apply(k, x);
+  }
+
+  /// Q x
+  GAUSS_FUNCTION void from_parts(S (&x)[n]) const {
+    for (int k = most - 1; k >= 0; --k) apply(k, x);
+  }
+
+  /// Q^T g Q, and its factors over what the rows leave free.
+  GAUSS_FUNCTION void reduce_metric() {
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) parts_[i][j] = g_[i][j];
+    }
+    for (int side = 0; side < 2; ++side) {
+      for (int i = 0; i < n; ++i) to_parts(parts_[i]);
+      transpose();
+    }
+    S is_free[n];
+    for (int i = 0; i < n; ++i) is_free[i] = S(1) - is_row_[i];
+    free_.factorise(parts_, is_free, S(8 * n) * Math<S>::epsilon());
+  }
+
+  GAUSS_FUNCTION void transpose() {
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < i; ++j) {
+        const S above = parts_[j][i];
+        parts_[j][i] = parts_[i][j];
+        parts_[i][j] = above;
+      }
+    }
+  }
+
+  /// For each row without an own part, what of the others does the same: null vectors of b^T.
+  GAUSS_FUNCTION void find_shared() {
+    S counts[l];
+    for (int j = 0; j < l; ++j) {
+      const S is_left = S(1) - row_part(j);
+      counts[j] = is_left;
+      for (int k = 0; k < l; ++k) null_[j][k] = S(k == j ? 1 : 0) * is_left;
+      for (int k = (j < most ? j : most) - 1; k >= 0; --k) {
+        S sum = r_[j][k];
+        for (int m = k + 1; m < most; ++m) sum = sum + r_[m][k] * row_part(m) * (m == j ? S(0) : null_[j][m]);
+        null_[j][k] = Math<S>::select(Math<S>::less(S(0), is_left * row_part(k)), -sum * inverse_[k], null_[j][k]);
+      }
+    }
+    S gram[l][l];
+    for (int i = 0; i < l; ++i) {
+      for (int j = 0; j < l; ++j) gram[i][j] = inner(null_[i], null_[j]);
+    }
+    shares_.factorise(gram, counts, S(0));
+  }
+
+  GAUSS_FUNCTION S row_part(int k) const { return k < most ? is_row_[k < n ? k : 0] : S(0); }
+
+  GAUSS_FUNCTION void residual(const S (&a)[n], const S (&lambda)[l], S (&of_f)[n], S (&of_c)[l]) const {
+    for (int i = 0; i < n; ++i) {
+      of_f[i] = f_[i];
+      for (int j = 0; j < n; ++j) of_f[i] = of_f[i] - g_[i][j] * a[j];
+      for (int mu = 0; mu < l; ++mu) of_f[i] = of_f[i] + b_[mu][i] * lambda[mu];
+    }
+    for (int mu = 0; mu < l; ++mu) of_c[mu] = c_[mu] - inner(b_[mu], a);
+  }
+
+  /// Adds to a and lambda what f and c ask for; returns by how much rows contradict each other, of what they ask for.
+  GAUSS_FUNCTION S add(S (&f)[n], S (&c)[l], S (&a)[n], S (&lambda)[l]) const {
+    arrange(c);
+    S y[n], x[n];
+    const S contradiction = along_rows(c, y);
+    to_parts(f);
+    for (int i = 0; i < n; ++i) {
+      x[i] = f[i];
+      for (int k = 0; k < most; ++k) x[i] = x[i] - parts_[i][k] * y[k];
+      x[i] = x[i] * (S(1) - is_row_[i]);
+    }
+    free_.solve(x);
+    for (int i = 0; i < n; ++i) y[i] = Math<S>::select(Math<S>::less(S(0), is_row_[i]), y[i], x[i]);
+    S change[l];
+    forces(f, y, change);
+    arrange_back(change);
+    from_parts(y);
+    for (int i = 0; i < n; ++i) a[i] = a[i] + y[i];
+    for (int mu = 0; mu < l; ++mu) lambda[mu] = lambda[mu] + change[mu];
+    return contradiction;
+  }
+
+  /// R^T y = c
+  GAUSS_FUNCTION S along_rows(const S (&c)[l], S (&y)[n]) const {
+    for (int i = 0; i < n; ++i) y[i] = S(0);
+    S contradiction = S(0), largest = S(0);
+    for (int k = 0; k < l; ++k) largest = larger(largest, absolute(c[k]));
+    for (int k = 0; k < l; ++k) {
+      S rest = c[k], size = absolute(c[k]);
+      for (int j = 0; j < (k < most ? k : most); ++j) {
+        const S term = r_[k][j] * y[j] * is_row_[j];
+        rest = rest - term;
+        size = size + absolute(term);
+      }
+      if (k < most) y[k] = rest * inverse_[k];
+      const S is_left = (S(1) - row_part(k)) * positive<S>(size);
+      contradiction = larger(contradiction, is_left * absolute(rest) * reciprocal(size, is_left));
+    }
+    return contradiction;
+  }
+
+  /// R lambda = (Q^T (g a - f)) along the rows, of least norm.
+  GAUSS_FUNCTION void forces(const S (&f)[n], const S (&y)[n], S (&lambda)[l]) const {
+    for (int k = 0; k < l; ++k) lambda[k] = S(0);
+    for (int k = most - 1; k >= 0; --k) {
+      S rest = inner(parts_[k], y) - f[k];
+      for (int j = k + 1; j < most; ++j) rest = rest - r_[j][k] * lambda[j];
+      lambda[k] = rest * inverse_[k];
+    }
+    S share[l];
+    for (int j = 0; j < l; ++j) share[j] = -inner(null_[j], lambda);
+    shares_.solve(share);
+    for (int j = 0; j < l; ++j) {
+      const S part = share[j] * (S(1) - row_part(j));
+      for (int k = 0; k < l; ++k) lambda[k] = lambda[k] + part * null_[j][k];
+    }
+  }
+
+  /// As the rows were brought into their order.
+  GAUSS_FUNCTION void arrange(S (&values)[l]) const {
+    for (int k = 0; k < most; ++k) {
+      for (int j = k + 1; j < l; ++j) swap_where<S>(swapped_[k][j], values[k], values[j]);
+    }
+  }
+
+  GAUSS_FUNCTION void arrange_back(S (&values)[l]) const {
+    for (int k = most - 1; k >= 0; --k) {
+      for (int j = l - 1; j > k; --j) swap_where<S>(swapped_[k][j], values[k], values[j]);
+    }
+  }
+
+  GAUSS_FUNCTION void finish(const S (&a)[n], const S (&lambda)[l], const S& contradiction,
+                             LinearSolution<S, n, l>& solution) const {
+    for (int i = 0; i < n; ++i) solution.accelerations[i] = speed_scale_[i] * a[i];
+    for (int k = 0; k < l; ++k) {
+      S shared = S(0);
+      for (int j = 0; j < l; ++j) shared = larger(shared, absolute(null_[j][k]));
+      solution.is_shared[k] = positive<S>(shared * shared - Math<S>::epsilon());
+    }
+    arrange_back(solution.is_shared);
+    for (int mu = 0; mu < l; ++mu) solution.multipliers[mu] = row_scale_[mu] * lambda[mu];
+    solution.rank = rank_;
+    const Bool never = Math<S>::less(S(0), S(0));
+    const Bool undetermined = Math<S>::less(free_.is_determined, S(1));
+    const Bool lost = Math<S>::less(is_full_, S(1));
+    const Bool not_unique = Math<S>::less(rank_, S(l));
+    const Bool contradictory = Math<S>::less(Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon())), contradiction);
+    solution.motion = Math<S>::status(undetermined, lost, never, contradictory);
+    solution.reactions = Math<S>::status(undetermined, not_unique, never, contradictory);
+  }
+
+  S g_[n][n], f_[n], b_[l][n], c_[l];  ///< scaled
+  S speed_scale_[n], row_scale_[l];
+  S r_[l][n];  ///< R^T: row k has its entries above the diagonal, and r_[k][k]
+  S reflector_[most][n], strength_[most], inverse_[most];
+  S is_row_[n];  ///< 1: this part of the speeds is what a row says; 0: it is free
+  S rank_, is_full_;
+  Bool swapped_[most][l];
+  S parts_[n][n];  ///< Q^T g Q
+  MaskedLdl<S, n> free_;
+  S null_[l][l];
+  MaskedLdl<S, l> shares_;
+};
+
+/// Whether any lane has a status other than ok.
+template <class S>
+GAUSS_FUNCTION bool is_lost(const StatusOf<S>& status) {
+  if constexpr (std::is_enum_v<StatusOf<S>>) {
+    return status != StatusOf<S>::ok;
+  } else {
+    return status.any();
+  }
+}
+
+/// In these lanes, the values of `from`; both are structs of nothing but S.
+template <class S, class Values>
+GAUSS_FUNCTION void take_lost(const StatusOf<S>& status, const Values& from, Values& to) {
+  if constexpr (std::is_enum_v<StatusOf<S>>) {
+    to = from;
+  } else {
+    static_assert(sizeof(Values) % sizeof(S) == 0, "a struct of nothing but S is expected");
+    const S* source = reinterpret_cast<const S*>(&from);
+    S* target = reinterpret_cast<S*>(&to);
+    for (unsigned i = 0; i < sizeof(Values) / sizeof(S); ++i)
+      target[i] = Math<S>::select(status.bad(), source[i], target[i]);
+  }
+}
+
+/// What they have to say now.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> status_of_lost(const StatusOf<S>& before, const StatusOf<S>& now) {
+  if constexpr (std::is_enum_v<StatusOf<S>>) {
+    return now;
+  } else {
+    return now.within(before.bad());
+  }
+}
+
+}  // namespace detail
+
+/// The sine of an angle: half of the digits, and four bits.
+template <class S>
+GAUSS_FUNCTION S default_rank_tolerance() {
+  return Math<S>::sqrt(Math<S>::epsilon()) / S(16);
+}
+
+/// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, and drift[l].
+template <class System, class S, int n, int l>
+GAUSS_PART void solve(const System& system, int most_rank, const S& tolerance,
+                      LinearSolution<S, n, l>& solution) noexcept {
+  detail::Constrained<S, n, l>(system, most_rank, tolerance).solve(solution);
+}
+
+}  // namespace gauss
+
+#endif  // GAUSS_CONSTRAINED_HPP
