@@ -59,9 +59,16 @@ std::vector<emit::Artefact> joint_reactions_artefact(Mechanics& mechanics);
 
 /// Constraints that may lose their rank somewhere, in a model that is small enough.
 bool has_general_way(Mechanics& mechanics);
-/// Of the constraints, where nothing singles a state out.
-std::size_t usual_rank(Mechanics& mechanics);
+/// Of rows over the free speeds, where nothing singles a state out.
+std::size_t usual_rank(const strategy::Matrix& b, Mechanics& mechanics);
+
+/// Functions that fill the struct LinearSystem: of the accelerations, and of a given problem, which has as many speeds and rows.
 emit::Artefact linear_system_artefact(Mechanics& mechanics);
+emit::Artefact linear_system(const std::string& name, const strategy::Matrix& metric, const strategy::Vector& f,
+                             const strategy::Matrix& b, const strategy::Vector& drift, Mechanics& mechanics);
+
+/// A function in its own way and from a given solution, both under other names then, and the one that calls them. Of `ways` the rest is given.
+std::vector<emit::Artefact> two_ways(emit::Artefact regular, emit::Artefact of_solution, emit::TwoWays ways);
 
 /// What `build` makes, in two ways each where the model has a general one; `shows_multipliers`: results contain them, or what follows from single
 /// ones.

@@ -4,6 +4,7 @@
 
 #include "artefact_builder.hpp"
 #include "generic_point.hpp"
+#include "ir/traverse.hpp"
 
 namespace gaussgen {
 
@@ -77,7 +78,11 @@ Artefact caller_of(const Artefact& regular) {
   caller.name = regular.name;
   caller.about = regular.about;
   caller.target = regular.target;
+  caller.takes_time = regular.takes_time;
+  caller.takes_start = regular.takes_start;
+  caller.takes_state = regular.takes_state;
   caller.takes_inputs = regular.takes_inputs;
+  caller.state = regular.state;
   caller.derivative = regular.derivative;
   caller.result_type = regular.result_type;
   caller.groups = regular.groups;
@@ -87,25 +92,50 @@ Artefact caller_of(const Artefact& regular) {
 
 }  // namespace
 
-std::size_t usual_rank(Mechanics& mechanics) { return generic_rank(GenericPoint(mechanics)(mechanics.dynamics.b)); }
+std::size_t usual_rank(const strategy::Matrix& b, Mechanics& mechanics) {
+  return generic_rank(GenericPoint(mechanics)(b));
+}
 
 bool has_general_way(Mechanics& mechanics) {
   const std::size_t n = mechanics.dynamics.n(), l = mechanics.dynamics.l();
-  return n > 0 && l > 0 && !mechanics.solution.dependent_constraints.is_zero() && n * (n + l) <= k_most_entries;
+  // What parameters alone decide is so for a whole run, and a status has to do.
+  const bool may_lose_rank = !ir::is_of_parameters(mechanics.graph, mechanics.solution.dependent_constraints.id());
+  return n > 0 && l > 0 && may_lose_rank && n * (n + l) <= k_most_entries;
+}
+
+Artefact linear_system(const std::string& name, const strategy::Matrix& metric, const Vector& f,
+                       const strategy::Matrix& b, const Vector& drift, Mechanics& mechanics) {
+  ArtefactBuilder builder(name, "What Gauss's principle leaves to be solved: g a = f + b^T lambda, b a + drift = 0.",
+                          mechanics);
+  builder.with_any_quaternion();
+  builder.result_type("LinearSystem");
+  const int n = static_cast<int>(f.size()), l = static_cast<int>(drift.size());
+  builder.fields("", "", "",
+                 {{"g", "the metric of the free speeds (1.10)", {n, n}, entries_of(metric)},
+                  {"f", "forces, less what inertia takes at constant speeds", {n}, ids(f)},
+                  {"b", "dphi/du of each constraint", {l, n}, entries_of(b)},
+                  {"drift", "dphi/dt of each at constant speeds; of a step, what is left of it", {l}, ids(drift)}});
+  return builder.finish({});
 }
 
 Artefact linear_system_artefact(Mechanics& mechanics) {
-  ArtefactBuilder builder(k_system, "What Gauss's principle leaves to be solved: g a = f + b^T lambda, b a + drift = 0.",
-                          mechanics);
-  builder.result_type("LinearSystem");
   const strategy::Dynamics& dynamics = mechanics.dynamics;
-  const int n = static_cast<int>(dynamics.n()), l = static_cast<int>(dynamics.l());
-  builder.fields("", "", "",
-                 {{"g", "the metric of the free speeds (1.10)", {n, n}, entries_of(dynamics.g)},
-                  {"f", "forces, less what inertia takes at constant speeds", {n}, ids(dynamics.f)},
-                  {"b", "dphi/du of each constraint", {l, n}, entries_of(dynamics.b)},
-                  {"drift", "dphi/dt of each at constant speeds", {l}, ids(dynamics.b_drift)}});
-  return builder.finish({});
+  return linear_system(k_system, dynamics.g, dynamics.f, dynamics.b, dynamics.b_drift, mechanics);
+}
+
+std::vector<Artefact> two_ways(Artefact regular, Artefact of_solution, emit::TwoWays ways) {
+  Artefact caller = caller_of(regular);
+  ways.regular = caller.name + k_regular;
+  ways.of_solution = caller.name + k_of_solution;
+  regular.name = ways.regular;
+  regular.about = "Of " + caller.name + ": as it is done where constraints are independent.";
+  of_solution.name = ways.of_solution;
+  of_solution.about = "Of " + caller.name + ": from a solution of the linear system.";
+  of_solution.takes_solution = true;
+  caller.ways = std::move(ways);
+  std::vector<Artefact> result;
+  for (Artefact* one : {&regular, &of_solution, &caller}) result.push_back(std::move(*one));
+  return result;
 }
 
 std::vector<Artefact> in_two_ways(const ArtefactsOf& build, bool shows_multipliers, Mechanics& mechanics) {
@@ -116,20 +146,13 @@ std::vector<Artefact> in_two_ways(const ArtefactsOf& build, bool shows_multiplie
     const GivenSolution given(mechanics);
     of_solution = build(mechanics);
   }
+  const int rank = static_cast<int>(usual_rank(mechanics.dynamics.b, mechanics));
   std::vector<Artefact> result;
   for (std::size_t i = 0; i < regular.size(); ++i) {
-    Artefact caller = caller_of(regular[i]);
     const bool shows = shows_multipliers && !regular[i].result_type.empty();
-    caller.ways = {caller.name + k_regular, k_system, caller.name + k_of_solution,
-                   static_cast<int>(usual_rank(mechanics)), shows};
-    regular[i].name += k_regular;
-    regular[i].about = "Of " + caller.name + ": as it is done where constraints are independent.";
-    of_solution[i].name += k_of_solution;
-    of_solution[i].about = "Of " + caller.name + ": from given accelerations and multipliers.";
-    of_solution[i].takes_solution = true;
-    result.push_back(std::move(regular[i]));
-    result.push_back(std::move(of_solution[i]));
-    result.push_back(std::move(caller));
+    const emit::Shown shown = shows ? emit::Shown::reactions : emit::Shown::motion;
+    for (Artefact& one : two_ways(std::move(regular[i]), std::move(of_solution[i]), {{}, k_system, {}, rank, shown}))
+      result.push_back(std::move(one));
   }
   return result;
 }

@@ -10,9 +10,12 @@ namespace gaussgen {
 using emit::Artefact;
 using strategy::SearchStage;
 using strategy::StateSearch;
+using strategy::Vector;
 using Kind = SearchStage::Kind;
 
 namespace {
+
+const char* const k_system_of_step = "_system";
 
 const char* const k_about_project =
     "The nearest state that satisfies the constraints: unit quaternions, then the smallest change of\n"
@@ -61,24 +64,51 @@ class SearchArtefacts {
   std::vector<Artefact> run(const StateSearch& search) {
     std::vector<Artefact> result;
     if (search.stages.size() == 1 && search.start.empty()) {
-      result.push_back(function(search.stages[0], name_, about_));
+      add_stage(search.stages[0], function(search.stages[0], name_, about_), result);
       return result;
     }
     Artefact all = caller();
     for (const SearchStage& stage : search.stages) {
       const bool is_last = &stage == &search.stages.back();
-      result.push_back(function(stage, name_ + suffix(stage.kind), about(stage.kind, name_)));
-      Artefact& made = result.back();
+      Artefact made = function(stage, name_ + suffix(stage.kind), about(stage.kind, name_));
       made.takes_start = is_last && !search.start.empty();
       // What is not finite on the way is so at the end.
       if (!is_last) made.status.not_finite = mechanics_.graph.constant(0);
       all.calls.push_back({made.name, stage.times, made.takes_state, made.takes_start});
+      add_stage(stage, std::move(made), result);
     }
     result.push_back(std::move(all));
     return result;
   }
 
  private:
+  /// In two ways where its step is open.
+  void add_stage(const SearchStage& stage, Artefact regular, std::vector<Artefact>& result) {
+    const std::size_t rank = stage.open ? usual_rank(stage.open->b, mechanics_) : 0;
+    if (rank == 0) {
+      result.push_back(std::move(regular));
+      return;
+    }
+    const strategy::OpenStep& open = *stage.open;
+    Artefact system = linear_system(regular.name + k_system_of_step, open.g,
+                                    Vector(mechanics_.dynamics.n(), mechanics_.expressions.number(0)), open.b,
+                                    open.residuals, mechanics_);
+    SearchStage given{stage.kind, stage.times, open.state, {}};
+    Artefact of_solution = function(given, regular.name, "");
+    of_solution.takes_start = regular.takes_start;
+    for (Artefact* one : {&system, &of_solution}) {
+      one->takes_time = regular.takes_time;
+      one->takes_state = regular.takes_state;
+      one->takes_inputs = false;
+      one->extends_preparation = regular.extends_preparation;
+    }
+    result.push_back(std::move(system));
+    const std::string system_name = result.back().name;
+    for (Artefact& one :
+         two_ways(std::move(regular), std::move(of_solution), {{}, system_name, {}, static_cast<int>(rank), emit::Shown::step}))
+      result.push_back(std::move(one));
+  }
+
   Artefact function(const SearchStage& stage, const std::string& name, const std::string& about) {
     ArtefactBuilder builder(name, about, mechanics_);
     Artefact& artefact = builder.artefact();
@@ -122,13 +152,15 @@ strategy::Vector start_of(Mechanics& mechanics) {
 }  // namespace
 
 std::vector<Artefact> project_artefacts(Mechanics& mechanics) {
-  const StateSearch search = strategy::projection(mechanics.dynamics, start_of(mechanics), mechanics.epsilon());
+  const StateSearch search =
+      strategy::projection(mechanics.dynamics, start_of(mechanics), has_general_way(mechanics), mechanics.epsilon());
   return SearchArtefacts("project", k_about_project, true, mechanics).run(search);
 }
 
 std::vector<Artefact> initial_state_artefacts(Mechanics& mechanics) {
-  const StateSearch search = strategy::initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions,
-                                                     mechanics.expressions.number(0), mechanics.epsilon());
+  const StateSearch search =
+      strategy::initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions,
+                              mechanics.expressions.number(0), has_general_way(mechanics), mechanics.epsilon());
   return SearchArtefacts("initial_state", k_about_initial_state, false, mechanics).run(search);
 }
 

@@ -163,7 +163,7 @@ Bindings bindings_of(const std::vector<InitialValue>& state) {
 std::vector<InitialValue> initial_values(Mechanics& mechanics, const std::function<Taken(const Bindings&)>& take_step) {
   strategy::StateSearch search =
       strategy::initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions,
-                              mechanics.expressions.symbol(mechanics.symbols.time), mechanics.epsilon());
+                              mechanics.expressions.symbol(mechanics.symbols.time), false, mechanics.epsilon());
   std::vector<strategy::SearchStage>& stages = search.stages;
   if (stages.back().kind == strategy::SearchStage::Kind::check) stages.pop_back();
   for (const strategy::SearchStage& stage : stages) {

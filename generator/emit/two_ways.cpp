@@ -11,17 +11,37 @@ using cpp::Argument;
 using cpp::Expression;
 
 const char* const k_general = "_general";
+const char* const k_kept = "begun";  ///< the state that was given, where the new one may be written over it
 
-/// What both ways read, without results.
-std::vector<Argument> inputs_of(const Artefact& artefact) {
-  return {{"const S&", "t"},
-          {"const State<S>&", "state"},
-          {"const Inputs<S>&", "inputs", artefact.takes_inputs},
-          {"const Prepared<S>&", "prepared"}};
+bool makes_state(const Artefact& artefact) { return artefact.target == Target::state; }
+
+/// What is read, without results. A new state may be written over the one that it is made from.
+std::vector<Argument> inputs_of(const Artefact& artefact, const std::string& from = "from") {
+  std::vector<Argument> inputs;
+  if (artefact.takes_time) inputs.push_back({"const S&", "t"});
+  if (artefact.takes_start) inputs.push_back({"const State<S>&", "start"});
+  if (artefact.takes_state) inputs.push_back({"const State<S>&", makes_state(artefact) ? from : "state"});
+  if (artefact.takes_inputs) inputs.push_back({"const Inputs<S>&", "inputs"});
+  inputs.push_back({"const Prepared<S>&", "prepared"});
+  return inputs;
+}
+
+std::vector<Argument> inputs_of_system(Artefact artefact) {
+  artefact.takes_start = false;
+  return inputs_of(artefact);
+}
+
+const char* status_in_solution(Shown shown) {
+  switch (shown) {
+    case Shown::reactions: return "solved.reactions";
+    case Shown::step: return "solved.step";
+    default: return "solved.motion";
+  }
 }
 
 std::vector<Argument> results_of(const Artefact& artefact) {
   std::vector<Argument> results;
+  if (makes_state(artefact)) results.push_back({"State<S>&", "state"});
   if (!artefact.derivative.empty()) results.push_back({"Derivative<S>&", "derivative"});
   if (!artefact.result_type.empty())
     results.push_back({artefact.result_type + "<S>&", snake_case(artefact.result_type)});
@@ -48,13 +68,14 @@ class GeneralWay {
     const std::vector<Argument> inputs = inputs_of(artefact_);
     const std::string type = "LinearSolution<S, n_v, n_constraints>";
     add(function, cpp::Declaration{"LinearSystem<S>", {"system"}});
-    add(function, cpp::Definition{"StatusOf<S>", "status",
-                                  call_with(ways_.system, inputs + std::vector<Argument>{{"", "system"}})});
+    add(function,
+        cpp::Definition{"StatusOf<S>", "status",
+                        call_with(ways_.system, inputs_of_system(artefact_) + std::vector<Argument>{{"", "system"}})});
     add(function, cpp::Declaration{type, {"solved"}});
     add(function,
         cpp::Evaluation{cpp::call("solve", {cpp::atom("system"), cpp::atom(std::to_string(ways_.usual_rank)),
                                             cpp::call("default_rank_tolerance<S>", {}), cpp::atom("solved")})});
-    worsen(function, cpp::atom(ways_.shows_multipliers ? "solved.reactions" : "solved.motion"));
+    worsen(function, cpp::atom(status_in_solution(ways_.shown)));
     worsen(function, call_with(ways_.of_solution, inputs + std::vector<Argument>{{"", "solved"}} + results));
   }
 
@@ -110,10 +131,13 @@ Parts two_ways(const Artefact& artefact) {
     return {std::nullopt, {}, std::move(function)};
   }
   const std::vector<Argument> regular{{"", "regular"}};
+  const bool keeps_state = makes_state(artefact) && artefact.takes_state;
+  if (keeps_state) function.body.emplace_back(cpp::Definition{"const State<S>", k_kept, cpp::atom("from")});
   function.body.emplace_back(
       cpp::Definition{"const StatusOf<S>", "regular", call_with(ways.regular, inputs + results)});
-  function.body.emplace_back(cpp::EarlyReturn{cpp::call("detail::is_lost<S>", {cpp::atom("regular")}),
-                                              call_with(artefact.name + k_general, inputs + regular + results)});
+  function.body.emplace_back(cpp::EarlyReturn{
+      cpp::call("detail::is_lost<S>", {cpp::atom("regular")}),
+      call_with(artefact.name + k_general, inputs_of(artefact, keeps_state ? k_kept : "from") + regular + results)});
   function.body.emplace_back(cpp::Return{cpp::atom("regular")});
   return {std::nullopt, {general_function(artefact)}, std::move(function)};
 }

@@ -105,13 +105,20 @@ struct Call {
   bool takes_start = false;  ///< with the state before the first call as well
 };
 
+/// What the status of a solution has to say.
+enum class Shown {
+  motion,     ///< accelerations
+  reactions,  ///< and multipliers, which may not be unique
+  step,       ///< a change of the state, of which the next one shows whether constraints agree
+};
+
 /// A function that turns to the general solution of the constrained system where its own way is not to be trusted.
 struct TwoWays {
   std::string regular;      ///< function of the own way; empty: there is none
   std::string system;       ///< function that fills the struct of the same name
   std::string of_solution;  ///< function that makes the results of accelerations and multipliers
   int usual_rank = 0;       ///< of the constraints, where nothing singles a state out
-  bool shows_multipliers = false;  ///< they are no use where they are not unique
+  Shown shown = Shown::motion;
 };
 
 /// One emitted function.

@@ -63,7 +63,16 @@ void PositionProjection::displace(const Vector& change, Vector& configuration) c
   }
 }
 
-void PositionProjection::step(Vector& configuration, Steps& steps) {
+Vector PositionProjection::moved(const Vector& change) const {
+  const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
+  Vector configuration;
+  for (const ConfigurationIndex i : symbols.configuration.indices()) configuration.push_back(symbol(i.value));
+  displace(change, configuration);
+  normalise(symbols, configuration);
+  return configuration;
+}
+
+Vector PositionProjection::step(Steps& steps) {
   const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
   const std::string prefix = "move_";
   Change wanted{moving_, movable_, {}, prefix};
@@ -71,13 +80,13 @@ void PositionProjection::step(Vector& configuration, Steps& steps) {
     wanted.residuals.push_back(*dynamics_.kinematics->constraints[ConstraintIndex{mu}].f);
   steps.begin("smallest displacement in the mass metric that satisfies the linearised equations of positions");
   const Solution found = least_change(dynamics_, wanted, dependent_rows_, epsilon_, steps);
-  displace(found.accelerations, configuration);
-  normalise(symbols, configuration);
+  Vector configuration = moved(found.accelerations);
   for (const ConfigurationIndex i : symbols.configuration.indices()) {
     configuration[i.value] = steps.name(configuration[i.value], prefix + symbols.configuration[i].name);
   }
   singular_ = found.singular_mass_matrix;
   dependent_ = found.dependent_constraints;
+  return configuration;
 }
 
 /// ∂f/∂q of a coordinate whose rate is no speed, times the size of q; squares.

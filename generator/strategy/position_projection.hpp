@@ -18,8 +18,14 @@ class PositionProjection {
   /// The configuration may change such that one of them does.
   bool can_move() const { return !movable_.empty(); }
 
-  /// Changes `configuration` by one step from its symbols; quaternions keep their length.
-  void step(Vector& configuration, Steps& steps);
+  /// One step from the configuration that symbols stand for; quaternions keep their length.
+  Vector step(Steps& steps);
+
+  /// Of the equations, those that something moves.
+  const std::vector<std::size_t>& movable() const { return movable_; }
+
+  /// The configuration that symbols stand for, displaced along the speeds that may move.
+  Vector moved(const Vector& change) const;
 
   ir::Expr singular() const { return singular_; }
   ir::Expr dependent() const { return dependent_; }

@@ -85,12 +85,13 @@ Vector symbols_of_speeds(const kinematics::Symbols& symbols, ir::Graph& graph) {
 /// Makes the stages for the speeds and positions that may move.
 class Stages {
  public:
-  Stages(const Dynamics& dynamics, const GivenState& given, Expr epsilon)
+  Stages(const Dynamics& dynamics, const GivenState& given, bool opens, Expr epsilon)
       : dynamics_(dynamics),
         symbols_(dynamics.kinematics->symbols),
         graph_(epsilon.graph()),
         epsilon_(epsilon),
         given_(given),
+        opens_(opens),
         is_lost_(normalise_quaternions(symbols_, given_.configuration, graph_, begin_)),
         positions_(dynamics, given.open_positions, settled(), epsilon) {}
 
@@ -103,8 +104,10 @@ class Stages {
     const bool is_short = dynamics_.n() <= k_few_speeds && !has_positions(dynamics_) && all_linear(dynamics_);
     StateSearch search;
     if (dynamics_.l() == 0 || is_short) {
-      if (dynamics_.l() != 0) step_over_values(time, begun, steps);
-      search.stages.push_back({Kind::begin, 1, begun, steps});
+      std::optional<OpenStep> open;
+      if (dynamics_.l() != 0) open = step_over_values(time, begun, steps);
+      if (!opens_) open.reset();
+      search.stages.push_back({Kind::begin, 1, begun, steps, open});
       return search;
     }
     if (!is_here) search.stages.push_back({Kind::begin, 1, begun, steps});
@@ -164,41 +167,97 @@ class Stages {
     movable_ = VelocityProjection(dynamics_, given_.open, epsilon_).movable(put_in(dynamics_, state, false));
   }
 
-  void step_over_values(const std::optional<Expr>& time, ProjectedState& at, Steps& steps) {
+  OpenStep step_over_values(const std::optional<Expr>& time, ProjectedState& at, Steps& steps) {
     ir::Substitution state = state_values(symbols_, time, at.configuration, at.speeds);
     const VelocityProblem problem = put_in(dynamics_, state, true);
     VelocityProjection projection(dynamics_, given_.open, epsilon_);
     const std::vector<std::size_t> movable = projection.movable(problem);
+    OpenStep open{{}, {}, {}, at};
+    if (opens_) {
+      open = open_step(*problem.g, problem.b, problem.phi, movable, given_.open);
+      open.state = at;
+      add_change(given_.open, open.state.speeds);
+    }
     projection.step(problem, movable, "", at.speeds, steps);
-    ir::Substitution after = state_values(symbols_, time, at.configuration, at.speeds);
-    const Expr is_violated =
-        violated(put_in(dynamics_, after, false), at.speeds, projection.to_be_checked(movable), epsilon_);
     at.singular_mass_matrix = projection.singular();
     at.dependent_constraints = projection.dependent();
-    at.violated_constraints = any(graph_, {at.violated_constraints, is_violated});
+    for (ProjectedState* reached : {&at, &open.state}) {
+      ir::Substitution after = state_values(symbols_, time, reached->configuration, reached->speeds);
+      const Expr is_violated =
+          violated(put_in(dynamics_, after, false), reached->speeds, projection.to_be_checked(movable), epsilon_);
+      reached->violated_constraints = any(graph_, {reached->violated_constraints, is_violated});
+    }
+    return open;
+  }
+
+  /// Of `rows`, along speeds that are `moving`.
+  OpenStep open_step(const Matrix& g, const Matrix& b, const Vector& residuals, const std::vector<std::size_t>& rows,
+                     const std::vector<std::size_t>& moving) const {
+    const Vector zeros(dynamics_.n(), never());
+    OpenStep open{Matrix(dynamics_.n(), zeros),
+                  Matrix(dynamics_.l(), zeros),
+                  Vector(dynamics_.l(), never()),
+                  {given_.configuration, given_.speeds, never(), never(), never()}};
+    for (std::size_t i = 0; i < dynamics_.n(); ++i) open.g[i][i] = g[i][i];
+    for (const std::size_t i : moving) {
+      for (const std::size_t j : moving) open.g[i][j] = g[i][j];
+      for (const std::size_t mu : rows) open.b[mu][i] = b[mu][i];
+    }
+    for (const std::size_t mu : rows) open.residuals[mu] = residuals[mu];
+    return open;
+  }
+
+  Expr change_of(std::size_t speed) const {
+    return {graph_, graph_.use(symbols_.speeds[kinematics::FreeIndex{speed}].acceleration)};
+  }
+
+  void add_change(const std::vector<std::size_t>& moving, Vector& speeds) const {
+    for (const std::size_t i : moving) speeds[i] = ir::rounded(speeds[i] + change_of(i));
   }
 
   SearchStage step_of_positions(int times) {
     Steps steps;
-    Vector configuration = symbols_of_configuration(symbols_, graph_);
-    positions_.step(configuration, steps);
+    const Vector configuration = positions_.step(steps);
     return {
         Kind::positions,
         times,
         {configuration, symbols_of_speeds(symbols_, graph_), positions_.singular(), positions_.dependent(), never()},
-        steps};
+        steps,
+        opens_ ? std::optional(open_step_of_positions()) : std::nullopt};
+  }
+
+  OpenStep open_step_of_positions() const {
+    Vector residuals(dynamics_.l(), never());
+    for (const std::size_t mu : positions_.movable())
+      residuals[mu] = *dynamics_.kinematics->constraints[kinematics::ConstraintIndex{mu}].f;
+    const std::vector<std::size_t>& moving = given_.open_positions;
+    OpenStep open = open_step(dynamics_.g, dynamics_.b, residuals, positions_.movable(), moving);
+    Vector change;
+    for (const std::size_t i : moving) change.push_back(change_of(i));
+    open.state = {positions_.moved(change), symbols_of_speeds(symbols_, graph_), never(), never(), never()};
+    return open;
   }
 
   SearchStage step_of_speeds(int times) const {
     Steps steps;
     Vector speeds = symbols_of_speeds(symbols_, graph_);
     VelocityProjection projection(dynamics_, given_.open, epsilon_);
-    projection.step(here(), movable_, "", speeds, steps);
+    const VelocityProblem at = here();
+    projection.step(at, movable_, "", speeds, steps);
     return {
         Kind::speeds,
         times,
         {symbols_of_configuration(symbols_, graph_), speeds, projection.singular(), projection.dependent(), never()},
-        steps};
+        steps,
+        opens_ ? std::optional(open_step_of_speeds(at)) : std::nullopt};
+  }
+
+  OpenStep open_step_of_speeds(const VelocityProblem& at) const {
+    OpenStep open = open_step(dynamics_.g, at.b, at.phi, movable_, given_.open);
+    open.state = {symbols_of_configuration(symbols_, graph_), symbols_of_speeds(symbols_, graph_), never(), never(),
+                  never()};
+    add_change(given_.open, open.state.speeds);
+    return open;
   }
 
   /// In the last stage where it is taken once, else in one of its own.
@@ -209,13 +268,18 @@ class Stages {
            1,
            {symbols_of_configuration(symbols_, graph_), symbols_of_speeds(symbols_, graph_), never(), never(), never()},
            {}});
-    ProjectedState& last = search.stages.back().state;
-    ir::Substitution after = state_values(symbols_, std::nullopt, last.configuration, last.speeds);
+    SearchStage& last = search.stages.back();
+    last.state.violated_constraints = is_violated(last.state, start);
+    if (last.open) last.open->state.violated_constraints = is_violated(last.open->state, start);
+  }
+
+  Expr is_violated(const ProjectedState& reached, const Vector& start) const {
+    ir::Substitution after = state_values(symbols_, std::nullopt, reached.configuration, reached.speeds);
     const std::vector<std::size_t> rows = VelocityProjection(dynamics_, given_.open, epsilon_).to_be_checked(movable_);
     std::vector<Expr> conditions;
-    if (!rows.empty()) conditions.push_back(violated(put_in(dynamics_, after, false), last.speeds, rows, epsilon_));
+    if (!rows.empty()) conditions.push_back(violated(put_in(dynamics_, after, false), reached.speeds, rows, epsilon_));
     if (positions_.has_rows()) conditions.push_back(positions_.violated(start));
-    last.violated_constraints = any(graph_, conditions);
+    return any(graph_, conditions);
   }
 
   const Dynamics& dynamics_;
@@ -223,6 +287,7 @@ class Stages {
   ir::Graph& graph_;
   Expr epsilon_;
   GivenState given_;  ///< quaternions of unit length
+  bool opens_;        ///< steps are wanted in both forms
   Steps begin_;
   Expr is_lost_;
   PositionProjection positions_;
@@ -231,22 +296,22 @@ class Stages {
 
 }  // namespace
 
-StateSearch projection(const Dynamics& dynamics, const Vector& start, Expr epsilon) {
+StateSearch projection(const Dynamics& dynamics, const Vector& start, bool opens, Expr epsilon) {
   ir::Graph& graph = epsilon.graph();
   const kinematics::Symbols& symbols = dynamics.kinematics->symbols;
   const std::vector<std::size_t> all = first(dynamics.n());
   const GivenState here{symbols_of_configuration(symbols, graph), symbols_of_speeds(symbols, graph), all, all};
-  return Stages(dynamics, here, epsilon).run(start, std::nullopt, k_steps_of_projection);
+  return Stages(dynamics, here, opens, epsilon).run(start, std::nullopt, k_steps_of_projection);
 }
 
 StateSearch initial_state(const model::Model& model, const Dynamics& dynamics, kinematics::Expressions& expressions,
-                          Expr time, Expr epsilon) {
-  return Stages(dynamics, given_state(model, expressions), epsilon).run({}, time, k_steps_to_start);
+                          Expr time, bool opens, Expr epsilon) {
+  return Stages(dynamics, given_state(model, expressions), opens, epsilon).run({}, time, k_steps_to_start);
 }
 
 std::vector<ProjectedState> steps_to_initial_state(const model::Model& model, const Dynamics& dynamics,
                                                    kinematics::Expressions& expressions, Expr epsilon) {
-  return Stages(dynamics, given_state(model, expressions), epsilon).steps();
+  return Stages(dynamics, given_state(model, expressions), false, epsilon).steps();
 }
 
 }  // namespace gaussgen::strategy

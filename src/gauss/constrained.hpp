@@ -25,7 +25,8 @@ struct LinearSolution {
   S rank;            ///< of b, to the tolerance
   StatusOf<S>
       motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
-      ///< violated_constraints: they contradict each other
+               ///< violated_constraints: they contradict each other
+  StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
 
@@ -397,6 +398,7 @@ class Constrained {
     const Bool not_unique = Math<S>::less(rank_, S(l));
     const Bool contradictory = Math<S>::less(Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon())), contradiction);
     solution.motion = Math<S>::status(undetermined, lost, never, contradictory);
+    solution.step = Math<S>::status(undetermined, lost, never);
     solution.reactions = Math<S>::status(undetermined, not_unique, never, contradictory);
   }
 
