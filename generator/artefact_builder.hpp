@@ -59,9 +59,6 @@ std::vector<emit::Artefact> joint_reactions_artefact(Mechanics& mechanics);
 
 /// Constraints that may lose their rank somewhere, in a model that is small enough.
 bool has_general_way(Mechanics& mechanics);
-/// Of rows over the free speeds, where nothing singles a state out.
-std::size_t usual_rank(const strategy::Matrix& b, Mechanics& mechanics);
-
 /// Functions that fill the struct LinearSystem: of the accelerations, and of a given problem, which has as many speeds and rows.
 emit::Artefact linear_system_artefact(Mechanics& mechanics);
 emit::Artefact linear_system(const std::string& name, const strategy::Matrix& metric, const strategy::Vector& f,

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "artefact_builder.hpp"
-#include "generic_point.hpp"
 #include "ir/traverse.hpp"
+#include "usual_rank.hpp"
 
 namespace gaussgen {
 
@@ -91,10 +91,6 @@ Artefact caller_of(const Artefact& regular) {
 }
 
 }  // namespace
-
-std::size_t usual_rank(const strategy::Matrix& b, Mechanics& mechanics) {
-  return generic_rank(GenericPoint(mechanics)(b));
-}
 
 bool has_general_way(Mechanics& mechanics) {
   const std::size_t n = mechanics.dynamics.n(), l = mechanics.dynamics.l();

@@ -4,6 +4,7 @@
 
 #include "artefact_builder.hpp"
 #include "strategy/state_search.hpp"
+#include "usual_rank.hpp"
 
 namespace gaussgen {
 

@@ -14,6 +14,8 @@ namespace gaussgen {
 /// link by link: both are formed.
 inline constexpr std::size_t k_few_speeds = 6;
 
+class UsualStates;
+
 /// How Z is minimised.
 enum class Strategy {
   automatic,    ///< as takes the fewest operations and keeps its digits
@@ -72,6 +74,7 @@ struct Mechanics : KinematicModel {
   strategy::Solution solution;
   strategy::Vector held_reactions;
   MechanicsOptions options;
+  std::shared_ptr<const UsualStates> usual_states;  ///< once somebody asks for them
   std::vector<ir::SymbolId> multipliers;  ///< of a solution that is given, where functions of one were made
   std::vector<ir::SymbolId> start;  ///< of the configuration before a projection, where one was made
 };

@@ -15,6 +15,7 @@ namespace {
 using Vector = std::vector<double>;
 
 constexpr int k_most_damped_steps = 400;
+constexpr int k_most_steps = 30;
 constexpr double k_arrived = 1e-13;    ///< of an approach with the emitted code's steps: f of what it is made of
 constexpr double k_solved = 1e-11;     ///< f of what it is made of
 constexpr double k_violated = 1e-6;    ///< likewise, of the largest among the equations, and of that at the start
@@ -196,6 +197,15 @@ Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable
     here = equations.linearised();
   }
   return {equations.position(), here && here->is_solved(k_arrived)};
+}
+
+bool nearest_solution(PositionEquations& equations) {
+  auto here = equations.linearised();
+  for (int i = 0; here && !here->is_solved(k_solved) && i < k_most_steps; ++i) {
+    equations.move(least_change(*here, equations.movable().size()));
+    here = equations.linearised();
+  }
+  return here && here->is_solved(k_solved);
 }
 
 Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time) {

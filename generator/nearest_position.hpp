@@ -21,6 +21,11 @@ struct Contradiction {
 /// By a search from the initial position, with every coordinate free to move; nothing where it finds a solution, or no answer.
 std::optional<Contradiction> contradictory_positions(Mechanics& mechanics);
 
+class PositionEquations;
+
+/// Newton's method from where `equations` are, with the least displacements; false where it does not arrive at a solution.
+bool nearest_solution(PositionEquations& equations);
+
 /// Along the speeds that are `movable`, from the guesses of the model, at a time.
 struct Approach {
   std::vector<double> position;  ///< the configuration that it came to

@@ -1,0 +1,122 @@
+#include "usual_rank.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <random>
+
+#include "evaluate/arithmetic_double.hpp"
+#include "evaluation.hpp"
+#include "generic_point.hpp"
+#include "nearest_position.hpp"
+#include "position_equations.hpp"
+
+namespace gaussgen {
+
+namespace {
+
+constexpr int k_states = 3;
+constexpr double k_first_displacement = 0.3;  ///< of coordinates of their size, and of angles
+constexpr double k_least_displacement = 1e-3;
+constexpr double k_part =
+    1e-7;  ///< of the largest singular value: less follows from other rows, since positions are good to 1e-11
+
+/// The same numbers in every run.
+class Numbers {
+ public:
+  /// From -1 to 1.
+  double operator()() { return static_cast<double>(engine_()) / static_cast<double>(std::mt19937::max()) * 2 - 1; }
+
+ private:
+  std::mt19937 engine_{20'26};
+};
+
+std::vector<double> displacement_of(const Mechanics& mechanics, const std::vector<double>& from, double part,
+                                    Numbers& numbers) {
+  std::vector<double> result;
+  for (const auto i : mechanics.symbols.speeds.indices()) {
+    const bool is_length = i.value < mechanics.symbols.plain_count() && mechanics.symbols.speeds[i].is_of_length();
+    const double size = is_length && from[i.value] != 0 ? std::abs(from[i.value]) : 1;
+    result.push_back(part * size * numbers());
+  }
+  return result;
+}
+
+Eigen::MatrixXd scaled(Eigen::MatrixXd matrix) {
+  for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+    const double largest = matrix.col(j).lpNorm<Eigen::Infinity>();
+    if (largest > 0) matrix.col(j) /= largest;
+  }
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const double size = matrix.row(i).norm();
+    if (size > 0) matrix.row(i) /= size;
+  }
+  return matrix;
+}
+
+std::size_t rank_of(const Eigen::MatrixXd& matrix) {
+  if (matrix.size() == 0) return 0;
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled(matrix));
+  svd.setThreshold(k_part);
+  return static_cast<std::size_t>(svd.rank());
+}
+
+}  // namespace
+
+UsualStates::UsualStates(Mechanics& mechanics) : mechanics_(mechanics) {
+  const std::size_t n = mechanics.dynamics.n();
+  const std::vector<bool> all(n, true);
+  const Approach begin = long_approach(mechanics, all, 0);
+  if (n == 0 || !begin.is_solved) return;
+  PositionEquations equations(mechanics, all, 0);
+  if (!equations.start()) return;
+  Numbers numbers;
+  for (int k = 0; k < k_states; ++k) {
+    for (double part = k_first_displacement; part > k_least_displacement; part /= 4) {
+      equations.set(begin.position);
+      equations.move(displacement_of(mechanics, begin.position, part, numbers));
+      if (!nearest_solution(equations)) continue;
+      State state{equations.position(), {}};
+      for (std::size_t i = 0; i < n; ++i) state.speeds.push_back(numbers());
+      states_.push_back(std::move(state));
+      break;
+    }
+  }
+}
+
+std::optional<std::size_t> UsualStates::rank(const strategy::Matrix& rows) const {
+  if (!are_known()) return std::nullopt;
+  if (rows.empty()) return 0;
+  const auto columns = static_cast<Eigen::Index>(mechanics_.dynamics.n());
+  std::size_t largest = 0;
+  for (const State& state : states_) {
+    evaluate::Evaluator<double> values(mechanics_.graph, evaluate::Arithmetic<double>());
+    bind_parameters(mechanics_, values);
+    values.bind(mechanics_.symbols.time, 0);
+    for (const auto i : mechanics_.symbols.configuration.indices())
+      values.bind(mechanics_.symbols.configuration[i].symbol, state.configuration[i.value]);
+    for (const auto i : mechanics_.symbols.speeds.indices())
+      values.bind(mechanics_.symbols.speeds[i].symbol, state.speeds[i.value]);
+    Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows.size()), columns);
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+      for (Eigen::Index j = 0; j < columns; ++j) {
+        const auto value = values(rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].id());
+        if (!value || !std::isfinite(*value)) return std::nullopt;
+        matrix(i, j) = *value;
+      }
+    }
+    largest = std::max(largest, rank_of(matrix));
+  }
+  return largest;
+}
+
+std::size_t usual_rank(const strategy::Matrix& rows, Mechanics& mechanics) {
+  if (!mechanics.usual_states) mechanics.usual_states = std::make_shared<UsualStates>(mechanics);
+  if (const auto rank = mechanics.usual_states->rank(rows)) return *rank;
+  return generic_rank(GenericPoint(mechanics)(rows));
+}
+
+std::size_t mobility(Mechanics& mechanics) {
+  return mechanics.dynamics.n() - usual_rank(mechanics.dynamics.b, mechanics);
+}
+
+}  // namespace gaussgen

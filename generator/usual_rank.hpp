@@ -1,0 +1,37 @@
+#pragma once
+// How many of the constraints say something of their own: where the mechanism usually is, on its equations of positions, and not beside them.
+
+#include <vector>
+
+#include "mechanics.hpp"
+
+namespace gaussgen {
+
+/// States that nothing singles out, at which all equations of positions hold. A closed loop has constraints that follow from the others
+/// there (a Bennett linkage three of five), and beside them does not: rank has no meaning off the equations.
+class UsualStates {
+ public:
+  explicit UsualStates(Mechanics& mechanics);
+
+  /// Positions that satisfy the equations were found.
+  bool are_known() const { return !states_.empty(); }
+
+  /// The largest rank of rows over the free speeds, columns scaled by their largest entries, then rows; nothing where no position is known or an entry has no value.
+  std::optional<std::size_t> rank(const strategy::Matrix& rows) const;
+
+ private:
+  struct State {
+    std::vector<double> configuration, speeds;
+  };
+
+  Mechanics& mechanics_;
+  std::vector<State> states_;
+};
+
+/// Of rows over the free speeds, in a usual state; in a generic one where no usual one is found.
+std::size_t usual_rank(const strategy::Matrix& rows, Mechanics& mechanics);
+
+/// Motions that all constraints leave: free speeds less the usual rank of the constraints.
+std::size_t mobility(Mechanics& mechanics);
+
+}  // namespace gaussgen
