@@ -94,9 +94,10 @@ Artefact caller_of(const Artefact& regular) {
 
 bool has_general_way(Mechanics& mechanics) {
   const std::size_t n = mechanics.dynamics.n(), l = mechanics.dynamics.l();
-  // What parameters alone decide is so for a whole run, and a status has to do.
-  const bool may_lose_rank = !ir::is_of_parameters(mechanics.graph, mechanics.solution.dependent_constraints.id());
-  return n > 0 && l > 0 && may_lose_rank && n * (n + l) <= k_most_entries;
+  if (n == 0 || l == 0 || n * (n + l) > k_most_entries) return false;
+  // What parameters alone decide is so for a whole run: a status has to do where it is unusual.
+  return !ir::is_of_parameters(mechanics.graph, mechanics.solution.dependent_constraints.id()) ||
+         usual_rank(mechanics.dynamics.b, mechanics) < l;
 }
 
 Artefact linear_system(const std::string& name, const strategy::Matrix& metric, const Vector& f,
@@ -111,7 +112,9 @@ Artefact linear_system(const std::string& name, const strategy::Matrix& metric, 
                   {"f", "forces, less what inertia takes at constant speeds", {n}, ids(f)},
                   {"b", "dphi/du of each constraint", {l, n}, entries_of(b)},
                   {"drift", "dphi/dt of each at constant speeds; of a step, what is left of it", {l}, ids(drift)}});
-  return builder.finish({});
+  Artefact system = builder.finish({});
+  system.is_part = true;
+  return system;
 }
 
 Artefact linear_system_artefact(Mechanics& mechanics) {
@@ -121,16 +124,20 @@ Artefact linear_system_artefact(Mechanics& mechanics) {
 
 std::vector<Artefact> two_ways(Artefact regular, Artefact of_solution, emit::TwoWays ways) {
   Artefact caller = caller_of(regular);
-  ways.regular = caller.name + k_regular;
+  const bool has_regular = ways.usual_rank == ways.rows;
+  if (has_regular) ways.regular = caller.name + k_regular;
   ways.of_solution = caller.name + k_of_solution;
   regular.name = ways.regular;
   regular.about = "Of " + caller.name + ": as it is done where constraints are independent.";
   of_solution.name = ways.of_solution;
   of_solution.about = "Of " + caller.name + ": from a solution of the linear system.";
   of_solution.takes_solution = true;
+  regular.is_part = of_solution.is_part = true;
   caller.ways = std::move(ways);
   std::vector<Artefact> result;
-  for (Artefact* one : {&regular, &of_solution, &caller}) result.push_back(std::move(*one));
+  if (has_regular) result.push_back(std::move(regular));
+  result.push_back(std::move(of_solution));
+  result.push_back(std::move(caller));
   return result;
 }
 
@@ -143,11 +150,12 @@ std::vector<Artefact> in_two_ways(const ArtefactsOf& build, bool shows_multiplie
     of_solution = build(mechanics);
   }
   const int rank = static_cast<int>(usual_rank(mechanics.dynamics.b, mechanics));
+  const int l = static_cast<int>(mechanics.dynamics.l());
   std::vector<Artefact> result;
   for (std::size_t i = 0; i < regular.size(); ++i) {
     const bool shows = shows_multipliers && !regular[i].result_type.empty();
     const emit::Shown shown = shows ? emit::Shown::reactions : emit::Shown::motion;
-    for (Artefact& one : two_ways(std::move(regular[i]), std::move(of_solution[i]), {{}, k_system, {}, rank, shown}))
+    for (Artefact& one : two_ways(std::move(regular[i]), std::move(of_solution[i]), {{}, k_system, {}, rank, l, shown}))
       result.push_back(std::move(one));
   }
   return result;

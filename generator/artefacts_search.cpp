@@ -44,6 +44,13 @@ std::string about(Kind kind, const std::string& whole) {
   }
 }
 
+/// Those that are not zero.
+int rows_of(const strategy::Matrix& b) {
+  return static_cast<int>(std::count_if(b.begin(), b.end(), [](const Vector& row) {
+    return std::any_of(row.begin(), row.end(), [](ir::Expr entry) { return !entry.is_zero(); });
+  }));
+}
+
 /// What all functions of a search have.
 void fill(const SearchStage& stage, Artefact& artefact) {
   artefact.target = emit::Target::state;
@@ -105,8 +112,8 @@ class SearchArtefacts {
     }
     result.push_back(std::move(system));
     const std::string system_name = result.back().name;
-    for (Artefact& one :
-         two_ways(std::move(regular), std::move(of_solution), {{}, system_name, {}, static_cast<int>(rank), emit::Shown::step}))
+    for (Artefact& one : two_ways(std::move(regular), std::move(of_solution),
+                                  {{}, system_name, {}, static_cast<int>(rank), rows_of(open.b), emit::Shown::step}))
       result.push_back(std::move(one));
   }
 

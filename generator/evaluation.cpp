@@ -351,7 +351,9 @@ class Report {
   }
 
   void add_groups(const std::string& output) {
-    for (const emit::Artefact& artefact : build_artefact(output, mechanics_)) add_artefact(output, artefact);
+    for (const emit::Artefact& artefact : build_artefact(output, mechanics_)) {
+      if (!artefact.is_part) add_artefact(output, artefact);
+    }
   }
 
   void add_artefact(const std::string& output, const emit::Artefact& artefact) {

@@ -118,6 +118,7 @@ struct TwoWays {
   std::string system;       ///< function that fills the struct of the same name
   std::string of_solution;  ///< function that makes the results of accelerations and multipliers
   int usual_rank = 0;       ///< of the constraints, where nothing singles a state out
+  int rows = 0;             ///< of them; where they always follow from each other, the own way is always lost
   Shown shown = Shown::motion;
 };
 
@@ -142,6 +143,7 @@ struct Artefact {
   std::vector<Group> groups;
   std::vector<Section> sections;
   StatusNodes status;
+  bool is_part = false;  ///< of a function in two ways
 
   /// It has no values of its own.
   bool is_caller() const { return ways || !calls.empty(); }

@@ -181,6 +181,7 @@ class Constrained {
       // A row of zeros that asks for something is contradictory; its scale is lost.
       c_[mu] = -Math<S>::select(Math<S>::less(S(0), size), row_scale_[mu], S(1)) * system.drift[mu];
     }
+    find_lost_entries();
     for (int i = 0; i < n; ++i) {
       f_[i] = speed_scale_[i] * system.f[i];
       for (int j = 0; j < n; ++j) g_[i][j] = speed_scale_[i] * system.g[i][j] * speed_scale_[j];
@@ -191,6 +192,18 @@ class Constrained {
     S squares = S(0);
     for (int i = 0; i < n; ++i) squares = squares + row[i] * speed_scale_[i] * (row[i] * speed_scale_[i]);
     return root(squares);
+  }
+
+  /// Inertias may be apart as far as squares of small entries of a row are numbers.
+  GAUSS_FUNCTION void find_lost_entries() {
+    const S least = Math<S>::epsilon() * Math<S>::epsilon() * Math<S>::sqrt(Math<S>::epsilon());
+    has_lost_entries_ = S(0);
+    for (int mu = 0; mu < l; ++mu) {
+      for (int i = 0; i < n; ++i) {
+        const S size = absolute(b_[mu][i]);
+        has_lost_entries_ = larger(has_lost_entries_, positive(size) * positive<S>(least - size));
+      }
+    }
   }
 
   /// b^T P = Q R. At each step the row that is longest across all before is next.
@@ -204,6 +217,7 @@ class Constrained {
     S goes_on = S(1);
     for (int k = 0; k < most; ++k) {
       bring_longest(k);
+      bring_largest(k);
       const S size = root(squares_from(k, r_[k]));
       goes_on = goes_on * (k < most_rank ? positive<S>(size - tolerance) : S(0));
       if (k < most_rank) is_full_ = goes_on;
@@ -229,13 +243,25 @@ class Constrained {
     }
   }
 
+  /// Speeds, too: so reflections keep the digits of small entries beside large ones, as of what is light beside what is heavy (Cox and
+  /// Higham, Stability of Householder QR factorization for weighted least squares problems, 1998).
+  GAUSS_FUNCTION void bring_largest(int k) {
+    S largest = absolute(r_[k][k]);
+    for (int i = k + 1; i < n; ++i) {
+      const S other = absolute(r_[k][i]);
+      moved_[k][i] = Math<S>::less(largest, other);
+      largest = Math<S>::select(moved_[k][i], other, largest);
+      swap_where<S>(moved_[k][i], r_[k][k], r_[k][i]);
+    }
+  }
+
   GAUSS_FUNCTION void reflect(int k, const S& size) {
     const S head = r_[k][k];
     const S sign = Math<S>::select(Math<S>::less(head, S(0)), S(-1), S(1));
     for (int i = 0; i < n; ++i) reflector_[k][i] = i < k ? S(0) : r_[k][i];
     reflector_[k][k] = head + sign * size;
     strength_[k] = reciprocal(size * (size + absolute(head)), is_row_[k]);
-    for (int j = k + 1; j < l; ++j) apply(k, r_[j]);
+    for (int j = k + 1; j < l; ++j) turn(k, r_[j]);
     r_[k][k] = Math<S>::select(Math<S>::less(S(0), is_row_[k]), -sign * size, head);
     inverse_[k] = reciprocal(r_[k][k], is_row_[k]);
   }
@@ -245,14 +271,22 @@ class Constrained {
     for (int i = k; i < n; ++i) x[i] = x[i] - along * reflector_[k][i];
   }
 
+  GAUSS_FUNCTION void turn(int k, S (&x)[n]) const {
+    for (int i = k + 1; i < n; ++i) swap_where<S>(moved_[k][i], x[k], x[i]);
+    apply(k, x);
+  }
+
   /// Q^T x
   GAUSS_FUNCTION void to_parts(S (&x)[n]) const {
-    for (int k = 0; k < most; ++k) apply(k, x);
+    for (int k = 0; k < most; ++k) turn(k, x);
   }
 
   /// Q x
   GAUSS_FUNCTION void from_parts(S (&x)[n]) const {
-    for (int k = most - 1; k >= 0; --k) apply(k, x);
+    for (int k = most - 1; k >= 0; --k) {
+      apply(k, x);
+      for (int i = n - 1; i > k; --i) swap_where<S>(moved_[k][i], x[k], x[i]);
+    }
   }
 
   /// Q^T g Q, and its factors over what the rows leave free.
@@ -393,13 +427,22 @@ class Constrained {
     for (int mu = 0; mu < l; ++mu) solution.multipliers[mu] = row_scale_[mu] * lambda[mu];
     solution.rank = rank_;
     const Bool never = Math<S>::less(S(0), S(0));
-    const Bool undetermined = Math<S>::less(free_.is_determined, S(1));
-    const Bool lost = Math<S>::less(is_full_, S(1));
-    const Bool not_unique = Math<S>::less(rank_, S(l));
+    // What is not a number tells nothing of ranks, and whoever fills the system says so.
+    const S is_unknown = unknown();
+    const Bool undetermined = Math<S>::less(free_.is_determined - has_lost_entries_ + is_unknown, S(1));
+    const Bool lost = Math<S>::less(is_full_ + is_unknown, S(1));
+    const Bool not_unique = Math<S>::less(rank_ + S(l) * is_unknown, S(l));
     const Bool contradictory = Math<S>::less(Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon())), contradiction);
     solution.motion = Math<S>::status(undetermined, lost, never, contradictory);
     solution.step = Math<S>::status(undetermined, lost, never);
     solution.reactions = Math<S>::status(undetermined, not_unique, never, contradictory);
+  }
+
+  GAUSS_FUNCTION S unknown() const {
+    S sum = S(0);
+    for (int i = 0; i < n; ++i) sum = sum + f_[i] + inner(g_[i], g_[i]);
+    for (int mu = 0; mu < l; ++mu) sum = sum + c_[mu] + inner(b_[mu], b_[mu]);
+    return indicator<S>(Math<S>::not_finite(sum));
   }
 
   S g_[n][n], f_[n], b_[l][n], c_[l];  ///< scaled
@@ -407,8 +450,9 @@ class Constrained {
   S r_[l][n];  ///< R^T: row k has its entries above the diagonal, and r_[k][k]
   S reflector_[most][n], strength_[most], inverse_[most];
   S is_row_[n];  ///< 1: this part of the speeds is what a row says; 0: it is free
-  S rank_, is_full_;
-  Bool swapped_[most][l];
+  S rank_, is_full_, has_lost_entries_;
+  Bool swapped_[most][l];  ///< rows, and speeds:
+  Bool moved_[most][n];
   S parts_[n][n];  ///< Q^T g Q
   MaskedLdl<S, n> free_;
   S null_[l][l];

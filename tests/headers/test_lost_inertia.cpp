@@ -70,7 +70,7 @@ S largest_error(const Motion<S>& motion, const Motion<Wide>& exact) {
   return static_cast<S>(largest);
 }
 
-/// One correction leaves eps² times the ratio.
+/// What a tree or a metric loses, the general solution finds.
 template <class M, class S>
 void light_is_right_or_says_so(int first_exponent, int last_exponent, S rounding) {
   for (int exponent = first_exponent; exponent >= last_exponent; exponent -= 2) {
@@ -78,21 +78,19 @@ void light_is_right_or_says_so(int first_exponent, int last_exponent, S rounding
     const Motion<S> motion = light_motion<M>(ratio, S(1));
     if (motion.status != Status::ok) continue;
     INFO("mass ratio 2^" << exponent);
-    const S epsilon = gauss::Math<S>::epsilon();
-    const S left = 10 * epsilon * epsilon / ratio;
-    CHECK(left < S(1e-4));
-    CHECK(largest_error(motion, light_answer(Wide(ratio))) < rounding + left);
+    CHECK(largest_error(motion, light_answer(Wide(ratio))) < rounding);
   }
 }
 
 template <class M>
 void light_is_trusted_as_far_as_digits_reach() {
-  for (const double ratio : {1e20, 1.0, 1e-6, 1e-12, 1e-20}) CHECK(light_motion<M>(ratio, 1.0).status == Status::ok);
-  for (const double ratio : {1e-30, 1e-200}) {
+  for (const double ratio : {1e20, 1.0, 1e-6, 1e-12, 1e-20, 1e-30, 1e-60}) CHECK(light_motion<M>(ratio, 1.0).status == Status::ok);
+  for (const double ratio : {1e-100, 1e-200}) {
     CHECK(light_motion<M>(ratio, 1.0).status == Status::singular_mass_matrix);
   }
   CHECK(light_motion<M>(1e-6F, 1.0F).status == Status::ok);
-  CHECK(light_motion<M>(1e-12F, 1.0F).status == Status::singular_mass_matrix);
+  CHECK(light_motion<M>(1e-12F, 1.0F).status == Status::ok);
+  CHECK(light_motion<M>(1e-37F, 1.0F).status == Status::singular_mass_matrix);
 }
 
 struct RopeMotion {

@@ -55,7 +55,7 @@ S largest_error(const Motion<S>& motion, const Motion<Wide>& exact) {
   return std::max(largest, std::abs(static_cast<S>(Wide(motion.multiplier) / exact.multiplier - 1)));
 }
 
-/// Powers of two, so that the mass is the same number in every type. One correction leaves eps² times the ratio.
+/// Powers of two, so that the mass is the same number in every type.
 template <class S>
 void is_right_or_says_so(int first_exponent, int last_exponent, S rounding) {
   for (int exponent = first_exponent; exponent >= last_exponent; exponent -= 2) {
@@ -63,10 +63,7 @@ void is_right_or_says_so(int first_exponent, int last_exponent, S rounding) {
     const Motion<S> motion = motion_with<S>(mass);
     if (motion.status != Status::ok) continue;
     INFO("mass ratio 2^" << exponent);
-    const S epsilon = std::numeric_limits<S>::epsilon();
-    const S left = 10 * epsilon * epsilon / mass;
-    CHECK(left < S(1e-4));
-    CHECK(largest_error(motion, motion_with<Wide>(Wide(mass))) < rounding + left);
+    CHECK(largest_error(motion, motion_with<Wide>(Wide(mass))) < rounding);
   }
 }
 
@@ -82,10 +79,13 @@ TEST_CASE("ratios of everyday and of extreme machines are ok, ratios beyond all 
   CHECK(motion_with(1e-12).status == Status::ok);
   CHECK(motion_with(1e-20).status == Status::ok);
   CHECK(motion_with(1e20).status == Status::ok);
-  CHECK(motion_with(1e-30).status == Status::singular_mass_matrix);
+  CHECK(motion_with(1e-30).status == Status::ok);
+  CHECK(motion_with(1e-60).status == Status::ok);
+  CHECK(motion_with(1e-100).status == Status::singular_mass_matrix);
   CHECK(motion_with(1e-200).status == Status::singular_mass_matrix);
   CHECK(motion_with(1e-6F).status == Status::ok);
-  CHECK(motion_with(1e-12F).status == Status::singular_mass_matrix);
+  CHECK(motion_with(1e-12F).status == Status::ok);
+  CHECK(motion_with(1e-37F).status == Status::singular_mass_matrix);
 }
 
 namespace {
