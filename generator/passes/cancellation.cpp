@@ -174,10 +174,16 @@ class Rules {
     return select(at_most(sum, zero), zero, (A - squared) / sum) + (size - b).kept_whole("");
   }
 
-  bool is_negative(Expr number) { return graph_[number.id()].kind == Kind::constant && graph_[number.id()].value < 0; }
+  /// Known to be below 0: numbers, and what this pass has left.
+  bool is_negative(Expr value) {
+    const Node& node = graph_[value.id()];
+    if (node.kind == Kind::constant) return node.value < 0;
+    return node.kind == Kind::sum && node.value == 0 && node.children.size() == 1 && node.coefficients[0] < 0 &&
+           is_call(graph_, node.children[0], Function::abs);
+  }
 
   /// cos a - cos b, sin a ∓ sin b, where a and b share all but a fixed part. Of two angles that differ by a third one nobody knows that this is
-  /// small, and each call more would be felt: the sides of linkages are such sums.
+  /// small.
   std::optional<Expr> of_angles(NodeId f, Expr rest, const Term& first, const Term& second) {
     if (!is_call(graph_, f, Function::cos) && !is_call(graph_, f, Function::sin)) return std::nullopt;
     const Function function = graph_[f].function;
