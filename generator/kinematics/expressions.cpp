@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "ir/removable.hpp"
 #include "ir/substitute.hpp"
 #include "kinematics/place_symbols.hpp"
 #include "kinematics/solve_sparse.hpp"
@@ -168,7 +169,8 @@ Expr Expressions::formed(const Ast& ast) {
     case AstKind::product: {
       std::vector<ir::NodeId> ids;
       for (const Expr& child : children) ids.push_back(child.id());
-      return {graph_, ast.kind == AstKind::sum ? graph_.sum(ids) : graph_.product_in_groups(ids, "factors")};
+      if (ast.kind == AstKind::sum) return {graph_, graph_.sum(ids)};
+      return ir::without_removable_pole({graph_, graph_.product_in_groups(ids, "factors")}, symbol(symbols_.epsilon));
     }
   }
   return number(0);

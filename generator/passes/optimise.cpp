@@ -5,6 +5,7 @@
 
 #include "ir/cost.hpp"
 #include "passes/angles.hpp"
+#include "passes/cancellation.hpp"
 #include "passes/factor.hpp"
 #include "passes/pairs.hpp"
 #include "passes/quotients.hpp"
@@ -127,14 +128,27 @@ Request apply_best_order(Graph& graph, const Request& request, std::vector<PassE
   return taken(std::move(best), effects);
 }
 
-Request apply_rotations(Graph& graph, const Request& request, std::vector<PassEffect>* effects) {
+namespace {
+
+/// Whatever operations it takes.
+Request apply_anyway(Graph& graph, const Request& request, const Pass& pass, std::vector<PassEffect>* effects) {
   const auto begin = Clock::now();
-  Request next = rotate_angles(graph, request);
+  Request next = pass.run(graph, request);
   if (effects == nullptr) return next;
   const int before = ir::operations(graph, request.outputs);
   const int after = next.outputs == request.outputs ? before : ir::operations(graph, next.outputs);
-  effects->push_back({"rotations", before, after, since(begin)});
+  effects->push_back({pass.name, before, after, since(begin)});
   return next;
+}
+
+}  // namespace
+
+Request apply_cancellation(Graph& graph, const Request& request, std::vector<PassEffect>* effects) {
+  return apply_anyway(graph, request, {"cancellation", keep_digits}, effects);
+}
+
+Request apply_rotations(Graph& graph, const Request& request, std::vector<PassEffect>* effects) {
+  return apply_anyway(graph, request, {"rotations", rotate_angles}, effects);
 }
 
 }  // namespace gaussgen::passes

@@ -23,7 +23,8 @@ const std::vector<std::vector<Pass>>& orders();
 struct PassEffect {
   std::string pass;
   int before = 0;  ///< operations
-  int after = 0;   ///< the same as before where the pass would have added some, and was left out; more for rotations
+  int after =
+      0;  ///< the same as before where the pass would have added some, and was left out; more for those that serve something else
   double milliseconds = 0;
 };
 
@@ -33,6 +34,9 @@ Request apply(Graph& graph, const Request& request, const std::vector<Pass>& pas
 
 /// By the order that leaves fewest operations; the first one, where another is not worth it. `effects` are those of its passes.
 Request apply_best_order(Graph& graph, const Request& request, std::vector<PassEffect>* effects = nullptr);
+
+/// In front of all others, and whatever it takes: digits are worth more than operations.
+Request apply_cancellation(Graph& graph, const Request& request, std::vector<PassEffect>* effects = nullptr);
 
 /// Behind all others, and measured in instructions instead of operations: rotations in the place of calls.
 Request apply_rotations(Graph& graph, const Request& request, std::vector<PassEffect>* effects = nullptr);

@@ -23,6 +23,9 @@ struct Scaled {
 /// Numbers of many digits are no better in one place than in the other, and grow with every step.
 constexpr long k_most_bits = 256;
 
+/// A value in a unit beyond this leaves the range of float, as the terms of a series do one after the other.
+const Rational k_largest_unit = cln::expt_pos(cln::cl_I(2), 100);
+
 long bits_of(const Rational& value) {
   return static_cast<long>(cln::integer_length(cln::numerator(value)) + cln::integer_length(cln::denominator(value)));
 }
@@ -135,7 +138,8 @@ class UnitChoice {
     if (sum.value == 0 && sum.children.size() == 1) return {sum.coefficients[0], sum.children[0]};
     const Rational size = best_unit(sum, last_.contains(id));
     const Rational unit = sum.coefficients[0] < 0 ? Rational(-size) : size;
-    if (bits_of(unit) > k_most_bits) return {1, now};
+    if (bits_of(unit) > k_most_bits || cln::abs(unit) < 1 / k_largest_unit || cln::abs(unit) > k_largest_unit)
+      return {1, now};
     return {unit, graph_.scale(1 / unit, now)};
   }
 

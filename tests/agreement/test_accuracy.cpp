@@ -73,6 +73,7 @@ class Trial {
     Request plain;
     for (const auto acceleration : mechanics_.solution.accelerations) plain.outputs.push_back(acceleration.id());
     requests_.push_back(plain);
+    requests_.push_back(gaussgen::passes::apply_cancellation(mechanics_.graph, plain));
     for (const gaussgen::passes::Pass& pass : gaussgen::passes::identities()) step(pass);
     order_ = order ? *order : order_for(requests_.back());
     for (const gaussgen::passes::Pass& pass : gaussgen::passes::orders()[order_]) step(pass);

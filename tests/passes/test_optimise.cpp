@@ -5,6 +5,7 @@
 #include "ir/print.hpp"
 #include "ir/verify.hpp"
 #include "passes/angles.hpp"
+#include "passes/cancellation.hpp"
 #include "passes/factor.hpp"
 #include "passes/pairs.hpp"
 #include "passes/quotients.hpp"
@@ -27,15 +28,12 @@ Request optimised(Graph& graph, const Request& request) {
   return gaussgen::passes::apply_best_order(graph, simple);
 }
 
-const std::vector<std::pair<std::string, Pass>> k_passes{{"angles", gaussgen::passes::join_angles},
-                                                         {"turns", gaussgen::passes::turn_back},
-                                                         {"quotients", gaussgen::passes::join_quotients},
-                                                         {"units", gaussgen::passes::choose_units},
-                                                         {"pairs", gaussgen::passes::share_factors},
-                                                         {"factors", gaussgen::passes::factor_out},
-                                                         {"terms", gaussgen::passes::share_terms},
-                                                         {"rotations", gaussgen::passes::rotate_angles},
-                                                         {"all", optimised}};
+const std::vector<std::pair<std::string, Pass>> k_passes{
+    {"cancellation", gaussgen::passes::keep_digits}, {"angles", gaussgen::passes::join_angles},
+    {"turns", gaussgen::passes::turn_back},          {"quotients", gaussgen::passes::join_quotients},
+    {"units", gaussgen::passes::choose_units},       {"pairs", gaussgen::passes::share_factors},
+    {"factors", gaussgen::passes::factor_out},       {"terms", gaussgen::passes::share_terms},
+    {"rotations", gaussgen::passes::rotate_angles},  {"all", optimised}};
 
 }  // namespace
 
