@@ -11,9 +11,9 @@
 
 namespace hard_cases {
 
-namespace {
+GAUSS_MODEL(SimplePendulum, gauss::simple_pendulum);
 
-GAUSS_MODEL(Pendulum, gauss::simple_pendulum);
+namespace {
 
 struct Energies {
   double tenths[10] = {};  ///< largest relative errors
@@ -53,8 +53,8 @@ Energies energies(const Model& model, const typename Model::State& start, std::i
 }  // namespace
 
 std::vector<Figure> long_run(const Scope& scope) {
-  const auto prepared = Pendulum::prepare(gauss::simple_pendulum::Parameters<double>{});
-  const auto model = gauss::integrate::bind_model<Pendulum>(prepared, gauss::simple_pendulum::Inputs<double>{});
+  const auto prepared = SimplePendulum::prepare(gauss::simple_pendulum::Parameters<double>{});
+  const auto model = gauss::integrate::bind_model<SimplePendulum>(prepared, gauss::simple_pendulum::Inputs<double>{});
   using Model = std::decay_t<decltype(model)>;
   gauss::simple_pendulum::State<double> start;
   if (initial_state(prepared, start) != gauss::Status::ok) return {};

@@ -11,9 +11,9 @@
 
 namespace hard_cases {
 
-namespace {
-
 GAUSS_MODEL(Bob, gauss::pendulum_cartesian);
+
+namespace {
 
 constexpr double k_length = 1;
 constexpr double k_gravity = 9.81;

@@ -11,9 +11,10 @@
 
 namespace hard_cases {
 
+GAUSS_MODEL(Rod, gauss::pendulum_moving_pivot);
+
 namespace {
 
-GAUSS_MODEL(Rod, gauss::pendulum_moving_pivot);
 using Parameters = gauss::pendulum_moving_pivot::Parameters<double>;
 
 constexpr double k_step = 1e-4;

@@ -11,9 +11,9 @@
 
 namespace hard_cases {
 
-namespace {
+GAUSS_MODEL(DoublePendulum, gauss::double_pendulum);
 
-GAUSS_MODEL(Pendulum, gauss::double_pendulum);
+namespace {
 
 /// Largest difference of a component, rad or rad/s, between the start and what comes back.
 template <class Stepper, class Model>
@@ -47,8 +47,8 @@ double direction_of_time(const Model& model) {
 }  // namespace
 
 std::vector<Figure> time_reversal(const Scope&) {
-  const auto prepared = Pendulum::prepare(gauss::double_pendulum::Parameters<double>{});
-  const auto model = gauss::integrate::bind_model<Pendulum>(prepared, gauss::double_pendulum::Inputs<double>{});
+  const auto prepared = DoublePendulum::prepare(gauss::double_pendulum::Parameters<double>{});
+  const auto model = gauss::integrate::bind_model<DoublePendulum>(prepared, gauss::double_pendulum::Inputs<double>{});
   using Model = std::decay_t<decltype(model)>;
   const gauss::double_pendulum::State<double> start{{0.6, -0.4, 0, 0}};
   Figure figure{"H28.state", "component after 100 s out and back", "rad, rad/s", {}};

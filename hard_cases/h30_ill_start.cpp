@@ -11,9 +11,9 @@
 
 namespace hard_cases {
 
-namespace {
-
 GAUSS_MODEL(Bob, gauss::pendulum_cartesian);
+
+namespace {
 
 /// m and m/s: length of the bar and speed along it, by formulas of their own.
 double violation(const double* y) {

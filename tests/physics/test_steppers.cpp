@@ -11,13 +11,13 @@
 #include "gauss/simulate/fixed_step.hpp"
 #include "pendulum_cartesian.hpp"
 
+GAUSS_MODEL(Double, gauss::double_pendulum);
+GAUSS_MODEL(Bob, gauss::pendulum_cartesian);
+
 namespace {
 
 using namespace gauss::integrate;
 using gauss::simulate::FixedStep;
-
-GAUSS_MODEL(Double, gauss::double_pendulum);
-GAUSS_MODEL(Bob, gauss::pendulum_cartesian);
 
 auto double_pendulum() {
   return bind_model<Double>(Double::prepare(gauss::double_pendulum::Parameters<double>{}),
