@@ -24,30 +24,56 @@ StatusOf<Scalar> project_if_any(long, const Scalar&, const Prepared&, State&) {
   return StatusOf<Scalar>{};
 }
 
+// Outside of BoundModel, whose member would hide it.
+template <class Scalar, class State, class Prepared, class Energy>
+StatusOf<Scalar> energy_of(const Scalar& t, const State& state, const Prepared& prepared, Energy& result) {
+  return energy(t, state, prepared, result);
+}
+
 }  // namespace detail
 
 /// `Source` is the model's Inputs, or a function (t, state) -> Inputs, such as a controller.
-template <class StateType, class DerivativeType, class Prepared, class Source>
+template <class StateType, class DerivativeType, class PreparedType, class Source, std::size_t coordinates>
 class BoundModel {
  public:
   using State = StateType;
   using Derivative = DerivativeType;
+  using Prepared = PreparedType;
   using Scalar = std::remove_all_extents_t<decltype(State::values)>;
   using Status = StatusOf<Scalar>;
   static constexpr std::size_t size = sizeof(State::values) / sizeof(Scalar);
+  static constexpr std::size_t n_q = coordinates;
+  static constexpr std::size_t n_v = size - n_q;
 
   BoundModel(const Prepared& prepared, const Source& source) : prepared_(prepared), source_(source) {}
 
   Status derivative(const Scalar& t, const State& state, Derivative& result) const {
-    if constexpr (std::is_invocable_v<const Source&, const Scalar&, const State&>) {
-      return rhs(t, state, source_(t, state), prepared_, result);
-    } else {
-      return rhs(t, state, source_, prepared_, result);
-    }
+    return rhs(t, state, inputs(t, state), prepared_, result);
+  }
+
+  /// Of a model that was generated with `jacobian`; `Result` is its emitted struct.
+  template <class Result>
+  Status derivatives(const Scalar& t, const State& state, Result& result) const {
+    return jacobian(t, state, inputs(t, state), prepared_, result);
+  }
+
+  /// Of a model that was generated with `energy`; `Result` is its emitted struct.
+  template <class Result>
+  Status energy(const Scalar& t, const State& state, Result& result) const {
+    return detail::energy_of(t, state, prepared_, result);
   }
 
   /// Back onto the constraints.
   Status projection(const Scalar& t, State& state) const { return detail::project_if_any(0, t, prepared_, state); }
+
+  decltype(auto) inputs(const Scalar& t, const State& state) const {
+    if constexpr (std::is_invocable_v<const Source&, const Scalar&, const State&>) {
+      return source_(t, state);
+    } else {
+      return (source_);
+    }
+  }
+  const Prepared& prepared() const { return prepared_; }
 
  private:
   Prepared prepared_;
@@ -57,7 +83,7 @@ class BoundModel {
 /// With `GAUSS_MODEL(Ball, gauss::ball)` of gauss/model_concept.hpp: bind_model<Ball>(Ball::prepare(parameters), inputs).
 template <class Model, class S = double, class Source>
 BoundModel<typename Model::template State<S>, typename Model::template Derivative<S>,
-           typename Model::template Prepared<S>, Source>
+           typename Model::template Prepared<S>, Source, static_cast<std::size_t>(Model::n_q)>
 bind_model(const typename Model::template Prepared<S>& prepared, const Source& source) {
   static_assert(is_model<Model, S>, "a type made by GAUSS_MODEL is expected");
   return {prepared, source};

@@ -11,6 +11,7 @@
 
 #include "gauss/integrate/bound_model.hpp"
 #include "gauss/integrate/prince_dormand87.hpp"
+#include "gauss/integrate/step_result.hpp"
 
 namespace gauss::integrate {
 
@@ -30,10 +31,10 @@ class OdeintSystem {
     const typename Model::Status status = model_.derivative(t, state, derivative);
     std::copy_n(derivative.values, Model::size, dxdt.begin());
     ++calls_;
-    if (trouble_ == typename Model::Status{}) trouble_ = status;
+    if (is_motion_known(trouble_) && status != typename Model::Status{}) trouble_ = status;
   }
 
-  /// The first status other than ok since the last forget_trouble(): Odeint has no way to return it.
+  /// The first status that stops a motion, or else a milder one other than ok, since the last forget_trouble(): Odeint has no way to return it.
   typename Model::Status trouble() const { return trouble_; }
   void forget_trouble() { trouble_ = typename Model::Status{}; }
   long calls() const { return calls_; }

@@ -1,0 +1,125 @@
+// Steppers that correct the states of another stepper: constraints, energy.
+// SPDX-License-Identifier: MIT
+#ifndef GAUSS_INTEGRATE_CORRECTIONS_HPP
+#define GAUSS_INTEGRATE_CORRECTIONS_HPP
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "gauss/integrate/bound_model.hpp"
+#include "gauss/integrate/step_result.hpp"
+
+namespace gauss::integrate {
+
+/// What corrections did since the beginning of a run.
+template <class Scalar>
+struct Correction {
+  Scalar largest = 0;   ///< of one component in one step: of its own unit for projection, a fraction for energy
+  long applied = 0;     ///< steps that were corrected
+  long left_alone = 0;  ///< steps for which no correction would have been an improvement
+};
+
+/// Levels of projection. A level that the model was not generated with does not compile.
+struct ToConstraints {
+  template <class Model>
+  static Status apply(const Model& model, const typename Model::Scalar& t, typename Model::State& state) {
+    return model.projection(t, state);
+  }
+};
+
+/// Back onto the constraints after each step.
+template <class Inner, class Level = ToConstraints>
+class Projected {
+ public:
+  using Scalar = typename Inner::Scalar;
+  using State = typename Inner::State;
+
+  Projected() = default;
+  explicit Projected(Inner inner) : inner_(std::move(inner)) {}
+
+  template <class Model>
+  StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
+    State trial = state;
+    const StepResult result = inner_.step(model, t, h, trial);
+    if (!result.is_taken()) return result;
+    const State before = trial;
+    const StepResult projected = result_of(Level::apply(model, t + h, trial));
+    if (!projected.is_taken()) return projected;
+    for (std::size_t i = 0; i < Model::size; ++i)
+      correction_.largest = std::max(correction_.largest, std::abs(trial.values[i] - before.values[i]));
+    ++correction_.applied;
+    state = trial;
+    return result;
+  }
+
+  const Correction<Scalar>& correction() const { return correction_; }
+  const Inner& inner() const { return inner_; }
+
+ private:
+  Inner inner_;
+  Correction<Scalar> correction_;
+};
+
+/// Keeps the energy of a scleronomic, conservative model at its value before the first step, by a factor on all speeds,
+/// sqrt((E0 - V)/T): of all changes of speeds that give this energy, the least in the metric of the masses, and one that keeps
+/// homogeneous constraints of speeds. `Energy` is the emitted struct, such as gauss::pendulum::Energy<double>.
+template <class Inner, class Energy>
+class EnergyKept {
+ public:
+  using Scalar = typename Inner::Scalar;
+  using State = typename Inner::State;
+
+  EnergyKept() = default;
+  explicit EnergyKept(Inner inner) : inner_(std::move(inner)) {}
+
+  template <class Model>
+  StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
+    Energy energy;
+    if (!has_level_) {
+      const StepResult start = result_of(model.energy(t, state, energy));
+      if (!start.is_taken()) return start;
+      level_ = energy.total;
+      has_level_ = true;
+    }
+    const StepResult result = inner_.step(model, t, h, state);
+    if (result.is_taken()) correct(model, t + h, state);
+    return result;
+  }
+
+  const Correction<Scalar>& correction() const { return correction_; }
+  const Scalar& level() const { return level_; }
+  const Inner& inner() const { return inner_; }
+
+ private:
+  template <class Model>
+  void correct(const Model& model, const Scalar& t, State& state) {
+    Energy energy;
+    if (!is_motion_known(model.energy(t, state, energy))) return leave();
+    const Scalar miss = level_ - energy.total;
+    // Near rest no factor helps: the energy is missed by the positions, and speeds would have to make up for it.
+    if (!(std::abs(miss) <= energy.kinetic / 4)) return leave();
+    State scaled = state;
+    const Scalar factor = std::sqrt(1 + miss / energy.kinetic);
+    for (std::size_t i = Model::n_q; i < Model::size; ++i) scaled.values[i] *= factor;
+    Energy after;
+    const bool is_better =
+        is_motion_known(model.energy(t, scaled, after)) && std::abs(level_ - after.total) < std::abs(miss);
+    if (!is_better) return leave();
+    correction_.largest = std::max(correction_.largest, std::abs(factor - 1));
+    ++correction_.applied;
+    state = scaled;
+  }
+
+  void leave() { ++correction_.left_alone; }
+
+  Inner inner_;
+  Correction<Scalar> correction_;
+  Scalar level_ = 0;
+  bool has_level_ = false;
+};
+
+}  // namespace gauss::integrate
+
+#endif  // GAUSS_INTEGRATE_CORRECTIONS_HPP

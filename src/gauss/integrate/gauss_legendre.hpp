@@ -1,0 +1,158 @@
+// Collocation at Gauss's points: implicit, symmetric in time, symplectic, for any model (speeds, quaternions, constraints).
+// SPDX-License-Identifier: MIT
+#ifndef GAUSS_INTEGRATE_GAUSS_LEGENDRE_HPP
+#define GAUSS_INTEGRATE_GAUSS_LEGENDRE_HPP
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "gauss/integrate/bound_model.hpp"
+#include "gauss/integrate/step_result.hpp"
+
+namespace gauss::integrate {
+
+/// Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, tables II.7.3 and II.7.4: order 2 * stages.
+template <class Scalar, int stages>
+struct GaussLegendreTableau {
+  static_assert(stages >= 1 && stages <= 3, "one to three stages");
+  Scalar a[stages][stages];
+  Scalar b[stages];
+  Scalar c[stages];
+
+  GaussLegendreTableau() {
+    using std::sqrt;
+    const Scalar one = 1;
+    if constexpr (stages == 1) {
+      a[0][0] = c[0] = one / 2;
+      b[0] = one;
+    } else if constexpr (stages == 2) {
+      const Scalar d = sqrt(Scalar(3)) / 6;
+      set({{one / 4, one / 4 - d}, {one / 4 + d, one / 4}}, {one / 2, one / 2}, {one / 2 - d, one / 2 + d});
+    } else {
+      const Scalar s = sqrt(Scalar(15));
+      set({{one * 5 / 36, one * 2 / 9 - s / 15, one * 5 / 36 - s / 30},
+           {one * 5 / 36 + s / 24, one * 2 / 9, one * 5 / 36 - s / 24},
+           {one * 5 / 36 + s / 30, one * 2 / 9 + s / 15, one * 5 / 36}},
+          {one * 5 / 18, one * 4 / 9, one * 5 / 18}, {one / 2 - s / 10, one / 2, one / 2 + s / 10});
+    }
+  }
+
+ private:
+  void set(const Scalar (&rows)[stages][stages], const Scalar (&weights)[stages], const Scalar (&nodes)[stages]) {
+    for (int i = 0; i < stages; ++i) {
+      std::copy_n(rows[i], stages, a[i]);
+      b[i] = weights[i];
+      c[i] = nodes[i];
+    }
+  }
+};
+
+/// Stages are solved by fixed-point iteration to rounding, which takes h times the fastest rate below about 1; it needs no derivatives. The state is summed
+/// with what rounding left of earlier steps, so a long run loses no more than a short one, as long as nobody else changes the state.
+template <class Model, int stages>
+class GaussLegendre {
+ public:
+  using Scalar = typename Model::Scalar;
+  using State = typename Model::State;
+  static constexpr int order = 2 * stages;
+
+  StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
+    forget_if_changed(state);
+    StepResult result = start(model, t, h, state);
+    Scalar last = std::numeric_limits<Scalar>::max();
+    for (int iteration = 0; iteration < k_most_iterations && result.is_taken(); ++iteration) {
+      result = result_of(evaluate(model, t, h, state));
+      const Scalar change = improve(h, state);
+      // Rounding keeps the last digits moving: what no longer shrinks and is small has arrived.
+      if (change == 0 || (change >= last && change <= k_arrived)) {
+        if (result.is_taken()) add_up(h, state);
+        return result;
+      }
+      if (!(change <= std::numeric_limits<Scalar>::max())) break;
+      last = change;
+    }
+    return result.is_taken() ? StepResult{StepOutcome::not_converged, result.status} : result;
+  }
+
+  /// Each takes one evaluation of the model per stage; one more begins the step.
+  int iterations_of_last_step() const { return iterations_of_last_step_; }
+
+ private:
+  static constexpr int k_most_iterations = 60;
+  /// Of a component's size.
+  static constexpr Scalar k_arrived = 64 * std::numeric_limits<Scalar>::epsilon();
+
+  void forget_if_changed(const State& state) {
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      if (!(state.values[i] == last_[i])) carried_[i] = size_[i] = 0;
+      size_[i] = std::max(size_[i], std::abs(state.values[i]));
+    }
+    iterations_of_last_step_ = 0;
+  }
+
+  /// Stages on the tangent.
+  StepResult start(const Model& model, const Scalar& t, const Scalar& h, const State& state) {
+    typename Model::Derivative rates;
+    const StepResult result = result_of(model.derivative(t, state, rates));
+    for (int s = 0; s < stages; ++s)
+      for (std::size_t i = 0; i < Model::size; ++i) shift_[s][i] = tableau_.c[s] * h * rates.values[i];
+    return result;
+  }
+
+  Status evaluate(const Model& model, const Scalar& t, const Scalar& h, const State& state) {
+    Status trouble = Status::ok;
+    for (int s = 0; s < stages; ++s) {
+      State at;
+      for (std::size_t i = 0; i < Model::size; ++i) at.values[i] = state.values[i] + (shift_[s][i] + carried_[i]);
+      const Status status = model.derivative(t + tableau_.c[s] * h, at, rates_[s]);
+      if (is_motion_known(trouble) && status != Status::ok) trouble = status;
+    }
+    ++iterations_of_last_step_;
+    return trouble;
+  }
+
+  /// Z_s = h sum_j a_sj f(y + Z_j); returns the largest change, relative to the size of the component.
+  Scalar improve(const Scalar& h, const State& state) {
+    Scalar largest = 0;
+    for (int s = 0; s < stages; ++s) {
+      for (std::size_t i = 0; i < Model::size; ++i) {
+        Scalar sum = 0;
+        for (int j = 0; j < stages; ++j) sum += tableau_.a[s][j] * rates_[j].values[i];
+        const Scalar better = h * sum;
+        const Scalar size = std::max({size_[i], std::abs(state.values[i]), std::abs(better)});
+        const Scalar change = std::abs(better - shift_[s][i]);
+        if (change > 0) largest = std::max(largest, change / size);
+        if (!(change == change)) return std::numeric_limits<Scalar>::infinity();
+        shift_[s][i] = better;
+      }
+    }
+    return largest;
+  }
+
+  /// Kahan's summation, of which the state holds the sum and carried_ what is left.
+  void add_up(const Scalar& h, State& state) {
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      Scalar sum = 0;
+      for (int j = 0; j < stages; ++j) sum += tableau_.b[j] * rates_[j].values[i];
+      const Scalar before = state.values[i];
+      const Scalar increment = carried_[i] + h * sum;
+      state.values[i] = before + increment;
+      carried_[i] = increment - (state.values[i] - before);
+      last_[i] = state.values[i];
+    }
+  }
+
+  GaussLegendreTableau<Scalar, stages> tableau_;
+  typename Model::Derivative rates_[stages]{};
+  Scalar shift_[stages][Model::size]{};
+  Scalar carried_[Model::size]{};
+  Scalar last_[Model::size]{};
+  Scalar size_[Model::size]{};  ///< largest so far
+  int iterations_of_last_step_ = 0;
+};
+
+}  // namespace gauss::integrate
+
+#endif  // GAUSS_INTEGRATE_GAUSS_LEGENDRE_HPP

@@ -1,0 +1,98 @@
+// Symplectic steps for q'' = a(q): the error of the energy stays bounded, however long the run.
+// SPDX-License-Identifier: MIT
+#ifndef GAUSS_INTEGRATE_NYSTROM_STEPPER_HPP
+#define GAUSS_INTEGRATE_NYSTROM_STEPPER_HPP
+
+#include <algorithm>
+#include <array>
+#include <boost/numeric/odeint/stepper/base/symplectic_rkn_stepper_base.hpp>
+#include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
+#include <cstddef>
+
+#include "gauss/integrate/bound_model.hpp"
+#include "gauss/integrate/step_result.hpp"
+
+namespace gauss::integrate {
+
+/// True where, at this state, rates are the speeds, and accelerations depend neither on speeds nor on time, to the bit. What is true of one
+/// state in general position is true of the model, but for cases (`piecewise`, tables) that do not hold there.
+template <class Model>
+bool suits_nystrom(const Model& model, const typename Model::Scalar& t, const typename Model::State& state) {
+  using Scalar = typename Model::Scalar;
+  if constexpr (Model::n_q != Model::n_v) {
+    return false;
+  } else {
+    typename Model::State other = state;
+    for (std::size_t i = Model::n_q; i < Model::size; ++i)
+      other.values[i] = -2 * state.values[i] + Scalar(1) + static_cast<Scalar>(i) / 8;
+    typename Model::Derivative here{}, there{};
+    if (!is_motion_known(model.derivative(t, state, here))) return false;
+    if (!is_motion_known(model.derivative(t + Scalar(0.7), other, there))) return false;
+    const bool same_accelerations =
+        std::equal(here.values + Model::n_q, here.values + Model::size, there.values + Model::n_q);
+    return same_accelerations && std::equal(there.values, there.values + Model::n_q, other.values + Model::n_q);
+  }
+}
+
+/// `Method` is one of Odeint's symplectic Runge-Kutta-Nystrom steppers over std::array<Scalar, n_q>. The first step looks whether
+/// the model suits; it refuses a model that does not.
+template <class Model, class Method>
+class NystromStepper {
+ public:
+  using Scalar = typename Model::Scalar;
+  using State = typename Model::State;
+  using Half = std::array<Scalar, Model::n_q>;
+
+  // Scratch space of the method has no values to copy before the first step.
+  NystromStepper() = default;
+  NystromStepper(const NystromStepper& other) : is_suitable_(other.is_suitable_) {}
+  NystromStepper& operator=(const NystromStepper& other) {
+    is_suitable_ = other.is_suitable_;
+    return *this;
+  }
+
+  StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
+    if (!is_suitable_ && !suits_nystrom(model, t, state)) return refusal(model, t, state);
+    is_suitable_ = true;
+    Half q, v;
+    std::copy_n(state.values, q.size(), q.begin());
+    std::copy_n(state.values + q.size(), v.size(), v.begin());
+    Status trouble = Status::ok;
+    // Time does not matter: suits_nystrom has seen to it.
+    const auto acceleration = [&](const Half& position, Half& result) {
+      State at = state;
+      typename Model::Derivative derivative;
+      std::copy(position.begin(), position.end(), at.values);
+      const Status status = model.derivative(t, at, derivative);
+      if (is_motion_known(trouble) && status != Status::ok) trouble = status;
+      std::copy_n(derivative.values + position.size(), position.size(), result.begin());
+    };
+    method_.do_step(acceleration, q, v, t, h);
+    const StepResult result = result_of(trouble);
+    if (!result.is_taken()) return result;
+    std::copy(q.begin(), q.end(), state.values);
+    std::copy(v.begin(), v.end(), state.values + q.size());
+    return result;
+  }
+
+ private:
+  static StepResult refusal(const Model& model, const Scalar& t, const State& state) {
+    typename Model::Derivative derivative;
+    const StepResult result = result_of(model.derivative(t, state, derivative));
+    return result.is_taken() ? StepResult{StepOutcome::unsuitable, result.status} : result;
+  }
+
+  Method method_;
+  bool is_suitable_ = false;
+};
+
+/// Order 4, five accelerations in a step, symmetric; R. I. McLachlan, On the numerical integration of ordinary differential equations by
+/// symmetric composition methods, SIAM Journal on Scientific Computing 16 (1995) 151-168.
+template <class Model>
+using McLachlan4 = NystromStepper<Model, boost::numeric::odeint::symplectic_rkn_sb3a_m4_mclachlan<
+                                             std::array<typename Model::Scalar, Model::n_q>,
+                                             std::array<typename Model::Scalar, Model::n_q>, typename Model::Scalar>>;
+
+}  // namespace gauss::integrate
+
+#endif  // GAUSS_INTEGRATE_NYSTROM_STEPPER_HPP
