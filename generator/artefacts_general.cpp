@@ -31,6 +31,18 @@ std::vector<NodeId> entries_of(const strategy::Matrix& matrix) {
   return entries;
 }
 
+/// Where parameters alone decide, and no pivot is a difference of which rounding may be all that is left, rows depend on each other for parameters that
+/// make no sense only, and a status has to do.
+bool may_lose_rank(Expr dependent) {
+  const ir::Graph& graph = dependent.graph();
+  if (!ir::is_of_parameters(graph, dependent.id())) return true;
+  const std::vector<NodeId> order = ir::post_order(graph, {dependent.id()});
+  return std::any_of(order.begin(), order.end(), [&](NodeId id) {
+    const ir::Node& node = graph[id];
+    return node.kind == ir::Kind::symbol && graph.symbol(node.symbol).symbol_class == ir::SymbolClass::epsilon;
+  });
+}
+
 /// While it lasts, accelerations and multipliers are those that a caller hands over.
 class GivenSolution {
  public:
@@ -95,9 +107,7 @@ Artefact caller_of(const Artefact& regular) {
 bool has_general_way(Mechanics& mechanics) {
   const std::size_t n = mechanics.dynamics.n(), l = mechanics.dynamics.l();
   if (n == 0 || l == 0 || n * (n + l) > k_most_entries) return false;
-  // What parameters alone decide is so for a whole run: a status has to do where it is unusual.
-  return !ir::is_of_parameters(mechanics.graph, mechanics.solution.dependent_constraints.id()) ||
-         usual_rank(mechanics.dynamics.b, mechanics) < l;
+  return may_lose_rank(mechanics.solution.dependent_constraints) || usual_rank(mechanics.dynamics.b, mechanics) < l;
 }
 
 Artefact linear_system(const std::string& name, const strategy::Matrix& metric, const Vector& f,
@@ -151,11 +161,14 @@ std::vector<Artefact> in_two_ways(const ArtefactsOf& build, bool shows_multiplie
   }
   const int rank = static_cast<int>(usual_rank(mechanics.dynamics.b, mechanics));
   const int l = static_cast<int>(mechanics.dynamics.l());
+  const auto& rows = mechanics.kinematics.constraints;
+  const bool has_positions = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.f.has_value(); });
   std::vector<Artefact> result;
   for (std::size_t i = 0; i < regular.size(); ++i) {
     const bool shows = shows_multipliers && !regular[i].result_type.empty();
     const emit::Shown shown = shows ? emit::Shown::reactions : emit::Shown::motion;
-    for (Artefact& one : two_ways(std::move(regular[i]), std::move(of_solution[i]), {{}, k_system, {}, rank, l, shown}))
+    for (Artefact& one :
+         two_ways(std::move(regular[i]), std::move(of_solution[i]), {{}, k_system, {}, rank, l, shown, has_positions}))
       result.push_back(std::move(one));
   }
   return result;

@@ -4,6 +4,13 @@ namespace hard_cases {
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
+      {"H02", "No choice of dependent velocities is good everywhere: a knife edge", knife_edge},
+      {"H03", "Constraints that follow from each other: a table on four legs", redundant},
+      {"H05", "Gradients of constraints that are nearly parallel", near_parallel},
+      {"H06", "A mass matrix without inverse: an angle without inertia", singular_mass},
+      {"H07", "A chain with a heavy or a light end", mass_ratio},
+      {"H08", "A loop through its singular position: a parallelogram that lies flat", flat_parallelogram},
+      {"H09", "A loop with more equations than motions: Bennett's linkage", bennett},
       {"H12", "A pendulum swings for very long", long_run},
       {"H13", "Constraints drift: a pendulum in Cartesian coordinates", constraint_drift},
       {"H14", "Time adds up", accumulated_time},

@@ -5,6 +5,13 @@
 
 namespace hard_cases {
 
+std::vector<Figure> knife_edge(const Scope& scope);
+std::vector<Figure> redundant(const Scope& scope);
+std::vector<Figure> near_parallel(const Scope& scope);
+std::vector<Figure> singular_mass(const Scope& scope);
+std::vector<Figure> mass_ratio(const Scope& scope);
+std::vector<Figure> flat_parallelogram(const Scope& scope);
+std::vector<Figure> bennett(const Scope& scope);
 std::vector<Figure> long_run(const Scope& scope);
 std::vector<Figure> constraint_drift(const Scope& scope);
 std::vector<Figure> accumulated_time(const Scope& scope);

@@ -39,6 +39,10 @@ const char* status_in_solution(Shown shown) {
   }
 }
 
+const char* tolerance_for(Shown shown) {
+  return shown == Shown::step ? "rank_tolerance_of_steps<S>" : "default_rank_tolerance<S>";
+}
+
 std::vector<Argument> results_of(const Artefact& artefact) {
   std::vector<Argument> results;
   if (makes_state(artefact)) results.push_back({"State<S>&", "state"});
@@ -72,9 +76,10 @@ class GeneralWay {
         cpp::Definition{"StatusOf<S>", "status",
                         call_with(ways_.system, inputs_of_system(artefact_) + std::vector<Argument>{{"", "system"}})});
     add(function, cpp::Declaration{type, {"solved"}});
-    add(function,
-        cpp::Evaluation{cpp::call("solve", {cpp::atom("system"), cpp::atom(std::to_string(ways_.usual_rank)),
-                                            cpp::call("default_rank_tolerance<S>", {}), cpp::atom("solved")})});
+    add(function, cpp::Evaluation{cpp::call(
+                      "solve", {cpp::atom("system"), cpp::atom(std::to_string(ways_.usual_rank)),
+                                cpp::call(tolerance_for(ways_.shown), {}),
+                                cpp::atom(ways_.is_agreement_known ? "true" : "false"), cpp::atom("solved")})});
     worsen(function, cpp::atom(status_in_solution(ways_.shown)));
     worsen(function, call_with(ways_.of_solution, inputs + std::vector<Argument>{{"", "solved"}} + results));
   }

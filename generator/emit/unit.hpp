@@ -120,6 +120,7 @@ struct TwoWays {
   int usual_rank = 0;       ///< of the constraints, where nothing singles a state out
   int rows = 0;             ///< of them; where they always follow from each other, the own way is always lost
   Shown shown = Shown::motion;
+  bool is_agreement_known = false;  ///< whether rows contradict each other is told by positions
 };
 
 /// One emitted function.

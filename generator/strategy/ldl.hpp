@@ -15,6 +15,10 @@ using Matrix = std::vector<Vector>;  ///< rows
 /// How many times its rounding error a pivot has to exceed, or nothing is left of it.
 inline constexpr int k_lost_to_rounding = 4;
 
+/// How many times its rounding error the response of a constraint has to exceed for a solution to be taken that is corrected once. Beyond, the error
+/// that is left, (kappa^2 eps)^2 for the condition kappa of the rows, is more than 100 kappa eps.
+inline constexpr int k_lost_in_rows = 10000;
+
 /// What to do with a pivot that has lost all its digits.
 enum class Dependent {
   divide,  ///< as with any other: the result is not finite, and status says so

@@ -25,9 +25,6 @@ struct Response {
   ir::Expr spread() const { return compliance * inertia / pow(squares, 2); }
 };
 
-/// How many times its rounding error the response of a constraint exceeds where it says something of its own.
-inline constexpr int k_lost_in_rows = 1000;
-
 /// Rows that close within what a link carries, and their multipliers over what stays of it.
 struct ClosedLoop {
   std::vector<std::size_t> rows;

@@ -25,7 +25,7 @@ struct LinearSolution {
   S rank;            ///< of b, to the tolerance
   StatusOf<S>
       motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
-               ///< violated_constraints: they contradict each other
+      ///< violated_constraints: they contradict each other
   StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
@@ -132,7 +132,8 @@ class Constrained {
  public:
   /// `most_rank`: of b on the constraints, as it usually is. `tolerance`: sine of the angle to all others below which a row says nothing of its own.
   template <class System>
-  GAUSS_FUNCTION Constrained(const System& system, int most_rank, const S& tolerance) {
+  GAUSS_FUNCTION Constrained(const System& system, int most_rank, const S& tolerance, bool is_agreement_known)
+      : is_agreement_known_(is_agreement_known) {
     scale(system);
     factorise_rows(most_rank, tolerance);
     reduce_metric();
@@ -369,8 +370,10 @@ class Constrained {
   /// R^T y = c
   GAUSS_FUNCTION S along_rows(const S (&c)[l], S (&y)[n]) const {
     for (int i = 0; i < n; ++i) y[i] = S(0);
-    S contradiction = S(0), largest = S(0);
-    for (int k = 0; k < l; ++k) largest = larger(largest, absolute(c[k]));
+    S contradiction = S(0), noise = S(0);
+    for (int k = 0; k < l; ++k) noise = larger(noise, absolute(c[k]));
+    for (int i = 0; i < n; ++i) noise = larger(noise, absolute(f_[i]));
+    noise = noise * Math<S>::sqrt(Math<S>::epsilon());
     for (int k = 0; k < l; ++k) {
       S rest = c[k], size = absolute(c[k]);
       for (int j = 0; j < (k < most ? k : most); ++j) {
@@ -379,7 +382,7 @@ class Constrained {
         size = size + absolute(term);
       }
       if (k < most) y[k] = rest * inverse_[k];
-      const S is_left = (S(1) - row_part(k)) * positive<S>(size);
+      const S is_left = (S(1) - row_part(k)) * positive<S>(absolute(rest) - noise);
       contradiction = larger(contradiction, is_left * absolute(rest) * reciprocal(size, is_left));
     }
     return contradiction;
@@ -432,7 +435,9 @@ class Constrained {
     const Bool undetermined = Math<S>::less(free_.is_determined - has_lost_entries_ + is_unknown, S(1));
     const Bool lost = Math<S>::less(is_full_ + is_unknown, S(1));
     const Bool not_unique = Math<S>::less(rank_ + S(l) * is_unknown, S(l));
-    const Bool contradictory = Math<S>::less(Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon())), contradiction);
+    // Beside the equations of positions, as in the stages of a step, their derivatives need not agree.
+    const S allowed = is_agreement_known_ ? S(2) : Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
+    const Bool contradictory = Math<S>::less(allowed, contradiction);
     solution.motion = Math<S>::status(undetermined, lost, never, contradictory);
     solution.step = Math<S>::status(undetermined, lost, never);
     solution.reactions = Math<S>::status(undetermined, not_unique, never, contradictory);
@@ -451,6 +456,7 @@ class Constrained {
   S reflector_[most][n], strength_[most], inverse_[most];
   S is_row_[n];  ///< 1: this part of the speeds is what a row says; 0: it is free
   S rank_, is_full_, has_lost_entries_;
+  bool is_agreement_known_;
   Bool swapped_[most][l];  ///< rows, and speeds:
   Bool moved_[most][n];
   S parts_[n][n];  ///< Q^T g Q
@@ -495,17 +501,25 @@ GAUSS_FUNCTION StatusOf<S> status_of_lost(const StatusOf<S>& before, const Statu
 
 }  // namespace detail
 
-/// The sine of an angle: half of the digits, and four bits.
+/// The sine of an angle below which a row counts as one that follows from others: of accelerations, half of the digits and four bits.
 template <class S>
 GAUSS_FUNCTION S default_rank_tolerance() {
   return Math<S>::sqrt(Math<S>::epsilon()) / S(16);
 }
 
+/// Of steps of Newton's method: rounding of a residual, divided by this sine, is less than the sine. So a step stays on its side of a
+/// position at which rows depend on each other.
+template <class S>
+GAUSS_FUNCTION S rank_tolerance_of_steps() {
+  return S(4) * Math<S>::sqrt(Math<S>::epsilon());
+}
+
 /// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, and drift[l].
+/// `is_agreement_known`: whether rows contradict each other is not asked, since positions tell it.
 template <class System, class S, int n, int l>
-GAUSS_PART void solve(const System& system, int most_rank, const S& tolerance,
+GAUSS_PART void solve(const System& system, int most_rank, const S& tolerance, bool is_agreement_known,
                       LinearSolution<S, n, l>& solution) noexcept {
-  detail::Constrained<S, n, l>(system, most_rank, tolerance).solve(solution);
+  detail::Constrained<S, n, l>(system, most_rank, tolerance, is_agreement_known).solve(solution);
 }
 
 }  // namespace gauss
