@@ -4,6 +4,7 @@
 
 #include "artefact_builder.hpp"
 #include "ir/traverse.hpp"
+#include "strategy/bounds.hpp"
 #include "usual_rank.hpp"
 
 namespace gaussgen {
@@ -110,6 +111,21 @@ bool has_general_way(Mechanics& mechanics) {
   return may_lose_rank(mechanics.solution.dependent_constraints) || usual_rank(mechanics.dynamics.b, mechanics) < l;
 }
 
+namespace {
+
+/// Its own size where an entry has no bound.
+strategy::Matrix reach_of(const strategy::Matrix& b) {
+  strategy::Matrix result;
+  for (const Vector& row : b) {
+    result.emplace_back();
+    for (const Expr entry : row)
+      result.back().push_back(strategy::bound_of(entry).value_or(call(ir::Function::abs, entry)));
+  }
+  return result;
+}
+
+}  // namespace
+
 Artefact linear_system(const std::string& name, const strategy::Matrix& metric, const Vector& f,
                        const strategy::Matrix& b, const Vector& drift, Mechanics& mechanics) {
   ArtefactBuilder builder(name, "What Gauss's principle leaves to be solved: g a = f + b^T lambda, b a + drift = 0.",
@@ -121,6 +137,7 @@ Artefact linear_system(const std::string& name, const strategy::Matrix& metric, 
                  {{"g", "the metric of the free speeds (1.10)", {n, n}, entries_of(metric)},
                   {"f", "forces, less what inertia takes at constant speeds", {n}, ids(f)},
                   {"b", "dphi/du of each constraint", {l, n}, entries_of(b)},
+                  {"reach", "not less than dphi/du in any configuration", {l, n}, entries_of(reach_of(b))},
                   {"drift", "dphi/dt of each at constant speeds; of a step, what is left of it", {l}, ids(drift)}});
   Artefact system = builder.finish({});
   system.is_part = true;

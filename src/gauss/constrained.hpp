@@ -25,7 +25,7 @@ struct LinearSolution {
   S rank;            ///< of b, to the tolerance
   StatusOf<S>
       motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
-      ///< violated_constraints: they contradict each other
+               ///< violated_constraints: they contradict each other
   StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
@@ -176,9 +176,10 @@ class Constrained {
       speed_scale_[i] = Math<S>::select(Math<S>::less(S(0), massive[i]), speed_scale_[i], measured);
     }
     for (int mu = 0; mu < l; ++mu) {
-      const S size = length(system.b[mu]);
-      row_scale_[mu] = reciprocal(size, positive<S>(size));
-      for (int i = 0; i < n; ++i) b_[mu][i] = row_scale_[mu] * system.b[mu][i] * speed_scale_[i];
+      for (int i = 0; i < n; ++i) b_[mu][i] = without_rounding(system.b[mu][i], system.reach[mu][i]);
+      const S size = length(b_[mu]);
+      row_scale_[mu] = reciprocal(usual_size(size, length(system.reach[mu])), positive<S>(size));
+      for (int i = 0; i < n; ++i) b_[mu][i] = row_scale_[mu] * b_[mu][i] * speed_scale_[i];
       // A row of zeros that asks for something is contradictory; its scale is lost.
       c_[mu] = -Math<S>::select(Math<S>::less(S(0), size), row_scale_[mu], S(1)) * system.drift[mu];
     }
@@ -187,6 +188,17 @@ class Constrained {
       f_[i] = speed_scale_[i] * system.f[i];
       for (int j = 0; j < n; ++j) g_[i][j] = speed_scale_[i] * system.g[i][j] * speed_scale_[j];
     }
+  }
+
+  GAUSS_FUNCTION static S without_rounding(const S& entry, const S& reach) {
+    return Math<S>::select(Math<S>::less(absolute(entry), S(8) * Math<S>::epsilon() * reach), S(0), entry);
+  }
+
+  /// A row that nearly vanishes beside what it may be is nearly nothing: beside the equations of positions it has the direction of errors. But
+  /// something light that it does not move here makes no row small.
+  GAUSS_FUNCTION static S usual_size(const S& size, const S& reach) {
+    const S most = size / Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
+    return larger(size, Math<S>::select(Math<S>::less(reach, most), reach, most));
   }
 
   GAUSS_FUNCTION S length(const S (&row)[n]) const {
@@ -514,7 +526,8 @@ GAUSS_FUNCTION S rank_tolerance_of_steps() {
   return S(4) * Math<S>::sqrt(Math<S>::epsilon());
 }
 
-/// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, and drift[l].
+/// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, reach[l][n], not less than
+/// its entries in any configuration, and drift[l].
 /// `is_agreement_known`: whether rows contradict each other is not asked, since positions tell it.
 template <class System, class S, int n, int l>
 GAUSS_PART void solve(const System& system, int most_rank, const S& tolerance, bool is_agreement_known,
