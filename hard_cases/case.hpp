@@ -2,6 +2,7 @@
 // A hard case: what a naive form does, what ours does, and how good it has to be.
 
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -11,6 +12,16 @@ namespace hard_cases {
 
 /// Where a naive form breaks down: NaN, overflow, a step that cannot be taken.
 inline constexpr double k_breaks_down = std::numeric_limits<double>::infinity();
+
+/// Makes `largest` the largest size so far; what is not a number breaks down for good.
+inline void grow(double& largest, double value) {
+  const double size = std::abs(value);
+  if (!(size <= std::numeric_limits<double>::max())) {
+    largest = k_breaks_down;
+  } else if (size > largest) {
+    largest = size;
+  }
+}
 
 struct Series {
   std::string name;

@@ -36,7 +36,7 @@ double dependent_y_always(double h) {
     s = moved(moved(moved(moved(s, k1, h / 6), k2, h / 3), k3, h / 3), k4, h / 6);
     const double after = static_cast<double>(k + 1) * h;
     const double error = std::hypot(s.x - std::sin(after), s.y - (1 - std::cos(after)));
-    if (!(error <= worst)) worst = error;
+    grow(worst, error);
   }
   return worst <= 1e300 ? worst : k_breaks_down;
 }
@@ -50,7 +50,7 @@ double emitted(double h) {
   double worst = 0;
   const bool arrives = run.advance(static_cast<std::int64_t>(k_duration / h), [&](double t, const auto& state) {
     const double error = std::hypot(state.values[0] - std::sin(t), state.values[1] - (1 - std::cos(t)));
-    if (!(error <= worst)) worst = error;
+    grow(worst, error);
   });
   return arrives ? worst : k_breaks_down;
 }

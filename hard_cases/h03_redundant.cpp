@@ -59,9 +59,9 @@ std::vector<Figure> redundant(const Scope&) {
       about_y += legs[k] * k_x[k];
       about_x += legs[k] * k_y[k];
     }
-    for (const double left : {sum, about_x, about_y}) ours = std::max(ours, std::abs(left) / weight);
-    for (const double a : derivative.values) ours = std::max(ours, std::abs(a));
-    naive = std::max(naive, by_schur_complement(weight, parameters.x_c, parameters.y_c));
+    for (const double left : {sum, about_x, about_y}) grow(ours, left / weight);
+    for (const double a : derivative.values) grow(ours, a);
+    grow(naive, by_schur_complement(weight, parameters.x_c, parameters.y_c));
   }
   return {{"H03.table", "error of equilibrium, of the weight; naive: share of a leg", "1", naive, ours, 1e-13},
           {"H03.marked", "of 200 calls, reactions not marked as not unique, or a motion that is", "1", std::nullopt,

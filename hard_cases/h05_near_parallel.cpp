@@ -107,7 +107,8 @@ double error(const double (&a)[k_speeds], const Answer<Wide>& exact) {
   Wide largest = 0, size = 0;
   for (int i = 0; i < k_speeds; ++i) {
     const Wide difference = abs(Wide(exact.acceleration[i] - a[i])), own = abs(exact.acceleration[i]);
-    if (!(difference <= largest)) largest = difference;
+    if (difference != difference) return k_breaks_down;
+    if (difference > largest) largest = difference;
     if (own > size) size = own;
   }
   const Wide relative = largest / size;
@@ -131,8 +132,8 @@ std::vector<Figure> near_parallel(const Scope&) {
       by_schur_complement(p, schur);
       const double missed = error(found.acceleration, exact);
       if (is_asked) {
-        naive = std::max(naive, error(schur, exact));
-        ours = found.status == gauss::Status::ok ? std::max(ours, missed) : k_breaks_down;
+        grow(naive, error(schur, exact));
+        grow(ours, found.status == gauss::Status::ok ? missed : k_breaks_down);
       } else {
         ++beyond;
         const bool is_right = missed <= 100 * k_epsilon / angle;

@@ -35,13 +35,12 @@ Answer<S> emitted(const double* y, double ratio) {
 }
 
 /// Of accelerations, and of multipliers, each against the largest.
-template <class T>
-double error(const T& found, const double* of_double, const Wide* of_wide, int count) {
-  (void)found;
+double error(const double* of_double, const Wide* of_wide, int count) {
   Wide largest = 0, size = 0;
   for (int i = 0; i < count; ++i) {
     const Wide difference = abs(Wide(of_wide[i] - of_double[i])), own = abs(of_wide[i]);
-    if (!(difference <= largest)) largest = difference;
+    if (difference != difference) return k_breaks_down;
+    if (difference > largest) largest = difference;
     if (own > size) size = own;
   }
   const Wide relative = largest / size;
@@ -78,11 +77,11 @@ std::vector<Figure> mass_ratio(const Scope&) {
       const Answer<double> found = emitted<double>(y, ratio);
       const Answer<Wide> exact = emitted<Wide>(y, ratio);
       if (found.status != gauss::Status::ok) worst = k_breaks_down;
-      worst = std::max(worst, error(found, found.derivative.values + 12, exact.derivative.values + 12, 12));
+      grow(worst, error(found.derivative.values + 12, exact.derivative.values + 12, 12));
       // The force on the first rod by the pins, along its own coordinates.
       const auto* force = &found.reactions.pin_1_x.generalized[0];
       const auto* exact_force = &exact.reactions.pin_1_x.generalized[0];
-      worst_force = std::max(worst_force, error(found, force, exact_force, 12));
+      grow(worst_force, error(force, exact_force, 12));
     }
     char id[32];
     std::snprintf(id, sizeof id, "H07.%.0e", ratio);

@@ -41,9 +41,6 @@ Run run(const Model& model, const typename Model::State& start, std::int64_t ste
   };
   const double first = energy_of(start.values);
   gauss::simulate::FixedStep<Model, Stepper> moving(model, start, 0.001);
-  const auto grow = [](double& largest, double value) {
-    if (!(std::abs(value) <= largest)) largest = std::abs(value);
-  };
   const bool arrives = moving.advance(steps, [&](double t, const auto& state) {
     grow(result.branch, state.values[0] + state.values[1]);
     grow(result.energy, (energy_of(state.values) - first) / first);
@@ -88,7 +85,7 @@ std::vector<Figure> flat_parallelogram(const Scope&) {
     if (!gauss::integrate::is_motion_known(status) || !gauss::integrate::is_motion_known(of_projection))
       worst = k_breaks_down;
     // Speeds are known to a millionth of a turn at best where positions to 1e-16 make such an angle.
-    for (int i = 0; i < 3; ++i) worst = std::max(worst, std::abs(projected.values[i] - flat.values[i]));
+    for (int i = 0; i < 3; ++i) grow(worst, projected.values[i] - flat.values[i]);
   }
   figures.push_back(
       {"H08.flat", "how far projection moves positions at and beside the flat one", "rad", std::nullopt, worst, 1e-9});

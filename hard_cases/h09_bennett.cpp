@@ -35,10 +35,10 @@ Run run(const Model& model, const Prepared& prepared, const typename Model::Stat
     gauss::bennett::Residuals<double> residuals{};
     (void)gauss::bennett::residuals(t, state, {}, prepared, {}, residuals);
     for (const double f : residuals.position) {
-      if (!(std::abs(f) <= result.gap)) result.gap = std::abs(f);
+      grow(result.gap, f);
     }
     (void)gauss::bennett::energy(t, state, prepared, energy);
-    if (!(std::abs(energy.total / first - 1) <= result.energy)) result.energy = std::abs(energy.total / first - 1);
+    grow(result.energy, energy.total / first - 1);
   });
   result.turns = (moving.state().values[0] - start.values[0]) / 6.283185307179586;
   if (!arrives || !(result.gap <= 1e300)) result.gap = result.energy = k_breaks_down;
