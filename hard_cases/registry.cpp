@@ -7,6 +7,9 @@ const std::vector<Case>& cases() {
       {"H12", "A pendulum swings for very long", long_run},
       {"H13", "Constraints drift: a pendulum in Cartesian coordinates", constraint_drift},
       {"H14", "Time adds up", accumulated_time},
+#ifdef GAUSS_HAS_SUNDIALS
+      {"H15", "Stiff: fast rates beside a slow motion", stiff},
+#endif
       {"H20", "A pivot that shakes by a law in time", moving_pivot},
       {"H28", "Out and back in time", time_reversal},
       {"H30", "A start that violates the constraints", ill_start},

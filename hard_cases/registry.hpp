@@ -8,6 +8,7 @@ namespace hard_cases {
 std::vector<Figure> long_run(const Scope& scope);
 std::vector<Figure> constraint_drift(const Scope& scope);
 std::vector<Figure> accumulated_time(const Scope& scope);
+std::vector<Figure> stiff(const Scope& scope);  ///< only with SUNDIALS
 std::vector<Figure> moving_pivot(const Scope& scope);
 std::vector<Figure> time_reversal(const Scope& scope);
 std::vector<Figure> ill_start(const Scope& scope);

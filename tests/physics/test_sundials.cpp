@@ -202,6 +202,16 @@ TEST_CASE("SDIRK steps have order 4, forwards and back") {
   CHECK(distance(run.state(), k_start) < 1e-9);
 }
 
+TEST_CASE("SDIRK takes the state that it is given, and forgets its own") {
+  const DoubleModel model = double_pendulum();
+  Sdirk<DoubleModel, DoubleJacobian> used, fresh;
+  DoubleState elsewhere{{0.3, 0.2, -1, 1}}, after = k_start, wanted = k_start;
+  REQUIRE(used.step(model, 7, 0.02, elsewhere).is_taken());
+  REQUIRE(used.step(model, 0, 0.01, after).is_taken());
+  REQUIRE(fresh.step(model, 0, 0.01, wanted).is_taken());
+  CHECK(distance(after, wanted) < 1e-12);
+}
+
 TEST_CASE("SDIRK is a stepper like others: it is projected, and it works without an emitted Jacobian") {
   FixedStep<BobModel, Projected<Sdirk<BobModel>>> run(bob(), bob_start(), 0.01);
   REQUIRE(run.advance(1000));
