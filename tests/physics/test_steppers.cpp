@@ -3,6 +3,7 @@
 
 #include "catch_shim.hpp"
 #include "double_pendulum.hpp"
+#include "gauss/integrate/compensated.hpp"
 #include "gauss/integrate/corrections.hpp"
 #include "gauss/integrate/explicit_stepper.hpp"
 #include "gauss/integrate/gauss_legendre.hpp"
@@ -117,4 +118,53 @@ TEST_CASE("assembly reports what moved, and leaves a start alone that is beyond 
   state = start;
   CHECK(gauss::simulate::assemble(bob(), 0.0, state, 1e-3).outcome == gauss::simulate::AssemblyOutcome::moved_too_far);
   CHECK(state.values[1] == start.values[1]);
+}
+
+TEST_CASE("a compensated sum has twice the digits, and what somebody else changes starts anew") {
+  CompensatedState<double, 1> sums;
+  double values[1] = {1}, plain = 1;
+  // 1e-17 is below the last digit of 1; a power of two is exact, so the sum is known.
+  const double tiny = std::ldexp(1.0, -60), rate[1] = {tiny};
+  for (int k = 0; k < 1 << 20; ++k) {
+    sums.begin(values);
+    sums.advance(rate, 1.0, values);
+    plain += tiny;
+  }
+  CHECK(plain == 1);
+  CHECK(values[0] == 1 + std::ldexp(1.0, -40));
+  values[0] = 5;
+  sums.begin(values);
+  CHECK(sums.rest(0) == 0);
+  const double third[1] = {1.0 / 3};
+  sums.advance(third, 0.1, values);
+  // 0.1/3 as it is, not as its product is rounded.
+  CHECK(static_cast<double>(static_cast<long double>(values[0]) + sums.rest(0) - 5) ==
+        Approx(static_cast<double>(0.1L * (1.0 / 3))).epsilon(1e-15));
+}
+
+TEST_CASE("wrapping takes whole turns away to twice the digits, and leaves what is within a turn") {
+  Compensated<double> angle;
+  const double turn = 2 * std::acos(-1.0);
+  // What 2 pi is above the double next to it.
+  const double rest = 2.4492935982947064e-16;
+  for (const double turns : {1.0, -3.0, 1000.0, 400'000.0}) {
+    angle = {turns * turn + 1, 0};
+    const double exact = std::fma(-turns, turn, angle.value) - turns * rest;
+    angle.wrap();
+    CHECK(angle.value + angle.rest == Approx(exact).epsilon(0).margin(1e-15));
+  }
+  angle = {3, 1e-17};
+  angle.wrap();
+  CHECK(angle.value == 3);
+  CHECK(angle.rest == 1e-17);
+}
+
+TEST_CASE("a symmetric method keeps the energy to rounding, which does not add up") {
+  using Energy = gauss::double_pendulum::Energy<double>;
+  FixedStep<DoubleModel, GaussLegendre<DoubleModel, 3>> run(double_pendulum(), k_start, 1e-3);
+  Energy first, last;
+  REQUIRE(double_pendulum().energy(0.0, run.state(), first) == gauss::Status::ok);
+  REQUIRE(run.advance(20'000));
+  REQUIRE(double_pendulum().energy(run.time(), run.state(), last) == gauss::Status::ok);
+  CHECK(last.total == Approx(first.total).epsilon(0).margin(2e-14));
 }
