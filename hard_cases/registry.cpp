@@ -4,6 +4,7 @@ namespace hard_cases {
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
+      {"H10", "A fast spin", fast_spin},
       {"H11", "An angle grows without end", angle_growth},
       {"H12", "A pendulum swings for very long", long_run},
       {"H13", "Constraints drift: a pendulum in Cartesian coordinates", constraint_drift},

@@ -5,6 +5,7 @@
 
 namespace hard_cases {
 
+std::vector<Figure> fast_spin(const Scope& scope);
 std::vector<Figure> angle_growth(const Scope& scope);
 std::vector<Figure> long_run(const Scope& scope);
 std::vector<Figure> constraint_drift(const Scope& scope);
