@@ -14,9 +14,11 @@
 #include "gauss/simulate/assembly.hpp"
 #include "gauss/simulate/fixed_step.hpp"
 #include "pendulum_cartesian.hpp"
+#include "simple_pendulum.hpp"
 
 GAUSS_MODEL(Double, gauss::double_pendulum);
 GAUSS_MODEL(Bob, gauss::pendulum_cartesian);
+GAUSS_MODEL(Swing, gauss::simple_pendulum);
 GAUSS_MODEL(Top, gauss::free_top);
 
 namespace {
@@ -220,4 +222,28 @@ TEST_CASE("steps that do not resolve the fastest motion are refused by who is as
   // A pendulum of 1 m at rest below.
   CHECK(fastest_rate(bob(), 0.0, gauss::pendulum_cartesian::State<double>{{0, -1, 0, 0}}) ==
         Approx(std::sqrt(9.81)).epsilon(0.05));
+}
+
+TEST_CASE("symplectic methods have their orders, and go back where they came from") {
+  const auto model = bind_model<Swing>(Swing::prepare(gauss::simple_pendulum::Parameters<double>{}),
+                                       gauss::simple_pendulum::Inputs<double>{});
+  using Model = std::decay_t<decltype(model)>;
+  const gauss::simple_pendulum::State<double> start{{1, 0.2}};
+  const auto after = [&](auto stepper, int steps) {
+    FixedStep<Model, decltype(stepper)> run(model, start, 1.0 / steps);
+    REQUIRE(run.advance(steps));
+    const double there = run.state().values[0];
+    run.turn_back();
+    REQUIRE(run.advance(steps));
+    CHECK(std::abs(run.state().values[0] - 1) < 1e-12);
+    return there;
+  };
+  FixedStep<Model, Prince8<Model>> reference(model, start, 1e-3);
+  REQUIRE(reference.advance(1000));
+  const double exact = reference.state().values[0];
+  const auto order = [&](auto stepper) {
+    return std::log2(std::abs(after(stepper, 100) - exact) / std::abs(after(stepper, 200) - exact));
+  };
+  CHECK(order(Verlet<Model>()) == Approx(2).margin(0.1));
+  CHECK(order(McLachlan4<Model>()) == Approx(4).margin(0.3));
 }
