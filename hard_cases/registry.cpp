@@ -11,9 +11,14 @@ const std::vector<Case>& cases() {
       {"H07", "A chain with a heavy or a light end", mass_ratio},
       {"H08", "A loop through its singular position: a parallelogram that lies flat", flat_parallelogram},
       {"H09", "A loop with more equations than motions: Bennett's linkage", bennett},
+      {"H10", "A fast spin", fast_spin},
+      {"H11", "An angle grows without end", angle_growth},
       {"H12", "A pendulum swings for very long", long_run},
       {"H13", "Constraints drift: a pendulum in Cartesian coordinates", constraint_drift},
       {"H14", "Time adds up", accumulated_time},
+#ifdef GAUSS_HAS_SUNDIALS
+      {"H15", "Stiff: fast rates beside a slow motion", stiff},
+#endif
       {"H20", "A pivot that shakes by a law in time", moving_pivot},
       {"H28", "Out and back in time", time_reversal},
       {"H30", "A start that violates the constraints", ill_start},

@@ -12,9 +12,12 @@ std::vector<Figure> singular_mass(const Scope& scope);
 std::vector<Figure> mass_ratio(const Scope& scope);
 std::vector<Figure> flat_parallelogram(const Scope& scope);
 std::vector<Figure> bennett(const Scope& scope);
+std::vector<Figure> fast_spin(const Scope& scope);
+std::vector<Figure> angle_growth(const Scope& scope);
 std::vector<Figure> long_run(const Scope& scope);
 std::vector<Figure> constraint_drift(const Scope& scope);
 std::vector<Figure> accumulated_time(const Scope& scope);
+std::vector<Figure> stiff(const Scope& scope);  ///< only with SUNDIALS
 std::vector<Figure> moving_pivot(const Scope& scope);
 std::vector<Figure> time_reversal(const Scope& scope);
 std::vector<Figure> ill_start(const Scope& scope);

@@ -3,16 +3,23 @@
 
 #include "catch_shim.hpp"
 #include "double_pendulum.hpp"
+#include "free_top.hpp"
+#include "gauss/integrate/compensated.hpp"
 #include "gauss/integrate/corrections.hpp"
 #include "gauss/integrate/explicit_stepper.hpp"
+#include "gauss/integrate/fastest_rate.hpp"
 #include "gauss/integrate/gauss_legendre.hpp"
 #include "gauss/integrate/nystrom_stepper.hpp"
+#include "gauss/integrate/rotation_stepper.hpp"
 #include "gauss/simulate/assembly.hpp"
 #include "gauss/simulate/fixed_step.hpp"
 #include "pendulum_cartesian.hpp"
+#include "simple_pendulum.hpp"
 
 GAUSS_MODEL(Double, gauss::double_pendulum);
 GAUSS_MODEL(Bob, gauss::pendulum_cartesian);
+GAUSS_MODEL(Swing, gauss::simple_pendulum);
+GAUSS_MODEL(Top, gauss::free_top);
 
 namespace {
 
@@ -27,6 +34,12 @@ auto bob() {
   return bind_model<Bob>(Bob::prepare(gauss::pendulum_cartesian::Parameters<double>{}),
                          gauss::pendulum_cartesian::Inputs<double>{});
 }
+auto top(double spin) {
+  gauss::free_top::Parameters<double> parameters;
+  if (spin > 0) parameters.A = parameters.B = 1, parameters.C = 1.5;
+  return bind_model<Top>(Top::prepare(parameters), gauss::free_top::Inputs<double>{});
+}
+using TopModel = decltype(top(0));
 using DoubleModel = decltype(double_pendulum());
 using BobModel = decltype(bob());
 using DoubleState = gauss::double_pendulum::State<double>;
@@ -117,4 +130,121 @@ TEST_CASE("assembly reports what moved, and leaves a start alone that is beyond 
   state = start;
   CHECK(gauss::simulate::assemble(bob(), 0.0, state, 1e-3).outcome == gauss::simulate::AssemblyOutcome::moved_too_far);
   CHECK(state.values[1] == start.values[1]);
+}
+
+TEST_CASE("a compensated sum has twice the digits, and what somebody else changes starts anew") {
+  CompensatedState<double, 1> sums;
+  double values[1] = {1}, plain = 1;
+  // 1e-17 is below the last digit of 1; a power of two is exact, so the sum is known.
+  const double tiny = std::ldexp(1.0, -60), rate[1] = {tiny};
+  for (int k = 0; k < 1 << 20; ++k) {
+    sums.begin(values);
+    sums.advance(rate, 1.0, values);
+    plain += tiny;
+  }
+  CHECK(plain == 1);
+  CHECK(values[0] == 1 + std::ldexp(1.0, -40));
+  values[0] = 5;
+  sums.begin(values);
+  CHECK(sums.rest(0) == 0);
+}
+
+TEST_CASE("a product is summed with what it rounds to") {
+  Compensated<double> sum;
+  const double factor = 1 + std::ldexp(1.0, -30);
+  sum.add_product(factor, factor);
+  CHECK(sum.value == 1 + std::ldexp(1.0, -29));
+  CHECK(sum.rest == std::ldexp(1.0, -60));
+}
+
+TEST_CASE("wrapping takes whole turns away to twice the digits, and leaves what is within a turn") {
+  Compensated<double> angle;
+  const double turn = 2 * std::acos(-1.0);
+  // What 2 pi is above the double next to it.
+  const double rest = 2.4492935982947064e-16;
+  for (const double turns : {1.0, -3.0, 1000.0, 400'000.0}) {
+    angle = {turns * turn + 1, 0};
+    const double exact = std::fma(-turns, turn, angle.value) - turns * rest;
+    angle.wrap();
+    CHECK(angle.value + angle.rest == Approx(exact).epsilon(0).margin(1e-15));
+  }
+  angle = {3, 1e-17};
+  angle.wrap();
+  CHECK(angle.value == 3);
+  CHECK(angle.rest == 1e-17);
+}
+
+TEST_CASE("a symmetric method keeps the energy to rounding, which does not add up") {
+  using Energy = gauss::double_pendulum::Energy<double>;
+  FixedStep<DoubleModel, GaussLegendre<DoubleModel, 3>> run(double_pendulum(), k_start, 1e-3);
+  Energy first, last;
+  REQUIRE(double_pendulum().energy(0.0, run.state(), first) == gauss::Status::ok);
+  REQUIRE(run.advance(20'000));
+  REQUIRE(double_pendulum().energy(run.time(), run.state(), last) == gauss::Status::ok);
+  CHECK(last.total == Approx(first.total).epsilon(0).margin(2e-14));
+}
+
+TEST_CASE("rotations of a body that tumbles have order 4, and quaternions keep their length") {
+  gauss::free_top::State<double> start;
+  REQUIRE(initial_state(top(0).prepared(), start) == gauss::Status::ok);
+  const auto after = [&](auto stepper, int steps) {
+    FixedStep<TopModel, decltype(stepper)> run(top(0), start, 4.0 / steps, 0, stepper);
+    REQUIRE(run.advance(steps));
+    return run.state();
+  };
+  RotationRk4<TopModel> rotations;
+  rotations.turn(3);
+  const auto exact = after(Prince8<TopModel>(), 2000);
+  const auto error = [&](int steps) {
+    const auto state = after(rotations, steps);
+    CHECK(std::abs(
+              std::hypot(std::hypot(state.values[3], state.values[4]), std::hypot(state.values[5], state.values[6])) -
+              1) < 1e-13);
+    double largest = 0;
+    for (int i = 3; i < 7; ++i) largest = std::max(largest, std::abs(state.values[i] - exact.values[i]));
+    return largest;
+  };
+  CHECK(std::log2(error(200) / error(400)) == Approx(4).margin(0.2));
+}
+
+TEST_CASE("steps that do not resolve the fastest motion are refused by who is asked to look") {
+  gauss::free_top::State<double> start;
+  REQUIRE(initial_state(top(1).prepared(), start) == gauss::Status::ok);
+  start.float_wx() = start.float_wy() = 0.1;
+  start.float_wz() = 1e5;
+  // Half of the spin turns the quaternion, and (C - A)/A of it the angular velocity.
+  CHECK(fastest_rate(top(1), 0.0, start) == Approx(5e4).epsilon(0.05));
+  FixedStep<TopModel, Resolved<Rk4<TopModel>>> refused(top(1), start, 1e-3);
+  CHECK_FALSE(refused.advance(1));
+  CHECK(refused.last().outcome == StepOutcome::too_long);
+  CHECK(refused.stepper().rate() == Approx(5e4).epsilon(0.05));
+  FixedStep<TopModel, Resolved<Rk4<TopModel>>> fine(top(1), start, 1e-6);
+  CHECK(fine.advance(50));
+  // A pendulum of 1 m at rest below.
+  CHECK(fastest_rate(bob(), 0.0, gauss::pendulum_cartesian::State<double>{{0, -1, 0, 0}}) ==
+        Approx(std::sqrt(9.81)).epsilon(0.05));
+}
+
+TEST_CASE("symplectic methods have their orders, and go back where they came from") {
+  const auto model = bind_model<Swing>(Swing::prepare(gauss::simple_pendulum::Parameters<double>{}),
+                                       gauss::simple_pendulum::Inputs<double>{});
+  using Model = std::decay_t<decltype(model)>;
+  const gauss::simple_pendulum::State<double> start{{1, 0.2}};
+  const auto after = [&](auto stepper, int steps) {
+    FixedStep<Model, decltype(stepper)> run(model, start, 1.0 / steps);
+    REQUIRE(run.advance(steps));
+    const double there = run.state().values[0];
+    run.turn_back();
+    REQUIRE(run.advance(steps));
+    CHECK(std::abs(run.state().values[0] - 1) < 1e-12);
+    return there;
+  };
+  FixedStep<Model, Prince8<Model>> reference(model, start, 1e-3);
+  REQUIRE(reference.advance(1000));
+  const double exact = reference.state().values[0];
+  const auto order = [&](auto stepper) {
+    return std::log2(std::abs(after(stepper, 100) - exact) / std::abs(after(stepper, 200) - exact));
+  };
+  CHECK(order(Verlet<Model>()) == Approx(2).margin(0.1));
+  CHECK(order(McLachlan4<Model>()) == Approx(4).margin(0.3));
 }

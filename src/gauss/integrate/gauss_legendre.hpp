@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "gauss/integrate/bound_model.hpp"
+#include "gauss/integrate/compensated.hpp"
 #include "gauss/integrate/step_result.hpp"
 
 namespace gauss::integrate {
@@ -59,7 +60,9 @@ class GaussLegendre {
   static constexpr int order = 2 * stages;
 
   StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
-    forget_if_changed(state);
+    sums_.begin(state.values);
+    for (std::size_t i = 0; i < Model::size; ++i) size_[i] = std::max(size_[i], std::abs(state.values[i]));
+    iterations_of_last_step_ = 0;
     StepResult result = start(model, t, h, state);
     Scalar last = std::numeric_limits<Scalar>::max();
     for (int iteration = 0; iteration < k_most_iterations && result.is_taken(); ++iteration) {
@@ -76,6 +79,10 @@ class GaussLegendre {
     return result.is_taken() ? StepResult{StepOutcome::not_converged, result.status} : result;
   }
 
+  /// Component i of the state is an angle on which the model depends by its sine and cosine alone: it is kept within a turn, with all the digits
+  /// that sums have, where an angle of 1e11 rad has five decimals left.
+  void wrap(std::size_t i) { sums_.wrap(i); }
+
   /// Each takes one evaluation of the model per stage; one more begins the step.
   int iterations_of_last_step() const { return iterations_of_last_step_; }
 
@@ -83,14 +90,6 @@ class GaussLegendre {
   static constexpr int k_most_iterations = 60;
   /// Of a component's size.
   static constexpr Scalar k_arrived = 64 * std::numeric_limits<Scalar>::epsilon();
-
-  void forget_if_changed(const State& state) {
-    for (std::size_t i = 0; i < Model::size; ++i) {
-      if (!(state.values[i] == last_[i])) carried_[i] = size_[i] = 0;
-      size_[i] = std::max(size_[i], std::abs(state.values[i]));
-    }
-    iterations_of_last_step_ = 0;
-  }
 
   /// Stages on the tangent.
   StepResult start(const Model& model, const Scalar& t, const Scalar& h, const State& state) {
@@ -105,7 +104,7 @@ class GaussLegendre {
     Status trouble = Status::ok;
     for (int s = 0; s < stages; ++s) {
       State at;
-      for (std::size_t i = 0; i < Model::size; ++i) at.values[i] = state.values[i] + (shift_[s][i] + carried_[i]);
+      for (std::size_t i = 0; i < Model::size; ++i) at.values[i] = state.values[i] + (shift_[s][i] + sums_.rest(i));
       const Status status = model.derivative(t + tableau_.c[s] * h, at, rates_[s]);
       if (is_motion_known(trouble) && status != Status::ok) trouble = status;
     }
@@ -131,24 +130,23 @@ class GaussLegendre {
     return largest;
   }
 
-  /// Kahan's summation, of which the state holds the sum and carried_ what is left.
+  /// Weights add up to 1, so differences of rates are weighted: a constant rate is summed exactly, whatever the weights round to.
   void add_up(const Scalar& h, State& state) {
+    constexpr int k_middle = stages / 2;
+    Scalar mean[Model::size];
     for (std::size_t i = 0; i < Model::size; ++i) {
+      const Scalar& middle = rates_[k_middle].values[i];
       Scalar sum = 0;
-      for (int j = 0; j < stages; ++j) sum += tableau_.b[j] * rates_[j].values[i];
-      const Scalar before = state.values[i];
-      const Scalar increment = carried_[i] + h * sum;
-      state.values[i] = before + increment;
-      carried_[i] = increment - (state.values[i] - before);
-      last_[i] = state.values[i];
+      for (int j = 0; j < stages; ++j) sum += tableau_.b[j] * (rates_[j].values[i] - middle);
+      mean[i] = middle + sum;
     }
+    sums_.advance(mean, h, state.values);
   }
 
   GaussLegendreTableau<Scalar, stages> tableau_;
   typename Model::Derivative rates_[stages]{};
   Scalar shift_[stages][Model::size]{};
-  Scalar carried_[Model::size]{};
-  Scalar last_[Model::size]{};
+  CompensatedState<Scalar, Model::size> sums_;
   Scalar size_[Model::size]{};  ///< largest so far
   int iterations_of_last_step_ = 0;
 };

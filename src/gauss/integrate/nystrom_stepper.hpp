@@ -34,7 +34,7 @@ bool suits_nystrom(const Model& model, const typename Model::Scalar& t, const ty
   }
 }
 
-/// `Method` is one of Odeint's symplectic Runge-Kutta-Nystrom steppers over std::array<Scalar, n_q>. The first step looks whether
+/// `Method` is one of Odeint's symplectic Runge-Kutta-Nystrom steppers over std::array<Scalar, n_q>, or has its do_step. The first step looks whether
 /// the model suits; it refuses a model that does not.
 template <class Model, class Method>
 class NystromStepper {
@@ -85,6 +85,31 @@ class NystromStepper {
   Method method_;
   bool is_suitable_ = false;
 };
+
+/// Half a step of positions, one of speeds, half a step of positions. Nothing is kept for the next step, so a state may be corrected between them.
+template <class Half, class Scalar>
+class PositionVerlet {
+ public:
+  template <class Acceleration>
+  void do_step(Acceleration&& acceleration, Half& q, Half& v, const Scalar&, const Scalar& h) {
+    drift(q, v, h / 2);
+    acceleration(q, a_);
+    drift(v, a_, h);
+    drift(q, v, h / 2);
+  }
+
+ private:
+  static void drift(Half& x, const Half& rate, const Scalar& h) {
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += h * rate[i];
+  }
+
+  Half a_{};
+};
+
+/// Order 2, one acceleration in a step, symmetric: the cheapest that keeps the energy bounded (Hairer, Lubich, Wanner, Geometric Numerical Integration, I.1.4).
+template <class Model>
+using Verlet =
+    NystromStepper<Model, PositionVerlet<std::array<typename Model::Scalar, Model::n_q>, typename Model::Scalar>>;
 
 /// Order 4, five accelerations in a step, symmetric; R. I. McLachlan, On the numerical integration of ordinary differential equations by
 /// symmetric composition methods, SIAM Journal on Scientific Computing 16 (1995) 151-168.

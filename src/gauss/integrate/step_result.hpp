@@ -12,12 +12,14 @@ enum class StepOutcome {
   model_failed,   ///< the status of the model says why
   not_converged,  ///< the equations of an implicit method were not solved: the step is too long
   unsuitable,     ///< the method does not fit the model
+  too_long,       ///< the step does not resolve the fastest part of the motion
 };
 
 constexpr const char* name(StepOutcome outcome) noexcept {
   return outcome == StepOutcome::taken           ? "taken"
          : outcome == StepOutcome::model_failed  ? "model failed"
          : outcome == StepOutcome::not_converged ? "not converged"
+         : outcome == StepOutcome::too_long      ? "step too long"
                                                  : "unsuitable method";
 }
 

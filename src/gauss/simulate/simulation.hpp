@@ -10,45 +10,9 @@
 #include <limits>
 
 #include "gauss/integrate/odeint.hpp"
+#include "gauss/simulate/report.hpp"
 
 namespace gauss::simulate {
-
-enum class Outcome {
-  running,
-  model_failed,    ///< the model's status at the state reached is not ok
-  step_too_small,  ///< the model's status or the error asks for steps below rounding of the time
-  too_many_steps,
-  constraints_lost,  ///< projection moves the state by more than errors of steps explain, however short the steps
-};
-
-constexpr const char* name(Outcome outcome) noexcept {
-  return outcome == Outcome::running          ? "running"
-         : outcome == Outcome::model_failed   ? "model failed"
-         : outcome == Outcome::step_too_small ? "step too small"
-         : outcome == Outcome::too_many_steps ? "too many steps"
-                                              : "constraints lost";
-}
-
-template <class Scalar>
-struct Settings {
-  Scalar tolerance = Scalar(1e-12);  ///< error of one step, relative to the scale of each component
-  Scalar smallest_scale = 1;  ///< the scale is the largest size so far, but no less than this, in the component's unit
-  Scalar first_step = 0;      ///< 0: chosen from the rates at the start
-  Scalar longest_step =
-      0;  ///< 0: none. A pulse that is shorter than a step may lie between the times at which it looks
-  long most_steps = 10'000'000;
-  bool project = true;
-  Scalar most_projected = 1000;  ///< a projection that moves a component by more tolerances is refused
-};
-
-template <class Status>
-struct Report {
-  Outcome outcome = Outcome::running;
-  Status status{};    ///< the model's last one that was not ok; ok if there was none
-  long steps = 0;     ///< accepted
-  long rejected = 0;  ///< by the estimate of the error, or by a status other than ok
-  long calls = 0;     ///< of rhs
-};
 
 /// Time is the start plus the steps taken, and each requested time is set exactly when it is reached, so that rounding does
 /// not add up over the samples.

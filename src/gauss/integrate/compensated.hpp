@@ -1,0 +1,81 @@
+// Sums of very many increments, without the rounding of each; and angles that stay within a turn.
+// SPDX-License-Identifier: MIT
+#ifndef GAUSS_INTEGRATE_COMPENSATED_HPP
+#define GAUSS_INTEGRATE_COMPENSATED_HPP
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+
+namespace gauss::integrate {
+
+/// A number as the sum of `value` and a `rest` below its last digit: twice the digits (Dekker, Numerische Mathematik 18 (1971) 224-242).
+template <class Scalar>
+struct Compensated {
+  Scalar value = 0;
+  Scalar rest = 0;
+
+  /// Of any size; what both lose is below epsilon squared.
+  void add(const Scalar& increment) {
+    const Scalar sum = value + increment;
+    const Scalar part = sum - value;
+    rest += (value - (sum - part)) + (increment - part);
+    value = sum + rest;
+    rest -= value - sum;
+  }
+
+  void add_product(const Scalar& a, const Scalar& b) {
+    add(a * b);
+    if constexpr (std::is_floating_point_v<Scalar>) rest += std::fma(a, b, -(a * b));
+  }
+
+  /// Into (-pi, pi), up to rounding, by whole turns, as long as they are fewer than 2^19: 1e-32 rad are lost of each in double. 2 pi is the sum
+  /// of three parts, of which the first two have so few digits that products with the number of turns are exact.
+  void wrap() {
+    static_assert(std::is_same_v<Scalar, double>, "the parts of 2 pi are those of double");
+    constexpr double k_upper = 0x1.921fb54400000p+2;
+    constexpr double k_middle = 0x1.0b4611a600000p-32;
+    constexpr double k_lower = 0x1.3198a2e037073p-67;
+    const double turns = std::nearbyint(value / (k_upper + k_middle));
+    if (turns == 0) return;
+    add(-turns * k_upper);
+    add(-turns * k_middle);
+    add(-turns * k_lower);
+  }
+};
+
+/// Components of a state that a stepper sums up, step after step.
+template <class Scalar, std::size_t n>
+class CompensatedState {
+ public:
+  /// What somebody else has changed since has no rest.
+  void begin(const Scalar (&values)[n]) {
+    for (std::size_t i = 0; i < n; ++i)
+      if (!(values[i] == sums_[i].value)) sums_[i] = {values[i], 0};
+  }
+
+  /// rate[i] h, added to each component.
+  void advance(const Scalar (&rate)[n], const Scalar& h, Scalar (&values)[n]) {
+    for (std::size_t i = 0; i < n; ++i) {
+      sums_[i].add_product(h, rate[i]);
+      if constexpr (std::is_same_v<Scalar, double>) {
+        if (is_angle_[i]) sums_[i].wrap();
+      }
+      values[i] = sums_[i].value;
+    }
+  }
+
+  /// Component i is an angle, of which whole turns do not matter.
+  void wrap(std::size_t i) { is_angle_[i] = true; }
+
+  const Scalar& rest(std::size_t i) const { return sums_[i].rest; }
+
+ private:
+  std::array<Compensated<Scalar>, n> sums_{};
+  std::array<bool, n> is_angle_{};
+};
+
+}  // namespace gauss::integrate
+
+#endif  // GAUSS_INTEGRATE_COMPENSATED_HPP

@@ -1,0 +1,201 @@
+// Integration in time by the multistep methods of CVODE (SUNDIALS): BDF for stiff models, Adams for rates that are dear.
+// SPDX-License-Identifier: MIT
+#ifndef GAUSS_SIMULATE_CVODE_HPP
+#define GAUSS_SIMULATE_CVODE_HPP
+
+#include <cvode/cvode.h>
+#include <cvode/cvode_ls.h>
+#include <cvode/cvode_proj.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "gauss/integrate/sundials.hpp"
+#include "gauss/simulate/report.hpp"
+
+namespace gauss::simulate {
+
+enum class Multistep {
+  bdf,    ///< backward differentiation of order 1 to 5, by Newton's method; projects after each step
+  adams,  ///< order 1 to 12, by fixed-point iteration: for what is not stiff. CVODE does not project with it
+};
+
+/// As Simulation. Errors are measured as there, but in the mean square over the components. `Derivatives` is integrate::ByDifferences or
+/// integrate::EmittedJacobian.
+template <class Model, class Derivatives = integrate::ByDifferences>
+class CvodeSimulation {
+ public:
+  using State = typename Model::State;
+
+  CvodeSimulation(const Model& model, const State& start, double start_time = 0, const Settings<double>& settings = {},
+                  Multistep method = Multistep::bdf)
+      : model_(model), settings_(settings), method_(method), t_(start_time) {
+    problem_.set_model(model_);
+    State first = start;
+    // What a start misses the constraints by is no error of a step. Where it cannot be mended, the first step will tell.
+    if (settings_.project && !integrate::is_motion_known(model_.projection(t_, first))) first = start;
+    std::copy_n(first.values, Model::size, N_VGetArrayPointer(work_.state.get()));
+    scale_.fill(settings_.smallest_scale);
+    set_up();
+  }
+
+  // CVODE holds the address.
+  CvodeSimulation(const CvodeSimulation&) = delete;
+  CvodeSimulation& operator=(const CvodeSimulation&) = delete;
+
+  /// Integrates to `end`, where the last step is shortened to arrive. False: it did not get there, see report(); or `end` is no time from
+  /// here on.
+  bool advance_to(double end) {
+    return advance_to(end, [](double, const State&) {});
+  }
+
+  /// `on_step(t, state)` sees each state that was reached.
+  template <class OnStep>
+  bool advance_to(double end, OnStep&& on_step) {
+    if (t_ < end) CVodeSetStopTime(cvode_.get(), end);
+    while (t_ < end && report_.outcome == Outcome::running) {
+      if (report_.steps >= settings_.most_steps) {
+        report_.outcome = Outcome::too_many_steps;
+      } else if (step_towards(end)) {
+        on_step(t_, state());
+      }
+    }
+    return report_.outcome == Outcome::running && t_ == end;
+  }
+
+  double time() const { return t_; }
+  State state() const { return Problem::state_of(work_.state.get()); }
+  const Report<Status>& report() const { return report_; }
+
+ private:
+  // Callbacks get the address of the base, and the simulation's own ones cast it back.
+  struct Problem : integrate::sundials::Problem<Model, Derivatives> {
+    CvodeSimulation* simulation = nullptr;
+  };
+  struct Free {
+    void operator()(void* cvode) const { CVodeFree(&cvode); }
+    void operator()(SUNNonlinearSolver solver) const { SUNNonlinSolFree(solver); }
+  };
+  using Base = integrate::sundials::Problem<Model, Derivatives>;
+
+  /// Each halves the step at least, as does a failure of the projection: enough to come down to rounding.
+  static constexpr int k_most_failures = 60;
+
+  void set_up() {
+    problem_.simulation = this;
+    const bool is_stiff = method_ == Multistep::bdf;
+    cvode_.reset(integrate::sundials::created(CVodeCreate(is_stiff ? CV_BDF : CV_ADAMS, work_.context.get())));
+    void* const cvode = cvode_.get();
+    CVodeSetErrHandlerFn(cvode, integrate::sundials::be_quiet, nullptr);
+    CVodeInit(cvode, Base::rates, t_, work_.state.get());
+    CVodeSetUserData(cvode, static_cast<Base*>(&problem_));
+    CVodeWFtolerances(cvode, weights);
+    CVodeSetMaxConvFails(cvode, k_most_failures);
+    CVodeSetMaxErrTestFails(cvode, k_most_failures);
+    CVodeSetMaxHnilWarns(cvode, -1);
+    if (settings_.first_step > 0) CVodeSetInitStep(cvode, settings_.first_step);
+    if (settings_.longest_step > 0) CVodeSetMaxStep(cvode, settings_.longest_step);
+    if (is_stiff) {
+      use_newton(cvode);
+    } else {
+      fixed_point_.reset(
+          integrate::sundials::created(SUNNonlinSol_FixedPoint(work_.state.get(), 0, work_.context.get())));
+      CVodeSetNonlinearSolver(cvode, fixed_point_.get());
+    }
+  }
+
+  void use_newton(void* cvode) {
+    CVodeSetLinearSolver(cvode, work_.solver.get(), work_.matrix.get());
+    if constexpr (Base::has_jacobian) CVodeSetJacFn(cvode, Base::jacobian);
+    if (!settings_.project) return;
+    CVodeSetProjFn(cvode, project);
+    // Estimates of the error stay those of the method.
+    CVodeSetProjErrEst(cvode, SUNFALSE);
+    CVodeSetMaxNumProjFails(cvode, k_most_failures);
+  }
+
+  bool step_towards(double end) {
+    problem_.forget_trouble();
+    jumped_ = false;
+    sunrealtype reached = t_;
+    const int flag = CVode(cvode_.get(), end, work_.state.get(), &reached, CV_ONE_STEP);
+    count();
+    problem_.rethrow();
+    if (!integrate::is_motion_known(problem_.trouble())) report_.status = problem_.trouble();
+    if (flag < 0) {
+      report_.outcome = outcome_of(flag);
+      return false;
+    }
+    t_ = reached;
+    return true;
+  }
+
+  Outcome outcome_of(int flag) const {
+    if (flag == CV_FIRST_RHSFUNC_ERR) return Outcome::model_failed;
+    return jumped_ ? Outcome::constraints_lost : Outcome::step_too_small;
+  }
+
+  void count() {
+    long errors = 0, unsolved = 0;
+    CVodeGetNumSteps(cvode_.get(), &report_.steps);
+    CVodeGetNumErrTestFails(cvode_.get(), &errors);
+    CVodeGetNumStepSolveFails(cvode_.get(), &unsolved);
+    report_.rejected = errors + unsolved;
+    report_.calls = problem_.calls();
+    report_.jacobians = problem_.jacobians();
+  }
+
+  static CvodeSimulation& self(void* user_data) { return *static_cast<Problem&>(Base::self(user_data)).simulation; }
+
+  static int weights(N_Vector y, N_Vector result, void* user_data) {
+    CvodeSimulation& simulation = self(user_data);
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      double& scale = simulation.scale_[i];
+      scale = std::max(scale, std::abs(N_VGetArrayPointer(y)[i]));
+      N_VGetArrayPointer(result)[i] = 1 / (simulation.settings_.tolerance * scale);
+    }
+    return 0;
+  }
+
+  static int project(sunrealtype t, N_Vector y, N_Vector correction, sunrealtype, N_Vector, void* user_data) {
+    CvodeSimulation& simulation = self(user_data);
+    const State before = Base::state_of(y);
+    State after = before;
+    const int failure =
+        simulation.problem_.guarded([&](Base& problem) { return problem.model().projection(t, after); });
+    if (failure != 0) return failure;
+    for (std::size_t i = 0; i < Model::size; ++i)
+      N_VGetArrayPointer(correction)[i] = after.values[i] - before.values[i];
+    simulation.jumped_ = !simulation.is_near(before, after);
+    return simulation.jumped_ ? 1 : 0;
+  }
+
+  /// Where constraints lose their rank, projection may take any part of the motion away.
+  bool is_near(const State& before, const State& after) const {
+    const double unit =
+        settings_.most_projected * std::max(settings_.tolerance, std::numeric_limits<double>::epsilon());
+    for (std::size_t i = 0; i < Model::size; ++i)
+      if (!(std::abs(after.values[i] - before.values[i]) <= unit * scale_[i])) return false;
+    return true;
+  }
+
+  Model model_;
+  Settings<double> settings_;
+  Multistep method_;
+  double t_;
+  bool jumped_ = false;  ///< the last trial, by its projection
+  std::array<double, Model::size> scale_{};
+  Report<Status> report_;
+  Problem problem_;
+  integrate::sundials::Workspace work_{static_cast<sunindextype>(Model::size)};
+  std::unique_ptr<integrate::sundials::Target<SUNNonlinearSolver>, Free> fixed_point_;
+  std::unique_ptr<void, Free> cvode_;
+};
+
+}  // namespace gauss::simulate
+
+#endif  // GAUSS_SIMULATE_CVODE_HPP

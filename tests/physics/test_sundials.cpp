@@ -1,0 +1,238 @@
+// The methods of SUNDIALS: tolerances, orders, whose Jacobian it is, constraints, and what is reported.
+#include <cmath>
+#include <stdexcept>
+
+#include "catch_shim.hpp"
+#include "double_pendulum.hpp"
+#include "gauss/integrate/corrections.hpp"
+#include "gauss/integrate/sdirk.hpp"
+#include "gauss/model_concept.hpp"
+#include "gauss/simulate/cvode.hpp"
+#include "gauss/simulate/fixed_step.hpp"
+#include "gauss/simulate/simulation.hpp"
+#include "pendulum_cartesian.hpp"
+#include "stiff_relaxation.hpp"
+
+GAUSS_MODEL(SteadyDouble, gauss::double_pendulum);
+GAUSS_MODEL(SteadyBob, gauss::pendulum_cartesian);
+GAUSS_MODEL(Relaxation, gauss::stiff_relaxation);
+
+namespace {
+
+using gauss::Status;
+using namespace gauss::integrate;
+using gauss::simulate::CvodeSimulation;
+using gauss::simulate::FixedStep;
+using gauss::simulate::Multistep;
+using gauss::simulate::Outcome;
+using gauss::simulate::Settings;
+
+template <class Type, class Parameters, class Inputs>
+auto bound(const Parameters& parameters, const Inputs& inputs) {
+  return bind_model<Type>(Type::prepare(parameters), inputs);
+}
+auto double_pendulum() {
+  return bound<SteadyDouble>(gauss::double_pendulum::Parameters<double>{}, gauss::double_pendulum::Inputs<double>{});
+}
+auto bob() {
+  return bound<SteadyBob>(gauss::pendulum_cartesian::Parameters<double>{}, gauss::pendulum_cartesian::Inputs<double>{});
+}
+auto relaxation() {
+  return bound<Relaxation>(gauss::stiff_relaxation::Parameters<double>{}, gauss::stiff_relaxation::Inputs<double>{});
+}
+using DoubleModel = decltype(double_pendulum());
+using BobModel = decltype(bob());
+using RelaxationModel = decltype(relaxation());
+using DoubleState = gauss::double_pendulum::State<double>;
+using DoubleJacobian =
+    EmittedJacobian<gauss::double_pendulum::Jacobian<double>, gauss::double_pendulum::JacobianByState>;
+using BobJacobian =
+    EmittedJacobian<gauss::pendulum_cartesian::Jacobian<double>, gauss::pendulum_cartesian::JacobianByState>;
+using RelaxationJacobian =
+    EmittedJacobian<gauss::stiff_relaxation::Jacobian<double>, gauss::stiff_relaxation::JacobianByState>;
+
+const DoubleState k_start{{1.1, -0.7, 0.5, 0.2}};
+
+Settings<double> tolerance(double value) {
+  Settings<double> settings;
+  settings.tolerance = value;
+  return settings;
+}
+
+double distance(const DoubleState& a, const DoubleState& b) {
+  double largest = 0;
+  for (int i = 0; i < 4; ++i) largest = std::max(largest, std::abs(a.values[i] - b.values[i]));
+  return largest;
+}
+
+DoubleState exact_after_one_second() {
+  gauss::simulate::Simulation<DoubleModel> simulation(double_pendulum(), k_start);
+  REQUIRE(simulation.advance_to(1));
+  return simulation.state();
+}
+
+double error_of(Multistep method, double tolerated) {
+  CvodeSimulation<DoubleModel, DoubleJacobian> simulation(double_pendulum(), k_start, 0, tolerance(tolerated), method);
+  REQUIRE(simulation.advance_to(1));
+  CHECK(simulation.time() == 1);
+  CHECK(simulation.report().steps > 0);
+  return distance(simulation.state(), exact_after_one_second());
+}
+
+template <class State>
+double off_the_bar(const State& state) {
+  const double* y = state.values;
+  return std::max(std::abs(std::hypot(y[0], y[1]) - 1), std::abs(y[0] * y[2] + y[1] * y[3]));
+}
+
+gauss::pendulum_cartesian::State<double> bob_start() {
+  gauss::pendulum_cartesian::State<double> start;
+  REQUIRE(initial_state(bob().prepared(), start) == Status::ok);
+  return start;
+}
+
+/// The bob with a model that fails left of 0.25 m.
+struct WallModel : BobModel {
+  WallModel() : BobModel(bob()) {}
+  Status derivative(double t, const State& state, Derivative& result) const {
+    const Status status = BobModel::derivative(t, state, result);
+    return state.values[0] < 0.25 ? Status::singular_mass_matrix : status;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the errors of multistep methods follow the tolerance") {
+  for (const Multistep method : {Multistep::bdf, Multistep::adams}) {
+    CHECK(error_of(method, 1e-6) < 1e-3);
+    CHECK(error_of(method, 1e-6) > 1e-8);
+    CHECK(error_of(method, 1e-10) < 1e-7);
+    CHECK(error_of(method, 1e-10) < error_of(method, 1e-8));
+  }
+}
+
+TEST_CASE("requested times are reached exactly, in as many pieces as are asked for") {
+  CvodeSimulation<DoubleModel, DoubleJacobian> simulation(double_pendulum(), k_start, 0, tolerance(1e-10));
+  for (const double t : {0.1, 0.3, 0.3000001, 0.7, 1.0}) {
+    REQUIRE(simulation.advance_to(t));
+    CHECK(simulation.time() == t);
+  }
+  CHECK(distance(simulation.state(), exact_after_one_second()) < 1e-7);
+}
+
+TEST_CASE("with the emitted Jacobian no rates are evaluated for differences") {
+  CvodeSimulation<DoubleModel, DoubleJacobian> emitted(double_pendulum(), k_start, 0, tolerance(1e-8));
+  CvodeSimulation<DoubleModel> differences(double_pendulum(), k_start, 0, tolerance(1e-8));
+  REQUIRE(emitted.advance_to(10));
+  REQUIRE(differences.advance_to(10));
+  CHECK(emitted.report().jacobians > 0);
+  CHECK(differences.report().jacobians == 0);
+  // Four for each of about as many Jacobians.
+  CHECK(differences.report().calls - emitted.report().calls > 2 * emitted.report().jacobians);
+  CHECK(distance(emitted.state(), differences.state()) < 1e-3);
+}
+
+TEST_CASE("BDF projects each state; without, the constraint is lost as far as the tolerance allows") {
+  Settings<double> settings = tolerance(1e-6);
+  CvodeSimulation<BobModel, BobJacobian> projected(bob(), bob_start(), 0, settings);
+  double worst = 0;
+  REQUIRE(projected.advance_to(20, [&](double, const auto& state) { worst = std::max(worst, off_the_bar(state)); }));
+  CHECK(worst < 1e-13);
+  settings.project = false;
+  CvodeSimulation<BobModel, BobJacobian> free(bob(), bob_start(), 0, settings);
+  REQUIRE(free.advance_to(20));
+  CHECK(off_the_bar(free.state()) > 1e-7);
+}
+
+TEST_CASE(
+    "a start outside of the model is refused at once; a motion that runs out of it ends there, with the model's "
+    "status") {
+  const WallModel model;
+  CvodeSimulation<WallModel> running(model, bob_start(), 0, tolerance(1e-8));
+  CHECK_FALSE(running.advance_to(5));
+  CHECK(running.report().outcome == Outcome::step_too_small);
+  CHECK(running.report().status == Status::singular_mass_matrix);
+  CHECK(running.time() > 0.1);
+  CHECK(running.state().values[0] == Approx(0.25).margin(1e-3));
+  CHECK_FALSE(running.advance_to(6));
+
+  auto beyond = bob_start();
+  beyond.values[0] = -0.6;
+  CvodeSimulation<WallModel> never(model, beyond, 0, tolerance(1e-8));
+  CHECK_FALSE(never.advance_to(5));
+  CHECK(never.report().outcome == Outcome::model_failed);
+  CHECK(never.report().status == Status::singular_mass_matrix);
+  CHECK(never.report().steps == 0);
+  CHECK(never.time() == 0);
+}
+
+TEST_CASE("what a controller throws arrives where the simulation was called") {
+  const auto inputs = [](double t, const gauss::double_pendulum::State<double>&) {
+    if (t > 0.5) throw std::runtime_error("no signal");
+    return gauss::double_pendulum::Inputs<double>{};
+  };
+  const auto model = bind_model<SteadyDouble>(double_pendulum().prepared(), inputs);
+  CvodeSimulation<std::decay_t<decltype(model)>> simulation(model, k_start, 0, tolerance(1e-8));
+  CHECK_THROWS_AS(simulation.advance_to(1), std::runtime_error);
+}
+
+TEST_CASE("the limit of steps is one") {
+  Settings<double> settings = tolerance(1e-10);
+  settings.most_steps = 5;
+  CvodeSimulation<DoubleModel, DoubleJacobian> simulation(double_pendulum(), k_start, 0, settings);
+  CHECK_FALSE(simulation.advance_to(1));
+  CHECK(simulation.report().outcome == Outcome::too_many_steps);
+  CHECK(simulation.report().steps == 5);
+}
+
+TEST_CASE("SDIRK steps have order 4, forwards and back") {
+  using Stepper = Sdirk<DoubleModel, DoubleJacobian>;
+  const DoubleState exact = exact_after_one_second();
+  const auto error = [&](int steps) {
+    FixedStep<DoubleModel, Stepper> run(double_pendulum(), k_start, 1.0 / steps);
+    REQUIRE(run.advance(steps));
+    CHECK(run.stepper().jacobians() > 0);
+    return distance(run.state(), exact);
+  };
+  CHECK(std::log2(error(200) / error(400)) == Approx(4).margin(0.3));
+  FixedStep<DoubleModel, Stepper> run(double_pendulum(), k_start, 0.001);
+  REQUIRE(run.advance(500));
+  run.turn_back();
+  REQUIRE(run.advance(500));
+  CHECK(distance(run.state(), k_start) < 1e-9);
+}
+
+TEST_CASE("SDIRK takes the state that it is given, and forgets its own") {
+  const DoubleModel model = double_pendulum();
+  Sdirk<DoubleModel, DoubleJacobian> used, fresh;
+  DoubleState elsewhere{{0.3, 0.2, -1, 1}}, after = k_start, wanted = k_start;
+  REQUIRE(used.step(model, 7, 0.02, elsewhere).is_taken());
+  REQUIRE(used.step(model, 0, 0.01, after).is_taken());
+  REQUIRE(fresh.step(model, 0, 0.01, wanted).is_taken());
+  CHECK(distance(after, wanted) < 1e-12);
+}
+
+TEST_CASE("SDIRK is a stepper like others: it is projected, and it works without an emitted Jacobian") {
+  FixedStep<BobModel, Projected<Sdirk<BobModel>>> run(bob(), bob_start(), 0.01);
+  REQUIRE(run.advance(1000));
+  CHECK(off_the_bar(run.state()) < 1e-13);
+  CHECK(run.stepper().inner().jacobians() == 0);
+}
+
+TEST_CASE("a rate of 1e6/s is gone after one step of a millisecond") {
+  gauss::stiff_relaxation::State<double> start{{0, 3}};
+  FixedStep<RelaxationModel, Sdirk<RelaxationModel, RelaxationJacobian>> run(relaxation(), start, 1e-3);
+  REQUIRE(run.advance(1));
+  CHECK(run.state().values[1] == Approx(std::cos(1e-3)).epsilon(0).margin(0.05));
+  REQUIRE(run.advance(9));
+  CHECK(run.state().values[1] == Approx(std::cos(1e-2)).epsilon(0).margin(1e-8));
+}
+
+TEST_CASE("a step over the edge of the model is refused, and the state stays") {
+  const WallModel model;
+  FixedStep<WallModel, Sdirk<WallModel>> run(model, bob_start(), 0.01);
+  CHECK_FALSE(run.advance(1000));
+  CHECK(run.last().outcome == StepOutcome::model_failed);
+  CHECK(run.last().status == Status::singular_mass_matrix);
+  CHECK(run.state().values[0] >= 0.25);
+}
