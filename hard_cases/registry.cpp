@@ -4,6 +4,7 @@ namespace hard_cases {
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
+      {"H01", "Euler angles at their pole: a rolling ball", euler_pole},
       {"H12", "A pendulum swings for very long", long_run},
       {"H13", "Constraints drift: a pendulum in Cartesian coordinates", constraint_drift},
       {"H14", "Time adds up", accumulated_time},

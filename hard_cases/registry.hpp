@@ -5,6 +5,7 @@
 
 namespace hard_cases {
 
+std::vector<Figure> euler_pole(const Scope& scope);
 std::vector<Figure> long_run(const Scope& scope);
 std::vector<Figure> constraint_drift(const Scope& scope);
 std::vector<Figure> accumulated_time(const Scope& scope);
