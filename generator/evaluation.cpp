@@ -434,24 +434,24 @@ bool are_others_trusted(const Evaluation& evaluation) {
 }
 
 template <class T>
-void bind_parameters(Mechanics& mechanics, evaluate::Evaluator<T>& evaluator) {
-  const model::Model& model = mechanics.model;
+void bind_parameters(ModelGraph& motion, evaluate::Evaluator<T>& evaluator) {
+  const model::Model& model = motion.model;
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
-    const auto value = evaluator(mechanics.expressions(model.parameters[i].value).id());
-    if (value) evaluator.bind(mechanics.symbols.parameters[i], *value);
+    const auto value = evaluator(motion.expressions(model.parameters[i].value).id());
+    if (value) evaluator.bind(motion.symbols.parameters[i], *value);
   }
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    const auto value = evaluator(mechanics.expressions(model.inputs[i].value).id());
-    if (value) evaluator.bind(mechanics.symbols.inputs[i], *value);
+    const auto value = evaluator(motion.expressions(model.inputs[i].value).id());
+    if (value) evaluator.bind(motion.symbols.inputs[i], *value);
   }
 }
 
-template void bind_parameters(Mechanics&, evaluate::Evaluator<cl_F>&);
-template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Paired>&);
-template void bind_parameters(Mechanics&, evaluate::Evaluator<double>&);
-template void bind_parameters(Mechanics&, evaluate::Evaluator<long double>&);
-template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<cl_F>>&);
-template void bind_parameters(Mechanics&, evaluate::Evaluator<evaluate::Scaled<double>>&);
+template void bind_parameters(ModelGraph&, evaluate::Evaluator<cl_F>&);
+template void bind_parameters(ModelGraph&, evaluate::Evaluator<evaluate::Paired>&);
+template void bind_parameters(ModelGraph&, evaluate::Evaluator<double>&);
+template void bind_parameters(ModelGraph&, evaluate::Evaluator<long double>&);
+template void bind_parameters(ModelGraph&, evaluate::Evaluator<evaluate::Scaled<cl_F>>&);
+template void bind_parameters(ModelGraph&, evaluate::Evaluator<evaluate::Scaled<double>>&);
 
 bool is_start_reached(Mechanics& mechanics, const support::Rational& time, int digits) {
   if (!has_open_positions(mechanics)) return true;

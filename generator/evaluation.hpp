@@ -53,6 +53,6 @@ Evaluation evaluate_model(Mechanics& mechanics, const support::Rational& time, i
 
 /// Binds parameters and inputs to their values in the model.
 template <class T>
-void bind_parameters(Mechanics& mechanics, evaluate::Evaluator<T>& evaluator);
+void bind_parameters(ModelGraph& motion, evaluate::Evaluator<T>& evaluator);
 
 }  // namespace gaussgen

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "assembly.hpp"
+#include "chart_check.hpp"
 #include "dumps.hpp"
 #include "early_check.hpp"
 #include "initial_check.hpp"
@@ -154,6 +155,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   // Before all else that takes long.
   check_initial_state(mechanics, {emits_initial_state(mechanics, options), options.assemble}, diagnostics);
   check_points(mechanics, diagnostics);
+  if (!diagnostics.has_errors()) check_chart(mechanics, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   stages.took(k_check, mechanics.graph);
   stages.show(k_check, [] { return std::string(); });

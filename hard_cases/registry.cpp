@@ -4,6 +4,7 @@ namespace hard_cases {
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
+      {"H01", "Euler angles at their pole: a rolling ball", euler_pole},
       {"H02", "No choice of dependent velocities is good everywhere: a knife edge", knife_edge},
       {"H03", "Constraints that follow from each other: a table on four legs", redundant},
       {"H05", "Gradients of constraints that are nearly parallel", near_parallel},

@@ -14,6 +14,7 @@ std::vector<Figure> flat_parallelogram(const Scope& scope);
 std::vector<Figure> bennett(const Scope& scope);
 std::vector<Figure> fast_spin(const Scope& scope);
 std::vector<Figure> angle_growth(const Scope& scope);
+std::vector<Figure> euler_pole(const Scope& scope);
 std::vector<Figure> long_run(const Scope& scope);
 std::vector<Figure> constraint_drift(const Scope& scope);
 std::vector<Figure> accumulated_time(const Scope& scope);

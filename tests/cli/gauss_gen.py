@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -47,7 +48,9 @@ class Program(unittest.TestCase):
     def ok(self, *arguments, **more):
         """Standard output of a run that must succeed and have nothing to say on standard error."""
         result = self.run_it(*arguments, **more)
-        self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
+        # Euler's angles have their pole, which models here are rightly warned of: test_charts.py looks at where and at nothing else.
+        said = re.sub(r"(?m)^\S.*: warning\[W070\]: .*\n(?: .*\n)*\n?", "", result.stderr)
+        self.assertEqual((result.returncode, said), (0, ""), arguments)
         return result.stdout
 
     def refused(self, code, *arguments, **more):
