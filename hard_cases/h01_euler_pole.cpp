@@ -42,10 +42,6 @@ struct Misses {
   double seconds = 0;
 };
 
-void grow(double& largest, double value) {
-  if (!(std::abs(value) <= largest)) largest = std::isfinite(value) ? std::abs(value) : k_breaks_down;
-}
-
 void measure(double t, const double* centre, double wx, double wy, double wz, Misses& misses) {
   for (const double difference : {wx - k_rate, wy, wz}) grow(misses.omega, difference);
   grow(misses.centre, centre[0]);
