@@ -29,18 +29,33 @@
 //   omega_r_0   rad/s   angular velocity about the line to the contact at t = 0
 //
 // Operations per call
-//                      + -  *   /  sqrt  functions
-//   prepare            10   42  5  1     0
-//   rhs                16   40  2  0     4
-//   reactions          16   41  2  0     4
-//   rhs_and_reactions  17   45  2  0     4
-//   reaction_forces    22   58  2  0     6
-//   energy             6    12  0  0     1
-//   compulsion         17   37  0  0     6
-//   residuals          14   21  0  0     4
-//   mass_matrix        0    1   0  0     1
-//   project            25   38  1  0     4
-//   initial_state      16   48  4  0     4
+//                                  + -  *   /  sqrt  functions
+//   prepare                        10   44  5  1     0
+//   linear_system                  4    20  0  0     4
+//   rhs_regular                    16   40  2  0     4
+//   rhs_of_solution                0    0   0  0     0
+//   rhs                            16   40  2  0     4
+//   reactions_regular              16   41  2  0     4
+//   reactions_of_solution          1    9   0  0     4
+//   reactions                      16   41  2  0     4
+//   rhs_and_reactions_regular      17   45  2  0     4
+//   rhs_and_reactions_of_solution  1    9   0  0     4
+//   rhs_and_reactions              17   45  2  0     4
+//   reaction_forces_regular        22   58  2  0     6
+//   reaction_forces_of_solution    12   41  0  0     6
+//   reaction_forces                22   58  2  0     6
+//   energy                         6    12  0  0     1
+//   compulsion                     17   37  0  0     6
+//   residuals                      14   21  0  0     4
+//   mass_matrix                    0    1   0  0     1
+//   project_system                 5    10  0  0     4
+//   project_regular                25   38  1  0     4
+//   project_of_solution            5    0   0  0     0
+//   project                        25   38  1  0     4
+//   initial_state_system           5    11  2  0     4
+//   initial_state_regular          16   48  4  0     4
+//   initial_state_of_solution      1    2   2  0     3
+//   initial_state                  16   48  4  0     4
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
 #define GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
@@ -286,6 +301,546 @@ using StatusOf = typename Math<S>::Status;
 #error "Two versions of the gauss prelude meet in one file: generate all models with the same gauss-gen."
 #endif  // GAUSS_MATH_HPP
 
+// Accelerations and multipliers of any constrained system, whatever its rank: what emitted functions turn to where their
+// own, cheaper way has lost its digits.
+// SPDX-License-Identifier: MIT-0
+//
+// Gauss's principle leaves the linear problem  g a = f + b^T lambda,  b a + drift = 0  (theory, section 3). It is scaled by inertias and
+// by rows, b^T is factorised by Householder reflections with pivoting, what the constraints leave free is found from g there
+// (null space), and the whole is refined once: Golub and Van Loan, Matrix Computations, 4th ed., 5.4 and 6.2. So g may be singular where
+// constraints complete it, rows may follow from each other, and the error is that of the condition number, not of its square. All choices are selections, so that
+// the lanes of a batch may differ; there is no allocation.
+#ifndef GAUSS_CONSTRAINED_HPP
+#define GAUSS_CONSTRAINED_HPP
+
+#include <type_traits>
+
+
+namespace gauss {
+
+/// Of n speeds and l constraints.
+template <class S, int n, int l>
+struct LinearSolution {
+  S accelerations[n];
+  S multipliers[l];  ///< of those that do, the ones of least norm, each row at unit length where inertias are 1
+  S is_shared[l];    ///< 1: the multiplier is not unique, another constraint can do what this one does; else 0
+  S rank;            ///< of b, to the tolerance
+  StatusOf<S>
+      motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
+               ///< violated_constraints: they contradict each other
+  StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
+  StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
+};
+
+namespace detail {
+
+/// Numbers 0 and 1 stand for conditions here: they combine by products for every type.
+template <class S>
+GAUSS_FUNCTION S indicator(const typename Math<S>::Bool& condition) {
+  return Math<S>::select(condition, S(1), S(0));
+}
+
+template <class S>
+GAUSS_FUNCTION S positive(const S& x) {
+  return indicator<S>(Math<S>::less(S(0), x));
+}
+
+template <class S>
+GAUSS_FUNCTION S absolute(const S& x) {
+  return Math<S>::select(Math<S>::less(x, S(0)), -x, x);
+}
+
+template <class S>
+GAUSS_FUNCTION S larger(const S& a, const S& b) {
+  return Math<S>::select(Math<S>::less(a, b), b, a);
+}
+
+/// 1/x, and 0 where `use` is 0: nothing is divided by 0, not even in a lane that is not looked at.
+template <class S>
+GAUSS_FUNCTION S reciprocal(const S& x, const S& use) {
+  const auto is_used = Math<S>::less(S(0), use);
+  return Math<S>::select(is_used, S(1) / Math<S>::select(is_used, x, S(1)), S(0));
+}
+
+/// sqrt whose derivative at 0 is 0.
+template <class S>
+GAUSS_FUNCTION S root(const S& x) {
+  const auto is_positive = Math<S>::less(S(0), x);
+  return Math<S>::select(is_positive, Math<S>::sqrt(Math<S>::select(is_positive, x, S(1))), S(0));
+}
+
+template <class S>
+GAUSS_FUNCTION void swap_where(const typename Math<S>::Bool& condition, S& a, S& b) {
+  const S before = a;
+  a = Math<S>::select(condition, b, a);
+  b = Math<S>::select(condition, before, b);
+}
+
+template <class S, int n>
+GAUSS_FUNCTION S inner(const S (&a)[n], const S (&b)[n]) {
+  S sum = a[0] * b[0];
+  for (int i = 1; i < n; ++i) sum = sum + a[i] * b[i];
+  return sum;
+}
+
+/// L D L^T of a symmetric matrix of which some rows and columns count as those of the unit matrix.
+template <class S, int n>
+class MaskedLdl {
+ public:
+  /// `counts[i]` 1: row i is that of `matrix`; 0: of the unit matrix. A pivot below `tolerance` of its diagonal entry determines nothing.
+  GAUSS_FUNCTION void factorise(const S (&matrix)[n][n], const S (&counts)[n], const S& tolerance) {
+    is_determined = S(1);
+    for (int j = 0; j < n; ++j) {
+      for (int i = j; i < n; ++i) {
+        const S both = counts[i] * counts[j];
+        S entry = Math<S>::select(Math<S>::less(S(0), both), matrix[i][j], S(i == j ? 1 : 0));
+        const S diagonal = entry;
+        for (int k = 0; k < j; ++k) entry = entry - factor_[i][k] * factor_[j][k] * pivot_[k];
+        if (i == j) {
+          const S is_good = positive<S>(entry - tolerance * diagonal);
+          is_determined = is_determined * is_good;
+          pivot_[j] = entry;
+          inverse_[j] = reciprocal(entry, is_good);
+        } else {
+          factor_[i][j] = entry * inverse_[j];
+        }
+      }
+    }
+  }
+
+  GAUSS_FUNCTION void solve(S (&x)[n]) const {
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; k < i; ++k) x[i] = x[i] - factor_[i][k] * x[k];
+    }
+    for (int i = n - 1; i >= 0; --i) {
+      x[i] = x[i] * inverse_[i];
+      for (int k = i + 1; k < n; ++k) x[i] = x[i] - factor_[k][i] * x[k];
+    }
+  }
+
+  S is_determined;
+
+ private:
+  S factor_[n][n];
+  S pivot_[n];
+  S inverse_[n];
+};
+
+template <class S, int n, int l>
+class Constrained {
+  using Bool = typename Math<S>::Bool;
+  static constexpr int most = n < l ? n : l;  ///< rows that can say something of their own
+
+ public:
+  /// `most_rank`: of b on the constraints, as it usually is. `tolerance`: sine of the angle to all others below which a row says nothing of its own.
+  template <class System>
+  GAUSS_FUNCTION Constrained(const System& system, int most_rank, const S& tolerance, bool is_agreement_known)
+      : is_agreement_known_(is_agreement_known) {
+    scale(system);
+    factorise_rows(most_rank, tolerance);
+    reduce_metric();
+    find_shared();
+  }
+
+  GAUSS_FUNCTION void solve(LinearSolution<S, n, l>& solution) const {
+    S a[n], lambda[l], residual_f[n], residual_c[l];
+    for (int i = 0; i < n; ++i) a[i] = S(0);
+    for (int mu = 0; mu < l; ++mu) lambda[mu] = S(0);
+    S contradiction = S(0);
+    for (int pass = 0; pass < 2; ++pass) {
+      residual(a, lambda, residual_f, residual_c);
+      const S found = add(residual_f, residual_c, a, lambda);
+      if (pass == 0) contradiction = found;
+    }
+    finish(a, lambda, contradiction, solution);
+  }
+
+ private:
+  /// Inertias to 1, rows to unit length. What has no inertia is measured by the rows.
+  template <class System>
+  GAUSS_FUNCTION void scale(const System& system) {
+    S massive[n];
+    for (int i = 0; i < n; ++i) {
+      massive[i] = positive<S>(system.g[i][i]);
+      speed_scale_[i] = root(reciprocal(system.g[i][i], massive[i]));
+    }
+    S of_massive[l];
+    for (int mu = 0; mu < l; ++mu) of_massive[mu] = length(system.b[mu]);
+    for (int i = 0; i < n; ++i) {
+      S beside = S(0), alone = S(0);
+      for (int mu = 0; mu < l; ++mu) {
+        const S size = absolute(system.b[mu][i]);
+        beside = larger(beside, size * reciprocal(of_massive[mu], positive<S>(of_massive[mu])));
+        alone = larger(alone, size);
+      }
+      const S largest = Math<S>::select(Math<S>::less(S(0), beside), beside, alone);
+      const S measured = Math<S>::select(Math<S>::less(S(0), largest), reciprocal(largest, positive<S>(largest)), S(1));
+      speed_scale_[i] = Math<S>::select(Math<S>::less(S(0), massive[i]), speed_scale_[i], measured);
+    }
+    for (int mu = 0; mu < l; ++mu) {
+      for (int i = 0; i < n; ++i) b_[mu][i] = without_rounding(system.b[mu][i], system.reach[mu][i]);
+      const S size = length(b_[mu]);
+      row_scale_[mu] = reciprocal(usual_size(size, length(system.reach[mu])), positive<S>(size));
+      for (int i = 0; i < n; ++i) b_[mu][i] = row_scale_[mu] * b_[mu][i] * speed_scale_[i];
+      // A row of zeros that asks for something is contradictory; its scale is lost.
+      c_[mu] = -Math<S>::select(Math<S>::less(S(0), size), row_scale_[mu], S(1)) * system.drift[mu];
+    }
+    find_lost_entries();
+    for (int i = 0; i < n; ++i) {
+      f_[i] = speed_scale_[i] * system.f[i];
+      for (int j = 0; j < n; ++j) g_[i][j] = speed_scale_[i] * system.g[i][j] * speed_scale_[j];
+    }
+  }
+
+  GAUSS_FUNCTION static S without_rounding(const S& entry, const S& reach) {
+    return Math<S>::select(Math<S>::less(absolute(entry), S(8) * Math<S>::epsilon() * reach), S(0), entry);
+  }
+
+  /// A row that nearly vanishes beside what it may be is nearly nothing: beside the equations of positions it has the direction of errors. But
+  /// something light that it does not move here makes no row small.
+  GAUSS_FUNCTION static S usual_size(const S& size, const S& reach) {
+    const S most = size / Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
+    return larger(size, Math<S>::select(Math<S>::less(reach, most), reach, most));
+  }
+
+  GAUSS_FUNCTION S length(const S (&row)[n]) const {
+    S squares = S(0);
+    for (int i = 0; i < n; ++i) squares = squares + row[i] * speed_scale_[i] * (row[i] * speed_scale_[i]);
+    return root(squares);
+  }
+
+  /// Inertias may be apart as far as squares of small entries of a row are numbers.
+  GAUSS_FUNCTION void find_lost_entries() {
+    const S least = Math<S>::epsilon() * Math<S>::epsilon() * Math<S>::sqrt(Math<S>::epsilon());
+    has_lost_entries_ = S(0);
+    for (int mu = 0; mu < l; ++mu) {
+      for (int i = 0; i < n; ++i) {
+        const S size = absolute(b_[mu][i]);
+        has_lost_entries_ = larger(has_lost_entries_, positive(size) * positive<S>(least - size));
+      }
+    }
+  }
+
+  /// b^T P = Q R. At each step the row that is longest across all before is next.
+  GAUSS_FUNCTION void factorise_rows(int most_rank, const S& tolerance) {
+    for (int mu = 0; mu < l; ++mu) {
+      for (int i = 0; i < n; ++i) r_[mu][i] = b_[mu][i];
+    }
+    for (int i = 0; i < n; ++i) is_row_[i] = S(0);
+    rank_ = S(0);
+    is_full_ = S(1);
+    S goes_on = S(1);
+    for (int k = 0; k < most; ++k) {
+      bring_longest(k);
+      bring_largest(k);
+      const S size = root(squares_from(k, r_[k]));
+      goes_on = goes_on * (k < most_rank ? positive<S>(size - tolerance) : S(0));
+      if (k < most_rank) is_full_ = goes_on;
+      is_row_[k] = goes_on;
+      rank_ = rank_ + goes_on;
+      reflect(k, size);
+    }
+  }
+
+  GAUSS_FUNCTION S squares_from(int k, const S (&row)[n]) const {
+    S sum = S(0);
+    for (int i = k; i < n; ++i) sum = sum + row[i] * row[i];
+    return sum;
+  }
+
+  GAUSS_FUNCTION void bring_longest(int k) {
+    S longest = squares_from(k, r_[k]);
+    for (int j = k + 1; j < l; ++j) {
+      const S other = squares_from(k, r_[j]);
+      swapped_[k][j] = Math<S>::less(longest, other);
+      longest = Math<S>::select(swapped_[k][j], other, longest);
+      for (int i = 0; i < n; ++i) swap_where<S>(swapped_[k][j], r_[k][i], r_[j][i]);
+    }
+  }
+
+  /// Speeds, too: so reflections keep the digits of small entries beside large ones, as of what is light beside what is heavy (Cox and
+  /// Higham, Stability of Householder QR factorization for weighted least squares problems, 1998).
+  GAUSS_FUNCTION void bring_largest(int k) {
+    S largest = absolute(r_[k][k]);
+    for (int i = k + 1; i < n; ++i) {
+      const S other = absolute(r_[k][i]);
+      moved_[k][i] = Math<S>::less(largest, other);
+      largest = Math<S>::select(moved_[k][i], other, largest);
+      swap_where<S>(moved_[k][i], r_[k][k], r_[k][i]);
+    }
+  }
+
+  GAUSS_FUNCTION void reflect(int k, const S& size) {
+    const S head = r_[k][k];
+    const S sign = Math<S>::select(Math<S>::less(head, S(0)), S(-1), S(1));
+    for (int i = 0; i < n; ++i) reflector_[k][i] = i < k ? S(0) : r_[k][i];
+    reflector_[k][k] = head + sign * size;
+    strength_[k] = reciprocal(size * (size + absolute(head)), is_row_[k]);
+    for (int j = k + 1; j < l; ++j) turn(k, r_[j]);
+    r_[k][k] = Math<S>::select(Math<S>::less(S(0), is_row_[k]), -sign * size, head);
+    inverse_[k] = reciprocal(r_[k][k], is_row_[k]);
+  }
+
+  GAUSS_FUNCTION void apply(int k, S (&x)[n]) const {
+    const S along = strength_[k] * inner(reflector_[k], x);
+    for (int i = k; i < n; ++i) x[i] = x[i] - along * reflector_[k][i];
+  }
+
+  GAUSS_FUNCTION void turn(int k, S (&x)[n]) const {
+    for (int i = k + 1; i < n; ++i) swap_where<S>(moved_[k][i], x[k], x[i]);
+    apply(k, x);
+  }
+
+  /// Q^T x
+  GAUSS_FUNCTION void to_parts(S (&x)[n]) const {
+    for (int k = 0; k < most; ++k) turn(k, x);
+  }
+
+  /// Q x
+  GAUSS_FUNCTION void from_parts(S (&x)[n]) const {
+    for (int k = most - 1; k >= 0; --k) {
+      apply(k, x);
+      for (int i = n - 1; i > k; --i) swap_where<S>(moved_[k][i], x[k], x[i]);
+    }
+  }
+
+  /// Q^T g Q, and its factors over what the rows leave free.
+  GAUSS_FUNCTION void reduce_metric() {
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) parts_[i][j] = g_[i][j];
+    }
+    for (int side = 0; side < 2; ++side) {
+      for (int i = 0; i < n; ++i) to_parts(parts_[i]);
+      transpose();
+    }
+    S is_free[n];
+    for (int i = 0; i < n; ++i) is_free[i] = S(1) - is_row_[i];
+    free_.factorise(parts_, is_free, S(8 * n) * Math<S>::epsilon());
+  }
+
+  GAUSS_FUNCTION void transpose() {
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < i; ++j) {
+        const S above = parts_[j][i];
+        parts_[j][i] = parts_[i][j];
+        parts_[i][j] = above;
+      }
+    }
+  }
+
+  /// For each row without an own part, what of the others does the same: null vectors of b^T.
+  GAUSS_FUNCTION void find_shared() {
+    S counts[l];
+    for (int j = 0; j < l; ++j) {
+      const S is_left = S(1) - row_part(j);
+      counts[j] = is_left;
+      for (int k = 0; k < l; ++k) null_[j][k] = S(k == j ? 1 : 0) * is_left;
+      for (int k = (j < most ? j : most) - 1; k >= 0; --k) {
+        S sum = r_[j][k];
+        for (int m = k + 1; m < most; ++m) sum = sum + r_[m][k] * row_part(m) * (m == j ? S(0) : null_[j][m]);
+        null_[j][k] = Math<S>::select(Math<S>::less(S(0), is_left * row_part(k)), -sum * inverse_[k], null_[j][k]);
+      }
+    }
+    S gram[l][l];
+    for (int i = 0; i < l; ++i) {
+      for (int j = 0; j < l; ++j) gram[i][j] = inner(null_[i], null_[j]);
+    }
+    shares_.factorise(gram, counts, S(0));
+  }
+
+  GAUSS_FUNCTION S row_part(int k) const { return k < most ? is_row_[k < n ? k : 0] : S(0); }
+
+  GAUSS_FUNCTION void residual(const S (&a)[n], const S (&lambda)[l], S (&of_f)[n], S (&of_c)[l]) const {
+    for (int i = 0; i < n; ++i) {
+      of_f[i] = f_[i];
+      for (int j = 0; j < n; ++j) of_f[i] = of_f[i] - g_[i][j] * a[j];
+      for (int mu = 0; mu < l; ++mu) of_f[i] = of_f[i] + b_[mu][i] * lambda[mu];
+    }
+    for (int mu = 0; mu < l; ++mu) of_c[mu] = c_[mu] - inner(b_[mu], a);
+  }
+
+  /// Adds to a and lambda what f and c ask for; returns by how much rows contradict each other, of what they ask for.
+  GAUSS_FUNCTION S add(S (&f)[n], S (&c)[l], S (&a)[n], S (&lambda)[l]) const {
+    arrange(c);
+    S y[n], x[n];
+    const S contradiction = along_rows(c, y);
+    to_parts(f);
+    for (int i = 0; i < n; ++i) {
+      x[i] = f[i];
+      for (int k = 0; k < most; ++k) x[i] = x[i] - parts_[i][k] * y[k];
+      x[i] = x[i] * (S(1) - is_row_[i]);
+    }
+    free_.solve(x);
+    for (int i = 0; i < n; ++i) y[i] = Math<S>::select(Math<S>::less(S(0), is_row_[i]), y[i], x[i]);
+    S change[l];
+    forces(f, y, change);
+    arrange_back(change);
+    from_parts(y);
+    for (int i = 0; i < n; ++i) a[i] = a[i] + y[i];
+    for (int mu = 0; mu < l; ++mu) lambda[mu] = lambda[mu] + change[mu];
+    return contradiction;
+  }
+
+  /// R^T y = c
+  GAUSS_FUNCTION S along_rows(const S (&c)[l], S (&y)[n]) const {
+    for (int i = 0; i < n; ++i) y[i] = S(0);
+    S contradiction = S(0), noise = S(0);
+    for (int k = 0; k < l; ++k) noise = larger(noise, absolute(c[k]));
+    for (int i = 0; i < n; ++i) noise = larger(noise, absolute(f_[i]));
+    noise = noise * Math<S>::sqrt(Math<S>::epsilon());
+    for (int k = 0; k < l; ++k) {
+      S rest = c[k], size = absolute(c[k]);
+      for (int j = 0; j < (k < most ? k : most); ++j) {
+        const S term = r_[k][j] * y[j] * is_row_[j];
+        rest = rest - term;
+        size = size + absolute(term);
+      }
+      if (k < most) y[k] = rest * inverse_[k];
+      const S is_left = (S(1) - row_part(k)) * positive<S>(absolute(rest) - noise);
+      contradiction = larger(contradiction, is_left * absolute(rest) * reciprocal(size, is_left));
+    }
+    return contradiction;
+  }
+
+  /// R lambda = (Q^T (g a - f)) along the rows, of least norm.
+  GAUSS_FUNCTION void forces(const S (&f)[n], const S (&y)[n], S (&lambda)[l]) const {
+    for (int k = 0; k < l; ++k) lambda[k] = S(0);
+    for (int k = most - 1; k >= 0; --k) {
+      S rest = inner(parts_[k], y) - f[k];
+      for (int j = k + 1; j < most; ++j) rest = rest - r_[j][k] * lambda[j];
+      lambda[k] = rest * inverse_[k];
+    }
+    S share[l];
+    for (int j = 0; j < l; ++j) share[j] = -inner(null_[j], lambda);
+    shares_.solve(share);
+    for (int j = 0; j < l; ++j) {
+      const S part = share[j] * (S(1) - row_part(j));
+      for (int k = 0; k < l; ++k) lambda[k] = lambda[k] + part * null_[j][k];
+    }
+  }
+
+  /// As the rows were brought into their order.
+  GAUSS_FUNCTION void arrange(S (&values)[l]) const {
+    for (int k = 0; k < most; ++k) {
+      for (int j = k + 1; j < l; ++j) swap_where<S>(swapped_[k][j], values[k], values[j]);
+    }
+  }
+
+  GAUSS_FUNCTION void arrange_back(S (&values)[l]) const {
+    for (int k = most - 1; k >= 0; --k) {
+      for (int j = l - 1; j > k; --j) swap_where<S>(swapped_[k][j], values[k], values[j]);
+    }
+  }
+
+  GAUSS_FUNCTION void finish(const S (&a)[n], const S (&lambda)[l], const S& contradiction,
+                             LinearSolution<S, n, l>& solution) const {
+    for (int i = 0; i < n; ++i) solution.accelerations[i] = speed_scale_[i] * a[i];
+    for (int k = 0; k < l; ++k) {
+      S shared = S(0);
+      for (int j = 0; j < l; ++j) shared = larger(shared, absolute(null_[j][k]));
+      solution.is_shared[k] = positive<S>(shared * shared - Math<S>::epsilon());
+    }
+    arrange_back(solution.is_shared);
+    for (int mu = 0; mu < l; ++mu) solution.multipliers[mu] = row_scale_[mu] * lambda[mu];
+    solution.rank = rank_;
+    const Bool never = Math<S>::less(S(0), S(0));
+    // What is not a number tells nothing of ranks, and whoever fills the system says so.
+    const S is_unknown = unknown();
+    const Bool undetermined = Math<S>::less(free_.is_determined - has_lost_entries_ + is_unknown, S(1));
+    const Bool lost = Math<S>::less(is_full_ + is_unknown, S(1));
+    const Bool not_unique = Math<S>::less(rank_ + S(l) * is_unknown, S(l));
+    // Beside the equations of positions, as in the stages of a step, their derivatives need not agree.
+    const S allowed = is_agreement_known_ ? S(2) : Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
+    const Bool contradictory = Math<S>::less(allowed, contradiction);
+    solution.motion = Math<S>::status(undetermined, lost, never, contradictory);
+    solution.step = Math<S>::status(undetermined, lost, never);
+    solution.reactions = Math<S>::status(undetermined, not_unique, never, contradictory);
+  }
+
+  GAUSS_FUNCTION S unknown() const {
+    S sum = S(0);
+    for (int i = 0; i < n; ++i) sum = sum + f_[i] + inner(g_[i], g_[i]);
+    for (int mu = 0; mu < l; ++mu) sum = sum + c_[mu] + inner(b_[mu], b_[mu]);
+    return indicator<S>(Math<S>::not_finite(sum));
+  }
+
+  S g_[n][n], f_[n], b_[l][n], c_[l];  ///< scaled
+  S speed_scale_[n], row_scale_[l];
+  S r_[l][n];  ///< R^T: row k has its entries above the diagonal, and r_[k][k]
+  S reflector_[most][n], strength_[most], inverse_[most];
+  S is_row_[n];  ///< 1: this part of the speeds is what a row says; 0: it is free
+  S rank_, is_full_, has_lost_entries_;
+  bool is_agreement_known_;
+  Bool swapped_[most][l];  ///< rows, and speeds:
+  Bool moved_[most][n];
+  S parts_[n][n];  ///< Q^T g Q
+  MaskedLdl<S, n> free_;
+  S null_[l][l];
+  MaskedLdl<S, l> shares_;
+};
+
+/// Whether any lane has a status other than ok.
+template <class S>
+GAUSS_FUNCTION bool is_lost(const StatusOf<S>& status) {
+  if constexpr (std::is_enum_v<StatusOf<S>>) {
+    return status != StatusOf<S>::ok;
+  } else {
+    return status.any();
+  }
+}
+
+/// In these lanes, the values of `from`; both are structs of nothing but S.
+template <class S, class Values>
+GAUSS_FUNCTION void take_lost(const StatusOf<S>& status, const Values& from, Values& to) {
+  if constexpr (std::is_enum_v<StatusOf<S>>) {
+    to = from;
+  } else {
+    static_assert(sizeof(Values) % sizeof(S) == 0, "a struct of nothing but S is expected");
+    const S* source = reinterpret_cast<const S*>(&from);
+    S* target = reinterpret_cast<S*>(&to);
+    for (unsigned i = 0; i < sizeof(Values) / sizeof(S); ++i)
+      target[i] = Math<S>::select(status.bad(), source[i], target[i]);
+  }
+}
+
+/// What they have to say now.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> status_of_lost(const StatusOf<S>& before, const StatusOf<S>& now) {
+  if constexpr (std::is_enum_v<StatusOf<S>>) {
+    return now;
+  } else {
+    return now.within(before.bad());
+  }
+}
+
+}  // namespace detail
+
+/// The sine of an angle below which a row counts as one that follows from others: of accelerations, half of the digits and four bits.
+template <class S>
+GAUSS_FUNCTION S default_rank_tolerance() {
+  return Math<S>::sqrt(Math<S>::epsilon()) / S(16);
+}
+
+/// Of steps of Newton's method: rounding of a residual, divided by this sine, is less than the sine. So a step stays on its side of a
+/// position at which rows depend on each other.
+template <class S>
+GAUSS_FUNCTION S rank_tolerance_of_steps() {
+  return S(4) * Math<S>::sqrt(Math<S>::epsilon());
+}
+
+/// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, reach[l][n], not less than
+/// its entries in any configuration, and drift[l].
+/// `is_agreement_known`: whether rows contradict each other is not asked, since positions tell it.
+template <class System, class S, int n, int l>
+GAUSS_PART void solve(const System& system, int most_rank, const S& tolerance, bool is_agreement_known,
+                      LinearSolution<S, n, l>& solution) noexcept {
+  detail::Constrained<S, n, l>(system, most_rank, tolerance, is_agreement_known).solve(solution);
+}
+
+}  // namespace gauss
+
+#endif  // GAUSS_CONSTRAINED_HPP
+
 namespace gauss::sphere_in_cylinder {
 
 inline constexpr int n_q = 5;  ///< coordinates
@@ -315,39 +870,43 @@ struct Inputs {};
 /// Parameters as the functions read them, and what follows from them alone; made by prepare().
 template <class S>
 struct Prepared {
-  S m;               ///< mass of the ball
-  S r;               ///< radius of the ball
-  S R;               ///< radius of the cylinder
-  S psi_0;           ///< precession at t = 0
-  S theta_0;         ///< nutation at t = 0
-  S phi_0;           ///< spin at t = 0
-  S zeta_dot_0;      ///< rate of climb at t = 0
-  S omega_r_0;       ///< angular velocity about the line to the contact at t = 0
-  S J;               ///< moment of inertia of the ball about a diameter
-  S m_r_2;           ///< m * r^2
-  S m_2_r_4;         ///< m^2 * r^4
-  S m_g;             ///< m * g
+  S m;                   ///< mass of the ball
+  S r;                   ///< radius of the ball
+  S R;                   ///< radius of the cylinder
+  S psi_0;               ///< precession at t = 0
+  S theta_0;             ///< nutation at t = 0
+  S phi_0;               ///< spin at t = 0
+  S zeta_dot_0;          ///< rate of climb at t = 0
+  S omega_r_0;           ///< angular velocity about the line to the contact at t = 0
+  S J;                   ///< moment of inertia of the ball about a diameter
+  S G_chi_chi;           ///< m * (R - r)^2
+  S Q_zeta;              ///< -m * g
+  S rho;                 ///< R - r
+  S abs_rho;             ///< abs(R - r)
+  S abs_r;               ///< abs(r)
+  S m_r_2;               ///< m * r^2
+  S m_2_r_4;             ///< m^2 * r^4
+  S m_g;                 ///< m * g
   S c1;
-  S G_chi_chi;       ///< m * (R - r)^2
   S least_pivot;
-  S m_rho;           ///< m * (R - r)
-  S rounding_J;      ///< 24 * epsilon * J
+  S m_rho;               ///< m * (R - r)
+  S rounding_J;          ///< 24 * epsilon * J
   S least_G_pivot;
-  S rho_2;           ///< (R - r)^2
-  S half_m;          ///< 0.5 * m
-  S half_J;          ///< 0.5 * J
-  S rho;             ///< R - r
-  S half_inv_m;      ///< 0.5 / m
-  S half_inv_J;      ///< 0.5 / J
-  S r_minus_R;       ///< r - R
-  S c2;              ///< 1 / (m * (1 / m + r^2 / J))
-  S c3;              ///< r / (J * (1 / m + r^2 / J))
-  S c4;              ///< r^2 / (J * (1 / m + r^2 / J))
-  S c5;              ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
-  S rounding_J_2;    ///< 20 * epsilon * J
-  S c6;              ///< select(not_finite(1 / m + r^2 / J), 0, 1 / m + r^2 / J)
-  S r_2;             ///< r^2
-  S r_2_plus_rho_2;  ///< r^2 + (R - r)^2
+  S r_minus_R_over_rho;  ///< (r - R) / (R - r)
+  S rho_2;               ///< (R - r)^2
+  S half_m;              ///< 0.5 * m
+  S half_J;              ///< 0.5 * J
+  S half_inv_m;          ///< 0.5 / m
+  S half_inv_J;          ///< 0.5 / J
+  S r_minus_R;           ///< r - R
+  S c2;                  ///< 1 / (m * (1 / m + r^2 / J))
+  S c3;                  ///< r / (J * (1 / m + r^2 / J))
+  S c4;                  ///< r^2 / (J * (1 / m + r^2 / J))
+  S c5;                  ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
+  S rounding_J_2;        ///< 20 * epsilon * J
+  S c6;                  ///< select(not_finite(1 / m + r^2 / J), 0, 1 / m + r^2 / J)
+  S r_2;                 ///< r^2
+  S r_2_plus_rho_2;      ///< r^2 + (R - r)^2
   S c7;
 };
 
@@ -403,6 +962,15 @@ struct Derivative {
   GAUSS_FUNCTION const S& phi_ddot() const noexcept { return values[7]; }
   GAUSS_FUNCTION const S& psi_ddot() const noexcept { return values[8]; }
   GAUSS_FUNCTION const S& theta_ddot() const noexcept { return values[9]; }
+};
+
+template <class S>
+struct LinearSystem {
+  S g[5][5];      ///< the metric of the free speeds (1.10)
+  S f[5];         ///< forces, less what inertia takes at constant speeds
+  S b[2][5];      ///< dphi/du of each constraint
+  S reach[2][5];  ///< not less than dphi/du in any configuration
+  S drift[2];     ///< dphi/dt of each at constant speeds; of a step, what is left of it
 };
 
 template <class S>
@@ -486,10 +1054,13 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S J = S(2) / S(5) * m * r * r;
 
   // Shared terms
-  const S r_2 = r * r;
   const S rho = R - r;
   const S rho_2 = rho * rho;
   const S G_chi_chi = m * rho_2;
+  const S m_g = m * g;
+  const S abs_rho = Math<S>::select(Math<S>::less(rho, S(0)), -rho, rho);
+  const S abs_r = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
+  const S r_2 = r * r;
   const S inv_r_2 = S(1) / r_2;
   const S M_chi_chi = G_chi_chi + inv_r_2 * J * rho_2;
   const S abs_J = Math<S>::select(Math<S>::less(J, S(0)), -J, J);
@@ -505,6 +1076,8 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S t4 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
   const S least_G_pivot = Math<S>::select(Math<S>::not_finite(m, J, G_chi_chi), S(0),
       Math<S>::select(Math<S>::less(J, t4), J, t4));
+  const S inv_rho = S(1) / rho;
+  const S r_minus_R = r - R;
   const S inv_m = S(1) / m;
   const S inv_J = S(1) / J;
   const S S_rolling_around = inv_m + r_2 * inv_J;
@@ -523,26 +1096,30 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.zeta_dot_0 = zeta_dot_0;
   prepared.omega_r_0 = omega_r_0;
   prepared.J = J;
+  prepared.G_chi_chi = G_chi_chi;
+  prepared.Q_zeta = -m_g;
+  prepared.rho = rho;
+  prepared.abs_rho = abs_rho;
+  prepared.abs_r = abs_r;
   prepared.m_r_2 = m * r_2;
   prepared.m_2_r_4 = m * m * r_2 * r_2;
-  prepared.m_g = m * g;
+  prepared.m_g = m_g;
   prepared.c1 = Math<S>::select(Math<S>::not_finite(M_chi_chi, abs_J + r_2 * abs_m), S(0), M_chi_chi);
-  prepared.G_chi_chi = G_chi_chi;
   prepared.least_pivot = least_pivot;
   prepared.m_rho = m * rho;
   prepared.rounding_J = S(24) * rounding_J_3;
   prepared.least_G_pivot = least_G_pivot;
+  prepared.r_minus_R_over_rho = inv_rho * r_minus_R;
   prepared.rho_2 = rho_2;
   prepared.half_m = S(0.5) * m;
   prepared.half_J = S(0.5) * J;
-  prepared.rho = rho;
   prepared.half_inv_m = S(0.5) * inv_m;
   prepared.half_inv_J = S(0.5) * inv_J;
-  prepared.r_minus_R = r - R;
+  prepared.r_minus_R = r_minus_R;
   prepared.c2 = inv_m * inv_S_rolling_around;
   prepared.c3 = r * inv_J * inv_S_rolling_around;
   prepared.c4 = r_2 * inv_J * inv_S_rolling_around;
-  prepared.c5 = inv_m * inv_S_rolling_around / rho;
+  prepared.c5 = inv_m * inv_rho * inv_S_rolling_around;
   prepared.rounding_J_2 = S(20) * rounding_J_3;
   prepared.c6 = Math<S>::select(Math<S>::not_finite(S_rolling_around), S(0), S_rolling_around);
   prepared.r_2 = r_2;
@@ -552,10 +1129,124 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   return prepared;
 }
 
-/// Time derivative of the state: rates of the configuration, then accelerations (3.7).
+/// What Gauss's principle leaves to be solved: g a = f + b^T lambda, b a + drift = 0.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
-                               const Prepared<S>& prepared, Derivative<S>& derivative) noexcept {
+GAUSS_FUNCTION StatusOf<S> linear_system(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
+                                         const Prepared<S>& prepared,
+                                         LinearSystem<S>& linear_system) noexcept {
+  using Bool = typename Math<S>::Bool;
+  const S& m = prepared.m;
+  const S& r = prepared.r;
+  const S& J = prepared.J;
+  const S& G_chi_chi = prepared.G_chi_chi;
+  const S& Q_zeta = prepared.Q_zeta;
+  const S& rho = prepared.rho;
+  const S& abs_rho = prepared.abs_rho;
+  const S& abs_r = prepared.abs_r;
+  const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& phi = state.phi();
+  const S& psi = state.psi();
+  const S& theta = state.theta();
+  const S& chi_dot = state.chi_dot();
+  const S& zeta_dot = state.zeta_dot();
+  const S& phi_dot = state.phi_dot();
+  const S& psi_dot = state.psi_dot();
+  const S& theta_dot = state.theta_dot();
+
+  // Sines and cosines
+  S sin_theta, cos_theta;
+  S sin_chi_minus_psi, cos_chi_minus_psi;
+  Angles<S>::sincos(theta, sin_theta, cos_theta, chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
+
+  // metric g_ab (1.10); held coordinates enter only through f
+  const S G_phi_psi = J * cos_theta;
+
+  // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
+  const S J_psi_dot = J * psi_dot;
+  const S f_phi = theta_dot * J_psi_dot * sin_theta;
+  const S phi_dot_sin_theta = phi_dot * sin_theta;
+  const S f_psi = J * theta_dot * phi_dot_sin_theta;
+  const S bias_theta = J_psi_dot * phi_dot_sin_theta;
+
+  // rolling_around, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 37
+  const S beta_rolling_around_phi = r * cos_theta;
+
+  // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
+  const S beta_rolling_along_phi = r * sin_theta * cos_chi_minus_psi;
+  const S beta_rolling_along_theta = r * sin_chi_minus_psi;
+  const S r_theta_dot = r * theta_dot;
+  const S t1 = r_theta_dot * cos_chi_minus_psi;
+  const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
+  const S drift_rolling_along = phi_dot * cos_theta * t1
+      - chi_dot_minus_psi_dot * phi_dot_sin_theta * beta_rolling_along_theta + t1 * chi_dot_minus_psi_dot;
+
+  // Results
+  const S t2 = r_theta_dot * phi_dot_sin_theta;
+
+  linear_system.g[0][0] = G_chi_chi;
+  linear_system.g[0][1] = S(0);
+  linear_system.g[0][2] = S(0);
+  linear_system.g[0][3] = S(0);
+  linear_system.g[0][4] = S(0);
+  linear_system.g[1][0] = S(0);
+  linear_system.g[1][1] = m;
+  linear_system.g[1][2] = S(0);
+  linear_system.g[1][3] = S(0);
+  linear_system.g[1][4] = S(0);
+  linear_system.g[2][0] = S(0);
+  linear_system.g[2][1] = S(0);
+  linear_system.g[2][2] = J;
+  linear_system.g[2][3] = G_phi_psi;
+  linear_system.g[2][4] = S(0);
+  linear_system.g[3][0] = S(0);
+  linear_system.g[3][1] = S(0);
+  linear_system.g[3][2] = G_phi_psi;
+  linear_system.g[3][3] = J;
+  linear_system.g[3][4] = S(0);
+  linear_system.g[4][0] = S(0);
+  linear_system.g[4][1] = S(0);
+  linear_system.g[4][2] = S(0);
+  linear_system.g[4][3] = S(0);
+  linear_system.g[4][4] = J;
+  linear_system.f[0] = S(0);
+  linear_system.f[1] = Q_zeta;
+  linear_system.f[2] = f_phi;
+  linear_system.f[3] = f_psi;
+  linear_system.f[4] = -bias_theta;
+  linear_system.b[0][0] = rho;
+  linear_system.b[0][1] = S(0);
+  linear_system.b[0][2] = beta_rolling_around_phi;
+  linear_system.b[0][3] = r;
+  linear_system.b[0][4] = S(0);
+  linear_system.b[1][0] = S(0);
+  linear_system.b[1][1] = S(1);
+  linear_system.b[1][2] = beta_rolling_along_phi;
+  linear_system.b[1][3] = S(0);
+  linear_system.b[1][4] = beta_rolling_along_theta;
+  linear_system.reach[0][0] = abs_rho;
+  linear_system.reach[0][1] = S(0);
+  linear_system.reach[0][2] = abs_r;
+  linear_system.reach[0][3] = abs_r;
+  linear_system.reach[0][4] = S(0);
+  linear_system.reach[1][0] = S(0);
+  linear_system.reach[1][1] = S(1);
+  linear_system.reach[1][2] = abs_r;
+  linear_system.reach[1][3] = S(0);
+  linear_system.reach[1][4] = abs_r;
+  linear_system.drift[0] = -t2;
+  linear_system.drift[1] = drift_rolling_along;
+
+  const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, G_chi_chi, m, G_phi_psi, Q_zeta, f_phi,
+      f_psi, bias_theta, rho, beta_rolling_around_phi, beta_rolling_along_phi, abs_rho, abs_r, t2,
+      drift_rolling_along);
+  return Math<S>::status(Bool(false), Bool(false), not_finite);
+}
+
+/// Of rhs: as it is done where constraints are independent.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> rhs_regular(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
+                                       const Prepared<S>& prepared, Derivative<S>& derivative) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
   const S& r = prepared.r;
@@ -643,10 +1334,78 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
-/// Reaction of every constraint: multipliers (3.4) and generalized reactions (3.8).
+/// Of rhs: from a solution of the linear system.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
-                                     const Prepared<S>& prepared, Reactions<S>& reactions) noexcept {
+GAUSS_FUNCTION StatusOf<S> rhs_of_solution(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
+                                           const Prepared<S>& /*prepared*/,
+                                           const LinearSolution<S, n_v, n_constraints>& solved,
+                                           Derivative<S>& derivative) noexcept {
+  using Bool = typename Math<S>::Bool;
+  const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& phi = state.phi();
+  const S& psi = state.psi();
+  const S& theta = state.theta();
+  const S& chi_dot = state.chi_dot();
+  const S& zeta_dot = state.zeta_dot();
+  const S& phi_dot = state.phi_dot();
+  const S& psi_dot = state.psi_dot();
+  const S& theta_dot = state.theta_dot();
+  const S& chi_ddot = solved.accelerations[0];
+  const S& zeta_ddot = solved.accelerations[1];
+  const S& phi_ddot = solved.accelerations[2];
+  const S& psi_ddot = solved.accelerations[3];
+  const S& theta_ddot = solved.accelerations[4];
+  const S& lambda_rolling_around = solved.multipliers[0];
+  const S& lambda_rolling_along = solved.multipliers[1];
+
+  derivative.chi_dot() = chi_dot;
+  derivative.zeta_dot() = zeta_dot;
+  derivative.phi_dot() = phi_dot;
+  derivative.psi_dot() = psi_dot;
+  derivative.theta_dot() = theta_dot;
+  derivative.chi_ddot() = chi_ddot;
+  derivative.zeta_ddot() = zeta_ddot;
+  derivative.phi_ddot() = phi_ddot;
+  derivative.psi_ddot() = psi_ddot;
+  derivative.theta_ddot() = theta_ddot;
+
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, chi_dot, zeta_dot, phi_dot,
+      psi_dot, theta_dot, chi_ddot, zeta_ddot, phi_ddot, psi_ddot, theta_ddot, lambda_rolling_around,
+      lambda_rolling_along);
+  return Math<S>::status(Bool(false), Bool(false), not_finite);
+}
+
+/// Of rhs: where constraints (nearly) follow from each other, or inertia is beyond all digits small. g a = f + b^T lambda
+/// and b a + drift = 0 are solved whatever their rank.
+template <class S>
+GAUSS_PART StatusOf<S> rhs_general(const S& t, const State<S>& state, const Inputs<S>& inputs,
+                                   const Prepared<S>& prepared, const StatusOf<S>& regular,
+                                   Derivative<S>& derivative) noexcept {
+  Derivative<S> own_derivative;
+  LinearSystem<S> system;
+  StatusOf<S> status = linear_system(t, state, inputs, prepared, system);
+  LinearSolution<S, n_v, n_constraints> solved;
+  solve(system, 2, default_rank_tolerance<S>(), false, solved);
+  status = Math<S>::worse(status, solved.motion);
+  status = Math<S>::worse(status, rhs_of_solution(t, state, inputs, prepared, solved, own_derivative));
+  detail::take_lost<S>(regular, own_derivative, derivative);
+  return detail::status_of_lost<S>(regular, status);
+}
+
+/// Time derivative of the state: rates of the configuration, then accelerations (3.7).
+template <class S>
+GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S>& inputs,
+                               const Prepared<S>& prepared, Derivative<S>& derivative) noexcept {
+  const StatusOf<S> regular = rhs_regular(t, state, inputs, prepared, derivative);
+  if (detail::is_lost<S>(regular)) return rhs_general(t, state, inputs, prepared, regular, derivative);
+  return regular;
+}
+
+/// Of reactions: as it is done where constraints are independent.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> reactions_regular(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
+                                             const Prepared<S>& prepared, Reactions<S>& reactions) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
   const S& r = prepared.r;
@@ -742,11 +1501,100 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
-/// Both at once, over one set of shared values.
+/// Of reactions: from a solution of the linear system.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
-                                             const Prepared<S>& prepared, Derivative<S>& derivative,
-                                             Reactions<S>& reactions) noexcept {
+GAUSS_FUNCTION StatusOf<S> reactions_of_solution(const S& t, const State<S>& state,
+                                                 const Inputs<S>& /*inputs*/, const Prepared<S>& prepared,
+                                                 const LinearSolution<S, n_v, n_constraints>& solved,
+                                                 Reactions<S>& reactions) noexcept {
+  using Bool = typename Math<S>::Bool;
+  const S& r = prepared.r;
+  const S& rho = prepared.rho;
+  const S& m_rho = prepared.m_rho;
+  const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& phi = state.phi();
+  const S& psi = state.psi();
+  const S& theta = state.theta();
+  const S& chi_dot = state.chi_dot();
+  const S& zeta_dot = state.zeta_dot();
+  const S& phi_dot = state.phi_dot();
+  const S& psi_dot = state.psi_dot();
+  const S& theta_dot = state.theta_dot();
+  const S& chi_ddot = solved.accelerations[0];
+  const S& zeta_ddot = solved.accelerations[1];
+  const S& phi_ddot = solved.accelerations[2];
+  const S& psi_ddot = solved.accelerations[3];
+  const S& theta_ddot = solved.accelerations[4];
+  const S& lambda_rolling_around = solved.multipliers[0];
+  const S& lambda_rolling_along = solved.multipliers[1];
+
+  // Sines and cosines
+  S sin_theta, cos_theta;
+  S sin_chi_minus_psi, cos_chi_minus_psi;
+  Angles<S>::sincos(theta, sin_theta, cos_theta, chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
+
+  // Results
+  const S rolling_around_generalized_0 = rho * lambda_rolling_around;
+  const S moment_rolling_around_ball_z = r * lambda_rolling_around;
+  const S rolling_around_generalized_2 = moment_rolling_around_ball_z * cos_theta;
+  const S r_lambda_rolling_along = r * lambda_rolling_along;
+  const S rolling_along_generalized_2 = r_lambda_rolling_along * sin_theta * cos_chi_minus_psi;
+  const S rolling_along_generalized_4 = r_lambda_rolling_along * sin_chi_minus_psi;
+  const S t1 = m_rho * chi_dot * chi_dot;
+
+  reactions.rolling_around.multiplier = lambda_rolling_around;
+  reactions.rolling_around.generalized[0] = rolling_around_generalized_0;
+  reactions.rolling_around.generalized[1] = S(0);
+  reactions.rolling_around.generalized[2] = rolling_around_generalized_2;
+  reactions.rolling_around.generalized[3] = moment_rolling_around_ball_z;
+  reactions.rolling_around.generalized[4] = S(0);
+  reactions.rolling_along.multiplier = lambda_rolling_along;
+  reactions.rolling_along.generalized[0] = S(0);
+  reactions.rolling_along.generalized[1] = lambda_rolling_along;
+  reactions.rolling_along.generalized[2] = rolling_along_generalized_2;
+  reactions.rolling_along.generalized[3] = S(0);
+  reactions.rolling_along.generalized[4] = rolling_along_generalized_4;
+  reactions.rho.generalized = -t1;
+
+  const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, phi_dot, psi_dot, theta_dot, chi_ddot,
+      zeta_ddot, phi_ddot, psi_ddot, theta_ddot, rolling_around_generalized_0, rolling_around_generalized_2,
+      rolling_along_generalized_2, rolling_along_generalized_4, t1);
+  return Math<S>::status(Bool(false), Bool(false), not_finite);
+}
+
+/// Of reactions: where constraints (nearly) follow from each other, or inertia is beyond all digits small. g a = f + b^T lambda
+/// and b a + drift = 0 are solved whatever their rank.
+template <class S>
+GAUSS_PART StatusOf<S> reactions_general(const S& t, const State<S>& state, const Inputs<S>& inputs,
+                                         const Prepared<S>& prepared, const StatusOf<S>& regular,
+                                         Reactions<S>& reactions) noexcept {
+  Reactions<S> own_reactions;
+  LinearSystem<S> system;
+  StatusOf<S> status = linear_system(t, state, inputs, prepared, system);
+  LinearSolution<S, n_v, n_constraints> solved;
+  solve(system, 2, default_rank_tolerance<S>(), false, solved);
+  status = Math<S>::worse(status, solved.reactions);
+  status = Math<S>::worse(status, reactions_of_solution(t, state, inputs, prepared, solved, own_reactions));
+  detail::take_lost<S>(regular, own_reactions, reactions);
+  return detail::status_of_lost<S>(regular, status);
+}
+
+/// Reaction of every constraint: multipliers (3.4) and generalized reactions (3.8).
+template <class S>
+GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const Inputs<S>& inputs,
+                                     const Prepared<S>& prepared, Reactions<S>& reactions) noexcept {
+  const StatusOf<S> regular = reactions_regular(t, state, inputs, prepared, reactions);
+  if (detail::is_lost<S>(regular)) return reactions_general(t, state, inputs, prepared, regular, reactions);
+  return regular;
+}
+
+/// Of rhs_and_reactions: as it is done where constraints are independent.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> rhs_and_reactions_regular(const S& t, const State<S>& state,
+                                                     const Inputs<S>& /*inputs*/,
+                                                     const Prepared<S>& prepared, Derivative<S>& derivative,
+                                                     Reactions<S>& reactions) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
   const S& r = prepared.r;
@@ -857,13 +1705,117 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
-/// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the point
-/// that the moment beside it names, or on the particle. on_<body> is the sum over all constraints, by
-/// Newton and Euler.
+/// Of rhs_and_reactions: from a solution of the linear system.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, const Inputs<S>& /*inputs*/,
-                                           const Prepared<S>& prepared,
-                                           ReactionForces<S>& reaction_forces) noexcept {
+GAUSS_FUNCTION StatusOf<S> rhs_and_reactions_of_solution(const S& t, const State<S>& state,
+                                                       const Inputs<S>& /*inputs*/,
+                                                       const Prepared<S>& prepared,
+                                                       const LinearSolution<S, n_v, n_constraints>& solved,
+                                                       Derivative<S>& derivative,
+                                                       Reactions<S>& reactions) noexcept {
+  using Bool = typename Math<S>::Bool;
+  const S& r = prepared.r;
+  const S& rho = prepared.rho;
+  const S& m_rho = prepared.m_rho;
+  const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& phi = state.phi();
+  const S& psi = state.psi();
+  const S& theta = state.theta();
+  const S& chi_dot = state.chi_dot();
+  const S& zeta_dot = state.zeta_dot();
+  const S& phi_dot = state.phi_dot();
+  const S& psi_dot = state.psi_dot();
+  const S& theta_dot = state.theta_dot();
+  const S& chi_ddot = solved.accelerations[0];
+  const S& zeta_ddot = solved.accelerations[1];
+  const S& phi_ddot = solved.accelerations[2];
+  const S& psi_ddot = solved.accelerations[3];
+  const S& theta_ddot = solved.accelerations[4];
+  const S& lambda_rolling_around = solved.multipliers[0];
+  const S& lambda_rolling_along = solved.multipliers[1];
+
+  // Sines and cosines
+  S sin_theta, cos_theta;
+  S sin_chi_minus_psi, cos_chi_minus_psi;
+  Angles<S>::sincos(theta, sin_theta, cos_theta, chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
+
+  // Results
+  const S rolling_around_generalized_0 = rho * lambda_rolling_around;
+  const S moment_rolling_around_ball_z = r * lambda_rolling_around;
+  const S rolling_around_generalized_2 = moment_rolling_around_ball_z * cos_theta;
+  const S r_lambda_rolling_along = r * lambda_rolling_along;
+  const S rolling_along_generalized_2 = r_lambda_rolling_along * sin_theta * cos_chi_minus_psi;
+  const S rolling_along_generalized_4 = r_lambda_rolling_along * sin_chi_minus_psi;
+  const S t1 = m_rho * chi_dot * chi_dot;
+
+  derivative.chi_dot() = chi_dot;
+  derivative.zeta_dot() = zeta_dot;
+  derivative.phi_dot() = phi_dot;
+  derivative.psi_dot() = psi_dot;
+  derivative.theta_dot() = theta_dot;
+  derivative.chi_ddot() = chi_ddot;
+  derivative.zeta_ddot() = zeta_ddot;
+  derivative.phi_ddot() = phi_ddot;
+  derivative.psi_ddot() = psi_ddot;
+  derivative.theta_ddot() = theta_ddot;
+  reactions.rolling_around.multiplier = lambda_rolling_around;
+  reactions.rolling_around.generalized[0] = rolling_around_generalized_0;
+  reactions.rolling_around.generalized[1] = S(0);
+  reactions.rolling_around.generalized[2] = rolling_around_generalized_2;
+  reactions.rolling_around.generalized[3] = moment_rolling_around_ball_z;
+  reactions.rolling_around.generalized[4] = S(0);
+  reactions.rolling_along.multiplier = lambda_rolling_along;
+  reactions.rolling_along.generalized[0] = S(0);
+  reactions.rolling_along.generalized[1] = lambda_rolling_along;
+  reactions.rolling_along.generalized[2] = rolling_along_generalized_2;
+  reactions.rolling_along.generalized[3] = S(0);
+  reactions.rolling_along.generalized[4] = rolling_along_generalized_4;
+  reactions.rho.generalized = -t1;
+
+  const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, phi_dot, psi_dot, theta_dot, chi_ddot,
+      zeta_ddot, phi_ddot, psi_ddot, theta_ddot, rolling_around_generalized_0, rolling_around_generalized_2,
+      rolling_along_generalized_2, rolling_along_generalized_4, t1);
+  return Math<S>::status(Bool(false), Bool(false), not_finite);
+}
+
+/// Of rhs_and_reactions: where constraints (nearly) follow from each other, or inertia is beyond all digits small. g a = f + b^T lambda
+/// and b a + drift = 0 are solved whatever their rank.
+template <class S>
+GAUSS_PART StatusOf<S> rhs_and_reactions_general(const S& t, const State<S>& state, const Inputs<S>& inputs,
+                                                 const Prepared<S>& prepared, const StatusOf<S>& regular,
+                                                 Derivative<S>& derivative,
+                                                 Reactions<S>& reactions) noexcept {
+  Derivative<S> own_derivative;
+  Reactions<S> own_reactions;
+  LinearSystem<S> system;
+  StatusOf<S> status = linear_system(t, state, inputs, prepared, system);
+  LinearSolution<S, n_v, n_constraints> solved;
+  solve(system, 2, default_rank_tolerance<S>(), false, solved);
+  status = Math<S>::worse(status, solved.reactions);
+  status = Math<S>::worse(status, rhs_and_reactions_of_solution(t, state, inputs, prepared, solved,
+      own_derivative, own_reactions));
+  detail::take_lost<S>(regular, own_derivative, derivative);
+  detail::take_lost<S>(regular, own_reactions, reactions);
+  return detail::status_of_lost<S>(regular, status);
+}
+
+/// Both at once, over one set of shared values.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, const Inputs<S>& inputs,
+                                             const Prepared<S>& prepared, Derivative<S>& derivative,
+                                             Reactions<S>& reactions) noexcept {
+  const StatusOf<S> regular = rhs_and_reactions_regular(t, state, inputs, prepared, derivative, reactions);
+  if (detail::is_lost<S>(regular)) return rhs_and_reactions_general(t, state, inputs, prepared, regular,
+      derivative, reactions);
+  return regular;
+}
+
+/// Of reaction_forces: as it is done where constraints are independent.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> reaction_forces_regular(const S& t, const State<S>& state,
+                                                   const Inputs<S>& /*inputs*/, const Prepared<S>& prepared,
+                                                   ReactionForces<S>& reaction_forces) noexcept {
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
   const S& r = prepared.r;
@@ -995,6 +1947,149 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
+/// Of reaction_forces: from a solution of the linear system.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> reaction_forces_of_solution(const S& t, const State<S>& state,
+                                                       const Inputs<S>& /*inputs*/,
+                                                       const Prepared<S>& prepared,
+                                                       const LinearSolution<S, n_v, n_constraints>& solved,
+                                                       ReactionForces<S>& reaction_forces) noexcept {
+  using Bool = typename Math<S>::Bool;
+  const S& m = prepared.m;
+  const S& r = prepared.r;
+  const S& J = prepared.J;
+  const S& rho = prepared.rho;
+  const S& m_g = prepared.m_g;
+  const S& m_rho = prepared.m_rho;
+  const S& rounding_J = prepared.rounding_J;
+  const S& least_G_pivot = prepared.least_G_pivot;
+  const S& r_minus_R_over_rho = prepared.r_minus_R_over_rho;
+  const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& phi = state.phi();
+  const S& psi = state.psi();
+  const S& theta = state.theta();
+  const S& chi_dot = state.chi_dot();
+  const S& zeta_dot = state.zeta_dot();
+  const S& phi_dot = state.phi_dot();
+  const S& psi_dot = state.psi_dot();
+  const S& theta_dot = state.theta_dot();
+  const S& chi_ddot = solved.accelerations[0];
+  const S& zeta_ddot = solved.accelerations[1];
+  const S& phi_ddot = solved.accelerations[2];
+  const S& psi_ddot = solved.accelerations[3];
+  const S& theta_ddot = solved.accelerations[4];
+  const S& lambda_rolling_around = solved.multipliers[0];
+  const S& lambda_rolling_along = solved.multipliers[1];
+
+  // Sines and cosines
+  S sin_theta, cos_theta;
+  S sin_chi, cos_chi;
+  S sin_psi, cos_psi;
+  Angles<S>::sincos(theta, sin_theta, cos_theta, chi, sin_chi, cos_chi, psi, sin_psi, cos_psi);
+
+  // dependent accelerations: a_m = c_m_p a_p + drift_m, c = -b^-1 b_p (3.6)
+  const S phi_dot_sin_theta = phi_dot * sin_theta;
+  const S c_drift_psi = theta_dot * phi_dot_sin_theta;
+
+  // force and moment of rolling_around: m J z and I W z, times its reaction, model line 37
+  const S t1 = r_minus_R_over_rho * lambda_rolling_around;
+  const S force_rolling_around_ball_x = t1 * sin_chi;
+  const S moment_rolling_around_ball_z = r * lambda_rolling_around;
+
+  // force and moment of rolling_along: m J z and I W z, times its reaction, model line 40
+  const S r_lambda_rolling_along = r * lambda_rolling_along;
+  const S moment_rolling_along_ball_x = r_lambda_rolling_along * sin_chi;
+
+  // all constraint forces on ball: m a - F and d(I omega)/dt - M (theory.md, section 4)
+  const S rho_cos_chi = rho * cos_chi;
+  const S chi_dot_2 = chi_dot * chi_dot;
+  const S rho_sin_chi = rho * sin_chi;
+  const S force_on_ball_y = m * (chi_ddot * rho_cos_chi - chi_dot_2 * rho_sin_chi);
+  const S force_on_ball_z = m_g + m * zeta_ddot;
+  const S psi_dot_sin_psi = psi_dot * sin_psi;
+  const S psi_dot_cos_psi = psi_dot * cos_psi;
+  const S t2 = phi_ddot * sin_theta + phi_dot * theta_dot * cos_theta;
+  const S moment_on_ball_x = J * (theta_ddot * cos_psi - theta_dot * psi_dot_sin_psi
+      + phi_dot_sin_theta * psi_dot_cos_psi + t2 * sin_psi);
+  const S moment_on_ball_y = J * (theta_ddot * sin_psi + theta_dot * psi_dot_cos_psi
+      + phi_dot_sin_theta * psi_dot_sin_psi - t2 * cos_psi);
+  const S moment_on_ball_z = J * (psi_ddot + phi_ddot * cos_theta - c_drift_psi);
+
+  // Results
+  const S t3 = t1 * cos_chi;
+  const S t4 = r_lambda_rolling_along * cos_chi;
+  const S m_rho_chi_dot_2 = m_rho * chi_dot_2;
+  const S m_rho_chi_dot_2_cos_chi = m_rho_chi_dot_2 * cos_chi;
+  const S m_rho_chi_dot_2_sin_chi = m_rho_chi_dot_2 * sin_chi;
+  const S t5 = m * (chi_ddot * rho_sin_chi + chi_dot_2 * rho_cos_chi);
+  const S I_ball_zz = J * sin_theta * sin_theta;
+
+  reaction_forces.rolling_around.force_on_ball[0] = force_rolling_around_ball_x;
+  reaction_forces.rolling_around.force_on_ball[1] = -t3;
+  reaction_forces.rolling_around.force_on_ball[2] = S(0);
+  reaction_forces.rolling_around.moment_on_ball[0] = S(0);
+  reaction_forces.rolling_around.moment_on_ball[1] = S(0);
+  reaction_forces.rolling_around.moment_on_ball[2] = moment_rolling_around_ball_z;
+  reaction_forces.rolling_along.force_on_ball[0] = S(0);
+  reaction_forces.rolling_along.force_on_ball[1] = S(0);
+  reaction_forces.rolling_along.force_on_ball[2] = lambda_rolling_along;
+  reaction_forces.rolling_along.moment_on_ball[0] = moment_rolling_along_ball_x;
+  reaction_forces.rolling_along.moment_on_ball[1] = -t4;
+  reaction_forces.rolling_along.moment_on_ball[2] = S(0);
+  reaction_forces.rho.force_on_ball[0] = -m_rho_chi_dot_2_cos_chi;
+  reaction_forces.rho.force_on_ball[1] = -m_rho_chi_dot_2_sin_chi;
+  reaction_forces.rho.force_on_ball[2] = S(0);
+  reaction_forces.rho.moment_on_ball[0] = S(0);
+  reaction_forces.rho.moment_on_ball[1] = S(0);
+  reaction_forces.rho.moment_on_ball[2] = S(0);
+  reaction_forces.on_ball.force[0] = -t5;
+  reaction_forces.on_ball.force[1] = force_on_ball_y;
+  reaction_forces.on_ball.force[2] = force_on_ball_z;
+  reaction_forces.on_ball.moment[0] = moment_on_ball_x;
+  reaction_forces.on_ball.moment[1] = moment_on_ball_y;
+  reaction_forces.on_ball.moment[2] = moment_on_ball_z;
+
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(I_ball_zz, rounding_J),
+      Math<S>::at_most(least_G_pivot, S(0)));
+  const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, force_rolling_around_ball_x, t3,
+      moment_rolling_around_ball_z, moment_rolling_along_ball_x, t4, m_rho_chi_dot_2_cos_chi,
+      m_rho_chi_dot_2_sin_chi, t5, force_on_ball_y, force_on_ball_z, moment_on_ball_x, moment_on_ball_y,
+      moment_on_ball_z);
+  return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
+}
+
+/// Of reaction_forces: where constraints (nearly) follow from each other, or inertia is beyond all digits small. g a = f + b^T lambda
+/// and b a + drift = 0 are solved whatever their rank.
+template <class S>
+GAUSS_PART StatusOf<S> reaction_forces_general(const S& t, const State<S>& state, const Inputs<S>& inputs,
+                                               const Prepared<S>& prepared, const StatusOf<S>& regular,
+                                               ReactionForces<S>& reaction_forces) noexcept {
+  ReactionForces<S> own_reaction_forces;
+  LinearSystem<S> system;
+  StatusOf<S> status = linear_system(t, state, inputs, prepared, system);
+  LinearSolution<S, n_v, n_constraints> solved;
+  solve(system, 2, default_rank_tolerance<S>(), false, solved);
+  status = Math<S>::worse(status, solved.reactions);
+  status = Math<S>::worse(status, reaction_forces_of_solution(t, state, inputs, prepared, solved,
+      own_reaction_forces));
+  detail::take_lost<S>(regular, own_reaction_forces, reaction_forces);
+  return detail::status_of_lost<S>(regular, status);
+}
+
+/// Forces and moments that constraints exert ON the bodies, in space axes. A force acts at the point
+/// that the moment beside it names, or on the particle. on_<body> is the sum over all constraints, by
+/// Newton and Euler.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, const Inputs<S>& inputs,
+                                           const Prepared<S>& prepared,
+                                           ReactionForces<S>& reaction_forces) noexcept {
+  const StatusOf<S> regular = reaction_forces_regular(t, state, inputs, prepared, reaction_forces);
+  if (detail::is_lost<S>(regular)) return reaction_forces_general(t, state, inputs, prepared, regular,
+      reaction_forces);
+  return regular;
+}
+
 /// Kinetic energy, potential energy of uniform fields, potentials and springs, and their sum.
 template <class S>
 GAUSS_FUNCTION StatusOf<S> energy(const S& t, const State<S>& state, const Prepared<S>& prepared,
@@ -1045,8 +2140,8 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   using Bool = typename Math<S>::Bool;
   const S& m = prepared.m;
   const S& J = prepared.J;
-  const S& m_g = prepared.m_g;
   const S& rho = prepared.rho;
+  const S& m_g = prepared.m_g;
   const S& half_inv_m = prepared.half_inv_m;
   const S& half_inv_J = prepared.half_inv_J;
   const S& chi = state.chi();
@@ -1075,27 +2170,24 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S phi_dot_sin_theta = phi_dot * sin_theta;
   const S c_drift_psi = theta_dot * phi_dot_sin_theta;
 
-  // deviation of ball from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
-  const S rho_cos_chi = rho * cos_chi;
-  const S chi_dot_2 = chi_dot * chi_dot;
+  // Results
   const S rho_sin_chi = rho * sin_chi;
-  const S deviation_ball_y = m * (chi_ddot * rho_cos_chi - chi_dot_2 * rho_sin_chi);
-  const S deviation_ball_z = m_g + m * zeta_ddot;
+  const S chi_dot_2 = chi_dot * chi_dot;
+  const S rho_cos_chi = rho * cos_chi;
+  const S t1 = m * (chi_ddot * rho_sin_chi + chi_dot_2 * rho_cos_chi);
+  const S force_on_ball_y = m * (chi_ddot * rho_cos_chi - chi_dot_2 * rho_sin_chi);
+  const S force_on_ball_z = m_g + m * zeta_ddot;
   const S psi_dot_sin_psi = psi_dot * sin_psi;
   const S psi_dot_cos_psi = psi_dot * cos_psi;
-  const S t1 = phi_ddot * sin_theta + phi_dot * theta_dot * cos_theta;
-  const S torque_ball_x = J * (theta_ddot * cos_psi - theta_dot * psi_dot_sin_psi
-      + phi_dot_sin_theta * psi_dot_cos_psi + t1 * sin_psi);
-  const S torque_ball_y = J * (theta_ddot * sin_psi + theta_dot * psi_dot_cos_psi
-      + phi_dot_sin_theta * psi_dot_sin_psi - t1 * cos_psi);
-  const S torque_ball_z = J * (psi_ddot + phi_ddot * cos_theta - c_drift_psi);
-
-  // Results
-  const S t2 = m * (chi_ddot * rho_sin_chi + chi_dot_2 * rho_cos_chi);
-  const S Z = half_inv_m * (deviation_ball_z * deviation_ball_z + t2 * t2
-      + deviation_ball_y * deviation_ball_y)
-      + half_inv_J * (torque_ball_z * torque_ball_z + torque_ball_x * torque_ball_x
-      + torque_ball_y * torque_ball_y);
+  const S t2 = phi_ddot * sin_theta + phi_dot * theta_dot * cos_theta;
+  const S moment_on_ball_x = J * (theta_ddot * cos_psi - theta_dot * psi_dot_sin_psi
+      + phi_dot_sin_theta * psi_dot_cos_psi + t2 * sin_psi);
+  const S moment_on_ball_y = J * (theta_ddot * sin_psi + theta_dot * psi_dot_cos_psi
+      + phi_dot_sin_theta * psi_dot_sin_psi - t2 * cos_psi);
+  const S moment_on_ball_z = J * (psi_ddot + phi_ddot * cos_theta - c_drift_psi);
+  const S Z = half_inv_m * (force_on_ball_z * force_on_ball_z + t1 * t1 + force_on_ball_y * force_on_ball_y)
+      + half_inv_J * (moment_on_ball_z * moment_on_ball_z + moment_on_ball_x * moment_on_ball_x
+      + moment_on_ball_y * moment_on_ball_y);
 
   compulsion.Z = Z;
 
@@ -1220,11 +2312,111 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
-/// The nearest state that satisfies the constraints: unit quaternions, then the smallest change of
-/// the speeds in the mass metric (four Newton steps for constraints nonlinear in the velocities).
+/// What Gauss's principle leaves to be solved: g a = f + b^T lambda, b a + drift = 0.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepared<S>& prepared,
-                                   State<S>& state) noexcept {
+GAUSS_FUNCTION StatusOf<S> project_system(const S& t, const State<S>& state, const Prepared<S>& prepared,
+                                          LinearSystem<S>& linear_system) noexcept {
+  using Bool = typename Math<S>::Bool;
+  const S& m = prepared.m;
+  const S& r = prepared.r;
+  const S& J = prepared.J;
+  const S& G_chi_chi = prepared.G_chi_chi;
+  const S& rho = prepared.rho;
+  const S& abs_rho = prepared.abs_rho;
+  const S& abs_r = prepared.abs_r;
+  const S& r_minus_R = prepared.r_minus_R;
+  const S& chi = state.chi();
+  const S& zeta = state.zeta();
+  const S& phi = state.phi();
+  const S& psi = state.psi();
+  const S& theta = state.theta();
+  const S& chi_dot = state.chi_dot();
+  const S& zeta_dot = state.zeta_dot();
+  const S& phi_dot = state.phi_dot();
+  const S& psi_dot = state.psi_dot();
+  const S& theta_dot = state.theta_dot();
+
+  // Sines and cosines
+  S sin_theta, cos_theta;
+  S sin_chi_minus_psi, cos_chi_minus_psi;
+  Angles<S>::sincos(theta, sin_theta, cos_theta, chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
+
+  // metric g_ab (1.10); held coordinates enter only through f
+  const S G_phi_psi = J * cos_theta;
+
+  // rolling_around, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 37
+  const S beta_rolling_around_phi = r * cos_theta;
+
+  // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
+  const S beta_rolling_along_phi = r * sin_theta * cos_chi_minus_psi;
+  const S beta_rolling_along_theta = r * sin_chi_minus_psi;
+
+  // Results
+  const S drift_0 = r * psi_dot - r_minus_R * chi_dot + phi_dot * beta_rolling_around_phi;
+  const S drift_1 = zeta_dot + phi_dot * beta_rolling_along_phi + theta_dot * beta_rolling_along_theta;
+
+  linear_system.g[0][0] = G_chi_chi;
+  linear_system.g[0][1] = S(0);
+  linear_system.g[0][2] = S(0);
+  linear_system.g[0][3] = S(0);
+  linear_system.g[0][4] = S(0);
+  linear_system.g[1][0] = S(0);
+  linear_system.g[1][1] = m;
+  linear_system.g[1][2] = S(0);
+  linear_system.g[1][3] = S(0);
+  linear_system.g[1][4] = S(0);
+  linear_system.g[2][0] = S(0);
+  linear_system.g[2][1] = S(0);
+  linear_system.g[2][2] = J;
+  linear_system.g[2][3] = G_phi_psi;
+  linear_system.g[2][4] = S(0);
+  linear_system.g[3][0] = S(0);
+  linear_system.g[3][1] = S(0);
+  linear_system.g[3][2] = G_phi_psi;
+  linear_system.g[3][3] = J;
+  linear_system.g[3][4] = S(0);
+  linear_system.g[4][0] = S(0);
+  linear_system.g[4][1] = S(0);
+  linear_system.g[4][2] = S(0);
+  linear_system.g[4][3] = S(0);
+  linear_system.g[4][4] = J;
+  linear_system.f[0] = S(0);
+  linear_system.f[1] = S(0);
+  linear_system.f[2] = S(0);
+  linear_system.f[3] = S(0);
+  linear_system.f[4] = S(0);
+  linear_system.b[0][0] = rho;
+  linear_system.b[0][1] = S(0);
+  linear_system.b[0][2] = beta_rolling_around_phi;
+  linear_system.b[0][3] = r;
+  linear_system.b[0][4] = S(0);
+  linear_system.b[1][0] = S(0);
+  linear_system.b[1][1] = S(1);
+  linear_system.b[1][2] = beta_rolling_along_phi;
+  linear_system.b[1][3] = S(0);
+  linear_system.b[1][4] = beta_rolling_along_theta;
+  linear_system.reach[0][0] = abs_rho;
+  linear_system.reach[0][1] = S(0);
+  linear_system.reach[0][2] = abs_r;
+  linear_system.reach[0][3] = abs_r;
+  linear_system.reach[0][4] = S(0);
+  linear_system.reach[1][0] = S(0);
+  linear_system.reach[1][1] = S(1);
+  linear_system.reach[1][2] = abs_r;
+  linear_system.reach[1][3] = S(0);
+  linear_system.reach[1][4] = abs_r;
+  linear_system.drift[0] = drift_0;
+  linear_system.drift[1] = drift_1;
+
+  const Bool not_finite = Math<S>::not_finite(t, zeta, phi, G_chi_chi, m, G_phi_psi, rho, abs_rho, abs_r,
+      drift_0, drift_1);
+  return Math<S>::status(Bool(false), Bool(false), not_finite);
+}
+
+/// Of project: as it is done where constraints are independent.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> project_regular(const S& t, const State<S>& from, const Prepared<S>& prepared,
+                                           State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
   const S r = prepared.r;
   const S J = prepared.J;
@@ -1308,10 +2500,174 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
 }
 
-/// The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints;
-/// what these leave open, too, is the least motion, weighed by mass.
+/// Of project: from a solution of the linear system.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& state) noexcept {
+GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
+                                               const Prepared<S>& /*prepared*/,
+                                               const LinearSolution<S, n_v, n_constraints>& solved,
+                                               State<S>& state) noexcept {
+  using Bool = typename Math<S>::Bool;
+  const S chi = from.chi();
+  const S zeta = from.zeta();
+  const S phi = from.phi();
+  const S psi = from.psi();
+  const S theta = from.theta();
+  const S chi_dot = from.chi_dot();
+  const S zeta_dot = from.zeta_dot();
+  const S phi_dot = from.phi_dot();
+  const S psi_dot = from.psi_dot();
+  const S theta_dot = from.theta_dot();
+  const S chi_ddot = solved.accelerations[0];
+  const S zeta_ddot = solved.accelerations[1];
+  const S phi_ddot = solved.accelerations[2];
+  const S psi_ddot = solved.accelerations[3];
+  const S theta_ddot = solved.accelerations[4];
+  const S lambda_rolling_around = solved.multipliers[0];
+  const S lambda_rolling_along = solved.multipliers[1];
+
+  // Results
+  const S chi_dot_new = chi_dot + chi_ddot;
+  const S zeta_dot_new = zeta_dot + zeta_ddot;
+  const S phi_dot_new = phi_dot + phi_ddot;
+  const S psi_dot_new = psi_dot + psi_ddot;
+  const S theta_dot_new = theta_dot + theta_ddot;
+
+  state.chi() = chi;
+  state.zeta() = zeta;
+  state.phi() = phi;
+  state.psi() = psi;
+  state.theta() = theta;
+  state.chi_dot() = chi_dot_new;
+  state.zeta_dot() = zeta_dot_new;
+  state.phi_dot() = phi_dot_new;
+  state.psi_dot() = psi_dot_new;
+  state.theta_dot() = theta_dot_new;
+
+  const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, lambda_rolling_around,
+      lambda_rolling_along, chi_dot_new, zeta_dot_new, phi_dot_new, psi_dot_new, theta_dot_new);
+  return Math<S>::status(Bool(false), Bool(false), not_finite);
+}
+
+/// Of project: where constraints (nearly) follow from each other, or inertia is beyond all digits small. g a = f + b^T lambda
+/// and b a + drift = 0 are solved whatever their rank.
+template <class S>
+GAUSS_PART StatusOf<S> project_general(const S& t, const State<S>& from, const Prepared<S>& prepared,
+                                       const StatusOf<S>& regular, State<S>& state) noexcept {
+  State<S> own_state;
+  LinearSystem<S> system;
+  StatusOf<S> status = project_system(t, from, prepared, system);
+  LinearSolution<S, n_v, n_constraints> solved;
+  solve(system, 2, rank_tolerance_of_steps<S>(), true, solved);
+  status = Math<S>::worse(status, solved.step);
+  status = Math<S>::worse(status, project_of_solution(t, from, prepared, solved, own_state));
+  detail::take_lost<S>(regular, own_state, state);
+  return detail::status_of_lost<S>(regular, status);
+}
+
+/// The nearest state that satisfies the constraints: unit quaternions, then the smallest change of
+/// the speeds in the mass metric (four Newton steps for constraints nonlinear in the velocities).
+template <class S>
+GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepared<S>& prepared,
+                                   State<S>& state) noexcept {
+  const State<S> begun = from;
+  const StatusOf<S> regular = project_regular(t, from, prepared, state);
+  if (detail::is_lost<S>(regular)) return project_general(t, begun, prepared, regular, state);
+  return regular;
+}
+
+/// What Gauss's principle leaves to be solved: g a = f + b^T lambda, b a + drift = 0.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> initial_state_system(const Prepared<S>& prepared,
+                                                LinearSystem<S>& linear_system) noexcept {
+  using Bool = typename Math<S>::Bool;
+  const S& m = prepared.m;
+  const S& r = prepared.r;
+  const S& R = prepared.R;
+  const S& psi_0 = prepared.psi_0;
+  const S& theta_0 = prepared.theta_0;
+  const S& zeta_dot_0 = prepared.zeta_dot_0;
+  const S& omega_r_0 = prepared.omega_r_0;
+  const S& J = prepared.J;
+
+  // Sines and cosines
+  S sin_psi_0, cos_psi_0;
+  S sin_theta_0, cos_theta_0;
+  Angles<S>::sincos(psi_0, sin_psi_0, cos_psi_0, theta_0, sin_theta_0, cos_theta_0);
+
+  // metric g_ab (1.10); held coordinates enter only through f
+  const S rho = R - r;
+  const S G_chi_chi = m * rho * rho;
+
+  // Results
+  const S r_sin_psi_0 = r * sin_psi_0;
+  const S b_1_4 = -r_sin_psi_0;
+  const S abs_r = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
+  const S abs_r_sin_psi_0 = Math<S>::select(Math<S>::less(r_sin_psi_0, S(0)), -r_sin_psi_0, r_sin_psi_0);
+  const S t1 = zeta_dot_0 * cos_psi_0 / r - omega_r_0 * sin_psi_0;
+  const S drift_0 = S(4) * R - S(4) * r - r * cos_theta_0 * t1 / sin_theta_0;
+  const S drift_1 = zeta_dot_0 - r * cos_psi_0 * t1;
+
+  linear_system.g[0][0] = G_chi_chi;
+  linear_system.g[0][1] = S(0);
+  linear_system.g[0][2] = S(0);
+  linear_system.g[0][3] = S(0);
+  linear_system.g[0][4] = S(0);
+  linear_system.g[1][0] = S(0);
+  linear_system.g[1][1] = m;
+  linear_system.g[1][2] = S(0);
+  linear_system.g[1][3] = S(0);
+  linear_system.g[1][4] = S(0);
+  linear_system.g[2][0] = S(0);
+  linear_system.g[2][1] = S(0);
+  linear_system.g[2][2] = J;
+  linear_system.g[2][3] = S(0);
+  linear_system.g[2][4] = S(0);
+  linear_system.g[3][0] = S(0);
+  linear_system.g[3][1] = S(0);
+  linear_system.g[3][2] = S(0);
+  linear_system.g[3][3] = J;
+  linear_system.g[3][4] = S(0);
+  linear_system.g[4][0] = S(0);
+  linear_system.g[4][1] = S(0);
+  linear_system.g[4][2] = S(0);
+  linear_system.g[4][3] = S(0);
+  linear_system.g[4][4] = J;
+  linear_system.f[0] = S(0);
+  linear_system.f[1] = S(0);
+  linear_system.f[2] = S(0);
+  linear_system.f[3] = S(0);
+  linear_system.f[4] = S(0);
+  linear_system.b[0][0] = S(0);
+  linear_system.b[0][1] = S(0);
+  linear_system.b[0][2] = S(0);
+  linear_system.b[0][3] = r;
+  linear_system.b[0][4] = S(0);
+  linear_system.b[1][0] = S(0);
+  linear_system.b[1][1] = S(0);
+  linear_system.b[1][2] = S(0);
+  linear_system.b[1][3] = S(0);
+  linear_system.b[1][4] = b_1_4;
+  linear_system.reach[0][0] = S(0);
+  linear_system.reach[0][1] = S(0);
+  linear_system.reach[0][2] = S(0);
+  linear_system.reach[0][3] = abs_r;
+  linear_system.reach[0][4] = S(0);
+  linear_system.reach[1][0] = S(0);
+  linear_system.reach[1][1] = S(0);
+  linear_system.reach[1][2] = S(0);
+  linear_system.reach[1][3] = S(0);
+  linear_system.reach[1][4] = abs_r_sin_psi_0;
+  linear_system.drift[0] = drift_0;
+  linear_system.drift[1] = drift_1;
+
+  const Bool not_finite = Math<S>::not_finite(G_chi_chi, m, J, r, b_1_4, abs_r, abs_r_sin_psi_0, drift_0,
+      drift_1);
+  return Math<S>::status(Bool(false), Bool(false), not_finite);
+}
+
+/// Of initial_state: as it is done where constraints are independent.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> initial_state_regular(const Prepared<S>& prepared, State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
   const S r = prepared.r;
   const S R = prepared.R;
@@ -1385,6 +2741,75 @@ GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& 
   const Bool not_finite = Math<S>::not_finite(phi_0, psi_0, theta_0, zeta_dot_0, phi_dot, change_psi,
       change_theta);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
+}
+
+/// Of initial_state: from a solution of the linear system.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> initial_state_of_solution(const Prepared<S>& prepared,
+                                                     const LinearSolution<S, n_v, n_constraints>& solved,
+                                                     State<S>& state) noexcept {
+  using Bool = typename Math<S>::Bool;
+  const S r = prepared.r;
+  const S psi_0 = prepared.psi_0;
+  const S theta_0 = prepared.theta_0;
+  const S phi_0 = prepared.phi_0;
+  const S zeta_dot_0 = prepared.zeta_dot_0;
+  const S omega_r_0 = prepared.omega_r_0;
+  const S chi_ddot = solved.accelerations[0];
+  const S zeta_ddot = solved.accelerations[1];
+  const S phi_ddot = solved.accelerations[2];
+  const S psi_ddot = solved.accelerations[3];
+  const S theta_ddot = solved.accelerations[4];
+  const S lambda_rolling_around = solved.multipliers[0];
+  const S lambda_rolling_along = solved.multipliers[1];
+
+  // Sines and cosines
+  const S sin_theta_0 = Math<S>::sin(theta_0);
+  S sin_psi_0, cos_psi_0;
+  Math<S>::sincos(psi_0, sin_psi_0, cos_psi_0);
+
+  // Results
+  const S phi_dot = -(zeta_dot_0 * cos_psi_0 / r - omega_r_0 * sin_psi_0) / sin_theta_0;
+
+  state.chi() = S(0);
+  state.zeta() = S(0);
+  state.phi() = phi_0;
+  state.psi() = psi_0;
+  state.theta() = theta_0;
+  state.chi_dot() = S(4);
+  state.zeta_dot() = zeta_dot_0;
+  state.phi_dot() = phi_dot;
+  state.psi_dot() = psi_ddot;
+  state.theta_dot() = theta_ddot;
+
+  const Bool not_finite = Math<S>::not_finite(chi_ddot, zeta_ddot, phi_ddot, psi_ddot, theta_ddot,
+      lambda_rolling_around, lambda_rolling_along, phi_0, psi_0, theta_0, zeta_dot_0, phi_dot);
+  return Math<S>::status(Bool(false), Bool(false), not_finite);
+}
+
+/// Of initial_state: where constraints (nearly) follow from each other, or inertia is beyond all digits small. g a = f + b^T lambda
+/// and b a + drift = 0 are solved whatever their rank.
+template <class S>
+GAUSS_PART StatusOf<S> initial_state_general(const Prepared<S>& prepared, const StatusOf<S>& regular,
+                                             State<S>& state) noexcept {
+  State<S> own_state;
+  LinearSystem<S> system;
+  StatusOf<S> status = initial_state_system(prepared, system);
+  LinearSolution<S, n_v, n_constraints> solved;
+  solve(system, 2, rank_tolerance_of_steps<S>(), true, solved);
+  status = Math<S>::worse(status, solved.step);
+  status = Math<S>::worse(status, initial_state_of_solution(prepared, solved, own_state));
+  detail::take_lost<S>(regular, own_state, state);
+  return detail::status_of_lost<S>(regular, status);
+}
+
+/// The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints;
+/// what these leave open, too, is the least motion, weighed by mass.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> initial_state(const Prepared<S>& prepared, State<S>& state) noexcept {
+  const StatusOf<S> regular = initial_state_regular(prepared, state);
+  if (detail::is_lost<S>(regular)) return initial_state_general(prepared, regular, state);
+  return regular;
 }
 
 // For drivers that work with any model: name, unit, meaning; each table ends with an empty entry.

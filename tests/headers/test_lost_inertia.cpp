@@ -200,7 +200,8 @@ TEST_CASE("a row that says what an acceleration is says nothing once its coeffic
       CHECK(held.multiplier == Approx(-3 / arm).epsilon(1e-15));
     }
     // Nothing holds the rod then, and without inertia nothing says how it turns.
-    CHECK(crank(inertia, 0).of_rhs == Status::dependent_constraints);
-    CHECK(crank(inertia, 0).of_reactions == Status::dependent_constraints);
+    const Status lost = inertia > 0 ? Status::dependent_constraints : Status::singular_mass_matrix;
+    CHECK(crank(inertia, 0).of_rhs == lost);
+    CHECK(crank(inertia, 0).of_reactions == lost);
   }
 }
