@@ -197,8 +197,8 @@ class Constrained {
   /// A row that nearly vanishes beside what it may be is nearly nothing: beside the equations of positions it has the direction of errors. But
   /// something light that it does not move here makes no row small.
   GAUSS_FUNCTION static S usual_size(const S& size, const S& reach) {
-    const S most = size / Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
-    return larger(size, Math<S>::select(Math<S>::less(reach, most), reach, most));
+    const S limit = size / Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
+    return larger(size, Math<S>::select(Math<S>::less(reach, limit), reach, limit));
   }
 
   GAUSS_FUNCTION S length(const S (&row)[n]) const {
