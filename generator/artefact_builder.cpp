@@ -21,6 +21,15 @@ std::vector<NodeId> ids(const strategy::Vector& values) {
 
 std::vector<NodeId> ids(const ir::Vector3& v) { return {v[0].id(), v[1].id(), v[2].id()}; }
 
+std::vector<NodeId> ids(const strategy::Matrix& rows) {
+  std::vector<NodeId> result;
+  for (const strategy::Vector& row : rows) {
+    const std::vector<NodeId> of_row = ids(row);
+    result.insert(result.end(), of_row.begin(), of_row.end());
+  }
+  return result;
+}
+
 strategy::Vector configuration_of(const Mechanics& mechanics) {
   strategy::Vector configuration;
   for (const auto& q : mechanics.symbols.configuration) configuration.push_back(mechanics.expressions.symbol(q.symbol));

@@ -12,6 +12,7 @@ namespace gaussgen {
 
 std::vector<emit::NodeId> ids(const strategy::Vector& values);
 std::vector<emit::NodeId> ids(const ir::Vector3& v);
+std::vector<emit::NodeId> ids(const strategy::Matrix& rows);  ///< row by row
 
 /// Coordinates and quaternions as the caller gives them.
 strategy::Vector configuration_of(const Mechanics& mechanics);
@@ -71,6 +72,9 @@ std::vector<emit::Artefact> two_ways(emit::Artefact regular, emit::Artefact of_s
 /// ones.
 using ArtefactsOf = std::function<std::vector<emit::Artefact>(Mechanics&)>;
 std::vector<emit::Artefact> in_two_ways(const ArtefactsOf& build, bool shows_multipliers, Mechanics& mechanics);
+
+/// Of models with a general way.
+std::vector<emit::Artefact> mobility_artefact(Mechanics& mechanics);
 
 bool has_quaternions(const Mechanics& mechanics);
 

@@ -220,13 +220,6 @@ Artefact mass_matrix_artefact(Mechanics& mechanics) {
   ArtefactBuilder builder("mass_matrix", "The metric g of the free speeds (1.10).", mechanics);
   builder.result_type("MassMatrix");
   builder.artefact().takes_inputs = false;
-  const auto entries_of = [](const strategy::Matrix& g) {
-    std::vector<NodeId> entries;
-    for (const Vector& row : g) {
-      for (const Expr entry : row) entries.push_back(entry.id());
-    }
-    return entries;
-  };
   Form<strategy::Matrix> form{{}, {}};
   if (mechanics.dynamics.n() > k_few_speeds) {
     form.result = mechanics.dynamics.g;
@@ -236,10 +229,11 @@ Artefact mass_matrix_artefact(Mechanics& mechanics) {
         [&](const kinematics::Linkage& linkage, Steps& own) -> std::optional<strategy::Matrix> {
           return strategy::composite_metric(linkage, mechanics.dynamics.labels, mechanics.graph, own);
         },
-        [&](Steps&) -> strategy::Matrix { return mechanics.dynamics.g; }, entries_of);
+        [&](Steps&) -> strategy::Matrix { return mechanics.dynamics.g; },
+        [](const strategy::Matrix& g) { return ids(g); });
   }
   const int n = static_cast<int>(mechanics.dynamics.n());
-  builder.fields("", "", "", {{"g", "symmetric, in the order of the speeds", {n, n}, entries_of(form.result)}});
+  builder.fields("", "", "", {{"g", "symmetric, in the order of the speeds", {n, n}, ids(form.result)}});
   return builder.finish(form.steps);
 }
 

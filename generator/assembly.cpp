@@ -24,10 +24,8 @@ bool any(const std::vector<bool>& flags) { return std::find(flags.begin(), flags
 
 /// Along which speeds a search for a position may go; nothing where none is to be found.
 std::optional<std::vector<bool>> ways_of_search(Mechanics& mechanics, const model::Model& model) {
-  const auto& rows = mechanics.kinematics.constraints;
   std::vector<bool> movable = strategy::open_positions(model, mechanics.expressions);
-  const bool has_equation = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.f.has_value(); });
-  return has_equation && any(movable) ? std::optional(std::move(movable)) : std::nullopt;
+  return mechanics.kinematics.has_positions() && any(movable) ? std::optional(std::move(movable)) : std::nullopt;
 }
 
 /// Guesses of what is open become this position; what changed by it.

@@ -1,20 +1,19 @@
 // Gradients of two constraints that are nearly parallel: the Schur complement has the square of their condition number.
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstdio>
 #include <random>
 
 #include "near_parallel.hpp"
 #include "registry.hpp"
+#include "wide.hpp"
 
 namespace hard_cases {
 
 namespace {
 
 namespace model = gauss::near_parallel;
-using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 
 constexpr int k_speeds = 6, k_rows = 3, k_trials = 50;
 constexpr double k_epsilon = std::numeric_limits<double>::epsilon();
@@ -104,15 +103,7 @@ void by_schur_complement(const Problem& p, double (&a)[k_speeds]) {
 }
 
 double error(const double (&a)[k_speeds], const Answer<Wide>& exact) {
-  Wide largest = 0, size = 0;
-  for (int i = 0; i < k_speeds; ++i) {
-    const Wide difference = abs(Wide(exact.acceleration[i] - a[i])), own = abs(exact.acceleration[i]);
-    if (difference != difference) return k_breaks_down;
-    if (difference > largest) largest = difference;
-    if (own > size) size = own;
-  }
-  const Wide relative = largest / size;
-  return static_cast<double>(relative);
+  return relative_error(a, exact.acceleration, k_speeds);
 }
 
 }  // namespace

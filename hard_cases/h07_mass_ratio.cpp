@@ -1,19 +1,18 @@
 // A chain of four rods in coordinates of space, of which the last is 1e3 to 1e12 times as heavy as the others, or as light.
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstdio>
 
 #include "heavy_chain.hpp"
 #include "registry.hpp"
+#include "wide.hpp"
 
 namespace hard_cases {
 
 namespace {
 
 namespace model = gauss::heavy_chain;
-using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 
 template <class S>
 struct Answer {
@@ -32,19 +31,6 @@ Answer<S> emitted(const double* y, double ratio) {
   answer.status =
       rhs_and_reactions(S(0), state, model::Inputs<S>{}, prepare(parameters), answer.derivative, answer.reactions);
   return answer;
-}
-
-/// Of accelerations, and of multipliers, each against the largest.
-double error(const double* of_double, const Wide* of_wide, int count) {
-  Wide largest = 0, size = 0;
-  for (int i = 0; i < count; ++i) {
-    const Wide difference = abs(Wide(of_wide[i] - of_double[i])), own = abs(of_wide[i]);
-    if (difference != difference) return k_breaks_down;
-    if (difference > largest) largest = difference;
-    if (own > size) size = own;
-  }
-  const Wide relative = largest / size;
-  return static_cast<double>(relative);
 }
 
 }  // namespace
@@ -77,11 +63,11 @@ std::vector<Figure> mass_ratio(const Scope&) {
       const Answer<double> found = emitted<double>(y, ratio);
       const Answer<Wide> exact = emitted<Wide>(y, ratio);
       if (found.status != gauss::Status::ok) worst = k_breaks_down;
-      grow(worst, error(found.derivative.values + 12, exact.derivative.values + 12, 12));
+      grow(worst, relative_error(found.derivative.values + 12, exact.derivative.values + 12, 12));
       // The force on the first rod by the pins, along its own coordinates.
       const auto* force = &found.reactions.pin_1_x.generalized[0];
       const auto* exact_force = &exact.reactions.pin_1_x.generalized[0];
-      grow(worst_force, error(force, exact_force, 12));
+      grow(worst_force, relative_error(force, exact_force, 12));
     }
     char id[32];
     std::snprintf(id, sizeof id, "H07.%.0e", ratio);

@@ -31,9 +31,6 @@ double total_energy(const double* y) { return (y[2] * y[2] + y[3] * y[3]) / 2 + 
 
 void measure(const double* y, double first, Misses& misses) {
   const double radius = std::hypot(y[0], y[1]);
-  const auto grow = [](double& largest, double value) {
-    if (!(std::abs(value) <= largest)) largest = std::abs(value);
-  };
   grow(misses.position, radius - k_length);
   grow(misses.velocity, (y[0] * y[2] + y[1] * y[3]) / radius);
   grow(misses.energy, (total_energy(y) - first) / first);

@@ -558,6 +558,10 @@ class Builder {
 
 }  // namespace
 
+bool Kinematics::has_positions() const {
+  return std::any_of(constraints.begin(), constraints.end(), [](const auto& row) { return row.f.has_value(); });
+}
+
 Kinematics build_kinematics(const model::Model& model, ir::Graph& graph, Expressions& expressions,
                             const Symbols& symbols) {
   const auto builder = std::make_shared<Builder>(model, graph, expressions, symbols);

@@ -121,6 +121,9 @@ struct Kinematics {
   std::vector<std::vector<ir::Expr>> quantities;            ///< parallel to Model::quantities
   std::vector<BodyLoad> loads;                              ///< of bodies
   support::Lazy<ir::Expr> other_potential;                  ///< J; without fields
+
+  /// Some constraint is an equation of positions.
+  bool has_positions() const;
 };
 
 /// Builds everything with x^i free, then puts x^i = c^i(t) in (theory section 3: derivatives first, x = c afterwards).

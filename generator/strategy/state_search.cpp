@@ -42,11 +42,6 @@ bool all_linear(const Dynamics& dynamics) {
   return std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.is_linear; });
 }
 
-bool has_positions(const Dynamics& dynamics) {
-  const auto& rows = dynamics.kinematics->constraints;
-  return std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.f.has_value(); });
-}
-
 std::vector<std::size_t> first(std::size_t count) {
   std::vector<std::size_t> indices(count);
   std::iota(indices.begin(), indices.end(), 0);
@@ -101,7 +96,7 @@ class Stages {
     ProjectedState begun{given_.configuration, given_.speeds, never(), never(), is_lost_};
     const bool is_here = given_.configuration == symbols_of_configuration(symbols_, graph_) &&
                          given_.speeds == symbols_of_speeds(symbols_, graph_);
-    const bool is_short = dynamics_.n() <= k_few_speeds && !has_positions(dynamics_) && all_linear(dynamics_);
+    const bool is_short = dynamics_.n() <= k_few_speeds && !dynamics_.kinematics->has_positions() && all_linear(dynamics_);
     StateSearch search;
     if (dynamics_.l() == 0 || is_short) {
       std::optional<OpenStep> open;
