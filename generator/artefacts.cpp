@@ -15,6 +15,7 @@ const std::vector<OutputKind>& output_kinds() {
       {"energy", "kinetic, potential and total energy"},
       {"compulsion", "Gauss's function Z of candidate accelerations"},
       {"residuals", "constraint residuals of position, velocity and acceleration"},
+      {"mobility", "rank of the constraints, the motions that they leave, and which of them follow from others"},
       {"mass_matrix", "the metric of the free speeds"},
       {"project", "nearest state that satisfies the constraints"},
       {"initial_state", "the model's initial state"},
@@ -53,6 +54,7 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   if (name == "energy") return one(energy_artefact(mechanics));
   if (name == "compulsion") return compulsion_artefact(mechanics);
   if (name == "residuals") return residuals_artefact(mechanics);
+  if (name == "mobility" && has_state) return mobility_artefact(mechanics);
   if (name == "mass_matrix") return one(mass_matrix_artefact(mechanics));
   if (name == "project") return project_artefacts(mechanics);
   if (name == "initial_state") return initial_state_artefacts(mechanics);
@@ -71,6 +73,7 @@ bool has_output(const std::string& name, Mechanics& mechanics) {
   if (name == "residuals") return has_constraints || has_quaternions(mechanics);
   if (name == "quantities") return !model.quantities.empty();
   if (name == "sensitivities") return !model.sensitivities.empty() && !mechanics.options.fold;
+  if (name == "mobility") return has_general_way(mechanics);
   if (name == "compulsion") return has_compulsion(mechanics);
   if (name == "energy") return true;
   return mechanics.dynamics.n() > 0;

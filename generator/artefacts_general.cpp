@@ -24,14 +24,6 @@ const char* const k_regular = "_regular";
 const char* const k_of_solution = "_of_solution";
 const char* const k_system = "linear_system";
 
-std::vector<NodeId> entries_of(const strategy::Matrix& matrix) {
-  std::vector<NodeId> entries;
-  for (const Vector& row : matrix) {
-    for (const Expr entry : row) entries.push_back(entry.id());
-  }
-  return entries;
-}
-
 /// Where parameters alone decide, and no pivot is a difference of which rounding may be all that is left, rows depend on each other for parameters that
 /// make no sense only, and a status has to do.
 bool may_lose_rank(Expr dependent) {
@@ -108,23 +100,8 @@ Artefact caller_of(const Artefact& regular) {
 bool has_general_way(Mechanics& mechanics) {
   const std::size_t n = mechanics.dynamics.n(), l = mechanics.dynamics.l();
   if (n == 0 || l == 0 || n * (n + l) > k_most_entries) return false;
-  return may_lose_rank(mechanics.solution.dependent_constraints) || usual_rank(mechanics.dynamics.b, mechanics) < l;
+  return may_lose_rank(mechanics.solution.dependent_constraints) || usual_rank(mechanics) < l;
 }
-
-namespace {
-
-/// Its own size where an entry has no bound.
-strategy::Matrix reach_of(const strategy::Matrix& b) {
-  strategy::Matrix result;
-  for (const Vector& row : b) {
-    result.emplace_back();
-    for (const Expr entry : row)
-      result.back().push_back(strategy::bound_of(entry).value_or(call(ir::Function::abs, entry)));
-  }
-  return result;
-}
-
-}  // namespace
 
 Artefact linear_system(const std::string& name, const strategy::Matrix& metric, const Vector& f,
                        const strategy::Matrix& b, const Vector& drift, Mechanics& mechanics) {
@@ -134,10 +111,10 @@ Artefact linear_system(const std::string& name, const strategy::Matrix& metric, 
   builder.result_type("LinearSystem");
   const int n = static_cast<int>(f.size()), l = static_cast<int>(drift.size());
   builder.fields("", "", "",
-                 {{"g", "the metric of the free speeds (1.10)", {n, n}, entries_of(metric)},
+                 {{"g", "the metric of the free speeds (1.10)", {n, n}, ids(metric)},
                   {"f", "forces, less what inertia takes at constant speeds", {n}, ids(f)},
-                  {"b", "dphi/du of each constraint", {l, n}, entries_of(b)},
-                  {"reach", "not less than dphi/du in any configuration", {l, n}, entries_of(reach_of(b))},
+                  {"b", "dphi/du of each constraint", {l, n}, ids(b)},
+                  {"reach", "not less than dphi/du in any configuration", {l, n}, ids(strategy::bounds_of(b))},
                   {"drift", "dphi/dt of each at constant speeds; of a step, what is left of it", {l}, ids(drift)}});
   Artefact system = builder.finish({});
   system.is_part = true;
@@ -176,19 +153,48 @@ std::vector<Artefact> in_two_ways(const ArtefactsOf& build, bool shows_multiplie
     const GivenSolution given(mechanics);
     of_solution = build(mechanics);
   }
-  const int rank = static_cast<int>(usual_rank(mechanics.dynamics.b, mechanics));
+  const int rank = static_cast<int>(usual_rank(mechanics));
   const int l = static_cast<int>(mechanics.dynamics.l());
-  const auto& rows = mechanics.kinematics.constraints;
-  const bool has_positions = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.f.has_value(); });
   std::vector<Artefact> result;
   for (std::size_t i = 0; i < regular.size(); ++i) {
     const bool shows = shows_multipliers && !regular[i].result_type.empty();
     const emit::Shown shown = shows ? emit::Shown::reactions : emit::Shown::motion;
-    for (Artefact& one :
-         two_ways(std::move(regular[i]), std::move(of_solution[i]), {{}, k_system, {}, rank, l, shown, has_positions}))
+    for (Artefact& one : two_ways(std::move(regular[i]), std::move(of_solution[i]),
+                                  {{}, k_system, {}, rank, l, shown, mechanics.kinematics.has_positions()}))
       result.push_back(std::move(one));
   }
   return result;
+}
+
+std::vector<Artefact> mobility_artefact(Mechanics& mechanics) {
+  if (!has_general_way(mechanics)) return {};
+  ArtefactBuilder builder(
+      "mobility",
+      "What the constraints leave to the mechanism in this state. The status is not ok where the state is none;\n"
+      "a rank that is lower here than usual is no mistake of this function.",
+      mechanics);
+  builder.with_any_quaternion();
+  builder.result_type("Mobility");
+  const int l = static_cast<int>(mechanics.dynamics.l());
+  const NodeId none = mechanics.graph.constant(0);
+  builder.fields("", "", "",
+                 {{"rank", "number of constraints that say something of their own", {}, {none}},
+                  {"mobility", "number of independent motions: speeds less the rank", {}, {none}},
+                  {"is_shared",
+                   "1: others can do what this constraint does, its multiplier is not unique; else 0",
+                   {l},
+                   std::vector<NodeId>(mechanics.dynamics.l(), none)}});
+  Artefact result = caller_of(builder.finish({}));
+  result.ways = emit::TwoWays{{},
+                              k_system,
+                              {},
+                              static_cast<int>(usual_rank(mechanics)),
+                              l,
+                              emit::Shown::rank,
+                              mechanics.kinematics.has_positions()};
+  std::vector<Artefact> list;
+  list.push_back(std::move(result));
+  return list;
 }
 
 }  // namespace gaussgen

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 
+#include "artefact_builder.hpp"
+#include "general_solution.hpp"
 #include "nearest_position.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
+#include "usual_rank.hpp"
 
 namespace gaussgen {
 
@@ -15,9 +18,14 @@ namespace code = support::code;
 ConstraintCheck::ConstraintCheck(Mechanics& mechanics, ModelValues& values, bool is_emitted,
                                  support::Diagnostics& diagnostics)
     : mechanics_(mechanics),
+      values_(values),
       is_emitted_(is_emitted),
       diagnostics_(diagnostics),
       dependences_(dependences(mechanics, values)) {}
+
+bool ConstraintCheck::has_general_solution() const {
+  return has_dependent() && contradictory_.empty() && general_solution(mechanics_, values_, dependences_).has_value();
+}
 
 void ConstraintCheck::report(const std::vector<std::size_t>& constraints, const std::string& message,
                              const std::string& hint) {
@@ -60,22 +68,34 @@ void ConstraintCheck::report_contradictions() {
   }
 }
 
+// One message for the rows of one entry of the model.
 void ConstraintCheck::report_redundant() {
+  std::vector<Redundancy> all;
   for (const Dependence& found : dependences_) {
-    if (!is_contradictory(found.index)) report_redundant(found);
+    if (is_contradictory(found.index)) continue;
+    const auto begin = mechanics_.model.constraints[found.index].name.span.begin;
+    const bool is_same = !all.empty() && all.back().everywhere == found.everywhere &&
+                         all.back().others.empty() == found.others.empty() &&
+                         mechanics_.model.constraints[all.back().rows.back()].name.span.begin == begin;
+    if (!is_same) all.push_back({{}, {}, found.everywhere});
+    all.back().rows.push_back(found.index);
+    all.back().others.insert(found.others.begin(), found.others.end());
   }
+  for (const Redundancy& one : all) report_redundant(one);
 }
 
 namespace {
 
 /// A row of `rolls` or `coincide` has no entry of its own.
-const char* remedy_for_redundant(const model::Constraint& row) {
-  if (!row.may_vanish) return "remove it; accelerations are right, and status says dependent_constraints";
+std::string remedy_for_redundant(const model::Constraint& row, Mechanics& mechanics) {
+  if (!has_general_way(mechanics)) return "remove it; accelerations are right, and status says dependent_constraints";
+  const std::string kept = "accelerations are right, and of multipliers that do the same the least are returned";
+  if (!row.may_vanish) return "remove it, or leave it: " + kept;
   return std::holds_alternative<model::SlipLaw>(row.law)
-             ? "it is one of the rows of 'rolls': write 'no_slip' in the directions that are needed instead"
-             : "it is one of the rows of 'coincide': 'in: frame' with an axis across the plane of a loop leaves "
-               "it out, or "
-               "write 'equation' for those that are needed";
+             ? kept + "; for unique ones, write 'no_slip' in the directions that are needed instead of 'rolls'"
+             : kept +
+                   "; for unique ones, 'in: frame' with an axis across the plane of a loop leaves a row out, and "
+                   "'equation' states those that are needed";
 }
 
 const char* remedy_at_start(const model::Constraint& row) {
@@ -94,19 +114,23 @@ const char* remedy_at_start(const model::Constraint& row) {
 
 }  // namespace
 
-void ConstraintCheck::report_redundant(const Dependence& found) {
-  const model::Name& name = mechanics_.model.constraints[found.index].name;
-  const auto& redundant = mechanics_.solution.redundant;
-  const bool is_left_out = std::find(redundant.begin(), redundant.end(), name.text) != redundant.end();
-  if (found.everywhere) {
-    diagnostics_.warning(code::k_redundant_constraint, name.span,
-                         dependence_in(mechanics_, found) + ", and agrees: " +
-                             (is_left_out ? "its multiplier is returned as 0" : "multipliers are not unique"),
-                         remedy_for_redundant(mechanics_.model.constraints[found.index]));
+void ConstraintCheck::report_redundant(const Redundancy& found) {
+  const std::size_t first = found.rows.front();
+  const model::Name& name = mechanics_.model.constraints[first].name;
+  const std::string what = dependence_in(mechanics_, found.rows, {found.others.begin(), found.others.end()});
+  if (!found.everywhere) {
+    diagnostics_.warning(code::k_dependent_start, name.span, what + " at the initial state",
+                         remedy_at_start(mechanics_.model.constraints[first]));
     return;
   }
-  diagnostics_.warning(code::k_dependent_start, name.span, dependence_in(mechanics_, found) + " at the initial state",
-                       remedy_at_start(mechanics_.model.constraints[found.index]));
+  const auto& redundant = mechanics_.solution.redundant;
+  const bool is_zero =
+      !has_general_way(mechanics_) && std::find(redundant.begin(), redundant.end(), name.text) != redundant.end();
+  diagnostics_.warning(code::k_redundant_constraint, name.span,
+                       what + (found.rows.size() == 1 ? ", and agrees: " : ", and agree: ") +
+                           (is_zero ? "its multiplier is returned as 0" : "multipliers are not unique") +
+                           fmt::format(" (mobility {})", mobility(mechanics_)),
+                       remedy_for_redundant(mechanics_.model.constraints[first], mechanics_));
 }
 
 }  // namespace gaussgen

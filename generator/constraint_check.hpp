@@ -28,11 +28,22 @@ class ConstraintCheck {
 
   bool has_dependent() const { return !dependences_.empty(); }
 
+  /// Whether constraints follow from each other, and accelerations follow from those that do not.
+  bool has_general_solution() const;
+
  private:
+  /// Rows of one entry of the model.
+  struct Redundancy {
+    std::vector<std::size_t> rows;
+    std::set<std::size_t> others;
+    bool everywhere = false;
+  };
+
   void report(const std::vector<std::size_t>& constraints, const std::string& message, const std::string& hint);
-  void report_redundant(const Dependence& found);
+  void report_redundant(const Redundancy& found);
 
   Mechanics& mechanics_;
+  ModelValues& values_;
   bool is_emitted_;
   support::Diagnostics& diagnostics_;
   std::vector<Dependence> dependences_;

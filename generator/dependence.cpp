@@ -1,8 +1,11 @@
 #include "dependence.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <memory>
 
 #include "generic_point.hpp"
+#include "usual_rank.hpp"
 
 namespace gaussgen {
 
@@ -47,13 +50,13 @@ Rows in_order(const Mechanics& mechanics) {
   return order;
 }
 
+using RankOfRows = std::function<std::size_t(const Rows&)>;
+
 /// Rows that those before them in `order` give; `independent` becomes the others, in that order. As long as rows are independent, so are all
 /// before the last of them: each dependent one is found by halving.
-template <class Rank>
-Rows dependent_rows(const Matrix& matrix, Rows order, Rank rank, Rows& independent) {
+Rows dependent_rows(Rows order, const RankOfRows& rank, Rows& independent) {
   const auto are_independent = [&](std::size_t count) {
-    const Rows first(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count));
-    return rank(selected(matrix, first)) == count;
+    return rank(Rows(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count))) == count;
   };
   Rows dependent;
   std::size_t known = 0;
@@ -69,6 +72,19 @@ Rows dependent_rows(const Matrix& matrix, Rows order, Rank rank, Rows& independe
   }
   independent = std::move(order);
   return dependent;
+}
+
+/// Of rows wherever the mechanism may be: on its equations of positions, where it has some.
+RankOfRows rank_everywhere(Mechanics& mechanics) {
+  if (!mechanics.kinematics.has_positions()) {
+    const auto at_point = std::make_shared<const Matrix>(GenericPoint(mechanics)(mechanics.dynamics.b));
+    return [at_point](const Rows& rows) { return generic_rank(selected(*at_point, rows)); };
+  }
+  return [&mechanics](const Rows& rows) {
+    strategy::Matrix some;
+    for (const std::size_t row : rows) some.push_back(mechanics.dynamics.b[row]);
+    return usual_rank(some, mechanics);
+  };
 }
 
 cl_F power_of_ten(int digits, const cl_F& like) {
@@ -173,7 +189,7 @@ std::vector<Dependence> dependences(Mechanics& mechanics, ModelValues& values) {
   const cl_F part = part_of_rank(mechanics, values);
   Rows independent;
   const Rows dependent = dependent_rows(
-      *here, order, [&](const Matrix& rows) { return values.rank(rows, part); }, independent);
+      order, [&](const Rows& rows) { return values.rank(selected(*here, rows), part); }, independent);
   std::vector<Dependence> result;
   for (const std::size_t row : dependent) {
     Combination found = combination(*here, independent, row);
@@ -182,8 +198,7 @@ std::vector<Dependence> dependences(Mechanics& mechanics, ModelValues& values) {
     result.push_back({row, std::move(found.rows), false, agreement});
   }
   if (result.empty()) return result;
-  const Rows everywhere =
-      dependent_rows(GenericPoint(mechanics)(mechanics.dynamics.b), order, generic_rank, independent);
+  const Rows everywhere = dependent_rows(order, rank_everywhere(mechanics), independent);
   for (Dependence& found : result) {
     found.everywhere = std::find(everywhere.begin(), everywhere.end(), found.index) != everywhere.end();
   }
@@ -199,9 +214,16 @@ std::string names_of(const Mechanics& mechanics, const std::vector<std::size_t>&
   return text;
 }
 
+std::string dependence_in(const Mechanics& mechanics, const std::vector<std::size_t>& constraints,
+                          const std::vector<std::size_t>& others) {
+  const bool is_one = constraints.size() == 1;
+  const std::string names = names_of(mechanics, constraints);
+  if (others.empty()) return names + (is_one ? " limits no free speed" : " limit no free speed");
+  return names + (is_one ? " follows from " : " follow from ") + names_of(mechanics, others);
+}
+
 std::string dependence_in(const Mechanics& mechanics, const Dependence& found) {
-  const std::string name = names_of(mechanics, {found.index});
-  return name + (found.others.empty() ? " limits no free speed" : " follows from " + names_of(mechanics, found.others));
+  return dependence_in(mechanics, {found.index}, found.others);
 }
 
 std::string contradiction_in(const Mechanics& mechanics, const Dependence& found) {

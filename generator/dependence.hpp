@@ -20,7 +20,8 @@ enum class Agreement {
 struct Dependence {
   std::size_t index = 0;            ///< into Model::constraints
   std::vector<std::size_t> others;  ///< those that it takes, no more; none where the gradient is zero
-  bool everywhere = false;          ///< not at this state only: no form of the expressions shows it, their numbers do
+  bool everywhere =
+      false;  ///< not at this state only, but wherever the equations of positions hold: numbers show it, not the form of the expressions
   Agreement agreement = Agreement::agree;
 };
 
@@ -30,6 +31,10 @@ std::vector<Dependence> dependences(Mechanics& mechanics, ModelValues& values);
 
 /// "constraints 'a', 'b' and 'c'"
 std::string names_of(const Mechanics& mechanics, const std::vector<std::size_t>& constraints);
+
+/// "constraints 'b' and 'c' follow from constraint 'a'"
+std::string dependence_in(const Mechanics& mechanics, const std::vector<std::size_t>& constraints,
+                          const std::vector<std::size_t>& others);
 
 /// "constraint 'b' follows from constraint 'a'"
 std::string dependence_in(const Mechanics& mechanics, const Dependence& found);

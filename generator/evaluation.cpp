@@ -6,6 +6,7 @@
 #include "described_motion.hpp"
 #include "description.hpp"
 #include "evaluate/decimal.hpp"
+#include "general_solution.hpp"
 #include "ir/differentiate.hpp"
 #include "ir/substitute.hpp"
 #include "model/impossible.hpp"
@@ -67,7 +68,12 @@ class Report {
   Evaluation run() {
     warn_of_parameters();
     if (!set_state()) return std::move(result_);
-    if (resting_) take_rest();
+    dependences_ = dependences(mechanics_, value_of_);
+    if (resting_) {
+      take_rest();
+    } else if (!dependences_.empty()) {
+      take_general_solution();
+    }
     add_accelerations();
     if (wanted_) take_wanted_accelerations();
     add_reactions();
@@ -167,6 +173,28 @@ class Report {
       result_.warnings.push_back("accelerations are undefined here: the coordinates may be singular");
   }
 
+  /// As emitted code does where its own way is lost.
+  void take_general_solution() {
+    const bool agree = std::all_of(dependences_.begin(), dependences_.end(),
+                                   [](const Dependence& found) { return found.agreement == Agreement::agree; });
+    const auto found = agree ? general_solution(mechanics_, value_of_, dependences_) : std::nullopt;
+    if (!found) return;
+    for (const auto a : mechanics_.symbols.speeds.indices())
+      mechanics_.solution.accelerations[a.value] = mechanics_.expressions.number(found->accelerations[a.value]);
+    take_multipliers(found->multipliers);
+    is_motion_known_ =
+        std::all_of(dependences_.begin(), dependences_.end(), [](const Dependence& one) { return one.everywhere; });
+  }
+
+  void take_multipliers(const std::vector<support::Rational>& multipliers) {
+    for (std::size_t mu = 0; mu < multipliers.size(); ++mu)
+      mechanics_.solution.multipliers[mu] = mechanics_.expressions.number(multipliers[mu]);
+    mechanics_.solution.motion.reset();
+    strategy::Steps steps;
+    mechanics_.held_reactions =
+        strategy::held_reactions(mechanics_.model, mechanics_.dynamics, mechanics_.solution, steps);
+  }
+
   void take_rest() {
     if (!describes_all_motion(mechanics_, value_of_)) {
       result_.warnings.push_back(
@@ -178,12 +206,7 @@ class Report {
     for (const auto a : mechanics_.symbols.speeds.indices())
       mechanics_.solution.accelerations[a.value] =
           ir::partial(mechanics_.kinematics.speeds_at_rest[a], mechanics_.symbols.time);
-    for (std::size_t mu = 0; mu < resting_->size(); ++mu)
-      mechanics_.solution.multipliers[mu] = mechanics_.expressions.number((*resting_)[mu]);
-    mechanics_.solution.motion.reset();
-    strategy::Steps steps;
-    mechanics_.held_reactions =
-        strategy::held_reactions(mechanics_.model, mechanics_.dynamics, mechanics_.solution, steps);
+    take_multipliers(*resting_);
   }
 
   // From here on everything is about the motion that is wanted, made by the forces `missing`: the least ones leave multipliers as they
@@ -392,22 +415,38 @@ class Report {
 
   void warn_of_dependence() {
     const std::size_t before = result_.warnings.size();
-    const std::vector<Dependence> found = dependences(mechanics_, value_of_);
-    for (const Dependence& dependence : found) {
+    for (const Dependence& dependence : dependences_) {
       const std::string contradiction = contradiction_in(mechanics_, dependence);
       result_.warnings.push_back(contradiction.empty()
                                      ? dependence_in(mechanics_, dependence) + " here: multipliers are not unique"
                                      : contradiction + " here: accelerations cannot be trusted");
     }
-    if (found.empty() && !resting_ && value_of_.is_true(mechanics_.solution.dependent_constraints)) {
+    if (dependences_.empty() && !resting_ && value_of_.is_true(mechanics_.solution.dependent_constraints)) {
       result_.warnings.push_back("constraints depend on each other here: multipliers are not unique");
     }
-    if (result_.warnings.size() > before) doubt("dependent_constraints");
+    if (result_.warnings.size() == before) return;
+    if (is_motion_known_) result_.not_unique = groups_of_multipliers();
+    doubt("dependent_constraints");
+  }
+
+  /// Those that are there.
+  std::vector<std::string> groups_of_multipliers() const {
+    std::vector<std::string> groups;
+    for (const char* const group : {"multipliers", "reaction_forces", "joint_reactions"}) {
+      // Sums over all constraints on a body are unique.
+      const auto is_of_group = [&](const EvaluatedValue& value) {
+        return value.group == group && value.name.rfind("on_", 0) != 0;
+      };
+      if (std::any_of(result_.values.begin(), result_.values.end(), is_of_group)) groups.emplace_back(group);
+    }
+    return groups;
   }
 
   Mechanics& mechanics_;
   int digits_;
   ModelValues value_of_;
+  std::vector<Dependence> dependences_;
+  bool is_motion_known_ = false;  ///< constraints depend on each other as they always do
   const std::optional<WantedAccelerations>& wanted_;
   const std::optional<RestingMultipliers>& resting_;
   Expr singular_mass_matrix_;
@@ -431,6 +470,10 @@ bool are_others_trusted(const Evaluation& evaluation) {
   const auto is_of_motion = [](const std::string& group) { return group == "state" || group == "accelerations"; };
   return evaluation.doubts == std::vector<std::string>{"not_finite"} &&
          std::none_of(groups.begin(), groups.end(), is_of_motion);
+}
+
+bool is_motion_trusted(const Evaluation& evaluation) {
+  return !evaluation.not_unique.empty() && evaluation.doubts == std::vector<std::string>{"dependent_constraints"};
 }
 
 template <class T>

@@ -26,6 +26,8 @@ struct Evaluation {
   std::vector<std::string> warnings;  ///< singular mass matrix, dependent constraints, initial state that violates them
   std::vector<std::string>
       doubts;  ///< why nothing is to be trusted, by the names of gauss::Status or "impossible_bodies"
+  std::vector<std::string>
+      not_unique;  ///< groups in which the least of several answers is shown, where that is the only doubt of a constraint
   std::vector<std::string> notes;  ///< what a group holds, and what is left out of it on purpose
 };
 
@@ -35,6 +37,9 @@ std::vector<std::string> undefined_groups(const Evaluation& evaluation);
 /// Whether the groups in which all values are defined are to be trusted, as functions of emitted code each have a status of their own: nothing else is in
 /// doubt, and the motion is known.
 bool are_others_trusted(const Evaluation& evaluation);
+
+/// Whether everything but multipliers, and what follows from single ones, is to be trusted.
+bool is_motion_trusted(const Evaluation& evaluation);
 
 /// Accelerations of which the forces and inputs are asked for, by their names; others are 0.
 using WantedAccelerations = std::map<std::string, support::Rational>;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "artefact_builder.hpp"
 #include "constraint_check.hpp"
 #include "evaluate/decimal.hpp"
 #include "generic_point.hpp"
@@ -53,7 +54,8 @@ class InitialCheck {
     if (!undefined.empty() || !has_state) return report_redundant(mechanics_, diagnostics_);
     if (violated.empty() && !options_.is_assembled) report_choice(chosen_rates(mechanics_, state, values_));
     constraints.report_redundant();
-    report_singular(constraints.has_dependent());
+    const bool has_other_way = has_general_way(mechanics_) && constraints.has_general_solution();
+    if (!has_other_way) report_singular(constraints.has_dependent());
   }
 
  private:

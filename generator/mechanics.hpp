@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "kinematics/linkage.hpp"
 #include "strategy/held_reactions.hpp"
@@ -75,6 +76,7 @@ struct Mechanics : KinematicModel {
   strategy::Vector held_reactions;
   MechanicsOptions options;
   std::shared_ptr<const UsualStates> usual_states;  ///< once somebody asks for them
+  std::optional<std::size_t> usual_rank;            ///< of all constraints, likewise
   std::vector<ir::SymbolId> multipliers;  ///< of a solution that is given, where functions of one were made
   std::vector<ir::SymbolId> start;  ///< of the configuration before a projection, where one was made
 };

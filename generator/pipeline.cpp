@@ -20,6 +20,7 @@
 #include "structure_check.hpp"
 #include "support/error_codes.hpp"
 #include "unit.hpp"
+#include "usual_rank.hpp"
 #include "value_check.hpp"
 
 namespace gaussgen {
@@ -163,6 +164,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   if (options.only_check) {
     check_unformed(mechanics, options, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
+    result.mobility = mobility_in_words(mechanics);
     if (options.assemble) result.assembled = assembled_values(mechanics, stated);
     return up_to_here();
   }

@@ -52,6 +52,7 @@ using StageObserver = std::function<void(const std::string& stage, const std::fu
 struct PipelineResult {
   std::string model_name;
   bool has_units = false;  ///< of the model: whether dimensions were checked
+  std::string mobility;    ///< in words; may be empty
   std::string header;
   std::string source;                  ///< that compiles the header's functions; empty unless asked for
   std::vector<std::string> assembled;  ///< initial values that the constraints moved, in words

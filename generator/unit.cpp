@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "artefacts.hpp"
+#include "usual_rank.hpp"
 #include "version.hpp"
 
 namespace gaussgen {
@@ -159,6 +160,9 @@ class UnitBuilder {
     }
     if (!options_.name_space.empty()) provenance.command += " --namespace=" + options_.name_space;
     provenance.strategy = mechanics_.solution.description;
+    if (const std::string mobility = mobility_in_words(mechanics_);
+        !mobility.empty() && has_output("mobility", mechanics_))
+      provenance.notes.push_back("Where nothing singles a state out: " + mobility + ".");
   }
 
   Mechanics& mechanics_;

@@ -1,5 +1,7 @@
 #include "usual_rank.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <cmath>
 #include <random>
@@ -13,6 +15,9 @@
 namespace gaussgen {
 
 namespace {
+
+/// Of speeds times speeds and constraints.
+constexpr std::size_t k_most_entries = 4000;
 
 constexpr int k_states = 3;
 constexpr double k_first_displacement = 0.3;  ///< of coordinates of their size, and of angles
@@ -115,8 +120,20 @@ std::size_t usual_rank(const strategy::Matrix& rows, Mechanics& mechanics) {
   return generic_rank(GenericPoint(mechanics)(rows));
 }
 
-std::size_t mobility(Mechanics& mechanics) {
-  return mechanics.dynamics.n() - usual_rank(mechanics.dynamics.b, mechanics);
+std::size_t usual_rank(Mechanics& mechanics) {
+  if (!mechanics.usual_rank) mechanics.usual_rank = usual_rank(mechanics.dynamics.b, mechanics);
+  return *mechanics.usual_rank;
+}
+
+std::size_t mobility(Mechanics& mechanics) { return mechanics.dynamics.n() - usual_rank(mechanics); }
+
+std::string mobility_in_words(Mechanics& mechanics) {
+  const std::size_t n = mechanics.dynamics.n(), l = mechanics.dynamics.l();
+  if (l == 0 || n * (n + l) > k_most_entries) return "";
+  const std::size_t rank = usual_rank(mechanics);
+  const std::string of_rank = rank < l ? fmt::format(" of rank {}", rank) : "";
+  return fmt::format("mobility {} ({} speed{}, {} constraint{}{})", n - rank, n, n == 1 ? "" : "s", l,
+                     l == 1 ? "" : "s", of_rank);
 }
 
 }  // namespace gaussgen

@@ -1,6 +1,7 @@
 #pragma once
 // How many of the constraints say something of their own: where the mechanism usually is, on its equations of positions, and not beside them.
 
+#include <string>
 #include <vector>
 
 #include "mechanics.hpp"
@@ -31,7 +32,13 @@ class UsualStates {
 /// Of rows over the free speeds, in a usual state; in a generic one where no usual one is found.
 std::size_t usual_rank(const strategy::Matrix& rows, Mechanics& mechanics);
 
+/// Of all constraints; found once.
+std::size_t usual_rank(Mechanics& mechanics);
+
 /// Motions that all constraints leave: free speeds less the usual rank of the constraints.
 std::size_t mobility(Mechanics& mechanics);
+
+/// "mobility 1 (3 speeds, 6 constraints of rank 2)"; empty without constraints, and where counting would take long.
+std::string mobility_in_words(Mechanics& mechanics);
 
 }  // namespace gaussgen

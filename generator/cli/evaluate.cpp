@@ -74,6 +74,9 @@ std::string rows(const std::vector<EvaluatedValue>& values) {
 
 std::string status_of(const Evaluation& evaluation) {
   if (evaluation.doubts.empty()) return "  ok\n";
+  if (is_motion_trusted(evaluation))
+    return "  ok, but for " + support::joined(evaluation.not_unique) +
+           ": dependent_constraints, they are not unique and the least are shown\n";
   std::string text = "  not to be trusted: " + support::joined(evaluation.doubts) + "\n";
   const std::vector<std::string> undefined = undefined_groups(evaluation);
   if (undefined.empty()) return text;
@@ -97,6 +100,7 @@ std::string json(const Evaluation& evaluation, const model::Model& model, const 
   document["time"] = options.time;
   document["status"] = evaluation.doubts.empty() ? "ok" : support::joined(evaluation.doubts);
   document["not_finite"] = undefined_groups(evaluation);
+  document["not_unique"] = evaluation.not_unique;
   for (const EvaluatedValue& value : evaluation.values) {
     nlohmann::ordered_json entry;
     // Text, since a JSON number would be cut to a double.

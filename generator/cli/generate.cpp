@@ -152,7 +152,8 @@ int generate(const Options& options) {
   }
   if (options.check) {
     const char* const remark = result->has_units ? "" : " (it states no units, so none are checked)";
-    write_standard_output(fmt::format("{}: ok{}\n", source.name(), remark));
+    const std::string mobility = result->mobility.empty() ? "" : ", " + result->mobility;
+    write_standard_output(fmt::format("{}: ok{}{}\n", source.name(), mobility, remark));
     return k_ok;
   }
   if (options.output == "-") {

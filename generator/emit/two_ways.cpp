@@ -39,8 +39,9 @@ const char* status_in_solution(Shown shown) {
   }
 }
 
-const char* tolerance_for(Shown shown) {
-  return shown == Shown::step ? "rank_tolerance_of_steps<S>" : "default_rank_tolerance<S>";
+std::string rank_rule(const TwoWays& ways) {
+  if (ways.shown == Shown::step) return "rank_of_steps<S>";
+  return ways.is_agreement_known ? "rank_on_positions<S>" : "rank_of_velocities<S>";
 }
 
 std::vector<Argument> results_of(const Artefact& artefact) {
@@ -76,16 +77,25 @@ class GeneralWay {
         cpp::Definition{"StatusOf<S>", "status",
                         call_with(ways_.system, inputs_of_system(artefact_) + std::vector<Argument>{{"", "system"}})});
     add(function, cpp::Declaration{type, {"solved"}});
-    add(function, cpp::Evaluation{cpp::call(
-                      "solve", {cpp::atom("system"), cpp::atom(std::to_string(ways_.usual_rank)),
-                                cpp::call(tolerance_for(ways_.shown), {}),
-                                cpp::atom(ways_.is_agreement_known ? "true" : "false"), cpp::atom("solved")})});
+    add(function,
+        cpp::Evaluation{cpp::call(
+            "solve", {cpp::atom("system"), cpp::call(rank_rule(ways_), {cpp::atom(std::to_string(ways_.usual_rank))}),
+                      cpp::atom("solved")})});
+    if (ways_.shown == Shown::rank) return show_rank(function);
     worsen(function, cpp::atom(status_in_solution(ways_.shown)));
     worsen(function, call_with(ways_.of_solution, inputs + std::vector<Argument>{{"", "solved"}} + results));
   }
 
  private:
   static void add(cpp::Function& function, cpp::Statement statement) { function.body.push_back(std::move(statement)); }
+
+  void show_rank(cpp::Function& function) const {
+    const std::string result = snake_case(artefact_.result_type) + ".";
+    add(function, cpp::Assignment{cpp::atom(result + "rank"), cpp::atom("solved.rank")});
+    add(function, cpp::Assignment{cpp::atom(result + "mobility"), cpp::atom("S(n_v) - solved.rank")});
+    cpp::Assignment copy{cpp::atom(result + "is_shared[mu]"), cpp::atom("solved.is_shared[mu]")};
+    add(function, cpp::Loop{"mu", "0", std::to_string(ways_.rows), {cpp::AnyStatement{std::move(copy)}}});
+  }
 
   static void worsen(cpp::Function& function, Expression with) {
     add(function,

@@ -110,13 +110,14 @@ enum class Shown {
   motion,     ///< accelerations
   reactions,  ///< and multipliers, which may not be unique
   step,       ///< a change of the state, of which the next one shows whether constraints agree
+  rank,       ///< what the constraints leave, whatever forces are
 };
 
 /// A function that turns to the general solution of the constrained system where its own way is not to be trusted.
 struct TwoWays {
   std::string regular;      ///< function of the own way; empty: there is none
   std::string system;       ///< function that fills the struct of the same name
-  std::string of_solution;  ///< function that makes the results of accelerations and multipliers
+  std::string of_solution;  ///< function that makes the results of accelerations and multipliers; of a rank, none
   int usual_rank = 0;       ///< of the constraints, where nothing singles a state out
   int rows = 0;             ///< of them; where they always follow from each other, the own way is always lost
   Shown shown = Shown::motion;

@@ -138,9 +138,9 @@ bool has(const Names& names, const std::string& wanted) {
 }  // namespace
 
 const std::vector<std::string>& outputs() {
-  static const Names k_outputs{"rhs",        "reactions",        "reaction_forces", "joint_reactions", "energy",
-                               "compulsion", "residuals",        "mass_matrix",     "project",         "initial_state",
-                               "quantities", "inverse_dynamics", "jacobian",        "sensitivities"};
+  static const Names k_outputs{"rhs",           "reactions",  "reaction_forces",  "joint_reactions", "energy",
+                               "compulsion",    "residuals",  "mobility",         "mass_matrix",     "project",
+                               "initial_state", "quantities", "inverse_dynamics", "jacobian",        "sensitivities"};
   return k_outputs;
 }
 

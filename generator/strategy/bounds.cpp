@@ -80,6 +80,16 @@ bool Addition::drowns(const std::function<double(Expr)>& estimate) const {
   return !added.is_zero() && !before.is_zero() && !(estimate(added / before) <= k_most);
 }
 
+Matrix bounds_of(const Matrix& entries) {
+  Matrix result;
+  for (const Vector& row : entries) {
+    result.emplace_back();
+    for (const Expr entry : row)
+      result.back().push_back(bound_of(entry).value_or(call(ir::Function::abs, entry)));
+  }
+  return result;
+}
+
 bool is_number(Expr e) {
   const ir::Graph& graph = e.graph();
   const std::vector<NodeId> order = ir::post_order(graph, {e.id()});

@@ -4,13 +4,16 @@
 #include <functional>
 #include <optional>
 
-#include "ir/expr.hpp"
+#include "strategy/ldl.hpp"
 
 namespace gaussgen::strategy {
 
 /// Of parameters and numbers alone, not less than |e| whatever coordinates are: a sum by its terms, a product by its factors, a sine or cosine
 /// by 1. Nothing where e has no such bound, as with a length that changes.
 std::optional<ir::Expr> bound_of(ir::Expr e);
+
+/// Of each entry; its own size where it has no bound.
+Matrix bounds_of(const Matrix& entries);
 
 /// Whether it is a number, whatever its form.
 bool is_number(ir::Expr e);

@@ -30,6 +30,15 @@ struct LinearSolution {
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
 
+/// How it is decided which constraints say something of their own. Tolerances are sines of the angle to all others, where inertias are 1.
+template <class S>
+struct RankRule {
+  int usual;    ///< rank of b where nothing singles a state out; less is a status
+  S tolerance;  ///< below, a row follows from the others
+  S beyond;     ///< the same of rows beyond the usual rank
+  bool is_agreement_known;  ///< whether rows contradict each other is not asked, since positions tell it
+};
+
 namespace detail {
 
 /// Numbers 0 and 1 stand for conditions here: they combine by products for every type.
@@ -130,12 +139,11 @@ class Constrained {
   static constexpr int most = n < l ? n : l;  ///< rows that can say something of their own
 
  public:
-  /// `most_rank`: of b on the constraints, as it usually is. `tolerance`: sine of the angle to all others below which a row says nothing of its own.
   template <class System>
-  GAUSS_FUNCTION Constrained(const System& system, int most_rank, const S& tolerance, bool is_agreement_known)
-      : is_agreement_known_(is_agreement_known) {
+  GAUSS_FUNCTION Constrained(const System& system, const RankRule<S>& rule)
+      : is_agreement_known_(rule.is_agreement_known) {
     scale(system);
-    factorise_rows(most_rank, tolerance);
+    factorise_rows(rule);
     reduce_metric();
     find_shared();
   }
@@ -220,7 +228,7 @@ class Constrained {
   }
 
   /// b^T P = Q R. At each step the row that is longest across all before is next.
-  GAUSS_FUNCTION void factorise_rows(int most_rank, const S& tolerance) {
+  GAUSS_FUNCTION void factorise_rows(const RankRule<S>& rule) {
     for (int mu = 0; mu < l; ++mu) {
       for (int i = 0; i < n; ++i) r_[mu][i] = b_[mu][i];
     }
@@ -232,8 +240,8 @@ class Constrained {
       bring_longest(k);
       bring_largest(k);
       const S size = root(squares_from(k, r_[k]));
-      goes_on = goes_on * (k < most_rank ? positive<S>(size - tolerance) : S(0));
-      if (k < most_rank) is_full_ = goes_on;
+      goes_on = goes_on * positive<S>(size - (k < rule.usual ? rule.tolerance : rule.beyond));
+      if (k < rule.usual) is_full_ = goes_on;
       is_row_[k] = goes_on;
       rank_ = rank_ + goes_on;
       reflect(k, size);
@@ -513,26 +521,37 @@ GAUSS_FUNCTION StatusOf<S> status_of_lost(const StatusOf<S>& before, const Statu
 
 }  // namespace detail
 
-/// The sine of an angle below which a row counts as one that follows from others: of accelerations, half of the digits and four bits.
+/// Of accelerations: half of the digits and four bits.
 template <class S>
 GAUSS_FUNCTION S default_rank_tolerance() {
   return Math<S>::sqrt(Math<S>::epsilon()) / S(16);
 }
 
-/// Of steps of Newton's method: rounding of a residual, divided by this sine, is less than the sine. So a step stays on its side of a
-/// position at which rows depend on each other.
+/// For constraints of velocities alone: nothing but parameters makes their rank higher than it was where the model was generated.
 template <class S>
-GAUSS_FUNCTION S rank_tolerance_of_steps() {
-  return S(4) * Math<S>::sqrt(Math<S>::epsilon());
+GAUSS_FUNCTION RankRule<S> rank_of_velocities(int usual, const S& tolerance = default_rank_tolerance<S>()) {
+  return {usual, tolerance, tolerance, false};
+}
+
+/// With equations of positions: beside them, as in the stages of a step, rows that follow from others seem to say something, and what they say is
+/// error. What other parameters make of them is more.
+template <class S>
+GAUSS_FUNCTION RankRule<S> rank_on_positions(int usual, const S& tolerance = default_rank_tolerance<S>()) {
+  return {usual, tolerance, detail::larger<S>(S(1) / S(20), tolerance), true};
+}
+
+/// Of steps of Newton's method: rounding of a residual, divided by this sine, is less than the sine. So a step stays on its side of a
+/// position at which rows depend on each other. It begins far from the equations, and no row is taken beyond the usual rank.
+template <class S>
+GAUSS_FUNCTION RankRule<S> rank_of_steps(int usual) {
+  return {usual, S(4) * Math<S>::sqrt(Math<S>::epsilon()), S(2), true};
 }
 
 /// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, reach[l][n], not less than
 /// its entries in any configuration, and drift[l].
-/// `is_agreement_known`: whether rows contradict each other is not asked, since positions tell it.
 template <class System, class S, int n, int l>
-GAUSS_PART void solve(const System& system, int most_rank, const S& tolerance, bool is_agreement_known,
-                      LinearSolution<S, n, l>& solution) noexcept {
-  detail::Constrained<S, n, l>(system, most_rank, tolerance, is_agreement_known).solve(solution);
+GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolution<S, n, l>& solution) noexcept {
+  detail::Constrained<S, n, l>(system, rule).solve(solution);
 }
 
 }  // namespace gauss

@@ -80,7 +80,7 @@ ANSWERED = {
         "particles: {p: {mass: 1, position: [l*sin(theta), 0, -l*cos(theta)]}}\n" + GRAVITY, "W053",
         "not_finite", {}),
     "k*x = 0 with k = 0": (HEAD + "parameters: {k: 0}\n" + (LINE % (0, 1)).replace(HEAD, "")
-                           + "constraints: {c: {equation: k*x}}\n", "W057", "dependent_constraints",
+                           + "constraints: {c: {equation: k*x}}\n", "W054", "dependent_constraints",
                            {"accelerations": {"x_ddot": 0}}),
     "a spring that begins without a gap": (LINE % (0, 1) + ORIGIN + "forces: {s: {spring: [p, o], stiffness: 1, length: 1}}\n",
                                            "W053", "not_finite", {}),

@@ -128,7 +128,8 @@ class WritingNothing(Program):
     def test_check_says_ok_and_writes_no_file(self):
         for model in sorted(MODELS.rglob("*.yaml")):
             remark = "" if "unit:" in model.read_text() else " (it states no units, so none are checked)"
-            self.assertEqual(self.ok(model, "--check"), f"{model}: ok{remark}\n")
+            told = re.sub(r", mobility \d+ \(\d+ speeds?, \d+ constraints?( of rank \d+)?\)", "", self.ok(model, "--check"))
+            self.assertEqual(told, f"{model}: ok{remark}\n")
         self.assertEqual(self.files(), [])
 
     def test_list_outputs_names_the_header_that_would_be_written(self):

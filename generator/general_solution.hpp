@@ -1,0 +1,21 @@
+#pragma once
+// Accelerations and multipliers at a state at which constraints follow from each other, in as many digits as wanted.
+
+#include <optional>
+#include <vector>
+
+#include "dependence.hpp"
+
+namespace gaussgen {
+
+struct GeneralSolution {
+  std::vector<support::Rational> accelerations;  ///< of the free speeds
+  std::vector<support::Rational> multipliers;    ///< those of least norm, as emitted code has it: gauss/constrained.hpp
+};
+
+/// At the state that is bound in `values`, where the constraints of `dependent` follow from the others and agree with them; nothing where inertia
+/// and constraints together determine no motion, or an entry has no value.
+std::optional<GeneralSolution> general_solution(Mechanics& mechanics, ModelValues& values,
+                                                const std::vector<Dependence>& dependent);
+
+}  // namespace gaussgen

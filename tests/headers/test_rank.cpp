@@ -1,0 +1,95 @@
+// How many constraints say something is a matter of the state and of the parameters at run time, not of those of the model file.
+
+#include <initializer_list>
+#include <string>
+
+#include "bennett.hpp"
+#include "catch_shim.hpp"
+#include "parallelogram.hpp"
+#include "switched_stop.hpp"
+#include "two_slopes.hpp"
+
+namespace {
+
+namespace slopes = gauss::two_slopes;
+namespace stop = gauss::switched_stop;
+namespace bennett = gauss::bennett;
+namespace parallelogram = gauss::parallelogram;
+
+slopes::Prepared<double> with_slope(double slope) {
+  slopes::Parameters<double> parameters;
+  parameters.slope = slope;
+  return prepare(parameters);
+}
+
+stop::Prepared<double> with_stop(double k) {
+  stop::Parameters<double> parameters;
+  parameters.k = k;
+  return prepare(parameters);
+}
+
+}  // namespace
+
+TEST_CASE("constraints that are one for the parameters of the file hold one by one for others") {
+  slopes::Derivative<double> derivative{};
+  // Along (1, -1) the force (1, 2) has the component -1/2.
+  CHECK(rhs(0.0, slopes::State<double>{}, {}, with_slope(1), derivative) == gauss::Status::ok);
+  CHECK(derivative.x_ddot() == Approx(-0.5).epsilon(1e-15));
+  CHECK(derivative.y_ddot() == Approx(0.5).epsilon(1e-15));
+  for (const double slope : {1.01, 2.0, -1.0}) {
+    INFO("slope " << slope);
+    CHECK(rhs(0.0, slopes::State<double>{}, {}, with_slope(slope), derivative) == gauss::Status::ok);
+    CHECK(std::abs(derivative.x_ddot()) <= 1e-13);
+    CHECK(std::abs(derivative.y_ddot()) <= 1e-13);
+  }
+}
+
+TEST_CASE("an equation that is switched off in the file is not passed over where it is switched on") {
+  for (const double k : {1e-3, 1.0}) {
+    stop::Derivative<double> derivative{};
+    CHECK(rhs(0.0, stop::State<double>{}, {}, with_stop(k), derivative) == gauss::Status::ok);
+    CHECK(std::abs(derivative.x_ddot()) <= 1e-15);
+    CHECK(derivative.y_ddot() == 2);
+  }
+}
+
+TEST_CASE("rank and mobility at run time, and which constraints have no multiplier of their own") {
+  slopes::Mobility<double> of_slopes{};
+  for (const double slope : {1.0, 2.0}) {
+    INFO("slope " << slope);
+    const int rank = slope == 1 ? 1 : 2;
+    CHECK(mobility(0.0, slopes::State<double>{}, {}, with_slope(slope), of_slopes) == gauss::Status::ok);
+    CHECK(of_slopes.rank == rank);
+    CHECK(of_slopes.mobility == 2 - rank);
+    for (const double is_shared : of_slopes.is_shared) CHECK(is_shared == (rank == 1 ? 1 : 0));
+  }
+
+  // Bennett (1903): five equations more than motions, and it turns.
+  const auto prepared = prepare(bennett::Parameters<double>{});
+  bennett::State<double> state{};
+  bennett::Mobility<double> of_bennett{};
+  REQUIRE(initial_state(prepared, state) == gauss::Status::ok);
+  CHECK(mobility(0.0, state, {}, prepared, of_bennett) == gauss::Status::ok);
+  CHECK(of_bennett.rank == 2);
+  CHECK(of_bennett.mobility == 1);
+  for (const double is_shared : of_bennett.is_shared) CHECK(is_shared == 1);
+}
+
+TEST_CASE("a parallelogram gains a motion where it is flat, and the row that says nothing there is named") {
+  const auto prepared = prepare(parallelogram::Parameters<double>{});
+  parallelogram::State<double> state{};
+  parallelogram::Mobility<double> found{};
+  REQUIRE(initial_state(prepared, state) == gauss::Status::ok);
+  REQUIRE(mobility(0.0, state, {}, prepared, found) == gauss::Status::ok);
+  CHECK(found.mobility == 1);
+  for (const double is_shared : found.is_shared) CHECK(is_shared == 0);
+
+  const parallelogram::State<double> flat{};
+  REQUIRE(mobility(0.0, flat, {}, prepared, found) == gauss::Status::ok);
+  CHECK(found.mobility == 2);
+  std::string named;
+  for (int mu = 0; mu < parallelogram::n_constraints; ++mu) {
+    if (found.is_shared[mu] == 1) named += std::string(parallelogram::constraint_table[mu].name) + " ";
+  }
+  CHECK(named == "loop_x ");
+}
