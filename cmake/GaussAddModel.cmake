@@ -1,9 +1,12 @@
 # gauss_add_model(TARGET <target> MODEL <file.yaml>
 #                 [COUNTS <name>=<number> ...] [OUTPUTS <function> ...] [SENSITIVITIES <parameter> ...] [FOLD] [NAMESPACE <name>]
-#                 [ROUTE paper] [STRATEGY <one>] [PARTS <number>] [SPLIT [<type> ...]])
+#                 [ROUTE paper] [STRATEGY <one>] [PARTS <number>] [SPLIT [<type> ...]]
+#                 [CONTRACT off|on|fast] [ALLOW_FAST_MATH])
 #
 # Generates <name>.hpp from a model when <target> is built, and puts it on the include path of the target:
-# #include "<name>.hpp", where <name> is the name that the model file gives. The options are those of gauss-gen.
+# #include "<name>.hpp", where <name> is the name that the model file gives. The options are those of gauss-gen, but for the last
+# two: what includes the header is compiled so that a product and a sum are rounded one by one (CONTRACT off), and -ffast-math is
+# refused by the header.
 
 # A count of the model: as it is given, else the number in its text; empty where that is a formula.
 function(_gauss_count key text given result)
@@ -154,11 +157,44 @@ function(_gauss_keep_header target name folder)
   set_property(GLOBAL APPEND PROPERTY _gauss_names_${target} ${name})
 endfunction()
 
+# How the target is compiled, for whatever includes headers of its models: results shall not depend on options and compilers. MSVC contracts
+# nothing unless it is asked to.
+function(_gauss_set_contraction target visibility contract)
+  if("${contract}" STREQUAL "")
+    set(contract off)
+  endif()
+  if(NOT contract MATCHES "^(off|on|fast)$")
+    message(FATAL_ERROR "gauss_add_model(${target}): CONTRACT is 'off', 'on' or 'fast', and not '${contract}'")
+  endif()
+  get_property(other GLOBAL PROPERTY _gauss_contract_${target})
+  if("${other}" STREQUAL "")
+    set_property(GLOBAL PROPERTY _gauss_contract_${target} ${contract})
+    set(gnu_like "GNU,Clang,AppleClang,ARMClang,IntelLLVM")
+    if(NOT MSVC)
+      target_compile_options(${target} ${visibility} "$<$<COMPILE_LANG_AND_ID:CXX,${gnu_like}>:-ffp-contract=${contract}>"
+                             "$<$<COMPILE_LANG_AND_ID:CUDA,Clang>:-ffp-contract=${contract}>")
+    endif()
+    # nvcc has a switch, and hands the rest to the compiler of the host.
+    set(fmad true)
+    if(contract STREQUAL "off")
+      set(fmad false)
+    endif()
+    target_compile_options(${target} ${visibility} "$<$<COMPILE_LANG_AND_ID:CUDA,NVIDIA>:--fmad=${fmad}>")
+    if(NOT MSVC)
+      target_compile_options(${target} ${visibility} "$<$<COMPILE_LANG_AND_ID:CUDA,NVIDIA>:-Xcompiler=-ffp-contract=${contract}>")
+    endif()
+  elseif(NOT other STREQUAL contract)
+    message(FATAL_ERROR "gauss_add_model(${target}): CONTRACT is '${contract}' here and '${other}' for another model; a target is compiled "
+                        "in one way: say the same for all its models, or use two targets")
+  endif()
+endfunction()
+
 function(gauss_add_model)
-  cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD" "TARGET;MODEL;NAMESPACE;ROUTE;STRATEGY;PARTS" "COUNTS;OUTPUTS;SENSITIVITIES;SPLIT")
+  cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD;ALLOW_FAST_MATH" "TARGET;MODEL;NAMESPACE;ROUTE;STRATEGY;PARTS;CONTRACT"
+                        "COUNTS;OUTPUTS;SENSITIVITIES;SPLIT")
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "gauss_add_model: not understood: '${ARG_UNPARSED_ARGUMENTS}'; it takes TARGET, MODEL, COUNTS, OUTPUTS, "
-                        "SENSITIVITIES, FOLD, NAMESPACE, ROUTE, STRATEGY, PARTS and SPLIT")
+                        "SENSITIVITIES, FOLD, NAMESPACE, ROUTE, STRATEGY, PARTS, SPLIT, CONTRACT and ALLOW_FAST_MATH")
   endif()
   # SPLIT alone is for double.
   if("SPLIT" IN_LIST ARG_KEYWORDS_MISSING_VALUES)
@@ -266,4 +302,8 @@ function(gauss_add_model)
   endif()
   target_sources(${ARG_TARGET} PRIVATE "${header}.stamp")
   target_include_directories(${ARG_TARGET} ${visibility} "${folder}")
+  _gauss_set_contraction("${ARG_TARGET}" ${visibility} "${ARG_CONTRACT}")
+  if(ARG_ALLOW_FAST_MATH)
+    target_compile_definitions(${ARG_TARGET} ${visibility} GAUSS_ALLOW_FAST_MATH)
+  endif()
 endfunction()

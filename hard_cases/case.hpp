@@ -48,6 +48,7 @@ struct Figure {
 
 struct Scope {
   bool is_long = false;  ///< the whole duration of the catalogue, where that takes minutes
+  bool is_timed = true;  ///< with figures that are times, which no test judges
 };
 
 struct Case {

@@ -1,4 +1,4 @@
-// Runs the hard cases: hard_cases [--only H12,H13] [--long] [--json FILE] [--list]. Exits with 1 where a figure fails, with 2 on wrong usage.
+// Runs the hard cases: hard_cases [--only H12,H13] [--long] [--untimed] [--json FILE] [--list]. Exits with 1 where a figure fails, with 2 on wrong usage.
 
 #include <cstdio>
 #include <cstring>
@@ -22,7 +22,7 @@ struct Options {
 };
 
 int usage() {
-  std::fputs("usage: hard_cases [--only H12,H13] [--long] [--json FILE] [--list]\n", stderr);
+  std::fputs("usage: hard_cases [--only H12,H13] [--long] [--untimed] [--json FILE] [--list]\n", stderr);
   return 2;
 }
 
@@ -32,6 +32,8 @@ bool parse(int argc, char** argv, Options& options) {
     const bool has_value = i + 1 < argc;
     if (word == "--long") {
       options.scope.is_long = true;
+    } else if (word == "--untimed") {
+      options.scope.is_timed = false;
     } else if (word == "--list") {
       options.is_list = true;
     } else if (word == "--json" && has_value) {

@@ -7,6 +7,7 @@ const std::vector<Case>& cases() {
       {"H01", "Euler angles at their pole: a rolling ball", euler_pole},
       {"H02", "No choice of dependent velocities is good everywhere: a knife edge", knife_edge},
       {"H03", "Constraints that follow from each other: a table on four legs", redundant},
+      {"H04", "Constraints that contradict each other: two bars of other lengths", contradictory},
       {"H05", "Gradients of constraints that are nearly parallel", near_parallel},
       {"H06", "A mass matrix without inverse: an angle without inertia", singular_mass},
       {"H07", "A chain with a heavy or a light end", mass_ratio},
@@ -21,7 +22,15 @@ const std::vector<Case>& cases() {
       {"H15", "Stiff: fast rates beside a slow motion", stiff},
 #endif
       {"H20", "A pivot that shakes by a law in time", moving_pivot},
+      {"H21", "Constraints of velocities that are not linear: a turntable, Appell and Hamel's particle", affine},
+      {"H22", "Sums that lose their digits as they are written", cancellation},
+      {"H23", "Rounding in emitted expressions: chains", rounding},
+      {"H24", "Single precision", single_precision},
+      {"H25", "The same bits from every compiler", same_bits},
+      {"H26", "Denormal numbers", denormals},
+      {"H27", "Expressions that swell: a chain in space", swell},
       {"H28", "Out and back in time", time_reversal},
+      {"H29", "Degenerate input", degenerate},
       {"H30", "A start that violates the constraints", ill_start},
   };
   return all;

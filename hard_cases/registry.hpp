@@ -7,6 +7,7 @@ namespace hard_cases {
 
 std::vector<Figure> knife_edge(const Scope& scope);
 std::vector<Figure> redundant(const Scope& scope);
+std::vector<Figure> contradictory(const Scope& scope);
 std::vector<Figure> near_parallel(const Scope& scope);
 std::vector<Figure> singular_mass(const Scope& scope);
 std::vector<Figure> mass_ratio(const Scope& scope);
@@ -20,7 +21,16 @@ std::vector<Figure> constraint_drift(const Scope& scope);
 std::vector<Figure> accumulated_time(const Scope& scope);
 std::vector<Figure> stiff(const Scope& scope);  ///< only with SUNDIALS
 std::vector<Figure> moving_pivot(const Scope& scope);
+std::vector<Figure> affine(const Scope& scope);
+std::vector<Figure> cancellation(const Scope& scope);
+std::vector<Figure> rounding(const Scope& scope);
+std::vector<Figure> rounding_in_float();  ///< part of the next
+std::vector<Figure> single_precision(const Scope& scope);
+std::vector<Figure> same_bits(const Scope& scope);
+std::vector<Figure> denormals(const Scope& scope);
+std::vector<Figure> swell(const Scope& scope);
 std::vector<Figure> time_reversal(const Scope& scope);
+std::vector<Figure> degenerate(const Scope& scope);
 std::vector<Figure> ill_start(const Scope& scope);
 
 }  // namespace hard_cases

@@ -69,16 +69,23 @@
 #ifndef GAUSS_MATH_HPP
 #define GAUSS_MATH_HPP
 
-#define GAUSS_MATH_VERSION 3
+#define GAUSS_MATH_VERSION 4
 
-// Conditions on values that are not finite, and the order of sums, are part of the results.
-#if defined(__FAST_MATH__) && !defined(GAUSS_ALLOW_FAST_MATH)
+// Conditions on values that are not finite, the order of sums and signs of zeros are part of the results. Single options of -ffast-math
+// have macros of their own, but clang++ has none for a new order of sums: see GAUSS_IN_ORDER.
+#if !defined(GAUSS_ALLOW_FAST_MATH) &&                                                                \
+    (defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) ||         \
+     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__) || \
+     defined(_M_FP_FAST))
 #error \
-    "Emitted models need exact floating-point semantics: compile without -ffast-math, or define GAUSS_ALLOW_FAST_MATH."
+    "Emitted models need exact floating-point semantics: compile without -ffast-math and its parts, or define GAUSS_ALLOW_FAST_MATH."
 #endif
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
+#include <type_traits>
 
 #if defined(__CUDACC__)
 #define GAUSS_FUNCTION inline __host__ __device__
@@ -105,6 +112,13 @@
 #define GAUSS_PART GAUSS_FUNCTION __attribute__((noinline))
 #else
 #define GAUSS_PART GAUSS_FUNCTION
+#endif
+
+// At the beginning of a block: its sums are taken as they are written, whatever options allow. clang++ 14 forgets it in a fold over a +.
+#if defined(__clang__)
+#define GAUSS_IN_ORDER _Pragma("clang fp reassociate(off)")
+#else
+#define GAUSS_IN_ORDER
 #endif
 
 namespace gauss {
@@ -157,6 +171,44 @@ GAUSS_FUNCTION S call_pow(const S& x, const S& y) {
 }
 }  // namespace adl
 
+namespace detail {
+
+/// A compiler that knows the argument of a function computes the function itself, with a last digit that may be another than that of the library
+/// at run time: the same program would have other results with other options. So arguments that it knows are hidden from it.
+template <class S>
+GAUSS_INLINED S at_run_time(S x) noexcept {
+#if defined(__GNUC__) && !defined(__CUDA_ARCH__)
+  if (__builtin_constant_p(x)) __asm__("" : "+m"(x));
+#endif
+  return x;
+}
+
+/// Infinite or not a number, by the bits of the exponent: for compilers that take all numbers for finite.
+template <class S>
+GAUSS_FUNCTION bool has_largest_exponent(const S& x) noexcept {
+  constexpr int digits = std::numeric_limits<S>::digits;
+  static_assert(digits == 24 || digits == 53 || digits == 64 || digits == 113, "a format of IEEE 754, or that of x87");
+  using Word =
+      std::conditional_t<digits == 24, std::uint32_t, std::conditional_t<digits == 53, std::uint64_t, std::uint16_t>>;
+  constexpr Word exponent = static_cast<Word>(digits == 24   ? 0x7F800000U
+                                              : digits == 53 ? 0x7FF0000000000000U
+                                                             : 0x7FFFU);
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+  constexpr std::size_t place = 0;
+#else
+  constexpr std::size_t place = digits == 64 ? 8 : digits == 113 ? 14 : 0;
+#endif
+  Word bits = 0;
+  std::memcpy(&bits, reinterpret_cast<const unsigned char*>(&x) + place, sizeof bits);
+#if defined(__GNUC__) && !defined(__CUDA_ARCH__)
+  // What it takes for finite has no such bits, and some compilers know.
+  __asm__("" : "+m"(bits));
+#endif
+  return (bits & exponent) == exponent;
+}
+
+}  // namespace detail
+
 /// Comparison and selection for types whose conditions are bool.
 template <class S>
 struct ScalarLogic {
@@ -175,7 +227,9 @@ struct ScalarLogic {
   /// x - x is 0 for finite x, else a NaN, which equals nothing.
   template <class... Rest>
   GAUSS_FUNCTION static Bool not_finite(const S& first, const Rest&... rest) {
-    const S sum = ((first - first) + ... + (rest - rest));
+    GAUSS_IN_ORDER
+    S sum = first - first;
+    ((sum = sum + (rest - rest)), ...);
     return !(sum == sum);
   }
 
@@ -230,23 +284,31 @@ template <class S>
 struct StandardMath : ScalarLogic<S> {
   /// One comparison, where any type with < and == may need two.
   GAUSS_FUNCTION static bool at_most(S a, S b) noexcept { return a <= b; }
-  GAUSS_FUNCTION static S sin(S x) noexcept { return std::sin(x); }
-  GAUSS_FUNCTION static S cos(S x) noexcept { return std::cos(x); }
-  GAUSS_FUNCTION static S tan(S x) noexcept { return std::tan(x); }
-  GAUSS_FUNCTION static S asin(S x) noexcept { return std::asin(x); }
-  GAUSS_FUNCTION static S acos(S x) noexcept { return std::acos(x); }
-  GAUSS_FUNCTION static S atan(S x) noexcept { return std::atan(x); }
-  GAUSS_FUNCTION static S atan2(S y, S x) noexcept { return std::atan2(y, x); }
-  GAUSS_FUNCTION static S exp(S x) noexcept { return std::exp(x); }
-  GAUSS_FUNCTION static S log(S x) noexcept { return std::log(x); }
-  GAUSS_FUNCTION static S sinh(S x) noexcept { return std::sinh(x); }
-  GAUSS_FUNCTION static S cosh(S x) noexcept { return std::cosh(x); }
-  GAUSS_FUNCTION static S tanh(S x) noexcept { return std::tanh(x); }
+#if defined(GAUSS_ALLOW_FAST_MATH)
+  template <class... Rest>
+  GAUSS_FUNCTION static bool not_finite(const S& first, const Rest&... rest) noexcept {
+    return (detail::has_largest_exponent(first) || ... || detail::has_largest_exponent(rest));
+  }
+#endif
+  GAUSS_FUNCTION static S sin(S x) noexcept { return std::sin(detail::at_run_time(x)); }
+  GAUSS_FUNCTION static S cos(S x) noexcept { return std::cos(detail::at_run_time(x)); }
+  GAUSS_FUNCTION static S tan(S x) noexcept { return std::tan(detail::at_run_time(x)); }
+  GAUSS_FUNCTION static S asin(S x) noexcept { return std::asin(detail::at_run_time(x)); }
+  GAUSS_FUNCTION static S acos(S x) noexcept { return std::acos(detail::at_run_time(x)); }
+  GAUSS_FUNCTION static S atan(S x) noexcept { return std::atan(detail::at_run_time(x)); }
+  GAUSS_FUNCTION static S atan2(S y, S x) noexcept {
+    return std::atan2(detail::at_run_time(y), detail::at_run_time(x));
+  }
+  GAUSS_FUNCTION static S exp(S x) noexcept { return std::exp(detail::at_run_time(x)); }
+  GAUSS_FUNCTION static S log(S x) noexcept { return std::log(detail::at_run_time(x)); }
+  GAUSS_FUNCTION static S sinh(S x) noexcept { return std::sinh(detail::at_run_time(x)); }
+  GAUSS_FUNCTION static S cosh(S x) noexcept { return std::cosh(detail::at_run_time(x)); }
+  GAUSS_FUNCTION static S tanh(S x) noexcept { return std::tanh(detail::at_run_time(x)); }
   GAUSS_FUNCTION static S sqrt(S x) noexcept { return std::sqrt(x); }
-  GAUSS_FUNCTION static S pow(S x, S y) noexcept { return std::pow(x, y); }
+  GAUSS_FUNCTION static S pow(S x, S y) noexcept { return std::pow(detail::at_run_time(x), detail::at_run_time(y)); }
   GAUSS_FUNCTION static void sincos(S x, S& sine, S& cosine) noexcept {
-    sine = std::sin(x);
-    cosine = std::cos(x);
+    sine = sin(x);
+    cosine = cos(x);
   }
   GAUSS_FUNCTION static S pi() noexcept { return static_cast<S>(3.14159265358979323846264338327950288L); }
   /// A constant: device code calls no function of the host, not a constexpr one either.
@@ -256,8 +318,10 @@ struct StandardMath : ScalarLogic<S> {
 
 // One call for both where the C library offers it; compilers do not always find the pair by themselves.
 #if defined(__GLIBC__) && defined(_GNU_SOURCE)
-#define GAUSS_SINCOS(S, function) \
-  GAUSS_FUNCTION static void sincos(S x, S& sine, S& cosine) noexcept { function(x, &sine, &cosine); }
+#define GAUSS_SINCOS(S, function)                                       \
+  GAUSS_FUNCTION static void sincos(S x, S& sine, S& cosine) noexcept { \
+    function(detail::at_run_time(x), &sine, &cosine);                   \
+  }
 #else
 #define GAUSS_SINCOS(S, function)
 #endif
@@ -297,7 +361,7 @@ using StatusOf = typename Math<S>::Status;
 
 }  // namespace gauss
 
-#elif GAUSS_MATH_VERSION != 3
+#elif GAUSS_MATH_VERSION != 4
 #error "Two versions of the gauss prelude meet in one file: generate all models with the same gauss-gen."
 #endif  // GAUSS_MATH_HPP
 
@@ -499,8 +563,8 @@ class Constrained {
   /// A row that nearly vanishes beside what it may be is nearly nothing: beside the equations of positions it has the direction of errors. But
   /// something light that it does not move here makes no row small.
   GAUSS_FUNCTION static S usual_size(const S& size, const S& reach) {
-    const S most = size / Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
-    return larger(size, Math<S>::select(Math<S>::less(reach, most), reach, most));
+    const S limit = size / Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
+    return larger(size, Math<S>::select(Math<S>::less(reach, limit), reach, limit));
   }
 
   GAUSS_FUNCTION S length(const S (&row)[n]) const {

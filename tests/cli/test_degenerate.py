@@ -1,7 +1,9 @@
 """Degenerate input (hard case H29): lengths, masses, motions and constraints of nothing. Each has a named finding, or the right answer by hand."""
 
+import io
 import json
 import re
+import sys
 import unittest
 
 from gauss_gen import Program
@@ -136,5 +138,15 @@ class Degenerate(Program):
                 self.assertIn("namespace gauss", result.stdout)
 
 
+def report():
+    """How many models there are, and how many checks of them ended otherwise, for hard_cases/."""
+    suite = unittest.defaultTestLoader.loadTestsFromTestCase(Degenerate)
+    result = unittest.TextTestRunner(stream=io.StringIO()).run(suite)
+    json.dump({"refused": len(REFUSED), "answered": len(ANSWERED), "otherwise": len(result.failures) + len(result.errors)}, sys.stdout)
+
+
 if __name__ == "__main__":
-    unittest.main()
+    if sys.argv[1:] == ["--json"]:
+        report()
+    else:
+        unittest.main()

@@ -306,6 +306,42 @@ class Package(unittest.TestCase):
             PROJECT + "add_library(models INTERFACE)\ngauss_add_model(TARGET models MODEL pendulum.yaml SPLIT)\n", encoding="utf-8")
         self.assertIn("gauss_add_model(models): with SPLIT there is a file to compile", " ".join(self.configuring_fails().split()))
 
+    def compiled_by(self, more):
+        """The commands that compile the program where its model is added with more words."""
+        (self.source / "CMakeLists.txt").write_text(PROJECT.replace(".yaml)", f".yaml {more})"), encoding="utf-8")
+        shutil.rmtree(self.build, ignore_errors=True)
+        self.configure("Ninja")
+        return run("ninja", "-C", self.build, "-t", "commands", "app")
+
+    @unittest.skipUnless(shutil.which("ninja"), "needs ninja")
+    def test_products_and_sums_are_rounded_one_by_one_unless_the_target_says_otherwise(self):
+        for more, option in (("", "off"), ("CONTRACT on", "on"), ("CONTRACT fast", "fast")):
+            with self.subTest(more):
+                said = self.compiled_by(more)
+                self.assertEqual(re.findall(r"-ffp-contract=(\w+)", said), [option], said)
+                self.assertNotIn("GAUSS_ALLOW_FAST_MATH", said)
+
+    def test_an_unknown_or_second_way_to_contract_is_refused(self):
+        text = PROJECT.replace(".yaml)", ".yaml CONTRACT sometimes)")
+        (self.source / "CMakeLists.txt").write_text(text, encoding="utf-8")
+        self.assertIn("gauss_add_model(app): CONTRACT is 'off', 'on' or 'fast', and not 'sometimes'", self.configuring_fails())
+        text = PROJECT + "gauss_add_model(TARGET app MODEL sphere_turntable.yaml CONTRACT fast)\n"
+        (self.source / "CMakeLists.txt").write_text(text, encoding="utf-8")
+        self.assertIn("CONTRACT is 'fast' here and 'off' for another model; a target is compiled in one way", self.configuring_fails())
+
+    def test_fast_math_is_refused_unless_the_model_is_added_with_it(self):
+        for more, is_allowed in (("", False), ("ALLOW_FAST_MATH", True)):
+            with self.subTest(more):
+                text = PROJECT.replace(".yaml)", f".yaml {more})") + "target_compile_options(app PRIVATE -ffast-math)\n"
+                (self.source / "CMakeLists.txt").write_text(text, encoding="utf-8")
+                shutil.rmtree(self.build, ignore_errors=True)
+                self.configure(ANY_GENERATOR)
+                if is_allowed:
+                    self.make()
+                    self.assert_pendulum(LENGTH)
+                else:
+                    self.assertIn("exact floating-point semantics", self.fails(self.make))
+
     def test_two_sizes_of_a_model_go_into_one_program(self):
         shutil.copy(SOURCE / "models/families/planar_chain_absolute.yaml", self.source / "chain.yaml")
         (self.source / "CMakeLists.txt").write_text(

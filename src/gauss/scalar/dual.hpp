@@ -213,7 +213,14 @@ struct Math<Dual<T, N>> {
   /// Tangents are results, too.
   template <class... Rest>
   GAUSS_FUNCTION static Bool not_finite(const S& first, const Rest&... rest) noexcept {
-    return Math<T>::not_finite((difference(first) + ... + difference(rest)));
+#if defined(GAUSS_ALLOW_FAST_MATH)
+    return Math<T>::any(has_lost(first), has_lost(rest)...);
+#else
+    GAUSS_IN_ORDER
+    T sum = difference(first);
+    ((sum = sum + difference(rest)), ...);
+    return Math<T>::not_finite(sum);
+#endif
   }
   GAUSS_FUNCTION static Status status(const Bool& singular_mass_matrix, const Bool& dependent_constraints,
                                       const Bool& not_finite, const Bool& violated_constraints = Bool(false)) noexcept {
@@ -232,9 +239,16 @@ struct Math<Dual<T, N>> {
   GAUSS_FUNCTION static T leg(const T& x) noexcept { return Math<T>::sqrt((T(1) - x) * (T(1) + x)); }
   /// 0 for finite numbers only, NaN for others.
   GAUSS_FUNCTION static T difference(const S& x) noexcept {
+    GAUSS_IN_ORDER
     T sum = x.value - x.value;
     for (int i = 0; i < N; ++i) sum = sum + (x.tangent[i] - x.tangent[i]);
     return sum;
+  }
+  /// The same where compilers take such differences for 0.
+  GAUSS_FUNCTION static Bool has_lost(const S& x) noexcept {
+    Bool result = Math<T>::not_finite(x.value);
+    for (int i = 0; i < N; ++i) result = Math<T>::any(result, Math<T>::not_finite(x.tangent[i]));
+    return result;
   }
 };
 

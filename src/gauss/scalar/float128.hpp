@@ -28,6 +28,14 @@ struct Math<__float128> : ScalarLogic<__float128> {
   static S pow(S x, S y) noexcept { return powq(x, y); }
   static void sincos(S x, S& sine, S& cosine) noexcept { sincosq(x, &sine, &cosine); }
 
+#if defined(GAUSS_ALLOW_FAST_MATH)
+  // Functions of a library that was compiled without -ffast-math.
+  template <class... Rest>
+  static bool not_finite(S first, Rest... rest) noexcept {
+    return (!finiteq(first) || ... || !finiteq(rest));
+  }
+#endif
+
   // -std=c++17 knows neither the suffix Q nor numeric_limits of this type, so: three doubles, and 2^-112.
   static S pi() noexcept { return constant(3.141592653589793, 1.2246467991473532e-16, -2.9947698097183397e-33); }
   static S epsilon() noexcept { return S(1.9259299443872359e-34); }

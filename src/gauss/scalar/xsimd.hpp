@@ -75,7 +75,18 @@ struct Math<xsimd::batch<T, Arch>> {
   }
   template <class... Rest>
   static Bool not_finite(const S& first, const Rest&... rest) noexcept {
-    return xsimd::isnan(((first - first) + ... + (rest - rest)));
+#if defined(GAUSS_ALLOW_FAST_MATH)
+    // Lane by lane: how bits of a batch are had depends on the version of xsimd.
+    T is_bad[S::size] = {};
+    mark(is_bad, first);
+    (mark(is_bad, rest), ...);
+    return S::load_unaligned(is_bad) > S(0);
+#else
+    GAUSS_IN_ORDER
+    S sum = first - first;
+    ((sum = sum + (rest - rest)), ...);
+    return xsimd::isnan(sum);
+#endif
   }
   static Status status(const Bool& singular_mass_matrix, const Bool& dependent_constraints, const Bool& not_finite,
                        const Bool& violated_constraints = Bool(false)) noexcept {
@@ -91,6 +102,14 @@ struct Math<xsimd::batch<T, Arch>> {
   static S constant(double hi, double mid, double lo) noexcept { return S(Math<T>::constant(hi, mid, lo)); }
 
  private:
+  static void mark(T (&is_bad)[S::size], const S& x) noexcept {
+    T lanes[S::size];
+    x.store_unaligned(lanes);
+    for (std::size_t i = 0; i < S::size; ++i) {
+      if (detail::has_largest_exponent(lanes[i])) is_bad[i] = T(1);
+    }
+  }
+
   static std::pair<S, S> pair(const S& x) noexcept {
     if constexpr (std::is_same_v<T, double>) {
       return xsimd_detail::sincos(x);
