@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "conserved_energy.hpp"
 #include "ir/contract.hpp"
 #include "ir/cost.hpp"
 #include "kinematics/body_motions.hpp"
@@ -102,6 +103,8 @@ Artefact energy_artefact(Mechanics& mechanics) {
   steps.begin("energies");
   builder.result_type("Energy");
   builder.artefact().takes_inputs = false;
+  builder.artefact().constants.push_back({"is_conserved", conserves_energy(mechanics, energy.kinetic, energy.potential),
+                                          "whether it is the same in every motion, by the form of the model"});
   const Expr kinetic = steps.name(energy.kinetic, "kinetic_energy");
   const Expr potential = steps.name(energy.potential, "potential_energy");
   builder.fields("", "", "",

@@ -508,9 +508,10 @@ struct ReactionForces {
 
 template <class S>
 struct Energy {
-  S kinetic;    ///< [J]
-  S potential;  ///< [J]
-  S total;      ///< [J]
+  static constexpr bool is_conserved = false;  ///< whether it is the same in every motion, by the form of the model
+  S kinetic;                                   ///< [J]
+  S potential;                                 ///< [J]
+  S total;                                     ///< [J]
 };
 
 template <class S>

@@ -5,6 +5,7 @@
 //
 // elimination (3.6)-(3.7) with dependent speeds zeta, psi; safe because det b over them depends on
 // parameters alone: 89 operations before they are optimised, and 205 body by body along the tree
+// Where nothing singles a state out: mobility 3 (5 speeds, 2 constraints).
 //
 // Coordinates
 //   chi    rad  azimuth of the centre
@@ -47,6 +48,7 @@
 //   energy                         6    12  0  0     1
 //   compulsion                     17   37  0  0     6
 //   residuals                      14   21  0  0     4
+//   mobility                       4    20  0  0     4
 //   mass_matrix                    0    1   0  0     1
 //   project_system                 5    10  0  0     4
 //   project_regular                25   38  1  0     4
@@ -396,6 +398,15 @@ struct LinearSolution {
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
 
+/// How it is decided which constraints say something of their own. Tolerances are sines of the angle to all others, where inertias are 1.
+template <class S>
+struct RankRule {
+  int usual;    ///< rank of b where nothing singles a state out; less is a status
+  S tolerance;  ///< below, a row follows from the others
+  S beyond;     ///< the same of rows beyond the usual rank
+  bool is_agreement_known;  ///< whether rows contradict each other is not asked, since positions tell it
+};
+
 namespace detail {
 
 /// Numbers 0 and 1 stand for conditions here: they combine by products for every type.
@@ -496,12 +507,11 @@ class Constrained {
   static constexpr int most = n < l ? n : l;  ///< rows that can say something of their own
 
  public:
-  /// `most_rank`: of b on the constraints, as it usually is. `tolerance`: sine of the angle to all others below which a row says nothing of its own.
   template <class System>
-  GAUSS_FUNCTION Constrained(const System& system, int most_rank, const S& tolerance, bool is_agreement_known)
-      : is_agreement_known_(is_agreement_known) {
+  GAUSS_FUNCTION Constrained(const System& system, const RankRule<S>& rule)
+      : is_agreement_known_(rule.is_agreement_known) {
     scale(system);
-    factorise_rows(most_rank, tolerance);
+    factorise_rows(rule);
     reduce_metric();
     find_shared();
   }
@@ -586,7 +596,7 @@ class Constrained {
   }
 
   /// b^T P = Q R. At each step the row that is longest across all before is next.
-  GAUSS_FUNCTION void factorise_rows(int most_rank, const S& tolerance) {
+  GAUSS_FUNCTION void factorise_rows(const RankRule<S>& rule) {
     for (int mu = 0; mu < l; ++mu) {
       for (int i = 0; i < n; ++i) r_[mu][i] = b_[mu][i];
     }
@@ -598,8 +608,8 @@ class Constrained {
       bring_longest(k);
       bring_largest(k);
       const S size = root(squares_from(k, r_[k]));
-      goes_on = goes_on * (k < most_rank ? positive<S>(size - tolerance) : S(0));
-      if (k < most_rank) is_full_ = goes_on;
+      goes_on = goes_on * positive<S>(size - (k < rule.usual ? rule.tolerance : rule.beyond));
+      if (k < rule.usual) is_full_ = goes_on;
       is_row_[k] = goes_on;
       rank_ = rank_ + goes_on;
       reflect(k, size);
@@ -879,26 +889,37 @@ GAUSS_FUNCTION StatusOf<S> status_of_lost(const StatusOf<S>& before, const Statu
 
 }  // namespace detail
 
-/// The sine of an angle below which a row counts as one that follows from others: of accelerations, half of the digits and four bits.
+/// Of accelerations: half of the digits and four bits.
 template <class S>
 GAUSS_FUNCTION S default_rank_tolerance() {
   return Math<S>::sqrt(Math<S>::epsilon()) / S(16);
 }
 
-/// Of steps of Newton's method: rounding of a residual, divided by this sine, is less than the sine. So a step stays on its side of a
-/// position at which rows depend on each other.
+/// For constraints of velocities alone: nothing but parameters makes their rank higher than it was where the model was generated.
 template <class S>
-GAUSS_FUNCTION S rank_tolerance_of_steps() {
-  return S(4) * Math<S>::sqrt(Math<S>::epsilon());
+GAUSS_FUNCTION RankRule<S> rank_of_velocities(int usual, const S& tolerance = default_rank_tolerance<S>()) {
+  return {usual, tolerance, tolerance, false};
+}
+
+/// With equations of positions: beside them, as in the stages of a step, rows that follow from others seem to say something, and what they say is
+/// error. What other parameters make of them is more.
+template <class S>
+GAUSS_FUNCTION RankRule<S> rank_on_positions(int usual, const S& tolerance = default_rank_tolerance<S>()) {
+  return {usual, tolerance, detail::larger<S>(S(1) / S(20), tolerance), true};
+}
+
+/// Of steps of Newton's method: rounding of a residual, divided by this sine, is less than the sine. So a step stays on its side of a
+/// position at which rows depend on each other. It begins far from the equations, and no row is taken beyond the usual rank.
+template <class S>
+GAUSS_FUNCTION RankRule<S> rank_of_steps(int usual) {
+  return {usual, S(4) * Math<S>::sqrt(Math<S>::epsilon()), S(2), true};
 }
 
 /// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, reach[l][n], not less than
 /// its entries in any configuration, and drift[l].
-/// `is_agreement_known`: whether rows contradict each other is not asked, since positions tell it.
 template <class System, class S, int n, int l>
-GAUSS_PART void solve(const System& system, int most_rank, const S& tolerance, bool is_agreement_known,
-                      LinearSolution<S, n, l>& solution) noexcept {
-  detail::Constrained<S, n, l>(system, most_rank, tolerance, is_agreement_known).solve(solution);
+GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolution<S, n, l>& solution) noexcept {
+  detail::Constrained<S, n, l>(system, rule).solve(solution);
 }
 
 }  // namespace gauss
@@ -1081,9 +1102,10 @@ struct ReactionForces {
 
 template <class S>
 struct Energy {
-  S kinetic;    ///< [J]
-  S potential;  ///< [J]
-  S total;      ///< [J]
+  static constexpr bool is_conserved = true;  ///< whether it is the same in every motion, by the form of the model
+  S kinetic;                                  ///< [J]
+  S potential;                                ///< [J]
+  S total;                                    ///< [J]
 };
 
 template <class S>
@@ -1095,6 +1117,13 @@ template <class S>
 struct Residuals {
   S velocity[2];      ///< phi of each constraint (3.1); df/dt of an equation f
   S acceleration[2];  ///< dphi/dt of each constraint
+};
+
+template <class S>
+struct Mobility {
+  S rank;          ///< number of constraints that say something of their own
+  S mobility;      ///< number of independent motions: speeds less the rank
+  S is_shared[2];  ///< 1: others can do what this constraint does, its multiplier is not unique; else 0
 };
 
 template <class S>
@@ -1450,7 +1479,7 @@ GAUSS_PART StatusOf<S> rhs_general(const S& t, const State<S>& state, const Inpu
   LinearSystem<S> system;
   StatusOf<S> status = linear_system(t, state, inputs, prepared, system);
   LinearSolution<S, n_v, n_constraints> solved;
-  solve(system, 2, default_rank_tolerance<S>(), false, solved);
+  solve(system, rank_of_velocities<S>(2), solved);
   status = Math<S>::worse(status, solved.motion);
   status = Math<S>::worse(status, rhs_of_solution(t, state, inputs, prepared, solved, own_derivative));
   detail::take_lost<S>(regular, own_derivative, derivative);
@@ -1637,7 +1666,7 @@ GAUSS_PART StatusOf<S> reactions_general(const S& t, const State<S>& state, cons
   LinearSystem<S> system;
   StatusOf<S> status = linear_system(t, state, inputs, prepared, system);
   LinearSolution<S, n_v, n_constraints> solved;
-  solve(system, 2, default_rank_tolerance<S>(), false, solved);
+  solve(system, rank_of_velocities<S>(2), solved);
   status = Math<S>::worse(status, solved.reactions);
   status = Math<S>::worse(status, reactions_of_solution(t, state, inputs, prepared, solved, own_reactions));
   detail::take_lost<S>(regular, own_reactions, reactions);
@@ -1855,7 +1884,7 @@ GAUSS_PART StatusOf<S> rhs_and_reactions_general(const S& t, const State<S>& sta
   LinearSystem<S> system;
   StatusOf<S> status = linear_system(t, state, inputs, prepared, system);
   LinearSolution<S, n_v, n_constraints> solved;
-  solve(system, 2, default_rank_tolerance<S>(), false, solved);
+  solve(system, rank_of_velocities<S>(2), solved);
   status = Math<S>::worse(status, solved.reactions);
   status = Math<S>::worse(status, rhs_and_reactions_of_solution(t, state, inputs, prepared, solved,
       own_derivative, own_reactions));
@@ -2133,7 +2162,7 @@ GAUSS_PART StatusOf<S> reaction_forces_general(const S& t, const State<S>& state
   LinearSystem<S> system;
   StatusOf<S> status = linear_system(t, state, inputs, prepared, system);
   LinearSolution<S, n_v, n_constraints> solved;
-  solve(system, 2, default_rank_tolerance<S>(), false, solved);
+  solve(system, rank_of_velocities<S>(2), solved);
   status = Math<S>::worse(status, solved.reactions);
   status = Math<S>::worse(status, reaction_forces_of_solution(t, state, inputs, prepared, solved,
       own_reaction_forces));
@@ -2318,6 +2347,23 @@ GAUSS_FUNCTION StatusOf<S> residuals(const S& t, const State<S>& state, const In
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, velocity_0, velocity_1, acceleration_0,
       acceleration_1);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
+}
+
+/// What the constraints leave to the mechanism in this state. The status is not ok where the state is none;
+/// a rank that is lower here than usual is no mistake of this function.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> mobility(const S& t, const State<S>& state, const Inputs<S>& inputs,
+                                    const Prepared<S>& prepared, Mobility<S>& mobility) noexcept {
+  LinearSystem<S> system;
+  StatusOf<S> status = linear_system(t, state, inputs, prepared, system);
+  LinearSolution<S, n_v, n_constraints> solved;
+  solve(system, rank_of_velocities<S>(2), solved);
+  mobility.rank = solved.rank;
+  mobility.mobility = S(n_v) - solved.rank;
+  for (int mu = 0; mu < 2; ++mu) {
+    mobility.is_shared[mu] = solved.is_shared[mu];
+  }
+  return status;
 }
 
 /// The metric g of the free speeds (1.10).
@@ -2621,7 +2667,7 @@ GAUSS_PART StatusOf<S> project_general(const S& t, const State<S>& from, const P
   LinearSystem<S> system;
   StatusOf<S> status = project_system(t, from, prepared, system);
   LinearSolution<S, n_v, n_constraints> solved;
-  solve(system, 2, rank_tolerance_of_steps<S>(), true, solved);
+  solve(system, rank_of_steps<S>(2), solved);
   status = Math<S>::worse(status, solved.step);
   status = Math<S>::worse(status, project_of_solution(t, from, prepared, solved, own_state));
   detail::take_lost<S>(regular, own_state, state);
@@ -2860,7 +2906,7 @@ GAUSS_PART StatusOf<S> initial_state_general(const Prepared<S>& prepared, const 
   LinearSystem<S> system;
   StatusOf<S> status = initial_state_system(prepared, system);
   LinearSolution<S, n_v, n_constraints> solved;
-  solve(system, 2, rank_tolerance_of_steps<S>(), true, solved);
+  solve(system, rank_of_steps<S>(2), solved);
   status = Math<S>::worse(status, solved.step);
   status = Math<S>::worse(status, initial_state_of_solution(prepared, solved, own_state));
   detail::take_lost<S>(regular, own_state, state);

@@ -24,7 +24,7 @@ ResultTypes::ResultTypes(const Unit& unit) {
   for (const Artefact& artefact : unit.artefacts) {
     if (artefact.result_type.empty()) continue;
     auto type = find_named(types_, artefact.result_type);
-    if (type == types_.end()) type = types_.insert(type, Type{artefact.result_type, {}, {}});
+    if (type == types_.end()) type = types_.insert(type, Type{artefact.result_type, {}, artefact.constants, {}});
     for (const Group& group : artefact.groups) merge(*type, group);
   }
   for (Type& type : types_) name_members(type);
@@ -50,6 +50,7 @@ void ResultTypes::merge(Type& type, const Group& group) {
 void ResultTypes::name_members(Type& type) {
   NameScope outer;
   outer.reserve(type.name);
+  for (const Constant& constant : type.constants) outer.reserve(constant.name);
   for (const Group& group : type.groups) {
     NameScope inner;
     if (!group.name.empty()) type.texts[group.name] = outer.allocate(group.name);
@@ -64,6 +65,12 @@ void ResultTypes::name_members(Type& type) {
 cpp::Struct ResultTypes::printed(const Type& type) {
   cpp::Struct result;
   result.name = type.name;
+  for (const Constant& constant : type.constants)
+    result.members.push_back({"static constexpr bool",
+                              constant.name,
+                              {},
+                              cpp::atom(constant.value ? "true" : "false"),
+                              comment_text(constant.about)});
   for (const Group& group : type.groups) {
     cpp::Struct nested;
     nested.comment = wrapped(group.about, 100);
@@ -73,7 +80,8 @@ cpp::Struct ResultTypes::printed(const Type& type) {
     for (const Field& field : group.fields) {
       std::vector<std::string> shape;
       for (const int size : field.shape) shape.push_back(std::to_string(size));
-      members.push_back({"S", type.texts.at(key(group.name, field.name)), shape, std::nullopt, comment_text(field.about)});
+      members.push_back(
+          {"S", type.texts.at(key(group.name, field.name)), shape, std::nullopt, comment_text(field.about)});
     }
     if (group.name.empty()) continue;
     nested.instance = type.texts.at(group.name);
@@ -88,7 +96,8 @@ std::vector<cpp::Struct> ResultTypes::structs() const {
   return result;
 }
 
-std::string ResultTypes::path(const std::string& result_type, const std::string& group, const std::string& field) const {
+std::string ResultTypes::path(const std::string& result_type, const std::string& group,
+                              const std::string& field) const {
   const auto type =
       std::find_if(types_.begin(), types_.end(), [&](const Type& item) { return item.name == result_type; });
   std::string text = snake_case(result_type);

@@ -24,6 +24,7 @@ class ResultTypes {
   struct Type {
     std::string name;
     std::vector<Group> groups;
+    std::vector<Constant> constants;
     std::map<std::string, std::string> texts;  ///< names of groups and "group/field" as emitted
   };
 

@@ -73,6 +73,13 @@ struct Group {
   std::vector<Field> fields;
 };
 
+/// What is known of a result when code is generated: a static member of its struct.
+struct Constant {
+  std::string name;
+  bool value = false;
+  std::string about;
+};
+
 /// Temporaries that are printed together under one comment. Nodes that the function does not need are left out, and so
 /// is a section without any.
 struct Section {
@@ -143,6 +150,7 @@ struct Artefact {
   std::optional<TwoWays> ways;     ///< instead of values: these functions come before this one
   std::string result_type;         ///< struct name, such as Reactions; several artefacts may fill the same struct
   std::vector<Group> groups;
+  std::vector<Constant> constants;
   std::vector<Section> sections;
   StatusNodes status;
   bool is_part = false;  ///< of a function in two ways

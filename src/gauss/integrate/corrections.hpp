@@ -64,9 +64,13 @@ class Projected {
 
 /// Keeps the energy of a scleronomic, conservative model at its value before the first step, by a factor on all speeds,
 /// sqrt((E0 - V)/T): of all changes of speeds that give this energy, the least in the metric of the masses, and one that keeps
-/// homogeneous constraints of speeds. `Energy` is the emitted struct, such as gauss::pendulum::Energy<double>.
-template <class Inner, class Energy>
+/// homogeneous constraints of speeds. `Energy` is the emitted struct, such as gauss::pendulum::Energy<double>. Where the generator does not know that
+/// it is conserved, as with a generalized force that has a potential, `is_conserved` says so.
+template <class Inner, class Energy, bool is_conserved = Energy::is_conserved>
 class EnergyKept {
+  static_assert(is_conserved,
+                "the energy of this model may change: laws in time, dampers, inputs or forces without a potential");
+
  public:
   using Scalar = typename Inner::Scalar;
   using State = typename Inner::State;
