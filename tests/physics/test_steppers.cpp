@@ -119,6 +119,28 @@ TEST_CASE("projection holds the bar and says how far it moved; the energy is kep
   CHECK(kept.applied > 5'000);
 }
 
+TEST_CASE("levels of projection: each holds its own constraints and leaves the other to drift") {
+  struct Misses {
+    double position, speed;
+  };
+  const auto misses = [](auto run) {
+    REQUIRE(run.advance(1'000));
+    const double* y = run.state().values;
+    return Misses{std::abs(std::hypot(y[0], y[1]) - 1), std::abs(y[0] * y[2] + y[1] * y[3])};
+  };
+  using gauss::integrate::ToPositions;
+  using gauss::integrate::ToSpeeds;
+  const Misses free = misses(FixedStep<BobModel, Rk4<BobModel>>(bob(), bob_start(), 0.01));
+  const Misses closed = misses(FixedStep<BobModel, Projected<Rk4<BobModel>, ToPositions>>(bob(), bob_start(), 0.01));
+  const Misses along = misses(FixedStep<BobModel, Projected<Rk4<BobModel>, ToSpeeds>>(bob(), bob_start(), 0.01));
+  CHECK(free.position > 1e-9);
+  CHECK(free.speed > 1e-9);
+  CHECK(closed.position < 1e-14);
+  CHECK(closed.speed > 1e-10);
+  CHECK(along.speed < 1e-14);
+  CHECK(along.position > 1e-11);
+}
+
 TEST_CASE("assembly reports what moved, and leaves a start alone that is beyond the limit") {
   auto start = bob_start();
   start.values[1] -= 0.01;

@@ -24,6 +24,17 @@ StatusOf<Scalar> project_if_any(long, const Scalar&, const Prepared&, State&) {
   return StatusOf<Scalar>{};
 }
 
+// One step of Newton's method each, of models with equations of positions.
+template <class Scalar, class State, class Prepared>
+StatusOf<Scalar> position_step(const Scalar& t, const Prepared& prepared, State& state) {
+  return project_positions(t, state, prepared, state);
+}
+
+template <class Scalar, class State, class Prepared>
+StatusOf<Scalar> speed_step(const Scalar& t, const Prepared& prepared, State& state) {
+  return project_speeds(t, state, prepared, state);
+}
+
 // Outside of BoundModel, whose member would hide it.
 template <class Scalar, class State, class Prepared, class Energy>
 StatusOf<Scalar> energy_of(const Scalar& t, const State& state, const Prepared& prepared, Energy& result) {
@@ -65,6 +76,12 @@ class BoundModel {
 
   /// Back onto the constraints.
   Status projection(const Scalar& t, State& state) const { return detail::project_if_any(0, t, prepared_, state); }
+
+  /// One step of Newton's method towards the equations of positions, in the metric of the masses; of a model that has some.
+  Status position_step(const Scalar& t, State& state) const { return detail::position_step(t, prepared_, state); }
+
+  /// The same towards the constraints of velocities.
+  Status speed_step(const Scalar& t, State& state) const { return detail::speed_step(t, prepared_, state); }
 
   decltype(auto) inputs(const Scalar& t, const State& state) const {
     if constexpr (std::is_invocable_v<const Source&, const Scalar&, const State&>) {

@@ -29,6 +29,37 @@ struct ToConstraints {
   }
 };
 
+namespace detail {
+
+/// As many steps of Newton's method as `project` takes. The status is the one that stops a motion, or else the first milder one.
+template <class Step>
+Status repeated(const Step& step) {
+  Status status = Status::ok;
+  for (int i = 0; i < 4 && is_motion_known(status); ++i) {
+    const Status now = step();
+    if (!is_motion_known(now) || status == Status::ok) status = now;
+  }
+  return status;
+}
+
+}  // namespace detail
+
+/// Equations of positions alone: loops stay closed, while speeds drift off their constraints.
+struct ToPositions {
+  template <class Model>
+  static Status apply(const Model& model, const typename Model::Scalar& t, typename Model::State& state) {
+    return detail::repeated([&] { return model.position_step(t, state); });
+  }
+};
+
+/// Constraints of velocities alone.
+struct ToSpeeds {
+  template <class Model>
+  static Status apply(const Model& model, const typename Model::Scalar& t, typename Model::State& state) {
+    return detail::repeated([&] { return model.speed_step(t, state); });
+  }
+};
+
 /// Back onto the constraints after each step.
 template <class Inner, class Level = ToConstraints>
 class Projected {

@@ -130,6 +130,7 @@ class CvodeSimulation {
       report_.outcome = outcome_of(flag);
       return false;
     }
+    if (problem_.trouble() == Status::dependent_constraints) ++report_.with_fewer_constraints;
     t_ = reached;
     return true;
   }

@@ -36,9 +36,11 @@ struct Settings {
 template <class Status>
 struct Report {
   Outcome outcome = Outcome::running;
-  Status status{};     ///< the model's last one that was not ok; ok if there was none
-  long steps = 0;      ///< accepted
-  long rejected = 0;   ///< by the estimate of the error, or by a status other than ok
+  Status status{};    ///< the model's last one that was not ok; ok if there was none
+  long steps = 0;     ///< accepted
+  long rejected = 0;  ///< by the estimate of the error, or by a status other than ok
+  long with_fewer_constraints =
+      0;               ///< of the accepted: rhs said dependent_constraints, and the motion is that of the rest
   long calls = 0;      ///< of rhs
   long jacobians = 0;  ///< emitted ones that an implicit method asked for
 };

@@ -72,7 +72,7 @@ class Simulation {
   /// What a start misses the constraints by is no error of a step. Where it cannot be mended, the first step will tell.
   void project_start() {
     State start = as_state(x_);
-    if (model_.projection(t_, start) == Status{}) std::copy_n(start.values, Model::size, x_.begin());
+    if (integrate::is_motion_known(model_.projection(t_, start))) std::copy_n(start.values, Model::size, x_.begin());
   }
 
   template <class OnStep>
@@ -80,7 +80,7 @@ class Simulation {
     Array rates{};
     system_.forget_trouble();
     system_(x_, rates, t_);
-    if (system_.trouble() != Status{}) {
+    if (!integrate::is_motion_known(system_.trouble())) {
       report_.outcome = Outcome::model_failed;
       report_.status = system_.trouble();
       return;
@@ -102,6 +102,7 @@ class Simulation {
       std::copy_n(after.values, Model::size, x_.begin());
       grow_scale();
       ++report_.steps;
+      if (system_.trouble() != Status{}) ++report_.with_fewer_constraints;
       on_step(t_, before, after);
       return;
     }
@@ -117,9 +118,10 @@ class Simulation {
     before = as_state(trial);
     after = before;
     Status status = system_.trouble();
-    if (is_accurate && status == Status{} && settings_.project) status = model_.projection(time, after);
-    jumped_ = status == Status{} && is_accurate && !is_near(before, after);
-    if (status == Status{} && !jumped_) return is_accurate;
+    if (is_accurate && integrate::is_motion_known(status) && settings_.project) status = model_.projection(time, after);
+    const bool is_known = integrate::is_motion_known(status);
+    jumped_ = is_known && is_accurate && !is_near(before, after);
+    if (is_known && !jumped_) return is_accurate;
     // A shorter step may stay on this side of the trouble.
     report_.status = status;
     step_ = std::min(step_, dt / 5);
