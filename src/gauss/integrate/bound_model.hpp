@@ -31,8 +31,17 @@ StatusOf<Scalar> position_step(const Scalar& t, const Prepared& prepared, State&
 }
 
 template <class Scalar, class State, class Prepared>
-StatusOf<Scalar> speed_step(const Scalar& t, const Prepared& prepared, State& state) {
+auto speed_step(int, const Scalar& t, const Prepared& prepared, State& state)
+    -> decltype(project_speeds(t, state, prepared, state)) {
   return project_speeds(t, state, prepared, state);
+}
+
+// Where the last step is also a check of what projection has moved: nothing so far.
+template <class Scalar, class State, class Prepared>
+auto speed_step(long, const Scalar& t, const Prepared& prepared, State& state)
+    -> decltype(project_speeds(t, state, state, prepared, state)) {
+  const State start = state;
+  return project_speeds(t, start, start, prepared, state);
 }
 
 // Outside of BoundModel, whose member would hide it.
@@ -81,7 +90,7 @@ class BoundModel {
   Status position_step(const Scalar& t, State& state) const { return detail::position_step(t, prepared_, state); }
 
   /// The same towards the constraints of velocities.
-  Status speed_step(const Scalar& t, State& state) const { return detail::speed_step(t, prepared_, state); }
+  Status speed_step(const Scalar& t, State& state) const { return detail::speed_step(0, t, prepared_, state); }
 
   decltype(auto) inputs(const Scalar& t, const State& state) const {
     if constexpr (std::is_invocable_v<const Source&, const Scalar&, const State&>) {
