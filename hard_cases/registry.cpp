@@ -23,6 +23,7 @@ const std::vector<Case>& cases() {
       {"H20", "A pivot that shakes by a law in time", moving_pivot},
       {"H28", "Out and back in time", time_reversal},
       {"H30", "A start that violates the constraints", ill_start},
+      {"H31", "Units in which numbers are very large or very small", units},
   };
   return all;
 }

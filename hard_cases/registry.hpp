@@ -22,5 +22,6 @@ std::vector<Figure> stiff(const Scope& scope);  ///< only with SUNDIALS
 std::vector<Figure> moving_pivot(const Scope& scope);
 std::vector<Figure> time_reversal(const Scope& scope);
 std::vector<Figure> ill_start(const Scope& scope);
+std::vector<Figure> units(const Scope& scope);
 
 }  // namespace hard_cases
