@@ -32,6 +32,7 @@ const std::vector<Case>& cases() {
       {"H28", "Out and back in time", time_reversal},
       {"H29", "Degenerate input", degenerate},
       {"H30", "A start that violates the constraints", ill_start},
+      {"H31", "Units in which numbers are very large or very small", units},
   };
   return all;
 }

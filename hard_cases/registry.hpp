@@ -32,5 +32,6 @@ std::vector<Figure> swell(const Scope& scope);
 std::vector<Figure> time_reversal(const Scope& scope);
 std::vector<Figure> degenerate(const Scope& scope);
 std::vector<Figure> ill_start(const Scope& scope);
+std::vector<Figure> units(const Scope& scope);
 
 }  // namespace hard_cases

@@ -22,7 +22,7 @@ class Course {
   std::size_t full_count() const { return free_count() + held_.size(); }
 
   /// Along the speeds of the state, with these derivatives of theirs.
-  Motion motion(const std::vector<double>& accelerations) { return motion(accelerations, held_.size()); }
+  Motion motion(const std::vector<Real>& accelerations) { return motion(accelerations, held_.size()); }
 
   /// Likewise from rest of all speeds but for index `i`, held ones included, whose derivative is 1: what depends on accelerations
   /// linearly, less the same of `motion` with none, is its coefficient.
@@ -36,18 +36,18 @@ class Course {
   Motion passage_of_time();
 
   /// dy^A/dt, held ones included.
-  std::vector<double> rates() const;
+  std::vector<Real> rates() const;
 
   const std::vector<std::size_t>& held() const { return held_; }
 
  private:
-  Motion motion(const std::vector<double>& accelerations, std::size_t pushed);
-  void bind_orientation(std::size_t index, const std::vector<double>& accelerations, Values& values) const;
-  void displace_orientation(std::size_t index, const std::vector<double>& speeds, Values& values) const;
+  Motion motion(const std::vector<Real>& accelerations, std::size_t pushed);
+  void bind_orientation(std::size_t index, const std::vector<Real>& accelerations, Values& values) const;
+  void displace_orientation(std::size_t index, const std::vector<Real>& speeds, Values& values) const;
   void solve_rates();
-  void solve_second(const std::vector<double>& accelerations, Values& values) const;
-  Eigen::VectorXd of_definitions(Values values, bool second) const;
-  void displace(const std::vector<double>& speeds, Values& values) const;
+  void solve_second(const std::vector<Real>& accelerations, Values& values) const;
+  VectorX of_definitions(Values values, bool second) const;
+  void displace(const std::vector<Real>& speeds, Values& values) const;
 
   const gaussgen::model::Model& model_;
   State state_;
@@ -55,9 +55,9 @@ class Course {
   std::vector<std::size_t> free_;  ///< indices into Model::coordinates
   std::vector<std::size_t> held_;  ///< likewise
   std::vector<std::size_t> slow_;  ///< of free_, those whose rate follows from speeds
-  std::vector<double> rates_;      ///< of free_
-  Eigen::MatrixXd from_speeds_;    ///< ∂q̇/∂u of slow_
-  Eigen::VectorXd drift_;          ///< q̇ of slow_ where all u vanish
+  std::vector<Real> rates_;        ///< of free_
+  MatrixX from_speeds_;            ///< ∂q̇/∂u of slow_
+  VectorX drift_;                  ///< q̇ of slow_ where all u vanish
 };
 
 }  // namespace agreement::newton

@@ -4,8 +4,6 @@
 
 namespace agreement::newton {
 
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
 using gaussgen::model::Ast;
 using gaussgen::model::Body;
 using gaussgen::model::Constraint;
@@ -31,48 +29,47 @@ class Loads {
   void apply(const gaussgen::model::CoordinateSpring&) {}
 
   void apply(const gaussgen::model::UniformField& law) {
-    const Vector3d field = motion_(law.field).value;
+    const Vector3 field = motion_(law.field).value;
     for (const Body& body : model_.bodies) {
-      const Vector3d weight = motion_(body.mass).value * field;
-      result_.push_back({body.frame, centre(body, motion_).value, weight, Vector3d::Zero(), true, &body});
+      const Vector3 weight = motion_(body.mass).value * field;
+      result_.push_back({body.frame, centre(body, motion_).value, weight, Vector3::Zero(), true, &body});
     }
   }
 
   void apply(const gaussgen::model::PointForce& law) {
-    const Vector3d point = motion_.point(law.frame, motion_(law.at)).value;
-    const Vector3d force = motion_.axes(law.axes).value * motion_(law.components).value;
-    add(pushed(law.frame), point, force, Vector3d::Zero(), false);
-    add(pushed(law.from), point, -force, Vector3d::Zero(), false);
+    const Vector3 point = motion_.point(law.frame, motion_(law.at)).value;
+    const Vector3 force = motion_.axes(law.axes).value * motion_(law.components).value;
+    add(pushed(law.frame), point, force, Vector3::Zero(), false);
+    add(pushed(law.from), point, -force, Vector3::Zero(), false);
   }
 
   void apply(const gaussgen::model::Torque& law) {
-    const Vector3d moment = motion_.axes(law.axes).value * motion_(law.components).value;
-    add(law.frame, motion_.origin(law.frame).value, Vector3d::Zero(), moment, false);
-    add(law.from, motion_.origin(law.from).value, Vector3d::Zero(), -moment, false);
+    const Vector3 moment = motion_.axes(law.axes).value * motion_(law.components).value;
+    add(law.frame, motion_.origin(law.frame).value, Vector3::Zero(), moment, false);
+    add(law.from, motion_.origin(law.from).value, Vector3::Zero(), -moment, false);
   }
 
   void apply(const gaussgen::model::Spring& law) {
     const Vector gap = motion_.origin(law.second) - motion_.origin(law.first);
-    const double k = motion_(law.stiffness).value;
-    const double c = law.damping ? motion_(*law.damping).value : 0;
-    Vector3d elastic = k * gap.value;
-    Vector3d damping = c * gap.rate;
+    const Real k = motion_(law.stiffness).value;
+    const Real c = law.damping ? motion_(*law.damping).value : 0;
+    Vector3 elastic = k * gap.value;
+    Vector3 damping = c * gap.rate;
     if (law.length) {
-      const double distance = gap.value.norm();
-      const Vector3d along = gap.value / distance;
+      const Real distance = gap.value.norm();
+      const Vector3 along = gap.value / distance;
       elastic = k * (distance - motion_(*law.length).value) * along;
       damping = c * (gap.rate.dot(along) - motion_(*law.length).rate) * along;
     }
     for (const auto& [force, has_potential] : {std::pair{elastic, true}, std::pair{damping, false}}) {
-      add(law.first, motion_.origin(law.first).value, force, Vector3d::Zero(), has_potential);
-      add(law.second, motion_.origin(law.second).value, -force, Vector3d::Zero(), has_potential);
+      add(law.first, motion_.origin(law.first).value, force, Vector3::Zero(), has_potential);
+      add(law.second, motion_.origin(law.second).value, -force, Vector3::Zero(), has_potential);
     }
   }
 
   std::size_t pushed(std::size_t frame) const { return gaussgen::model::pushed_by_force_on(model_, frame); }
 
-  void add(std::size_t frame, const Vector3d& point, const Vector3d& force, const Vector3d& moment,
-           bool has_potential) {
+  void add(std::size_t frame, const Vector3& point, const Vector3& force, const Vector3& moment, bool has_potential) {
     if (frame != k_space) result_.push_back({frame, point, force, moment, has_potential, nullptr});
   }
 
@@ -118,8 +115,8 @@ std::vector<Load> loads(const Model& model, Motion& motion) { return Loads(model
 Sum work(const Load& load, Motion& displaced) {
   Sum sum;
   const Vector at = displaced.origin(load.frame);
-  const Vector3d turn = displaced.omega(load.frame).value;
-  const Vector3d arm = load.point - at.value;
+  const Vector3 turn = displaced.omega(load.frame).value;
+  const Vector3 arm = load.point - at.value;
   for (Eigen::Index i = 0; i < 3; ++i) {
     sum.add(load.force[i] * at.rate[i]);
     sum.add(load.moment[i] * turn[i]);
@@ -128,11 +125,11 @@ Sum work(const Load& load, Motion& displaced) {
   return sum;
 }
 
-Matrix3d inertia(const Body& body, Motion& motion) {
+Matrix3 inertia(const Body& body, Motion& motion) {
   const auto entry = [&](std::size_t i) { return motion(body.inertia->entries[i]).value; };
   using Shape = gaussgen::model::Inertia::Shape;
-  if (body.inertia->shape == Shape::isotropic) return entry(0) * Matrix3d::Identity();
-  Matrix3d I = Vector3d(entry(0), entry(1), entry(2)).asDiagonal();
+  if (body.inertia->shape == Shape::isotropic) return entry(0) * Matrix3::Identity();
+  Matrix3 I = Vector3(entry(0), entry(1), entry(2)).asDiagonal();
   if (body.inertia->shape == Shape::diagonal) return I;
   I(0, 1) = I(1, 0) = entry(3);
   I(0, 2) = I(2, 0) = entry(4);
@@ -140,23 +137,23 @@ Matrix3d inertia(const Body& body, Motion& motion) {
   return I;
 }
 
-Vector3d rate_of_spin(const Body& body, Motion& motion) {
-  const Matrix3d I = inertia(body, motion);
+Vector3 rate_of_spin(const Body& body, Motion& motion) {
+  const Matrix3 I = inertia(body, motion);
   const Matrix R = motion.axes(body.frame);
   const Vector omega = motion.omega(body.frame);
-  const Matrix3d in_space = R.value * I * R.value.transpose();
-  const Matrix3d half = R.rate * I * R.value.transpose();
+  const Matrix3 in_space = R.value * I * R.value.transpose();
+  const Matrix3 half = R.rate * I * R.value.transpose();
   return in_space * omega.rate + (half + half.transpose()) * omega.value;
 }
 
 Sum work_of_inertia(const Body& body, Motion& motion, Motion& displaced) {
   Sum sum;
-  const Vector3d force = motion(body.mass).value * centre(body, motion).second;
-  const Vector3d along = centre(body, displaced).rate;
+  const Vector3 force = motion(body.mass).value * centre(body, motion).second;
+  const Vector3 along = centre(body, displaced).rate;
   for (Eigen::Index i = 0; i < 3; ++i) sum.add(force[i] * along[i]);
   if (!body.inertia) return sum;
-  const Vector3d spin = rate_of_spin(body, motion);
-  const Vector3d turn = displaced.omega(body.frame).value;
+  const Vector3 spin = rate_of_spin(body, motion);
+  const Vector3 turn = displaced.omega(body.frame).value;
   for (Eigen::Index i = 0; i < 3; ++i) sum.add(spin[i] * turn[i]);
   return sum;
 }
@@ -172,8 +169,8 @@ WorkAlong work_along_coordinates(const Model& model, Motion& motion, Motion& dis
         if (found != displaced.values().end()) result.others.add(motion(component).value * found->second.rate);
       }
     } else if (const auto* spring = std::get_if<gaussgen::model::CoordinateSpring>(&force.law)) {
-      const double along = displaced.values().at(spring->coordinate.text).rate;
-      const double rate = stretch_of(*spring, motion).rate;
+      const Real along = displaced.values().at(spring->coordinate.text).rate;
+      const Real rate = stretch_of(*spring, motion).rate;
       result.of_potentials.add(-motion(spring->stiffness).value * stretch_of(*spring, motion).value * along);
       if (spring->damping) result.others.add(-motion(*spring->damping).value * rate * along);
     }
@@ -185,18 +182,18 @@ Energy energy(const Model& model, Motion& motion, Motion& time) {
   Energy result;
   for (const Body& body : model.bodies) {
     const Vector at = centre(body, motion);
-    const double m = motion(body.mass).value;
+    const Real m = motion(body.mass).value;
     result.kinetic.add(m / 2 * at.rate.squaredNorm());
     if (!body.inertia) continue;
-    const Matrix3d R = motion.axes(body.frame).value;
-    const Vector3d omega = R.transpose() * motion.omega(body.frame).value;
+    const Matrix3 R = motion.axes(body.frame).value;
+    const Vector3 omega = R.transpose() * motion.omega(body.frame).value;
     result.kinetic.add(omega.dot(inertia(body, motion) * omega) / 2);
   }
   for (const auto& force : model.forces) {
     if (const auto* field = std::get_if<gaussgen::model::UniformField>(&force.law)) {
       for (const Body& body : model.bodies) {
-        const double m = motion(body.mass).value;
-        const Vector3d at = centre(body, motion).value;
+        const Real m = motion(body.mass).value;
+        const Vector3 at = centre(body, motion).value;
         const Vector strength = time(field->field);
         result.potential.add(-m * strength.value.dot(at));
         result.potential.size += m * strength.value.norm() * at.norm();
@@ -234,7 +231,7 @@ Number phi(const Constraint& constraint, Motion& motion) {
   const Vector place = frame != nullptr ? motion.origin(*frame) : motion(std::get<std::array<Ast, 3>>(slip.at));
   const Vector direction = motion.axes(slip.axes) * motion(slip.direction);
   const auto velocity_of = [&](std::size_t i) {
-    const Vector zero{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
+    const Vector zero{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
     return i == k_space ? zero : motion.velocity_at(i, place);
   };
   const Vector slipping = velocity_of(slip.frame) - velocity_of(slip.surface);
@@ -247,11 +244,11 @@ std::vector<Load> actions(const Model& model, const Constraint& constraint, Moti
   std::vector<Load> result;
   if (const auto* slip = std::get_if<gaussgen::model::SlipLaw>(&constraint.law)) {
     const auto* frame = std::get_if<std::size_t>(&slip->at);
-    const Vector3d place =
+    const Vector3 place =
         (frame != nullptr ? motion.origin(*frame) : motion(std::get<std::array<Ast, 3>>(slip->at))).value;
-    const Vector3d direction = motion.axes(slip->axes).value * motion(slip->direction).value;
-    result.push_back({slip->frame, place, direction, Vector3d::Zero(), false, nullptr});
-    result.push_back({slip->surface, place, -direction, Vector3d::Zero(), false, nullptr});
+    const Vector3 direction = motion.axes(slip->axes).value * motion(slip->direction).value;
+    result.push_back({slip->frame, place, direction, Vector3::Zero(), false, nullptr});
+    result.push_back({slip->surface, place, -direction, Vector3::Zero(), false, nullptr});
   } else {
     const auto* velocity = std::get_if<gaussgen::model::VelocityLaw>(&constraint.law);
     std::set<std::string> names;
@@ -260,14 +257,14 @@ std::vector<Load> actions(const Model& model, const Constraint& constraint, Moti
       const gaussgen::model::SymbolRef ref = model.resolve(name);
       const Vector at = motion.origin(ref.index / 3);
       const auto i = static_cast<Eigen::Index>(ref.index % 3);
-      const auto with = [&](double second) {
+      const auto with = [&](Real second) {
         Values values = motion.values();
         values[name] = {at.value[i], at.rate[i], second};
         Motion pushed(model, std::move(values));
         return phi(constraint, pushed).rate;
       };
       result.push_back(
-          {ref.index / 3, at.value, (with(1) - with(0)) * Vector3d::Unit(i), Vector3d::Zero(), false, nullptr});
+          {ref.index / 3, at.value, (with(1) - with(0)) * Vector3::Unit(i), Vector3::Zero(), false, nullptr});
     }
   }
   std::vector<Load> felt;

@@ -8,9 +8,9 @@ namespace agreement::newton {
 /// A force with its moment about `point`, on what is fixed in a frame, in space.
 struct Load {
   std::size_t frame = gaussgen::model::k_space;
-  Eigen::Vector3d point;
-  Eigen::Vector3d force;
-  Eigen::Vector3d moment;
+  Vector3 point;
+  Vector3 force;
+  Vector3 moment;
   bool has_potential = false;
   const gaussgen::model::Body* body = nullptr;  ///< of a field, which acts on each mass by itself
 };
@@ -20,16 +20,16 @@ std::vector<Load> loads(const gaussgen::model::Model& model, Motion& motion);
 
 /// A sum with the sizes of its terms, by which its rounding is to be judged.
 struct Sum {
-  double value = 0;
-  double size = 0;
+  Real value = 0;
+  Real size = 0;
 
-  void add(double term) {
+  void add(Real term) {
     value += term;
-    size += std::fabs(term);
+    size += functions::fabs(term);
   }
-  void add(const Sum& other, double factor = 1) {
+  void add(const Sum& other, Real factor = 1) {
     value += factor * other.value;
-    size += std::fabs(factor) * other.size;
+    size += functions::fabs(factor) * other.size;
   }
 };
 
@@ -40,8 +40,8 @@ Sum work(const Load& load, Motion& displaced);
 Sum work_of_inertia(const gaussgen::model::Body& body, Motion& motion, Motion& displaced);
 
 /// dH/dt about the mass centre of a rigid body, H = R I Rᵀ ω in space.
-Eigen::Vector3d rate_of_spin(const gaussgen::model::Body& body, Motion& motion);
-Eigen::Matrix3d inertia(const gaussgen::model::Body& body, Motion& motion);
+Vector3 rate_of_spin(const gaussgen::model::Body& body, Motion& motion);
+Matrix3 inertia(const gaussgen::model::Body& body, Motion& motion);
 
 /// Work of the forces along coordinates: generalized forces, springs along a coordinate, potentials.
 struct WorkAlong {

@@ -6,17 +6,15 @@
 
 namespace agreement::newton {
 
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
 using gaussgen::model::Ast;
 using gaussgen::model::AstKind;
 using gaussgen::model::k_space;
 
 namespace {
 
-constexpr double k_unknown = std::numeric_limits<double>::quiet_NaN();
+const Real k_unknown = std::numeric_limits<Real>::quiet_NaN();
 
-Matrix fixed(const Matrix3d& m) { return {m, Matrix3d::Zero(), Matrix3d::Zero()}; }
+Matrix fixed(const Matrix3& m) { return {m, Matrix3::Zero(), Matrix3::Zero()}; }
 
 Vector vector(const Number& x, const Number& y, const Number& z) {
   return {{x.value, y.value, z.value}, {x.rate, y.rate, z.rate}, {x.second, y.second, z.second}};
@@ -28,41 +26,41 @@ Vector cross(const Vector& a, const Vector& b) {
 }
 
 Number elementary(const std::string& name, const Number& a) {
-  const double x = a.value;
+  const Real x = a.value;
   if (name == "sin") return sin(a);
   if (name == "cos") return cos(a);
   if (name == "sqrt") return pow(a, 0.5);
-  if (name == "exp") return composed(a, std::exp(x), std::exp(x), std::exp(x));
-  if (name == "log") return composed(a, std::log(x), 1 / x, -1 / (x * x));
-  if (name == "sinh") return composed(a, std::sinh(x), std::cosh(x), std::sinh(x));
-  if (name == "cosh") return composed(a, std::cosh(x), std::sinh(x), std::cosh(x));
-  const double t = name == "tan" ? std::tan(x) : std::tanh(x);
+  if (name == "exp") return composed(a, functions::exp(x), functions::exp(x), functions::exp(x));
+  if (name == "log") return composed(a, functions::log(x), 1 / x, -1 / (x * x));
+  if (name == "sinh") return composed(a, functions::sinh(x), functions::cosh(x), functions::sinh(x));
+  if (name == "cosh") return composed(a, functions::cosh(x), functions::sinh(x), functions::cosh(x));
+  const Real t = name == "tan" ? functions::tan(x) : functions::tanh(x);
   if (name == "tan") return composed(a, t, 1 + t * t, 2 * t * (1 + t * t));
   if (name == "tanh") return composed(a, t, 1 - t * t, -2 * t * (1 - t * t));
-  const double w = 1 / std::sqrt(1 - x * x);
-  if (name == "asin") return composed(a, std::asin(x), w, x * w * w * w);
-  if (name == "acos") return composed(a, std::acos(x), -w, -x * w * w * w);
-  if (name == "atan") return composed(a, std::atan(x), 1 / (1 + x * x), -2 * x / ((1 + x * x) * (1 + x * x)));
-  const double sign = x > 0 ? 1 : x < 0 ? -1 : 0;
-  if (name == "abs") return composed(a, std::fabs(x), sign, 0);
+  const Real w = 1 / functions::sqrt(1 - x * x);
+  if (name == "asin") return composed(a, functions::asin(x), w, x * w * w * w);
+  if (name == "acos") return composed(a, functions::acos(x), -w, -x * w * w * w);
+  if (name == "atan") return composed(a, functions::atan(x), 1 / (1 + x * x), -2 * x / ((1 + x * x) * (1 + x * x)));
+  const Real sign = x > 0 ? 1 : x < 0 ? -1 : 0;
+  if (name == "abs") return composed(a, functions::fabs(x), sign, 0);
   if (name == "sign") return constant(sign);
   throw std::logic_error("no such function: " + name);
 }
 
 }  // namespace
 
-double number_of(const Ast& ast) {
+Real number_of(const Ast& ast) {
   switch (ast.kind) {
-    case AstKind::number: return gaussgen::support::to_double(ast.number);
+    case AstKind::number: return real(ast.number);
     case AstKind::negate: return -number_of(ast.children[0]);
     case AstKind::reciprocal: return 1 / number_of(ast.children[0]);
     case AstKind::sum: {
-      double sum = 0;
+      Real sum = 0;
       for (const Ast& child : ast.children) sum += number_of(child);
       return sum;
     }
     default: {
-      double result = 1;
+      Real result = 1;
       for (const Ast& child : ast.children) result *= number_of(child);
       return result;
     }
@@ -71,7 +69,7 @@ double number_of(const Ast& ast) {
 
 Number Motion::operator()(const Ast& ast) {
   switch (ast.kind) {
-    case AstKind::number: return constant(gaussgen::support::to_double(ast.number));
+    case AstKind::number: return constant(real(ast.number));
     case AstKind::symbol: return named(ast.name);
     case AstKind::negate: return -(*this)(ast.children[0]);
     case AstKind::reciprocal: return pow((*this)(ast.children[0]), -1);
@@ -113,7 +111,9 @@ Number Motion::call(const Ast& ast) {
   const Number first = (*this)(ast.children[0]);
   if (ast.name == "dot") return {first.rate, first.second, k_unknown};
   if (ast.table != nullptr) {
-    const auto derivative = [&](int order) { return gaussgen::support::value_at(*ast.table, order, first.value); };
+    const auto derivative = [&](int order) {
+      return Real(gaussgen::support::value_at(*ast.table, order, static_cast<double>(first.value)));
+    };
     return composed(first, derivative(0), derivative(1), derivative(2));
   }
   if (ast.name == "atan2") return atan2(first, (*this)(ast.children[1]));
@@ -136,7 +136,7 @@ Number Motion::piecewise(const Ast& ast) {
 
 const Motion::Placed& Motion::placed(std::size_t frame) {
   if (const auto found = placed_.find(frame); found != placed_.end()) return found->second;
-  Placed result{{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()}, fixed(Matrix3d::Identity())};
+  Placed result{{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()}, fixed(Matrix3::Identity())};
   if (frame != k_space) {
     const gaussgen::model::Frame& own = model_.frames[frame];
     const Placed parent = placed(own.parent);
@@ -146,7 +146,7 @@ const Motion::Placed& Motion::placed(std::size_t frame) {
 }
 
 Matrix Motion::turned(const gaussgen::model::Attitude& attitude) {
-  Matrix result = fixed(Matrix3d::Identity());
+  Matrix result = fixed(Matrix3::Identity());
   if (const auto* turns = std::get_if<gaussgen::model::Turns>(&attitude)) {
     for (const gaussgen::model::Turn& one : *turns) result = result * turn(one);
   } else if (const auto* orientation = std::get_if<gaussgen::model::QuaternionOrientation>(&attitude)) {
@@ -157,16 +157,16 @@ Matrix Motion::turned(const gaussgen::model::Attitude& attitude) {
 
 // R = exp(angle K), whose derivatives are K R and K K R.
 Matrix Motion::turn(const gaussgen::model::Turn& turn) {
-  Vector3d axis = Vector3d::Zero();
+  Vector3 axis = Vector3::Zero();
   if (const char* letter = std::get_if<char>(&turn.axis)) {
     axis[*letter - 'x'] = 1;
   } else {
     axis = (*this)(std::get<std::array<Ast, 3>>(turn.axis)).value.normalized();
   }
-  Matrix3d K;
+  Matrix3 K;
   K << 0, -axis[2], axis[1], axis[2], 0, -axis[0], -axis[1], axis[0], 0;
   const Number angle = (*this)(turn.angle);
-  const Matrix3d R = Eigen::AngleAxisd(angle.value, axis).toRotationMatrix();
+  const Matrix3 R = Eigen::AngleAxis<Real>(angle.value, axis).toRotationMatrix();
   return {R, angle.rate * K * R, angle.second * K * R + angle.rate * angle.rate * K * K * R};
 }
 
@@ -190,16 +190,16 @@ Matrix Motion::quaternion(const gaussgen::model::Orientation& orientation) {
 
 Vector Motion::omega(std::size_t frame) {
   const Matrix R = axes(frame);
-  const auto axial = [](const Matrix3d& m) -> Vector3d {
-    return Vector3d(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)) / 2;
+  const auto axial = [](const Matrix3& m) -> Vector3 {
+    return Vector3(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)) / 2;
   };
   return {axial(R.rate * R.value.transpose()), axial(R.second * R.value.transpose() + R.rate * R.rate.transpose()),
-          Vector3d::Constant(k_unknown)};
+          Vector3::Constant(k_unknown)};
 }
 
 Vector Motion::velocity_at(std::size_t frame, const Vector& place) {
   const Vector at = origin(frame);
-  const Vector velocity{at.rate, at.second, Vector3d::Constant(k_unknown)};
+  const Vector velocity{at.rate, at.second, Vector3::Constant(k_unknown)};
   return velocity + cross(omega(frame), place - at);
 }
 

@@ -54,6 +54,6 @@ class Motion {
 };
 
 /// A constant expression, such as an exponent.
-double number_of(const gaussgen::model::Ast& ast);
+Real number_of(const gaussgen::model::Ast& ast);
 
 }  // namespace agreement::newton

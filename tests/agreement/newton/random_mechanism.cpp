@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <random>
 #include <vector>
@@ -12,7 +13,13 @@ namespace {
 
 class Mechanism {
  public:
-  explicit Mechanism(unsigned seed) : random_(seed) {}
+  explicit Mechanism(unsigned seed, bool is_extreme = false) : random_(seed), is_extreme_(is_extreme) {
+    if (!is_extreme_) return;
+    if (chance(0.3)) length_ = std::pow(10.0, uniform(-6, 6));
+    if (chance(0.3)) mass_ = std::pow(10.0, uniform(-6, 6));
+    has_mass_ratios_ = chance(0.4);
+    has_stiff_springs_ = chance(0.2);
+  }
 
   std::string text() {
     // Few of many bodies: their expressions take a second each.
@@ -24,12 +31,17 @@ class Mechanism {
       if (!is_parent || !chance(0.15)) add_bodies(frame);
     }
     for (int i = 1; i <= 4; ++i)
-      points_ += entry("p" + std::to_string(i), "on: " + pick(links_) + ", at: " + vector(0.4));
+      points_ += entry("p" + std::to_string(i), "on: " + pick(links_) + ", at: " + place_in(0.4));
     add_speeds();
     add_forces();
-    if (chance(0.6)) add_constraint();
-    return "gauss: 1\nname: m\nparameters: {k: 3.5, c: 0.7, L: 0.9}\ninputs: {f: 1.3}\n" +
-           section("coordinates", coordinates_) + section("speeds", speeds_) +
+    if (is_extreme_) {
+      add_constraints();
+    } else if (chance(0.6)) {
+      add_constraint("");
+    }
+    const std::string k = has_stiff_springs_ ? "3.5e+9" : "3.5";
+    return "gauss: 1\nname: m\nparameters: {k: " + k + ", c: 0.7, L: " + number(0.9 * length_) +
+           "}\ninputs: {f: 1.3}\n" + section("coordinates", coordinates_) + section("speeds", speeds_) +
            "frames:\n  ground: {position: [0.3, -0.2, 0.5]}\n" + frames_ + section("joints", joints_) +
            section("points", points_) + section("bodies", bodies_) + section("particles", particles_) +
            section("constraints", constraints_) + section("forces", forces_);
@@ -43,15 +55,16 @@ class Mechanism {
     return from[random_() % from.size()];
   }
 
-  static std::string number(double x) {
+  std::string number(double x) const {
     char text[32];
-    std::snprintf(text, sizeof text, "%.4f", x);
+    std::snprintf(text, sizeof text, is_extreme_ ? "%.6e" : "%.4f", x);
     return text;
   }
   std::string vector(double size) {
     return "[" + number(uniform(-size, size)) + ", " + number(uniform(-size, size)) + ", " +
            number(uniform(-size, size)) + "]";
   }
+  std::string place_in(double size) { return vector(size * length_); }
   std::string axis() { return chance(0.5) ? pick<std::string>({"x", "y", "z"}) : vector(1); }
 
   static std::string entry(const std::string& name, const std::string& fields) {
@@ -98,7 +111,7 @@ class Mechanism {
                                                   "universal", "planar",   "spherical", "fixed"};
     const std::string type = chance(0.06) ? "free" : pick(k_types);
     std::string fields = "type: " + type + ", parent: " + parent + ", child: " + child;
-    if (chance(0.8)) fields += ", at: " + vector(0.6);
+    if (chance(0.8)) fields += ", at: " + place_in(0.6);
     joints_ += entry(name, fields + freedoms(name, type));
     links_.push_back(child);
     if (type == "revolute" || type == "prismatic" || type == "cylindrical" || type == "fixed")
@@ -135,14 +148,18 @@ class Mechanism {
     return name;
   }
 
+  /// Up to 1e12 apart within a mechanism.
+  double any_mass() { return has_mass_ratios_ ? mass_ * std::pow(10.0, uniform(-6, 6)) : mass_; }
+
   /// Inertia of four masses somewhere, so that it is one that a body can have.
-  std::string inertia() {
+  std::string inertia(double mass) {
     Eigen::Matrix3d I = Eigen::Matrix3d::Zero();
     for (int k = 0; k < 4; ++k) {
       const Eigen::Vector3d r(uniform(-0.4, 0.4), uniform(-0.4, 0.4), uniform(-0.4, 0.4));
-      I += uniform(0.5, 1.5) * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+      I += mass * length_ * length_ * uniform(0.5, 1.5) *
+           (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
     }
-    if (chance(0.15)) return number(I(0, 0) + 0.01);
+    if (chance(0.15)) return number(I(0, 0) + 0.01 * mass * length_ * length_);
     std::string rows;
     for (Eigen::Index i = 0; i < 3; ++i) {
       rows += (i == 0 ? "[" : ", [") + number(I(std::min<Eigen::Index>(i, 0), std::max<Eigen::Index>(i, 0)));
@@ -155,14 +172,15 @@ class Mechanism {
   /// A particle alone, beside which loads press on the joints of its light part, where it has inertia against all that moves it.
   void add_bodies(const std::string& frame) {
     if (has_one_turn_at_most(frame) && chance(0.25)) return add_load(frame);
-    bodies_ +=
-        entry(frame, "mass: " + number(uniform(0.5, 3)) + ", centre: " + vector(0.3) + ", inertia: " + inertia());
+    const double mass = any_mass();
+    bodies_ += entry(frame, "mass: " + number(mass * uniform(0.5, 3)) + ", centre: " + place_in(0.3) +
+                                ", inertia: " + inertia(mass));
     if (chance(0.2)) add_load(frame);
   }
 
   void add_load(const std::string& frame) {
-    particles_ +=
-        entry("load_" + frame, "mass: " + number(uniform(0.2, 1)) + ", frame: " + frame + ", centre: " + vector(0.5));
+    particles_ += entry("load_" + frame, "mass: " + number(any_mass() * uniform(0.2, 1)) + ", frame: " + frame +
+                                             ", centre: " + place_in(0.5));
   }
 
   bool has_one_turn_at_most(const std::string& frame) const {
@@ -197,7 +215,7 @@ class Mechanism {
     const std::string from = chance(0.5) ? ", from: " + pick(links_) : "";
     const std::string in = chance(0.5) ? ", in: " + pick(links_) : "";
     switch (random_() % 7) {
-      case 0: return "force: " + expressions() + ", on: " + pick(links_) + ", at: " + vector(0.5) + in + from;
+      case 0: return "force: " + expressions() + ", on: " + pick(links_) + ", at: " + place_in(0.5) + in + from;
       case 1: return "torque: " + expressions() + ", on: " + pick(links_) + in + from;
       case 2:
         return "spring: [" + p + ", " + other(p) + "], stiffness: k + 0.2*sin(t), length: L + 0.1*cos(t), damping: c";
@@ -216,29 +234,68 @@ class Mechanism {
     return "generalized: {" + pick(along) + ": " + expression() + "}";
   }
 
-  void add_constraint() {
+  /// One to three, and such as say nothing of their own: given twice, the other way round, as a multiple, or nearly so.
+  void add_constraints() {
+    const int count = static_cast<int>(random_() % 4);
+    for (int i = 0; i < count; ++i) {
+      const auto [name, law] = add_constraint(std::to_string(i));
+      if (!name.empty() && chance(0.3)) constraints_ += entry(name + "_again", law);
+    }
+    if (names_.size() > 1 && chance(0.25)) add_nearly_parallel();
+  }
+
+  void add_nearly_parallel() {
+    const std::string a = "dot(" + names_[0] + ")", b = "dot(" + names_[1] + ")*cos(t)";
+    constraints_ += entry("pair", "velocity: " + a + " + 2*" + b + " - dot(p1.x)/7 - 0.1*t");
+    const double off = std::pow(10.0, uniform(-12, -1));
+    constraints_ += entry("twin", "velocity: 3*" + a + " + 6*" + b + " + " + number(off) + "*dot(" + names_[1] +
+                                      ") - 3*dot(p1.x)/7 - 0.3*t");
+  }
+
+  /// Returns its name and its law in words, maybe in other ones than it was given in.
+  std::pair<std::string, std::string> add_constraint(const std::string& number) {
     const std::string a = pick(links_);
     const std::string b = chance(0.5) ? "ground" : pick(links_);
     const std::string p = place();
     const std::string on = a == b ? "" : ", on: " + b;
     switch (random_() % 7) {
-      case 0: constraints_ += entry("loop", "coincide: [" + p + ", " + other(p) + "]"); break;
-      case 1: constraints_ += entry("rod", "distance: [" + p + ", " + other(p) + "], is: L + 0.1*sin(t)"); break;
-      case 2: constraints_ += entry("track", "equation: p1.z - 0.3*p1.x*p2.y - 0.2*sin(t)"); break;
-      case 3: constraints_ += entry("contact", "rolls: " + a + on + ", at: [p1.x, p1.y + 0.1, 0]"); break;
+      case 0: {
+        const std::string q = other(p);
+        return given("loop" + number, "coincide: [" + p + ", " + q + "]", "coincide: [" + q + ", " + p + "]");
+      }
+      case 1: {
+        const std::string q = other(p);
+        return given("rod" + number, "distance: [" + p + ", " + q + "], is: L + 0.1*sin(t)",
+                     "distance: [" + q + ", " + p + "], is: L + 0.1*sin(t)");
+      }
+      case 2:
+        return given("track" + number, "equation: p1.z - 0.3*p1.x*p2.y - 0.2*sin(t)",
+                     "equation: 0.6*p1.x*p2.y + 0.4*sin(t) - 2*p1.z");
+      case 3: return given("contact" + number, "rolls: " + a + on + ", at: [p1.x, p1.y + 0.1, 0]");
       case 4:
-        constraints_ +=
-            entry("blade", "no_slip: " + a + on + ", at: p2, direction: " + axis() + ", in: " + pick(links_));
-        break;
-      case 5: constraints_ += entry("chase", "velocity: dot(p1.x)*cos(t) - dot(p2.y)*p1.z + 0.3"); break;
+        return given("blade" + number,
+                     "no_slip: " + a + on + ", at: p2, direction: " + axis() + ", in: " + pick(links_));
+      case 5: {
+        const std::string law = "dot(p1.x)*cos(t) - dot(p2.y)*p1.z + 0.3";
+        return given("chase" + number, "velocity: " + law, "velocity: (" + law + ")*(2 + sin(t))");
+      }
       default:
-        if (names_.size() > 1)
-          constraints_ +=
-              entry("gear", "velocity: dot(" + names_[0] + ")^2 - dot(" + names_[1] + ")*(2 + sin(t)) + dot(p3.z)/3");
+        if (names_.size() < 2) return {};
+        return given("gear" + number,
+                     "velocity: dot(" + names_[0] + ")^2 - dot(" + names_[1] + ")*(2 + sin(t)) + dot(p3.z)/3");
     }
   }
 
+  std::pair<std::string, std::string> given(const std::string& name, const std::string& law,
+                                            const std::string& in_other_words = "") {
+    constraints_ += entry(name, law);
+    return {name, in_other_words.empty() ? law : in_other_words};
+  }
+
   std::mt19937 random_;
+  bool is_extreme_ = false;
+  double length_ = 1, mass_ = 1;  ///< of all
+  bool has_mass_ratios_ = false, has_stiff_springs_ = false;
   std::vector<std::string> links_;     ///< children of joints
   std::vector<std::string> slender_;   ///< of them, those with joints that let them turn about one axis or none
   std::vector<std::string> names_;     ///< free coordinates
@@ -250,5 +307,7 @@ class Mechanism {
 }  // namespace
 
 std::string random_mechanism(unsigned seed) { return Mechanism(seed).text(); }
+
+std::string extreme_mechanism(unsigned seed) { return Mechanism(seed, true).text(); }
 
 }  // namespace agreement::newton

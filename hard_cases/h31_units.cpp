@@ -1,0 +1,236 @@
+// Units in which numbers are 1e9 times as large or as small. What is told by a tolerance is told by the model's own sizes: results and statuses
+// stay as they are. Units change by powers of two (2^30 is 1.07e9), so that nothing is rounded otherwise.
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string_view>
+
+#include "gauss/integrate/corrections.hpp"
+#include "gauss/integrate/explicit_stepper.hpp"
+#include "gauss/simulate/fixed_step.hpp"
+#include "heavy_chain.hpp"
+#include "near_parallel.hpp"
+#include "parallelogram.hpp"
+#include "pendulum_cartesian.hpp"
+#include "registry.hpp"
+#include "weightless_angle.hpp"
+
+namespace hard_cases {
+
+GAUSS_MODEL(ParallelForUnits, gauss::near_parallel);
+GAUSS_MODEL(AngleForUnits, gauss::weightless_angle);
+GAUSS_MODEL(ChainForUnits, gauss::heavy_chain);
+GAUSS_MODEL(LoopForUnits, gauss::parallelogram);
+GAUSS_MODEL(BobForUnits, gauss::pendulum_cartesian);
+
+namespace {
+
+/// Binary exponents of what numbers in m, kg and s are multiplied by.
+struct Units {
+  int length, mass, time;
+};
+
+/// Alone, together, and nanometres beside tonnes.
+constexpr Units k_units[] = {{30, 0, 0},  {-30, 0, 0},   {0, 30, 0},      {0, -30, 0},   {0, 0, 30},
+                             {0, 0, -30}, {30, 30, -30}, {-30, -30, -30}, {-30, 30, 30}, {30, -10, 0}};
+
+/// Of one factor of a unit, as "s^2".
+int exponent_of_factor(std::string_view factor, const Units& units) {
+  int power = 1;
+  if (const std::size_t hat = factor.find('^'); hat != std::string_view::npos) {
+    power = factor[hat + 1] - '0';
+    factor = factor.substr(0, hat);
+  }
+  if (factor == "m") return power * units.length;
+  if (factor == "kg") return power * units.mass;
+  if (factor == "s") return power * units.time;
+  if (factor == "N") return power * (units.mass + units.length - 2 * units.time);
+  return 0;  // rad, 1
+}
+
+/// What a value with this unit is multiplied by.
+double factor(std::string_view unit, const Units& units) {
+  int exponent = 0, sign = 1;
+  while (!unit.empty()) {
+    const std::size_t end = unit.find_first_of("*/");
+    exponent += sign * exponent_of_factor(unit.substr(0, end), units);
+    if (end == std::string_view::npos) break;
+    sign = unit[end] == '/' ? -1 : 1;
+    unit.remove_prefix(end + 1);
+  }
+  return std::ldexp(1.0, exponent);
+}
+
+/// How results differ from those in m, kg and s.
+struct Change {
+  double largest = 0;  ///< relative to the largest of a result
+  double statuses = 0;
+
+  void compare(const double* base, const double* other, int count) {
+    double size = 0;
+    for (int i = 0; i < count; ++i) size = std::max(size, std::abs(base[i]));
+    for (int i = 0; i < count; ++i) grow(largest, size == 0 ? other[i] : (other[i] - base[i]) / size);
+  }
+  void compare(gauss::Status base, gauss::Status other) { statuses += base == other ? 0 : 1; }
+};
+
+template <class M>
+struct Model {
+  using State = typename M::template State<double>;
+  using Derivative = typename M::template Derivative<double>;
+  static constexpr int n = M::n_q + M::n_v;
+
+  typename M::template Parameters<double> parameters;
+  const gauss::Quantity* table;  ///< of parameters
+
+  typename M::template Parameters<double> in(const Units& units) const {
+    auto result = parameters;
+    const auto& members = M::template parameters_of<double>();
+    for (int i = 0; i < M::n_parameters; ++i) result.*members[i] *= factor(table[i].unit, units);
+    return result;
+  }
+
+  /// Coordinates, then speeds; `rates`: per unit of time.
+  static void convert(double (&values)[n], const Units& units, bool are_rates, bool is_back) {
+    for (int i = 0; i < n; ++i) {
+      const char* unit = i < M::n_q ? M::coordinates[i].unit : M::speeds[i - M::n_q].unit;
+      const double by = factor(unit, units) * (are_rates ? std::ldexp(1.0, -units.time) : 1.0);
+      values[i] = is_back ? values[i] / by : values[i] * by;
+    }
+  }
+
+  struct Results {
+    Derivative rates{};
+    State projected{};
+    gauss::Status of_rates, of_projection;
+  };
+
+  Results results(State state, const Units& units) const {
+    const auto prepared = M::prepare(in(units));
+    convert(state.values, units, false, false);
+    Results found;
+    found.projected = state;
+    found.of_rates = M::rhs(0.0, state, {}, prepared, found.rates);
+    found.of_projection = project(0.0, state, prepared, found.projected);
+    convert(found.rates.values, units, true, true);
+    convert(found.projected.values, units, false, true);
+    return found;
+  }
+
+  void compare(const State& state, Change& change) const {
+    const Results base = results(state, {});
+    for (const Units& units : k_units) {
+      const Results now = results(state, units);
+      change.compare(base.of_rates, now.of_rates);
+      change.compare(base.of_projection, now.of_projection);
+      change.compare(base.rates.values, now.rates.values, n);
+      change.compare(base.projected.values, now.projected.values, n);
+    }
+  }
+
+  /// Where a thousand projected steps lead from a state in m, kg and s.
+  State end_of_motion(State state, const Units& units) const {
+    const auto prepared = M::prepare(in(units));
+    const auto bound = gauss::integrate::bind_model<M>(prepared, typename M::template Inputs<double>{});
+    using Bound = std::decay_t<decltype(bound)>;
+    convert(state.values, units, false, false);
+    gauss::simulate::FixedStep<Bound, gauss::integrate::Projected<gauss::integrate::Rk4<Bound>>> run(
+        bound, state, std::ldexp(1.0, units.time - 10));
+    const bool arrives = run.advance(1000, [&](double, const auto& now) { state = now; });
+    if (!arrives) state.values[0] = std::nan("");
+    convert(state.values, units, false, true);
+    return state;
+  }
+
+  void compare_motion(const State& start, Change& change) const {
+    const State base = end_of_motion(start, {});
+    for (const Units& units : k_units) {
+      const State now = end_of_motion(start, units);
+      change.compare(base.values, now.values, n);
+    }
+  }
+};
+
+template <class M>
+typename M::template State<double> random_state(std::mt19937_64& engine) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  typename M::template State<double> state{};
+  for (double& value : state.values) value = uniform(engine);
+  return state;
+}
+
+template <class M>
+Change at_random_states(const Model<M>& model) {
+  std::mt19937_64 engine(31);
+  Change change;
+  for (int i = 0; i < 20; ++i) model.compare(random_state<M>(engine), change);
+  return change;
+}
+
+/// Rows that make an angle, down to none: first and third differ in one coefficient.
+Change nearly_parallel() {
+  Change change;
+  for (int digits = 1; digits <= 17; ++digits) {
+    Model<ParallelForUnits> model{{}, gauss::near_parallel::parameter_table};
+    const auto& members = ParallelForUnits::parameters_of<double>();
+    for (int i = 0; i < 6; ++i) model.parameters.*members[24 + i] = model.parameters.*members[12 + i];
+    model.parameters.*members[24] *= 1 + std::pow(10.0, -digits);
+    std::mt19937_64 engine(5);
+    model.compare(random_state<ParallelForUnits>(engine), change);
+  }
+  return change;
+}
+
+Change heavy_ends() {
+  Change change;
+  for (const double ratio : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
+    Model<ChainForUnits> model{{}, gauss::heavy_chain::parameter_table};
+    model.parameters.ratio = ratio;
+    const Change now = at_random_states(model);
+    grow(change.largest, now.largest);
+    change.statuses += now.statuses;
+  }
+  return change;
+}
+
+Change flat_loop() {
+  const Model<LoopForUnits> model{{}, gauss::parallelogram::parameter_table};
+  Change change = at_random_states(model);
+  for (const double off : {0.0, 1e-16, 1e-12, 1e-9, 1e-6, 1e-3}) model.compare({{off, -off, off, 6, -6, 6}}, change);
+  gauss::parallelogram::State<double> start;
+  change.compare(gauss::Status::ok, initial_state(LoopForUnits::prepare(model.parameters), start));
+  model.compare_motion(start, change);
+  return change;
+}
+
+Change bob() {
+  const Model<BobForUnits> model{{}, gauss::pendulum_cartesian::parameter_table};
+  Change change = at_random_states(model);
+  gauss::pendulum_cartesian::State<double> start;
+  change.compare(gauss::Status::ok, initial_state(BobForUnits::prepare(model.parameters), start));
+  model.compare_motion(start, change);
+  return change;
+}
+
+}  // namespace
+
+std::vector<Figure> units(const Scope&) {
+  const std::pair<const char*, Change> changes[] = {
+      {"H05", nearly_parallel()},
+      {"H06", at_random_states(Model<AngleForUnits>{{}, gauss::weightless_angle::parameter_table})},
+      {"H07", heavy_ends()},
+      {"H08", flat_loop()},
+      {"H13", bob()}};
+  std::vector<Figure> figures;
+  double statuses = 0;
+  for (const auto& [id, change] : changes) {
+    figures.push_back({std::string("H31.") + id, "change of results in 10 other systems of units, relative", "1",
+                       std::nullopt, change.largest, 1e-12});
+    statuses += change.statuses;
+  }
+  figures.push_back({"H31.statuses", "statuses that differ there", "1", std::nullopt, statuses, 0});
+  return figures;
+}
+
+}  // namespace hard_cases
