@@ -16,6 +16,7 @@
 #include "gauss/integrate/gauss_legendre.hpp"
 #include "gauss/integrate/held_partition.hpp"
 #include "gauss/simulate/fixed_step.hpp"
+#include "gauss/simulate/simulation.hpp"
 #include "parallelogram.hpp"
 
 GAUSS_MODEL(Bars, gauss::four_bar);
@@ -455,6 +456,60 @@ TEST_CASE(
   CHECK(fixed.derivative(0.0, along_y, of_fixed) == Status::ok);
   CHECK(distance(of_edge, of_fixed) < 1e-14);
   CHECK(fixed.handed_over() == 1);
+}
+
+TEST_CASE("simulations with an estimate of their error take a model that chooses its partition at every call") {
+  const KnifeEdge model = knife_edge();
+  gauss::simulate::Settings<double> settings;
+  settings.tolerance = 1e-12;
+  gauss::simulate::Simulation<KnifeEdgeByParts> run(KnifeEdgeByParts(model, rule_of<SleighModel>(1)), k_along_x, 0,
+                                                    settings);
+  REQUIRE(run.advance_to(10));
+  CHECK(std::abs(run.state().values[0] - std::sin(10.0)) < 1e-10);
+  CHECK(std::abs(run.state().values[1] - (1 - std::cos(10.0))) < 1e-10);
+}
+
+namespace {
+
+/// Two speeds, of which two rows say the same, up to what is changed.
+struct SameTwice {
+  double g[2][2] = {{1, 0}, {0, 4}};
+  double f[2] = {1, 2};
+  double b[2][2] = {{1, 1}, {2, 2}};
+  double reach[2][2] = {{1, 1}, {2, 2}};
+  double drift[2] = {0.5, 1};
+};
+
+/// Whether the partition of rank 1 is enough.
+bool is_carried(const SameTwice& system, gauss::LinearSolution<double, 2, 2>& solution) {
+  const auto rule = gauss::rank_of_velocities<double>(1);
+  Partition<2, 2> partition;
+  partition.rank = 1;
+  partition.is_taken[0] = partition.is_dependent[1] = true;
+  return Elimination<double, 2, 2>(system, rule).solve(partition, solution);
+}
+
+}  // namespace
+
+TEST_CASE("rows that contradict, rows that say more, and inertias that are missing are not passed over") {
+  gauss::LinearSolution<double, 2, 2> solution;
+  REQUIRE(is_carried({}, solution));
+  // By hand: a_2 = -1/2 - a_1 and a_1 - 1 = 4 a_2 - 2.
+  CHECK(solution.accelerations[0] == Approx(-0.6).epsilon(1e-15));
+  CHECK(solution.accelerations[1] == Approx(0.1).epsilon(1e-14));
+  CHECK(solution.multipliers[0] + 2 * solution.multipliers[1] == Approx(-1.6).epsilon(1e-15));
+  // Least where rows have unit length: equal shares, of rows whose lengths are 1 to 2.
+  CHECK(solution.multipliers[0] == Approx(2 * solution.multipliers[1]).epsilon(1e-15));
+
+  SameTwice contradicts;
+  contradicts.drift[1] = 1.001;
+  CHECK_FALSE(is_carried(contradicts, solution));
+  SameTwice says_more;
+  says_more.b[1][0] = 2.001;
+  CHECK_FALSE(is_carried(says_more, solution));
+  SameTwice weightless;
+  weightless.g[0][0] = weightless.g[1][1] = 0;
+  CHECK_FALSE(is_carried(weightless, solution));
 }
 
 TEST_CASE("what is not a number has a status, and the state before it stays") {
