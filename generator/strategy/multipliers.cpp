@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "strategy/accelerations.hpp"
+#include "strategy/bounds.hpp"
 #include "strategy/inner.hpp"
 #include "strategy/margins.hpp"
 
@@ -32,14 +33,32 @@ Expr size_of_metric(const Dynamics& dynamics, std::size_t mu) {
   return size.is_zero() ? Expr(size.graph(), size.graph().constant(1)) : size;
 }
 
+// Σ b_i²/g_ii over the speeds with inertia, whatever the units of speeds; nothing where it may vanish.
+std::optional<Expr> response_of_massive(const Dynamics& dynamics, std::size_t mu) {
+  const Vector& row = dynamics.b[mu];
+  Expr sum(row[0].graph(), row[0].graph().constant(0));
+  bool is_positive = false;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (row[i].is_zero() || dynamics.g[i][i].is_zero()) continue;
+    sum += pow(row[i], 2) / dynamics.g[i][i];
+    is_positive = is_positive || is_number(row[i]);
+  }
+  return is_positive ? std::optional(sum) : std::nullopt;
+}
+
+/// Brings b to the size of g.
+Expr weight_of(const Dynamics& dynamics, std::size_t mu) {
+  if (const std::optional<Expr> response = response_of_massive(dynamics, mu)) return pow(*response, -1);
+  return size_of_metric(dynamics, mu) / squares_of(dynamics.b[mu]);
+}
+
 // g + bᵀ w b and f - bᵀ w drift: since b a + drift = 0, the same accelerations and multipliers, but an inverse exists as soon
-// as they are determined (Golub & Greif, SIAM J. Sci. Comput. 24, 2003). w brings b to the size of g.
+// as they are determined (Golub & Greif, SIAM J. Sci. Comput. 24, 2003).
 Dynamics completed(const Dynamics& dynamics, Steps& steps) {
   Dynamics result = dynamics;
   steps.begin("metric and forces completed by the constraints: g + b^T w b, f - b^T w drift");
   for (std::size_t mu = 0; mu < dynamics.l(); ++mu) {
-    const Expr weight = steps.name(size_of_metric(dynamics, mu) / squares_of(dynamics.b[mu]),
-                                   dynamics.names.prefix + "w_" + dynamics.constraints[mu]);
+    const Expr weight = steps.name(weight_of(dynamics, mu), dynamics.names.prefix + "w_" + dynamics.constraints[mu]);
     for (std::size_t i = 0; i < dynamics.n(); ++i) {
       const Expr weighted = weight * dynamics.b[mu][i];
       result.f[i] = result.f[i] - weighted * dynamics.b_drift[mu];
@@ -114,7 +133,8 @@ class MultiplierForm {
       margins.require(pow(squares_of(dynamics_.b[mu]).kept_whole(name("squares", mu)), 3), zero);
       margins.require(pow(schur_diagonal_[mu].kept_whole(name("S", mu)), 3), zero);
     }
-    return any(graph, {schur_->breakdown(k_lost_in_rows), margins.violated("least_" + dynamics_.names.prefix + "cube")});
+    return any(graph,
+               {schur_->breakdown(k_lost_in_rows), margins.violated("least_" + dynamics_.names.prefix + "cube")});
   }
 
   std::vector<std::string> vanishing_rows() const { return schur_->vanishing(); }
