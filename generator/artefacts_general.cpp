@@ -160,7 +160,14 @@ std::vector<Artefact> in_two_ways(const ArtefactsOf& build, bool shows_multiplie
     const bool shows = shows_multipliers && !regular[i].result_type.empty();
     const emit::Shown shown = shows ? emit::Shown::reactions : emit::Shown::motion;
     for (Artefact& one : two_ways(std::move(regular[i]), std::move(of_solution[i]),
-                                  {{}, k_system, {}, rank, l, shown, mechanics.kinematics.has_positions()}))
+                                  {{},
+                                   k_system,
+                                   {},
+                                   rank,
+                                   l,
+                                   shown,
+                                   mechanics.kinematics.has_positions(),
+                                   mechanics.model.rank_tolerance}))
       result.push_back(std::move(one));
   }
   return result;
@@ -191,7 +198,8 @@ std::vector<Artefact> mobility_artefact(Mechanics& mechanics) {
                               static_cast<int>(usual_rank(mechanics)),
                               l,
                               emit::Shown::rank,
-                              mechanics.kinematics.has_positions()};
+                              mechanics.kinematics.has_positions(),
+                              mechanics.model.rank_tolerance};
   std::vector<Artefact> list;
   list.push_back(std::move(result));
   return list;

@@ -37,6 +37,7 @@ class ConstraintCheck {
     std::vector<std::size_t> rows;
     std::set<std::size_t> others;
     bool everywhere = false;
+    bool is_exact = true;
   };
 
   void report(const std::vector<std::size_t>& constraints, const std::string& message, const std::string& hint);

@@ -25,8 +25,10 @@ constexpr int k_violated_digits = 8;
 /// Rates that a user copied from a double satisfy a constraint.
 constexpr int k_residual_digits = 13;
 
-/// A combination of residuals that cancel to so many digits is zero.
+/// A combination of residuals that cancel to so many digits is zero; of rows that are dependent by the tolerance of ranks only, eps^(1/4) of
+/// double may be left, as in gauss/constrained.hpp.
 constexpr int k_combined_digits = 9;
+const support::Rational k_left_of_nearly_dependent = support::Rational(12) / 100000;
 
 /// A coefficient that is smaller, for rows and columns of like size, is rounding.
 constexpr int k_coefficient_digits = 18;
@@ -75,10 +77,13 @@ Rows dependent_rows(Rows order, const RankOfRows& rank, Rows& independent) {
 }
 
 /// Of rows wherever the mechanism may be: on its equations of positions, where it has some.
-RankOfRows rank_everywhere(Mechanics& mechanics) {
+RankOfRows rank_everywhere(Mechanics& mechanics, const ModelValues& values) {
   if (!mechanics.kinematics.has_positions()) {
     const auto at_point = std::make_shared<const Matrix>(GenericPoint(mechanics)(mechanics.dynamics.b));
-    return [at_point](const Rows& rows) { return generic_rank(selected(*at_point, rows)); };
+    const cl_F part = values.number(support::Rational(cln::rational(rank_tolerance(mechanics.model))));
+    return [at_point, part](const Rows& rows) {
+      return evaluate::rank(evaluate::equilibrated(selected(*at_point, rows)), part);
+    };
   }
   return [&mechanics](const Rows& rows) {
     strategy::Matrix some;
@@ -97,7 +102,7 @@ struct Combination {
   Vector coefficients;
 
   /// Whether Σ c_μ x_μ is zero, up to a small part of what is in it.
-  bool cancels(const Vector& x) const {
+  bool cancels(const Vector& x, const cl_F& most) const {
     cl_F sum = cln::cl_float(0, x[0]);
     cl_F size = sum;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -105,7 +110,7 @@ struct Combination {
       sum = sum + part;
       size = size + cln::abs(part);
     }
-    return cln::abs(sum) * power_of_ten(k_combined_digits, sum) <= size;
+    return cln::abs(sum) <= most * size;
   }
 };
 
@@ -147,7 +152,7 @@ cl_F residual(ModelValues& values, ir::Expr node) {
   return values.residual(node.id(), k_residual_digits).value_or(values.number(support::Rational(0)));
 }
 
-Agreement agreement_of(const Combination& combination, const Mechanics& mechanics, ModelValues& values) {
+Agreement agreement_of(const Combination& combination, bool is_exact, const Mechanics& mechanics, ModelValues& values) {
   const auto& constraints = mechanics.kinematics.constraints;
   Vector velocities;
   Vector accelerations;
@@ -160,8 +165,10 @@ Agreement agreement_of(const Combination& combination, const Mechanics& mechanic
     is_linear = is_linear && constraint.is_linear;
     is_satisfied = is_satisfied && cln::zerop(velocities.back());
   }
-  if (is_linear && !combination.cancels(velocities)) return Agreement::contradictory_velocities;
-  const bool agree = !is_satisfied || combination.cancels(accelerations);
+  const cl_F part =
+      is_exact ? power_of_ten(-k_combined_digits, velocities.front()) : values.number(k_left_of_nearly_dependent);
+  if (is_linear && !combination.cancels(velocities, part)) return Agreement::contradictory_velocities;
+  const bool agree = !is_satisfied || combination.cancels(accelerations, part);
   return agree ? Agreement::agree : Agreement::contradictory_accelerations;
 }
 
@@ -186,19 +193,21 @@ std::vector<Dependence> dependences(Mechanics& mechanics, ModelValues& values) {
   const auto here = values(mechanics.dynamics.b);
   if (!here) return {};
   const Rows order = in_order(mechanics);
-  const cl_F part = part_of_rank(mechanics, values);
+  const cl_F part_of_exact = part_of_rank(mechanics, values);
+  const cl_F part = cln::max(part_of_exact, values.number(cln::rational(rank_tolerance(mechanics.model))));
   Rows independent;
   const Rows dependent = dependent_rows(
       order, [&](const Rows& rows) { return values.rank(selected(*here, rows), part); }, independent);
   std::vector<Dependence> result;
   for (const std::size_t row : dependent) {
     Combination found = combination(*here, independent, row);
-    const Agreement agreement = agreement_of(found, mechanics, values);
+    const bool is_exact = values.rank(selected(*here, found.rows), part_of_exact) < found.rows.size();
+    const Agreement agreement = agreement_of(found, is_exact, mechanics, values);
     found.rows.pop_back();
-    result.push_back({row, std::move(found.rows), false, agreement});
+    result.push_back({row, std::move(found.rows), false, agreement, is_exact});
   }
   if (result.empty()) return result;
-  const Rows everywhere = dependent_rows(order, rank_everywhere(mechanics), independent);
+  const Rows everywhere = dependent_rows(order, rank_everywhere(mechanics, values), independent);
   for (Dependence& found : result) {
     found.everywhere = std::find(everywhere.begin(), everywhere.end(), found.index) != everywhere.end();
   }

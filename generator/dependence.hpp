@@ -23,6 +23,7 @@ struct Dependence {
   bool everywhere =
       false;  ///< not at this state only, but wherever the equations of positions hold: numbers show it, not the form of the expressions
   Agreement agreement = Agreement::agree;
+  bool is_exact = true;  ///< false: it has a part of its own, below the tolerance of ranks
 };
 
 /// At the state that is bound in `values`; nothing where a gradient has no value. Others come before it in the model, except for

@@ -52,6 +52,7 @@ class ModelText {
     add_elimination();
     if (!model::has_units(model_)) text_ += "units\n  none are stated, so none are checked\n";
     text_ += "outputs\n  " + (model_.outputs.empty() ? "all" : joined_names(model_.outputs)) + "\n";
+    if (model_.rank_tolerance) text_ += "rank_tolerance\n  " + support::to_text(*model_.rank_tolerance) + "\n";
     if (!model_.sensitivities.empty()) text_ += "sensitivities\n  " + joined_names(model_.sensitivities) + "\n";
     return text_;
   }

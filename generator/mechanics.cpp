@@ -51,6 +51,10 @@ bool wants_tree(const Mechanics& mechanics, Strategy strategy) {
   return strategy == Strategy::tree || (strategy == Strategy::automatic && mechanics.model.dependent.empty());
 }
 
+ir::Rational least_response(const model::Model& model) {
+  return model.rank_tolerance ? ir::Rational(*model.rank_tolerance * *model.rank_tolerance) : ir::Rational(0);
+}
+
 strategy::TreeProblem tree_problem(Mechanics& mechanics, std::function<bool(ir::Expr)> vanishes, GenericPoint& point,
                                    bool folds) {
   const kinematics::Kinematics& kinematics = mechanics.kinematics;
@@ -75,6 +79,7 @@ strategy::TreeProblem tree_problem(Mechanics& mechanics, std::function<bool(ir::
   if (folds) {
     problem.constraints.value_of = [&](ir::Expr e) { return cln::double_approx(point({{e}})(0, 0)); };
   }
+  problem.least_response = least_response(mechanics.model);
   return problem;
 }
 
@@ -104,6 +109,7 @@ strategy::Dynamics dynamics_of(Mechanics& mechanics, const MechanicsOptions& opt
   result.at_parameters = [values](ir::Expr e) {
     return (*values)(e.id()).value_or(std::numeric_limits<double>::infinity());
   };
+  result.least_response = least_response(mechanics.model);
   add_forms_of_links(mechanics, options, result);
   if (result.n() <= k_few_speeds) return result;
   result.inertias_of_links = [&mechanics, labels = result.labels] {
@@ -160,7 +166,9 @@ strategy::Solution taken(strategy::Candidate candidate, const std::string& inste
 
 strategy::Solution solved_constrained(const Mechanics& mechanics, const strategy::Dynamics& dynamics,
                                       const MechanicsOptions& options, strategy::Steps& steps) {
-  if (options.strategy != Strategy::multipliers) {
+  // Elimination asks whether pivots vanish, and not how near rows are to each other.
+  const bool asks_for_angles = mechanics.model.rank_tolerance && dynamics.l() > 1;
+  if (options.strategy != Strategy::multipliers && !asks_for_angles) {
     // The model's choice first, where it has one; structure_check says so if it is not safe.
     auto elimination = strategy::eliminate(dynamics, allowed_dependent(mechanics), steps);
     if (!elimination) elimination = strategy::eliminate(dynamics, {}, steps);

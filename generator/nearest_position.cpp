@@ -208,6 +208,15 @@ bool nearest_solution(PositionEquations& equations) {
   return here && here->is_solved(k_solved);
 }
 
+void polish(PositionEquations& equations) {
+  const Vector before = equations.position();
+  const auto here = equations.linearised();
+  if (!here) return;
+  equations.move(least_change(*here, equations.movable().size()));
+  const auto there = equations.linearised();
+  if (!there || there->square() > here->square()) equations.set(before);
+}
+
 Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time) {
   PositionEquations equations(mechanics, movable, time);
   if (!start_beside_guess(equations)) return {equations.position(), false};

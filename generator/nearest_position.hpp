@@ -26,6 +26,9 @@ class PositionEquations;
 /// Newton's method from where `equations` are, with the least displacements; false where it does not arrive at a solution.
 bool nearest_solution(PositionEquations& equations);
 
+/// One more step from a solution: to rounding.
+void polish(PositionEquations& equations);
+
 /// Along the speeds that are `movable`, from the guesses of the model, at a time.
 struct Approach {
   std::vector<double> position;  ///< the configuration that it came to

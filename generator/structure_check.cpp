@@ -32,7 +32,11 @@ class StructureCheck {
     for (std::size_t mu = 0; mu < model_.constraints.size(); ++mu) check_gradient(mu);
     if (!diagnostics_.has_errors()) check_equations(mechanics_, diagnostics_);
     if (diagnostics_.has_errors()) return;
-    if (!mechanics_.solution.undetermined.empty()) report_undetermined();
+    if (!mechanics_.solution.undetermined.empty()) {
+      report_undetermined();
+    } else {
+      check_accelerations();
+    }
     if (!model_.dependent.empty()) check_choice();
     for (const std::size_t force : mechanics_.kinematics.idle_forces) report_idle(model_.forces[force]);
     for (const std::size_t force : mechanics_.kinematics.inner_forces) report_inner(model_.forces[force]);
@@ -84,6 +88,22 @@ class StructureCheck {
                       label),
           "give what it moves a mass, or remove a coordinate that others already describe");
     }
+  }
+
+  /// A pivot may vanish in every configuration without vanishing as an expression. At run time its rounding would be all that is left of it.
+  void check_accelerations() {
+    if (VanishesEverywhere(mechanics_)(mechanics_.solution.singular_mass_matrix)) return;
+    const strategy::Dynamics& dynamics = mechanics_.dynamics;
+    std::vector<std::string> labels;
+    for (const std::size_t j : dependent_columns(at_generic_point_(strategy::g_above_b(dynamics))))
+      labels.push_back(dynamics.labels[j]);
+    if (labels.empty()) return;
+    const std::string what = labels.size() == 1
+                                 ? fmt::format("determines the acceleration of '{}'", labels[0])
+                                 : fmt::format("tells the accelerations of {} apart", support::joined(labels));
+    diagnostics_.error(support::code::k_no_inertia, span_of_speed(model_, labels[0]),
+                       fmt::format("nothing {}: the mass matrix is singular in every configuration", what),
+                       "give what it moves a mass, or remove a coordinate that others already describe");
   }
 
   /// b_μρ over the speeds that the model calls dependent.

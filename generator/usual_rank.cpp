@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "evaluate/arithmetic_double.hpp"
@@ -22,9 +24,6 @@ constexpr std::size_t k_most_entries = 4000;
 constexpr int k_states = 3;
 constexpr double k_first_displacement = 0.3;  ///< of coordinates of their size, and of angles
 constexpr double k_least_displacement = 1e-3;
-constexpr double k_part =
-    1e-7;  ///< of the largest singular value: less follows from other rows, since positions are good to 1e-11
-
 /// The same numbers in every run.
 class Numbers {
  public:
@@ -46,10 +45,16 @@ std::vector<double> displacement_of(const Mechanics& mechanics, const std::vecto
   return result;
 }
 
-Eigen::MatrixXd scaled(Eigen::MatrixXd matrix) {
+/// Columns where inertias are 1, rows of unit length, as in gauss/constrained.hpp; of what has no inertia, by the largest entry.
+Eigen::MatrixXd scaled(Eigen::MatrixXd matrix, const std::vector<double>& inertias) {
   for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+    const double inertia = inertias[static_cast<std::size_t>(j)];
     const double largest = matrix.col(j).lpNorm<Eigen::Infinity>();
-    if (largest > 0) matrix.col(j) /= largest;
+    if (inertia > 0) {
+      matrix.col(j) /= std::sqrt(inertia);
+    } else if (largest > 0) {
+      matrix.col(j) /= largest;
+    }
   }
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     const double size = matrix.row(i).norm();
@@ -58,11 +63,13 @@ Eigen::MatrixXd scaled(Eigen::MatrixXd matrix) {
   return matrix;
 }
 
-std::size_t rank_of(const Eigen::MatrixXd& matrix) {
+std::size_t rank_of(const Eigen::MatrixXd& matrix, const std::vector<double>& inertias, double tolerance) {
   if (matrix.size() == 0) return 0;
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled(matrix));
-  svd.setThreshold(k_part);
-  return static_cast<std::size_t>(svd.rank());
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled(matrix, inertias).transpose());
+  std::size_t rank = 0;
+  for (Eigen::Index k = 0; k < std::min(matrix.rows(), matrix.cols()); ++k)
+    rank += std::abs(qr.matrixQR()(k, k)) > tolerance ? 1 : 0;
+  return rank;
 }
 
 }  // namespace
@@ -80,6 +87,7 @@ UsualStates::UsualStates(Mechanics& mechanics) : mechanics_(mechanics) {
       equations.set(begin.position);
       equations.move(displacement_of(mechanics, begin.position, part, numbers));
       if (!nearest_solution(equations)) continue;
+      polish(equations);
       State state{equations.position(), {}};
       for (std::size_t i = 0; i < n; ++i) state.speeds.push_back(numbers());
       states_.push_back(std::move(state));
@@ -88,30 +96,42 @@ UsualStates::UsualStates(Mechanics& mechanics) : mechanics_(mechanics) {
   }
 }
 
+evaluate::Evaluator<double> UsualStates::values_at(const State& state) const {
+  evaluate::Evaluator<double> values(mechanics_.graph, evaluate::Arithmetic<double>());
+  bind_parameters(mechanics_, values);
+  values.bind(mechanics_.symbols.time, 0);
+  for (const auto i : mechanics_.symbols.configuration.indices())
+    values.bind(mechanics_.symbols.configuration[i].symbol, state.configuration[i.value]);
+  for (const auto i : mechanics_.symbols.speeds.indices())
+    values.bind(mechanics_.symbols.speeds[i].symbol, state.speeds[i.value]);
+  return values;
+}
+
 std::optional<std::size_t> UsualStates::rank(const strategy::Matrix& rows) const {
   if (!are_known()) return std::nullopt;
   if (rows.empty()) return 0;
-  const auto columns = static_cast<Eigen::Index>(mechanics_.dynamics.n());
+  const strategy::Vector inertias = strategy::inertias(mechanics_.dynamics);
   std::size_t largest = 0;
   for (const State& state : states_) {
-    evaluate::Evaluator<double> values(mechanics_.graph, evaluate::Arithmetic<double>());
-    bind_parameters(mechanics_, values);
-    values.bind(mechanics_.symbols.time, 0);
-    for (const auto i : mechanics_.symbols.configuration.indices())
-      values.bind(mechanics_.symbols.configuration[i].symbol, state.configuration[i.value]);
-    for (const auto i : mechanics_.symbols.speeds.indices())
-      values.bind(mechanics_.symbols.speeds[i].symbol, state.speeds[i.value]);
-    Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows.size()), columns);
+    evaluate::Evaluator<double> values = values_at(state);
+    std::vector<double> sizes;
+    for (const ir::Expr inertia : inertias) sizes.push_back(values(inertia.id()).value_or(0));
+    Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(sizes.size()));
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-      for (Eigen::Index j = 0; j < columns; ++j) {
+      for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
         const auto value = values(rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].id());
         if (!value || !std::isfinite(*value)) return std::nullopt;
         matrix(i, j) = *value;
       }
     }
-    largest = std::max(largest, rank_of(matrix));
+    largest = std::max(largest, rank_of(matrix, sizes, rank_tolerance(mechanics_.model)));
   }
   return largest;
+}
+
+double rank_tolerance(const model::Model& model) {
+  const double least = std::sqrt(std::numeric_limits<double>::epsilon()) / 16;
+  return model.rank_tolerance ? std::max(least, support::to_double(*model.rank_tolerance)) : least;
 }
 
 std::size_t usual_rank(const strategy::Matrix& rows, Mechanics& mechanics) {

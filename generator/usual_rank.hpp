@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "evaluate/arithmetic_double.hpp"
+#include "evaluate/evaluator.hpp"
 #include "mechanics.hpp"
 
 namespace gaussgen {
@@ -17,7 +19,7 @@ class UsualStates {
   /// Positions that satisfy the equations were found.
   bool are_known() const { return !states_.empty(); }
 
-  /// The largest rank of rows over the free speeds, columns scaled by their largest entries, then rows; nothing where no position is known or an entry has no value.
+  /// The largest rank of rows over the free speeds, as emitted code decides it (gauss/constrained.hpp, rank_tolerance); nothing where no position is known or an entry has no value.
   std::optional<std::size_t> rank(const strategy::Matrix& rows) const;
 
  private:
@@ -25,9 +27,14 @@ class UsualStates {
     std::vector<double> configuration, speeds;
   };
 
+  evaluate::Evaluator<double> values_at(const State& state) const;
+
   Mechanics& mechanics_;
   std::vector<State> states_;
 };
+
+/// Sine of the angle to all others, with masses as the metric, below which a constraint follows from them: the model's, or that of emitted code in double.
+double rank_tolerance(const model::Model& model);
 
 /// Of rows over the free speeds, in a usual state; in a generic one where no usual one is found.
 std::size_t usual_rank(const strategy::Matrix& rows, Mechanics& mechanics);

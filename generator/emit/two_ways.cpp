@@ -2,6 +2,7 @@
 
 #include "emit/functions.hpp"
 #include "emit/identifiers.hpp"
+#include "emit/literal.hpp"
 
 namespace gaussgen::emit {
 
@@ -39,9 +40,12 @@ const char* status_in_solution(Shown shown) {
   }
 }
 
-std::string rank_rule(const TwoWays& ways) {
-  if (ways.shown == Shown::step) return "rank_of_steps<S>";
-  return ways.is_agreement_known ? "rank_on_positions<S>" : "rank_of_velocities<S>";
+Expression rank_rule(const TwoWays& ways) {
+  const char* rule = ways.is_agreement_known ? "rank_on_positions<S>" : "rank_of_velocities<S>";
+  if (ways.shown == Shown::step) rule = "rank_of_steps<S>";
+  std::vector<Expression> arguments{cpp::atom(std::to_string(ways.usual_rank))};
+  if (ways.rank_tolerance) arguments.push_back(cpp::call("rank_tolerance<S>", {literal(*ways.rank_tolerance)}));
+  return cpp::call(rule, std::move(arguments));
 }
 
 std::vector<Argument> results_of(const Artefact& artefact) {
@@ -79,8 +83,7 @@ class GeneralWay {
     add(function, cpp::Declaration{type, {"solved"}});
     add(function,
         cpp::Evaluation{cpp::call(
-            "solve", {cpp::atom("system"), cpp::call(rank_rule(ways_), {cpp::atom(std::to_string(ways_.usual_rank))}),
-                      cpp::atom("solved")})});
+            "solve", {cpp::atom("system"), rank_rule(ways_), cpp::atom("solved")})});
     if (ways_.shown == Shown::rank) return show_rank(function);
     worsen(function, cpp::atom(status_in_solution(ways_.shown)));
     worsen(function, call_with(ways_.of_solution, inputs + std::vector<Argument>{{"", "solved"}} + results));

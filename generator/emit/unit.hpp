@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ir/graph.hpp"
+#include "support/rational.hpp"
 
 namespace gaussgen::emit {
 
@@ -129,6 +130,7 @@ struct TwoWays {
   int rows = 0;             ///< of them; where they always follow from each other, the own way is always lost
   Shown shown = Shown::motion;
   bool is_agreement_known = false;  ///< whether rows contradict each other is told by positions
+  std::optional<support::Rational> rank_tolerance = {};  ///< the model's own
 };
 
 /// One emitted function.

@@ -49,6 +49,7 @@ void read_sections(const spec::Node& root, Reading& reading) {
   read_forces(root, reading);
   read_quantities(root, reading);
   read_elimination(root, reading);
+  read_rank_tolerance(root, reading);
   read_outputs(root, reading);
   read_sensitivities(root, reading);
 }

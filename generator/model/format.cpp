@@ -387,6 +387,7 @@ const Map& model_file() {
        {"quantities", or_empty(entries_of(or_else(or_else(expression(), vector()), entry(quantity())))),
         "what else the emitted code shall tell of a state"},
        {"elimination", map_of(elimination()), "the choice of dependent speeds"},
+       {"rank_tolerance", expression(), "a number: sine of the angle below which a constraint follows from the others"},
        {"outputs", or_empty(list_of(word_of(outputs()))), "what is emitted; all if left out"},
        {"sensitivities", or_empty(list_of(name())), "parameters by which derivatives are emitted"}}};
   return k_map;

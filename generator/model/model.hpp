@@ -303,6 +303,8 @@ struct Model {
   std::vector<Name> dependent;      ///< the user's choice of dependent speeds (3.6); empty: chosen by the generator
   std::vector<Name> outputs;        ///< empty: the default set
   std::vector<Name> sensitivities;  ///< parameters by which derivatives are emitted
+  /// Sine of the angle to all others below which a constraint follows from them; empty: from the digits of the scalar type.
+  std::optional<support::Rational> rank_tolerance;
   std::map<std::string, SymbolRef> symbols;
 
   /// The declared symbol; asserts that it exists (the checks guarantee it).

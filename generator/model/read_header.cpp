@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "model/fields.hpp"
 #include "model/format.hpp"
@@ -60,6 +61,25 @@ bool is_version_1(const spec::Node& version) {
   return scan.problem.empty() && scan.size == text.size() && scan.value == support::Rational(1);
 }
 
+const support::Rational k_least_tolerance = support::Rational(1) / 1'000'000'000;
+const support::Rational k_largest_tolerance = support::Rational(1) / 10;
+
+/// Nothing, after a report, where it is no number.
+std::optional<support::Rational> number_in(const spec::Node& node, Reading& reading) {
+  const std::string& text = node.scalar.text;
+  const bool begins = !text.empty() && (support::is_digit(text.front()) || text.front() == '.');
+  const NumberScan scan = begins ? scan_number(text) : NumberScan{};
+  if (!scan.problem.empty()) {
+    reading.diagnostics.error(*scan.code, node.span, scan.problem, scan.hint);
+  } else if (scan.size == 0 || scan.size != text.size()) {
+    reading.diagnostics.error(code::k_malformed_number, node.span, fmt::format("'{}' is no number", text),
+                              "write a number, such as 1e-6");
+  } else {
+    return scan.value;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 void read_version(const spec::Node& root, support::Span owner, Reading& reading) {
@@ -76,6 +96,20 @@ void read_header(const spec::Node& root, Reading& reading) {
   read_version(root, k_top, reading);
   read_name(root, reading);
   reading.model.about = text_field(root, "about", reading);
+}
+
+void read_rank_tolerance(const spec::Node& root, Reading& reading) {
+  const spec::Node* node = spec::find(root, "rank_tolerance");
+  if (node == nullptr || !expect_scalar(*node, key_of(root, "rank_tolerance"), "'rank_tolerance'", reading)) return;
+  const std::optional<support::Rational> value = number_in(*node, reading);
+  if (!value) return;
+  if (*value < k_least_tolerance || *value > k_largest_tolerance) {
+    reading.diagnostics.error(code::k_out_of_range, node->span,
+                              "a tolerance of ranks is from 1e-9 to 0.1: the sine of an angle between constraints",
+                              "leave it out for what the digits of the scalar type allow, 1e-9 of double");
+    return;
+  }
+  reading.model.rank_tolerance = value;
 }
 
 void read_outputs(const spec::Node& root, Reading& reading) {

@@ -41,6 +41,9 @@ struct Dynamics {
   Matrix b;                              ///< l×n, b_μα = β_μα
   Vector b_drift;                        ///< Θ_μ + β_μi c̈^i
   NamesOfUnknowns names;
+  /// Part of the response of a constraint alone (its diagonal entry of S) at which it follows from the others, beside rounding: the square of the
+  /// model's rank_tolerance.
+  ir::Rational least_response = 0;
   DependentRows dependent_rows;
   /// Of what depends on parameters alone, with those of the model; infinite where it has no value. May be empty.
   std::function<double(ir::Expr)> at_parameters;

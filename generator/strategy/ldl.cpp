@@ -133,9 +133,12 @@ Expr Ldl::reciprocal(std::size_t pivot) const {
   return select(at_most(d_[pivot], tolerance(pivot)), zero, inverse);
 }
 
-Expr Ldl::breakdown(int lost) const {
+Expr Ldl::breakdown(int lost, const ir::Rational& least) const {
   Margins margins(graph_);
-  for (std::size_t i = 0; i < d_.size(); ++i) margins.require(d_[i], tolerance(i, lost));
+  for (std::size_t i = 0; i < d_.size(); ++i) {
+    const Expr beside = is_original_[i] != 0 ? Expr(graph_, graph_.constant(0)) : least * diagonal_[i];
+    margins.require(d_[i], tolerance(i, lost) + beside);
+  }
   return margins.violated("least_" + prefix_ + "_pivot");
 }
 

@@ -38,8 +38,8 @@ class Ldl {
 
   /// Boolean: some pivot is not positive or has lost all its digits against its diagonal entry, so the matrix is singular as
   /// far as the scalar type can tell. Pivots that are diagonal entries themselves cannot cancel and are compared with 0.
-  /// `lost` is how many times its rounding error a pivot has to exceed.
-  ir::Expr breakdown(int lost = k_lost_to_rounding) const;
+  /// `lost` is how many times its rounding error a pivot has to exceed, beside the part `least` of its diagonal entry.
+  ir::Expr breakdown(int lost = k_lost_to_rounding, const ir::Rational& least = 0) const;
 
   /// Rows whose pivot vanishes identically: the matrix is singular in every configuration.
   std::vector<std::string> vanishing() const;

@@ -134,7 +134,7 @@ class MultiplierForm {
       margins.require(pow(schur_diagonal_[mu].kept_whole(name("S", mu)), 3), zero);
     }
     return any(graph,
-               {schur_->breakdown(k_lost_in_rows), margins.violated("least_" + dynamics_.names.prefix + "cube")});
+               {schur_->breakdown(k_lost_in_rows, dynamics_.least_response), margins.violated("least_" + dynamics_.names.prefix + "cube")});
   }
 
   std::vector<std::string> vanishing_rows() const { return schur_->vanishing(); }

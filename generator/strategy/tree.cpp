@@ -76,7 +76,7 @@ class Tree : private TreeZ {
     }
     schur_.emplace(S, labels, problem_.prefix + "S", epsilon_, steps_, Dependent::drop);
     if (!schur_->vanishing().empty()) return false;
-    dependent_ = schur_->breakdown(k_lost_in_rows);
+    dependent_ = schur_->breakdown(k_lost_in_rows, problem_.least_response);
     return true;
   }
 

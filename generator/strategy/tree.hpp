@@ -30,6 +30,7 @@ struct TreeProblem {
   /// Of bodies, each of which is on a link; empty where none is known, or some is not. `forces` has their part, too.
   std::vector<kinematics::BodyLoad> loads = {};
   Vector forces_beside = {};  ///< `forces` without the part of the loads
+  ir::Rational least_response = 0;  ///< as in Dynamics
 };
 
 /// Where accelerations that come from velocities enter.

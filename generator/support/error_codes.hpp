@@ -32,6 +32,7 @@ inline constexpr ErrorCode k_wrong_count{"E013", "a list of the wrong length"};
 inline constexpr ErrorCode k_format_version{"E014", "a format version that this program does not read"};
 inline constexpr ErrorCode k_unknown_word{"E015", "a word outside a fixed list of choices"};
 inline constexpr ErrorCode k_conflicting_keys{"E016", "keys that exclude each other"};
+inline constexpr ErrorCode k_out_of_range{"E017", "a number outside of what its place takes"};
 
 // Names.
 inline constexpr ErrorCode k_invalid_name{"E020", "not a valid name"};
@@ -143,6 +144,7 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_format_version,
     code::k_unknown_word,
     code::k_conflicting_keys,
+    code::k_out_of_range,
     code::k_invalid_name,
     code::k_reserved_name,
     code::k_name_clash,

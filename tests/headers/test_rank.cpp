@@ -5,12 +5,14 @@
 
 #include "bennett.hpp"
 #include "catch_shim.hpp"
+#include "coarse_rank.hpp"
 #include "parallelogram.hpp"
 #include "switched_stop.hpp"
 #include "two_slopes.hpp"
 
 namespace {
 
+namespace coarse = gauss::coarse_rank;
 namespace slopes = gauss::two_slopes;
 namespace stop = gauss::switched_stop;
 namespace bennett = gauss::bennett;
@@ -50,6 +52,28 @@ TEST_CASE("an equation that is switched off in the file is not passed over where
     CHECK(rhs(0.0, stop::State<double>{}, {}, with_stop(k), derivative) == gauss::Status::ok);
     CHECK(std::abs(derivative.x_ddot()) <= 1e-15);
     CHECK(derivative.y_ddot() == 2);
+  }
+}
+
+TEST_CASE("rows closer than the model's rank_tolerance are one, and the status says where that begins") {
+  for (const double d : {1.0, 1e-2, 2e-4, 5e-5, 1e-5, 1e-8}) {
+    INFO("slope " << d);
+    coarse::Parameters<double> parameters;
+    parameters.d = d;
+    const auto prepared = prepare(parameters);
+    coarse::Derivative<double> derivative{};
+    coarse::Reactions<double> reactions{};
+    coarse::Mobility<double> mobility{};
+    const bool are_two = d > 1e-4;
+    const gauss::Status expected = are_two ? gauss::Status::ok : gauss::Status::dependent_constraints;
+    CHECK(rhs(0.0, coarse::State<double>{}, {}, prepared, derivative) == expected);
+    // What is left out moves by its part of the slope.
+    CHECK(std::abs(derivative.x_ddot()) <= 3 * d);
+    CHECK(derivative.y_ddot() == Approx(are_two ? 0.0 : 2.0).margin(3 * d));
+    CHECK(coarse::reactions(0.0, coarse::State<double>{}, {}, prepared, reactions) == expected);
+    CHECK(coarse::mobility(0.0, coarse::State<double>{}, {}, prepared, mobility) == gauss::Status::ok);
+    CHECK(mobility.rank == (are_two ? 2 : 1));
+    for (const double is_shared : mobility.is_shared) CHECK(is_shared == (are_two ? 0 : 1));
   }
 }
 
