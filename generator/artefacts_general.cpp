@@ -159,15 +159,9 @@ std::vector<Artefact> in_two_ways(const ArtefactsOf& build, bool shows_multiplie
   for (std::size_t i = 0; i < regular.size(); ++i) {
     const bool shows = shows_multipliers && !regular[i].result_type.empty();
     const emit::Shown shown = shows ? emit::Shown::reactions : emit::Shown::motion;
-    for (Artefact& one : two_ways(std::move(regular[i]), std::move(of_solution[i]),
-                                  {{},
-                                   k_system,
-                                   {},
-                                   rank,
-                                   l,
-                                   shown,
-                                   mechanics.kinematics.has_positions(),
-                                   mechanics.model.rank_tolerance}))
+    for (Artefact& one : two_ways(
+             std::move(regular[i]), std::move(of_solution[i]),
+             {{}, k_system, {}, rank, l, shown, mechanics.kinematics.has_positions(), mechanics.model.rank_tolerance}))
       result.push_back(std::move(one));
   }
   return result;

@@ -112,16 +112,15 @@ class SearchArtefacts {
     }
     result.push_back(std::move(system));
     const std::string system_name = result.back().name;
-    for (Artefact& one :
-         two_ways(std::move(regular), std::move(of_solution),
-                  {{},
-                   system_name,
-                   {},
-                   static_cast<int>(rank),
-                   rows_of(open.b),
-                   emit::Shown::step,
-                   true,
-                   mechanics_.model.rank_tolerance}))
+    for (Artefact& one : two_ways(std::move(regular), std::move(of_solution),
+                                  {{},
+                                   system_name,
+                                   {},
+                                   static_cast<int>(rank),
+                                   rows_of(open.b),
+                                   emit::Shown::step,
+                                   true,
+                                   mechanics_.model.rank_tolerance}))
       result.push_back(std::move(one));
   }
 

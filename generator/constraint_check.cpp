@@ -75,8 +75,7 @@ void ConstraintCheck::report_redundant() {
     if (is_contradictory(found.index)) continue;
     const auto begin = mechanics_.model.constraints[found.index].name.span.begin;
     const bool is_same = !all.empty() && all.back().everywhere == found.everywhere &&
-                         all.back().others.empty() == found.others.empty() &&
-                         all.back().is_exact == found.is_exact &&
+                         all.back().others.empty() == found.others.empty() && all.back().is_exact == found.is_exact &&
                          mechanics_.model.constraints[all.back().rows.back()].name.span.begin == begin;
     if (!is_same) all.push_back({{}, {}, found.everywhere, found.is_exact});
     all.back().rows.push_back(found.index);
@@ -119,7 +118,8 @@ void ConstraintCheck::report_redundant(const Redundancy& found) {
   const std::size_t first = found.rows.front();
   const model::Name& name = mechanics_.model.constraints[first].name;
   std::string what = dependence_in(mechanics_, found.rows, {found.others.begin(), found.others.end()});
-  if (!found.is_exact) what += fmt::format(" up to an angle below {:.1g} (rank_tolerance)", rank_tolerance(mechanics_.model));
+  if (!found.is_exact)
+    what += fmt::format(" up to an angle below {:.1g} (rank_tolerance)", rank_tolerance(mechanics_.model));
   if (!found.everywhere) {
     diagnostics_.warning(code::k_dependent_start, name.span, what + " at the initial state",
                          remedy_at_start(mechanics_.model.constraints[first]));

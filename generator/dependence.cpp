@@ -194,14 +194,17 @@ std::vector<Dependence> dependences(Mechanics& mechanics, ModelValues& values) {
   if (!here) return {};
   const Rows order = in_order(mechanics);
   const cl_F part_of_exact = part_of_rank(mechanics, values);
-  const cl_F part = cln::max(part_of_exact, values.number(cln::rational(rank_tolerance(mechanics.model))));
+  const auto rank_to = [&](const cl_F& part) {
+    return [&here, &values, part](const Rows& rows) { return values.rank(selected(*here, rows), part); };
+  };
   Rows independent;
-  const Rows dependent = dependent_rows(
-      order, [&](const Rows& rows) { return values.rank(selected(*here, rows), part); }, independent);
+  const Rows exactly = dependent_rows(order, rank_to(part_of_exact), independent);
+  const cl_F tolerance = values.number(cln::rational(rank_tolerance(mechanics.model)));
+  const Rows dependent = dependent_rows(order, rank_to(cln::max(part_of_exact, tolerance)), independent);
   std::vector<Dependence> result;
   for (const std::size_t row : dependent) {
     Combination found = combination(*here, independent, row);
-    const bool is_exact = values.rank(selected(*here, found.rows), part_of_exact) < found.rows.size();
+    const bool is_exact = std::find(exactly.begin(), exactly.end(), row) != exactly.end();
     const Agreement agreement = agreement_of(found, is_exact, mechanics, values);
     found.rows.pop_back();
     result.push_back({row, std::move(found.rows), false, agreement, is_exact});

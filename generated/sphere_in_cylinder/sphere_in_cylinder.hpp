@@ -895,6 +895,12 @@ GAUSS_FUNCTION S default_rank_tolerance() {
   return Math<S>::sqrt(Math<S>::epsilon()) / S(16);
 }
 
+/// One that was asked for; never less than what the digits of S allow.
+template <class S>
+GAUSS_FUNCTION S rank_tolerance(const S& wanted) {
+  return detail::larger(wanted, default_rank_tolerance<S>());
+}
+
 /// For constraints of velocities alone: nothing but parameters makes their rank higher than it was where the model was generated.
 template <class S>
 GAUSS_FUNCTION RankRule<S> rank_of_velocities(int usual, const S& tolerance = default_rank_tolerance<S>()) {
@@ -911,8 +917,8 @@ GAUSS_FUNCTION RankRule<S> rank_on_positions(int usual, const S& tolerance = def
 /// Of steps of Newton's method: rounding of a residual, divided by this sine, is less than the sine. So a step stays on its side of a
 /// position at which rows depend on each other. It begins far from the equations, and no row is taken beyond the usual rank.
 template <class S>
-GAUSS_FUNCTION RankRule<S> rank_of_steps(int usual) {
-  return {usual, S(4) * Math<S>::sqrt(Math<S>::epsilon()), S(2), true};
+GAUSS_FUNCTION RankRule<S> rank_of_steps(int usual, const S& tolerance = S(0)) {
+  return {usual, detail::larger<S>(S(4) * Math<S>::sqrt(Math<S>::epsilon()), tolerance), S(2), true};
 }
 
 /// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, reach[l][n], not less than

@@ -81,9 +81,7 @@ class GeneralWay {
         cpp::Definition{"StatusOf<S>", "status",
                         call_with(ways_.system, inputs_of_system(artefact_) + std::vector<Argument>{{"", "system"}})});
     add(function, cpp::Declaration{type, {"solved"}});
-    add(function,
-        cpp::Evaluation{cpp::call(
-            "solve", {cpp::atom("system"), rank_rule(ways_), cpp::atom("solved")})});
+    add(function, cpp::Evaluation{cpp::call("solve", {cpp::atom("system"), rank_rule(ways_), cpp::atom("solved")})});
     if (ways_.shown == Shown::rank) return show_rank(function);
     worsen(function, cpp::atom(status_in_solution(ways_.shown)));
     worsen(function, call_with(ways_.of_solution, inputs + std::vector<Argument>{{"", "solved"}} + results));

@@ -129,7 +129,7 @@ struct TwoWays {
   int usual_rank = 0;       ///< of the constraints, where nothing singles a state out
   int rows = 0;             ///< of them; where they always follow from each other, the own way is always lost
   Shown shown = Shown::motion;
-  bool is_agreement_known = false;  ///< whether rows contradict each other is told by positions
+  bool is_agreement_known = false;                       ///< whether rows contradict each other is told by positions
   std::optional<support::Rational> rank_tolerance = {};  ///< the model's own
 };
 
@@ -184,7 +184,7 @@ struct Unit {
   std::vector<Entry> start;          ///< n_q or none; likewise named, of the state from which a search began
   std::vector<Entry> speeds;         ///< n_v; names as emitted: chi_dot, wx
   std::vector<Entry> accelerations;  ///< n_v; names as emitted: chi_ddot, wx_dot
-  std::vector<Entry> multipliers;                ///< of a solution, or none
+  std::vector<Entry> multipliers;    ///< of a solution, or none
   std::vector<std::string> configuration_rates;  ///< n_q, names in Derivative: chi_dot, e0_dot
   std::vector<HeldEntry> held;
   std::vector<ConstraintEntry> constraints;

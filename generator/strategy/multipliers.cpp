@@ -133,8 +133,8 @@ class MultiplierForm {
       margins.require(pow(squares_of(dynamics_.b[mu]).kept_whole(name("squares", mu)), 3), zero);
       margins.require(pow(schur_diagonal_[mu].kept_whole(name("S", mu)), 3), zero);
     }
-    return any(graph,
-               {schur_->breakdown(k_lost_in_rows, dynamics_.least_response), margins.violated("least_" + dynamics_.names.prefix + "cube")});
+    return any(graph, {schur_->breakdown(k_lost_in_rows, dynamics_.least_response),
+                       margins.violated("least_" + dynamics_.names.prefix + "cube")});
   }
 
   std::vector<std::string> vanishing_rows() const { return schur_->vanishing(); }

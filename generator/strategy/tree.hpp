@@ -29,7 +29,7 @@ struct TreeProblem {
   const Disturbance* disturbance = nullptr;  ///< with the drift by link, and blocks divided at once
   /// Of bodies, each of which is on a link; empty where none is known, or some is not. `forces` has their part, too.
   std::vector<kinematics::BodyLoad> loads = {};
-  Vector forces_beside = {};  ///< `forces` without the part of the loads
+  Vector forces_beside = {};        ///< `forces` without the part of the loads
   ir::Rational least_response = 0;  ///< as in Dynamics
 };
 

@@ -43,6 +43,7 @@ forces:
   spring: {potential: m*w^2*x^2, about: soft}
   motor: {generalized: {x: push, p: -d*p, q: torque(q)*hill(t)}}
 elimination: {dependent: [x]}
+rank_tolerance: 1e-6
 outputs: [rhs, energy]
 """
 
@@ -102,6 +103,8 @@ elimination
   dependent: x
 outputs
   rhs, energy
+rank_tolerance
+  1/1000000
 """
 
 

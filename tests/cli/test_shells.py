@@ -93,7 +93,7 @@ class Completion(Page):
         self.assertEqual(self.bash("--outputs", "rhs,ener"), {"rhs,energy"})
         self.assertEqual(self.bash("evaluate", "--format", ""), {"table", "json"})
         self.assertEqual(self.bash("derivation", "--format", ""), {"markdown", "latex"})
-        self.assertEqual(self.bash("explain", "E01"), {f"E01{i}" for i in range(7)})
+        self.assertEqual(self.bash("explain", "E01"), {f"E01{i}" for i in range(8)})
         self.assertEqual(self.bash("completion", ""), {"bash", "zsh", "fish"})
         for command in COMMANDS:
             self.assertGreaterEqual(self.bash(*([command] if command else []), "--"), set(self.options(command)))
