@@ -132,6 +132,7 @@ Run run(const Model& model, const typename Model::State& start, std::int64_t ste
 
 struct Runs {
   Run naive, ours;
+  Run drifting;  ///< with our accelerations, not projected
 };
 
 template <class Loop>
@@ -144,8 +145,9 @@ Runs runs(const typename Loop::template Parameters<double>& parameters = {}) {
   Runs result;
   if (initial_state(prepared, start) != gauss::Status::ok) return result;
   result.naive = run<Loop, gauss::integrate::Rk4<Naive>>(Naive(model), start, Loop::steps, "rk4, no rank decided");
-  result.ours =
-      run<Loop, gauss::integrate::Projected<gauss::integrate::Rk4<Model>>>(model, start, Loop::steps, "rk4, projected");
+  using Rk4 = gauss::integrate::Rk4<Model>;
+  result.drifting = run<Loop, Rk4>(model, start, Loop::steps / 4, "rk4, not projected");
+  result.ours = run<Loop, gauss::integrate::Projected<Rk4>>(model, start, Loop::steps, "rk4, projected");
   return result;
 }
 
@@ -281,7 +283,7 @@ std::vector<Figure> over_constrained(const Scope&) {
       {"H09.generated",
        "of 3 models, those for which the generator does not count mobility 1 (naive: speeds less equations)", "1",
        k_by_counting, uncounted("bennett") + uncounted("bricard") + uncounted("sarrus"), 0}};
-  figures[1].charts = {of_bricard.naive.series, of_bricard.ours.series};
+  figures[1].charts = {of_bricard.drifting.series, of_bricard.ours.series};
   return figures;
 }
 
