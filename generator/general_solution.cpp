@@ -57,16 +57,28 @@ class RowScales {
 
   Vector operator()() const {
     const Vector sizes = lengths(system_.b), reaches = lengths(system_.reach);
-    const cl_F most = cln::cl_float(1 / std::sqrt(std::sqrt(std::numeric_limits<double>::epsilon())), zero_);
+    const cl_F least = cln::cl_float(std::sqrt(std::sqrt(std::numeric_limits<double>::epsilon())), zero_);
     Vector scales;
     for (std::size_t mu = 0; mu < sizes.size(); ++mu) {
-      const cl_F usual = cln::max(sizes[mu], cln::min(reaches[mu], most * sizes[mu]));
-      scales.push_back(cln::zerop(sizes[mu]) ? zero_ : cln::recip(usual));
+      if (cln::zerop(sizes[mu])) {
+        scales.push_back(zero_);
+        continue;
+      }
+      const cl_F limit = sizes[mu] / cln::min(part_of_reach(mu), least);
+      scales.push_back(cln::recip(cln::max(sizes[mu], cln::min(reaches[mu], limit))));
     }
     return scales;
   }
 
  private:
+  cl_F part_of_reach(std::size_t mu) const {
+    cl_F part = zero_;
+    for (std::size_t i = 0; i < system_.n(); ++i) {
+      if (!cln::zerop(system_.reach(mu, i))) part = cln::max(part, cln::abs(system_.b(mu, i) / system_.reach(mu, i)));
+    }
+    return part;
+  }
+
   Vector lengths(const Matrix& rows) const {
     Vector result;
     for (std::size_t mu = 0; mu < rows.rows(); ++mu) {

@@ -45,6 +45,21 @@ double steps_taken(const model::Parameters<double>& parameters) {
   return static_cast<double>(run.steps());
 }
 
+/// Of two runs, those in which projection does not say soon that the constraints contradict each other, or `mobility` does not name them.
+double unnamed(const model::Parameters<double>& longer, const model::Parameters<double>& growing) {
+  double result = 0;
+  for (const auto& parameters : {longer, growing}) {
+    const auto prepared = prepare(parameters);
+    const model::State<double> start{{0.6, -0.8, 0, 0}};
+    model::State<double> projected = start;
+    model::Mobility<double> found{};
+    const bool is_refused = project(0.01, start, prepared, projected) == gauss::Status::violated_constraints;
+    (void)mobility(0.01, start, {}, prepared, found);
+    if (!is_refused || found.is_shared[0] != 1 || found.is_shared[1] != 1) ++result;
+  }
+  return result;
+}
+
 /// Both rows averaged, as least squares without a test of the residual do: n·a = (mean of what each demands) along the bars, from there on by
 /// Euler's method.
 double steps_by_average(double demanded) {
@@ -74,7 +89,9 @@ std::vector<Figure> contradictory(const Scope&) {
           {"H04.length", "steps of 1000, one bar longer than the other", "1", steps_by_average(0),
            steps_taken<gauss::integrate::Projected<Rk4>>(longer), 0},
           {"H04.growth", "steps of 1000, one bar growing beside the other", "1", steps_by_average(1),
-           steps_taken<gauss::integrate::Projected<Rk4>>(growing), 0}};
+           steps_taken<gauss::integrate::Projected<Rk4>>(growing), 0},
+          {"H04.named", "of these 2, those without the status of contradiction, or whose rows 'mobility' does not name",
+           "1", std::nullopt, unnamed(longer, growing), 0}};
 }
 
 }  // namespace hard_cases

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "fast_top.hpp"
 #include "free_top.hpp"
@@ -47,7 +48,9 @@ Figure explicit_form() {
   checked.advance(k_steps);
   figure.ours = checked.last().outcome == gauss::integrate::StepOutcome::too_long ? static_cast<double>(checked.steps())
                                                                                   : k_breaks_down;
-  figure.remark = "step times fastest rate: " + std::to_string(k_step * checked.stepper().rate());
+  char text[48];
+  std::snprintf(text, sizeof text, "step times fastest rate: %.3g", k_step * checked.stepper().rate());
+  figure.remark = text;
   return figure;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "gauss/integrate/explicit_stepper.hpp"
 #include "gauss/simulate/assembly.hpp"
@@ -41,8 +42,10 @@ std::vector<Figure> ill_start(const Scope&) {
     if (is_silent) figure.naive = violation(naive.state().values);
     // A refusal is the right answer beyond the limit only.
     figure.ours = is_assembled ? violation(start.values) : miss > 0.5 ? 0 : k_breaks_down;
-    figure.remark = std::string(name(assembly.outcome)) + ", component " + std::to_string(assembly.component) + " by " +
-                    std::to_string(assembly.largest);
+    char text[64];
+    std::snprintf(text, sizeof text, "%s, component %d by %.2g", name(assembly.outcome),
+                  static_cast<int>(assembly.component), assembly.largest);
+    figure.remark = text;
     figures.push_back(figure);
   }
   return figures;

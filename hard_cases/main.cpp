@@ -66,7 +66,7 @@ nlohmann::json number(double value) {
   return value <= std::numeric_limits<double>::max() ? nlohmann::json(value) : nlohmann::json("breaks down");
 }
 
-nlohmann::json row(const Case& one, const Figure& figure) {
+nlohmann::json row(const Case& one, double seconds_case, const Figure& figure) {
   nlohmann::json charts = nlohmann::json::array();
   for (const hard_cases::Series& series : figure.charts)
     charts.push_back({{"name", series.name}, {"t", series.t}, {"values", series.values}});
@@ -80,6 +80,7 @@ nlohmann::json row(const Case& one, const Figure& figure) {
           {"status", figure.status()},
           {"seconds_naive", figure.seconds_naive},
           {"seconds_ours", figure.seconds_ours},
+          {"seconds_case", seconds_case},
           {"remark", figure.remark},
           {"charts", charts}};
 }
@@ -87,7 +88,7 @@ nlohmann::json row(const Case& one, const Figure& figure) {
 void print(const Figure& figure) {
   char naive[32] = "-";
   if (figure.naive) std::snprintf(naive, sizeof naive, "%.2g", *figure.naive);
-  std::printf("%-14s %9s %9.2g %9.2g  %-6s %7.2f %7.2f  %s [%s]%s%s\n", figure.id.c_str(), naive, figure.ours,
+  std::printf("%-22s %9s %9.2g %9.2g  %-6s %7.2f %7.2f  %s [%s]%s%s\n", figure.id.c_str(), naive, figure.ours,
               figure.bar, figure.status(), figure.seconds_naive, figure.seconds_ours, figure.quantity.c_str(),
               figure.unit.c_str(), figure.remark.empty() ? "" : "; ", figure.remark.c_str());
   std::fflush(stdout);
@@ -107,14 +108,17 @@ int main(int argc, char** argv) {
     for (const Case& one : hard_cases::cases()) std::printf("%s  %s\n", one.id.c_str(), one.title.c_str());
     return 0;
   }
-  std::printf("%-14s %9s %9s %9s  %-6s %7s %7s\n", "id", "naive", "ours", "bar", "status", "naive s", "ours s");
+  std::printf("%-22s %9s %9s %9s  %-6s %7s %7s\n", "id", "naive", "ours", "bar", "status", "naive s", "ours s");
   nlohmann::json rows = nlohmann::json::array();
   bool all_hold = true;
   for (const Case& one : hard_cases::cases()) {
     if (!is_wanted(options, one)) continue;
-    for (const Figure& figure : one.run(options.scope)) {
+    const hard_cases::Stopwatch stopwatch;
+    const std::vector<Figure> figures = one.run(options.scope);
+    const double seconds = stopwatch.seconds();
+    for (const Figure& figure : figures) {
       print(figure);
-      rows.push_back(row(one, figure));
+      rows.push_back(row(one, seconds, figure));
       all_hold = all_hold && figure.holds();
     }
   }

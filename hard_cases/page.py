@@ -20,7 +20,8 @@ HEAD = """# Hard cases
 
 Each row is a figure of a case that breaks simulators: what a naive form of it does, what ours does, and the bar. `./run hard-cases` runs them all, writes this page and
 `build/release/hard-cases.json`, and ends with an error where a figure fails. A figure holds if ours is at most the bar and the naive form misses it: a case in which nothing is hard shows nothing.
-"breaks down" is NaN, overflow, or a step that cannot be taken. `./run hard-cases --long` takes whole durations (10^6 s), some minutes. The cases are in `hard_cases/`, one file each,
+"breaks down" is NaN, overflow, or a step that cannot be taken. Times are of computing, of all that a figure measures, so that both forms compare; what runs for several figures is
+shown with each. `./run hard-cases --long` takes whole durations (10^6 s), some minutes. The cases are in `hard_cases/`, one file each,
 with their models in `hard_cases/models/`; each short one is a test (`./run test -R hard_cases`).
 
 """
@@ -29,7 +30,10 @@ with their models in `hard_cases/models/`; each short one is a test (`./run test
 def number(value):
     if value is None:
         return "–"
-    return value if isinstance(value, str) else f"{value:.2g}"
+    if isinstance(value, str):
+        return value
+    # What is counted is shown whole.
+    return f"{value:.0f}" if float(value).is_integer() and abs(value) < 1e6 else f"{value:.2g}"
 
 
 def with_unit(value, unit):
@@ -38,7 +42,11 @@ def with_unit(value, unit):
 
 
 def seconds(value):
-    return "" if value < 0.005 else f"{value:.2f}"
+    """Of computing time, in two digits."""
+    for size, unit in ((1, "s"), (1e-3, "ms"), (1e-6, "µs")):
+        if value >= size:
+            return f"{float(f'{value / size:.2g}'):g} {unit}"
+    return ""
 
 
 def grown(series):
@@ -76,13 +84,13 @@ def groups(rows):
 
 
 def section(case, title, rows, folder):
-    lines = [f"## {case}: {title}\n", "| figure | | naive | ours | bar | | time / s |", "|---|---|---|---|---|---|---|"]
+    lines = [f"## {case}: {title}\n", "| figure | | naive | ours | bar | | time of naive | of ours |", "|---|---|---|---|---|---|---|---|"]
     for row in rows:
         about = row["quantity"] + (f" ({row['remark']})" if row["remark"] else "")
         verdict = row["status"] if row["status"] == "holds" else f"**{row['status']}**"
         lines.append(f"| {row['id']} | {about} | {with_unit(row['naive'], row['unit'])} | {with_unit(row['ours'], row['unit'])} "
-                     f"| {with_unit(row['bar'], row['unit'])} | {verdict} | {seconds(row['seconds_ours'])} |")
-    text = "\n".join(lines) + "\n\n"
+                     f"| {with_unit(row['bar'], row['unit'])} | {verdict} | {seconds(row['seconds_naive'])} | {seconds(row['seconds_ours'])} |")
+    text = "\n".join(lines) + f"\n\nAll of it takes {seconds(rows[0]['seconds_case'])}.\n\n"
     for row in rows:
         chart = chart_of(row)
         if chart is None:

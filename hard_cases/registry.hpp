@@ -6,13 +6,14 @@
 namespace hard_cases {
 
 std::vector<Figure> knife_edge(const Scope& scope);
+std::vector<Figure> said_twice();  ///< part of the next
 std::vector<Figure> redundant(const Scope& scope);
 std::vector<Figure> contradictory(const Scope& scope);
 std::vector<Figure> near_parallel(const Scope& scope);
 std::vector<Figure> singular_mass(const Scope& scope);
 std::vector<Figure> mass_ratio(const Scope& scope);
 std::vector<Figure> flat_parallelogram(const Scope& scope);
-std::vector<Figure> bennett(const Scope& scope);
+std::vector<Figure> over_constrained(const Scope& scope);
 std::vector<Figure> fast_spin(const Scope& scope);
 std::vector<Figure> angle_growth(const Scope& scope);
 std::vector<Figure> euler_pole(const Scope& scope);

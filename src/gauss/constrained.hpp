@@ -186,7 +186,8 @@ class Constrained {
     for (int mu = 0; mu < l; ++mu) {
       for (int i = 0; i < n; ++i) b_[mu][i] = without_rounding(system.b[mu][i], system.reach[mu][i]);
       const S size = length(b_[mu]);
-      row_scale_[mu] = reciprocal(usual_size(size, length(system.reach[mu])), positive<S>(size));
+      const S usual = usual_size(size, length(system.reach[mu]), part_of_reach(b_[mu], system.reach[mu]));
+      row_scale_[mu] = reciprocal(usual, positive<S>(size));
       for (int i = 0; i < n; ++i) b_[mu][i] = row_scale_[mu] * b_[mu][i] * speed_scale_[i];
       // A row of zeros that asks for something is contradictory; its scale is lost.
       c_[mu] = -Math<S>::select(Math<S>::less(S(0), size), row_scale_[mu], S(1)) * system.drift[mu];
@@ -202,10 +203,19 @@ class Constrained {
     return Math<S>::select(Math<S>::less(absolute(entry), S(8) * Math<S>::epsilon() * reach), S(0), entry);
   }
 
+  /// Of the entry that is largest beside what it may be: whatever units and inertias are.
+  GAUSS_FUNCTION static S part_of_reach(const S (&row)[n], const S (&reach)[n]) {
+    S part = S(0);
+    for (int i = 0; i < n; ++i) part = larger(part, absolute(row[i]) * reciprocal(reach[i], positive<S>(reach[i])));
+    return part;
+  }
+
   /// A row that nearly vanishes beside what it may be is nearly nothing: beside the equations of positions it has the direction of errors. But
-  /// something light that it does not move here makes no row small.
-  GAUSS_FUNCTION static S usual_size(const S& size, const S& reach) {
-    const S limit = size / Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
+  /// something light that it does not move here makes no row small, unless all of its entries are: `part`.
+  GAUSS_FUNCTION static S usual_size(const S& size, const S& reach, const S& part) {
+    const S least = Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
+    const S share = Math<S>::select(Math<S>::less(part, least), part, least);
+    const S limit = size * reciprocal(share, positive<S>(share));
     return larger(size, Math<S>::select(Math<S>::less(reach, limit), reach, limit));
   }
 
