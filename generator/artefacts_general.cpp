@@ -110,11 +110,15 @@ Artefact linear_system(const std::string& name, const strategy::Matrix& metric, 
   builder.with_any_quaternion();
   builder.result_type("LinearSystem");
   const int n = static_cast<int>(f.size()), l = static_cast<int>(drift.size());
+  std::vector<NodeId> of_positions;
+  for (const kinematics::ConstraintRow& row : mechanics.kinematics.constraints)
+    of_positions.push_back(mechanics.graph.constant(row.f ? 1 : 0));
   builder.fields("", "", "",
                  {{"g", "the metric of the free speeds (1.10)", {n, n}, ids(metric)},
                   {"f", "forces, less what inertia takes at constant speeds", {n}, ids(f)},
                   {"b", "dphi/du of each constraint", {l, n}, ids(b)},
                   {"reach", "not less than dphi/du in any configuration", {l, n}, ids(strategy::bounds_of(b))},
+                  {"of_positions", "1: the derivative of an equation of positions; else 0", {l}, of_positions},
                   {"drift", "dphi/dt of each at constant speeds; of a step, what is left of it", {l}, ids(drift)}});
   Artefact system = builder.finish({});
   system.is_part = true;

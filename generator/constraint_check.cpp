@@ -118,11 +118,18 @@ void ConstraintCheck::report_redundant(const Redundancy& found) {
   const std::size_t first = found.rows.front();
   const model::Name& name = mechanics_.model.constraints[first].name;
   std::string what = dependence_in(mechanics_, found.rows, {found.others.begin(), found.others.end()});
-  if (!found.is_exact)
-    what += fmt::format(" up to an angle below {:.1g} (rank_tolerance)", rank_tolerance(mechanics_.model));
+  if (!found.is_exact) what += fmt::format(" up to an angle below {:.1g}", rank_tolerance(mechanics_.model));
   if (!found.everywhere) {
     diagnostics_.warning(code::k_dependent_start, name.span, what + " at the initial state",
                          remedy_at_start(mechanics_.model.constraints[first]));
+    return;
+  }
+  if (!found.is_exact && !mechanics_.model.rank_tolerance) {
+    diagnostics_.warning(code::k_redundant_constraint, name.span,
+                         what + ": emitted code in double takes them as one, and status says dependent_constraints",
+                         "if it ought to follow, give numbers more digits, or say 'rank_tolerance: 1e-8'; if not, mind "
+                         "that the motion depends on a "
+                         "difference that rounding nearly covers");
     return;
   }
   const auto& redundant = mechanics_.solution.redundant;

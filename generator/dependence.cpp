@@ -88,7 +88,7 @@ RankOfRows rank_everywhere(Mechanics& mechanics, const ModelValues& values) {
   return [&mechanics](const Rows& rows) {
     strategy::Matrix some;
     for (const std::size_t row : rows) some.push_back(mechanics.dynamics.b[row]);
-    return usual_rank(some, mechanics);
+    return rank_to(rank_tolerance(mechanics.model), some, mechanics);
   };
 }
 

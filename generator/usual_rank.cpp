@@ -24,6 +24,7 @@ constexpr std::size_t k_most_entries = 4000;
 constexpr int k_states = 3;
 constexpr double k_first_displacement = 0.3;  ///< of coordinates of their size, and of angles
 constexpr double k_least_displacement = 1e-3;
+constexpr double k_rounding = 1e-12;  ///< of a row where others are of length 1, at positions that are good to rounding
 /// The same numbers in every run.
 class Numbers {
  public:
@@ -107,7 +108,7 @@ evaluate::Evaluator<double> UsualStates::values_at(const State& state) const {
   return values;
 }
 
-std::optional<std::size_t> UsualStates::rank(const strategy::Matrix& rows) const {
+std::optional<std::size_t> UsualStates::rank(const strategy::Matrix& rows, double tolerance) const {
   if (!are_known()) return std::nullopt;
   if (rows.empty()) return 0;
   const strategy::Vector inertias = strategy::inertias(mechanics_.dynamics);
@@ -124,7 +125,7 @@ std::optional<std::size_t> UsualStates::rank(const strategy::Matrix& rows) const
         matrix(i, j) = *value;
       }
     }
-    largest = std::max(largest, rank_of(matrix, sizes, rank_tolerance(mechanics_.model)));
+    largest = std::max(largest, rank_of(matrix, sizes, tolerance));
   }
   return largest;
 }
@@ -134,10 +135,14 @@ double rank_tolerance(const model::Model& model) {
   return model.rank_tolerance ? std::max(least, support::to_double(*model.rank_tolerance)) : least;
 }
 
-std::size_t usual_rank(const strategy::Matrix& rows, Mechanics& mechanics) {
+std::size_t rank_to(double tolerance, const strategy::Matrix& rows, Mechanics& mechanics) {
   if (!mechanics.usual_states) mechanics.usual_states = std::make_shared<UsualStates>(mechanics);
-  if (const auto rank = mechanics.usual_states->rank(rows)) return *rank;
+  if (const auto rank = mechanics.usual_states->rank(rows, tolerance)) return *rank;
   return generic_rank(GenericPoint(mechanics)(rows));
+}
+
+std::size_t usual_rank(const strategy::Matrix& rows, Mechanics& mechanics) {
+  return rank_to(mechanics.model.rank_tolerance ? rank_tolerance(mechanics.model) : k_rounding, rows, mechanics);
 }
 
 std::size_t usual_rank(Mechanics& mechanics) {

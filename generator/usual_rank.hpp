@@ -19,8 +19,8 @@ class UsualStates {
   /// Positions that satisfy the equations were found.
   bool are_known() const { return !states_.empty(); }
 
-  /// The largest rank of rows over the free speeds, as emitted code decides it (gauss/constrained.hpp, rank_tolerance); nothing where no position is known or an entry has no value.
-  std::optional<std::size_t> rank(const strategy::Matrix& rows) const;
+  /// The largest rank of rows over the free speeds: sines as emitted code has them (gauss/constrained.hpp), to a tolerance; nothing where no position is known or an entry has no value.
+  std::optional<std::size_t> rank(const strategy::Matrix& rows, double tolerance) const;
 
  private:
   struct State {
@@ -37,6 +37,10 @@ class UsualStates {
 double rank_tolerance(const model::Model& model);
 
 /// Of rows over the free speeds, in a usual state; in a generic one where no usual one is found.
+std::size_t rank_to(double tolerance, const strategy::Matrix& rows, Mechanics& mechanics);
+
+/// Likewise to the tolerance that the model asks for, else exactly: what nearly follows from other rows, and is left out by emitted code in double, is a rank lower
+/// than usual, and in its status.
 std::size_t usual_rank(const strategy::Matrix& rows, Mechanics& mechanics);
 
 /// Of all constraints; found once.

@@ -96,7 +96,8 @@ class Stages {
     ProjectedState begun{given_.configuration, given_.speeds, never(), never(), is_lost_};
     const bool is_here = given_.configuration == symbols_of_configuration(symbols_, graph_) &&
                          given_.speeds == symbols_of_speeds(symbols_, graph_);
-    const bool is_short = dynamics_.n() <= k_few_speeds && !dynamics_.kinematics->has_positions() && all_linear(dynamics_);
+    const bool is_short =
+        dynamics_.n() <= k_few_speeds && !dynamics_.kinematics->has_positions() && all_linear(dynamics_);
     StateSearch search;
     if (dynamics_.l() == 0 || is_short) {
       std::optional<OpenStep> open;
@@ -178,8 +179,9 @@ class Stages {
     at.dependent_constraints = projection.dependent();
     for (ProjectedState* reached : {&at, &open.state}) {
       ir::Substitution after = state_values(symbols_, time, reached->configuration, reached->speeds);
+      const std::vector<std::size_t> rows = reached == &at ? projection.to_be_checked(movable) : first(dynamics_.l());
       const Expr is_violated =
-          violated(put_in(dynamics_, after, false), reached->speeds, projection.to_be_checked(movable), epsilon_);
+          violated(put_in(dynamics_, after, false), reached->speeds, rows, epsilon_, dynamics_.least_response);
       reached->violated_constraints = any(graph_, {reached->violated_constraints, is_violated});
     }
     return open;
@@ -264,15 +266,20 @@ class Stages {
            {symbols_of_configuration(symbols_, graph_), symbols_of_speeds(symbols_, graph_), never(), never(), never()},
            {}});
     SearchStage& last = search.stages.back();
-    last.state.violated_constraints = is_violated(last.state, start);
-    if (last.open) last.open->state.violated_constraints = is_violated(last.open->state, start);
+    last.state.violated_constraints = is_violated(last.state, start, opens_ && !last.open);
+    if (last.open) last.open->state.violated_constraints = is_violated(last.open->state, start, true);
   }
 
-  Expr is_violated(const ProjectedState& reached, const Vector& start) const {
+  /// Rows that contradict each other are left open by the general way, also linear ones, and all are looked at then.
+  Expr is_violated(const ProjectedState& reached, const Vector& start, bool is_general) const {
     ir::Substitution after = state_values(symbols_, std::nullopt, reached.configuration, reached.speeds);
-    const std::vector<std::size_t> rows = VelocityProjection(dynamics_, given_.open, epsilon_).to_be_checked(movable_);
+    const std::vector<std::size_t> rows =
+        is_general ? first(dynamics_.l())
+                   : VelocityProjection(dynamics_, given_.open, epsilon_).to_be_checked(movable_);
     std::vector<Expr> conditions;
-    if (!rows.empty()) conditions.push_back(violated(put_in(dynamics_, after, false), reached.speeds, rows, epsilon_));
+    if (!rows.empty())
+      conditions.push_back(
+          violated(put_in(dynamics_, after, false), reached.speeds, rows, epsilon_, dynamics_.least_response));
     if (positions_.has_rows()) conditions.push_back(positions_.violated(start));
     return any(graph_, conditions);
   }

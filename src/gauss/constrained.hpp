@@ -36,7 +36,7 @@ struct RankRule {
   int usual;    ///< rank of b where nothing singles a state out; less is a status
   S tolerance;  ///< below, a row follows from the others
   S beyond;     ///< the same of rows beyond the usual rank
-  bool is_agreement_known;  ///< whether rows contradict each other is not asked, since positions tell it
+  bool is_agreement_known;  ///< whether rows contradict each other is not asked
 };
 
 namespace detail {
@@ -88,6 +88,24 @@ GAUSS_FUNCTION S inner(const S (&a)[n], const S (&b)[n]) {
   S sum = a[0] * b[0];
   for (int i = 1; i < n; ++i) sum = sum + a[i] * b[i];
   return sum;
+}
+
+/// Of the entry that is largest beside what it may be: whatever units and inertias are.
+template <class S, int n>
+GAUSS_FUNCTION S part_of_reach(const S (&row)[n], const S (&reach)[n]) {
+  S part = S(0);
+  for (int i = 0; i < n; ++i) part = larger(part, absolute(row[i]) * reciprocal(reach[i], positive<S>(reach[i])));
+  return part;
+}
+
+/// The length by which a row is divided. One that nearly vanishes beside what it may be is nearly nothing: beside the equations of positions it has the
+/// direction of errors. But something light that it does not move here makes no row small, unless all of its entries are: `part`.
+template <class S>
+GAUSS_FUNCTION S usual_size(const S& size, const S& reach, const S& part) {
+  const S least = Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
+  const S share = Math<S>::select(Math<S>::less(part, least), part, least);
+  const S limit = size * reciprocal(share, positive<S>(share));
+  return larger(size, Math<S>::select(Math<S>::less(reach, limit), reach, limit));
 }
 
 /// L D L^T of a symmetric matrix of which some rows and columns count as those of the unit matrix.
@@ -146,6 +164,7 @@ class Constrained {
     factorise_rows(rule);
     reduce_metric();
     find_shared();
+    find_asked(system);
   }
 
   GAUSS_FUNCTION void solve(LinearSolution<S, n, l>& solution) const {
@@ -201,22 +220,6 @@ class Constrained {
 
   GAUSS_FUNCTION static S without_rounding(const S& entry, const S& reach) {
     return Math<S>::select(Math<S>::less(absolute(entry), S(8) * Math<S>::epsilon() * reach), S(0), entry);
-  }
-
-  /// Of the entry that is largest beside what it may be: whatever units and inertias are.
-  GAUSS_FUNCTION static S part_of_reach(const S (&row)[n], const S (&reach)[n]) {
-    S part = S(0);
-    for (int i = 0; i < n; ++i) part = larger(part, absolute(row[i]) * reciprocal(reach[i], positive<S>(reach[i])));
-    return part;
-  }
-
-  /// A row that nearly vanishes beside what it may be is nearly nothing: beside the equations of positions it has the direction of errors. But
-  /// something light that it does not move here makes no row small, unless all of its entries are: `part`.
-  GAUSS_FUNCTION static S usual_size(const S& size, const S& reach, const S& part) {
-    const S least = Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
-    const S share = Math<S>::select(Math<S>::less(part, least), part, least);
-    const S limit = size * reciprocal(share, positive<S>(share));
-    return larger(size, Math<S>::select(Math<S>::less(reach, limit), reach, limit));
   }
 
   GAUSS_FUNCTION S length(const S (&row)[n]) const {
@@ -364,6 +367,23 @@ class Constrained {
     shares_.factorise(gram, counts, S(0));
   }
 
+  /// Rows of which it is asked whether they contradict others: those that follow from constraints of velocities alone. Beside the equations of positions, as in
+  /// the stages of a step, derivatives of these need not agree, and positions tell.
+  template <class System>
+  GAUSS_FUNCTION void find_asked(const System& system) {
+    S of_positions[l];
+    for (int mu = 0; mu < l; ++mu) of_positions[mu] = system.of_positions[mu];
+    arrange(of_positions);
+    const S least = Math<S>::sqrt(Math<S>::epsilon());
+    for (int j = 0; j < l; ++j) {
+      asked_[j] = S(1) - row_part(j);
+      for (int k = 0; k < l; ++k) {
+        const S takes_part = positive<S>(absolute(null_[j][k]) - least);
+        asked_[j] = asked_[j] * (S(1) - takes_part * of_positions[k]);
+      }
+    }
+  }
+
   GAUSS_FUNCTION S row_part(int k) const { return k < most ? is_row_[k < n ? k : 0] : S(0); }
 
   GAUSS_FUNCTION void residual(const S (&a)[n], const S (&lambda)[l], S (&of_f)[n], S (&of_c)[l]) const {
@@ -412,7 +432,7 @@ class Constrained {
         size = size + absolute(term);
       }
       if (k < most) y[k] = rest * inverse_[k];
-      const S is_left = (S(1) - row_part(k)) * positive<S>(absolute(rest) - noise);
+      const S is_left = asked_[k] * positive<S>(absolute(rest) - noise);
       contradiction = larger(contradiction, is_left * absolute(rest) * reciprocal(size, is_left));
     }
     return contradiction;
@@ -465,7 +485,6 @@ class Constrained {
     const Bool undetermined = Math<S>::less(free_.is_determined - has_lost_entries_ + is_unknown, S(1));
     const Bool lost = Math<S>::less(is_full_ + is_unknown, S(1));
     const Bool not_unique = Math<S>::less(rank_ + S(l) * is_unknown, S(l));
-    // Beside the equations of positions, as in the stages of a step, their derivatives need not agree.
     const S allowed = is_agreement_known_ ? S(2) : Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
     const Bool contradictory = Math<S>::less(allowed, contradiction);
     solution.motion = Math<S>::status(undetermined, lost, never, contradictory);
@@ -492,6 +511,7 @@ class Constrained {
   S parts_[n][n];  ///< Q^T g Q
   MaskedLdl<S, n> free_;
   S null_[l][l];
+  S asked_[l];  ///< 1: a row is left that has to agree with the others
   MaskedLdl<S, l> shares_;
 };
 
@@ -553,7 +573,7 @@ GAUSS_FUNCTION RankRule<S> rank_of_velocities(int usual, const S& tolerance = de
 /// error. What other parameters make of them is more.
 template <class S>
 GAUSS_FUNCTION RankRule<S> rank_on_positions(int usual, const S& tolerance = default_rank_tolerance<S>()) {
-  return {usual, tolerance, detail::larger<S>(S(1) / S(20), tolerance), true};
+  return {usual, tolerance, detail::larger<S>(S(1) / S(20), tolerance), false};
 }
 
 /// Of steps of Newton's method: rounding of a residual, divided by this sine, is less than the sine. So a step stays on its side of a
@@ -564,7 +584,7 @@ GAUSS_FUNCTION RankRule<S> rank_of_steps(int usual, const S& tolerance = S(0)) {
 }
 
 /// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, reach[l][n], not less than
-/// its entries in any configuration, and drift[l].
+/// its entries in any configuration, drift[l], and of_positions[l], 1 where a row is the derivative of an equation of positions and else 0.
 template <class System, class S, int n, int l>
 GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolution<S, n, l>& solution) noexcept {
   detail::Constrained<S, n, l>(system, rule).solve(solution);

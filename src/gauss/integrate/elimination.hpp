@@ -92,12 +92,23 @@ class Elimination {
     bool is_agreed() const {
       const S noise = Math<S>::sqrt(Math<S>::epsilon()) * at_.demand();
       for (int mu = 0; mu < l; ++mu) {
-        if (partition_.is_taken[mu]) continue;
+        if (partition_.is_taken[mu] || follows_from_positions(mu)) continue;
         S rest = at_.c[mu];
         for (int k = 0; k < partition_.rank; ++k) rest = rest - form_.share(mu, k) * at_.c[form_.row(k)];
         if (!(gauss::detail::absolute<S>(rest) <= noise)) return false;
       }
       return true;
+    }
+
+    /// Whether the derivative of an equation of positions is in what row mu follows from.
+    bool follows_from_positions(int mu) const {
+      bool is_found = at_.is_of_positions[mu];
+      const S least = Math<S>::sqrt(Math<S>::epsilon());
+      for (int k = 0; k < partition_.rank; ++k) {
+        const bool takes_part = least < gauss::detail::absolute<S>(form_.share(mu, k));
+        is_found = is_found || (takes_part && at_.is_of_positions[form_.row(k)]);
+      }
+      return is_found;
     }
 
     /// H = C^T g C of the independent speeds.

@@ -35,6 +35,7 @@ template <class S, int n, int l>
 struct ScaledSystem {
   S g[n][n], f[n], b[l][n], c[l];  ///< b a = c
   S speed[n], row[l];              ///< scales
+  bool is_of_positions[l];
 
   template <class System>
   explicit ScaledSystem(const System& system) {
@@ -81,11 +82,11 @@ struct ScaledSystem {
       b[mu][i] = gauss::detail::absolute<S>(entry) < rounding * system.reach[mu][i] ? S(0) : entry;
     }
     const S size = length(b[mu]);
-    const S limit = size / Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
-    const S reach = length(system.reach[mu]);
-    const S usual = gauss::detail::larger<S>(size, reach < limit ? reach : limit);
+    const S part = gauss::detail::part_of_reach(b[mu], system.reach[mu]);
+    const S usual = gauss::detail::usual_size<S>(size, length(system.reach[mu]), part);
     row[mu] = size > S(0) ? S(1) / usual : S(0);
     for (int i = 0; i < n; ++i) b[mu][i] = row[mu] * b[mu][i] * speed[i];
+    is_of_positions[mu] = system.of_positions[mu] > S(0);
     c[mu] = -(size > S(0) ? row[mu] : S(1)) * system.drift[mu];
   }
 
