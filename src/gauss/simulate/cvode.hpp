@@ -40,6 +40,7 @@ class CvodeSimulation {
     if (settings_.project && !integrate::is_motion_known(model_.projection(t_, first))) first = start;
     std::copy_n(first.values, Model::size, N_VGetArrayPointer(work_.state.get()));
     scale_.fill(settings_.smallest_scale);
+    for (std::size_t i = Model::n_q; i < Model::size; ++i) scale_[i] = settings_.least_speed();
     set_up();
   }
 
@@ -123,7 +124,9 @@ class CvodeSimulation {
     jumped_ = false;
     sunrealtype reached = t_;
     const int flag = CVode(cvode_.get(), end, work_.state.get(), &reached, CV_ONE_STEP);
+    const long rejected_before = report_.rejected;
     count();
+    hold_step(report_.rejected > rejected_before);
     problem_.rethrow();
     if (!integrate::is_motion_known(problem_.trouble())) report_.status = problem_.trouble();
     if (flag < 0) {
@@ -133,6 +136,15 @@ class CvodeSimulation {
     if (problem_.trouble() == Status::dependent_constraints) ++report_.with_fewer_constraints;
     t_ = reached;
     return true;
+  }
+
+  /// CVODE thinks about a higher order after some steps of equal length, but makes them longer before that. Where this is refused each time, it would
+  /// stay with order 1 for good: so a step that follows a refusal is not made longer.
+  void hold_step([[maybe_unused]] bool is_held) {
+#if SUNDIALS_VERSION_MINOR >= 2
+    constexpr double k_usual = -1;
+    CVodeSetEtaFixedStepBounds(cvode_.get(), 0, is_held ? std::numeric_limits<double>::max() : k_usual);
+#endif
   }
 
   Outcome outcome_of(int flag) const {
