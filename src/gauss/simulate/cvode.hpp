@@ -124,9 +124,9 @@ class CvodeSimulation {
     jumped_ = false;
     sunrealtype reached = t_;
     const int flag = CVode(cvode_.get(), end, work_.state.get(), &reached, CV_ONE_STEP);
-    const long rejected_before = report_.rejected;
+    const long inaccurate_before = inaccurate_;
     count();
-    hold_step(report_.rejected > rejected_before);
+    hold_step(inaccurate_ > inaccurate_before);
     problem_.rethrow();
     if (!integrate::is_motion_known(problem_.trouble())) report_.status = problem_.trouble();
     if (flag < 0) {
@@ -138,8 +138,8 @@ class CvodeSimulation {
     return true;
   }
 
-  /// CVODE thinks about a higher order after some steps of equal length, but makes them longer before that. Where this is refused each time, it would
-  /// stay with order 1 for good: so a step that follows a refusal is not made longer.
+  /// CVODE thinks about a higher order after some steps of equal length, but makes them longer before that. Where the estimate of the error refuses this each
+  /// time, it would stay with order 1 for good: so a step that follows such a refusal is not made longer.
   void hold_step([[maybe_unused]] bool is_held) {
 #if SUNDIALS_VERSION_MINOR >= 2
     constexpr double k_usual = -1;
@@ -153,11 +153,11 @@ class CvodeSimulation {
   }
 
   void count() {
-    long errors = 0, unsolved = 0;
+    long unsolved = 0;
     CVodeGetNumSteps(cvode_.get(), &report_.steps);
-    CVodeGetNumErrTestFails(cvode_.get(), &errors);
+    CVodeGetNumErrTestFails(cvode_.get(), &inaccurate_);
     CVodeGetNumStepSolveFails(cvode_.get(), &unsolved);
-    report_.rejected = errors + unsolved;
+    report_.rejected = inaccurate_ + unsolved;
     report_.calls = problem_.calls();
     report_.jacobians = problem_.jacobians();
   }
@@ -201,6 +201,7 @@ class CvodeSimulation {
   Multistep method_;
   double t_;
   bool jumped_ = false;  ///< the last trial, by its projection
+  long inaccurate_ = 0;  ///< trials that the estimate of the error refused
   std::array<double, Model::size> scale_{};
   Report<Status> report_;
   Problem problem_;
