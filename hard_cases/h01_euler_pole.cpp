@@ -6,6 +6,7 @@
 
 #include "ball_on_plane.hpp"
 #include "ball_on_plane_euler.hpp"
+#include "gauss/integrate/euler_charts.hpp"
 #include "gauss/integrate/explicit_stepper.hpp"
 #include "gauss/simulate/fixed_step.hpp"
 #include "gauss/simulate/simulation.hpp"
@@ -115,6 +116,29 @@ Misses with_euler_angles(double e) {
   return misses;
 }
 
+/// In two charts, which change before a step.
+Misses in_charts(double e, long& switches) {
+  const auto prepared = EulerBall::prepare(gauss::ball_on_plane_euler::Parameters<double>{});
+  const auto model = gauss::integrate::bind_model<EulerBall>(prepared, gauss::ball_on_plane_euler::Inputs<double>{});
+  using Model = std::decay_t<decltype(model)>;
+  using Zxz = gauss::integrate::EulerSequence<'z', 'x', 'z'>;
+  using Stepper = gauss::integrate::EulerCharts<gauss::integrate::Rk4<Model>, Zxz>;
+  const auto same = quaternion_start(e);
+  gauss::ball_on_plane_euler::State<double> start{};
+  Stepper stepper({{2, 3, 4}, {7, 8, 9}});
+  stepper.place(gauss::integrate::rotation_of<double>({same.e0(), same.e1(), same.e2(), same.e3()}), {k_rate, 0, 0},
+                start);
+  start.y_dot() = -k_rate * k_radius;
+  Stopwatch stopwatch;
+  Misses misses;
+  gauss::simulate::FixedStep<Model, Stepper> run(model, start, k_step, 0, stepper);
+  misses.arrives = run.advance(k_steps, [&](double t, const auto& state) { measure_euler(t, state, misses); });
+  misses.steps = run.steps();
+  misses.seconds = stopwatch.seconds();
+  switches += run.stepper().report().switches;
+  return misses;
+}
+
 /// With steps as long as the estimate of their error allows, and projection: it arrives with this error, or says that it does not.
 Misses driven_by_euler_angles(double e) {
   const auto prepared = EulerBall::prepare(gauss::ball_on_plane_euler::Parameters<double>{});
@@ -141,9 +165,10 @@ std::string what_euler_does(const Misses& euler) {
 
 std::vector<Figure> euler_pole(const Scope&) {
   std::vector<Figure> figures;
-  Misses worst;
+  Misses worst, naive_worst, charted;
   double driven = 0;
   int refused = 0;
+  long switches = 0;
   for (const double e : {0.5, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 0.0}) {
     const Misses euler = with_euler_angles(e), ours = with_quaternion(e);
     char id[24];
@@ -158,6 +183,12 @@ std::vector<Figure> euler_pole(const Scope&) {
     figure.seconds_ours = ours.seconds;
     figure.remark = what_euler_does(euler);
     figures.push_back(figure);
+    const Misses charts = in_charts(e, switches);
+    grow(charted.omega, charts.arrives ? charts.omega : k_breaks_down);
+    grow(charted.centre, charts.arrives ? charts.centre : k_breaks_down);
+    grow(naive_worst.omega, naive);
+    charted.seconds += charts.seconds;
+    naive_worst.seconds += euler.seconds;
     const Misses driver = driven_by_euler_angles(e);
     grow(driven, driver.omega);
     refused += driver.arrives ? 0 : 1;
@@ -166,6 +197,10 @@ std::vector<Figure> euler_pole(const Scope&) {
   }
   figures.push_back({"H01.centre", "way of the centre, all distances", "m", std::nullopt, worst.centre, 1e-10});
   figures.push_back({"H01.norm", "quaternion's length less 1, all distances", "1", std::nullopt, worst.norm, 1e-14});
+  figures.push_back({"H01.charts", "omega by Euler angles in two charts, all distances", "rad/s", naive_worst.omega,
+                     charted.omega, 1e-10, naive_worst.seconds, charted.seconds,
+                     std::to_string(switches) + " changes of the chart in 10 runs"});
+  figures.push_back({"H01.charts_centre", "the same: way of the centre", "m", std::nullopt, charted.centre, 1e-10});
   // The pole magnifies what a step may miss by 1/e, and steps below rounding are refused long before all digits are gone.
   figures.push_back({"H01.driver", "omega by Euler angles and steps with an estimate, as far as it goes", "rad/s",
                      std::nullopt, driven, 1e-6, 0, 0,

@@ -12,10 +12,12 @@
 #include "gauss/simulate/simulation.hpp"
 #include "pendulum_cartesian.hpp"
 #include "stiff_relaxation.hpp"
+#include "stiff_spring.hpp"
 
 GAUSS_MODEL(SteadyDouble, gauss::double_pendulum);
 GAUSS_MODEL(SteadyBob, gauss::pendulum_cartesian);
 GAUSS_MODEL(Relaxation, gauss::stiff_relaxation);
+GAUSS_MODEL(Spring, gauss::stiff_spring);
 
 namespace {
 
@@ -235,4 +237,66 @@ TEST_CASE("a step over the edge of the model is refused, and the state stays") {
   CHECK(run.last().outcome == StepOutcome::model_failed);
   CHECK(run.last().status == Status::singular_mass_matrix);
   CHECK(run.state().values[0] >= 0.25);
+}
+
+TEST_CASE(
+    "energy and constraints are kept over SUNDIALS: by a decorator of SDIRK, and by the projection of BDF and of steps "
+    "with an estimate") {
+  using Energy = gauss::pendulum_cartesian::Energy<double>;
+  const auto miss = [](const auto& state) {
+    Energy first, now;
+    REQUIRE(bob().energy(0, bob_start(), first) == Status::ok);
+    REQUIRE(bob().energy(0, state, now) == Status::ok);
+    CHECK(off_the_bar(state) < 1e-13);
+    return std::abs(now.total / first.total - 1);
+  };
+  FixedStep<BobModel, EnergyKept<Projected<Sdirk<BobModel, BobJacobian>>, Energy>> sdirk(bob(), bob_start(), 0.01);
+  REQUIRE(sdirk.advance(1000));
+  CHECK(miss(sdirk.state()) < 1e-13);
+  CHECK(sdirk.stepper().correction().applied > 500);
+
+  using Kept = WithEnergyKept<BobModel, Energy>;
+  const Kept kept(bob(), 0, bob_start());
+  CvodeSimulation<BobModel, BobJacobian> plain_bdf(bob(), bob_start(), 0, tolerance(1e-7));
+  CvodeSimulation<Kept, BobJacobian> bdf(kept, bob_start(), 0, tolerance(1e-7));
+  REQUIRE(plain_bdf.advance_to(10));
+  REQUIRE(bdf.advance_to(10));
+  CHECK(miss(plain_bdf.state()) > 1e-6);
+  CHECK(miss(bdf.state()) < 1e-13);
+
+  gauss::simulate::Simulation<BobModel> plain(bob(), bob_start(), 0, tolerance(1e-6));
+  gauss::simulate::Simulation<Kept> steps(kept, bob_start(), 0, tolerance(1e-6));
+  REQUIRE(plain.advance_to(10));
+  REQUIRE(steps.advance_to(10));
+  CHECK(miss(plain.state()) > 1e-8);
+  CHECK(miss(steps.state()) < 1e-13);
+}
+
+TEST_CASE("a scale of speeds of their own is what errors of speeds are measured by") {
+  const auto steps = [](double smallest_speed) {
+    Settings<double> settings = tolerance(1e-8);
+    settings.smallest_scale = 10;
+    settings.smallest_speed = smallest_speed;
+    CvodeSimulation<DoubleModel, DoubleJacobian> bdf(double_pendulum(), k_start, 0, settings);
+    gauss::simulate::Simulation<DoubleModel> explicit_steps(double_pendulum(), k_start, 0, settings);
+    REQUIRE(bdf.advance_to(10));
+    REQUIRE(explicit_steps.advance_to(10));
+    return std::pair(bdf.report().steps, explicit_steps.report().steps);
+  };
+  const auto usual = steps(0), same = steps(10), finer = steps(1e-3);
+  CHECK(usual == same);
+  CHECK(finer.first > usual.first);
+  CHECK(finer.second > usual.second);
+}
+
+TEST_CASE("BDF comes off order 1 where errors of places are a hundred times as large in speeds as these may be off") {
+  const auto spring = bound<Spring>(gauss::stiff_spring::Parameters<double>{}, gauss::stiff_spring::Inputs<double>{});
+  using Jacobian = EmittedJacobian<gauss::stiff_spring::Jacobian<double>, gauss::stiff_spring::JacobianByState>;
+  Settings<double> settings = tolerance(1e-8);
+  settings.smallest_speed = 10;
+  settings.most_steps = 5000;
+  CvodeSimulation<std::decay_t<decltype(spring)>, Jacobian> run(spring, {{1 / (1 + 1e-6), 1e-3 / (1 + 1e-6)}}, 0,
+                                                                settings);
+  CHECK(run.advance_to(10));
+  CHECK(run.state().values[0] == Approx(std::cos(10 - 1e-3)).margin(1e-6));
 }

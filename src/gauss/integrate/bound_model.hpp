@@ -100,6 +100,8 @@ class BoundModel {
     }
   }
   const Prepared& prepared() const { return prepared_; }
+  /// The same model with other parameters.
+  BoundModel with(const Prepared& prepared) const { return {prepared, source_}; }
 
  private:
   Prepared prepared_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "gauss/integrate/bound_model.hpp"
@@ -93,6 +94,29 @@ class Projected {
   Correction<Scalar> correction_;
 };
 
+namespace detail {
+
+/// Scales the speeds so that the energy is `level`. Returns the part of them that is added, or -1 where no factor is an improvement.
+template <class Energy, class Model>
+typename Model::Scalar to_energy(const Model& model, const typename Model::Scalar& t,
+                                 const typename Model::Scalar& level, typename Model::State& state) {
+  using Scalar = typename Model::Scalar;
+  Energy energy;
+  if (!is_motion_known(model.energy(t, state, energy))) return -1;
+  const Scalar miss = level - energy.total;
+  // Near rest no factor helps: the energy is missed by the positions, and speeds would have to make up for it.
+  if (!(std::abs(miss) <= energy.kinetic / 4)) return -1;
+  typename Model::State scaled = state;
+  const Scalar factor = std::sqrt(1 + miss / energy.kinetic);
+  for (std::size_t i = Model::n_q; i < Model::size; ++i) scaled.values[i] *= factor;
+  Energy after;
+  if (!is_motion_known(model.energy(t, scaled, after)) || !(std::abs(level - after.total) < std::abs(miss))) return -1;
+  state = scaled;
+  return std::abs(factor - 1);
+}
+
+}  // namespace detail
+
 /// Keeps the energy of a scleronomic, conservative model at its value before the first step, by a factor on all speeds,
 /// sqrt((E0 - V)/T): of all changes of speeds that give this energy, the least in the metric of the masses, and one that keeps
 /// homogeneous constraints of speeds. `Energy` is the emitted struct, such as gauss::pendulum::Energy<double>. Where the generator does not know that
@@ -130,29 +154,47 @@ class EnergyKept {
  private:
   template <class Model>
   void correct(const Model& model, const Scalar& t, State& state) {
-    Energy energy;
-    if (!is_motion_known(model.energy(t, state, energy))) return leave();
-    const Scalar miss = level_ - energy.total;
-    // Near rest no factor helps: the energy is missed by the positions, and speeds would have to make up for it.
-    if (!(std::abs(miss) <= energy.kinetic / 4)) return leave();
-    State scaled = state;
-    const Scalar factor = std::sqrt(1 + miss / energy.kinetic);
-    for (std::size_t i = Model::n_q; i < Model::size; ++i) scaled.values[i] *= factor;
-    Energy after;
-    const bool is_better =
-        is_motion_known(model.energy(t, scaled, after)) && std::abs(level_ - after.total) < std::abs(miss);
-    if (!is_better) return leave();
-    correction_.largest = std::max(correction_.largest, std::abs(factor - 1));
+    const Scalar change = detail::to_energy<Energy>(model, t, level_, state);
+    if (!(change >= 0)) {
+      ++correction_.left_alone;
+      return;
+    }
+    correction_.largest = std::max(correction_.largest, change);
     ++correction_.applied;
-    state = scaled;
   }
-
-  void leave() { ++correction_.left_alone; }
 
   Inner inner_;
   Correction<Scalar> correction_;
   Scalar level_ = 0;
   bool has_level_ = false;
+};
+
+/// The same for simulations with an estimate of their error, which take no steppers but project by themselves: the model `Base`, a BoundModel, whose projection
+/// also brings the energy back to that of the start.
+template <class Base, class Energy, bool is_conserved = Energy::is_conserved>
+class WithEnergyKept : public Base {
+  static_assert(is_conserved,
+                "the energy of this model may change: laws in time, dampers, inputs or forces without a potential");
+
+ public:
+  using Scalar = typename Base::Scalar;
+  using State = typename Base::State;
+
+  /// Where the model does not know the energy of the start, nothing is corrected, and the first step says why.
+  WithEnergyKept(const Base& base, const Scalar& t, const State& start)
+      : Base(base), level_(std::numeric_limits<Scalar>::quiet_NaN()) {
+    Energy energy;
+    if (is_motion_known(Base::energy(t, start, energy))) level_ = energy.total;
+  }
+
+  Status projection(const Scalar& t, State& state) const {
+    const Status status = Base::projection(t, state);
+    if (is_motion_known(status)) detail::to_energy<Energy>(static_cast<const Base&>(*this), t, level_, state);
+    return status;
+  }
+
+ private:
+  Scalar level_;
 };
 
 }  // namespace gauss::integrate

@@ -40,6 +40,7 @@ class CvodeSimulation {
     if (settings_.project && !integrate::is_motion_known(model_.projection(t_, first))) first = start;
     std::copy_n(first.values, Model::size, N_VGetArrayPointer(work_.state.get()));
     scale_.fill(settings_.smallest_scale);
+    for (std::size_t i = Model::n_q; i < Model::size; ++i) scale_[i] = settings_.least_speed();
     set_up();
   }
 
@@ -123,7 +124,9 @@ class CvodeSimulation {
     jumped_ = false;
     sunrealtype reached = t_;
     const int flag = CVode(cvode_.get(), end, work_.state.get(), &reached, CV_ONE_STEP);
+    const long inaccurate_before = inaccurate_;
     count();
+    hold_step(inaccurate_ > inaccurate_before);
     problem_.rethrow();
     if (!integrate::is_motion_known(problem_.trouble())) report_.status = problem_.trouble();
     if (flag < 0) {
@@ -135,17 +138,26 @@ class CvodeSimulation {
     return true;
   }
 
+  /// CVODE thinks about a higher order after some steps of equal length, but makes them longer before that. Where the estimate of the error refuses this each
+  /// time, it would stay with order 1 for good: so a step that follows such a refusal is not made longer.
+  void hold_step([[maybe_unused]] bool is_held) {
+#if SUNDIALS_VERSION_MINOR >= 2
+    constexpr double k_usual = -1;
+    CVodeSetEtaFixedStepBounds(cvode_.get(), 0, is_held ? std::numeric_limits<double>::max() : k_usual);
+#endif
+  }
+
   Outcome outcome_of(int flag) const {
     if (flag == CV_FIRST_RHSFUNC_ERR) return Outcome::model_failed;
     return jumped_ ? Outcome::constraints_lost : Outcome::step_too_small;
   }
 
   void count() {
-    long errors = 0, unsolved = 0;
+    long unsolved = 0;
     CVodeGetNumSteps(cvode_.get(), &report_.steps);
-    CVodeGetNumErrTestFails(cvode_.get(), &errors);
+    CVodeGetNumErrTestFails(cvode_.get(), &inaccurate_);
     CVodeGetNumStepSolveFails(cvode_.get(), &unsolved);
-    report_.rejected = errors + unsolved;
+    report_.rejected = inaccurate_ + unsolved;
     report_.calls = problem_.calls();
     report_.jacobians = problem_.jacobians();
   }
@@ -189,6 +201,7 @@ class CvodeSimulation {
   Multistep method_;
   double t_;
   bool jumped_ = false;  ///< the last trial, by its projection
+  long inaccurate_ = 0;  ///< trials that the estimate of the error refused
   std::array<double, Model::size> scale_{};
   Report<Status> report_;
   Problem problem_;

@@ -25,12 +25,15 @@ template <class Scalar>
 struct Settings {
   Scalar tolerance = Scalar(1e-12);  ///< error of one step, relative to the scale of each component
   Scalar smallest_scale = 1;  ///< the scale is the largest size so far, but no less than this, in the component's unit
+  Scalar smallest_speed = 0;  ///< the same of speeds; 0: smallest_scale. See docs/simulation.md, stiff models
   Scalar first_step = 0;      ///< 0: chosen from the rates at the start
   Scalar longest_step =
       0;  ///< 0: none. A pulse that is shorter than a step may lie between the times at which it looks
   long most_steps = 10'000'000;
   bool project = true;
   Scalar most_projected = 1000;  ///< a projection that moves a component by more tolerances is refused
+
+  Scalar least_speed() const { return smallest_speed > Scalar(0) ? smallest_speed : smallest_scale; }
 };
 
 template <class Status>

@@ -29,6 +29,7 @@ class Simulation {
     std::copy_n(start.values, Model::size, x_.begin());
     if (settings_.project) project_start();
     scale_.fill(settings_.smallest_scale);
+    for (std::size_t i = Model::n_q; i < Model::size; ++i) scale_[i] = settings_.least_speed();
     grow_scale();
   }
 
