@@ -31,8 +31,13 @@ bool is_selected(Expr reciprocal) {
 }  // namespace
 
 Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, Expr epsilon,
-         Steps& steps, Dependent dependent)
-    : graph_(epsilon.graph()), epsilon_(epsilon), dependent_(dependent), labels_(labels), prefix_(prefix) {
+         Steps& steps, Dependent dependent, Rounding rounding)
+    : graph_(epsilon.graph()),
+      epsilon_(epsilon),
+      dependent_(dependent),
+      rounding_(rounding),
+      labels_(labels),
+      prefix_(prefix) {
   const std::size_t n = matrix.size();
   const Expr zero(graph_, graph_.constant(0));
   d_.assign(n, zero);
@@ -45,6 +50,7 @@ Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std
       if (!matrix[i][j].is_zero()) rest[i].emplace(j, matrix[i][j]);
     }
   }
+  sizes_ = diagonal_;
   std::vector<char> done(n, 0);
   for (std::size_t step = 0; step < n; ++step) {
     const std::size_t pivot = sparsest_row(rest, done);
@@ -63,6 +69,8 @@ void Ldl::eliminate(std::size_t pivot, Rest& rest, Steps& steps) {
   is_original_[pivot] = entry == diagonal_[pivot] ? 1 : 0;
   // A diagonal entry has its name from elsewhere, if it has one.
   d_[pivot] = is_original_[pivot] != 0 ? entry : steps.name(entry, prefix_ + "_pivot_" + labels_[pivot]);
+  if (rounding_ == Rounding::carried)
+    sizes_[pivot] = steps.name_varying(sizes_[pivot], prefix_ + "_size_" + labels_[pivot]);
   const Expr inverse = reciprocal(pivot);
   for (const auto& [i, value] : row) {
     if (i == pivot) continue;
@@ -70,6 +78,7 @@ void Ldl::eliminate(std::size_t pivot, Rest& rest, Steps& steps) {
     const Expr factor = value * inverse;
     const Expr named = is_selected(inverse) ? factor.kept_whole(name) : steps.name(factor, name);
     if (!named.is_zero()) l_[pivot].push_back({i, named});
+    if (rounding_ == Rounding::carried) sizes_[i] += pow(named, 2) * sizes_[pivot];
     rest[i].erase(pivot);
   }
   for (const Entry& below : l_[pivot]) {
@@ -120,7 +129,7 @@ Vector Ldl::solve(const Vector& right_hand_side, const std::string& name, Steps&
 // Rounding alone perturbs a pivot by about n eps of its diagonal entry (Higham, Accuracy and Stability, 10.1).
 Expr Ldl::tolerance(std::size_t pivot, int lost) const {
   if (is_original_[pivot] != 0) return {graph_, graph_.constant(0)};
-  return support::Rational(lost * static_cast<int>(d_.size())) * epsilon_ * diagonal_[pivot];
+  return support::Rational(lost * static_cast<int>(d_.size())) * epsilon_ * sizes_[pivot];
 }
 
 Expr Ldl::reciprocal(std::size_t pivot) const {

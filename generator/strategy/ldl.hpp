@@ -25,13 +25,19 @@ enum class Dependent {
   drop,    ///< its unknown becomes zero: a redundant row of constraints then leaves the accelerations right
 };
 
+/// What rounding is counted in a pivot.
+enum class Rounding {
+  own,      ///< of its diagonal entry: enough where no pivot before it is small beside its own by chance
+  carried,  ///< and of the pivots before it, which a small one enlarges: p_k = a_kk - Σ l_kj² p_j
+};
+
 /// Unrolled L D Lᵀ of a symmetric positive definite matrix (Golub & Van Loan, Matrix Computations, 4.1). Rows are taken in
 /// an order that keeps L sparse: next is always the one with the fewest entries left; every order is stable.
 class Ldl {
  public:
   /// `labels` name rows; entries appear as <prefix>_pivot_<row> and <prefix>_factor_<row>_<column>.
   Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, ir::Expr epsilon,
-      Steps& steps, Dependent dependent = Dependent::divide);
+      Steps& steps, Dependent dependent = Dependent::divide, Rounding rounding = Rounding::own);
 
   /// x with matrix x = right_hand_side; unknowns appear as <name>_<row>.
   Vector solve(const Vector& right_hand_side, const std::string& name, Steps& steps) const;
@@ -63,10 +69,12 @@ class Ldl {
   ir::Graph& graph_;
   ir::Expr epsilon_;
   Dependent dependent_;
+  Rounding rounding_;
   std::vector<std::string> labels_;
   std::string prefix_;
   std::vector<std::size_t> order_;
   Vector diagonal_;
+  Vector sizes_;                   ///< whose rounding is in the pivots
   std::vector<char> is_original_;  ///< the pivot is the diagonal entry itself
   Vector d_;
   std::vector<std::vector<Entry>> l_;  ///< by column, rows in the order of elimination
