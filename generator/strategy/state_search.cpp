@@ -179,9 +179,9 @@ class Stages {
     at.dependent_constraints = projection.dependent();
     for (ProjectedState* reached : {&at, &open.state}) {
       ir::Substitution after = state_values(symbols_, time, reached->configuration, reached->speeds);
-      const std::vector<std::size_t> rows = reached == &at ? projection.to_be_checked(movable) : first(dynamics_.l());
-      const Expr is_violated =
-          violated(put_in(dynamics_, after, false), reached->speeds, rows, epsilon_, dynamics_.least_response);
+      const bool is_general = reached != &at;
+      const std::vector<std::size_t> rows = is_general ? first(dynamics_.l()) : projection.to_be_checked(movable);
+      const Expr is_violated = violated(put_in(dynamics_, after, false), reached->speeds, rows, left_open(is_general));
       reached->violated_constraints = any(graph_, {reached->violated_constraints, is_violated});
     }
     return open;
@@ -270,6 +270,13 @@ class Stages {
     if (last.open) last.open->state.violated_constraints = is_violated(last.open->state, start, true);
   }
 
+  /// Of φ², beside the squares of its terms. The general way leaves out rows nearer to others than 4 sqrt(eps) (rank_of_steps), or than the
+  /// model's tolerance, and its status says so.
+  Expr left_open(bool is_general) const {
+    if (!is_general) return epsilon_;
+    return ir::Rational(64) * epsilon_ + Expr(graph_, graph_.constant(4 * dynamics_.least_response));
+  }
+
   /// Rows that contradict each other are left open by the general way, also linear ones, and all are looked at then.
   Expr is_violated(const ProjectedState& reached, const Vector& start, bool is_general) const {
     ir::Substitution after = state_values(symbols_, std::nullopt, reached.configuration, reached.speeds);
@@ -278,8 +285,7 @@ class Stages {
                    : VelocityProjection(dynamics_, given_.open, epsilon_).to_be_checked(movable_);
     std::vector<Expr> conditions;
     if (!rows.empty())
-      conditions.push_back(
-          violated(put_in(dynamics_, after, false), reached.speeds, rows, epsilon_, dynamics_.least_response));
+      conditions.push_back(violated(put_in(dynamics_, after, false), reached.speeds, rows, left_open(is_general)));
     if (positions_.has_rows()) conditions.push_back(positions_.violated(start));
     return any(graph_, conditions);
   }

@@ -91,16 +91,14 @@ Expr VelocityProjection::lost(const VelocityProblem& at, const std::vector<std::
 }
 
 // Squares, since a condition has no sign.
-Expr violated(const VelocityProblem& at, const Vector& speeds, const std::vector<std::size_t>& rows, Expr epsilon,
-              const ir::Rational& least_response) {
-  const Expr part = epsilon + Expr(epsilon.graph(), epsilon.graph().constant(4 * least_response));
+Expr violated(const VelocityProblem& at, const Vector& speeds, const std::vector<std::size_t>& rows, Expr part) {
   std::vector<Expr> conditions;
   for (const std::size_t mu : rows) {
-    Expr scale(epsilon.graph(), epsilon.graph().constant(0));
+    Expr scale(part.graph(), part.graph().constant(0));
     for (std::size_t j = 0; j < speeds.size(); ++j) scale += pow(at.b[mu][j] * speeds[j], 2);
     conditions.push_back(less(part * scale, pow(at.phi[mu], 2)));
   }
-  return any(epsilon.graph(), conditions);
+  return any(part.graph(), conditions);
 }
 
 }  // namespace gaussgen::strategy

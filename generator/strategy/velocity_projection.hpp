@@ -44,8 +44,7 @@ class VelocityProjection {
 };
 
 /// Boolean: φ is not zero beside the terms of its linear part, with half of the digits: where Newton's method has converged nothing is
-/// left but rounding, and where it has not, φ is large. `least_response` (Dynamics) of φ² stays open by the tolerance of ranks.
-ir::Expr violated(const VelocityProblem& at, const Vector& speeds, const std::vector<std::size_t>& rows,
-                  ir::Expr epsilon, const ir::Rational& least_response);
+/// left but rounding, and where it has not, φ is large. `part` of the squares of these terms may be left of φ².
+ir::Expr violated(const VelocityProblem& at, const Vector& speeds, const std::vector<std::size_t>& rows, ir::Expr part);
 
 }  // namespace gaussgen::strategy
