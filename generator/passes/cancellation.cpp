@@ -144,17 +144,25 @@ class Rules {
     if (function == Function::cos) {
       return adds ? 2 * pow(call(Function::cos, half), 2) : -2 * pow(call(Function::sin, half), 2);
     }
-    if (function == Function::cosh && !adds) return 2 * pow(call(Function::sinh, half), 2);
-    if (function == Function::exp && !adds) return exponential_less_one(x, half);
+    if (function == Function::cosh && !adds) return hyperbolic_less_one(f, x, half);
+    if (function == Function::exp && !adds) return exponential_less_one(f, x);
     return std::nullopt;
   }
 
-  // With t = tanh(x/2): e^x - 1 = 2 t/(1 - t), and e^x 2 t/(1 + t) for positive x, where 1 - t would cancel.
-  Expr exponential_less_one(Expr x, Expr half) {
-    const Expr t = call(Function::tanh, half);
-    const Expr size = call(Function::abs, t);
-    const Expr growth{graph_, graph_.call(Function::max, {call(Function::exp, x).id(), one().id()})};
-    return 2 * t / (one() + size) * growth;
+  // A square doubles the error of its root; where cosh x is large, 1 takes nothing from it.
+  Expr hyperbolic_less_one(NodeId cosh, Expr x, Expr half) {
+    const Expr is_small = less(pow(x, 2), 4 * one());
+    return select(is_small, 2 * pow(call(Function::sinh, half), 2), Expr(graph_, cosh).kept_whole("") - one());
+  }
+
+  /// By the number y that e^x is rounded to: (y - 1)/log(y) changes little from e^x to y (W. Kahan). Beyond a factor of 2 by y - 1 itself, since
+  /// log(y) may have no value there.
+  Expr exponential_less_one(NodeId exp, Expr x) {
+    const Expr y = Expr(graph_, exp).kept_whole("");
+    const Expr step = y - one();
+    const Expr size = call(Function::abs, step);
+    const Expr near = select(at_most(size, 0 * one()), x, step * (x / call(Function::log, y)));
+    return select(less(size, one()), near, step);
   }
 
   /// √A - b with b² among the terms of A: (A - b²)/(√A + |b|) + (|b| - b), since the sign of b need not be known.
