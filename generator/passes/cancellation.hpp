@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "passes/program.hpp"
 
 namespace gaussgen::passes {
@@ -8,6 +11,10 @@ namespace gaussgen::passes {
 /// √(L² + x²) - L is x²/(√(L² + x²) + L). Each rule is an identity of real numbers (docs/decisions/0011-cancellation.md).
 ///
 /// Behind differentiation, so that derivatives are those of what was written, which have no such sums: the slope of 1 - cos x is sin x.
-Request keep_digits(Graph& graph, const Request& request);
+///
+/// Rules in `as_written` are left out, by their names in `digit_rules`.
+Request keep_digits(Graph& graph, const Request& request, const std::vector<std::string>& as_written = {});
+
+const std::vector<std::string>& digit_rules();
 
 }  // namespace gaussgen::passes
