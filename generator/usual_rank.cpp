@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <random>
 
+#include "dense.hpp"
 #include "evaluate/arithmetic_double.hpp"
 #include "evaluation.hpp"
 #include "generic_point.hpp"

@@ -302,7 +302,9 @@ class DigitKeeper {
 
 }  // namespace
 
-Request keep_digits(Graph& graph, const Request& request, const std::vector<std::string>& as_written) {
+Request keep_digits(Graph& graph, const Request& request) { return keep_digits_except(graph, request, {}); }
+
+Request keep_digits_except(Graph& graph, const Request& request, const std::vector<std::string>& as_written) {
   return DigitKeeper(graph, request, as_written).run(request);
 }
 

@@ -11,9 +11,10 @@ namespace gaussgen::passes {
 /// √(L² + x²) - L is x²/(√(L² + x²) + L). Each rule is an identity of real numbers (docs/decisions/0011-cancellation.md).
 ///
 /// Behind differentiation, so that derivatives are those of what was written, which have no such sums: the slope of 1 - cos x is sin x.
-///
-/// Rules in `as_written` are left out, by their names in `digit_rules`.
-Request keep_digits(Graph& graph, const Request& request, const std::vector<std::string>& as_written = {});
+Request keep_digits(Graph& graph, const Request& request);
+
+/// Without the rules that are named, of `digit_rules`.
+Request keep_digits_except(Graph& graph, const Request& request, const std::vector<std::string>& as_written);
 
 const std::vector<std::string>& digit_rules();
 

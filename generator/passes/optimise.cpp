@@ -147,7 +147,9 @@ Request apply_anyway(Graph& graph, const Request& request, const char* name, con
 
 Request apply_cancellation(Graph& graph, const Request& request, std::vector<PassEffect>* effects,
                            const std::vector<std::string>& as_written) {
-  const auto keep = [&as_written](Graph& of, const Request& values) { return keep_digits(of, values, as_written); };
+  const auto keep = [&as_written](Graph& of, const Request& values) {
+    return keep_digits_except(of, values, as_written);
+  };
   return apply_anyway(graph, request, "cancellation", keep, effects);
 }
 

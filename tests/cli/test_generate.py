@@ -214,6 +214,15 @@ class WritingNothing(Program):
         self.assertNotIn("saved", result.stderr)
         self.assertIn("--no-optimise", result.stdout)
 
+    def test_what_stays_as_it_is_written_is_said_in_the_header(self):
+        sums = SOURCE / "tests/headers/digits/sums.yaml"
+        kept, written = (self.ok(sums, *more, "--outputs", "quantities", "-o", "-") for more in ([], ["--as-written", "cosines,roots"]))
+        self.assertIn("const S cosine = S(1) - cos_x", written)
+        self.assertNotIn("const S cosine = S(1) - cos_x", kept)
+        self.assertIn("--as-written=cosines,roots", written)
+        self.assertNotIn("--as-written", kept)
+        self.assertEqual(self.run_it(sums, "--as-written", "cosine", "-o", "-").returncode, 2)
+
     def facts(self, *arguments):
         result = self.run_it(*arguments, "--timings", "--diagnostics", "json", "-o", "-")
         return [json.loads(line) for line in result.stderr.splitlines()]
