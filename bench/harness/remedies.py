@@ -112,8 +112,8 @@ class Measured:
 
     @staticmethod
     def body(header):
-        """Without the line that says how it was made."""
-        return re.sub(r"^// Command:.*\n(?://  .*\n)*", "", header.read_text(encoding="utf-8"), flags=re.M)
+        """Without the lines that say how it was made."""
+        return re.sub(r"^// Command:(?:.*\n)(?:// .*\n)*", "", header.read_text(encoding="utf-8"), count=1, flags=re.M)
 
 
 def measure_all(options, found):
@@ -165,6 +165,15 @@ def table(head, rows):
     return "\n".join([lines[0], "|" + "---|" * len(head), *lines[1:]]) + "\n"
 
 
+def where(document):
+    """This part has a machine of its own, which need not be that of the rest of the page."""
+    if not document.machine:
+        return ""
+    found = document.machine
+    return (f"Measured on {found['processor']}, {found['cores']} cores, load {found['load']} when it ended, {document.date}, commit {found['commit']}: "
+            "not the machine of the tables above, unless it is named there, too.\n\n")
+
+
 def block(document):
     rows = []
     for model in MODELS:
@@ -175,7 +184,7 @@ def block(document):
         rows.append([model.name, word, number(document.value(model.name, 1, "gauss", "ns_rhs")),
                      *ratios(document, model.name, "rhs", "rhs_regular"), *ratios(document, model.name, "step_projected", "step"),
                      *ratios(document, model.name, "held", "rhs")])
-    text = ABOUT + table(["model", "ways", "ns of rhs", "second way, time", "instructions", "projection, time", "instructions",
+    text = ABOUT + where(document) + table(["model", "ways", "ns of rhs", "second way, time", "instructions", "projection, time", "instructions",
                           "held, time", "instructions"], rows)
     rows = []
     for rule, model in RULES.items():

@@ -4,7 +4,7 @@ import json
 import re
 import unittest
 
-from gauss_gen import MODELS, PARTICLE, SKATER, SKEW, SPHERE, Program, without_poles
+from gauss_gen import MODELS, PARTICLE, SKATER, SKEW, SOURCE, SPHERE, Program, without_poles
 
 STAGES = {"model": "  rolling_around: ", "kinematics": "body ball: dv/dt", "paper": "rolling_around",
           "strategy": "G_", "artefacts": "rhs", "header": "#ifndef"}
