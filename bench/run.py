@@ -9,7 +9,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from harness import build, cases, generation, machine, measure, report, results  # noqa: E402
+from harness import build, cases, generation, machine, measure, remedies, report, results  # noqa: E402
 
 RESULTS = build.ROOT / "bench/results/latest.json"
 PAGE = build.ROOT / "docs/performance.md"
@@ -27,6 +27,8 @@ def parsed():
                         help="where to write the JSON; default: bench/results/latest.json, and of a part build/bench/part.json")
     parser.add_argument("--update", action="store_true", help="put the cases of a part into bench/results/latest.json in place of what is there")
     parser.add_argument("--report", action="store_true", help="measure nothing, write the page from the JSON anew")
+    parser.add_argument("--remedies", action="store_true",
+                        help="measure only what remedies and rules against cancellation cost, into bench/results/remedies.json")
     parser.add_argument("--check", action="store_true",
                         help="measure next to nothing, write nothing: emitted code and code by hand agree, the page is that of the JSON")
     parser.add_argument("--max-seconds", type=int, default=0, metavar="N",
@@ -83,6 +85,13 @@ def measure_all(options):
     return path
 
 
+def measure_remedies(options):
+    found = results.Results()
+    prepare(options, found)
+    remedies.measure_all(options, found)
+    return found
+
+
 def check(options):
     """What a test can see in half a minute."""
     options.quick, options.rounds, options.milliseconds = True, 1, 0.01
@@ -108,7 +117,12 @@ def main():
     try:
         if options.check:
             check(options)
-        path = RESULTS if options.report else measure_all(options)
+        if options.remedies:
+            found = measure_remedies(options)
+            if options.only:
+                print(remedies.block(results.Document({"date": "", "selection": "", "machine": {}, "skipped": [], "rows": found.rows})))
+                return
+        path = RESULTS if options.report or options.remedies else measure_all(options)
     except measure.Disagreement as error:
         sys.exit(f"bench: {error}")
     document = results.read(path)

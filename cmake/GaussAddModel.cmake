@@ -1,6 +1,6 @@
 # gauss_add_model(TARGET <target> MODEL <file.yaml>
 #                 [COUNTS <name>=<number> ...] [OUTPUTS <function> ...] [SENSITIVITIES <parameter> ...] [FOLD] [NAMESPACE <name>]
-#                 [ROUTE paper] [STRATEGY <one>] [PARTS <number>] [SPLIT [<type> ...]]
+#                 [ROUTE paper] [STRATEGY <one>] [PARTS <number>] [SPLIT [<type> ...]] [AS_WRITTEN <rule> ...]
 #                 [CONTRACT off|on|fast] [ALLOW_FAST_MATH])
 #
 # Generates <name>.hpp from a model when <target> is built, and puts it on the include path of the target:
@@ -191,10 +191,10 @@ endfunction()
 
 function(gauss_add_model)
   cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD;ALLOW_FAST_MATH" "TARGET;MODEL;NAMESPACE;ROUTE;STRATEGY;PARTS;CONTRACT"
-                        "COUNTS;OUTPUTS;SENSITIVITIES;SPLIT")
+                        "COUNTS;OUTPUTS;SENSITIVITIES;SPLIT;AS_WRITTEN")
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "gauss_add_model: not understood: '${ARG_UNPARSED_ARGUMENTS}'; it takes TARGET, MODEL, COUNTS, OUTPUTS, "
-                        "SENSITIVITIES, FOLD, NAMESPACE, ROUTE, STRATEGY, PARTS, SPLIT, CONTRACT and ALLOW_FAST_MATH")
+                        "SENSITIVITIES, FOLD, NAMESPACE, ROUTE, STRATEGY, PARTS, SPLIT, AS_WRITTEN, CONTRACT and ALLOW_FAST_MATH")
   endif()
   # SPLIT alone is for double.
   if("SPLIT" IN_LIST ARG_KEYWORDS_MISSING_VALUES)
@@ -240,6 +240,10 @@ function(gauss_add_model)
   if(ARG_SENSITIVITIES)
     _gauss_words(sensitivities ${ARG_SENSITIVITIES})
     list(APPEND options --sensitivities ${sensitivities})
+  endif()
+  if(ARG_AS_WRITTEN)
+    _gauss_words(rules ${ARG_AS_WRITTEN})
+    list(APPEND options --as-written ${rules})
   endif()
   if(ARG_PARTS)
     list(APPEND options --parts ${ARG_PARTS})

@@ -1,10 +1,10 @@
 #pragma once
 // How the coordinates of a model map their rates to motions of its bodies, as numbers at one configuration after another.
 
-#include <Eigen/Dense>
 #include <memory>
 #include <optional>
 #include <vector>
+#include "dense.hpp"
 
 #include "evaluate/arithmetic_double.hpp"
 #include "evaluate/evaluator.hpp"

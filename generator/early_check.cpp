@@ -113,7 +113,7 @@ bool is_slip(const model::Constraint& constraint) { return std::holds_alternativ
 }  // namespace
 
 void check_early(const model::Model& model, const MechanicsOptions& options, support::Diagnostics& diagnostics) {
-  ModelGraph motion(model, options.fold, options.most_nodes);
+  ModelGraph motion(model, options.fold, options.most_nodes, options.limits);
   check_values(motion, diagnostics);
   if (!diagnostics.has_errors()) SpringEnds(motion, diagnostics).run();
   if (diagnostics.has_errors()) return;

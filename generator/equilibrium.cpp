@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "dense.hpp"
 #include "description.hpp"
 #include "driven.hpp"
 #include "evaluate/arithmetic_scale.hpp"

@@ -267,19 +267,19 @@ std::string name_of(Strategy strategy) {
   }
 }
 
-ModelGraph::ModelGraph(const model::Model& checked_model, bool fold, std::size_t most_nodes)
+ModelGraph::ModelGraph(const model::Model& checked_model, bool fold, std::size_t most_nodes, bool limits)
     : model(checked_model),
       graph(most_nodes),
       symbols(kinematics::declare_symbols(model, graph)),
-      expressions(model, symbols, graph, fold) {}
+      expressions(model, symbols, graph, fold, limits) {}
 
-KinematicModel::KinematicModel(const model::Model& checked_model, bool fold, std::size_t most_nodes)
-    : ModelGraph(checked_model, fold, most_nodes),
+KinematicModel::KinematicModel(const model::Model& checked_model, bool fold, std::size_t most_nodes, bool limits)
+    : ModelGraph(checked_model, fold, most_nodes, limits),
       kinematics(kinematics::build_kinematics(model, graph, expressions, symbols)),
       kinematics_built{std::chrono::steady_clock::now(), graph.size()} {}
 
 Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& chosen)
-    : KinematicModel(checked_model, chosen.fold, chosen.most_nodes),
+    : KinematicModel(checked_model, chosen.fold, chosen.most_nodes, chosen.limits),
       linkage([this] {
         ir::Substitution hold = kinematics::held_laws(model, expressions, symbols);
         return kinematics::build_linkage(model, symbols, expressions, hold);

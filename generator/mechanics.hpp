@@ -29,11 +29,12 @@ struct MechanicsOptions {
   bool fold = false;  ///< parameters become numbers
   Strategy strategy = Strategy::automatic;
   std::size_t most_nodes = ir::k_most_nodes;
+  bool limits = true;  ///< sin(q)/q has a value at 0
 };
 
 /// The expressions of a model on a graph, each made when it is asked for. Not copyable: the others refer to `graph`.
 struct ModelGraph {
-  ModelGraph(const model::Model& model, bool fold, std::size_t most_nodes = ir::k_most_nodes);
+  ModelGraph(const model::Model& model, bool fold, std::size_t most_nodes = ir::k_most_nodes, bool limits = true);
   ModelGraph(const ModelGraph&) = delete;
   ModelGraph& operator=(const ModelGraph&) = delete;
 
@@ -53,7 +54,7 @@ struct Milestone {
 
 /// A model on the graph as far as geometry goes: velocities and constraint rows.
 struct KinematicModel : ModelGraph {
-  KinematicModel(const model::Model& model, bool fold, std::size_t most_nodes = ir::k_most_nodes);
+  KinematicModel(const model::Model& model, bool fold, std::size_t most_nodes = ir::k_most_nodes, bool limits = true);
 
   kinematics::Kinematics kinematics;
   Milestone kinematics_built;
@@ -77,8 +78,8 @@ struct Mechanics : KinematicModel {
   MechanicsOptions options;
   std::shared_ptr<const UsualStates> usual_states;  ///< once somebody asks for them
   std::optional<std::size_t> usual_rank;            ///< of all constraints, likewise
-  std::vector<ir::SymbolId> multipliers;  ///< of a solution that is given, where functions of one were made
-  std::vector<ir::SymbolId> start;  ///< of the configuration before a projection, where one was made
+  std::vector<ir::SymbolId> multipliers;            ///< of a solution that is given, where functions of one were made
+  std::vector<ir::SymbolId> start;                  ///< of the configuration before a projection, where one was made
 };
 
 /// Accelerations and multipliers of the same metric and constraints with other forces and drifts. Equal nodes are one: factors are not

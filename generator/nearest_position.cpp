@@ -1,10 +1,10 @@
 #include "nearest_position.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "dense.hpp"
 #include "position_equations.hpp"
 #include "strategy/state_search.hpp"
 

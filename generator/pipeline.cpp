@@ -13,6 +13,7 @@
 #include "model/fold_check.hpp"
 #include "output_check.hpp"
 #include "paper.hpp"
+#include "passes/cancellation.hpp"
 #include "point_check.hpp"
 #include "read_model.hpp"
 #include "sensitivities.hpp"
@@ -28,6 +29,7 @@ namespace gaussgen {
 namespace {
 
 const char* const k_check = "check";
+const char* const k_limits = "limits";
 
 /// Times stages, and shows to the observer what comes out.
 class Stages {
@@ -83,6 +85,12 @@ const std::vector<std::string>& stage_names() {
   return k_names;
 }
 
+std::vector<std::string> rules_for_digits() {
+  std::vector<std::string> names = passes::digit_rules();
+  names.emplace_back(k_limits);
+  return names;
+}
+
 std::vector<std::string> stages_with_dump() {
   std::vector<std::string> names = stage_names();
   names.erase(std::find(names.begin(), names.end(), k_check));
@@ -128,7 +136,9 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   if (diagnostics.has_errors()) return std::nullopt;
 
   // The emitted route: theory section 4 on the graph.
-  const MechanicsOptions mechanics_options{options.fold, options.strategy, options.most_nodes};
+  const bool limits =
+      std::find(options.as_written.begin(), options.as_written.end(), k_limits) == options.as_written.end();
+  const MechanicsOptions mechanics_options{options.fold, options.strategy, options.most_nodes, limits};
   check_early(*model, mechanics_options, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   Mechanics mechanics(*model, mechanics_options);

@@ -25,8 +25,9 @@ struct PipelineOptions {
   std::vector<std::string> outputs;        ///< empty: those of the model; if it names none, all
   std::vector<std::string> sensitivities;  ///< parameters; empty: those of the model
   bool fold = false;
-  bool plain = false;     ///< nothing is rewritten to take fewer operations
-  bool assemble = false;  ///< constraints may move given initial values
+  bool plain = false;                   ///< nothing is rewritten to take fewer operations
+  std::vector<std::string> as_written;  ///< rules against cancellation that are left out, of `rules_for_digits`
+  bool assemble = false;                ///< constraints may move given initial values
   Route route = Route::emitted;
   Strategy strategy = Strategy::automatic;
   std::string name_space;                         ///< empty: gauss::<model name>
@@ -66,6 +67,9 @@ struct PipelineResult {
 /// in which stage.
 std::optional<PipelineResult> compile(support::Source& source, const PipelineOptions& options,
                                       support::Diagnostics& diagnostics, const StageObserver& observe);
+
+/// Names of the rules that put sums and products into forms that keep their digits.
+std::vector<std::string> rules_for_digits();
 
 /// In order.
 const std::vector<std::string>& stage_names();

@@ -1,10 +1,10 @@
 #pragma once
 // A place of a model at rest with its multipliers, in double or with as many digits as it takes, and how it moves on from there.
 
-#include <Eigen/Dense>
 #include <optional>
 #include <string>
 #include <vector>
+#include "dense.hpp"
 
 #include "evaluate/arithmetic_paired.hpp"
 #include "evaluate/arithmetic_scale.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 // Where forces lead a model that is let go at rest, step by step, until they are in balance.
 
-#include <Eigen/Dense>
+#include "dense.hpp"
 
 namespace gaussgen {
 

@@ -1,7 +1,7 @@
 #pragma once
 // One step towards a position of rest: in what units its unknowns are measured, and which ways it may take.
 
-#include <Eigen/Dense>
+#include "dense.hpp"
 
 namespace gaussgen {
 

@@ -30,6 +30,7 @@ class UnitBuilder {
     unit_.part_operations = options_.part_operations;
     unit_.compiled_for = options_.compiled_for;
     unit_.optimised = !options_.plain;
+    unit_.as_written = options_.as_written;
     add_parameters();
     add_inputs();
     add_state();
@@ -149,6 +150,8 @@ class UnitBuilder {
       provenance.command += " --sensitivities=" + fmt::format("{}", fmt::join(options_.sensitivities, ","));
     if (options_.fold) provenance.command += " --fold";
     if (options_.plain) provenance.command += " --no-optimise";
+    if (!options_.as_written.empty())
+      provenance.command += fmt::format(" --as-written={}", fmt::join(options_.as_written, ","));
     if (options_.route == Route::paper) provenance.command += " --route=paper";
     if (options_.strategy != Strategy::automatic) provenance.command += " --strategy=" + name_of(options_.strategy);
     if (options_.part_operations != emit::k_part_operations)

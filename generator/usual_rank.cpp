@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include "dense.hpp"
 #include "evaluate/arithmetic_double.hpp"
 #include "evaluation.hpp"
 #include "generic_point.hpp"

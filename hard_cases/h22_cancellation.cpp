@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "near_places.hpp"
+#include "poles.hpp"
 #include "registry.hpp"
 #include "sums.hpp"
 
@@ -15,49 +17,109 @@ namespace hard_cases {
 namespace {
 
 using Wide = boost::multiprecision::cpp_bin_float_100;
-using Quantities = gauss::sums::Quantities<double>;
+using Real = double (*)(double);
 
-constexpr int k_arguments = 5000;
-constexpr double k_length = 0.7;
+constexpr int k_arguments = 100000;
+constexpr double k_length = 0.7, k_far = 1e6;
 
 struct Form {
   const char* id;
   const char* formula;
-  double Quantities::*emitted;
-  double (*written)(double);
+  Real emitted;
+  Real written;
   Wide (*exact)(const Wide&);  ///< by a form that loses nothing
+  double from = -100;
 };
 
 Wide squared(const Wide& x) { return x * x; }
 
-const Form k_forms[] = {
-    {"H22.cosine", "1 - cos x", &Quantities::cosine, [](double x) { return 1 - std::cos(x); },
-     [](const Wide& x) { return Wide(2 * squared(sin(Wide(x / 2)))); }},
-    {"H22.squared", "1 - cos² x", &Quantities::squared, [](double x) { return 1 - std::cos(x) * std::cos(x); },
-     [](const Wide& x) { return squared(sin(x)); }},
-    {"H22.hyperbolic", "cosh x - 1", &Quantities::hyperbolic, [](double x) { return std::cosh(x) - 1; },
-     [](const Wide& x) { return Wide(2 * squared(sinh(Wide(x / 2)))); }},
-    {"H22.root", "sqrt(L² + x²) - L", &Quantities::root,
-     [](double x) { return std::sqrt(k_length * k_length + x * x) - k_length; },
-     [](const Wide& x) { return Wide(x * x / (sqrt(Wide(squared(Wide(k_length)) + x * x)) + Wide(k_length))); }},
-    {"H22.exponential", "exp x - 1", &Quantities::exponential, [](double x) { return std::exp(x) - 1; },
-     [](const Wide& x) { return Wide(2 * sinh(Wide(x / 2)) * exp(Wide(x / 2))); }},
-};
-
-double emitted(const Form& form, double x) {
+gauss::sums::Quantities<double> sums(double x) {
   gauss::sums::Parameters<double> parameters;
   parameters.L = k_length;
   gauss::sums::Inputs<double> inputs;
   inputs.x = inputs.y = x;
-  Quantities result{};
+  gauss::sums::Quantities<double> result{};
   (void)quantities(0.0, gauss::sums::State<double>{}, inputs, prepare(parameters), result);
-  return result.*form.emitted;
+  return result;
 }
 
-/// In units of the last digit; of values below the normal numbers, in those of the least normal one.
+gauss::poles::Quantities<double> poles(double x) {
+  gauss::poles::State<double> state;
+  state.q() = x;
+  state.q_dot() = 1;
+  gauss::poles::Quantities<double> result{};
+  (void)quantities(0.0, state, gauss::poles::Inputs<double>{}, prepare(gauss::poles::Parameters<double>{}), result);
+  return result;
+}
+
+const Form k_forms[] = {
+    {"H22.cosine", "1 - cos x", [](double x) { return sums(x).cosine; }, [](double x) { return 1 - std::cos(x); },
+     [](const Wide& x) { return Wide(2 * squared(sin(Wide(x / 2)))); }},
+    {"H22.squared", "1 - cos² x", [](double x) { return sums(x).squared; },
+     [](double x) { return 1 - std::cos(x) * std::cos(x); }, [](const Wide& x) { return squared(sin(x)); }},
+    {"H22.hyperbolic", "cosh x - 1", [](double x) { return sums(x).hyperbolic; },
+     [](double x) { return std::cosh(x) - 1; }, [](const Wide& x) { return Wide(2 * squared(sinh(Wide(x / 2)))); }},
+    {"H22.root", "sqrt(L² + x²) - L", [](double x) { return sums(x).root; },
+     [](double x) { return std::sqrt(k_length * k_length + x * x) - k_length; },
+     [](const Wide& x) { return Wide(x * x / (sqrt(Wide(squared(Wide(k_length)) + x * x)) + Wide(k_length))); }},
+    {"H22.exponential", "exp x - 1", [](double x) { return sums(x).exponential; },
+     [](double x) { return std::exp(x) - 1; },
+     [](const Wide& x) { return Wide(2 * sinh(Wide(x / 2)) * exp(Wide(x / 2))); }},
+    {"H22.logarithm", "log(1 + x)", [](double x) { return sums(x).logarithm; },
+     [](double x) { return std::log(1 + x); }, [](const Wide& x) { return log1p(x); }, -1},
+    {"H22.quotient", "(1 - cos x)/x²", [](double x) { return poles(x).versine; },
+     [](double x) { return (1 - std::cos(x)) / (x * x); },
+     [](const Wide& x) { return Wide(2 * squared(Wide(sin(Wide(x / 2)) / x))); }},
+};
+
+/// In units of the last digit; beyond all bars where it is no number.
 double ulps(double found, const Wide& exact) {
-  const double size = std::max(std::abs(static_cast<double>(exact)), std::numeric_limits<double>::min());
-  return static_cast<double>(abs(Wide(found) - exact)) / (std::nextafter(size, 2 * size + 1) - size);
+  if (!std::isfinite(found)) return 1e300;
+  const double size = std::abs(static_cast<double>(exact));
+  return static_cast<double>(abs(Wide(found) - exact)) / (std::nextafter(size, 2 * size) - size);
+}
+
+struct Errors {
+  double naive = 0, ours = 0;
+};
+
+/// Where the value is a normal number: below, no form has all digits.
+Errors errors(const Form& form) {
+  Errors result;
+  for (int i = 0; i < k_arguments; ++i) {
+    const double x = (i % 2 == 0 ? 1 : -1) * std::pow(10.0, -300.0 + 302.0 * i / (k_arguments - 1));
+    const Wide exact = x > form.from ? form.exact(Wide(x)) : Wide(0);
+    if (abs(exact) < std::numeric_limits<double>::min()) continue;
+    grow(result.naive, ulps(form.written(x), exact));
+    grow(result.ours, ulps(form.emitted(x), exact));
+  }
+  return result;
+}
+
+/// Of two places 1e6 m from the origin and 1 nm to 1 km from each other; as it is written, with the squares multiplied out.
+Errors errors_of_gaps() {
+  Errors result;
+  const auto prepared = prepare(gauss::near_places::Parameters<double>{});
+  for (int i = 0; i < k_arguments; ++i) {
+    const double gap = std::pow(10.0, -9.0 + 12.0 * i / (k_arguments - 1));
+    const double way[3] = {gap * std::cos(i), gap * std::sin(i) * std::cos(0.7 * i),
+                           gap * std::sin(i) * std::sin(0.7 * i)};
+    gauss::near_places::State<double> state{};
+    Wide square = 0;
+    double multiplied_out = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double a = state.values[k] = k_far, b = state.values[3 + k] = k_far + way[k];
+      square += squared(Wide(a) - b);
+      multiplied_out += a * a - 2 * a * b + b * b;
+    }
+    if (square == 0) continue;  // rounded to one place
+    gauss::near_places::Quantities<double> found;
+    (void)quantities(0.0, state, gauss::near_places::Inputs<double>{}, prepared, found);
+    const Wide exact = sqrt(square);
+    grow(result.naive, ulps(std::sqrt(std::abs(multiplied_out)), exact));
+    grow(result.ours, ulps(found.gap, exact));
+  }
+  return result;
 }
 
 }  // namespace
@@ -65,16 +127,13 @@ double ulps(double found, const Wide& exact) {
 std::vector<Figure> cancellation(const Scope&) {
   std::vector<Figure> result;
   for (const Form& form : k_forms) {
-    double naive = 0, ours = 0;
-    for (int i = 0; i < k_arguments; ++i) {
-      const double x = (i % 2 == 0 ? 1 : -1) * std::pow(10.0, -150.0 + 152.0 * i / (k_arguments - 1));
-      const Wide exact = form.exact(Wide(x));
-      grow(naive, ulps(form.written(x), exact));
-      grow(ours, ulps(emitted(form, x), exact));
-    }
-    result.push_back(
-        {form.id, std::string(form.formula) + ", 5000 arguments from 1e-150 to 100", "ulp", naive, ours, 4});
+    const Errors found = errors(form);
+    result.push_back({form.id, std::string(form.formula) + ", 1e5 arguments of both signs from 1e-300 to 100", "ulp",
+                      found.naive, found.ours, 4});
   }
+  const Errors gaps = errors_of_gaps();
+  result.push_back(
+      {"H22.gap", "distance of 1e5 pairs of places 1e6 m away, 1e-9 m to 1 km apart", "ulp", gaps.naive, gaps.ours, 4});
   return result;
 }
 

@@ -143,11 +143,7 @@ class Driver:
             self.results.add(self.key, row["tool"], "instructions_" + row["metric"], round((many - few) / (2 * STATES), 1), "instructions")
 
     def callgrind(self, program, tool, metric, calls):
-        with tempfile.TemporaryDirectory(prefix="gauss bench ") as folder:
-            log = Path(folder) / "log"
-            build.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", f"--log-file={log}", program, self.case.kind,
-                       self.case.size, "--run", tool, metric, calls], timeout=900)
-            return int(re.search(r"Collected : (\d+)", log.read_text())[1])
+        return instructions_of(program, self.case.kind, self.case.size, tool, metric, calls)
 
     def measure(self):
         program = self.linked("", build.FLAGS, self.functions, self.batches)
@@ -186,6 +182,14 @@ class Driver:
             self.results.add(self.key, tool, "compile", round(took["cpu"], 3), "s")
             self.results.add(self.key, tool, "code", text_bytes(path), "bytes")
         return None
+
+
+def instructions_of(program, kind, size, tool, metric, calls):
+    with tempfile.TemporaryDirectory(prefix="gauss bench ") as folder:
+        log = Path(folder) / "log"
+        build.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", f"--log-file={log}", program, kind, size, "--run", tool,
+                   metric, calls], timeout=900)
+        return int(re.search(r"Collected : (\d+)", log.read_text())[1])
 
 
 def text_bytes(path):

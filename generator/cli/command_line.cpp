@@ -50,6 +50,9 @@ class Adder {
     add_flag("--fold", options_.pipeline.fold, "put the parameters in as numbers");
     add_flag("--no-optimise", options_.pipeline.plain,
              wrapped("emit values as they were derived, in more operations: to see what rewriting them is worth"));
+    add_list("--as-written", options_.pipeline.as_written, rules_for_digits(), "LIST",
+             "sums and products that are emitted as they are written, though they may lose digits then, with commas "
+             "between: ");
     add_assemble();
     add_choice<Route>("--route", options_.pipeline.route, {{"emitted", Route::emitted}, {"paper", Route::paper}},
                       "ROUTE", "emitted (default), or paper: its Z, Gamma and (3.7)-(3.8), term by term");

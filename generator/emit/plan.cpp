@@ -174,7 +174,7 @@ class Planner {
       request.sections.push_back(std::move(kept));
     }
     if (!plan_.unit.optimised) return over_prepared(std::move(request));
-    request = passes::apply_cancellation(plan_.graph, request, &effects);
+    request = passes::apply_cancellation(plan_.graph, request, &effects, plan_.unit.as_written);
     request = passes::apply(plan_.graph, request, passes::identities(), &effects);
     // What `prepare` computes is no operation any more.
     request = prepared_again(std::move(request), effects);

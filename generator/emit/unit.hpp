@@ -194,6 +194,7 @@ struct Unit {
   int part_operations = k_part_operations;  ///< functions of more than twice as many are split
   std::vector<std::string> compiled_for;    ///< scalar types of a source file of its own; empty: there is none
   bool folded = false;                      ///< parameters are numbers already; Parameters<S> is empty
+  std::vector<std::string> as_written;      ///< rules against cancellation that are left out
   bool optimised = true;                    ///< false: values are computed as they were derived, without rewriting them
 };
 

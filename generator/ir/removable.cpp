@@ -14,9 +14,9 @@ namespace {
 constexpr int k_terms = 16;
 constexpr int k_reach_of_a_type = 100;
 
-/// Up to which x² a series is taken. sin(x)/x is as good by itself, but for x = 0; its slopes are from here on. What is a difference is as good
-/// further out, and the sum of absolute terms there is twice the value.
-constexpr int k_reach_of_quotients = 1;
+/// Up to which x² a series is taken. sin(x)/x is as good by itself, but for x = 0; its slopes are from here on, and the series loses a digit
+/// beyond. What is a difference is as good further out, and the sum of absolute terms there is twice the value.
+constexpr int k_reach_of_quotients = 2;
 constexpr int k_reach_of_differences = 4;
 
 Rational factorial(int n) { return n < 2 ? Rational(1) : n * factorial(n - 1); }
@@ -106,8 +106,10 @@ class Removal {
 
   bool of_difference(NodeId sum, int sign, Expr x) {
     const Expr half = Rational(1) / 2 * x, square = pow(x, 2), cube = pow(x, 3);
-    const Expr sine = call(Function::sin, x), cosine = call(Function::cos, x);
+    const Expr sine = call(Function::sin, x), cosine = call(Function::cos, x), growing = call(Function::cosh, x);
     const Expr one(graph_, graph_.constant(1));
+    // A division by the square has two roundings, the square of a reciprocal three.
+    const Expr by_square = pow(square.kept_whole(""), -1);
     const auto is = [&](Expr difference, const std::function<Expr()>& form) {
       const Node& node = graph_[difference.id()];
       if (node.kind != Kind::sum) return false;
@@ -116,20 +118,23 @@ class Removal {
       exchange(Expr(graph_, sum), sign, 1 / content * form());
       return true;
     };
-    return is(one - cosine, [&] { return Rational(1) / 2 * square * pow(quotient(half), 2); }) ||
-           is(one - call(Function::cosh, x),
-              [&] { return Rational(-1) / 2 * square * pow(hyperbolic_quotient(half), 2); }) ||
-           is(x - sine,
+    return is(one - cosine,
               [&] {
-                return cube * series_or(
-                                  x, -1, k_reach_of_differences, [](int k) { return 1 / factorial(2 * k + 3); },
-                                  (x - sine) * pow(x, -3));
+                return square * difference_or(x, -1, versine, 2 * pow(call(Function::sin, half), 2) * by_square);
               }) ||
-           is(sine - x * cosine, [&] {
-             return cube * series_or(
-                               x, -1, k_reach_of_differences, [](int k) { return (2 * k + 2) / factorial(2 * k + 3); },
-                               (sine - x * cosine) * pow(x, -3));
-           });
+           is(one - growing,
+              [&] { return -(square * difference_or(x, 1, versine, (growing.kept_whole("") - one) * by_square)); }) ||
+           is(x - sine, [&] { return cube * difference_or(x, -1, excess, (one - sine * pow(x, -1)) * by_square); }) ||
+           is(sine - x * cosine,
+              [&] { return cube * difference_or(x, -1, bend, (sine * pow(x, -1) - cosine) * by_square); });
+  }
+
+  static Rational versine(int k) { return 1 / factorial(2 * k + 2); }
+  static Rational excess(int k) { return 1 / factorial(2 * k + 3); }
+  static Rational bend(int k) { return (2 * k + 2) / factorial(2 * k + 3); }
+
+  Expr difference_or(Expr x, int sign, Rational (*coefficient)(int), Expr otherwise) {
+    return series_or(x, sign, k_reach_of_differences, coefficient, otherwise);
   }
 
   Expr quotient(Expr x) {

@@ -17,11 +17,12 @@ using model::Ast;
 using model::AstKind;
 using support::Rational;
 
-Expressions::Expressions(const model::Model& model, const Symbols& symbols, ir::Graph& graph, bool fold)
+Expressions::Expressions(const model::Model& model, const Symbols& symbols, ir::Graph& graph, bool fold, bool limits)
     : model_(model),
       symbols_(symbols),
       graph_(graph),
       fold_(fold),
+      limits_(limits),
       time_derivative_(graph),
       carried_derivative_(graph),
       frames_(model, symbols, *this),
@@ -170,7 +171,8 @@ Expr Expressions::formed(const Ast& ast) {
       std::vector<ir::NodeId> ids;
       for (const Expr& child : children) ids.push_back(child.id());
       if (ast.kind == AstKind::sum) return {graph_, graph_.sum(ids)};
-      return ir::without_removable_pole({graph_, graph_.product_in_groups(ids, "factors")}, symbol(symbols_.epsilon));
+      const Expr product(graph_, graph_.product_in_groups(ids, "factors"));
+      return limits_ ? ir::without_removable_pole(product, symbol(symbols_.epsilon)) : product;
     }
   }
   return number(0);

@@ -17,8 +17,9 @@ namespace gaussgen::kinematics {
 /// (docs/decisions/0001).
 class Expressions {
  public:
-  /// With `fold`, parameters are replaced by their numbers.
-  Expressions(const model::Model& model, const Symbols& symbols, ir::Graph& graph, bool fold = false);
+  /// With `fold`, parameters are replaced by their numbers; with `limits`, products such as sin(q)/q have theirs.
+  Expressions(const model::Model& model, const Symbols& symbols, ir::Graph& graph, bool fold = false,
+              bool limits = true);
   Expressions(const Expressions&) = delete;  // the frames refer to these
   Expressions& operator=(const Expressions&) = delete;
 
@@ -84,6 +85,7 @@ class Expressions {
   const Symbols& symbols_;
   ir::Graph& graph_;
   bool fold_;
+  bool limits_;
   std::unordered_map<std::size_t, ir::Expr> folded_;  ///< values of parameters
   support::Indexed<ConfigurationIndex, ir::Expr> configuration_rates_;
   ir::Directional time_derivative_;

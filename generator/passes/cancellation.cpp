@@ -19,6 +19,13 @@ using ir::Term;
 
 namespace {
 
+constexpr const char* k_cosines = "cosines";
+constexpr const char* k_exponentials = "exponentials";
+constexpr const char* k_logarithms = "logarithms";
+constexpr const char* k_roots = "roots";
+constexpr const char* k_squares = "squares";
+constexpr const char* k_angles = "angles";
+
 /// Longer sums are what a solution makes of many values, and no small difference of two.
 constexpr std::size_t k_most_terms = 48;
 
@@ -63,7 +70,7 @@ struct Pair {
 /// The rules, each for two terms of a sum.
 class Rules {
  public:
-  explicit Rules(Graph& graph) : graph_(graph) {}
+  Rules(Graph& graph, const std::vector<std::string>& as_written) : graph_(graph), as_written_(as_written) {}
 
   /// Of the term at `first` and a later or earlier one that may cancel it, what their sum is in a form that does not.
   std::optional<Pair> of_pair(const std::vector<Term>& terms, std::size_t first) {
@@ -81,7 +88,7 @@ class Rules {
 
   /// a² - b² = (a - b)(a + b): a and b are rounded no more than they are, their squares would be.
   std::optional<Expr> of_squares(const std::vector<Term>& terms) {
-    if (terms.size() != 2 || cln::signum(terms[0].coefficient) == cln::signum(terms[1].coefficient))
+    if (!has(k_squares) || terms.size() != 2 || cln::signum(terms[0].coefficient) == cln::signum(terms[1].coefficient))
       return std::nullopt;
     const bool is_first = terms[0].coefficient > 0;
     const Term& above = terms[is_first ? 0 : 1];
@@ -94,7 +101,7 @@ class Rules {
 
   /// log(1 + x) by the number that 1 + x is rounded to: log(y)/(y - 1) changes little from there to 1 + x (W. Kahan).
   std::optional<Expr> of_logarithm(NodeId id) {
-    if (!is_call(graph_, id, Function::log)) return std::nullopt;
+    if (!has(k_logarithms) || !is_call(graph_, id, Function::log)) return std::nullopt;
     const NodeId argument = graph_[id].children[0];
     if (graph_[argument].kind != Kind::sum || graph_[argument].value != 1) return std::nullopt;
     const Expr x = Expr(graph_, argument) - one();
@@ -110,12 +117,16 @@ class Rules {
     const bool fits = a.size() == 2 && b.size() == 2 && graph_.is_one(a[1].node) && graph_.is_one(b[1].node) &&
                       a[0].node == b[0].node && is_call(graph_, a[0].node, Function::cos) && a[0].coefficient == -1 &&
                       a[1].coefficient == 1 && b[0].coefficient == 1 && b[1].coefficient == 1;
-    if (!fits) return std::nullopt;
+    if (!fits || !has(k_cosines)) return std::nullopt;
     return graph_.call(Function::sin, {graph_[a[0].node].children[0]});
   }
 
  private:
   Expr one() { return {graph_, graph_.constant(1)}; }
+
+  bool has(const char* rule) const {
+    return std::find(as_written_.begin(), as_written_.end(), rule) == as_written_.end();
+  }
 
   bool may_be_near_another(NodeId factor) const {
     const Node& node = graph_[factor];
@@ -132,7 +143,7 @@ class Rules {
       if (const auto found = with_one(factor, second.coefficient == first.coefficient)) return found;
     }
     if (const auto found = root_less(factor, rest, first, second)) return found;
-    return is_whole_sum ? of_angles(factor, rest, first, second) : std::nullopt;
+    return is_whole_sum && has(k_angles) ? of_angles(factor, rest, first, second) : std::nullopt;
   }
 
   /// f(x) - 1, or f(x) + 1.
@@ -141,26 +152,35 @@ class Rules {
     const Function function = graph_[f].function;
     const Expr x(graph_, graph_[f].children[0]);
     const Expr half = Rational(1) / 2 * x;
-    if (function == Function::cos) {
+    if (function == Function::cos && has(k_cosines)) {
       return adds ? 2 * pow(call(Function::cos, half), 2) : -2 * pow(call(Function::sin, half), 2);
     }
-    if (function == Function::cosh && !adds) return 2 * pow(call(Function::sinh, half), 2);
-    if (function == Function::exp && !adds) return exponential_less_one(x, half);
+    if (adds || !has(k_exponentials)) return std::nullopt;
+    if (function == Function::cosh) return hyperbolic_less_one(f, x, half);
+    if (function == Function::exp) return exponential_less_one(f, x);
     return std::nullopt;
   }
 
-  // With t = tanh(x/2): e^x - 1 = 2 t/(1 - t), and e^x 2 t/(1 + t) for positive x, where 1 - t would cancel.
-  Expr exponential_less_one(Expr x, Expr half) {
-    const Expr t = call(Function::tanh, half);
-    const Expr size = call(Function::abs, t);
-    const Expr growth{graph_, graph_.call(Function::max, {call(Function::exp, x).id(), one().id()})};
-    return 2 * t / (one() + size) * growth;
+  // A square doubles the error of its root; where cosh x is large, 1 takes nothing from it.
+  Expr hyperbolic_less_one(NodeId cosh, Expr x, Expr half) {
+    const Expr is_small = less(pow(x, 2), 4 * one());
+    return select(is_small, 2 * pow(call(Function::sinh, half), 2), Expr(graph_, cosh).kept_whole("") - one());
+  }
+
+  /// By the number y that e^x is rounded to: (y - 1)/log(y) changes little from e^x to y (W. Kahan). Beyond a factor of 2 by y - 1 itself, since
+  /// log(y) may have no value there.
+  Expr exponential_less_one(NodeId exp, Expr x) {
+    const Expr y = Expr(graph_, exp).kept_whole("");
+    const Expr step = y - one();
+    const Expr size = call(Function::abs, step);
+    const Expr near = select(at_most(size, 0 * one()), x, step * (x / call(Function::log, y)));
+    return select(less(size, one()), near, step);
   }
 
   /// √A - b with b² among the terms of A: (A - b²)/(√A + |b|) + (|b| - b), since the sign of b need not be known.
   std::optional<Expr> root_less(NodeId root, Expr rest, const Term& with_root, const Term& other) {
     const Node& node = graph_[root];
-    if (node.kind != Kind::power || node.value != Rational(1) / 2) return std::nullopt;
+    if (!has(k_roots) || node.kind != Kind::power || node.value != Rational(1) / 2) return std::nullopt;
     const Expr A(graph_, node.children[0]);
     const Expr b = -(other.coefficient / with_root.coefficient) * (Expr(graph_, other.node) / rest);
     if (graph_[A.id()].kind != Kind::sum || is_negative(b)) return std::nullopt;
@@ -210,12 +230,13 @@ class Rules {
   }
 
   Graph& graph_;
+  const std::vector<std::string>& as_written_;
 };
 
 class DigitKeeper {
  public:
-  DigitKeeper(Graph& graph, const Request& request)
-      : graph_(graph), order_(ir::post_order(graph, request.outputs)), rewrite_(graph), rules_(graph) {}
+  DigitKeeper(Graph& graph, const Request& request, const std::vector<std::string>& as_written)
+      : graph_(graph), order_(ir::post_order(graph, request.outputs)), rewrite_(graph), rules_(graph, as_written) {}
 
   Request run(const Request& request) {
     for (const NodeId id : order_) rewrite_.replace(id, kept(id));
@@ -281,6 +302,15 @@ class DigitKeeper {
 
 }  // namespace
 
-Request keep_digits(Graph& graph, const Request& request) { return DigitKeeper(graph, request).run(request); }
+Request keep_digits(Graph& graph, const Request& request) { return keep_digits_except(graph, request, {}); }
+
+Request keep_digits_except(Graph& graph, const Request& request, const std::vector<std::string>& as_written) {
+  return DigitKeeper(graph, request, as_written).run(request);
+}
+
+const std::vector<std::string>& digit_rules() {
+  static const std::vector<std::string> k_rules{k_cosines, k_exponentials, k_logarithms, k_roots, k_squares, k_angles};
+  return k_rules;
+}
 
 }  // namespace gaussgen::passes

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "passes/program.hpp"
 
 namespace gaussgen::passes {
@@ -9,5 +12,10 @@ namespace gaussgen::passes {
 ///
 /// Behind differentiation, so that derivatives are those of what was written, which have no such sums: the slope of 1 - cos x is sin x.
 Request keep_digits(Graph& graph, const Request& request);
+
+/// Without the rules that are named, of `digit_rules`.
+Request keep_digits_except(Graph& graph, const Request& request, const std::vector<std::string>& as_written);
+
+const std::vector<std::string>& digit_rules();
 
 }  // namespace gaussgen::passes

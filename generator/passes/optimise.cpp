@@ -131,24 +131,30 @@ Request apply_best_order(Graph& graph, const Request& request, std::vector<PassE
 namespace {
 
 /// Whatever operations it takes.
-Request apply_anyway(Graph& graph, const Request& request, const Pass& pass, std::vector<PassEffect>* effects) {
+template <class Run>
+Request apply_anyway(Graph& graph, const Request& request, const char* name, const Run& run,
+                     std::vector<PassEffect>* effects) {
   const auto begin = Clock::now();
-  Request next = pass.run(graph, request);
+  Request next = run(graph, request);
   if (effects == nullptr) return next;
   const int before = ir::operations(graph, request.outputs);
   const int after = next.outputs == request.outputs ? before : ir::operations(graph, next.outputs);
-  effects->push_back({pass.name, before, after, since(begin)});
+  effects->push_back({name, before, after, since(begin)});
   return next;
 }
 
 }  // namespace
 
-Request apply_cancellation(Graph& graph, const Request& request, std::vector<PassEffect>* effects) {
-  return apply_anyway(graph, request, {"cancellation", keep_digits}, effects);
+Request apply_cancellation(Graph& graph, const Request& request, std::vector<PassEffect>* effects,
+                           const std::vector<std::string>& as_written) {
+  const auto keep = [&as_written](Graph& of, const Request& values) {
+    return keep_digits_except(of, values, as_written);
+  };
+  return apply_anyway(graph, request, "cancellation", keep, effects);
 }
 
 Request apply_rotations(Graph& graph, const Request& request, std::vector<PassEffect>* effects) {
-  return apply_anyway(graph, request, {"rotations", rotate_angles}, effects);
+  return apply_anyway(graph, request, "rotations", rotate_angles, effects);
 }
 
 }  // namespace gaussgen::passes

@@ -36,7 +36,8 @@ Request apply(Graph& graph, const Request& request, const std::vector<Pass>& pas
 Request apply_best_order(Graph& graph, const Request& request, std::vector<PassEffect>* effects = nullptr);
 
 /// In front of all others, and whatever it takes: digits are worth more than operations.
-Request apply_cancellation(Graph& graph, const Request& request, std::vector<PassEffect>* effects = nullptr);
+Request apply_cancellation(Graph& graph, const Request& request, std::vector<PassEffect>* effects = nullptr,
+                           const std::vector<std::string>& as_written = {});
 
 /// Behind all others, and measured in instructions instead of operations: rotations in the place of calls.
 Request apply_rotations(Graph& graph, const Request& request, std::vector<PassEffect>* effects = nullptr);

@@ -4,7 +4,7 @@ import json
 import re
 import unittest
 
-from gauss_gen import MODELS, PARTICLE, SKATER, SKEW, SPHERE, Program, without_poles
+from gauss_gen import MODELS, PARTICLE, SKATER, SKEW, SOURCE, SPHERE, Program, without_poles
 
 STAGES = {"model": "  rolling_around: ", "kinematics": "body ball: dv/dt", "paper": "rolling_around",
           "strategy": "G_", "artefacts": "rhs", "header": "#ifndef"}
@@ -213,6 +213,15 @@ class WritingNothing(Program):
         result = self.run_it(SPHERE, "--timings", "--no-optimise", "-o", "-")
         self.assertNotIn("saved", result.stderr)
         self.assertIn("--no-optimise", result.stdout)
+
+    def test_what_stays_as_it_is_written_is_said_in_the_header(self):
+        sums = SOURCE / "tests/headers/digits/sums.yaml"
+        kept, written = (self.ok(sums, *more, "--outputs", "quantities", "-o", "-") for more in ([], ["--as-written", "cosines,roots"]))
+        self.assertIn("const S cosine = S(1) - cos_x", written)
+        self.assertNotIn("const S cosine = S(1) - cos_x", kept)
+        self.assertIn("--as-written=cosines,roots", written)
+        self.assertNotIn("--as-written", kept)
+        self.assertEqual(self.run_it(sums, "--as-written", "cosine", "-o", "-").returncode, 2)
 
     def facts(self, *arguments):
         result = self.run_it(*arguments, "--timings", "--diagnostics", "json", "-o", "-")

@@ -6,7 +6,7 @@ import unittest
 from gauss_gen import SKEW, SOURCE, Program
 
 OPTIONS = {"": ["--count", "--output", "--check", "--list-outputs", "--depfile", "--depfile-target", "--namespace", "--outputs", "--sensitivities", "--fold", "--route", "--strategy", "--parts", "--split",
-                "--no-optimise", "--max-nodes", "--max-seconds", "--dump", "--timings", "--diagnostics", "--color", "--man", "--help", "--version"],
+                "--no-optimise", "--as-written", "--max-nodes", "--max-seconds", "--dump", "--timings", "--diagnostics", "--color", "--man", "--help", "--version"],
            "evaluate": ["--count", "--set", "--equilibrium", "--accelerate", "--time", "--digits", "--format", "--max-seconds", "--diagnostics", "--color", "--help"],
            "linearize": ["--count", "--at", "--set", "--assemble", "--time", "--digits", "--format", "--max-seconds", "--diagnostics", "--color", "--help"],
            "derivation": ["--count", "--output", "--format", "--max-seconds", "--diagnostics", "--color", "--help"],

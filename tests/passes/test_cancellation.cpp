@@ -2,6 +2,10 @@
 
 #include "passes/cancellation.hpp"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "catch_shim.hpp"
 #include "ir/cost.hpp"
 #include "ir/print.hpp"
@@ -54,6 +58,26 @@ TEST_CASE("sums whose terms cancel in pairs get another form of the same value")
                          s.y * pow(L * L + x * x, half) - L * s.y, one - x * x, 4 * x * x - 9 * L * L,
                          s.cosine(x + L) - s.cosine(x), call(Function::sin, x + L) - call(Function::sin, x)}) {
     s.check_changes(sum);
+  }
+}
+
+TEST_CASE("each rule can be left out by its name, and no other one is then") {
+  Sum s;
+  const Rational half = Rational(1) / 2;
+  const Expr square = pow(s.L * s.L + s.x * s.x, half);
+  const std::vector<std::pair<const char*, Expr>> sums{{"cosines", s.one - s.cosine(s.x)},
+                                                       {"exponentials", call(Function::exp, s.x) - s.one},
+                                                       {"exponentials", call(Function::cosh, s.x) - s.one},
+                                                       {"logarithms", call(Function::log, s.one + s.x)},
+                                                       {"roots", square - s.L},
+                                                       {"squares", s.one - s.x * s.x},
+                                                       {"angles", s.cosine(s.x + s.L) - s.cosine(s.x)}};
+  for (const auto& [rule, sum] : sums) {
+    for (const std::string& other : gaussgen::passes::digit_rules()) {
+      INFO(rule << " without " << other);
+      const NodeId after = gaussgen::passes::keep_digits_except(s.graph, {{sum.id()}, {}, {}}, {other}).outputs[0];
+      CHECK((after == sum.id()) == (other == rule));
+    }
   }
 }
 

@@ -10,7 +10,7 @@ using gaussgen::model::Orientation;
 
 namespace {
 
-const Real k_unknown = std::numeric_limits<Real>::quiet_NaN();
+const Real k_unspecified = std::numeric_limits<Real>::quiet_NaN();
 
 /// Half the product of a quaternion with (0, ω), on the side where ω is resolved.
 std::array<Real, 4> rate(const std::array<Real, 4>& e, const Real* omega, bool in_space) {
@@ -68,7 +68,7 @@ Motion Course::motion(const std::vector<Real>& accelerations, std::size_t pushed
     const Coordinate& coordinate = model_.coordinates[free_[i]];
     values[coordinate.name.text] = {Real(state_.configuration[i]), rates_[i], accelerations[i]};
     if (coordinate.speed) {
-      values[model_.speeds[*coordinate.speed].name.text] = {Real(state_.speeds[i]), accelerations[i], k_unknown};
+      values[model_.speeds[*coordinate.speed].name.text] = {Real(state_.speeds[i]), accelerations[i], k_unspecified};
     }
   }
   for (std::size_t i = 0; i < model_.orientations.size(); ++i) bind_orientation(i, accelerations, values);
@@ -97,7 +97,7 @@ void Course::bind_orientation(std::size_t index, const std::vector<Real>& accele
     values[orientation.quaternion[i].text] = {e[i], e_dot[i], turning[i] + speeding[i]};
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    values[orientation.angular_velocity[i].text] = {omega[i], omega_dot[i], k_unknown};
+    values[orientation.angular_velocity[i].text] = {omega[i], omega_dot[i], k_unspecified};
   }
 }
 
