@@ -13,6 +13,7 @@ import tempfile
 
 FIRST_SEED = 20261124
 MODELS_A_UNIT = 10
+MOST_TRIED = 2  # times as many as are wanted
 
 CALL = """
 extern "C" int gauss_{name}(double t, double* state, double* accelerations, double* reactions, int* statuses) {{
@@ -72,11 +73,12 @@ def main() -> int:
     generator, checker, compiler = sys.argv[1:4]
     count = int(sys.argv[4]) if len(sys.argv) > 4 else 200
     seed = int(os.environ.get("GAUSS_SEED", FIRST_SEED))
-    print(f"random mechanisms: seeds {seed} to {seed + count - 1}", flush=True)
+    print(f"random mechanisms: {count} from seed {seed} on", flush=True)
     with tempfile.TemporaryDirectory() as name, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         folder = pathlib.Path(os.environ.get("GAUSS_KEEP", name))
         folder.mkdir(exist_ok=True)
-        subprocess.run([checker, "write", str(seed), str(count), str(folder)], check=True)
+        most = MOST_TRIED * count
+        subprocess.run([checker, "write", str(seed), str(most), str(folder)], check=True)
 
         def generate(number: int) -> pathlib.Path | None:
             model = folder / f"m{number}.yaml"
@@ -87,7 +89,12 @@ def main() -> int:
                 print(f"seed {number}:\n{done.stderr}")
             return model.with_suffix(".hpp") if done.returncode == 0 else None
 
-        headers = [header for header in pool.map(generate, range(seed, seed + count)) if header]
+        # Some are refused, as where nothing can move: the next ones take their places.
+        headers, tried = [], 0
+        while len(headers) < count and tried < most:
+            more = range(seed + tried, seed + min(tried + count - len(headers), most))
+            headers += [header for header in pool.map(generate, more) if header]
+            tried += len(more)
         units = []
         for i in range(0, len(headers), MODELS_A_UNIT):
             some = headers[i : i + MODELS_A_UNIT]
@@ -98,7 +105,7 @@ def main() -> int:
         objects = list(pool.map(lambda unit: compiled(unit, compiler), units))
         library = folder / "mechanisms.so"
         subprocess.run([compiler, "-shared", "-o", str(library), *map(str, objects)], check=True)
-        return subprocess.run([checker, "check", str(seed), str(count), str(library)], check=False).returncode
+        return subprocess.run([checker, "check", str(seed), str(tried), str(library)], check=False).returncode
 
 
 if __name__ == "__main__":
