@@ -477,6 +477,7 @@ struct SameTwice {
   double f[2] = {1, 2};
   double b[2][2] = {{1, 1}, {2, 2}};
   double reach[2][2] = {{1, 1}, {2, 2}};
+  double of_positions[2] = {0, 0};
   double drift[2] = {0.5, 1};
 };
 

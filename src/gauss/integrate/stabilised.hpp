@@ -110,6 +110,7 @@ class Stabilised {
   /// As emitted: see gauss::solve.
   struct Pull {
     Scalar g[n][n], f[n], b[l][n], reach[l][n], drift[l];
+    Scalar of_positions[l] = {};  ///< nobody asks: rule_of
   };
 
   static Rows all_rows() {
