@@ -76,14 +76,66 @@ Rows dependent_rows(Rows order, const RankOfRows& rank, Rows& independent) {
   return dependent;
 }
 
+/// Columns where inertias are 1, rows of unit length, as gauss/constrained.hpp measures angles; what has no inertia by its largest entry.
+Matrix in_metric(Matrix rows, const Vector& inertias) {
+  const cl_F zero = cln::cl_float(0, rows(0, 0));
+  for (std::size_t j = 0; j < rows.columns(); ++j) {
+    cl_F largest = zero;
+    for (std::size_t i = 0; i < rows.rows(); ++i) largest = cln::max(largest, cln::abs(rows(i, j)));
+    const cl_F scale = cln::plusp(inertias[j]) ? cl_F(cln::sqrt(inertias[j])) : largest;
+    for (std::size_t i = 0; i < rows.rows() && cln::plusp(scale); ++i) rows(i, j) = rows(i, j) / scale;
+  }
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    cl_F squares = zero;
+    for (std::size_t j = 0; j < rows.columns(); ++j) squares = squares + cln::square(rows(i, j));
+    for (std::size_t j = 0; j < rows.columns() && cln::plusp(squares); ++j)
+      rows(i, j) = rows(i, j) / cln::sqrt(squares);
+  }
+  return rows;
+}
+
+/// Rows of unit length of which what is across all before, the longest first, is longer than `part`: Gram and Schmidt, with more digits than can be lost.
+std::size_t rank_by_angles(Matrix rows, const cl_F& part) {
+  std::size_t rank = 0;
+  for (; rank < rows.rows(); ++rank) {
+    std::size_t longest = rank;
+    std::vector<cl_F> squares(rows.rows(), cln::cl_float(0, part));
+    for (std::size_t i = rank; i < rows.rows(); ++i) {
+      for (std::size_t j = 0; j < rows.columns(); ++j) squares[i] = squares[i] + cln::square(rows(i, j));
+      if (squares[i] > squares[longest]) longest = i;
+    }
+    if (squares[longest] <= cln::square(part)) break;
+    for (std::size_t j = 0; j < rows.columns(); ++j) std::swap(rows(rank, j), rows(longest, j));
+    for (std::size_t i = rank + 1; i < rows.rows(); ++i) {
+      cl_F along = cln::cl_float(0, part);
+      for (std::size_t j = 0; j < rows.columns(); ++j) along = along + rows(i, j) * rows(rank, j);
+      for (std::size_t j = 0; j < rows.columns(); ++j)
+        rows(i, j) = rows(i, j) - along / squares[longest] * rows(rank, j);
+    }
+  }
+  return rank;
+}
+
+std::optional<Vector> inertias_at(Mechanics& mechanics, ModelValues& values) {
+  Vector result;
+  for (const ir::Expr inertia : strategy::inertias(mechanics.dynamics)) {
+    const std::optional<cl_F> value = values(inertia.id());
+    if (!value) return std::nullopt;
+    result.push_back(*value);
+  }
+  return result;
+}
+
 /// Of rows wherever the mechanism may be: on its equations of positions, where it has some.
 RankOfRows rank_everywhere(Mechanics& mechanics, const ModelValues& values) {
   if (!mechanics.kinematics.has_positions()) {
-    const auto at_point = std::make_shared<const Matrix>(GenericPoint(mechanics)(mechanics.dynamics.b));
+    GenericPoint point(mechanics);
+    const Matrix inertias = point({strategy::inertias(mechanics.dynamics)});
+    Vector diagonal;
+    for (std::size_t j = 0; j < inertias.columns(); ++j) diagonal.push_back(inertias(0, j));
+    const auto at_point = std::make_shared<const Matrix>(in_metric(point(mechanics.dynamics.b), diagonal));
     const cl_F part = values.number(support::Rational(cln::rational(rank_tolerance(mechanics.model))));
-    return [at_point, part](const Rows& rows) {
-      return evaluate::rank(evaluate::equilibrated(selected(*at_point, rows)), part);
-    };
+    return [at_point, part](const Rows& rows) { return rank_by_angles(selected(*at_point, rows), part); };
   }
   return [&mechanics](const Rows& rows) {
     strategy::Matrix some;
@@ -199,8 +251,17 @@ std::vector<Dependence> dependences(Mechanics& mechanics, ModelValues& values) {
   };
   Rows independent;
   const Rows exactly = dependent_rows(order, rank_to(part_of_exact), independent);
+  const auto inertias = inertias_at(mechanics, values);
+  if (!inertias) return {};
+  const Matrix seen = in_metric(*here, *inertias);
   const cl_F tolerance = values.number(cln::rational(rank_tolerance(mechanics.model)));
-  const Rows dependent = dependent_rows(order, rank_to(cln::max(part_of_exact, tolerance)), independent);
+  const Rows dependent = dependent_rows(
+      order,
+      [&](const Rows& rows) {
+        return std::min(values.rank(selected(*here, rows), part_of_exact),
+                        rank_by_angles(selected(seen, rows), tolerance));
+      },
+      independent);
   std::vector<Dependence> result;
   for (const std::size_t row : dependent) {
     Combination found = combination(*here, independent, row);

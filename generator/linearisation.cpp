@@ -14,6 +14,8 @@ using evaluate::Arithmetic;
 
 namespace {
 
+const char* const k_no_motion = "the constraints leave no motion, so there is nothing to linearise";
+
 constexpr int k_digits = 45;
 
 /// Names and units of displacements, then of speeds.
@@ -67,12 +69,14 @@ class Lineariser {
     auto numbers = fine_.numbers();
     if (!numbers) return failed("at the initial state a value is undefined: " + fine_.trouble());
     IndependentChoice choice = choose(options_.preferences, *numbers);
+    if (choice.all.empty()) return failed(k_no_motion);
     if (options_.at == LinearisedAt::steady) {
       const std::string why = search(choice);
       if (!why.empty()) return failed(why);
       numbers = fine_.numbers();
       if (!numbers) return failed("at the steady motion a value is undefined: " + fine_.trouble());
       choice = choose(options_.preferences, *numbers);
+      if (choice.all.empty()) return failed(k_no_motion);
     }
     const auto motion = reduce(*numbers, choice);
     if (!motion) return failed("constraints do not determine what they ought to, to all digits that there are");

@@ -213,19 +213,23 @@ struct ScalarLogic {
     return !(sum == sum);
   }
 
-  /// The first condition that holds.
+  /// Of the conditions that hold, the one that leaves least: with dependent constraints alone the motion is known. What is divided by where inertia is
+  /// missing is not finite, and its cause is told.
   GAUSS_FUNCTION static Status status(Bool singular_mass_matrix, Bool dependent_constraints, Bool not_finite,
                                       Bool violated_constraints = false) {
     return singular_mass_matrix    ? Status::singular_mass_matrix
-           : dependent_constraints ? Status::dependent_constraints
            : not_finite            ? Status::not_finite
            : violated_constraints  ? Status::violated_constraints
+           : dependent_constraints ? Status::dependent_constraints
                                    : Status::ok;
   }
 
   /// What one computation has to say of both.
   GAUSS_FUNCTION static Status worse(Status a, Status b) {
-    return a == Status::ok ? b : b == Status::ok ? a : a < b ? a : b;
+    return status(a == Status::singular_mass_matrix || b == Status::singular_mass_matrix,
+                  a == Status::dependent_constraints || b == Status::dependent_constraints,
+                  a == Status::not_finite || b == Status::not_finite,
+                  a == Status::violated_constraints || b == Status::violated_constraints);
   }
 
   GAUSS_FUNCTION static S epsilon() { return std::numeric_limits<S>::epsilon(); }

@@ -31,7 +31,7 @@
 //
 // Operations per call
 //                                  + -  *   /  sqrt  functions
-//   prepare                        10   44  5  1     0
+//   prepare                        10   45  5  1     0
 //   linear_system                  4    20  0  0     4
 //   rhs_regular                    16   40  2  0     4
 //   rhs_of_solution                0    0   0  0     0
@@ -52,11 +52,11 @@
 //   mass_matrix                    0    1   0  0     1
 //   project_system                 5    10  0  0     4
 //   project_regular                25   38  1  0     4
-//   project_of_solution            5    0   0  0     0
+//   project_of_solution            14   29  0  0     4
 //   project                        25   38  1  0     4
 //   initial_state_system           5    11  2  0     4
 //   initial_state_regular          16   48  4  0     4
-//   initial_state_of_solution      1    2   2  0     3
+//   initial_state_of_solution      11   38  2  0     4
 //   initial_state                  16   48  4  0     4
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
@@ -235,19 +235,23 @@ struct ScalarLogic {
     return !(sum == sum);
   }
 
-  /// The first condition that holds.
+  /// Of the conditions that hold, the one that leaves least: with dependent constraints alone the motion is known. What is divided by where inertia is
+  /// missing is not finite, and its cause is told.
   GAUSS_FUNCTION static Status status(Bool singular_mass_matrix, Bool dependent_constraints, Bool not_finite,
                                       Bool violated_constraints = false) {
     return singular_mass_matrix    ? Status::singular_mass_matrix
-           : dependent_constraints ? Status::dependent_constraints
            : not_finite            ? Status::not_finite
            : violated_constraints  ? Status::violated_constraints
+           : dependent_constraints ? Status::dependent_constraints
                                    : Status::ok;
   }
 
   /// What one computation has to say of both.
   GAUSS_FUNCTION static Status worse(Status a, Status b) {
-    return a == Status::ok ? b : b == Status::ok ? a : a < b ? a : b;
+    return status(a == Status::singular_mass_matrix || b == Status::singular_mass_matrix,
+                  a == Status::dependent_constraints || b == Status::dependent_constraints,
+                  a == Status::not_finite || b == Status::not_finite,
+                  a == Status::violated_constraints || b == Status::violated_constraints);
   }
 
   GAUSS_FUNCTION static S epsilon() { return std::numeric_limits<S>::epsilon(); }
@@ -393,7 +397,7 @@ struct LinearSolution {
   S rank;            ///< of b, to the tolerance
   StatusOf<S>
       motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
-               ///< violated_constraints: they contradict each other
+      ///< violated_constraints: they contradict each other
   StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
@@ -401,10 +405,10 @@ struct LinearSolution {
 /// How it is decided which constraints say something of their own. Tolerances are sines of the angle to all others, where inertias are 1.
 template <class S>
 struct RankRule {
-  int usual;    ///< rank of b where nothing singles a state out; less is a status
-  S tolerance;  ///< below, a row follows from the others
-  S beyond;     ///< the same of rows beyond the usual rank
-  bool is_agreement_known;  ///< whether rows contradict each other is not asked, since positions tell it
+  int usual;                ///< rank of b where nothing singles a state out; less is a status
+  S tolerance;              ///< below, a row follows from the others
+  S beyond;                 ///< the same of rows beyond the usual rank
+  bool is_agreement_known;  ///< whether rows contradict each other is not asked
 };
 
 namespace detail {
@@ -456,6 +460,24 @@ GAUSS_FUNCTION S inner(const S (&a)[n], const S (&b)[n]) {
   S sum = a[0] * b[0];
   for (int i = 1; i < n; ++i) sum = sum + a[i] * b[i];
   return sum;
+}
+
+/// Of the entry that is largest beside what it may be: whatever units and inertias are.
+template <class S, int n>
+GAUSS_FUNCTION S part_of_reach(const S (&row)[n], const S (&reach)[n]) {
+  S part = S(0);
+  for (int i = 0; i < n; ++i) part = larger(part, absolute(row[i]) * reciprocal(reach[i], positive<S>(reach[i])));
+  return part;
+}
+
+/// The length by which a row is divided. One that nearly vanishes beside what it may be is nearly nothing: beside the equations of positions it has the
+/// direction of errors. But something light that it does not move here makes no row small, unless all of its entries are: `part`.
+template <class S>
+GAUSS_FUNCTION S usual_size(const S& size, const S& reach, const S& part) {
+  const S least = Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
+  const S share = Math<S>::select(Math<S>::less(part, least), part, least);
+  const S limit = size * reciprocal(share, positive<S>(share));
+  return larger(size, Math<S>::select(Math<S>::less(reach, limit), reach, limit));
 }
 
 /// L D L^T of a symmetric matrix of which some rows and columns count as those of the unit matrix.
@@ -514,6 +536,7 @@ class Constrained {
     factorise_rows(rule);
     reduce_metric();
     find_shared();
+    find_asked(system);
   }
 
   GAUSS_FUNCTION void solve(LinearSolution<S, n, l>& solution) const {
@@ -569,22 +592,6 @@ class Constrained {
 
   GAUSS_FUNCTION static S without_rounding(const S& entry, const S& reach) {
     return Math<S>::select(Math<S>::less(absolute(entry), S(8) * Math<S>::epsilon() * reach), S(0), entry);
-  }
-
-  /// Of the entry that is largest beside what it may be: whatever units and inertias are.
-  GAUSS_FUNCTION static S part_of_reach(const S (&row)[n], const S (&reach)[n]) {
-    S part = S(0);
-    for (int i = 0; i < n; ++i) part = larger(part, absolute(row[i]) * reciprocal(reach[i], positive<S>(reach[i])));
-    return part;
-  }
-
-  /// A row that nearly vanishes beside what it may be is nearly nothing: beside the equations of positions it has the direction of errors. But
-  /// something light that it does not move here makes no row small, unless all of its entries are: `part`.
-  GAUSS_FUNCTION static S usual_size(const S& size, const S& reach, const S& part) {
-    const S least = Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
-    const S share = Math<S>::select(Math<S>::less(part, least), part, least);
-    const S limit = size * reciprocal(share, positive<S>(share));
-    return larger(size, Math<S>::select(Math<S>::less(reach, limit), reach, limit));
   }
 
   GAUSS_FUNCTION S length(const S (&row)[n]) const {
@@ -732,6 +739,34 @@ class Constrained {
     shares_.factorise(gram, counts, S(0));
   }
 
+  /// Rows of which it is asked whether they contradict others: those that follow from constraints of velocities alone. Beside the equations of positions, as in
+  /// the stages of a step, derivatives of these need not agree, and positions tell.
+  template <class System>
+  GAUSS_FUNCTION void find_asked(const System& system) {
+    S of_positions[l];
+    for (int mu = 0; mu < l; ++mu) of_positions[mu] = system.of_positions[mu];
+    arrange(of_positions);
+    const S least = Math<S>::sqrt(Math<S>::epsilon());
+    for (int j = 0; j < l; ++j) {
+      asked_[j] = S(1) - row_part(j);
+      for (int k = 0; k < l; ++k) {
+        const S takes_part = positive<S>(absolute(null_[j][k]) - least);
+        asked_[j] = asked_[j] * (S(1) - takes_part * of_positions[k]);
+      }
+      for (int i = 0; i < n; ++i) is_asked_[j][i] = moved_by_row(j, i, least);
+    }
+  }
+
+  /// 1: speed i is in row j, or in one that it follows from.
+  GAUSS_FUNCTION S moved_by_row(int j, int i, const S& least) const {
+    S shares[l];
+    for (int k = 0; k < l; ++k) shares[k] = positive<S>(absolute(null_[j][k]) - least);
+    arrange_back(shares);
+    S is_moved = S(0);
+    for (int mu = 0; mu < l; ++mu) is_moved = larger(is_moved, shares[mu] * positive<S>(absolute(b_[mu][i]) - least));
+    return is_moved;
+  }
+
   GAUSS_FUNCTION S row_part(int k) const { return k < most ? is_row_[k < n ? k : 0] : S(0); }
 
   GAUSS_FUNCTION void residual(const S (&a)[n], const S (&lambda)[l], S (&of_f)[n], S (&of_c)[l]) const {
@@ -768,10 +803,7 @@ class Constrained {
   /// R^T y = c
   GAUSS_FUNCTION S along_rows(const S (&c)[l], S (&y)[n]) const {
     for (int i = 0; i < n; ++i) y[i] = S(0);
-    S contradiction = S(0), noise = S(0);
-    for (int k = 0; k < l; ++k) noise = larger(noise, absolute(c[k]));
-    for (int i = 0; i < n; ++i) noise = larger(noise, absolute(f_[i]));
-    noise = noise * Math<S>::sqrt(Math<S>::epsilon());
+    S contradiction = S(0);
     for (int k = 0; k < l; ++k) {
       S rest = c[k], size = absolute(c[k]);
       for (int j = 0; j < (k < most ? k : most); ++j) {
@@ -780,10 +812,18 @@ class Constrained {
         size = size + absolute(term);
       }
       if (k < most) y[k] = rest * inverse_[k];
-      const S is_left = (S(1) - row_part(k)) * positive<S>(absolute(rest) - noise);
+      const S is_left = asked_[k] * positive<S>(absolute(rest) - rounding_of_demands(c, k));
       contradiction = larger(contradiction, is_left * absolute(rest) * reciprocal(size, is_left));
     }
     return contradiction;
+  }
+
+  /// Of what row k and those that it follows from ask for, and of what forces make of the speeds that they move.
+  GAUSS_FUNCTION S rounding_of_demands(const S (&c)[l], int k) const {
+    S largest = S(0);
+    for (int m = 0; m < l; ++m) largest = larger(largest, absolute(null_[k][m] * c[m]));
+    for (int i = 0; i < n; ++i) largest = larger(largest, is_asked_[k][i] * absolute(f_[i]));
+    return S(10000) * Math<S>::epsilon() * largest;
   }
 
   /// R lambda = (Q^T (g a - f)) along the rows, of least norm.
@@ -833,7 +873,6 @@ class Constrained {
     const Bool undetermined = Math<S>::less(free_.is_determined - has_lost_entries_ + is_unknown, S(1));
     const Bool lost = Math<S>::less(is_full_ + is_unknown, S(1));
     const Bool not_unique = Math<S>::less(rank_ + S(l) * is_unknown, S(l));
-    // Beside the equations of positions, as in the stages of a step, their derivatives need not agree.
     const S allowed = is_agreement_known_ ? S(2) : Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
     const Bool contradictory = Math<S>::less(allowed, contradiction);
     solution.motion = Math<S>::status(undetermined, lost, never, contradictory);
@@ -860,6 +899,8 @@ class Constrained {
   S parts_[n][n];  ///< Q^T g Q
   MaskedLdl<S, n> free_;
   S null_[l][l];
+  S asked_[l];        ///< 1: a row is left that has to agree with the others
+  S is_asked_[l][n];  ///< 1: a speed is in it, or in those
   MaskedLdl<S, l> shares_;
 };
 
@@ -921,7 +962,7 @@ GAUSS_FUNCTION RankRule<S> rank_of_velocities(int usual, const S& tolerance = de
 /// error. What other parameters make of them is more.
 template <class S>
 GAUSS_FUNCTION RankRule<S> rank_on_positions(int usual, const S& tolerance = default_rank_tolerance<S>()) {
-  return {usual, tolerance, detail::larger<S>(S(1) / S(20), tolerance), true};
+  return {usual, tolerance, detail::larger<S>(S(1) / S(20), tolerance), false};
 }
 
 /// Of steps of Newton's method: rounding of a residual, divided by this sine, is less than the sine. So a step stays on its side of a
@@ -932,7 +973,7 @@ GAUSS_FUNCTION RankRule<S> rank_of_steps(int usual, const S& tolerance = S(0)) {
 }
 
 /// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, reach[l][n], not less than
-/// its entries in any configuration, and drift[l].
+/// its entries in any configuration, drift[l], and of_positions[l], 1 where a row is the derivative of an equation of positions and else 0.
 template <class System, class S, int n, int l>
 GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolution<S, n, l>& solution) noexcept {
   detail::Constrained<S, n, l>(system, rule).solve(solution);
@@ -1009,6 +1050,7 @@ struct Prepared {
   S r_2;                 ///< r^2
   S r_2_plus_rho_2;      ///< r^2 + (R - r)^2
   S c7;
+  S c8;                  ///< 64 * epsilon
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -1067,11 +1109,12 @@ struct Derivative {
 
 template <class S>
 struct LinearSystem {
-  S g[5][5];      ///< the metric of the free speeds (1.10)
-  S f[5];         ///< forces, less what inertia takes at constant speeds
-  S b[2][5];      ///< dphi/du of each constraint
-  S reach[2][5];  ///< not less than dphi/du in any configuration
-  S drift[2];     ///< dphi/dt of each at constant speeds; of a step, what is left of it
+  S g[5][5];          ///< the metric of the free speeds (1.10)
+  S f[5];             ///< forces, less what inertia takes at constant speeds
+  S b[2][5];          ///< dphi/du of each constraint
+  S reach[2][5];      ///< not less than dphi/du in any configuration
+  S of_positions[2];  ///< 1: the derivative of an equation of positions; else 0
+  S drift[2];         ///< dphi/dt of each at constant speeds; of a step, what is left of it
 };
 
 template <class S>
@@ -1235,6 +1278,7 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.r_2_plus_rho_2 = r_2 + rho_2;
   prepared.c7 = Math<S>::select(Math<S>::not_finite(S_rolling_around_3, t5 * t5 * t5, t6 * t6 * t6), S(0),
       S_rolling_around_3);
+  prepared.c8 = S(64) * Math<S>::epsilon();
   return prepared;
 }
 
@@ -1343,6 +1387,8 @@ GAUSS_FUNCTION StatusOf<S> linear_system(const S& t, const State<S>& state, cons
   linear_system.reach[1][2] = abs_r;
   linear_system.reach[1][3] = S(0);
   linear_system.reach[1][4] = abs_r;
+  linear_system.of_positions[0] = S(0);
+  linear_system.of_positions[1] = S(0);
   linear_system.drift[0] = -t2;
   linear_system.drift[1] = drift_rolling_along;
 
@@ -2531,6 +2577,8 @@ GAUSS_FUNCTION StatusOf<S> project_system(const S& t, const State<S>& state, con
   linear_system.reach[1][2] = abs_r;
   linear_system.reach[1][3] = S(0);
   linear_system.reach[1][4] = abs_r;
+  linear_system.of_positions[0] = S(0);
+  linear_system.of_positions[1] = S(0);
   linear_system.drift[0] = drift_0;
   linear_system.drift[1] = drift_1;
 
@@ -2628,11 +2676,15 @@ GAUSS_FUNCTION StatusOf<S> project_regular(const S& t, const State<S>& from, con
 
 /// Of project: from a solution of the linear system.
 template <class S>
-GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
-                                               const Prepared<S>& /*prepared*/,
+GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from, const Prepared<S>& prepared,
                                                const LinearSolution<S, n_v, n_constraints>& solved,
                                                State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
+  const S r = prepared.r;
+  const S rho_2 = prepared.rho_2;
+  const S r_minus_R = prepared.r_minus_R;
+  const S r_2 = prepared.r_2;
+  const S c8 = prepared.c8;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S phi = from.phi();
@@ -2651,12 +2703,27 @@ GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
   const S lambda_rolling_around = solved.multipliers[0];
   const S lambda_rolling_along = solved.multipliers[1];
 
+  // Sines and cosines
+  S sin_theta, cos_theta;
+  S sin_chi_minus_psi, cos_chi_minus_psi;
+  Angles<S>::sincos(theta, sin_theta, cos_theta, chi - psi, sin_chi_minus_psi, cos_chi_minus_psi);
+
   // Results
   const S chi_dot_new = chi_dot + chi_ddot;
   const S zeta_dot_new = zeta_dot + zeta_ddot;
   const S phi_dot_new = phi_dot + phi_ddot;
   const S psi_dot_new = psi_dot + psi_ddot;
   const S theta_dot_new = theta_dot + theta_ddot;
+  const S t1 = r_2 * phi_dot_new * phi_dot_new;
+  const S r_phi_dot_new = r * phi_dot_new;
+  const S t2 = r * psi_dot_new - r_minus_R * chi_dot_new + r_phi_dot_new * cos_theta;
+  const S t3 = zeta_dot_new + r * theta_dot_new * sin_chi_minus_psi
+      + r_phi_dot_new * sin_theta * cos_chi_minus_psi;
+  const Bool t4 = Math<S>::any(Math<S>::less(c8 * (rho_2 * chi_dot_new * chi_dot_new
+      + r_2 * psi_dot_new * psi_dot_new + cos_theta * cos_theta * t1), t2 * t2),
+      Math<S>::less(c8 * (zeta_dot_new * zeta_dot_new
+      + r_2 * theta_dot_new * theta_dot_new * sin_chi_minus_psi * sin_chi_minus_psi
+      + t1 * sin_theta * sin_theta * cos_chi_minus_psi * cos_chi_minus_psi), t3 * t3));
 
   state.chi() = chi;
   state.zeta() = zeta;
@@ -2671,7 +2738,7 @@ GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
 
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, lambda_rolling_around,
       lambda_rolling_along, chi_dot_new, zeta_dot_new, phi_dot_new, psi_dot_new, theta_dot_new);
-  return Math<S>::status(Bool(false), Bool(false), not_finite);
+  return Math<S>::status(Bool(false), Bool(false), not_finite, t4);
 }
 
 /// Of project: where constraints (nearly) follow from each other, or inertia is beyond all digits small. g a = f + b^T lambda
@@ -2783,6 +2850,8 @@ GAUSS_FUNCTION StatusOf<S> initial_state_system(const Prepared<S>& prepared,
   linear_system.reach[1][2] = S(0);
   linear_system.reach[1][3] = S(0);
   linear_system.reach[1][4] = abs_r_sin_psi_0;
+  linear_system.of_positions[0] = S(0);
+  linear_system.of_positions[1] = S(0);
   linear_system.drift[0] = drift_0;
   linear_system.drift[1] = drift_1;
 
@@ -2876,6 +2945,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state_of_solution(const Prepared<S>& prepared
                                                      State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
   const S r = prepared.r;
+  const S R = prepared.R;
   const S psi_0 = prepared.psi_0;
   const S theta_0 = prepared.theta_0;
   const S phi_0 = prepared.phi_0;
@@ -2890,12 +2960,25 @@ GAUSS_FUNCTION StatusOf<S> initial_state_of_solution(const Prepared<S>& prepared
   const S lambda_rolling_along = solved.multipliers[1];
 
   // Sines and cosines
-  const S sin_theta_0 = Math<S>::sin(theta_0);
+  S sin_theta_0, cos_theta_0;
   S sin_psi_0, cos_psi_0;
-  Math<S>::sincos(psi_0, sin_psi_0, cos_psi_0);
+  Angles<S>::sincos(theta_0, sin_theta_0, cos_theta_0, psi_0, sin_psi_0, cos_psi_0);
 
   // Results
-  const S phi_dot = -(zeta_dot_0 * cos_psi_0 / r - omega_r_0 * sin_psi_0) / sin_theta_0;
+  const S inv_sin_theta_0 = S(1) / sin_theta_0;
+  const S t1 = zeta_dot_0 * cos_psi_0 / r - omega_r_0 * sin_psi_0;
+  const S phi_dot = -inv_sin_theta_0 * t1;
+  const S rho = R - r;
+  const S r_2 = r * r;
+  const S t2 = t1 * t1;
+  const S t3 = S(4) * r - S(4) * R + r * inv_sin_theta_0 * cos_theta_0 * t1 - r * psi_ddot;
+  const S t4 = r * cos_psi_0 * t1 - zeta_dot_0 + r * theta_ddot * sin_psi_0;
+  const Bool t5 = Math<S>::any(Math<S>::less(S(64) * Math<S>::epsilon()
+      * (S(16) * rho * rho + r_2 * inv_sin_theta_0 * inv_sin_theta_0 * cos_theta_0 * cos_theta_0 * t2
+      + r_2 * psi_ddot * psi_ddot), t3 * t3),
+      Math<S>::less(S(64) * Math<S>::epsilon()
+      * (zeta_dot_0 * zeta_dot_0 + r_2 * cos_psi_0 * cos_psi_0 * t2
+      + r_2 * sin_psi_0 * sin_psi_0 * theta_ddot * theta_ddot), t4 * t4));
 
   state.chi() = S(0);
   state.zeta() = S(0);
@@ -2910,7 +2993,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state_of_solution(const Prepared<S>& prepared
 
   const Bool not_finite = Math<S>::not_finite(chi_ddot, zeta_ddot, phi_ddot, psi_ddot, theta_ddot,
       lambda_rolling_around, lambda_rolling_along, phi_0, psi_0, theta_0, zeta_dot_0, phi_dot);
-  return Math<S>::status(Bool(false), Bool(false), not_finite);
+  return Math<S>::status(Bool(false), Bool(false), not_finite, t5);
 }
 
 /// Of initial_state: where constraints (nearly) follow from each other, or inertia is beyond all digits small. g a = f + b^T lambda

@@ -25,7 +25,7 @@ struct LinearSolution {
   S rank;            ///< of b, to the tolerance
   StatusOf<S>
       motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
-               ///< violated_constraints: they contradict each other
+      ///< violated_constraints: they contradict each other
   StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
@@ -33,9 +33,9 @@ struct LinearSolution {
 /// How it is decided which constraints say something of their own. Tolerances are sines of the angle to all others, where inertias are 1.
 template <class S>
 struct RankRule {
-  int usual;    ///< rank of b where nothing singles a state out; less is a status
-  S tolerance;  ///< below, a row follows from the others
-  S beyond;     ///< the same of rows beyond the usual rank
+  int usual;                ///< rank of b where nothing singles a state out; less is a status
+  S tolerance;              ///< below, a row follows from the others
+  S beyond;                 ///< the same of rows beyond the usual rank
   bool is_agreement_known;  ///< whether rows contradict each other is not asked
 };
 
@@ -381,7 +381,18 @@ class Constrained {
         const S takes_part = positive<S>(absolute(null_[j][k]) - least);
         asked_[j] = asked_[j] * (S(1) - takes_part * of_positions[k]);
       }
+      for (int i = 0; i < n; ++i) is_asked_[j][i] = moved_by_row(j, i, least);
     }
+  }
+
+  /// 1: speed i is in row j, or in one that it follows from.
+  GAUSS_FUNCTION S moved_by_row(int j, int i, const S& least) const {
+    S shares[l];
+    for (int k = 0; k < l; ++k) shares[k] = positive<S>(absolute(null_[j][k]) - least);
+    arrange_back(shares);
+    S is_moved = S(0);
+    for (int mu = 0; mu < l; ++mu) is_moved = larger(is_moved, shares[mu] * positive<S>(absolute(b_[mu][i]) - least));
+    return is_moved;
   }
 
   GAUSS_FUNCTION S row_part(int k) const { return k < most ? is_row_[k < n ? k : 0] : S(0); }
@@ -420,10 +431,7 @@ class Constrained {
   /// R^T y = c
   GAUSS_FUNCTION S along_rows(const S (&c)[l], S (&y)[n]) const {
     for (int i = 0; i < n; ++i) y[i] = S(0);
-    S contradiction = S(0), noise = S(0);
-    for (int k = 0; k < l; ++k) noise = larger(noise, absolute(c[k]));
-    for (int i = 0; i < n; ++i) noise = larger(noise, absolute(f_[i]));
-    noise = noise * Math<S>::sqrt(Math<S>::epsilon());
+    S contradiction = S(0);
     for (int k = 0; k < l; ++k) {
       S rest = c[k], size = absolute(c[k]);
       for (int j = 0; j < (k < most ? k : most); ++j) {
@@ -432,10 +440,18 @@ class Constrained {
         size = size + absolute(term);
       }
       if (k < most) y[k] = rest * inverse_[k];
-      const S is_left = asked_[k] * positive<S>(absolute(rest) - noise);
+      const S is_left = asked_[k] * positive<S>(absolute(rest) - rounding_of_demands(c, k));
       contradiction = larger(contradiction, is_left * absolute(rest) * reciprocal(size, is_left));
     }
     return contradiction;
+  }
+
+  /// Of what row k and those that it follows from ask for, and of what forces make of the speeds that they move.
+  GAUSS_FUNCTION S rounding_of_demands(const S (&c)[l], int k) const {
+    S largest = S(0);
+    for (int m = 0; m < l; ++m) largest = larger(largest, absolute(null_[k][m] * c[m]));
+    for (int i = 0; i < n; ++i) largest = larger(largest, is_asked_[k][i] * absolute(f_[i]));
+    return S(10000) * Math<S>::epsilon() * largest;
   }
 
   /// R lambda = (Q^T (g a - f)) along the rows, of least norm.
@@ -511,7 +527,8 @@ class Constrained {
   S parts_[n][n];  ///< Q^T g Q
   MaskedLdl<S, n> free_;
   S null_[l][l];
-  S asked_[l];  ///< 1: a row is left that has to agree with the others
+  S asked_[l];        ///< 1: a row is left that has to agree with the others
+  S is_asked_[l][n];  ///< 1: a speed is in it, or in those
   MaskedLdl<S, l> shares_;
 };
 

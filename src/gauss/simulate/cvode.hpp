@@ -85,6 +85,7 @@ class CvodeSimulation {
 
   /// Each halves the step at least, as does a failure of the projection: enough to come down to rounding.
   static constexpr int k_most_failures = 60;
+  static constexpr int k_most_without_way = 20;
 
   void set_up() {
     problem_.simulation = this;
@@ -134,8 +135,18 @@ class CvodeSimulation {
       return false;
     }
     if (problem_.trouble() == Status::dependent_constraints) ++report_.with_fewer_constraints;
+    if (is_stuck(reached)) {
+      report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::step_too_small;
+      return false;
+    }
     t_ = reached;
     return true;
+  }
+
+  /// CVODE accepts steps below rounding of the time. A few are those of its start.
+  bool is_stuck(double reached) {
+    without_way_ = reached == t_ ? without_way_ + 1 : 0;
+    return without_way_ > k_most_without_way;
   }
 
   /// CVODE thinks about a higher order after some steps of equal length, but makes them longer before that. Where the estimate of the error refuses this each
@@ -201,6 +212,7 @@ class CvodeSimulation {
   Multistep method_;
   double t_;
   bool jumped_ = false;  ///< the last trial, by its projection
+  int without_way_ = 0;  ///< steps in a row that did not move the time
   long inaccurate_ = 0;  ///< trials that the estimate of the error refused
   std::array<double, Model::size> scale_{};
   Report<Status> report_;
