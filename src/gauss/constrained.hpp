@@ -25,7 +25,7 @@ struct LinearSolution {
   S rank;            ///< of b, to the tolerance
   StatusOf<S>
       motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
-      ///< violated_constraints: they contradict each other
+               ///< violated_constraints: they contradict each other
   StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
@@ -94,7 +94,8 @@ GAUSS_FUNCTION S inner(const S (&a)[n], const S (&b)[n]) {
 template <class S, int n>
 GAUSS_FUNCTION S part_of_reach(const S (&row)[n], const S (&reach)[n]) {
   S part = S(0);
-  for (int i = 0; i < n; ++i) part = larger(part, absolute(row[i]) * reciprocal(reach[i], positive<S>(reach[i])));
+  for (int i = 0; i < n; ++i)
+    part = larger<S>(part, absolute<S>(row[i]) * reciprocal<S>(reach[i], positive<S>(reach[i])));
   return part;
 }
 
@@ -104,7 +105,7 @@ template <class S>
 GAUSS_FUNCTION S usual_size(const S& size, const S& reach, const S& part) {
   const S least = Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
   const S share = Math<S>::select(Math<S>::less(part, least), part, least);
-  const S limit = size * reciprocal(share, positive<S>(share));
+  const S limit = size * reciprocal<S>(share, positive<S>(share));
   return larger(size, Math<S>::select(Math<S>::less(reach, limit), reach, limit));
 }
 
@@ -378,7 +379,7 @@ class Constrained {
     for (int j = 0; j < l; ++j) {
       asked_[j] = S(1) - row_part(j);
       for (int k = 0; k < l; ++k) {
-        const S takes_part = positive<S>(absolute(null_[j][k]) - least);
+        const S takes_part = positive<S>(absolute<S>(null_[j][k]) - least);
         asked_[j] = asked_[j] * (S(1) - takes_part * of_positions[k]);
       }
       for (int i = 0; i < n; ++i) is_asked_[j][i] = moved_by_row(j, i, least);
@@ -388,10 +389,11 @@ class Constrained {
   /// 1: speed i is in row j, or in one that it follows from.
   GAUSS_FUNCTION S moved_by_row(int j, int i, const S& least) const {
     S shares[l];
-    for (int k = 0; k < l; ++k) shares[k] = positive<S>(absolute(null_[j][k]) - least);
+    for (int k = 0; k < l; ++k) shares[k] = positive<S>(absolute<S>(null_[j][k]) - least);
     arrange_back(shares);
     S is_moved = S(0);
-    for (int mu = 0; mu < l; ++mu) is_moved = larger(is_moved, shares[mu] * positive<S>(absolute(b_[mu][i]) - least));
+    for (int mu = 0; mu < l; ++mu)
+      is_moved = larger<S>(is_moved, shares[mu] * positive<S>(absolute<S>(b_[mu][i]) - least));
     return is_moved;
   }
 
@@ -440,7 +442,7 @@ class Constrained {
         size = size + absolute(term);
       }
       if (k < most) y[k] = rest * inverse_[k];
-      const S is_left = asked_[k] * positive<S>(absolute(rest) - rounding_of_demands(c, k));
+      const S is_left = asked_[k] * positive<S>(absolute<S>(rest) - rounding_of_demands(c, k));
       contradiction = larger(contradiction, is_left * absolute(rest) * reciprocal(size, is_left));
     }
     return contradiction;
@@ -449,8 +451,8 @@ class Constrained {
   /// Of what row k and those that it follows from ask for, and of what forces make of the speeds that they move.
   GAUSS_FUNCTION S rounding_of_demands(const S (&c)[l], int k) const {
     S largest = S(0);
-    for (int m = 0; m < l; ++m) largest = larger(largest, absolute(null_[k][m] * c[m]));
-    for (int i = 0; i < n; ++i) largest = larger(largest, is_asked_[k][i] * absolute(f_[i]));
+    for (int m = 0; m < l; ++m) largest = larger<S>(largest, absolute<S>(null_[k][m] * c[m]));
+    for (int i = 0; i < n; ++i) largest = larger<S>(largest, is_asked_[k][i] * absolute<S>(f_[i]));
     return S(10000) * Math<S>::epsilon() * largest;
   }
 
