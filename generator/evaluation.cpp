@@ -394,7 +394,9 @@ class Report {
       doubt("singular_mass_matrix");
     }
     warn_of_dependence();
-    if (result_.doubts.empty()) warn_of_slow_search();
+    const bool is_beside =
+        std::any_of(dependences_.begin(), dependences_.end(), [](const Dependence& found) { return !found.is_exact; });
+    if (result_.doubts.empty() || is_beside) warn_of_slow_search();
     for (const Violation& violation : violations(mechanics_, value_of_)) {
       result_.warnings.push_back("the initial state violates constraint '" + violation.row->name + "' by " +
                                  evaluate::to_decimal(violation.residual, 3));

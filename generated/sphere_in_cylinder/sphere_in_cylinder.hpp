@@ -52,7 +52,7 @@
 //   mass_matrix                    0    1   0  0     1
 //   project_system                 5    10  0  0     4
 //   project_regular                25   38  1  0     4
-//   project_of_solution            14   29  0  0     4
+//   project_of_solution            14   21  0  0     4
 //   project                        25   38  1  0     4
 //   initial_state_system           5    11  2  0     4
 //   initial_state_regular          16   48  4  0     4
@@ -2721,11 +2721,6 @@ GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
   const S t2 = r * psi_dot_new - r_minus_R * chi_dot_new + r_phi_dot_new * cos_theta;
   const S t3 = zeta_dot_new + r * theta_dot_new * sin_chi_minus_psi
       + r_phi_dot_new * sin_theta * cos_chi_minus_psi;
-  const Bool t4 = Math<S>::any(Math<S>::less(c8 * (rho_2 * chi_dot_new * chi_dot_new
-      + r_2 * psi_dot_new * psi_dot_new + cos_theta * cos_theta * t1), t2 * t2),
-      Math<S>::less(c8 * (zeta_dot_new * zeta_dot_new
-      + r_2 * theta_dot_new * theta_dot_new * sin_chi_minus_psi * sin_chi_minus_psi
-      + t1 * sin_theta * sin_theta * cos_chi_minus_psi * cos_chi_minus_psi), t3 * t3));
 
   state.chi() = chi;
   state.zeta() = zeta;
@@ -2740,7 +2735,10 @@ GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
 
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, lambda_rolling_around,
       lambda_rolling_along, chi_dot_new, zeta_dot_new, phi_dot_new, psi_dot_new, theta_dot_new);
-  return Math<S>::status(Bool(false), Bool(false), not_finite, t4);
+  const Bool violated_constraints = Math<S>::any(Math<S>::less(c8 * (rho_2 * chi_dot_new * chi_dot_new + t1
+      + r_2 * psi_dot_new * psi_dot_new), t2 * t2),
+      Math<S>::less(c8 * (zeta_dot_new * zeta_dot_new + t1 + r_2 * theta_dot_new * theta_dot_new), t3 * t3));
+  return Math<S>::status(Bool(false), Bool(false), not_finite, violated_constraints);
 }
 
 /// Of project: where constraints (nearly) follow from each other, or inertia is beyond all digits small. g a = f + b^T lambda

@@ -1,9 +1,11 @@
 #include "strategy/state_search.hpp"
+#include "strategy/bounds.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 #include "ir/rounded.hpp"
+#include "strategy/bounds.hpp"
 #include "strategy/position_projection.hpp"
 #include "strategy/projection.hpp"
 #include "strategy/quaternions.hpp"
@@ -181,7 +183,7 @@ class Stages {
       ir::Substitution after = state_values(symbols_, time, reached->configuration, reached->speeds);
       const bool is_general = reached != &at;
       const std::vector<std::size_t> rows = is_general ? first(dynamics_.l()) : projection.to_be_checked(movable);
-      const Expr is_violated = violated(put_in(dynamics_, after, false), reached->speeds, rows, left_open(is_general));
+      const Expr is_violated = violated_at(put_in(dynamics_, after, false), reached->speeds, rows, is_general);
       reached->violated_constraints = any(graph_, {reached->violated_constraints, is_violated});
     }
     return open;
@@ -270,11 +272,13 @@ class Stages {
     if (last.open) last.open->state.violated_constraints = is_violated(last.open->state, start, true);
   }
 
-  /// Of φ², beside the squares of its terms. The general way leaves out rows nearer to others than 4 sqrt(eps) (rank_of_steps), or than the
-  /// model's tolerance, and its status says so.
-  Expr left_open(bool is_general) const {
-    if (!is_general) return epsilon_;
-    return ir::Rational(64) * epsilon_ + Expr(graph_, graph_.constant(4 * dynamics_.least_response));
+  /// The general way leaves out rows nearer to others than 4 sqrt(eps) (rank_of_steps), or than the model's tolerance, and such as nearly vanish
+  /// beside what they may be; its status says so.
+  Expr violated_at(const VelocityProblem& at, const Vector& speeds, const std::vector<std::size_t>& rows,
+                   bool is_general) const {
+    if (!is_general) return violated(at, at.b, speeds, rows, epsilon_);
+    const Expr tolerance(graph_, graph_.constant(4 * dynamics_.least_response));
+    return violated(at, bounds_of(at.b), speeds, rows, ir::Rational(64) * epsilon_ + tolerance);
   }
 
   /// Rows that contradict each other are left open by the general way, also linear ones, and all are looked at then.
@@ -285,7 +289,7 @@ class Stages {
                    : VelocityProjection(dynamics_, given_.open, epsilon_).to_be_checked(movable_);
     std::vector<Expr> conditions;
     if (!rows.empty())
-      conditions.push_back(violated(put_in(dynamics_, after, false), reached.speeds, rows, left_open(is_general)));
+      conditions.push_back(violated_at(put_in(dynamics_, after, false), reached.speeds, rows, is_general));
     if (positions_.has_rows()) conditions.push_back(positions_.violated(start));
     return any(graph_, conditions);
   }

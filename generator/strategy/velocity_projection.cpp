@@ -91,11 +91,12 @@ Expr VelocityProjection::lost(const VelocityProblem& at, const std::vector<std::
 }
 
 // Squares, since a condition has no sign.
-Expr violated(const VelocityProblem& at, const Vector& speeds, const std::vector<std::size_t>& rows, Expr part) {
+Expr violated(const VelocityProblem& at, const Matrix& sizes, const Vector& speeds,
+              const std::vector<std::size_t>& rows, Expr part) {
   std::vector<Expr> conditions;
   for (const std::size_t mu : rows) {
     Expr scale(part.graph(), part.graph().constant(0));
-    for (std::size_t j = 0; j < speeds.size(); ++j) scale += pow(at.b[mu][j] * speeds[j], 2);
+    for (std::size_t j = 0; j < speeds.size(); ++j) scale += pow(sizes[mu][j] * speeds[j], 2);
     conditions.push_back(less(part * scale, pow(at.phi[mu], 2)));
   }
   return any(part.graph(), conditions);

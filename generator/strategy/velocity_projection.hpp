@@ -43,8 +43,9 @@ class VelocityProjection {
   ir::Expr dependent_;
 };
 
-/// Boolean: φ is not zero beside the terms of its linear part, with half of the digits: where Newton's method has converged nothing is
+/// Boolean: φ is not zero beside the terms of its linear part, which are of these sizes for speeds of 1: where Newton's method has converged nothing is
 /// left but rounding, and where it has not, φ is large. `part` of the squares of these terms may be left of φ².
-ir::Expr violated(const VelocityProblem& at, const Vector& speeds, const std::vector<std::size_t>& rows, ir::Expr part);
+ir::Expr violated(const VelocityProblem& at, const Matrix& sizes, const Vector& speeds,
+                  const std::vector<std::size_t>& rows, ir::Expr part);
 
 }  // namespace gaussgen::strategy

@@ -68,15 +68,20 @@ void has_exact_conditions() {
   CHECK(M::any(false, false, true));
   CHECK_FALSE(M::any(false, false, false));
   CHECK(M::status(true, true, true, true) == Status::singular_mass_matrix);
-  CHECK(M::status(false, true, true, true) == Status::dependent_constraints);
-  CHECK(M::status(false, false, true, true) == Status::not_finite);
-  CHECK(M::status(false, false, false, true) == Status::violated_constraints);
+  CHECK(M::status(false, true, true, true) == Status::not_finite);
+  CHECK(M::status(false, true, false, true) == Status::violated_constraints);
+  CHECK(M::status(false, true, false, false) == Status::dependent_constraints);
+  CHECK(M::worse(Status::dependent_constraints, Status::not_finite) == Status::not_finite);
+  CHECK(M::worse(Status::violated_constraints, Status::dependent_constraints) == Status::violated_constraints);
+  CHECK(M::worse(Status::ok, Status::dependent_constraints) == Status::dependent_constraints);
   CHECK(M::status(false, false, false) == Status::ok);
 }
 
 }  // namespace
 
-TEST_CASE("less is strict and at_most is not, any needs one, the first status that holds is stated, epsilon is that of the type") {
+TEST_CASE(
+    "less is strict and at_most is not, any needs one, the status that leaves least is stated, epsilon is that of the "
+    "type") {
   has_exact_conditions<float>();
   has_exact_conditions<double>();
   has_exact_conditions<long double>();
@@ -105,7 +110,8 @@ TEST_CASE("a vanishing mass is reported as a singular mass matrix") {
   model::Parameters<double> parameters;
   parameters.m2 = 0;
   model::Derivative<double> derivative{};
-  CHECK(model::rhs(0.0, {{1, 2, 3, 4}}, {}, model::prepare(parameters), derivative) == gauss::Status::singular_mass_matrix);
+  CHECK(model::rhs(0.0, {{1, 2, 3, 4}}, {}, model::prepare(parameters), derivative) ==
+        gauss::Status::singular_mass_matrix);
   CHECK(std::strcmp(name(gauss::Status::singular_mass_matrix), "singular mass matrix") == 0);
 }
 
