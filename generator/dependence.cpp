@@ -246,21 +246,16 @@ std::vector<Dependence> dependences(Mechanics& mechanics, ModelValues& values) {
   if (!here) return {};
   const Rows order = in_order(mechanics);
   const cl_F part_of_exact = part_of_rank(mechanics, values);
-  const auto rank_to = [&](const cl_F& part) {
-    return [&here, &values, part](const Rows& rows) { return values.rank(selected(*here, rows), part); };
-  };
+  const auto exact_rank = [&](const Rows& rows) { return values.rank(selected(*here, rows), part_of_exact); };
   Rows independent;
-  const Rows exactly = dependent_rows(order, rank_to(part_of_exact), independent);
+  const Rows exactly = dependent_rows(order, exact_rank, independent);
   const auto inertias = inertias_at(mechanics, values);
   if (!inertias) return {};
   const Matrix seen = in_metric(*here, *inertias);
   const cl_F tolerance = values.number(cln::rational(rank_tolerance(mechanics.model)));
   const Rows dependent = dependent_rows(
       order,
-      [&](const Rows& rows) {
-        return std::min(values.rank(selected(*here, rows), part_of_exact),
-                        rank_by_angles(selected(seen, rows), tolerance));
-      },
+      [&](const Rows& rows) { return std::min(exact_rank(rows), rank_by_angles(selected(seen, rows), tolerance)); },
       independent);
   std::vector<Dependence> result;
   for (const std::size_t row : dependent) {

@@ -1,5 +1,4 @@
 #include "strategy/state_search.hpp"
-#include "strategy/bounds.hpp"
 
 #include <algorithm>
 #include <numeric>
