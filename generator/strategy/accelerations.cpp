@@ -152,7 +152,7 @@ Solution solve_unconstrained(const Dynamics& dynamics, Expr epsilon, Steps& step
   steps.begin("accelerations from dZ/da = 0 (1.15)");
   return {ldl.solve(dynamics.f, acceleration_name(dynamics), steps),
           {},
-          ldl.breakdown(),
+          ldl.singular(),
           never,
           "unrolled L D L^T of the metric; no nonholonomic constraints",
           ldl.vanishing(),
@@ -174,7 +174,7 @@ Solution solve_by_elimination(const Dynamics& dynamics, const Elimination& elimi
     const Vector F = reduced_force(dynamics, embed, labels, steps);
     steps.begin("C^T g C = L D L^T");
     const Ldl ldl(M, labels, dynamics.names.prefix + "M", epsilon, steps);
-    breakdown = ldl.breakdown();
+    breakdown = ldl.singular();
     undetermined = ldl.vanishing();
     steps.begin("independent accelerations (3.7)");
     const Vector a_p = ldl.solve(F, acceleration_name(dynamics), steps);

@@ -30,6 +30,16 @@ bool is_selected(Expr reciprocal) {
 
 }  // namespace
 
+Expr trusted_part(int pivots, Expr epsilon) {
+  // By roots, since not every number type has other powers.
+  const Expr root = pow(epsilon, ir::Rational(1) / 2).kept_whole("root_epsilon");
+  const Expr quarter = root * pow(root, ir::Rational(1) / 2);
+  const Expr rounding = support::Rational(k_lost_to_rounding * pivots) * epsilon;
+  return select(less(rounding, quarter), quarter, rounding);
+}
+
+Expr kept_by_rows(Expr epsilon) { return pow(epsilon, ir::Rational(1) / 2); }
+
 Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, Expr epsilon,
          Steps& steps, Dependent dependent, Rounding rounding)
     : graph_(epsilon.graph()),
@@ -127,9 +137,9 @@ Vector Ldl::solve(const Vector& right_hand_side, const std::string& name, Steps&
 }
 
 // Rounding alone perturbs a pivot by about n eps of its diagonal entry (Higham, Accuracy and Stability, 10.1).
-Expr Ldl::tolerance(std::size_t pivot, int lost) const {
+Expr Ldl::tolerance(std::size_t pivot) const {
   if (is_original_[pivot] != 0) return {graph_, graph_.constant(0)};
-  return support::Rational(lost * static_cast<int>(d_.size())) * epsilon_ * sizes_[pivot];
+  return support::Rational(k_lost_to_rounding * count()) * epsilon_ * sizes_[pivot];
 }
 
 Expr Ldl::reciprocal(std::size_t pivot) const {
@@ -142,14 +152,16 @@ Expr Ldl::reciprocal(std::size_t pivot) const {
   return select(at_most(d_[pivot], tolerance(pivot)), zero, inverse);
 }
 
-Expr Ldl::breakdown(int lost, const ir::Rational& least) const {
+Expr Ldl::violated(Expr part) const {
+  const Expr zero(graph_, graph_.constant(0));
   Margins margins(graph_);
-  for (std::size_t i = 0; i < d_.size(); ++i) {
-    const Expr beside = is_original_[i] != 0 ? Expr(graph_, graph_.constant(0)) : least * diagonal_[i];
-    margins.require(d_[i], tolerance(i, lost) + beside);
-  }
+  for (std::size_t i = 0; i < d_.size(); ++i) margins.require(d_[i], is_original_[i] != 0 ? zero : part * sizes_[i]);
   return margins.violated("least_" + prefix_ + "_pivot");
 }
+
+Expr Ldl::singular() const { return violated(trusted_part(count(), epsilon_)); }
+
+Expr Ldl::dependent(const ir::Rational& least) const { return violated(kept_by_rows(epsilon_) + Expr(graph_, graph_.constant(least))); }
 
 std::vector<std::string> Ldl::vanishing() const {
   std::vector<std::string> rows;

@@ -15,9 +15,13 @@ using Matrix = std::vector<Vector>;  ///< rows
 /// How many times its rounding error a pivot has to exceed, or nothing is left of it.
 inline constexpr int k_lost_to_rounding = 4;
 
-/// How many times its rounding error the response of a constraint has to exceed for a solution to be taken that is corrected once. Beyond, the error
-/// that is left, (kappa^2 eps)^2 for the condition kappa of the rows, is more than 100 kappa eps.
-inline constexpr int k_lost_in_rows = 10000;
+/// What a pivot of inertia has to keep of the sum that it is the rest of, after this many pivots: a quarter of the digits of what is divided by it are
+/// left then, some 1e-4 in double, or anything at all after very many. A larger multiple of epsilon would ask for digits that float does not have.
+ir::Expr trusted_part(int pivots, ir::Expr epsilon);
+
+/// What the response of a constraint has to keep of its diagonal entry for a solution to be taken that is corrected once: the error that is left is the square of
+/// rounding divided by this part, and that is rounding again.
+ir::Expr kept_by_rows(ir::Expr epsilon);
 
 /// What to do with a pivot that has lost all its digits.
 enum class Dependent {
@@ -42,10 +46,12 @@ class Ldl {
   /// x with matrix x = right_hand_side; unknowns appear as <name>_<row>.
   Vector solve(const Vector& right_hand_side, const std::string& name, Steps& steps) const;
 
-  /// Boolean: some pivot is not positive or has lost all its digits against its diagonal entry, so the matrix is singular as
-  /// far as the scalar type can tell. Pivots that are diagonal entries themselves cannot cancel and are compared with 0.
-  /// `lost` is how many times its rounding error a pivot has to exceed, beside the part `least` of its diagonal entry.
-  ir::Expr breakdown(int lost = k_lost_to_rounding, const ir::Rational& least = 0) const;
+  /// Boolean: some pivot is not positive or too small beside its diagonal entry to divide by: `trusted_part`. Pivots that are diagonal entries themselves
+  /// cannot cancel and are compared with 0.
+  ir::Expr singular() const;
+
+  /// Boolean: the same of responses of constraints: `kept_by_rows`, and the part `least` of the diagonal entry.
+  ir::Expr dependent(const ir::Rational& least) const;
 
   /// Rows whose pivot vanishes identically: the matrix is singular in every configuration.
   std::vector<std::string> vanishing() const;
@@ -63,7 +69,9 @@ class Ldl {
   void eliminate(std::size_t pivot, Rest& rest, Steps& steps);
   void sort_columns();
 
-  ir::Expr tolerance(std::size_t pivot, int lost = k_lost_to_rounding) const;
+  ir::Expr tolerance(std::size_t pivot) const;
+  ir::Expr violated(ir::Expr part) const;
+  int count() const { return static_cast<int>(d_.size()); }
   ir::Expr reciprocal(std::size_t pivot) const;
 
   ir::Graph& graph_;

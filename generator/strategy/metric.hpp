@@ -44,7 +44,7 @@ class Metric {
   }
 
   /// Boolean: these coordinates do the same here, to all digits that there are.
-  ir::Expr is_singular() const { return ldl_.breakdown(); }
+  ir::Expr is_singular() const { return ldl_.singular(); }
 
  private:
   Matrix begin(const Dynamics& dynamics, Steps& steps) const {

@@ -111,22 +111,20 @@ class MultiplierForm {
   }
 
   // 1/S is the inertia of the lightest thing that a constraint moves. Correcting once leaves an error of eps² times the ratio
-  // of the heaviest to it: a part in a million here.
+  // of the heaviest to it: rounding again, up to here.
   Expr lost_inertia(Steps& steps) const {
     steps.begin("inertia that each constraint moves, against the lightest part of it, 1/S");
     std::vector<Expr> conditions;
     for (std::size_t mu = 0; mu < dynamics_.l(); ++mu) {
       const Expr squares = squares_of(dynamics_.b[mu]);
       const Expr inertia = steps.name(inertia_along(dynamics_, mu, squares), name("inertia", mu));
-      const Expr ratio = pow(epsilon_, 2) * inertia * schur_diagonal_[mu];
-      conditions.push_back(less(squares, support::Rational(1'000'000) * ratio));
+      conditions.push_back(less(squares, epsilon_ * inertia * schur_diagonal_[mu]));
     }
     return any(epsilon_.graph(), conditions);
   }
 
-  Expr singular_metric() const { return metric_.breakdown(); }
+  Expr singular_metric() const { return metric_.singular(); }
 
-  // Correcting once squares the relative error of a solve, eps times the digits that a pivot loses: here a part in a million.
   // Where cubes of S or of b b leave the range of numbers, products of a factorisation do, too.
   Expr dependent_rows() const {
     ir::Graph& graph = epsilon_.graph();
@@ -136,7 +134,7 @@ class MultiplierForm {
       margins.require(pow(squares_of(dynamics_.b[mu]).kept_whole(name("squares", mu)), 3), zero);
       margins.require(pow(schur_diagonal_[mu].kept_whole(name("S", mu)), 3), zero);
     }
-    return any(graph, {schur_->breakdown(k_lost_in_rows, dynamics_.least_response),
+    return any(graph, {schur_->dependent(dynamics_.least_response),
                        margins.violated("least_" + dynamics_.names.prefix + "cube")});
   }
 

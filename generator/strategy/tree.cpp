@@ -76,7 +76,7 @@ class Tree : private TreeZ {
     }
     schur_.emplace(S, labels, problem_.prefix + "S", epsilon_, steps_, Dependent::drop);
     if (!schur_->vanishing().empty()) return false;
-    dependent_ = schur_->breakdown(k_lost_in_rows, problem_.least_response);
+    dependent_ = schur_->dependent(problem_.least_response);
     return true;
   }
 
@@ -124,8 +124,7 @@ class Tree : private TreeZ {
       const Response& response = responses_.at(dual(r));
       const Expr inertia =
           steps_.name(response.inertia / response.squares, problem_.prefix + "inertia_" + rows_.rows[r].name);
-      const Expr ratio = pow(epsilon_, 2) * inertia * response.compliance;
-      conditions.push_back(less(response.squares, Rational(1'000'000) * ratio));
+      conditions.push_back(less(response.squares, epsilon_ * inertia * response.compliance));
     }
     return any(graph_, conditions);
   }

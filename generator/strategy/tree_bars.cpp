@@ -68,7 +68,7 @@ Eliminated TreeZ::minimise_bar(std::size_t i, Component c, const Bar& bar) {
   const PostponedBlock block(bar, name_of(c, c), steps_);
   // The denominator has the sign of its unit.
   const Rational sign = block.is_negative() ? -1 : 1;
-  margins_.push_back({sign * block.denominator(), sign * block.unit() * rounding(c)});
+  margins_.push_back({sign * block.denominator(), sign * block.unit() * trusted(c)});
   is_clean_ = false;
   Eliminated result = Z_.minimise(c, block.inverse(), steps_);
   if (block.is_led_by_end()) result.lever = lever_of(i, bar, block);

@@ -407,7 +407,7 @@ Eliminated TreeZ::minimise(std::size_t i, Component c) {
   ++pivots_;
   if (const std::optional<Bar> bar = bar_at(i, c)) return minimise_bar(i, c, *bar);
   const Eliminated result = Z_.minimise(c, steps_);
-  margins_.push_back({result.pivot, is_clean_ ? rounding_of_sum(result.pivot) : rounding(c)});
+  margins_.push_back({result.pivot, is_clean_ ? rounding_of_sum(result.pivot) : trusted(c)});
   is_clean_ = false;
   return result;
 }
@@ -427,14 +427,14 @@ Expr TreeZ::rounding_of_sum(Expr pivot) const {
 }
 
 // Of the sum of all that a pivot is the rest of.
-Expr TreeZ::rounding(Component c) const {
+Expr TreeZ::trusted(Component c) const {
   Expr sum = zero_;
   if (is_of_link(c)) {
     sum = largest(c);
   } else {
     for (const std::size_t link : own_.uses[c - shared(0)]) sum += bound_along(link, c - shared(0));
   }
-  return ir::Rational(4 * static_cast<int>(pivots_)) * epsilon_ * sum;
+  return trusted_part(static_cast<int>(pivots_), epsilon_) * sum;
 }
 
 Expr TreeZ::bound_along(std::size_t i, std::size_t speed) const {

@@ -101,7 +101,7 @@ class TreeZ {
   std::vector<Component> free_to_float(const FloatingBase& floating);
   bool has_no_inertia(const Eliminated& e) const;
   Eliminated minimise(std::size_t i, Component c);
-  ir::Expr rounding(Component c) const;
+  ir::Expr trusted(Component c) const;
   ir::Expr rounding_of_sum(ir::Expr pivot) const;
   void pass_bounds(std::size_t i);
   ir::Expr bound_along(std::size_t i, std::size_t speed) const;

@@ -84,8 +84,8 @@ TEST_CASE("forces that coordinates determine elsewhere are not stated where they
     return std::pair(reaction_forces(0.0, state, {}, prepared, forces),
                      gimbals::compulsion(0.0, state, {}, prepared, derivative, compulsion));
   };
-  for (const double tilt : {0.3, 1e-6}) CHECK(statuses(tilt) == std::pair(Status::ok, Status::ok));
-  for (const double tilt : {1e-9, 1e-17, 0.0}) {
+  for (const double tilt : {0.3, 1e-5}) CHECK(statuses(tilt) == std::pair(Status::ok, Status::ok));
+  for (const double tilt : {1e-7, 1e-9, 1e-17, 0.0}) {
     CHECK(statuses(tilt) == std::pair(Status::singular_mass_matrix, Status::singular_mass_matrix));
   }
 }
