@@ -60,10 +60,19 @@ std::vector<emit::Artefact> joint_reactions_artefact(Mechanics& mechanics);
 
 /// Constraints that may lose their rank somewhere, in a model that is small enough.
 bool has_general_way(Mechanics& mechanics);
+/// metric a = f + bᵀ λ, b a + drift = 0. `left` of each equation of positions in this state, and the square of what it is made of (`size`); zeros of other
+/// constraints, and where nothing asks for them.
+struct LinearProblem {
+  strategy::Matrix metric;
+  strategy::Vector f;
+  strategy::Matrix b;
+  strategy::Vector drift;
+  strategy::Vector left, size;
+};
+
 /// Functions that fill the struct LinearSystem: of the accelerations, and of a given problem, which has as many speeds and rows.
 emit::Artefact linear_system_artefact(Mechanics& mechanics);
-emit::Artefact linear_system(const std::string& name, const strategy::Matrix& metric, const strategy::Vector& f,
-                             const strategy::Matrix& b, const strategy::Vector& drift, Mechanics& mechanics);
+emit::Artefact linear_system(const std::string& name, const LinearProblem& problem, Mechanics& mechanics);
 
 /// A function in its own way and from a given solution, both under other names then, and the one that calls them. Of `ways` the rest is given.
 std::vector<emit::Artefact> two_ways(emit::Artefact regular, emit::Artefact of_solution, emit::TwoWays ways);

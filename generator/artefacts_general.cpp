@@ -5,6 +5,7 @@
 #include "artefact_builder.hpp"
 #include "ir/traverse.hpp"
 #include "strategy/bounds.hpp"
+#include "strategy/position_size.hpp"
 #include "usual_rank.hpp"
 
 namespace gaussgen {
@@ -103,23 +104,40 @@ bool has_general_way(Mechanics& mechanics) {
   return may_lose_rank(mechanics.solution.dependent_constraints) || usual_rank(mechanics) < l;
 }
 
-Artefact linear_system(const std::string& name, const strategy::Matrix& metric, const Vector& f,
-                       const strategy::Matrix& b, const Vector& drift, Mechanics& mechanics) {
+namespace {
+
+void add_positions(Mechanics& mechanics, LinearProblem& problem) {
+  Vector start;
+  for (const auto& q : mechanics.symbols.configuration) start.push_back(mechanics.expressions.symbol(q.symbol));
+  const strategy::PositionSize size(mechanics.dynamics, start);
+  for (const kinematics::ConstraintIndex mu : mechanics.kinematics.constraints.indices()) {
+    const std::optional<Expr>& f = mechanics.kinematics.constraints[mu].f;
+    problem.left.push_back(f ? *f : mechanics.expressions.number(0));
+    problem.size.push_back(f ? size.of_row(mu.value) : mechanics.expressions.number(0));
+  }
+}
+
+}  // namespace
+
+Artefact linear_system(const std::string& name, const LinearProblem& problem, Mechanics& mechanics) {
   ArtefactBuilder builder(name, "What Gauss's principle leaves to be solved: g a = f + b^T lambda, b a + drift = 0.",
                           mechanics);
   builder.with_any_quaternion();
   builder.result_type("LinearSystem");
-  const int n = static_cast<int>(f.size()), l = static_cast<int>(drift.size());
+  const int n = static_cast<int>(problem.f.size()), l = static_cast<int>(problem.drift.size());
   std::vector<NodeId> of_positions;
   for (const kinematics::ConstraintRow& row : mechanics.kinematics.constraints)
     of_positions.push_back(mechanics.graph.constant(row.f ? 1 : 0));
-  builder.fields("", "", "",
-                 {{"g", "the metric of the free speeds (1.10)", {n, n}, ids(metric)},
-                  {"f", "forces, less what inertia takes at constant speeds", {n}, ids(f)},
-                  {"b", "dphi/du of each constraint", {l, n}, ids(b)},
-                  {"reach", "not less than dphi/du in any configuration", {l, n}, ids(strategy::bounds_of(b))},
-                  {"of_positions", "1: the derivative of an equation of positions; else 0", {l}, of_positions},
-                  {"drift", "dphi/dt of each at constant speeds; of a step, what is left of it", {l}, ids(drift)}});
+  builder.fields(
+      "", "", "",
+      {{"g", "the metric of the free speeds (1.10)", {n, n}, ids(problem.metric)},
+       {"f", "forces, less what inertia takes at constant speeds", {n}, ids(problem.f)},
+       {"b", "dphi/du of each constraint", {l, n}, ids(problem.b)},
+       {"reach", "not less than dphi/du in any configuration", {l, n}, ids(strategy::bounds_of(problem.b))},
+       {"of_positions", "1: the derivative of an equation of positions; else 0", {l}, of_positions},
+       {"left", "what is left of each equation of positions; 0 of others", {l}, ids(problem.left)},
+       {"size", "square of what it is made of, to first order", {l}, ids(problem.size)},
+       {"drift", "dphi/dt of each at constant speeds; of a step, what is left of it", {l}, ids(problem.drift)}});
   Artefact system = builder.finish({});
   system.is_part = true;
   return system;
@@ -127,7 +145,9 @@ Artefact linear_system(const std::string& name, const strategy::Matrix& metric, 
 
 Artefact linear_system_artefact(Mechanics& mechanics) {
   const strategy::Dynamics& dynamics = mechanics.dynamics;
-  return linear_system(k_system, dynamics.g, dynamics.f, dynamics.b, dynamics.b_drift, mechanics);
+  LinearProblem problem{dynamics.g, dynamics.f, dynamics.b, dynamics.b_drift, {}, {}};
+  add_positions(mechanics, problem);
+  return linear_system(k_system, problem, mechanics);
 }
 
 std::vector<Artefact> two_ways(Artefact regular, Artefact of_solution, emit::TwoWays ways) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "ir/differentiate.hpp"
 #include "ir/substitute.hpp"
 #include "strategy/least_change.hpp"
+#include "strategy/position_size.hpp"
 #include "strategy/quaternions.hpp"
 
 namespace gaussgen::strategy {
@@ -89,26 +89,6 @@ Vector PositionProjection::step(Steps& steps) {
   return configuration;
 }
 
-/// ∂f/∂q of a coordinate whose rate is no speed, times the size of q; squares.
-Expr PositionProjection::along_coordinate(std::size_t mu, std::size_t i, const Vector& start) const {
-  const kinematics::ConfigurationVariable& q = dynamics_.kinematics->symbols.configuration[ConfigurationIndex{i}];
-  const Expr gradient = ir::partial(*dynamics_.kinematics->constraints[ConstraintIndex{mu}].f, q.symbol);
-  if (gradient.is_zero()) return zeros(1)[0];
-  const Expr size = pow(start[i], 2) + pow(symbol(i), 2);
-  const Expr one(epsilon_.graph(), epsilon_.graph().constant(q.unit == "m" ? 0 : 1));
-  return pow(gradient, 2) * (size + one);
-}
-
-// Angles count as 1 besides their size, since they may have gone anywhere.
-Expr PositionProjection::size_of(FreeIndex i, const Vector& start) const {
-  const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
-  Expr size(epsilon_.graph(), epsilon_.graph().constant(symbols.speeds[i].is_of_length() ? 0 : 1));
-  if (i.value < symbols.plain_count() && !symbols.speeds[i].replaces_rate) {
-    size += pow(start[i.value], 2) + pow(symbol(i.value), 2);
-  }
-  return size;
-}
-
 // What rounding of all coordinates, weighed by mass, may leave of f, b its row: a height of 0 beside them is as good as 1e-50.
 Expr PositionProjection::left_by_all(const Vector& b, const Vector& inertia, Expr size_of_all) const {
   const Expr zero = zeros(1)[0];
@@ -125,27 +105,17 @@ Expr PositionProjection::left_by_all(const Vector& b, const Vector& inertia, Exp
 // f against what it is made of to first order, with half of the digits: Newton's method leaves rounding, or much more. Squares, since
 // a condition has no sign.
 Expr PositionProjection::violated(const Vector& start) const {
-  const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
+  const PositionSize size(dynamics_, start);
   const Vector inertia = inertias(dynamics_);
-  Vector sizes;
   std::vector<ir::NodeId> weighted;
-  for (const FreeIndex i : symbols.speeds.indices()) {
-    sizes.push_back(size_of(i, start));
-    weighted.push_back((inertia[i.value] * sizes.back()).id());
-  }
+  for (const FreeIndex i : dynamics_.kinematics->symbols.speeds.indices())
+    weighted.push_back((inertia[i.value] * size.of_speed(i)).id());
   const Expr size_of_all(epsilon_.graph(), epsilon_.graph().sum(weighted));
   std::vector<Expr> conditions;
   for (const std::size_t mu : rows_) {
     const Expr f = *dynamics_.kinematics->constraints[ConstraintIndex{mu}].f;
-    const Vector& b = dynamics_.b[mu];
-    Expr scale = zeros(1)[0];
-    for (const FreeIndex i : symbols.speeds.indices()) {
-      if (!b[i.value].is_zero()) scale += pow(b[i.value], 2) * sizes[i.value];
-    }
-    for (const FreeIndex i : symbols.speeds.indices()) {
-      if (symbols.speeds[i].replaces_rate) scale += along_coordinate(mu, i.value, start);
-    }
-    conditions.push_back(less(epsilon_ * scale + left_by_all(b, inertia, size_of_all), pow(f, 2)));
+    const Expr left = left_by_all(dynamics_.b[mu], inertia, size_of_all);
+    conditions.push_back(less(epsilon_ * size.of_row(mu) + left, pow(f, 2)));
   }
   return any(epsilon_.graph(), conditions);
 }

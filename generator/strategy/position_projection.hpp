@@ -35,10 +35,7 @@ class PositionProjection {
   ir::Expr violated(const Vector& start) const;
 
  private:
-  /// Square of how large the coordinate of a speed may be taken to be.
-  ir::Expr size_of(kinematics::FreeIndex i, const Vector& start) const;
   ir::Expr left_by_all(const Vector& b, const Vector& inertia, ir::Expr size_of_all) const;
-  ir::Expr along_coordinate(std::size_t mu, std::size_t i, const Vector& start) const;
   void displace(const Vector& change, Vector& configuration) const;
   Vector rates_at(const Vector& speeds) const;
   Vector zeros(std::size_t count) const;

@@ -33,9 +33,11 @@ struct LinearSolution {
 /// How it is decided which constraints say something of their own. Tolerances are sines of the angle to all others, where inertias are 1.
 template <class S>
 struct RankRule {
-  int usual;                ///< rank of b where nothing singles a state out; less is a status
-  S tolerance;              ///< below, a row follows from the others
-  S beyond;                 ///< the same of rows beyond the usual rank
+  int usual;    ///< rank of b where nothing singles a state out; less is a status
+  S tolerance;  ///< below, a row follows from the others
+  S beyond;     ///< the same of rows beyond the usual rank
+  bool
+      follows_positions;  ///< where positions satisfy their equations well, less is asked of these rows: `beyond` is the most
   bool is_agreement_known;  ///< whether rows contradict each other is not asked
 };
 
@@ -109,6 +111,20 @@ GAUSS_FUNCTION S usual_size(const S& size, const S& reach, const S& part) {
   return larger(size, Math<S>::select(Math<S>::less(reach, limit), reach, limit));
 }
 
+/// How far rows beyond the usual rank have to be from the others. Positions that are off turn rows that follow from others away from these, by as much as
+/// they are off; near positions at which rows depend on each other, an equation is off by the square of that.
+template <class S, int l, class System>
+GAUSS_FUNCTION S beyond_usual(const System& system, const RankRule<S>& rule) {
+  if (!rule.follows_positions) return rule.beyond;
+  S off = S(0);
+  for (int mu = 0; mu < l; ++mu) {
+    const S part = system.left[mu] * system.left[mu] * reciprocal<S>(system.size[mu], positive<S>(system.size[mu]));
+    off = larger<S>(off, part);
+  }
+  const S turned = larger<S>(S(10) * root(root(off)), rule.tolerance);
+  return Math<S>::select(Math<S>::less(turned, rule.beyond), turned, rule.beyond);
+}
+
 /// L D L^T of a symmetric matrix of which some rows and columns count as those of the unit matrix.
 template <class S, int n>
 class MaskedLdl {
@@ -162,7 +178,7 @@ class Constrained {
   GAUSS_FUNCTION Constrained(const System& system, const RankRule<S>& rule)
       : is_agreement_known_(rule.is_agreement_known) {
     scale(system);
-    factorise_rows(rule);
+    factorise_rows(rule, beyond_usual<S, l>(system, rule));
     reduce_metric();
     find_shared();
     find_asked(system);
@@ -242,7 +258,7 @@ class Constrained {
   }
 
   /// b^T P = Q R. At each step the row that is longest across all before is next.
-  GAUSS_FUNCTION void factorise_rows(const RankRule<S>& rule) {
+  GAUSS_FUNCTION void factorise_rows(const RankRule<S>& rule, const S& beyond) {
     for (int mu = 0; mu < l; ++mu) {
       for (int i = 0; i < n; ++i) r_[mu][i] = b_[mu][i];
     }
@@ -254,7 +270,7 @@ class Constrained {
       bring_longest(k);
       bring_largest(k);
       const S size = root(squares_from(k, r_[k]));
-      goes_on = goes_on * positive<S>(size - (k < rule.usual ? rule.tolerance : rule.beyond));
+      goes_on = goes_on * positive<S>(size - (k < rule.usual ? rule.tolerance : beyond));
       if (k < rule.usual) is_full_ = goes_on;
       is_row_[k] = goes_on;
       rank_ = rank_ + goes_on;
@@ -335,7 +351,9 @@ class Constrained {
     }
     S is_free[n];
     for (int i = 0; i < n; ++i) is_free[i] = S(1) - is_row_[i];
-    free_.factorise(parts_, is_free, S(8 * n) * Math<S>::epsilon());
+    // A quarter of the digits is left of what is divided by the least one, as in the cheap way.
+    const S half = Math<S>::sqrt(Math<S>::epsilon());
+    free_.factorise(parts_, is_free, S(8 * n) * Math<S>::epsilon() + half * Math<S>::sqrt(half));
   }
 
   GAUSS_FUNCTION void transpose() {
@@ -585,25 +603,26 @@ GAUSS_FUNCTION S rank_tolerance(const S& wanted) {
 /// For constraints of velocities alone: nothing but parameters makes their rank higher than it was where the model was generated.
 template <class S>
 GAUSS_FUNCTION RankRule<S> rank_of_velocities(int usual, const S& tolerance = default_rank_tolerance<S>()) {
-  return {usual, tolerance, tolerance, false};
+  return {usual, tolerance, tolerance, false, false};
 }
 
 /// With equations of positions: beside them, as in the stages of a step, rows that follow from others seem to say something, and what they say is
-/// error. What other parameters make of them is more.
+/// error. What other parameters make of them is more than positions are off by.
 template <class S>
 GAUSS_FUNCTION RankRule<S> rank_on_positions(int usual, const S& tolerance = default_rank_tolerance<S>()) {
-  return {usual, tolerance, detail::larger<S>(S(1) / S(20), tolerance), false};
+  return {usual, tolerance, detail::larger<S>(S(1) / S(20), tolerance), true, false};
 }
 
 /// Of steps of Newton's method: rounding of a residual, divided by this sine, is less than the sine. So a step stays on its side of a
 /// position at which rows depend on each other. It begins far from the equations, and no row is taken beyond the usual rank.
 template <class S>
 GAUSS_FUNCTION RankRule<S> rank_of_steps(int usual, const S& tolerance = S(0)) {
-  return {usual, detail::larger<S>(S(4) * Math<S>::sqrt(Math<S>::epsilon()), tolerance), S(2), true};
+  return {usual, detail::larger<S>(S(4) * Math<S>::sqrt(Math<S>::epsilon()), tolerance), S(2), false, true};
 }
 
 /// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, reach[l][n], not less than
-/// its entries in any configuration, drift[l], and of_positions[l], 1 where a row is the derivative of an equation of positions and else 0.
+/// its entries in any configuration, drift[l], and of_positions[l], 1 where a row is the derivative of an equation of positions and else 0; of these, left[l] is what is left of the equation, and
+/// size[l] the square of what it is made of.
 template <class System, class S, int n, int l>
 GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolution<S, n, l>& solution) noexcept {
   detail::Constrained<S, n, l>(system, rule).solve(solution);

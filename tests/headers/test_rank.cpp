@@ -8,6 +8,7 @@
 #include "coarse_rank.hpp"
 #include "parallelogram.hpp"
 #include "switched_stop.hpp"
+#include "three_bars.hpp"
 #include "two_slopes.hpp"
 
 namespace {
@@ -15,6 +16,7 @@ namespace {
 namespace coarse = gauss::coarse_rank;
 namespace slopes = gauss::two_slopes;
 namespace stop = gauss::switched_stop;
+namespace bars = gauss::three_bars;
 namespace bennett = gauss::bennett;
 namespace parallelogram = gauss::parallelogram;
 
@@ -30,7 +32,51 @@ stop::Prepared<double> with_stop(double k) {
   return prepare(parameters);
 }
 
+/// The slab at an angle of its bars, off by this much in height.
+struct OnBars {
+  gauss::Status status;
+  bars::Derivative<double> derivative;
+  double mobility;
+};
+
+OnBars on_bars(double d, double angle, double off) {
+  bars::Parameters<double> parameters;
+  parameters.d = d;
+  const auto prepared = prepare(parameters);
+  bars::State<double> state{};
+  state.x() = parameters.h * std::sin(angle);
+  state.y() = parameters.h * std::cos(angle) + off;
+  OnBars result{};
+  bars::Mobility<double> mobility{};
+  result.status = rhs(0.0, state, {}, prepared, result.derivative);
+  if (bars::mobility(0.0, state, {}, prepared, mobility) == gauss::Status::ok) result.mobility = mobility.mobility;
+  return result;
+}
+
 }  // namespace
+
+TEST_CASE("a closed loop that parameters lock is locked, however little they are off") {
+  for (const double d : {1e-5, 1e-3, 2e-2, 0.3}) {
+    INFO("middle pivot moved by " << d << " m");
+    const OnBars locked = on_bars(d, 0, 0);
+    CHECK(locked.status == gauss::Status::ok);
+    for (const double a : locked.derivative.values) CHECK(std::abs(a) <= 1e-15 / d);
+    CHECK(locked.mobility == 0);
+  }
+}
+
+// Without gravity the slab is carried along a circle: F cos(angle) / m along it.
+TEST_CASE("positions that are off lock nothing: rows that follow from others are not taken for such as say something") {
+  const double angle = 0.4;
+  for (const double off : {0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-4, 1e-3}) {
+    INFO("off by " << off << " m");
+    const OnBars moving = on_bars(0, angle, off);
+    CHECK(moving.status == gauss::Status::ok);
+    CHECK(moving.derivative.x_ddot() == Approx(std::cos(angle) * std::cos(angle)).margin(2 * off + 1e-15));
+    CHECK(moving.derivative.y_ddot() == Approx(-std::cos(angle) * std::sin(angle)).margin(2 * off + 1e-15));
+    CHECK(moving.mobility == 1);
+  }
+}
 
 TEST_CASE("constraints that are one for the parameters of the file hold one by one for others") {
   slopes::Derivative<double> derivative{};

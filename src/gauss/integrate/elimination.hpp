@@ -26,7 +26,9 @@ class Elimination {
   using Choice = Partition<n, l>;
 
   template <class System>
-  Elimination(const System& system, const RankRule<S>& rule) : at_(system), rule_(rule) {}
+  Elimination(const System& system, const RankRule<S>& rule) : at_(system), rule_(rule) {
+    rule_.beyond = gauss::detail::beyond_usual<S, l>(system, rule);
+  }
 
   /// By complete pivoting: the largest entry left, of all rows and speeds.
   Choice best() const { return detail::JordanForm<S, n, l>(at_.b, anything(), rule_).taken(); }

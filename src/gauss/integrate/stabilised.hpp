@@ -10,6 +10,7 @@
 #ifndef GAUSS_INTEGRATE_STABILISED_HPP
 #define GAUSS_INTEGRATE_STABILISED_HPP
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -111,6 +112,7 @@ class Stabilised {
   struct Pull {
     Scalar g[n][n], f[n], b[l][n], reach[l][n], drift[l];
     Scalar of_positions[l] = {};  ///< nobody asks: rule_of
+    Scalar left[l] = {}, size[l] = {};
   };
 
   static Rows all_rows() {
@@ -124,6 +126,7 @@ class Stabilised {
     RankRule<Scalar> rule =
         n_positions > 0 ? rank_on_positions<Scalar>(usual_rank) : rank_of_velocities<Scalar>(usual_rank);
     rule.is_agreement_known = true;
+    rule.follows_positions = rule.follows_positions && detail::HasRows<Metric>::value;
     return rule;
   }
 
@@ -148,6 +151,8 @@ class Stabilised {
       status = linear_system(t, state, base_.inputs(t, state), base_.prepared(), metric);
       copy(metric.b, pull.b);
       copy(metric.reach, pull.reach);
+      std::copy_n(metric.left, l, pull.left);
+      std::copy_n(metric.size, l, pull.size);
     } else {
       status =
           Math<Scalar>::worse(mass_matrix(t, state, base_.prepared(), metric), difference(t, state, at_rest, pull.b));
