@@ -82,7 +82,7 @@ class SearchArtefacts {
       made.takes_start = is_last && !search.start.empty();
       // What is not finite on the way is so at the end.
       if (!is_last) made.status.not_finite = mechanics_.graph.constant(0);
-      all.calls.push_back({made.name, stage.times, made.takes_state, made.takes_start});
+      all.calls.push_back({made.name, stage.times, made.takes_state, made.takes_start, measured_by_one()});
       add_stage(stage, std::move(made), result);
     }
     result.push_back(std::move(all));
@@ -98,9 +98,10 @@ class SearchArtefacts {
       return;
     }
     const strategy::OpenStep& open = *stage.open;
-    Artefact system = linear_system(regular.name + k_system_of_step, open.g,
-                                    Vector(mechanics_.dynamics.n(), mechanics_.expressions.number(0)), open.b,
-                                    open.residuals, mechanics_);
+    const Vector no_forces(mechanics_.dynamics.n(), mechanics_.expressions.number(0));
+    const Vector no_rows(mechanics_.dynamics.l(), mechanics_.expressions.number(0));
+    Artefact system = linear_system(regular.name + k_system_of_step,
+                                    {open.g, no_forces, open.b, open.residuals, no_rows, no_rows}, mechanics_);
     SearchStage given{stage.kind, stage.times, open.state, {}};
     Artefact of_solution = function(given, regular.name, "");
     of_solution.takes_start = regular.takes_start;
@@ -134,6 +135,14 @@ class SearchArtefacts {
       artefact.extends_preparation = false;
     }
     return builder.finish(stage.steps);
+  }
+
+  /// Angles and components of quaternions; lengths and speeds have no size that is usual.
+  std::vector<int> measured_by_one() const {
+    std::vector<int> result;
+    for (const auto& q : mechanics_.symbols.configuration) result.push_back(q.unit == "m" ? 0 : 1);
+    result.resize(result.size() + mechanics_.dynamics.n(), 0);
+    return result;
   }
 
   Artefact caller() {

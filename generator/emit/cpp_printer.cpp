@@ -181,7 +181,8 @@ class Printer {
 
   void statement(const Loop& s) {
     const std::string& i = s.index;
-    out += spaces(indent_) + "for (int " + i + " = " + s.from + "; " + i + " < " + s.to + "; ++" + i + ") {\n";
+    const std::string also = s.condition.empty() ? "" : " && " + s.condition;
+    out += spaces(indent_) + "for (int " + i + " = " + s.from + "; " + i + " < " + s.to + also + "; ++" + i + ") {\n";
     indent_ += k_step;
     for (const AnyStatement& inner : s.body) {
       std::visit([this](const auto& one) { this->statement(one); }, inner.statement);

@@ -86,12 +86,13 @@ struct Array {
 
 struct AnyStatement;
 
-/// `for (int index = from; index < to; ++index) {…}`
+/// `for (int index = from; index < to && condition; ++index) {…}`
 struct Loop {
   std::string index;
   std::string from;
   std::string to;
   std::vector<AnyStatement> body;
+  std::string condition = {};
 };
 
 /// `if (condition) return value;`

@@ -213,6 +213,34 @@ FunctionCode artefact_function(Plan& plan, const Task& task) {
   return {std::move(function), reads, may_alias};
 }
 
+namespace {
+
+const char* const k_by_one = "by_one";
+
+/// Taken until one moves nothing: see detail::Newton of the prelude.
+void add_steps(const Call& call, cpp::Expression status_of_step, cpp::Function& function) {
+  const std::string newton = call.function + "_steps";
+  function.body.emplace_back(cpp::Declaration{"detail::Newton<S>", {newton}});
+  cpp::Loop loop{"step", "0", std::to_string(call.times), {}, newton + ".goes_on()"};
+  const cpp::Expression taken = cpp::call(newton + ".take", {std::move(status_of_step), cpp::atom("before.values"),
+                                                             cpp::atom("state.values"), cpp::atom(k_by_one)});
+  loop.body.push_back({cpp::Definition{"const State<S>", "before", cpp::atom("state")}});
+  loop.body.push_back(
+      {cpp::Assignment{cpp::atom("status"), cpp::call("Math<S>::worse", {cpp::atom("status"), taken})}});
+  function.body.emplace_back(std::move(loop));
+}
+
+void measure_by_one(const std::vector<Call>& calls, cpp::Function& function) {
+  const auto repeated = std::find_if(calls.begin(), calls.end(), [](const Call& call) { return call.times > 1; });
+  if (repeated == calls.end()) return;
+  std::vector<cpp::Expression> flags;
+  for (const int flag : repeated->measured_by_one) flags.push_back(cpp::atom(std::to_string(flag)));
+  function.body.emplace_back(
+      cpp::Definition{"const int", k_by_one + std::string("[n_q + n_v]"), cpp::list(std::move(flags))});
+}
+
+}  // namespace
+
 cpp::Function search_function(const Artefact& artefact) {
   cpp::Function function = declared(artefact);
   if (artefact.takes_time) function.arguments.push_back({"const S&", "t"});
@@ -226,6 +254,7 @@ cpp::Function search_function(const Artefact& artefact) {
   if (keeps_start) function.body.emplace_back(cpp::Definition{"const State<S>", k_start, cpp::atom("from")});
   if (artefact.takes_state) function.body.emplace_back(cpp::Assignment{cpp::atom("state"), cpp::atom("from")});
   function.body.emplace_back(cpp::Definition{"StatusOf<S>", "status", cpp::call("StatusOf<S>", {})});
+  measure_by_one(artefact.calls, function);
   for (const Call& call : artefact.calls) {
     std::vector<cpp::Expression> arguments;
     if (call.takes_state) arguments.push_back(artefact.takes_time ? cpp::atom("t") : literal(0));
@@ -233,14 +262,12 @@ cpp::Function search_function(const Artefact& artefact) {
     if (call.takes_state) arguments.push_back(cpp::atom("state"));
     arguments.push_back(cpp::atom("prepared"));
     arguments.push_back(cpp::atom("state"));
-    cpp::Assignment step{
-        cpp::atom("status"),
-        cpp::call("Math<S>::worse", {cpp::atom("status"), cpp::call(call.function, std::move(arguments))})};
+    cpp::Expression status_of_step = cpp::call(call.function, std::move(arguments));
     if (call.times == 1) {
-      function.body.emplace_back(std::move(step));
-    } else {
       function.body.emplace_back(
-          cpp::Loop{"step", "0", std::to_string(call.times), {cpp::AnyStatement{std::move(step)}}});
+          cpp::Assignment{cpp::atom("status"), cpp::call("Math<S>::worse", {cpp::atom("status"), status_of_step})});
+    } else {
+      add_steps(call, std::move(status_of_step), function);
     }
   }
   function.body.emplace_back(cpp::Return{cpp::atom("status")});

@@ -111,6 +111,8 @@ struct Call {
   int times = 1;
   bool takes_state = true;   ///< false: it makes the first state out of nothing
   bool takes_start = false;  ///< with the state before the first call as well
+  /// Of calls that are taken until one moves nothing, for each component of the state: 1, it is measured by 1 besides its own size (angles); 0.
+  std::vector<int> measured_by_one = {};
 };
 
 /// What the status of a solution has to say.

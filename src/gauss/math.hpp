@@ -7,7 +7,7 @@
 #ifndef GAUSS_MATH_HPP
 #define GAUSS_MATH_HPP
 
-#define GAUSS_MATH_VERSION 4
+#define GAUSS_MATH_VERSION 5
 
 // Conditions on values that are not finite, the order of sums and signs of zeros are part of the results. Single options of -ffast-math
 // have macros of their own, but clang++ has none for a new order of sums: see GAUSS_IN_ORDER.
@@ -285,6 +285,56 @@ struct Math<long double> : StandardMath<long double> {
 
 #undef GAUSS_SINCOS
 
+namespace detail {
+
+/// Whether it holds in some lane.
+template <class S>
+GAUSS_FUNCTION bool holds_in_any(const typename Math<S>::Bool& condition) {
+  if constexpr (std::is_enum_v<typename Math<S>::Status>) {
+    return condition;
+  } else {
+    return Math<S>::status(condition, condition, condition).any();
+  }
+}
+
+/// Steps of Newton's method, in each lane until one has moved nothing. Errors are squared: where a step was less than this part, only rounding is left after it.
+template <class S>
+class Newton {
+  using Bool = typename Math<S>::Bool;
+
+ public:
+  GAUSS_FUNCTION bool goes_on() const { return holds_in_any<S>(Math<S>::less(S(0), moving_)); }
+
+  /// What a step from `before` to `after` has to say. Lanes that had arrived stay where they were. A component is measured by its size, and by 1 besides
+  /// where `by_one` is 1.
+  template <int n>
+  GAUSS_FUNCTION typename Math<S>::Status take(const typename Math<S>::Status& status, const S (&before)[n],
+                                               S (&after)[n], const int (&by_one)[n]) {
+    const S root = Math<S>::sqrt(Math<S>::epsilon());
+    const S part = root * Math<S>::sqrt(root);
+    const Bool moves = Math<S>::less(S(0), moving_);
+    S next = S(0);
+    for (int i = 0; i < n; ++i) {
+      after[i] = Math<S>::select(moves, after[i], before[i]);
+      const S change = after[i] - before[i];
+      const S size = Math<S>::select(Math<S>::less(before[i], S(0)), -before[i], before[i]) + S(by_one[i]);
+      const Bool has_moved = Math<S>::any(Math<S>::less(part * size, change), Math<S>::less(change, -part * size));
+      next = Math<S>::select(has_moved, S(1), next);
+    }
+    moving_ = next;
+    if constexpr (std::is_enum_v<typename Math<S>::Status>) {
+      return status;
+    } else {
+      return status.within(moves);
+    }
+  }
+
+ private:
+  S moving_ = S(1);  ///< 1: on its way; 0
+};
+
+}  // namespace detail
+
 /// Sines and cosines of angles that are known at the same time, three arguments for each: the angle, its sine, its cosine.
 /// One after the other; to be specialised for types that compute several at once, as gauss/scalar/vectorised.hpp does.
 template <class S>
@@ -303,6 +353,6 @@ using StatusOf = typename Math<S>::Status;
 
 }  // namespace gauss
 
-#elif GAUSS_MATH_VERSION != 4
+#elif GAUSS_MATH_VERSION != 5
 #error "Two versions of the gauss prelude meet in one file: generate all models with the same gauss-gen."
 #endif  // GAUSS_MATH_HPP
