@@ -1,9 +1,16 @@
-# cmake -DSOURCE=math.hpp -DFUNCTION=prelude -DOUTPUT=prelude.cpp -P embed_prelude.cmake: a text file as a C++ string.
+# cmake "-DSOURCES=a.hpp;b.hpp" -DFUNCTION=prelude -DOUTPUT=prelude.cpp -P embed_prelude.cmake: text files, one after the other, as a C++ string.
 # The text is taken byte by byte, so nothing in it has to be quoted for CMake.
-file(READ "${SOURCE}" hex HEX)
-# What it includes of ours is in the header already: #include "gauss/….hpp" and the end of its line.
-string(HEX "#include \"gauss/math.hpp\"\n" include)
-string(REPLACE "${include}" "" hex "${hex}")
+set(hex "")
+foreach(source IN LISTS SOURCES)
+  file(READ "${source}" one HEX)
+  string(APPEND hex "${one}")
+endforeach()
+# What they include of ours is in the header already: #include "gauss/….hpp" and the end of its line.
+foreach(source IN LISTS SOURCES ITEMS math.hpp)
+  get_filename_component(name "${source}" NAME)
+  string(HEX "#include \"gauss/${name}\"\n" include)
+  string(REPLACE "${include}" "" hex "${hex}")
+endforeach()
 string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," bytes "${hex}")
 # One line of code per line of text.
 string(REPLACE "'\\x0a'," "'\\x0a',\n    " bytes "${bytes}")

@@ -10,9 +10,9 @@
 #ifndef GAUSS_CONSTRAINED_HPP
 #define GAUSS_CONSTRAINED_HPP
 
-#include <type_traits>
-
-#include "gauss/math.hpp"
+#include "gauss/lost_lanes.hpp"
+#include "gauss/masked_ldl.hpp"
+#include "gauss/rank_rule.hpp"
 
 namespace gauss {
 
@@ -30,67 +30,7 @@ struct LinearSolution {
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
 
-/// How it is decided which constraints say something of their own. Tolerances are sines of the angle to all others, where inertias are 1.
-template <class S>
-struct RankRule {
-  int usual;    ///< rank of b where nothing singles a state out; less is a status
-  S tolerance;  ///< below, a row follows from the others
-  S beyond;     ///< the same of rows beyond the usual rank
-  bool
-      follows_positions;  ///< where positions satisfy their equations well, less is asked of these rows: `beyond` is the most
-  bool is_agreement_known;  ///< whether rows contradict each other is not asked
-};
-
 namespace detail {
-
-/// Numbers 0 and 1 stand for conditions here: they combine by products for every type.
-template <class S>
-GAUSS_FUNCTION S indicator(const typename Math<S>::Bool& condition) {
-  return Math<S>::select(condition, S(1), S(0));
-}
-
-template <class S>
-GAUSS_FUNCTION S positive(const S& x) {
-  return indicator<S>(Math<S>::less(S(0), x));
-}
-
-template <class S>
-GAUSS_FUNCTION S absolute(const S& x) {
-  return Math<S>::select(Math<S>::less(x, S(0)), -x, x);
-}
-
-template <class S>
-GAUSS_FUNCTION S larger(const S& a, const S& b) {
-  return Math<S>::select(Math<S>::less(a, b), b, a);
-}
-
-/// 1/x, and 0 where `use` is 0: nothing is divided by 0, not even in a lane that is not looked at.
-template <class S>
-GAUSS_FUNCTION S reciprocal(const S& x, const S& use) {
-  const auto is_used = Math<S>::less(S(0), use);
-  return Math<S>::select(is_used, S(1) / Math<S>::select(is_used, x, S(1)), S(0));
-}
-
-/// sqrt whose derivative at 0 is 0.
-template <class S>
-GAUSS_FUNCTION S root(const S& x) {
-  const auto is_positive = Math<S>::less(S(0), x);
-  return Math<S>::select(is_positive, Math<S>::sqrt(Math<S>::select(is_positive, x, S(1))), S(0));
-}
-
-template <class S>
-GAUSS_FUNCTION void swap_where(const typename Math<S>::Bool& condition, S& a, S& b) {
-  const S before = a;
-  a = Math<S>::select(condition, b, a);
-  b = Math<S>::select(condition, before, b);
-}
-
-template <class S, int n>
-GAUSS_FUNCTION S inner(const S (&a)[n], const S (&b)[n]) {
-  S sum = a[0] * b[0];
-  for (int i = 1; i < n; ++i) sum = sum + a[i] * b[i];
-  return sum;
-}
 
 /// Of the entry that is largest beside what it may be: whatever units and inertias are.
 template <class S, int n>
@@ -110,63 +50,6 @@ GAUSS_FUNCTION S usual_size(const S& size, const S& reach, const S& part) {
   const S limit = size * reciprocal<S>(share, positive<S>(share));
   return larger(size, Math<S>::select(Math<S>::less(reach, limit), reach, limit));
 }
-
-/// How far rows beyond the usual rank have to be from the others. Positions that are off turn rows that follow from others away from these, by as much as
-/// they are off; near positions at which rows depend on each other, an equation is off by the square of that.
-template <class S, int l, class System>
-GAUSS_FUNCTION S beyond_usual(const System& system, const RankRule<S>& rule) {
-  if (!rule.follows_positions) return rule.beyond;
-  S off = S(0);
-  for (int mu = 0; mu < l; ++mu) {
-    const S part = system.left[mu] * system.left[mu] * reciprocal<S>(system.size[mu], positive<S>(system.size[mu]));
-    off = larger<S>(off, part);
-  }
-  const S turned = larger<S>(S(10) * root(root(off)), rule.tolerance);
-  return Math<S>::select(Math<S>::less(turned, rule.beyond), turned, rule.beyond);
-}
-
-/// L D L^T of a symmetric matrix of which some rows and columns count as those of the unit matrix.
-template <class S, int n>
-class MaskedLdl {
- public:
-  /// `counts[i]` 1: row i is that of `matrix`; 0: of the unit matrix. A pivot below `tolerance` of its diagonal entry determines nothing.
-  GAUSS_FUNCTION void factorise(const S (&matrix)[n][n], const S (&counts)[n], const S& tolerance) {
-    is_determined = S(1);
-    for (int j = 0; j < n; ++j) {
-      for (int i = j; i < n; ++i) {
-        const S both = counts[i] * counts[j];
-        S entry = Math<S>::select(Math<S>::less(S(0), both), matrix[i][j], S(i == j ? 1 : 0));
-        const S diagonal = entry;
-        for (int k = 0; k < j; ++k) entry = entry - factor_[i][k] * factor_[j][k] * pivot_[k];
-        if (i == j) {
-          const S is_good = positive<S>(entry - tolerance * diagonal);
-          is_determined = is_determined * is_good;
-          pivot_[j] = entry;
-          inverse_[j] = reciprocal(entry, is_good);
-        } else {
-          factor_[i][j] = entry * inverse_[j];
-        }
-      }
-    }
-  }
-
-  GAUSS_FUNCTION void solve(S (&x)[n]) const {
-    for (int i = 0; i < n; ++i) {
-      for (int k = 0; k < i; ++k) x[i] = x[i] - factor_[i][k] * x[k];
-    }
-    for (int i = n - 1; i >= 0; --i) {
-      x[i] = x[i] * inverse_[i];
-      for (int k = i + 1; k < n; ++k) x[i] = x[i] - factor_[k][i] * x[k];
-    }
-  }
-
-  S is_determined;
-
- private:
-  S factor_[n][n];
-  S pivot_[n];
-  S inverse_[n];
-};
 
 template <class S, int n, int l>
 class Constrained {
@@ -552,73 +435,7 @@ class Constrained {
   MaskedLdl<S, l> shares_;
 };
 
-/// Whether any lane has a status other than ok.
-template <class S>
-GAUSS_FUNCTION bool is_lost(const StatusOf<S>& status) {
-  if constexpr (std::is_enum_v<StatusOf<S>>) {
-    return status != StatusOf<S>::ok;
-  } else {
-    return status.any();
-  }
-}
-
-/// In these lanes, the values of `from`; both are structs of nothing but S.
-template <class S, class Values>
-GAUSS_FUNCTION void take_lost(const StatusOf<S>& status, const Values& from, Values& to) {
-  if constexpr (std::is_enum_v<StatusOf<S>>) {
-    to = from;
-  } else {
-    static_assert(sizeof(Values) % sizeof(S) == 0, "a struct of nothing but S is expected");
-    const S* source = reinterpret_cast<const S*>(&from);
-    S* target = reinterpret_cast<S*>(&to);
-    for (unsigned i = 0; i < sizeof(Values) / sizeof(S); ++i)
-      target[i] = Math<S>::select(status.bad(), source[i], target[i]);
-  }
-}
-
-/// What they have to say now.
-template <class S>
-GAUSS_FUNCTION StatusOf<S> status_of_lost(const StatusOf<S>& before, const StatusOf<S>& now) {
-  if constexpr (std::is_enum_v<StatusOf<S>>) {
-    return now;
-  } else {
-    return now.within(before.bad());
-  }
-}
-
 }  // namespace detail
-
-/// Of accelerations: half of the digits and four bits.
-template <class S>
-GAUSS_FUNCTION S default_rank_tolerance() {
-  return Math<S>::sqrt(Math<S>::epsilon()) / S(16);
-}
-
-/// One that was asked for; never less than what the digits of S allow.
-template <class S>
-GAUSS_FUNCTION S rank_tolerance(const S& wanted) {
-  return detail::larger(wanted, default_rank_tolerance<S>());
-}
-
-/// For constraints of velocities alone: nothing but parameters makes their rank higher than it was where the model was generated.
-template <class S>
-GAUSS_FUNCTION RankRule<S> rank_of_velocities(int usual, const S& tolerance = default_rank_tolerance<S>()) {
-  return {usual, tolerance, tolerance, false, false};
-}
-
-/// With equations of positions: beside them, as in the stages of a step, rows that follow from others seem to say something, and what they say is
-/// error. What other parameters make of them is more than positions are off by.
-template <class S>
-GAUSS_FUNCTION RankRule<S> rank_on_positions(int usual, const S& tolerance = default_rank_tolerance<S>()) {
-  return {usual, tolerance, detail::larger<S>(S(1) / S(20), tolerance), true, false};
-}
-
-/// Of steps of Newton's method: rounding of a residual, divided by this sine, is less than the sine. So a step stays on its side of a
-/// position at which rows depend on each other. It begins far from the equations, and no row is taken beyond the usual rank.
-template <class S>
-GAUSS_FUNCTION RankRule<S> rank_of_steps(int usual, const S& tolerance = S(0)) {
-  return {usual, detail::larger<S>(S(4) * Math<S>::sqrt(Math<S>::epsilon()), tolerance), S(2), false, true};
-}
 
 /// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, reach[l][n], not less than
 /// its entries in any configuration, drift[l], and of_positions[l], 1 where a row is the derivative of an equation of positions and else 0; of these, left[l] is what is left of the equation, and
