@@ -526,6 +526,7 @@ Equilibrium go_to_equilibrium(Mechanics& mechanics, model::Model& model, const R
     return result;
   }
   set_start(model, *rest);
+  mechanics.known_start.reset();
   if (!rest->lasts)
     result.doubts.push_back("this equilibrium is one of this instant: forces or laws in time soon move it");
   if (rest->play.size > k_flat) {

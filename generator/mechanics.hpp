@@ -80,6 +80,8 @@ struct Mechanics : KinematicModel {
   std::optional<std::size_t> usual_rank;            ///< of all constraints, likewise
   std::vector<ir::SymbolId> multipliers;            ///< of a solution that is given, where functions of one were made
   std::vector<ir::SymbolId> start;                  ///< of the configuration before a projection, where one was made
+  std::optional<std::vector<support::Rational>>
+      known_start;  ///< numbers of the initial state, where general_start.hpp has found it
 };
 
 /// Accelerations and multipliers of the same metric and constraints with other forces and drifts. Equal nodes are one: factors are not

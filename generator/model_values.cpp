@@ -152,6 +152,15 @@ std::vector<InitialValue> values_of(const kinematics::Symbols& symbols, const st
   return result;
 }
 
+std::vector<InitialValue> known_values(Mechanics& mechanics) {
+  const ir::Expr never = mechanics.expressions.number(0);
+  strategy::ProjectedState state{{}, {}, never, never, never};
+  const std::size_t n_q = mechanics.symbols.configuration.size();
+  for (std::size_t i = 0; i < mechanics.known_start->size(); ++i)
+    (i < n_q ? state.configuration : state.speeds).push_back(mechanics.expressions.number((*mechanics.known_start)[i]));
+  return values_of(mechanics.symbols, state);
+}
+
 Bindings bindings_of(const std::vector<InitialValue>& state) {
   Bindings nodes;
   for (const InitialValue& value : state) nodes.emplace_back(value.symbol, value.node);
@@ -161,6 +170,7 @@ Bindings bindings_of(const std::vector<InitialValue>& state) {
 }  // namespace
 
 std::vector<InitialValue> initial_values(Mechanics& mechanics, const std::function<Taken(const Bindings&)>& take_step) {
+  if (mechanics.known_start) return known_values(mechanics);
   strategy::StateSearch search =
       strategy::initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions,
                               mechanics.expressions.symbol(mechanics.symbols.time), false, mechanics.epsilon());
@@ -196,7 +206,7 @@ bool bind_initial_values(Mechanics& mechanics, const std::vector<InitialValue>& 
 }
 
 void refine_initial_values(Mechanics& mechanics, int digits, ModelValues& values) {
-  if (digits <= k_digits_found) return;
+  if (digits <= k_digits_found || mechanics.known_start) return;
   const std::vector<strategy::ProjectedState> steps =
       strategy::steps_to_initial_state(mechanics.model, mechanics.dynamics, mechanics.expressions, mechanics.epsilon());
   for (const strategy::ProjectedState& step : steps) {

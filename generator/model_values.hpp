@@ -63,6 +63,9 @@ class ModelValues {
   /// Likewise those nodes that have a value.
   void bind_defined(const Bindings& nodes);
 
+  /// Gives a symbol a number.
+  void set(ir::SymbolId symbol, const support::Rational& value) { bind(symbol, values_.arithmetic().number(value)); }
+
   /// As `bind`, for a step of Newton's method.
   Taken take_step(const Bindings& nodes);
 
@@ -85,7 +88,7 @@ struct InitialValue {
 };
 
 /// In the order of the state: configuration, then speeds. `take_step` evaluates and binds the steps that lead there; the nodes of the last one are
-/// returned, to be evaluated where those were bound, or the nodes of the first one that is undefined.
+/// returned, to be evaluated where those were bound, or the nodes of the first one that is undefined. A start that is known (general_start.hpp) is returned as it is.
 std::vector<InitialValue> initial_values(Mechanics& mechanics, const std::function<Taken(const Bindings&)>& take_step);
 std::vector<InitialValue> initial_values(Mechanics& mechanics, ModelValues& values);
 

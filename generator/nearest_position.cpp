@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "dense.hpp"
+#include "least_step.hpp"
 #include "position_equations.hpp"
 #include "strategy/state_search.hpp"
 
@@ -35,24 +36,14 @@ Eigen::MatrixXd matrix(const std::vector<Vector>& rows, std::size_t columns) {
 
 /// J δ = -f, with the least |δ|.
 Vector least_change(const Linearised& at, std::size_t n) {
-  if (n == 0 || at.f.empty()) return Vector(n, 0);
-  return unmapped(-matrix(at.j, n).completeOrthogonalDecomposition().solve(mapped(at.f)));
+  const auto size = static_cast<Eigen::Index>(n);
+  return unmapped(least_step(Eigen::MatrixXd::Identity(size, size), matrix(at.j, n), mapped(at.f)));
 }
 
-/// G δ + Jᵀ λ = 0, J δ = -f: the step of emitted code, with the least δᵀ G δ.
+/// The step of emitted code, with the least δᵀ G δ.
 Vector least_change(const Linearised& at, const std::vector<Vector>& metric) {
   const std::size_t n = metric.size();
-  if (n == 0 || at.f.empty()) return Vector(n, 0);
-  const auto size = static_cast<Eigen::Index>(n);
-  const auto rows = static_cast<Eigen::Index>(at.f.size());
-  const Eigen::MatrixXd j = matrix(at.j, n);
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size + rows, size + rows);
-  all.topLeftCorner(size, size) = matrix(metric, n);
-  all.bottomLeftCorner(rows, size) = j;
-  all.topRightCorner(size, rows) = j.transpose();
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(size + rows);
-  right.tail(rows) = -mapped(at.f);
-  return unmapped(all.completeOrthogonalDecomposition().solve(right).head(size));
+  return unmapped(least_step(matrix(metric, n), matrix(at.j, n), mapped(at.f)));
 }
 
 /// Levenberg's and Marquardt's method for the least Σ f², from beside the guess.

@@ -9,6 +9,7 @@
 #include "chart_check.hpp"
 #include "dumps.hpp"
 #include "early_check.hpp"
+#include "general_start.hpp"
 #include "initial_check.hpp"
 #include "model/fold_check.hpp"
 #include "output_check.hpp"
@@ -30,6 +31,7 @@ namespace {
 
 const char* const k_check = "check";
 const char* const k_limits = "limits";
+constexpr int k_digits_of_start = 17;
 
 /// Times stages, and shows to the observer what comes out.
 class Stages {
@@ -153,6 +155,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   } else {
     report_found(improve_guesses(mechanics, *model), *model, diagnostics);
   }
+  find_general_start(mechanics, support::Rational(0), k_digits_of_start);
   stages.took("start", mechanics.graph);
   if (stages.show("kinematics", [&] { return dump_kinematics(mechanics); })) return up_to_here();
 

@@ -2,6 +2,7 @@
 
 #include "assembly.hpp"
 #include "evaluation.hpp"
+#include "general_start.hpp"
 #include "initial_check.hpp"
 
 namespace gaussgen::cli {
@@ -17,6 +18,7 @@ void set_start(Mechanics& mechanics, model::Model& model, const support::Rationa
   } else {
     report_found(improve_guesses(mechanics, model, at), model, diagnostics);
   }
+  find_general_start(mechanics, time, digits);
   if (!is_start_reached(mechanics, time, digits)) refine_guesses(mechanics, model, at);
 }
 

@@ -1,0 +1,117 @@
+"""Closed loops from guesses that are beside a solution: found, and closed by formulas that know nothing of the generator."""
+
+import math
+import random
+import re
+import unittest
+
+from gauss_gen import MODELS, SOURCE, Evaluate
+
+HARD = SOURCE / "hard_cases" / "models"
+X, Y, Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
+SPACE = (X, Y, Z), (0, 0, 0)  # columns are axes, then the origin
+
+
+def place(frame, at):
+    axes, origin = frame
+    return tuple(origin[i] + sum(axes[k][i] * at[k] for k in range(3)) for i in range(3))
+
+
+def cross(a, b):
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def hinge(frame, at, axis, angle):
+    """The frame behind a hinge: Rodrigues' formula for each axis."""
+    size = math.hypot(*axis)
+    k = tuple(a / size for a in axis)
+
+    def turned(v):
+        along, across = sum(a * b for a, b in zip(k, v)), cross(k, v)
+        return tuple(v[i] * math.cos(angle) + across[i] * math.sin(angle) + k[i] * along * (1 - math.cos(angle)) for i in range(3))
+
+    axes, origin = frame
+    zero = (axes, (0, 0, 0))
+    return tuple(place(zero, turned(e)) for e in (X, Y, Z)), place((axes, origin), at)
+
+
+def apart(a, b):
+    return max(abs(p - q) for p, q in zip(a, b))
+
+
+def bricard(q):
+    bar = SPACE
+    for i, angle in enumerate(q):
+        bar = hinge(bar, (1 if i else 0, 0, 0), (0, -1, 0) if i % 2 else Z, angle)
+    return max(apart(place(bar, (1, 0, 0)), (-1, 0, 0)), apart(place(bar, (1, -0.5, 0)), (-1, -0.5, 0)))
+
+
+def bennett(q, u=0.5, d=0.5):
+    v = math.asin(1.5 * math.sin(u))
+    bar = hinge(SPACE, (0, 0, 0), Z, q[0])
+    bar = hinge(bar, (1, 0, 0), (0, -math.sin(u), math.cos(u)), q[1])
+    bar = hinge(bar, (1.5, 0, 0), (0, -math.sin(u + v), math.cos(u + v)), q[2])
+    axis = place(bar, (1, -d * math.sin(2 * u + v), d * math.cos(2 * u + v)))
+    return max(apart(place(bar, (1, 0, 0)), (-1.5, 0, 0)), apart(axis, (-1.5, d * math.sin(v), d * math.cos(v))))
+
+
+def sarrus(q, l=0.5, r=0.3, d=0.2):
+    plate = hinge(hinge(hinge(SPACE, (r, 0, 0), Y, q[0]), (l, 0, 0), Y, q[1]), (l, 0, 0), Y, q[2])
+    leg = hinge(hinge(SPACE, (0, r, 0), X, q[3]), (0, l, 0), X, q[4])
+    return max(apart(place(leg, (s * d, l, 0)), place(plate, (s * d - r, r, 0))) for s in (-1, 1))
+
+
+def four_bar(q):
+    coupler = hinge(hinge(SPACE, (0, 0, 0), Z, q[0]), (0.2, 0, 0), Z, q[1])
+    return apart(place(coupler, (0.6, 0, 0)), place(hinge(SPACE, (0.55, 0, 0), Z, q[2]), (0.5, 0, 0)))
+
+
+def slider_crank(q):
+    rod = hinge(hinge(SPACE, (0, 0, 0), Z, q[0]), (0.1, 0, 0), Z, q[1])
+    return apart(place(rod, (0.35, 0, 0)), (q[2], 0.02, 0))
+
+
+LINKAGES = [(HARD, bricard, 5), (HARD, bennett, 3), (HARD, sarrus, 5), (MODELS, four_bar, 3), (MODELS, slider_crank, 3)]
+AWAY = (1e-6, 1e-4, 0.01, 0.1, 0.3)
+
+
+class Loops(Evaluate):
+    def angles(self, text):
+        done = self.run_it("evaluate", "-", stdin=text)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return {name: float(value) for name, value in re.findall(r"(?m)^  (\w+) +(-?\d\S*) +(?:rad|m)$", done.stdout)}
+
+    def test_guesses_beside_a_solution_lead_to_one(self):
+        for folder, closure, count in LINKAGES:
+            text = (folder / f"{closure.__name__}.yaml").read_text(encoding="utf-8")
+            names = re.findall(r"coordinates: (\w+), initial", text)
+            self.assertEqual(len(names), count)
+            solved = self.angles(text)
+            # As in the file, and with nothing given but guesses.
+            for start in (text, re.sub(r"(coordinates: \w+, )initial:", r"\1initial_guess:", text)):
+                for away in AWAY:
+                    numbers = random.Random(f"{closure.__name__} {away}")
+
+                    def beside(match):
+                        return match[1] + f"{solved[match[2]] + away * numbers.uniform(-1, 1):.7f}"
+
+                    with self.subTest(linkage=closure.__name__, away=away, all_open=start != text):
+                        moved = re.sub(r"(coordinates: (\w+), initial_guess: )-?[\d.]+", beside, start)
+                        checked = self.run_it("-", "--check", stdin=moved)
+                        self.assertNotIn("error", checked.stderr)
+                        found = self.angles(moved)
+                        self.assertLess(closure([found[name] for name in names]), 1e-14)
+
+    def test_a_loop_that_cannot_be_closed_is_refused(self):
+        bennett_twisted = (HARD / "bennett.yaml").read_text(encoding="utf-8").replace("asin(1.5*sin(u))", "asin(1.5*sin(u)) + TWIST")
+        for twist in ("0.1", "1e-3", "1e-6"):
+            text = bennett_twisted.replace("TWIST", twist)
+            self.assertRegex(self.refused(1, "-", "--check", stdin=text), r"error\[E0[78]0\]")
+        # One that rounding of a double explains is none.
+        self.assertNotIn("error", self.run_it("-", "--check", stdin=bennett_twisted.replace("TWIST", "1e-14")).stderr)
+        four_bar_short = (MODELS / "four_bar.yaml").read_text(encoding="utf-8").replace("L2: {value: 0.6", "L2: {value: 3")
+        self.assertRegex(self.refused(1, "-", "--check", stdin=four_bar_short), r"error\[E0[78]0\]")
+
+
+if __name__ == "__main__":
+    unittest.main()
