@@ -27,6 +27,12 @@ bool ConstraintCheck::has_general_solution() const {
   return has_dependent() && contradictory_.empty() && general_solution(mechanics_, values_, dependences_).has_value();
 }
 
+bool ConstraintCheck::leave_undetermined() const {
+  if (!has_dependent() || !contradictory_.empty() || !has_general_way(mechanics_)) return false;
+  if (!is_undetermined_) is_undetermined_ = is_undetermined(mechanics_, values_, dependences_);
+  return *is_undetermined_;
+}
+
 void ConstraintCheck::report(const std::vector<std::size_t>& constraints, const std::string& message,
                              const std::string& hint) {
   contradictory_.insert(constraints.begin(), constraints.end());
@@ -87,7 +93,8 @@ void ConstraintCheck::report_redundant() {
 namespace {
 
 /// A row of `rolls` or `coincide` has no entry of its own.
-std::string remedy_for_redundant(const model::Constraint& row, Mechanics& mechanics) {
+std::string remedy_for_redundant(const model::Constraint& row, Mechanics& mechanics, bool is_determined) {
+  if (!is_determined) return "the others leave some acceleration undetermined: let it say something, or remove it";
   if (!has_general_way(mechanics)) return "remove it; accelerations are right, and status says dependent_constraints";
   const std::string kept = "accelerations are right, and of multipliers that do the same the least are returned";
   if (!row.may_vanish) return "remove it, or leave it: " + kept;
@@ -140,7 +147,7 @@ void ConstraintCheck::report_redundant(const Redundancy& found) {
                        what + (found.rows.size() == 1 ? ", and agrees: " : ", and agree: ") +
                            (is_zero ? "its multiplier is returned as 0" : "multipliers are not unique") +
                            fmt::format(" (mobility {})", mobility(mechanics_)),
-                       remedy_for_redundant(mechanics_.model.constraints[first], mechanics_));
+                       remedy_for_redundant(mechanics_.model.constraints[first], mechanics_, !leave_undetermined()));
 }
 
 }  // namespace gaussgen

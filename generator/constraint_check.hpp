@@ -1,6 +1,7 @@
 #pragma once
 // What is said of constraints that follow from each other, or contradict each other, at the initial state.
 
+#include <optional>
 #include <set>
 
 #include "dependence.hpp"
@@ -31,6 +32,9 @@ class ConstraintCheck {
   /// Whether constraints follow from each other, and accelerations follow from those that do not.
   bool has_general_solution() const;
 
+  /// Whether they agree, and neither they nor inertia determine some acceleration: the rows that are left say too little.
+  bool leave_undetermined() const;
+
  private:
   /// Rows of one entry of the model.
   struct Redundancy {
@@ -49,6 +53,7 @@ class ConstraintCheck {
   support::Diagnostics& diagnostics_;
   std::vector<Dependence> dependences_;
   std::set<std::size_t> contradictory_;
+  mutable std::optional<bool> is_undetermined_;  ///< once somebody asks
 };
 
 }  // namespace gaussgen

@@ -178,6 +178,11 @@ class Report {
     const bool agree = std::all_of(dependences_.begin(), dependences_.end(),
                                    [](const Dependence& found) { return found.agreement == Agreement::agree; });
     const auto found = agree ? general_solution(mechanics_, value_of_, dependences_) : std::nullopt;
+    if (agree && !found && is_undetermined(mechanics_, value_of_, dependences_)) {
+      result_.warnings.push_back(
+          "neither inertia nor the constraints that say something here determine all accelerations");
+      doubt("singular_mass_matrix");
+    }
     if (!found) return;
     for (const auto a : mechanics_.symbols.speeds.indices())
       mechanics_.solution.accelerations[a.value] = mechanics_.expressions.number(found->accelerations[a.value]);

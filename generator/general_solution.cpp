@@ -206,4 +206,9 @@ std::optional<GeneralSolution> general_solution(Mechanics& mechanics, ModelValue
   return GeneralSolution{exact(accelerations), exact(*multipliers)};
 }
 
+bool is_undetermined(Mechanics& mechanics, ModelValues& values, const std::vector<Dependence>& dependent) {
+  const std::optional<System> system = system_at(mechanics, values);
+  return system && !solution_by(*system, independent_rows(*system, dependent));
+}
+
 }  // namespace gaussgen

@@ -18,4 +18,7 @@ struct GeneralSolution {
 std::optional<GeneralSolution> general_solution(Mechanics& mechanics, ModelValues& values,
                                                 const std::vector<Dependence>& dependent);
 
+/// Whether there is none since neither inertia nor the constraints that are left determine some acceleration.
+bool is_undetermined(Mechanics& mechanics, ModelValues& values, const std::vector<Dependence>& dependent);
+
 }  // namespace gaussgen

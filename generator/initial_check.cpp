@@ -43,7 +43,8 @@ class InitialCheck {
     const bool has_state = bind_initial_values(mechanics_, state, values_);
     const std::vector<UndefinedPart> undefined = undefined_parts(mechanics_, values_);
     for (const UndefinedPart& part : undefined) report_undefined(part);
-    if (undefined.empty() && !has_state && !report_unmet(state)) report_undefined_state(state);
+    const bool has_open_rates = undefined.empty() && report_undetermined_rates();
+    if (undefined.empty() && !has_state && !has_open_rates && !report_unmet(state)) report_undefined_state(state);
     const std::vector<Violation> violated = violations(mechanics_, values_);
     ConstraintCheck constraints(mechanics_, values_, options_.is_emitted, diagnostics_);
     constraints.report_positions(violated);
@@ -52,8 +53,12 @@ class InitialCheck {
       if (!constraints.is_contradictory(violation.index)) report_violation(violation);
     }
     if (!undefined.empty() || !has_state) return report_redundant(mechanics_, diagnostics_);
-    if (violated.empty() && !options_.is_assembled) report_choice(chosen_rates(mechanics_, state, values_));
+    if (violated.empty() && !options_.is_assembled && !has_open_rates) {
+      report_silent();
+      report_choice(chosen_rates(mechanics_, state, values_));
+    }
     constraints.report_redundant();
+    if (constraints.leave_undetermined()) return report_undetermined(true);
     const bool has_other_way = has_general_way(mechanics_) && constraints.has_general_solution();
     if (!has_other_way) report_singular(constraints.has_dependent());
   }
@@ -63,6 +68,76 @@ class InitialCheck {
     diagnostics_.warning(support::code::k_undefined_start, part.span,
                          "this has no value at the initial state: " + part.reason,
                          "start from another state, or change the parameters in it");
+  }
+
+  std::vector<std::size_t> open_speeds() const {
+    const std::vector<bool> open = strategy::open_speeds(model_, mechanics_.expressions);
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      if (open[i]) result.push_back(i);
+    }
+    return result;
+  }
+
+  std::vector<std::string> names_of_speeds(const std::vector<std::size_t>& speeds) const {
+    std::vector<std::string> names;
+    for (const std::size_t i : speeds) names.push_back(mechanics_.symbols.speeds[kinematics::FreeIndex{i}].name);
+    return names;
+  }
+
+  /// Open rates that neither constraints determine nor inertia, by which the least motion would be chosen: emitted `initial_state` says
+  /// singular_mass_matrix there.
+  bool report_undetermined_rates() {
+    const std::vector<std::size_t> open = open_speeds();
+    if (open.empty() || mechanics_.dynamics.l() == 0) return false;
+    strategy::Matrix rows;
+    const auto add = [&](const strategy::Vector& row) {
+      rows.emplace_back();
+      for (const std::size_t i : open) rows.back().push_back(row[i]);
+    };
+    for (const std::size_t i : open) add(mechanics_.dynamics.g[i]);
+    for (const strategy::Vector& row : mechanics_.dynamics.b) add(row);
+    const auto here = values_(rows);
+    if (!here) return false;
+    std::vector<std::size_t> undetermined;
+    for (const std::size_t column : dependent_columns(*here)) undetermined.push_back(open[column]);
+    if (undetermined.empty()) return false;
+    const std::size_t freedom = open.size() - values_.rank(*here);
+    const std::string names = support::joined(names_of_speeds(undetermined));
+    diagnostics_.warning(
+        support::code::k_undefined_start, span_of_speed(model_, mechanics_.dynamics.labels[undetermined.front()]),
+        fmt::format("nothing determines the initial rate{} {}: the constraints leave {} of them open, and what moves "
+                    "then has no mass, by which "
+                    "the least motion could be chosen",
+                    undetermined.size() == 1 ? "" : "s", names, freedom),
+        fmt::format("state {} of them, give what they move a mass, or let a constraint say more", freedom));
+    return true;
+  }
+
+  /// Of a start that the general way has found: constraints that act on open rates elsewhere, and not here.
+  void report_silent() {
+    if (!mechanics_.known_start) return;
+    const std::vector<bool> is_open = strategy::open_speeds(model_, mechanics_.expressions);
+    for (std::size_t mu = 0; mu < mechanics_.dynamics.l(); ++mu) {
+      const strategy::Vector& row = mechanics_.dynamics.b[mu];
+      std::vector<std::size_t> silenced;
+      bool acts = false;
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        const auto entry = values_.residual(row[i].id(), k_digits);
+        const bool is_zero = entry && cln::zerop(*entry);
+        acts = acts || !is_zero;
+        if (is_open[i] && is_zero && !row[i].is_zero()) silenced.push_back(i);
+      }
+      if (!acts || silenced.empty() || !vanishes_along(is_open, row)) continue;
+      const std::vector<std::string> names = names_of_speeds(silenced);
+      diagnostics_.warning(
+          support::code::k_chosen_start, span_of_speed(model_, mechanics_.dynamics.labels[silenced.front()]),
+          fmt::format("constraint '{}', which acts on {} elsewhere, says nothing of {} at the initial state: the least "
+                      "motion, weighed by "
+                      "mass, that the others allow is taken",
+                      mechanics_.dynamics.constraints[mu], support::joined(names), names.size() == 1 ? "it" : "them"),
+          fmt::format("state {}, or start elsewhere", support::joined(names)));
+    }
   }
 
   void report_undefined_state(const std::vector<InitialValue>& state) {
@@ -220,6 +295,8 @@ class InitialCheck {
         support::code::k_singular_start, labels.empty() ? model_.name.span : span_of_speed(model_, labels[0]),
         "there are no accelerations at the initial state: " + cause,
         is_by_constraints ? "start from another state, or leave out what says the same twice"
+        : has_dependent   ? "let a constraint that says nothing of its own here tell them apart, give what they move a "
+                            "mass, or start elsewhere"
         : massless.empty()
             ? "where coordinates do not describe every motion, start elsewhere; a quaternion has no such places"
             : fmt::format("give {} a mass: what is without mass and moves alone has no acceleration",
