@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "model/constant.hpp"
 #include "model/fields.hpp"
 #include "model/format.hpp"
 #include "model/names.hpp"
@@ -64,20 +65,17 @@ bool is_version_1(const spec::Node& version) {
 const support::Rational k_least_tolerance = support::Rational(1) / 1'000'000'000;
 const support::Rational k_largest_tolerance = support::Rational(1) / 10;
 
-/// Nothing, after a report, where it is no number.
-std::optional<support::Rational> number_in(const spec::Node& node, Reading& reading) {
-  const std::string& text = node.scalar.text;
-  const bool begins = !text.empty() && (support::is_digit(text.front()) || text.front() == '.');
-  const NumberScan scan = begins ? scan_number(text) : NumberScan{};
-  if (!scan.problem.empty()) {
-    reading.diagnostics.error(*scan.code, node.span, scan.problem, scan.hint);
-  } else if (scan.size == 0 || scan.size != text.size()) {
-    reading.diagnostics.error(code::k_malformed_number, node.span, fmt::format("'{}' is no number", text),
-                              "write a number, such as 1e-6");
-  } else {
-    return scan.value;
+/// Nothing, after a report, where it is no number, nor made of numbers.
+std::optional<support::Rational> number_in(const spec::Node& node, support::Span owner, Reading& reading) {
+  const Ast ast = read_expression(node, owner, reading);
+  if (is_broken(ast)) return std::nullopt;
+  const std::optional<support::Rational> value = exact_value(ast);
+  if (!value) {
+    reading.diagnostics.error(code::k_malformed_number, node.span,
+                              fmt::format("'{}' is no number, nor made of numbers by + - * / ^", node.scalar.text),
+                              "write a number, such as 1e-6 or 1/1000000");
   }
-  return std::nullopt;
+  return value;
 }
 
 }  // namespace
@@ -100,8 +98,8 @@ void read_header(const spec::Node& root, Reading& reading) {
 
 void read_rank_tolerance(const spec::Node& root, Reading& reading) {
   const spec::Node* node = spec::find(root, "rank_tolerance");
-  if (node == nullptr || !expect_scalar(*node, key_of(root, "rank_tolerance"), "'rank_tolerance'", reading)) return;
-  const std::optional<support::Rational> value = number_in(*node, reading);
+  if (node == nullptr) return;
+  const std::optional<support::Rational> value = number_in(*node, key_of(root, "rank_tolerance"), reading);
   if (!value) return;
   if (*value < k_least_tolerance || *value > k_largest_tolerance) {
     reading.diagnostics.error(code::k_out_of_range, node->span,

@@ -112,6 +112,10 @@ class DumpModel(Program):
     def dump(self, text):
         return self.run_it("-", "--dump=model", stdin=text).stdout
 
+    def test_a_tolerance_of_ranks_may_be_made_of_numbers(self):
+        for text in ("1/1000000", "10^-6", "(1 + 1)/2e6", "0.001^2"):
+            self.assertEqual(self.dump(MODEL.replace("1e-6", text)), self.dump(MODEL), text)
+
     def test_everything_that_the_file_says_is_there(self):
         self.assertEqual(self.dump(MODEL).splitlines(), DUMP.splitlines())
 
