@@ -98,6 +98,40 @@ TEST_CASE("a model whose accelerations depend on speeds is refused by symplectic
   CHECK(run.last().outcome == StepOutcome::unsuitable);
 }
 
+namespace {
+
+/// x'' = -x, and beyond x = 0.5 a damper, as `piecewise` would have it.
+struct Damped {
+  using Scalar = double;
+  struct State {
+    double values[2];
+  };
+  using Derivative = State;
+  static constexpr std::size_t size = 2, n_q = 1, n_v = 1;
+  gauss::Status derivative(double, const State& state, Derivative& result) const {
+    result.values[0] = state.values[1];
+    result.values[1] = -state.values[0] - (state.values[0] > 0.5 ? state.values[1] : 0);
+    return gauss::Status::ok;
+  }
+};
+
+template <class Stepper>
+void is_stopped_beyond_the_wall() {
+  FixedStep<Damped, Stepper> run(Damped{}, {{0, 1}}, 0.001);
+  CHECK_FALSE(run.advance(1000));
+  CHECK(run.last().outcome == StepOutcome::unsuitable);
+  CHECK(run.steps() > 520);  // asin 0.5 is 0.5236
+  CHECK(run.steps() < 524 + 32);
+  CHECK_FALSE(run.advance(1));
+}
+
+}  // namespace
+
+TEST_CASE("a damper that begins to act on the way is noticed by symplectic Nystrom steps within 32 of them") {
+  is_stopped_beyond_the_wall<Verlet<Damped>>();
+  is_stopped_beyond_the_wall<McLachlan4<Damped>>();
+}
+
 TEST_CASE("projection holds the bar and says how far it moved; the energy is kept where speeds can make up for it") {
   using Energy = gauss::pendulum_cartesian::Energy<double>;
   using Kept = EnergyKept<Projected<Rk4<BobModel>>, Energy>;

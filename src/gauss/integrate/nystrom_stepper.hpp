@@ -15,7 +15,7 @@
 namespace gauss::integrate {
 
 /// True where, at this state, rates are the speeds, and accelerations depend neither on speeds nor on time, to the bit. What is true of one
-/// state in general position is true of the model, but for cases (`piecewise`, tables) that do not hold there.
+/// state in general position is true of the model, but for cases (`piecewise`, tables) that do not hold there, and for inputs from a function.
 template <class Model>
 bool suits_nystrom(const Model& model, const typename Model::Scalar& t, const typename Model::State& state) {
   using Scalar = typename Model::Scalar;
@@ -35,7 +35,8 @@ bool suits_nystrom(const Model& model, const typename Model::Scalar& t, const ty
 }
 
 /// `Method` is one of Odeint's symplectic Runge-Kutta-Nystrom steppers over std::array<Scalar, n_q>, or has its do_step. The first step looks whether
-/// the model suits; it refuses a model that does not.
+/// the model suits, and so does each k_steps_between-th after it, since a damper may begin to act on the way; one that does not suit is refused there. What depends
+/// on speeds for fewer steps may pass between two looks: those steps have order 1 and no symmetry.
 template <class Model, class Method>
 class NystromStepper {
  public:
@@ -45,15 +46,17 @@ class NystromStepper {
 
   // Scratch space of the method has no values to copy before the first step.
   NystromStepper() = default;
-  NystromStepper(const NystromStepper& other) : is_suitable_(other.is_suitable_) {}
+  NystromStepper(const NystromStepper& other) : steps_(other.steps_) {}
   NystromStepper& operator=(const NystromStepper& other) {
-    is_suitable_ = other.is_suitable_;
+    steps_ = other.steps_;
     return *this;
   }
 
+  /// A look takes two accelerations.
+  static constexpr int k_steps_between = 32;
+
   StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
-    if (!is_suitable_ && !suits_nystrom(model, t, state)) return refusal(model, t, state);
-    is_suitable_ = true;
+    if (steps_ == 0 && !suits_nystrom(model, t, state)) return refusal(model, t, state);
     Half q, v;
     std::copy_n(state.values, q.size(), q.begin());
     std::copy_n(state.values + q.size(), v.size(), v.begin());
@@ -70,6 +73,7 @@ class NystromStepper {
     method_.do_step(acceleration, q, v, t, h);
     const StepResult result = result_of(trouble);
     if (!result.is_taken()) return result;
+    steps_ = (steps_ + 1) % k_steps_between;
     std::copy(q.begin(), q.end(), state.values);
     std::copy(v.begin(), v.end(), state.values + q.size());
     return result;
@@ -83,7 +87,7 @@ class NystromStepper {
   }
 
   Method method_;
-  bool is_suitable_ = false;
+  int steps_ = 0;  ///< since the last look
 };
 
 /// Half a step of positions, one of speeds, half a step of positions. Nothing is kept for the next step, so a state may be corrected between them.
