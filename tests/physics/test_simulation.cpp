@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "catch_shim.hpp"
@@ -215,6 +216,8 @@ TEST_CASE("the start and every accepted step are projected, and the observer see
   prepared.rate = -1e-12;
   gauss::simulate::Simulation simulation(model_with(prepared), State{{0.0}});
   CHECK(simulation.state().values[0] == 5);
+  CHECK(simulation.report().start_moved == 5);
+  CHECK(simulation.report().start_component == 0);
   std::vector<double> before, after;
   REQUIRE(simulation.advance_to(1, [&](double, const State& from, const State& to) {
     before.push_back(from.values[0]);
@@ -223,6 +226,51 @@ TEST_CASE("the start and every accepted step are projected, and the observer see
   REQUIRE(static_cast<long>(after.size()) == simulation.report().steps);
   CHECK(before.front() < 5);
   CHECK(*std::min_element(after.begin(), after.end()) == 5);
+  CHECK(simulation.report().start_moved == 5);  // of the start alone
+}
+
+TEST_CASE("the report says of the start which component moved most, and nothing where it may not move") {
+  struct Pair {
+    double values[2];
+  };
+  gauss::simulate::Report<Status> report;
+  report.compare_start(Pair{{1, 2}}, Pair{{1.5, -1}}, 2);
+  CHECK(report.start_moved == 3);
+  CHECK(report.start_component == 1);
+
+  Prepared prepared;
+  prepared.projected = 5;
+  gauss::simulate::Settings<double> settings;
+  settings.project = false;
+  gauss::simulate::Simulation simulation(model_with(prepared), State{{0.0}}, 0.0, settings);
+  CHECK(simulation.report().start_moved == 0);
+}
+
+TEST_CASE("settings that are no numbers or out of their range are refused, and so is a start at no time") {
+  using Settings = gauss::simulate::Settings<double>;
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  const auto with = [](auto member, auto value) {
+    Settings settings;
+    settings.*member = value;
+    return settings;
+  };
+  const auto is_refused = [](const Settings& settings, double start_time) {
+    gauss::simulate::Simulation simulation(model_with(Prepared{}), State{{0.0}}, start_time, settings);
+    const bool arrived = simulation.advance_to(1);
+    CHECK(simulation.state().values[0] == Approx(arrived ? 1 : 0).margin(1e-12));
+    CHECK(simulation.report().steps == (arrived ? simulation.report().steps : 0));
+    return !arrived && simulation.report().outcome == Outcome::bad_settings;
+  };
+  CHECK_FALSE(is_refused({}, 0));
+  for (const double value : {-1e-12, 0.0, nan, infinite}) CHECK(is_refused(with(&Settings::tolerance, value), 0));
+  for (auto member : {&Settings::smallest_scale, &Settings::smallest_speed, &Settings::first_step,
+                      &Settings::longest_step, &Settings::most_projected})
+    for (const double value : {-1e-12, nan}) CHECK(is_refused(with(member, value), 0));
+  CHECK(is_refused(with(&Settings::most_steps, -1L), 0));
+  CHECK(is_refused({}, nan));
+  CHECK(is_refused({}, -infinite));
+  CHECK_FALSE(is_refused(with(&Settings::longest_step, infinite), 0));
+  CHECK(name(Outcome::bad_settings) == std::string("bad settings"));
 }
 
 TEST_CASE("a projection that jumps however short the step stops the simulation, unless it is allowed to") {

@@ -178,6 +178,25 @@ TEST_CASE("what a controller throws arrives where the simulation was called") {
   CHECK_THROWS_AS(simulation.advance_to(1), std::runtime_error);
 }
 
+TEST_CASE("CVODE, too, refuses settings out of their range, and says by how much it moved the start") {
+  Settings<double> settings = tolerance(-1e-8);
+  CvodeSimulation<BobModel, BobJacobian> refused(bob(), bob_start(), 0, settings);
+  CHECK_FALSE(refused.advance_to(1));
+  CHECK(refused.report().outcome == Outcome::bad_settings);
+  CHECK(refused.time() == 0);
+  CvodeSimulation<BobModel, BobJacobian> never(bob(), bob_start(), std::nan(""), tolerance(1e-8));
+  CHECK_FALSE(never.advance_to(1));
+  CHECK(never.report().outcome == Outcome::bad_settings);
+
+  auto beside = bob_start();
+  for (int i = 0; i < 2; ++i) beside.values[i] *= 1.01;
+  CvodeSimulation<BobModel, BobJacobian> moved(bob(), beside, 0, tolerance(1e-8));
+  CHECK(off_the_bar(moved.state()) < 1e-13);
+  const std::size_t most = moved.report().start_component;
+  CHECK(moved.report().start_moved > 0.001);
+  CHECK(moved.report().start_moved == std::abs(moved.state().values[most] - beside.values[most]));
+}
+
 TEST_CASE("the limit of steps is one") {
   Settings<double> settings = tolerance(1e-10);
   settings.most_steps = 5;

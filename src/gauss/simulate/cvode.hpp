@@ -35,10 +35,12 @@ class CvodeSimulation {
                   Multistep method = Multistep::bdf)
       : model_(model), settings_(settings), method_(method), t_(start_time) {
     problem_.set_model(model_);
-    State first = start;
-    // What a start misses the constraints by is no error of a step. Where it cannot be mended, the first step will tell.
-    if (settings_.project && !integrate::is_motion_known(model_.projection(t_, first))) first = start;
-    std::copy_n(first.values, Model::size, N_VGetArrayPointer(work_.state.get()));
+    std::copy_n(start.values, Model::size, N_VGetArrayPointer(work_.state.get()));
+    if (!settings_.are_usable() || !std::isfinite(start_time)) {
+      report_.outcome = Outcome::bad_settings;
+      return;
+    }
+    if (settings_.project) project_start(start);
     scale_.fill(settings_.smallest_scale);
     for (std::size_t i = Model::n_q; i < Model::size; ++i) scale_[i] = settings_.least_speed();
     set_up();
@@ -57,7 +59,7 @@ class CvodeSimulation {
   /// `on_step(t, state)` sees each state that was reached.
   template <class OnStep>
   bool advance_to(double end, OnStep&& on_step) {
-    if (t_ < end) CVodeSetStopTime(cvode_.get(), end);
+    if (t_ < end && report_.outcome == Outcome::running) CVodeSetStopTime(cvode_.get(), end);
     while (t_ < end && report_.outcome == Outcome::running) {
       if (report_.steps >= settings_.most_steps) {
         report_.outcome = Outcome::too_many_steps;
@@ -86,6 +88,14 @@ class CvodeSimulation {
   /// Each halves the step at least, as does a failure of the projection: enough to come down to rounding.
   static constexpr int k_most_failures = 60;
   static constexpr int k_most_without_way = 20;
+
+  /// What a start misses the constraints by is no error of a step. Where it cannot be mended, the first step will tell.
+  void project_start(const State& given) {
+    State start = given;
+    if (!integrate::is_motion_known(model_.projection(t_, start))) return;
+    report_.compare_start(given, start, Model::size);
+    std::copy_n(start.values, Model::size, N_VGetArrayPointer(work_.state.get()));
+  }
 
   void set_up() {
     problem_.simulation = this;

@@ -3,6 +3,9 @@
 #ifndef GAUSS_SIMULATE_REPORT_HPP
 #define GAUSS_SIMULATE_REPORT_HPP
 
+#include <cstddef>
+#include <limits>
+
 namespace gauss::simulate {
 
 enum class Outcome {
@@ -11,6 +14,7 @@ enum class Outcome {
   step_too_small,  ///< the model's status or the error asks for steps below rounding of the time
   too_many_steps,
   constraints_lost,  ///< projection moves the state by more than errors of steps explain, however short the steps
+  bad_settings,      ///< a setting or the time of the start is no number or out of its range; nothing was integrated
 };
 
 constexpr const char* name(Outcome outcome) noexcept {
@@ -18,12 +22,13 @@ constexpr const char* name(Outcome outcome) noexcept {
          : outcome == Outcome::model_failed   ? "model failed"
          : outcome == Outcome::step_too_small ? "step too small"
          : outcome == Outcome::too_many_steps ? "too many steps"
+         : outcome == Outcome::bad_settings   ? "bad settings"
                                               : "constraints lost";
 }
 
 template <class Scalar>
 struct Settings {
-  Scalar tolerance = Scalar(1e-12);  ///< error of one step, relative to the scale of each component
+  Scalar tolerance = Scalar(1e-12);  ///< error of one step, relative to the scale of each component; above 0
   Scalar smallest_scale = 1;  ///< the scale is the largest size so far, but no less than this, in the component's unit
   Scalar smallest_speed = 0;  ///< the same of speeds; 0: smallest_scale. See docs/simulation.md, stiff models
   Scalar first_step = 0;      ///< 0: chosen from the rates at the start
@@ -34,9 +39,17 @@ struct Settings {
   Scalar most_projected = 1000;  ///< a projection that moves a component by more tolerances is refused
 
   Scalar least_speed() const { return smallest_speed > Scalar(0) ? smallest_speed : smallest_scale; }
+
+  /// Whether each is within its range; what is no number is in none. A step cannot be shorter than 0, nor an error smaller.
+  bool are_usable() const {
+    const Scalar zero = 0;
+    return tolerance > zero && tolerance < std::numeric_limits<Scalar>::infinity() && smallest_scale >= zero &&
+           smallest_speed >= zero && first_step >= zero && longest_step >= zero && most_steps >= 0 &&
+           most_projected >= zero;
+  }
 };
 
-template <class Status>
+template <class Status, class Scalar = double>
 struct Report {
   Outcome outcome = Outcome::running;
   Status status{};    ///< the model's last one that was not ok; ok if there was none
@@ -46,6 +59,21 @@ struct Report {
       0;               ///< of the accepted: rhs said dependent_constraints, and the motion is that of the rest
   long calls = 0;      ///< of rhs
   long jacobians = 0;  ///< emitted ones that an implicit method asked for
+
+  /// By how much projection has moved the start onto the constraints: the largest move of a component, in its own unit.
+  Scalar start_moved = 0;
+  std::size_t start_component = 0;  ///< of the state, which moved so
+
+  template <class State>
+  void compare_start(const State& before, const State& after, std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i) {
+      const Scalar change = after.values[i] - before.values[i];
+      const Scalar move = change < Scalar(0) ? -change : change;
+      if (move <= start_moved) continue;
+      start_moved = move;
+      start_component = i;
+    }
+  }
 };
 
 }  // namespace gauss::simulate

@@ -27,6 +27,10 @@ class Simulation {
              const Settings<Scalar>& settings = {})
       : model_(model), settings_(settings), system_(model_), t_(start_time), step_(settings.first_step) {
     std::copy_n(start.values, Model::size, x_.begin());
+    if (!settings_.are_usable() || !(start_time - start_time == Scalar(0))) {
+      report_.outcome = Outcome::bad_settings;
+      return;
+    }
     if (settings_.project) project_start();
     scale_.fill(settings_.smallest_scale);
     for (std::size_t i = Model::n_q; i < Model::size; ++i) scale_[i] = settings_.least_speed();
@@ -58,7 +62,7 @@ class Simulation {
 
   const Scalar& time() const { return t_; }
   State state() const { return as_state(x_); }
-  const Report<Status>& report() const { return report_; }
+  const Report<Status, Scalar>& report() const { return report_; }
 
  private:
   using System = integrate::OdeintSystem<Model>;
@@ -72,8 +76,11 @@ class Simulation {
 
   /// What a start misses the constraints by is no error of a step. Where it cannot be mended, the first step will tell.
   void project_start() {
-    State start = as_state(x_);
-    if (integrate::is_motion_known(model_.projection(t_, start))) std::copy_n(start.values, Model::size, x_.begin());
+    const State given = as_state(x_);
+    State start = given;
+    if (!integrate::is_motion_known(model_.projection(t_, start))) return;
+    report_.compare_start(given, start, Model::size);
+    std::copy_n(start.values, Model::size, x_.begin());
   }
 
   template <class OnStep>
@@ -169,7 +176,7 @@ class Simulation {
   Array scale_{};
   integrate::Stepper<Scalar, Model::size> stepper_ =
       integrate::make_stepper(integrate::ScaledError<Scalar, Model::size>(settings_.tolerance, scale_));
-  Report<Status> report_;
+  Report<Status, Scalar> report_;
 };
 
 }  // namespace gauss::simulate
