@@ -41,17 +41,19 @@ constexpr double k_solved = 1e-12;   ///< likewise, with more digits
 constexpr double k_wanted = 1e-20;   ///< likewise, if it can be had: where nothing is stiff, places need it
 constexpr double k_nothing = 1e-25;  ///< likewise: rounding of all digits
 constexpr double k_shortest_descent = 1e-6;
-constexpr double k_foreseen = 0.5;         ///< of the forces before or after a step
-constexpr double k_near = 1e-4;            ///< likewise: rounding of double may be in the way, and nothing else
-constexpr double k_balanced = 1e-6;        ///< after the last digits, of the largest term at the start
-constexpr double k_faded = 1e-3;           ///< play along a speed: no place at all
-constexpr double k_flat = 1e-12;           ///< likewise: fewer digits than are shown
-constexpr int k_least_digits = 17;         ///< of a start that is to satisfy its constraints
-constexpr double k_rank = 1e-10;           ///< of the largest singular value
-constexpr double k_largest_step = 0.5;     ///< of angles, and of lengths in units of themselves
-constexpr double k_longer = 1.3;           ///< each step that is as long as it may
-constexpr double k_largest_damping = 0.2;  ///< root of it, of a column of size 1
-constexpr double k_most_damping = 1e8;     ///< times the usual
+constexpr double k_rounding = 1e-13;         ///< of what a derivative is made of
+constexpr long k_most_short_steps = 20'000;  ///< along constraints on velocities: seconds
+constexpr double k_foreseen = 0.5;           ///< of the forces before or after a step
+constexpr double k_near = 1e-4;              ///< likewise: rounding of double may be in the way, and nothing else
+constexpr double k_balanced = 1e-6;          ///< after the last digits, of the largest term at the start
+constexpr double k_faded = 1e-3;             ///< play along a speed: no place at all
+constexpr double k_flat = 1e-12;             ///< likewise: fewer digits than are shown
+constexpr int k_least_digits = 17;           ///< of a start that is to satisfy its constraints
+constexpr double k_rank = 1e-10;             ///< of the largest singular value
+constexpr double k_largest_step = 0.5;       ///< of angles, and of lengths in units of themselves
+constexpr double k_longer = 1.3;             ///< each step that is as long as it may
+constexpr double k_largest_damping = 0.2;    ///< root of it, of a column of size 1
+constexpr double k_most_damping = 1e8;       ///< times the usual
 
 constexpr int k_later = 731;  ///< ms: no part of anybody's period
 
@@ -93,15 +95,20 @@ class Search {
     return place_.start();
   }
 
-  Linearised linearised() {
+  Linearised linearised() { return linearised(rest_.multipliers.empty() ? 0 : k_rounding); }
+
+  /// Derivatives below this part of what they are made of are 0: of multipliers that cancel, as those of nearly parallel rows, rounding is no stiffness.
+  Linearised linearised(double least_part) {
     Linearised at{{}, {}, Eigen::VectorXd::Zero(rows()), true};
     at.matrix = Eigen::MatrixXd::Zero(rows(), columns());
     for (Eigen::Index i = 0; i < rows(); ++i) {
       const std::size_t row = static_cast<std::size_t>(i);
       for (Eigen::Index j = 0; j < columns(); ++j) {
-        const auto entry = place_.value_of(rest_.derivatives[row][static_cast<std::size_t>(j)].id());
+        const Expr derivative = rest_.derivatives[row][static_cast<std::size_t>(j)];
+        const auto entry = place_.value_of(derivative.id());
         at.is_defined = at.is_defined && entry.has_value() && std::isfinite(to_double(*entry));
-        if (entry) at.matrix(i, j) = to_double(*entry);
+        if (entry && (least_part == 0 || std::abs(to_double(*entry)) > least_part * place_.size_of(derivative)))
+          at.matrix(i, j) = to_double(*entry);
       }
       // What the sum is made of, and what a displacement by 1 changes.
       at.scale[i] = at.matrix.row(i).template lpNorm<Eigen::Infinity>();
@@ -118,9 +125,10 @@ class Search {
 
   /// What remains, of the largest terms.
   double approach(double enough) {
-    Linearised here = linearised();
+    Linearised here = with_multipliers();
     double damping = 1, best = HUGE_VAL;
-    for (int i = 0, since = 0; i < k_most_steps && here.is_defined && here.norm() > enough; ++i, ++steps_) {
+    for (int i = 0, since = 0; i < k_most_steps && here.is_defined && here.norm() > enough && !is_tired();
+         ++i, ++steps_) {
       since = here.norm() < 0.9 * best ? 0 : since + 1;
       best = std::min(best, here.norm());
       if (since > k_patience || !improve(here, damping)) break;
@@ -131,7 +139,7 @@ class Search {
 
   /// Downhill along the modes that the model has at rest, until forces of springs and weights are in balance and hold it there.
   void sink() {
-    for (int i = 0; i < k_steps_of_descent; ++i, ++steps_) {
+    for (int i = 0; i < k_steps_of_descent && !is_tired(); ++i, ++steps_) {
       const Linearised here = linearised();
       if (!here.is_defined || here.norm() <= k_rough) return;
       const RestSlope slope(forces(here));
@@ -174,7 +182,7 @@ class Search {
   /// How far the last forces would still move it: far, where nothing is stiff and forces only fade. Where nothing is stiff and no force
   /// is left, as along a heading, it is where it is.
   Play play() {
-    const Linearised here = linearised();
+    const Linearised here = linearised(0);
     const Real unit = largest_residual(here);
     if (unit == place_.number(0.0)) return {};
     const Eigen::VectorXd change = step(here).least(right_of(here, unit), std::numeric_limits<double>::min());
@@ -230,6 +238,27 @@ class Search {
     forces.rows << closing, held;
     return forces;
   }
+
+  /// Where this is nearer to balance, with the multipliers that balance most of the forces here: they are linear in the equations. Where rows are nearly
+  /// parallel multipliers are large, and steps that are damped would rather go anywhere than come to them.
+  Linearised with_multipliers() {
+    const Linearised here = linearised();
+    const Eigen::Index n = static_cast<Eigen::Index>(mechanics_.dynamics.n()), l = columns() - n;
+    if (!here.is_defined || l == 0 || n == 0) return here;
+    const Eigen::MatrixXd b = here.scale.head(n).cwiseInverse().asDiagonal() * here.matrix.topRightCorner(n, l);
+    const Eigen::VectorXd missing = right_of(here, place_.number(1.0)).head(n);
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(columns());
+    change.tail(l) = b.completeOrthogonalDecomposition().solve(missing);
+    const auto from = std::pair(place_.position(), place_.multipliers());
+    place_.move(change, place_.number(1.0), is_held());
+    Linearised there = linearised();
+    if (there.is_defined && there.square() < here.square()) return there;
+    place_.set(from.first, from.second);
+    return here;
+  }
+
+  /// A search that goes farther and farther along constraints finds nothing there.
+  bool is_tired() const { return place_.short_steps() > k_most_short_steps; }
 
   /// Nowhere, and false, where nothing can be foreseen.
   bool descend(const Linearised& here, const RestSlope& slope) {

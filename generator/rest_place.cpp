@@ -178,6 +178,7 @@ typename RestPlace<T>::Vector RestPlace<T>::along_path(const VectorXd& speeds, c
   const double length = speeds.size() == 0 ? 0 : speeds.lpNorm<Eigen::Infinity>() * std::abs(to_double(unit));
   const int count = static_cast<int>(std::min(std::ceil(length / k_short), k_most_short));
   const VectorXd closing = rows_of(rest_.closing) * speeds;
+  short_steps_ += count;
   Vector position = position_;
   for (int i = 0; i < count; ++i) {
     const Real part = unit / number(static_cast<double>(count));

@@ -52,6 +52,9 @@ class RestPlace {
   const std::vector<Real>& position() const { return position_; }
   const std::vector<Real>& multipliers() const { return multipliers_; }
 
+  /// So far, of paths on which constraints on velocities hold.
+  long short_steps() const { return short_steps_; }
+
   Real number(const support::Rational& value) const;
   Real number(double value) const;
 
@@ -79,6 +82,7 @@ class RestPlace {
   evaluate::Evaluator<evaluate::Scaled<double>> sizes_;
   Vector position_;
   Vector multipliers_;
+  long short_steps_ = 0;
 };
 
 }  // namespace gaussgen

@@ -6,7 +6,7 @@ import re
 import unittest
 from fractions import Fraction
 
-from gauss_gen import MODELS, Program
+from gauss_gen import MODELS, SOURCE, Program
 
 HEAD = "gauss: 1\nname: statics\n"
 SPRING = HEAD + """parameters: {m: 2, k: 30, g: 10}
@@ -307,6 +307,38 @@ forces: {one: {spring: x, stiffness: 1, rest: -2}, two: {spring: y, stiffness: 1
 """
         found = self.at_equilibrium(pair)
         self.assertEqual([float(found["state"][name]["value"]) for name in "xy"], [-2, 7])
+
+    def test_nearly_parallel_rows_carry_at_rest_what_their_difference_can(self):
+        # The difference of both rows holds z, with multipliers of weight / d.
+        skate = HEAD + """parameters: {d: DIFFERENCE}
+coordinates: {x: {initial: 0.931}, y: {initial: 0.470}, z: {initial: -0.361}}
+particles: {p: {mass: 1, position: [x, y, z]}}
+constraints:
+  a: {velocity: dot(x) + dot(y) + x*dot(z)}
+  b: {velocity: dot(x) + dot(y) + (x + d)*dot(z)}
+forces: {gravity: {uniform: [0, 0, -9.81]}}
+"""
+        for digits in (3, 5, 6, 8):
+            found = self.at_equilibrium(skate.replace("DIFFERENCE", f"1e-{digits}"))
+            self.assertEqual([float(found["state"][name]["value"]) for name in "xyz"], [0.931, 0.47, -0.361])
+            for name, sign in (("a", -1), ("b", 1)):
+                self.assertAlmostEqual(float(found["multipliers"][name]["value"]) / (sign * 9.81 * 10**digits), 1, 12)
+        # On positions, with a spring: both rows hold it where they meet.
+        rails = HEAD + """coordinates: {x: {initial: -0.05}, y: {initial: 0.05}, z: {initial: 0.3}}
+particles: {p: {mass: 1, position: [x, y, z]}}
+constraints: {a: {equation: x - y + 0.1}, b: {equation: x - y + 0.1 + DIFFERENCE*(z - 0.3)}}
+forces: {spring: {potential: 5*(x^2 + y^2 + z^2)}, gravity: {uniform: [0, 0, -9.81]}}
+"""
+        for digits in (2, 4, 6, 8):
+            found = self.at_equilibrium(rails.replace("DIFFERENCE", f"1e-{digits}"))
+            self.assertAlmostEqual(float(found["multipliers"]["b"]["value"]) / (12.81 * 10**digits), 1, 12)
+
+    def test_a_search_that_goes_on_and_on_along_constraints_ends_soon(self):
+        text = (SOURCE / "hard_cases" / "models" / "near_parallel.yaml").read_text(encoding="utf-8")
+        text = text.replace("value: 2/$i, unit: 1", "value: $i/3 + 0.001*$i*$i, unit: 1")
+        text = re.sub(r"(drift_\w: {value: )1", r"\g<1>0", text)
+        error = self.refused(1, "evaluate", "-", "--equilibrium", stdin=text, timeout=30)
+        self.assertIn("no equilibrium was found", error)
 
     def test_forces_that_only_fade_have_none(self):
         bead = HEAD + """coordinates: {x: {initial: 0.1}}
