@@ -126,30 +126,39 @@ class GeneralStart {
   ModelValues values_;
 };
 
-/// Whether steps that take rows in a fixed choice lead to a state that satisfies the constraints.
-bool is_found_without(Mechanics& mechanics, const support::Rational& time, int digits) {
-  ModelValues values(mechanics, time, digits);
-  return bind_initial_values(mechanics, initial_values(mechanics, values), values) &&
-         violations(mechanics, values).empty();
+bool has_open_values(Mechanics& mechanics) {
+  return any(strategy::open_positions(mechanics.model, mechanics.expressions)) ||
+         any(strategy::open_speeds(mechanics.model, mechanics.expressions));
 }
 
-}  // namespace
-
-void find_general_start(Mechanics& mechanics, const support::Rational& time, int digits) {
-  mechanics.known_start.reset();
+void find(Mechanics& mechanics, const support::Rational& time, int digits, bool asks_for_dependent) {
   kinematics::Expressions& expressions = mechanics.expressions;
-  if (!has_general_way(mechanics)) return;
-  if (!any(strategy::open_positions(mechanics.model, expressions)) &&
-      !any(strategy::open_speeds(mechanics.model, expressions)))
-    return;
   const StateSearch search =
       strategy::initial_state(mechanics.model, mechanics.dynamics, expressions,
                               expressions.symbol(mechanics.symbols.time), true, mechanics.epsilon());
   const bool depend = std::any_of(search.stages.begin(), search.stages.end(), [&](const SearchStage& stage) {
     return stage.open && are_dependent(*stage.open, mechanics);
   });
-  if (!depend && is_found_without(mechanics, time, digits)) return;
-  mechanics.known_start = GeneralStart(mechanics, time, digits).run(search);
+  if (depend || !asks_for_dependent) mechanics.known_start = GeneralStart(mechanics, time, digits).run(search);
+}
+
+}  // namespace
+
+void find_general_start(Mechanics& mechanics, const support::Rational& time, int digits) {
+  mechanics.known_start.reset();
+  if (has_general_way(mechanics) && usual_rank(mechanics) < mechanics.dynamics.l() && has_open_values(mechanics))
+    find(mechanics, time, digits, true);
+}
+
+void find_start_otherwise(Mechanics& mechanics, const support::Rational& time, int digits) {
+  if (!mechanics.known_start && has_general_way(mechanics) && has_open_values(mechanics))
+    find(mechanics, time, digits, false);
+}
+
+bool is_start_found(Mechanics& mechanics, const support::Rational& time, int digits) {
+  ModelValues values(mechanics, time, digits);
+  return bind_initial_values(mechanics, initial_values(mechanics, values), values) &&
+         violations(mechanics, values).empty();
 }
 
 }  // namespace gaussgen

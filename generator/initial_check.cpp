@@ -7,6 +7,7 @@
 #include "artefact_builder.hpp"
 #include "constraint_check.hpp"
 #include "evaluate/decimal.hpp"
+#include "general_start.hpp"
 #include "generic_point.hpp"
 #include "ir/contract.hpp"
 #include "nearest_position.hpp"
@@ -39,8 +40,15 @@ class InitialCheck {
         values_(mechanics, support::Rational(0), k_digits) {}
 
   void run() {
-    const std::vector<InitialValue> state = initial_values(mechanics_, values_);
-    const bool has_state = bind_initial_values(mechanics_, state, values_);
+    std::vector<InitialValue> state = initial_values(mechanics_, values_);
+    bool has_state = bind_initial_values(mechanics_, state, values_);
+    if (!has_state || !violations(mechanics_, values_).empty()) {
+      find_start_otherwise(mechanics_, support::Rational(0), k_digits);
+      if (mechanics_.known_start) {
+        state = initial_values(mechanics_, values_);
+        has_state = bind_initial_values(mechanics_, state, values_);
+      }
+    }
     const std::vector<UndefinedPart> undefined = undefined_parts(mechanics_, values_);
     for (const UndefinedPart& part : undefined) report_undefined(part);
     const bool has_open_rates = undefined.empty() && report_undetermined_rates();

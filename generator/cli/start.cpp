@@ -19,6 +19,7 @@ void set_start(Mechanics& mechanics, model::Model& model, const support::Rationa
     report_found(improve_guesses(mechanics, model, at), model, diagnostics);
   }
   find_general_start(mechanics, time, digits);
+  if (!is_start_found(mechanics, time, digits)) find_start_otherwise(mechanics, time, digits);
   if (!is_start_reached(mechanics, time, digits)) refine_guesses(mechanics, model, at);
 }
 
