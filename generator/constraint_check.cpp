@@ -64,7 +64,8 @@ void ConstraintCheck::report_positions(const std::vector<Violation>& violated) {
 
 void ConstraintCheck::report_contradictions() {
   for (const Dependence& found : dependences_) {
-    if (found.agreement == Agreement::agree || is_contradictory(found.index)) continue;
+    if (found.agreement == Agreement::agree || is_contradictory(found.index) || passed_over_.count(found.index) > 0)
+      continue;
     std::vector<std::size_t> all = found.others;
     all.push_back(found.index);
     report(all, contradiction_in(mechanics_, found) + " at the initial state",
@@ -78,7 +79,7 @@ void ConstraintCheck::report_contradictions() {
 void ConstraintCheck::report_redundant() {
   std::vector<Redundancy> all;
   for (const Dependence& found : dependences_) {
-    if (is_contradictory(found.index)) continue;
+    if (is_contradictory(found.index) || passed_over_.count(found.index) > 0) continue;
     const auto begin = mechanics_.model.constraints[found.index].name.span.begin;
     const bool is_same = !all.empty() && all.back().everywhere == found.everywhere &&
                          all.back().others.empty() == found.others.empty() && all.back().is_exact == found.is_exact &&

@@ -18,6 +18,9 @@ class ConstraintCheck {
   /// Equations of positions that nothing near satisfies, if there are violated ones among `violated`.
   void report_positions(const std::vector<Violation>& violated);
 
+  /// Of this one everything is said.
+  void pass_over(std::size_t constraint) { passed_over_.insert(constraint); }
+
   /// Velocities or accelerations that nothing satisfies.
   void report_contradictions();
 
@@ -53,6 +56,7 @@ class ConstraintCheck {
   support::Diagnostics& diagnostics_;
   std::vector<Dependence> dependences_;
   std::set<std::size_t> contradictory_;
+  std::set<std::size_t> passed_over_;
   mutable std::optional<bool> is_undetermined_;  ///< once somebody asks
 };
 

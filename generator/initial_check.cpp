@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "artefact_builder.hpp"
 #include "constraint_check.hpp"
@@ -17,6 +18,7 @@
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
 #include "undefined_parts.hpp"
+#include "vanishing_gradient.hpp"
 #include "violation.hpp"
 
 namespace gaussgen {
@@ -26,6 +28,7 @@ namespace {
 constexpr int k_digits = 17;
 constexpr int k_moved_digits = 12;
 constexpr int k_shown_digits = 9;
+const support::Rational k_small_gradient = support::Rational(1) / 100;
 
 /// Accelerations hold the second derivatives of positions.
 constexpr int k_most_derivatives = 2;
@@ -55,6 +58,7 @@ class InitialCheck {
     if (undefined.empty() && !has_state && !has_open_rates && !report_unmet(state)) report_undefined_state(state);
     const std::vector<Violation> violated = violations(mechanics_, values_);
     ConstraintCheck constraints(mechanics_, values_, options_.is_emitted, diagnostics_);
+    report_vanishing(violated, constraints);
     constraints.report_positions(violated);
     constraints.report_contradictions();
     for (const Violation& violation : violated) {
@@ -72,6 +76,37 @@ class InitialCheck {
   }
 
  private:
+  /// Of constraints that look as if: violated, or with a gradient that nearly vanishes beside what it may be.
+  void report_vanishing(const std::vector<Violation>& violated, ConstraintCheck& constraints) {
+    for (std::size_t mu = 0; mu < mechanics_.dynamics.l(); ++mu) {
+      const bool is_violated = std::any_of(violated.begin(), violated.end(),
+                                           [&](const Violation& violation) { return violation.index == mu; });
+      if (!is_violated && !is_small(mechanics_.dynamics.b[mu])) continue;
+      if (!vanishes_with_gradient(mechanics_, mu)) continue;
+      constraints.pass_over(mu);
+      vanishing_.insert(mu);
+      const model::Constraint& row = model_.constraints[mu];
+      diagnostics_.warning(
+          support::code::k_vanishing_gradient, row.span,
+          fmt::format("constraint '{}' holds nothing: its gradient vanishes wherever it holds", row.name.text),
+          hint_for_vanishing(row));
+    }
+  }
+
+  std::string hint_for_vanishing(const model::Constraint& row) const {
+    const auto base = options_.source == nullptr ? std::nullopt : base_of_power(row, *options_.source);
+    return base ? fmt::format("state '{}' instead", *base)
+                : "as that of a square does: state what is squared, or each of the terms in a sum of squares";
+  }
+
+  /// Beside what its entries are made of.
+  bool is_small(const strategy::Vector& row) {
+    return std::all_of(row.begin(), row.end(), [&](const ir::Expr entry) {
+      const auto left = values_.relative_residual(entry.id());
+      return left && *left <= values_.number(k_small_gradient);
+    });
+  }
+
   void report_undefined(const UndefinedPart& part) {
     diagnostics_.warning(support::code::k_undefined_start, part.span,
                          "this has no value at the initial state: " + part.reason,
@@ -201,6 +236,7 @@ class InitialCheck {
   }
 
   void report_violation(const Violation& violation) {
+    if (vanishing_.count(violation.index) > 0) return report_violation_of_vanishing(violation);
     const support::Span span = model_.constraints[violation.index].span;
     const std::string message = fmt::format("the initial state violates constraint '{}' by {}", violation.row->name,
                                             evaluate::to_decimal(violation.residual, 3));
@@ -209,6 +245,18 @@ class InitialCheck {
       diagnostics_.error(support::code::k_impossible_start, span, message, hint);
     } else {
       diagnostics_.warning(support::code::k_violating_start, span, message, hint);
+    }
+  }
+
+  // How far it holds says little: it grows as a power of what it is about.
+  void report_violation_of_vanishing(const Violation& violation) {
+    const model::Constraint& row = model_.constraints[violation.index];
+    const auto code = options_.is_emitted ? support::code::k_impossible_start : support::code::k_violating_start;
+    const std::string message = fmt::format("no start that satisfies constraint '{}' is found", row.name.text);
+    if (options_.is_emitted) {
+      diagnostics_.error(code, row.span, message, hint_for_vanishing(row));
+    } else {
+      diagnostics_.warning(code, row.span, message, hint_for_vanishing(row));
     }
   }
 
@@ -344,6 +392,7 @@ class InitialCheck {
   StartOptions options_;
   support::Diagnostics& diagnostics_;
   ModelValues values_;
+  std::set<std::size_t> vanishing_;  ///< constraints whose gradient vanishes wherever they hold
 };
 
 }  // namespace

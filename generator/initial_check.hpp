@@ -9,7 +9,8 @@ namespace gaussgen {
 
 struct StartOptions {
   bool is_emitted = false;
-  bool is_assembled = false;  ///< given rates may have become guesses: that constraints choose is wanted
+  bool is_assembled = false;                ///< given rates may have become guesses: that constraints choose is wanted
+  const support::Source* source = nullptr;  ///< to quote from, if there is one
 };
 
 /// Warns where the initial state of the model has no value, makes constraints depend on each other, or makes the mass matrix

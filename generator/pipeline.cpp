@@ -167,7 +167,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   if (stages.show("strategy", [&] { return dump_strategy(mechanics); })) return up_to_here();
 
   // Before all else that takes long.
-  check_initial_state(mechanics, {emits_initial_state(mechanics, options), options.assemble}, diagnostics);
+  check_initial_state(mechanics, {emits_initial_state(mechanics, options), options.assemble, &source}, diagnostics);
   check_points(mechanics, diagnostics);
   if (!diagnostics.has_errors()) check_chart(mechanics, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;

@@ -120,6 +120,8 @@ inline constexpr ErrorCode k_chosen_start{"W059", "initial rates that the constr
 // What the equations show about every configuration.
 inline constexpr ErrorCode k_redundant_constraint{"W054", "a constraint that follows from the others"};
 inline constexpr ErrorCode k_unsafe_choice{"W060", "a choice of dependent speeds that breaks down somewhere"};
+inline constexpr ErrorCode k_vanishing_gradient{"W071",
+                                                "a constraint that says nothing wherever it holds, as a square"};
 inline constexpr ErrorCode k_singular_chart{"W070", "coordinates that do not describe every motion somewhere"};
 inline constexpr ErrorCode k_idle_point{"W058", "the point of a constraint whose force is not determined"};
 inline constexpr ErrorCode k_empty_output{"W066", "an output that is empty for this model"};
@@ -202,6 +204,7 @@ inline constexpr ErrorCode k_stage_codes[] = {
     code::k_singular_start,       code::k_dependent_start,  code::k_far_start,       code::k_chosen_start,
     code::k_redundant_constraint, code::k_unsafe_choice,    code::k_idle_point,      code::k_contradiction,
     code::k_contradictory_start,  code::k_empty_output,     code::k_no_tree,         code::k_singular_chart,
+    code::k_vanishing_gradient,
 };
 
 }  // namespace gaussgen::support
