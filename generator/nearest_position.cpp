@@ -231,9 +231,11 @@ std::optional<Linearised> at_found_speeds(Mechanics& mechanics, const Vector& po
   Vector u = equations.speeds();
   auto here = equations.of_speeds(u, open);
   for (int i = 0; here && i < strategy::k_steps_to_start; ++i) {
-    const Vector change = least_change(*here, u.size());
+    const Vector change = least_change(*here, u.size()), sizes = here->size;
     for (std::size_t k = 0; k < u.size(); ++k) u[k] += change[k];
     here = equations.of_speeds(u, open);
+    // A speed that has to be 0 is so up to rounding of what it was.
+    for (std::size_t mu = 0; here && mu < sizes.size(); ++mu) here->size[mu] = std::max(here->size[mu], sizes[mu]);
   }
   return here;
 }
