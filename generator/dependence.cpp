@@ -199,6 +199,49 @@ Combination combination(const Matrix& matrix, const Rows& independent, std::size
   return found;
 }
 
+/// Of rows of unit length: how far the dependent one is from what the others span.
+cl_F distance(const Matrix& unit, const Rows& independent, std::size_t dependent) {
+  const Matrix r = selected(unit, independent);
+  Vector b;
+  for (std::size_t j = 0; j < unit.columns(); ++j) b.push_back(unit(dependent, j));
+  const std::optional<Vector> c = coefficients_of(r, b);
+  cl_F square = cln::cl_float(0, unit(0, 0));
+  for (std::size_t j = 0; j < unit.columns(); ++j) {
+    cl_F left = b[j];
+    for (std::size_t i = 0; c && i < independent.size(); ++i) left = left - (*c)[i] * r(i, j);
+    square = square + cln::square(left);
+  }
+  return cln::sqrt(square);
+}
+
+/// Without those that the dependent row is as near to the others without: what has a part as small as the tolerance is no reason.
+Rows that_matter(const Matrix& unit, Rows independent, std::size_t dependent, const cl_F& tolerance) {
+  const Matrix r = selected(unit, independent);
+  Vector b;
+  for (std::size_t j = 0; j < unit.columns(); ++j) b.push_back(unit(dependent, j));
+  const std::optional<Vector> c = coefficients_of(r, b);
+  if (!c) return independent;
+  std::vector<std::size_t> by_size(independent.size());
+  for (std::size_t i = 0; i < by_size.size(); ++i) by_size[i] = i;
+  std::stable_sort(by_size.begin(), by_size.end(),
+                   [&](std::size_t i, std::size_t k) { return cln::abs((*c)[i]) < cln::abs((*c)[k]); });
+  const auto without = [&](std::size_t count) {
+    std::vector<bool> is_left(independent.size(), true);
+    for (std::size_t i = 0; i < count; ++i) is_left[by_size[i]] = false;
+    Rows left;
+    for (std::size_t i = 0; i < independent.size(); ++i) {
+      if (is_left[i]) left.push_back(independent[i]);
+    }
+    return left;
+  };
+  std::size_t fit = 0, too_many = independent.size() + 1;
+  while (too_many - fit > 1) {
+    const std::size_t middle = fit + (too_many - fit) / 2;
+    (distance(unit, without(middle), dependent) <= tolerance ? fit : too_many) = middle;
+  }
+  return without(fit);
+}
+
 /// Of an undefined node it is not known that it is not zero.
 cl_F residual(ModelValues& values, ir::Expr node) {
   return values.residual(node.id(), k_residual_digits).value_or(values.number(support::Rational(0)));
@@ -259,8 +302,9 @@ std::vector<Dependence> dependences(Mechanics& mechanics, ModelValues& values) {
       independent);
   std::vector<Dependence> result;
   for (const std::size_t row : dependent) {
-    Combination found = combination(*here, independent, row);
     const bool is_exact = std::find(exactly.begin(), exactly.end(), row) != exactly.end();
+    Combination found =
+        combination(*here, is_exact ? independent : that_matter(seen, independent, row, tolerance), row);
     const Agreement agreement = agreement_of(found, is_exact, mechanics, values);
     found.rows.pop_back();
     result.push_back({row, std::move(found.rows), false, agreement, is_exact});
