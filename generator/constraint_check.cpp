@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "agreement.hpp"
 #include "artefact_builder.hpp"
 #include "general_solution.hpp"
 #include "nearest_position.hpp"
@@ -75,16 +76,29 @@ void ConstraintCheck::report_contradictions() {
   }
 }
 
+std::vector<std::size_t> ConstraintCheck::independent() const {
+  std::vector<std::size_t> rows;
+  for (std::size_t mu = 0; mu < mechanics_.dynamics.l(); ++mu) {
+    const bool follows =
+        std::any_of(dependences_.begin(), dependences_.end(), [&](const Dependence& one) { return one.index == mu; });
+    if (!follows) rows.push_back(mu);
+  }
+  return rows;
+}
+
 // One message for the rows of one entry of the model.
 void ConstraintCheck::report_redundant() {
   std::vector<Redundancy> all;
   for (const Dependence& found : dependences_) {
     if (is_contradictory(found.index) || passed_over_.count(found.index) > 0) continue;
     const auto begin = mechanics_.model.constraints[found.index].name.span.begin;
+    const auto elsewhere =
+        found.everywhere ? agree_elsewhere(mechanics_, found.others, independent(), found.index) : std::nullopt;
     const bool is_same = !all.empty() && all.back().everywhere == found.everywhere &&
+                         all.back().agrees_elsewhere == elsewhere &&
                          all.back().others.empty() == found.others.empty() && all.back().is_exact == found.is_exact &&
                          mechanics_.model.constraints[all.back().rows.back()].name.span.begin == begin;
-    if (!is_same) all.push_back({{}, {}, found.everywhere, found.is_exact});
+    if (!is_same) all.push_back({{}, {}, found.everywhere, found.is_exact, elsewhere});
     all.back().rows.push_back(found.index);
     all.back().others.insert(found.others.begin(), found.others.end());
   }
@@ -104,6 +118,14 @@ std::string remedy_for_redundant(const model::Constraint& row, Mechanics& mechan
              : kept +
                    "; for unique ones, 'in: frame' with an axis across the plane of a loop leaves a row out, and "
                    "'equation' states those that are needed";
+}
+
+/// As far as it was looked at.
+std::string agreement_in_words(bool is_one, const std::optional<bool>& elsewhere) {
+  const std::string agrees = is_one ? ", and agrees" : ", and agree";
+  if (elsewhere == true) return agrees + ": ";
+  return agrees +
+         (elsewhere ? " at the initial state, but not in other states or at other times: " : " at the initial state: ");
 }
 
 const char* remedy_at_start(const model::Constraint& row) {
@@ -144,11 +166,15 @@ void ConstraintCheck::report_redundant(const Redundancy& found) {
   const auto& redundant = mechanics_.solution.redundant;
   const bool is_zero =
       !has_general_way(mechanics_) && std::find(redundant.begin(), redundant.end(), name.text) != redundant.end();
-  diagnostics_.warning(code::k_redundant_constraint, name.span,
-                       what + (found.rows.size() == 1 ? ", and agrees: " : ", and agree: ") +
-                           (is_zero ? "its multiplier is returned as 0" : "multipliers are not unique") +
-                           fmt::format(" (mobility {})", mobility(mechanics_)),
-                       remedy_for_redundant(mechanics_.model.constraints[first], mechanics_, !leave_undetermined()));
+  diagnostics_.warning(
+      code::k_redundant_constraint, name.span,
+      what + agreement_in_words(found.rows.size() == 1, found.agrees_elsewhere) +
+          (is_zero ? "its multiplier is returned as 0" : "multipliers are not unique") +
+          fmt::format(" (mobility {})", mobility(mechanics_)),
+      found.agrees_elsewhere == false
+          ? "where they do not agree no motion satisfies both, and 'project' says violated_constraints: correct one of "
+            "them, or remove it"
+          : remedy_for_redundant(mechanics_.model.constraints[first], mechanics_, !leave_undetermined()));
 }
 
 }  // namespace gaussgen

@@ -45,7 +45,11 @@ class ConstraintCheck {
     std::set<std::size_t> others;
     bool everywhere = false;
     bool is_exact = true;
+    std::optional<bool> agrees_elsewhere;
   };
+
+  /// Rows that do not follow from others here.
+  std::vector<std::size_t> independent() const;
 
   void report(const std::vector<std::size_t>& constraints, const std::string& message, const std::string& hint);
   void report_redundant(const Redundancy& found);

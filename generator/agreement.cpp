@@ -1,0 +1,98 @@
+#include "agreement.hpp"
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "dense.hpp"
+#include "nearest_position.hpp"
+#include "position_equations.hpp"
+
+namespace gaussgen {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// In units of the model's time; no part of anybody's period.
+constexpr std::array<double, 3> k_times{0.3713, 1.7171, 0.0391};
+constexpr double k_first_displacement = 0.3;
+constexpr double k_least_displacement = 1e-3;
+constexpr double k_combined = 1e-6;  ///< of a row of length 1: what is left of it counts as dependent
+constexpr double k_agrees = 1e-7;    ///< of what is asked for
+
+class Numbers {
+ public:
+  double operator()() { return static_cast<double>(engine_()) / static_cast<double>(std::mt19937::max()) * 2 - 1; }
+
+  std::vector<double> operator()(std::size_t count, double size) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i < count; ++i) result.push_back(size * (*this)());
+    return result;
+  }
+
+ private:
+  std::mt19937 engine_{1986};  // the same in every run
+};
+
+/// At a place where equations of positions hold; nothing where none is found.
+std::optional<Linearised> somewhere(Mechanics& mechanics, double time, Numbers& numbers) {
+  const std::vector<bool> all(mechanics.dynamics.n(), true);
+  PositionEquations equations(mechanics, all, time);
+  for (double size = k_first_displacement; size > k_least_displacement; size /= 4) {
+    if (!equations.start()) return std::nullopt;
+    equations.move(numbers(all.size(), size));
+    if (!nearest_solution(equations)) continue;
+    polish(equations);
+    if (auto found = equations.of_speeds(numbers(all.size(), 1), all)) return found;
+  }
+  return std::nullopt;
+}
+
+VectorXd row_of(const Linearised& at, std::size_t index) {
+  return Eigen::Map<const VectorXd>(at.j[index].data(), static_cast<Index>(at.j[index].size()));
+}
+
+/// Nothing where the row is no combination of the others.
+std::optional<bool> agree_at(const Linearised& at, const std::vector<std::size_t>& others, std::size_t index) {
+  const VectorXd last = row_of(at, index);
+  MatrixXd columns(last.size(), static_cast<Index>(others.size()));
+  VectorXd lengths(columns.cols());
+  for (Index k = 0; k < columns.cols(); ++k) {
+    const VectorXd row = row_of(at, others[static_cast<std::size_t>(k)]);
+    lengths[k] = row.norm() > 0 ? row.norm() : 1;
+    columns.col(k) = row / lengths[k];
+  }
+  const VectorXd parts =
+      columns.cols() == 0 ? VectorXd(0) : VectorXd(columns.completeOrthogonalDecomposition().solve(last));
+  const VectorXd left = columns.cols() == 0 ? last : VectorXd(last - columns * parts);
+  if (left.norm() > k_combined * last.norm()) return std::nullopt;
+  double sum = at.f[index], size = at.size[index];
+  for (Index k = 0; k < columns.cols(); ++k) {
+    const std::size_t other = others[static_cast<std::size_t>(k)];
+    sum -= parts[k] / lengths[k] * at.f[other];
+    size += std::abs(parts[k]) / lengths[k] * at.size[other];
+  }
+  return std::abs(sum) <= k_agrees * size;
+}
+
+}  // namespace
+
+std::optional<bool> agree_elsewhere(Mechanics& mechanics, const std::vector<std::size_t>& others,
+                                    const std::vector<std::size_t>& more, std::size_t index) {
+  Numbers numbers;
+  std::optional<bool> result;
+  for (const double time : k_times) {
+    const auto at = somewhere(mechanics, time, numbers);
+    auto agree = at ? agree_at(*at, others, index) : std::nullopt;
+    // The row of a loop across its plane, which vanishes at the initial state, takes others where the plane has turned.
+    if (at && !agree) agree = agree_at(*at, more, index);
+    if (agree && !*agree) return false;
+    if (agree) result = true;
+  }
+  return result;
+}
+
+}  // namespace gaussgen
