@@ -3,6 +3,7 @@
 
 #include "catch_shim.hpp"
 #include "double_pendulum.hpp"
+#include "elastic_pendulum.hpp"
 #include "free_top.hpp"
 #include "gauss/integrate/compensated.hpp"
 #include "gauss/integrate/corrections.hpp"
@@ -10,6 +11,7 @@
 #include "gauss/integrate/fastest_rate.hpp"
 #include "gauss/integrate/gauss_legendre.hpp"
 #include "gauss/integrate/nystrom_stepper.hpp"
+#include "gauss/integrate/reversible_verlet.hpp"
 #include "gauss/integrate/rotation_stepper.hpp"
 #include "gauss/simulate/assembly.hpp"
 #include "gauss/simulate/fixed_step.hpp"
@@ -20,6 +22,7 @@ GAUSS_MODEL(Double, gauss::double_pendulum);
 GAUSS_MODEL(Bob, gauss::pendulum_cartesian);
 GAUSS_MODEL(Swing, gauss::simple_pendulum);
 GAUSS_MODEL(Top, gauss::free_top);
+GAUSS_MODEL(Elastic, gauss::elastic_pendulum);
 
 namespace {
 
@@ -230,6 +233,17 @@ TEST_CASE("wrapping takes whole turns away to twice the digits, and leaves what 
   CHECK(angle.rest == 1e-17);
 }
 
+TEST_CASE("wrapping in float takes whole turns away to twice the digits of float") {
+  Compensated<float> angle;
+  const double turn = 2 * std::acos(-1.0);
+  for (const float turns : {1.0F, -3.0F, 124.0F, 2000.0F}) {
+    angle = {turns * static_cast<float>(turn) + 1, 0};
+    const double exact = static_cast<double>(angle.value) - static_cast<double>(turns) * turn;
+    angle.wrap();
+    CHECK(static_cast<double>(angle.value) + static_cast<double>(angle.rest) == Approx(exact).epsilon(0).margin(1e-11));
+  }
+}
+
 TEST_CASE("a symmetric method keeps the energy to rounding, which does not add up") {
   using Energy = gauss::double_pendulum::Energy<double>;
   FixedStep<DoubleModel, GaussLegendre<DoubleModel, 3>> run(double_pendulum(), k_start, 1e-3);
@@ -302,5 +316,33 @@ TEST_CASE("symplectic methods have their orders, and go back where they came fro
     return std::log2(std::abs(after(stepper, 100) - exact) / std::abs(after(stepper, 200) - exact));
   };
   CHECK(order(Verlet<Model>()) == Approx(2).margin(0.1));
+  CHECK(order(ReversibleVerlet<Model>(4, 8)) == Approx(2).margin(0.1));
   CHECK(order(McLachlan4<Model>()) == Approx(4).margin(0.3));
+}
+
+TEST_CASE("steps on a grid bring a chaotic motion back to the bit, and refuse what leaves it") {
+  const auto model = bind_model<Elastic>(Elastic::prepare(gauss::elastic_pendulum::Parameters<double>{}),
+                                         gauss::elastic_pendulum::Inputs<double>{});
+  using Model = std::decay_t<decltype(model)>;
+  // Not on the grid: the first step moves it there.
+  const Model::State start{{0.5 + 1e-16, 1.0 / 3, 0.1, -0.2}};
+  FixedStep<Model, ReversibleVerlet<Model>> run(model, start, 0.01, 0, ReversibleVerlet<Model>(4, 16));
+  REQUIRE(run.advance(5'000));
+  run.turn_back();
+  REQUIRE(run.advance(5'000));
+  for (std::size_t i = 0; i < Model::size; ++i)
+    CHECK(run.state().values[i] == Approx(start.values[i]).epsilon(0).margin(4e-15));
+  const Model::State on_grid = run.state();
+  run.turn_back();
+  REQUIRE(run.advance(5'000));
+  run.turn_back();
+  REQUIRE(run.advance(5'000));
+  for (std::size_t i = 0; i < Model::size; ++i) CHECK(run.state().values[i] == on_grid.values[i]);
+
+  FixedStep<Model, ReversibleVerlet<Model>> beyond(model, start, 0.01, 0, ReversibleVerlet<Model>(4, 1));
+  CHECK_FALSE(beyond.advance(100));
+  CHECK(beyond.last().outcome == StepOutcome::unsuitable);
+  FixedStep<DoubleModel, ReversibleVerlet<DoubleModel>> of_angles(double_pendulum(), k_start, 0.01);
+  CHECK_FALSE(of_angles.advance(1));
+  CHECK(of_angles.last().outcome == StepOutcome::unsuitable);
 }

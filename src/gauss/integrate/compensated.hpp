@@ -10,6 +10,22 @@
 
 namespace gauss::integrate {
 
+/// 2 pi as the sum of three parts, of which the first two have so few digits that products with the number of turns are exact.
+template <class Scalar>
+struct PartsOfTurn {
+  static constexpr bool are_known = false;
+};
+template <>
+struct PartsOfTurn<double> {
+  static constexpr bool are_known = true;
+  static constexpr double upper = 0x1.921fb54400000p+2, middle = 0x1.0b4611a600000p-32, lower = 0x1.3198a2e037073p-67;
+};
+template <>
+struct PartsOfTurn<float> {
+  static constexpr bool are_known = true;
+  static constexpr float upper = 0x1.922p+2F, middle = -0x1.2afp-16F, lower = 0x1.0b4612p-32F;
+};
+
 /// A number as the sum of `value` and a `rest` below its last digit: twice the digits (Dekker, Numerische Mathematik 18 (1971) 224-242).
 template <class Scalar>
 struct Compensated {
@@ -30,18 +46,16 @@ struct Compensated {
     if constexpr (std::is_floating_point_v<Scalar>) rest += std::fma(a, b, -(a * b));
   }
 
-  /// Into (-pi, pi), up to rounding, by whole turns, as long as they are fewer than 2^19: 1e-32 rad are lost of each in double. 2 pi is the sum
-  /// of three parts, of which the first two have so few digits that products with the number of turns are exact.
+  /// Into (-pi, pi), up to rounding, by whole turns, as long as they are fewer than 2^19 in double, of each of which 1e-32 rad are lost, and than 2^11
+  /// in float, with 5e-18 rad.
   void wrap() {
-    static_assert(std::is_same_v<Scalar, double>, "the parts of 2 pi are those of double");
-    constexpr double k_upper = 0x1.921fb54400000p+2;
-    constexpr double k_middle = 0x1.0b4611a600000p-32;
-    constexpr double k_lower = 0x1.3198a2e037073p-67;
-    const double turns = std::nearbyint(value / (k_upper + k_middle));
+    using Parts = PartsOfTurn<Scalar>;
+    static_assert(Parts::are_known, "the parts of 2 pi are those of double and float");
+    const Scalar turns = std::nearbyint(value / (Parts::upper + Parts::middle));
     if (turns == 0) return;
-    add(-turns * k_upper);
-    add(-turns * k_middle);
-    add(-turns * k_lower);
+    add(-turns * Parts::upper);
+    add(-turns * Parts::middle);
+    add(-turns * Parts::lower);
   }
 };
 
@@ -59,7 +73,7 @@ class CompensatedState {
   void advance(const Scalar (&rate)[n], const Scalar& h, Scalar (&values)[n]) {
     for (std::size_t i = 0; i < n; ++i) {
       sums_[i].add_product(h, rate[i]);
-      if constexpr (std::is_same_v<Scalar, double>) {
+      if constexpr (PartsOfTurn<Scalar>::are_known) {
         if (is_angle_[i]) sums_[i].wrap();
       }
       values[i] = sums_[i].value;

@@ -34,6 +34,14 @@ bool suits_nystrom(const Model& model, const typename Model::Scalar& t, const ty
   }
 }
 
+/// What a step of a model that does not suit comes to: its own status where that stops it, else `unsuitable`.
+template <class Model>
+StepResult refused_by_nystrom(const Model& model, const typename Model::Scalar& t, const typename Model::State& state) {
+  typename Model::Derivative derivative;
+  const StepResult result = result_of(model.derivative(t, state, derivative));
+  return result.is_taken() ? StepResult{StepOutcome::unsuitable, result.status} : result;
+}
+
 /// `Method` is one of Odeint's symplectic Runge-Kutta-Nystrom steppers over std::array<Scalar, n_q>, or has its do_step. The first step looks whether
 /// the model suits, and so does each k_steps_between-th after it, since a damper may begin to act on the way; one that does not suit is refused there. What depends
 /// on speeds for fewer steps may pass between two looks: those steps have order 1 and no symmetry.
@@ -56,7 +64,7 @@ class NystromStepper {
   static constexpr int k_steps_between = 32;
 
   StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
-    if (steps_ == 0 && !suits_nystrom(model, t, state)) return refusal(model, t, state);
+    if (steps_ == 0 && !suits_nystrom(model, t, state)) return refused_by_nystrom(model, t, state);
     Half q, v;
     std::copy_n(state.values, q.size(), q.begin());
     std::copy_n(state.values + q.size(), v.size(), v.begin());
@@ -80,12 +88,6 @@ class NystromStepper {
   }
 
  private:
-  static StepResult refusal(const Model& model, const Scalar& t, const State& state) {
-    typename Model::Derivative derivative;
-    const StepResult result = result_of(model.derivative(t, state, derivative));
-    return result.is_taken() ? StepResult{StepOutcome::unsuitable, result.status} : result;
-  }
-
   Method method_;
   int steps_ = 0;  ///< since the last look
 };
