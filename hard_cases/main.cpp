@@ -116,6 +116,10 @@ int main(int argc, char** argv) {
     const hard_cases::Stopwatch stopwatch;
     const std::vector<Figure> figures = one.run(options.scope);
     const double seconds = stopwatch.seconds();
+    if (figures.empty()) {
+      std::printf("%-22s has no figure\n", one.id.c_str());
+      all_hold = false;
+    }
     for (const Figure& figure : figures) {
       print(figure);
       rows.push_back(row(one, seconds, figure));
