@@ -51,6 +51,7 @@ double power(const Model& model, const Parameters& p, double t, const typename M
 struct Run {
   double angle = k_breaks_down;    ///< rad, at the end
   double balance = k_breaks_down;  ///< J: energy gained, less the work of the reaction by Simpson's rule
+  double gain = 0;                 ///< J
   double energy = 0;               ///< J: largest
 };
 
@@ -70,7 +71,8 @@ Run simulate(const Model& model, const Parameters& p, const typename Model::Stat
   });
   if (!arrives) return result;
   result.angle = run.state().values[0];
-  result.balance = energy.total - first - work * k_step / 3;
+  result.gain = energy.total - first;
+  result.balance = result.gain - work * k_step / 3;
   return result;
 }
 
@@ -83,31 +85,34 @@ std::vector<Figure> moving_pivot(const Scope&) {
   const auto prepared = Rod::prepare(p);
   const auto model = gauss::integrate::bind_model<Rod>(prepared, gauss::pendulum_moving_pivot::Inputs<double>{});
   gauss::pendulum_moving_pivot::State<double> start;
-  if (initial_state(prepared, start) != gauss::Status::ok) return {};
+  if (initial_state(prepared, start) != gauss::Status::ok) return {{"H20.angle", "angle after 2 s", "rad"}};
   Stopwatch stopwatch;
   const Run ours = simulate(model, p, start);
   const double seconds = stopwatch.seconds();
   const double exact = angle_by_hand(p, 1);
-  return {{"H20.angle",
-           "angle after 2 s, naive without the pivot's acceleration",
-           "rad",
-           std::abs(angle_by_hand(p, 0) - exact),
-           std::abs(ours.angle - exact),
-           1e-10,
-           0,
-           seconds,
-           "",
-           {}},
-          {"H20.power",
-           "energy gained less the work of the reaction, by the largest energy",
-           "1",
-           std::nullopt,
-           std::abs(ours.balance) / ours.energy,
-           1e-10,
-           0,
-           seconds,
-           "",
-           {}}};
+  std::vector<Figure> figures = {
+      {"H20.angle",
+       "angle after 2 s, naive without the pivot's acceleration",
+       "rad",
+       std::abs(angle_by_hand(p, 0) - exact),
+       std::abs(ours.angle - exact),
+       1e-10,
+       0,
+       seconds,
+       "",
+       {}},
+      {"H20.power",
+       "energy gained less the work of the reaction, by the largest energy, naive without this work",
+       "1",
+       std::abs(ours.gain) / ours.energy,
+       std::abs(ours.balance) / ours.energy,
+       1e-10,
+       0,
+       seconds,
+       "",
+       {}}};
+  for (const Figure& figure : shaken_bar()) figures.push_back(figure);
+  return figures;
 }
 
 }  // namespace hard_cases

@@ -11,6 +11,7 @@
 #include "poles.hpp"
 #include "registry.hpp"
 #include "sums.hpp"
+#include "taut_string.hpp"
 
 namespace hard_cases {
 
@@ -21,6 +22,8 @@ using Real = double (*)(double);
 
 constexpr int k_arguments = 100000;
 constexpr double k_length = 0.7, k_far = 1e6;
+/// What is not a rule alone: a rule within four operations more, each of which rounds once.
+constexpr double k_state_bar = 8;
 
 struct Form {
   const char* id;
@@ -122,6 +125,33 @@ Errors errors_of_gaps() {
   return result;
 }
 
+/// Of a bead that is 1e-7 m to 1e-5 m beside a string which is just taut: what pulls it back, and what that has stored.
+struct OfString {
+  Errors acceleration, energy;
+};
+OfString errors_of_string() {
+  namespace emitted = gauss::taut_string;
+  const emitted::Parameters<double> p;
+  const auto prepared = prepare(p);
+  OfString result;
+  for (int i = 0; i < k_arguments; ++i) {
+    const double x = (i % 2 == 0 ? 1 : -1) * std::pow(10.0, -7.0 + 2.0 * i / (k_arguments - 1));
+    const emitted::State<double> state{{x, 0}};
+    emitted::Derivative<double> rate;
+    emitted::Energy<double> stored;
+    (void)rhs(0.0, state, emitted::Inputs<double>{}, prepared, rate);
+    (void)energy(0.0, state, prepared, stored);
+    const double length = std::sqrt(p.L * p.L + x * x), longer = length - p.L;
+    const Wide exact_length = sqrt(Wide(squared(Wide(p.L)) + squared(Wide(x)))), exact = exact_length - Wide(p.L);
+    const Wide exact_acceleration = -2 * Wide(p.k) / Wide(p.m) * exact * Wide(x) / exact_length;
+    grow(result.acceleration.naive, ulps(-2 * p.k / p.m * longer * x / length, exact_acceleration));
+    grow(result.acceleration.ours, ulps(rate.values[1], exact_acceleration));
+    grow(result.energy.naive, ulps(p.k * longer * longer, Wide(p.k) * squared(exact)));
+    grow(result.energy.ours, ulps(stored.potential, Wide(p.k) * squared(exact)));
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Figure> cancellation(const Scope&) {
@@ -134,6 +164,12 @@ std::vector<Figure> cancellation(const Scope&) {
   const Errors gaps = errors_of_gaps();
   result.push_back(
       {"H22.gap", "distance of 1e5 pairs of places 1e6 m away, 1e-9 m to 1 km apart", "ulp", gaps.naive, gaps.ours, 4});
+  const OfString string = errors_of_string();
+  const char* remark = "a bead 1e-7 m to 1e-5 m beside a string that is just taut, 1e5 states";
+  result.push_back({"H22.small", "acceleration at a small state", "ulp", string.acceleration.naive,
+                    string.acceleration.ours, k_state_bar, 0, 0, remark});
+  result.push_back({"H22.small_energy", "potential energy at a small state", "ulp", string.energy.naive,
+                    string.energy.ours, k_state_bar, 0, 0, remark});
   return result;
 }
 

@@ -6,7 +6,8 @@ const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
       {"H01", "Euler angles at their pole: a rolling ball", euler_pole},
       {"H02", "No choice of dependent velocities is good everywhere: a knife edge", knife_edge},
-      {"H03", "Constraints that follow from each other: said twice, a door on two hinges, a table on four legs", redundant},
+      {"H03", "Constraints that follow from each other: said twice, a door on two hinges, a table on four legs",
+       redundant},
       {"H04", "Constraints that contradict each other: two bars of other lengths", contradictory},
       {"H05", "Gradients of constraints that are nearly parallel", near_parallel},
       {"H06", "A mass matrix without inverse: an angle, a rod and a hub without inertia", singular_mass},
