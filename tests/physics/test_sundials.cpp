@@ -319,3 +319,26 @@ TEST_CASE("BDF comes off order 1 where errors of places are a hundred times as l
   CHECK(run.advance_to(10));
   CHECK(run.state().values[0] == Approx(std::cos(10 - 1e-3)).margin(1e-6));
 }
+
+TEST_CASE("BDF needs no scale of speeds where a place makes speeds that are up to a million times as large") {
+  using Jacobian = EmittedJacobian<gauss::stiff_spring::Jacobian<double>, gauss::stiff_spring::JacobianByState>;
+  // k/c, from 100/s to 1e6/s.
+  for (const double damping : {1e7, 1e6, 1e5, 1e4, 1e3}) {
+    for (const double allowed : {1e-6, 1e-8, 1e-9, 1e-10}) {
+      gauss::stiff_spring::Parameters<double> parameters;
+      parameters.c = damping;
+      const double lag = damping / parameters.k;  // s: of m s'' + c s' + k s = k cos t, where m s'' is nothing beside
+      Settings<double> settings = tolerance(allowed);
+      settings.most_steps = 5000;
+      const auto spring = bound<Spring>(parameters, gauss::stiff_spring::Inputs<double>{});
+      CvodeSimulation<std::decay_t<decltype(spring)>, Jacobian> run(
+          spring, {{1 / (1 + lag * lag), lag / (1 + lag * lag)}}, 0, settings);
+      INFO(damping << ' ' << allowed << ": " << run.report().steps);
+      CHECK(run.advance_to(10));
+      const double place = (std::cos(10.0) + lag * std::sin(10.0)) / (1 + lag * lag);
+      CHECK(run.state().values[0] == Approx(place).epsilon(0).margin(10 * allowed + 1e-11));
+      const double speed = (-std::sin(10.0) + lag * std::cos(10.0)) / (1 + lag * lag);
+      CHECK(run.state().values[1] == Approx(speed).epsilon(0).margin(3000 * allowed));
+    }
+  }
+}

@@ -138,6 +138,7 @@ class CvodeSimulation {
     const long inaccurate_before = inaccurate_;
     count();
     hold_step(inaccurate_ > inaccurate_before);
+    demand_places();
     problem_.rethrow();
     if (!integrate::is_motion_known(problem_.trouble())) report_.status = problem_.trouble();
     if (flag < 0) {
@@ -168,6 +169,27 @@ class CvodeSimulation {
 #endif
   }
 
+  /// A spring and a damper make a speed follow a place, k/c times as large. What steps may miss a place by is then a change of the speed, and where that is beyond what the speed may
+  /// be missed by, steps are refused again and again: neither their length nor their order grows. So where the order stays low from look to look and refusals add up,
+  /// coordinates are asked for a digit more, down to rounding. Tolerances become no looser by this. Where it does not help (rates that jump), it is taken back.
+  void demand_places() {
+    constexpr int k_steps_to_look = 50, k_looks = 2, k_refused = 15;
+    if (method_ != Multistep::bdf || report_.steps < watched_.steps + k_steps_to_look) return;
+    int order = 0;
+    CVodeGetLastOrder(cvode_.get(), &order);
+    const bool is_low = order <= 2;
+    watched_.looks = is_low ? watched_.looks + 1 : 0;
+    watched_.refused = is_low ? watched_.refused + inaccurate_ - watched_.inaccurate : 0;
+    watched_.steps = report_.steps;
+    watched_.inaccurate = inaccurate_;
+    if (watched_.is_given_up || watched_.looks < k_looks || watched_.refused < k_refused) return;
+    watched_.looks = 0;
+    watched_.refused = 0;
+    places_ /= 10;
+    watched_.is_given_up = settings_.tolerance * places_ < 16 * std::numeric_limits<double>::epsilon();
+    if (watched_.is_given_up) places_ = 1;
+  }
+
   Outcome outcome_of(int flag) const {
     if (flag == CV_FIRST_RHSFUNC_ERR) return Outcome::model_failed;
     return jumped_ ? Outcome::constraints_lost : Outcome::step_too_small;
@@ -190,7 +212,8 @@ class CvodeSimulation {
     for (std::size_t i = 0; i < Model::size; ++i) {
       double& scale = simulation.scale_[i];
       scale = std::max(scale, std::abs(N_VGetArrayPointer(y)[i]));
-      N_VGetArrayPointer(result)[i] = 1 / (simulation.settings_.tolerance * scale);
+      const double share = i < Model::n_q ? simulation.places_ : 1.0;
+      N_VGetArrayPointer(result)[i] = 1 / (simulation.settings_.tolerance * share * scale);
     }
     return 0;
   }
@@ -224,6 +247,13 @@ class CvodeSimulation {
   bool jumped_ = false;  ///< the last trial, by its projection
   int without_way_ = 0;  ///< steps in a row that did not move the time
   long inaccurate_ = 0;  ///< trials that the estimate of the error refused
+  struct Watched {
+    long steps = 0, inaccurate = 0;
+    long looks = 0, refused = 0;  ///< in a row with a low order
+    bool is_given_up = false;
+  };
+  Watched watched_;    ///< at the last look of demand_places
+  double places_ = 1;  ///< share of the tolerance that coordinates are allowed
   std::array<double, Model::size> scale_{};
   Report<Status> report_;
   Problem problem_;
