@@ -12,6 +12,7 @@
 
 #include "gauss/integrate/bound_model.hpp"
 #include "gauss/integrate/elimination.hpp"
+#include "gauss/integrate/model_decorator.hpp"
 #include "gauss/integrate/step_result.hpp"
 
 namespace gauss::integrate {
@@ -36,15 +37,15 @@ Status rates_of(const Scalar& t, const State& state, const Inputs& inputs, const
 /// The model `Base` (a BoundModel, which outlives it) with accelerations from an elimination. `System` is the emitted struct,
 /// such as gauss::pendulum::LinearSystem<double>.
 template <class Base, class System>
-class PartitionedModel {
+class PartitionedModel : public ModelDecorator<PartitionedModel<Base, System>, Base> {
+  using Decorator = ModelDecorator<PartitionedModel<Base, System>, Base>;
+
  public:
-  using State = typename Base::State;
-  using Derivative = typename Base::Derivative;
-  using Prepared = typename Base::Prepared;
-  using Scalar = typename Base::Scalar;
-  using Status = typename Base::Status;
+  using typename Decorator::Derivative;
+  using typename Decorator::Scalar;
+  using typename Decorator::State;
+  using typename Decorator::Status;
   static_assert(std::is_same_v<Status, gauss::Status>, "lanes of a batch may ask for different partitions");
-  static constexpr std::size_t size = Base::size, n_q = Base::n_q, n_v = Base::n_v;
   static constexpr int n = static_cast<int>(std::extent_v<decltype(System::b), 1>);
   static constexpr int l = static_cast<int>(std::extent_v<decltype(System::b), 0>);
   using Choice = Partition<n, l>;
@@ -61,7 +62,7 @@ class PartitionedModel {
     Solution solution;
     const Status solved = solve(t, state, solution);
     return Math<Scalar>::worse(solved,
-                               detail::rates_of(t, state, inputs(t, state), base_->prepared(), solution, result));
+                               detail::rates_of(t, state, this->inputs(t, state), this->prepared(), solution, result));
   }
 
   /// Accelerations and multipliers. Where the partition does not carry the state, they and the status are those of `gauss::solve`.
@@ -77,25 +78,13 @@ class PartitionedModel {
   }
 
   Status linear_system(const Scalar& t, const State& state, System& system) const {
-    return detail::fill_system(t, state, inputs(t, state), base_->prepared(), system);
+    return detail::fill_system(t, state, this->inputs(t, state), this->prepared(), system);
   }
 
   /// Calls so far that the partition did not carry.
   long handed_over() const { return handed_over_; }
 
-  template <class Result>
-  Status derivatives(const Scalar& t, const State& state, Result& result) const {
-    return base_->derivatives(t, state, result);
-  }
-  template <class Result>
-  Status energy(const Scalar& t, const State& state, Result& result) const {
-    return base_->energy(t, state, result);
-  }
-  Status projection(const Scalar& t, State& state) const { return base_->projection(t, state); }
-  Status position_step(const Scalar& t, State& state) const { return base_->position_step(t, state); }
-  Status speed_step(const Scalar& t, State& state) const { return base_->speed_step(t, state); }
-  decltype(auto) inputs(const Scalar& t, const State& state) const { return base_->inputs(t, state); }
-  const Prepared& prepared() const { return base_->prepared(); }
+  const Base& base() const { return *base_; }
 
  private:
   const Base* base_;

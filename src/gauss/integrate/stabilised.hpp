@@ -18,6 +18,7 @@
 
 #include "gauss/constrained.hpp"
 #include "gauss/integrate/bound_model.hpp"
+#include "gauss/integrate/model_decorator.hpp"
 #include "gauss/integrate/step_result.hpp"
 
 namespace gauss::integrate {
@@ -53,17 +54,18 @@ struct HasRows<Result, std::void_t<decltype(Result::b)>> : std::true_type {};
 /// the rows b are then found by residuals of n + 1 candidate accelerations. Lengths of quaternions are no rows: they are for projection, or a
 /// stepper that keeps them. Reactions are no business of gains: `reactions` is that of the model itself.
 template <class Base, class Residuals, class Metric>
-class Stabilised {
+class Stabilised : public ModelDecorator<Stabilised<Base, Residuals, Metric>, Base> {
+  using Decorator = ModelDecorator<Stabilised<Base, Residuals, Metric>, Base>;
+
  public:
-  using State = typename Base::State;
-  using Derivative = typename Base::Derivative;
-  using Prepared = typename Base::Prepared;
-  using Scalar = typename Base::Scalar;
-  using Status = typename Base::Status;
+  using Decorator::n_q, Decorator::n_v;
+  using typename Decorator::Derivative;
+  using typename Decorator::Scalar;
+  using typename Decorator::State;
+  using typename Decorator::Status;
   static_assert(std::is_same_v<Status, gauss::Status>, "lanes of a batch may have different ranks");
   static_assert(detail::HasMetric<Metric>::value,
                 "the emitted LinearSystem or MassMatrix is expected: generate the model with the output `mass_matrix`");
-  static constexpr std::size_t size = Base::size, n_q = Base::n_q, n_v = Base::n_v;
   static constexpr int n = static_cast<int>(n_v);
   static constexpr int l = static_cast<int>(std::extent_v<decltype(Residuals::velocity)>);
   static constexpr int n_positions = detail::PositionRows<Residuals>::value;
@@ -96,15 +98,6 @@ class Stabilised {
                   "the emitted Jacobian knows of no gains: take ByDifferences with a stabilised model");
     return Status{};
   }
-  template <class Result>
-  Status energy(const Scalar& t, const State& state, Result& result) const {
-    return base_.energy(t, state, result);
-  }
-  Status projection(const Scalar& t, State& state) const { return base_.projection(t, state); }
-  Status position_step(const Scalar& t, State& state) const { return base_.position_step(t, state); }
-  Status speed_step(const Scalar& t, State& state) const { return base_.speed_step(t, state); }
-  decltype(auto) inputs(const Scalar& t, const State& state) const { return base_.inputs(t, state); }
-  const Prepared& prepared() const { return base_.prepared(); }
   const Base& base() const { return base_; }
 
  private:
