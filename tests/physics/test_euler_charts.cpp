@@ -10,6 +10,7 @@
 #include "gauss/integrate/gauss_legendre.hpp"
 #include "gauss/model_concept.hpp"
 #include "gauss/simulate/fixed_step.hpp"
+#include "gauss/simulate/simulation.hpp"
 #include "heavy_body_euler.hpp"
 #include "heavy_body_quaternion.hpp"
 #include "sphere_in_cylinder.hpp"
@@ -94,6 +95,17 @@ struct Misses {
   long switches = 0;
 };
 
+/// The places, attitude and angular velocity of the two descriptions, at one time.
+template <class Chart>
+void compare(const AngleModel::State& a, const SpinModel::State& b, const Chart& chart, Misses& largest) {
+  const double around = a.chi() - b.chi();
+  for (const double miss : {around - 2 * k_pi * std::round(around / (2 * k_pi)), a.zeta() - b.zeta(),
+                            a.chi_dot() - b.chi_dot(), a.zeta_dot() - b.zeta_dot()})
+    grow(largest.places, miss);
+  grow(largest.attitude, distance(chart.attitude(a), attitude_at(&b.e0())));
+  grow(largest.angular_velocity, distance(chart.angular_velocity(a), {b.wx(), b.wy(), b.wz()}));
+}
+
 /// Both descriptions side by side for 10 s. The azimuth is summed to twice the digits: what the rounding of 40 rad adds up to is
 /// 1e-10 with other steppers, in either description, and the angular velocity of 130 rad/s turns with it.
 Misses compare(double nutation) {
@@ -110,16 +122,31 @@ Misses compare(double nutation) {
   for (int k = 0; k < k_steps; ++k) {
     REQUIRE(angles.advance(1));
     REQUIRE(spin.advance(1));
-    const auto& a = angles.state();
-    const auto& b = spin.state();
-    const double around = a.chi() - b.chi();
-    for (const double miss : {around - 2 * k_pi * std::round(around / (2 * k_pi)), a.zeta() - b.zeta(),
-                              a.chi_dot() - b.chi_dot(), a.zeta_dot() - b.zeta_dot()})
-      grow(largest.places, miss);
-    grow(largest.attitude, distance(angles.stepper().attitude(a), attitude_at(&b.e0())));
-    grow(largest.angular_velocity, distance(angles.stepper().angular_velocity(a), {b.wx(), b.wy(), b.wz()}));
+    compare(angles.state(), spin.state(), angles.stepper(), largest);
   }
   largest.switches = angles.stepper().report().switches;
+  return largest;
+}
+
+/// Angles by steps that follow an estimate of their error, in two charts, beside the quaternion for 5 s.
+Misses compare_following(double nutation) {
+  using Charted = InEulerCharts<AngleModel, Zxz>;
+  Start start = start_at(nutation);
+  Charted charted(bound<AngleBall>(), k_of_ball);
+  charted.place(attitude_at(&start.spin.e0()), {2, 7, -20}, start.euler);
+  gauss::simulate::Settings<double> settings;
+  settings.tolerance = 1e-14;
+  gauss::simulate::Simulation<Charted> angles(charted, start.euler, 0, settings);
+  Gauss<SpinModel> of_spin;
+  of_spin.wrap(0);
+  FixedStep<SpinModel, Gauss<SpinModel>> spin(bound<SpinBall>(), start.spin, k_step, 0, of_spin);
+  Misses largest;
+  for (int k = 0; k < k_steps / 2; k += 100) {
+    REQUIRE(spin.advance(100));
+    REQUIRE(angles.advance_to(spin.time()));
+    compare(angles.state(), spin.state(), angles.model(), largest);
+  }
+  largest.switches = angles.model().switches();
   return largest;
 }
 
@@ -170,6 +197,20 @@ TEST_CASE("the ball in the cylinder is one motion in both descriptions, at any n
     CHECK(misses.attitude < 1e-10);
     CHECK(misses.angular_velocity < 1e-10);
   }
+}
+
+TEST_CASE("steps that follow an estimate of their error go through the pole, too") {
+  long switches = 0;
+  for (const double nutation : {0.0, 1e-8, 1e-4, 0.1, 1.5, k_pi}) {
+    const Misses misses = compare_following(nutation);
+    INFO("nutation " << nutation << ": " << misses.places << ' ' << misses.attitude << ' ' << misses.angular_velocity
+                     << ", " << misses.switches << " switches");
+    CHECK(misses.places < 1e-10);
+    CHECK(misses.attitude < 1e-10);
+    CHECK(misses.angular_velocity < 1e-10);
+    switches += misses.switches;
+  }
+  CHECK(switches > 15);
 }
 
 TEST_CASE("angles at their pole are taken as they are written: the first step changes the chart") {
@@ -225,9 +266,10 @@ TEST_CASE(
   const gauss::heavy_body_euler::Parameters<double> upright;
   gauss::heavy_body_euler::Parameters<double> turned;
   turned.behind = Stepper::k_behind;
+  const Stepper::PreparedInCharts in_charts = {AngleBody::prepare(upright), AngleBody::prepare(turned)};
   long switches = 0;
   for (const double pitch : {0.0, 1.0, k_pi / 2, k_pi / 2 - 1e-9, -k_pi / 2}) {
-    Stepper stepper({{0, 1, 2}, {3, 4, 5}}, Inner(), {AngleBody::prepare(upright), AngleBody::prepare(turned)});
+    Stepper stepper({{0, 1, 2}, {3, 4, 5}}, Inner(), in_charts);
     Spin::State spin{};
     spin.values[0] = std::cos(pitch / 2);
     spin.values[2] = std::sin(pitch / 2);
@@ -242,6 +284,12 @@ TEST_CASE(
     };
     Model::State start{};
     stepper.place(attitude_at(spin.values), in_space(spin), start);
+    using Charted = InEulerCharts<Model, Zyx, gauss::heavy_body_euler::Prepared<double>>;
+    Charted charted(bound<AngleBody>(), {{0, 1, 2}, {3, 4, 5}}, in_charts);
+    charted.place(attitude_at(spin.values), in_space(spin), start);
+    gauss::simulate::Settings<double> settings;
+    settings.tolerance = 1e-13;
+    gauss::simulate::Simulation<Charted> following(charted, start, 0, settings);
     FixedStep<Model, Stepper> angles(bound<AngleBody>(), start, k_step, 0, stepper);
     FixedStep<Spin, Projected<Prince8<Spin>>> rotating(bound<SpinBody>(), spin, k_step);
     double attitude = 0, omega = 0;
@@ -251,10 +299,14 @@ TEST_CASE(
       grow(attitude, distance(angles.stepper().attitude(angles.state()), attitude_at(rotating.state().values)));
       grow(omega, distance(angles.stepper().angular_velocity(angles.state()), in_space(rotating.state())));
     }
-    INFO(pitch << ": " << attitude << ' ' << omega << ", " << angles.stepper().report().switches << " switches");
+    REQUIRE(following.advance_to(rotating.time()));
+    grow(attitude, distance(following.model().attitude(following.state()), attitude_at(rotating.state().values)));
+    grow(omega, distance(following.model().angular_velocity(following.state()), in_space(rotating.state())));
+    INFO(pitch << ": " << attitude << ' ' << omega << ", " << angles.stepper().report().switches << " switches, "
+               << following.model().switches());
     CHECK(attitude < 1e-10);
     CHECK(omega < 1e-10);
-    switches += angles.stepper().report().switches;
+    switches += angles.stepper().report().switches + following.model().switches();
   }
-  CHECK(switches > 10);
+  CHECK(switches > 20);
 }

@@ -2,9 +2,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "ball_on_plane_euler.hpp"
 #include "catch_shim.hpp"
 #include "double_pendulum.hpp"
 #include "gauss/integrate/corrections.hpp"
+#include "gauss/integrate/euler_charts.hpp"
 #include "gauss/integrate/sdirk.hpp"
 #include "gauss/model_concept.hpp"
 #include "gauss/simulate/cvode.hpp"
@@ -18,6 +20,7 @@ GAUSS_MODEL(SteadyDouble, gauss::double_pendulum);
 GAUSS_MODEL(SteadyBob, gauss::pendulum_cartesian);
 GAUSS_MODEL(Relaxation, gauss::stiff_relaxation);
 GAUSS_MODEL(Spring, gauss::stiff_spring);
+GAUSS_MODEL(Roller, gauss::ball_on_plane_euler);
 
 namespace {
 
@@ -340,5 +343,40 @@ TEST_CASE("BDF needs no scale of speeds where a place makes speeds that are up t
       const double speed = (-std::sin(10.0) + lag * std::cos(10.0)) / (1 + lag * lag);
       CHECK(run.state().values[1] == Approx(speed).epsilon(0).margin(3000 * allowed));
     }
+  }
+}
+
+TEST_CASE("multistep methods go through the pole of Euler angles in two charts, and begin anew there") {
+  namespace emitted = gauss::ball_on_plane_euler;
+  const auto roller = bound<Roller>(emitted::Parameters<double>{}, emitted::Inputs<double>{});
+  using Charted =
+      gauss::integrate::InEulerCharts<std::decay_t<decltype(roller)>, gauss::integrate::EulerSequence<'z', 'x', 'z'>>;
+  using Jacobian = EmittedJacobian<emitted::Jacobian<double>, emitted::JacobianByState>;
+  // Upright, which is the pole; rolling keeps the angular velocity, so that the axis is upright again after each turn.
+  const gauss::integrate::Vector3<double> omega{1, 0.3, 0.4};
+  const double size = std::sqrt(1.25);
+  for (const auto method : {Multistep::bdf, Multistep::adams}) {
+    Charted charted(roller, {{2, 3, 4}, {7, 8, 9}});
+    emitted::State<double> start{};
+    charted.place({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, omega, start);
+    start.x_dot() = 0.1 * omega[1];
+    start.y_dot() = -0.1 * omega[0];
+    CvodeSimulation<Charted, Jacobian> run(charted, start, 0, tolerance(1e-11), method);
+    REQUIRE(run.advance_to(20));
+    const double half = 10 * size, s = std::sin(half) / size;
+    const auto exact =
+        gauss::integrate::rotation_of<double>({std::cos(half), s * omega[0], s * omega[1], s * omega[2]});
+    const auto found = run.model().attitude(run.state());
+    const auto turns = run.model().angular_velocity(run.state());
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(turns[i] == Approx(omega[i]).epsilon(0).margin(1e-8));
+      for (std::size_t j = 0; j < 3; ++j) CHECK(found[i][j] == Approx(exact[i][j]).epsilon(0).margin(1e-8));
+    }
+    CHECK(run.state().y() == Approx(-2).epsilon(0).margin(1e-8));
+    INFO(run.model().switches() << " switches, " << run.report().steps << " steps");
+    CHECK(run.model().switches() >= 6);
+    // All of them count, and not those since it began anew alone.
+    CHECK(run.report().steps > 100 * run.model().switches());
+    CHECK(run.report().calls > run.report().steps);
   }
 }

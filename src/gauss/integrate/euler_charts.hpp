@@ -1,32 +1,18 @@
-// Euler angles without a pole: a stepper that writes an attitude in one of two charts, whichever is away from its own.
+// Euler angles without a pole: a stepper, and a model for simulations with an estimate of their error, that change between two charts of an attitude
+// (gauss/integrate/euler_chart.hpp).
 // SPDX-License-Identifier: MIT
-//
-// The attitude is  R_euler(angles) C.  In the first chart C is 1, in the second a quarter turn about the axis p of the body that comes after the last one of
-// the sequence (x after z). Where the axis of the last turn points along that of the first, which is the pole of one chart, a quarter turn
-// makes it normal to it: the pole of one chart is as far from that of the other as can be, and two are enough. The angular velocity stays as it is, and
-// rates follow from it.
 #ifndef GAUSS_INTEGRATE_EULER_CHARTS_HPP
 #define GAUSS_INTEGRATE_EULER_CHARTS_HPP
 
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <type_traits>
 #include <utility>
 
-#include "gauss/integrate/euler_angles.hpp"
+#include "gauss/integrate/euler_chart.hpp"
+#include "gauss/integrate/model_decorator.hpp"
 #include "gauss/integrate/step_result.hpp"
 
 namespace gauss::integrate {
-
-/// Components of a state: the three angles in the order of their turns, and their rates.
-struct EulerPlaces {
-  std::array<std::size_t, 3> angles, rates;
-};
-
-/// The model is one and the same in both charts: bodies whose moments of inertia about all axes through the mass centre are equal, and which nothing but
-/// rolling touches. Forces, constraints and held coordinates depend on angular velocity, and on none of the angles.
-struct SameInBothCharts {};
 
 template <class Scalar>
 struct ChartReport {
@@ -43,70 +29,50 @@ class EulerCharts {
  public:
   using Scalar = typename Inner::Scalar;
   using State = typename Inner::State;
+  using Chart = EulerChart<State, Sequence>;
   using PreparedInCharts = std::array<Prepared, 2>;
-
-  /// The axis of the body about which C turns: 0 is x.
-  static constexpr std::size_t p = (Sequence::k + 1) % 3;
-  /// Rates are that much faster than the body turns, and their rounding with them; above 0.7 both charts could be too near.
-  static constexpr double k_limit = 0.5;
-  static constexpr double k_behind = 1.57079632679489661923;  ///< rad, of the second chart
+  static constexpr std::size_t p = Chart::p;
+  static constexpr double k_behind = Chart::k_behind;
 
   explicit EulerCharts(const EulerPlaces& places, Inner inner = Inner(), const PreparedInCharts& prepared = {},
-                       const Scalar& limit = Scalar(k_limit))
-      : places_(places), inner_(std::move(inner)), prepared_(prepared), limit_(limit) {}
+                       const Scalar& limit = Scalar(Chart::k_limit))
+      : chart_(places, limit), inner_(std::move(inner)), prepared_(prepared) {}
 
-  /// Sets angles and rates, in the chart that is the better one there; for a start, at any attitude. `attitude` is that of the body, the angular
-  /// velocity in the axes of space.
+  /// As of EulerChart.
   void place(const Rotation<Scalar>& attitude, const Vector3<Scalar>& angular_velocity, State& state) {
-    is_turned_ = is_near_pole(attitude);
-    write(is_turned_ ? before_turn(attitude) : attitude, angular_velocity, state);
+    chart_.place(attitude, angular_velocity, state);
   }
 
   template <class Model>
   StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
+    constexpr double k_half_turn = 3.14159265358979323846;
     State trial = state;
-    bool is_turned = is_turned_;
-    const Rotation<Scalar> written = Sequence::rotation(angles(state));
-    if (is_near_pole(written)) {
-      is_turned = !is_turned;
-      write(is_turned ? before_turn(written) : turned(written), angular_velocity(state), trial);
-    }
-    wrap(trial);
-    const StepResult result = step_in_chart(is_turned, model, t, h, trial);
+    Chart chart = chart_;
+    const bool is_changed = chart.change(trial);
+    chart.wrap(Scalar(k_half_turn), trial);
+    const StepResult result = step_in_chart(chart.is_turned(), model, t, h, trial);
     if (!result.is_taken()) return result;
-    if (is_turned != is_turned_) {
+    if (is_changed) {
       ++report_.switches;
       report_.last = t;
     }
-    is_turned_ = is_turned;
+    chart_ = chart;
     state = trial;
     return result;
   }
 
   /// Of the body, from a state in the chart that is in force.
-  Rotation<Scalar> attitude(const State& state) const {
-    const Rotation<Scalar> written = Sequence::rotation(angles(state));
-    return is_turned_ ? turned(written) : written;
-  }
-
+  Rotation<Scalar> attitude(const State& state) const { return chart_.attitude(state); }
   /// In the axes of space.
-  Vector3<Scalar> angular_velocity(const State& state) const {
-    return Sequence::angular_velocity(angles(state), at(places_.rates, state));
-  }
-
+  Vector3<Scalar> angular_velocity(const State& state) const { return chart_.angular_velocity(state); }
   /// Whether C is the quarter turn, and not 1.
-  bool is_turned() const { return is_turned_; }
+  bool is_turned() const { return chart_.is_turned(); }
   /// C of the chart that is in force.
-  Rotation<Scalar> behind() const {
-    const Rotation<Scalar> one = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    return is_turned_ ? turned(one) : one;
-  }
+  Rotation<Scalar> behind() const { return chart_.behind(); }
   const ChartReport<Scalar>& report() const { return report_; }
   const Inner& inner() const { return inner_; }
 
  private:
-  bool is_near_pole(const Rotation<Scalar>& written) const { return Sequence::distance_from_pole(written) < limit_; }
-
   template <class Model>
   StepResult step_in_chart(bool is_turned, const Model& model, const Scalar& t, const Scalar& h, State& state) {
     if constexpr (std::is_same_v<Prepared, SameInBothCharts>) {
@@ -116,49 +82,59 @@ class EulerCharts {
     }
   }
 
-  void write(const Rotation<Scalar>& written, const Vector3<Scalar>& angular_velocity, State& state) const {
-    const Vector3<Scalar> angles = Sequence::angles(written);
-    const Vector3<Scalar> rates = Sequence::rates(angles, angular_velocity);
-    for (std::size_t i = 0; i < 3; ++i) {
-      state.values[places_.angles[i]] = angles[i];
-      state.values[places_.rates[i]] = rates[i];
-    }
-  }
-
-  // The rounding of many turns would move the axes by which rates are an angular velocity.
-  void wrap(State& state) const {
-    constexpr double k_turn = 6.28318530717958647693;
-    for (const std::size_t place : places_.angles) {
-      Scalar& angle = state.values[place];
-      angle -= Scalar(k_turn) * std::round(angle / Scalar(k_turn));
-    }
-  }
-
-  static Vector3<Scalar> at(const std::array<std::size_t, 3>& places, const State& state) {
-    return {state.values[places[0]], state.values[places[1]], state.values[places[2]]};
-  }
-  Vector3<Scalar> angles(const State& state) const { return at(places_.angles, state); }
-
-  /// R C, without rounding.
-  static Rotation<Scalar> turned(const Rotation<Scalar>& r) { return columns(r, 1, -1); }
-  /// R C^T
-  static Rotation<Scalar> before_turn(const Rotation<Scalar>& r) { return columns(r, -1, 1); }
-  static Rotation<Scalar> columns(const Rotation<Scalar>& r, int first, int second) {
-    constexpr std::size_t next = (p + 1) % 3, last = (p + 2) % 3;
-    Rotation<Scalar> result = r;
-    for (std::size_t x = 0; x < 3; ++x) {
-      result[x][next] = Scalar(first) * r[x][last];
-      result[x][last] = Scalar(second) * r[x][next];
-    }
-    return result;
-  }
-
-  EulerPlaces places_;
+  Chart chart_;
   Inner inner_;
   PreparedInCharts prepared_;
-  Scalar limit_;
-  bool is_turned_ = false;
   ChartReport<Scalar> report_;
+};
+
+/// The same for simulations with an estimate of their error, which take no steppers: the model `Base`, a BoundModel, that writes its state in the other
+/// chart between their steps. `Prepared` as of EulerCharts.
+template <class Base, class Sequence, class Prepared = SameInBothCharts>
+class InEulerCharts : public ModelDecorator<InEulerCharts<Base, Sequence, Prepared>, Base> {
+  using Decorator = ModelDecorator<InEulerCharts<Base, Sequence, Prepared>, Base>;
+
+ public:
+  using typename Decorator::Scalar;
+  using typename Decorator::State;
+  using Chart = EulerChart<State, Sequence>;
+
+  explicit InEulerCharts(const Base& base, const EulerPlaces& places, const std::array<Prepared, 2>& prepared = {},
+                         const Scalar& limit = Scalar(Chart::k_limit))
+      : bases_(in_charts(base, prepared)), chart_(places, limit) {}
+
+  /// As of EulerChart.
+  void place(const Rotation<Scalar>& attitude, const Vector3<Scalar>& angular_velocity, State& state) {
+    chart_.place(attitude, angular_velocity, state);
+  }
+
+  /// Between steps: into the other chart near the pole of this one, and back by whole turns, which multistep methods begin anew after, only where an angle is beyond one.
+  bool rewrite(State& state) {
+    constexpr double k_turn = 6.28318530717958647693;
+    const bool is_changed = chart_.change(state);
+    if (is_changed) ++switches_;
+    return chart_.wrap(Scalar(k_turn), state) || is_changed;
+  }
+
+  Rotation<Scalar> attitude(const State& state) const { return chart_.attitude(state); }
+  Vector3<Scalar> angular_velocity(const State& state) const { return chart_.angular_velocity(state); }
+  const Chart& chart() const { return chart_; }
+  /// Changes of the chart so far.
+  long switches() const { return switches_; }
+  const Base& base() const { return bases_[chart_.is_turned() ? 1 : 0]; }
+
+ private:
+  static std::array<Base, 2> in_charts(const Base& base, [[maybe_unused]] const std::array<Prepared, 2>& prepared) {
+    if constexpr (std::is_same_v<Prepared, SameInBothCharts>) {
+      return {base, base};
+    } else {
+      return {base.with(prepared[0]), base.with(prepared[1])};
+    }
+  }
+
+  std::array<Base, 2> bases_;
+  Chart chart_;
+  long switches_ = 0;
 };
 
 }  // namespace gauss::integrate

@@ -14,6 +14,7 @@
 #include <limits>
 #include <memory>
 
+#include "gauss/integrate/model_decorator.hpp"
 #include "gauss/integrate/sundials.hpp"
 #include "gauss/simulate/report.hpp"
 
@@ -72,6 +73,8 @@ class CvodeSimulation {
 
   double time() const { return t_; }
   State state() const { return Problem::state_of(work_.state.get()); }
+  /// As it is in force: of one that writes its state in other coordinates from time to time.
+  const Model& model() const { return model_; }
   const Report<Status>& report() const { return report_; }
 
  private:
@@ -130,7 +133,20 @@ class CvodeSimulation {
     CVodeSetMaxNumProjFails(cvode, k_most_failures);
   }
 
+  /// A multistep method has no use for states in other coordinates: it begins anew, with order 1 and a step of its own choice.
+  void rewrite(double end) {
+    State now = state();
+    if (!integrate::rewrite_if_any(model_, now)) return;
+    std::copy_n(now.values, Model::size, N_VGetArrayPointer(work_.state.get()));
+    before_ = {report_.steps, inaccurate_, unsolved_};
+    watched_.looks = watched_.refused = 0;
+    CVodeReInit(cvode_.get(), t_, work_.state.get());
+    CVodeSetInitStep(cvode_.get(), 0);
+    CVodeSetStopTime(cvode_.get(), end);
+  }
+
   bool step_towards(double end) {
+    rewrite(end);
     problem_.forget_trouble();
     jumped_ = false;
     sunrealtype reached = t_;
@@ -196,11 +212,13 @@ class CvodeSimulation {
   }
 
   void count() {
-    long unsolved = 0;
     CVodeGetNumSteps(cvode_.get(), &report_.steps);
     CVodeGetNumErrTestFails(cvode_.get(), &inaccurate_);
-    CVodeGetNumStepSolveFails(cvode_.get(), &unsolved);
-    report_.rejected = inaccurate_ + unsolved;
+    CVodeGetNumStepSolveFails(cvode_.get(), &unsolved_);
+    report_.steps += before_.steps;
+    inaccurate_ += before_.inaccurate;
+    unsolved_ += before_.unsolved;
+    report_.rejected = inaccurate_ + unsolved_;
     report_.calls = problem_.calls();
     report_.jacobians = problem_.jacobians();
   }
@@ -247,6 +265,11 @@ class CvodeSimulation {
   bool jumped_ = false;  ///< the last trial, by its projection
   int without_way_ = 0;  ///< steps in a row that did not move the time
   long inaccurate_ = 0;  ///< trials that the estimate of the error refused
+  long unsolved_ = 0;    ///< trials whose equations were not solved
+  struct Before {
+    long steps = 0, inaccurate = 0, unsolved = 0;
+  };
+  Before before_;  ///< what CVODE has counted before it began anew
   struct Watched {
     long steps = 0, inaccurate = 0;
     long looks = 0, refused = 0;  ///< in a row with a low order

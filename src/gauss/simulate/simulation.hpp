@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 
+#include "gauss/integrate/model_decorator.hpp"
 #include "gauss/integrate/odeint.hpp"
 #include "gauss/simulate/report.hpp"
 
@@ -62,6 +63,8 @@ class Simulation {
 
   const Scalar& time() const { return t_; }
   State state() const { return as_state(x_); }
+  /// As it is in force: of one that writes its state in other coordinates from time to time.
+  const Model& model() const { return model_; }
   const Report<Status, Scalar>& report() const { return report_; }
 
  private:
@@ -72,6 +75,14 @@ class Simulation {
     State state;
     std::copy(x.begin(), x.end(), state.values);
     return state;
+  }
+
+  /// One step knows nothing of those before it.
+  void rewrite() {
+    State state = as_state(x_);
+    if (!integrate::rewrite_if_any(model_, state)) return;
+    std::copy_n(state.values, Model::size, x_.begin());
+    grow_scale();
   }
 
   /// What a start misses the constraints by is no error of a step. Where it cannot be mended, the first step will tell.
@@ -85,6 +96,7 @@ class Simulation {
 
   template <class OnStep>
   void step_towards(const Scalar& end, OnStep&& on_step) {
+    rewrite();
     Array rates{};
     system_.forget_trouble();
     system_(x_, rates, t_);
