@@ -64,8 +64,7 @@ gauss::ball_on_plane::State<double> quaternion_start(double e) {
 }
 
 Misses with_quaternion(double e) {
-  const auto prepared = Ball::prepare(gauss::ball_on_plane::Parameters<double>{});
-  const auto model = gauss::integrate::bind_model<Ball>(prepared, gauss::ball_on_plane::Inputs<double>{});
+  const auto model = gauss::integrate::bind_model<Ball>();
   using Model = std::decay_t<decltype(model)>;
   Stopwatch stopwatch;
   Misses misses;
@@ -105,8 +104,7 @@ void measure_euler(double t, const gauss::ball_on_plane_euler::State<double>& at
 }
 
 Misses with_euler_angles(double e) {
-  const auto prepared = EulerBall::prepare(gauss::ball_on_plane_euler::Parameters<double>{});
-  const auto model = gauss::integrate::bind_model<EulerBall>(prepared, gauss::ball_on_plane_euler::Inputs<double>{});
+  const auto model = gauss::integrate::bind_model<EulerBall>();
   using Model = std::decay_t<decltype(model)>;
   Stopwatch stopwatch;
   Misses misses;
@@ -132,8 +130,7 @@ gauss::ball_on_plane_euler::State<double> charted_start(double e, Charts& charts
 
 /// In two charts, which change before a step.
 Misses in_charts(double e, long& switches) {
-  const auto prepared = EulerBall::prepare(gauss::ball_on_plane_euler::Parameters<double>{});
-  const auto model = gauss::integrate::bind_model<EulerBall>(prepared, gauss::ball_on_plane_euler::Inputs<double>{});
+  const auto model = gauss::integrate::bind_model<EulerBall>();
   using Model = std::decay_t<decltype(model)>;
   using Stepper = gauss::integrate::EulerCharts<gauss::integrate::Rk4<Model>, Zxz>;
   Stepper stepper({{2, 3, 4}, {7, 8, 9}});
@@ -165,8 +162,7 @@ Misses driven(const Model& model, const gauss::ball_on_plane_euler::State<double
 
 /// By one chart, and by two.
 std::array<Misses, 2> driven(double e) {
-  const auto prepared = EulerBall::prepare(gauss::ball_on_plane_euler::Parameters<double>{});
-  const auto model = gauss::integrate::bind_model<EulerBall>(prepared, gauss::ball_on_plane_euler::Inputs<double>{});
+  const auto model = gauss::integrate::bind_model<EulerBall>();
   gauss::integrate::InEulerCharts<std::decay_t<decltype(model)>, Zxz> charted(model, {{2, 3, 4}, {7, 8, 9}});
   const auto start = charted_start(e, charted);
   return {driven(model, euler_start(e)), driven(charted, start)};

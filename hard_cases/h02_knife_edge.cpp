@@ -71,8 +71,7 @@ Switching held_partition() {
   gauss::chaplygin_sleigh::Parameters<double> parameters;
   parameters.a = 0;
   parameters.m = parameters.Jc = 1;
-  const auto model =
-      gauss::integrate::bind_model<Sleigh>(Sleigh::prepare(parameters), gauss::chaplygin_sleigh::Inputs<double>{});
+  const auto model = gauss::integrate::bind_model<Sleigh>(parameters);
   using Model = std::decay_t<decltype(model)>;
   using ByParts = gauss::integrate::PartitionedModel<Model, System>;
   using Rk4 = gauss::integrate::Rk4<ByParts>;

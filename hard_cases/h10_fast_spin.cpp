@@ -52,8 +52,7 @@ double refused_error(double step) {
   gauss::free_top::Parameters<double> parameters;
   parameters.A = parameters.B = 1;
   parameters.C = 1.5;
-  const auto model =
-      gauss::integrate::bind_model<FreeTop>(FreeTop::prepare(parameters), gauss::free_top::Inputs<double>{});
+  const auto model = gauss::integrate::bind_model<FreeTop>(parameters);
   using Model = std::decay_t<decltype(model)>;
   gauss::free_top::State<double> start{};
   start.float_e0() = 1;

@@ -55,8 +55,7 @@ Spin spin(const Model& model, Scalar rate, Scalar step, std::int64_t steps, Step
 Figure in_float() {
   gauss::spinning_rotor::Parameters<float> parameters;
   parameters.n = k_float_spin;
-  const auto model = gauss::integrate::bind_model<SpinningRotor, float>(SpinningRotor::prepare(parameters),
-                                                                        gauss::spinning_rotor::Inputs<float>{});
+  const auto model = gauss::integrate::bind_model<SpinningRotor, float>(parameters);
   using Model = std::decay_t<decltype(model)>;
   constexpr std::int64_t k_steps = 3600 * 128;
   const Spin naive = spin(model, k_float_spin, k_float_step, k_steps, gauss::integrate::Rk4<Model>());
@@ -72,8 +71,7 @@ Figure in_float() {
 
 std::vector<Figure> angle_growth(const Scope& scope) {
   const gauss::spinning_rotor::Parameters<double> parameters;
-  const auto model = gauss::integrate::bind_model<SpinningRotor>(SpinningRotor::prepare(parameters),
-                                                                 gauss::spinning_rotor::Inputs<double>{});
+  const auto model = gauss::integrate::bind_model<SpinningRotor>(parameters);
   using Model = std::decay_t<decltype(model)>;
   const std::int64_t steps = scope.is_long ? 100'000'000 : 1'000'000;
   const Spin naive = spin(model, parameters.n, k_step, steps, gauss::integrate::Rk4<Model>());

@@ -116,8 +116,7 @@ void compare(const std::string& id, const std::string& quantity, const char* uni
 void relaxation(std::vector<Figure>& figures) {
   namespace emitted = gauss::stiff_relaxation;
   using Derivatives = gauss::integrate::EmittedJacobian<emitted::Jacobian<double>, emitted::JacobianByState>;
-  const auto model = gauss::integrate::bind_model<Relaxation>(Relaxation::prepare(emitted::Parameters<double>{}),
-                                                              emitted::Inputs<double>{});
+  const auto model = gauss::integrate::bind_model<Relaxation>();
   const auto error = [](double t, const auto& state) { return std::abs(state.values[1] - std::cos(t)); };
   compare<Derivatives>("H15.drag", "speed beside cos t", "m/s", model, emitted::State<double>{{0, 1}}, error, figures);
 }
@@ -126,8 +125,7 @@ void spring(std::vector<Figure>& figures) {
   namespace emitted = gauss::stiff_spring;
   using Derivatives = gauss::integrate::EmittedJacobian<emitted::Jacobian<double>, emitted::JacobianByState>;
   const emitted::Parameters<double> parameters;
-  const auto model =
-      gauss::integrate::bind_model<StiffSpring>(StiffSpring::prepare(parameters), emitted::Inputs<double>{});
+  const auto model = gauss::integrate::bind_model<StiffSpring>(parameters);
   // What is left when the rest has decayed: m s'' + c s' + k s = k U cos(w t) is solved by the real part of A exp(i w t).
   const double w = parameters.w;
   const std::complex<double> amplitude =

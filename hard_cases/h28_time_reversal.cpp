@@ -88,16 +88,10 @@ double direction_of_time(const Model& model) {
   return different;
 }
 
-template <class Scalar>
-auto double_pendulum() {
-  return gauss::integrate::bind_model<DoublePendulum, Scalar>(
-      DoublePendulum::prepare(gauss::double_pendulum::Parameters<Scalar>{}), gauss::double_pendulum::Inputs<Scalar>{});
-}
-
 /// Accelerations of angles depend on speeds, so steps are implicit, and equal but for rounding on the way back. The motion enlarges that as it does
 /// the distance of neighbours: 2e-10 are lost in double.
 Figure beginning_chaos() {
-  const auto model = double_pendulum<long double>();
+  const auto model = gauss::integrate::bind_model<DoublePendulum, long double>();
   using Model = std::decay_t<decltype(model)>;
   return reversal<gauss::integrate::Rk4<Model>, gauss::integrate::GaussLegendre<Model, 3>>(
       "H28.double", "the same from where it begins to be chaotic, in long double", "rad, rad/s", model,
@@ -106,9 +100,7 @@ Figure beginning_chaos() {
 
 /// Neighbours are as far apart as the motion is wide after 75 s: a symmetric method that rounds loses all.
 Figure chaos() {
-  const auto model = gauss::integrate::bind_model<ElasticPendulum>(
-      ElasticPendulum::prepare(gauss::elastic_pendulum::Parameters<double>{}),
-      gauss::elastic_pendulum::Inputs<double>{});
+  const auto model = gauss::integrate::bind_model<ElasticPendulum>();
   using Model = std::decay_t<decltype(model)>;
   return reversal<gauss::integrate::Verlet<Model>, gauss::integrate::ReversibleVerlet<Model>>(
       "H28.chaos", "bob on a soft spring, 100 s out and back, naive Verlet's steps as usual", "m, m/s", model,
@@ -118,7 +110,7 @@ Figure chaos() {
 }  // namespace
 
 std::vector<Figure> time_reversal(const Scope&) {
-  const auto model = double_pendulum<double>();
+  const auto model = gauss::integrate::bind_model<DoublePendulum>();
   using Model = std::decay_t<decltype(model)>;
   Figure bits{"H28.bits", "states of 1000 where a(q, -v) differs from a(q, v)", "1", {}};
   bits.ours = direction_of_time(model);

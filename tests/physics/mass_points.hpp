@@ -8,44 +8,18 @@
 #include <vector>
 
 #include "gauss/scalar/dual.hpp"
+#include "wide_matrix.hpp"
 
 namespace mass_points {
 
-using Wide = long double;
-using Row = std::vector<Wide>;
-using Matrix = std::vector<Row>;
-
-inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
+using physics::at;
+using physics::Matrix;
+using physics::norm;
+using physics::Row;
+using physics::Wide;
 
 /// Empty where the matrix is singular.
-inline Matrix inverse(Matrix a) {
-  const std::size_t n = a.size();
-  Matrix b(n, Row(n, 0));
-  for (std::size_t i = 0; i < n; ++i) b[i][i] = 1;
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t p = k;
-    for (std::size_t i = k; i < n; ++i)
-      if (std::abs(a[i][k]) > std::abs(a[p][k])) p = i;
-    if (!(std::abs(a[p][k]) > Wide(1e-12))) return {};
-    std::swap(a[p], a[k]);
-    std::swap(b[p], b[k]);
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == k) continue;
-      const Wide factor = a[i][k] / a[k][k];
-      for (std::size_t j = 0; j < n; ++j) a[i][j] -= factor * a[k][j], b[i][j] -= factor * b[k][j];
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) b[i][j] /= a[i][i];
-  return b;
-}
-
-inline Wide norm(const Matrix& a) {
-  Wide squares = 0;
-  for (const Row& row : a)
-    for (const Wide entry : row) squares += entry * entry;
-  return std::sqrt(squares);
-}
+inline Matrix invert(const Matrix& a) { return physics::inverse(a, 1e-12); }
 
 /// What (3.6)-(3.8) come to for one partition.
 struct Motion {
@@ -111,7 +85,7 @@ class Instant {
         scaled.back().push_back(beta_[mu][d] / std::sqrt(metric_[at(d)][at(d)] * squares));
       }
     }
-    const Matrix b_inverse = inverse(b_d), of_scaled = inverse(scaled);
+    const Matrix b_inverse = invert(b_d), of_scaled = invert(scaled);
     if (b_inverse.empty() || of_scaled.empty()) return result;
     result.condition = norm(of_scaled) * std::sqrt(Wide(l));
     result.accelerations = accelerations(dependent, b_inverse);
@@ -167,15 +141,15 @@ class Instant {
       }
     }
     metric_ = whole_;
-    whole_ = inverse(whole_);
+    whole_ = invert(whole_);
     Matrix block(at(n), Row(at(n)));
     for (int a = 0; a < n; ++a)
       for (int b = 0; b < n; ++b) block[at(a)][at(b)] = metric_[at(a)][at(b)];
-    block_ = inverse(block);
+    block_ = invert(block);
     Matrix upper(at(k), Row(at(k)));
     for (int i = 0; i < k; ++i)
       for (int j = 0; j < k; ++j) upper[at(i)][at(j)] = whole_[at(n + i)][at(n + j)];
-    lower_ = inverse(upper);
+    lower_ = invert(upper);
   }
 
   void find_rows() {
@@ -241,7 +215,7 @@ class Instant {
       left.emplace_back(beta_[mu], beta_[mu] + n);
       right.push_back(-drift_[mu]);
     }
-    const Matrix solved = inverse(left);
+    const Matrix solved = invert(left);
     Row result(at(n), 0);
     for (int a = 0; a < n; ++a)
       for (int b = 0; b < n; ++b) result[at(a)] += solved[at(a)][at(b)] * right[at(b)];

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ball_on_plane_euler.hpp"
+#include "bound.hpp"
 #include "catch_shim.hpp"
 #include "gauss/integrate/corrections.hpp"
 #include "gauss/integrate/euler_charts.hpp"
@@ -26,22 +27,13 @@ namespace {
 
 using namespace gauss::integrate;
 using gauss::simulate::FixedStep;
+using physics::grow;
 using Zxz = EulerSequence<'z', 'x', 'z'>;
 using Zyx = EulerSequence<'z', 'y', 'x'>;
 using Axes = Rotation<double>;
 using Vector = Vector3<double>;
 
 constexpr double k_pi = 3.14159265358979323846;
-
-template <class Type>
-auto bound() {
-  return bind_model<Type>(Type::prepare(typename Type::template Parameters<double>{}),
-                          typename Type::template Inputs<double>{});
-}
-
-void grow(double& largest, double size) {
-  if (!(std::abs(size) <= largest)) largest = std::abs(size);
-}
 
 double distance(const Axes& a, const Axes& b) {
   double largest = 0;
@@ -60,8 +52,8 @@ Axes attitude_at(const double* q) { return rotation_of<double>({q[0], q[1], q[2]
 /// psi, theta, phi in that order; components as in the model.
 const EulerPlaces k_of_ball{{3, 4, 2}, {8, 9, 7}};
 
-using AngleModel = decltype(bound<AngleBall>());
-using SpinModel = decltype(bound<SpinBall>());
+using AngleModel = decltype(bind_model<AngleBall>());
+using SpinModel = decltype(bind_model<SpinBall>());
 template <class Model>
 using Gauss = GaussLegendre<Model, 3>;
 using Charts = EulerCharts<Gauss<AngleModel>, Zxz>;
@@ -116,8 +108,8 @@ Misses compare(double nutation) {
   of_spin.wrap(0);
   Charts charts(k_of_ball, of_angles);
   charts.place(attitude_at(&start.spin.e0()), {2, 7, -20}, start.euler);
-  FixedStep<AngleModel, Charts> angles(bound<AngleBall>(), start.euler, k_step, 0, charts);
-  FixedStep<SpinModel, Gauss<SpinModel>> spin(bound<SpinBall>(), start.spin, k_step, 0, of_spin);
+  FixedStep<AngleModel, Charts> angles(bind_model<AngleBall>(), start.euler, k_step, 0, charts);
+  FixedStep<SpinModel, Gauss<SpinModel>> spin(bind_model<SpinBall>(), start.spin, k_step, 0, of_spin);
   Misses largest;
   for (int k = 0; k < k_steps; ++k) {
     REQUIRE(angles.advance(1));
@@ -132,14 +124,14 @@ Misses compare(double nutation) {
 Misses compare_following(double nutation) {
   using Charted = InEulerCharts<AngleModel, Zxz>;
   Start start = start_at(nutation);
-  Charted charted(bound<AngleBall>(), k_of_ball);
+  Charted charted(bind_model<AngleBall>(), k_of_ball);
   charted.place(attitude_at(&start.spin.e0()), {2, 7, -20}, start.euler);
   gauss::simulate::Settings<double> settings;
   settings.tolerance = 1e-14;
   gauss::simulate::Simulation<Charted> angles(charted, start.euler, 0, settings);
   Gauss<SpinModel> of_spin;
   of_spin.wrap(0);
-  FixedStep<SpinModel, Gauss<SpinModel>> spin(bound<SpinBall>(), start.spin, k_step, 0, of_spin);
+  FixedStep<SpinModel, Gauss<SpinModel>> spin(bind_model<SpinBall>(), start.spin, k_step, 0, of_spin);
   Misses largest;
   for (int k = 0; k < k_steps / 2; k += 100) {
     REQUIRE(spin.advance(100));
@@ -214,13 +206,13 @@ TEST_CASE("steps that follow an estimate of their error go through the pole, too
 }
 
 TEST_CASE("angles at their pole are taken as they are written: the first step changes the chart") {
-  using Model = decltype(bound<AngleRoller>());
+  using Model = decltype(bind_model<AngleRoller>());
   using Stepper = EulerCharts<Rk4<Model>, Zxz>;
   // x, y, psi, theta, phi: upright, and rolling along -y.
   Model::State start{};
   start.theta_dot() = 1;
   start.y_dot() = -0.1;
-  FixedStep<Model, Stepper> run(bound<AngleRoller>(), start, 1e-3, 0, Stepper({{2, 3, 4}, {7, 8, 9}}));
+  FixedStep<Model, Stepper> run(bind_model<AngleRoller>(), start, 1e-3, 0, Stepper({{2, 3, 4}, {7, 8, 9}}));
   REQUIRE(run.advance(1));
   CHECK(run.stepper().report().switches == 1);
   CHECK(run.stepper().is_turned());
@@ -237,7 +229,7 @@ TEST_CASE("angles at their pole are taken as they are written: the first step ch
 }
 
 TEST_CASE("a step that is not taken leaves the state and the chart") {
-  using Model = decltype(bound<AngleRoller>());
+  using Model = decltype(bind_model<AngleRoller>());
   struct Refusing {
     using Scalar = double;
     using State = Model::State;
@@ -250,7 +242,7 @@ TEST_CASE("a step that is not taken leaves the state and the chart") {
   Model::State state{};
   state.theta_dot() = 1;
   const Model::State before = state;
-  CHECK_FALSE(charts.step(bound<AngleRoller>(), 0, 1e-3, state).is_taken());
+  CHECK_FALSE(charts.step(bind_model<AngleRoller>(), 0, 1e-3, state).is_taken());
   for (std::size_t i = 0; i < Model::size; ++i) CHECK(state.values[i] == before.values[i]);
   CHECK_FALSE(charts.is_turned());
   CHECK(charts.report().switches == 0);
@@ -258,8 +250,8 @@ TEST_CASE("a step that is not taken leaves the state and the chart") {
 
 TEST_CASE(
     "a body with three moments of inertia has a frame behind its angles, and other parameters in the other chart") {
-  using Model = decltype(bound<AngleBody>());
-  using Spin = decltype(bound<SpinBody>());
+  using Model = decltype(bind_model<AngleBody>());
+  using Spin = decltype(bind_model<SpinBody>());
   using Inner = Prince8<Model>;
   using Stepper = EulerCharts<Inner, Zyx, gauss::heavy_body_euler::Prepared<double>>;
   CHECK(Stepper::p == 1);
@@ -285,13 +277,13 @@ TEST_CASE(
     Model::State start{};
     stepper.place(attitude_at(spin.values), in_space(spin), start);
     using Charted = InEulerCharts<Model, Zyx, gauss::heavy_body_euler::Prepared<double>>;
-    Charted charted(bound<AngleBody>(), {{0, 1, 2}, {3, 4, 5}}, in_charts);
+    Charted charted(bind_model<AngleBody>(), {{0, 1, 2}, {3, 4, 5}}, in_charts);
     charted.place(attitude_at(spin.values), in_space(spin), start);
     gauss::simulate::Settings<double> settings;
     settings.tolerance = 1e-13;
     gauss::simulate::Simulation<Charted> following(charted, start, 0, settings);
-    FixedStep<Model, Stepper> angles(bound<AngleBody>(), start, k_step, 0, stepper);
-    FixedStep<Spin, Projected<Prince8<Spin>>> rotating(bound<SpinBody>(), spin, k_step);
+    FixedStep<Model, Stepper> angles(bind_model<AngleBody>(), start, k_step, 0, stepper);
+    FixedStep<Spin, Projected<Prince8<Spin>>> rotating(bind_model<SpinBody>(), spin, k_step);
     double attitude = 0, omega = 0;
     for (int k = 0; k < 25'000; ++k) {
       REQUIRE(angles.advance(1));

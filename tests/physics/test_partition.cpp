@@ -7,6 +7,7 @@
 
 #include "bennett.hpp"
 #include "bicycle.hpp"
+#include "bound.hpp"
 #include "catch_shim.hpp"
 #include "chaplygin_sleigh.hpp"
 #include "doubled_skate.hpp"
@@ -18,6 +19,7 @@
 #include "gauss/simulate/fixed_step.hpp"
 #include "gauss/simulate/simulation.hpp"
 #include "parallelogram.hpp"
+#include "wide_matrix.hpp"
 
 GAUSS_MODEL(Bars, gauss::four_bar);
 GAUSS_MODEL(Flat, gauss::parallelogram);
@@ -28,8 +30,12 @@ namespace {
 using namespace gauss::integrate;
 using gauss::Status;
 using gauss::simulate::FixedStep;
-using Wide = long double;
-using Matrix = std::vector<std::vector<Wide>>;
+using physics::at;
+using physics::distance;
+using physics::grow;
+using physics::Matrix;
+using physics::start_of;
+using physics::Wide;
 
 constexpr double k_epsilon = std::numeric_limits<double>::epsilon();
 
@@ -59,10 +65,6 @@ gauss::RankRule<double> rule_of(int rank) {
   return M::has_positions ? gauss::rank_on_positions<double>(rank) : gauss::rank_of_velocities<double>(rank);
 }
 
-void grow_to(double& largest, double size) {
-  if (!(size <= largest)) largest = size;
-}
-
 /// All choices of `rank` out of `count`.
 std::vector<std::vector<int>> choices(int count, int rank) {
   std::vector<std::vector<int>> result;
@@ -74,39 +76,6 @@ std::vector<std::vector<int>> choices(int count, int rank) {
     if (static_cast<int>(one.size()) == rank) result.push_back(one);
   }
   return result;
-}
-
-/// Empty where the matrix is singular to the digits of double.
-Matrix inverse(Matrix a) {
-  const std::size_t n = a.size();
-  Matrix b(n, std::vector<Wide>(n, 0));
-  for (std::size_t i = 0; i < n; ++i) b[i][i] = 1;
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t p = k;
-    for (std::size_t i = k; i < n; ++i) {
-      if (std::abs(a[i][k]) > std::abs(a[p][k])) p = i;
-    }
-    if (!(std::abs(a[p][k]) > Wide(1e-13))) return {};
-    std::swap(a[p], a[k]);
-    std::swap(b[p], b[k]);
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == k) continue;
-      const Wide factor = a[i][k] / a[k][k];
-      for (std::size_t j = 0; j < n; ++j) a[i][j] -= factor * a[k][j], b[i][j] -= factor * b[k][j];
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) b[i][j] /= a[i][i];
-  }
-  return b;
-}
-
-Wide norm(const Matrix& a) {
-  Wide squares = 0;
-  for (const auto& row : a) {
-    for (const Wide entry : row) squares += entry * entry;
-  }
-  return std::sqrt(squares);
 }
 
 /// The system with inertias 1 and rows of unit length, in more digits, and (3.6)-(3.7) for one partition as the paper writes them.
@@ -129,9 +98,9 @@ class WrittenOut {
       dependent_part.emplace_back();
       for (const int i : dependent) dependent_part.back().push_back(b(mu, i));
     }
-    inverse_ = inverse(dependent_part);
-    condition_ =
-        inverse_.empty() ? std::numeric_limits<Wide>::infinity() : norm(inverse_) * std::sqrt(Wide(rows.size()));
+    inverse_ = physics::inverse(dependent_part, 1e-13);  // to the digits of double
+    condition_ = inverse_.empty() ? std::numeric_limits<Wide>::infinity()
+                                  : physics::norm(inverse_) * std::sqrt(Wide(rows.size()));
   }
 
   /// Of B_d, where the size of a row is that of all of it: errors of the rows have that size.
@@ -173,7 +142,6 @@ class WrittenOut {
   Wide row(int mu) const { return row_[at(mu)]; }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   Wide b(int mu, int i) const { return row_[at(mu)] * system_.b[mu][i] * speed_[at(i)]; }
   Wide drift(int mu) const { return row_[at(mu)] * system_.drift[mu]; }
   Wide c(std::size_t k, int p) const {
@@ -292,7 +260,7 @@ auto knife_edge() {
   gauss::chaplygin_sleigh::Parameters<double> parameters;
   parameters.a = 0;
   parameters.m = parameters.Jc = 1;
-  return bind_model<Sleigh>(Sleigh::prepare(parameters), gauss::chaplygin_sleigh::Inputs<double>{});
+  return bind_model<Sleigh>(parameters);
 }
 using KnifeEdge = decltype(knife_edge());
 using KnifeEdgeByParts = PartitionedModel<KnifeEdge, SleighModel::System>;
@@ -307,19 +275,9 @@ Partition<3, 1> dependent(int speed) {
   return partition;
 }
 
-auto four_bar() {
-  return bind_model<Bars>(Bars::prepare(gauss::four_bar::Parameters<double>{}), gauss::four_bar::Inputs<double>{});
-}
+auto four_bar() { return bind_model<Bars>(); }
 using FourBar = decltype(four_bar());
 using FourBarByParts = PartitionedModel<FourBar, FourBarModel::System>;
-
-template <class State>
-double distance(const State& a, const State& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < sizeof(State) / sizeof(double); ++i)
-    grow_to(largest, std::abs(a.values[i] - b.values[i]));
-  return largest;
-}
 
 }  // namespace
 
@@ -396,7 +354,7 @@ TEST_CASE("holding a partition and choosing one at every call give the same moti
   double largest = 0;
   for (int k = 0; k < 10'000; ++k) {
     REQUIRE((held.advance(1) && chosen.advance(1)));
-    grow_to(largest, distance(held.state(), chosen.state()));
+    grow(largest, distance(held.state(), chosen.state()));
   }
   CHECK(largest <= 1e-11);
   CHECK(chosen.time() == Approx(10));
@@ -404,8 +362,7 @@ TEST_CASE("holding a partition and choosing one at every call give the same moti
 
 TEST_CASE("every kind of stepper takes a model with a held partition: a linkage moves as without") {
   using Energy = gauss::four_bar::Energy<double>;
-  FourBarModel::State start{};
-  REQUIRE(initial_state(four_bar().prepared(), start) == Status::ok);
+  const auto start = start_of(four_bar());
   const auto rule = rule_of<FourBarModel>(2);
 
   using Explicit = Held<Projected<Rk4<FourBarByParts>>, FourBarModel::System>;

@@ -1,6 +1,7 @@
 // Steps of one length: orders, symmetry, what corrections do, and what is refused.
 #include <cmath>
 
+#include "bound.hpp"
 #include "catch_shim.hpp"
 #include "double_pendulum.hpp"
 #include "elastic_pendulum.hpp"
@@ -28,19 +29,15 @@ namespace {
 
 using namespace gauss::integrate;
 using gauss::simulate::FixedStep;
+using physics::distance;
+using physics::start_of;
 
-auto double_pendulum() {
-  return bind_model<Double>(Double::prepare(gauss::double_pendulum::Parameters<double>{}),
-                            gauss::double_pendulum::Inputs<double>{});
-}
-auto bob() {
-  return bind_model<Bob>(Bob::prepare(gauss::pendulum_cartesian::Parameters<double>{}),
-                         gauss::pendulum_cartesian::Inputs<double>{});
-}
+auto double_pendulum() { return bind_model<Double>(); }
+auto bob() { return bind_model<Bob>(); }
 auto top(double spin) {
   gauss::free_top::Parameters<double> parameters;
   if (spin > 0) parameters.A = parameters.B = 1, parameters.C = 1.5;
-  return bind_model<Top>(Top::prepare(parameters), gauss::free_top::Inputs<double>{});
+  return bind_model<Top>(parameters);
 }
 using TopModel = decltype(top(0));
 using DoubleModel = decltype(double_pendulum());
@@ -57,23 +54,11 @@ DoubleState after_one_second(int steps) {
   return run.state();
 }
 
-double distance(const DoubleState& a, const DoubleState& b) {
-  double largest = 0;
-  for (int i = 0; i < 4; ++i) largest = std::max(largest, std::abs(a.values[i] - b.values[i]));
-  return largest;
-}
-
 template <class Stepper>
 double order(int steps) {
   const DoubleState exact = after_one_second<Prince8<DoubleModel>>(1000);
   return std::log2(distance(after_one_second<Stepper>(steps), exact) /
                    distance(after_one_second<Stepper>(2 * steps), exact));
-}
-
-gauss::pendulum_cartesian::State<double> bob_start() {
-  gauss::pendulum_cartesian::State<double> start;
-  REQUIRE(initial_state(bob().prepared(), start) == gauss::Status::ok);
-  return start;
 }
 
 }  // namespace
@@ -138,7 +123,7 @@ TEST_CASE("a damper that begins to act on the way is noticed by symplectic Nystr
 TEST_CASE("projection holds the bar and says how far it moved; the energy is kept where speeds can make up for it") {
   using Energy = gauss::pendulum_cartesian::Energy<double>;
   using Kept = EnergyKept<Projected<Rk4<BobModel>>, Energy>;
-  FixedStep<BobModel, Kept> run(bob(), bob_start(), 0.01);
+  FixedStep<BobModel, Kept> run(bob(), start_of(bob()), 0.01);
   Energy first, last;
   REQUIRE(bob().energy(0.0, run.state(), first) == gauss::Status::ok);
   REQUIRE(run.advance(10'000));
@@ -167,9 +152,10 @@ TEST_CASE("levels of projection: each holds its own constraints and leaves the o
   };
   using gauss::integrate::ToPositions;
   using gauss::integrate::ToSpeeds;
-  const Misses free = misses(FixedStep<BobModel, Rk4<BobModel>>(bob(), bob_start(), 0.01));
-  const Misses closed = misses(FixedStep<BobModel, Projected<Rk4<BobModel>, ToPositions>>(bob(), bob_start(), 0.01));
-  const Misses along = misses(FixedStep<BobModel, Projected<Rk4<BobModel>, ToSpeeds>>(bob(), bob_start(), 0.01));
+  const Misses free = misses(FixedStep<BobModel, Rk4<BobModel>>(bob(), start_of(bob()), 0.01));
+  const Misses closed =
+      misses(FixedStep<BobModel, Projected<Rk4<BobModel>, ToPositions>>(bob(), start_of(bob()), 0.01));
+  const Misses along = misses(FixedStep<BobModel, Projected<Rk4<BobModel>, ToSpeeds>>(bob(), start_of(bob()), 0.01));
   CHECK(free.position > 1e-9);
   CHECK(free.speed > 1e-9);
   CHECK(closed.position < 1e-14);
@@ -179,7 +165,7 @@ TEST_CASE("levels of projection: each holds its own constraints and leaves the o
 }
 
 TEST_CASE("assembly reports what moved, and leaves a start alone that is beyond the limit") {
-  auto start = bob_start();
+  auto start = start_of(bob());
   start.values[1] -= 0.01;
   auto state = start;
   const auto done = gauss::simulate::assemble(bob(), 0.0, state, 0.1);
@@ -296,8 +282,7 @@ TEST_CASE("steps that do not resolve the fastest motion are refused by who is as
 }
 
 TEST_CASE("symplectic methods have their orders, and go back where they came from") {
-  const auto model = bind_model<Swing>(Swing::prepare(gauss::simple_pendulum::Parameters<double>{}),
-                                       gauss::simple_pendulum::Inputs<double>{});
+  const auto model = bind_model<Swing>();
   using Model = std::decay_t<decltype(model)>;
   const gauss::simple_pendulum::State<double> start{{1, 0.2}};
   const auto after = [&](auto stepper, int steps) {
@@ -321,8 +306,7 @@ TEST_CASE("symplectic methods have their orders, and go back where they came fro
 }
 
 TEST_CASE("steps on a grid bring a chaotic motion back to the bit, and refuse what leaves it") {
-  const auto model = bind_model<Elastic>(Elastic::prepare(gauss::elastic_pendulum::Parameters<double>{}),
-                                         gauss::elastic_pendulum::Inputs<double>{});
+  const auto model = bind_model<Elastic>();
   using Model = std::decay_t<decltype(model)>;
   // Not on the grid: the first step moves it there.
   const Model::State start{{0.5 + 1e-16, 1.0 / 3, 0.1, -0.2}};

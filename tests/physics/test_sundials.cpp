@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "ball_on_plane_euler.hpp"
+#include "bound.hpp"
 #include "catch_shim.hpp"
 #include "double_pendulum.hpp"
 #include "gauss/integrate/corrections.hpp"
@@ -31,20 +32,12 @@ using gauss::simulate::FixedStep;
 using gauss::simulate::Multistep;
 using gauss::simulate::Outcome;
 using gauss::simulate::Settings;
+using physics::distance;
+using physics::start_of;
 
-template <class Type, class Parameters, class Inputs>
-auto bound(const Parameters& parameters, const Inputs& inputs) {
-  return bind_model<Type>(Type::prepare(parameters), inputs);
-}
-auto double_pendulum() {
-  return bound<SteadyDouble>(gauss::double_pendulum::Parameters<double>{}, gauss::double_pendulum::Inputs<double>{});
-}
-auto bob() {
-  return bound<SteadyBob>(gauss::pendulum_cartesian::Parameters<double>{}, gauss::pendulum_cartesian::Inputs<double>{});
-}
-auto relaxation() {
-  return bound<Relaxation>(gauss::stiff_relaxation::Parameters<double>{}, gauss::stiff_relaxation::Inputs<double>{});
-}
+auto double_pendulum() { return bind_model<SteadyDouble>(); }
+auto bob() { return bind_model<SteadyBob>(); }
+auto relaxation() { return bind_model<Relaxation>(); }
 using DoubleModel = decltype(double_pendulum());
 using BobModel = decltype(bob());
 using RelaxationModel = decltype(relaxation());
@@ -62,12 +55,6 @@ Settings<double> tolerance(double value) {
   Settings<double> settings;
   settings.tolerance = value;
   return settings;
-}
-
-double distance(const DoubleState& a, const DoubleState& b) {
-  double largest = 0;
-  for (int i = 0; i < 4; ++i) largest = std::max(largest, std::abs(a.values[i] - b.values[i]));
-  return largest;
 }
 
 DoubleState exact_after_one_second() {
@@ -88,12 +75,6 @@ template <class State>
 double off_the_bar(const State& state) {
   const double* y = state.values;
   return std::max(std::abs(std::hypot(y[0], y[1]) - 1), std::abs(y[0] * y[2] + y[1] * y[3]));
-}
-
-gauss::pendulum_cartesian::State<double> bob_start() {
-  gauss::pendulum_cartesian::State<double> start;
-  REQUIRE(initial_state(bob().prepared(), start) == Status::ok);
-  return start;
 }
 
 /// The bob with a model that fails left of 0.25 m.
@@ -139,12 +120,12 @@ TEST_CASE("with the emitted Jacobian no rates are evaluated for differences") {
 
 TEST_CASE("BDF projects each state; without, the constraint is lost as far as the tolerance allows") {
   Settings<double> settings = tolerance(1e-6);
-  CvodeSimulation<BobModel, BobJacobian> projected(bob(), bob_start(), 0, settings);
+  CvodeSimulation<BobModel, BobJacobian> projected(bob(), start_of(bob()), 0, settings);
   double worst = 0;
   REQUIRE(projected.advance_to(20, [&](double, const auto& state) { worst = std::max(worst, off_the_bar(state)); }));
   CHECK(worst < 1e-13);
   settings.project = false;
-  CvodeSimulation<BobModel, BobJacobian> free(bob(), bob_start(), 0, settings);
+  CvodeSimulation<BobModel, BobJacobian> free(bob(), start_of(bob()), 0, settings);
   REQUIRE(free.advance_to(20));
   CHECK(off_the_bar(free.state()) > 1e-7);
 }
@@ -153,7 +134,7 @@ TEST_CASE(
     "a start outside of the model is refused at once; a motion that runs out of it ends there, with the model's "
     "status") {
   const WallModel model;
-  CvodeSimulation<WallModel> running(model, bob_start(), 0, tolerance(1e-8));
+  CvodeSimulation<WallModel> running(model, start_of(bob()), 0, tolerance(1e-8));
   CHECK_FALSE(running.advance_to(5));
   CHECK(running.report().outcome == Outcome::step_too_small);
   CHECK(running.report().status == Status::singular_mass_matrix);
@@ -161,7 +142,7 @@ TEST_CASE(
   CHECK(running.state().values[0] == Approx(0.25).margin(1e-3));
   CHECK_FALSE(running.advance_to(6));
 
-  auto beyond = bob_start();
+  auto beyond = start_of(bob());
   beyond.values[0] = -0.6;
   CvodeSimulation<WallModel> never(model, beyond, 0, tolerance(1e-8));
   CHECK_FALSE(never.advance_to(5));
@@ -237,7 +218,7 @@ TEST_CASE("SDIRK takes the state that it is given, and forgets its own") {
 }
 
 TEST_CASE("SDIRK is a stepper like others: it is projected, and it works without an emitted Jacobian") {
-  FixedStep<BobModel, Projected<Sdirk<BobModel>>> run(bob(), bob_start(), 0.01);
+  FixedStep<BobModel, Projected<Sdirk<BobModel>>> run(bob(), start_of(bob()), 0.01);
   REQUIRE(run.advance(1000));
   CHECK(off_the_bar(run.state()) < 1e-13);
   CHECK(run.stepper().inner().jacobians() == 0);
@@ -254,7 +235,7 @@ TEST_CASE("a rate of 1e6/s is gone after one step of a millisecond") {
 
 TEST_CASE("a step over the edge of the model is refused, and the state stays") {
   const WallModel model;
-  FixedStep<WallModel, Sdirk<WallModel>> run(model, bob_start(), 0.01);
+  FixedStep<WallModel, Sdirk<WallModel>> run(model, start_of(bob()), 0.01);
   CHECK_FALSE(run.advance(1000));
   CHECK(run.last().outcome == StepOutcome::model_failed);
   CHECK(run.last().status == Status::singular_mass_matrix);
@@ -267,27 +248,27 @@ TEST_CASE(
   using Energy = gauss::pendulum_cartesian::Energy<double>;
   const auto miss = [](const auto& state) {
     Energy first, now;
-    REQUIRE(bob().energy(0, bob_start(), first) == Status::ok);
+    REQUIRE(bob().energy(0, start_of(bob()), first) == Status::ok);
     REQUIRE(bob().energy(0, state, now) == Status::ok);
     CHECK(off_the_bar(state) < 1e-13);
     return std::abs(now.total / first.total - 1);
   };
-  FixedStep<BobModel, EnergyKept<Projected<Sdirk<BobModel, BobJacobian>>, Energy>> sdirk(bob(), bob_start(), 0.01);
+  FixedStep<BobModel, EnergyKept<Projected<Sdirk<BobModel, BobJacobian>>, Energy>> sdirk(bob(), start_of(bob()), 0.01);
   REQUIRE(sdirk.advance(1000));
   CHECK(miss(sdirk.state()) < 1e-13);
   CHECK(sdirk.stepper().correction().applied > 500);
 
   using Kept = WithEnergyKept<BobModel, Energy>;
-  const Kept kept(bob(), 0, bob_start());
-  CvodeSimulation<BobModel, BobJacobian> plain_bdf(bob(), bob_start(), 0, tolerance(1e-7));
-  CvodeSimulation<Kept, BobJacobian> bdf(kept, bob_start(), 0, tolerance(1e-7));
+  const Kept kept(bob(), 0, start_of(bob()));
+  CvodeSimulation<BobModel, BobJacobian> plain_bdf(bob(), start_of(bob()), 0, tolerance(1e-7));
+  CvodeSimulation<Kept, BobJacobian> bdf(kept, start_of(bob()), 0, tolerance(1e-7));
   REQUIRE(plain_bdf.advance_to(10));
   REQUIRE(bdf.advance_to(10));
   CHECK(miss(plain_bdf.state()) > 1e-6);
   CHECK(miss(bdf.state()) < 1e-13);
 
-  gauss::simulate::Simulation<BobModel> plain(bob(), bob_start(), 0, tolerance(1e-6));
-  gauss::simulate::Simulation<Kept> steps(kept, bob_start(), 0, tolerance(1e-6));
+  gauss::simulate::Simulation<BobModel> plain(bob(), start_of(bob()), 0, tolerance(1e-6));
+  gauss::simulate::Simulation<Kept> steps(kept, start_of(bob()), 0, tolerance(1e-6));
   REQUIRE(plain.advance_to(10));
   REQUIRE(steps.advance_to(10));
   CHECK(miss(plain.state()) > 1e-8);
@@ -312,7 +293,7 @@ TEST_CASE("a scale of speeds of their own is what errors of speeds are measured 
 }
 
 TEST_CASE("BDF comes off order 1 where errors of places are a hundred times as large in speeds as these may be off") {
-  const auto spring = bound<Spring>(gauss::stiff_spring::Parameters<double>{}, gauss::stiff_spring::Inputs<double>{});
+  const auto spring = bind_model<Spring>();
   using Jacobian = EmittedJacobian<gauss::stiff_spring::Jacobian<double>, gauss::stiff_spring::JacobianByState>;
   Settings<double> settings = tolerance(1e-8);
   settings.smallest_speed = 10;
@@ -333,7 +314,7 @@ TEST_CASE("BDF needs no scale of speeds where a place makes speeds that are up t
       const double lag = damping / parameters.k;  // s: of m s'' + c s' + k s = k cos t, where m s'' is nothing beside
       Settings<double> settings = tolerance(allowed);
       settings.most_steps = 5000;
-      const auto spring = bound<Spring>(parameters, gauss::stiff_spring::Inputs<double>{});
+      const auto spring = bind_model<Spring>(parameters);
       CvodeSimulation<std::decay_t<decltype(spring)>, Jacobian> run(
           spring, {{1 / (1 + lag * lag), lag / (1 + lag * lag)}}, 0, settings);
       INFO(damping << ' ' << allowed << ": " << run.report().steps);
@@ -348,7 +329,7 @@ TEST_CASE("BDF needs no scale of speeds where a place makes speeds that are up t
 
 TEST_CASE("multistep methods go through the pole of Euler angles in two charts, and begin anew there") {
   namespace emitted = gauss::ball_on_plane_euler;
-  const auto roller = bound<Roller>(emitted::Parameters<double>{}, emitted::Inputs<double>{});
+  const auto roller = bind_model<Roller>();
   using Charted =
       gauss::integrate::InEulerCharts<std::decay_t<decltype(roller)>, gauss::integrate::EulerSequence<'z', 'x', 'z'>>;
   using Jacobian = EmittedJacobian<emitted::Jacobian<double>, emitted::JacobianByState>;

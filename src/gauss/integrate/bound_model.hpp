@@ -117,6 +117,12 @@ bind_model(const typename Model::template Prepared<S>& prepared, const Source& s
   return {prepared, source};
 }
 
+/// With the inputs that the model's file has, and its parameters if there are no others.
+template <class Model, class S = double>
+auto bind_model(const typename Model::template Parameters<S>& parameters = {}) {
+  return bind_model<Model, S>(Model::prepare(parameters), typename Model::template Inputs<S>{});
+}
+
 }  // namespace gauss::integrate
 
 #endif  // GAUSS_INTEGRATE_BOUND_MODEL_HPP
