@@ -28,27 +28,17 @@ constexpr int k_states = 1000;  // of each chain
 /// The emitted structs from which the naive form starts.
 template <class Model>
 struct Equations;
-template <>
-struct Equations<Chain2> {
-  template <class S>
-  using Metric = gauss::planar_chain_relative_2::MassMatrix<S>;
-  template <class S>
-  using Forces = gauss::planar_chain_relative_2::InverseDynamics<S>;
-};
-template <>
-struct Equations<Chain3> {
-  template <class S>
-  using Metric = gauss::planar_chain_relative_3::MassMatrix<S>;
-  template <class S>
-  using Forces = gauss::planar_chain_relative_3::InverseDynamics<S>;
-};
-template <>
-struct Equations<Chain4> {
-  template <class S>
-  using Metric = gauss::planar_chain_relative_4::MassMatrix<S>;
-  template <class S>
-  using Forces = gauss::planar_chain_relative_4::InverseDynamics<S>;
-};
+#define EQUATIONS_OF(model, name_space)                   \
+  template <>                                             \
+  struct Equations<model> {                               \
+    template <class S>                                    \
+    using Metric = gauss::name_space::MassMatrix<S>;      \
+    template <class S>                                    \
+    using Forces = gauss::name_space::InverseDynamics<S>; \
+  }
+EQUATIONS_OF(Chain2, planar_chain_relative_2);
+EQUATIONS_OF(Chain3, planar_chain_relative_3);
+EQUATIONS_OF(Chain4, planar_chain_relative_4);
 
 struct Errors {
   std::vector<double> ulps = {};  ///< of every acceleration, in units of its last digit
