@@ -41,22 +41,13 @@ class ModelDecorator {
   const Base& on() const { return static_cast<const Decorated&>(*this).base(); }
 };
 
+/// A model that writes the same motion in other coordinates from time to time has `rewrite(state)`. Simulations call it before a step; true: the state is
+/// another one now, and what is known of earlier ones does not go on.
 template <class Model, class = void>
 struct Rewrites : std::false_type {};
 template <class Model>
 struct Rewrites<Model, std::void_t<decltype(std::declval<Model&>().rewrite(std::declval<typename Model::State&>()))>>
     : std::true_type {};
-
-/// A model that writes the same motion in other coordinates from time to time has `rewrite(state)`. Simulations call it before a step; true: the state is
-/// another one now, and what is known of earlier ones does not go on.
-template <class Model>
-bool rewrite_if_any(Model& model, typename Model::State& state) {
-  if constexpr (Rewrites<Model>::value) {
-    return model.rewrite(state);
-  } else {
-    return false;
-  }
-}
 
 }  // namespace gauss::integrate
 

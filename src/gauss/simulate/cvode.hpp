@@ -134,15 +134,17 @@ class CvodeSimulation {
   }
 
   /// A multistep method has no use for states in other coordinates: it begins anew, with order 1 and a step of its own choice.
-  void rewrite(double end) {
-    State now = state();
-    if (!integrate::rewrite_if_any(model_, now)) return;
-    std::copy_n(now.values, Model::size, N_VGetArrayPointer(work_.state.get()));
-    before_ = {report_.steps, inaccurate_, unsolved_};
-    watched_.looks = watched_.refused = 0;
-    CVodeReInit(cvode_.get(), t_, work_.state.get());
-    CVodeSetInitStep(cvode_.get(), 0);
-    CVodeSetStopTime(cvode_.get(), end);
+  void rewrite([[maybe_unused]] double end) {
+    if constexpr (integrate::Rewrites<Model>::value) {
+      State now = state();
+      if (!model_.rewrite(now)) return;
+      std::copy_n(now.values, Model::size, N_VGetArrayPointer(work_.state.get()));
+      before_ = {report_.steps, inaccurate_, unsolved_};
+      watched_.looks = watched_.refused = 0;
+      CVodeReInit(cvode_.get(), t_, work_.state.get());
+      CVodeSetInitStep(cvode_.get(), 0);
+      CVodeSetStopTime(cvode_.get(), end);
+    }
   }
 
   bool step_towards(double end) {

@@ -79,10 +79,12 @@ class Simulation {
 
   /// One step knows nothing of those before it.
   void rewrite() {
-    State state = as_state(x_);
-    if (!integrate::rewrite_if_any(model_, state)) return;
-    std::copy_n(state.values, Model::size, x_.begin());
-    grow_scale();
+    if constexpr (integrate::Rewrites<Model>::value) {
+      State state = as_state(x_);
+      if (!model_.rewrite(state)) return;
+      std::copy_n(state.values, Model::size, x_.begin());
+      grow_scale();
+    }
   }
 
   /// What a start misses the constraints by is no error of a step. Where it cannot be mended, the first step will tell.
