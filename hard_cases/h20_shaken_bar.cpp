@@ -136,6 +136,7 @@ std::vector<Figure> shaken_bar() {
   std::snprintf(text, sizeof text, "the same form with all terms: %.1g",
                 std::abs(angle_by_hand(p, start, {1, 1}) - exact));
   mixed.remark = text;
+  // Of a bar at rest, whose reaction has no power, nothing would change the energy: all of the change is missed.
   return {mixed,
           angle("H20.by_time", "without f_tt", {1, 0}),
           {"H20.bar_power", "rate of its energy less the power of the bar, naive without this power", "1", 1,
