@@ -42,8 +42,20 @@ StepResult refused_by_nystrom(const Model& model, const typename Model::Scalar& 
   return result.is_taken() ? StepResult{StepOutcome::unsuitable, result.status} : result;
 }
 
+/// Looks from time to time whether a model suits: a look takes two accelerations.
+class NystromWatch {
+ public:
+  static constexpr int k_steps_between = 32;
+
+  bool is_due() const { return steps_ == 0; }
+  void step_taken() { steps_ = (steps_ + 1) % k_steps_between; }
+
+ private:
+  int steps_ = 0;  ///< since the last look
+};
+
 /// `Method` is one of Odeint's symplectic Runge-Kutta-Nystrom steppers over std::array<Scalar, n_q>, or has its do_step. The first step looks whether
-/// the model suits, and so does each k_steps_between-th after it, since a damper may begin to act on the way; one that does not suit is refused there. What depends
+/// the model suits, and so does each NystromWatch::k_steps_between-th after it, since a damper may begin to act on the way; one that does not suit is refused there. What depends
 /// on speeds for fewer steps may pass between two looks: those steps have order 1 and no symmetry.
 template <class Model, class Method>
 class NystromStepper {
@@ -54,17 +66,14 @@ class NystromStepper {
 
   // Scratch space of the method has no values to copy before the first step.
   NystromStepper() = default;
-  NystromStepper(const NystromStepper& other) : steps_(other.steps_) {}
+  NystromStepper(const NystromStepper& other) : watch_(other.watch_) {}
   NystromStepper& operator=(const NystromStepper& other) {
-    steps_ = other.steps_;
+    watch_ = other.watch_;
     return *this;
   }
 
-  /// A look takes two accelerations.
-  static constexpr int k_steps_between = 32;
-
   StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
-    if (steps_ == 0 && !suits_nystrom(model, t, state)) return refused_by_nystrom(model, t, state);
+    if (watch_.is_due() && !suits_nystrom(model, t, state)) return refused_by_nystrom(model, t, state);
     Half q, v;
     std::copy_n(state.values, q.size(), q.begin());
     std::copy_n(state.values + q.size(), v.size(), v.begin());
@@ -81,7 +90,7 @@ class NystromStepper {
     method_.do_step(acceleration, q, v, t, h);
     const StepResult result = result_of(trouble);
     if (!result.is_taken()) return result;
-    steps_ = (steps_ + 1) % k_steps_between;
+    watch_.step_taken();
     std::copy(q.begin(), q.end(), state.values);
     std::copy(v.begin(), v.end(), state.values + q.size());
     return result;
@@ -89,7 +98,7 @@ class NystromStepper {
 
  private:
   Method method_;
-  int steps_ = 0;  ///< since the last look
+  NystromWatch watch_;
 };
 
 /// Half a step of positions, one of speeds, half a step of positions. Nothing is kept for the next step, so a state may be corrected between them.

@@ -29,8 +29,7 @@ class ReversibleVerlet {
       : coordinates_(grid(reach_of_coordinates)), speeds_(grid(reach_of_speeds)) {}
 
   StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
-    if (!is_suitable_ && !suits_nystrom(model, t, state)) return refused_by_nystrom(model, t, state);
-    is_suitable_ = true;
+    if (watch_.is_due() && !suits_nystrom(model, t, state)) return refused_by_nystrom(model, t, state);
     State trial = state;
     for (std::size_t i = 0; i < Model::n_q; ++i) {
       trial.values[i] = rounded(state.values[i], coordinates_);
@@ -43,6 +42,7 @@ class ReversibleVerlet {
     for (std::size_t i = Model::n_q; i < Model::size; ++i) trial.values[i] += rounded(h * rates.values[i], speeds_);
     drift(h / 2, trial);
     if (!is_within_reach(trial)) return {StepOutcome::unsuitable, result.status};
+    watch_.step_taken();
     state = trial;
     return result;
   }
@@ -67,7 +67,7 @@ class ReversibleVerlet {
   }
 
   Scalar coordinates_, speeds_;
-  bool is_suitable_ = false;
+  NystromWatch watch_;
 };
 
 }  // namespace gauss::integrate
