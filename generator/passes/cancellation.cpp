@@ -111,6 +111,18 @@ class Rules {
     return select(is_one, x, x * (call(Function::log, y) / step));
   }
 
+  /// What is before several cosines together, in parts: 2 L - L cos x - L cos y as L - L cos x + L - L cos y, the height of two rods.
+  std::vector<Term> in_shares(std::vector<Term> terms) {
+    if (!has(k_cosines)) return terms;
+    for (std::size_t whole = 0; whole < terms.size(); ++whole) {
+      const std::vector<Rational> shares = shares_of(terms, terms[whole]);
+      if (shares.size() < 2) continue;
+      terms[whole].coefficient = shares[0];
+      for (std::size_t k = 1; k < shares.size(); ++k) terms.push_back({shares[k], terms[whole].node});
+    }
+    return terms;
+  }
+
   /// (1 - cos x)(1 + cos x), by which power of them: sin² x has one call instead of two.
   std::optional<NodeId> sine_of(NodeId less, NodeId more) {
     const std::vector<Term> a = terms_of(graph_, less), b = terms_of(graph_, more);
@@ -122,6 +134,28 @@ class Rules {
   }
 
  private:
+  /// Sizes of the coefficients of all cosines that `whole` is before, with its sign, if they are of one sign and as large as it together.
+  std::vector<Rational> shares_of(const std::vector<Term>& terms, const Term& whole) {
+    std::vector<Rational> shares;
+    Rational sum = 0;
+    int sign = 0;
+    for (const Term& term : terms) {
+      if (!is_before_cosine(whole.node, term.node)) continue;
+      if (sign == (cln::plusp(term.coefficient) ? -1 : 1)) return {};
+      sign = cln::plusp(term.coefficient) ? 1 : -1;
+      shares.push_back(cln::signum(whole.coefficient) * cln::abs(term.coefficient));
+      sum = sum + shares.back();
+    }
+    return sum == whole.coefficient ? shares : std::vector<Rational>{};
+  }
+
+  bool is_before_cosine(NodeId rest, NodeId term) {
+    const std::vector<NodeId> all = factors(graph_, term);
+    return std::any_of(all.begin(), all.end(), [&](NodeId factor) {
+      return is_call(graph_, factor, Function::cos) && (Expr(graph_, term) / Expr(graph_, factor)).id() == rest;
+    });
+  }
+
   Expr one() { return {graph_, graph_.constant(1)}; }
 
   bool has(const char* rule) const {
@@ -258,6 +292,7 @@ class DigitKeeper {
     std::vector<Term> terms = terms_of(graph_, id);
     if (terms.size() < 2 || terms.size() > k_most_terms) return id;
     if (const auto factored = rules_.of_squares(terms)) return factored->id();
+    terms = rules_.in_shares(std::move(terms));
     std::vector<Term> done;
     while (const auto pair = first_pair(terms)) {
       done.push_back({1, pair->together});

@@ -52,11 +52,13 @@ TEST_CASE("sums whose terms cancel in pairs get another form of the same value")
   const Expr L = s.L, x = s.x, one = s.one;
   const Rational half = Rational(1) / 2;
   CHECK(s.kept(one - s.cosine(x)) == (2 * pow(call(Function::sin, half * x), 2)).id());
-  for (const Expr sum : {one - s.cosine(x), one + s.cosine(x), L - L * s.cosine(x), L * s.cosine(x) - L,
-                         L - L * s.cosine(x) + s.y - s.y * s.cosine(s.y), call(Function::cosh, x) - one,
-                         call(Function::exp, x) - one, one - call(Function::exp, -x), pow(L * L + x * x, half) - L,
-                         s.y * pow(L * L + x * x, half) - L * s.y, one - x * x, 4 * x * x - 9 * L * L,
-                         s.cosine(x + L) - s.cosine(x), call(Function::sin, x + L) - call(Function::sin, x)}) {
+  for (const Expr sum :
+       {one - s.cosine(x), one + s.cosine(x), L - L * s.cosine(x), L * s.cosine(x) - L,
+        L - L * s.cosine(x) + s.y - s.y * s.cosine(s.y), 2 * L - L * s.cosine(x) - L * s.cosine(s.y),
+        3 * one - 2 * s.cosine(x) - s.cosine(s.y), 2 * one + s.cosine(x) + s.cosine(s.y), call(Function::cosh, x) - one,
+        call(Function::exp, x) - one, one - call(Function::exp, -x), pow(L * L + x * x, half) - L,
+        s.y * pow(L * L + x * x, half) - L * s.y, one - x * x, 4 * x * x - 9 * L * L, s.cosine(x + L) - s.cosine(x),
+        call(Function::sin, x + L) - call(Function::sin, x)}) {
     s.check_changes(sum);
   }
 }
@@ -93,6 +95,7 @@ TEST_CASE("sums that do not cancel as a whole stay, as another form would take c
   const Expr L = s.L, x = s.x, y = s.y;
   for (const Expr sum : {L - L * s.cosine(x) + y, s.cosine(x) - s.cosine(x + y), s.cosine(x) - s.cosine(y), L + x,
                          pow(L * L + x * x, Rational(1) / 2) - y, 2 * s.one - s.cosine(x),
+                         2 * s.one - 3 * s.cosine(x) + s.cosine(y), 3 * L - L * s.cosine(x) - L * s.cosine(y),
                          pow(L * L + x * x, Rational(1) / 2) + 2 * s.one, x * x - 2 * y * y}) {
     s.check_stays(sum);
   }
