@@ -1,10 +1,11 @@
 """What acts on parts without mass: who feels it, by hand."""
 
 import json
+import math
 import re
 import unittest
 
-from gauss_gen import Program
+from gauss_gen import SOURCE, Program
 
 HEAD = "gauss: 1\nname: plate\n"
 PLATE = HEAD + """coordinates: {h: {held_at: 0}, x: {initial: 0.4}, y: {}}
@@ -42,6 +43,17 @@ class Massless(Program):
         self.assertAlmostEqual(float(of["on_puck.force.z"]["value"]), sum(forces.values()), 13)
         self.assertAlmostEqual(float(found["joint_reactions"]["sy.force.z"]["value"]), forces["h"], 13)
         self.assertAlmostEqual(float(found["compulsion"]["Z"]["value"]), compulsion, 12)
+
+    def test_rods_that_nothing_keys_have_no_accelerations_in_line_and_evaluate_says_so(self):
+        text = (SOURCE / "tests" / "diagnostics" / "w052_undetermined_rates.yaml").read_text(encoding="utf-8")
+        for rates in ("", ", initial_rate: 0"):
+            done = self.run_it("evaluate", "-", stdin=text.replace("initial: 0}", "initial: 0" + rates + "}"))
+            self.assertIn("not to be trusted: singular_mass_matrix", done.stdout)
+            self.assertIn("neither inertia nor the constraints that say something here determine all accelerations", done.stderr)
+        # Keyed, they are one rod of three lengths.
+        keyed = json.loads(self.run_it("evaluate", "-", "--format=json", "--set", "k=1", "--set", "a=0.1", "--set", "b=0.1", "--set",
+                                       f"x={3 * math.sin(0.1)!r}", "--set", f"z={-3 * math.cos(0.1)!r}", stdin=text).stdout)
+        self.assertAlmostEqual(float(keyed["accelerations"]["a_ddot"]["value"]), -9.81 / 3 * math.sin(0.1), 12)
 
     def test_a_load_on_the_plate_is_held_by_its_drive_and_not_felt_by_the_puck(self):
         self.check(PLATE + "forces: {load: {force: [0, 0, -7], on: plate}}\n", 7, {"h": 0}, 0)
