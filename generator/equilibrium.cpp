@@ -245,10 +245,18 @@ class Search {
     const Linearised here = linearised();
     const Eigen::Index n = static_cast<Eigen::Index>(mechanics_.dynamics.n()), l = columns() - n;
     if (!here.is_defined || l == 0 || n == 0) return here;
-    const Eigen::MatrixXd b = here.scale.head(n).cwiseInverse().asDiagonal() * here.matrix.topRightCorner(n, l);
-    const Eigen::VectorXd missing = right_of(here, place_.number(1.0)).head(n);
+    // In units of accelerations, and rows of length 1: where rows follow from others, the least multipliers share as those of a motion do.
+    Eigen::VectorXd weights(n);
+    for (Eigen::Index a = 0; a < n; ++a) {
+      const double mass = place_.plain(rest_.metric[static_cast<std::size_t>(a)][static_cast<std::size_t>(a)]);
+      weights[a] = mass > 0 ? 1 / std::sqrt(mass) : 1 / here.scale[a];
+    }
+    Eigen::MatrixXd b = weights.asDiagonal() * here.matrix.topRightCorner(n, l);
+    const Eigen::VectorXd lengths = b.colwise().norm().cwiseMax(std::numeric_limits<double>::min()).transpose();
+    b = b * lengths.cwiseInverse().asDiagonal();
+    const Eigen::VectorXd missing = -weights.cwiseProduct(plain(here.residual).head(n));
     Eigen::VectorXd change = Eigen::VectorXd::Zero(columns());
-    change.tail(l) = b.completeOrthogonalDecomposition().solve(missing);
+    change.tail(l) = b.completeOrthogonalDecomposition().solve(missing).cwiseQuotient(lengths);
     const auto from = std::pair(place_.position(), place_.multipliers());
     place_.move(change, place_.number(1.0), is_held());
     Linearised there = linearised();
