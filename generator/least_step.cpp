@@ -43,7 +43,7 @@ VectorXd least_along(const MatrixXd& g, const MatrixXd& n, const VectorXd& c) {
 
 }  // namespace
 
-VectorXd least_step(const MatrixXd& g, const MatrixXd& b, const VectorXd& f, double least_sine) {
+VectorXd least_step(const MatrixXd& g, const MatrixXd& b, const VectorXd& f, double least_sine, Index usual) {
   if (g.rows() == 0 || b.rows() == 0) return VectorXd::Zero(g.rows());
   const VectorXd scales = scales_of(g, b);
   MatrixXd rows = b * scales.asDiagonal();
@@ -52,7 +52,7 @@ VectorXd least_step(const MatrixXd& g, const MatrixXd& b, const VectorXd& f, dou
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(rows.transpose());
   Index rank = 0;
   const Index most = std::min(rows.rows(), rows.cols());
-  while (rank < most && std::abs(qr.matrixQR()(rank, rank)) > least_sine) ++rank;
+  while (rank < most && std::abs(qr.matrixQR()(rank, rank)) > (rank < usual ? least_sine : k_least_sine_beyond)) ++rank;
   if (rank == 0) return VectorXd::Zero(g.rows());
   const MatrixXd n = MatrixXd(qr.householderQ()).leftCols(rank).transpose();
   const VectorXd along = (rows * n.transpose()).completeOrthogonalDecomposition().solve(-asked);

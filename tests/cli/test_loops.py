@@ -101,6 +101,9 @@ class Loops(Evaluate):
                         self.assertNotIn("error", checked.stderr)
                         found = self.angles(moved)
                         self.assertLess(closure([found[name] for name in names]), 1e-14)
+                        # Near the guesses, and not somewhere along the motion.
+                        if away <= 0.01:
+                            self.assertLess(max(abs(found[name] - solved[name]) for name in names), 4 * away)
 
     def test_a_loop_that_cannot_be_closed_is_refused(self):
         bennett_twisted = (HARD / "bennett.yaml").read_text(encoding="utf-8").replace("asin(1.5*sin(u))", "asin(1.5*sin(u)) + TWIST")
