@@ -9,7 +9,7 @@ using symbolic::HeldIndex;
 
 namespace {
 
-constexpr double k_tolerance = 1e-15;
+constexpr double k_acceleration_tolerance = 1e-15;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ TEST_CASE("G ÿ + bias - Q is the gradient of Gauss's function, explicit time an
       const Vec Q = number(paper->system.Q);
       for (std::size_t A = 0; A < linear.size(); ++A) {
         INFO(model.name << ", component " << A);
-        CHECK(deviation(bias[A] - Q[A], linear[A]) < k_tolerance);
+        CHECK(deviation(bias[A] - Q[A], linear[A]) < k_acceleration_tolerance);
       }
     }
   }
@@ -45,7 +45,7 @@ TEST_CASE("a_i from the dual basis equals э_ij (ẍ^j + G^jA bias_A)", "[gauss]
         expected += system.metric.E_xx[i][j] * up;
       }
       INFO(model.name);
-      CHECK(deviation(number(system.invariant.a_x[i]), number(expected)) < k_tolerance);
+      CHECK(deviation(number(system.invariant.a_x[i]), number(expected)) < k_acceleration_tolerance);
     }
   }
 }
@@ -64,7 +64,7 @@ TEST_CASE("without explicit time the bias is Γ of the full metric: a^α = q̈^�
         expected += Gamma_q(system.connection, system.metric, chart, a, b, g) * chart[b].rate * chart[g].rate;
       }
     }
-    CHECK(deviation(number(system.invariant.a_q_up[a]), number(expected)) < k_tolerance);
+    CHECK(deviation(number(system.invariant.a_q_up[a]), number(expected)) < k_acceleration_tolerance);
   }
   for (const HeldIndex i : chart.held()) {
     GiNaC::ex expected = 0;
@@ -77,7 +77,7 @@ TEST_CASE("without explicit time the bias is Γ of the full metric: a^α = q̈^�
       }
       expected += system.metric.E_xx[i][j] * up;
     }
-    CHECK(deviation(number(system.invariant.a_x[i]), number(expected)) < k_tolerance);
+    CHECK(deviation(number(system.invariant.a_x[i]), number(expected)) < k_acceleration_tolerance);
   }
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("Γ^α_βγ q̇^β q̇^γ and Γ^A_BC ẏ^B ẏ^C are the raised inert
           sum += Gamma_q(system.connection, system.metric, chart, a, b, g) * chart[b].rate * chart[g].rate;
         }
       }
-      CHECK(deviation(number(sum), induced[a.value]) < k_tolerance);
+      CHECK(deviation(number(sum), induced[a.value]) < k_acceleration_tolerance);
     }
     for (const FullIndex A : chart.all()) {
       GiNaC::ex sum = 0;
@@ -129,7 +129,7 @@ TEST_CASE("Γ^α_βγ q̇^β q̇^γ and Γ^A_BC ẏ^B ẏ^C are the raised inert
           sum += Gamma_y(system.connection, system.metric, chart, A, B, C) * chart[B].rate * chart[C].rate;
         }
       }
-      CHECK(deviation(number(sum), full[A.value]) < k_tolerance);
+      CHECK(deviation(number(sum), full[A.value]) < k_acceleration_tolerance);
     }
   }
   // The ball's Euler angles are curved: with Γ = 0 the above would show nothing.

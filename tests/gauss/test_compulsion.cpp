@@ -11,7 +11,7 @@ using symbolic::HeldIndex;
 
 namespace {
 
-constexpr double k_tolerance = 1e-15;
+constexpr double k_compulsion_tolerance = 1e-15;
 
 Real quadratic(const Probe& p, const Vec& y) {
   Real Z = p.rest;
@@ -47,7 +47,7 @@ TEST_CASE("Z_w of (1.13) is Gauss's function up to a term free of accelerations"
     const Real at_motion_value = number(Z_w);
     const Real at_other = number(Z_w.subs(replaced));
     INFO(model.name);
-    CHECK(deviation(at_other - at_motion_value, quadratic(p, other) - quadratic(p, moving)) < k_tolerance);
+    CHECK(deviation(at_other - at_motion_value, quadratic(p, other) - quadratic(p, moving)) < k_compulsion_tolerance);
   }
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("stationarity: the derivative of Z by a^α is A_α - Q_α, and by a_i 
     for (const FreeIndex a : chart.free()) {
       const GiNaC::ex gradient = at_motion(system.compulsion.dZ_da_q[a], system.compulsion, system.invariant);
       const GiNaC::ex balance = system.invariant.A[chart.full(a)] - system.Q[chart.full(a)];
-      CHECK(deviation(number(gradient), number(balance)) < k_tolerance);
+      CHECK(deviation(number(gradient), number(balance)) < k_compulsion_tolerance);
     }
     // (1.16): with R_i = a_i - F_i in it, ∂Z/∂a_i vanishes.
     GiNaC::exmap reactions;
@@ -70,7 +70,7 @@ TEST_CASE("stationarity: the derivative of Z by a^α is A_α - Q_α, and by a_i 
       reactions[system.compulsion.R_x[i]] = system.invariant.a_x[i] - system.invariant.F_x[i];
     for (const HeldIndex i : chart.held()) {
       const GiNaC::ex gradient = at_motion(system.compulsion.dZ_da_x[i], system.compulsion, system.invariant);
-      CHECK(abs(number(gradient.subs(reactions))) < k_tolerance);
+      CHECK(abs(number(gradient.subs(reactions))) < k_compulsion_tolerance);
     }
   }
 }

@@ -7,7 +7,7 @@ using namespace gaussgen::oracle;
 
 namespace {
 
-constexpr double k_tolerance = 1e-15;
+constexpr double k_metric_tolerance = 1e-15;
 
 Mat block(const Mat& full, std::size_t first, std::size_t last) {
   Mat result;
@@ -34,7 +34,7 @@ TEST_CASE("the metric is the second derivative of Gauss's function by the accele
     const auto paper = nonholonomic::build_paper_system(c.model);
     PaperNumbers number(c.model, *paper, c.values);
     INFO(model.name);
-    CHECK(largest_deviation(number(paper->system.metric.G), probe(c.bare).G) < k_tolerance);
+    CHECK(largest_deviation(number(paper->system.metric.G), probe(c.bare).G) < k_metric_tolerance);
   }
 }
 
@@ -47,10 +47,10 @@ TEST_CASE("g^αβ inverts the free block, G^AB the whole, and э^ij is the inver
     const Mat G = probe(c.bare).G;
     const std::size_t n = c.bare.free_count;
     INFO(model.name);
-    CHECK(largest_deviation(number(metric.g_up), inverse(block(G, 0, n))) < k_tolerance);
-    CHECK(largest_deviation(number(metric.G_up), inverse(G)) < k_tolerance);
-    CHECK(largest_deviation(number(metric.E_xx_up), block(inverse(G), n, G.size())) < k_tolerance);
-    CHECK(largest_deviation(number(metric.E_xx), inverse(block(inverse(G), n, G.size()))) < k_tolerance);
+    CHECK(largest_deviation(number(metric.g_up), inverse(block(G, 0, n))) < k_metric_tolerance);
+    CHECK(largest_deviation(number(metric.G_up), inverse(G)) < k_metric_tolerance);
+    CHECK(largest_deviation(number(metric.E_xx_up), block(inverse(G), n, G.size())) < k_metric_tolerance);
+    CHECK(largest_deviation(number(metric.E_xx), inverse(block(inverse(G), n, G.size()))) < k_metric_tolerance);
   }
 }
 

@@ -8,13 +8,13 @@ using namespace gaussgen::oracle;
 
 namespace {
 
-constexpr double k_tolerance = 1e-14;
+constexpr double k_equation_tolerance = 1e-14;
 
 void check_equal(const Vec& a, const Vec& b) {
   REQUIRE(a.size() == b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     INFO("component " << i);
-    CHECK(deviation(a[i], b[i]) < k_tolerance);
+    CHECK(deviation(a[i], b[i]) < k_equation_tolerance);
   }
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("(3.7) with φ̇ = 0 gives the accelerations of least Z", "[nonholonom
       PaperNumbers number(c.model, *paper, c.values);
       INFO(model.name << ", seed " << seed);
       check_equal(number(paper->accelerations), minimise(c.bare, probe(c.bare)).accelerations);
-      for (const GiNaC::ex& equation : paper->motion) CHECK(abs(number(equation)) < k_tolerance);
+      for (const GiNaC::ex& equation : paper->motion) CHECK(abs(number(equation)) < k_equation_tolerance);
     }
   }
 }
@@ -64,6 +64,7 @@ TEST_CASE("Appell's form (3.9)-(3.10) vanishes on the motion", "[nonholonomic]")
     const auto paper = nonholonomic::build_paper_system(c.model);
     PaperNumbers number(c.model, *paper, c.values);
     INFO(model.name);
-    for (const GiNaC::ex& residual : nonholonomic::appell_residual(*paper)) CHECK(abs(number(residual)) < k_tolerance);
+    for (const GiNaC::ex& residual : nonholonomic::appell_residual(*paper))
+      CHECK(abs(number(residual)) < k_equation_tolerance);
   }
 }

@@ -9,7 +9,7 @@ using symbolic::HeldIndex;
 
 namespace {
 
-constexpr double k_tolerance = 1e-14;
+constexpr double k_reaction_tolerance = 1e-14;
 
 Vec raised(const Mat& E_up, const Vec& R) {
   Vec result(R.size(), 0);
@@ -36,8 +36,8 @@ TEST_CASE("multipliers and reactions are the gradient of Gauss's function that i
       PaperNumbers number(c.model, *paper, c.values);
       const Motion motion = minimise(c.bare, probe(c.bare));
       INFO(model.name << ", seed " << seed);
-      CHECK(largest(number(paper->lambda), motion.lambda) < k_tolerance);
-      CHECK(largest(number(paper->R_x), motion.R_x) < k_tolerance);
+      CHECK(largest(number(paper->lambda), motion.lambda) < k_reaction_tolerance);
+      CHECK(largest(number(paper->R_x), motion.R_x) < k_reaction_tolerance);
     }
   }
 }
@@ -49,7 +49,7 @@ TEST_CASE("(3.8) gives R^i = э^ij R_j", "[nonholonomic]") {
     PaperNumbers number(c.model, *paper, c.values);
     INFO(model.name);
     CHECK(largest(number(paper->R_x_up), raised(number(paper->system.metric.E_xx_up), number(paper->R_x))) <
-          k_tolerance);
+          k_reaction_tolerance);
   }
 }
 
@@ -98,6 +98,6 @@ TEST_CASE("(3.8) is ∂Z/∂a_i + b^{μi} ∂Z/∂a^μ = 0 with the reactions in
       sum += number(paper->elimination.b_x_up[mu][i]) *
              at_reactions(system.compulsion.dZ_da_q[paper->partition.dependent[mu]]);
     }
-    CHECK(abs(sum) < k_tolerance);
+    CHECK(abs(sum) < k_reaction_tolerance);
   }
 }

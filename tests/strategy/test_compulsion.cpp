@@ -9,7 +9,7 @@ using namespace gaussgen::oracle;
 
 namespace {
 
-constexpr double k_tolerance = 1e-14;
+constexpr double k_compulsion_tolerance = 1e-14;
 
 Real Z_at(EmittedNumbers& emitted, const Vec& free) {
   emitted.bind_accelerations(free);
@@ -40,7 +40,7 @@ TEST_CASE("from one candidate acceleration to another, the emitted Z changes as 
       Vec moved = still;
       for (std::size_t j = 0; j <= i; ++j) moved[j] = Real(j + 2) / (i + 3);
       CHECK(deviation(Z_at(emitted, moved) - Z_at(emitted, still),
-                      bare_Z(c.bare, p, moved) - bare_Z(c.bare, p, still)) < k_tolerance);
+                      bare_Z(c.bare, p, moved) - bare_Z(c.bare, p, still)) < k_compulsion_tolerance);
     }
   }
 }
@@ -58,7 +58,7 @@ TEST_CASE("where coordinates span all of space, 2 Z_w is the square of the react
       twice += inverse_metric[n + i][n + j] * motion.R_x[i] * motion.R_x[j];
   }
   REQUIRE(twice > 0.1);
-  CHECK(deviation(Z_at(emitted, motion.accelerations), twice / 2) < k_tolerance);
+  CHECK(deviation(Z_at(emitted, motion.accelerations), twice / 2) < k_compulsion_tolerance);
 }
 
 // A spinning body with products of inertia, under a field, a potential and a torque: it departs from free motion by nothing.
@@ -91,7 +91,7 @@ TEST_CASE("Z of an unconstrained body vanishes along its motion") {
     EmittedNumbers emitted(c);
     const Vec motion = emitted(emitted.mechanics().solution.accelerations);
     INFO(frame);
-    CHECK(abs(Z_at(emitted, motion)) < k_tolerance);
+    CHECK(abs(Z_at(emitted, motion)) < k_compulsion_tolerance);
     CHECK(Z_at(emitted, Vec(6, 0)) > 1);
   }
 }
@@ -106,8 +106,8 @@ TEST_CASE("Z has its shape where two held coordinates do the same") {
          {}};
   EmittedNumbers emitted(c);
   // Z = (2/2) (a - 4/2)²
-  CHECK(deviation(Z_at(emitted, {Real(2)}), Real(0)) < k_tolerance);
-  CHECK(deviation(Z_at(emitted, {Real(5)}), Real(9)) < k_tolerance);
+  CHECK(deviation(Z_at(emitted, {Real(2)}), Real(0)) < k_compulsion_tolerance);
+  CHECK(deviation(Z_at(emitted, {Real(5)}), Real(9)) < k_compulsion_tolerance);
 }
 
 namespace {
@@ -142,9 +142,9 @@ TEST_CASE("forces along a held coordinate stay out of Z where free ones describe
     const Case c = bead_on_table("held_at: 0.7*t + 0.2", "", tilt);
     EmittedNumbers emitted(c);
     INFO(tilt);
-    CHECK(deviation(emitted(emitted.mechanics().solution.accelerations), k_relative_motion) < k_tolerance);
-    CHECK(abs(Z_at(emitted, k_relative_motion)) < k_tolerance);
-    CHECK(deviation(Z_at(emitted, {k_relative_motion[0] + 1, k_relative_motion[1]}), Real(1)) < k_tolerance);
+    CHECK(deviation(emitted(emitted.mechanics().solution.accelerations), k_relative_motion) < k_compulsion_tolerance);
+    CHECK(abs(Z_at(emitted, k_relative_motion)) < k_compulsion_tolerance);
+    CHECK(deviation(Z_at(emitted, {k_relative_motion[0] + 1, k_relative_motion[1]}), Real(1)) < k_compulsion_tolerance);
     CHECK(emitted.fields("reaction_forces").count("turn.force_on_bead") == 0);
   }
 }
@@ -160,8 +160,8 @@ TEST_CASE(
       EmittedNumbers emitted(c, options);
       INFO(tilt << ", multipliers " << multipliers);
       Vec found = emitted(emitted.mechanics().solution.accelerations);
-      CHECK(deviation(found, {Real(0), k_relative_motion[0], k_relative_motion[1]}) < k_tolerance);
-      CHECK(deviation(emitted(emitted.mechanics().solution.multipliers), {Real(-3)}) < k_tolerance);
+      CHECK(deviation(found, {Real(0), k_relative_motion[0], k_relative_motion[1]}) < k_compulsion_tolerance);
+      CHECK(deviation(emitted(emitted.mechanics().solution.multipliers), {Real(-3)}) < k_compulsion_tolerance);
       CHECK(emitted.troubles("rhs").empty());
       CHECK(emitted.troubles("project").empty());
       CHECK(build_artefact("compulsion", emitted.mechanics()).empty());

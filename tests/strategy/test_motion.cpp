@@ -12,7 +12,7 @@ namespace {
 
 // Difference quotients of 1e-12 leave an error of 1e-24 of the derivatives; solving multiplies it by the condition of the
 // random states, at most 1e8 here.
-constexpr double k_tolerance = 1e-14;
+constexpr double k_motion_tolerance = 1e-14;
 
 Mat numbers(EmittedNumbers& emitted, const strategy::Matrix& matrix) {
   Mat result;
@@ -43,11 +43,11 @@ void check_motion(const Case& c, Strategy strategy) {
   const Motion motion = minimise(c.bare, probe(c.bare));
   Vec derivative = configuration_rates(c, emitted.mechanics().symbols);
   derivative.insert(derivative.end(), motion.accelerations.begin(), motion.accelerations.end());
-  CHECK(deviation(emitted.derivative("rhs"), derivative) < k_tolerance);
+  CHECK(deviation(emitted.derivative("rhs"), derivative) < k_motion_tolerance);
   CHECK(emitted.troubles("rhs").empty());
-  CHECK(deviation(emitted.derivative("rhs_and_reactions"), derivative) < k_tolerance);
-  CHECK(deviation(emitted(emitted.mechanics().solution.multipliers), motion.lambda) < k_tolerance);
-  CHECK(deviation(emitted(emitted.mechanics().held_reactions), motion.R_x) < k_tolerance);
+  CHECK(deviation(emitted.derivative("rhs_and_reactions"), derivative) < k_motion_tolerance);
+  CHECK(deviation(emitted(emitted.mechanics().solution.multipliers), motion.lambda) < k_motion_tolerance);
+  CHECK(deviation(emitted(emitted.mechanics().held_reactions), motion.R_x) < k_motion_tolerance);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ TEST_CASE("metric and constraint rows are the second and first difference quotie
     INFO(model.name);
     for (std::size_t i = 0; i < dynamics.n(); ++i) {
       for (std::size_t j = 0; j < dynamics.n(); ++j) {
-        CHECK(deviation(g[i][j], p.G[i][j]) < k_tolerance);
+        CHECK(deviation(g[i][j], p.G[i][j]) < k_motion_tolerance);
         CHECK(flat.at(i * dynamics.n() + j) == g[i][j]);
       }
     }
@@ -74,8 +74,8 @@ TEST_CASE("metric and constraint rows are the second and first difference quotie
       for (std::size_t j = dynamics.n(); j < c.bare.y.size(); ++j) {
         expected += p.beta[mu][j] * c.bare.held_acceleration[j - dynamics.n()];
       }
-      CHECK(deviation(drift[mu], expected) < k_tolerance);
-      for (std::size_t i = 0; i < dynamics.n(); ++i) CHECK(deviation(b[mu][i], p.beta[mu][i]) < k_tolerance);
+      CHECK(deviation(drift[mu], expected) < k_motion_tolerance);
+      for (std::size_t i = 0; i < dynamics.n(); ++i) CHECK(deviation(b[mu][i], p.beta[mu][i]) < k_motion_tolerance);
     }
   }
 }
@@ -104,15 +104,15 @@ TEST_CASE("each function of reactions states lambda, lambda b of every speed and
       auto fields = emitted.fields(function);
       for (std::size_t mu = 0; mu < mechanics.dynamics.l(); ++mu) {
         const std::string& name = mechanics.dynamics.constraints[mu];
-        CHECK(deviation(fields.at(name + ".multiplier"), {motion.lambda[mu]}) < k_tolerance);
+        CHECK(deviation(fields.at(name + ".multiplier"), {motion.lambda[mu]}) < k_motion_tolerance);
         Vec generalized;
         for (std::size_t i = 0; i < mechanics.dynamics.n(); ++i)
           generalized.push_back(motion.lambda[mu] * p.beta[mu][i]);
-        CHECK(deviation(fields.at(name + ".generalized"), generalized) < k_tolerance);
+        CHECK(deviation(fields.at(name + ".generalized"), generalized) < k_motion_tolerance);
       }
       for (const auto i : mechanics.symbols.held.indices()) {
         CHECK(deviation(fields.at(mechanics.symbols.held[i].name + ".generalized"), {motion.R_x[i.value]}) <
-              k_tolerance);
+              k_motion_tolerance);
       }
     }
   }
@@ -155,7 +155,7 @@ TEST_CASE("dependent speeds are those that the model names, and the motion is th
     INFO(speed);
     CHECK_THAT(emitted.mechanics().solution.description, Catch::Contains("dependent speeds " + speed + ";"));
     motions.push_back(emitted.derivative("rhs"));
-    CHECK(deviation(motions.back(), motions.front()) < k_tolerance);
+    CHECK(deviation(motions.back(), motions.front()) < k_motion_tolerance);
   }
 }
 

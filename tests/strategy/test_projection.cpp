@@ -11,7 +11,7 @@ using namespace gaussgen::oracle;
 
 namespace {
 
-constexpr double k_tolerance = 1e-14;
+constexpr double k_projection_tolerance = 1e-14;
 
 /// The part of a free covector that no combination of the rows of β over the free coordinates gives, by least squares.
 Vec beyond_rows(const Probe& p, const Vec& covector) {
@@ -97,7 +97,7 @@ TEST_CASE("project gives quaternions unit length and leaves coordinates alone") 
       for (const auto& component : orientation.quaternion) expected.push_back(c.values.at(component.text));
     }
     INFO(model.name);
-    CHECK(deviation(projected(c).configuration, expected) < k_tolerance);
+    CHECK(deviation(projected(c).configuration, expected) < k_projection_tolerance);
   }
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("project satisfies phi where phi is linear in the velocities") {
     INFO(model.name);
     Vec rate = c.bare.rate;
     std::copy(state.speeds.begin(), state.speeds.end(), rate.begin());
-    CHECK(size(c.bare.constraints(c.bare.y, rate, c.bare.t)) < k_tolerance);
+    CHECK(size(c.bare.constraints(c.bare.y, rate, c.bare.t)) < k_projection_tolerance);
   }
 }
 

@@ -8,7 +8,7 @@ using namespace gaussgen::oracle;
 
 namespace {
 
-constexpr double k_tolerance = 1e-15;  // difference quotients: 1e-24 of the derivatives
+constexpr double k_state_tolerance = 1e-15;  // difference quotients: 1e-24 of the derivatives
 
 }  // namespace
 
@@ -21,9 +21,9 @@ TEST_CASE("energies are the sums over bare points, uniform fields and potentials
       const Real V = potential_energy(c.bare);
       auto energy = emitted.fields("energy");
       INFO(model.name << ", seed " << seed);
-      CHECK(deviation(energy.at("kinetic"), {T}) < k_tolerance);
-      CHECK(deviation(energy.at("potential"), {V}) < k_tolerance);
-      CHECK(deviation(energy.at("total"), {T + V}) < k_tolerance);
+      CHECK(deviation(energy.at("kinetic"), {T}) < k_state_tolerance);
+      CHECK(deviation(energy.at("potential"), {V}) < k_state_tolerance);
+      CHECK(deviation(energy.at("total"), {T + V}) < k_state_tolerance);
     }
   }
 }
@@ -44,8 +44,8 @@ TEST_CASE("residuals are phi and its difference quotient along any candidate acc
     }
     auto residuals = emitted.fields("residuals");
     INFO(model.name);
-    CHECK(deviation(residuals.at("velocity"), c.bare.constraints(c.bare.y, c.bare.rate, c.bare.t)) < k_tolerance);
-    CHECK(deviation(residuals.at("acceleration"), phi_dot) < k_tolerance);
+    CHECK(deviation(residuals.at("velocity"), c.bare.constraints(c.bare.y, c.bare.rate, c.bare.t)) < k_state_tolerance);
+    CHECK(deviation(residuals.at("acceleration"), phi_dot) < k_state_tolerance);
   }
 }
 
@@ -55,6 +55,6 @@ TEST_CASE("the residual of a quaternion is the squared norm of the quaternion, l
     for (const auto& component : c.model.orientations[0].quaternion) c.values.at(component.text) *= Real("1.5");
     EmittedNumbers emitted(c);
     emitted.bind_accelerations(Vec(c.bare.free_count, 0));
-    CHECK(deviation(emitted.fields("residuals").at("quaternion"), {Real("1.25")}) < k_tolerance);
+    CHECK(deviation(emitted.fields("residuals").at("quaternion"), {Real("1.25")}) < k_state_tolerance);
   }
 }

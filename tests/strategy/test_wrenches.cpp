@@ -9,7 +9,7 @@ using namespace gaussgen::oracle;
 
 namespace {
 
-constexpr double k_tolerance = 1e-14;
+constexpr double k_wrench_tolerance = 1e-14;
 
 Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -140,11 +140,11 @@ TEST_CASE("the sum of all constraint forces on a body, and their moment, are New
       for (const Points& points : points_of(emitted.mechanics(), c.bare)) {
         const Wrench expected = newton(c.bare, points, a);
         const Vec& force = fields.at("on_" + points.body + ".force");
-        CHECK(deviation(force, Vec(expected.force.begin(), expected.force.end())) < k_tolerance);
+        CHECK(deviation(force, Vec(expected.force.begin(), expected.force.end())) < k_wrench_tolerance);
         CHECK(fields.count("on_" + points.body + ".moment") == (points.is_rigid ? 1U : 0U));
         if (!points.is_rigid) continue;
         const Vec& moment = fields.at("on_" + points.body + ".moment");
-        CHECK(deviation(moment, Vec(expected.moment.begin(), expected.moment.end())) < k_tolerance);
+        CHECK(deviation(moment, Vec(expected.moment.begin(), expected.moment.end())) < k_wrench_tolerance);
       }
     }
   }
@@ -167,7 +167,7 @@ TEST_CASE("the forces and moments of one constraint work as lambda beta_A, or R_
       for (std::size_t A = 0; A < c.bare.y.size(); ++A) {
         INFO(name << ", coordinate " << A);
         CHECK(deviation(work(fields, name, stated_point(model.name, name, c), mechanics, c.bare, A),
-                        motion.lambda[mu] * p.beta[mu][A]) < k_tolerance);
+                        motion.lambda[mu] * p.beta[mu][A]) < k_wrench_tolerance);
       }
     }
     for (const auto j : mechanics.symbols.held.indices()) {
@@ -177,7 +177,7 @@ TEST_CASE("the forces and moments of one constraint work as lambda beta_A, or R_
       for (std::size_t A = 0; A < c.bare.y.size(); ++A) {
         const Real expected = A == c.bare.free_count + j.value ? motion.R_x[j.value] : Real(0);
         INFO(name << ", coordinate " << A);
-        CHECK(deviation(work(fields, name, std::nullopt, mechanics, c.bare, A), expected) < k_tolerance);
+        CHECK(deviation(work(fields, name, std::nullopt, mechanics, c.bare, A), expected) < k_wrench_tolerance);
       }
     }
   }
