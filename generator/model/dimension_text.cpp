@@ -57,7 +57,7 @@ std::string text(const Dimension& dimension) {
   without_time.powers[2] = 0;
   Powers powers;
   if (is_number(without_time)) powers.emplace_back("rad", dimension.angle);
-  for (const std::size_t i : {1, 0, 2, 3, 4, 5, 6}) powers.emplace_back(k_base_units[i], dimension.powers[i]);
+  for (const std::size_t i : {1U, 0U, 2U, 3U, 4U, 5U, 6U}) powers.emplace_back(k_base_units[i], dimension.powers[i]);
   return quotient(powers);
 }
 

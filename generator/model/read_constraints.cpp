@@ -37,7 +37,7 @@ void check_label(const Name& name, Reading& reading) {
 class ConstraintReader {
  public:
   ConstraintReader(const Entry& entry, Reading& reading)
-      : entry_(entry), map_(entry.value), name_(name_of(entry.key)), reading_(reading) {}
+      : map_(entry.value), name_(name_of(entry.key)), reading_(reading) {}
 
   void run() {
     const std::string where = fmt::format("constraint '{}'", name_.text);
@@ -238,7 +238,6 @@ class ConstraintReader {
     add(PositionLaw{difference_of(std::move(distance), std::move(value))}, law.value.span);
   }
 
-  const Entry& entry_;
   const Node& map_;
   Name name_;
   std::string about_;

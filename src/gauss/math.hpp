@@ -317,7 +317,8 @@ class Newton {
     for (int i = 0; i < n; ++i) {
       after[i] = Math<S>::select(moves, after[i], before[i]);
       const S change = after[i] - before[i];
-      const S size = Math<S>::select(Math<S>::less(before[i], S(0)), -before[i], before[i]) + S(by_one[i]);
+      const S own = by_one[i] == 1 ? S(1) : S(0);
+      const S size = own + Math<S>::select(Math<S>::less(before[i], S(0)), -before[i], before[i]);
       const Bool has_moved = Math<S>::any(Math<S>::less(part * size, change), Math<S>::less(change, -part * size));
       next = Math<S>::select(has_moved, S(1), next);
     }

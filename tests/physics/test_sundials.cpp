@@ -164,15 +164,15 @@ TEST_CASE("what a controller throws arrives where the simulation was called") {
 
 TEST_CASE("CVODE, too, refuses settings out of their range, and says by how much it moved the start") {
   Settings<double> settings = tolerance(-1e-8);
-  CvodeSimulation<BobModel, BobJacobian> refused(bob(), bob_start(), 0, settings);
+  CvodeSimulation<BobModel, BobJacobian> refused(bob(), start_of(bob()), 0, settings);
   CHECK_FALSE(refused.advance_to(1));
   CHECK(refused.report().outcome == Outcome::bad_settings);
   CHECK(refused.time() == 0);
-  CvodeSimulation<BobModel, BobJacobian> never(bob(), bob_start(), std::nan(""), tolerance(1e-8));
+  CvodeSimulation<BobModel, BobJacobian> never(bob(), start_of(bob()), std::nan(""), tolerance(1e-8));
   CHECK_FALSE(never.advance_to(1));
   CHECK(never.report().outcome == Outcome::bad_settings);
 
-  auto beside = bob_start();
+  auto beside = start_of(bob());
   for (int i = 0; i < 2; ++i) beside.values[i] *= 1.01;
   CvodeSimulation<BobModel, BobJacobian> moved(bob(), beside, 0, tolerance(1e-8));
   CHECK(off_the_bar(moved.state()) < 1e-13);
