@@ -3,7 +3,7 @@
 // the model and generate again.
 // Command: gauss-gen skew_chart.yaml
 //
-// Z minimised body by body along the tree: 137 operations before they are optimised, and 169 by L D L^T of
+// Z minimised body by body along the tree: 137 operations before they are optimised, and 167 by L D L^T of
 // the metric
 //
 // Coordinates
@@ -26,7 +26,7 @@
 //
 // Operations per call
 //                      + -  *    /  sqrt  functions
-//   prepare            2    54   2  0     0
+//   prepare            2    59   2  2     0
 //   rhs                35   56   3  0     2
 //   reactions          45   65   3  0     2
 //   rhs_and_reactions  49   72   3  0     2
@@ -49,7 +49,7 @@
 #ifndef GAUSS_MATH_HPP
 #define GAUSS_MATH_HPP
 
-#define GAUSS_MATH_VERSION 4
+#define GAUSS_MATH_VERSION 5
 
 // Conditions on values that are not finite, the order of sums and signs of zeros are part of the results. Single options of -ffast-math
 // have macros of their own, but clang++ has none for a new order of sums: see GAUSS_IN_ORDER.
@@ -327,6 +327,57 @@ struct Math<long double> : StandardMath<long double> {
 
 #undef GAUSS_SINCOS
 
+namespace detail {
+
+/// Whether it holds in some lane.
+template <class S>
+GAUSS_FUNCTION bool holds_in_any(const typename Math<S>::Bool& condition) {
+  if constexpr (std::is_enum_v<typename Math<S>::Status>) {
+    return condition;
+  } else {
+    return Math<S>::status(condition, condition, condition).any();
+  }
+}
+
+/// Steps of Newton's method, in each lane until one has moved nothing. Errors are squared: where a step was less than this part, only rounding is left after it.
+template <class S>
+class Newton {
+  using Bool = typename Math<S>::Bool;
+
+ public:
+  GAUSS_FUNCTION bool goes_on() const { return holds_in_any<S>(Math<S>::less(S(0), moving_)); }
+
+  /// What a step from `before` to `after` has to say. Lanes that had arrived stay where they were. A component is measured by its size, and by 1 besides
+  /// where `by_one` is 1.
+  template <int n>
+  GAUSS_FUNCTION typename Math<S>::Status take(const typename Math<S>::Status& status, const S (&before)[n],
+                                               S (&after)[n], const int (&by_one)[n]) {
+    const S root = Math<S>::sqrt(Math<S>::epsilon());
+    const S part = root * Math<S>::sqrt(root);
+    const Bool moves = Math<S>::less(S(0), moving_);
+    S next = S(0);
+    for (int i = 0; i < n; ++i) {
+      after[i] = Math<S>::select(moves, after[i], before[i]);
+      const S change = after[i] - before[i];
+      const S own = by_one[i] == 1 ? S(1) : S(0);
+      const S size = own + Math<S>::select(Math<S>::less(before[i], S(0)), -before[i], before[i]);
+      const Bool has_moved = Math<S>::any(Math<S>::less(part * size, change), Math<S>::less(change, -part * size));
+      next = Math<S>::select(has_moved, S(1), next);
+    }
+    moving_ = next;
+    if constexpr (std::is_enum_v<typename Math<S>::Status>) {
+      return status;
+    } else {
+      return status.within(moves);
+    }
+  }
+
+ private:
+  S moving_ = S(1);  ///< 1: on its way; 0
+};
+
+}  // namespace detail
+
 /// Sines and cosines of angles that are known at the same time, three arguments for each: the angle, its sine, its cosine.
 /// One after the other; to be specialised for types that compute several at once, as gauss/scalar/vectorised.hpp does.
 template <class S>
@@ -345,7 +396,7 @@ using StatusOf = typename Math<S>::Status;
 
 }  // namespace gauss
 
-#elif GAUSS_MATH_VERSION != 4
+#elif GAUSS_MATH_VERSION != 5
 #error "Two versions of the gauss prelude meet in one file: generate all models with the same gauss-gen."
 #endif  // GAUSS_MATH_HPP
 
@@ -404,8 +455,8 @@ struct Prepared {
   S c9;                          ///< 1 / 3 * amplitude * frequency^2
   S amplitude_2_frequency_2;     ///< amplitude^2 * frequency^2
   S c10;                         ///< 0.5 * amplitude^2 * frequency^2
-  S rounding_m2;                 ///< 10 * epsilon * m2
-  S c11;                         ///< 5 / 9 * epsilon
+  S c11;
+  S c12;
   S least_pivot;
   S m2_over_3;                   ///< 1 / 3 * m2
   S m1_over_36;                  ///< 1 / 36 * m1
@@ -417,10 +468,10 @@ struct Prepared {
   S half_m1;                     ///< 0.5 * m1
   S m1_over_3;                   ///< 1 / 3 * m1
   S m2_over_10;                  ///< 1 / 10 * m2
-  S rounding_m2_2;               ///< 30 * epsilon * m2
-  S c12;                         ///< select(not_finite(m1), 0, m1)
-  S c13;                         ///< 2 * m2
-  S c14;                         ///< 24 * epsilon
+  S c13;
+  S c14;
+  S c15;                         ///< select(not_finite(m1), 0, m1)
+  S c16;                         ///< 2 * m2
   S amplitude_frequency_over_3;  ///< 1 / 3 * amplitude * frequency
   S half_amplitude_frequency;    ///< 0.5 * amplitude * frequency
   S g_over_4;                    ///< 0.25 * g
@@ -548,12 +599,18 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S m2_2 = m2 * m2;
   const S G_e_e = S(1.25) * m2;
   const S amplitude_2_frequency_2 = amplitude * amplitude * frequency_2;
-  const S rounding_m2_3 = Math<S>::epsilon() * m2;
-  const Bool t1 = Math<S>::not_finite(m1);
-  const S rounding_m1 = Math<S>::epsilon() * m1;
-  const S t2 = m1 - S(16) * rounding_m1;
-  const S t3 = m1 - S(12) * rounding_m1;
-  const S least_pivot = Math<S>::select(t1, S(0), Math<S>::select(Math<S>::less(t2, t3), t2, t3));
+  const S t1 = S(8) * Math<S>::epsilon();
+  const S root_epsilon = Math<S>::sqrt(Math<S>::epsilon());
+  const S t2 = root_epsilon * Math<S>::sqrt(root_epsilon);
+  const S t3 = S(20) * Math<S>::epsilon();
+  const Bool t4 = Math<S>::not_finite(m1);
+  const S t5 = S(16) * Math<S>::epsilon();
+  const S t6 = m1 - m1 * Math<S>::select(Math<S>::less(t5, t2), t2, t5);
+  const S t7 = S(12) * Math<S>::epsilon();
+  const S t8 = m1 - m1 * Math<S>::select(Math<S>::less(t7, t2), t2, t7);
+  const S least_pivot = Math<S>::select(t4, S(0), Math<S>::select(Math<S>::less(t6, t8), t6, t8));
+  const S t9 = S(24) * Math<S>::epsilon();
+  const S c13 = Math<S>::select(Math<S>::less(t9, t2), t2, t9);
 
   Prepared<S> prepared;
   prepared.m1 = m1;
@@ -585,8 +642,8 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.c9 = S(1) / S(3) * amplitude_frequency_2;
   prepared.amplitude_2_frequency_2 = amplitude_2_frequency_2;
   prepared.c10 = S(0.5) * amplitude_2_frequency_2;
-  prepared.rounding_m2 = S(10) * rounding_m2_3;
-  prepared.c11 = S(5) / S(9) * Math<S>::epsilon();
+  prepared.c11 = S(1.25) * m2 * Math<S>::select(Math<S>::less(t1, t2), t2, t1);
+  prepared.c12 = S(1) / S(36) * Math<S>::select(Math<S>::less(t3, t2), t2, t3);
   prepared.least_pivot = least_pivot;
   prepared.m2_over_3 = S(1) / S(3) * m2;
   prepared.m1_over_36 = S(1) / S(36) * m1;
@@ -598,10 +655,10 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_m1 = S(0.5) * m1;
   prepared.m1_over_3 = S(1) / S(3) * m1;
   prepared.m2_over_10 = S(1) / S(10) * m2;
-  prepared.rounding_m2_2 = S(30) * rounding_m2_3;
-  prepared.c12 = Math<S>::select(t1, S(0), m1);
-  prepared.c13 = S(2) * m2;
-  prepared.c14 = S(24) * Math<S>::epsilon();
+  prepared.c13 = c13;
+  prepared.c14 = S(1.25) * m2 * c13;
+  prepared.c15 = Math<S>::select(t4, S(0), m1);
+  prepared.c16 = S(2) * m2;
   prepared.amplitude_frequency_over_3 = S(1) / S(3) * amplitude_frequency;
   prepared.half_amplitude_frequency = S(0.5) * amplitude_frequency;
   prepared.g_over_4 = S(0.25) * g;
@@ -645,8 +702,8 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S& c8 = prepared.c8;
   const S& c9 = prepared.c9;
   const S& c10 = prepared.c10;
-  const S& rounding_m2 = prepared.rounding_m2;
   const S& c11 = prepared.c11;
+  const S& c12 = prepared.c12;
   const S& least_pivot = prepared.least_pivot;
   const S& a = state.a();
   const S& b = state.b();
@@ -717,9 +774,8 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.d_ddot() = a_d;
   derivative.e_ddot() = a_e;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)),
-      Math<S>::at_most(Z_e_e, rounding_m2),
-      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(9) * m2 * (S(4) + s_2))),
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, c11),
+      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c12 * (m1 * (S(9) + S(4) * s_2) + S(9) * m2 * (S(4) + s_2))),
       Math<S>::at_most(least_pivot, S(0)));
   const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, a_b, a_c, a_d, Z_d_d);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -756,8 +812,8 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S& m2_2_over_25 = prepared.m2_2_over_25;
   const S& m1_over_4 = prepared.m1_over_4;
   const S& c9 = prepared.c9;
-  const S& rounding_m2 = prepared.rounding_m2;
   const S& c11 = prepared.c11;
+  const S& c12 = prepared.c12;
   const S& least_pivot = prepared.least_pivot;
   const S& m2_over_3 = prepared.m2_over_3;
   const S& a = state.a();
@@ -835,9 +891,8 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
 
   reactions.s.generalized = R_s;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)),
-      Math<S>::at_most(Z_e_e, rounding_m2),
-      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(9) * m2 * (S(4) + s_2))),
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, c11),
+      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c12 * (m1 * (S(9) + S(4) * s_2) + S(9) * m2 * (S(4) + s_2))),
       Math<S>::at_most(least_pivot, S(0)));
   const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, Z_d_d, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -877,8 +932,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S& c8 = prepared.c8;
   const S& c9 = prepared.c9;
   const S& c10 = prepared.c10;
-  const S& rounding_m2 = prepared.rounding_m2;
   const S& c11 = prepared.c11;
+  const S& c12 = prepared.c12;
   const S& least_pivot = prepared.least_pivot;
   const S& m2_over_3 = prepared.m2_over_3;
   const S& a = state.a();
@@ -976,9 +1031,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   derivative.e_ddot() = a_e;
   reactions.s.generalized = R_s;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)),
-      Math<S>::at_most(Z_e_e, rounding_m2),
-      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * (S(9) + S(4) * s_2) + S(9) * m2 * (S(4) + s_2))),
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, c11),
+      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c12 * (m1 * (S(9) + S(4) * s_2) + S(9) * m2 * (S(4) + s_2))),
       Math<S>::at_most(least_pivot, S(0)));
   const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, a_b, a_c, Z_d_d, R_s);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -1018,8 +1072,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& m2_2_over_25 = prepared.m2_2_over_25;
   const S& m1_over_4 = prepared.m1_over_4;
   const S& c9 = prepared.c9;
-  const S& rounding_m2 = prepared.rounding_m2;
   const S& c11 = prepared.c11;
+  const S& c12 = prepared.c12;
   const S& least_pivot = prepared.least_pivot;
   const S& m2_over_3 = prepared.m2_over_3;
   const S& m1_over_36 = prepared.m1_over_36;
@@ -1031,10 +1085,10 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& half_m1 = prepared.half_m1;
   const S& m1_over_3 = prepared.m1_over_3;
   const S& m2_over_10 = prepared.m2_over_10;
-  const S& rounding_m2_2 = prepared.rounding_m2_2;
-  const S& c12 = prepared.c12;
   const S& c13 = prepared.c13;
   const S& c14 = prepared.c14;
+  const S& c15 = prepared.c15;
+  const S& c16 = prepared.c16;
   const S& a = state.a();
   const S& b = state.b();
   const S& c = state.c();
@@ -1103,7 +1157,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S Q_d_over_Z_d_d = Q_d * inv_Z_d_d;
   const S a_second_x = -(c9 * sin_frequency_t + Q_d_over_Z_d_d + m2_over_5_d_over_Z_d_d_s * t4 + t3 * a_e);
   const S a_second_y = drift_a_second_y + a_e + t5 * s
-      - S(2) / S(25) * d * (S(5) * Q_d_over_Z_d_d + m2 * d_over_Z_d_d_s * t4 + c13 * d_over_Z_d_d * a_e);
+      - S(2) / S(25) * d * (S(5) * Q_d_over_Z_d_d + m2 * d_over_Z_d_d_s * t4 + c16 * d_over_Z_d_d * a_e);
   const S a_second_z = g - t6 - t4 + S(0.5) * a_e;
 
   // what second feels from its parent: Newton and Euler for all that it carries
@@ -1137,7 +1191,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S G_e_s = half_m2 * (S(1) - a);
   const S G_factor_s_d_over_5 = S(1) / S(5) * G_factor_s_d;
   const S G_a_e_over_g_pivot_a = G_a_e * inv_g_pivot_a;
-  const S t8 = c13 * d + m2_d_s * G_a_e_over_g_pivot_a;
+  const S t8 = c16 * d + m2_d_s * G_a_e_over_g_pivot_a;
   const S t9 = G_a_e * G_factor_s_a - G_e_s + G_factor_s_d_over_5 * t8;
   const S g_factor_e_d = inv_g_pivot_d_over_5 * t8;
   const S g_pivot_e = G_e_e - G_a_e_over_g_pivot_a * G_a_e - S(1) / S(5) * g_factor_e_d * t8;
@@ -1161,11 +1215,11 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
 
   // Results
   const S t13 = m2_over_10 * R_s * (S(10) * t11 - S(4) * d * z_s_d + S(5) * t12);
-  const Bool t14 = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, rounding_m2),
-      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c11 * (m1 * t2 + S(36) * m2 * t1)),
-      Math<S>::at_most(least_pivot, S(0)), Math<S>::at_most(g_pivot_a, c14 * G_a_a),
-      Math<S>::at_most(g_pivot_d, c14 * G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
-      Math<S>::at_most(G_pivot_s, c14 * G_s_s), Math<S>::at_most(c12, S(0)));
+  const Bool t14 = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, c11),
+      Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c12 * (m1 * t2 + S(36) * m2 * t1)),
+      Math<S>::at_most(least_pivot, S(0)), Math<S>::at_most(g_pivot_a, c13 * G_a_a),
+      Math<S>::at_most(g_pivot_d, c13 * G_d_d), Math<S>::at_most(g_pivot_e, c14),
+      Math<S>::at_most(G_pivot_s, c13 * G_s_s), Math<S>::at_most(c15, S(0)));
 
   reaction_forces.s.force_on_first[0] = force_s_first_x;
   reaction_forces.s.force_on_first[1] = force_s_first_y;
@@ -1282,9 +1336,9 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S& half_m1 = prepared.half_m1;
   const S& m1_over_3 = prepared.m1_over_3;
   const S& m2_over_10 = prepared.m2_over_10;
-  const S& rounding_m2_2 = prepared.rounding_m2_2;
-  const S& c12 = prepared.c12;
+  const S& c13 = prepared.c13;
   const S& c14 = prepared.c14;
+  const S& c15 = prepared.c15;
   const S& m1_g = prepared.m1_g;
   const S& half_inv_m1 = prepared.half_inv_m1;
   const S& half_inv_m2 = prepared.half_inv_m2;
@@ -1386,9 +1440,9 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
 
   compulsion.Z = Z;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, c14 * G_a_a),
-      Math<S>::at_most(g_pivot_d, c14 * G_d_d), Math<S>::at_most(g_pivot_e, rounding_m2_2),
-      Math<S>::at_most(G_pivot_s, c14 * G_s_s), Math<S>::at_most(c12, S(0)));
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, c13 * G_a_a),
+      Math<S>::at_most(g_pivot_d, c13 * G_d_d), Math<S>::at_most(g_pivot_e, c14),
+      Math<S>::at_most(G_pivot_s, c13 * G_s_s), Math<S>::at_most(c15, S(0)));
   const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, Z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
@@ -1466,7 +1520,7 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
 }
 
 /// The nearest state that satisfies the constraints: unit quaternions, then the smallest change of
-/// the speeds in the mass metric (four Newton steps for constraints nonlinear in the velocities).
+/// the speeds in the mass metric (up to four Newton steps for constraints nonlinear in the velocities).
 template <class S>
 GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepared<S>& /*prepared*/,
                                    State<S>& state) noexcept {

@@ -4,7 +4,7 @@
 // Command: gauss-gen skew_nonholonomic.yaml
 //
 // elimination (3.6)-(3.7) with dependent speeds q2; safe because det b over them depends on parameters
-// alone: 66 operations before they are optimised, and 122 body by body along the tree
+// alone: 65 operations before they are optimised, and 121 body by body along the tree
 //
 // Coordinates
 //   q1
@@ -22,11 +22,11 @@
 //
 // Operations per call
 //                      + -  *   /  sqrt  functions
-//   prepare            11   52  3  0     0
-//   rhs                19   27  2  0     0
-//   reactions          37   48  2  0     0
-//   rhs_and_reactions  37   48  2  0     0
-//   reaction_forces    26   38  2  0     0
+//   prepare            11   53  3  2     0
+//   rhs                19   26  2  0     0
+//   reactions          37   47  2  0     0
+//   rhs_and_reactions  37   47  2  0     0
+//   reaction_forces    26   37  2  0     0
 //   energy             15   20  0  0     0
 //   compulsion         12   13  0  0     0
 //   residuals          7    8   0  0     0
@@ -46,7 +46,7 @@
 #ifndef GAUSS_MATH_HPP
 #define GAUSS_MATH_HPP
 
-#define GAUSS_MATH_VERSION 4
+#define GAUSS_MATH_VERSION 5
 
 // Conditions on values that are not finite, the order of sums and signs of zeros are part of the results. Single options of -ffast-math
 // have macros of their own, but clang++ has none for a new order of sums: see GAUSS_IN_ORDER.
@@ -324,6 +324,57 @@ struct Math<long double> : StandardMath<long double> {
 
 #undef GAUSS_SINCOS
 
+namespace detail {
+
+/// Whether it holds in some lane.
+template <class S>
+GAUSS_FUNCTION bool holds_in_any(const typename Math<S>::Bool& condition) {
+  if constexpr (std::is_enum_v<typename Math<S>::Status>) {
+    return condition;
+  } else {
+    return Math<S>::status(condition, condition, condition).any();
+  }
+}
+
+/// Steps of Newton's method, in each lane until one has moved nothing. Errors are squared: where a step was less than this part, only rounding is left after it.
+template <class S>
+class Newton {
+  using Bool = typename Math<S>::Bool;
+
+ public:
+  GAUSS_FUNCTION bool goes_on() const { return holds_in_any<S>(Math<S>::less(S(0), moving_)); }
+
+  /// What a step from `before` to `after` has to say. Lanes that had arrived stay where they were. A component is measured by its size, and by 1 besides
+  /// where `by_one` is 1.
+  template <int n>
+  GAUSS_FUNCTION typename Math<S>::Status take(const typename Math<S>::Status& status, const S (&before)[n],
+                                               S (&after)[n], const int (&by_one)[n]) {
+    const S root = Math<S>::sqrt(Math<S>::epsilon());
+    const S part = root * Math<S>::sqrt(root);
+    const Bool moves = Math<S>::less(S(0), moving_);
+    S next = S(0);
+    for (int i = 0; i < n; ++i) {
+      after[i] = Math<S>::select(moves, after[i], before[i]);
+      const S change = after[i] - before[i];
+      const S own = by_one[i] == 1 ? S(1) : S(0);
+      const S size = own + Math<S>::select(Math<S>::less(before[i], S(0)), -before[i], before[i]);
+      const Bool has_moved = Math<S>::any(Math<S>::less(part * size, change), Math<S>::less(change, -part * size));
+      next = Math<S>::select(has_moved, S(1), next);
+    }
+    moving_ = next;
+    if constexpr (std::is_enum_v<typename Math<S>::Status>) {
+      return status;
+    } else {
+      return status.within(moves);
+    }
+  }
+
+ private:
+  S moving_ = S(1);  ///< 1: on its way; 0
+};
+
+}  // namespace detail
+
 /// Sines and cosines of angles that are known at the same time, three arguments for each: the angle, its sine, its cosine.
 /// One after the other; to be specialised for types that compute several at once, as gauss/scalar/vectorised.hpp does.
 template <class S>
@@ -342,7 +393,7 @@ using StatusOf = typename Math<S>::Status;
 
 }  // namespace gauss
 
-#elif GAUSS_MATH_VERSION != 4
+#elif GAUSS_MATH_VERSION != 5
 #error "Two versions of the gauss prelude meet in one file: generate all models with the same gauss-gen."
 #endif  // GAUSS_MATH_HPP
 
@@ -382,12 +433,13 @@ struct Prepared {
   S G_q1_q3;         ///< 1 / 5 * m2
   S G_q2_q3;         ///< 1 / 20 * m1
   S F_first_z;       ///< m1 * g
+  S c1;
   S m1_over_90;      ///< 1 / 90 * m1
-  S c1;              ///< 11 / 10 * m2
+  S c2;              ///< 11 / 10 * m2
   S m1_over_3;       ///< 1 / 3 * m1
-  S c2;              ///< 1.5 * m2
+  S c3;              ///< 1.5 * m2
   S m2_over_60;      ///< 1 / 60 * m2
-  S c3;              ///< 2 / 15 * m1
+  S c4;              ///< 2 / 15 * m1
   S m1_over_80;      ///< 1 / 80 * m1
   S half_m2;         ///< 0.5 * m2
   S m1_over_4;       ///< 0.25 * m1
@@ -403,8 +455,8 @@ struct Prepared {
   S g_factor_q3_q1;  ///< 1 / 5 * m2 / (229 / 225 * m1 + 21 / 20 * m2)
   S inv_G_q1_q1;     ///< 1 / (229 / 225 * m1 + 21 / 20 * m2)
   S inv_g_pivot_q2;
-  S c4;
   S c5;
+  S c6;
   S inv_g_pivot_q3;
   S least_g_pivot;
 };
@@ -517,20 +569,25 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S G_q3_q3 = m1 + m2;
   const S G_q1_q3 = S(1) / S(5) * m2;
   const S G_q2_q3 = S(1) / S(20) * m1;
+  const S t1 = S(8) * Math<S>::epsilon();
+  const S root_epsilon = Math<S>::sqrt(Math<S>::epsilon());
+  const S t2 = root_epsilon * Math<S>::sqrt(root_epsilon);
   const S inv_G_q1_q1 = S(1) / G_q1_q1;
   const S g_factor_q2_q1 = inv_G_q1_q1 * G_q1_q2;
   const S g_pivot_q2 = G_q2_q2 - inv_G_q1_q1 * G_q1_q2 * G_q1_q2;
   const S inv_g_pivot_q2 = S(1) / g_pivot_q2;
-  const S t1 = m1 - S(4) * m2 * inv_G_q1_q1 * G_q1_q2;
-  const S g_factor_q3_q2 = S(1) / S(20) * inv_g_pivot_q2 * t1;
+  const S t3 = m1 - S(4) * m2 * inv_G_q1_q1 * G_q1_q2;
+  const S g_factor_q3_q2 = S(1) / S(20) * inv_g_pivot_q2 * t3;
   const S g_factor_q3_q1 = S(1) / S(5) * m2 * inv_G_q1_q1;
-  const S g_pivot_q3 = G_q3_q3 - S(1) / S(25) * m2 * m2 * inv_G_q1_q1 - S(1) / S(20) * g_factor_q3_q2 * t1;
+  const S g_pivot_q3 = G_q3_q3 - S(1) / S(25) * m2 * m2 * inv_G_q1_q1 - S(1) / S(20) * g_factor_q3_q2 * t3;
   const S inv_g_pivot_q3 = S(1) / g_pivot_q3;
-  const S t2 = g_pivot_q3 - S(12) * Math<S>::epsilon() * G_q3_q3;
-  const S t3 = g_pivot_q2 - S(12) * Math<S>::epsilon() * G_q2_q2;
-  const S t4 = Math<S>::select(Math<S>::less(t3, G_q1_q1), t3, G_q1_q1);
+  const S t4 = S(12) * Math<S>::epsilon();
+  const S t5 = Math<S>::select(Math<S>::less(t4, t2), t2, t4);
+  const S t6 = g_pivot_q3 - G_q3_q3 * t5;
+  const S t7 = g_pivot_q2 - G_q2_q2 * t5;
+  const S t8 = Math<S>::select(Math<S>::less(t7, G_q1_q1), t7, G_q1_q1);
   const S least_g_pivot = Math<S>::select(Math<S>::not_finite(G_q1_q1, g_pivot_q2, g_pivot_q3), S(0),
-      Math<S>::select(Math<S>::less(t2, t4), t2, t4));
+      Math<S>::select(Math<S>::less(t6, t8), t6, t8));
 
   Prepared<S> prepared;
   prepared.m1 = m1;
@@ -546,12 +603,13 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.G_q1_q3 = G_q1_q3;
   prepared.G_q2_q3 = G_q2_q3;
   prepared.F_first_z = F_first_z;
+  prepared.c1 = Math<S>::select(Math<S>::less(t1, t2), t2, t1);
   prepared.m1_over_90 = S(1) / S(90) * m1;
-  prepared.c1 = S(11) / S(10) * m2;
+  prepared.c2 = S(11) / S(10) * m2;
   prepared.m1_over_3 = S(1) / S(3) * m1;
-  prepared.c2 = S(1.5) * m2;
+  prepared.c3 = S(1.5) * m2;
   prepared.m2_over_60 = S(1) / S(60) * m2;
-  prepared.c3 = S(2) / S(15) * m1;
+  prepared.c4 = S(2) / S(15) * m1;
   prepared.m1_over_80 = S(1) / S(80) * m1;
   prepared.half_m2 = S(0.5) * m2;
   prepared.m1_over_4 = S(0.25) * m1;
@@ -567,8 +625,8 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.g_factor_q3_q1 = g_factor_q3_q1;
   prepared.inv_G_q1_q1 = inv_G_q1_q1;
   prepared.inv_g_pivot_q2 = inv_g_pivot_q2;
-  prepared.c4 = g_factor_q3_q2 * inv_g_pivot_q3;
-  prepared.c5 = S(1) / S(5) * m2 * inv_G_q1_q1 * inv_g_pivot_q3;
+  prepared.c5 = g_factor_q3_q2 * inv_g_pivot_q3;
+  prepared.c6 = S(1) / S(5) * m2 * inv_G_q1_q1 * inv_g_pivot_q3;
   prepared.inv_g_pivot_q3 = inv_g_pivot_q3;
   prepared.least_g_pivot = least_g_pivot;
   return prepared;
@@ -590,6 +648,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   const S& G_q1_q3 = prepared.G_q1_q3;
   const S& G_q2_q3 = prepared.G_q2_q3;
   const S& F_first_z = prepared.F_first_z;
+  const S& c1 = prepared.c1;
   const S& q1 = state.q1();
   const S& q2 = state.q2();
   const S& q3 = state.q3();
@@ -634,7 +693,7 @@ GAUSS_FUNCTION StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S
   derivative.q3_ddot() = a_q3;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+      Math<S>::at_most(M_pivot_q3, c1 * M_q3_q3));
   const Bool not_finite = Math<S>::not_finite(t, q3, a_q2, M_q1_q1);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }
@@ -655,12 +714,13 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S& G_q1_q3 = prepared.G_q1_q3;
   const S& G_q2_q3 = prepared.G_q2_q3;
   const S& F_first_z = prepared.F_first_z;
-  const S& m1_over_90 = prepared.m1_over_90;
   const S& c1 = prepared.c1;
-  const S& m1_over_3 = prepared.m1_over_3;
+  const S& m1_over_90 = prepared.m1_over_90;
   const S& c2 = prepared.c2;
-  const S& m2_over_60 = prepared.m2_over_60;
+  const S& m1_over_3 = prepared.m1_over_3;
   const S& c3 = prepared.c3;
+  const S& m2_over_60 = prepared.m2_over_60;
+  const S& c4 = prepared.c4;
   const S& m1_over_80 = prepared.m1_over_80;
   const S& half_m2 = prepared.half_m2;
   const S& m1_over_4 = prepared.m1_over_4;
@@ -706,13 +766,13 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   const S excess_q2 = G_q2_q3 * a_y_q3_over_M_pivot_q3 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q2 * a_q2;
 
   // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 14
-  const S G_q1_x1 = c1 + m1_over_90 * (S(45) + S(4) * q1);
-  const S G_q2_x1 = c2 + m1_over_3 * q1;
+  const S G_q1_x1 = c2 + m1_over_90 * (S(45) + S(4) * q1);
+  const S G_q2_x1 = c3 + m1_over_3 * q1;
   const S R_x1 = Q_q1 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2 - S(1) / S(5) * excess_q2;
 
   // reaction of x2: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 15
   const S G_q3_x2 = m2_over_3 - m1_over_4 * q2;
-  const S G_q1_x2 = c3 + m2_over_60 * (S(4) - S(3) * q1);
+  const S G_q1_x2 = c4 + m2_over_60 * (S(4) - S(3) * q1);
   const S G_q2_x2 = m1_over_80 * (S(80) - q2) - half_m2 * q1;
   const S R_x2 = a_y_q3_over_M_pivot_q3 * G_q3_x2 - m1_g_over_4 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
       + S(7) / S(10) * excess_q2;
@@ -729,7 +789,7 @@ GAUSS_FUNCTION StatusOf<S> reactions(const S& t, const State<S>& state, const In
   reactions.x2.generalized = R_x2;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+      Math<S>::at_most(M_pivot_q3, c1 * M_q3_q3));
   const Bool not_finite = Math<S>::not_finite(t, q3, M_q1_q1, q2_excess_q2, beta_blade_q3_excess_q2, R_x1,
       R_x2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -752,12 +812,13 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S& G_q1_q3 = prepared.G_q1_q3;
   const S& G_q2_q3 = prepared.G_q2_q3;
   const S& F_first_z = prepared.F_first_z;
-  const S& m1_over_90 = prepared.m1_over_90;
   const S& c1 = prepared.c1;
-  const S& m1_over_3 = prepared.m1_over_3;
+  const S& m1_over_90 = prepared.m1_over_90;
   const S& c2 = prepared.c2;
-  const S& m2_over_60 = prepared.m2_over_60;
+  const S& m1_over_3 = prepared.m1_over_3;
   const S& c3 = prepared.c3;
+  const S& m2_over_60 = prepared.m2_over_60;
+  const S& c4 = prepared.c4;
   const S& m1_over_80 = prepared.m1_over_80;
   const S& half_m2 = prepared.half_m2;
   const S& m1_over_4 = prepared.m1_over_4;
@@ -803,13 +864,13 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   const S excess_q2 = G_q2_q3 * a_q3 - Q_q2 + G_q1_q2 * a_q1 + G_q2_q2 * a_q2;
 
   // reaction of x1: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 14
-  const S G_q1_x1 = c1 + m1_over_90 * (S(45) + S(4) * q1);
-  const S G_q2_x1 = c2 + m1_over_3 * q1;
+  const S G_q1_x1 = c2 + m1_over_90 * (S(45) + S(4) * q1);
+  const S G_q2_x1 = c3 + m1_over_3 * q1;
   const S R_x1 = Q_q1 + G_q1_x1 * a_q1 + G_q2_x1 * a_q2 - S(1) / S(5) * excess_q2;
 
   // reaction of x2: R_j = A_j - Q_j - lambda_m beta_m_j (theory.md, section 4), model line 15
   const S G_q3_x2 = m2_over_3 - m1_over_4 * q2;
-  const S G_q1_x2 = c3 + m2_over_60 * (S(4) - S(3) * q1);
+  const S G_q1_x2 = c4 + m2_over_60 * (S(4) - S(3) * q1);
   const S G_q2_x2 = m1_over_80 * (S(80) - q2) - half_m2 * q1;
   const S R_x2 = a_q3 * G_q3_x2 - m1_g_over_4 * q2 + G_q1_x2 * a_q1 + G_q2_x2 * a_q2
       + S(7) / S(10) * excess_q2;
@@ -832,7 +893,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions(const S& t, const State<S>& state, 
   reactions.x2.generalized = R_x2;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+      Math<S>::at_most(M_pivot_q3, c1 * M_q3_q3));
   const Bool not_finite = Math<S>::not_finite(t, q3, M_q1_q1, q2_excess_q2, beta_blade_q3_excess_q2, R_x1,
       R_x2);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -858,6 +919,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& G_q1_q3 = prepared.G_q1_q3;
   const S& G_q2_q3 = prepared.G_q2_q3;
   const S& F_first_z = prepared.F_first_z;
+  const S& c1 = prepared.c1;
   const S& half_m2 = prepared.half_m2;
   const S& m1_over_15 = prepared.m1_over_15;
   const S& m2_over_10 = prepared.m2_over_10;
@@ -916,7 +978,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_second.force[2] = force_on_second_z;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_q1_q1, S(0)),
-      Math<S>::at_most(M_pivot_q3, S(8) * Math<S>::epsilon() * M_q3_q3));
+      Math<S>::at_most(M_pivot_q3, c1 * M_q3_q3));
   const Bool not_finite = Math<S>::not_finite(t, q3, M_q1_q1, force_on_first_x, force_on_first_y,
       force_on_first_z, force_on_second_x, force_on_second_y, force_on_second_z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
@@ -1071,7 +1133,7 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
 }
 
 /// The nearest state that satisfies the constraints: unit quaternions, then the smallest change of
-/// the speeds in the mass metric (four Newton steps for constraints nonlinear in the velocities).
+/// the speeds in the mass metric (up to four Newton steps for constraints nonlinear in the velocities).
 template <class S>
 GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepared<S>& prepared,
                                    State<S>& state) noexcept {
@@ -1081,8 +1143,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   const S g_factor_q3_q1 = prepared.g_factor_q3_q1;
   const S inv_G_q1_q1 = prepared.inv_G_q1_q1;
   const S inv_g_pivot_q2 = prepared.inv_g_pivot_q2;
-  const S c4 = prepared.c4;
   const S c5 = prepared.c5;
+  const S c6 = prepared.c6;
   const S inv_g_pivot_q3 = prepared.inv_g_pivot_q3;
   const S least_g_pivot = prepared.least_g_pivot;
   const S q1 = from.q1();
@@ -1098,8 +1160,8 @@ GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepa
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S b_q2_blade = -(S(1) + g_factor_q2_q1 * q2);
   const S response_blade_y_q3 = beta_blade_q3 - g_factor_q3_q1 * q2 - g_factor_q3_q2 * b_q2_blade;
-  const S response_blade_q2 = inv_g_pivot_q2 * b_q2_blade - c4 * response_blade_y_q3;
-  const S response_blade_q1 = inv_G_q1_q1 * q2 - c5 * response_blade_y_q3
+  const S response_blade_q2 = inv_g_pivot_q2 * b_q2_blade - c5 * response_blade_y_q3;
+  const S response_blade_q1 = inv_G_q1_q1 * q2 - c6 * response_blade_y_q3
       - g_factor_q2_q1 * response_blade_q2;
   const S t1 = inv_g_pivot_q3 * response_blade_y_q3;
   const S t2 = q2 * response_blade_q1 + t1 * beta_blade_q3;

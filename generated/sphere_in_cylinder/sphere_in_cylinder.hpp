@@ -4,7 +4,7 @@
 // Command: gauss-gen sphere_in_cylinder.yaml
 //
 // elimination (3.6)-(3.7) with dependent speeds zeta, psi; safe because det b over them depends on
-// parameters alone: 89 operations before they are optimised, and 205 body by body along the tree
+// parameters alone: 88 operations before they are optimised, and 203 body by body along the tree
 // Where nothing singles a state out: mobility 3 (5 speeds, 2 constraints).
 //
 // Coordinates
@@ -31,20 +31,20 @@
 //
 // Operations per call
 //                                  + -  *   /  sqrt  functions
-//   prepare                        10   45  5  1     0
+//   prepare                        10   48  5  2     0
 //   linear_system                  4    20  0  0     4
-//   rhs_regular                    16   40  2  0     4
+//   rhs_regular                    16   39  2  0     4
 //   rhs_of_solution                0    0   0  0     0
-//   rhs                            16   40  2  0     4
-//   reactions_regular              16   41  2  0     4
+//   rhs                            16   39  2  0     4
+//   reactions_regular              16   40  2  0     4
 //   reactions_of_solution          1    9   0  0     4
-//   reactions                      16   41  2  0     4
-//   rhs_and_reactions_regular      17   45  2  0     4
+//   reactions                      16   40  2  0     4
+//   rhs_and_reactions_regular      17   44  2  0     4
 //   rhs_and_reactions_of_solution  1    9   0  0     4
-//   rhs_and_reactions              17   45  2  0     4
-//   reaction_forces_regular        22   58  2  0     6
+//   rhs_and_reactions              17   44  2  0     4
+//   reaction_forces_regular        22   57  2  0     6
 //   reaction_forces_of_solution    12   41  0  0     6
-//   reaction_forces                22   58  2  0     6
+//   reaction_forces                22   57  2  0     6
 //   energy                         6    12  0  0     1
 //   compulsion                     17   37  0  0     6
 //   residuals                      14   21  0  0     4
@@ -71,7 +71,7 @@
 #ifndef GAUSS_MATH_HPP
 #define GAUSS_MATH_HPP
 
-#define GAUSS_MATH_VERSION 4
+#define GAUSS_MATH_VERSION 5
 
 // Conditions on values that are not finite, the order of sums and signs of zeros are part of the results. Single options of -ffast-math
 // have macros of their own, but clang++ has none for a new order of sums: see GAUSS_IN_ORDER.
@@ -349,6 +349,57 @@ struct Math<long double> : StandardMath<long double> {
 
 #undef GAUSS_SINCOS
 
+namespace detail {
+
+/// Whether it holds in some lane.
+template <class S>
+GAUSS_FUNCTION bool holds_in_any(const typename Math<S>::Bool& condition) {
+  if constexpr (std::is_enum_v<typename Math<S>::Status>) {
+    return condition;
+  } else {
+    return Math<S>::status(condition, condition, condition).any();
+  }
+}
+
+/// Steps of Newton's method, in each lane until one has moved nothing. Errors are squared: where a step was less than this part, only rounding is left after it.
+template <class S>
+class Newton {
+  using Bool = typename Math<S>::Bool;
+
+ public:
+  GAUSS_FUNCTION bool goes_on() const { return holds_in_any<S>(Math<S>::less(S(0), moving_)); }
+
+  /// What a step from `before` to `after` has to say. Lanes that had arrived stay where they were. A component is measured by its size, and by 1 besides
+  /// where `by_one` is 1.
+  template <int n>
+  GAUSS_FUNCTION typename Math<S>::Status take(const typename Math<S>::Status& status, const S (&before)[n],
+                                               S (&after)[n], const int (&by_one)[n]) {
+    const S root = Math<S>::sqrt(Math<S>::epsilon());
+    const S part = root * Math<S>::sqrt(root);
+    const Bool moves = Math<S>::less(S(0), moving_);
+    S next = S(0);
+    for (int i = 0; i < n; ++i) {
+      after[i] = Math<S>::select(moves, after[i], before[i]);
+      const S change = after[i] - before[i];
+      const S own = by_one[i] == 1 ? S(1) : S(0);
+      const S size = own + Math<S>::select(Math<S>::less(before[i], S(0)), -before[i], before[i]);
+      const Bool has_moved = Math<S>::any(Math<S>::less(part * size, change), Math<S>::less(change, -part * size));
+      next = Math<S>::select(has_moved, S(1), next);
+    }
+    moving_ = next;
+    if constexpr (std::is_enum_v<typename Math<S>::Status>) {
+      return status;
+    } else {
+      return status.within(moves);
+    }
+  }
+
+ private:
+  S moving_ = S(1);  ///< 1: on its way; 0
+};
+
+}  // namespace detail
+
 /// Sines and cosines of angles that are known at the same time, three arguments for each: the angle, its sine, its cosine.
 /// One after the other; to be specialised for types that compute several at once, as gauss/scalar/vectorised.hpp does.
 template <class S>
@@ -367,49 +418,17 @@ using StatusOf = typename Math<S>::Status;
 
 }  // namespace gauss
 
-#elif GAUSS_MATH_VERSION != 4
+#elif GAUSS_MATH_VERSION != 5
 #error "Two versions of the gauss prelude meet in one file: generate all models with the same gauss-gen."
 #endif  // GAUSS_MATH_HPP
 
-// Accelerations and multipliers of any constrained system, whatever its rank: what emitted functions turn to where their
-// own, cheaper way has lost its digits.
+// Arithmetic without branches, so that lanes of a batch may differ.
 // SPDX-License-Identifier: MIT-0
-//
-// Gauss's principle leaves the linear problem  g a = f + b^T lambda,  b a + drift = 0  (theory, section 3). It is scaled by inertias and
-// by rows, b^T is factorised by Householder reflections with pivoting, what the constraints leave free is found from g there
-// (null space), and the whole is refined once: Golub and Van Loan, Matrix Computations, 4th ed., 5.4 and 6.2. So g may be singular where
-// constraints complete it, rows may follow from each other, and the error is that of the condition number, not of its square. All choices are selections, so that
-// the lanes of a batch may differ; there is no allocation.
-#ifndef GAUSS_CONSTRAINED_HPP
-#define GAUSS_CONSTRAINED_HPP
-
-#include <type_traits>
+#ifndef GAUSS_SELECTIONS_HPP
+#define GAUSS_SELECTIONS_HPP
 
 
 namespace gauss {
-
-/// Of n speeds and l constraints.
-template <class S, int n, int l>
-struct LinearSolution {
-  S accelerations[n];
-  S multipliers[l];  ///< of those that do, the ones of least norm, each row at unit length where inertias are 1
-  S is_shared[l];    ///< 1: the multiplier is not unique, another constraint can do what this one does; else 0
-  S rank;            ///< of b, to the tolerance
-  StatusOf<S>
-      motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
-               ///< violated_constraints: they contradict each other
-  StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
-  StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
-};
-
-/// How it is decided which constraints say something of their own. Tolerances are sines of the angle to all others, where inertias are 1.
-template <class S>
-struct RankRule {
-  int usual;                ///< rank of b where nothing singles a state out; less is a status
-  S tolerance;              ///< below, a row follows from the others
-  S beyond;                 ///< the same of rows beyond the usual rank
-  bool is_agreement_known;  ///< whether rows contradict each other is not asked
-};
 
 namespace detail {
 
@@ -462,24 +481,91 @@ GAUSS_FUNCTION S inner(const S (&a)[n], const S (&b)[n]) {
   return sum;
 }
 
-/// Of the entry that is largest beside what it may be: whatever units and inertias are.
-template <class S, int n>
-GAUSS_FUNCTION S part_of_reach(const S (&row)[n], const S (&reach)[n]) {
-  S part = S(0);
-  for (int i = 0; i < n; ++i)
-    part = larger<S>(part, absolute<S>(row[i]) * reciprocal<S>(reach[i], positive<S>(reach[i])));
-  return part;
+}  // namespace detail
+
+}  // namespace gauss
+
+#endif  // GAUSS_SELECTIONS_HPP
+// How many constraints say something of their own: one rule for positions, velocities and accelerations.
+// SPDX-License-Identifier: MIT-0
+#ifndef GAUSS_RANK_RULE_HPP
+#define GAUSS_RANK_RULE_HPP
+
+
+namespace gauss {
+
+/// How it is decided which constraints say something of their own. Tolerances are sines of the angle to all others, where inertias are 1.
+template <class S>
+struct RankRule {
+  int usual;    ///< rank of b where nothing singles a state out; less is a status
+  S tolerance;  ///< below, a row follows from the others
+  S beyond;     ///< the same of rows beyond the usual rank
+  bool follows_positions;   ///< `beyond` is the most that is asked: less where positions satisfy their equations well
+  bool is_agreement_known;  ///< whether rows contradict each other is not asked
+};
+
+namespace detail {
+
+/// How far rows beyond the usual rank have to be from the others. Positions that are off turn rows that follow from others away from these, by as much as
+/// they are off; near positions at which rows depend on each other, an equation is off by the square of that.
+template <class S, int l, class System>
+GAUSS_FUNCTION S beyond_usual(const System& system, const RankRule<S>& rule) {
+  if (!rule.follows_positions) return rule.beyond;
+  S off = S(0);
+  for (int mu = 0; mu < l; ++mu) {
+    const S part = system.left[mu] * system.left[mu] * reciprocal<S>(system.size[mu], positive<S>(system.size[mu]));
+    off = larger<S>(off, part);
+  }
+  const S turned = larger<S>(S(10) * root(root(off)), rule.tolerance);
+  return Math<S>::select(Math<S>::less(turned, rule.beyond), turned, rule.beyond);
 }
 
-/// The length by which a row is divided. One that nearly vanishes beside what it may be is nearly nothing: beside the equations of positions it has the
-/// direction of errors. But something light that it does not move here makes no row small, unless all of its entries are: `part`.
+}  // namespace detail
+
+/// Of accelerations: half of the digits and four bits.
 template <class S>
-GAUSS_FUNCTION S usual_size(const S& size, const S& reach, const S& part) {
-  const S least = Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
-  const S share = Math<S>::select(Math<S>::less(part, least), part, least);
-  const S limit = size * reciprocal<S>(share, positive<S>(share));
-  return larger(size, Math<S>::select(Math<S>::less(reach, limit), reach, limit));
+GAUSS_FUNCTION S default_rank_tolerance() {
+  return Math<S>::sqrt(Math<S>::epsilon()) / S(16);
 }
+
+/// One that was asked for; never less than what the digits of S allow.
+template <class S>
+GAUSS_FUNCTION S rank_tolerance(const S& wanted) {
+  return detail::larger(wanted, default_rank_tolerance<S>());
+}
+
+/// For constraints of velocities alone: nothing but parameters makes their rank higher than it was where the model was generated.
+template <class S>
+GAUSS_FUNCTION RankRule<S> rank_of_velocities(int usual, const S& tolerance = default_rank_tolerance<S>()) {
+  return {usual, tolerance, tolerance, false, false};
+}
+
+/// With equations of positions: beside them, as in the stages of a step, rows that follow from others seem to say something, and what they say is
+/// error. What other parameters make of them is more than positions are off by.
+template <class S>
+GAUSS_FUNCTION RankRule<S> rank_on_positions(int usual, const S& tolerance = default_rank_tolerance<S>()) {
+  return {usual, tolerance, detail::larger<S>(S(1) / S(20), tolerance), true, false};
+}
+
+/// Of steps of Newton's method: rounding of a residual, divided by this sine, is less than the sine. So a step stays on its side of a
+/// position at which rows depend on each other. It begins far from the equations, and no row is taken beyond the usual rank.
+template <class S>
+GAUSS_FUNCTION RankRule<S> rank_of_steps(int usual, const S& tolerance = S(0)) {
+  return {usual, detail::larger<S>(S(4) * Math<S>::sqrt(Math<S>::epsilon()), tolerance), S(2), false, true};
+}
+
+}  // namespace gauss
+
+#endif  // GAUSS_RANK_RULE_HPP
+// A factorisation of part of a symmetric matrix.
+// SPDX-License-Identifier: MIT-0
+#ifndef GAUSS_MASKED_LDL_HPP
+#define GAUSS_MASKED_LDL_HPP
+
+
+namespace gauss {
+
+namespace detail {
 
 /// L D L^T of a symmetric matrix of which some rows and columns count as those of the unit matrix.
 template <class S, int n>
@@ -524,6 +610,112 @@ class MaskedLdl {
   S inverse_[n];
 };
 
+}  // namespace detail
+
+}  // namespace gauss
+
+#endif  // GAUSS_MASKED_LDL_HPP
+// Where lanes of a batch turn to another way, the others keep what they have.
+// SPDX-License-Identifier: MIT-0
+#ifndef GAUSS_LOST_LANES_HPP
+#define GAUSS_LOST_LANES_HPP
+
+#include <type_traits>
+
+
+namespace gauss {
+
+namespace detail {
+
+/// Whether any lane has a status other than ok.
+template <class S>
+GAUSS_FUNCTION bool is_lost(const StatusOf<S>& status) {
+  if constexpr (std::is_enum_v<StatusOf<S>>) {
+    return status != StatusOf<S>::ok;
+  } else {
+    return status.any();
+  }
+}
+
+/// In these lanes, the values of `from`; both are structs of nothing but S.
+template <class S, class Values>
+GAUSS_FUNCTION void take_lost(const StatusOf<S>& status, const Values& from, Values& to) {
+  if constexpr (std::is_enum_v<StatusOf<S>>) {
+    to = from;
+  } else {
+    static_assert(sizeof(Values) % sizeof(S) == 0, "a struct of nothing but S is expected");
+    const S* source = reinterpret_cast<const S*>(&from);
+    S* target = reinterpret_cast<S*>(&to);
+    for (unsigned i = 0; i < sizeof(Values) / sizeof(S); ++i)
+      target[i] = Math<S>::select(status.bad(), source[i], target[i]);
+  }
+}
+
+/// What they have to say now.
+template <class S>
+GAUSS_FUNCTION StatusOf<S> status_of_lost(const StatusOf<S>& before, const StatusOf<S>& now) {
+  if constexpr (std::is_enum_v<StatusOf<S>>) {
+    return now;
+  } else {
+    return now.within(before.bad());
+  }
+}
+
+}  // namespace detail
+
+}  // namespace gauss
+
+#endif  // GAUSS_LOST_LANES_HPP
+// Accelerations and multipliers of any constrained system, whatever its rank: what emitted functions turn to where their
+// own, cheaper way has lost its digits.
+// SPDX-License-Identifier: MIT-0
+//
+// Gauss's principle leaves the linear problem  g a = f + b^T lambda,  b a + drift = 0  (theory, section 3). It is scaled by inertias and
+// by rows, b^T is factorised by Householder reflections with pivoting, what the constraints leave free is found from g there
+// (null space), and the whole is refined once: Golub and Van Loan, Matrix Computations, 4th ed., 5.4 and 6.2. So g may be singular where
+// constraints complete it, rows may follow from each other, and the error is that of the condition number, not of its square. All choices are selections, so that
+// the lanes of a batch may differ; there is no allocation.
+#ifndef GAUSS_CONSTRAINED_HPP
+#define GAUSS_CONSTRAINED_HPP
+
+
+namespace gauss {
+
+/// Of n speeds and l constraints.
+template <class S, int n, int l>
+struct LinearSolution {
+  S accelerations[n];
+  S multipliers[l];  ///< of those that do, the ones of least norm, each row at unit length where inertias are 1
+  S is_shared[l];    ///< 1: the multiplier is not unique, another constraint can do what this one does; else 0
+  S rank;            ///< of b, to the tolerance
+  StatusOf<S>
+      motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
+               ///< violated_constraints: they contradict each other
+  StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
+  StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
+};
+
+namespace detail {
+
+/// Of the entry that is largest beside what it may be: whatever units and inertias are.
+template <class S, int n>
+GAUSS_FUNCTION S part_of_reach(const S (&row)[n], const S (&reach)[n]) {
+  S part = S(0);
+  for (int i = 0; i < n; ++i)
+    part = larger<S>(part, absolute<S>(row[i]) * reciprocal<S>(reach[i], positive<S>(reach[i])));
+  return part;
+}
+
+/// The length by which a row is divided. One that nearly vanishes beside what it may be is nearly nothing: beside the equations of positions it has the
+/// direction of errors. But something light that it does not move here makes no row small, unless all of its entries are: `part`.
+template <class S>
+GAUSS_FUNCTION S usual_size(const S& size, const S& reach, const S& part) {
+  const S least = Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
+  const S share = Math<S>::select(Math<S>::less(part, least), part, least);
+  const S limit = size * reciprocal<S>(share, positive<S>(share));
+  return larger(size, Math<S>::select(Math<S>::less(reach, limit), reach, limit));
+}
+
 template <class S, int n, int l>
 class Constrained {
   using Bool = typename Math<S>::Bool;
@@ -534,7 +726,7 @@ class Constrained {
   GAUSS_FUNCTION Constrained(const System& system, const RankRule<S>& rule)
       : is_agreement_known_(rule.is_agreement_known) {
     scale(system);
-    factorise_rows(rule);
+    factorise_rows(rule, beyond_usual<S, l>(system, rule));
     reduce_metric();
     find_shared();
     find_asked(system);
@@ -614,7 +806,7 @@ class Constrained {
   }
 
   /// b^T P = Q R. At each step the row that is longest across all before is next.
-  GAUSS_FUNCTION void factorise_rows(const RankRule<S>& rule) {
+  GAUSS_FUNCTION void factorise_rows(const RankRule<S>& rule, const S& beyond) {
     for (int mu = 0; mu < l; ++mu) {
       for (int i = 0; i < n; ++i) r_[mu][i] = b_[mu][i];
     }
@@ -626,7 +818,7 @@ class Constrained {
       bring_longest(k);
       bring_largest(k);
       const S size = root(squares_from(k, r_[k]));
-      goes_on = goes_on * positive<S>(size - (k < rule.usual ? rule.tolerance : rule.beyond));
+      goes_on = goes_on * positive<S>(size - (k < rule.usual ? rule.tolerance : beyond));
       if (k < rule.usual) is_full_ = goes_on;
       is_row_[k] = goes_on;
       rank_ = rank_ + goes_on;
@@ -707,7 +899,9 @@ class Constrained {
     }
     S is_free[n];
     for (int i = 0; i < n; ++i) is_free[i] = S(1) - is_row_[i];
-    free_.factorise(parts_, is_free, S(8 * n) * Math<S>::epsilon());
+    // A quarter of the digits is left of what is divided by the least one, as in the cheap way.
+    const S half = Math<S>::sqrt(Math<S>::epsilon());
+    free_.factorise(parts_, is_free, S(8 * n) * Math<S>::epsilon() + half * Math<S>::sqrt(half));
   }
 
   GAUSS_FUNCTION void transpose() {
@@ -906,76 +1100,11 @@ class Constrained {
   MaskedLdl<S, l> shares_;
 };
 
-/// Whether any lane has a status other than ok.
-template <class S>
-GAUSS_FUNCTION bool is_lost(const StatusOf<S>& status) {
-  if constexpr (std::is_enum_v<StatusOf<S>>) {
-    return status != StatusOf<S>::ok;
-  } else {
-    return status.any();
-  }
-}
-
-/// In these lanes, the values of `from`; both are structs of nothing but S.
-template <class S, class Values>
-GAUSS_FUNCTION void take_lost(const StatusOf<S>& status, const Values& from, Values& to) {
-  if constexpr (std::is_enum_v<StatusOf<S>>) {
-    to = from;
-  } else {
-    static_assert(sizeof(Values) % sizeof(S) == 0, "a struct of nothing but S is expected");
-    const S* source = reinterpret_cast<const S*>(&from);
-    S* target = reinterpret_cast<S*>(&to);
-    for (unsigned i = 0; i < sizeof(Values) / sizeof(S); ++i)
-      target[i] = Math<S>::select(status.bad(), source[i], target[i]);
-  }
-}
-
-/// What they have to say now.
-template <class S>
-GAUSS_FUNCTION StatusOf<S> status_of_lost(const StatusOf<S>& before, const StatusOf<S>& now) {
-  if constexpr (std::is_enum_v<StatusOf<S>>) {
-    return now;
-  } else {
-    return now.within(before.bad());
-  }
-}
-
 }  // namespace detail
 
-/// Of accelerations: half of the digits and four bits.
-template <class S>
-GAUSS_FUNCTION S default_rank_tolerance() {
-  return Math<S>::sqrt(Math<S>::epsilon()) / S(16);
-}
-
-/// One that was asked for; never less than what the digits of S allow.
-template <class S>
-GAUSS_FUNCTION S rank_tolerance(const S& wanted) {
-  return detail::larger(wanted, default_rank_tolerance<S>());
-}
-
-/// For constraints of velocities alone: nothing but parameters makes their rank higher than it was where the model was generated.
-template <class S>
-GAUSS_FUNCTION RankRule<S> rank_of_velocities(int usual, const S& tolerance = default_rank_tolerance<S>()) {
-  return {usual, tolerance, tolerance, false};
-}
-
-/// With equations of positions: beside them, as in the stages of a step, rows that follow from others seem to say something, and what they say is
-/// error. What other parameters make of them is more.
-template <class S>
-GAUSS_FUNCTION RankRule<S> rank_on_positions(int usual, const S& tolerance = default_rank_tolerance<S>()) {
-  return {usual, tolerance, detail::larger<S>(S(1) / S(20), tolerance), false};
-}
-
-/// Of steps of Newton's method: rounding of a residual, divided by this sine, is less than the sine. So a step stays on its side of a
-/// position at which rows depend on each other. It begins far from the equations, and no row is taken beyond the usual rank.
-template <class S>
-GAUSS_FUNCTION RankRule<S> rank_of_steps(int usual, const S& tolerance = S(0)) {
-  return {usual, detail::larger<S>(S(4) * Math<S>::sqrt(Math<S>::epsilon()), tolerance), S(2), true};
-}
-
 /// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, reach[l][n], not less than
-/// its entries in any configuration, drift[l], and of_positions[l], 1 where a row is the derivative of an equation of positions and else 0.
+/// its entries in any configuration, drift[l], and of_positions[l], 1 where a row is the derivative of an equation of positions and else 0; of these, left[l] is what is left of the equation, and
+/// size[l] the square of what it is made of.
 template <class System, class S, int n, int l>
 GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolution<S, n, l>& solution) noexcept {
   detail::Constrained<S, n, l>(system, rule).solve(solution);
@@ -1032,9 +1161,10 @@ struct Prepared {
   S m_2_r_4;             ///< m^2 * r^4
   S m_g;                 ///< m * g
   S c1;
+  S c2;
   S least_pivot;
   S m_rho;               ///< m * (R - r)
-  S rounding_J;          ///< 24 * epsilon * J
+  S c3;
   S least_G_pivot;
   S r_minus_R_over_rho;  ///< (r - R) / (R - r)
   S rho_2;               ///< (R - r)^2
@@ -1043,16 +1173,16 @@ struct Prepared {
   S half_inv_m;          ///< 0.5 / m
   S half_inv_J;          ///< 0.5 / J
   S r_minus_R;           ///< r - R
-  S c2;                  ///< 1 / (m * (1 / m + r^2 / J))
-  S c3;                  ///< r / (J * (1 / m + r^2 / J))
-  S c4;                  ///< r^2 / (J * (1 / m + r^2 / J))
-  S c5;                  ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
-  S rounding_J_2;        ///< 20 * epsilon * J
-  S c6;                  ///< select(not_finite(1 / m + r^2 / J), 0, 1 / m + r^2 / J)
+  S c4;                  ///< 1 / (m * (1 / m + r^2 / J))
+  S c5;                  ///< r / (J * (1 / m + r^2 / J))
+  S c6;                  ///< r^2 / (J * (1 / m + r^2 / J))
+  S c7;                  ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
+  S c8;
+  S c9;                  ///< select(not_finite(1 / m + r^2 / J), 0, 1 / m + r^2 / J)
   S r_2;                 ///< r^2
   S r_2_plus_rho_2;      ///< r^2 + (R - r)^2
-  S c7;
-  S c8;                  ///< 64 * epsilon
+  S c10;
+  S c11;                 ///< 64 * epsilon
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -1116,6 +1246,8 @@ struct LinearSystem {
   S b[2][5];          ///< dphi/du of each constraint
   S reach[2][5];      ///< not less than dphi/du in any configuration
   S of_positions[2];  ///< 1: the derivative of an equation of positions; else 0
+  S left[2];          ///< what is left of each equation of positions; 0 of others
+  S size[2];          ///< square of what it is made of, to first order
   S drift[2];         ///< dphi/dt of each at constant speeds; of a step, what is left of it
 };
 
@@ -1215,30 +1347,33 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S abs_rho = Math<S>::select(Math<S>::less(rho, S(0)), -rho, rho);
   const S abs_r = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
   const S r_2 = r * r;
+  const S t1 = S(12) * Math<S>::epsilon();
+  const S root_epsilon = Math<S>::sqrt(Math<S>::epsilon());
+  const S t2 = root_epsilon * Math<S>::sqrt(root_epsilon);
   const S inv_r_2 = S(1) / r_2;
   const S M_chi_chi = G_chi_chi + inv_r_2 * J * rho_2;
   const S abs_J = Math<S>::select(Math<S>::less(J, S(0)), -J, J);
   const S abs_m = Math<S>::select(Math<S>::less(m, S(0)), -m, m);
-  const S t1 = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
-  const S sqrt_epsilon = Math<S>::sqrt(Math<S>::epsilon());
-  const S t2 = G_chi_chi - sqrt_epsilon * inv_r_2 * J * rho_2;
-  const S J_minus_sqrt_epsilon_m_r_2 = J - sqrt_epsilon * m * r_2;
-  const S t3 = Math<S>::select(Math<S>::less(J_minus_sqrt_epsilon_m_r_2, t1), J_minus_sqrt_epsilon_m_r_2, t1);
-  const S least_pivot = Math<S>::select(Math<S>::not_finite(J, G_chi_chi, t1), S(0),
-      Math<S>::select(Math<S>::less(t2, t3), t2, t3));
-  const S rounding_J_3 = Math<S>::epsilon() * J;
-  const S t4 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
+  const S t3 = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
+  const S t4 = G_chi_chi - root_epsilon * inv_r_2 * J * rho_2;
+  const S J_minus_root_epsilon_m_r_2 = J - root_epsilon * m * r_2;
+  const S t5 = Math<S>::select(Math<S>::less(J_minus_root_epsilon_m_r_2, t3), J_minus_root_epsilon_m_r_2, t3);
+  const S least_pivot = Math<S>::select(Math<S>::not_finite(J, G_chi_chi, t3), S(0),
+      Math<S>::select(Math<S>::less(t4, t5), t4, t5));
+  const S t6 = S(24) * Math<S>::epsilon();
+  const S t7 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
   const S least_G_pivot = Math<S>::select(Math<S>::not_finite(m, J, G_chi_chi), S(0),
-      Math<S>::select(Math<S>::less(J, t4), J, t4));
+      Math<S>::select(Math<S>::less(J, t7), J, t7));
   const S inv_rho = S(1) / rho;
   const S r_minus_R = r - R;
   const S inv_m = S(1) / m;
   const S inv_J = S(1) / J;
   const S S_rolling_around = inv_m + r_2 * inv_J;
   const S inv_S_rolling_around = S(1) / S_rolling_around;
+  const S t8 = S(20) * Math<S>::epsilon();
   const S S_rolling_around_3 = S_rolling_around * S_rolling_around * S_rolling_around;
-  const S t5 = S(2) * r_2 + rho_2;
-  const S t6 = S(1) + S(2) * r_2;
+  const S t9 = S(2) * r_2 + rho_2;
+  const S t10 = S(1) + S(2) * r_2;
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -1258,10 +1393,11 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.m_r_2 = m * r_2;
   prepared.m_2_r_4 = m * m * r_2 * r_2;
   prepared.m_g = m_g;
-  prepared.c1 = Math<S>::select(Math<S>::not_finite(M_chi_chi, abs_J + r_2 * abs_m), S(0), M_chi_chi);
+  prepared.c1 = Math<S>::select(Math<S>::less(t1, t2), t2, t1);
+  prepared.c2 = Math<S>::select(Math<S>::not_finite(M_chi_chi, abs_J + r_2 * abs_m), S(0), M_chi_chi);
   prepared.least_pivot = least_pivot;
   prepared.m_rho = m * rho;
-  prepared.rounding_J = S(24) * rounding_J_3;
+  prepared.c3 = J * Math<S>::select(Math<S>::less(t6, t2), t2, t6);
   prepared.least_G_pivot = least_G_pivot;
   prepared.r_minus_R_over_rho = inv_rho * r_minus_R;
   prepared.rho_2 = rho_2;
@@ -1270,17 +1406,17 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_inv_m = S(0.5) * inv_m;
   prepared.half_inv_J = S(0.5) * inv_J;
   prepared.r_minus_R = r_minus_R;
-  prepared.c2 = inv_m * inv_S_rolling_around;
-  prepared.c3 = r * inv_J * inv_S_rolling_around;
-  prepared.c4 = r_2 * inv_J * inv_S_rolling_around;
-  prepared.c5 = inv_m * inv_rho * inv_S_rolling_around;
-  prepared.rounding_J_2 = S(20) * rounding_J_3;
-  prepared.c6 = Math<S>::select(Math<S>::not_finite(S_rolling_around), S(0), S_rolling_around);
+  prepared.c4 = inv_m * inv_S_rolling_around;
+  prepared.c5 = r * inv_J * inv_S_rolling_around;
+  prepared.c6 = r_2 * inv_J * inv_S_rolling_around;
+  prepared.c7 = inv_m * inv_rho * inv_S_rolling_around;
+  prepared.c8 = J * Math<S>::select(Math<S>::less(t8, t2), t2, t8);
+  prepared.c9 = Math<S>::select(Math<S>::not_finite(S_rolling_around), S(0), S_rolling_around);
   prepared.r_2 = r_2;
   prepared.r_2_plus_rho_2 = r_2 + rho_2;
-  prepared.c7 = Math<S>::select(Math<S>::not_finite(S_rolling_around_3, t5 * t5 * t5, t6 * t6 * t6), S(0),
-      S_rolling_around_3);
-  prepared.c8 = S(64) * Math<S>::epsilon();
+  prepared.c10 = Math<S>::select(Math<S>::not_finite(S_rolling_around_3, t9 * t9 * t9, t10 * t10 * t10),
+      S(0), S_rolling_around_3);
+  prepared.c11 = S(64) * Math<S>::epsilon();
   return prepared;
 }
 
@@ -1391,6 +1527,10 @@ GAUSS_FUNCTION StatusOf<S> linear_system(const S& t, const State<S>& state, cons
   linear_system.reach[1][4] = abs_r;
   linear_system.of_positions[0] = S(0);
   linear_system.of_positions[1] = S(0);
+  linear_system.left[0] = S(0);
+  linear_system.left[1] = S(0);
+  linear_system.size[0] = S(0);
+  linear_system.size[1] = S(0);
   linear_system.drift[0] = -t2;
   linear_system.drift[1] = drift_rolling_along;
 
@@ -1412,6 +1552,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_regular(const S& t, const State<S>& state, const 
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
   const S& c1 = prepared.c1;
+  const S& c2 = prepared.c2;
   const S& least_pivot = prepared.least_pivot;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
@@ -1484,8 +1625,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_regular(const S& t, const State<S>& state, const 
   derivative.theta_ddot() = a_theta;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
-      Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
-      Math<S>::at_most(c1, S(0)));
+      Math<S>::at_most(M_pivot_theta, c1 * M_theta_theta), Math<S>::at_most(c2, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, a_zeta, a_psi);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
@@ -1571,6 +1711,7 @@ GAUSS_FUNCTION StatusOf<S> reactions_regular(const S& t, const State<S>& state, 
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
   const S& c1 = prepared.c1;
+  const S& c2 = prepared.c2;
   const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
@@ -1650,8 +1791,7 @@ GAUSS_FUNCTION StatusOf<S> reactions_regular(const S& t, const State<S>& state, 
   reactions.rho.generalized = -t8;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
-      Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
-      Math<S>::at_most(c1, S(0)));
+      Math<S>::at_most(M_pivot_theta, c1 * M_theta_theta), Math<S>::at_most(c2, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, rolling_along_generalized_2,
       rolling_along_generalized_4, t8);
@@ -1760,6 +1900,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions_regular(const S& t, const State<S>&
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
   const S& c1 = prepared.c1;
+  const S& c2 = prepared.c2;
   const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
@@ -1854,8 +1995,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions_regular(const S& t, const State<S>&
   reactions.rho.generalized = -t6;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
-      Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
-      Math<S>::at_most(c1, S(0)));
+      Math<S>::at_most(M_pivot_theta, c1 * M_theta_theta), Math<S>::at_most(c2, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, a_psi, rolling_along_generalized_2,
       rolling_along_generalized_4, t6);
@@ -1981,9 +2121,10 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces_regular(const S& t, const State<S>& s
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
   const S& c1 = prepared.c1;
+  const S& c2 = prepared.c2;
   const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
-  const S& rounding_J = prepared.rounding_J;
+  const S& c3 = prepared.c3;
   const S& least_G_pivot = prepared.least_G_pivot;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
@@ -2095,9 +2236,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces_regular(const S& t, const State<S>& s
   reaction_forces.on_ball.moment[2] = S(0);
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
-      Math<S>::at_most(M_pivot_theta, S(12) * Math<S>::epsilon() * M_theta_theta),
-      Math<S>::at_most(c1, S(0)), Math<S>::at_most(I_ball_zz, rounding_J),
-      Math<S>::at_most(least_G_pivot, S(0)));
+      Math<S>::at_most(M_pivot_theta, c1 * M_theta_theta), Math<S>::at_most(c2, S(0)),
+      Math<S>::at_most(I_ball_zz, c3), Math<S>::at_most(least_G_pivot, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, moment_rolling_along_ball_x,
       r_excess_zeta_cos_chi, t12, t13, moment_on_ball_x, t16, S(0));
@@ -2118,7 +2258,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces_of_solution(const S& t, const State<S
   const S& rho = prepared.rho;
   const S& m_g = prepared.m_g;
   const S& m_rho = prepared.m_rho;
-  const S& rounding_J = prepared.rounding_J;
+  const S& c3 = prepared.c3;
   const S& least_G_pivot = prepared.least_G_pivot;
   const S& r_minus_R_over_rho = prepared.r_minus_R_over_rho;
   const S& chi = state.chi();
@@ -2207,7 +2347,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces_of_solution(const S& t, const State<S
   reaction_forces.on_ball.moment[1] = moment_on_ball_y;
   reaction_forces.on_ball.moment[2] = moment_on_ball_z;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(I_ball_zz, rounding_J),
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(I_ball_zz, c3),
       Math<S>::at_most(least_G_pivot, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, force_rolling_around_ball_x, t3,
       moment_rolling_around_ball_z, moment_rolling_along_ball_x, t4, m_rho_chi_dot_2_cos_chi,
@@ -2581,6 +2721,10 @@ GAUSS_FUNCTION StatusOf<S> project_system(const S& t, const State<S>& state, con
   linear_system.reach[1][4] = abs_r;
   linear_system.of_positions[0] = S(0);
   linear_system.of_positions[1] = S(0);
+  linear_system.left[0] = S(0);
+  linear_system.left[1] = S(0);
+  linear_system.size[0] = S(0);
+  linear_system.size[1] = S(0);
   linear_system.drift[0] = drift_0;
   linear_system.drift[1] = drift_1;
 
@@ -2598,15 +2742,15 @@ GAUSS_FUNCTION StatusOf<S> project_regular(const S& t, const State<S>& from, con
   const S J = prepared.J;
   const S least_G_pivot = prepared.least_G_pivot;
   const S r_minus_R = prepared.r_minus_R;
-  const S c2 = prepared.c2;
-  const S c3 = prepared.c3;
   const S c4 = prepared.c4;
   const S c5 = prepared.c5;
-  const S rounding_J_2 = prepared.rounding_J_2;
   const S c6 = prepared.c6;
+  const S c7 = prepared.c7;
+  const S c8 = prepared.c8;
+  const S c9 = prepared.c9;
   const S r_2 = prepared.r_2;
   const S r_2_plus_rho_2 = prepared.r_2_plus_rho_2;
-  const S c7 = prepared.c7;
+  const S c10 = prepared.c10;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S phi = from.phi();
@@ -2626,21 +2770,21 @@ GAUSS_FUNCTION StatusOf<S> project_regular(const S& t, const State<S>& from, con
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S r_phi_dot = r * phi_dot;
   const S t1 = (zeta_dot + r_phi_dot * sin_theta * cos_chi_minus_psi) + r * theta_dot * sin_chi_minus_psi;
-  const S rough_change_zeta = -c2 * t1;
+  const S rough_change_zeta = -c4 * t1;
   const S t2 = cos_chi_minus_psi / sin_theta;
-  const S t3 = c3 * t2;
+  const S t3 = c5 * t2;
   const S rough_change_phi = -t3 * t1;
   const S t4 = (r * psi_dot + r_phi_dot * cos_theta) - r_minus_R * chi_dot;
   const S t5 = -t1 * cos_theta;
-  const S rough_change_psi = -c3 * t4 - t3 * t5;
-  const S correction_y_rolling_around = c2 * t4 - t4 - c4 * t2 * t5 - r * rough_change_psi;
-  const S correction_y_rolling_along = c4 * t1 - t1 - rough_change_zeta;
-  const S change_chi = c5 * (correction_y_rolling_around - t4);
-  const S change_zeta = c2 * correction_y_rolling_along + rough_change_zeta;
+  const S rough_change_psi = -c5 * t4 - t3 * t5;
+  const S correction_y_rolling_around = c4 * t4 - t4 - c6 * t2 * t5 - r * rough_change_psi;
+  const S correction_y_rolling_along = c6 * t1 - t1 - rough_change_zeta;
+  const S change_chi = c7 * (correction_y_rolling_around - t4);
+  const S change_zeta = c4 * correction_y_rolling_along + rough_change_zeta;
   const S t6 = t3 * correction_y_rolling_along;
   const S change_phi = t6 + rough_change_phi;
-  const S change_psi = rough_change_psi - t6 * cos_theta + c3 * correction_y_rolling_around;
-  const S change_theta = c3 * sin_chi_minus_psi * (correction_y_rolling_along - t1);
+  const S change_psi = rough_change_psi - t6 * cos_theta + c5 * correction_y_rolling_around;
+  const S change_theta = c5 * sin_chi_minus_psi * (correction_y_rolling_along - t1);
   const S chi_rate = chi_dot + change_chi;
   const S zeta_rate = zeta_dot + change_zeta;
   const S phi_rate = phi_dot + change_phi;
@@ -2665,12 +2809,12 @@ GAUSS_FUNCTION StatusOf<S> project_regular(const S& t, const State<S>& from, con
   state.psi_dot() = psi_rate;
   state.theta_dot() = theta_rate;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(I_ball_zz, rounding_J_2),
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(I_ball_zz, c8),
       Math<S>::at_most(least_G_pivot, S(0)));
-  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(c6, S(0)),
+  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(c9, S(0)),
       Math<S>::at_most(squares_rolling_around * squares_rolling_around * squares_rolling_around, S(0)),
       Math<S>::at_most(squares_rolling_along * squares_rolling_along * squares_rolling_along, S(0)),
-      Math<S>::at_most(c7, S(0)));
+      Math<S>::at_most(c10, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, chi_rate, zeta_rate, phi_rate, psi_rate,
       theta_rate);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
@@ -2686,7 +2830,7 @@ GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
   const S rho_2 = prepared.rho_2;
   const S r_minus_R = prepared.r_minus_R;
   const S r_2 = prepared.r_2;
-  const S c8 = prepared.c8;
+  const S c11 = prepared.c11;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S phi = from.phi();
@@ -2735,9 +2879,9 @@ GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
 
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, lambda_rolling_around,
       lambda_rolling_along, chi_dot_new, zeta_dot_new, phi_dot_new, psi_dot_new, theta_dot_new);
-  const Bool violated_constraints = Math<S>::any(Math<S>::less(c8 * (rho_2 * chi_dot_new * chi_dot_new + t1
+  const Bool violated_constraints = Math<S>::any(Math<S>::less(c11 * (rho_2 * chi_dot_new * chi_dot_new + t1
       + r_2 * psi_dot_new * psi_dot_new), t2 * t2),
-      Math<S>::less(c8 * (zeta_dot_new * zeta_dot_new + t1 + r_2 * theta_dot_new * theta_dot_new), t3 * t3));
+      Math<S>::less(c11 * (zeta_dot_new * zeta_dot_new + t1 + r_2 * theta_dot_new * theta_dot_new), t3 * t3));
   return Math<S>::status(Bool(false), Bool(false), not_finite, violated_constraints);
 }
 
@@ -2758,7 +2902,7 @@ GAUSS_PART StatusOf<S> project_general(const S& t, const State<S>& from, const P
 }
 
 /// The nearest state that satisfies the constraints: unit quaternions, then the smallest change of
-/// the speeds in the mass metric (four Newton steps for constraints nonlinear in the velocities).
+/// the speeds in the mass metric (up to four Newton steps for constraints nonlinear in the velocities).
 template <class S>
 GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepared<S>& prepared,
                                    State<S>& state) noexcept {
@@ -2852,6 +2996,10 @@ GAUSS_FUNCTION StatusOf<S> initial_state_system(const Prepared<S>& prepared,
   linear_system.reach[1][4] = abs_r_sin_psi_0;
   linear_system.of_positions[0] = S(0);
   linear_system.of_positions[1] = S(0);
+  linear_system.left[0] = S(0);
+  linear_system.left[1] = S(0);
+  linear_system.size[0] = S(0);
+  linear_system.size[1] = S(0);
   linear_system.drift[0] = drift_0;
   linear_system.drift[1] = drift_1;
 

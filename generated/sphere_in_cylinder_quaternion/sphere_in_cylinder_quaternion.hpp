@@ -4,7 +4,7 @@
 // not edit: change the model and generate again.
 // Command: gauss-gen sphere_in_cylinder_quaternion.yaml
 //
-// Z minimised body by body along the tree: 42 operations before they are optimised, and 53 over all speeds
+// Z minimised body by body along the tree: 42 operations before they are optimised, and 52 over all speeds
 // at once
 //
 // Coordinates
@@ -36,7 +36,7 @@
 //
 // Operations per call
 //                      + -  *   /  sqrt  functions
-//   prepare            15   46  7  0     0
+//   prepare            15   46  7  2     0
 //   rhs                18   30  0  0     2
 //   reactions          7    15  0  0     2
 //   rhs_and_reactions  18   36  0  0     2
@@ -60,7 +60,7 @@
 #ifndef GAUSS_MATH_HPP
 #define GAUSS_MATH_HPP
 
-#define GAUSS_MATH_VERSION 4
+#define GAUSS_MATH_VERSION 5
 
 // Conditions on values that are not finite, the order of sums and signs of zeros are part of the results. Single options of -ffast-math
 // have macros of their own, but clang++ has none for a new order of sums: see GAUSS_IN_ORDER.
@@ -338,6 +338,57 @@ struct Math<long double> : StandardMath<long double> {
 
 #undef GAUSS_SINCOS
 
+namespace detail {
+
+/// Whether it holds in some lane.
+template <class S>
+GAUSS_FUNCTION bool holds_in_any(const typename Math<S>::Bool& condition) {
+  if constexpr (std::is_enum_v<typename Math<S>::Status>) {
+    return condition;
+  } else {
+    return Math<S>::status(condition, condition, condition).any();
+  }
+}
+
+/// Steps of Newton's method, in each lane until one has moved nothing. Errors are squared: where a step was less than this part, only rounding is left after it.
+template <class S>
+class Newton {
+  using Bool = typename Math<S>::Bool;
+
+ public:
+  GAUSS_FUNCTION bool goes_on() const { return holds_in_any<S>(Math<S>::less(S(0), moving_)); }
+
+  /// What a step from `before` to `after` has to say. Lanes that had arrived stay where they were. A component is measured by its size, and by 1 besides
+  /// where `by_one` is 1.
+  template <int n>
+  GAUSS_FUNCTION typename Math<S>::Status take(const typename Math<S>::Status& status, const S (&before)[n],
+                                               S (&after)[n], const int (&by_one)[n]) {
+    const S root = Math<S>::sqrt(Math<S>::epsilon());
+    const S part = root * Math<S>::sqrt(root);
+    const Bool moves = Math<S>::less(S(0), moving_);
+    S next = S(0);
+    for (int i = 0; i < n; ++i) {
+      after[i] = Math<S>::select(moves, after[i], before[i]);
+      const S change = after[i] - before[i];
+      const S own = by_one[i] == 1 ? S(1) : S(0);
+      const S size = own + Math<S>::select(Math<S>::less(before[i], S(0)), -before[i], before[i]);
+      const Bool has_moved = Math<S>::any(Math<S>::less(part * size, change), Math<S>::less(change, -part * size));
+      next = Math<S>::select(has_moved, S(1), next);
+    }
+    moving_ = next;
+    if constexpr (std::is_enum_v<typename Math<S>::Status>) {
+      return status;
+    } else {
+      return status.within(moves);
+    }
+  }
+
+ private:
+  S moving_ = S(1);  ///< 1: on its way; 0
+};
+
+}  // namespace detail
+
 /// Sines and cosines of angles that are known at the same time, three arguments for each: the angle, its sine, its cosine.
 /// One after the other; to be specialised for types that compute several at once, as gauss/scalar/vectorised.hpp does.
 template <class S>
@@ -356,7 +407,7 @@ using StatusOf = typename Math<S>::Status;
 
 }  // namespace gauss
 
-#elif GAUSS_MATH_VERSION != 4
+#elif GAUSS_MATH_VERSION != 5
 #error "Two versions of the gauss prelude meet in one file: generate all models with the same gauss-gen."
 #endif  // GAUSS_MATH_HPP
 
@@ -405,7 +456,7 @@ struct Prepared {
   S r_2_plus_rho_2;  ///< r^2 + (R - r)^2
   S c4;
   S c5;              ///< 1 + r^2
-  S c6;
+  S c6;              ///< epsilon * (m + r^2 * J) * (1 / m + r^2 / J) / (1 + r^2)
   S c7;              ///< select(not_finite(1 / m + r^2 / J), 0, 1 / m + r^2 / J)
   S c8;              ///< -1 / (1 / m + r^2 / J)
   S m_rho;           ///< m * (R - r)
@@ -581,34 +632,38 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S rho_2 = rho * rho;
   const S G_chi_chi = m * rho_2;
   const Bool t1 = Math<S>::not_finite(m, J, G_chi_chi);
-  const S t2 = G_chi_chi - S(20) * Math<S>::epsilon() * m * rho_2;
-  const S rounding_J = Math<S>::epsilon() * J;
-  const S t3 = J - S(16) * rounding_J;
-  const S t4 = J - S(12) * rounding_J;
-  const S t5 = J - S(8) * rounding_J;
-  const S t6 = Math<S>::select(Math<S>::less(t5, m), t5, m);
-  const S t7 = Math<S>::select(Math<S>::less(t4, t6), t4, t6);
-  const S t8 = Math<S>::select(Math<S>::less(t3, t7), t3, t7);
-  const S least_pivot = Math<S>::select(t1, S(0), Math<S>::select(Math<S>::less(t2, t8), t2, t8));
+  const S t2 = S(20) * Math<S>::epsilon();
+  const S root_epsilon = Math<S>::sqrt(Math<S>::epsilon());
+  const S t3 = root_epsilon * Math<S>::sqrt(root_epsilon);
+  const S t4 = G_chi_chi - m * rho_2 * Math<S>::select(Math<S>::less(t2, t3), t3, t2);
+  const S t5 = S(16) * Math<S>::epsilon();
+  const S t6 = J - J * Math<S>::select(Math<S>::less(t5, t3), t3, t5);
+  const S t7 = S(12) * Math<S>::epsilon();
+  const S t8 = J - J * Math<S>::select(Math<S>::less(t7, t3), t3, t7);
+  const S t9 = S(8) * Math<S>::epsilon();
+  const S t10 = J - J * Math<S>::select(Math<S>::less(t9, t3), t3, t9);
+  const S t11 = Math<S>::select(Math<S>::less(t10, m), t10, m);
+  const S t12 = Math<S>::select(Math<S>::less(t8, t11), t8, t11);
+  const S t13 = Math<S>::select(Math<S>::less(t6, t12), t6, t12);
+  const S least_pivot = Math<S>::select(t1, S(0), Math<S>::select(Math<S>::less(t4, t13), t4, t13));
   const S r_2_plus_rho_2 = r_2 + rho_2;
-  const S epsilon_2 = Math<S>::epsilon() * Math<S>::epsilon();
   const S r_2_J = r_2 * J;
   const S inertia_rolling_around = (m * rho_2 * rho_2 + r_2_J) / r_2_plus_rho_2;
   const S S_rolling_around = inv_m + r_2_over_J;
   const S c5 = S(1) + r_2;
   const S inertia_rolling_along = (m + r_2_J) / c5;
-  const S t9 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
-  const S least_G_pivot = Math<S>::select(t1, S(0), Math<S>::select(Math<S>::less(J, t9), J, t9));
+  const S t14 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
+  const S least_G_pivot = Math<S>::select(t1, S(0), Math<S>::select(Math<S>::less(J, t14), J, t14));
   const S inv_S_rolling_around = S(1) / S_rolling_around;
   const S c11 = inv_m * inv_S_rolling_around;
   const S c12 = r_2 * inv_J * inv_S_rolling_around;
   const S r_2_plus_rho_2_3 = r_2_plus_rho_2 * r_2_plus_rho_2 * r_2_plus_rho_2;
   const S S_rolling_around_3 = S_rolling_around * S_rolling_around * S_rolling_around;
-  const S t10 = c5 * c5 * c5;
-  const S t11 = Math<S>::select(Math<S>::less(S_rolling_around_3, r_2_plus_rho_2_3), S_rolling_around_3,
+  const S t15 = c5 * c5 * c5;
+  const S t16 = Math<S>::select(Math<S>::less(S_rolling_around_3, r_2_plus_rho_2_3), S_rolling_around_3,
       r_2_plus_rho_2_3);
-  const S least_cube = Math<S>::select(Math<S>::not_finite(r_2_plus_rho_2_3, S_rolling_around_3, t10), S(0),
-      Math<S>::select(Math<S>::less(t10, t11), t10, t11));
+  const S least_cube = Math<S>::select(Math<S>::not_finite(r_2_plus_rho_2_3, S_rolling_around_3, t15), S(0),
+      Math<S>::select(Math<S>::less(t15, t16), t15, t16));
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -626,9 +681,9 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.G_chi_chi = G_chi_chi;
   prepared.least_pivot = least_pivot;
   prepared.r_2_plus_rho_2 = r_2_plus_rho_2;
-  prepared.c4 = S(1000000) * epsilon_2 * inertia_rolling_around * S_rolling_around;
+  prepared.c4 = Math<S>::epsilon() * inertia_rolling_around * S_rolling_around;
   prepared.c5 = c5;
-  prepared.c6 = S(1000000) * epsilon_2 * inertia_rolling_along * S_rolling_around;
+  prepared.c6 = Math<S>::epsilon() * inertia_rolling_along * S_rolling_around;
   prepared.c7 = Math<S>::select(Math<S>::not_finite(-S_rolling_around_rolling_around), S(0),
       -S_rolling_around_rolling_around);
   prepared.c8 = c8;
@@ -1239,7 +1294,7 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
 }
 
 /// The nearest state that satisfies the constraints: unit quaternions, then the smallest change of
-/// the speeds in the mass metric (four Newton steps for constraints nonlinear in the velocities).
+/// the speeds in the mass metric (up to four Newton steps for constraints nonlinear in the velocities).
 template <class S>
 GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepared<S>& prepared,
                                    State<S>& state) noexcept {
