@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "artefact_builder.hpp"
+#include "evaluate/decimal.hpp"
 #include "least_step.hpp"
 #include "model_values.hpp"
 #include "strategy/projection.hpp"
@@ -86,7 +87,7 @@ class GeneralStart {
   std::optional<double> number(ir::Expr expression) {
     const auto value = values_(expression.id());
     if (!value) return std::nullopt;
-    const double result = cln::double_approx(*value);
+    const double result = evaluate::to_double(*value);
     return std::isfinite(result) ? std::optional<double>(result) : std::nullopt;
   }
 
@@ -118,7 +119,7 @@ class GeneralStart {
     for (const auto i : mechanics_.symbols.speeds.indices()) {
       const double value = change[static_cast<Eigen::Index>(i.value)];
       if (!std::isfinite(value)) return false;
-      values_.set(mechanics_.symbols.speeds[i].acceleration, support::Rational(cln::rational(cln::cl_DF(value))));
+      values_.set(mechanics_.symbols.speeds[i].acceleration, evaluate::exact(value));
     }
     return true;
   }

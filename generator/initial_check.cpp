@@ -224,7 +224,7 @@ class InitialCheck {
     for (std::size_t i = 0; i < mechanics_.symbols.configuration.size(); ++i) {
       const auto value = values_(state[i].node);
       if (!value) return false;
-      position.push_back(cln::double_approx(*value));
+      position.push_back(evaluate::to_double(*value));
     }
     const std::vector<bool> open = strategy::open_speeds(model_, mechanics_.expressions);
     const auto unmet = unmet_by_speeds(mechanics_, position, open, 0);

@@ -78,9 +78,9 @@ cl_F root(const cl_F& value) { return cln::sqrt(value); }
 Real to_real(double value) { return value; }
 
 Real to_real(const cl_F& value) {
-  const double head = cln::double_approx(value);
+  const double head = evaluate::to_double(value);
   if (!std::isfinite(head)) return head;
-  return static_cast<Real>(head) + static_cast<Real>(cln::double_approx(value - cln::cl_float(head, value)));
+  return static_cast<Real>(head) + static_cast<Real>(evaluate::to_double(value - cln::cl_float(head, value)));
 }
 
 LinearEquations::LinearEquations(Mechanics& mechanics) : rates(state_rates(mechanics)) {

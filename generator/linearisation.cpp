@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evaluate/decimal.hpp"
 #include "model/impossible.hpp"
 #include "steady.hpp"
 
@@ -97,7 +98,7 @@ class Lineariser {
 
   void set_rough() {
     std::vector<double> state;
-    for (const cl_F& value : fine_.state()) state.push_back(cln::double_approx(value));
+    for (const cl_F& value : fine_.state()) state.push_back(evaluate::to_double(value));
     rough_.set(std::move(state));
   }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "evaluate/arithmetic_double.hpp"
+#include "evaluate/decimal.hpp"
 #include "evaluation.hpp"
 #include "generic_point.hpp"
 #include "kinematics/hold.hpp"
@@ -74,10 +75,10 @@ strategy::TreeProblem tree_problem(Mechanics& mechanics, std::function<bool(ir::
                                 ""};
   problem.constraints.estimate = [&](ir::Expr e) {
     if (ir::is_of_parameters(mechanics.graph, e.id())) return mechanics.dynamics.at_parameters(e);
-    return cln::double_approx(point({{e}})(0, 0));
+    return evaluate::to_double(point({{e}})(0, 0));
   };
   if (folds) {
-    problem.constraints.value_of = [&](ir::Expr e) { return cln::double_approx(point({{e}})(0, 0)); };
+    problem.constraints.value_of = [&](ir::Expr e) { return evaluate::to_double(point({{e}})(0, 0)); };
   }
   problem.least_response = least_response(mechanics.model);
   return problem;

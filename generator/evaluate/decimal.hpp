@@ -10,7 +10,7 @@ namespace gaussgen::evaluate {
 /// neither a locale nor CLN's printer settings. Zero is "0".
 std::string to_decimal(const cln::cl_F& value, int digits);
 
-/// The nearest double.
+/// The nearest double; 0 and infinity beyond its range.
 double to_double(const cln::cl_F& value);
 
 }  // namespace gaussgen::evaluate
