@@ -32,11 +32,8 @@ struct BatchStatus {
 
   /// Of one lane, as a scalar computation would have it.
   Status lane(std::size_t i) const noexcept {
-    return singular_mass_matrix.get(i)    ? Status::singular_mass_matrix
-           : dependent_constraints.get(i) ? Status::dependent_constraints
-           : not_finite.get(i)            ? Status::not_finite
-           : violated_constraints.get(i)  ? Status::violated_constraints
-                                          : Status::ok;
+    return ScalarLogic<double>::status(singular_mass_matrix.get(i), dependent_constraints.get(i), not_finite.get(i),
+                                       violated_constraints.get(i));
   }
 };
 
