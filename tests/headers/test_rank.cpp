@@ -63,6 +63,14 @@ TEST_CASE("a closed loop that parameters lock is locked, however little they are
     for (const double a : locked.derivative.values) CHECK(std::abs(a) <= 1e-15 / d);
     CHECK(locked.mobility == 0);
   }
+  // Also where positions are off, as long as that is little beside what locks it.
+  for (const double off : {1e-12, 1e-10, 1e-8}) {
+    INFO("off by " << off << " m");
+    const OnBars locked = on_bars(2e-2, 0, off);
+    CHECK(locked.status == gauss::Status::ok);
+    for (const double a : locked.derivative.values) CHECK(std::abs(a) <= 1e-13);
+    CHECK(locked.mobility == 0);
+  }
 }
 
 // Without gravity the slab is carried along a circle: F cos(angle) / m along it.

@@ -326,6 +326,12 @@ TEST_CASE("steps on a grid bring a chaotic motion back to the bit, and refuse wh
   FixedStep<Model, ReversibleVerlet<Model>> beyond(model, start, 0.01, 0, ReversibleVerlet<Model>(4, 1));
   CHECK_FALSE(beyond.advance(100));
   CHECK(beyond.last().outcome == StepOutcome::unsuitable);
+  // On this grid a step moves coordinates and speeds by three units, or by none.
+  for (const double reach : {1e11, 1e12, 1e14}) {
+    FixedStep<Model, ReversibleVerlet<Model>> too_small(model, start, 0.01, 0, ReversibleVerlet<Model>(reach, reach));
+    CHECK_FALSE(too_small.advance(1));
+    CHECK(too_small.last().outcome == StepOutcome::unsuitable);
+  }
   FixedStep<DoubleModel, ReversibleVerlet<DoubleModel>> of_angles(double_pendulum(), k_start, 0.01);
   CHECK_FALSE(of_angles.advance(1));
   CHECK(of_angles.last().outcome == StepOutcome::unsuitable);

@@ -7,6 +7,7 @@
 #ifndef GAUSS_INTEGRATE_REVERSIBLE_VERLET_HPP
 #define GAUSS_INTEGRATE_REVERSIBLE_VERLET_HPP
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -16,7 +17,8 @@
 namespace gauss::integrate {
 
 /// Order 2, for accelerations that depend on coordinates alone, as Verlet. The first step moves a start onto the grid, by half a unit at most. A state that
-/// leaves the reach is refused (`unsuitable`): beyond it sums would round.
+/// leaves the reach is refused (`unsuitable`): beyond it sums would round. So is a motion that is small beside it, whose steps keep less than three tenths of their
+/// digits on the grid, of speeds and coordinates alike: it would stand still at last.
 template <class Model>
 class ReversibleVerlet {
  public:
@@ -39,6 +41,7 @@ class ReversibleVerlet {
     typename Model::Derivative rates;
     const StepResult result = result_of(model.derivative(t, trial, rates));
     if (!result.is_taken()) return result;
+    if (is_lost_on_grid(h, trial, rates)) return {StepOutcome::unsuitable, result.status};
     for (std::size_t i = Model::n_q; i < Model::size; ++i) trial.values[i] += rounded(h * rates.values[i], speeds_);
     drift(h / 2, trial);
     if (!is_within_reach(trial)) return {StepOutcome::unsuitable, result.status};
@@ -57,6 +60,16 @@ class ReversibleVerlet {
   void drift(const Scalar& h, State& state) const {
     for (std::size_t i = 0; i < Model::n_q; ++i)
       state.values[i] += rounded(h * state.values[Model::n_q + i], coordinates_);
+  }
+
+  bool is_lost_on_grid(const Scalar& h, const State& state, const typename Model::Derivative& rates) const {
+    const Scalar least = std::ldexp(Scalar(1), std::numeric_limits<Scalar>::digits * 3 / 10);
+    Scalar units = 0;
+    for (std::size_t i = 0; i < Model::n_q; ++i) {
+      units = std::max(units, std::abs(h * state.values[Model::n_q + i]) / coordinates_);
+      units = std::max(units, std::abs(h * rates.values[Model::n_q + i]) / speeds_);
+    }
+    return units > 0 && units < least;
   }
 
   bool is_within_reach(const State& state) const {
