@@ -2,11 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <random>
 
 #include "dense.hpp"
 #include "nearest_position.hpp"
 #include "position_equations.hpp"
+#include "repeated_numbers.hpp"
 
 namespace gaussgen {
 
@@ -23,30 +23,24 @@ constexpr double k_least_displacement = 1e-3;
 constexpr double k_combined = 1e-6;  ///< of a row of length 1: what is left of it counts as dependent
 constexpr double k_agrees = 1e-7;    ///< of what is asked for
 
-class Numbers {
- public:
-  double operator()() { return static_cast<double>(engine_()) / static_cast<double>(std::mt19937::max()) * 2 - 1; }
+constexpr unsigned k_seed = 1986;  ///< not that of other checks, which have looked at their states already
 
-  std::vector<double> operator()(std::size_t count, double size) {
-    std::vector<double> result;
-    for (std::size_t i = 0; i < count; ++i) result.push_back(size * (*this)());
-    return result;
-  }
-
- private:
-  std::mt19937 engine_{1986};  // the same in every run
-};
+std::vector<double> some(std::size_t count, double size, RepeatedNumbers& numbers) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < count; ++i) result.push_back(size * numbers());
+  return result;
+}
 
 /// At a place where equations of positions hold; nothing where none is found.
-std::optional<Linearised> somewhere(Mechanics& mechanics, double time, Numbers& numbers) {
+std::optional<Linearised> somewhere(Mechanics& mechanics, double time, RepeatedNumbers& numbers) {
   const std::vector<bool> all(mechanics.dynamics.n(), true);
   PositionEquations equations(mechanics, all, time);
   for (double size = k_first_displacement; size > k_least_displacement; size /= 4) {
     if (!equations.start()) return std::nullopt;
-    equations.move(numbers(all.size(), size));
+    equations.move(some(all.size(), size, numbers));
     if (!nearest_solution(equations)) continue;
     polish(equations);
-    if (auto found = equations.of_speeds(numbers(all.size(), 1), all)) return found;
+    if (auto found = equations.of_speeds(some(all.size(), 1, numbers), all)) return found;
   }
   return std::nullopt;
 }
@@ -82,7 +76,7 @@ std::optional<bool> agree_at(const Linearised& at, const std::vector<std::size_t
 
 std::optional<bool> agree_elsewhere(Mechanics& mechanics, const std::vector<std::size_t>& others,
                                     const std::vector<std::size_t>& more, std::size_t index) {
-  Numbers numbers;
+  RepeatedNumbers numbers(k_seed);
   std::optional<bool> result;
   for (const double time : k_times) {
     const auto at = somewhere(mechanics, time, numbers);

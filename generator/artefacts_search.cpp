@@ -82,7 +82,7 @@ class SearchArtefacts {
       made.takes_start = is_last && !search.start.empty();
       // What is not finite on the way is so at the end.
       if (!is_last) made.status.not_finite = mechanics_.graph.constant(0);
-      all.calls.push_back({made.name, stage.times, made.takes_state, made.takes_start, measured_by_one()});
+      all.calls.push_back({made.name, stage.times, made.takes_state, made.takes_start});
       add_stage(stage, std::move(made), result);
     }
     result.push_back(std::move(all));
@@ -154,6 +154,7 @@ class SearchArtefacts {
     artefact.takes_time = artefact.takes_state = is_from_state_;
     artefact.takes_inputs = false;
     artefact.status = {never, never, never, never};
+    artefact.measured_by_one = measured_by_one();
     return artefact;
   }
 

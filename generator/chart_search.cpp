@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "chart_map.hpp"
 #include "ir/graph.hpp"
 #include "nearest_position.hpp"
 #include "position_equations.hpp"
+#include "repeated_numbers.hpp"
 
 namespace gaussgen {
 
@@ -68,7 +68,7 @@ class Search {
     start_ = equations_.position();
     Configuration other = start_;
     for (int k = 0; k < 4 * k_states && states_.size() < k_states; ++k) {
-      for (std::size_t c = 0; c < other.size(); ++c) other[c] = start_[c] + k_displacement * size(c) * number();
+      for (std::size_t c = 0; c < other.size(); ++c) other[c] = start_[c] + k_displacement * size(c) * number_();
       if (auto state = on_positions(other, {})) add_state(std::move(*state));
     }
     if (states_.size() < 2) return false;
@@ -97,8 +97,6 @@ class Search {
     work_ = price < work_ ? work_ - price : 0;
     return work_ > 0;
   }
-
-  double number() { return static_cast<double>(engine_()) / static_cast<double>(std::mt19937::max()) * 2 - 1; }
 
   /// The nearest configuration on the equations of positions, with pinned coordinates where they are.
   std::optional<Configuration> on_positions(const Configuration& q, const std::vector<SingularPlace::Pin>& pins) {
@@ -287,7 +285,7 @@ class Search {
   ChartMap map_;
   PositionEquations equations_;
   std::size_t work_;
-  std::mt19937 engine_{20'26};
+  RepeatedNumbers number_;
   Configuration start_;
   std::vector<Configuration> states_;
   Eigen::VectorXd columns_, rows_;

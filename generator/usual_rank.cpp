@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "dense.hpp"
 #include "evaluate/arithmetic_double.hpp"
@@ -13,6 +12,7 @@
 #include "generic_point.hpp"
 #include "nearest_position.hpp"
 #include "position_equations.hpp"
+#include "repeated_numbers.hpp"
 
 namespace gaussgen {
 
@@ -25,18 +25,9 @@ constexpr int k_states = 3;
 constexpr double k_first_displacement = 0.3;  ///< of coordinates of their size, and of angles
 constexpr double k_least_displacement = 1e-3;
 constexpr double k_rounding = 1e-12;  ///< of a row where others are of length 1, at positions that are good to rounding
-/// The same numbers in every run.
-class Numbers {
- public:
-  /// From -1 to 1.
-  double operator()() { return static_cast<double>(engine_()) / static_cast<double>(std::mt19937::max()) * 2 - 1; }
-
- private:
-  std::mt19937 engine_{20'26};
-};
 
 std::vector<double> displacement_of(const Mechanics& mechanics, const std::vector<double>& from, double part,
-                                    Numbers& numbers) {
+                                    RepeatedNumbers& numbers) {
   std::vector<double> result;
   for (const auto i : mechanics.symbols.speeds.indices()) {
     const bool is_length = i.value < mechanics.symbols.plain_count() && mechanics.symbols.speeds[i].is_of_length();
@@ -82,7 +73,7 @@ UsualStates::UsualStates(Mechanics& mechanics) : mechanics_(mechanics) {
   if (n == 0 || !begin.is_solved) return;
   PositionEquations equations(mechanics, all, 0);
   if (!equations.start()) return;
-  Numbers numbers;
+  RepeatedNumbers numbers;
   for (int k = 0; k < k_states; ++k) {
     for (double part = k_first_displacement; part > k_least_displacement; part /= 4) {
       equations.set(begin.position);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "position_equations.hpp"
+#include "repeated_numbers.hpp"
 
 namespace gaussgen {
 
@@ -39,11 +39,8 @@ class OneConstraint {
     }
   }
 
-  bool start(std::mt19937& numbers) {
+  bool start(RepeatedNumbers& number) {
     if (!equations_.start()) return false;
-    const auto number = [&] {
-      return static_cast<double>(numbers()) / static_cast<double>(std::mt19937::max()) * 2 - 1;
-    };
     Vector away;
     for (std::size_t i = 0; i < equations_.movable().size(); ++i) {
       const double size = i < equations_.position().size() ? std::abs(equations_.position()[i]) : 0;
@@ -102,7 +99,7 @@ std::optional<bool> comes_near_by_factors(OneConstraint& constraint) {
 }  // namespace
 
 bool vanishes_with_gradient(Mechanics& mechanics, std::size_t constraint) {
-  std::mt19937 numbers(20'26);  // the same in every run
+  RepeatedNumbers numbers;
   OneConstraint one(mechanics, constraint);
   int found = 0;
   for (int k = 0; k < k_starts; ++k) {

@@ -230,11 +230,11 @@ void add_steps(const Call& call, cpp::Expression status_of_step, cpp::Function& 
   function.body.emplace_back(std::move(loop));
 }
 
-void measure_by_one(const std::vector<Call>& calls, cpp::Function& function) {
-  const auto repeated = std::find_if(calls.begin(), calls.end(), [](const Call& call) { return call.times > 1; });
-  if (repeated == calls.end()) return;
+void measure_by_one(const Artefact& artefact, cpp::Function& function) {
+  const auto is_repeated = [](const Call& call) { return call.times > 1; };
+  if (std::none_of(artefact.calls.begin(), artefact.calls.end(), is_repeated)) return;
   std::vector<cpp::Expression> flags;
-  for (const int flag : repeated->measured_by_one) flags.push_back(cpp::atom(std::to_string(flag)));
+  for (const int flag : artefact.measured_by_one) flags.push_back(cpp::atom(std::to_string(flag)));
   function.body.emplace_back(
       cpp::Definition{"const int", k_by_one + std::string("[n_q + n_v]"), cpp::list(std::move(flags))});
 }
@@ -254,7 +254,7 @@ cpp::Function search_function(const Artefact& artefact) {
   if (keeps_start) function.body.emplace_back(cpp::Definition{"const State<S>", k_start, cpp::atom("from")});
   if (artefact.takes_state) function.body.emplace_back(cpp::Assignment{cpp::atom("state"), cpp::atom("from")});
   function.body.emplace_back(cpp::Definition{"StatusOf<S>", "status", cpp::call("StatusOf<S>", {})});
-  measure_by_one(artefact.calls, function);
+  measure_by_one(artefact, function);
   for (const Call& call : artefact.calls) {
     std::vector<cpp::Expression> arguments;
     if (call.takes_state) arguments.push_back(artefact.takes_time ? cpp::atom("t") : literal(0));

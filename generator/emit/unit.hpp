@@ -111,8 +111,6 @@ struct Call {
   int times = 1;
   bool takes_state = true;   ///< false: it makes the first state out of nothing
   bool takes_start = false;  ///< with the state before the first call as well
-  /// Of calls that are taken until one moves nothing, for each component of the state: 1, it is measured by 1 besides its own size (angles); 0.
-  std::vector<int> measured_by_one = {};
 };
 
 /// What the status of a solution has to say.
@@ -151,8 +149,10 @@ struct Artefact {
   std::vector<NodeId> derivative;  ///< target derivative (also beside groups, for rhs_and_reactions): n_q + n_v values
   std::vector<NodeId> state;       ///< target state: n_q + n_v values
   std::vector<Call> calls;         ///< likewise, instead of values: of functions that come before this one
-  std::optional<TwoWays> ways;     ///< instead of values: these functions come before this one
-  std::string result_type;         ///< struct name, such as Reactions; several artefacts may fill the same struct
+  /// Where calls are repeated until one moves nothing, for each component of the state: 1, it is measured by 1 besides its own size (angles); 0.
+  std::vector<int> measured_by_one;
+  std::optional<TwoWays> ways;  ///< instead of values: these functions come before this one
+  std::string result_type;      ///< struct name, such as Reactions; several artefacts may fill the same struct
   std::vector<Group> groups;
   std::vector<Constant> constants;
   std::vector<Section> sections;

@@ -1,12 +1,10 @@
 #include "evaluate/decimal.hpp"
 
 #include <cln/integer.h>
-#include <cln/exception.h>
 #include <cln/real.h>
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "support/assert.hpp"
 #include "support/rational.hpp"
@@ -66,16 +64,6 @@ std::string to_decimal(const cln::cl_F& value, int digits) {
   return sign + text;
 }
 
-// CLN throws where IEEE arithmetic would give infinity or zero.
-double to_double(const cln::cl_F& value) {
-  try {
-    return cln::double_approx(value);
-  } catch (const cln::floating_point_underflow_exception&) {
-    return 0.0;
-  } catch (const cln::floating_point_overflow_exception&) {
-    constexpr double k_infinity = std::numeric_limits<double>::infinity();
-    return cln::minusp(value) ? -k_infinity : k_infinity;
-  }
-}
+double to_double(const cln::cl_F& value) { return support::to_double(value); }
 
 }  // namespace gaussgen::evaluate

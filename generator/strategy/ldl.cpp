@@ -161,7 +161,9 @@ Expr Ldl::violated(Expr part) const {
 
 Expr Ldl::singular() const { return violated(trusted_part(count(), epsilon_)); }
 
-Expr Ldl::dependent(const ir::Rational& least) const { return violated(kept_by_rows(epsilon_) + Expr(graph_, graph_.constant(least))); }
+Expr Ldl::dependent(const ir::Rational& least) const {
+  return violated(kept_by_rows(epsilon_) + Expr(graph_, graph_.constant(least)));
+}
 
 std::vector<std::string> Ldl::vanishing() const {
   std::vector<std::string> rows;

@@ -4,6 +4,7 @@
 #include <cln/float.h>
 #include <cln/integer_io.h>
 #include <cln/rational_io.h>
+#include <cln/real.h>
 
 #include <climits>
 #include <functional>
@@ -39,7 +40,7 @@ int to_int(const Rational& value) {
   return cln::cl_I_to_int(cln::numerator(value));
 }
 
-double to_double(const Rational& value) {
+double to_double(const cln::cl_R& value) {
   // CLN throws where IEEE arithmetic would give infinity or zero.
   try {
     return cln::double_approx(value);

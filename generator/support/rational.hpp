@@ -3,6 +3,7 @@
 
 #include <cln/integer.h>
 #include <cln/rational.h>
+#include <cln/real_class.h>
 
 #include <cstddef>
 #include <string>
@@ -17,7 +18,8 @@ bool is_integer(const Rational& value);
 /// The value as int; asserts that it is an integer that fits.
 int to_int(const Rational& value);
 
-double to_double(const Rational& value);
+/// The nearest double; 0 and infinity beyond its range. Of any real number of CLN.
+double to_double(const cln::cl_R& value);
 
 /// "3", "-2/5": independent of locale and of CLN's printer settings.
 std::string to_text(const Rational& value);
