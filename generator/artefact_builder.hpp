@@ -68,7 +68,7 @@ struct LinearProblem {
   strategy::Vector f;
   strategy::Matrix b;
   strategy::Vector drift;
-  strategy::Vector left, size;
+  strategy::Vector off;
 };
 
 /// Functions that fill the struct LinearSystem: of the accelerations, and of a given problem, which has as many speeds and rows.

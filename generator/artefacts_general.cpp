@@ -1,11 +1,14 @@
 // Functions that turn to the general solution of the linear system where their own way is lost (emit/two_ways.hpp).
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 #include "artefact_builder.hpp"
 #include "ir/traverse.hpp"
 #include "strategy/bounds.hpp"
 #include "strategy/position_size.hpp"
+#include "strategy/row_groups.hpp"
 #include "usual_rank.hpp"
 
 namespace gaussgen {
@@ -106,15 +109,32 @@ bool has_general_way(Mechanics& mechanics) {
 
 namespace {
 
-void add_positions(Mechanics& mechanics, LinearProblem& problem) {
+/// Square of the part by which positions are off an equation, of what it is made of; 1 where that is nothing.
+Expr part_off(Expr f, Expr size) {
+  const Expr zero(f.graph(), f.graph().constant(0)), one(f.graph(), f.graph().constant(1));
+  const Expr all = size + pow(f, 2);
+  const Expr is_something = less(zero, all);
+  return select(is_something, pow(f, 2) / select(is_something, all, one), zero);
+}
+
+/// For each constraint, of all equations that it may follow from.
+Vector parts_off(Mechanics& mechanics) {
   Vector start;
   for (const auto& q : mechanics.symbols.configuration) start.push_back(mechanics.expressions.symbol(q.symbol));
   const strategy::PositionSize size(mechanics.dynamics, start);
+  const std::vector<std::optional<std::size_t>> groups = strategy::row_groups(mechanics.dynamics);
+  std::map<std::size_t, Expr> off;
   for (const kinematics::ConstraintIndex mu : mechanics.kinematics.constraints.indices()) {
     const std::optional<Expr>& f = mechanics.kinematics.constraints[mu].f;
-    problem.left.push_back(f ? *f : mechanics.expressions.number(0));
-    problem.size.push_back(f ? size.of_row(mu.value) : mechanics.expressions.number(0));
+    if (!f || !groups[mu.value]) continue;
+    off.try_emplace(*groups[mu.value], mechanics.expressions.number(0)).first->second +=
+        part_off(*f, size.of_row(mu.value));
   }
+  Vector result(groups.size(), mechanics.expressions.number(0));
+  for (std::size_t mu = 0; mu < groups.size(); ++mu) {
+    if (groups[mu] && off.count(*groups[mu]) > 0) result[mu] = off.at(*groups[mu]);
+  }
+  return result;
 }
 
 }  // namespace
@@ -135,8 +155,10 @@ Artefact linear_system(const std::string& name, const LinearProblem& problem, Me
        {"b", "dphi/du of each constraint", {l, n}, ids(problem.b)},
        {"reach", "not less than dphi/du in any configuration", {l, n}, ids(strategy::bounds_of(problem.b))},
        {"of_positions", "1: the derivative of an equation of positions; else 0", {l}, of_positions},
-       {"left", "what is left of each equation of positions; 0 of others", {l}, ids(problem.left)},
-       {"size", "square of what it is made of, to first order", {l}, ids(problem.size)},
+       {"off",
+        "square of the part by which positions are off the equations that a row may follow from",
+        {l},
+        ids(problem.off)},
        {"drift", "dphi/dt of each at constant speeds; of a step, what is left of it", {l}, ids(problem.drift)}});
   Artefact system = builder.finish({});
   system.is_part = true;
@@ -145,9 +167,8 @@ Artefact linear_system(const std::string& name, const LinearProblem& problem, Me
 
 Artefact linear_system_artefact(Mechanics& mechanics) {
   const strategy::Dynamics& dynamics = mechanics.dynamics;
-  LinearProblem problem{dynamics.g, dynamics.f, dynamics.b, dynamics.b_drift, {}, {}};
-  add_positions(mechanics, problem);
-  return linear_system(k_system, problem, mechanics);
+  return linear_system(k_system, {dynamics.g, dynamics.f, dynamics.b, dynamics.b_drift, parts_off(mechanics)},
+                       mechanics);
 }
 
 std::vector<Artefact> two_ways(Artefact regular, Artefact of_solution, emit::TwoWays ways) {

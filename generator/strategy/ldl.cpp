@@ -41,13 +41,8 @@ Expr trusted_part(int pivots, Expr epsilon) {
 Expr kept_by_rows(Expr epsilon) { return pow(epsilon, ir::Rational(1) / 2); }
 
 Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, Expr epsilon,
-         Steps& steps, Dependent dependent, Rounding rounding)
-    : graph_(epsilon.graph()),
-      epsilon_(epsilon),
-      dependent_(dependent),
-      rounding_(rounding),
-      labels_(labels),
-      prefix_(prefix) {
+         Steps& steps, Dependent dependent)
+    : graph_(epsilon.graph()), epsilon_(epsilon), dependent_(dependent), labels_(labels), prefix_(prefix) {
   const std::size_t n = matrix.size();
   const Expr zero(graph_, graph_.constant(0));
   d_.assign(n, zero);
@@ -61,6 +56,7 @@ Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std
     }
   }
   sizes_ = diagonal_;
+  w_.resize(n);
   std::vector<char> done(n, 0);
   for (std::size_t step = 0; step < n; ++step) {
     const std::size_t pivot = sparsest_row(rest, done);
@@ -79,8 +75,7 @@ void Ldl::eliminate(std::size_t pivot, Rest& rest, Steps& steps) {
   is_original_[pivot] = entry == diagonal_[pivot] ? 1 : 0;
   // A diagonal entry has its name from elsewhere, if it has one.
   d_[pivot] = is_original_[pivot] != 0 ? entry : steps.name(entry, prefix_ + "_pivot_" + labels_[pivot]);
-  if (rounding_ == Rounding::carried)
-    sizes_[pivot] = steps.name_varying(sizes_[pivot], prefix_ + "_size_" + labels_[pivot]);
+  find_size(pivot, steps);
   const Expr inverse = reciprocal(pivot);
   for (const auto& [i, value] : row) {
     if (i == pivot) continue;
@@ -88,7 +83,6 @@ void Ldl::eliminate(std::size_t pivot, Rest& rest, Steps& steps) {
     const Expr factor = value * inverse;
     const Expr named = is_selected(inverse) ? factor.kept_whole(name) : steps.name(factor, name);
     if (!named.is_zero()) l_[pivot].push_back({i, named});
-    if (rounding_ == Rounding::carried) sizes_[i] += pow(named, 2) * sizes_[pivot];
     rest[i].erase(pivot);
   }
   for (const Entry& below : l_[pivot]) {
@@ -106,6 +100,27 @@ void Ldl::eliminate(std::size_t pivot, Rest& rest, Steps& steps) {
       }
     }
   }
+}
+
+// With w the row of L⁻¹, p = wᵀ a w: rounding of entries a_ij, which sqrt(a_ii a_jj) bounds, is in it w_i w_j times. A pivot that is small by what it is the
+// rest of makes large factors, and those after it are small beside what they made. Where only diagonal entries come before, Σ w_i² a_ii is part of the
+// diagonal entry itself.
+void Ldl::find_size(std::size_t pivot, Steps& steps) {
+  const Expr zero(graph_, graph_.constant(0));
+  std::map<std::size_t, Expr>& row = w_[pivot];
+  bool is_simple = true;
+  for (const std::size_t j : order_) {
+    const auto below = std::find_if(l_[j].begin(), l_[j].end(), [&](const Entry& entry) { return entry.row == pivot; });
+    if (below == l_[j].end()) continue;
+    is_simple = is_simple && is_original_[j] != 0;
+    row.try_emplace(j, zero).first->second -= below->value;
+    for (const auto& [i, value] : w_[j]) row.try_emplace(i, zero).first->second -= below->value * value;
+  }
+  for (auto& [i, value] : row) {
+    value = steps.name_varying(value, prefix_ + "_back_" + labels_[pivot] + "_" + labels_[i]);
+    if (!is_simple) sizes_[pivot] += pow(value, 2) * diagonal_[i];
+  }
+  if (!is_simple) sizes_[pivot] = steps.name_varying(sizes_[pivot], prefix_ + "_size_" + labels_[pivot]);
 }
 
 void Ldl::sort_columns() {

@@ -29,28 +29,22 @@ enum class Dependent {
   drop,    ///< its unknown becomes zero: a redundant row of constraints then leaves the accelerations right
 };
 
-/// What rounding is counted in a pivot.
-enum class Rounding {
-  own,      ///< of its diagonal entry: enough where no pivot before it is small beside its own by chance
-  carried,  ///< and of the pivots before it, which a small one enlarges: p_k = a_kk - Σ l_kj² p_j
-};
-
 /// Unrolled L D Lᵀ of a symmetric positive definite matrix (Golub & Van Loan, Matrix Computations, 4.1). Rows are taken in
 /// an order that keeps L sparse: next is always the one with the fewest entries left; every order is stable.
 class Ldl {
  public:
   /// `labels` name rows; entries appear as <prefix>_pivot_<row> and <prefix>_factor_<row>_<column>.
   Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, ir::Expr epsilon,
-      Steps& steps, Dependent dependent = Dependent::divide, Rounding rounding = Rounding::own);
+      Steps& steps, Dependent dependent = Dependent::divide);
 
   /// x with matrix x = right_hand_side; unknowns appear as <name>_<row>.
   Vector solve(const Vector& right_hand_side, const std::string& name, Steps& steps) const;
 
-  /// Boolean: some pivot is not positive or too small beside its diagonal entry to divide by: `trusted_part`. Pivots that are diagonal entries themselves
+  /// Boolean: some pivot is not positive or too small beside what it is the rest of to divide by: `trusted_part`. Pivots that are diagonal entries themselves
   /// cannot cancel and are compared with 0.
   ir::Expr singular() const;
 
-  /// Boolean: the same of responses of constraints: `kept_by_rows`, and the part `least` of the diagonal entry.
+  /// Boolean: the same of responses of constraints: `kept_by_rows`, and the part `least` of that.
   ir::Expr dependent(const ir::Rational& least) const;
 
   /// Rows whose pivot vanishes identically: the matrix is singular in every configuration.
@@ -67,6 +61,7 @@ class Ldl {
   };
 
   void eliminate(std::size_t pivot, Rest& rest, Steps& steps);
+  void find_size(std::size_t pivot, Steps& steps);
   void sort_columns();
 
   ir::Expr tolerance(std::size_t pivot) const;
@@ -77,13 +72,13 @@ class Ldl {
   ir::Graph& graph_;
   ir::Expr epsilon_;
   Dependent dependent_;
-  Rounding rounding_;
   std::vector<std::string> labels_;
   std::string prefix_;
   std::vector<std::size_t> order_;
   Vector diagonal_;
-  Vector sizes_;                   ///< whose rounding is in the pivots
-  std::vector<char> is_original_;  ///< the pivot is the diagonal entry itself
+  Vector sizes_;                                    ///< whose rounding is in the pivots
+  std::vector<std::map<std::size_t, ir::Expr>> w_;  ///< L⁻¹ below its diagonal, by row
+  std::vector<char> is_original_;                   ///< the pivot is the diagonal entry itself
   Vector d_;
   std::vector<std::vector<Entry>> l_;  ///< by column, rows in the order of elimination
 };

@@ -73,11 +73,8 @@ Dynamics completed(const Dynamics& dynamics, Steps& steps) {
 /// λ and what it does to the accelerations, for a g that has an inverse.
 class MultiplierForm {
  public:
-  MultiplierForm(const Dynamics& dynamics, Rounding rounding, Expr epsilon, Steps& steps)
-      : dynamics_(dynamics),
-        epsilon_(epsilon),
-        metric_(factorise_metric(rounding, steps)),
-        response_(responses(steps)) {
+  MultiplierForm(const Dynamics& dynamics, Expr epsilon, Steps& steps)
+      : dynamics_(dynamics), epsilon_(epsilon), metric_(factorise_metric(steps)), response_(responses(steps)) {
     steps.begin("how the accelerations along the constraints respond: S = b g^-1 b^T");
     schur_.emplace(schur_matrix(steps), dynamics.constraints, dynamics.names.prefix + "S", epsilon, steps,
                    Dependent::drop);
@@ -145,9 +142,9 @@ class MultiplierForm {
     return dynamics_.names.prefix + quantity + "_" + dynamics_.constraints[mu];
   }
 
-  Ldl factorise_metric(Rounding rounding, Steps& steps) const {
+  Ldl factorise_metric(Steps& steps) const {
     steps.begin("g = L D L^T");
-    return {dynamics_.g, dynamics_.labels, dynamics_.names.prefix + "g", epsilon_, steps, Dependent::divide, rounding};
+    return {dynamics_.g, dynamics_.labels, dynamics_.names.prefix + "g", epsilon_, steps};
   }
 
   Matrix responses(Steps& steps) const {
@@ -186,8 +183,7 @@ Solution solve_with_multipliers(const Dynamics& given, Expr epsilon, Steps& step
   std::vector<std::string> undetermined;
   for (const std::size_t row : given.dependent_rows(given.g)) undetermined.push_back(given.labels[row]);
   const Dynamics dynamics = undetermined.empty() ? given : completed(given, steps);
-  // What the constraints alone determine is as small as they say little of it.
-  MultiplierForm form(dynamics, undetermined.empty() ? Rounding::own : Rounding::carried, epsilon, steps);
+  MultiplierForm form(dynamics, epsilon, steps);
   const std::string acceleration = dynamics.names.prefix + dynamics.names.acceleration;
   const std::string multiplier = dynamics.names.prefix + dynamics.names.multiplier;
   const std::string rough = dynamics.names.prefix + "rough_";

@@ -25,7 +25,7 @@ struct LinearSolution {
   S rank;            ///< of b, to the tolerance
   StatusOf<S>
       motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
-               ///< violated_constraints: they contradict each other
+      ///< violated_constraints: they contradict each other
   StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
@@ -61,7 +61,8 @@ class Constrained {
   GAUSS_FUNCTION Constrained(const System& system, const RankRule<S>& rule)
       : is_agreement_known_(rule.is_agreement_known) {
     scale(system);
-    factorise_rows(rule, beyond_usual<S, l>(system, rule));
+    for (int mu = 0; mu < l; ++mu) beyond_[mu] = beyond_usual<S>(system, rule, mu);
+    factorise_rows(rule);
     reduce_metric();
     find_shared();
     find_asked(system);
@@ -140,8 +141,8 @@ class Constrained {
     }
   }
 
-  /// b^T P = Q R. At each step the row that is longest across all before is next.
-  GAUSS_FUNCTION void factorise_rows(const RankRule<S>& rule, const S& beyond) {
+  /// b^T P = Q R. At each step the row that is longest across all before is next; beyond the usual rank, longest beside what is asked of it.
+  GAUSS_FUNCTION void factorise_rows(const RankRule<S>& rule) {
     for (int mu = 0; mu < l; ++mu) {
       for (int i = 0; i < n; ++i) r_[mu][i] = b_[mu][i];
     }
@@ -150,10 +151,10 @@ class Constrained {
     is_full_ = S(1);
     S goes_on = S(1);
     for (int k = 0; k < most; ++k) {
-      bring_longest(k);
+      bring_longest(k, k >= rule.usual);
       bring_largest(k);
       const S size = root(squares_from(k, r_[k]));
-      goes_on = goes_on * positive<S>(size - (k < rule.usual ? rule.tolerance : beyond));
+      goes_on = goes_on * positive<S>(size - (k < rule.usual ? rule.tolerance : beyond_[k]));
       if (k < rule.usual) is_full_ = goes_on;
       is_row_[k] = goes_on;
       rank_ = rank_ + goes_on;
@@ -167,12 +168,14 @@ class Constrained {
     return sum;
   }
 
-  GAUSS_FUNCTION void bring_longest(int k) {
+  GAUSS_FUNCTION void bring_longest(int k, bool is_beyond) {
     S longest = squares_from(k, r_[k]);
     for (int j = k + 1; j < l; ++j) {
       const S other = squares_from(k, r_[j]);
-      swapped_[k][j] = Math<S>::less(longest, other);
+      swapped_[k][j] = is_beyond ? Math<S>::less(longest * (beyond_[j] * beyond_[j]), other * (beyond_[k] * beyond_[k]))
+                                 : Math<S>::less(longest, other);
       longest = Math<S>::select(swapped_[k][j], other, longest);
+      swap_where<S>(swapped_[k][j], beyond_[k], beyond_[j]);
       for (int i = 0; i < n; ++i) swap_where<S>(swapped_[k][j], r_[k][i], r_[j][i]);
     }
   }
@@ -423,6 +426,7 @@ class Constrained {
   S r_[l][n];  ///< R^T: row k has its entries above the diagonal, and r_[k][k]
   S reflector_[most][n], strength_[most], inverse_[most];
   S is_row_[n];  ///< 1: this part of the speeds is what a row says; 0: it is free
+  S beyond_[l];  ///< what is asked of a row beyond the usual rank
   S rank_, is_full_, has_lost_entries_;
   bool is_agreement_known_;
   Bool swapped_[most][l];  ///< rows, and speeds:
@@ -438,8 +442,8 @@ class Constrained {
 }  // namespace detail
 
 /// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, reach[l][n], not less than
-/// its entries in any configuration, drift[l], and of_positions[l], 1 where a row is the derivative of an equation of positions and else 0; of these, left[l] is what is left of the equation, and
-/// size[l] the square of what it is made of.
+/// its entries in any configuration, drift[l], of_positions[l], 1 where a row is the derivative of an equation of positions and else 0, and off[l], the square of the part by which positions are off the
+/// equations that row mu may follow from.
 template <class System, class S, int n, int l>
 GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolution<S, n, l>& solution) noexcept {
   detail::Constrained<S, n, l>(system, rule).solve(solution);

@@ -13,17 +13,17 @@ namespace detail {
 template <class S, int n>
 class MaskedLdl {
  public:
-  /// `counts[i]` 1: row i is that of `matrix`; 0: of the unit matrix. A pivot below `tolerance` of its diagonal entry determines nothing.
+  /// `counts[i]` 1: row i is that of `matrix`; 0: of the unit matrix. A pivot below `tolerance` of what it is the rest of determines nothing.
   GAUSS_FUNCTION void factorise(const S (&matrix)[n][n], const S (&counts)[n], const S& tolerance) {
     is_determined = S(1);
+    S back[n][n];  // L^-1
     for (int j = 0; j < n; ++j) {
+      const S size = size_of_pivot(matrix, counts, j, back);
       for (int i = j; i < n; ++i) {
-        const S both = counts[i] * counts[j];
-        S entry = Math<S>::select(Math<S>::less(S(0), both), matrix[i][j], S(i == j ? 1 : 0));
-        const S diagonal = entry;
+        S entry = masked(matrix, counts, i, j);
         for (int k = 0; k < j; ++k) entry = entry - factor_[i][k] * factor_[j][k] * pivot_[k];
         if (i == j) {
-          const S is_good = positive<S>(entry - tolerance * diagonal);
+          const S is_good = positive<S>(entry - tolerance * size);
           is_determined = is_determined * is_good;
           pivot_[j] = entry;
           inverse_[j] = reciprocal(entry, is_good);
@@ -47,6 +47,21 @@ class MaskedLdl {
   S is_determined;
 
  private:
+  GAUSS_FUNCTION static S masked(const S (&matrix)[n][n], const S (&counts)[n], int i, int j) {
+    return Math<S>::select(Math<S>::less(S(0), counts[i] * counts[j]), matrix[i][j], S(i == j ? 1 : 0));
+  }
+
+  /// p = w^T matrix w for the row w of L^-1. A pivot that is small makes large factors, and with them what the next ones are the rest of.
+  GAUSS_FUNCTION S size_of_pivot(const S (&matrix)[n][n], const S (&counts)[n], int j, S (&back)[n][n]) const {
+    S size = masked(matrix, counts, j, j);
+    for (int i = 0; i < j; ++i) {
+      back[j][i] = -factor_[j][i];
+      for (int k = i + 1; k < j; ++k) back[j][i] = back[j][i] - factor_[j][k] * back[k][i];
+      size = size + back[j][i] * back[j][i] * masked(matrix, counts, i, i);
+    }
+    return size;
+  }
+
   S factor_[n][n];
   S pivot_[n];
   S inverse_[n];

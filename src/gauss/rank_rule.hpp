@@ -10,26 +10,21 @@ namespace gauss {
 /// How it is decided which constraints say something of their own. Tolerances are sines of the angle to all others, where inertias are 1.
 template <class S>
 struct RankRule {
-  int usual;    ///< rank of b where nothing singles a state out; less is a status
-  S tolerance;  ///< below, a row follows from the others
-  S beyond;     ///< the same of rows beyond the usual rank
+  int usual;                ///< rank of b where nothing singles a state out; less is a status
+  S tolerance;              ///< below, a row follows from the others
+  S beyond;                 ///< the same of rows beyond the usual rank
   bool follows_positions;   ///< `beyond` is the most that is asked: less where positions satisfy their equations well
   bool is_agreement_known;  ///< whether rows contradict each other is not asked
 };
 
 namespace detail {
 
-/// How far rows beyond the usual rank have to be from the others. Positions that are off turn rows that follow from others away from these, by as much as
+/// How far row mu has to be from the others beyond the usual rank. Positions that are off turn rows that follow from others away from these, by as much as
 /// they are off; near positions at which rows depend on each other, an equation is off by the square of that.
-template <class S, int l, class System>
-GAUSS_FUNCTION S beyond_usual(const System& system, const RankRule<S>& rule) {
+template <class S, class System>
+GAUSS_FUNCTION S beyond_usual(const System& system, const RankRule<S>& rule, int mu) {
   if (!rule.follows_positions) return rule.beyond;
-  S off = S(0);
-  for (int mu = 0; mu < l; ++mu) {
-    const S part = system.left[mu] * system.left[mu] * reciprocal<S>(system.size[mu], positive<S>(system.size[mu]));
-    off = larger<S>(off, part);
-  }
-  const S turned = larger<S>(S(10) * root(root(off)), rule.tolerance);
+  const S turned = larger<S>(S(10) * root(root(system.off[mu])), rule.tolerance);
   return Math<S>::select(Math<S>::less(turned, rule.beyond), turned, rule.beyond);
 }
 

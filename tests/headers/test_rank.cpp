@@ -6,6 +6,7 @@
 #include "bennett.hpp"
 #include "catch_shim.hpp"
 #include "coarse_rank.hpp"
+#include "hung_slab.hpp"
 #include "parallelogram.hpp"
 #include "switched_stop.hpp"
 #include "three_bars.hpp"
@@ -17,6 +18,7 @@ namespace coarse = gauss::coarse_rank;
 namespace slopes = gauss::two_slopes;
 namespace stop = gauss::switched_stop;
 namespace bars = gauss::three_bars;
+namespace hung = gauss::hung_slab;
 namespace bennett = gauss::bennett;
 namespace parallelogram = gauss::parallelogram;
 
@@ -83,6 +85,37 @@ TEST_CASE("positions that are off lock nothing: rows that follow from others are
     CHECK(moving.derivative.x_ddot() == Approx(std::cos(angle) * std::cos(angle)).margin(2 * off + 1e-15));
     CHECK(moving.derivative.y_ddot() == Approx(-std::cos(angle) * std::sin(angle)).margin(2 * off + 1e-15));
     CHECK(moving.mobility == 1);
+  }
+}
+
+// A bob on a string of length L under what does not move: no acceleration along the string but v²/L, which is 0 here, and g sin across it.
+TEST_CASE(
+    "what locks a loop is told from positions that are off elsewhere, and what does not is not taken for a lock") {
+  for (const double off : {0.0, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4}) {
+    for (const double d : {0.0, 1e-5, 1e-3}) {
+      INFO("strings off by " << off << " m, middle pivot moved by " << d << " m");
+      hung::Parameters<double> parameters;
+      parameters.d = d;
+      const auto prepared = prepare(parameters);
+      hung::State<double> state{};
+      REQUIRE(initial_state(prepared, state) == gauss::Status::ok);
+      state.u() += off;
+      state.q() += off;
+      hung::Derivative<double> derivative{};
+      hung::Mobility<double> mobility{};
+      CHECK(rhs(0.0, state, {}, prepared, derivative) == gauss::Status::ok);
+      CHECK(hung::mobility(0.0, state, {}, prepared, mobility) == gauss::Status::ok);
+      CHECK(mobility.mobility == (d > 0 ? 2 : 3));
+      if (d == 0) {
+        // Pushed, with nothing across its way.
+        CHECK(std::abs(derivative.x_ddot()) > 0.1);
+        continue;
+      }
+      CHECK(std::abs(derivative.x_ddot()) <= 1e-13 / d);
+      CHECK(std::abs(derivative.y_ddot()) <= 1e-13 / d);
+      const double across = (state.u() - state.x()) / 0.5, down = (state.y() - state.w()) / 0.5;
+      CHECK(derivative.u_ddot() == Approx(-9.81 * across * down).margin(20 * off + 1e-9));
+    }
   }
 }
 

@@ -7,12 +7,16 @@
 
 #include "bowl.hpp"
 #include "catch_shim.hpp"
+#include "mixed_chart.hpp"
+#include "mixed_chart_beside_stops.hpp"
 #include "steep_surface.hpp"
 #include "two_bobs.hpp"
 
 namespace bowl = gauss::bowl;
 namespace surface = gauss::steep_surface;
 namespace bobs = gauss::two_bobs;
+namespace chart = gauss::mixed_chart;
+namespace stopped = gauss::mixed_chart_beside_stops;
 using gauss::Status;
 
 namespace {
@@ -117,6 +121,39 @@ Trusted of_bobs(double ratio) {
   return result;
 }
 
+/// Pendulums with masses 1, 1/R, 1/R² at angles p + q, q + r and r, each of which has the acceleration -g/L sin.
+template <class State, class Parameters, class Derivative, class S>
+Trusted in_mixed_chart(S ratio) {
+  std::mt19937 engine(20261124);
+  std::uniform_real_distribution<double> up_to_one(-1, 1);
+  Parameters parameters;
+  parameters.R = ratio;
+  const auto prepared = prepare(parameters);
+  Trusted result;
+  for (int k = 0; k < 100; ++k) {
+    State state{};
+    state.p() = static_cast<S>(up_to_one(engine));
+    state.q() = static_cast<S>(up_to_one(engine));
+    state.r() = static_cast<S>(up_to_one(engine));
+    Derivative found{};
+    const Status status = rhs(S(0), state, {}, prepared, found);
+    if (status != Status::ok) {
+      CHECK(status == Status::singular_mass_matrix);
+      ++result.other;
+      continue;
+    }
+    ++result.ok;
+    const double p = static_cast<double>(state.p()), q = static_cast<double>(state.q()),
+                 r = static_cast<double>(state.r());
+    const double p_ddot = static_cast<double>(found.p_ddot()), q_ddot = static_cast<double>(found.q_ddot()),
+                 r_ddot = static_cast<double>(found.r_ddot());
+    for (const double error : {p_ddot + q_ddot + 9.81 * std::sin(p + q), q_ddot + r_ddot + 9.81 * std::sin(q + r),
+                               r_ddot + 9.81 * std::sin(r)})
+      result.widest = std::max(result.widest, std::abs(error) / 9.81);
+  }
+  return result;
+}
+
 }  // namespace
 
 TEST_CASE("a bead on a wall that is nearly upright is told from one on a floor, or the status says that it is not") {
@@ -143,5 +180,37 @@ TEST_CASE("what is light before what is heavy keeps a quarter of its digits, or 
     CHECK(found.widest <= 2e-4);
     if (ratio <= 1e10) CHECK(found.ok == 100);
     if (ratio >= 1e15) CHECK(found.ok == 0);
+  }
+}
+
+// Each pivot is small beside the diagonal entry by no more than digits allow; what is left of the last one is the product.
+TEST_CASE(
+    "small pivots one after the other lose what each of them keeps, and the status says so, in both ways to a "
+    "solution") {
+  using Plain = Trusted (*)(double);
+  const Plain by_metric = in_mixed_chart<chart::State<double>, chart::Parameters<double>, chart::Derivative<double>>;
+  const Plain in_general =
+      in_mixed_chart<stopped::State<double>, stopped::Parameters<double>, stopped::Derivative<double>>;
+  for (const Plain found_by : {by_metric, in_general}) {
+    for (const double ratio : {1.0, 1e2, 1e4, 1e5, 1e6, 1e7, 1e8, 1e10, 1e14}) {
+      const Trusted found = found_by(ratio);
+      INFO("each lighter by " << ratio << ": " << found.ok << " ok, " << found.widest);
+      CHECK(found.widest <= 2e-4);
+      if (ratio <= 1e5) CHECK(found.ok == 100);
+      if (ratio >= 1e8) CHECK(found.ok == 0);
+    }
+  }
+}
+
+TEST_CASE("in float, too") {
+  for (const float ratio : {1.0F, 10.0F, 100.0F, 1e3F, 1e4F, 1e5F}) {
+    for (const Trusted& found :
+         {in_mixed_chart<chart::State<float>, chart::Parameters<float>, chart::Derivative<float>>(ratio),
+          in_mixed_chart<stopped::State<float>, stopped::Parameters<float>, stopped::Derivative<float>>(ratio)}) {
+      INFO("each lighter by " << ratio << ": " << found.ok << " ok, " << found.widest);
+      CHECK(found.widest <= 2e-2);
+      if (ratio <= 10) CHECK(found.ok == 100);
+      if (ratio >= 1e4F) CHECK(found.ok == 0);
+    }
   }
 }

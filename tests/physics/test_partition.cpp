@@ -441,7 +441,7 @@ struct SameTwice {
   double b[2][2] = {{1, 1}, {2, 2}};
   double reach[2][2] = {{1, 1}, {2, 2}};
   double of_positions[2] = {0, 0};
-  double left[2] = {0, 0}, size[2] = {0, 0};
+  double off[2] = {0, 0};
   double drift[2] = {0.5, 1};
 };
 

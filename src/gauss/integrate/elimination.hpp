@@ -26,17 +26,15 @@ class Elimination {
   using Choice = Partition<n, l>;
 
   template <class System>
-  Elimination(const System& system, const RankRule<S>& rule) : at_(system), rule_(rule) {
-    rule_.beyond = gauss::detail::beyond_usual<S, l>(system, rule);
-  }
+  Elimination(const System& system, const RankRule<S>& rule) : at_(system, rule), rule_(rule) {}
 
   /// By complete pivoting: the largest entry left, of all rows and speeds.
-  Choice best() const { return detail::JordanForm<S, n, l>(at_.b, anything(), rule_).taken(); }
+  Choice best() const { return detail::JordanForm<S, n, l>(at_, anything(), rule_).taken(); }
 
   /// Norm of B_d^-1, inertias 1 and rows scaled to the length that they may have: to be compared with that of another
   /// partition. Infinite where a row of B_d follows from the others.
   S condition(const Choice& partition) const {
-    const detail::JordanForm<S, n, l> form(at_.b, partition, rule_);
+    const detail::JordanForm<S, n, l> form(at_, partition, rule_);
     return form.taken().rank < partition.rank ? std::numeric_limits<S>::infinity() : form.condition();
   }
 
@@ -63,7 +61,7 @@ class Elimination {
   class Solver {
    public:
     Solver(const Elimination& from, const Choice& partition)
-        : at_(from.at_), rule_(from.rule_), partition_(partition), form_(from.at_.b, partition, from.rule_) {}
+        : at_(from.at_), rule_(from.rule_), partition_(partition), form_(from.at_, partition, from.rule_) {}
 
     bool solve(LinearSolution<S, n, l>& solution) {
       if (!carries()) return false;
@@ -86,8 +84,9 @@ class Elimination {
       if (form_.taken().rank < partition_.rank) return false;
       const S margin = S(k_margin);
       if (!(margin * rule_.tolerance * form_.condition() < S(1))) return false;
-      const S tolerance = partition_.rank < rule_.usual ? rule_.tolerance : rule_.beyond;
-      if (!(margin * form_.left_over() < tolerance)) return false;
+      S tolerances[l];
+      for (int mu = 0; mu < l; ++mu) tolerances[mu] = partition_.rank < rule_.usual ? rule_.tolerance : at_.least[mu];
+      if (!(margin * form_.left_over(tolerances) < S(1))) return false;
       return rule_.is_agreement_known || is_agreed();
     }
 

@@ -35,12 +35,16 @@ template <class S, int n, int l>
 struct ScaledSystem {
   S g[n][n], f[n], b[l][n], c[l];  ///< b a = c
   S speed[n], row[l];              ///< scales
+  S least[l];                      ///< what is asked of a row beyond the usual rank
   bool is_of_positions[l];
 
   template <class System>
-  explicit ScaledSystem(const System& system) {
+  ScaledSystem(const System& system, const RankRule<S>& rule) {
     scale_speeds(system);
-    for (int mu = 0; mu < l; ++mu) scale_row(system, mu);
+    for (int mu = 0; mu < l; ++mu) {
+      scale_row(system, mu);
+      least[mu] = gauss::detail::beyond_usual<S>(system, rule, mu);
+    }
     for (int i = 0; i < n; ++i) {
       f[i] = speed[i] * system.f[i];
       for (int j = 0; j < n; ++j) g[i][j] = speed[i] * system.g[i][j] * speed[j];
@@ -103,14 +107,15 @@ class JordanForm {
  public:
   static constexpr int k_most = n < l ? n : l;
 
-  JordanForm(const S (&b)[l][n], const Partition<n, l>& allowed, const RankRule<S>& rule) {
+  JordanForm(const ScaledSystem<S, n, l>& at, const Partition<n, l>& allowed, const RankRule<S>& rule) {
     for (int mu = 0; mu < l; ++mu) {
-      for (int i = 0; i < n; ++i) rows_[mu][i] = b[mu][i];
+      for (int i = 0; i < n; ++i) rows_[mu][i] = at.b[mu][i];
       for (int nu = 0; nu < l; ++nu) rows_[mu][n + nu] = S(mu == nu ? 1 : 0);
     }
+    S usual[l];
+    for (S& tolerance : usual) tolerance = rule.tolerance;
     while (taken_.rank < allowed.rank) {
-      const S tolerance = taken_.rank < rule.usual ? rule.tolerance : rule.beyond;
-      if (!take_largest(allowed, tolerance)) break;
+      if (!take_largest(allowed, taken_.rank < rule.usual ? usual : at.least)) break;
     }
   }
 
@@ -125,13 +130,13 @@ class JordanForm {
   /// How much of the row that was taken k-th is in row mu, which was not taken.
   S share(int mu, int k) const { return -rows_[mu][n + row_[k]]; }
 
-  /// What rows that were not taken say beside those that were.
-  S left_over() const {
+  /// What rows that were not taken say beside those that were, of what is asked of each.
+  S left_over(const S (&tolerances)[l]) const {
     S largest = S(0);
     for (int mu = 0; mu < l; ++mu) {
       for (int i = 0; i < n; ++i) {
         if (taken_.is_taken[mu] || taken_.is_dependent[i]) continue;
-        largest = gauss::detail::larger<S>(largest, gauss::detail::absolute<S>(rows_[mu][i]));
+        largest = gauss::detail::larger<S>(largest, gauss::detail::absolute<S>(rows_[mu][i]) / tolerances[mu]);
       }
     }
     return largest;
@@ -149,14 +154,15 @@ class JordanForm {
   }
 
  private:
-  bool take_largest(const Partition<n, l>& allowed, const S& tolerance) {
-    S largest = tolerance;
+  /// Beside what is asked of its row.
+  bool take_largest(const Partition<n, l>& allowed, const S (&tolerances)[l]) {
+    S largest = S(1);
     int row = -1, speed = -1;
     for (int mu = 0; mu < l; ++mu) {
       for (int i = 0; i < n; ++i) {
         if (!allowed.is_taken[mu] || taken_.is_taken[mu] || !allowed.is_dependent[i] || taken_.is_dependent[i])
           continue;
-        const S size = gauss::detail::absolute<S>(rows_[mu][i]);
+        const S size = gauss::detail::absolute<S>(rows_[mu][i]) / tolerances[mu];
         if (!(size > largest)) continue;
         largest = size;
         row = mu;

@@ -105,7 +105,7 @@ class Stabilised : public ModelDecorator<Stabilised<Base, Residuals, Metric>, Ba
   struct Pull {
     Scalar g[n][n], f[n], b[l][n], reach[l][n], drift[l];
     Scalar of_positions[l] = {};  ///< nobody asks: rule_of
-    Scalar left[l] = {}, size[l] = {};
+    Scalar off[l] = {};
   };
 
   static Rows all_rows() {
@@ -144,8 +144,7 @@ class Stabilised : public ModelDecorator<Stabilised<Base, Residuals, Metric>, Ba
       status = linear_system(t, state, base_.inputs(t, state), base_.prepared(), metric);
       copy(metric.b, pull.b);
       copy(metric.reach, pull.reach);
-      std::copy_n(metric.left, l, pull.left);
-      std::copy_n(metric.size, l, pull.size);
+      std::copy_n(metric.off, l, pull.off);
     } else {
       status =
           Math<Scalar>::worse(mass_matrix(t, state, base_.prepared(), metric), difference(t, state, at_rest, pull.b));
