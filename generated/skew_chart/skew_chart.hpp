@@ -3,7 +3,7 @@
 // the model and generate again.
 // Command: gauss-gen skew_chart.yaml
 //
-// Z minimised body by body along the tree: 137 operations before they are optimised, and 167 by L D L^T of
+// Z minimised body by body along the tree: 137 operations before they are optimised, and 209 by L D L^T of
 // the metric
 //
 // Coordinates
@@ -30,9 +30,9 @@
 //   rhs                35   56   3  0     2
 //   reactions          45   65   3  0     2
 //   rhs_and_reactions  49   72   3  0     2
-//   reaction_forces    81   147  7  0     2
+//   reaction_forces    99   180  7  0     2
 //   energy             25   33   0  0     2
-//   compulsion         72   120  4  0     2
+//   compulsion         90   152  4  0     2
 //   mass_matrix        6    14   0  0     1
 //   project            0    0    0  0     0
 //   initial_state      0    0    0  0     0
@@ -469,9 +469,9 @@ struct Prepared {
   S m1_over_3;                   ///< 1 / 3 * m1
   S m2_over_10;                  ///< 1 / 10 * m2
   S c13;
-  S c14;
-  S c15;                         ///< select(not_finite(m1), 0, m1)
-  S c16;                         ///< 2 * m2
+  S m1_m2_2_over_225;            ///< 1 / 225 * m1 * m2^2
+  S c14;                         ///< select(not_finite(m1), 0, m1)
+  S c15;                         ///< 2 * m2
   S amplitude_frequency_over_3;  ///< 1 / 3 * amplitude * frequency
   S half_amplitude_frequency;    ///< 0.5 * amplitude * frequency
   S g_over_4;                    ///< 0.25 * g
@@ -610,7 +610,6 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S t8 = m1 - m1 * Math<S>::select(Math<S>::less(t7, t2), t2, t7);
   const S least_pivot = Math<S>::select(t4, S(0), Math<S>::select(Math<S>::less(t6, t8), t6, t8));
   const S t9 = S(24) * Math<S>::epsilon();
-  const S c13 = Math<S>::select(Math<S>::less(t9, t2), t2, t9);
 
   Prepared<S> prepared;
   prepared.m1 = m1;
@@ -655,10 +654,10 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_m1 = S(0.5) * m1;
   prepared.m1_over_3 = S(1) / S(3) * m1;
   prepared.m2_over_10 = S(1) / S(10) * m2;
-  prepared.c13 = c13;
-  prepared.c14 = S(1.25) * m2 * c13;
-  prepared.c15 = Math<S>::select(t4, S(0), m1);
-  prepared.c16 = S(2) * m2;
+  prepared.c13 = Math<S>::select(Math<S>::less(t9, t2), t2, t9);
+  prepared.m1_m2_2_over_225 = S(1) / S(225) * m1 * m2_2;
+  prepared.c14 = Math<S>::select(t4, S(0), m1);
+  prepared.c15 = S(2) * m2;
   prepared.amplitude_frequency_over_3 = S(1) / S(3) * amplitude_frequency;
   prepared.half_amplitude_frequency = S(0.5) * amplitude_frequency;
   prepared.g_over_4 = S(0.25) * g;
@@ -1086,9 +1085,9 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S& m1_over_3 = prepared.m1_over_3;
   const S& m2_over_10 = prepared.m2_over_10;
   const S& c13 = prepared.c13;
+  const S& m1_m2_2_over_225 = prepared.m1_m2_2_over_225;
   const S& c14 = prepared.c14;
   const S& c15 = prepared.c15;
-  const S& c16 = prepared.c16;
   const S& a = state.a();
   const S& b = state.b();
   const S& c = state.c();
@@ -1120,17 +1119,17 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S Z_d_d = m2 + c3 * d_2;
   const S k_d_minus_s = k * (d - s);
   const S Q_d = k_d_minus_s - c1 * sin_frequency_t + c2 * d * drift_a_second_y;
-  const S d_s = d * s;
-  const S m2_2_over_25_d_s = m2_2_over_25 * d_s;
   const S inv_Z_d_d = S(1) / Z_d_d;
   const S d_over_Z_d_d = d * inv_Z_d_d;
-  const S d_over_Z_d_d_s = d_over_Z_d_d * s;
-  const S Z_a_a = m2 + m2_over_4 * s_2 - m2_2_over_25_d_s * d_over_Z_d_d_s;
+  const S d_s = d * s;
+  const S d_over_Z_d_d_d_s = d_over_Z_d_d * d_s;
+  const S Z_a_a = m2 + m2_over_4 * s_2 - m2_2_over_25 * s * d_over_Z_d_d_d_s;
   const S half_m2_s = half_m2 * s;
-  const S Z_a_e = half_m2 - half_m2_s + c5 * d_over_Z_d_d * d_s;
-  const S m2_over_5_d_over_Z_d_d_s = m2_over_5 * d_over_Z_d_d_s;
+  const S Z_a_e = half_m2 - half_m2_s + c5 * d_over_Z_d_d_d_s;
+  const S d_s_over_Z_d_d = d_s * inv_Z_d_d;
+  const S m2_over_5_d_s_over_Z_d_d = m2_over_5 * d_s_over_Z_d_d;
   const S Q_a = m2_g - m2_amplitude_frequency_2 * sin_frequency_t - half_m2_s * drift_a_second_y
-      + m2_over_5_d_over_Z_d_d_s * Q_d;
+      + m2_over_5_d_s_over_Z_d_d * Q_d;
   const S Z_e_e = G_e_e - c6 * d * d_over_Z_d_d;
   const S F_second_y = m2 * drift_a_second_y;
   const S t3 = c2 * d_over_Z_d_d;
@@ -1155,9 +1154,9 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   // acceleration of second
   const S a_e = t4 * Z_a_e_over_Z_e_e - Q_e_minus_k_a_minus_e * inv_Z_e_e;
   const S Q_d_over_Z_d_d = Q_d * inv_Z_d_d;
-  const S a_second_x = -(c9 * sin_frequency_t + Q_d_over_Z_d_d + m2_over_5_d_over_Z_d_d_s * t4 + t3 * a_e);
+  const S a_second_x = -(c9 * sin_frequency_t + Q_d_over_Z_d_d + m2_over_5_d_s_over_Z_d_d * t4 + t3 * a_e);
   const S a_second_y = drift_a_second_y + a_e + t5 * s
-      - S(2) / S(25) * d * (S(5) * Q_d_over_Z_d_d + m2 * d_over_Z_d_d_s * t4 + c16 * d_over_Z_d_d * a_e);
+      - S(2) / S(25) * d * (S(5) * Q_d_over_Z_d_d + m2 * d_s_over_Z_d_d * t4 + c15 * d_over_Z_d_d * a_e);
   const S a_second_z = g - t6 - t4 + S(0.5) * a_e;
 
   // what second feels from its parent: Newton and Euler for all that it carries
@@ -1180,52 +1179,69 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   const S g_pivot_a = G_a_a - m1_over_9 * s_2;
   const S inv_g_pivot_a = S(1) / g_pivot_a;
   const S G_factor_s_a = G_a_s_minus_m1_over_9_a_s * inv_g_pivot_a;
-  const S g_pivot_d = G_d_d - d_s * m2_2_over_25_d_s * inv_g_pivot_a;
+  const S d_s_over_g_pivot_a = d_s * inv_g_pivot_a;
+  const S d_s_over_g_pivot_a_s = d_s_over_g_pivot_a * s;
+  const S d_d_s_over_g_pivot_a_s = d * d_s_over_g_pivot_a_s;
+  const S t7 = m2_2_over_25 * d_d_s_over_g_pivot_a_s;
+  const S g_pivot_d = G_d_d - t7;
   const S inv_g_pivot_d_over_5 = S(1) / (S(5) * g_pivot_d);
   const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
-  const S m2_d_s = m2 * d_s;
-  const S t7 = S(5) * G_d_s + m2_d_s * G_factor_s_a;
-  const S G_factor_s_d = inv_g_pivot_d_over_5 * t7;
+  const S t8 = S(5) * G_d_s + m2 * d_s * G_factor_s_a;
+  const S G_factor_s_d = inv_g_pivot_d_over_5 * t8;
   const S a_2 = a * a;
   const S G_s_s = S(4) * m1_over_36 * (a_2 + S(9) * t1) + m2_over_36 * (S(40) + S(9) * a_2);
+  const S m1_over_4_s_2 = m1_over_4 * s_2;
   const S G_e_s = half_m2 * (S(1) - a);
   const S G_factor_s_d_over_5 = S(1) / S(5) * G_factor_s_d;
+  const S t9 = m2 * G_a_e * d_s_over_g_pivot_a + c15 * d;
+  const S t10 = G_a_e * G_factor_s_a - G_e_s + G_factor_s_d_over_5 * t9;
   const S G_a_e_over_g_pivot_a = G_a_e * inv_g_pivot_a;
-  const S t8 = c16 * d + m2_d_s * G_a_e_over_g_pivot_a;
-  const S t9 = G_a_e * G_factor_s_a - G_e_s + G_factor_s_d_over_5 * t8;
-  const S g_factor_e_d = inv_g_pivot_d_over_5 * t8;
-  const S g_pivot_e = G_e_e - G_a_e_over_g_pivot_a * G_a_e - S(1) / S(5) * g_factor_e_d * t8;
-  const S t10 = t9 / g_pivot_e;
-  const S G_pivot_s = G_s_s - m1_over_9 * a_2 - m1_over_4 * s_2 - G_a_s_minus_m1_over_9_a_s * G_factor_s_a
-      - G_factor_s_d_over_5 * t7 - t9 * t10;
+  const S g_factor_e_d = inv_g_pivot_d_over_5 * t9;
+  const S g_pivot_e = G_e_e - G_a_e_over_g_pivot_a * G_a_e - S(1) / S(5) * g_factor_e_d * t9;
+  const S t11 = t10 / g_pivot_e;
+  const S G_pivot_s = G_s_s - m1_over_9 * a_2 - m1_over_4_s_2 - G_a_s_minus_m1_over_9_a_s * G_factor_s_a
+      - G_factor_s_d_over_5 * t8 - t10 * t11;
+  const S t12 = m2_over_5 * d_s_over_g_pivot_a;
+  const S g_back_e_a = -(G_a_e_over_g_pivot_a + t12 * g_factor_e_d);
+  const S G_back_s_a = t11 * g_back_e_a - G_factor_s_a - t12 * G_factor_s_d;
+  const S t13 = m2_over_15 * d_s_over_g_pivot_a_s;
+  const S g_factor_a_b = S(1) / S(3) * s;
+  const S g_back_e_b = t13 * g_factor_e_d + G_a_e_over_g_pivot_a * g_factor_a_b;
+  const S G_back_s_b = g_factor_a_b * G_factor_s_a - S(1) / S(3) * a + t13 * G_factor_s_d + t11 * g_back_e_b;
+  const S G_back_s_d = -G_factor_s_d - t11 * g_factor_e_d;
+  const S G_size_s = m1_over_4_s_2 + G_s_s + G_e_e * t11 * t11 + m1 * G_back_s_b * G_back_s_b
+      + G_back_s_a * G_back_s_a * G_a_a + G_back_s_d * G_back_s_d * G_d_d;
 
   // direction z of s in the metric: G z = its covariant components
   const S z_s_s = S(1) / G_pivot_s;
-  const S t11 = -t10 * z_s_s;
-  const S z_s_d = t11 * g_factor_e_d - G_factor_s_d * z_s_s;
-  const S z_s_a = G_a_e_over_g_pivot_a * t11 - G_factor_s_a * z_s_s + m2_over_5 * d_s * inv_g_pivot_a * z_s_d;
-  const S t12 = a * z_s_s + s * z_s_a;
-  const S z_s_b = -S(1) / S(3) * t12;
+  const S t14 = -t11 * z_s_s;
+  const S z_s_d = t14 * g_factor_e_d - G_factor_s_d * z_s_s;
+  const S z_s_a = G_a_e_over_g_pivot_a * t14 - G_factor_s_a * z_s_s + t12 * z_s_d;
+  const S t15 = a * z_s_s + s * z_s_a;
+  const S z_s_b = -S(1) / S(3) * t15;
 
   // force and moment of s: m J z and I W z, times its reaction, model line 17
   const S force_s_first_x = half_m1 * R_s * (S(2) * z_s_s + z_s_a);
-  const S force_s_first_y = m1_over_3 * R_s * (t12 + S(3) * z_s_b);
+  const S force_s_first_y = m1_over_3 * R_s * (t15 + S(3) * z_s_b);
   const S force_s_second_x = m2_over_3 * R_s * (z_s_s + S(3) * z_s_d);
-  const S force_s_second_z = half_m2 * R_s * (S(2) * z_s_s - t11 + S(2) * z_s_a);
+  const S force_s_second_z = half_m2 * R_s * (S(2) * z_s_s - t14 + S(2) * z_s_a);
 
   // Results
-  const S t13 = m2_over_10 * R_s * (S(10) * t11 - S(4) * d * z_s_d + S(5) * t12);
-  const Bool t14 = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, c11),
+  const S t16 = m2_over_10 * R_s * (S(10) * t14 - S(4) * d * z_s_d + S(5) * t15);
+  const S g_size_d = G_d_d + (m1_m2_2_over_225 * s_2 * d_d_s_over_g_pivot_a_s + t7 * G_a_a) * inv_g_pivot_a;
+  const S g_size_e = G_e_e + g_factor_e_d * g_factor_e_d * G_d_d + m1 * g_back_e_b * g_back_e_b
+      + g_back_e_a * g_back_e_a * G_a_a;
+  const Bool t17 = Math<S>::any(Math<S>::at_most(Z_d_d, S(0)), Math<S>::at_most(Z_e_e, c11),
       Math<S>::at_most(m1_over_4_plus_Z_a_a_2, c12 * (m1 * t2 + S(36) * m2 * t1)),
       Math<S>::at_most(least_pivot, S(0)), Math<S>::at_most(g_pivot_a, c13 * G_a_a),
-      Math<S>::at_most(g_pivot_d, c13 * G_d_d), Math<S>::at_most(g_pivot_e, c14),
-      Math<S>::at_most(G_pivot_s, c13 * G_s_s), Math<S>::at_most(c15, S(0)));
+      Math<S>::at_most(g_pivot_d, c13 * g_size_d), Math<S>::at_most(g_pivot_e, c13 * g_size_e),
+      Math<S>::at_most(G_pivot_s, c13 * G_size_s), Math<S>::at_most(c14, S(0)));
 
   reaction_forces.s.force_on_first[0] = force_s_first_x;
   reaction_forces.s.force_on_first[1] = force_s_first_y;
   reaction_forces.s.force_on_first[2] = S(0);
   reaction_forces.s.force_on_second[0] = force_s_second_x;
-  reaction_forces.s.force_on_second[1] = -t13;
+  reaction_forces.s.force_on_second[1] = -t16;
   reaction_forces.s.force_on_second[2] = force_s_second_z;
   reaction_forces.on_first.force[0] = force_in_first_x;
   reaction_forces.on_first.force[1] = S(0);
@@ -1235,8 +1251,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces(const S& t, const State<S>& state, co
   reaction_forces.on_second.force[2] = force_in_second_z;
 
   const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, Z_d_d, force_s_first_x,
-      force_s_first_y, force_s_second_x, t13, force_s_second_z, force_in_second_x, force_in_second_y);
-  return Math<S>::status(t14, Bool(false), not_finite);
+      force_s_first_y, force_s_second_x, t16, force_s_second_z, force_in_second_x, force_in_second_y);
+  return Math<S>::status(t17, Bool(false), not_finite);
 }
 
 /// Kinetic energy, potential energy of uniform fields, potentials and springs, and their sum.
@@ -1312,6 +1328,7 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
                                       const Prepared<S>& prepared, const Derivative<S>& accelerations,
                                       Compulsion<S>& compulsion) noexcept {
   using Bool = typename Math<S>::Bool;
+  const S& m1 = prepared.m1;
   const S& m2 = prepared.m2;
   const S& k = prepared.k;
   const S& amplitude = prepared.amplitude;
@@ -1337,8 +1354,8 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S& m1_over_3 = prepared.m1_over_3;
   const S& m2_over_10 = prepared.m2_over_10;
   const S& c13 = prepared.c13;
+  const S& m1_m2_2_over_225 = prepared.m1_m2_2_over_225;
   const S& c14 = prepared.c14;
-  const S& c15 = prepared.c15;
   const S& m1_g = prepared.m1_g;
   const S& half_inv_m1 = prepared.half_inv_m1;
   const S& half_inv_m2 = prepared.half_inv_m2;
@@ -1378,33 +1395,44 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S g_pivot_a = G_a_a - m1_over_9 * s_2;
   const S inv_g_pivot_a = S(1) / g_pivot_a;
   const S G_factor_s_a = G_a_s_minus_m1_over_9_a_s * inv_g_pivot_a;
-  const S d_s = d * s;
-  const S d_s_over_g_pivot_a = d_s * inv_g_pivot_a;
-  const S g_pivot_d = G_d_d - m2_2_over_25 * d_s * d_s_over_g_pivot_a;
+  const S s_over_g_pivot_a = inv_g_pivot_a * s;
+  const S d_s_over_g_pivot_a = d * s_over_g_pivot_a;
+  const S d_s_over_g_pivot_a_s = d_s_over_g_pivot_a * s;
+  const S d_d_s_over_g_pivot_a_s = d * d_s_over_g_pivot_a_s;
+  const S g_pivot_d = G_d_d - m2_2_over_25 * d_d_s_over_g_pivot_a_s;
   const S inv_g_pivot_d = S(1) / g_pivot_d;
   const S inv_g_pivot_d_over_5 = S(1) / S(5) * inv_g_pivot_d;
   const S G_d_s = m2_over_15 * (S(5) - S(3) * a * d);
-  const S m2_d_s = m2 * d_s;
-  const S t3 = S(5) * G_d_s + m2_d_s * G_factor_s_a;
+  const S G_factor_s_a_s = G_factor_s_a * s;
+  const S t3 = S(5) * G_d_s + m2 * d * G_factor_s_a_s;
   const S G_factor_s_d = inv_g_pivot_d_over_5 * t3;
   const S a_2 = a * a;
   const S G_s_s = S(4) * m1_over_36 * (a_2 + S(9) * t1) + m2_over_36 * (S(40) + S(9) * a_2);
+  const S m1_over_4_s_2 = m1_over_4 * s_2;
   const S G_e_s = half_m2 * (S(1) - a);
-  const S G_factor_s_d_over_5 = S(1) / S(5) * G_factor_s_d;
   const S two_d = S(2) * d;
+  const S t4 = m2 * (two_d + d_s_over_g_pivot_a * G_a_e);
+  const S G_factor_s_d_over_5 = S(1) / S(5) * G_factor_s_d;
+  const S t5 = G_a_e * G_factor_s_a - G_e_s + t4 * G_factor_s_d_over_5;
+  const S g_factor_e_d = t4 * inv_g_pivot_d_over_5;
   const S G_a_e_over_g_pivot_a = G_a_e * inv_g_pivot_a;
-  const S t4 = m2 * two_d + m2_d_s * G_a_e_over_g_pivot_a;
-  const S t5 = G_a_e * G_factor_s_a - G_e_s + G_factor_s_d_over_5 * t4;
-  const S g_factor_e_d = inv_g_pivot_d_over_5 * t4;
-  const S g_pivot_e = G_e_e - G_a_e_over_g_pivot_a * G_a_e - S(1) / S(5) * g_factor_e_d * t4;
+  const S g_pivot_e = G_e_e - G_a_e_over_g_pivot_a * G_a_e - S(1) / S(5) * t4 * g_factor_e_d;
   const S inv_g_pivot_e = S(1) / g_pivot_e;
   const S t6 = t5 * inv_g_pivot_e;
-  const S G_pivot_s = G_s_s - m1_over_9 * a_2 - m1_over_4 * s_2 - G_a_s_minus_m1_over_9_a_s * G_factor_s_a
+  const S G_pivot_s = G_s_s - m1_over_9 * a_2 - m1_over_4_s_2 - G_a_s_minus_m1_over_9_a_s * G_factor_s_a
       - G_factor_s_d_over_5 * t3 - t5 * t6;
+  const S t7 = m2_over_5 * d_s_over_g_pivot_a;
+  const S g_back_e_a = -(G_a_e_over_g_pivot_a + t7 * g_factor_e_d);
+  const S G_back_s_a = t6 * g_back_e_a - G_factor_s_a - t7 * G_factor_s_d;
+  const S t8 = m2_over_15 * d_s_over_g_pivot_a_s;
+  const S g_back_e_b = t8 * g_factor_e_d + S(1) / S(3) * s_over_g_pivot_a * G_a_e;
+  const S G_back_s_b = t8 * G_factor_s_d - S(1) / S(3) * (a - G_factor_s_a_s) + t6 * g_back_e_b;
+  const S G_back_s_d = -G_factor_s_d - t6 * g_factor_e_d;
+  const S G_size_s = m1_over_4_s_2 + G_s_s + G_e_e * t6 * t6 + m1 * G_back_s_b * G_back_s_b
+      + G_back_s_a * G_back_s_a * G_a_a + G_back_s_d * G_back_s_d * G_d_d;
 
   // generalized forces, raised: G z = Q
   const S k_d_minus_s = k * (d - s);
-  const S t7 = m2_over_5 * d_s_over_g_pivot_a;
   const S k_a_minus_e = k * (a - e);
   const S z_y_d = -k_d_minus_s - t7 * k_a_minus_e;
   const S z_y_e = k_a_minus_e + G_a_e_over_g_pivot_a * k_a_minus_e - g_factor_e_d * z_y_d;
@@ -1418,31 +1446,35 @@ GAUSS_FUNCTION StatusOf<S> compulsion(const S& t, const State<S>& state, const I
   const S z_b = -S(1) / S(3) * a_z_s_plus_s_z_a;
 
   // deviation of first from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
-  const S t8 = amplitude_frequency_2 * sin_frequency_t;
+  const S t9 = amplitude_frequency_2 * sin_frequency_t;
   const S deviation_first_z = m1_g + half_m1
-      * (S(2) * c_ddot - amplitude_2_frequency_2 * cos_frequency_t * cos_frequency_t + t8 * s);
+      * (S(2) * c_ddot - amplitude_2_frequency_2 * cos_frequency_t * cos_frequency_t + t9 * s);
 
   // deviation of second from free motion, m a - F and d(I omega)/dt - M (theory.md, section 6)
-  const S t9 = S(0.5) * (a * t8 - a_ddot * s) - amplitude_frequency * a_dot * cos_frequency_t;
+  const S t10 = S(0.5) * (a * t9 - a_ddot * s) - amplitude_frequency * a_dot * cos_frequency_t;
   const S deviation_second_y = m2_over_10 * (S(4) * d_dot * d_dot + S(2) * d_ddot * two_d
-      + S(10) * (e_ddot + t9) - S(10) * z_e - t2 * z_d + S(5) * a_z_s_plus_s_z_a);
+      + S(10) * (e_ddot + t10) - S(10) * z_e - t2 * z_d + S(5) * a_z_s_plus_s_z_a);
   const S a_ddot_minus_z_a = a_ddot - z_a;
-  const S t10 = S(2) * t8 + S(2) * z_s;
-  const S deviation_second_z = m2_g - half_m2 * (t10 - e_ddot + z_e - S(2) * a_ddot_minus_z_a);
+  const S t11 = S(2) * t9 + S(2) * z_s;
+  const S deviation_second_z = m2_g - half_m2 * (t11 - e_ddot + z_e - S(2) * a_ddot_minus_z_a);
 
   // Results
-  const S t11 = half_m1 * (t10 - a_ddot_minus_z_a);
-  const S t12 = m1_over_3 * (S(2) * t9 - S(3) * b_ddot + a_z_s_plus_s_z_a + S(3) * z_b);
-  const S t13 = m2_over_3 * (t8 - S(3) * d_ddot + z_s + S(3) * z_d);
-  const S Z = half_inv_m1 * (deviation_first_z * deviation_first_z + t11 * t11 + t12 * t12)
-      + half_inv_m2 * (t13 * t13 + deviation_second_y * deviation_second_y
+  const S t12 = half_m1 * (t11 - a_ddot_minus_z_a);
+  const S t13 = m1_over_3 * (S(2) * t10 - S(3) * b_ddot + a_z_s_plus_s_z_a + S(3) * z_b);
+  const S t14 = m2_over_3 * (t9 - S(3) * d_ddot + z_s + S(3) * z_d);
+  const S Z = half_inv_m1 * (deviation_first_z * deviation_first_z + t12 * t12 + t13 * t13)
+      + half_inv_m2 * (t14 * t14 + deviation_second_y * deviation_second_y
       + deviation_second_z * deviation_second_z);
+  const S g_size_d = G_d_d + d_d_s_over_g_pivot_a_s * inv_g_pivot_a
+      * (m2_2_over_25 * G_a_a + m1_m2_2_over_225 * s_2);
+  const S g_size_e = G_e_e + g_factor_e_d * g_factor_e_d * G_d_d + m1 * g_back_e_b * g_back_e_b
+      + g_back_e_a * g_back_e_a * G_a_a;
 
   compulsion.Z = Z;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(g_pivot_a, c13 * G_a_a),
-      Math<S>::at_most(g_pivot_d, c13 * G_d_d), Math<S>::at_most(g_pivot_e, c14),
-      Math<S>::at_most(G_pivot_s, c13 * G_s_s), Math<S>::at_most(c15, S(0)));
+      Math<S>::at_most(g_pivot_d, c13 * g_size_d), Math<S>::at_most(g_pivot_e, c13 * g_size_e),
+      Math<S>::at_most(G_pivot_s, c13 * G_size_s), Math<S>::at_most(c14, S(0)));
   const Bool not_finite = Math<S>::not_finite(b, c, b_dot, c_dot, e_dot, Z);
   return Math<S>::status(singular_mass_matrix, Bool(false), not_finite);
 }

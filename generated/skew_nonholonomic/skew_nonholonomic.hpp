@@ -22,7 +22,7 @@
 //
 // Operations per call
 //                      + -  *   /  sqrt  functions
-//   prepare            11   53  3  2     0
+//   prepare            14   63  3  2     0
 //   rhs                19   26  2  0     0
 //   reactions          37   47  2  0     0
 //   rhs_and_reactions  37   47  2  0     0
@@ -578,16 +578,19 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S inv_g_pivot_q2 = S(1) / g_pivot_q2;
   const S t3 = m1 - S(4) * m2 * inv_G_q1_q1 * G_q1_q2;
   const S g_factor_q3_q2 = S(1) / S(20) * inv_g_pivot_q2 * t3;
-  const S g_factor_q3_q1 = S(1) / S(5) * m2 * inv_G_q1_q1;
+  const S m2_over_G_q1_q1 = m2 * inv_G_q1_q1;
+  const S g_factor_q3_q1 = S(1) / S(5) * m2_over_G_q1_q1;
   const S g_pivot_q3 = G_q3_q3 - S(1) / S(25) * m2 * m2 * inv_G_q1_q1 - S(1) / S(20) * g_factor_q3_q2 * t3;
   const S inv_g_pivot_q3 = S(1) / g_pivot_q3;
   const S t4 = S(12) * Math<S>::epsilon();
   const S t5 = Math<S>::select(Math<S>::less(t4, t2), t2, t4);
-  const S t6 = g_pivot_q3 - G_q3_q3 * t5;
-  const S t7 = g_pivot_q2 - G_q2_q2 * t5;
-  const S t8 = Math<S>::select(Math<S>::less(t7, G_q1_q1), t7, G_q1_q1);
+  const S t6 = m2_over_G_q1_q1 - S(5) * inv_G_q1_q1 * G_q1_q2 * g_factor_q3_q2;
+  const S t7 = g_pivot_q3 - S(1) / S(25) * t5
+      * (S(25) * G_q3_q3 + G_q1_q1 * t6 * t6 + S(25) * G_q2_q2 * g_factor_q3_q2 * g_factor_q3_q2);
+  const S t8 = g_pivot_q2 - G_q2_q2 * t5;
+  const S t9 = Math<S>::select(Math<S>::less(t8, G_q1_q1), t8, G_q1_q1);
   const S least_g_pivot = Math<S>::select(Math<S>::not_finite(G_q1_q1, g_pivot_q2, g_pivot_q3), S(0),
-      Math<S>::select(Math<S>::less(t6, t8), t6, t8));
+      Math<S>::select(Math<S>::less(t7, t9), t7, t9));
 
   Prepared<S> prepared;
   prepared.m1 = m1;

@@ -497,26 +497,21 @@ namespace gauss {
 /// How it is decided which constraints say something of their own. Tolerances are sines of the angle to all others, where inertias are 1.
 template <class S>
 struct RankRule {
-  int usual;    ///< rank of b where nothing singles a state out; less is a status
-  S tolerance;  ///< below, a row follows from the others
-  S beyond;     ///< the same of rows beyond the usual rank
+  int usual;                ///< rank of b where nothing singles a state out; less is a status
+  S tolerance;              ///< below, a row follows from the others
+  S beyond;                 ///< the same of rows beyond the usual rank
   bool follows_positions;   ///< `beyond` is the most that is asked: less where positions satisfy their equations well
   bool is_agreement_known;  ///< whether rows contradict each other is not asked
 };
 
 namespace detail {
 
-/// How far rows beyond the usual rank have to be from the others. Positions that are off turn rows that follow from others away from these, by as much as
+/// How far row mu has to be from the others beyond the usual rank. Positions that are off turn rows that follow from others away from these, by as much as
 /// they are off; near positions at which rows depend on each other, an equation is off by the square of that.
-template <class S, int l, class System>
-GAUSS_FUNCTION S beyond_usual(const System& system, const RankRule<S>& rule) {
+template <class S, class System>
+GAUSS_FUNCTION S beyond_usual(const System& system, const RankRule<S>& rule, int mu) {
   if (!rule.follows_positions) return rule.beyond;
-  S off = S(0);
-  for (int mu = 0; mu < l; ++mu) {
-    const S part = system.left[mu] * system.left[mu] * reciprocal<S>(system.size[mu], positive<S>(system.size[mu]));
-    off = larger<S>(off, part);
-  }
-  const S turned = larger<S>(S(10) * root(root(off)), rule.tolerance);
+  const S turned = larger<S>(S(10) * root(root(system.off[mu])), rule.tolerance);
   return Math<S>::select(Math<S>::less(turned, rule.beyond), turned, rule.beyond);
 }
 
@@ -571,17 +566,17 @@ namespace detail {
 template <class S, int n>
 class MaskedLdl {
  public:
-  /// `counts[i]` 1: row i is that of `matrix`; 0: of the unit matrix. A pivot below `tolerance` of its diagonal entry determines nothing.
+  /// `counts[i]` 1: row i is that of `matrix`; 0: of the unit matrix. A pivot below `tolerance` of what it is the rest of determines nothing.
   GAUSS_FUNCTION void factorise(const S (&matrix)[n][n], const S (&counts)[n], const S& tolerance) {
     is_determined = S(1);
+    S back[n][n];  // L^-1
     for (int j = 0; j < n; ++j) {
+      const S size = size_of_pivot(matrix, counts, j, back);
       for (int i = j; i < n; ++i) {
-        const S both = counts[i] * counts[j];
-        S entry = Math<S>::select(Math<S>::less(S(0), both), matrix[i][j], S(i == j ? 1 : 0));
-        const S diagonal = entry;
+        S entry = masked(matrix, counts, i, j);
         for (int k = 0; k < j; ++k) entry = entry - factor_[i][k] * factor_[j][k] * pivot_[k];
         if (i == j) {
-          const S is_good = positive<S>(entry - tolerance * diagonal);
+          const S is_good = positive<S>(entry - tolerance * size);
           is_determined = is_determined * is_good;
           pivot_[j] = entry;
           inverse_[j] = reciprocal(entry, is_good);
@@ -605,6 +600,21 @@ class MaskedLdl {
   S is_determined;
 
  private:
+  GAUSS_FUNCTION static S masked(const S (&matrix)[n][n], const S (&counts)[n], int i, int j) {
+    return Math<S>::select(Math<S>::less(S(0), counts[i] * counts[j]), matrix[i][j], S(i == j ? 1 : 0));
+  }
+
+  /// p = w^T matrix w for the row w of L^-1. A pivot that is small makes large factors, and with them what the next ones are the rest of.
+  GAUSS_FUNCTION S size_of_pivot(const S (&matrix)[n][n], const S (&counts)[n], int j, S (&back)[n][n]) const {
+    S size = masked(matrix, counts, j, j);
+    for (int i = 0; i < j; ++i) {
+      back[j][i] = -factor_[j][i];
+      for (int k = i + 1; k < j; ++k) back[j][i] = back[j][i] - factor_[j][k] * back[k][i];
+      size = size + back[j][i] * back[j][i] * masked(matrix, counts, i, i);
+    }
+    return size;
+  }
+
   S factor_[n][n];
   S pivot_[n];
   S inverse_[n];
@@ -690,7 +700,7 @@ struct LinearSolution {
   S rank;            ///< of b, to the tolerance
   StatusOf<S>
       motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
-               ///< violated_constraints: they contradict each other
+      ///< violated_constraints: they contradict each other
   StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
@@ -726,7 +736,8 @@ class Constrained {
   GAUSS_FUNCTION Constrained(const System& system, const RankRule<S>& rule)
       : is_agreement_known_(rule.is_agreement_known) {
     scale(system);
-    factorise_rows(rule, beyond_usual<S, l>(system, rule));
+    for (int mu = 0; mu < l; ++mu) beyond_[mu] = beyond_usual<S>(system, rule, mu);
+    factorise_rows(rule);
     reduce_metric();
     find_shared();
     find_asked(system);
@@ -805,8 +816,8 @@ class Constrained {
     }
   }
 
-  /// b^T P = Q R. At each step the row that is longest across all before is next.
-  GAUSS_FUNCTION void factorise_rows(const RankRule<S>& rule, const S& beyond) {
+  /// b^T P = Q R. At each step the row that is longest across all before is next; beyond the usual rank, longest beside what is asked of it.
+  GAUSS_FUNCTION void factorise_rows(const RankRule<S>& rule) {
     for (int mu = 0; mu < l; ++mu) {
       for (int i = 0; i < n; ++i) r_[mu][i] = b_[mu][i];
     }
@@ -815,10 +826,10 @@ class Constrained {
     is_full_ = S(1);
     S goes_on = S(1);
     for (int k = 0; k < most; ++k) {
-      bring_longest(k);
+      bring_longest(k, k >= rule.usual);
       bring_largest(k);
       const S size = root(squares_from(k, r_[k]));
-      goes_on = goes_on * positive<S>(size - (k < rule.usual ? rule.tolerance : beyond));
+      goes_on = goes_on * positive<S>(size - (k < rule.usual ? rule.tolerance : beyond_[k]));
       if (k < rule.usual) is_full_ = goes_on;
       is_row_[k] = goes_on;
       rank_ = rank_ + goes_on;
@@ -832,12 +843,14 @@ class Constrained {
     return sum;
   }
 
-  GAUSS_FUNCTION void bring_longest(int k) {
+  GAUSS_FUNCTION void bring_longest(int k, bool is_beyond) {
     S longest = squares_from(k, r_[k]);
     for (int j = k + 1; j < l; ++j) {
       const S other = squares_from(k, r_[j]);
-      swapped_[k][j] = Math<S>::less(longest, other);
+      swapped_[k][j] = is_beyond ? Math<S>::less(longest * (beyond_[j] * beyond_[j]), other * (beyond_[k] * beyond_[k]))
+                                 : Math<S>::less(longest, other);
       longest = Math<S>::select(swapped_[k][j], other, longest);
+      swap_where<S>(swapped_[k][j], beyond_[k], beyond_[j]);
       for (int i = 0; i < n; ++i) swap_where<S>(swapped_[k][j], r_[k][i], r_[j][i]);
     }
   }
@@ -1088,6 +1101,7 @@ class Constrained {
   S r_[l][n];  ///< R^T: row k has its entries above the diagonal, and r_[k][k]
   S reflector_[most][n], strength_[most], inverse_[most];
   S is_row_[n];  ///< 1: this part of the speeds is what a row says; 0: it is free
+  S beyond_[l];  ///< what is asked of a row beyond the usual rank
   S rank_, is_full_, has_lost_entries_;
   bool is_agreement_known_;
   Bool swapped_[most][l];  ///< rows, and speeds:
@@ -1103,8 +1117,8 @@ class Constrained {
 }  // namespace detail
 
 /// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, reach[l][n], not less than
-/// its entries in any configuration, drift[l], and of_positions[l], 1 where a row is the derivative of an equation of positions and else 0; of these, left[l] is what is left of the equation, and
-/// size[l] the square of what it is made of.
+/// its entries in any configuration, drift[l], of_positions[l], 1 where a row is the derivative of an equation of positions and else 0, and off[l], the square of the part by which positions are off the
+/// equations that row mu may follow from.
 template <class System, class S, int n, int l>
 GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolution<S, n, l>& solution) noexcept {
   detail::Constrained<S, n, l>(system, rule).solve(solution);
@@ -1246,8 +1260,7 @@ struct LinearSystem {
   S b[2][5];          ///< dphi/du of each constraint
   S reach[2][5];      ///< not less than dphi/du in any configuration
   S of_positions[2];  ///< 1: the derivative of an equation of positions; else 0
-  S left[2];          ///< what is left of each equation of positions; 0 of others
-  S size[2];          ///< square of what it is made of, to first order
+  S off[2];           ///< square of the part by which positions are off the equations that a row may follow from
   S drift[2];         ///< dphi/dt of each at constant speeds; of a step, what is left of it
 };
 
@@ -1527,10 +1540,8 @@ GAUSS_FUNCTION StatusOf<S> linear_system(const S& t, const State<S>& state, cons
   linear_system.reach[1][4] = abs_r;
   linear_system.of_positions[0] = S(0);
   linear_system.of_positions[1] = S(0);
-  linear_system.left[0] = S(0);
-  linear_system.left[1] = S(0);
-  linear_system.size[0] = S(0);
-  linear_system.size[1] = S(0);
+  linear_system.off[0] = S(0);
+  linear_system.off[1] = S(0);
   linear_system.drift[0] = -t2;
   linear_system.drift[1] = drift_rolling_along;
 
@@ -2721,10 +2732,8 @@ GAUSS_FUNCTION StatusOf<S> project_system(const S& t, const State<S>& state, con
   linear_system.reach[1][4] = abs_r;
   linear_system.of_positions[0] = S(0);
   linear_system.of_positions[1] = S(0);
-  linear_system.left[0] = S(0);
-  linear_system.left[1] = S(0);
-  linear_system.size[0] = S(0);
-  linear_system.size[1] = S(0);
+  linear_system.off[0] = S(0);
+  linear_system.off[1] = S(0);
   linear_system.drift[0] = drift_0;
   linear_system.drift[1] = drift_1;
 
@@ -2996,10 +3005,8 @@ GAUSS_FUNCTION StatusOf<S> initial_state_system(const Prepared<S>& prepared,
   linear_system.reach[1][4] = abs_r_sin_psi_0;
   linear_system.of_positions[0] = S(0);
   linear_system.of_positions[1] = S(0);
-  linear_system.left[0] = S(0);
-  linear_system.left[1] = S(0);
-  linear_system.size[0] = S(0);
-  linear_system.size[1] = S(0);
+  linear_system.off[0] = S(0);
+  linear_system.off[1] = S(0);
   linear_system.drift[0] = drift_0;
   linear_system.drift[1] = drift_1;
 

@@ -34,25 +34,63 @@ stop::Prepared<double> with_stop(double k) {
   return prepare(parameters);
 }
 
-/// The slab at an angle of its bars, off by this much in height.
 struct OnBars {
   gauss::Status status;
   bars::Derivative<double> derivative;
   double mobility;
 };
 
-OnBars on_bars(double d, double angle, double off) {
+/// The middle of the slab, and how far it is turned.
+OnBars on_bars(double d, double x, double y, double turn) {
   bars::Parameters<double> parameters;
   parameters.d = d;
   const auto prepared = prepare(parameters);
   bars::State<double> state{};
-  state.x() = parameters.h * std::sin(angle);
-  state.y() = parameters.h * std::cos(angle) + off;
+  state.x() = x;
+  state.y() = y;
+  state.phi() = turn;
   OnBars result{};
   bars::Mobility<double> mobility{};
   result.status = rhs(0.0, state, {}, prepared, result.derivative);
   if (bars::mobility(0.0, state, {}, prepared, mobility) == gauss::Status::ok) result.mobility = mobility.mobility;
   return result;
+}
+
+/// At an angle of its bars, off by this much in height.
+OnBars on_bars(double d, double angle, double off) { return on_bars(d, std::sin(angle), std::cos(angle) + off, 0); }
+
+/// Turned about one of its ends (-1, 1), where the bar keeps its length.
+OnBars turned_about(double end, double angle, double turn) {
+  return on_bars(0, std::sin(angle) + end - end * std::cos(turn), std::cos(angle) - end * std::sin(turn), turn);
+}
+
+/// Two rows for two speeds of inertia 1, at an angle to each other.
+struct TwoRows {
+  explicit TwoRows(double angle) {
+    b[1][0] = std::cos(angle);
+    b[1][1] = std::sin(angle);
+  }
+
+  double g[2][2] = {{1, 0}, {0, 1}};
+  double f[2] = {0, 0};
+  double b[2][2] = {{1, 0}, {0, 0}};
+  double reach[2][2] = {{1, 1}, {1, 1}};
+  double of_positions[2] = {0, 0};
+  double off[2] = {0, 0};
+  double drift[2] = {0, 0};
+};
+
+int rank_at(double angle, const gauss::RankRule<double>& rule) {
+  gauss::LinearSolution<double, 2, 2> solution{};
+  gauss::solve(TwoRows(angle), rule, solution);
+  return static_cast<int>(solution.rank);
+}
+
+/// By halves.
+double least_angle_of_two(const gauss::RankRule<double>& rule) {
+  double angle = 1;
+  while (rank_at(angle / 2, rule) == 2) angle /= 2;
+  return angle;
 }
 
 }  // namespace
@@ -117,6 +155,41 @@ TEST_CASE(
       CHECK(derivative.u_ddot() == Approx(-9.81 * across * down).margin(20 * off + 1e-9));
     }
   }
+}
+
+TEST_CASE("whichever equation positions are off, they lock nothing") {
+  const double angle = 0.4;
+  for (const double end : {-1.0, 0.0, 1.0}) {
+    for (const double turn : {1e-9, -1e-6, 1e-4}) {
+      INFO("turned by " << turn << " about " << end);
+      const OnBars moving = turned_about(end, angle, turn);
+      CHECK(moving.status == gauss::Status::ok);
+      CHECK(moving.mobility == 1);
+      CHECK(moving.derivative.x_ddot() == Approx(std::cos(angle) * std::cos(angle)).margin(20 * std::abs(turn)));
+    }
+  }
+}
+
+// 2^-26 is sqrt(eps): a sixteenth of it for accelerations, four times it for steps of Newton's method, what a model asks for, or a twentieth
+// beside positions that nobody knows.
+TEST_CASE("rows are told from each other down to the angle that is documented") {
+  const double half_of_digits = std::ldexp(1.0, -26);
+  const auto is_about = [](double angle, double wanted) { return angle >= wanted && angle <= 2.1 * wanted; };
+  CHECK(is_about(least_angle_of_two(gauss::rank_of_velocities<double>(2)), half_of_digits / 16));
+  CHECK(is_about(least_angle_of_two(gauss::rank_on_positions<double>(2)), half_of_digits / 16));
+  CHECK(is_about(least_angle_of_two(gauss::rank_on_positions<double>(1)), half_of_digits / 16));
+  CHECK(is_about(least_angle_of_two(gauss::rank_of_steps<double>(2)), 4 * half_of_digits));
+  CHECK(is_about(least_angle_of_two(gauss::rank_of_velocities<double>(2, 1e-3)), 1e-3));
+  CHECK(is_about(least_angle_of_two(gauss::rank_of_steps<double>(2, 1e-3)), 1e-3));
+  CHECK(rank_at(1, gauss::rank_of_steps<double>(1)) == 1);
+  gauss::LinearSolution<double, 2, 2> solution{};
+  TwoRows off(0.04);
+  off.off[1] = 1;
+  gauss::solve(off, gauss::rank_on_positions<double>(1), solution);
+  CHECK(solution.rank == 1);
+  off.b[1][1] = 0.06;
+  gauss::solve(off, gauss::rank_on_positions<double>(1), solution);
+  CHECK(solution.rank == 2);
 }
 
 TEST_CASE("constraints that are one for the parameters of the file hold one by one for others") {
