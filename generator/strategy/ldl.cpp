@@ -75,7 +75,11 @@ void Ldl::eliminate(std::size_t pivot, Rest& rest, Steps& steps) {
   is_original_[pivot] = entry == diagonal_[pivot] ? 1 : 0;
   // A diagonal entry has its name from elsewhere, if it has one.
   d_[pivot] = is_original_[pivot] != 0 ? entry : steps.name(entry, prefix_ + "_pivot_" + labels_[pivot]);
-  find_size(pivot, steps);
+  if (dependent_ == Dependent::drop) {
+    find_size_by_factors(pivot, steps);
+  } else {
+    find_size(pivot, steps);
+  }
   const Expr inverse = reciprocal(pivot);
   for (const auto& [i, value] : row) {
     if (i == pivot) continue;
@@ -110,8 +114,8 @@ void Ldl::find_size(std::size_t pivot, Steps& steps) {
   std::map<std::size_t, Expr>& row = w_[pivot];
   bool is_simple = true;
   for (const std::size_t j : order_) {
-    const auto below = std::find_if(l_[j].begin(), l_[j].end(), [&](const Entry& entry) { return entry.row == pivot; });
-    if (below == l_[j].end()) continue;
+    const Entry* const below = entry_below(j, pivot);
+    if (below == nullptr) continue;
     is_simple = is_simple && is_original_[j] != 0;
     row.try_emplace(j, zero).first->second -= below->value;
     for (const auto& [i, value] : w_[j]) row.try_emplace(i, zero).first->second -= below->value * value;
@@ -121,6 +125,24 @@ void Ldl::find_size(std::size_t pivot, Steps& steps) {
     if (!is_simple) sizes_[pivot] += pow(value, 2) * diagonal_[i];
   }
   if (!is_simple) sizes_[pivot] = steps.name_varying(sizes_[pivot], prefix_ + "_size_" + labels_[pivot]);
+}
+
+// Responses of long chains have few entries, and L⁻¹ has all. A bound that needs L alone, by way of each entry: p_k = a_kk - Σ l_kj² p_j.
+void Ldl::find_size_by_factors(std::size_t pivot, Steps& steps) {
+  bool is_simple = true;
+  for (const std::size_t j : order_) {
+    const Entry* const below = entry_below(j, pivot);
+    if (below == nullptr || is_original_[j] != 0) continue;
+    is_simple = false;
+    sizes_[pivot] += pow(below->value, 2) * sizes_[j];
+  }
+  if (!is_simple) sizes_[pivot] = steps.name_varying(sizes_[pivot], prefix_ + "_size_" + labels_[pivot]);
+}
+
+const Ldl::Entry* Ldl::entry_below(std::size_t column, std::size_t row) const {
+  const auto found =
+      std::find_if(l_[column].begin(), l_[column].end(), [&](const Entry& entry) { return entry.row == row; });
+  return found == l_[column].end() ? nullptr : &*found;
 }
 
 void Ldl::sort_columns() {

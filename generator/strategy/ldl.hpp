@@ -62,6 +62,8 @@ class Ldl {
 
   void eliminate(std::size_t pivot, Rest& rest, Steps& steps);
   void find_size(std::size_t pivot, Steps& steps);
+  void find_size_by_factors(std::size_t pivot, Steps& steps);
+  const Entry* entry_below(std::size_t column, std::size_t row) const;
   void sort_columns();
 
   ir::Expr tolerance(std::size_t pivot) const;

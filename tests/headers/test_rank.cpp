@@ -67,17 +67,28 @@ OnBars turned_about(double end, double angle, double turn) {
 /// Two rows for two speeds of inertia 1, at an angle to each other.
 struct TwoRows {
   explicit TwoRows(double angle) {
-    b[1][0] = std::cos(angle);
-    b[1][1] = std::sin(angle);
+    b[1][0] = reach[1][0] = std::cos(angle);
+    b[1][1] = reach[1][1] = std::sin(angle);
   }
 
   double g[2][2] = {{1, 0}, {0, 1}};
   double f[2] = {0, 0};
   double b[2][2] = {{1, 0}, {0, 0}};
-  double reach[2][2] = {{1, 1}, {1, 1}};
+  double reach[2][2] = {{1, 0}, {0, 0}};
   double of_positions[2] = {0, 0};
   double off[2] = {0, 0};
   double drift[2] = {0, 0};
+};
+
+/// A row, one at an angle of 1e-6 to it, of which positions are off by 1e-4, and one at 1e-7, of which none are.
+struct ThreeRows {
+  double g[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  double f[3] = {0, 0, 0};
+  double b[3][3] = {{1, 0, 0}, {1, 1e-6, 0}, {1, 0, 1e-7}};
+  double reach[3][3] = {{1, 0, 0}, {1, 1e-6, 0}, {1, 0, 1e-7}};
+  double of_positions[3] = {1, 1, 0};
+  double off[3] = {1e-8, 1e-8, 0};
+  double drift[3] = {0, 0, 0};
 };
 
 int rank_at(double angle, const gauss::RankRule<double>& rule) {
@@ -183,13 +194,22 @@ TEST_CASE("rows are told from each other down to the angle that is documented") 
   CHECK(is_about(least_angle_of_two(gauss::rank_of_steps<double>(2, 1e-3)), 1e-3));
   CHECK(rank_at(1, gauss::rank_of_steps<double>(1)) == 1);
   gauss::LinearSolution<double, 2, 2> solution{};
-  TwoRows off(0.04);
-  off.off[1] = 1;
-  gauss::solve(off, gauss::rank_on_positions<double>(1), solution);
-  CHECK(solution.rank == 1);
-  off.b[1][1] = 0.06;
-  gauss::solve(off, gauss::rank_on_positions<double>(1), solution);
-  CHECK(solution.rank == 2);
+  // Ten roots of what positions are off by, and no more than a twentieth.
+  struct Told {
+    double off, angle;
+    int rank;
+  };
+  for (const Told& told : {Told{1, 0.04, 1}, Told{1, 0.06, 2}, Told{1e-6, 0.008, 1}, Told{1e-6, 0.012, 2},
+                           Told{1e-10, 8e-5, 1}, Told{1e-10, 1.2e-4, 2}}) {
+    INFO("off by " << told.off << ", at an angle of " << told.angle);
+    TwoRows rows(told.angle);
+    rows.off[0] = rows.off[1] = told.off * told.off;
+    gauss::solve(rows, gauss::rank_on_positions<double>(1), solution);
+    CHECK(solution.rank == told.rank);
+  }
+  gauss::LinearSolution<double, 3, 3> of_three{};
+  gauss::solve(ThreeRows(), gauss::rank_on_positions<double>(1), of_three);
+  CHECK(of_three.rank == 2);
 }
 
 TEST_CASE("constraints that are one for the parameters of the file hold one by one for others") {
