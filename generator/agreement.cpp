@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "dense.hpp"
-#include "nearest_position.hpp"
-#include "position_equations.hpp"
 #include "repeated_numbers.hpp"
+#include "usual_places.hpp"
 
 namespace gaussgen {
 
@@ -18,31 +17,19 @@ using Eigen::VectorXd;
 
 /// In units of the model's time; no part of anybody's period.
 constexpr std::array<double, 3> k_times{0.3713, 1.7171, 0.0391};
-constexpr double k_first_displacement = 0.3;
-constexpr double k_least_displacement = 1e-3;
 constexpr double k_combined = 1e-6;  ///< of a row of length 1: what is left of it counts as dependent
 constexpr double k_agrees = 1e-7;    ///< of what is asked for
 
 constexpr unsigned k_seed = 1986;  ///< not that of other checks, which have looked at their states already
 
-std::vector<double> some(std::size_t count, double size, RepeatedNumbers& numbers) {
-  std::vector<double> result;
-  for (std::size_t i = 0; i < count; ++i) result.push_back(size * numbers());
-  return result;
-}
-
 /// At a place where equations of positions hold; nothing where none is found.
 std::optional<Linearised> somewhere(Mechanics& mechanics, double time, RepeatedNumbers& numbers) {
-  const std::vector<bool> all(mechanics.dynamics.n(), true);
-  PositionEquations equations(mechanics, all, time);
-  for (double size = k_first_displacement; size > k_least_displacement; size /= 4) {
-    if (!equations.start()) return std::nullopt;
-    equations.move(some(all.size(), size, numbers));
-    if (!nearest_solution(equations)) continue;
-    polish(equations);
-    if (auto found = equations.of_speeds(some(all.size(), 1, numbers), all)) return found;
-  }
-  return std::nullopt;
+  UsualPlaces places(mechanics, time, numbers);
+  if (!places.next()) return std::nullopt;
+  const std::vector<bool>& all = places.equations().movable();
+  std::vector<double> speeds;
+  for (std::size_t i = 0; i < all.size(); ++i) speeds.push_back(numbers());
+  return places.equations().of_speeds(speeds, all);
 }
 
 VectorXd row_of(const Linearised& at, std::size_t index) {

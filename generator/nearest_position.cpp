@@ -7,6 +7,7 @@
 #include "dense.hpp"
 #include "least_step.hpp"
 #include "position_equations.hpp"
+#include "spans.hpp"
 #include "strategy/state_search.hpp"
 
 namespace gaussgen {
@@ -38,6 +39,13 @@ Eigen::MatrixXd matrix(const std::vector<Vector>& rows, std::size_t columns) {
 Vector least_change(const Linearised& at, std::size_t n) {
   const auto size = static_cast<Eigen::Index>(n);
   return unmapped(least_step(Eigen::MatrixXd::Identity(size, size), matrix(at.j, n), mapped(at.f)));
+}
+
+/// J δ = -f, with the least δ in these spans. Rounding of f, divided by the least sine of a row that is taken, is less than that sine.
+Vector least_change(const Linearised& at, const Vector& spans) {
+  const Eigen::VectorXd weights = mapped(spans).cwiseAbs2().cwiseInverse();
+  return unmapped(least_step(weights.asDiagonal(), matrix(at.j, spans.size()), mapped(at.f),
+                             k_least_sine_of_step * std::sqrt(at.amplification(spans))));
 }
 
 /// The step of emitted code, with the least δᵀ G δ.
@@ -145,9 +153,9 @@ std::vector<bool> needed(const Linearised& at, const std::vector<bool>& open) {
   return result;
 }
 
-bool start_beside_guess(PositionEquations& equations) {
+bool start_beside_guess(const Mechanics& mechanics, PositionEquations& equations) {
   if (!equations.start()) return false;
-  equations.leave_symmetry();
+  equations.leave_symmetry(spans_at(mechanics, equations));
   equations.weigh();
   return true;
 }
@@ -170,7 +178,7 @@ std::optional<Contradiction> contradiction_at(const Linearised& at, const Positi
 std::optional<Contradiction> contradictory_positions(Mechanics& mechanics) {
   if (mechanics.dynamics.n() == 0) return std::nullopt;
   PositionEquations equations(mechanics, std::vector<bool>(mechanics.dynamics.n(), true), 0);
-  const auto first = start_beside_guess(equations) ? equations.linearised() : std::nullopt;
+  const auto first = start_beside_guess(mechanics, equations) ? equations.linearised() : std::nullopt;
   if (!first) return std::nullopt;
   Descent descent(equations);
   const auto last = descent.run();
@@ -190,27 +198,29 @@ Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable
   return {equations.position(), here && here->is_solved(k_arrived)};
 }
 
-bool nearest_solution(PositionEquations& equations) {
+bool nearest_solution(PositionEquations& equations, const Vector& spans) {
   auto here = equations.linearised();
   for (int i = 0; here && !here->is_solved(k_solved) && i < k_most_steps; ++i) {
-    equations.move(least_change(*here, equations.movable().size()));
+    equations.move(least_change(*here, spans));
     here = equations.linearised();
   }
   return here && here->is_solved(k_solved);
 }
 
-void polish(PositionEquations& equations) {
-  const Vector before = equations.position();
-  const auto here = equations.linearised();
-  if (!here) return;
-  equations.move(least_change(*here, equations.movable().size()));
-  const auto there = equations.linearised();
-  if (!there || there->square() > here->square()) equations.set(before);
+void polish(PositionEquations& equations, const Vector& spans) {
+  auto here = equations.linearised();
+  for (int i = 0; here && i < k_most_steps; ++i) {
+    const Vector before = equations.position();
+    equations.move(least_change(*here, spans));
+    auto there = equations.linearised();
+    if (!there || there->left() >= here->left()) return equations.set(before);
+    here = std::move(there);
+  }
 }
 
 Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time) {
   PositionEquations equations(mechanics, movable, time);
-  if (!start_beside_guess(equations)) return {equations.position(), false};
+  if (!start_beside_guess(mechanics, equations)) return {equations.position(), false};
   const auto reached = Descent(equations).run();
   if (!reached || !reached->is_solved(k_solved)) return {equations.position(), false};
   const Vector wound = equations.position();

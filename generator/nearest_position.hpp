@@ -23,11 +23,11 @@ std::optional<Contradiction> contradictory_positions(Mechanics& mechanics);
 
 class PositionEquations;
 
-/// Newton's method from where `equations` are, with the least displacements; false where it does not arrive at a solution.
-bool nearest_solution(PositionEquations& equations);
+/// Newton's method from where `equations` are, with the least displacements in these spans; false where it does not arrive at a solution.
+bool nearest_solution(PositionEquations& equations, const std::vector<double>& spans);
 
-/// One more step from a solution: to rounding.
-void polish(PositionEquations& equations);
+/// From a solution as many more steps as make less of what is left of it: to rounding.
+void polish(PositionEquations& equations, const std::vector<double>& spans);
 
 /// Along the speeds that are `movable`, from the guesses of the model, at a time.
 struct Approach {

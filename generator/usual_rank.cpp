@@ -10,9 +10,8 @@
 #include "evaluate/arithmetic_double.hpp"
 #include "evaluation.hpp"
 #include "generic_point.hpp"
-#include "nearest_position.hpp"
-#include "position_equations.hpp"
 #include "repeated_numbers.hpp"
+#include "usual_places.hpp"
 
 namespace gaussgen {
 
@@ -22,20 +21,7 @@ namespace {
 constexpr std::size_t k_most_entries = 4000;
 
 constexpr int k_states = 3;
-constexpr double k_first_displacement = 0.3;  ///< of coordinates of their size, and of angles
-constexpr double k_least_displacement = 1e-3;
 constexpr double k_rounding = 1e-12;  ///< of a row where others are of length 1, at positions that are good to rounding
-
-std::vector<double> displacement_of(const Mechanics& mechanics, const std::vector<double>& from, double part,
-                                    RepeatedNumbers& numbers) {
-  std::vector<double> result;
-  for (const auto i : mechanics.symbols.speeds.indices()) {
-    const bool is_length = i.value < mechanics.symbols.plain_count() && mechanics.symbols.speeds[i].is_of_length();
-    const double size = is_length && from[i.value] != 0 ? std::abs(from[i.value]) : 1;
-    result.push_back(part * size * numbers());
-  }
-  return result;
-}
 
 /// Columns where inertias are 1, rows of unit length, as in gauss/constrained.hpp; of what has no inertia, by the largest entry.
 Eigen::MatrixXd scaled(Eigen::MatrixXd matrix, const std::vector<double>& inertias) {
@@ -67,24 +53,13 @@ std::size_t rank_of(const Eigen::MatrixXd& matrix, const std::vector<double>& in
 }  // namespace
 
 UsualStates::UsualStates(Mechanics& mechanics) : mechanics_(mechanics) {
-  const std::size_t n = mechanics.dynamics.n();
-  const std::vector<bool> all(n, true);
-  const Approach begin = long_approach(mechanics, all, 0);
-  if (n == 0 || !begin.is_solved) return;
-  PositionEquations equations(mechanics, all, 0);
-  if (!equations.start()) return;
+  if (mechanics.dynamics.n() == 0) return;
   RepeatedNumbers numbers;
-  for (int k = 0; k < k_states; ++k) {
-    for (double part = k_first_displacement; part > k_least_displacement; part /= 4) {
-      equations.set(begin.position);
-      equations.move(displacement_of(mechanics, begin.position, part, numbers));
-      if (!nearest_solution(equations)) continue;
-      polish(equations);
-      State state{equations.position(), {}};
-      for (std::size_t i = 0; i < n; ++i) state.speeds.push_back(numbers());
-      states_.push_back(std::move(state));
-      break;
-    }
+  UsualPlaces places(mechanics, 0, numbers);
+  for (int k = 0; k < k_states && places.next(); ++k) {
+    State state{places.equations().position(), {}, places.rounding()};
+    for (std::size_t i = 0; i < mechanics.dynamics.n(); ++i) state.speeds.push_back(numbers());
+    states_.push_back(std::move(state));
   }
 }
 
@@ -116,7 +91,7 @@ std::optional<std::size_t> UsualStates::rank(const strategy::Matrix& rows, doubl
         matrix(i, j) = *value;
       }
     }
-    largest = std::max(largest, rank_of(matrix, sizes, tolerance));
+    largest = std::max(largest, rank_of(matrix, sizes, std::max(tolerance, state.rounding)));
   }
   return largest;
 }

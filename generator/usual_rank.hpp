@@ -25,6 +25,7 @@ class UsualStates {
  private:
   struct State {
     std::vector<double> configuration, speeds;
+    double rounding = 0;  ///< sines that are less say nothing here
   };
 
   evaluate::Evaluator<double> values_at(const State& state) const;

@@ -8,6 +8,7 @@ import unittest
 from gauss_gen import MODELS, SOURCE, Evaluate
 
 HARD = SOURCE / "hard_cases" / "models"
+BARS = SOURCE / "tests" / "headers" / "rank" / "three_bars.yaml"
 X, Y, Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
 SPACE = (X, Y, Z), (0, 0, 0)  # columns are axes, then the origin
 
@@ -114,6 +115,29 @@ class Loops(Evaluate):
         self.assertNotIn("error", self.run_it("-", "--check", stdin=bennett_twisted.replace("TWIST", "1e-14")).stderr)
         four_bar_short = (MODELS / "four_bar.yaml").read_text(encoding="utf-8").replace("L2: {value: 0.6", "L2: {value: 3")
         self.assertRegex(self.refused(1, "-", "--check", stdin=four_bar_short), r"error\[E0[78]0\]")
+
+    # A slab on three parallel bars, one constraint too many: it moves unless the middle pivot is out of place.
+    def test_rank_is_the_same_wherever_a_loop_stands_and_whatever_its_units(self):
+        text = BARS.read_text(encoding="utf-8")
+        for at in ("[-h, 0, 0]}\n  A2", "[d, 0, 0]", "[h, 0, 0]}\n  B1"):
+            self.assertIn(at, text)
+            text = text.replace(at, at.replace("[", "[X + ", 1))
+        text = text.replace("{unit: m, initial: 0}", "{unit: m, initial: X}")
+        for metre in ("1e-9", "1", "1e9"):
+            for away in ("0", "1e3", "1e4", "1e5", "1e6", "-1e8"):
+                for d, found in (("0", "mobility 1 (3 speeds, 3 constraints of rank 2)"), ("1e-3", "mobility 0 (3 speeds, 3 constraints)")):
+                    with self.subTest(metre=metre, away=away, d=d):
+                        of_size = (text.replace("h: {value: 1,", f"h: {{value: {metre},")
+                                   .replace("d: {value: 0, unit: m}", f"d: {{value: {d}*{metre}, unit: m}}\n  X: {{value: {away}*{metre}, unit: m}}")
+                                   .replace("J: {value: 0.1,", f"J: {{value: 0.1*{metre}*{metre},"))
+                        self.assertIn(found, self.run_it("-", "--check", stdin=of_size).stdout)
+
+    def test_a_gradient_does_not_vanish_since_a_place_is_far_off(self):
+        text = ("gauss: 1\nname: far\ncoordinates: {x: {initial: 1000001.5}, y: {initial: 0}}\n"
+                "particles: {p: {mass: 1, position: [x, y, 0]}}\nconstraints: {rod: {equation: (x - 1e6)^2 + y^2 - 1}}\n")
+        said = self.refused(1, "-", "--check", stdin=text)
+        self.assertNotIn("W071", said)
+        self.assertIn("violates constraint 'rod' by 1.25", said)
 
 
 if __name__ == "__main__":
