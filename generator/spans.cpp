@@ -14,8 +14,8 @@ using Vector = std::vector<double>;
 
 constexpr double k_changed = 0.5;  ///< of a gradient
 constexpr double k_factor = 4;     ///< from one span that is tried to the next
-constexpr int k_most_factors = 60;
-constexpr double k_far = 1e12;  ///< where nothing has changed there, nothing does
+constexpr double k_least = 1e-8;   ///< of a coordinate: half of its digits
+constexpr double k_far = 1e12;     ///< where nothing has changed there, nothing does
 
 class Spans {
  public:
@@ -29,10 +29,10 @@ class Spans {
         inertias_(equations.inertias()) {}
 
   double along(std::size_t i) const {
-    const double first = first_span(i);
+    const double first = first_span(i), least = k_least * (i < from_.size() ? std::abs(from_[i]) : 0);
     if (!here_) return first;
     double span = first;
-    for (int k = 0; k < k_most_factors && change(i, span) > k_changed; ++k) span /= k_factor;
+    while (span > least && change(i, span) > k_changed) span /= k_factor;
     if (span < first || is_angle(i) || change(i, k_far * first) <= k_changed) return span;
     while (change(i, k_factor * span) <= k_changed) span *= k_factor;
     return span;
