@@ -19,9 +19,15 @@ using Vector = std::vector<double>;
 constexpr int k_most_damped_steps = 400;
 constexpr int k_most_steps = 30;
 constexpr double k_arrived = 1e-13;    ///< of an approach with the emitted code's steps: f of what it is made of
-constexpr double k_solved = 1e-11;     ///< f of what it is made of
-constexpr double k_violated = 1e-6;    ///< likewise, of the largest among the equations, and of that at the start
-constexpr double k_stationary = 1e-6;  ///< Jᵀ f of the largest f and ∂f
+constexpr double k_solved = 1e-13;     ///< f of what it is made of: violations are told by as many digits
+constexpr double k_fits = 1e-11;       ///< likewise of speeds
+constexpr double k_rounding = 1e-15;   ///< likewise, where a descent ends
+constexpr double k_unmet = 1e-6;       ///< likewise, of speeds that cannot be found
+constexpr double k_takes_part = 1e-6;  ///< f of the largest f
+constexpr double k_come_far = 1e-13;   ///< of all f at the start
+constexpr double k_stationary =
+    1e-4;  ///< Jᵀ f of the largest f and ∂f; where f changes by squares, a descent ends half of the digits before
+constexpr double k_noise = 1e-14;  ///< f of what it is made of, in that sum
 constexpr double k_most_damping = 1e12;
 constexpr double k_part = 1e-9;  ///< of the largest: less is rounding
 
@@ -65,7 +71,7 @@ class Descent {
     if (!here || here->j.empty()) return here;
     remember_sizes(*here);
     double damping = 1e-3;
-    for (int i = 0; i < k_most_damped_steps && !here->is_solved(k_solved) && damping < k_most_damping; ++i) {
+    for (int i = 0; i < k_most_damped_steps && !here->is_solved(k_rounding) && damping < k_most_damping; ++i) {
       const Vector from = equations_.position();
       equations_.move(step(*here, damping));
       auto there = equations_.linearised();
@@ -82,10 +88,11 @@ class Descent {
   }
 
   bool is_stationary(const Linearised& at) const {
-    const double largest = mapped(at.f).lpNorm<Eigen::Infinity>();
+    const double most =
+        k_stationary * mapped(at.f).lpNorm<Eigen::Infinity>() + k_noise * mapped(at.size).lpNorm<Eigen::Infinity>();
     const Eigen::VectorXd slope = matrix(at.j, sizes_.size()).transpose() * mapped(at.f);
     for (std::size_t k = 0; k < sizes_.size(); ++k) {
-      if (std::abs(slope[static_cast<Eigen::Index>(k)]) > k_stationary * sizes_[k] * largest) return false;
+      if (std::abs(slope[static_cast<Eigen::Index>(k)]) > sizes_[k] * most) return false;
     }
     return true;
   }
@@ -165,8 +172,8 @@ std::optional<Contradiction> contradiction_at(const Linearised& at, const Positi
   Contradiction found;
   bool is_clear = false;
   for (std::size_t i = 0; i < at.f.size(); ++i) {
-    if (std::abs(at.f[i]) <= k_violated * largest) continue;
-    is_clear = is_clear || std::abs(at.f[i]) > k_violated * at.size[i];
+    if (std::abs(at.f[i]) <= k_takes_part * largest) continue;
+    is_clear = is_clear || std::abs(at.f[i]) > k_solved * at.size[i];
     found.constraints.push_back(equations.constraint(i));
     found.residuals.push_back(at.f[i] / equations.weight(i));
   }
@@ -184,7 +191,7 @@ std::optional<Contradiction> contradictory_positions(Mechanics& mechanics) {
   const auto last = descent.run();
   if (!descent.is_stationary(*last)) return std::nullopt;
   // What only goes slowly, as x² does, has come far.
-  const bool is_far = std::sqrt(last->square()) > k_violated * std::sqrt(first->square());
+  const bool is_far = std::sqrt(last->square()) > k_come_far * std::sqrt(first->square());
   return is_far ? contradiction_at(*last, equations) : std::nullopt;
 }
 
@@ -254,7 +261,7 @@ std::optional<Linearised> at_found_speeds(Mechanics& mechanics, const Vector& po
 
 bool speeds_fit(Mechanics& mechanics, const std::vector<double>& position, const std::vector<bool>& open, double time) {
   const auto found = at_found_speeds(mechanics, position, open, time);
-  return found && found->is_solved(k_solved);
+  return found && found->is_solved(k_fits);
 }
 
 std::vector<std::pair<std::size_t, double>> unmet_by_speeds(Mechanics& mechanics, const std::vector<double>& position,
@@ -262,7 +269,7 @@ std::vector<std::pair<std::size_t, double>> unmet_by_speeds(Mechanics& mechanics
   const auto found = at_found_speeds(mechanics, position, open, time);
   std::vector<std::pair<std::size_t, double>> unmet;
   for (std::size_t mu = 0; found && mu < found->f.size(); ++mu) {
-    if (std::abs(found->f[mu]) > k_violated * found->size[mu]) unmet.emplace_back(mu, found->f[mu]);
+    if (std::abs(found->f[mu]) > k_unmet * found->size[mu]) unmet.emplace_back(mu, found->f[mu]);
   }
   return unmet;
 }

@@ -116,12 +116,21 @@ std::size_t usual_rank(Mechanics& mechanics) {
   return *mechanics.usual_rank;
 }
 
-std::size_t mobility(Mechanics& mechanics) { return mechanics.dynamics.n() - usual_rank(mechanics); }
+std::size_t rank_that_holds(Mechanics& mechanics) {
+  if (mechanics.vanishing.empty()) return usual_rank(mechanics);
+  strategy::Matrix rows;
+  for (std::size_t mu = 0; mu < mechanics.dynamics.l(); ++mu) {
+    if (mechanics.vanishing.count(mu) == 0) rows.push_back(mechanics.dynamics.b[mu]);
+  }
+  return rows.empty() ? 0 : usual_rank(rows, mechanics);
+}
+
+std::size_t mobility(Mechanics& mechanics) { return mechanics.dynamics.n() - rank_that_holds(mechanics); }
 
 std::string mobility_in_words(Mechanics& mechanics) {
   const std::size_t n = mechanics.dynamics.n(), l = mechanics.dynamics.l();
   if (l == 0 || n * (n + l) > k_most_entries) return "";
-  const std::size_t rank = usual_rank(mechanics);
+  const std::size_t rank = rank_that_holds(mechanics);
   const std::string of_rank = rank < l ? fmt::format(" of rank {}", rank) : "";
   return fmt::format("mobility {} ({} speed{}, {} constraint{}{})", n - rank, n, n == 1 ? "" : "s", l,
                      l == 1 ? "" : "s", of_rank);
