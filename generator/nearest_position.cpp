@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
 
+#include "artefact_builder.hpp"
 #include "dense.hpp"
 #include "least_step.hpp"
 #include "position_equations.hpp"
 #include "spans.hpp"
 #include "strategy/state_search.hpp"
+#include "usual_rank.hpp"
 
 namespace gaussgen {
 
@@ -18,7 +22,8 @@ using Vector = std::vector<double>;
 
 constexpr int k_most_damped_steps = 400;
 constexpr int k_most_steps = 30;
-constexpr double k_arrived = 1e-13;    ///< of an approach with the emitted code's steps: f of what it is made of
+constexpr double k_arrived = 1e-13;  ///< of an approach with the emitted code's steps: f of what it is made of
+constexpr double k_same_place = 1e-12;
 constexpr double k_solved = 1e-13;     ///< f of what it is made of: violations are told by as many digits
 constexpr double k_fits = 1e-11;       ///< likewise of speeds
 constexpr double k_rounding = 1e-15;   ///< likewise, where a descent ends
@@ -54,10 +59,61 @@ Vector least_change(const Linearised& at, const Vector& spans) {
                              k_least_sine_of_step * std::sqrt(at.amplification(spans))));
 }
 
-/// The step of emitted code, with the least δᵀ G δ.
-Vector least_change(const Linearised& at, const std::vector<Vector>& metric) {
-  const std::size_t n = metric.size();
-  return unmapped(least_step(matrix(metric, n), matrix(at.j, n), mapped(at.f)));
+/// How many of the equations of positions say something of their own along what moves.
+Eigen::Index usual_rank_along(const std::vector<bool>& movable, Mechanics& mechanics) {
+  strategy::Matrix rows;
+  for (const auto mu : mechanics.kinematics.constraints.indices()) {
+    if (!mechanics.kinematics.constraints[mu].f) continue;
+    rows.push_back(mechanics.dynamics.b[mu.value]);
+    for (std::size_t i = 0; i < movable.size(); ++i) {
+      if (!movable[i]) rows.back()[i] = mechanics.expressions.number(0);
+    }
+  }
+  return static_cast<Eigen::Index>(usual_rank(rows, mechanics));
+}
+
+/// The steps of emitted code, each with the least δᵀ G δ.
+class EmittedSteps {
+ public:
+  EmittedSteps(Mechanics& mechanics, const std::vector<bool>& movable, double time)
+      : equations_(mechanics, movable, time),
+        rank_(has_general_way(mechanics) ? usual_rank_along(movable, mechanics)
+                                         : std::numeric_limits<Eigen::Index>::max()),
+        least_sine_(std::max(k_least_sine_of_step, rank_tolerance(mechanics.model))) {}
+
+  Approach run(Eigen::Index preferred) {
+    auto here = equations_.start() ? equations_.linearised() : std::nullopt;
+    for (int i = 0; here && i < strategy::k_steps_to_start; ++i) {
+      const std::size_t n = equations_.movable().size();
+      equations_.move(unmapped(emitted_step(matrix(equations_.metric(), n), matrix(here->j, n), mapped(here->f),
+                                            least_sine_, rank_, preferred)));
+      here = equations_.linearised();
+    }
+    return {equations_.position(), here && here->is_solved(k_arrived)};
+  }
+
+  /// Those that may be first; one where no equation follows from others.
+  Eigen::Index choices() {
+    const auto here = equations_.linearised();
+    const auto count = here ? static_cast<Eigen::Index>(here->f.size()) : 0;
+    return count > rank_ ? count : 1;
+  }
+
+ private:
+  PositionEquations equations_;
+  Eigen::Index rank_;
+  double least_sine_;
+};
+
+/// Up to a small part of the largest coordinate of their unit; of 1 where that is an angle.
+bool are_same(const Vector& a, const Vector& b, const Mechanics& mechanics) {
+  std::map<std::string, double> sizes{{"rad", 1}, {"", 1}};
+  const auto& all = mechanics.symbols.configuration;
+  for (const auto i : all.indices()) sizes[all[i].unit] = std::max(sizes[all[i].unit], std::abs(a[i.value]));
+  for (const auto i : all.indices()) {
+    if (!(std::abs(a[i.value] - b[i.value]) <= k_same_place * sizes[all[i].unit])) return false;
+  }
+  return true;
 }
 
 /// Levenberg's and Marquardt's method for the least Σ f², from beside the guess.
@@ -196,13 +252,14 @@ std::optional<Contradiction> contradictory_positions(Mechanics& mechanics) {
 }
 
 Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time) {
-  PositionEquations equations(mechanics, movable, time);
-  auto here = equations.start() ? equations.linearised() : std::nullopt;
-  for (int i = 0; here && i < strategy::k_steps_to_start; ++i) {
-    equations.move(least_change(*here, equations.metric()));
-    here = equations.linearised();
+  EmittedSteps steps(mechanics, movable, time);
+  Approach found = steps.run(0);
+  const Eigen::Index choices = steps.choices();
+  for (Eigen::Index k = 1; k < choices && found.is_solved && found.is_settled; ++k) {
+    const Approach other = steps.run(k);
+    found.is_settled = other.is_solved && are_same(found.position, other.position, mechanics);
   }
-  return {equations.position(), here && here->is_solved(k_arrived)};
+  return found;
 }
 
 bool nearest_solution(PositionEquations& equations, const Vector& spans) {

@@ -33,6 +33,7 @@ void polish(PositionEquations& equations, const std::vector<double>& spans);
 struct Approach {
   std::vector<double> position;  ///< the configuration that it came to
   bool is_solved = false;        ///< it satisfies all equations of positions
+  bool is_settled = true;  ///< whichever of equations that follow from others the steps take: only rounding tells which
 };
 
 /// The steps of Newton's method that emitted code takes, each the least one in the mass metric.

@@ -1,8 +1,11 @@
 """Closed loops from guesses that are beside a solution: found, and closed by formulas that know nothing of the generator."""
 
+import json
 import math
+import os
 import random
 import re
+import subprocess
 import unittest
 
 from gauss_gen import MODELS, SOURCE, Evaluate
@@ -74,6 +77,14 @@ def slider_crank(q):
 
 LINKAGES = [(HARD, bricard, 5), (HARD, bennett, 3), (HARD, sarrus, 5), (MODELS, four_bar, 3), (MODELS, slider_crank, 3)]
 AWAY = (1e-6, 1e-4, 0.01, 0.1, 0.3)
+MAIN = """#include "NAME.hpp"
+#include <cstdio>
+int main() {
+  gauss::NAME::State<double> state;
+  if (initial_state(gauss::NAME::prepare(gauss::NAME::Parameters<double>{}), state) != gauss::Status::ok) return 1;
+  for (const double value : state.values) std::printf("%.17g\\n", value);
+}
+"""
 
 
 class Loops(Evaluate):
@@ -105,6 +116,26 @@ class Loops(Evaluate):
                         # Near the guesses, and not somewhere along the motion.
                         if away <= 0.01:
                             self.assertLess(max(abs(found[name] - solved[name]) for name in names), 4 * away)
+
+    # Which of equations that follow from others a step takes first is for rounding to decide, and far from a solution the place that it leads to.
+    def test_emitted_code_starts_where_evaluate_says(self):
+        for linkage, guesses, is_warned in (("bennett", "1 -2.5 -1", True), ("bennett", "1.7 -3.7 -1.7", True),
+                                            ("bennett", "1.7270113 -3.7076231 -1.7270113", False), ("bricard", None, False)):
+            text = (HARD / f"{linkage}.yaml").read_text(encoding="utf-8")
+            for guess in (guesses or "").split():
+                text = re.sub(r"initial_guess: -?[\d.]+", f"initial_GUESS: {guess}", text, count=1)
+            text = text.replace("GUESS", "guess")
+            with self.subTest(linkage=linkage, guesses=guesses):
+                done = self.run_it("-", "-o", ".", "--outputs=initial_state", stdin=text)
+                self.assertEqual((done.returncode, "W068" in done.stderr), (0, is_warned), done.stderr)
+                source = self.write("main.cpp", MAIN.replace("NAME", linkage))
+                subprocess.run([os.environ["GAUSS_CXX"], "-std=c++17", "-I.", source, "-o", "main"], cwd=self.folder, check=True)
+                emitted = subprocess.run(["./main"], cwd=self.folder, check=True, capture_output=True, text=True).stdout.split()
+                said = self.run_it("evaluate", "-", "--format=json", stdin=text)
+                state = {name: of["value"] for name, of in json.loads(said.stdout)["state"].items() if name != "t"}
+                self.assertEqual(len(state), len(emitted))
+                for (name, value), start in zip(state.items(), emitted):
+                    self.assertLess(abs(float(value) - float(start)), 2e-12 * max(1, abs(float(value))), name)
 
     def test_a_loop_that_cannot_be_closed_is_refused(self):
         bennett_twisted = (HARD / "bennett.yaml").read_text(encoding="utf-8").replace("asin(1.5*sin(u))", "asin(1.5*sin(u)) + TWIST")
