@@ -10,6 +10,7 @@
 #include "evaluate/arithmetic_double.hpp"
 #include "evaluation.hpp"
 #include "generic_point.hpp"
+#include "least_step.hpp"
 #include "repeated_numbers.hpp"
 #include "usual_places.hpp"
 
@@ -23,17 +24,9 @@ constexpr std::size_t k_most_entries = 4000;
 constexpr int k_states = 3;
 constexpr double k_rounding = 1e-12;  ///< of a row where others are of length 1, at positions that are good to rounding
 
-/// Columns where inertias are 1, rows of unit length, as in gauss/constrained.hpp; of what has no inertia, by the largest entry.
+/// Speeds where inertias are 1, rows of unit length.
 Eigen::MatrixXd scaled(Eigen::MatrixXd matrix, const std::vector<double>& inertias) {
-  for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-    const double inertia = inertias[static_cast<std::size_t>(j)];
-    const double largest = matrix.col(j).lpNorm<Eigen::Infinity>();
-    if (inertia > 0) {
-      matrix.col(j) /= std::sqrt(inertia);
-    } else if (largest > 0) {
-      matrix.col(j) /= largest;
-    }
-  }
+  matrix *= scales_of_columns(inertias, matrix).asDiagonal();
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     const double size = matrix.row(i).norm();
     if (size > 0) matrix.row(i) /= size;
