@@ -109,11 +109,14 @@ StatedStart stated_start(const model::Model& model, kinematics::Expressions& exp
   return result;
 }
 
-std::vector<FoundGuess> improve_guesses(Mechanics& mechanics, model::Model& model, double time) {
+FoundStart improve_guesses(Mechanics& mechanics, model::Model& model, double time) {
   const auto movable = ways_of_search(mechanics, model);
-  if (!movable || emitted_approach(mechanics, *movable, time).is_solved) return {};
-  const Approach found = long_approach(mechanics, *movable, time);
-  return found.is_solved ? take(found.position, *movable, mechanics, model) : std::vector<FoundGuess>();
+  if (!movable) return {};
+  const Approach emitted = emitted_approach(mechanics, *movable, time);
+  if (emitted.is_solved && emitted.is_settled) return {};
+  const Approach found = emitted.is_solved ? emitted : long_approach(mechanics, *movable, time);
+  if (!found.is_solved) return {};
+  return {take(found.position, *movable, mechanics, model), emitted.is_solved};
 }
 
 void refine_guesses(Mechanics& mechanics, model::Model& model, double time) {
@@ -151,14 +154,18 @@ std::vector<std::string> as_written(const std::vector<FoundGuess>& found, const 
 
 }  // namespace
 
-void report_found(const std::vector<FoundGuess>& found, const model::Model& model, support::Diagnostics& diagnostics) {
-  if (found.empty()) return;
-  const std::vector<std::string> values = as_written(found, model);
-  diagnostics.warning(support::code::k_far_start, span_of_speed(model, found.front().name),
-                      "emitted code would not get from these guesses to a position that satisfies the constraints; it "
-                      "starts from one that a longer search has found",
-                      values.empty() ? "give the orientation an 'initial' that is nearer"
-                                     : "write it down: " + support::joined(values));
+void report_found(const FoundStart& found, const model::Model& model, support::Diagnostics& diagnostics) {
+  if (found.guesses.empty()) return;
+  const std::vector<std::string> values = as_written(found.guesses, model);
+  diagnostics.warning(
+      support::code::k_far_start, span_of_speed(model, found.guesses.front().name),
+      found.is_choice
+          ? "where emitted code would get from these guesses is for rounding to decide, since constraints follow "
+            "from each other there; it starts from one of these positions"
+          : "emitted code would not get from these guesses to a position that satisfies the constraints; it "
+            "starts from one that a longer search has found",
+      values.empty() ? "give the orientation an 'initial' that is nearer"
+                     : "write it down: " + support::joined(values));
 }
 
 void assemble(Mechanics& mechanics, model::Model& model, double time) {

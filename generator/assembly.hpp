@@ -22,13 +22,18 @@ struct FoundGuess {
   bool is_of_quaternion = false;
 };
 
+struct FoundStart {
+  std::vector<FoundGuess> guesses;
+  bool is_choice = false;  ///< emitted code would have found one, too, and rounding which
+};
+
 /// Emitted code takes eight steps of Newton's method from the guesses. Where these do not arrive and a longer search does, the position
-/// that it finds takes the place of the guesses, angles within half a turn of them; given values stay. Nothing where the
-/// guesses serve, or where no search helps.
-std::vector<FoundGuess> improve_guesses(Mechanics& mechanics, model::Model& model, double time = 0);
+/// that it finds takes the place of the guesses, angles within half a turn of them; given values stay. So does one that the steps come to if it depends on
+/// which they take of equations that follow from others. Nothing where the guesses serve, or where no search helps.
+FoundStart improve_guesses(Mechanics& mechanics, model::Model& model, double time = 0);
 
 /// Warns of them.
-void report_found(const std::vector<FoundGuess>& found, const model::Model& model, support::Diagnostics& diagnostics);
+void report_found(const FoundStart& found, const model::Model& model, support::Diagnostics& diagnostics);
 
 /// Where emitted code would find a position from the guesses: they become what double holds of it.
 void refine_guesses(Mechanics& mechanics, model::Model& model, double time);

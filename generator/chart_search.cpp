@@ -8,6 +8,7 @@
 #include "nearest_position.hpp"
 #include "position_equations.hpp"
 #include "repeated_numbers.hpp"
+#include "spans.hpp"
 
 namespace gaussgen {
 
@@ -66,6 +67,7 @@ class Search {
   bool prepare() {
     if (!equations_.start()) return false;
     start_ = equations_.position();
+    spans_ = spans_at(mechanics_, equations_);
     Configuration other = start_;
     for (int k = 0; k < 4 * k_states && states_.size() < k_states; ++k) {
       for (std::size_t c = 0; c < other.size(); ++c) other[c] = start_[c] + k_displacement * size(c) * number_();
@@ -108,7 +110,7 @@ class Search {
     const auto here = equations.linearised();
     if (!here) return std::nullopt;
     if (here->f.empty()) return equations.position();
-    if (!spend(k_steps_to_positions) || !nearest_solution(equations)) return std::nullopt;
+    if (!spend(k_steps_to_positions) || !nearest_solution(equations, spans_)) return std::nullopt;
     const Configuration& solved = equations.position();
     for (const auto& pin : pins) {
       if (std::abs(solved[pin.coordinate] - q[pin.coordinate]) > k_singular * size(pin.coordinate)) return std::nullopt;
@@ -284,6 +286,7 @@ class Search {
   Mechanics& mechanics_;
   ChartMap map_;
   PositionEquations equations_;
+  std::vector<double> spans_;
   std::size_t work_;
   RepeatedNumbers number_;
   Configuration start_;

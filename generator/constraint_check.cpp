@@ -46,6 +46,7 @@ void ConstraintCheck::report(const std::vector<std::size_t>& constraints, const 
 }
 
 void ConstraintCheck::report_positions(const std::vector<Violation>& violated) {
+  for (const Violation& violation : violated) violated_.insert(violation.index);
   const auto is_of_positions = [](const Violation& violation) { return violation.is_of_positions; };
   if (std::none_of(violated.begin(), violated.end(), is_of_positions)) return;
   const auto found = contradictory_positions(mechanics_);
@@ -92,8 +93,9 @@ void ConstraintCheck::report_redundant() {
   for (const Dependence& found : dependences_) {
     if (is_contradictory(found.index) || passed_over_.count(found.index) > 0) continue;
     const auto begin = mechanics_.model.constraints[found.index].name.span.begin;
+    const double part = found.is_exact ? 0 : rank_tolerance(mechanics_.model);
     const auto elsewhere =
-        found.everywhere ? agree_elsewhere(mechanics_, found.others, independent(), found.index) : std::nullopt;
+        found.everywhere ? agree_elsewhere(mechanics_, found.others, independent(), found.index, part) : std::nullopt;
     const bool is_same = !all.empty() && all.back().everywhere == found.everywhere &&
                          all.back().agrees_elsewhere == elsewhere &&
                          all.back().others.empty() == found.others.empty() && all.back().is_exact == found.is_exact &&
@@ -144,6 +146,12 @@ const char* remedy_at_start(const model::Constraint& row) {
 
 }  // namespace
 
+bool ConstraintCheck::is_agreement_unknown(const Redundancy& found) const {
+  const auto is_violated = [&](std::size_t row) { return violated_.count(row) > 0; };
+  return !found.agrees_elsewhere && (std::any_of(found.rows.begin(), found.rows.end(), is_violated) ||
+                                     std::any_of(found.others.begin(), found.others.end(), is_violated));
+}
+
 void ConstraintCheck::report_redundant(const Redundancy& found) {
   const std::size_t first = found.rows.front();
   const model::Name& name = mechanics_.model.constraints[first].name;
@@ -168,12 +176,14 @@ void ConstraintCheck::report_redundant(const Redundancy& found) {
       !has_general_way(mechanics_) && std::find(redundant.begin(), redundant.end(), name.text) != redundant.end();
   diagnostics_.warning(
       code::k_redundant_constraint, name.span,
-      what + agreement_in_words(found.rows.size() == 1, found.agrees_elsewhere) +
+      what + (is_agreement_unknown(found) ? ": " : agreement_in_words(found.rows.size() == 1, found.agrees_elsewhere)) +
           (is_zero ? "its multiplier is returned as 0" : "multipliers are not unique") +
           fmt::format(" (mobility {})", mobility(mechanics_)),
       found.agrees_elsewhere == false
           ? "where they do not agree no motion satisfies both, and 'project' says violated_constraints: correct one of "
             "them, or remove it"
+      : is_agreement_unknown(found)
+          ? "where no state satisfies both, correct one of them, or remove it"
           : remedy_for_redundant(mechanics_.model.constraints[first], mechanics_, !leave_undetermined()));
 }
 

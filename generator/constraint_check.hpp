@@ -48,6 +48,9 @@ class ConstraintCheck {
     std::optional<bool> agrees_elsewhere;
   };
 
+  /// No state is known at which they hold together.
+  bool is_agreement_unknown(const Redundancy& found) const;
+
   /// Rows that do not follow from others here.
   std::vector<std::size_t> independent() const;
 
@@ -59,6 +62,7 @@ class ConstraintCheck {
   bool is_emitted_;
   support::Diagnostics& diagnostics_;
   std::vector<Dependence> dependences_;
+  std::set<std::size_t> violated_;  ///< at the initial state
   std::set<std::size_t> contradictory_;
   std::set<std::size_t> passed_over_;
   mutable std::optional<bool> is_undetermined_;  ///< once somebody asks

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "generic_point.hpp"
+#include "speed_scales.hpp"
 #include "usual_rank.hpp"
 
 namespace gaussgen {
@@ -76,14 +77,14 @@ Rows dependent_rows(Rows order, const RankOfRows& rank, Rows& independent) {
   return dependent;
 }
 
-/// Columns where inertias are 1, rows of unit length, as gauss/constrained.hpp measures angles; what has no inertia by its largest entry.
+/// Speeds where inertias are 1, rows of unit length.
 Matrix in_metric(Matrix rows, const Vector& inertias) {
   const cl_F zero = cln::cl_float(0, rows(0, 0));
-  for (std::size_t j = 0; j < rows.columns(); ++j) {
-    cl_F largest = zero;
-    for (std::size_t i = 0; i < rows.rows(); ++i) largest = cln::max(largest, cln::abs(rows(i, j)));
-    const cl_F scale = cln::plusp(inertias[j]) ? cl_F(cln::sqrt(inertias[j])) : largest;
-    for (std::size_t i = 0; i < rows.rows() && cln::plusp(scale); ++i) rows(i, j) = rows(i, j) / scale;
+  const Matrix& given = rows;
+  const Vector scales = speed_scales(
+      inertias, rows.rows(), [&](std::size_t i, std::size_t j) { return given(i, j); }, zero);
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    for (std::size_t j = 0; j < rows.columns(); ++j) rows(i, j) = rows(i, j) * scales[j];
   }
   for (std::size_t i = 0; i < rows.rows(); ++i) {
     cl_F squares = zero;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "speed_scales.hpp"
 #include "strategy/bounds.hpp"
 
 namespace gaussgen {
@@ -44,16 +45,11 @@ std::optional<System> system_at(Mechanics& mechanics, ModelValues& values) {
 /// 1 over the lengths of rows where inertias are 1, as in gauss/constrained.hpp: what is least has to be measured in the same way.
 class RowScales {
  public:
-  explicit RowScales(const System& system) : system_(system), zero_(cln::cl_float(0, system.g(0, 0))) {
-    for (std::size_t i = 0; i < system.n(); ++i) {
-      const cl_F& inertia = system.g(i, i);
-      speeds_.push_back(cln::plusp(inertia) ? cln::recip(cln::sqrt(inertia)) : zero_);
-    }
-    const Vector massive = lengths(system.b);
-    for (std::size_t i = 0; i < system.n(); ++i) {
-      if (cln::zerop(speeds_[i])) speeds_[i] = scale_of_weightless(i, massive);
-    }
-  }
+  explicit RowScales(const System& system)
+      : system_(system),
+        zero_(cln::cl_float(0, system.g(0, 0))),
+        speeds_(speed_scales(
+            diagonal(system.g), system.l(), [&](std::size_t mu, std::size_t i) { return system.b(mu, i); }, zero_)) {}
 
   Vector operator()() const {
     const Vector sizes = lengths(system_.b), reaches = lengths(system_.reach);
@@ -89,20 +85,15 @@ class RowScales {
     return result;
   }
 
-  cl_F scale_of_weightless(std::size_t speed, const Vector& massive) const {
-    cl_F beside = zero_, alone = zero_;
-    for (std::size_t mu = 0; mu < system_.l(); ++mu) {
-      const cl_F size = cln::abs(system_.b(mu, speed));
-      alone = cln::max(alone, size);
-      if (cln::plusp(massive[mu])) beside = cln::max(beside, cl_F(size / massive[mu]));
-    }
-    const cl_F largest = cln::plusp(beside) ? beside : alone;
-    return cln::plusp(largest) ? cln::recip(largest) : cln::cl_float(1, zero_);
+  static Vector diagonal(const Matrix& g) {
+    Vector result;
+    for (std::size_t i = 0; i < g.rows(); ++i) result.push_back(g(i, i));
+    return result;
   }
 
   const System& system_;
   cl_F zero_;
-  Vector speeds_;  ///< 1 over the roots of inertias; of what has none, by the rows
+  Vector speeds_;
 };
 
 std::vector<std::size_t> independent_rows(const System& system, const std::vector<Dependence>& dependent) {

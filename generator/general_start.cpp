@@ -115,7 +115,7 @@ class GeneralStart {
     if (!g || !b) return false;
     const double least = std::max(k_least_sine_of_step, rank_tolerance(mechanics_.model));
     const auto usual = static_cast<Eigen::Index>(usual_rank(open.b, mechanics_));
-    const Eigen::VectorXd change = least_step(*g, *b, f, least, usual);
+    const Eigen::VectorXd change = emitted_step(*g, *b, f, least, usual);
     for (const auto i : mechanics_.symbols.speeds.indices()) {
       const double value = change[static_cast<Eigen::Index>(i.value)];
       if (!std::isfinite(value)) return false;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "artefact_builder.hpp"
 #include "constraint_check.hpp"
@@ -84,7 +83,7 @@ class InitialCheck {
       if (!is_violated && !is_small(mechanics_.dynamics.b[mu])) continue;
       if (!vanishes_with_gradient(mechanics_, mu)) continue;
       constraints.pass_over(mu);
-      vanishing_.insert(mu);
+      mechanics_.vanishing.insert(mu);
       const model::Constraint& row = model_.constraints[mu];
       diagnostics_.warning(
           support::code::k_vanishing_gradient, row.span,
@@ -236,7 +235,7 @@ class InitialCheck {
   }
 
   void report_violation(const Violation& violation) {
-    if (vanishing_.count(violation.index) > 0) return report_violation_of_vanishing(violation);
+    if (mechanics_.vanishing.count(violation.index) > 0) return report_violation_of_vanishing(violation);
     const support::Span span = model_.constraints[violation.index].span;
     const std::string message = fmt::format("the initial state violates constraint '{}' by {}", violation.row->name,
                                             evaluate::to_decimal(violation.residual, 3));
@@ -392,7 +391,6 @@ class InitialCheck {
   StartOptions options_;
   support::Diagnostics& diagnostics_;
   ModelValues values_;
-  std::set<std::size_t> vanishing_;  ///< constraints whose gradient vanishes wherever they hold
 };
 
 }  // namespace

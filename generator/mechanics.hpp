@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "kinematics/linkage.hpp"
 #include "strategy/held_reactions.hpp"
@@ -78,8 +79,9 @@ struct Mechanics : KinematicModel {
   MechanicsOptions options;
   std::shared_ptr<const UsualStates> usual_states;  ///< once somebody asks for them
   std::optional<std::size_t> usual_rank;            ///< of all constraints, likewise
-  std::vector<ir::SymbolId> multipliers;            ///< of a solution that is given, where functions of one were made
-  std::vector<ir::SymbolId> start;                  ///< of the configuration before a projection, where one was made
+  std::set<std::size_t> vanishing;        ///< constraints whose gradient is known to vanish wherever they hold
+  std::vector<ir::SymbolId> multipliers;  ///< of a solution that is given, where functions of one were made
+  std::vector<ir::SymbolId> start;        ///< of the configuration before a projection, where one was made
   std::optional<std::vector<support::Rational>>
       known_start;  ///< numbers of the initial state, where general_start.hpp has found it
 };

@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
 
+#include "artefact_builder.hpp"
 #include "dense.hpp"
 #include "least_step.hpp"
 #include "position_equations.hpp"
+#include "spans.hpp"
 #include "strategy/state_search.hpp"
+#include "usual_rank.hpp"
 
 namespace gaussgen {
 
@@ -17,10 +22,17 @@ using Vector = std::vector<double>;
 
 constexpr int k_most_damped_steps = 400;
 constexpr int k_most_steps = 30;
-constexpr double k_arrived = 1e-13;    ///< of an approach with the emitted code's steps: f of what it is made of
-constexpr double k_solved = 1e-11;     ///< f of what it is made of
-constexpr double k_violated = 1e-6;    ///< likewise, of the largest among the equations, and of that at the start
-constexpr double k_stationary = 1e-6;  ///< Jᵀ f of the largest f and ∂f
+constexpr double k_arrived = 1e-13;  ///< of an approach with the emitted code's steps: f of what it is made of
+constexpr double k_same_place = 1e-12;
+constexpr double k_solved = 1e-13;     ///< f of what it is made of: violations are told by as many digits
+constexpr double k_fits = 1e-11;       ///< likewise of speeds
+constexpr double k_rounding = 1e-15;   ///< likewise, where a descent ends
+constexpr double k_unmet = 1e-6;       ///< likewise, of speeds that cannot be found
+constexpr double k_takes_part = 1e-6;  ///< f of the largest f
+constexpr double k_come_far = 1e-13;   ///< of all f at the start
+constexpr double k_stationary =
+    1e-4;  ///< Jᵀ f of the largest f and ∂f; where f changes by squares, a descent ends half of the digits before
+constexpr double k_noise = 1e-14;  ///< f of what it is made of, in that sum
 constexpr double k_most_damping = 1e12;
 constexpr double k_part = 1e-9;  ///< of the largest: less is rounding
 
@@ -40,10 +52,68 @@ Vector least_change(const Linearised& at, std::size_t n) {
   return unmapped(least_step(Eigen::MatrixXd::Identity(size, size), matrix(at.j, n), mapped(at.f)));
 }
 
-/// The step of emitted code, with the least δᵀ G δ.
-Vector least_change(const Linearised& at, const std::vector<Vector>& metric) {
-  const std::size_t n = metric.size();
-  return unmapped(least_step(matrix(metric, n), matrix(at.j, n), mapped(at.f)));
+/// J δ = -f, with the least δ in these spans. Rounding of f, divided by the least sine of a row that is taken, is less than that sine.
+Vector least_change(const Linearised& at, const Vector& spans) {
+  const Eigen::VectorXd weights = mapped(spans).cwiseAbs2().cwiseInverse();
+  return unmapped(least_step(weights.asDiagonal(), matrix(at.j, spans.size()), mapped(at.f),
+                             k_least_sine_of_step * std::sqrt(at.amplification(spans))));
+}
+
+/// How many of the equations of positions say something of their own along what moves.
+Eigen::Index usual_rank_along(const std::vector<bool>& movable, Mechanics& mechanics) {
+  strategy::Matrix rows;
+  for (const auto mu : mechanics.kinematics.constraints.indices()) {
+    if (!mechanics.kinematics.constraints[mu].f) continue;
+    rows.push_back(mechanics.dynamics.b[mu.value]);
+    for (std::size_t i = 0; i < movable.size(); ++i) {
+      if (!movable[i]) rows.back()[i] = mechanics.expressions.number(0);
+    }
+  }
+  return static_cast<Eigen::Index>(usual_rank(rows, mechanics));
+}
+
+/// The steps of emitted code, each with the least δᵀ G δ.
+class EmittedSteps {
+ public:
+  EmittedSteps(Mechanics& mechanics, const std::vector<bool>& movable, double time)
+      : equations_(mechanics, movable, time),
+        rank_(has_general_way(mechanics) ? usual_rank_along(movable, mechanics)
+                                         : std::numeric_limits<Eigen::Index>::max()),
+        least_sine_(std::max(k_least_sine_of_step, rank_tolerance(mechanics.model))) {}
+
+  Approach run(Eigen::Index preferred) {
+    auto here = equations_.start() ? equations_.linearised() : std::nullopt;
+    for (int i = 0; here && i < strategy::k_steps_to_start; ++i) {
+      const std::size_t n = equations_.movable().size();
+      equations_.move(unmapped(emitted_step(matrix(equations_.metric(), n), matrix(here->j, n), mapped(here->f),
+                                            least_sine_, rank_, preferred)));
+      here = equations_.linearised();
+    }
+    return {equations_.position(), here && here->is_solved(k_arrived)};
+  }
+
+  /// Those that may be first; one where no equation follows from others.
+  Eigen::Index choices() {
+    const auto here = equations_.linearised();
+    const auto count = here ? static_cast<Eigen::Index>(here->f.size()) : 0;
+    return count > rank_ ? count : 1;
+  }
+
+ private:
+  PositionEquations equations_;
+  Eigen::Index rank_;
+  double least_sine_;
+};
+
+/// Up to a small part of the largest coordinate of their unit; of 1 where that is an angle.
+bool are_same(const Vector& a, const Vector& b, const Mechanics& mechanics) {
+  std::map<std::string, double> sizes{{"rad", 1}, {"", 1}};
+  const auto& all = mechanics.symbols.configuration;
+  for (const auto i : all.indices()) sizes[all[i].unit] = std::max(sizes[all[i].unit], std::abs(a[i.value]));
+  for (const auto i : all.indices()) {
+    if (!(std::abs(a[i.value] - b[i.value]) <= k_same_place * sizes[all[i].unit])) return false;
+  }
+  return true;
 }
 
 /// Levenberg's and Marquardt's method for the least Σ f², from beside the guess.
@@ -57,7 +127,7 @@ class Descent {
     if (!here || here->j.empty()) return here;
     remember_sizes(*here);
     double damping = 1e-3;
-    for (int i = 0; i < k_most_damped_steps && !here->is_solved(k_solved) && damping < k_most_damping; ++i) {
+    for (int i = 0; i < k_most_damped_steps && !here->is_solved(k_rounding) && damping < k_most_damping; ++i) {
       const Vector from = equations_.position();
       equations_.move(step(*here, damping));
       auto there = equations_.linearised();
@@ -74,10 +144,11 @@ class Descent {
   }
 
   bool is_stationary(const Linearised& at) const {
-    const double largest = mapped(at.f).lpNorm<Eigen::Infinity>();
+    const double most =
+        k_stationary * mapped(at.f).lpNorm<Eigen::Infinity>() + k_noise * mapped(at.size).lpNorm<Eigen::Infinity>();
     const Eigen::VectorXd slope = matrix(at.j, sizes_.size()).transpose() * mapped(at.f);
     for (std::size_t k = 0; k < sizes_.size(); ++k) {
-      if (std::abs(slope[static_cast<Eigen::Index>(k)]) > k_stationary * sizes_[k] * largest) return false;
+      if (std::abs(slope[static_cast<Eigen::Index>(k)]) > sizes_[k] * most) return false;
     }
     return true;
   }
@@ -145,9 +216,9 @@ std::vector<bool> needed(const Linearised& at, const std::vector<bool>& open) {
   return result;
 }
 
-bool start_beside_guess(PositionEquations& equations) {
+bool start_beside_guess(const Mechanics& mechanics, PositionEquations& equations) {
   if (!equations.start()) return false;
-  equations.leave_symmetry();
+  equations.leave_symmetry(spans_at(mechanics, equations));
   equations.weigh();
   return true;
 }
@@ -157,8 +228,8 @@ std::optional<Contradiction> contradiction_at(const Linearised& at, const Positi
   Contradiction found;
   bool is_clear = false;
   for (std::size_t i = 0; i < at.f.size(); ++i) {
-    if (std::abs(at.f[i]) <= k_violated * largest) continue;
-    is_clear = is_clear || std::abs(at.f[i]) > k_violated * at.size[i];
+    if (std::abs(at.f[i]) <= k_takes_part * largest) continue;
+    is_clear = is_clear || std::abs(at.f[i]) > k_solved * at.size[i];
     found.constraints.push_back(equations.constraint(i));
     found.residuals.push_back(at.f[i] / equations.weight(i));
   }
@@ -170,47 +241,50 @@ std::optional<Contradiction> contradiction_at(const Linearised& at, const Positi
 std::optional<Contradiction> contradictory_positions(Mechanics& mechanics) {
   if (mechanics.dynamics.n() == 0) return std::nullopt;
   PositionEquations equations(mechanics, std::vector<bool>(mechanics.dynamics.n(), true), 0);
-  const auto first = start_beside_guess(equations) ? equations.linearised() : std::nullopt;
+  const auto first = start_beside_guess(mechanics, equations) ? equations.linearised() : std::nullopt;
   if (!first) return std::nullopt;
   Descent descent(equations);
   const auto last = descent.run();
   if (!descent.is_stationary(*last)) return std::nullopt;
   // What only goes slowly, as x² does, has come far.
-  const bool is_far = std::sqrt(last->square()) > k_violated * std::sqrt(first->square());
+  const bool is_far = std::sqrt(last->square()) > k_come_far * std::sqrt(first->square());
   return is_far ? contradiction_at(*last, equations) : std::nullopt;
 }
 
 Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time) {
-  PositionEquations equations(mechanics, movable, time);
-  auto here = equations.start() ? equations.linearised() : std::nullopt;
-  for (int i = 0; here && i < strategy::k_steps_to_start; ++i) {
-    equations.move(least_change(*here, equations.metric()));
-    here = equations.linearised();
+  EmittedSteps steps(mechanics, movable, time);
+  Approach found = steps.run(0);
+  const Eigen::Index choices = steps.choices();
+  for (Eigen::Index k = 1; k < choices && found.is_solved && found.is_settled; ++k) {
+    const Approach other = steps.run(k);
+    found.is_settled = other.is_solved && are_same(found.position, other.position, mechanics);
   }
-  return {equations.position(), here && here->is_solved(k_arrived)};
+  return found;
 }
 
-bool nearest_solution(PositionEquations& equations) {
+bool nearest_solution(PositionEquations& equations, const Vector& spans) {
   auto here = equations.linearised();
   for (int i = 0; here && !here->is_solved(k_solved) && i < k_most_steps; ++i) {
-    equations.move(least_change(*here, equations.movable().size()));
+    equations.move(least_change(*here, spans));
     here = equations.linearised();
   }
   return here && here->is_solved(k_solved);
 }
 
-void polish(PositionEquations& equations) {
-  const Vector before = equations.position();
-  const auto here = equations.linearised();
-  if (!here) return;
-  equations.move(least_change(*here, equations.movable().size()));
-  const auto there = equations.linearised();
-  if (!there || there->square() > here->square()) equations.set(before);
+void polish(PositionEquations& equations, const Vector& spans) {
+  auto here = equations.linearised();
+  for (int i = 0; here && i < k_most_steps; ++i) {
+    const Vector before = equations.position();
+    equations.move(least_change(*here, spans));
+    auto there = equations.linearised();
+    if (!there || there->left() >= here->left()) return equations.set(before);
+    here = std::move(there);
+  }
 }
 
 Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time) {
   PositionEquations equations(mechanics, movable, time);
-  if (!start_beside_guess(equations)) return {equations.position(), false};
+  if (!start_beside_guess(mechanics, equations)) return {equations.position(), false};
   const auto reached = Descent(equations).run();
   if (!reached || !reached->is_solved(k_solved)) return {equations.position(), false};
   const Vector wound = equations.position();
@@ -244,7 +318,7 @@ std::optional<Linearised> at_found_speeds(Mechanics& mechanics, const Vector& po
 
 bool speeds_fit(Mechanics& mechanics, const std::vector<double>& position, const std::vector<bool>& open, double time) {
   const auto found = at_found_speeds(mechanics, position, open, time);
-  return found && found->is_solved(k_solved);
+  return found && found->is_solved(k_fits);
 }
 
 std::vector<std::pair<std::size_t, double>> unmet_by_speeds(Mechanics& mechanics, const std::vector<double>& position,
@@ -252,7 +326,7 @@ std::vector<std::pair<std::size_t, double>> unmet_by_speeds(Mechanics& mechanics
   const auto found = at_found_speeds(mechanics, position, open, time);
   std::vector<std::pair<std::size_t, double>> unmet;
   for (std::size_t mu = 0; found && mu < found->f.size(); ++mu) {
-    if (std::abs(found->f[mu]) > k_violated * found->size[mu]) unmet.emplace_back(mu, found->f[mu]);
+    if (std::abs(found->f[mu]) > k_unmet * found->size[mu]) unmet.emplace_back(mu, found->f[mu]);
   }
   return unmet;
 }

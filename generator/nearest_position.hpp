@@ -23,16 +23,17 @@ std::optional<Contradiction> contradictory_positions(Mechanics& mechanics);
 
 class PositionEquations;
 
-/// Newton's method from where `equations` are, with the least displacements; false where it does not arrive at a solution.
-bool nearest_solution(PositionEquations& equations);
+/// Newton's method from where `equations` are, with the least displacements in these spans; false where it does not arrive at a solution.
+bool nearest_solution(PositionEquations& equations, const std::vector<double>& spans);
 
-/// One more step from a solution: to rounding.
-void polish(PositionEquations& equations);
+/// From a solution as many more steps as make less of what is left of it: to rounding.
+void polish(PositionEquations& equations, const std::vector<double>& spans);
 
 /// Along the speeds that are `movable`, from the guesses of the model, at a time.
 struct Approach {
   std::vector<double> position;  ///< the configuration that it came to
   bool is_solved = false;        ///< it satisfies all equations of positions
+  bool is_settled = true;  ///< whichever of equations that follow from others the steps take: only rounding tells which
 };
 
 /// The steps of Newton's method that emitted code takes, each the least one in the mass metric.

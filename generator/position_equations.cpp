@@ -22,6 +22,24 @@ double Linearised::square() const {
   return sum;
 }
 
+double Linearised::left() const {
+  double largest = 0;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    if (f[i] != 0) largest = std::max(largest, std::abs(f[i]) / size[i]);
+  }
+  return largest;
+}
+
+double Linearised::amplification(const Vector& spans) const {
+  double largest = 1;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    double squares = 0;
+    for (std::size_t k = 0; k < spans.size(); ++k) squares += std::pow(j[i][k] * spans[k], 2);
+    if (squares > 0) largest = std::max(largest, size[i] / std::sqrt(squares));
+  }
+  return largest;
+}
+
 bool Linearised::is_solved(double part) const {
   for (std::size_t i = 0; i < f.size(); ++i) {
     if (std::abs(f[i]) > part * size[i]) return false;
@@ -82,13 +100,10 @@ void PositionEquations::move(const Vector& along_speeds) {
   set(std::move(q));
 }
 
-void PositionEquations::leave_symmetry() {
+void PositionEquations::leave_symmetry(const Vector& spans) {
   Vector displacement;
-  for (std::size_t i = 0; i < mechanics_.symbols.speeds.size(); ++i) {
-    const bool is_plain = i < mechanics_.symbols.plain_count();
-    const double size = is_plain && q_[i] != 0 ? std::abs(q_[i]) : 1;
-    displacement.push_back(movable_[i] ? k_first_step * size * (1 + 0.37 * static_cast<double>(i)) : 0);
-  }
+  for (std::size_t i = 0; i < spans.size(); ++i)
+    displacement.push_back(movable_[i] ? k_first_step * spans[i] * (1 + 0.37 * static_cast<double>(i)) : 0);
   move(displacement);
 }
 
@@ -152,6 +167,15 @@ PositionEquations::Vector PositionEquations::speeds() {
     u.push_back(value ? value->value : 0);
   }
   return u;
+}
+
+PositionEquations::Vector PositionEquations::inertias() {
+  Vector result;
+  for (const ir::Expr inertia : strategy::inertias(mechanics_.dynamics)) {
+    const auto value = values_(inertia.id());
+    result.push_back(value ? value->value : 0);
+  }
+  return result;
 }
 
 std::vector<PositionEquations::Vector> PositionEquations::metric() {

@@ -21,7 +21,12 @@ struct Linearised {
   std::vector<Vector> j;  ///< rows ∂f/∂(displacement along the speeds), likewise; zero along what does not move
 
   double square() const;
+  double left() const;                ///< the largest f beside what it is made of
   bool is_solved(double part) const;  ///< no f is larger than this part of what it is made of
+
+  /// The largest of what an f is made of, beside its change over a span of each displacement: by how much less exact than a double a position is that satisfies
+  /// the equations, as 10⁶ where places are 10⁶ lengths off the origin. 1 at least.
+  double amplification(const Vector& spans) const;
 };
 
 class PositionEquations {
@@ -38,8 +43,8 @@ class PositionEquations {
   void set(Vector q);
   void move(const Vector& along_speeds);
 
-  /// A little off the guess: where a derivative vanishes by symmetry, as that of x² - 1 at 0, a search does not find its way.
-  void leave_symmetry();
+  /// By a little of these spans: where a derivative vanishes by symmetry, as that of x² - 1 at 0, a search does not find its way.
+  void leave_symmetry(const Vector& spans);
 
   /// From here on equations are in units of displacements: times 1 / (the largest derivative here).
   void weigh();
@@ -55,6 +60,9 @@ class PositionEquations {
 
   /// Of the guess.
   Vector speeds();
+
+  /// g_αα
+  Vector inertias();
 
   /// g_αβ over what moves, and zero elsewhere.
   std::vector<Vector> metric();

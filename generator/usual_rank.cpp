@@ -10,9 +10,9 @@
 #include "evaluate/arithmetic_double.hpp"
 #include "evaluation.hpp"
 #include "generic_point.hpp"
-#include "nearest_position.hpp"
-#include "position_equations.hpp"
+#include "least_step.hpp"
 #include "repeated_numbers.hpp"
+#include "usual_places.hpp"
 
 namespace gaussgen {
 
@@ -22,32 +22,11 @@ namespace {
 constexpr std::size_t k_most_entries = 4000;
 
 constexpr int k_states = 3;
-constexpr double k_first_displacement = 0.3;  ///< of coordinates of their size, and of angles
-constexpr double k_least_displacement = 1e-3;
 constexpr double k_rounding = 1e-12;  ///< of a row where others are of length 1, at positions that are good to rounding
 
-std::vector<double> displacement_of(const Mechanics& mechanics, const std::vector<double>& from, double part,
-                                    RepeatedNumbers& numbers) {
-  std::vector<double> result;
-  for (const auto i : mechanics.symbols.speeds.indices()) {
-    const bool is_length = i.value < mechanics.symbols.plain_count() && mechanics.symbols.speeds[i].is_of_length();
-    const double size = is_length && from[i.value] != 0 ? std::abs(from[i.value]) : 1;
-    result.push_back(part * size * numbers());
-  }
-  return result;
-}
-
-/// Columns where inertias are 1, rows of unit length, as in gauss/constrained.hpp; of what has no inertia, by the largest entry.
+/// Speeds where inertias are 1, rows of unit length.
 Eigen::MatrixXd scaled(Eigen::MatrixXd matrix, const std::vector<double>& inertias) {
-  for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-    const double inertia = inertias[static_cast<std::size_t>(j)];
-    const double largest = matrix.col(j).lpNorm<Eigen::Infinity>();
-    if (inertia > 0) {
-      matrix.col(j) /= std::sqrt(inertia);
-    } else if (largest > 0) {
-      matrix.col(j) /= largest;
-    }
-  }
+  matrix *= scales_of_columns(inertias, matrix).asDiagonal();
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     const double size = matrix.row(i).norm();
     if (size > 0) matrix.row(i) /= size;
@@ -67,24 +46,13 @@ std::size_t rank_of(const Eigen::MatrixXd& matrix, const std::vector<double>& in
 }  // namespace
 
 UsualStates::UsualStates(Mechanics& mechanics) : mechanics_(mechanics) {
-  const std::size_t n = mechanics.dynamics.n();
-  const std::vector<bool> all(n, true);
-  const Approach begin = long_approach(mechanics, all, 0);
-  if (n == 0 || !begin.is_solved) return;
-  PositionEquations equations(mechanics, all, 0);
-  if (!equations.start()) return;
+  if (mechanics.dynamics.n() == 0) return;
   RepeatedNumbers numbers;
-  for (int k = 0; k < k_states; ++k) {
-    for (double part = k_first_displacement; part > k_least_displacement; part /= 4) {
-      equations.set(begin.position);
-      equations.move(displacement_of(mechanics, begin.position, part, numbers));
-      if (!nearest_solution(equations)) continue;
-      polish(equations);
-      State state{equations.position(), {}};
-      for (std::size_t i = 0; i < n; ++i) state.speeds.push_back(numbers());
-      states_.push_back(std::move(state));
-      break;
-    }
+  UsualPlaces places(mechanics, 0, numbers);
+  for (int k = 0; k < k_states && places.next(); ++k) {
+    State state{places.equations().position(), {}, places.rounding()};
+    for (std::size_t i = 0; i < mechanics.dynamics.n(); ++i) state.speeds.push_back(numbers());
+    states_.push_back(std::move(state));
   }
 }
 
@@ -116,7 +84,7 @@ std::optional<std::size_t> UsualStates::rank(const strategy::Matrix& rows, doubl
         matrix(i, j) = *value;
       }
     }
-    largest = std::max(largest, rank_of(matrix, sizes, tolerance));
+    largest = std::max(largest, rank_of(matrix, sizes, std::max(tolerance, state.rounding)));
   }
   return largest;
 }
@@ -141,12 +109,21 @@ std::size_t usual_rank(Mechanics& mechanics) {
   return *mechanics.usual_rank;
 }
 
-std::size_t mobility(Mechanics& mechanics) { return mechanics.dynamics.n() - usual_rank(mechanics); }
+std::size_t rank_that_holds(Mechanics& mechanics) {
+  if (mechanics.vanishing.empty()) return usual_rank(mechanics);
+  strategy::Matrix rows;
+  for (std::size_t mu = 0; mu < mechanics.dynamics.l(); ++mu) {
+    if (mechanics.vanishing.count(mu) == 0) rows.push_back(mechanics.dynamics.b[mu]);
+  }
+  return rows.empty() ? 0 : usual_rank(rows, mechanics);
+}
+
+std::size_t mobility(Mechanics& mechanics) { return mechanics.dynamics.n() - rank_that_holds(mechanics); }
 
 std::string mobility_in_words(Mechanics& mechanics) {
   const std::size_t n = mechanics.dynamics.n(), l = mechanics.dynamics.l();
   if (l == 0 || n * (n + l) > k_most_entries) return "";
-  const std::size_t rank = usual_rank(mechanics);
+  const std::size_t rank = rank_that_holds(mechanics);
   const std::string of_rank = rank < l ? fmt::format(" of rank {}", rank) : "";
   return fmt::format("mobility {} ({} speed{}, {} constraint{}{})", n - rank, n, n == 1 ? "" : "s", l,
                      l == 1 ? "" : "s", of_rank);

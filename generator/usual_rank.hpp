@@ -25,6 +25,7 @@ class UsualStates {
  private:
   struct State {
     std::vector<double> configuration, speeds;
+    double rounding = 0;  ///< sines that are less say nothing here
   };
 
   evaluate::Evaluator<double> values_at(const State& state) const;
@@ -46,7 +47,10 @@ std::size_t usual_rank(const strategy::Matrix& rows, Mechanics& mechanics);
 /// Of all constraints; found once.
 std::size_t usual_rank(Mechanics& mechanics);
 
-/// Motions that all constraints leave: free speeds less the usual rank of the constraints.
+/// Without those whose gradient vanishes wherever they hold (Mechanics::vanishing): beside that, where a search has come to, it has a direction.
+std::size_t rank_that_holds(Mechanics& mechanics);
+
+/// Motions that all constraints leave: free speeds less that.
 std::size_t mobility(Mechanics& mechanics);
 
 /// "mobility 1 (3 speeds, 6 constraints of rank 2)"; empty without constraints, and where counting would take long.

@@ -5,6 +5,7 @@
 
 #include "position_equations.hpp"
 #include "repeated_numbers.hpp"
+#include "spans.hpp"
 
 namespace gaussgen {
 
@@ -15,7 +16,7 @@ using Vector = std::vector<double>;
 constexpr int k_starts = 3;
 constexpr int k_steps = 12;
 constexpr int k_steps_that_count = 5;
-constexpr double k_away = 0.1;  ///< of coordinates of their size, and of angles
+constexpr double k_away = 0.1;  ///< of a span
 
 /// (1 - 1/m)^m for a root of order m: 1/4 of a square, towards 1/e.
 constexpr double k_least_factor = 0.15;
@@ -30,7 +31,9 @@ struct Row {
 class OneConstraint {
  public:
   OneConstraint(Mechanics& mechanics, std::size_t constraint)
-      : equations_(mechanics, std::vector<bool>(mechanics.dynamics.n(), true), 0), constraint_(constraint) {
+      : mechanics_(mechanics),
+        equations_(mechanics, std::vector<bool>(mechanics.dynamics.n(), true), 0),
+        constraint_(constraint) {
     std::size_t row = 0;
     for (const auto mu : mechanics.kinematics.constraints.indices()) {
       const bool is_of_positions = mechanics.kinematics.constraints[mu].f.has_value();
@@ -41,11 +44,9 @@ class OneConstraint {
 
   bool start(RepeatedNumbers& number) {
     if (!equations_.start()) return false;
+    if (spans_.empty()) spans_ = spans_at(mechanics_, equations_);
     Vector away;
-    for (std::size_t i = 0; i < equations_.movable().size(); ++i) {
-      const double size = i < equations_.position().size() ? std::abs(equations_.position()[i]) : 0;
-      away.push_back(k_away * (size > 0 ? size : 1) * number());
-    }
+    for (const double span : spans_) away.push_back(k_away * span * number());
     equations_.move(away);
     speeds_ = equations_.speeds();
     for (double& speed : speeds_) speed += k_away * (speed != 0 ? std::abs(speed) : 1) * number();
@@ -64,7 +65,9 @@ class OneConstraint {
   }
 
  private:
+  const Mechanics& mechanics_;
   PositionEquations equations_;
+  Vector spans_;
   std::size_t constraint_;
   std::optional<std::size_t> row_;  ///< among equations of positions
   Vector speeds_;

@@ -114,7 +114,7 @@ inline constexpr ErrorCode k_contradictory_start{
 inline constexpr ErrorCode k_undefined_start{"W052", "an initial state at which something has no value"};
 inline constexpr ErrorCode k_singular_start{"W053", "an initial state without accelerations"};
 inline constexpr ErrorCode k_dependent_start{"W057", "an initial state at which constraints follow from each other"};
-inline constexpr ErrorCode k_far_start{"W068", "guesses from which only a longer search finds a start"};
+inline constexpr ErrorCode k_far_start{"W068", "guesses from which emitted code finds no start, or one that rounding decides"};
 inline constexpr ErrorCode k_chosen_start{"W059", "initial rates that the constraints do not determine"};
 
 // What the equations show about every configuration.

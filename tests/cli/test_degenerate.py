@@ -130,6 +130,27 @@ class Degenerate(Program):
                     for name, value in values.items():
                         self.assertAlmostEqual(float(found[group][name]["value"]), value, 12, (group, name))
 
+    def test_what_holds_nothing_is_not_counted_as_if_it_did(self):
+        for power, mobility in (("(x - 0.3)", "mobility 1 (2 speeds, 1 constraint)"),
+                                ("(x - 0.3)^2", "mobility 2 (2 speeds, 1 constraint of rank 0)")):
+            text = HEAD + ("coordinates: {x: {initial_guess: 0.4}, y: {initial_rate: 2}}\n"
+                           f"particles: {{p: {{mass: 1, position: [x, y, 0]}}}}\nconstraints: {{wall: {{equation: {power}}}}}\n")
+            with self.subTest(power):
+                checked = self.run_it("--check", "-", stdin=text)
+                self.assertEqual("W071" in checked.stderr, "^2" in power)
+                self.assertIn("ok, " + mobility, checked.stdout)
+
+    # Agreed at the start with first and second derivatives, and a part of 1e-8 apart later.
+    def test_what_differs_by_little_does_not_agree(self):
+        for part, agrees in (("0", True), ("1e-8", False)):
+            text = HEAD + (f"parameters: {{d: {part}}}\ncoordinates: {{x: {{initial_rate: 1}}, y: {{}}}}\n"
+                           "particles: {p: {mass: 1, position: [x, y, 0]}}\n"
+                           "constraints: {a: {velocity: dot(x) - 1}, b: {velocity: 2*dot(x) - 2 - d*t^3}}\n")
+            with self.subTest(part):
+                said = self.run_it("--check", "-", stdin=text).stderr
+                self.assertIn("W054", said)
+                self.assertEqual("but not in other states or at other times" not in said, agrees)
+
     def test_the_code_of_what_has_an_answer_is_emitted(self):
         for what, (text, *_) in ANSWERED.items():
             with self.subTest(what):

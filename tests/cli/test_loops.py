@@ -1,13 +1,17 @@
 """Closed loops from guesses that are beside a solution: found, and closed by formulas that know nothing of the generator."""
 
+import json
 import math
+import os
 import random
 import re
+import subprocess
 import unittest
 
 from gauss_gen import MODELS, SOURCE, Evaluate
 
 HARD = SOURCE / "hard_cases" / "models"
+BARS = SOURCE / "tests" / "headers" / "rank" / "three_bars.yaml"
 X, Y, Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
 SPACE = (X, Y, Z), (0, 0, 0)  # columns are axes, then the origin
 
@@ -73,6 +77,14 @@ def slider_crank(q):
 
 LINKAGES = [(HARD, bricard, 5), (HARD, bennett, 3), (HARD, sarrus, 5), (MODELS, four_bar, 3), (MODELS, slider_crank, 3)]
 AWAY = (1e-6, 1e-4, 0.01, 0.1, 0.3)
+MAIN = """#include "NAME.hpp"
+#include <cstdio>
+int main() {
+  gauss::NAME::State<double> state;
+  if (initial_state(gauss::NAME::prepare(gauss::NAME::Parameters<double>{}), state) != gauss::Status::ok) return 1;
+  for (const double value : state.values) std::printf("%.17g\\n", value);
+}
+"""
 
 
 class Loops(Evaluate):
@@ -105,6 +117,26 @@ class Loops(Evaluate):
                         if away <= 0.01:
                             self.assertLess(max(abs(found[name] - solved[name]) for name in names), 4 * away)
 
+    # Which of equations that follow from others a step takes first is for rounding to decide, and far from a solution the place that it leads to.
+    def test_emitted_code_starts_where_evaluate_says(self):
+        for linkage, guesses, is_warned in (("bennett", "1 -2.5 -1", True), ("bennett", "1.7 -3.7 -1.7", True),
+                                            ("bennett", "1.7270113 -3.7076231 -1.7270113", False), ("bricard", None, False)):
+            text = (HARD / f"{linkage}.yaml").read_text(encoding="utf-8")
+            for guess in (guesses or "").split():
+                text = re.sub(r"initial_guess: -?[\d.]+", f"initial_GUESS: {guess}", text, count=1)
+            text = text.replace("GUESS", "guess")
+            with self.subTest(linkage=linkage, guesses=guesses):
+                done = self.run_it("-", "-o", ".", "--outputs=initial_state", stdin=text)
+                self.assertEqual((done.returncode, "W068" in done.stderr), (0, is_warned), done.stderr)
+                source = self.write("main.cpp", MAIN.replace("NAME", linkage))
+                subprocess.run([os.environ["GAUSS_CXX"], "-std=c++17", "-I.", source, "-o", "main"], cwd=self.folder, check=True)
+                emitted = subprocess.run(["./main"], cwd=self.folder, check=True, capture_output=True, text=True).stdout.split()
+                said = self.run_it("evaluate", "-", "--format=json", stdin=text)
+                state = {name: of["value"] for name, of in json.loads(said.stdout)["state"].items() if name != "t"}
+                self.assertEqual(len(state), len(emitted))
+                for (name, value), start in zip(state.items(), emitted):
+                    self.assertLess(abs(float(value) - float(start)), 2e-12 * max(1, abs(float(value))), name)
+
     def test_a_loop_that_cannot_be_closed_is_refused(self):
         bennett_twisted = (HARD / "bennett.yaml").read_text(encoding="utf-8").replace("asin(1.5*sin(u))", "asin(1.5*sin(u)) + TWIST")
         for twist in ("0.1", "1e-3", "1e-6"):
@@ -114,6 +146,29 @@ class Loops(Evaluate):
         self.assertNotIn("error", self.run_it("-", "--check", stdin=bennett_twisted.replace("TWIST", "1e-14")).stderr)
         four_bar_short = (MODELS / "four_bar.yaml").read_text(encoding="utf-8").replace("L2: {value: 0.6", "L2: {value: 3")
         self.assertRegex(self.refused(1, "-", "--check", stdin=four_bar_short), r"error\[E0[78]0\]")
+
+    # A slab on three parallel bars, one constraint too many: it moves unless the middle pivot is out of place.
+    def test_rank_is_the_same_wherever_a_loop_stands_and_whatever_its_units(self):
+        text = BARS.read_text(encoding="utf-8")
+        for at in ("[-h, 0, 0]}\n  A2", "[d, 0, 0]", "[h, 0, 0]}\n  B1"):
+            self.assertIn(at, text)
+            text = text.replace(at, at.replace("[", "[X + ", 1))
+        text = text.replace("{unit: m, initial: 0}", "{unit: m, initial: X}")
+        for metre in ("1e-9", "1", "1e9"):
+            for away in ("0", "1e3", "1e4", "1e5", "1e6", "-1e8"):
+                for d, found in (("0", "mobility 1 (3 speeds, 3 constraints of rank 2)"), ("1e-3", "mobility 0 (3 speeds, 3 constraints)")):
+                    with self.subTest(metre=metre, away=away, d=d):
+                        of_size = (text.replace("h: {value: 1,", f"h: {{value: {metre},")
+                                   .replace("d: {value: 0, unit: m}", f"d: {{value: {d}*{metre}, unit: m}}\n  X: {{value: {away}*{metre}, unit: m}}")
+                                   .replace("J: {value: 0.1,", f"J: {{value: 0.1*{metre}*{metre},"))
+                        self.assertIn(found, self.run_it("-", "--check", stdin=of_size).stdout)
+
+    def test_a_gradient_does_not_vanish_since_a_place_is_far_off(self):
+        text = ("gauss: 1\nname: far\ncoordinates: {x: {initial: 1000001.5}, y: {initial: 0}}\n"
+                "particles: {p: {mass: 1, position: [x, y, 0]}}\nconstraints: {rod: {equation: (x - 1e6)^2 + y^2 - 1}}\n")
+        said = self.refused(1, "-", "--check", stdin=text)
+        self.assertNotIn("W071", said)
+        self.assertIn("violates constraint 'rod' by 1.25", said)
 
 
 if __name__ == "__main__":

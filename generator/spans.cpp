@@ -1,0 +1,89 @@
+#include "spans.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "position_equations.hpp"
+
+namespace gaussgen {
+
+namespace {
+
+using Vector = std::vector<double>;
+
+constexpr double k_changed = 0.5;  ///< of a gradient
+constexpr double k_factor = 4;     ///< from one span that is tried to the next
+constexpr double k_least = 1e-8;   ///< of a coordinate: half of its digits
+constexpr double k_far = 1e12;     ///< where nothing has changed there, nothing does
+
+class Spans {
+ public:
+  Spans(const Mechanics& mechanics, PositionEquations& equations)
+      : mechanics_(mechanics),
+        equations_(equations),
+        from_(equations.position()),
+        all_(mechanics.dynamics.n(), true),
+        speeds_(equations.speeds()),
+        here_(equations.of_speeds(speeds_, all_)),
+        inertias_(equations.inertias()) {}
+
+  double along(std::size_t i) const {
+    const double first = first_span(i), least = k_least * (i < from_.size() ? std::abs(from_[i]) : 0);
+    if (!here_) return first;
+    double span = first;
+    while (span > least && change(i, span) > k_changed) span /= k_factor;
+    if (span < first || is_angle(i) || change(i, k_far * first) <= k_changed) return span;
+    while (change(i, k_factor * span) <= k_changed) span *= k_factor;
+    return span;
+  }
+
+ private:
+  bool is_angle(std::size_t i) const { return mechanics_.symbols.speeds[kinematics::FreeIndex{i}].unit == "rad/s"; }
+
+  double first_span(std::size_t i) const {
+    const bool is_plain = i < mechanics_.symbols.plain_count();
+    return !is_angle(i) && is_plain && from_[i] != 0 ? std::abs(from_[i]) : 1;
+  }
+
+  /// The largest of a gradient beside what it is here. One that vanishes here has no size.
+  double change(std::size_t i, double span) const {
+    Vector along(all_.size(), 0);
+    along[i] = span;
+    equations_.set(from_);
+    equations_.move(along);
+    const auto there = equations_.of_speeds(speeds_, all_);
+    equations_.set(from_);
+    if (!there) return std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (std::size_t mu = 0; mu < here_->j.size(); ++mu) {
+      double before = 0, changed = 0;
+      for (std::size_t k = 0; k < all_.size(); ++k) {
+        const double weight = inertias_[k] > 0 ? 1 / inertias_[k] : 1;
+        before += weight * std::pow(here_->j[mu][k], 2);
+        changed += weight * std::pow(there->j[mu][k] - here_->j[mu][k], 2);
+      }
+      if (before > 0) largest = std::max(largest, std::sqrt(changed / before));
+    }
+    return largest;
+  }
+
+  const Mechanics& mechanics_;
+  PositionEquations& equations_;
+  Vector from_;
+  std::vector<bool> all_;
+  Vector speeds_;
+  std::optional<Linearised> here_;
+  Vector inertias_;
+};
+
+}  // namespace
+
+std::vector<double> spans_at(const Mechanics& mechanics, PositionEquations& equations) {
+  const Spans spans(mechanics, equations);
+  Vector result;
+  for (std::size_t i = 0; i < equations.movable().size(); ++i) result.push_back(spans.along(i));
+  return result;
+}
+
+}  // namespace gaussgen

@@ -1,0 +1,37 @@
+#pragma once
+// Places that nothing singles out, on the equations of positions: what is so there is so in general.
+
+#include <optional>
+#include <vector>
+
+#include "mechanics.hpp"
+#include "position_equations.hpp"
+#include "repeated_numbers.hpp"
+
+namespace gaussgen {
+
+class UsualPlaces {
+ public:
+  /// At a time; the numbers say where.
+  UsualPlaces(Mechanics& mechanics, double time, RepeatedNumbers& numbers);
+
+  /// Goes to another one; false where none is found.
+  bool next();
+
+  /// There.
+  PositionEquations& equations() { return equations_; }
+
+  /// How far rounding of a double in equations of positions turns the gradients of constraints there, as a sine.
+  double rounding();
+
+ private:
+  std::vector<double> displacement(double part);
+
+  PositionEquations equations_;
+  RepeatedNumbers& numbers_;
+  std::vector<double>
+      begin_;  ///< a solution where one is found from the guess, else the guess; empty where it has no value
+  std::vector<double> spans_;
+};
+
+}  // namespace gaussgen
