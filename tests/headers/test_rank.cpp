@@ -80,15 +80,15 @@ struct TwoRows {
   double drift[2] = {0, 0};
 };
 
-/// A row, one at an angle of 1e-6 to it, of which positions are off by 1e-4, and one at 1e-7, of which none are.
-struct ThreeRows {
-  double g[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  double f[3] = {0, 0, 0};
-  double b[3][3] = {{1, 0, 0}, {1, 1e-6, 0}, {1, 0, 1e-7}};
-  double reach[3][3] = {{1, 0, 0}, {1, 1e-6, 0}, {1, 0, 1e-7}};
-  double of_positions[3] = {1, 1, 0};
-  double off[3] = {1e-8, 1e-8, 0};
-  double drift[3] = {0, 0, 0};
+/// Two rows at an angle of 1e-6, of which positions are off by 1e-4, and two at 1e-7, of which none are.
+struct TwoPairs {
+  double g[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+  double f[4] = {0, 0, 0, 0};
+  double b[4][4] = {{1, 0, 0, 0}, {1, 1e-6, 0, 0}, {0, 0, 1, 0}, {0, 0, 1, 1e-7}};
+  double reach[4][4] = {{1, 0, 0, 0}, {1, 1e-6, 0, 0}, {0, 0, 1, 0}, {0, 0, 1, 1e-7}};
+  double of_positions[4] = {1, 1, 0, 0};
+  double off[4] = {1e-8, 1e-8, 0, 0};
+  double drift[4] = {0, 0, 0, 0};
 };
 
 int rank_at(double angle, const gauss::RankRule<double>& rule) {
@@ -207,9 +207,9 @@ TEST_CASE("rows are told from each other down to the angle that is documented") 
     gauss::solve(rows, gauss::rank_on_positions<double>(1), solution);
     CHECK(solution.rank == told.rank);
   }
-  gauss::LinearSolution<double, 3, 3> of_three{};
-  gauss::solve(ThreeRows(), gauss::rank_on_positions<double>(1), of_three);
-  CHECK(of_three.rank == 2);
+  gauss::LinearSolution<double, 4, 4> of_pairs{};
+  gauss::solve(TwoPairs(), gauss::rank_on_positions<double>(2), of_pairs);
+  CHECK(of_pairs.rank == 3);
 }
 
 TEST_CASE("constraints that are one for the parameters of the file hold one by one for others") {
