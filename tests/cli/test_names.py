@@ -71,8 +71,8 @@ ROLES = {
         "}\nbodies: {" + ", ".join(f"k{i}: {{mass: 1, inertia: 1, position: [0, 0, 0], orientation: '{n}'}}"
                                    for i, n in enumerate(names)) + "}\n"),
 }
-LARGEST = {"parameter": 400, "input": 400, "coordinate": 25, "held coordinate": 12, "body": 40, "constraint": 12, "joint": 25,
-           "frame": 40, "point": 100, "table": 100, "quantity": 100, "speed": 12, "orientation": 12}
+LARGEST = {"parameter": 400, "input": 400, "coordinate": 40, "held coordinate": 40, "body": 100, "constraint": 12, "joint": 40,
+           "frame": 100, "point": 100, "table": 100, "quantity": 100, "speed": 40, "orientation": 40}
 
 
 def without_comments(header):

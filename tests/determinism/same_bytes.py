@@ -47,8 +47,10 @@ def cases(commands=tuple(COMMANDS), without=frozenset()):
             yield f"{model.stem}, {command}", [part.format(model=model) for part in form]
 
 
-def hashes(*commands, without=frozenset(), **more):
-    return {name: run(arguments, **more) for name, arguments in cases(*commands, without=without)}
+def hashes(*commands, without=frozenset(), each=map, **more):
+    """`each`: map, or that of a pool where a test has several processors."""
+    names, arguments = zip(*cases(*commands, without=without))
+    return dict(zip(names, each(lambda one: run(one, **more), arguments)))
 
 
 def differences(expected, found):
