@@ -89,19 +89,6 @@ Vector PositionProjection::step(Steps& steps) {
   return configuration;
 }
 
-// What rounding of all coordinates, weighed by mass, may leave of f, b its row: a height of 0 beside them is as good as 1e-50.
-Expr PositionProjection::left_by_all(const Vector& b, const Vector& inertia, Expr size_of_all) const {
-  const Expr zero = zeros(1)[0];
-  Expr squares = zero, weighted = zero;
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    if (b[i].is_zero()) continue;
-    squares += pow(b[i], 2);
-    weighted += pow(b[i], 2) * inertia[i];
-  }
-  const Expr left = support::Rational(10'000) * pow(epsilon_, 2) * size_of_all * pow(squares, 2) / weighted;
-  return weighted.is_zero() ? zero : select(less(zero, weighted), left, zero);
-}
-
 // f against what it is made of to first order, with a quarter of the digits for rounding: Newton's method leaves no more, or it has not arrived. Squares,
 // since a condition has no sign.
 Expr PositionProjection::violated(const Vector& start) const {
@@ -115,7 +102,7 @@ Expr PositionProjection::violated(const Vector& start) const {
   std::vector<Expr> conditions;
   for (const std::size_t mu : rows_) {
     const Expr f = *dynamics_.kinematics->constraints[ConstraintIndex{mu}].f;
-    const Expr left = left_by_all(dynamics_.b[mu], inertia, size_of_all);
+    const Expr left = left_by_all(dynamics_.b[mu], inertia, size_of_all, epsilon_);
     conditions.push_back(less(part * size.of_row(mu) + left, pow(f, 2)));
   }
   return any(epsilon_.graph(), conditions);

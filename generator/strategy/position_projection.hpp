@@ -35,7 +35,6 @@ class PositionProjection {
   ir::Expr violated(const Vector& start) const;
 
  private:
-  ir::Expr left_by_all(const Vector& b, const Vector& inertia, ir::Expr size_of_all) const;
   void displace(const Vector& change, Vector& configuration) const;
   Vector rates_at(const Vector& speeds) const;
   Vector zeros(std::size_t count) const;

@@ -9,6 +9,18 @@ using kinematics::ConfigurationIndex;
 using kinematics::ConstraintIndex;
 using kinematics::FreeIndex;
 
+Expr left_by_all(const Vector& b, const Vector& inertia, Expr size_of_all, Expr epsilon) {
+  const Expr zero(epsilon.graph(), epsilon.graph().constant(0));
+  Expr squares = zero, weighted = zero;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    if (b[i].is_zero()) continue;
+    squares += pow(b[i], 2);
+    weighted += pow(b[i], 2) * inertia[i];
+  }
+  const Expr left = support::Rational(10'000) * pow(epsilon, 2) * size_of_all * pow(squares, 2) / weighted;
+  return weighted.is_zero() ? zero : select(less(zero, weighted), left, zero);
+}
+
 Expr PositionSize::number(int value) const {
   ir::Graph& graph = dynamics_.g[0][0].graph();
   return {graph, graph.constant(value)};

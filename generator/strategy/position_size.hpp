@@ -5,6 +5,10 @@
 
 namespace gaussgen::strategy {
 
+/// Square of what rounding of all coordinates or speeds, weighed by mass, may leave of a constraint with this row: `size_of_all` is the sum of their squares
+/// times inertias. A height of 0 beside others is as good as 1e-50, and so is the speed of what stands still.
+ir::Expr left_by_all(const Vector& b, const Vector& inertia, ir::Expr size_of_all, ir::Expr epsilon);
+
 /// At the configuration that symbols stand for, which came from `start`; of `start`, quaternions do not count. Squares, since conditions and sums of them have
 /// no sign. Angles count as 1 besides their size, since they may have gone anywhere.
 class PositionSize {

@@ -6,6 +6,7 @@
 #include "ir/rounded.hpp"
 #include "strategy/bounds.hpp"
 #include "strategy/position_projection.hpp"
+#include "strategy/position_size.hpp"
 #include "strategy/projection.hpp"
 #include "strategy/quaternions.hpp"
 #include "strategy/state_values.hpp"
@@ -182,7 +183,9 @@ class Stages {
       ir::Substitution after = state_values(symbols_, time, reached->configuration, reached->speeds);
       const bool is_general = reached != &at;
       const std::vector<std::size_t> rows = is_general ? first(dynamics_.l()) : projection.to_be_checked(movable);
-      const Expr is_violated = violated_at(put_in(dynamics_, after, false), reached->speeds, rows, is_general);
+      const Expr is_violated =
+          violated_at(put_in(dynamics_, after, false), left_by_speeds(after, given_.speeds, reached->speeds),
+                      reached->speeds, rows, is_general);
       reached->violated_constraints = any(graph_, {reached->violated_constraints, is_violated});
     }
     return open;
@@ -271,13 +274,30 @@ class Stages {
     if (last.open) last.open->state.violated_constraints = is_violated(last.open->state, start, true);
   }
 
+  /// Of each constraint, by rounding of all speeds as they were and are: what stands still has such a speed, and nothing else to be compared with.
+  Vector left_by_speeds(ir::Substitution& at, const Vector& before, const Vector& after) const {
+    Vector inertia;
+    for (const Expr own : inertias(dynamics_)) inertia.push_back(at(own));
+    std::vector<ir::NodeId> sizes;
+    for (std::size_t i = 0; i < inertia.size(); ++i)
+      sizes.push_back((inertia[i] * (pow(before[i], 2) + pow(after[i], 2))).id());
+    const Expr size_of_all(graph_, graph_.sum(sizes));
+    Vector left;
+    for (const Vector& row : dynamics_.b) {
+      Vector b;
+      for (const Expr entry : row) b.push_back(at(entry));
+      left.push_back(left_by_all(b, inertia, size_of_all, epsilon_));
+    }
+    return left;
+  }
+
   /// The general way leaves out rows nearer to others than 4 sqrt(eps) (rank_of_steps), or than the model's tolerance, and such as nearly vanish
   /// beside what they may be; its status says so.
-  Expr violated_at(const VelocityProblem& at, const Vector& speeds, const std::vector<std::size_t>& rows,
-                   bool is_general) const {
-    if (!is_general) return violated(at, at.b, speeds, rows, epsilon_);
+  Expr violated_at(const VelocityProblem& at, const Vector& left, const Vector& speeds,
+                   const std::vector<std::size_t>& rows, bool is_general) const {
+    if (!is_general) return violated(at, at.b, speeds, rows, epsilon_, left);
     const Expr tolerance(graph_, graph_.constant(4 * dynamics_.least_response));
-    return violated(at, bounds_of(at.b), speeds, rows, ir::Rational(64) * epsilon_ + tolerance);
+    return violated(at, bounds_of(at.b), speeds, rows, ir::Rational(64) * epsilon_ + tolerance, left);
   }
 
   /// Rows that contradict each other are left open by the general way, also linear ones, and all are looked at then.
@@ -288,7 +308,9 @@ class Stages {
                    : VelocityProjection(dynamics_, given_.open, epsilon_).to_be_checked(movable_);
     std::vector<Expr> conditions;
     if (!rows.empty())
-      conditions.push_back(violated_at(put_in(dynamics_, after, false), reached.speeds, rows, is_general));
+      conditions.push_back(violated_at(put_in(dynamics_, after, false),
+                                       left_by_speeds(after, symbols_of_speeds(symbols_, graph_), reached.speeds),
+                                       reached.speeds, rows, is_general));
     if (positions_.has_rows()) conditions.push_back(positions_.violated(start));
     return any(graph_, conditions);
   }

@@ -92,12 +92,12 @@ Expr VelocityProjection::lost(const VelocityProblem& at, const std::vector<std::
 
 // Squares, since a condition has no sign.
 Expr violated(const VelocityProblem& at, const Matrix& sizes, const Vector& speeds,
-              const std::vector<std::size_t>& rows, Expr part) {
+              const std::vector<std::size_t>& rows, Expr part, const Vector& left) {
   std::vector<Expr> conditions;
   for (const std::size_t mu : rows) {
     Expr scale(part.graph(), part.graph().constant(0));
     for (std::size_t j = 0; j < speeds.size(); ++j) scale += pow(sizes[mu][j] * speeds[j], 2);
-    conditions.push_back(less(part * scale, pow(at.phi[mu], 2)));
+    conditions.push_back(less(part * scale + left[mu], pow(at.phi[mu], 2)));
   }
   return any(part.graph(), conditions);
 }

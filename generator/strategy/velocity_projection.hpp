@@ -44,8 +44,8 @@ class VelocityProjection {
 };
 
 /// Boolean: φ is not zero beside the terms of its linear part, which are of these sizes for speeds of 1: where Newton's method has converged nothing is
-/// left but rounding, and where it has not, φ is large. `part` of the squares of these terms may be left of φ².
+/// left but rounding, and where it has not, φ is large. `part` of the squares of these terms may be left of φ², and `left` of each row.
 ir::Expr violated(const VelocityProblem& at, const Matrix& sizes, const Vector& speeds,
-                  const std::vector<std::size_t>& rows, ir::Expr part);
+                  const std::vector<std::size_t>& rows, ir::Expr part, const Vector& left);
 
 }  // namespace gaussgen::strategy

@@ -25,7 +25,7 @@ struct LinearSolution {
   S rank;            ///< of b, to the tolerance
   StatusOf<S>
       motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
-      ///< violated_constraints: they contradict each other
+               ///< violated_constraints: they contradict each other
   StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
@@ -129,14 +129,18 @@ class Constrained {
     return root(squares);
   }
 
-  /// Inertias may be apart as far as squares of small entries of a row are numbers.
+  /// Inertias may be apart as far as squares of small entries of a row are numbers. One that is small by itself is nothing, such as the coordinate of what
+  /// stands at 0: that is left by rounding.
   GAUSS_FUNCTION void find_lost_entries() {
     const S least = Math<S>::epsilon() * Math<S>::epsilon() * Math<S>::sqrt(Math<S>::epsilon());
     has_lost_entries_ = S(0);
     for (int mu = 0; mu < l; ++mu) {
+      S lightest = S(0);
+      for (int i = 0; i < n; ++i) lightest = larger(lightest, positive(absolute(b_[mu][i])) * speed_scale_[i]);
       for (int i = 0; i < n; ++i) {
         const S size = absolute(b_[mu][i]);
-        has_lost_entries_ = larger(has_lost_entries_, positive(size) * positive<S>(least - size));
+        const S by_inertia = positive<S>(Math<S>::epsilon() * lightest - speed_scale_[i]);
+        has_lost_entries_ = larger(has_lost_entries_, positive(size) * positive<S>(least - size) * by_inertia);
       }
     }
   }
