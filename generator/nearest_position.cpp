@@ -76,7 +76,8 @@ Eigen::Index usual_rank_along(const std::vector<bool>& movable, Mechanics& mecha
 class EmittedSteps {
  public:
   EmittedSteps(Mechanics& mechanics, const std::vector<bool>& movable, double time)
-      : equations_(mechanics, movable, time),
+      : mechanics_(mechanics),
+        equations_(mechanics, movable, time),
         rank_(has_general_way(mechanics) ? usual_rank_along(movable, mechanics)
                                          : std::numeric_limits<Eigen::Index>::max()),
         least_sine_(std::max(k_least_sine_of_step, rank_tolerance(mechanics.model))) {}
@@ -92,6 +93,8 @@ class EmittedSteps {
     return {equations_.position(), here && here->is_solved(k_arrived)};
   }
 
+  Vector spans() { return spans_at(mechanics_, equations_); }
+
   /// Those that may be first; one where no equation follows from others.
   Eigen::Index choices() {
     const auto here = equations_.linearised();
@@ -100,16 +103,20 @@ class EmittedSteps {
   }
 
  private:
+  const Mechanics& mechanics_;
   PositionEquations equations_;
   Eigen::Index rank_;
   double least_sine_;
 };
 
-/// Up to a small part of the largest coordinate of their unit; of 1 where that is an angle.
-bool are_same(const Vector& a, const Vector& b, const Mechanics& mechanics) {
+/// Up to a small part of the largest coordinate or span of their unit; of 1 where that is an angle.
+bool are_same(const Vector& a, const Vector& b, const Vector& spans, const Mechanics& mechanics) {
   std::map<std::string, double> sizes{{"rad", 1}, {"", 1}};
   const auto& all = mechanics.symbols.configuration;
-  for (const auto i : all.indices()) sizes[all[i].unit] = std::max(sizes[all[i].unit], std::abs(a[i.value]));
+  for (const auto i : all.indices()) {
+    const double span = i.value < mechanics.symbols.plain_count() ? spans[i.value] : 0;
+    sizes[all[i].unit] = std::max({sizes[all[i].unit], std::abs(a[i.value]), span});
+  }
   for (const auto i : all.indices()) {
     if (!(std::abs(a[i.value] - b[i.value]) <= k_same_place * sizes[all[i].unit])) return false;
   }
@@ -254,29 +261,40 @@ std::optional<Contradiction> contradictory_positions(Mechanics& mechanics) {
 Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time) {
   EmittedSteps steps(mechanics, movable, time);
   Approach found = steps.run(0);
-  const Eigen::Index choices = steps.choices();
+  const Eigen::Index choices = found.is_solved ? steps.choices() : 1;
+  const Vector spans = choices > 1 ? steps.spans() : Vector();
   for (Eigen::Index k = 1; k < choices && found.is_solved && found.is_settled; ++k) {
     const Approach other = steps.run(k);
-    found.is_settled = other.is_solved && are_same(found.position, other.position, mechanics);
+    found.is_settled = other.is_solved && are_same(found.position, other.position, spans, mechanics);
   }
   return found;
 }
 
-bool nearest_solution(PositionEquations& equations, const Vector& spans) {
+namespace {
+
+std::optional<Linearised> linearised_in(const Vector& spans, PositionEquations& equations) {
   auto here = equations.linearised();
-  for (int i = 0; here && !here->is_solved(k_solved) && i < k_most_steps; ++i) {
+  if (here) here->measure_by(spans);
+  return here;
+}
+
+}  // namespace
+
+bool nearest_solution(PositionEquations& equations, const Vector& spans, double part) {
+  auto here = linearised_in(spans, equations);
+  for (int i = 0; here && !here->is_solved(part) && i < k_most_steps; ++i) {
     equations.move(least_change(*here, spans));
-    here = equations.linearised();
+    here = linearised_in(spans, equations);
   }
-  return here && here->is_solved(k_solved);
+  return here && here->is_solved(part);
 }
 
 void polish(PositionEquations& equations, const Vector& spans) {
-  auto here = equations.linearised();
+  auto here = linearised_in(spans, equations);
   for (int i = 0; here && i < k_most_steps; ++i) {
     const Vector before = equations.position();
     equations.move(least_change(*here, spans));
-    auto there = equations.linearised();
+    auto there = linearised_in(spans, equations);
     if (!there || there->left() >= here->left()) return equations.set(before);
     here = std::move(there);
   }

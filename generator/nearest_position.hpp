@@ -23,8 +23,9 @@ std::optional<Contradiction> contradictory_positions(Mechanics& mechanics);
 
 class PositionEquations;
 
-/// Newton's method from where `equations` are, with the least displacements in these spans; false where it does not arrive at a solution.
-bool nearest_solution(PositionEquations& equations, const std::vector<double>& spans);
+/// Newton's method from where `equations` are, with the least displacements in these spans; false where it does not arrive at a solution, of which this part of
+/// what equations are made of may be left.
+bool nearest_solution(PositionEquations& equations, const std::vector<double>& spans, double part = 1e-13);
 
 /// From a solution as many more steps as make less of what is left of it: to rounding.
 void polish(PositionEquations& equations, const std::vector<double>& spans);

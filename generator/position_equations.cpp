@@ -40,6 +40,12 @@ double Linearised::amplification(const Vector& spans) const {
   return largest;
 }
 
+void Linearised::measure_by(const Vector& spans) {
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    for (std::size_t k = 0; k < spans.size(); ++k) size[i] += std::abs(j[i][k]) * spans[k];
+  }
+}
+
 bool Linearised::is_solved(double part) const {
   for (std::size_t i = 0; i < f.size(); ++i) {
     if (std::abs(f[i]) > part * size[i]) return false;
@@ -147,6 +153,11 @@ std::optional<Linearised> PositionEquations::linearised() {
     const kinematics::ConstraintRow& row = mechanics_.kinematics.constraints[rows_[i]];
     if (!add(*row.f, row, movable_, weights_[i], result)) return std::nullopt;
   }
+  // A sine that has to be 0 is made of nothing but its angle.
+  Vector radians;
+  for (const kinematics::Speed& u : mechanics_.symbols.speeds)
+    radians.push_back(u.unit == "rad/s" || u.unit.empty() ? 1 : 0);
+  result.measure_by(radians);
   return result;
 }
 

@@ -21,7 +21,9 @@ struct Linearised {
   std::vector<Vector> j;  ///< rows ∂f/∂(displacement along the speeds), likewise; zero along what does not move
 
   double square() const;
-  double left() const;                ///< the largest f beside what it is made of
+  double left() const;  ///< the largest f beside what it is made of
+  /// What an equation is made of counts what such displacements make of it, too: one of a coordinate that has to be 0 is made of nothing else.
+  void measure_by(const std::vector<double>& spans);
   bool is_solved(double part) const;  ///< no f is larger than this part of what it is made of
 
   /// The largest of what an f is made of, beside its change over a span of each displacement: by how much less exact than a double a position is that satisfies

@@ -28,6 +28,30 @@ class Spans {
         here_(equations.of_speeds(speeds_, all_)),
         inertias_(equations.inertias()) {}
 
+  /// Of all speeds. One that changes no gradient may have any size: as much as what else is in its equations asks for, so that a coordinate of 1e-17 is not
+  /// measured by itself.
+  Vector all() const {
+    Vector result;
+    for (std::size_t i = 0; i < all_.size(); ++i) result.push_back(along(i));
+    if (!here_) return result;
+    const Vector found = result;
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      if (!is_angle(i) && change(i, k_far * found[i]) <= k_changed) result[i] = std::max(found[i], asked_for(i, found));
+    }
+    return result;
+  }
+
+ private:
+  double asked_for(std::size_t i, const Vector& spans) const {
+    double largest = 0;
+    for (const Vector& row : here_->j) {
+      if (row[i] == 0) continue;
+      for (std::size_t k = 0; k < spans.size(); ++k)
+        largest = std::max(largest, std::abs(row[k]) * spans[k] / std::abs(row[i]));
+    }
+    return largest;
+  }
+
   double along(std::size_t i) const {
     const double first = first_span(i), least = k_least * (i < from_.size() ? std::abs(from_[i]) : 0);
     if (!here_) return first;
@@ -38,7 +62,6 @@ class Spans {
     return span;
   }
 
- private:
   bool is_angle(std::size_t i) const { return mechanics_.symbols.speeds[kinematics::FreeIndex{i}].unit == "rad/s"; }
 
   double first_span(std::size_t i) const {
@@ -80,10 +103,7 @@ class Spans {
 }  // namespace
 
 std::vector<double> spans_at(const Mechanics& mechanics, PositionEquations& equations) {
-  const Spans spans(mechanics, equations);
-  Vector result;
-  for (std::size_t i = 0; i < equations.movable().size(); ++i) result.push_back(spans.along(i));
-  return result;
+  return Spans(mechanics, equations).all();
 }
 
 }  // namespace gaussgen

@@ -1,5 +1,8 @@
 #include "usual_places.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "nearest_position.hpp"
 #include "spans.hpp"
 
@@ -10,6 +13,8 @@ namespace {
 constexpr double k_first_displacement = 0.3;  ///< of a span
 constexpr double k_least_displacement = 1e-3;
 constexpr double k_rounding = 1e-14;  ///< of what an equation is made of
+constexpr double k_polished = 4e-16;  ///< likewise: what polishing leaves where roots are single
+constexpr double k_turned = 10;       ///< times the root of what is left, as in gauss/rank_rule.hpp
 
 }  // namespace
 
@@ -22,11 +27,11 @@ UsualPlaces::UsualPlaces(Mechanics& mechanics, double time, RepeatedNumbers& num
   spans_ = spans_at(mechanics, equations_);
 }
 
-bool UsualPlaces::next() {
+bool UsualPlaces::next(double solved) {
   for (double part = k_first_displacement; !begin_.empty() && part > k_least_displacement; part /= 4) {
     equations_.set(begin_);
     equations_.move(displacement(part));
-    if (!nearest_solution(equations_, spans_)) continue;
+    if (!nearest_solution(equations_, spans_, solved)) continue;
     polish(equations_, spans_);
     return true;
   }
@@ -34,8 +39,11 @@ bool UsualPlaces::next() {
 }
 
 double UsualPlaces::rounding() {
-  const auto here = equations_.linearised();
-  return here ? k_rounding * here->amplification(spans_) : k_rounding;
+  auto here = equations_.linearised();
+  if (!here) return k_rounding;
+  const double turned = k_rounding * here->amplification(spans_);
+  here->measure_by(spans_);
+  return here->left() > k_polished ? std::max(turned, k_turned * std::sqrt(here->left())) : turned;
 }
 
 std::vector<double> UsualPlaces::displacement(double part) {

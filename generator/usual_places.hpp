@@ -15,13 +15,14 @@ class UsualPlaces {
   /// At a time; the numbers say where.
   UsualPlaces(Mechanics& mechanics, double time, RepeatedNumbers& numbers);
 
-  /// Goes to another one; false where none is found.
-  bool next();
+  /// Goes to another one; false where none is found. This part of what equations are made of may be left there.
+  bool next(double solved = 1e-13);
 
   /// There.
   PositionEquations& equations() { return equations_; }
 
-  /// How far rounding of a double in equations of positions turns the gradients of constraints there, as a sine.
+  /// How far what is left of equations of positions there, rounding or more, turns the gradients of constraints, as a sine. Equations that are double roots leave
+  /// squares of what a place is off by.
   double rounding();
 
  private:

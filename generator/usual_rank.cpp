@@ -22,6 +22,8 @@ namespace {
 constexpr std::size_t k_most_entries = 4000;
 
 constexpr int k_states = 3;
+constexpr double k_solved =
+    1e-10;  ///< of what an equation is made of: double roots are found so far, and the rank follows what is left
 constexpr double k_rounding = 1e-12;  ///< of a row where others are of length 1, at positions that are good to rounding
 
 /// Speeds where inertias are 1, rows of unit length.
@@ -49,7 +51,7 @@ UsualStates::UsualStates(Mechanics& mechanics) : mechanics_(mechanics) {
   if (mechanics.dynamics.n() == 0) return;
   RepeatedNumbers numbers;
   UsualPlaces places(mechanics, 0, numbers);
-  for (int k = 0; k < k_states && places.next(); ++k) {
+  for (int k = 0; k < k_states && places.next(k_solved); ++k) {
     State state{places.equations().position(), {}, places.rounding()};
     for (std::size_t i = 0; i < mechanics.dynamics.n(); ++i) state.speeds.push_back(numbers());
     states_.push_back(std::move(state));

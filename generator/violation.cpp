@@ -49,6 +49,18 @@ std::string remedy_of_positions(const Mechanics& mechanics, const kinematics::Co
   return fmt::format("give {} an initial_guess instead of a value, or let --assemble move all values", joined(given));
 }
 
+/// No more than a radian with as many digits makes of it: a sine that has to be 0 is made of nothing but its angle.
+bool is_rounding_of_angles(const cln::cl_F& f, const kinematics::ConstraintRow& row, const Mechanics& mechanics,
+                           ModelValues& values) {
+  cln::cl_F sum = cln::cl_float(0, f);
+  for (const auto i : mechanics.symbols.speeds.indices()) {
+    const std::string& unit = mechanics.symbols.speeds[i].unit;
+    const auto b = unit == "rad/s" || unit.empty() ? values(row.beta[mechanics.symbols.full(i)].id()) : std::nullopt;
+    if (b) sum = sum + cln::abs(*b);
+  }
+  return !(sum < cln::abs(f) * cln::cl_float(cln::expt_pos(cln::cl_I(10), k_residual_digits), f));
+}
+
 }  // namespace
 
 std::vector<Violation> violations(const Mechanics& mechanics, ModelValues& values) {
@@ -57,7 +69,8 @@ std::vector<Violation> violations(const Mechanics& mechanics, ModelValues& value
     const kinematics::ConstraintRow& row = mechanics.kinematics.constraints[mu];
     if (row.f) {
       const std::optional<cln::cl_F> f = values.residual(row.f->id(), k_residual_digits);
-      if (f && !cln::zerop(*f)) result.push_back({mu.value, &row, true, *f});
+      if (f && !cln::zerop(*f) && !is_rounding_of_angles(*f, row, mechanics, values))
+        result.push_back({mu.value, &row, true, *f});
     }
     const std::optional<cln::cl_F> phi = values.residual(row.phi.id(), k_residual_digits);
     const bool is_reported = !result.empty() && result.back().index == mu.value;
