@@ -272,29 +272,30 @@ Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable
 
 namespace {
 
-std::optional<Linearised> linearised_in(const Vector& spans, PositionEquations& equations) {
+/// With what the spans make of an equation among what it is made of, if `is_measured`.
+std::optional<Linearised> linearised_in(const Vector& spans, bool is_measured, PositionEquations& equations) {
   auto here = equations.linearised();
-  if (here) here->measure_by(spans);
+  if (here && is_measured) here->measure_by(spans);
   return here;
 }
 
 }  // namespace
 
-bool nearest_solution(PositionEquations& equations, const Vector& spans, double part) {
-  auto here = linearised_in(spans, equations);
+bool nearest_solution(PositionEquations& equations, const Vector& spans, double part, bool is_measured) {
+  auto here = linearised_in(spans, is_measured, equations);
   for (int i = 0; here && !here->is_solved(part) && i < k_most_steps; ++i) {
     equations.move(least_change(*here, spans));
-    here = linearised_in(spans, equations);
+    here = linearised_in(spans, is_measured, equations);
   }
   return here && here->is_solved(part);
 }
 
-void polish(PositionEquations& equations, const Vector& spans) {
-  auto here = linearised_in(spans, equations);
+void polish(PositionEquations& equations, const Vector& spans, bool is_measured) {
+  auto here = linearised_in(spans, is_measured, equations);
   for (int i = 0; here && i < k_most_steps; ++i) {
     const Vector before = equations.position();
     equations.move(least_change(*here, spans));
-    auto there = linearised_in(spans, equations);
+    auto there = linearised_in(spans, is_measured, equations);
     if (!there || there->left() >= here->left()) return equations.set(before);
     here = std::move(there);
   }

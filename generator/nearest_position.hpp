@@ -24,11 +24,12 @@ std::optional<Contradiction> contradictory_positions(Mechanics& mechanics);
 class PositionEquations;
 
 /// Newton's method from where `equations` are, with the least displacements in these spans; false where it does not arrive at a solution, of which this part of
-/// what equations are made of may be left.
-bool nearest_solution(PositionEquations& equations, const std::vector<double>& spans, double part = 1e-13);
+/// what equations are made of may be left; with `is_measured`, what displacements by the spans make of an equation counts among that.
+bool nearest_solution(PositionEquations& equations, const std::vector<double>& spans, double part = 1e-13,
+                      bool is_measured = false);
 
 /// From a solution as many more steps as make less of what is left of it: to rounding.
-void polish(PositionEquations& equations, const std::vector<double>& spans);
+void polish(PositionEquations& equations, const std::vector<double>& spans, bool is_measured = false);
 
 /// Along the speeds that are `movable`, from the guesses of the model, at a time.
 struct Approach {

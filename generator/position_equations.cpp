@@ -153,11 +153,6 @@ std::optional<Linearised> PositionEquations::linearised() {
     const kinematics::ConstraintRow& row = mechanics_.kinematics.constraints[rows_[i]];
     if (!add(*row.f, row, movable_, weights_[i], result)) return std::nullopt;
   }
-  // A sine that has to be 0 is made of nothing but its angle.
-  Vector radians;
-  for (const kinematics::Speed& u : mechanics_.symbols.speeds)
-    radians.push_back(u.unit == "rad/s" || u.unit.empty() ? 1 : 0);
-  result.measure_by(radians);
   return result;
 }
 

@@ -14,6 +14,7 @@ constexpr double k_first_displacement = 0.3;  ///< of a span
 constexpr double k_least_displacement = 1e-3;
 constexpr double k_rounding = 1e-14;  ///< of what an equation is made of
 constexpr double k_polished = 4e-16;  ///< likewise: what polishing leaves where roots are single
+constexpr double k_far = 1000;        ///< times the root of what is left
 constexpr double k_turned = 10;       ///< times the root of what is left, as in gauss/rank_rule.hpp
 
 }  // namespace
@@ -31,9 +32,23 @@ bool UsualPlaces::next(double solved) {
   for (double part = k_first_displacement; !begin_.empty() && part > k_least_displacement; part /= 4) {
     equations_.set(begin_);
     equations_.move(displacement(part));
-    if (!nearest_solution(equations_, spans_, solved)) continue;
-    polish(equations_, spans_);
-    return true;
+    if (!nearest_solution(equations_, spans_, solved, true)) continue;
+    polish(equations_, spans_, true);
+    if (is_elsewhere()) return true;
+  }
+  return false;
+}
+
+// What is good to half of its digits is where the search began, unless it went on by much more.
+bool UsualPlaces::is_elsewhere() {
+  auto here = equations_.linearised();
+  if (!here) return false;
+  here->measure_by(spans_);
+  if (here->left() <= k_polished) return true;
+  const std::vector<double> position = equations_.position();
+  const std::size_t count = std::min(spans_.size(), position.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::abs(position[i] - begin_[i]) > k_far * std::sqrt(here->left()) * spans_[i]) return true;
   }
   return false;
 }

@@ -26,6 +26,7 @@ class UsualPlaces {
   double rounding();
 
  private:
+  bool is_elsewhere();
   std::vector<double> displacement(double part);
 
   PositionEquations equations_;

@@ -31,7 +31,7 @@
 //
 // Operations per call
 //                                  + -  *   /  sqrt  functions
-//   prepare                        10   48  5  2     0
+//   prepare                        11   52  5  2     0
 //   linear_system                  4    20  0  0     4
 //   rhs_regular                    16   39  2  0     4
 //   rhs_of_solution                0    0   0  0     0
@@ -52,11 +52,11 @@
 //   mass_matrix                    0    1   0  0     1
 //   project_system                 5    10  0  0     4
 //   project_regular                25   38  1  0     4
-//   project_of_solution            14   21  0  0     4
+//   project_of_solution            30   44  2  0     4
 //   project                        25   38  1  0     4
 //   initial_state_system           5    11  2  0     4
 //   initial_state_regular          16   48  4  0     4
-//   initial_state_of_solution      11   38  2  0     4
+//   initial_state_of_solution      25   71  4  0     4
 //   initial_state                  16   48  4  0     4
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
@@ -700,7 +700,7 @@ struct LinearSolution {
   S rank;            ///< of b, to the tolerance
   StatusOf<S>
       motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
-      ///< violated_constraints: they contradict each other
+               ///< violated_constraints: they contradict each other
   StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
@@ -804,14 +804,18 @@ class Constrained {
     return root(squares);
   }
 
-  /// Inertias may be apart as far as squares of small entries of a row are numbers.
+  /// Inertias may be apart as far as squares of small entries of a row are numbers. One that is small by itself is nothing, such as the coordinate of what
+  /// stands at 0: that is left by rounding.
   GAUSS_FUNCTION void find_lost_entries() {
     const S least = Math<S>::epsilon() * Math<S>::epsilon() * Math<S>::sqrt(Math<S>::epsilon());
     has_lost_entries_ = S(0);
     for (int mu = 0; mu < l; ++mu) {
+      S lightest = S(0);
+      for (int i = 0; i < n; ++i) lightest = larger(lightest, positive(absolute(b_[mu][i])) * speed_scale_[i]);
       for (int i = 0; i < n; ++i) {
         const S size = absolute(b_[mu][i]);
-        has_lost_entries_ = larger(has_lost_entries_, positive(size) * positive<S>(least - size));
+        const S by_inertia = positive<S>(Math<S>::epsilon() * lightest - speed_scale_[i]);
+        has_lost_entries_ = larger(has_lost_entries_, positive(size) * positive<S>(least - size) * by_inertia);
       }
     }
   }
@@ -1196,6 +1200,9 @@ struct Prepared {
   S r_2;                 ///< r^2
   S r_2_plus_rho_2;      ///< r^2 + (R - r)^2
   S c10;
+  S r_2_J;               ///< r^2 * J
+  S m_rho_4_plus_r_2_J;  ///< m * (R - r)^4 + r^2 * J
+  S epsilon_2;           ///< epsilon^2
   S c11;                 ///< 64 * epsilon
 };
 
@@ -1387,6 +1394,7 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S S_rolling_around_3 = S_rolling_around * S_rolling_around * S_rolling_around;
   const S t9 = S(2) * r_2 + rho_2;
   const S t10 = S(1) + S(2) * r_2;
+  const S r_2_J = r_2 * J;
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -1429,6 +1437,9 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.r_2_plus_rho_2 = r_2 + rho_2;
   prepared.c10 = Math<S>::select(Math<S>::not_finite(S_rolling_around_3, t9 * t9 * t9, t10 * t10 * t10),
       S(0), S_rolling_around_3);
+  prepared.r_2_J = r_2_J;
+  prepared.m_rho_4_plus_r_2_J = m * rho_2 * rho_2 + r_2_J;
+  prepared.epsilon_2 = Math<S>::epsilon() * Math<S>::epsilon();
   prepared.c11 = S(64) * Math<S>::epsilon();
   return prepared;
 }
@@ -2835,10 +2846,17 @@ GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
                                                const LinearSolution<S, n_v, n_constraints>& solved,
                                                State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
+  const S m = prepared.m;
   const S r = prepared.r;
+  const S J = prepared.J;
+  const S G_chi_chi = prepared.G_chi_chi;
   const S rho_2 = prepared.rho_2;
   const S r_minus_R = prepared.r_minus_R;
   const S r_2 = prepared.r_2;
+  const S r_2_plus_rho_2 = prepared.r_2_plus_rho_2;
+  const S r_2_J = prepared.r_2_J;
+  const S m_rho_4_plus_r_2_J = prepared.m_rho_4_plus_r_2_J;
+  const S epsilon_2 = prepared.epsilon_2;
   const S c11 = prepared.c11;
   const S chi = from.chi();
   const S zeta = from.zeta();
@@ -2869,11 +2887,31 @@ GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
   const S phi_dot_new = phi_dot + phi_ddot;
   const S psi_dot_new = psi_dot + psi_ddot;
   const S theta_dot_new = theta_dot + theta_ddot;
-  const S t1 = r_2 * phi_dot_new * phi_dot_new;
+  const S cos_theta_2 = cos_theta * cos_theta;
+  const S t1 = m_rho_4_plus_r_2_J + r_2_J * cos_theta_2;
+  const S t2 = r_2_plus_rho_2 + r_2 * cos_theta_2;
+  const S zeta_dot_new_2 = zeta_dot_new * zeta_dot_new;
+  const S phi_dot_new_2 = phi_dot_new * phi_dot_new;
+  const S psi_dot_new_2 = psi_dot_new * psi_dot_new;
+  const S theta_dot_new_2 = theta_dot_new * theta_dot_new;
+  const S chi_dot_new_2 = chi_dot_new * chi_dot_new;
+  const S t3 = S(10000) * epsilon_2
+      * (m * (zeta_dot * zeta_dot + zeta_dot_new_2) + G_chi_chi * (chi_dot * chi_dot + chi_dot_new_2)
+      + J * (phi_dot * phi_dot + psi_dot * psi_dot + theta_dot * theta_dot + phi_dot_new_2 + psi_dot_new_2
+      + theta_dot_new_2));
+  const S r_2_phi_dot_new_2 = r_2 * phi_dot_new_2;
   const S r_phi_dot_new = r * phi_dot_new;
-  const S t2 = r * psi_dot_new - r_minus_R * chi_dot_new + r_phi_dot_new * cos_theta;
-  const S t3 = zeta_dot_new + r * theta_dot_new * sin_chi_minus_psi
+  const S t4 = r * psi_dot_new - r_minus_R * chi_dot_new + r_phi_dot_new * cos_theta;
+  const S t5 = sin_chi_minus_psi * sin_chi_minus_psi
+      + sin_theta * sin_theta * cos_chi_minus_psi * cos_chi_minus_psi;
+  const S t6 = m + r_2_J * t5;
+  const S t7 = S(1) + r_2 * t5;
+  const S t8 = zeta_dot_new + r * theta_dot_new * sin_chi_minus_psi
       + r_phi_dot_new * sin_theta * cos_chi_minus_psi;
+  const Bool t9 = Math<S>::any(Math<S>::less(Math<S>::select(Math<S>::less(S(0), t1), t3 * t2 * t2 / t1,
+      S(0)) + c11 * (rho_2 * chi_dot_new_2 + r_2_phi_dot_new_2 + r_2 * psi_dot_new_2), t4 * t4),
+      Math<S>::less(Math<S>::select(Math<S>::less(S(0), t6), t3 * t7 * t7 / t6, S(0))
+      + c11 * (zeta_dot_new_2 + r_2_phi_dot_new_2 + r_2 * theta_dot_new_2), t8 * t8));
 
   state.chi() = chi;
   state.zeta() = zeta;
@@ -2888,10 +2926,7 @@ GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
 
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, lambda_rolling_around,
       lambda_rolling_along, chi_dot_new, zeta_dot_new, phi_dot_new, psi_dot_new, theta_dot_new);
-  const Bool violated_constraints = Math<S>::any(Math<S>::less(c11 * (rho_2 * chi_dot_new * chi_dot_new + t1
-      + r_2 * psi_dot_new * psi_dot_new), t2 * t2),
-      Math<S>::less(c11 * (zeta_dot_new * zeta_dot_new + t1 + r_2 * theta_dot_new * theta_dot_new), t3 * t3));
-  return Math<S>::status(Bool(false), Bool(false), not_finite, violated_constraints);
+  return Math<S>::status(Bool(false), Bool(false), not_finite, t9);
 }
 
 /// Of project: where constraints (nearly) follow from each other, or inertia is beyond all digits small. g a = f + b^T lambda
@@ -3099,6 +3134,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state_of_solution(const Prepared<S>& prepared
                                                      const LinearSolution<S, n_v, n_constraints>& solved,
                                                      State<S>& state) noexcept {
   using Bool = typename Math<S>::Bool;
+  const S m = prepared.m;
   const S r = prepared.r;
   const S R = prepared.R;
   const S psi_0 = prepared.psi_0;
@@ -3106,6 +3142,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state_of_solution(const Prepared<S>& prepared
   const S phi_0 = prepared.phi_0;
   const S zeta_dot_0 = prepared.zeta_dot_0;
   const S omega_r_0 = prepared.omega_r_0;
+  const S J = prepared.J;
   const S chi_ddot = solved.accelerations[0];
   const S zeta_ddot = solved.accelerations[1];
   const S phi_ddot = solved.accelerations[2];
@@ -3119,21 +3156,41 @@ GAUSS_FUNCTION StatusOf<S> initial_state_of_solution(const Prepared<S>& prepared
   S sin_psi_0, cos_psi_0;
   Angles<S>::sincos(theta_0, sin_theta_0, cos_theta_0, psi_0, sin_psi_0, cos_psi_0);
 
+  // metric g_ab (1.10); held coordinates enter only through f
+  const S rho = R - r;
+  const S rho_2 = rho * rho;
+  const S G_chi_chi = m * rho_2;
+
   // Results
   const S inv_sin_theta_0 = S(1) / sin_theta_0;
   const S t1 = zeta_dot_0 * cos_psi_0 / r - omega_r_0 * sin_psi_0;
   const S phi_dot = -inv_sin_theta_0 * t1;
-  const S rho = R - r;
   const S r_2 = r * r;
-  const S t2 = t1 * t1;
-  const S t3 = S(4) * r - S(4) * R + r * inv_sin_theta_0 * cos_theta_0 * t1 - r * psi_ddot;
-  const S t4 = r * cos_psi_0 * t1 - zeta_dot_0 + r * theta_ddot * sin_psi_0;
-  const Bool t5 = Math<S>::any(Math<S>::less(S(64) * Math<S>::epsilon()
-      * (S(16) * rho * rho + r_2 * inv_sin_theta_0 * inv_sin_theta_0 * cos_theta_0 * cos_theta_0 * t2
-      + r_2 * psi_ddot * psi_ddot), t3 * t3),
-      Math<S>::less(S(64) * Math<S>::epsilon()
-      * (zeta_dot_0 * zeta_dot_0 + r_2 * cos_psi_0 * cos_psi_0 * t2
-      + r_2 * sin_psi_0 * sin_psi_0 * theta_ddot * theta_ddot), t4 * t4));
+  const S cos_theta_0_2 = cos_theta_0 * cos_theta_0;
+  const S t2 = m * rho_2 * rho_2 + r_2 * J + r_2 * J * cos_theta_0_2;
+  const S epsilon_2 = Math<S>::epsilon() * Math<S>::epsilon();
+  const S t3 = r_2 + rho_2 + r_2 * cos_theta_0_2;
+  const S zeta_dot_0_2 = zeta_dot_0 * zeta_dot_0;
+  const S psi_ddot_2 = psi_ddot * psi_ddot;
+  const S theta_ddot_2 = theta_ddot * theta_ddot;
+  const S inv_sin_theta_0_2 = inv_sin_theta_0 * inv_sin_theta_0;
+  const S t4 = t1 * t1;
+  const S t5 = S(2) * m * zeta_dot_0_2 + S(32) * G_chi_chi + S(2) * J * inv_sin_theta_0_2 * t4
+      + J * psi_ddot_2 + J * theta_ddot_2;
+  const S t6 = S(4) * r - S(4) * R + r * inv_sin_theta_0 * cos_theta_0 * t1 - r * psi_ddot;
+  const S sin_psi_0_2 = sin_psi_0 * sin_psi_0;
+  const S sin_theta_0_2 = sin_theta_0 * sin_theta_0;
+  const S cos_psi_0_2 = cos_psi_0 * cos_psi_0;
+  const S t7 = m + r_2 * J * sin_psi_0_2 + r_2 * J * sin_theta_0_2 * cos_psi_0_2;
+  const S t8 = S(1) + r_2 * sin_psi_0_2 + r_2 * sin_theta_0_2 * cos_psi_0_2;
+  const S t9 = r * cos_psi_0 * t1 - zeta_dot_0 + r * theta_ddot * sin_psi_0;
+  const Bool t10 = Math<S>::any(Math<S>::less(Math<S>::select(Math<S>::less(S(0), t2), S(10000) * epsilon_2
+      * t3 * t3 * t5 / t2, S(0))
+      + S(64) * Math<S>::epsilon()
+      * (S(16) * rho_2 + r_2 * inv_sin_theta_0_2 * cos_theta_0_2 * t4 + r_2 * psi_ddot_2), t6 * t6),
+      Math<S>::less(Math<S>::select(Math<S>::less(S(0), t7), S(10000) * epsilon_2 * t8 * t8 * t5 / t7, S(0))
+      + S(64) * Math<S>::epsilon()
+      * (zeta_dot_0_2 + r_2 * cos_psi_0_2 * t4 + r_2 * sin_psi_0_2 * theta_ddot_2), t9 * t9));
 
   state.chi() = S(0);
   state.zeta() = S(0);
@@ -3148,7 +3205,7 @@ GAUSS_FUNCTION StatusOf<S> initial_state_of_solution(const Prepared<S>& prepared
 
   const Bool not_finite = Math<S>::not_finite(chi_ddot, zeta_ddot, phi_ddot, psi_ddot, theta_ddot,
       lambda_rolling_around, lambda_rolling_along, phi_0, psi_0, theta_0, zeta_dot_0, phi_dot);
-  return Math<S>::status(Bool(false), Bool(false), not_finite, t5);
+  return Math<S>::status(Bool(false), Bool(false), not_finite, t10);
 }
 
 /// Of initial_state: where constraints (nearly) follow from each other, or inertia is beyond all digits small. g a = f + b^T lambda

@@ -89,8 +89,8 @@ Vector PositionProjection::step(Steps& steps) {
   return configuration;
 }
 
-// f against what it is made of to first order, with a quarter of the digits for rounding: Newton's method leaves no more, or it has not arrived. Squares,
-// since a condition has no sign.
+// f against what it is made of to first order, with half of the digits: Newton's method leaves rounding, or much more. Where a gradient nearly vanishes,
+// rounding is more than a part of that: ε^¾ of it was tried, and refused Bennett's linkage on its way. Squares, since a condition has no sign.
 Expr PositionProjection::violated(const Vector& start) const {
   const PositionSize size(dynamics_, start);
   const Vector inertia = inertias(dynamics_);
@@ -98,12 +98,11 @@ Expr PositionProjection::violated(const Vector& start) const {
   for (const FreeIndex i : dynamics_.kinematics->symbols.speeds.indices())
     weighted.push_back((inertia[i.value] * size.of_speed(i)).id());
   const Expr size_of_all(epsilon_.graph(), epsilon_.graph().sum(weighted));
-  const Expr part = pow(epsilon_, 3 / support::Rational(2));
   std::vector<Expr> conditions;
   for (const std::size_t mu : rows_) {
     const Expr f = *dynamics_.kinematics->constraints[ConstraintIndex{mu}].f;
     const Expr left = left_by_all(dynamics_.b[mu], inertia, size_of_all, epsilon_);
-    conditions.push_back(less(part * size.of_row(mu) + left, pow(f, 2)));
+    conditions.push_back(less(epsilon_ * size.of_row(mu) + left, pow(f, 2)));
   }
   return any(epsilon_.graph(), conditions);
 }

@@ -76,6 +76,42 @@ def slider_crank(q):
 
 
 LINKAGES = [(HARD, bricard, 5), (HARD, bennett, 3), (HARD, sarrus, 5), (MODELS, four_bar, 3), (MODELS, slider_crank, 3)]
+# In space: a four-bar that a hinge closes, stated by two points on its axis, and a crank whose rod is a body of its own between a hinge and a ball.
+HINGED = (("""gauss: 1
+name: hinged
+joints:
+  O: {type: revolute, child: crank, axis: y, coordinates: a, initial: 0.6}
+  A: {type: universal, parent: crank, child: coupler, at: [1, 0, 0], axes: [y, z], coordinates: [b, c]}
+  C: {type: revolute, child: rocker, axis: y, at: [1.4, 0, 0], coordinates: d, initial_guess: 1.6}
+bodies:
+  k: {frame: crank, mass: 1, inertia: 0.1, centre: [0.5, 0, 0]}
+  l: {frame: coupler, mass: 1, inertia: 0.1, centre: [0.5, 0, 0]}
+  r: {frame: rocker, mass: 1, inertia: 0.1, centre: [0.5, 0, 0]}
+points:
+  B: {on: coupler, at: [1.3, 0, 0]}
+  D: {on: rocker, at: [1.1, 0, 0]}
+  on_axis: {on: coupler, at: [1.3, 0.2, 0]}
+  on_other: {on: rocker, at: [1.1, 0.2, 0]}
+constraints: {loop: {coincide: [B, D]}, axis: {coincide: [on_axis, on_other]}}
+""", "mobility 1 (4 speeds, 6 constraints of rank 3)"), ("""gauss: 1
+name: crank_with_rod
+joints:
+  O: {type: revolute, child: crank, axis: y, coordinates: a, initial: 0.6}
+  P: {type: prismatic, child: slider, axis: x, coordinates: s, initial_guess: 1.5}
+  free: {type: free, child: rod, coordinates: [x, y, z], initial_guess: [1, 0, -0.1]}
+bodies:
+  k: {frame: crank, mass: 1, inertia: 0.1}
+  p: {frame: slider, mass: 1, inertia: 0.1}
+  r: {frame: rod, mass: 1, inertia: [0.1, 0.2, 0.3]}
+points:
+  pin: {on: crank, at: [0.5, 0, 0]}
+  pin_end: {on: crank, at: [0.5, 0.1, 0]}
+  big: {on: rod, at: [-0.6, 0, 0]}
+  big_end: {on: rod, at: [-0.6, 0.1, 0]}
+  small: {on: rod, at: [0.6, 0, 0]}
+  wrist: {on: slider, at: [0, 0, 0]}
+constraints: {hinge: {coincide: [big, pin]}, axis: {coincide: [big_end, pin_end]}, ball: {coincide: [small, wrist]}}
+""", "mobility 1 (8 speeds, 9 constraints of rank 7)"))
 AWAY = (1e-6, 1e-4, 0.01, 0.1, 0.3)
 MAIN = """#include "NAME.hpp"
 #include <cstdio>
@@ -162,6 +198,13 @@ class Loops(Evaluate):
                                    .replace("d: {value: 0, unit: m}", f"d: {{value: {d}*{metre}, unit: m}}\n  X: {{value: {away}*{metre}, unit: m}}")
                                    .replace("J: {value: 0.1,", f"J: {{value: 0.1*{metre}*{metre},"))
                         self.assertIn(found, self.run_it("-", "--check", stdin=of_size).stdout)
+
+    # Grübler's count is 0 or less for both.
+    def test_what_a_plane_holds_twice_moves(self):
+        for text, found in HINGED:
+            said = self.run_it("-", "--check", stdin=text)
+            self.assertIn(found, said.stdout)
+            self.assertNotIn("W057", said.stderr)
 
     def test_a_gradient_does_not_vanish_since_a_place_is_far_off(self):
         text = ("gauss: 1\nname: far\ncoordinates: {x: {initial: 1000001.5}, y: {initial: 0}}\n"

@@ -130,6 +130,16 @@ TEST_CASE("a pulse between the times at which a step looks is seen with a longes
   CHECK(simulation.state().values[0] == Approx(1).epsilon(0).margin(1e-9));
 }
 
+TEST_CASE("times may be of any unit: a motion of femtoseconds is followed from a first step that is too long") {
+  Prepared prepared;
+  prepared.rate = 0;
+  prepared.growth = -1e15;
+  gauss::simulate::Simulation simulation(model_with(prepared), State{{1e-3}});
+  REQUIRE(simulation.advance_to(1e-14));
+  CHECK(simulation.report().rejected > 0);
+  CHECK(simulation.state().values[0] == Approx(1e-3 * std::exp(-10.0)).margin(1e-9));
+}
+
 TEST_CASE("a step has the order 8, and its estimate the order 7, in state and time") {
   using Array = std::array<double, 2>;
   // y' = -2 t y^2, y = 1/(1 + t^2), and z' = cos 3t.

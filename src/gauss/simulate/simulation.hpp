@@ -108,6 +108,7 @@ class Simulation {
       return;
     }
     if (step_ <= Scalar(0)) step_ = first_step(rates);
+    if (first_ <= Scalar(0)) first_ = step_;
     while (report_.outcome == Outcome::running) {
       // The controller's step is kept for afterwards when this one is cut off to arrive at `end`.
       if (settings_.longest_step > Scalar(0)) step_ = std::min(step_, settings_.longest_step);
@@ -160,10 +161,11 @@ class Simulation {
     return true;
   }
 
+  // Times may be of any unit: near 0, rounding is that of the first step.
   void reject(const Scalar& dt) {
     ++report_.rejected;
     system_.forget_trouble();
-    const Scalar rounding = std::numeric_limits<Scalar>::epsilon() * std::max(Scalar(1), std::abs(t_));
+    const Scalar rounding = std::numeric_limits<Scalar>::epsilon() * std::max(first_, std::abs(t_));
     if (dt > 4 * rounding && step_ > 0) return;
     report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::step_too_small;
   }
@@ -185,6 +187,7 @@ class Simulation {
   System system_;
   Scalar t_;
   Scalar step_;
+  Scalar first_ = 0;     ///< the first step, tried or given
   bool jumped_ = false;  ///< the last trial, by its projection
   Array x_{};
   Array scale_{};
