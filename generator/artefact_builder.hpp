@@ -61,8 +61,8 @@ std::vector<emit::Artefact> joint_reactions_artefact(Mechanics& mechanics);
 /// Constraints that may lose their rank somewhere, in a model that is small enough.
 bool has_general_way(Mechanics& mechanics);
 
-/// metric a = f + bᵀ λ, b a + drift = 0. `left` of each equation of positions in this state, and the square of what it is made of (`size`); zeros of other
-/// constraints, and where nothing asks for them.
+/// metric a = f + bᵀ λ, b a + drift = 0. `off`: square of the part by which positions are off the equations that each constraint may follow from; zeros
+/// where nothing asks for it.
 struct LinearProblem {
   strategy::Matrix metric;
   strategy::Vector f;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <optional>
 
 #include "strategy/metric.hpp"
+#include "support/disjoint_sets.hpp"
 
 namespace gaussgen::strategy {
 
@@ -55,22 +55,6 @@ struct Group {
   }
 };
 
-/// Union of coordinates that move a common body.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-
-  std::size_t of(std::size_t i) const {
-    while (parent_[i] != i) i = parent_[i];
-    return i;
-  }
-
-  void join(std::size_t i, std::size_t j) { parent_[of(i)] = of(j); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 std::vector<std::size_t> coordinates_of(const BodyMotion& body) {
   std::vector<std::size_t> result;
   for (const FullIndex i : body.J.indices()) {
@@ -88,7 +72,7 @@ bool is_invertible(const Dynamics& dynamics, const std::vector<std::size_t>& coo
 Release::Release(const Dynamics& dynamics) {
   const kinematics::Kinematics& kinematics = *dynamics.kinematics;
   const std::size_t count = kinematics.symbols.full_count();
-  Groups groups(count);
+  support::DisjointSets groups(count);  // of coordinates that move a common body
   for (const BodyMotion& body : *kinematics.bodies) {
     const std::vector<std::size_t> own = coordinates_of(body);
     for (const std::size_t i : own) groups.join(own.front(), i);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "ir/traverse.hpp"
+#include "support/disjoint_sets.hpp"
 
 namespace gaussgen::strategy {
 
@@ -18,21 +18,6 @@ namespace {
 
 using Set = std::set<std::size_t>;
 
-/// Disjoint sets of 0, 1, ... n-1.
-class Parts {
- public:
-  explicit Parts(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-
-  std::size_t of(std::size_t i) const {
-    while (parent_[i] != i) i = parent_[i];
-    return i;
-  }
-  void unite(std::size_t i, std::size_t j) { parent_[of(i)] = of(j); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 /// Coordinates and speeds, where those that are about the same motion are one: a coordinate and its rate, a quaternion and the angular velocity.
 class Motions {
  public:
@@ -44,7 +29,7 @@ class Motions {
     for (const FreeIndex i : symbols.speeds.indices())
       place_.emplace(symbols.speeds[i].symbol.index, coordinates_ + i.value);
     for (const ConfigurationIndex i : symbols.configuration.indices()) {
-      for (const std::size_t place : places_in(kinematics.configuration_rates[i])) parts_.unite(i.value, place);
+      for (const std::size_t place : places_in(kinematics.configuration_rates[i])) parts_.join(i.value, place);
     }
   }
 
@@ -66,7 +51,7 @@ class Motions {
   }
 
   std::size_t coordinates_;
-  Parts parts_;
+  support::DisjointSets parts_;
   std::map<std::uint32_t, std::size_t> place_;  ///< by index of the symbol
 };
 
@@ -120,10 +105,10 @@ bool have_common(const Set& a, const Set& b) {
 std::vector<std::optional<std::size_t>> row_groups(const Dynamics& dynamics) {
   std::vector<Row> rows = rows_of(dynamics);
   leave_out_those_with_own(rows);
-  Parts parts(rows.size());
+  support::DisjointSets parts(rows.size());
   for (std::size_t mu = 0; mu < rows.size(); ++mu) {
     for (std::size_t nu = 0; nu < mu; ++nu) {
-      if (rows[mu].is_left && rows[nu].is_left && have_common(rows[mu].about, rows[nu].about)) parts.unite(mu, nu);
+      if (rows[mu].is_left && rows[nu].is_left && have_common(rows[mu].about, rows[nu].about)) parts.join(mu, nu);
     }
   }
   std::vector<std::optional<std::size_t>> groups;
