@@ -9,6 +9,7 @@
 #include "gauss/integrate/corrections.hpp"
 #include "gauss/integrate/explicit_stepper.hpp"
 #include "gauss/simulate/fixed_step.hpp"
+#include "gauss/simulate/simulation.hpp"
 #include "heavy_chain.hpp"
 #include "near_parallel.hpp"
 #include "parallelogram.hpp"
@@ -115,6 +116,27 @@ struct Model {
     return state;
   }
 
+  /// Where a simulation with an estimate of its error leads in two units of time, from a state in m, kg and s; `smallest` is an absolute scale.
+  State end_of_simulation(State state, const Units& units, double smallest) const {
+    const auto bound = gauss::integrate::bind_model<M>(M::prepare(in(units)), typename M::template Inputs<double>{});
+    convert(state.values, units, false, false);
+    gauss::simulate::Settings<double> settings;
+    settings.smallest_scale = smallest;
+    settings.most_steps = 10'000;
+    gauss::simulate::Simulation<std::decay_t<decltype(bound)>> run(bound, state, 0.0, settings);
+    State end = run.advance_to(std::ldexp(2.0, units.time)) ? run.state() : State{};
+    convert(end.values, units, false, true);
+    return end;
+  }
+
+  void compare_simulation(const State& start, Change& change) const {
+    const State base = end_of_simulation(start, {}, 0), naive_base = end_of_simulation(start, {}, 1);
+    for (const Units& units : k_units) {
+      change.compare(base.values, end_of_simulation(start, units, 0).values, n);
+      change.compare_naive(naive_base.values, end_of_simulation(start, units, 1).values, n);
+    }
+  }
+
   void compare_motion(const State& start, Change& change) const {
     const State base = end_of_motion(start, {});
     for (const Units& units : k_units) {
@@ -216,6 +238,14 @@ Change bob() {
   return change;
 }
 
+/// Steps that follow the error, from rest.
+Change simulated() {
+  const BobModel model{{}, gauss::pendulum_cartesian::parameter_table};
+  Change change;
+  model.compare_simulation({{0.6, -0.8, 0, 0}}, change);
+  return change;
+}
+
 }  // namespace
 
 std::vector<Figure> units(const Scope&) {
@@ -236,6 +266,12 @@ std::vector<Figure> units(const Scope&) {
          "1", change.naive, change.largest, 1e-12});
     statuses += change.statuses;
   }
+  const Change simulation = simulated();
+  figures.push_back({"H31.simulation",
+                     "change of where a simulation with an estimate of its error ends, relative; naive: errors beside "
+                     "no less than 1 in the unit of each component, 0 if it does not "
+                     "arrive in 10000 steps",
+                     "1", simulation.naive, simulation.largest, 1e-12});
   figures.push_back({"H31.statuses", "statuses that differ there", "1", naive, statuses, 0, 0, 0,
                      "naive: ranks of H08 by pivots above 1e-9"});
   return figures;

@@ -292,6 +292,29 @@ TEST_CASE("a scale of speeds of their own is what errors of speeds are measured 
   CHECK(finer.second > usual.second);
 }
 
+TEST_CASE(
+    "CVODE says how much smaller than the smallest scale a component has stayed, and with a scale of its own none is") {
+  gauss::pendulum_cartesian::Parameters<double> parameters;
+  parameters.L = 1e-3;
+  const double amplitude = 1e-9, rate = std::sqrt(parameters.g / parameters.L);
+  const auto swing = [&](const Settings<double>& settings) {
+    CvodeSimulation<BobModel, BobJacobian> run(bind_model<SteadyBob>(parameters), {{amplitude, -1e-3, 0, 0}}, 0,
+                                               settings);
+    REQUIRE(run.advance_to(0.1));
+    return std::pair(run.report(), std::abs(run.state().values[0] / amplitude - std::cos(rate * 0.1)));
+  };
+  Settings<double> settings = tolerance(1e-8);
+  const auto [coarse, far] = swing(settings);
+  CHECK(far > 0.01);
+  CHECK(coarse.coarse > 1e9);
+  CHECK(coarse.coarse_component == 3);  // up and down
+  settings.smallest_scale = amplitude;
+  settings.smallest_speed = rate * amplitude;
+  const auto [fine, near] = swing(settings);
+  CHECK(near < 1e-5);
+  CHECK(fine.coarse_component == 3);
+}
+
 TEST_CASE("BDF comes off order 1 where errors of places are a hundred times as large in speeds as these may be off") {
   const auto spring = bind_model<Spring>();
   using Jacobian = EmittedJacobian<gauss::stiff_spring::Jacobian<double>, gauss::stiff_spring::JacobianByState>;

@@ -44,6 +44,14 @@ auto speed_step(long, const Scalar& t, const Prepared& prepared, State& state)
   return project_speeds(t, start, start, prepared, state);
 }
 
+// Of a type by hand, nothing is known of units.
+template <class Model, class = void>
+struct Tables {
+  static constexpr const Quantity *coordinates = nullptr, *speeds = nullptr;
+};
+template <class Model>
+struct Tables<Model, std::void_t<decltype(Model::coordinates), decltype(Model::speeds)>> : Model {};
+
 // Outside of BoundModel, whose member would hide it.
 template <class Scalar, class State, class Prepared, class Energy>
 StatusOf<Scalar> energy_of(const Scalar& t, const State& state, const Prepared& prepared, Energy& result) {
@@ -65,7 +73,16 @@ class BoundModel {
   static constexpr std::size_t n_q = coordinates;
   static constexpr std::size_t n_v = size - n_q;
 
-  BoundModel(const Prepared& prepared, const Source& source) : prepared_(prepared), source_(source) {}
+  /// The tables are those of the emitted header, or none.
+  BoundModel(const Prepared& prepared, const Source& source, const Quantity* coordinate_table = nullptr,
+             const Quantity* speed_table = nullptr)
+      : prepared_(prepared), source_(source), coordinates_(coordinate_table), speeds_(speed_table) {}
+
+  /// Of a component of the state, as the model file has it; null where nothing is known.
+  const char* unit(std::size_t component) const {
+    const Quantity* const table = component < n_q ? coordinates_ : speeds_;
+    return table == nullptr ? nullptr : table[component < n_q ? component : component - n_q].unit;
+  }
 
   Status derivative(const Scalar& t, const State& state, Derivative& result) const {
     return rhs(t, state, inputs(t, state), prepared_, result);
@@ -101,11 +118,12 @@ class BoundModel {
   }
   const Prepared& prepared() const { return prepared_; }
   /// The same model with other parameters.
-  BoundModel with(const Prepared& prepared) const { return {prepared, source_}; }
+  BoundModel with(const Prepared& prepared) const { return {prepared, source_, coordinates_, speeds_}; }
 
  private:
   Prepared prepared_;
   Source source_;
+  const Quantity *coordinates_, *speeds_;
 };
 
 /// With `GAUSS_MODEL(Ball, gauss::ball)` of gauss/model_concept.hpp: bind_model<Ball>(Ball::prepare(parameters), inputs).
@@ -114,7 +132,7 @@ BoundModel<typename Model::template State<S>, typename Model::template Derivativ
            typename Model::template Prepared<S>, Source, static_cast<std::size_t>(Model::n_q)>
 bind_model(const typename Model::template Prepared<S>& prepared, const Source& source) {
   static_assert(is_model<Model, S>, "a type made by GAUSS_MODEL is expected");
-  return {prepared, source};
+  return {prepared, source, detail::Tables<Model>::coordinates, detail::Tables<Model>::speeds};
 }
 
 /// With the inputs that the model's file has, and its parameters if there are no others.

@@ -11,6 +11,7 @@
 
 #include "gauss/integrate/bound_model.hpp"
 #include "gauss/integrate/step_result.hpp"
+#include "gauss/integrate/unit_groups.hpp"
 
 namespace gauss::integrate {
 
@@ -24,11 +25,13 @@ typename Model::Scalar fastest_rate(const Model& model, const typename Model::Sc
   // Growth of a vector swings between two values where eigenvalues are imaginary: their mean over an even number of powers does not.
   constexpr int k_counted = 30;
   const Scalar reach = std::cbrt(std::numeric_limits<Scalar>::epsilon());
-  Scalar scale[Model::size], vector[Model::size];
-  for (std::size_t i = 0; i < Model::size; ++i) {
-    scale[i] = std::max(Scalar(1), std::abs(state.values[i]));
-    vector[i] = scale[i] * (i % 2 == 0 ? 1 : -1) / static_cast<Scalar>(i + 1);
-  }
+  auto scale = UnitGroups<Model>(model).largest(state);
+  // What is 0 with all that has its unit has no scale, and takes part as large as the others make it.
+  const Scalar any = *std::max_element(scale.begin(), scale.end());
+  if (any == Scalar(0)) scale.fill(Scalar(1));
+  Scalar vector[Model::size];
+  for (std::size_t i = 0; i < Model::size; ++i)
+    vector[i] = (scale[i] > Scalar(0) ? scale[i] : any) * (i % 2 == 0 ? 1 : -1) / static_cast<Scalar>(i + 1);
   Scalar growth = 0;
   for (int power = 0; power < k_powers; ++power) {
     typename Model::State above = state, below = state;
@@ -42,7 +45,7 @@ typename Model::Scalar fastest_rate(const Model& model, const typename Model::Sc
     Scalar size = 0;
     for (std::size_t i = 0; i < Model::size; ++i) {
       vector[i] = (high.values[i] - low.values[i]) / (2 * reach);
-      size = std::max(size, std::abs(vector[i]) / scale[i]);
+      if (scale[i] > Scalar(0)) size = std::max(size, std::abs(vector[i]) / scale[i]);
     }
     if (!(size > 0)) return 0;
     for (Scalar& component : vector) component /= size;

@@ -36,6 +36,7 @@ class ModelDecorator {
   Status speed_step(const Scalar& t, State& state) const { return on().speed_step(t, state); }
   decltype(auto) inputs(const Scalar& t, const State& state) const { return on().inputs(t, state); }
   const Prepared& prepared() const { return on().prepared(); }
+  const char* unit(std::size_t component) const { return on().unit(component); }
 
  private:
   const Base& on() const { return static_cast<const Decorated&>(*this).base(); }

@@ -45,44 +45,34 @@ class OdeintSystem {
   long calls_ = 0;
 };
 
-/// Error of a step in units of what is allowed: largest over the components, each relative to its own scale. Odeint's own checker
-/// adds one absolute tolerance for all of them, which suits neither a speed of 100 rad/s nor a quaternion, and its maximum
-/// loses a NaN.
-template <class Scalar, std::size_t n>
-class ScaledError {
+/// An error checker of Odeint, which copies it: `Control` has error(errors, dt), the error of a step in units of what is allowed.
+template <class Control>
+class ErrorBy {
  public:
-  using Array = std::array<Scalar, n>;
+  /// `control` outlives the stepper.
+  explicit ErrorBy(Control& control) : control_(&control) {}
 
-  /// `scale` outlives the stepper, and may change between steps.
-  ScaledError(Scalar tolerance, const Array& scale) : tolerance_(tolerance), scale_(&scale) {}
-
-  template <class Algebra>
-  Scalar error(Algebra&, const Array&, const Array&, const Array& error, Scalar) const {
-    Scalar largest = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const Scalar relative = std::abs(error[i]) / (tolerance_ * (*scale_)[i]);
-      if (!(relative <= std::numeric_limits<Scalar>::max())) return std::numeric_limits<Scalar>::max();
-      largest = std::max(largest, relative);
-    }
-    return largest;
+  template <class Algebra, class Array, class Scalar>
+  Scalar error(Algebra&, const Array&, const Array&, const Array& errors, const Scalar& dt) const {
+    return control_->error(errors, dt);
   }
 
  private:
-  Scalar tolerance_;
-  const Array* scale_;
+  Control* control_;
 };
 
 /// Order 8, with a step that follows the estimate of order 7. No dense output.
-template <class Scalar, std::size_t n>
-using Stepper = boost::numeric::odeint::controlled_runge_kutta<PrinceDormand87<std::array<Scalar, n>, Scalar>,
-                                                               ScaledError<Scalar, n>>;
+template <class Scalar, std::size_t n, class Control>
+using Stepper =
+    boost::numeric::odeint::controlled_runge_kutta<PrinceDormand87<std::array<Scalar, n>, Scalar>, ErrorBy<Control>>;
 
-template <class Scalar, std::size_t n>
-Stepper<Scalar, n> make_stepper(const ScaledError<Scalar, n>& error) {
+template <class Scalar, std::size_t n, class Control>
+Stepper<Scalar, n, Control> make_stepper(Control& control) {
+  using Result = Stepper<Scalar, n, Control>;
   // The controller copies a stepper. A static one is zero, where a temporary would have its scratch space copied
   // uninitialised, which compilers warn of.
-  static const typename Stepper<Scalar, n>::stepper_type k_blank;
-  return {error, typename Stepper<Scalar, n>::step_adjuster_type(), k_blank};
+  static const typename Result::stepper_type k_blank;
+  return {ErrorBy<Control>(control), typename Result::step_adjuster_type(), k_blank};
 }
 
 }  // namespace gauss::integrate

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "gauss/integrate/step_result.hpp"
+#include "gauss/integrate/unit_groups.hpp"
 
 namespace gauss::simulate {
 
@@ -41,14 +42,15 @@ Assembly<typename Model::Scalar> assemble(const Model& model, const typename Mod
   constexpr int k_most_projections = 10;
   Assembly<Scalar> result;
   typename Model::State trial = state;
+  const integrate::UnitGroups<Model> groups(model);
   bool is_settled = false;
   for (int k = 0; k < k_most_projections && !is_settled; ++k) {
     const typename Model::State before = trial;
     result.status = model.projection(t, trial);
     is_settled = integrate::is_motion_known(result.status);
+    const auto sizes = groups.largest(trial);
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Scalar rounding =
-          16 * std::numeric_limits<Scalar>::epsilon() * std::max(Scalar(1), std::abs(trial.values[i]));
+      const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * sizes[i];
       if (!(std::abs(trial.values[i] - before.values[i]) <= rounding)) is_settled = false;
     }
   }

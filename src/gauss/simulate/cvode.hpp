@@ -42,8 +42,7 @@ class CvodeSimulation {
       return;
     }
     if (settings_.project) project_start(start);
-    scale_.fill(settings_.smallest_scale);
-    for (std::size_t i = Model::n_q; i < Model::size; ++i) scale_[i] = settings_.least_speed();
+    note_sizes(work_.state.get());
     set_up();
   }
 
@@ -68,6 +67,7 @@ class CvodeSimulation {
         on_step(t_, state());
       }
     }
+    note_coarse();
     return report_.outcome == Outcome::running && t_ == end;
   }
 
@@ -229,13 +229,35 @@ class CvodeSimulation {
 
   static int weights(N_Vector y, N_Vector result, void* user_data) {
     CvodeSimulation& simulation = self(user_data);
+    simulation.note_sizes(y);
     for (std::size_t i = 0; i < Model::size; ++i) {
-      double& scale = simulation.scale_[i];
-      scale = std::max(scale, std::abs(N_VGetArrayPointer(y)[i]));
       const double share = i < Model::n_q ? simulation.places_ : 1.0;
-      N_VGetArrayPointer(result)[i] = 1 / (simulation.settings_.tolerance * share * scale);
+      N_VGetArrayPointer(result)[i] = 1 / (simulation.settings_.tolerance * share * simulation.scale(i));
     }
     return 0;
+  }
+
+  void note_sizes(N_Vector y) {
+    for (std::size_t i = 0; i < Model::size; ++i) sizes_[i] = std::max(sizes_[i], std::abs(N_VGetArrayPointer(y)[i]));
+  }
+
+  /// What rests has no size, and a method of many steps no way to find one in a trial: 1 in the unit of the component.
+  double smallest(std::size_t i) const {
+    const double setting = i < Model::n_q ? settings_.smallest_scale : settings_.least_speed();
+    return setting > 0 ? setting : 1;
+  }
+
+  double scale(std::size_t i) const { return std::max(sizes_[i], smallest(i)); }
+
+  void note_coarse() {
+    note_sizes(work_.state.get());
+    report_.coarse = 1;
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      const double coarse = sizes_[i] > 0 ? smallest(i) / sizes_[i] : 1;
+      if (coarse <= report_.coarse) continue;
+      report_.coarse = coarse;
+      report_.coarse_component = i;
+    }
   }
 
   static int project(sunrealtype t, N_Vector y, N_Vector correction, sunrealtype, N_Vector, void* user_data) {
@@ -256,7 +278,7 @@ class CvodeSimulation {
     const double unit =
         settings_.most_projected * std::max(settings_.tolerance, std::numeric_limits<double>::epsilon());
     for (std::size_t i = 0; i < Model::size; ++i)
-      if (!(std::abs(after.values[i] - before.values[i]) <= unit * scale_[i])) return false;
+      if (!(std::abs(after.values[i] - before.values[i]) <= unit * scale(i))) return false;
     return true;
   }
 
@@ -277,9 +299,9 @@ class CvodeSimulation {
     long looks = 0, refused = 0;  ///< in a row with a low order
     bool is_given_up = false;
   };
-  Watched watched_;    ///< at the last look of demand_places
-  double places_ = 1;  ///< share of the tolerance that coordinates are allowed
-  std::array<double, Model::size> scale_{};
+  Watched watched_;                          ///< at the last look of demand_places
+  double places_ = 1;                        ///< share of the tolerance that coordinates are allowed
+  std::array<double, Model::size> sizes_{};  ///< largest so far
   Report<Status> report_;
   Problem problem_;
   integrate::sundials::Workspace work_{static_cast<sunindextype>(Model::size)};

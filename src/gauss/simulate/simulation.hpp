@@ -12,6 +12,7 @@
 #include "gauss/integrate/model_decorator.hpp"
 #include "gauss/integrate/odeint.hpp"
 #include "gauss/simulate/report.hpp"
+#include "gauss/simulate/step_control.hpp"
 
 namespace gauss::simulate {
 
@@ -33,9 +34,9 @@ class Simulation {
       return;
     }
     if (settings_.project) project_start();
-    scale_.fill(settings_.smallest_scale);
-    for (std::size_t i = Model::n_q; i < Model::size; ++i) scale_[i] = settings_.least_speed();
-    grow_scale();
+    for (std::size_t i = 0; i < Model::size; ++i)
+      control_.set_smallest(i, i < Model::n_q ? settings_.smallest_scale : settings_.least_speed());
+    control_.grow(x_);
   }
 
   Simulation(const Simulation&) = delete;
@@ -68,8 +69,9 @@ class Simulation {
   const Report<Status, Scalar>& report() const { return report_; }
 
  private:
-  using System = integrate::OdeintSystem<Model>;
-  using Array = typename System::Array;
+  using System = NotingSystem<Model>;
+  using Control = StepControl<Model>;
+  using Array = typename Control::Array;
 
   static State as_state(const Array& x) {
     State state;
@@ -83,7 +85,7 @@ class Simulation {
       State state = as_state(x_);
       if (!model_.rewrite(state)) return;
       std::copy_n(state.values, Model::size, x_.begin());
-      grow_scale();
+      control_.grow(x_);
     }
   }
 
@@ -100,15 +102,17 @@ class Simulation {
   void step_towards(const Scalar& end, OnStep&& on_step) {
     rewrite();
     Array rates{};
-    system_.forget_trouble();
+    system_.forget();
     system_(x_, rates, t_);
     if (!integrate::is_motion_known(system_.trouble())) {
       report_.outcome = Outcome::model_failed;
       report_.status = system_.trouble();
       return;
     }
-    if (step_ <= Scalar(0)) step_ = first_step(rates);
-    if (first_ <= Scalar(0)) first_ = step_;
+    // What starts at 0 has no size yet that rates could be compared with: the error is, of a guess that is too long for most.
+    if (step_ <= Scalar(0)) step_ = std::pow(settings_.tolerance, Scalar(1) / 8) * (end - t_);
+    if (first_ <= Scalar(0)) control_.set_reach(first_ = std::min(step_, end - t_));
+    bool is_rounding_known = false;
     while (report_.outcome == Outcome::running) {
       // The controller's step is kept for afterwards when this one is cut off to arrive at `end`.
       if (settings_.longest_step > Scalar(0)) step_ = std::min(step_, settings_.longest_step);
@@ -117,13 +121,15 @@ class Simulation {
       const Scalar dt = arrives ? end - t_ : wanted;
       State before{}, after{};
       if (!attempt(rates, dt, before, after)) {
+        if (!is_rounding_known) find_rounding(rates);
+        is_rounding_known = true;
         reject(dt);
         continue;
       }
       if (arrives) step_ = std::max(step_, wanted);
       t_ = arrives ? end : t_ + dt;
       std::copy_n(after.values, Model::size, x_.begin());
-      grow_scale();
+      control_.grow(x_);
       ++report_.steps;
       if (system_.trouble() != Status{}) ++report_.with_fewer_constraints;
       on_step(t_, before, after);
@@ -143,7 +149,7 @@ class Simulation {
     Status status = system_.trouble();
     if (is_accurate && integrate::is_motion_known(status) && settings_.project) status = model_.projection(time, after);
     const bool is_known = integrate::is_motion_known(status);
-    jumped_ = is_known && is_accurate && !is_near(before, after);
+    jumped_ = is_known && is_accurate && !is_near(dt, before, after);
     if (is_known && !jumped_) return is_accurate;
     // A shorter step may stay on this side of the trouble.
     report_.status = status;
@@ -152,34 +158,31 @@ class Simulation {
   }
 
   /// Where constraints lose their rank, projection may take any part of the motion away.
-  bool is_near(const State& before, const State& after) const {
-    const Scalar unit =
-        settings_.most_projected * std::max(settings_.tolerance, std::numeric_limits<Scalar>::epsilon());
-    for (std::size_t i = 0; i < Model::size; ++i) {
-      if (!(std::abs(after.values[i] - before.values[i]) <= unit * scale_[i])) return false;
-    }
+  bool is_near(const Scalar& dt, const State& before, const State& after) const {
+    const Array allowed = control_.allowed(std::max(settings_.tolerance, std::numeric_limits<Scalar>::epsilon()), dt);
+    for (std::size_t i = 0; i < Model::size; ++i)
+      if (!(std::abs(after.values[i] - before.values[i]) <= settings_.most_projected * allowed[i])) return false;
     return true;
+  }
+
+  void find_rounding(const Array& rates) {
+    Array changes{};
+    const auto derivative = [&](const Array& x, Array& result) {
+      system_.forget();
+      system_(x, result, t_);
+      return integrate::is_motion_known(system_.trouble());
+    };
+    if (!changes_by_rounding(x_, rates, derivative, changes)) changes.fill(Scalar(0));
+    control_.set_rounding(changes);
   }
 
   // Times may be of any unit: near 0, rounding is that of the first step.
   void reject(const Scalar& dt) {
     ++report_.rejected;
-    system_.forget_trouble();
+    system_.forget();
     const Scalar rounding = std::numeric_limits<Scalar>::epsilon() * std::max(first_, std::abs(t_));
     if (dt > 4 * rounding && step_ > 0) return;
     report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::step_too_small;
-  }
-
-  void grow_scale() {
-    for (std::size_t i = 0; i < Model::size; ++i) scale_[i] = std::max(scale_[i], std::abs(x_[i]));
-  }
-
-  // The time in which the fastest component changes by a part of its scale that an error of order 8 resolves.
-  Scalar first_step(const Array& rates) const {
-    Scalar fastest = 0;
-    for (std::size_t i = 0; i < Model::size; ++i) fastest = std::max(fastest, std::abs(rates[i]) / scale_[i]);
-    const Scalar part = std::pow(settings_.tolerance, Scalar(1) / 8);
-    return fastest > 0 ? part / fastest : part;
   }
 
   Model model_;
@@ -190,9 +193,8 @@ class Simulation {
   Scalar first_ = 0;     ///< the first step, tried or given
   bool jumped_ = false;  ///< the last trial, by its projection
   Array x_{};
-  Array scale_{};
-  integrate::Stepper<Scalar, Model::size> stepper_ =
-      integrate::make_stepper(integrate::ScaledError<Scalar, Model::size>(settings_.tolerance, scale_));
+  Control control_{model_, settings_.tolerance, system_};
+  integrate::Stepper<Scalar, Model::size, Control> stepper_ = integrate::make_stepper<Scalar, Model::size>(control_);
   Report<Status, Scalar> report_;
 };
 

@@ -1,0 +1,167 @@
+// What an error of a step is measured by: sizes that the motion itself has, and rounding. No unit is preferred.
+// SPDX-License-Identifier: MIT
+#ifndef GAUSS_SIMULATE_STEP_CONTROL_HPP
+#define GAUSS_SIMULATE_STEP_CONTROL_HPP
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "gauss/integrate/odeint.hpp"
+#include "gauss/integrate/unit_groups.hpp"
+
+namespace gauss::simulate {
+
+/// A model as a system of Odeint that notes how large the states are at which a step looks. What starts from 0 has no size but this.
+template <class Model>
+class NotingSystem {
+ public:
+  using Scalar = typename Model::Scalar;
+  using Array = typename integrate::OdeintSystem<Model>::Array;
+
+  explicit NotingSystem(const Model& model) : system_(model) {}
+
+  void operator()(const Array& x, Array& dxdt, const Scalar& t) {
+    for (std::size_t i = 0; i < Model::size; ++i) sizes_[i] = std::max(sizes_[i], std::abs(x[i]));
+    system_(x, dxdt, t);
+  }
+
+  auto trouble() const { return system_.trouble(); }
+  void forget() {
+    system_.forget_trouble();
+    sizes_.fill(Scalar(0));
+  }
+  /// Largest of each component since forget().
+  const Array& sizes() const { return sizes_; }
+  long calls() const { return system_.calls(); }
+
+ private:
+  integrate::OdeintSystem<Model> system_;
+  Array sizes_{};
+};
+
+/// How far a function of a state moves it, or changes it by the time, when the state is rounded otherwise: the smaller of two changes in
+/// opposite directions, of eight units in the last place, so that an edge on one side is none.
+/// `apply(state, result)` is false where it has no value.
+template <class Array, class Apply>
+bool changes_by_rounding(const Array& x, const Array& value, const Apply& apply, Array& changes) {
+  using Scalar = typename Array::value_type;
+  changes.fill(std::numeric_limits<Scalar>::infinity());
+  for (const int sign : {1, -1}) {
+    Array moved = x, result{};
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      // Not the same for all components, which would be a change of units: many models have none of.
+      const Scalar share = (i % 2 == 0 ? 1 : -1) * (Scalar(1) - Scalar(i % 5) / 8);
+      moved[i] += sign * 8 * share * std::numeric_limits<Scalar>::epsilon() * x[i];
+    }
+    if (!apply(moved, result)) return false;
+    for (std::size_t i = 0; i < x.size(); ++i) changes[i] = std::min(changes[i], std::abs(result[i] - value[i]));
+  }
+  return true;
+}
+
+/// The error of a step in units of what is allowed: the largest over the components. Each is allowed the tolerance of the largest size that it had so far or has within
+/// the step; some units in the last place of the largest component that has the same unit (of 1, for angles), since what is smaller is rounding of that; and what rounding
+/// changes its rate by.
+///
+/// Odeint's own checker adds one absolute tolerance for all components, which suits neither a speed of 100 rad/s nor a quaternion nor other units, and its maximum loses a NaN.
+template <class Model>
+class StepControl {
+ public:
+  using Scalar = typename Model::Scalar;
+  using Array = typename NotingSystem<Model>::Array;
+
+  StepControl(const Model& model, const Scalar& tolerance, const NotingSystem<Model>& system)
+      : tolerance_(tolerance), groups_(model), system_(&system) {}
+
+  /// Sizes are those of `x` at least from now on.
+  void grow(const Array& x) {
+    for (std::size_t i = 0; i < Model::size; ++i) own_[i] = std::max(own_[i], std::abs(x[i]));
+  }
+  void set_smallest(std::size_t i, const Scalar& size) { own_[i] = size; }
+  void set_rounding(const Array& of_rates) { rounding_ = of_rates; }
+
+  Scalar size(std::size_t i) const { return std::max(own_[i], system_->sizes()[i]); }
+
+  /// By components: what an error may be.
+  Array allowed(const Scalar& tolerance, const Scalar& dt) const {
+    // Below it, numbers have not all of their digits.
+    constexpr Scalar least = std::numeric_limits<Scalar>::min() / std::numeric_limits<Scalar>::epsilon();
+    Array sizes{};
+    for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = size(i);
+    Array result = groups_.largest(sizes);
+    for (std::size_t i = 0; i < Model::size; ++i)
+      result[i] = least + tolerance * sizes[i] + k_last_places * result[i] + std::abs(dt) * rounding_[i];
+    return result;
+  }
+
+  /// As ErrorBy asks for it.
+  Scalar error(const Array& errors, const Scalar& dt) {
+    const Scalar found = largest(errors, dt);
+    if (found <= Scalar(1)) {
+      accepted(dt);
+      if (!is_resting_) edge_ = Edge{};
+      edge_.error = 0;
+      return found;
+    }
+    look_for_edge(found, std::abs(dt));
+    if (edge_.stalls < k_stalls_of_an_edge || !(std::abs(dt) <= k_brief * reach_)) return found;
+    accepted(dt);
+    return Scalar(1);
+  }
+
+  /// The first step that is tried, as long as none was accepted.
+  void set_reach(const Scalar& dt) { reach_ = dt; }
+
+ private:
+  static constexpr Scalar k_last_places = 64 * std::numeric_limits<Scalar>::epsilon();
+
+  // Where what rests is pushed at a point of time (a force that begins to act), the error of a step over it is a part of all that moves, however short the step
+  // is. It shows by errors that do not become smaller with the step, where those of smooth motions do so with its seventh power. What happens in
+  // this part of the longest step so far is not asked for then.
+  static constexpr int k_stalls_of_an_edge = 3;
+  static constexpr double k_brief = 1e-10;
+
+  struct Edge {
+    int stalls = 0;
+    Scalar error = 0, dt = 0;  ///< of the step that was refused before, from the same time; 0: none was
+  };
+
+  void look_for_edge(const Scalar& error, const Scalar& dt) {
+    const bool is_comparable = edge_.error > Scalar(0) && error < std::numeric_limits<Scalar>::max();
+    if (is_comparable && dt < edge_.dt / 2) edge_.stalls = error > edge_.error / 5 ? edge_.stalls + 1 : 0;
+    edge_.error = error < std::numeric_limits<Scalar>::max() ? error : Scalar(0);
+    edge_.dt = dt;
+  }
+
+  Scalar largest(const Array& errors, const Scalar& dt) {
+    const Array bounds = allowed(tolerance_, dt);
+    Scalar result = 0;
+    is_resting_ = true;
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      if (errors[i] == Scalar(0)) continue;
+      const Scalar relative = std::abs(errors[i]) / bounds[i];
+      if (!(relative <= std::numeric_limits<Scalar>::max())) return std::numeric_limits<Scalar>::max();
+      if (relative > Scalar(0.01) && tolerance_ * size(i) > bounds[i] / 2) is_resting_ = false;
+      result = std::max(result, relative);
+    }
+    return result;
+  }
+
+  void accepted(const Scalar& dt) { reach_ = std::max(reach_, std::abs(dt)); }
+
+  Scalar tolerance_;
+  integrate::UnitGroups<Model> groups_;
+  const NotingSystem<Model>* system_;
+  Array own_{};       ///< largest size so far
+  Array rounding_{};  ///< changes of rates by it
+  Scalar reach_ = 0;  ///< the longest step so far
+  Edge edge_;
+  bool is_resting_ = true;  ///< no error beyond rounding in the step that was looked at last
+};
+
+}  // namespace gauss::simulate
+
+#endif  // GAUSS_SIMULATE_STEP_CONTROL_HPP
