@@ -233,6 +233,22 @@ TEST_CASE("a rate of 1e6/s is gone after one step of a millisecond") {
   CHECK(run.state().values[1] == Approx(std::cos(1e-2)).epsilon(0).margin(1e-8));
 }
 
+TEST_CASE("SDIRK leads to the same place in other units, where numbers are 2^40 times as small, too") {
+  using Stepper = Sdirk<BobModel, BobJacobian>;
+  const auto end = [](int length, int time) {
+    gauss::pendulum_cartesian::Parameters<double> p;
+    p.L = std::ldexp(1.0, length);
+    p.g = std::ldexp(9.81, length - 2 * time);
+    FixedStep<BobModel, Stepper> run(bind_model<SteadyBob>(p), {{0.6 * p.L, -0.8 * p.L, 0, 0}}, std::ldexp(0.01, time));
+    REQUIRE(run.advance(100));
+    auto state = run.state();
+    for (int i = 0; i < 4; ++i) state.values[i] = std::ldexp(state.values[i], i < 2 ? -length : time - length);
+    return state;
+  };
+  for (const int length : {-40, 40})
+    for (const int time : {-40, 40}) CHECK(distance(end(length, time), end(0, 0)) < 1e-12);
+}
+
 TEST_CASE("a step over the edge of the model is refused, and the state stays") {
   const WallModel model;
   FixedStep<WallModel, Sdirk<WallModel>> run(model, start_of(bob()), 0.01);

@@ -7,9 +7,12 @@
 #include <arkode/arkode_ls.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include "gauss/integrate/sundials.hpp"
+#include "gauss/integrate/unit_groups.hpp"
 
 namespace gauss::integrate {
 
@@ -23,8 +26,9 @@ class Sdirk {
   using State = typename Model::State;
   static constexpr int order = 4;
 
-  /// `tolerance` of Newton's method, relative to each component, or to `smallest_scale` in its unit where it is smaller.
-  explicit Sdirk(double tolerance = 1e-13, double smallest_scale = 1)
+  /// `tolerance` of Newton's method, relative to the largest component with the same unit so far (to 1 rad, for angles), or to `smallest_scale` in its unit where that
+  /// is larger.
+  explicit Sdirk(double tolerance = 1e-13, double smallest_scale = 0)
       : memory_(std::make_unique<Memory>()), tolerance_(tolerance), smallest_scale_(smallest_scale) {}
 
   StepResult step(const Model& model, double t, double h, State& state) {
@@ -33,6 +37,7 @@ class Sdirk {
     problem.forget_trouble();
     N_Vector y = memory_->work.state.get();
     std::copy_n(state.values, Model::size, N_VGetArrayPointer(y));
+    weigh(model, t, h, state);
     begin(t, h);
     sunrealtype reached = t;
     const int flag = ARKStepEvolve(memory_->arkode.get(), t + h, y, &reached, ARK_ONE_STEP);
@@ -47,7 +52,12 @@ class Sdirk {
   long jacobians() const { return memory_->problem.jacobians(); }
 
  private:
-  using Problem = sundials::Problem<Model, Derivatives>;
+  using Base = sundials::Problem<Model, Derivatives>;
+  using Sizes = typename UnitGroups<Model>::Array;
+  // The callback of rates gets the address of the base.
+  struct Problem : Base {
+    Sizes weights{};
+  };
 
   struct Free {
     void operator()(void* arkode) const { ARKStepFree(&arkode); }
@@ -59,6 +69,40 @@ class Sdirk {
     sundials::Workspace work{static_cast<sunindextype>(Model::size)};
     std::unique_ptr<void, Free> arkode;
   };
+
+  /// What has no size yet, as all speeds at rest, has that of its change in the step: by its rate, and where that is 0, too, by its rate after it.
+  void weigh(const Model& model, double t, double h, const State& state) {
+    for (std::size_t i = 0; i < Model::size; ++i) sizes_[i] = std::max(sizes_[i], std::abs(state.values[i]));
+    const UnitGroups<Model> groups(model);
+    Sizes scales = groups.largest(sizes_);
+    State ahead = state;
+    for (int look = 0; look < 2 && *std::min_element(scales.begin(), scales.end()) == 0; ++look) {
+      typename Model::Derivative rates;
+      if (!is_motion_known(model.derivative(t + look * h, ahead, rates))) break;
+      Sizes changes;
+      for (std::size_t i = 0; i < Model::size; ++i) {
+        changes[i] = std::abs(h * rates.values[i]);
+        ahead.values[i] = state.values[i] + h * rates.values[i];
+      }
+      changes = groups.largest(changes);
+      for (std::size_t i = 0; i < Model::size; ++i)
+        if (scales[i] == 0) scales[i] = changes[i];
+    }
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() / std::abs(h);
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      // What will not move, as far as can be seen, has no scale.
+      const double scale = std::max(scales[i] > 0 ? scales[i] : 1.0, smallest_scale_);
+      // Equations of a stage say what speeds are by places, too, and no better than these are rounded.
+      const double of_places = i < Model::n_q ? 0 : rounding * groups.places_of(i, scales);
+      memory_->problem.weights[i] = 1 / (tolerance_ * scale + of_places);
+    }
+  }
+
+  static int weights(N_Vector, N_Vector result, void* user_data) {
+    const Sizes& from = static_cast<Problem&>(Base::self(user_data)).weights;
+    std::copy(from.begin(), from.end(), N_VGetArrayPointer(result));
+    return 0;
+  }
 
   void begin(double t, double h) {
     N_Vector y = memory_->work.state.get();
@@ -76,8 +120,8 @@ class Sdirk {
         sundials::created(ARKStepCreate(nullptr, Problem::rates, t, work.state.get(), work.context.get()));
     memory_->arkode.reset(arkode);
     ARKStepSetErrHandlerFn(arkode, sundials::be_quiet, nullptr);
-    ARKStepSetUserData(arkode, &memory_->problem);
-    ARKStepSStolerances(arkode, tolerance_, tolerance_ * smallest_scale_);
+    ARKStepSetUserData(arkode, static_cast<Base*>(&memory_->problem));
+    ARKStepWFtolerances(arkode, weights);
     ARKStepSetTableNum(arkode, ARKODE_SDIRK_5_3_4, ARKODE_ERK_NONE);
     ARKStepSetLinearSolver(arkode, work.solver.get(), work.matrix.get());
     if constexpr (Problem::has_jacobian) ARKStepSetJacFn(arkode, Problem::jacobian);
@@ -91,6 +135,7 @@ class Sdirk {
   std::unique_ptr<Memory> memory_;
   double tolerance_;
   double smallest_scale_;
+  Sizes sizes_{};  ///< largest so far
 };
 
 }  // namespace gauss::integrate

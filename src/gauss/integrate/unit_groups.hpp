@@ -7,11 +7,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
+#include <string_view>
 
 namespace gauss::integrate {
 
-/// Components of a model's state in groups of the same unit, coordinates apart from speeds. A component of which no unit is known is alone.
+/// Components of a model's state in groups of the same unit, coordinates apart from speeds. Those without a unit are one group.
 template <class Model>
 class UnitGroups {
  public:
@@ -20,10 +20,15 @@ class UnitGroups {
 
   explicit UnitGroups(const Model& model) {
     for (std::size_t i = 0; i < Model::size; ++i) {
-      is_angle_[i] = has_unit(model, i, "rad");
+      is_angle_[i] = unit(model, i) == "rad";
       first_[i] = i;
       for (std::size_t k = i < Model::n_q ? 0 : Model::n_q; k < i && first_[i] == i; ++k)
-        if (has_unit(model, i, model.unit(k))) first_[i] = k;
+        if (unit(model, k) == unit(model, i)) first_[i] = k;
+    }
+    for (std::size_t i = Model::n_q; i < Model::size; ++i) {
+      place_[i] = k_none;
+      for (std::size_t k = 0; k < Model::n_q && place_[i] == k_none; ++k)
+        if (is_rate_of(unit(model, i), unit(model, k))) place_[i] = k;
     }
   }
 
@@ -42,13 +47,28 @@ class UnitGroups {
     return largest(sizes);
   }
 
+  /// Of `largest`: the size of coordinates that speed i is the rate of, by its unit; 0 if there are none.
+  Scalar places_of(std::size_t i, const Array& largest) const {
+    return place_[i] == k_none ? Scalar(0) : largest[place_[i]];
+  }
+
  private:
-  static bool has_unit(const Model& model, std::size_t i, const char* unit) {
-    const char* const own = model.unit(i);
-    return own != nullptr && unit != nullptr && std::strcmp(own, unit) == 0;
+  static constexpr std::size_t k_none = Model::size;
+
+  static std::string_view unit(const Model& model, std::size_t i) {
+    const char* const text = model.unit(i);
+    return text == nullptr ? std::string_view{} : std::string_view{text};
+  }
+
+  static bool is_rate_of(std::string_view rate, std::string_view place) {
+    constexpr std::string_view k_per_second = "/s";
+    if (rate.empty() || place.empty()) return rate == place;
+    return rate.size() == place.size() + k_per_second.size() && rate.substr(0, place.size()) == place &&
+           rate.substr(place.size()) == k_per_second;
   }
 
   std::array<std::size_t, Model::size> first_{};
+  std::array<std::size_t, Model::size> place_{};  ///< of speeds
   std::array<bool, Model::size> is_angle_{};
 };
 
