@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <string>
 
 #include "nearest_position.hpp"
 #include "strategy/projection.hpp"
@@ -109,14 +111,40 @@ StatedStart stated_start(const model::Model& model, kinematics::Expressions& exp
   return result;
 }
 
+namespace {
+
+/// Six digits where they serve: of a place far off the origin they would be another one.
+int digits_that_serve(const std::vector<double>& position, const std::vector<bool>& movable, Mechanics& mechanics,
+                      model::Model& model, double time) {
+  for (const int digits : {6, 9, 12, 15}) {
+    std::vector<double> rounded;
+    for (const double value : position) rounded.push_back(std::stod(fmt::format("{:.{}g}", value, digits)));
+    take(rounded, movable, mechanics, model);
+    if (is_held_from(mechanics, movable, position, time)) return digits;
+  }
+  return std::numeric_limits<double>::max_digits10;
+}
+
+FoundStart taken(const std::vector<double>& position, FoundStart::Reason reason, const std::vector<bool>& movable,
+                 Mechanics& mechanics, model::Model& model, double time) {
+  const int digits = digits_that_serve(position, movable, mechanics, model, time);
+  return {take(position, movable, mechanics, model), reason, digits};
+}
+
+}  // namespace
+
 FoundStart improve_guesses(Mechanics& mechanics, model::Model& model, double time) {
   const auto movable = ways_of_search(mechanics, model);
   if (!movable) return {};
   const Approach emitted = emitted_approach(mechanics, *movable, time);
-  if (emitted.is_solved && emitted.is_settled) return {};
+  if (emitted.is_solved && emitted.is_settled) {
+    const auto position = less_whole_turns(mechanics, emitted.position, time);
+    return position ? taken(*position, FoundStart::Reason::turns, *movable, mechanics, model, time) : FoundStart();
+  }
   const Approach found = emitted.is_solved ? emitted : long_approach(mechanics, *movable, time);
   if (!found.is_solved) return {};
-  return {take(found.position, *movable, mechanics, model), emitted.is_solved};
+  const auto reason = emitted.is_solved ? FoundStart::Reason::choice : FoundStart::Reason::far;
+  return taken(found.position, reason, *movable, mechanics, model, time);
 }
 
 void refine_guesses(Mechanics& mechanics, model::Model& model, double time) {
@@ -129,14 +157,14 @@ void refine_guesses(Mechanics& mechanics, model::Model& model, double time) {
 namespace {
 
 /// In the words of a model file, all of a joint together: 'initial_guess: [4.54, 1.2]' at joint 'hook'.
-std::vector<std::string> as_written(const std::vector<FoundGuess>& found, const model::Model& model) {
+std::vector<std::string> as_written(const FoundStart& found, const model::Model& model) {
   std::vector<std::string> texts;
   std::map<std::string, std::vector<std::string>> values;  ///< by joint
   std::vector<std::string> joints;
-  for (const FoundGuess& guess : found) {
+  for (const FoundGuess& guess : found.guesses) {
     if (guess.is_of_quaternion) continue;
     const model::Coordinate& coordinate = model.coordinates[model.resolve(guess.name).index];
-    const std::string value = fmt::format("{:.6g}", guess.value);
+    const std::string value = fmt::format("{:.{}g}", guess.value, found.digits);
     if (coordinate.starts_at.empty()) {
       texts.push_back(fmt::format("'initial_guess: {}' at coordinate '{}'", value, guess.name));
     } else {
@@ -154,18 +182,31 @@ std::vector<std::string> as_written(const std::vector<FoundGuess>& found, const 
 
 }  // namespace
 
+namespace {
+
+const char* in_words(FoundStart::Reason reason) {
+  switch (reason) {
+    case FoundStart::Reason::choice:
+      return "where emitted code would get from these guesses is for rounding to decide, since constraints follow "
+             "from each other there; it starts from one of these positions";
+    case FoundStart::Reason::turns:
+      return "from these guesses emitted code would get to a position whole turns on, as from beside a place where a "
+             "loop is stretched; it starts from that position, less these turns";
+    default:
+      return "emitted code would not get from these guesses to a position that satisfies the constraints; it "
+             "starts from one that a longer search has found";
+  }
+}
+
+}  // namespace
+
 void report_found(const FoundStart& found, const model::Model& model, support::Diagnostics& diagnostics) {
   if (found.guesses.empty()) return;
-  const std::vector<std::string> values = as_written(found.guesses, model);
-  diagnostics.warning(
-      support::code::k_far_start, span_of_speed(model, found.guesses.front().name),
-      found.is_choice
-          ? "where emitted code would get from these guesses is for rounding to decide, since constraints follow "
-            "from each other there; it starts from one of these positions"
-          : "emitted code would not get from these guesses to a position that satisfies the constraints; it "
-            "starts from one that a longer search has found",
-      values.empty() ? "give the orientation an 'initial' that is nearer"
-                     : "write it down: " + support::joined(values));
+  const std::vector<std::string> values = as_written(found, model);
+  diagnostics.warning(support::code::k_far_start, span_of_speed(model, found.guesses.front().name),
+                      in_words(found.reason),
+                      values.empty() ? "give the orientation an 'initial' that is nearer"
+                                     : "write it down: " + support::joined(values));
 }
 
 void assemble(Mechanics& mechanics, model::Model& model, double time) {

@@ -17,6 +17,7 @@
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
 #include "undefined_parts.hpp"
+#include "usual_rank.hpp"
 #include "vanishing_gradient.hpp"
 #include "violation.hpp"
 
@@ -60,6 +61,8 @@ class InitialCheck {
     report_vanishing(violated, constraints);
     constraints.report_positions(violated);
     constraints.report_contradictions();
+    positions_hold_ =
+        std::none_of(violated.begin(), violated.end(), [](const Violation& v) { return v.is_of_positions; });
     for (const Violation& violation : violated) {
       if (!constraints.is_contradictory(violation.index)) report_violation(violation);
     }
@@ -69,6 +72,7 @@ class InitialCheck {
       report_choice(chosen_rates(mechanics_, state, values_));
     }
     constraints.report_redundant();
+    if (violated.empty()) report_locked();
     if (constraints.leave_undetermined()) return report_undetermined(true);
     const bool has_other_way = has_general_way(mechanics_) && constraints.has_general_solution();
     if (!has_other_way) report_singular(constraints.has_dependent());
@@ -182,6 +186,25 @@ class InitialCheck {
     }
   }
 
+  /// Equations of positions that hold at this place alone: emitted code knows no more than their rank there, which is less than usual.
+  void report_locked() {
+    if (!has_general_way(mechanics_)) return;
+    const auto locked = locked_motions(mechanics_);
+    if (!locked) return;
+    const auto& all = mechanics_.kinematics.constraints;
+    const auto indices = all.indices();
+    const auto first =
+        std::find_if(indices.begin(), indices.end(), [&](const auto mu) { return all[mu].f.has_value(); });
+    diagnostics_.warning(
+        support::code::k_dependent_start, model_.constraints[(*first).value].name.span,
+        fmt::format(
+            "the constraints hold at no other place near the initial one, as far as a search sees: they lock the "
+            "parts there, though {} motion{} left to first order",
+            *locked, *locked == 1 ? " is" : "s are"),
+        "give lengths some play if it ought to move; if not, fix the parts to each other, since accelerations and "
+        "multipliers follow from first orders");
+  }
+
   void report_undefined_state(const std::vector<InitialValue>& state) {
     for (const InitialValue& value : state) {
       const auto trouble = values_.trouble(value.node);
@@ -239,12 +262,22 @@ class InitialCheck {
     const support::Span span = model_.constraints[violation.index].span;
     const std::string message = fmt::format("the initial state violates constraint '{}' by {}", violation.row->name,
                                             evaluate::to_decimal(violation.residual, 3));
-    const std::string hint = remedy(mechanics_, violation, values_);
+    const std::string hint = positions_hold_ || violation.is_of_positions || !acts_on_open(violation)
+                                 ? remedy(mechanics_, violation, values_)
+                                 : "first let the positions fit: open rates are sought where they do";
     if (options_.is_emitted) {
       diagnostics_.error(support::code::k_impossible_start, span, message, hint);
     } else {
       diagnostics_.warning(support::code::k_violating_start, span, message, hint);
     }
+  }
+
+  bool acts_on_open(const Violation& violation) const {
+    const std::vector<bool> given = stated_speeds(model_);
+    const auto indices = mechanics_.symbols.speeds.indices();
+    return std::any_of(indices.begin(), indices.end(), [&](const auto i) {
+      return !given[i.value] && !violation.row->beta[mechanics_.symbols.full(i)].is_zero();
+    });
   }
 
   // How far it holds says little: it grows as a power of what it is about.
@@ -391,6 +424,7 @@ class InitialCheck {
   StartOptions options_;
   support::Diagnostics& diagnostics_;
   ModelValues values_;
+  bool positions_hold_ = true;
 };
 
 }  // namespace

@@ -34,6 +34,9 @@ constexpr double k_stationary =
     1e-4;  ///< Jᵀ f of the largest f and ∂f; where f changes by squares, a descent ends half of the digits before
 constexpr double k_noise = 1e-14;  ///< f of what it is made of, in that sum
 constexpr double k_most_damping = 1e12;
+constexpr double k_turned_back = 1e-9;  ///< f of what it is made of, before steps to what is near
+constexpr double k_near = 1e-3;         ///< of a span
+constexpr double k_turn = 6.283185307179586;
 constexpr double k_part = 1e-9;  ///< of the largest: less is rounding
 
 Eigen::Map<const Eigen::VectorXd> mapped(const Vector& v) { return {v.data(), static_cast<Eigen::Index>(v.size())}; }
@@ -301,15 +304,72 @@ void polish(PositionEquations& equations, const Vector& spans, bool is_measured)
   }
 }
 
+namespace {
+
+/// Angles by whole turns to their guesses: all together, since those of a gear go together, else each that can alone. True if any has moved. An angle of many turns
+/// was less exact than one of none is.
+bool unwind(PositionEquations& equations, std::size_t count) {
+  const auto is_there = [&] {
+    const auto here = equations.linearised();
+    return here && here->is_solved(k_turned_back);
+  };
+  const Vector wound = equations.position();
+  bool has_moved = false;
+  for (std::size_t i = 0; i < count; ++i) has_moved = equations.unwind(i) || has_moved;
+  if (!has_moved || is_there()) return has_moved;
+  equations.set(wound);
+  has_moved = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector before = equations.position();
+    if (!equations.unwind(i)) continue;
+    if (is_there()) {
+      has_moved = true;
+    } else {
+      equations.set(before);
+    }
+  }
+  return has_moved;
+}
+
+}  // namespace
+
+bool is_held_from(Mechanics& mechanics, const std::vector<bool>& movable, const Vector& position, double time) {
+  const Approach reached = emitted_approach(mechanics, movable, time);
+  PositionEquations equations(mechanics, movable, time);
+  if (!reached.is_solved || !reached.is_settled || !equations.start()) return false;
+  const Vector guess = equations.position();
+  equations.set(position);
+  const Vector spans = spans_at(mechanics, equations);
+  for (std::size_t i = 0; i < mechanics.symbols.plain_count(); ++i) {
+    const double off = std::max(std::abs(reached.position[i] - position[i]), std::abs(guess[i] - position[i]));
+    if (!(off <= k_near * spans[i])) return false;
+  }
+  return true;
+}
+
+std::optional<Vector> less_whole_turns(Mechanics& mechanics, const Vector& position, double time) {
+  PositionEquations equations(mechanics, std::vector<bool>(mechanics.dynamics.n(), true), time);
+  const std::size_t count = mechanics.symbols.plain_count();
+  if (!equations.start()) return std::nullopt;
+  const Vector guess = equations.position();
+  const auto is_far = [&](const Vector& q) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (equations.may_be_angle(i) && std::abs(q[i] - guess[i]) > k_turn) return true;
+    }
+    return false;
+  };
+  equations.set(position);
+  if (!is_far(position) || !unwind(equations, count)) return std::nullopt;
+  polish(equations, spans_at(mechanics, equations));
+  return equations.position();
+}
+
 Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time) {
   PositionEquations equations(mechanics, movable, time);
   if (!start_beside_guess(mechanics, equations)) return {equations.position(), false};
   const auto reached = Descent(equations).run();
   if (!reached || !reached->is_solved(k_solved)) return {equations.position(), false};
-  const Vector wound = equations.position();
-  equations.unwind();
-  const auto unwound = equations.linearised();
-  if (!unwound || !unwound->is_solved(k_solved)) equations.set(wound);
+  if (unwind(equations, mechanics.symbols.plain_count())) polish(equations, spans_at(mechanics, equations));
   return {equations.position(), true};
 }
 

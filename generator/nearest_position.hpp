@@ -41,6 +41,15 @@ struct Approach {
 /// The steps of Newton's method that emitted code takes, each the least one in the mass metric.
 Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time);
 
+/// Whether the guesses of the model are this position, and the steps of emitted code stay there, up to a small part of how far displacements go before constraints change.
+bool is_held_from(Mechanics& mechanics, const std::vector<bool>& movable, const std::vector<double>& position,
+                  double time);
+
+/// This position, with angles that are more than a turn from their guesses brought back by whole turns; nothing where there are none, or where it is not a solution then, as of
+/// a rack and its wheel.
+std::optional<std::vector<double>> less_whole_turns(Mechanics& mechanics, const std::vector<double>& position,
+                                                    double time);
+
 /// As many damped steps as it takes; angles end within half a turn of their guesses.
 Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time);
 

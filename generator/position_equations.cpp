@@ -122,13 +122,18 @@ void PositionEquations::weigh() {
   }
 }
 
-void PositionEquations::unwind() {
+bool PositionEquations::may_be_angle(std::size_t variable) const {
+  const std::string& unit = mechanics_.symbols.configuration[kinematics::ConfigurationIndex{variable}].unit;
+  return unit == "rad" || unit.empty();
+}
+
+bool PositionEquations::unwind(std::size_t variable) {
+  const double off = q_[variable] - guess_[variable], least = std::remainder(off, k_turn);
+  if (!may_be_angle(variable) || std::abs(off - least) < 1) return false;
   Vector q = q_;
-  for (std::size_t i = 0; i < mechanics_.symbols.plain_count(); ++i) {
-    const auto& variable = mechanics_.symbols.configuration[kinematics::ConfigurationIndex{i}];
-    if (variable.unit == "rad" || variable.unit.empty()) q[i] = guess_[i] + std::remainder(q[i] - guess_[i], k_turn);
-  }
+  q[variable] = guess_[variable] + least;
   set(std::move(q));
+  return true;
 }
 
 bool PositionEquations::add(ir::Expr f, const kinematics::ConstraintRow& row, const std::vector<bool>& moves,

@@ -51,8 +51,11 @@ class PositionEquations {
   /// From here on equations are in units of displacements: times 1 / (the largest derivative here).
   void weigh();
 
-  /// Angles by whole turns to their guesses.
-  void unwind();
+  /// By its unit: in a model without units anything may be one.
+  bool may_be_angle(std::size_t variable) const;
+
+  /// By whole turns to its guess, if it is an angle; false where it is as near already.
+  bool unwind(std::size_t variable);
 
   /// Nothing where a value is undefined or not finite.
   std::optional<Linearised> linearised();

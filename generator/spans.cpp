@@ -12,10 +12,12 @@ namespace {
 
 using Vector = std::vector<double>;
 
-constexpr double k_changed = 0.5;  ///< of a gradient
-constexpr double k_factor = 4;     ///< from one span that is tried to the next
-constexpr double k_least = 1e-8;   ///< of a coordinate: half of its digits
-constexpr double k_far = 1e12;     ///< where nothing has changed there, nothing does
+constexpr double k_changed = 0.5;   ///< of a gradient
+constexpr double k_factor = 4;      ///< from one span that is tried to the next
+constexpr double k_least = 1e-8;    ///< of a coordinate: half of its digits
+constexpr double k_solved = 1e-10;  ///< of what an equation is made of
+constexpr double k_turned = 10;     ///< times the root of what is left, as in gauss/rank_rule.hpp
+constexpr double k_far = 1e12;      ///< where nothing has changed there, nothing does
 
 class Spans {
  public:
@@ -26,7 +28,9 @@ class Spans {
         all_(mechanics.dynamics.n(), true),
         speeds_(equations.speeds()),
         here_(equations.of_speeds(speeds_, all_)),
-        inertias_(equations.inertias()) {}
+        inertias_(equations.inertias()) {
+    if (here_) find_rounding();
+  }
 
   /// Of all speeds. One that changes no gradient may have any size: as much as what else is in its equations asks for, so that a coordinate of 1e-17 is not
   /// measured by itself.
@@ -36,12 +40,47 @@ class Spans {
     if (!here_) return result;
     const Vector found = result;
     for (std::size_t i = 0; i < all_.size(); ++i) {
-      if (!is_angle(i) && change(i, k_far * found[i]) <= k_changed) result[i] = std::max(found[i], asked_for(i, found));
+      if (is_angle(i) || change(i, k_far * found[i]) > k_changed) continue;
+      result[i] = std::max(found[i], asked_for(i, found));
+      while (result[i] > found[i] && change(i, result[i]) > k_changed) result[i] /= k_factor;
     }
     return result;
   }
 
  private:
+  /// What is left of the equations turns a gradient by its root where they are double roots. One that is no larger here than a radian makes of that has no size: a bar in
+  /// line with others has such a row.
+  void find_rounding() {
+    rounding_.assign(here_->j.size(), 0);
+    const auto places = equations_.linearised();
+    if (!places || places->left() > k_solved) return;
+    const double off = k_turned * std::sqrt(places->left());
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      const auto there = is_angle(i) ? beside(i, 1) : std::nullopt;
+      for (std::size_t mu = 0; there && mu < rounding_.size(); ++mu)
+        rounding_[mu] = std::max(rounding_[mu], off * off * square_of_change(mu, *there));
+    }
+  }
+
+  /// Gradients a displacement on.
+  std::optional<Linearised> beside(std::size_t i, double span) const {
+    Vector along(all_.size(), 0);
+    along[i] = span;
+    equations_.set(from_);
+    equations_.move(along);
+    auto there = equations_.of_speeds(speeds_, all_);
+    equations_.set(from_);
+    return there;
+  }
+
+  double weight(std::size_t k) const { return inertias_[k] > 0 ? 1 / inertias_[k] : 1; }
+
+  double square_of_change(std::size_t mu, const Linearised& there) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < all_.size(); ++k) sum += weight(k) * std::pow(there.j[mu][k] - here_->j[mu][k], 2);
+    return sum;
+  }
+
   double asked_for(std::size_t i, const Vector& spans) const {
     double largest = 0;
     for (const Vector& row : here_->j) {
@@ -71,22 +110,13 @@ class Spans {
 
   /// The largest of a gradient beside what it is here. One that vanishes here has no size.
   double change(std::size_t i, double span) const {
-    Vector along(all_.size(), 0);
-    along[i] = span;
-    equations_.set(from_);
-    equations_.move(along);
-    const auto there = equations_.of_speeds(speeds_, all_);
-    equations_.set(from_);
+    const auto there = beside(i, span);
     if (!there) return std::numeric_limits<double>::infinity();
     double largest = 0;
     for (std::size_t mu = 0; mu < here_->j.size(); ++mu) {
-      double before = 0, changed = 0;
-      for (std::size_t k = 0; k < all_.size(); ++k) {
-        const double weight = inertias_[k] > 0 ? 1 / inertias_[k] : 1;
-        before += weight * std::pow(here_->j[mu][k], 2);
-        changed += weight * std::pow(there->j[mu][k] - here_->j[mu][k], 2);
-      }
-      if (before > 0) largest = std::max(largest, std::sqrt(changed / before));
+      double before = 0;
+      for (std::size_t k = 0; k < all_.size(); ++k) before += weight(k) * std::pow(here_->j[mu][k], 2);
+      if (before > rounding_[mu]) largest = std::max(largest, std::sqrt(square_of_change(mu, *there) / before));
     }
     return largest;
   }
@@ -98,6 +128,7 @@ class Spans {
   Vector speeds_;
   std::optional<Linearised> here_;
   Vector inertias_;
+  Vector rounding_;  ///< squares of gradients that have no size
 };
 
 }  // namespace

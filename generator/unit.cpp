@@ -165,7 +165,9 @@ class UnitBuilder {
     provenance.strategy = mechanics_.solution.description;
     if (const std::string mobility = mobility_in_words(mechanics_);
         !mobility.empty() && has_output("mobility", mechanics_))
-      provenance.notes.push_back("Where nothing singles a state out: " + mobility + ".");
+      provenance.notes.push_back((locked_motions(mechanics_) ? "At the initial place, as far as a search sees: "
+                                                             : "Where nothing singles a state out: ") +
+                                 mobility + ".");
   }
 
   Mechanics& mechanics_;

@@ -15,6 +15,7 @@ constexpr double k_least_displacement = 1e-3;
 constexpr double k_rounding = 1e-14;  ///< of what an equation is made of
 constexpr double k_polished = 4e-16;  ///< likewise: what polishing leaves where roots are single
 constexpr double k_far = 1000;        ///< times the root of what is left
+constexpr double k_near = 1e-4;       ///< of a span: no place of its own, as exact as double roots are
 constexpr double k_turned = 10;       ///< times the root of what is left, as in gauss/rank_rule.hpp
 
 }  // namespace
@@ -23,6 +24,7 @@ UsualPlaces::UsualPlaces(Mechanics& mechanics, double time, RepeatedNumbers& num
     : equations_(mechanics, std::vector<bool>(mechanics.dynamics.n(), true), time), numbers_(numbers) {
   const Approach begin = long_approach(mechanics, equations_.movable(), time);
   if (!equations_.start()) return;
+  is_solution_ = begin.is_solved;
   if (begin.is_solved) equations_.set(begin.position);
   begin_ = equations_.position();
   spans_ = spans_at(mechanics, equations_);
@@ -34,9 +36,15 @@ bool UsualPlaces::next(double solved) {
     equations_.move(displacement(part));
     if (!nearest_solution(equations_, spans_, solved, true)) continue;
     polish(equations_, spans_, true);
+    (is_beyond(k_near) ? went_on_ : came_back_) = true;
     if (is_elsewhere()) return true;
   }
   return false;
+}
+
+void UsualPlaces::go_beside() {
+  go_back();
+  equations_.move(displacement(k_first_displacement));
 }
 
 // What is good to half of its digits is where the search began, unless it went on by much more.
@@ -44,11 +52,14 @@ bool UsualPlaces::is_elsewhere() {
   auto here = equations_.linearised();
   if (!here) return false;
   here->measure_by(spans_);
-  if (here->left() <= k_polished) return true;
-  const std::vector<double> position = equations_.position();
+  return here->left() <= k_polished || is_beyond(k_far * std::sqrt(here->left()));
+}
+
+bool UsualPlaces::is_beyond(double part) const {
+  const std::vector<double>& position = equations_.position();
   const std::size_t count = std::min(spans_.size(), position.size());
   for (std::size_t i = 0; i < count; ++i) {
-    if (std::abs(position[i] - begin_[i]) > k_far * std::sqrt(here->left()) * spans_[i]) return true;
+    if (std::abs(position[i] - begin_[i]) > part * spans_[i]) return true;
   }
   return false;
 }

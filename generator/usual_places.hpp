@@ -25,8 +25,18 @@ class UsualPlaces {
   /// squares of what a place is off by.
   double rounding();
 
+  /// The searches so far ended where they began, at a solution: no other one is near, as far as they see.
+  bool came_back() const { return is_solution_ && came_back_ && !went_on_; }
+
+  /// To where the searches begin.
+  void go_back() { equations_.set(begin_); }
+
+  /// Beside that, where equations of positions do not hold.
+  void go_beside();
+
  private:
   bool is_elsewhere();
+  bool is_beyond(double part) const;  ///< of a span from where the search began
   std::vector<double> displacement(double part);
 
   PositionEquations equations_;
@@ -34,6 +44,7 @@ class UsualPlaces {
   std::vector<double>
       begin_;  ///< a solution where one is found from the guess, else the guess; empty where it has no value
   std::vector<double> spans_;
+  bool is_solution_ = false, came_back_ = false, went_on_ = false;
 };
 
 }  // namespace gaussgen

@@ -24,11 +24,10 @@ constexpr std::size_t k_most_entries = 4000;
 constexpr int k_states = 3;
 constexpr double k_solved =
     1e-10;  ///< of what an equation is made of: double roots are found so far, and the rank follows what is left
+constexpr double k_double_root = 1e-6;  ///< likewise, where a place may be off by the root of rounding
 constexpr double k_rounding = 1e-12;  ///< of a row where others are of length 1, at positions that are good to rounding
 
-/// Speeds where inertias are 1, rows of unit length.
-Eigen::MatrixXd scaled(Eigen::MatrixXd matrix, const std::vector<double>& inertias) {
-  matrix *= scales_of_columns(inertias, matrix).asDiagonal();
+Eigen::MatrixXd of_unit_rows(Eigen::MatrixXd matrix) {
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     const double size = matrix.row(i).norm();
     if (size > 0) matrix.row(i) /= size;
@@ -36,9 +35,9 @@ Eigen::MatrixXd scaled(Eigen::MatrixXd matrix, const std::vector<double>& inerti
   return matrix;
 }
 
-std::size_t rank_of(const Eigen::MatrixXd& matrix, const std::vector<double>& inertias, double tolerance) {
+std::size_t rank_of(const Eigen::MatrixXd& matrix, double tolerance) {
   if (matrix.size() == 0) return 0;
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled(matrix, inertias).transpose());
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(of_unit_rows(matrix).transpose());
   std::size_t rank = 0;
   for (Eigen::Index k = 0; k < std::min(matrix.rows(), matrix.cols()); ++k)
     rank += std::abs(qr.matrixQR()(k, k)) > tolerance ? 1 : 0;
@@ -51,11 +50,17 @@ UsualStates::UsualStates(Mechanics& mechanics) : mechanics_(mechanics) {
   if (mechanics.dynamics.n() == 0) return;
   RepeatedNumbers numbers;
   UsualPlaces places(mechanics, 0, numbers);
-  for (int k = 0; k < k_states && places.next(k_solved); ++k) {
+  const auto state_here = [&] {
     State state{places.equations().position(), {}, places.rounding()};
     for (std::size_t i = 0; i < mechanics.dynamics.n(); ++i) state.speeds.push_back(numbers());
-    states_.push_back(std::move(state));
-  }
+    return state;
+  };
+  for (int k = 0; k < k_states && places.next(k_solved); ++k) states_.push_back(state_here());
+  if (!places.came_back()) return;
+  places.go_back();
+  alone_ = state_here();
+  places.go_beside();
+  beside_ = state_here();
 }
 
 evaluate::Evaluator<double> UsualStates::values_at(const State& state) const {
@@ -72,23 +77,43 @@ evaluate::Evaluator<double> UsualStates::values_at(const State& state) const {
 std::optional<std::size_t> UsualStates::rank(const strategy::Matrix& rows, double tolerance) const {
   if (!are_known()) return std::nullopt;
   if (rows.empty()) return 0;
-  const strategy::Vector inertias = strategy::inertias(mechanics_.dynamics);
   std::size_t largest = 0;
   for (const State& state : states_) {
-    evaluate::Evaluator<double> values = values_at(state);
-    std::vector<double> sizes;
-    for (const ir::Expr inertia : inertias) sizes.push_back(values(inertia.id()).value_or(0));
-    Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(sizes.size()));
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-      for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-        const auto value = values(rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].id());
-        if (!value || !std::isfinite(*value)) return std::nullopt;
-        matrix(i, j) = *value;
-      }
-    }
-    largest = std::max(largest, rank_of(matrix, sizes, std::max(tolerance, state.rounding)));
+    const auto here = rows_at(state, rows);
+    if (!here) return std::nullopt;
+    largest = std::max(largest, rank_of(*here, std::max(tolerance, state.rounding)));
   }
   return largest;
+}
+
+// A row that is small beside what it is elsewhere is what the place is off by, as that of a bar in line with others.
+std::optional<std::size_t> UsualStates::rank_where_alone(const strategy::Matrix& rows) const {
+  if (!alone_ || rows.empty()) return std::nullopt;
+  auto here = rows_at(*alone_, rows);
+  const auto beside = rows_at(*beside_, rows);
+  if (!here || !beside) return std::nullopt;
+  for (Eigen::Index i = 0; i < here->rows(); ++i) {
+    if (here->row(i).norm() <= k_double_root * beside->row(i).norm()) here->row(i).setZero();
+  }
+  return rank_of(*here, std::max(k_double_root, alone_->rounding));
+}
+
+/// Over speeds of which inertias are 1.
+std::optional<Eigen::MatrixXd> UsualStates::rows_at(const State& state, const strategy::Matrix& rows) const {
+  evaluate::Evaluator<double> values = values_at(state);
+  std::vector<double> sizes;
+  for (const ir::Expr inertia : strategy::inertias(mechanics_.dynamics))
+    sizes.push_back(values(inertia.id()).value_or(0));
+  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(sizes.size()));
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+      const auto value = values(rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].id());
+      if (!value || !std::isfinite(*value)) return std::nullopt;
+      matrix(i, j) = *value;
+    }
+  }
+  if (matrix.size() > 0) matrix *= scales_of_columns(sizes, matrix).asDiagonal();
+  return matrix;
 }
 
 double rank_tolerance(const model::Model& model) {
@@ -96,9 +121,17 @@ double rank_tolerance(const model::Model& model) {
   return model.rank_tolerance ? std::max(least, support::to_double(*model.rank_tolerance)) : least;
 }
 
-std::size_t rank_to(double tolerance, const strategy::Matrix& rows, Mechanics& mechanics) {
+namespace {
+
+const UsualStates& usual_states(Mechanics& mechanics) {
   if (!mechanics.usual_states) mechanics.usual_states = std::make_shared<UsualStates>(mechanics);
-  if (const auto rank = mechanics.usual_states->rank(rows, tolerance)) return *rank;
+  return *mechanics.usual_states;
+}
+
+}  // namespace
+
+std::size_t rank_to(double tolerance, const strategy::Matrix& rows, Mechanics& mechanics) {
+  if (const auto rank = usual_states(mechanics).rank(rows, tolerance)) return *rank;
   return generic_rank(GenericPoint(mechanics)(rows));
 }
 
@@ -120,15 +153,26 @@ std::size_t rank_that_holds(Mechanics& mechanics) {
   return rows.empty() ? 0 : usual_rank(rows, mechanics);
 }
 
-std::size_t mobility(Mechanics& mechanics) { return mechanics.dynamics.n() - rank_that_holds(mechanics); }
+std::optional<std::size_t> locked_motions(Mechanics& mechanics) {
+  const auto rank = usual_states(mechanics).rank_where_alone(mechanics.dynamics.b);
+  return rank && *rank < mechanics.dynamics.n() ? std::optional(mechanics.dynamics.n() - *rank) : std::nullopt;
+}
+
+std::size_t mobility(Mechanics& mechanics) {
+  return locked_motions(mechanics) ? 0 : mechanics.dynamics.n() - rank_that_holds(mechanics);
+}
 
 std::string mobility_in_words(Mechanics& mechanics) {
   const std::size_t n = mechanics.dynamics.n(), l = mechanics.dynamics.l();
   if (l == 0 || n * (n + l) > k_most_entries) return "";
-  const std::size_t rank = rank_that_holds(mechanics);
+  const auto locked = locked_motions(mechanics);
+  const std::size_t rank = locked ? n - *locked : rank_that_holds(mechanics);
   const std::string of_rank = rank < l ? fmt::format(" of rank {}", rank) : "";
-  return fmt::format("mobility {} ({} speed{}, {} constraint{}{})", n - rank, n, n == 1 ? "" : "s", l,
-                     l == 1 ? "" : "s", of_rank);
+  const std::string where = locked ? fmt::format(": {} motion{} to first order, which lead{} to no other place near",
+                                                 *locked, *locked == 1 ? "" : "s", *locked == 1 ? "s" : "")
+                                   : "";
+  return fmt::format("mobility {} ({} speed{}, {} constraint{}{}{})", mobility(mechanics), n, n == 1 ? "" : "s", l,
+                     l == 1 ? "" : "s", of_rank, where);
 }
 
 }  // namespace gaussgen

@@ -1,9 +1,11 @@
 #pragma once
 // How many of the constraints say something of their own: where the mechanism usually is, on its equations of positions, and not beside them.
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "dense.hpp"
 #include "evaluate/arithmetic_double.hpp"
 #include "evaluate/evaluator.hpp"
 #include "mechanics.hpp"
@@ -22,6 +24,9 @@ class UsualStates {
   /// The largest rank of rows over the free speeds: sines as emitted code has them (gauss/constrained.hpp), to a tolerance; nothing where no position is known or an entry has no value.
   std::optional<std::size_t> rank(const strategy::Matrix& rows, double tolerance) const;
 
+  /// Where no other place is found near the one at which the searches begin: the rank there. Nothing where there are others, or the search comes to none.
+  std::optional<std::size_t> rank_where_alone(const strategy::Matrix& rows) const;
+
  private:
   struct State {
     std::vector<double> configuration, speeds;
@@ -29,9 +34,11 @@ class UsualStates {
   };
 
   evaluate::Evaluator<double> values_at(const State& state) const;
+  std::optional<Eigen::MatrixXd> rows_at(const State& state, const strategy::Matrix& rows) const;
 
   Mechanics& mechanics_;
   std::vector<State> states_;
+  std::optional<State> alone_, beside_;
 };
 
 /// Sine of the angle to all others, with masses as the metric, below which a constraint follows from them: the model's, or that of emitted code in double.
@@ -50,10 +57,15 @@ std::size_t usual_rank(Mechanics& mechanics);
 /// Without those whose gradient vanishes wherever they hold (Mechanics::vanishing): beside that, where a search has come to, it has a direction.
 std::size_t rank_that_holds(Mechanics& mechanics);
 
-/// Motions that all constraints leave: free speeds less that.
+/// Of a mechanism whose constraints hold at one place alone, as far as searches near it see, such as a triangle of bars that is stretched: speeds that they leave there to first
+/// order, and that lead nowhere. Nothing where there is none.
+std::optional<std::size_t> locked_motions(Mechanics& mechanics);
+
+/// Motions that all constraints leave: free speeds less that; none where they are locked.
 std::size_t mobility(Mechanics& mechanics);
 
-/// "mobility 1 (3 speeds, 6 constraints of rank 2)"; empty without constraints, and where counting would take long.
+/// "mobility 1 (3 speeds, 6 constraints of rank 2)", "mobility 0 (3 speeds, 2 constraints, which lock 2 motions at the only place near)"; empty without constraints, and
+/// where counting would take long.
 std::string mobility_in_words(Mechanics& mechanics);
 
 }  // namespace gaussgen

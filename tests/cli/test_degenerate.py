@@ -140,6 +140,34 @@ class Degenerate(Program):
                 self.assertEqual("W071" in checked.stderr, "^2" in power)
                 self.assertIn("ok, " + mobility, checked.stdout)
 
+    def test_what_fits_at_one_place_alone_does_not_move(self):
+        bars = HEAD + """joints:
+  a: {type: revolute, child: one, KEY: A}
+  b: {type: revolute, parent: one, child: two, at: [1.1, 0, 0], KEY: 0}
+  c: {type: revolute, child: three, at: [SPAN*cos(A), SPAN*sin(A), 0], KEY: A + 3.141592653589793}
+bodies: {one: {mass: 1, inertia: 0.1}, two: {mass: 1, inertia: 0.1}, three: {mass: 1, inertia: 0.1}}
+points: {p: {on: two, at: [0.7, 0, 0]}, q: {on: three, at: [0.45, 0, 0]}}
+constraints: {close: {coincide: [p, q]}}
+"""
+        for key, angle in (("initial", "0"), ("initial_guess", "0"), ("initial_guess", "0.4")):
+            for span, locked in (("2.25", 2), ("2.2", None)):
+                text = bars.replace("A + 3", f"{angle} + 3")
+                text = text.replace("KEY: A", "KEY: " + angle).replace("KEY", key if locked else "initial_guess").replace("(A)", f"({angle})").replace(": A}", f": {angle}}}").replace("SPAN", span)
+                self.alone(text, locked, 3)
+        # In space two bars in line leave two directions to first order, in a plane one.
+        for more, n in ((", z: {initial: 0}", 3), ("", 2)):
+            text = HEAD + ("coordinates: {x: {initial: 1}, y: {initial: 0}" + more + "}\n"
+                           "particles: {p: {mass: 1, position: [x, y, " + ("z" if more else "0") + "]}}\n"
+                           "points: {A: {at: [0, 0, 0]}, B: {at: [2, 0, 0]}}\n"
+                           "constraints: {c: {distance: [p, A], is: 1}, d: {distance: [p, B], is: 1}}\n")
+            self.alone(text, n - 1, n)
+
+    def alone(self, text, locked, n):
+        done = self.run_it("--check", "-", stdin=text)
+        self.assertEqual("at no other place near" in done.stderr, locked is not None, text + done.stderr)
+        words = f"mobility 0 ({n} speeds, 2 constraints of rank {n - locked}: {locked} motion" if locked else "mobility 1 (3 speeds, 2 constraints)"
+        self.assertIn(words, done.stdout)
+
     # Agreed at the start with first and second derivatives, and a part of 1e-8 apart later.
     def test_what_differs_by_little_does_not_agree(self):
         for part, agrees in (("0", True), ("1e-8", False)):

@@ -139,6 +139,34 @@ forces: {push: {force: [1, 0, 0], on: A}}
                     # What drives the particle along its way, less the ideal part: nothing but the force across it is left.
                     self.assertAlmostEqual(float(found["compulsion"]["Z"]["value"]), 3**2 / 2, 13)
 
+    def test_a_massless_part_that_is_not_needed_is_named_or_has_no_effect(self):
+        arm = HEAD + """parameters: {m: 0}
+joints:
+  a: {type: revolute, axis: y, child: one, initial: 0.3}
+  b: {TYPE, parent: one, child: two, at: [0, 0, -1]}
+bodies: {one: {mass: 1, inertia: 0.1, centre: [0, 0, -1]}BODY}
+forces: {gravity: {uniform: [0, 0, -9.81]}}
+"""
+        alone, turning = "type: fixed", "type: revolute, axis: y, initial: 0.2"
+        # What nothing moves by itself: the motion is that of the rest, and the body is named, whether its mass is a number or a parameter.
+        for body, codes in (("", []), (", two: {mass: 0, inertia: 0}", ["W056"]), (", two: {mass: m, inertia: m}", ["W056"])):
+            done = self.run_it("evaluate", "-", "--format=json", stdin=arm.replace("TYPE", alone).replace("BODY", body))
+            self.assertEqual(re.findall(r"warning\[(W05\d)\]", done.stderr), codes)
+            self.assertAlmostEqual(float(json.loads(done.stdout)["accelerations"]["a_ddot"]["value"]), -9.81 * math.sin(0.3) / 1.1, 13)
+        # What moves by itself: refused, or said of this state where a value of a parameter is the reason.
+        for body, codes, code in ((", two: {mass: 0, inertia: 0}", ["E052", "W056"], 1), (", two: {mass: m, inertia: 0}", ["E052", "W056"], 1),
+                                  (", two: {mass: m, inertia: m}", ["W053", "W056"], 0)):
+            done = self.run_it("--check", "-", stdin=arm.replace("TYPE", turning).replace("BODY", body))
+            self.assertEqual((done.returncode, sorted(re.findall(r"\[([EW]05\d)\]", done.stderr))), (code, codes), done.stderr)
+            self.assertIn("'b'", done.stderr)
+        # Within a chain: nothing is lost, for what it carries has mass.
+        chain = arm.replace("TYPE", turning).replace("bodies:", "  c: {type: revolute, axis: y, parent: two, child: three, at: [0, 0, -1]}\nbodies:")
+        light, none = (chain.replace("BODY", body + ", three: {mass: 2, inertia: 0.1}") for body in (", two: {mass: 0, inertia: 0}", ""))
+        with_it, without = (json.loads(self.run_it("evaluate", "-", "--format=json", stdin=text).stdout) for text in (light, none))
+        self.assertEqual(with_it["status"], "ok")
+        for name, value in without["accelerations"].items():
+            self.assertAlmostEqual(float(with_it["accelerations"][name]["value"]), float(value["value"]), 12)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -5,7 +5,7 @@ import math
 import re
 import unittest
 
-from gauss_gen import Evaluate
+from gauss_gen import SOURCE, Evaluate
 
 
 class Starts(Evaluate):
@@ -120,6 +120,65 @@ constraints: {c: {velocity: wy^2 + 0.95*wz^2 - 0.74}}
         self.assertLess(math.dist((wy, wz), (-0.85, -0.15)), 0.01)
         refused = self.refused(1, "-", "--check", stdin=turning.replace("{STATED}", "{wx: 1, wz: 0}"))
         self.assertIn("hint: wy is open: state about what it is in 'initial_angular_velocity', and let --assemble move it from there", refused)
+
+    def pasted(self, text):
+        """Hints of W068 in the place of the guesses of coordinates or joints."""
+        said = self.run_it("--check", "-", stdin=text).stderr
+        found = re.findall(r"'initial_guess: ([^']*)' at (?:coordinate|joint) '(\w+)'", said)
+        self.assertTrue(found, said)
+        for value, name in found:
+            text = re.sub(rf"(\b{name}: {{[^}}]*initial_guess: )[^,}}]*", rf"\g<1>{value}", text)
+        return text, said
+
+    def test_what_w068_prints_is_taken_when_it_is_written_down(self):
+        # A place that two bars of 1 m hold, 2000 km off the origin: with six digits it is another one.
+        for origin in (0, 1e3, 1e6, 1e9):
+            far = f"""gauss: 1
+name: far
+coordinates: {{x: {{initial_guess: {origin + 1}}}, y: {{initial_guess: {2 * origin}}}}}
+particles: {{p: {{mass: 1, position: [x, y, 0]}}}}
+points: {{A: {{at: [{origin}, {2 * origin}, 0]}}, B: {{at: [{origin + 1.5}, {2 * origin}, 0]}}}}
+constraints: {{c: {{distance: [p, A], is: 1}}, d: {{distance: [p, B], is: 1}}}}
+"""
+            text, said = self.pasted(far)
+            self.assertIn("W068", said)
+            self.assertNotIn("W068", self.run_it("--check", "-", stdin=text).stderr, text)
+            first, second = (json.loads(self.run_it("evaluate", "-", "--format=json", stdin=model).stdout)["state"] for model in (far, text))
+            for name in "xy":
+                self.assertAlmostEqual(float(first[name]["value"]), float(second[name]["value"]), 6 if origin > 1e6 else 8)
+
+    def test_angles_come_back_by_the_whole_turns_that_a_search_has_wound_them(self):
+        arm = """gauss: 1
+name: arm
+joints:
+  a: {type: revolute, child: one, initial_guess: 1.2}
+  b: {type: revolute, parent: one, child: two, at: [1, 0, 0], initial_guess: 0.002}
+bodies: {one: {mass: 1, inertia: 0.1}, two: {mass: 2, inertia: 0.3}}
+points: {p: {on: two, at: [1, 0, 0]}}
+constraints: {px: {equation: p.x - 1}, py: {equation: p.y - 0.7}}
+"""
+        done = self.run_it("evaluate", "-", "--format=json", stdin=arm)
+        self.assertIn("whole turns on", done.stderr)
+        state = {name: float(entry["value"]) for name, entry in json.loads(done.stdout)["state"].items()}
+        for name, guess in (("a", 1.2), ("b", 0.002)):
+            self.assertLess(abs(state[name] - guess), math.pi)
+        self.assertAlmostEqual(math.cos(state["a"]) + math.cos(state["a"] + state["b"]), 1, 13)
+        self.assertAlmostEqual(math.sin(state["a"]) + math.sin(state["a"] + state["b"]), 0.7, 13)
+        self.assertNotIn("W068", self.run_it("--check", "-", stdin=self.pasted(arm)[0]).stderr)
+
+    def test_a_wheel_that_has_to_turn_many_times_does(self):
+        rack = """gauss: 1
+name: rack
+coordinates: {x: {initial: 3}, a: {initial_guess: 0}}
+particles: {p: {mass: 1, position: [x, 0, 0]}, q: {mass: 1, position: [cos(a), sin(a), 0]}}
+constraints: {mesh: {equation: x - 0.1*a}}
+"""
+        self.close(self.document("-", stdin=rack)["state"]["a"]["value"], "30")
+
+    def test_guesses_of_rates_are_asked_for_when_positions_fit(self):
+        text = (SOURCE / "tests" / "diagnostics" / "e070_positions_first.yaml").read_text(encoding="utf-8")
+        self.assertNotIn("initial_rate_guess", self.refused(1, "-", "--check", stdin=text))
+        self.assertIn("initial_rate_guess", self.refused(1, "-", "--check", stdin=text.replace("at: [9, 0, 0]", "at: [4, 0, 0]")))
 
 
 if __name__ == "__main__":

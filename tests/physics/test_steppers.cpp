@@ -120,6 +120,55 @@ TEST_CASE("a damper that begins to act on the way is noticed by symplectic Nystr
   is_stopped_beyond_the_wall<McLachlan4<Damped>>();
 }
 
+namespace {
+
+/// x'' = -x and a wave in time, in any unit of time.
+struct Shaken {
+  using Scalar = double;
+  struct State {
+    double values[2];
+  };
+  using Derivative = State;
+  static constexpr std::size_t size = 2, n_q = 1, n_v = 1;
+  double period = 1, phase = 0;
+  bool is_square = true;
+  gauss::Status derivative(double t, const State& state, Derivative& result) const {
+    const double turns = t / period + phase;
+    const double wave = is_square ? (turns - std::floor(turns) < 0.5 ? 1 : -1) : std::sin(2 * M_PI * turns);
+    result.values[0] = state.values[1];
+    result.values[1] = -state.values[0] + wave;
+    return gauss::Status::ok;
+  }
+};
+
+bool is_refused_at_once(const Shaken& model, double step) {
+  FixedStep<Shaken, Verlet<Shaken>> run(model, {{0, 1}}, step);
+  return !run.advance(1) && run.last().outcome == StepOutcome::unsuitable;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a force in time is noticed by symplectic Nystrom steps at the first, whatever its period and the unit of time") {
+  for (const double unit : {1e-9, 1.0, 1e9}) {
+    for (const double step : {0.001, 0.01, 0.02}) {
+      for (const double period : {0.7, 0.1, 0.02, 0.01, 0.7 / 3, 0.001, 1.0, 1e3}) {
+        for (const double phase : {0.0, 0.1, 0.25, 0.49, 0.6}) {
+          for (const bool is_square : {true, false}) {
+            INFO("period " << period << ", phase " << phase << ", step " << step << ", unit " << unit);
+            CHECK(is_refused_at_once({period * unit, phase, is_square}, step * unit));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("what depends neither on time nor on speeds is not refused, at any look") {
+  FixedStep<Shaken, Verlet<Shaken>> run({1e30, 0.25, true}, {{0, 1}}, 0.01);
+  CHECK(run.advance(2000));
+}
+
 TEST_CASE("projection holds the bar and says how far it moved; the energy is kept where speeds can make up for it") {
   using Energy = gauss::pendulum_cartesian::Energy<double>;
   using Kept = EnergyKept<Projected<Rk4<BobModel>>, Energy>;

@@ -14,24 +14,19 @@
 
 namespace gauss::integrate {
 
-/// True where, at this state, rates are the speeds, and accelerations depend neither on speeds nor on time, to the bit. What is true of one
-/// state in general position is true of the model, but for cases (`piecewise`, tables) that do not hold there, and for inputs from a function.
+/// Whether rates are the speeds, and accelerations those of here, at another time and with other speeds: to the bit.
 template <class Model>
-bool suits_nystrom(const Model& model, const typename Model::Scalar& t, const typename Model::State& state) {
+bool is_same_elsewhere(const Model& model, const typename Model::Scalar& t, const typename Model::State& state,
+                       const typename Model::Derivative& here) {
   using Scalar = typename Model::Scalar;
-  if constexpr (Model::n_q != Model::n_v) {
-    return false;
-  } else {
-    typename Model::State other = state;
-    for (std::size_t i = Model::n_q; i < Model::size; ++i)
-      other.values[i] = -2 * state.values[i] + Scalar(1) + static_cast<Scalar>(i) / 8;
-    typename Model::Derivative here{}, there{};
-    if (!is_motion_known(model.derivative(t, state, here))) return false;
-    if (!is_motion_known(model.derivative(t + Scalar(0.7), other, there))) return false;
-    const bool same_accelerations =
-        std::equal(here.values + Model::n_q, here.values + Model::size, there.values + Model::n_q);
-    return same_accelerations && std::equal(there.values, there.values + Model::n_q, other.values + Model::n_q);
-  }
+  typename Model::State other = state;
+  for (std::size_t i = Model::n_q; i < Model::size; ++i)
+    other.values[i] = -2 * state.values[i] + Scalar(1) + static_cast<Scalar>(i) / 8;
+  typename Model::Derivative there{};
+  if (!is_motion_known(model.derivative(t, other, there))) return false;
+  const bool same_accelerations =
+      std::equal(here.values + Model::n_q, here.values + Model::size, there.values + Model::n_q);
+  return same_accelerations && std::equal(there.values, there.values + Model::n_q, other.values + Model::n_q);
 }
 
 /// What a step of a model that does not suit comes to: its own status where that stops it, else `unsuitable`.
@@ -42,16 +37,48 @@ StepResult refused_by_nystrom(const Model& model, const typename Model::Scalar& 
   return result.is_taken() ? StepResult{StepOutcome::unsuitable, result.status} : result;
 }
 
-/// Looks from time to time whether a model suits: a look takes two accelerations.
+/// Looks from time to time whether rates are the speeds, and accelerations depend neither on speeds nor on time. What is true of one state in general
+/// position is true of the model, but for cases (`piecewise`, tables) that do not hold there, and for inputs from a function.
+///
+/// The first look compares with k_times times ahead, each later one with one of them in turn: it takes two accelerations. They are the golden section of a
+/// step, and twice the one before, so they need no unit. A wave of two halves, of any phase, that is the same at all of them has k_times doublings of
+/// (golden section of a step)/period within half a turn around 0, hence a whole number there: no ratio of whole numbers is one.
 class NystromWatch {
  public:
   static constexpr int k_steps_between = 32;
+  static constexpr int k_times = 24;  ///< the last one is 10^7 steps ahead
 
   bool is_due() const { return steps_ == 0; }
-  void step_taken() { steps_ = (steps_ + 1) % k_steps_between; }
+  void step_taken() {
+    steps_ = (steps_ + 1) % k_steps_between;
+    if (steps_ == 0) looks_ = looks_ % k_times + 1;
+  }
+
+  /// At this state, as far as a look of now sees.
+  template <class Model>
+  bool suits(const Model& model, const typename Model::Scalar& t, const typename Model::Scalar& h,
+             const typename Model::State& state) const {
+    if constexpr (Model::n_q != Model::n_v) {
+      return false;
+    } else {
+      typename Model::Derivative here{};
+      if (!is_motion_known(model.derivative(t, state, here))) return false;
+      const int first = looks_ == 0 ? 0 : looks_ - 1, end = looks_ == 0 ? k_times : looks_;
+      for (int k = first; k < end; ++k) {
+        if (!is_same_elsewhere(model, t + steps_ahead<typename Model::Scalar>(k) * h, state, here)) return false;
+      }
+      return true;
+    }
+  }
 
  private:
+  template <class Scalar>
+  static Scalar steps_ahead(int k) {
+    return Scalar(1.6180339887498949) * static_cast<Scalar>(1L << k);
+  }
+
   int steps_ = 0;  ///< since the last look
+  int looks_ = 0;  ///< 0: none yet; else which time ahead is next, from 1
 };
 
 /// `Method` is one of Odeint's symplectic Runge-Kutta-Nystrom steppers over std::array<Scalar, n_q>, or has its do_step. The first step looks whether
@@ -73,12 +100,12 @@ class NystromStepper {
   }
 
   StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
-    if (watch_.is_due() && !suits_nystrom(model, t, state)) return refused_by_nystrom(model, t, state);
+    if (watch_.is_due() && !watch_.suits(model, t, h, state)) return refused_by_nystrom(model, t, state);
     Half q, v;
     std::copy_n(state.values, q.size(), q.begin());
     std::copy_n(state.values + q.size(), v.size(), v.begin());
     Status trouble = Status::ok;
-    // Time does not matter: suits_nystrom has seen to it.
+    // Time does not matter: NystromWatch has seen to it.
     const auto acceleration = [&](const Half& position, Half& result) {
       State at = state;
       typename Model::Derivative derivative;

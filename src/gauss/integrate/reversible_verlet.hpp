@@ -31,7 +31,7 @@ class ReversibleVerlet {
       : coordinates_(grid(reach_of_coordinates)), speeds_(grid(reach_of_speeds)) {}
 
   StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
-    if (watch_.is_due() && !suits_nystrom(model, t, state)) return refused_by_nystrom(model, t, state);
+    if (watch_.is_due() && !watch_.suits(model, t, h, state)) return refused_by_nystrom(model, t, state);
     State trial = state;
     for (std::size_t i = 0; i < Model::n_q; ++i) {
       trial.values[i] = rounded(state.values[i], coordinates_);
