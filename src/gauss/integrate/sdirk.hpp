@@ -70,24 +70,10 @@ class Sdirk {
     std::unique_ptr<void, Free> arkode;
   };
 
-  /// What has no size yet, as all speeds at rest, has that of its change in the step: by its rate, and where that is 0, too, by its rate after it.
   void weigh(const Model& model, double t, double h, const State& state) {
     for (std::size_t i = 0; i < Model::size; ++i) sizes_[i] = std::max(sizes_[i], std::abs(state.values[i]));
     const UnitGroups<Model> groups(model);
-    Sizes scales = groups.largest(sizes_);
-    State ahead = state;
-    for (int look = 0; look < 2 && *std::min_element(scales.begin(), scales.end()) == 0; ++look) {
-      typename Model::Derivative rates;
-      if (!is_motion_known(model.derivative(t + look * h, ahead, rates))) break;
-      Sizes changes;
-      for (std::size_t i = 0; i < Model::size; ++i) {
-        changes[i] = std::abs(h * rates.values[i]);
-        ahead.values[i] = state.values[i] + h * rates.values[i];
-      }
-      changes = groups.largest(changes);
-      for (std::size_t i = 0; i < Model::size; ++i)
-        if (scales[i] == 0) scales[i] = changes[i];
-    }
+    const Sizes scales = groups.scales(model, t, h, state, sizes_);
     const double rounding = 4 * std::numeric_limits<double>::epsilon() / std::abs(h);
     for (std::size_t i = 0; i < Model::size; ++i) {
       // What will not move, as far as can be seen, has no scale.

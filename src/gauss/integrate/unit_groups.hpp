@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "gauss/integrate/step_result.hpp"
+
 namespace gauss::integrate {
 
 /// Components of a model's state in groups of the same unit, coordinates apart from speeds. Those without a unit are one group.
@@ -45,6 +47,27 @@ class UnitGroups {
     Array sizes;
     for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = std::abs(state.values[i]);
     return largest(sizes);
+  }
+
+  /// The same of `sizes`, those of `state` at least. What has no size, as all speeds at rest, has that of its change in a step from `t` to `t + h`: by its rate, and where that is 0,
+  /// too, by its rate after it, and after another one (a force, a speed, a place); 0 where none is in sight.
+  Array scales(const Model& model, const Scalar& t, const Scalar& h, const typename Model::State& state,
+               const Array& sizes) const {
+    Array result = largest(sizes);
+    typename Model::State ahead = state;
+    for (int look = 0; look < 3 && *std::min_element(result.begin(), result.end()) == Scalar(0); ++look) {
+      typename Model::Derivative rates;
+      if (!is_motion_known(model.derivative(look == 0 ? t : t + h, ahead, rates))) break;
+      Array changes;
+      for (std::size_t i = 0; i < Model::size; ++i) {
+        changes[i] = std::abs(h * rates.values[i]);
+        ahead.values[i] = state.values[i] + h * rates.values[i];
+      }
+      changes = largest(changes);
+      for (std::size_t i = 0; i < Model::size; ++i)
+        if (result[i] == Scalar(0)) result[i] = changes[i];
+    }
+    return result;
   }
 
   /// Of `largest`: the size of coordinates that speed i is the rate of, by its unit; 0 if there are none.

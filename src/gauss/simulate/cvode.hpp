@@ -16,6 +16,7 @@
 
 #include "gauss/integrate/model_decorator.hpp"
 #include "gauss/integrate/sundials.hpp"
+#include "gauss/integrate/unit_groups.hpp"
 #include "gauss/simulate/report.hpp"
 
 namespace gauss::simulate {
@@ -42,7 +43,6 @@ class CvodeSimulation {
       return;
     }
     if (settings_.project) project_start(start);
-    note_sizes(work_.state.get());
     set_up();
   }
 
@@ -59,6 +59,7 @@ class CvodeSimulation {
   /// `on_step(t, state)` sees each state that was reached.
   template <class OnStep>
   bool advance_to(double end, OnStep&& on_step) {
+    end_ = end;
     if (t_ < end && report_.outcome == Outcome::running) CVodeSetStopTime(cvode_.get(), end);
     while (t_ < end && report_.outcome == Outcome::running) {
       if (report_.steps >= settings_.most_steps) {
@@ -67,7 +68,6 @@ class CvodeSimulation {
         on_step(t_, state());
       }
     }
-    note_coarse();
     return report_.outcome == Outcome::running && t_ == end;
   }
 
@@ -143,6 +143,7 @@ class CvodeSimulation {
       watched_.looks = watched_.refused = 0;
       CVodeReInit(cvode_.get(), t_, work_.state.get());
       CVodeSetInitStep(cvode_.get(), 0);
+      planned_ = 0;
       CVodeSetStopTime(cvode_.get(), end);
     }
   }
@@ -154,6 +155,8 @@ class CvodeSimulation {
     sunrealtype reached = t_;
     const int flag = CVode(cvode_.get(), end, work_.state.get(), &reached, CV_ONE_STEP);
     const long inaccurate_before = inaccurate_;
+    // Asked for within a step, it is the last one.
+    CVodeGetCurrentStep(cvode_.get(), &planned_);
     count();
     hold_step(inaccurate_ > inaccurate_before);
     demand_places();
@@ -229,35 +232,48 @@ class CvodeSimulation {
 
   static int weights(N_Vector y, N_Vector result, void* user_data) {
     CvodeSimulation& simulation = self(user_data);
-    simulation.note_sizes(y);
+    const int failure = simulation.problem_.guarded([&](Base& problem) {
+      simulation.find_scales(problem.model(), Base::state_of(y));
+      return Status::ok;
+    });
+    const auto allowed = simulation.allowed(simulation.settings_.tolerance);
+    for (std::size_t i = 0; i < Model::size; ++i) N_VGetArrayPointer(result)[i] = 1 / allowed[i];
+    return failure;
+  }
+
+  /// Of groups, for a step from `state` with the length that CVODE has in mind.
+  void find_scales(const Model& model, const State& state) {
+    constexpr double k_first_guess = 1e-3;
+    double t = t_;
+    CVodeGetCurrentTime(cvode_.get(), &t);
+    step_ = planned_ > 0 ? std::min(planned_, end_ - t) : k_first_guess * (end_ - t);
+    for (std::size_t i = 0; i < Model::size; ++i) sizes_[i] = std::max(sizes_[i], std::abs(state.values[i]));
+    // Before an edge, steps and with them the changes in sight become shorter without end: a part of earlier ones stays.
+    constexpr double k_part_of_earlier = 1e-3;
+    const auto own = groups_.largest(sizes_);
+    scales_ = groups_.scales(model, t, step_, state, sizes_);
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const double share = i < Model::n_q ? simulation.places_ : 1.0;
-      N_VGetArrayPointer(result)[i] = 1 / (simulation.settings_.tolerance * share * simulation.scale(i));
+      seen_[i] = std::max(seen_[i], k_part_of_earlier * scales_[i]);
+      if (own[i] == 0) scales_[i] = std::max(scales_[i], seen_[i]);
     }
-    return 0;
   }
 
-  void note_sizes(N_Vector y) {
-    for (std::size_t i = 0; i < Model::size; ++i) sizes_[i] = std::max(sizes_[i], std::abs(N_VGetArrayPointer(y)[i]));
-  }
-
-  /// What rests has no size, and a method of many steps no way to find one in a trial: 1 in the unit of the component.
-  double smallest(std::size_t i) const {
-    const double setting = i < Model::n_q ? settings_.smallest_scale : settings_.least_speed();
-    return setting > 0 ? setting : 1;
-  }
-
-  double scale(std::size_t i) const { return std::max(sizes_[i], smallest(i)); }
-
-  void note_coarse() {
-    note_sizes(work_.state.get());
-    report_.coarse = 1;
+  /// What an error may be, by components: `tolerance` of the largest size so far, and rounding of the largest with the same unit. A speed is not told from places better than these are
+  /// rounded, within a step. What rests at 0 has nothing but this.
+  std::array<double, Model::size> allowed(double tolerance) const {
+    constexpr double k_last_places = 64 * std::numeric_limits<double>::epsilon();
+    constexpr double k_of_places = 4 * std::numeric_limits<double>::epsilon();
+    std::array<double, Model::size> result;
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const double coarse = sizes_[i] > 0 ? smallest(i) / sizes_[i] : 1;
-      if (coarse <= report_.coarse) continue;
-      report_.coarse = coarse;
-      report_.coarse_component = i;
+      const bool is_speed = i >= Model::n_q;
+      const double smallest = is_speed ? settings_.least_speed() : settings_.smallest_scale;
+      const double size = std::max(sizes_[i] > 0 ? sizes_[i] : scales_[i], smallest);
+      result[i] = tolerance * (is_speed ? 1 : places_) * size + k_last_places * scales_[i];
+      if (is_speed) result[i] += k_of_places / std::abs(step_) * groups_.places_of(i, scales_);
+      // What will not move, as far as can be seen, has no scale.
+      if (!(result[i] > 0)) result[i] = tolerance;
     }
+    return result;
   }
 
   static int project(sunrealtype t, N_Vector y, N_Vector correction, sunrealtype, N_Vector, void* user_data) {
@@ -275,10 +291,9 @@ class CvodeSimulation {
 
   /// Where constraints lose their rank, projection may take any part of the motion away.
   bool is_near(const State& before, const State& after) const {
-    const double unit =
-        settings_.most_projected * std::max(settings_.tolerance, std::numeric_limits<double>::epsilon());
+    const auto allowed = this->allowed(std::max(settings_.tolerance, std::numeric_limits<double>::epsilon()));
     for (std::size_t i = 0; i < Model::size; ++i)
-      if (!(std::abs(after.values[i] - before.values[i]) <= unit * scale(i))) return false;
+      if (!(std::abs(after.values[i] - before.values[i]) <= settings_.most_projected * allowed[i])) return false;
     return true;
   }
 
@@ -286,6 +301,7 @@ class CvodeSimulation {
   Settings<double> settings_;
   Multistep method_;
   double t_;
+  double end_ = 0;       ///< asked for last
   bool jumped_ = false;  ///< the last trial, by its projection
   int without_way_ = 0;  ///< steps in a row that did not move the time
   long inaccurate_ = 0;  ///< trials that the estimate of the error refused
@@ -299,8 +315,13 @@ class CvodeSimulation {
     long looks = 0, refused = 0;  ///< in a row with a low order
     bool is_given_up = false;
   };
-  Watched watched_;                          ///< at the last look of demand_places
-  double places_ = 1;                        ///< share of the tolerance that coordinates are allowed
+  Watched watched_;    ///< at the last look of demand_places
+  double places_ = 1;  ///< share of the tolerance that coordinates are allowed
+  integrate::UnitGroups<Model> groups_{model_};
+  std::array<double, Model::size> scales_{};
+  std::array<double, Model::size> seen_{};   ///< part of the largest scale so far
+  double step_ = 1;                          ///< that scales are for
+  double planned_ = 0;                       ///< the next one; 0: none is yet
   std::array<double, Model::size> sizes_{};  ///< largest so far
   Report<Status> report_;
   Problem problem_;

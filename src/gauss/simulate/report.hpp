@@ -29,7 +29,7 @@ constexpr const char* name(Outcome outcome) noexcept {
 template <class Scalar>
 struct Settings {
   Scalar tolerance = Scalar(1e-12);  ///< error of one step, relative to the scale of each component; above 0
-  /// The scale is the largest size so far, but no less than this, in the component's unit. 0: rounding is the limit, whatever the unit; CVODE takes 1.
+  /// The scale is the largest size so far, but no less than this, in the component's unit. 0: rounding is the limit, whatever the unit.
   Scalar smallest_scale = 0;
   Scalar smallest_speed = 0;  ///< the same of speeds; 0: smallest_scale. See docs/simulation.md, stiff models
   Scalar first_step = 0;      ///< 0: chosen from the rates at the start
@@ -60,11 +60,6 @@ struct Report {
       0;               ///< of the accepted: rhs said dependent_constraints, and the motion is that of the rest
   long calls = 0;      ///< of rhs
   long jacobians = 0;  ///< emitted ones that an implicit method asked for
-
-  /// CVODE only: by how many times the smallest scale was above the largest size of a component that moved. Its digits are fewer than the tolerance says by
-  /// so much: set Settings::smallest_scale or smallest_speed.
-  Scalar coarse = 1;
-  std::size_t coarse_component = 0;  ///< of the state, which was so much smaller
 
   /// By how much projection has moved the start onto the constraints: the largest move of a component, in its own unit.
   Scalar start_moved = 0;
