@@ -94,7 +94,7 @@ struct PushedCart {
   using Derivative = State;
   using Scalar = double;
   using Status = gauss::Status;
-  static constexpr std::size_t size = 2, n_q = 1, n_v = 1;
+  static constexpr std::size_t size = 2, n_q = 1;
   double at, force;
   Status derivative(double t, const State& state, Derivative& result) const {
     result = {{state.values[1], t > at ? force : 0}};
