@@ -485,15 +485,13 @@ bool is_motion_trusted(const Evaluation& evaluation) {
 
 template <class T>
 void bind_parameters(ModelGraph& motion, evaluate::Evaluator<T>& evaluator) {
-  const model::Model& model = motion.model;
-  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
-    const auto value = evaluator(motion.expressions(model.parameters[i].value).id());
-    if (value) evaluator.bind(motion.symbols.parameters[i], *value);
-  }
-  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    const auto value = evaluator(motion.expressions(model.inputs[i].value).id());
-    if (value) evaluator.bind(motion.symbols.inputs[i], *value);
-  }
+  const auto bind = [&](const std::vector<ir::NodeId>& given, const std::vector<ir::SymbolId>& symbols) {
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      if (const auto value = evaluator(given[i])) evaluator.bind(symbols[i], *value);
+    }
+  };
+  bind(motion.parameter_values(), motion.symbols.parameters);
+  bind(motion.input_values(), motion.symbols.inputs);
 }
 
 template void bind_parameters(ModelGraph&, evaluate::Evaluator<cl_F>&);

@@ -274,6 +274,27 @@ ModelGraph::ModelGraph(const model::Model& checked_model, bool fold, std::size_t
       symbols(kinematics::declare_symbols(model, graph)),
       expressions(model, symbols, graph, fold, limits) {}
 
+namespace {
+
+/// Forms those of `declared` that `formed` has not yet.
+template <class Declared>
+const std::vector<ir::NodeId>& form_values(const std::vector<Declared>& declared, kinematics::Expressions& expressions,
+                                           std::vector<ir::NodeId>& formed) {
+  formed.reserve(declared.size());
+  for (std::size_t i = formed.size(); i < declared.size(); ++i) formed.push_back(expressions(declared[i].value).id());
+  return formed;
+}
+
+}  // namespace
+
+const std::vector<ir::NodeId>& ModelGraph::parameter_values() {
+  return form_values(model.parameters, expressions, parameter_values_);
+}
+
+const std::vector<ir::NodeId>& ModelGraph::input_values() {
+  return form_values(model.inputs, expressions, input_values_);
+}
+
 KinematicModel::KinematicModel(const model::Model& checked_model, bool fold, std::size_t most_nodes, bool limits)
     : ModelGraph(checked_model, fold, most_nodes, limits),
       kinematics(kinematics::build_kinematics(model, graph, expressions, symbols)),

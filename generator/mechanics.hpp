@@ -45,6 +45,14 @@ struct ModelGraph {
   kinematics::Expressions expressions;
 
   ir::Expr epsilon() const { return expressions.symbol(symbols.epsilon); }
+
+  /// What the model gives its parameters and its inputs, in its order: many evaluators bind them, and one forming is enough.
+  const std::vector<ir::NodeId>& parameter_values();
+  const std::vector<ir::NodeId>& input_values();
+
+ private:
+  std::vector<ir::NodeId> parameter_values_;
+  std::vector<ir::NodeId> input_values_;
 };
 
 /// What `--timings` says of a part that was built together with others: when it was there, and of how many nodes.
