@@ -20,7 +20,7 @@ const char* const k_system_of_step = "_system";
 
 const char* const k_about_project =
     "The nearest state that satisfies the constraints: unit quaternions, then the smallest change of\n"
-    "the speeds in the mass metric (up to four Newton steps for constraints nonlinear in the velocities).";
+    "the speeds in the mass metric (up to six Newton steps for constraints nonlinear in the velocities).";
 
 const char* const k_about_initial_state =
     "The initial state of the model at t = 0. Rates that the model leaves open follow from the constraints;\n"

@@ -116,4 +116,13 @@ Expr partial(Expr function, SymbolId symbol) {
   return direction(function);
 }
 
+Expr slope(Expr function, std::size_t child) {
+  Graph& graph = function.graph();
+  Directional along(graph);
+  const Children children = graph[function.id()].children;
+  for (const NodeId other : children) along.take({graph, other}, {graph, graph.constant(0)});
+  along.take({graph, children[child]}, {graph, graph.constant(1)});
+  return along(function);
+}
+
 }  // namespace gaussgen::ir

@@ -53,4 +53,7 @@ class Directional {
 /// ∂f/∂s
 Expr partial(Expr function, SymbolId symbol);
 
+/// Of a function: its derivative by one of its arguments, the others kept.
+Expr slope(Expr function, std::size_t child);
+
 }  // namespace gaussgen::ir

@@ -90,7 +90,7 @@ void Reverse::contribute(NodeId id, NodeId adjoint, Contributions& to) {
         // Of f(x, x), the slope is that of both.
         const auto child = node.children.begin() + static_cast<std::ptrdiff_t>(i);
         if (!depends(*child) || std::find(node.children.begin(), child, *child) != child) continue;
-        add(*child, 1, graph_.product({adjoint, slope(id, i)}), to);
+        add(*child, 1, graph_.product({adjoint, slope({graph_, id}, i).id()}), to);
       }
       return;
     default: return;
@@ -103,15 +103,6 @@ void Reverse::add_choice(NodeId id, NodeId adjoint, Contributions& to) {
     const Expr slope = partial({graph_, id}, graph_[below].symbol);
     if (!slope.is_zero()) add(below, 1, graph_.product({adjoint, slope.id()}), to);
   }
-}
-
-/// ∂node/∂child of a function.
-NodeId Reverse::slope(NodeId id, std::size_t child) {
-  Directional along(graph_);
-  const Children children = graph_[id].children;
-  for (const NodeId other : children) along.take({graph_, other}, {graph_, graph_.constant(0)});
-  along.take({graph_, children[child]}, {graph_, graph_.constant(1)});
-  return along({graph_, id}).id();
 }
 
 }  // namespace gaussgen::ir

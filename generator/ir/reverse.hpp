@@ -37,7 +37,6 @@ class Reverse {
   /// A choice may leave out what has no value, which no factor 0 makes harmless: it is differentiated forwards, and then chosen.
   void add_choice(NodeId id, NodeId adjoint, Contributions& to);
   NodeId kept(NodeId id, NodeId adjoint, const std::string& name);
-  NodeId slope(NodeId id, std::size_t child);
 
   Graph& graph_;
   std::vector<SymbolId> symbols_;

@@ -4,12 +4,31 @@
 #include <functional>
 #include <optional>
 
+#include "ir/node_table.hpp"
 #include "strategy/ldl.hpp"
 
 namespace gaussgen::strategy {
 
 /// Of parameters and numbers alone, not less than |e| whatever coordinates are: a sum by its terms, a product by its factors, a sine or cosine
 /// by 1. Nothing where e has no such bound, as with a length that changes.
+class Bounds {
+ public:
+  explicit Bounds(ir::Graph& graph) : graph_(graph) {}
+
+  std::optional<ir::Expr> operator()(ir::NodeId id);
+
+ private:
+  std::optional<ir::Expr> of(ir::NodeId id);
+  std::optional<ir::Expr> of_sum(const ir::Node& node);
+  std::optional<ir::Expr> of_product(const ir::Node& node);
+  std::optional<ir::Expr> of_power(const ir::Node& node);
+  ir::Expr number(const ir::Rational& value) const { return {graph_, graph_.constant(value)}; }
+
+  ir::Graph& graph_;
+  ir::NodeTable<std::optional<ir::Expr>> found_;
+};
+
+/// The same, of one expression.
 std::optional<ir::Expr> bound_of(ir::Expr e);
 
 /// Of each entry; its own size where it has no bound.

@@ -6,6 +6,7 @@
 #include "strategy/least_change.hpp"
 #include "strategy/position_size.hpp"
 #include "strategy/quaternions.hpp"
+#include "strategy/term_size.hpp"
 
 namespace gaussgen::strategy {
 
@@ -13,6 +14,13 @@ using ir::Expr;
 using kinematics::ConfigurationIndex;
 using kinematics::ConstraintIndex;
 using kinematics::FreeIndex;
+
+namespace {
+
+/// Units of rounding that may be left of an equation, of what it is made of.
+const support::Rational k_rounding = 64;
+
+}  // namespace
 
 PositionProjection::PositionProjection(const Dynamics& dynamics, std::vector<std::size_t> moving, const Vector& at,
                                        Expr epsilon)
@@ -89,8 +97,8 @@ Vector PositionProjection::step(Steps& steps) {
   return configuration;
 }
 
-// f against what it is made of to first order, with half of the digits: Newton's method leaves rounding, or much more. Where a gradient nearly vanishes,
-// rounding is more than a part of that: ε^¾ of it was tried, and refused Bennett's linkage on its way. Squares, since a condition has no sign.
+// f against rounding of its terms and, to first order, of its coordinates: Newton's method leaves rounding, or much more. Squares, since
+// that of coordinates is a sum of squares.
 Expr PositionProjection::violated(const Vector& start) const {
   const PositionSize size(dynamics_, start);
   const Vector inertia = inertias(dynamics_);
@@ -98,11 +106,13 @@ Expr PositionProjection::violated(const Vector& start) const {
   for (const FreeIndex i : dynamics_.kinematics->symbols.speeds.indices())
     weighted.push_back((inertia[i.value] * size.of_speed(i)).id());
   const Expr size_of_all(epsilon_.graph(), epsilon_.graph().sum(weighted));
+  TermSize size_of_terms(epsilon_.graph());
   std::vector<Expr> conditions;
   for (const std::size_t mu : rows_) {
     const Expr f = *dynamics_.kinematics->constraints[ConstraintIndex{mu}].f;
     const Expr left = left_by_all(dynamics_.b[mu], inertia, size_of_all, epsilon_);
-    conditions.push_back(less(epsilon_ * size.of_row(mu) + left, pow(f, 2)));
+    const Expr rounded = pow(k_rounding * epsilon_, 2) * (size.of_row(mu) + pow(size_of_terms(f), 2));
+    conditions.push_back(less(rounded + left, pow(f, 2)));
   }
   return any(epsilon_.graph(), conditions);
 }

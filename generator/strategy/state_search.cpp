@@ -23,9 +23,9 @@ namespace {
 /// the given values themselves.
 constexpr std::size_t k_few_speeds = 6;
 
-/// From what one step of an integrator leaves, the second arrives at rounding; four also do from what a hand leaves that sets a linkage, a
+/// From what one step of an integrator leaves, the second arrives at rounding; six also do from what a hand leaves that sets a linkage, a
 /// tenth of a radian off (tests/headers/test_project_reach.cpp).
-constexpr int k_steps_of_projection = 4;
+constexpr int k_steps_of_projection = 6;
 
 // Each quaternion (four components in a row) divided by its norm. Boolean: some norm has no digits to divide by.
 Expr normalise_quaternions(const kinematics::Symbols& symbols, Vector& configuration, ir::Graph& graph, Steps& steps) {
