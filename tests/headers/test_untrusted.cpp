@@ -129,7 +129,7 @@ TEST_CASE("project arrives from what an integrator leaves, and tells a state tha
     CHECK(project(0.0, near, prepared, projected) == Status::ok);
     CHECK(std::hypot(projected.x_dot(), projected.y_dot()) == Approx(2).epsilon(1e-14));
   }
-  const speed_limit::State<double> far{{0, 0, 0, 5, 3, 0.5}};
+  const speed_limit::State<double> far{{0, 0, 0, 500, 300, 0.5}};
   CHECK(project(0.0, far, prepared, projected) == Status::violated_constraints);
 }
 
