@@ -1136,7 +1136,7 @@ GAUSS_FUNCTION StatusOf<S> mass_matrix(const S& t, const State<S>& state, const 
 }
 
 /// The nearest state that satisfies the constraints: unit quaternions, then the smallest change of
-/// the speeds in the mass metric (up to four Newton steps for constraints nonlinear in the velocities).
+/// the speeds in the mass metric (up to six Newton steps for constraints nonlinear in the velocities).
 template <class S>
 GAUSS_FUNCTION StatusOf<S> project(const S& t, const State<S>& from, const Prepared<S>& prepared,
                                    State<S>& state) noexcept {

@@ -213,6 +213,20 @@ TEST_CASE("levels of projection: each holds its own constraints and leaves the o
   CHECK(along.position > 1e-11);
 }
 
+TEST_CASE("a level that is out of reach says so, and the other one is nothing to it") {
+  auto far = start_of(bob());
+  far.values[0] = 1e-3;  // Newton's method overshoots to 500 rods, and halves that in each step
+  far.values[1] = 0;
+  CHECK(gauss::integrate::ToPositions::apply(bob(), 0.0, far) == gauss::Status::violated_constraints);
+  auto open = start_of(bob());
+  open.values[1] -= 1e-3;
+  open.values[2] += 0.1;
+  CHECK(gauss::integrate::ToSpeeds::apply(bob(), 0.0, open) == gauss::Status::ok);
+  CHECK(std::abs(open.values[0] * open.values[2] + open.values[1] * open.values[3]) < 1e-15);
+  CHECK(gauss::integrate::ToPositions::apply(bob(), 0.0, open) == gauss::Status::ok);
+  CHECK(std::abs(std::hypot(open.values[0], open.values[1]) - 1) < 1e-15);
+}
+
 TEST_CASE("assembly reports what moved, and leaves a start alone that is beyond the limit") {
   auto start = start_of(bob());
   start.values[1] -= 0.01;

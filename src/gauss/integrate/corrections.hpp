@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -32,15 +33,36 @@ struct ToConstraints {
 
 namespace detail {
 
-/// As many steps of Newton's method as `project` takes. The status is the one that stops a motion, or else the first milder one.
-template <class Step>
-Status repeated(const Step& step) {
-  Status status = Status::ok;
-  for (int i = 0; i < 4 && is_motion_known(status); ++i) {
-    const Status now = step();
-    if (!is_motion_known(now) || status == Status::ok) status = now;
+/// Some component has moved by more than rounding and what Newton's next step would move. A crude measure: it only says where to look again.
+template <class State>
+bool still_moves(const State& before, const State& after) {
+  for (std::size_t i = 0; i < std::size(after.values); ++i) {
+    using std::abs;
+    if (!(abs(after.values[i] - before.values[i]) <= 1e-8 * abs(after.values[i]))) return true;
   }
-  return status;
+  return false;
+}
+
+/// As many steps of Newton's method as `project` takes, on one level. The status is the one that stops a motion, or else whether one of them found rows dependent.
+/// Positions that are off are the rule for speeds alone, and a step of positions does not say that it was not the last: what `project` says at
+/// the nearest state decides where the steps leave a doubt.
+template <class Model, class Step>
+Status repeated(const Model& model, const typename Model::Scalar& t, typename Model::State& state, const Step& step) {
+  const auto may_go_on = [](Status status) {
+    return is_motion_known(status) || status == Status::violated_constraints;
+  };
+  Status status = Status::ok;
+  auto before = state;
+  for (int i = 0; i < 6 && may_go_on(status); ++i) {
+    before = state;
+    const Status now = step();
+    if (now != Status::ok || status != Status::dependent_constraints) status = now;
+  }
+  const bool is_settled = is_motion_known(status) && !still_moves(before, state);
+  if (is_settled || !may_go_on(status)) return status;
+  auto nearest = state;
+  const Status there = model.projection(t, nearest);
+  return is_motion_known(status) && is_motion_known(there) ? status : there;
 }
 
 }  // namespace detail
@@ -49,7 +71,7 @@ Status repeated(const Step& step) {
 struct ToPositions {
   template <class Model>
   static Status apply(const Model& model, const typename Model::Scalar& t, typename Model::State& state) {
-    return detail::repeated([&] { return model.position_step(t, state); });
+    return detail::repeated(model, t, state, [&] { return model.position_step(t, state); });
   }
 };
 
@@ -57,7 +79,7 @@ struct ToPositions {
 struct ToSpeeds {
   template <class Model>
   static Status apply(const Model& model, const typename Model::Scalar& t, typename Model::State& state) {
-    return detail::repeated([&] { return model.speed_step(t, state); });
+    return detail::repeated(model, t, state, [&] { return model.speed_step(t, state); });
   }
 };
 
