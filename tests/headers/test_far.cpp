@@ -1,6 +1,7 @@
 // Constraints of coordinates that are large beside lengths: as good as their digits, and not as half of them.
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "catch_shim.hpp"
@@ -20,49 +21,59 @@ struct Reach {
   double widest = 0;  ///< m, where the status is ok
 };
 
-/// How far the rod of 300 states is from its length, after projection from up to `off` m beside it.
-Reach reach_of_bob(double far, double off) {
-  bob::Parameters<double> parameters;
-  parameters.x0 = far;
-  parameters.y0 = -2 * far;
-  const auto prepared = prepare(parameters);
+using Uniform = std::function<double()>;  ///< from -1 to 1
+
+/// The widest gap of 300 states that `start` makes, after projection.
+template <class Prepared, class State>
+Reach reach(const Prepared& prepared, State (*start)(const Uniform&, double far, double off),
+            double (*gap)(const State&, double far), double far, double off) {
   std::mt19937 engine(20261125);
   std::uniform_real_distribution<double> up_to_one(-1, 1);
+  const Uniform uniform = [&] { return up_to_one(engine); };
   Reach result;
   for (int k = 0; k < 300; ++k) {
-    const double angle = 4 * up_to_one(engine);
-    bob::State<double> from{}, to;
-    from.x() = parameters.x0 + std::cos(angle) + off * up_to_one(engine);
-    from.y() = parameters.y0 + std::sin(angle) + off * up_to_one(engine);
-    if (project(0.0, from, prepared, to) != Status::ok) continue;
+    State to{};
+    if (project(0.0, start(uniform, far, off), prepared, to) != Status::ok) continue;
     ++result.arrived;
-    const double length = std::hypot(to.x() - parameters.x0, to.y() - parameters.y0);
-    result.widest = std::fmax(result.widest, std::abs(length - parameters.L));
+    result.widest = std::fmax(result.widest, gap(to, far));
   }
   return result;
 }
 
-/// How far the end of the bar is from its pin, likewise; with its angle off by up to as many rad.
-Reach reach_of_bar(double far, double off) {
-  bar::Parameters<double> parameters;
+/// Held at (far, -2 far).
+template <class Parameters>
+auto held_at(double far) {
+  Parameters parameters;
   parameters.x0 = far;
   parameters.y0 = -2 * far;
-  const auto prepared = prepare(parameters);
-  std::mt19937 engine(20261125);
-  std::uniform_real_distribution<double> up_to_one(-1, 1);
-  Reach result;
-  for (int k = 0; k < 300; ++k) {
-    bar::State<double> from{}, to;
-    from.phi() = 4 * up_to_one(engine);
-    from.x() = parameters.x0 + std::cos(from.phi()) + off * up_to_one(engine);
-    from.y() = parameters.y0 + std::sin(from.phi()) + off * up_to_one(engine);
-    from.phi() += off * up_to_one(engine);
-    if (project(0.0, from, prepared, to) != Status::ok) continue;
-    ++result.arrived;
-    const double x = to.x() - parameters.x0 - std::cos(to.phi()), y = to.y() - parameters.y0 - std::sin(to.phi());
-    result.widest = std::fmax(result.widest, std::hypot(x, y));
-  }
-  return result;
+  return prepare(parameters);
+}
+
+/// The bob up to `off` m beside its circle.
+bob::State<double> bob_beside(const Uniform& uniform, double far, double off) {
+  bob::State<double> state{};
+  const double angle = 4 * uniform();
+  state.x() = far + std::cos(angle) + off * uniform();
+  state.y() = -2 * far + std::sin(angle) + off * uniform();
+  return state;
+}
+
+double gap_of_rod(const bob::State<double>& at, double far) {
+  return std::abs(std::hypot(at.x() - far, at.y() + 2 * far) - 1);
+}
+
+/// The bar as far off its pin, and as many rad.
+bar::State<double> bar_beside(const Uniform& uniform, double far, double off) {
+  bar::State<double> state{};
+  const double angle = 4 * uniform();
+  state.x() = far + std::cos(angle) + off * uniform();
+  state.y() = -2 * far + std::sin(angle) + off * uniform();
+  state.phi() = angle + off * uniform();
+  return state;
+}
+
+double gap_of_pin(const bar::State<double>& at, double far) {
+  return std::hypot(at.x() - far - std::cos(at.phi()), at.y() + 2 * far - std::sin(at.phi()));
 }
 
 }  // namespace
@@ -71,7 +82,8 @@ TEST_CASE("far from the origin, project closes constraints to the digits of coor
   for (const double far : {0.0, 1.0, 1e3, 1e6, 1e9, 1e12}) {
     for (const double off : {0.01, 0.3, 3.0}) {
       const double digits = 512 * k_epsilon * (1 + off + 3 * far);
-      const Reach of_bob = reach_of_bob(far, off), of_bar = reach_of_bar(far, off);
+      const Reach of_bob = reach(held_at<bob::Parameters<double>>(far), bob_beside, gap_of_rod, far, off);
+      const Reach of_bar = reach(held_at<bar::Parameters<double>>(far), bar_beside, gap_of_pin, far, off);
       INFO(far << " m off, from " << off << ": " << of_bob.arrived << ", " << of_bob.widest << "; " << of_bar.arrived
                << ", " << of_bar.widest << " beside " << digits);
       CHECK(of_bob.widest <= digits);
