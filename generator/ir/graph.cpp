@@ -52,8 +52,8 @@ bool can_be_flattened(const Graph& graph, NodeId id) {
 
 }  // namespace
 
-SymbolId Graph::declare(SymbolClass symbol_class, std::string name) {
-  symbols_.push_back({symbol_class, std::move(name)});
+SymbolId Graph::declare(SymbolClass symbol_class, std::string name, bool is_of_unit_quaternion) {
+  symbols_.push_back({symbol_class, std::move(name), is_of_unit_quaternion});
   return SymbolId{static_cast<std::uint32_t>(symbols_.size() - 1)};
 }
 

@@ -48,7 +48,7 @@ class Graph {
   /// Throws TooManyNodes when it would have more than `most_nodes`, as its copies do.
   explicit Graph(std::size_t most_nodes = k_most_nodes) : most_nodes_(most_nodes) {}
 
-  SymbolId declare(SymbolClass symbol_class, std::string name);
+  SymbolId declare(SymbolClass symbol_class, std::string name, bool is_of_unit_quaternion = false);
   const Symbol& symbol(SymbolId id) const { return symbols_[id.index]; }
   std::size_t symbol_count() const { return symbols_.size(); }
 

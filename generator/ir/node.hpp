@@ -68,6 +68,7 @@ enum class SymbolClass : std::uint8_t {
 struct Symbol {
   SymbolClass symbol_class;
   std::string name;
+  bool is_of_unit_quaternion = false;
 };
 
 enum class Kind : std::uint8_t {

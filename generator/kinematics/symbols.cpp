@@ -64,7 +64,7 @@ class Declaration {
   void declare_orientation(const model::Orientation& orientation) {
     symbols_.first_quaternion_component.push_back(ConfigurationIndex{symbols_.configuration.size()});
     for (const model::Name& name : orientation.quaternion) {
-      symbols_.configuration.push_back({graph_.declare(ir::SymbolClass::configuration, name.text), name.text, "1",
+      symbols_.configuration.push_back({graph_.declare(ir::SymbolClass::configuration, name.text, true), name.text, "1",
                                         "unit quaternion " + orientation.name.text + ", body to space"});
     }
     symbols_.first_angular_velocity.push_back(FreeIndex{symbols_.speeds.size()});

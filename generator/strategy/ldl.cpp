@@ -5,6 +5,7 @@
 
 #include "ir/traverse.hpp"
 #include "strategy/margins.hpp"
+#include "strategy/reach.hpp"
 #include "support/assert.hpp"
 
 namespace gaussgen::strategy {
@@ -39,6 +40,11 @@ Expr trusted_part(int pivots, Expr epsilon) {
 }
 
 Expr kept_by_rows(Expr epsilon) { return pow(epsilon, ir::Rational(1) / 2); }
+
+Expr least_response(Expr response, Expr epsilon) {
+  const std::optional<Expr> reach = Reach(response.graph())(response);
+  return reach ? kept_by_rows(epsilon) * *reach : Expr(response.graph(), response.graph().constant(0));
+}
 
 Ldl::Ldl(const Matrix& matrix, const std::vector<std::string>& labels, const std::string& prefix, Expr epsilon,
          Steps& steps, Dependent dependent)
@@ -189,17 +195,21 @@ Expr Ldl::reciprocal(std::size_t pivot) const {
   return select(at_most(d_[pivot], tolerance(pivot)), zero, inverse);
 }
 
-Expr Ldl::violated(Expr part) const {
-  const Expr zero(graph_, graph_.constant(0));
+Expr Ldl::violated(Expr part, const std::function<Expr(Expr)>& least_original) const {
   Margins margins(graph_);
-  for (std::size_t i = 0; i < d_.size(); ++i) margins.require(d_[i], is_original_[i] != 0 ? zero : part * sizes_[i]);
+  for (std::size_t i = 0; i < d_.size(); ++i)
+    margins.require(d_[i], is_original_[i] != 0 ? least_original(d_[i]) : part * sizes_[i]);
   return margins.violated("least_" + prefix_ + "_pivot");
 }
 
-Expr Ldl::singular() const { return violated(trusted_part(count(), epsilon_)); }
+Expr Ldl::singular() const {
+  const Expr zero(graph_, graph_.constant(0));
+  return violated(trusted_part(count(), epsilon_), [zero](Expr) { return zero; });
+}
 
 Expr Ldl::dependent(const ir::Rational& least) const {
-  return violated(kept_by_rows(epsilon_) + Expr(graph_, graph_.constant(least)));
+  return violated(kept_by_rows(epsilon_) + Expr(graph_, graph_.constant(least)),
+                  [this](Expr response) { return least_response(response, epsilon_); });
 }
 
 std::vector<std::string> Ldl::vanishing() const {

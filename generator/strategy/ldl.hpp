@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,6 +24,10 @@ ir::Expr trusted_part(int pivots, ir::Expr epsilon);
 /// rounding divided by this part, and that is rounding again.
 ir::Expr kept_by_rows(ir::Expr epsilon);
 
+/// What the response of a constraint alone has to be above, of what it can be where parts may turn (Reach): `kept_by_rows`. Below, the row nearly vanishes,
+/// and how many rows are left is a matter of all of them.
+ir::Expr least_response(ir::Expr response, ir::Expr epsilon);
+
 /// What to do with a pivot that has lost all its digits.
 enum class Dependent {
   divide,  ///< as with any other: the result is not finite, and status says so
@@ -44,7 +49,7 @@ class Ldl {
   /// cannot cancel and are compared with 0.
   ir::Expr singular() const;
 
-  /// Boolean: the same of responses of constraints: `kept_by_rows`, and the part `least` of that.
+  /// Boolean: the same of responses of constraints: `kept_by_rows`, and the part `least` of that; diagonal entries by `least_response`.
   ir::Expr dependent(const ir::Rational& least) const;
 
   /// Rows whose pivot vanishes identically: the matrix is singular in every configuration.
@@ -67,7 +72,7 @@ class Ldl {
   void sort_columns();
 
   ir::Expr tolerance(std::size_t pivot) const;
-  ir::Expr violated(ir::Expr part) const;
+  ir::Expr violated(ir::Expr part, const std::function<ir::Expr(ir::Expr)>& least_original) const;
   int count() const { return static_cast<int>(d_.size()); }
   ir::Expr reciprocal(std::size_t pivot) const;
 

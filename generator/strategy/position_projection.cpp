@@ -20,6 +20,9 @@ namespace {
 /// Units of rounding that may be left of an equation, of what it is made of.
 const support::Rational k_rounding = 64;
 
+/// Units of rounding that an equation is off by where it holds.
+const support::Rational k_of_itself = 2;
+
 }  // namespace
 
 PositionProjection::PositionProjection(const Dynamics& dynamics, std::vector<std::size_t> moving, const Vector& at,
@@ -80,12 +83,20 @@ Vector PositionProjection::moved(const Vector& change) const {
   return configuration;
 }
 
+// Where gradients nearly vanish, as at the change point of a linkage, Newton's method would turn rounding into a displacement that is as
+// large as the distance from there, and speeds with it.
+Expr PositionProjection::residual(std::size_t mu) const {
+  const Expr f = *dynamics_.kinematics->constraints[ConstraintIndex{mu}].f;
+  const Expr zero(epsilon_.graph(), epsilon_.graph().constant(0));
+  const Expr rounding = k_of_itself * epsilon_ * TermSize(epsilon_.graph())(f);
+  return select(at_most(call(ir::Function::abs, f), rounding), zero, f);
+}
+
 Vector PositionProjection::step(Steps& steps) {
   const kinematics::Symbols& symbols = dynamics_.kinematics->symbols;
   const std::string prefix = "move_";
   Change wanted{moving_, movable_, {}, prefix};
-  for (const std::size_t mu : movable_)
-    wanted.residuals.push_back(*dynamics_.kinematics->constraints[ConstraintIndex{mu}].f);
+  for (const std::size_t mu : movable_) wanted.residuals.push_back(residual(mu));
   steps.begin("smallest displacement in the mass metric that satisfies the linearised equations of positions");
   const Solution found = least_change(dynamics_, wanted, dependent_rows_, epsilon_, steps);
   Vector configuration = moved(found.accelerations);

@@ -21,6 +21,9 @@ class PositionProjection {
   /// One step from the configuration that symbols stand for; quaternions keep their length.
   Vector step(Steps& steps);
 
+  /// f, or 0 where that is nothing but rounding of its terms.
+  ir::Expr residual(std::size_t mu) const;
+
   /// Of the equations, those that something moves.
   const std::vector<std::size_t>& movable() const { return movable_; }
 

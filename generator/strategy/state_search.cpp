@@ -229,8 +229,7 @@ class Stages {
 
   OpenStep open_step_of_positions() const {
     Vector residuals(dynamics_.l(), never());
-    for (const std::size_t mu : positions_.movable())
-      residuals[mu] = *dynamics_.kinematics->constraints[kinematics::ConstraintIndex{mu}].f;
+    for (const std::size_t mu : positions_.movable()) residuals[mu] = positions_.residual(mu);
     const std::vector<std::size_t>& moving = given_.open_positions;
     OpenStep open = open_step(dynamics_.g, dynamics_.b, residuals, positions_.movable(), moving);
     Vector change;

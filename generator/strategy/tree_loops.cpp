@@ -95,7 +95,8 @@ bool TreeZ::resolve(ClosedLoop& loop, std::size_t at, Expr diagonal) {
   const bool is_original = entry == diagonal;
   const Expr pivot = steps_.name(entry, problem_.prefix + "S_pivot_" + name);
   const Expr unit = is_original ? zero_ : ir::Rational(static_cast<int>(loop.rows.size())) * epsilon_ * diagonal;
-  const Expr kept = is_original ? zero_ : kept_by_rows(epsilon_) * diagonal + problem_.least_response * diagonal;
+  const Expr kept = is_original ? least_response(pivot, epsilon_)
+                                : kept_by_rows(epsilon_) * diagonal + problem_.least_response * diagonal;
   loop_margins_.push_back({pivot, kept});
   const bool is_fixed = is_original && ir::is_of_parameters(graph_, pivot.id());
   const Expr inverse = pow(pivot, -1);

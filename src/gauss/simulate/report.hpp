@@ -57,7 +57,9 @@ struct Report {
   long steps = 0;     ///< accepted
   long rejected = 0;  ///< by the estimate of the error, or by a status other than ok
   long with_fewer_constraints =
-      0;               ///< of the accepted: rhs said dependent_constraints, and the motion is that of the rest
+      0;  ///< of the accepted: rhs said dependent_constraints, and the motion is that of the rest
+  long crossings =
+      0;  ///< of the accepted: taken over a place where constraints nearly lose their rank, to half of the digits that were asked for
   long calls = 0;      ///< of rhs
   long jacobians = 0;  ///< emitted ones that an implicit method asked for
 

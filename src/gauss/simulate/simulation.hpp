@@ -112,7 +112,12 @@ class Simulation {
     // What starts at 0 has no size yet that rates could be compared with: the error is, of a guess that is too long for most.
     if (step_ <= Scalar(0)) step_ = std::pow(settings_.tolerance, Scalar(1) / 8) * (end - t_);
     if (first_ <= Scalar(0)) control_.set_reach(first_ = std::min(step_, end - t_));
-    bool is_rounding_known = false;
+    int refused = 0;
+    system_.close(is_held_ && approach_.loses_digits());
+    if (system_.is_closed() && crosses(rates, end, on_step)) return;
+    // Steps as short as these resolve what rounding makes of the place, which leads to any of its branches.
+    if (is_held_ && approach_.has_lost_digits() && approach_.dt < k_brief * control_.reach())
+      report_.outcome = Outcome::constraints_lost;
     while (report_.outcome == Outcome::running) {
       // The controller's step is kept for afterwards when this one is cut off to arrive at `end`.
       if (settings_.longest_step > Scalar(0)) step_ = std::min(step_, settings_.longest_step);
@@ -121,24 +126,59 @@ class Simulation {
       const Scalar dt = arrives ? end - t_ : wanted;
       State before{}, after{};
       if (!attempt(rates, dt, before, after)) {
-        if (!is_rounding_known) find_rounding(rates);
-        is_rounding_known = true;
+        if (++refused == 1) {
+          approach_.note_refused(dt, find_rounding(rates));
+        }
         reject(dt);
         continue;
       }
+      approach_.note_taken(dt, refused);
       if (arrives) step_ = std::max(step_, wanted);
-      t_ = arrives ? end : t_ + dt;
-      std::copy_n(after.values, Model::size, x_.begin());
-      control_.grow(x_);
-      ++report_.steps;
-      if (system_.trouble() != Status{}) ++report_.with_fewer_constraints;
-      on_step(t_, before, after);
+      take(arrives ? end : t_ + dt, before, after, on_step);
       return;
     }
   }
 
-  /// One trial step and its projection; sets step_ to what comes next.
-  bool attempt(const Array& rates, const Scalar& dt, State& before, State& after) {
+  template <class OnStep>
+  void take(const Scalar& t, const State& before, const State& after, OnStep&& on_step) {
+    t_ = t;
+    std::copy_n(after.values, Model::size, x_.begin());
+    control_.grow(x_);
+    ++report_.steps;
+    if (system_.trouble() != Status{}) ++report_.with_fewer_constraints;
+    on_step(t_, before, after);
+  }
+
+  /// Over the place that steps become shorter and shorter towards: of some longer steps, the one with the smallest error. False where that
+  /// has less than half of the digits that are asked for.
+  template <class OnStep>
+  bool crosses(const Array& rates, const Scalar& end, OnStep&& on_step) {
+    const Scalar most = 1 / std::sqrt(settings_.tolerance), step = step_;
+    Scalar best = most, best_dt = 0;
+    State before{}, after{};
+    const Scalar longest = settings_.longest_step > Scalar(0) ? settings_.longest_step : end - t_;
+    for (const Scalar wanted : approach_.longer_steps()) {
+      const Scalar dt = std::min({wanted, longest, end - t_});
+      attempt(rates, dt, before, after, most);
+      const bool is_whole = integrate::is_motion_known(system_.trouble()) && !jumped_;
+      if (is_whole && control_.last_error() < best) {
+        best = control_.last_error();
+        best_dt = dt;
+      }
+      system_.forget();
+    }
+    approach_ = {};
+    step_ = step;
+    if (best_dt <= Scalar(0)) return false;
+    attempt(rates, best_dt, before, after, most);
+    step_ = std::max(step, best_dt);
+    ++report_.crossings;
+    take(best_dt == end - t_ ? end : t_ + best_dt, before, after, on_step);
+    return true;
+  }
+
+  /// One trial step and its projection, also of one with an error up to `most`; sets step_ to what comes next.
+  bool attempt(const Array& rates, const Scalar& dt, State& before, State& after, const Scalar& most = 1) {
     Array trial{};
     Scalar time = t_;
     step_ = dt;
@@ -147,9 +187,13 @@ class Simulation {
     before = as_state(trial);
     after = before;
     Status status = system_.trouble();
-    if (is_accurate && integrate::is_motion_known(status) && settings_.project) status = model_.projection(time, after);
+    const bool is_candidate = is_accurate || control_.last_error() < most;
+    if (is_candidate && integrate::is_motion_known(status) && settings_.project)
+      status = model_.projection(is_accurate ? time : t_ + dt, after);
     const bool is_known = integrate::is_motion_known(status);
-    jumped_ = is_known && is_accurate && !is_near(dt, before, after);
+    if (is_known && !std::equal(before.values, before.values + Model::size, after.values)) is_held_ = true;
+    jumped_ = is_known && is_candidate &&
+              !is_near(dt, before, after, std::max(most * settings_.tolerance, settings_.tolerance));
     if (is_known && !jumped_) return is_accurate;
     // A shorter step may stay on this side of the trouble.
     report_.status = status;
@@ -158,14 +202,15 @@ class Simulation {
   }
 
   /// Where constraints lose their rank, projection may take any part of the motion away.
-  bool is_near(const Scalar& dt, const State& before, const State& after) const {
-    const Array allowed = control_.allowed(std::max(settings_.tolerance, std::numeric_limits<Scalar>::epsilon()), dt);
+  bool is_near(const Scalar& dt, const State& before, const State& after, const Scalar& tolerance) const {
+    const Array allowed = control_.allowed(std::max(tolerance, std::numeric_limits<Scalar>::epsilon()), dt);
     for (std::size_t i = 0; i < Model::size; ++i)
       if (!(std::abs(after.values[i] - before.values[i]) <= settings_.most_projected * allowed[i])) return false;
     return true;
   }
 
-  void find_rounding(const Array& rates) {
+  /// Returns what part of rates it is.
+  Scalar find_rounding(const Array& rates) {
     Array changes{};
     const auto derivative = [&](const Array& x, Array& result) {
       system_.forget();
@@ -174,6 +219,13 @@ class Simulation {
     };
     if (!changes_by_rounding(x_, rates, derivative, changes)) changes.fill(Scalar(0));
     control_.set_rounding(changes);
+    Scalar lost = 0, all = 0;
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      if (!(control_.size(i) > Scalar(0))) continue;
+      lost = std::max(lost, changes[i] / control_.size(i));
+      all = std::max(all, std::abs(rates[i]) / control_.size(i));
+    }
+    return all > Scalar(0) ? lost / all : Scalar(0);
   }
 
   // Times may be of any unit: near 0, rounding is that of the first step.
@@ -185,12 +237,46 @@ class Simulation {
     report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::step_too_small;
   }
 
+  // Where constraints nearly lose their rank, as at the change point of a linkage, rates have the fewer digits the nearer a state is. A step over that place
+  // is refused, however short, while one that ends before it is taken: steps would shrink to nothing there, or end on another
+  // branch. (Towards an edge of a force, steps shrink likewise, but rates keep their digits.)
+  struct Approach {
+    static constexpr int k_steps = 2;
+    static constexpr double k_lost = 1e-6;  ///< of rates
+
+    int steps = 0;  ///< that were refused at first, since one that was as long as the first of them
+    Scalar first_dt = 0, first_rounding = 0, dt = 0, refused_dt = 0, rounding = 0;
+
+    void note_refused(const Scalar& of_dt, const Scalar& of_rounding) {
+      refused_dt = of_dt;
+      rounding = of_rounding;
+    }
+    void note_taken(const Scalar& of_dt, int times_refused) {
+      if (steps > 0 && !(of_dt < first_dt)) steps = 0;
+      dt = of_dt;
+      if (times_refused == 0) return;
+      if (++steps > 1) return;
+      first_dt = of_dt;
+      first_rounding = rounding;
+    }
+    /// A step of the length that was refused reaches the place; others look at it from elsewhere.
+    std::array<Scalar, 6> longer_steps() const {
+      const Scalar longest = std::max(refused_dt, dt);
+      return {longest, longest * Scalar(1.5), longest * Scalar(2.2), longest * Scalar(3.3), 5 * longest, 8 * longest};
+    }
+    bool loses_digits() const { return steps > k_steps && rounding > 4 * first_rounding; }
+    bool has_lost_digits() const { return steps > k_steps && rounding > k_lost; }
+  };
+  static constexpr double k_brief = 1e-4;  ///< of the longest step
+
   Model model_;
   Settings<Scalar> settings_;
   System system_;
   Scalar t_;
   Scalar step_;
-  Scalar first_ = 0;     ///< the first step, tried or given
+  Scalar first_ = 0;      ///< the first step, tried or given
+  bool is_held_ = false;  ///< by constraints: projection has moved a state
+  Approach approach_;
   bool jumped_ = false;  ///< the last trial, by its projection
   Array x_{};
   Control control_{model_, settings_.tolerance, system_};

@@ -15,18 +15,24 @@
 namespace gauss::simulate {
 
 /// A model as a system of Odeint that notes how large the states are at which a step looks. What starts from 0 has no size but this.
+///
+/// The states within a step miss the constraints by errors of low order. Near a change point of a linkage, rates there have nothing to do with the motion. `close`
+/// makes it the system of the rates at the nearest states that satisfy the constraints: the same motion on the constraints, so steps keep their order.
 template <class Model>
 class NotingSystem {
  public:
   using Scalar = typename Model::Scalar;
   using Array = typename integrate::OdeintSystem<Model>::Array;
 
-  explicit NotingSystem(const Model& model) : system_(model) {}
+  explicit NotingSystem(const Model& model) : model_(model), system_(model_) {}
 
   void operator()(const Array& x, Array& dxdt, const Scalar& t) {
     for (std::size_t i = 0; i < Model::size; ++i) sizes_[i] = std::max(sizes_[i], std::abs(x[i]));
-    system_(x, dxdt, t);
+    system_(is_closed_ ? closed(x, t) : x, dxdt, t);
   }
+
+  void close(bool is_closed) { is_closed_ = is_closed; }
+  bool is_closed() const { return is_closed_; }
 
   auto trouble() const { return system_.trouble(); }
   void forget() {
@@ -38,8 +44,20 @@ class NotingSystem {
   long calls() const { return system_.calls(); }
 
  private:
+  /// As it is where it cannot be closed: rates say what there is to say.
+  Array closed(const Array& x, const Scalar& t) const {
+    typename Model::State state;
+    std::copy(x.begin(), x.end(), state.values);
+    if (!integrate::is_motion_known(model_.projection(t, state))) return x;
+    Array result;
+    std::copy_n(state.values, Model::size, result.begin());
+    return result;
+  }
+
+  const Model& model_;
   integrate::OdeintSystem<Model> system_;
   Array sizes_{};
+  bool is_closed_ = false;
 };
 
 /// How far a function of a state moves it, or changes it by the time, when the state is rounded otherwise: the smaller of two changes in
@@ -99,7 +117,7 @@ class StepControl {
 
   /// As ErrorBy asks for it.
   Scalar error(const Array& errors, const Scalar& dt) {
-    const Scalar found = largest(errors, dt);
+    const Scalar found = last_ = largest(errors, dt);
     if (found <= Scalar(1)) {
       accepted(dt);
       if (!is_resting_) edge_ = Edge{};
@@ -112,8 +130,12 @@ class StepControl {
     return Scalar(1);
   }
 
+  /// Of the step that was looked at last, as it was.
+  const Scalar& last_error() const { return last_; }
+
   /// The first step that is tried, as long as none was accepted.
   void set_reach(const Scalar& dt) { reach_ = dt; }
+  const Scalar& reach() const { return reach_; }
 
  private:
   static constexpr Scalar k_last_places = 64 * std::numeric_limits<Scalar>::epsilon();
@@ -158,6 +180,7 @@ class StepControl {
   Array own_{};       ///< largest size so far
   Array rounding_{};  ///< changes of rates by it
   Scalar reach_ = 0;  ///< the longest step so far
+  Scalar last_ = 0;   ///< error
   Edge edge_;
   bool is_resting_ = true;  ///< no error beyond rounding in the step that was looked at last
 };
