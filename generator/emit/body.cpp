@@ -133,4 +133,13 @@ std::string Body::natural_name_for(NodeId id) const {
   return natural_name(graph, id, name_of);
 }
 
+void name_type_of_conditions(std::vector<cpp::Statement>& statements, bool is_returned) {
+  const bool has_conditions =
+      is_returned || std::any_of(statements.begin(), statements.end(), [](const auto& statement) {
+        const auto* definition = std::get_if<cpp::Definition>(&statement);
+        return definition != nullptr && definition->type == "const Bool";
+      });
+  if (has_conditions) statements.insert(statements.begin(), cpp::Alias{"Bool", "typename Math<S>::Bool"});
+}
+
 }  // namespace gaussgen::emit

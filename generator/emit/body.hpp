@@ -49,4 +49,7 @@ class Body {
   std::vector<cpp::Statement> statements_;
 };
 
+/// Puts `using Bool = …;` in front where a statement defines a condition, or the status that is returned is made of some.
+void name_type_of_conditions(std::vector<cpp::Statement>& statements, bool is_returned = false);
+
 }  // namespace gaussgen::emit

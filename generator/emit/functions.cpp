@@ -91,12 +91,6 @@ bool is_always_good(const ir::Graph& graph, const Task& task) {
                      [&](const Condition& condition) { return graph.is_zero(condition.node); });
 }
 
-bool has_conditions(const Writing& writing, const Task& task) {
-  const std::vector<NodeId>& order = writing.order();
-  return !is_always_good(writing.graph(), task) ||
-         std::any_of(order.begin(), order.end(), [&](NodeId id) { return passes::is_boolean(writing.graph(), id); });
-}
-
 void return_status(Body& body, const ir::Graph& graph, const Task& task) {
   if (is_always_good(graph, task)) return body.add(cpp::Return{cpp::call("StatusOf<S>", {})});
   std::vector<cpp::Expression> conditions;
@@ -194,7 +188,6 @@ FunctionCode artefact_function(Plan& plan, const Task& task) {
   const SymbolSet used = symbols_in(writing);
   NameScope scope = scope_for(plan, artefact, used);
   Body body(writing, plan.names, scope);
-  if (has_conditions(writing, task)) body.add(cpp::Alias{"Bool", "typename Math<S>::Bool"});
   // By value where a caller may pass the same object as argument and result.
   const bool may_alias = !artefact.state.empty() || (artefact.takes_accelerations && !artefact.derivative.empty());
   Reader reader(body, plan.names, used, may_alias ? "const S" : "const S&");
@@ -210,7 +203,9 @@ FunctionCode artefact_function(Plan& plan, const Task& task) {
   body.blank_line();
   return_status(body, plan.graph, task);
   function.body = body.take();
-  return {std::move(function), reads, may_alias};
+  const std::size_t statements = function.body.size();
+  name_type_of_conditions(function.body, !is_always_good(plan.graph, task));
+  return {std::move(function), reads + function.body.size() - statements, may_alias};
 }
 
 namespace {

@@ -30,7 +30,7 @@ class PrepareBuilder {
     }
     blank_line();
     fill_members();
-    name_type_of_conditions();
+    name_type_of_conditions(function_.body);
     return std::move(function_);
   }
 
@@ -42,15 +42,6 @@ class PrepareBuilder {
   void blank_line() {
     const bool is_needed = !function_.body.empty() && !std::holds_alternative<cpp::BlankLine>(function_.body.back());
     if (is_needed) function_.body.push_back(cpp::BlankLine{});
-  }
-
-  void name_type_of_conditions() {
-    std::vector<cpp::Statement>& body = function_.body;
-    const bool has_conditions = std::any_of(body.begin(), body.end(), [](const cpp::Statement& statement) {
-      const auto* definition = std::get_if<cpp::Definition>(&statement);
-      return definition != nullptr && definition->type == "const Bool";
-    });
-    if (has_conditions) body.insert(body.begin(), cpp::Alias{"Bool", "typename Math<S>::Bool"});
   }
 
   void read_parameters() {
