@@ -95,6 +95,7 @@ std::vector<Figure> flat_parallelogram(const Scope&) {
       {"H08.flat", "how far projection moves positions at and beside the flat one", "rad", std::nullopt, worst, 1e-9});
   figures.push_back({"H08.beside", "turn of the coupler in a second from these projected positions", "rad",
                      std::nullopt, branch, 1e-9});
+  for (Figure& figure : even_crank()) figures.push_back(std::move(figure));
   return figures;
 }
 

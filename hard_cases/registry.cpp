@@ -12,7 +12,7 @@ const std::vector<Case>& cases() {
       {"H05", "Gradients of constraints that are nearly parallel", near_parallel},
       {"H06", "A mass matrix without inverse: an angle, a rod and a hub without inertia", singular_mass},
       {"H07", "A chain with a heavy or a light end", mass_ratio},
-      {"H08", "A loop through its singular position: a parallelogram that lies flat", flat_parallelogram},
+      {"H08", "Loops through their change points: a parallelogram that lies flat, a slider-crank with equal bars", flat_parallelogram},
       {"H09", "Loops in space with more equations than say something: Bennett, Bricard, Sarrus", over_constrained},
       {"H10", "A fast spin", fast_spin},
       {"H11", "An angle grows without end", angle_growth},

@@ -12,6 +12,7 @@ std::vector<Figure> contradictory(const Scope& scope);
 std::vector<Figure> near_parallel(const Scope& scope);
 std::vector<Figure> singular_mass(const Scope& scope);
 std::vector<Figure> mass_ratio(const Scope& scope);
+std::vector<Figure> even_crank();  ///< part of the next
 std::vector<Figure> flat_parallelogram(const Scope& scope);
 std::vector<Figure> over_constrained(const Scope& scope);
 std::vector<Figure> fast_spin(const Scope& scope);
