@@ -205,7 +205,8 @@ FunctionCode artefact_function(Plan& plan, const Task& task) {
   function.body = body.take();
   const std::size_t statements = function.body.size();
   name_type_of_conditions(function.body, !is_always_good(plan.graph, task));
-  return {std::move(function), reads + function.body.size() - statements, may_alias};
+  const std::size_t named = function.body.size() - statements;
+  return {std::move(function), reads + named, may_alias};
 }
 
 namespace {
