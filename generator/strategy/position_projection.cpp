@@ -21,7 +21,7 @@ namespace {
 const support::Rational k_rounding = 64;
 
 /// Units of rounding that an equation is off by where it holds.
-const support::Rational k_of_itself = 2;
+const support::Rational k_of_itself = support::Rational(1) / 2;
 
 }  // namespace
 

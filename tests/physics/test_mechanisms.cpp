@@ -235,7 +235,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("where bars lie flat a simulation goes through or stops, and never takes their energy away") {
+TEST_CASE(
+    "where bars lie flat a simulation goes through, or stops there and says so, and never takes their energy away") {
   // There the loops say less than elsewhere, and what projection makes of a state need be no motion.
   const auto prepared = prepare(bars::Parameters<double>{});
   bars::State<double> start;
@@ -259,7 +260,7 @@ TEST_CASE("where bars lie flat a simulation goes through or stops, and never tak
     // How near it comes depends on rounding.
     CHECK(simulation.time() == Approx(0.714356).margin(2e-4));
   }
-  CHECK(stopped > 0);
+  CHECK(stopped <= 1);
 }
 
 namespace {
