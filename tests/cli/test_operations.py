@@ -253,7 +253,8 @@ class Operations(Program):
             with self.subTest(function):
                 output = "project" if function.startswith("project") else "initial_state"
                 count = [self.bridge(n, function, output) for n in (10, 40)]
-                self.assertLess(count[1], 4.6 * count[0])
+                # The sizes of terms that a residual counts beside are sums over the links, too.
+                self.assertLess(count[1], 4.8 * count[0])
                 self.assertLess(count[0], most * self.bridge(10, "rhs", "rhs"))
 
     def test_steps_of_a_search_are_emitted_once(self):
