@@ -126,9 +126,7 @@ class Simulation {
       const Scalar dt = arrives ? end - t_ : wanted;
       State before{}, after{};
       if (!attempt(rates, dt, before, after)) {
-        if (++refused == 1) {
-          approach_.note_refused(dt, find_rounding(rates));
-        }
+        if (++refused == 1) approach_.note_refused(dt, find_rounding(rates));
         reject(dt);
         continue;
       }
@@ -189,7 +187,7 @@ class Simulation {
     Status status = system_.trouble();
     const bool is_candidate = is_accurate || control_.last_error() < most;
     if (is_candidate && integrate::is_motion_known(status) && settings_.project)
-      status = model_.projection(is_accurate ? time : t_ + dt, after);
+      status = model_.projection(t_ + dt, after);
     const bool is_known = integrate::is_motion_known(status);
     if (is_known && !std::equal(before.values, before.values + Model::size, after.values)) is_held_ = true;
     jumped_ = is_known && is_candidate &&

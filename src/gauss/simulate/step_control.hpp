@@ -28,7 +28,11 @@ class NotingSystem {
 
   void operator()(const Array& x, Array& dxdt, const Scalar& t) {
     for (std::size_t i = 0; i < Model::size; ++i) sizes_[i] = std::max(sizes_[i], std::abs(x[i]));
-    system_(is_closed_ ? closed(x, t) : x, dxdt, t);
+    if (is_closed_) {
+      system_(closed(x, t), dxdt, t);
+    } else {
+      system_(x, dxdt, t);
+    }
   }
 
   void close(bool is_closed) { is_closed_ = is_closed; }
