@@ -33,6 +33,8 @@ constexpr double k_largest_exponent_growth = 1 << 14;  // before its exact value
 ///   power   = primary [ ^ unary ]
 ///   primary = number | name | name ( argument { , argument } ) | ( sum )
 ///   argument = sum [ (<|<=|>|>=) sum ], a comparison only as a condition of piecewise
+constexpr int k_most_faults = 100;
+
 class Parser {
  public:
   Parser(const spec::LocatedText& text, Tokens tokens, const KnownTables& tables, support::Diagnostics& diagnostics)
@@ -90,9 +92,9 @@ class Parser {
 
   bool is_faulty() const { return faults_ > 0 || is_cut_; }
 
-  /// A mistake after which reading goes on.
+  /// A mistake after which reading goes on. One expression is found to have no more than anybody reads.
   void note(const support::ErrorCode& code, support::Span span, std::string message, std::string hint) {
-    if (!is_over_) diagnostics_.error(code, span, std::move(message), std::move(hint));
+    if (!is_over_ && faults_ < k_most_faults) diagnostics_.error(code, span, std::move(message), std::move(hint));
     ++faults_;
   }
 

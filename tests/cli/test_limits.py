@@ -6,6 +6,7 @@ import re
 import resource
 import signal
 import subprocess
+import sys
 import time
 import unittest
 from pathlib import Path
@@ -14,7 +15,7 @@ from gauss_gen import MODELS, PARTICLE, PROGRAM, Program
 
 FLAGS = os.environ.get("GAUSS_FLAGS", "-O2")
 IS_SANITIZED = "sanitize" in FLAGS
-# Of the processor, as the user's time, which other programs on the machine hardly change. A build with checks, or one that
+# Of the processor, as the user's time. A build with checks, or one that
 # is not optimised, takes longer: there, what is looked for are minutes.
 SECONDS = 2 if re.search("-O[23]", FLAGS) and not IS_SANITIZED else 10
 BYTES = 512 << 20
@@ -136,12 +137,21 @@ def measured(run):
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, result
 
 
+YARDSTICK = "words = [str(i * 7919 % 1000003) for i in range(500000)]; words.sort(); {w: i for i, w in enumerate(words)}"
+YARDSTICK_SECONDS = 0.6  # where SECONDS were chosen, on an idle machine
+
+
+def slowness():
+    """How much longer than there the same work takes now: what others do with the memory and the caches of a machine is in
+    the user's time, too."""
+    return max(1.0, measured(lambda: subprocess.run([sys.executable, "-c", YARDSTICK], check=True))[0] / YARDSTICK_SECONDS)
+
+
 def soonest(run, times=3):
-    """The least that it took, and what it returned: again where it took too long, since what others do with the memory and
-    the caches of a machine is in the user's time, too."""
+    """The least that it took, in seconds of an idle machine, and what it returned: again where it took too long."""
     seconds, result = measured(run)
-    while seconds >= SECONDS and times > 1:
-        seconds = min(seconds, measured(run)[0])
+    while seconds >= SECONDS and times > 0:
+        seconds = min(seconds, measured(run)[0] / slowness())
         times -= 1
     return seconds, result
 
