@@ -97,6 +97,8 @@ class InitialCheck {
   }
 
   std::string hint_for_vanishing(const model::Constraint& row) const {
+    if (row.may_vanish)
+      return "its other directions and the joints hold this one, too: nothing to do, but its reaction is not told";
     const auto base = options_.source == nullptr ? std::nullopt : base_of_power(row, *options_.source);
     return base ? fmt::format("state '{}' instead", *base)
                 : "as that of a square does: state what is squared, or each of the terms in a sum of squares";

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double k_first_step = 1e-3;
 constexpr double k_rounding = 1e-14;  ///< of what a derivative is made of
+constexpr double k_gone = 1e-10;  ///< of what an equation is made of, over a span: less is what a place is off by
 constexpr double k_turn = 6.283185307179586;
 
 }  // namespace
@@ -35,7 +36,7 @@ double Linearised::amplification(const Vector& spans) const {
   for (std::size_t i = 0; i < f.size(); ++i) {
     double squares = 0;
     for (std::size_t k = 0; k < spans.size(); ++k) squares += std::pow(j[i][k] * spans[k], 2);
-    if (squares > 0) largest = std::max(largest, size[i] / std::sqrt(squares));
+    if (squares > std::pow(k_gone * size[i], 2)) largest = std::max(largest, size[i] / std::sqrt(squares));
   }
   return largest;
 }

@@ -27,7 +27,7 @@ struct Linearised {
   bool is_solved(double part) const;  ///< no f is larger than this part of what it is made of
 
   /// The largest of what an f is made of, beside its change over a span of each displacement: by how much less exact than a double a position is that satisfies
-  /// the equations, as 10⁶ where places are 10⁶ lengths off the origin. 1 at least.
+  /// the equations, as 10⁶ where places are 10⁶ lengths off the origin. 1 at least. One that keeps no digits along any displacement, as a square at its zero, does not count.
   double amplification(const Vector& spans) const;
 };
 

@@ -28,6 +28,7 @@ UsualPlaces::UsualPlaces(Mechanics& mechanics, double time, RepeatedNumbers& num
   if (begin.is_solved) equations_.set(begin.position);
   begin_ = equations_.position();
   spans_ = spans_at(mechanics, equations_);
+  reaches_ = reaches();
 }
 
 bool UsualPlaces::next(double solved) {
@@ -57,11 +58,25 @@ bool UsualPlaces::is_elsewhere() {
 
 bool UsualPlaces::is_beyond(double part) const {
   const std::vector<double>& position = equations_.position();
-  const std::size_t count = std::min(spans_.size(), position.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    if (std::abs(position[i] - begin_[i]) > part * spans_[i]) return true;
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    if (reaches_[i] > 0 && std::abs(position[i] - begin_[i]) > part * reaches_[i]) return true;
   }
   return false;
+}
+
+/// A quaternion has a component more than angular velocities, and speeds may stand for several rates.
+std::vector<double> UsualPlaces::reaches() {
+  std::vector<double> result(begin_.size(), 0);
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    std::vector<double> along(spans_.size(), 0);
+    along[i] = spans_[i];
+    go_back();
+    equations_.move(along);
+    for (std::size_t k = 0; k < result.size(); ++k)
+      result[k] = std::max(result[k], std::abs(equations_.position()[k] - begin_[k]));
+  }
+  go_back();
+  return result;
 }
 
 double UsualPlaces::rounding() {

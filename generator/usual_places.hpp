@@ -36,14 +36,16 @@ class UsualPlaces {
 
  private:
   bool is_elsewhere();
-  bool is_beyond(double part) const;  ///< of a span from where the search began
+  bool is_beyond(double part) const;  ///< of a reach from where the search began
   std::vector<double> displacement(double part);
+  std::vector<double> reaches();
 
   PositionEquations equations_;
   RepeatedNumbers& numbers_;
   std::vector<double>
       begin_;  ///< a solution where one is found from the guess, else the guess; empty where it has no value
-  std::vector<double> spans_;
+  std::vector<double> spans_;    ///< of speeds
+  std::vector<double> reaches_;  ///< of configuration variables, over a span of any speed
   bool is_solution_ = false, came_back_ = false, went_on_ = false;
 };
 

@@ -11,7 +11,9 @@
 #include "evaluation.hpp"
 #include "generic_point.hpp"
 #include "least_step.hpp"
+#include "nearest_position.hpp"
 #include "repeated_numbers.hpp"
+#include "strategy/projection.hpp"
 #include "usual_places.hpp"
 
 namespace gaussgen {
@@ -56,11 +58,18 @@ UsualStates::UsualStates(Mechanics& mechanics) : mechanics_(mechanics) {
     return state;
   };
   for (int k = 0; k < k_states && places.next(k_solved); ++k) states_.push_back(state_here());
-  if (!places.came_back()) return;
-  places.go_back();
-  alone_ = state_here();
+  if (places.came_back()) {
+    places.go_back();
+    alone_ = state_here();
+  }
+  if (!are_known() && !alone_) return;
   places.go_beside();
   beside_ = state_here();
+  // Where branches meet, all that were found may be on another one than that on which the model starts.
+  const Approach start = long_approach(mechanics, strategy::open_positions(mechanics.model, mechanics.expressions), 0);
+  if (!are_known() || !start.is_solved) return;
+  places.equations().set(start.position);
+  states_.push_back(state_here());
 }
 
 evaluate::Evaluator<double> UsualStates::values_at(const State& state) const {
@@ -79,23 +88,28 @@ std::optional<std::size_t> UsualStates::rank(const strategy::Matrix& rows, doubl
   if (rows.empty()) return 0;
   std::size_t largest = 0;
   for (const State& state : states_) {
-    const auto here = rows_at(state, rows);
+    const auto here = rows_that_last(state, rows);
     if (!here) return std::nullopt;
     largest = std::max(largest, rank_of(*here, std::max(tolerance, state.rounding)));
   }
   return largest;
 }
 
-// A row that is small beside what it is elsewhere is what the place is off by, as that of a bar in line with others.
 std::optional<std::size_t> UsualStates::rank_where_alone(const strategy::Matrix& rows) const {
   if (!alone_ || rows.empty()) return std::nullopt;
-  auto here = rows_at(*alone_, rows);
+  const auto here = rows_that_last(*alone_, rows);
+  return here ? std::optional(rank_of(*here, std::max(k_double_root, alone_->rounding))) : std::nullopt;
+}
+
+// A row that is small beside what it is elsewhere is what the place is off by, as that of a bar in line with others.
+std::optional<Eigen::MatrixXd> UsualStates::rows_that_last(const State& state, const strategy::Matrix& rows) const {
+  auto here = rows_at(state, rows);
   const auto beside = rows_at(*beside_, rows);
-  if (!here || !beside) return std::nullopt;
+  if (!here || !beside) return here;
   for (Eigen::Index i = 0; i < here->rows(); ++i) {
     if (here->row(i).norm() <= k_double_root * beside->row(i).norm()) here->row(i).setZero();
   }
-  return rank_of(*here, std::max(k_double_root, alone_->rounding));
+  return here;
 }
 
 /// Over speeds of which inertias are 1.

@@ -35,10 +35,12 @@ class UsualStates {
 
   evaluate::Evaluator<double> values_at(const State& state) const;
   std::optional<Eigen::MatrixXd> rows_at(const State& state, const strategy::Matrix& rows) const;
+  std::optional<Eigen::MatrixXd> rows_that_last(const State& state, const strategy::Matrix& rows) const;
 
   Mechanics& mechanics_;
   std::vector<State> states_;
-  std::optional<State> alone_, beside_;
+  std::optional<State> alone_;
+  std::optional<State> beside_;  ///< not on the equations of positions
 };
 
 /// Sine of the angle to all others, with masses as the metric, below which a constraint follows from them: the model's, or that of emitted code in double.

@@ -10,15 +10,14 @@ using kinematics::ConstraintIndex;
 using kinematics::FreeIndex;
 
 Expr left_by_all(const Vector& b, const Vector& inertia, Expr size_of_all, Expr epsilon) {
-  const Expr zero(epsilon.graph(), epsilon.graph().constant(0));
-  Expr squares = zero, weighted = zero;
+  ir::Graph& graph = epsilon.graph();
+  const Expr zero(graph, graph.constant(0));
+  Expr response = zero;
   for (std::size_t i = 0; i < b.size(); ++i) {
-    if (b[i].is_zero()) continue;
-    squares += pow(b[i], 2);
-    weighted += pow(b[i], 2) * inertia[i];
+    if (b[i].is_zero() || inertia[i].is_zero()) continue;
+    response += select(less(zero, inertia[i]), pow(b[i], 2) / inertia[i], zero);
   }
-  const Expr left = support::Rational(10'000) * pow(epsilon, 2) * size_of_all * pow(squares, 2) / weighted;
-  return weighted.is_zero() ? zero : select(less(zero, weighted), left, zero);
+  return support::Rational(10'000) * pow(epsilon, 2) * size_of_all * response;
 }
 
 Expr PositionSize::number(int value) const {
