@@ -165,10 +165,11 @@ void ConstraintCheck::report_redundant(const Redundancy& found) {
   if (!found.is_exact && !mechanics_.model.rank_tolerance) {
     if (!has_general_way(mechanics_)) return;  // nothing is divided by what is small: the rows are told apart
     diagnostics_.warning(code::k_redundant_constraint, name.span,
-                         what + ": emitted code in double takes them as one, and status says dependent_constraints",
-                         "if it ought to follow, give numbers more digits, or say 'rank_tolerance: 1e-8'; if not, mind "
-                         "that the motion depends on a "
-                         "difference that rounding nearly covers");
+                         what +
+                             ": emitted code in double takes them as one, with status dependent_constraints unless "
+                             "rounding covers the difference altogether",
+                         "if it ought to follow, give numbers more digits, or say 'rank_tolerance: 1e-8'; if not, "
+                         "state the difference itself, since the motion depends on it");
     return;
   }
   const auto& redundant = mechanics_.solution.redundant;

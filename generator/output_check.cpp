@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <set>
 
+#include "artefact_builder.hpp"
 #include "artefacts.hpp"
 #include "support/error_codes.hpp"
+#include "usual_rank.hpp"
 
 namespace gaussgen {
 
@@ -75,16 +77,34 @@ void report_absent(const model::Model& model, const PipelineOptions& options, su
   }
 }
 
+/// Derivatives are those of the regular way, in which rows that follow from others are divided by what is zero.
+void report_without_derivatives(Mechanics& mechanics, const PipelineOptions& options,
+                                support::Diagnostics& diagnostics) {
+  const std::size_t l = mechanics.dynamics.l();
+  if (!has_general_way(mechanics) || usual_rank(mechanics) == l) return;
+  for (const model::Name& name : asked_for(mechanics.model, options)) {
+    if (name.text != "jacobian" && name.text != "sensitivities") continue;
+    diagnostics.warning(support::code::k_empty_output, name.span,
+                        fmt::format("the output '{}' has status dependent_constraints in every state: {} constraints "
+                                    "have rank {} wherever they hold",
+                                    name.text, l, usual_rank(mechanics)),
+                        "differentiate rhs by gauss::Dual numbers or differences (ByDifferences), or leave out the "
+                        "constraints that follow from others");
+  }
+}
+
 }  // namespace
 
-void check_outputs(const emit::Unit& unit, const model::Model& model, const PipelineOptions& options,
+void check_outputs(const emit::Unit& unit, Mechanics& mechanics, const PipelineOptions& options,
                    support::Diagnostics& diagnostics) {
-  report_absent(model, options, diagnostics, [&](const std::string& output) { return has(unit, output); });
+  report_absent(mechanics.model, options, diagnostics, [&](const std::string& output) { return has(unit, output); });
+  report_without_derivatives(mechanics, options, diagnostics);
 }
 
 void check_outputs(Mechanics& mechanics, const PipelineOptions& options, support::Diagnostics& diagnostics) {
   report_absent(mechanics.model, options, diagnostics,
                 [&](const std::string& output) { return has_output(output, mechanics); });
+  report_without_derivatives(mechanics, options, diagnostics);
 }
 
 }  // namespace gaussgen

@@ -183,7 +183,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   }
 
   const emit::Unit unit = build_unit(mechanics, source, options);
-  check_outputs(unit, mechanics.model, options, diagnostics);
+  check_outputs(unit, mechanics, options, diagnostics);
   check_range(mechanics.graph, unit, model->name, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   stages.took("artefacts", mechanics.graph);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double k_first_step = 1e-3;
 constexpr double k_rounding = 1e-14;  ///< of what a derivative is made of
-constexpr double k_gone = 1e-10;  ///< of what an equation is made of, over a span: less is what a place is off by
+constexpr double k_gone = 1e-10;      ///< of what an equation is made of, over a span: less is what a place is off by
 constexpr double k_turn = 6.283185307179586;
 
 }  // namespace

@@ -31,7 +31,7 @@
 //
 // Operations per call
 //                                  + -  *   /  sqrt  functions
-//   prepare                        11   52  5  2     0
+//   prepare                        11   49  5  2     0
 //   linear_system                  4    20  0  0     4
 //   rhs_regular                    16   39  2  0     4
 //   rhs_of_solution                0    0   0  0     0
@@ -52,11 +52,11 @@
 //   mass_matrix                    0    1   0  0     1
 //   project_system                 5    10  0  0     4
 //   project_regular                25   38  1  0     4
-//   project_of_solution            30   44  2  0     4
+//   project_of_solution            28   41  0  0     4
 //   project                        25   38  1  0     4
 //   initial_state_system           5    11  2  0     4
 //   initial_state_regular          16   48  4  0     4
-//   initial_state_of_solution      25   71  4  0     4
+//   initial_state_of_solution      21   63  4  0     4
 //   initial_state                  16   48  4  0     4
 
 #ifndef GAUSS_MODEL_GAUSS_SPHERE_IN_CYLINDER_HPP
@@ -1200,10 +1200,11 @@ struct Prepared {
   S r_2;                 ///< r^2
   S r_2_plus_rho_2;      ///< r^2 + (R - r)^2
   S c10;
-  S r_2_J;               ///< r^2 * J
-  S m_rho_4_plus_r_2_J;  ///< m * (R - r)^4 + r^2 * J
+  S r_2_over_J;          ///< r^2 / J
+  S c11;
   S epsilon_2;           ///< epsilon^2
-  S c11;                 ///< 64 * epsilon
+  S c12;                 ///< select(less(0, m), 1 / m, 0)
+  S c13;                 ///< 64 * epsilon
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -1388,13 +1389,13 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S r_minus_R = r - R;
   const S inv_m = S(1) / m;
   const S inv_J = S(1) / J;
-  const S S_rolling_around = inv_m + r_2 * inv_J;
+  const S r_2_over_J = r_2 * inv_J;
+  const S S_rolling_around = inv_m + r_2_over_J;
   const S inv_S_rolling_around = S(1) / S_rolling_around;
   const S t8 = S(20) * Math<S>::epsilon();
   const S S_rolling_around_3 = S_rolling_around * S_rolling_around * S_rolling_around;
   const S t9 = S(2) * r_2 + rho_2;
   const S t10 = S(1) + S(2) * r_2;
-  const S r_2_J = r_2 * J;
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -1437,10 +1438,12 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.r_2_plus_rho_2 = r_2 + rho_2;
   prepared.c10 = Math<S>::select(Math<S>::not_finite(S_rolling_around_3, t9 * t9 * t9, t10 * t10 * t10),
       S(0), S_rolling_around_3);
-  prepared.r_2_J = r_2_J;
-  prepared.m_rho_4_plus_r_2_J = m * rho_2 * rho_2 + r_2_J;
+  prepared.r_2_over_J = r_2_over_J;
+  prepared.c11 = Math<S>::select(Math<S>::less(S(0), J), r_2_over_J, S(0))
+      + Math<S>::select(Math<S>::less(S(0), G_chi_chi), inv_m, S(0));
   prepared.epsilon_2 = Math<S>::epsilon() * Math<S>::epsilon();
-  prepared.c11 = S(64) * Math<S>::epsilon();
+  prepared.c12 = Math<S>::select(Math<S>::less(S(0), m), inv_m, S(0));
+  prepared.c13 = S(64) * Math<S>::epsilon();
   return prepared;
 }
 
@@ -2853,11 +2856,11 @@ GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
   const S rho_2 = prepared.rho_2;
   const S r_minus_R = prepared.r_minus_R;
   const S r_2 = prepared.r_2;
-  const S r_2_plus_rho_2 = prepared.r_2_plus_rho_2;
-  const S r_2_J = prepared.r_2_J;
-  const S m_rho_4_plus_r_2_J = prepared.m_rho_4_plus_r_2_J;
-  const S epsilon_2 = prepared.epsilon_2;
+  const S r_2_over_J = prepared.r_2_over_J;
   const S c11 = prepared.c11;
+  const S epsilon_2 = prepared.epsilon_2;
+  const S c12 = prepared.c12;
+  const S c13 = prepared.c13;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S phi = from.phi();
@@ -2887,31 +2890,27 @@ GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
   const S phi_dot_new = phi_dot + phi_ddot;
   const S psi_dot_new = psi_dot + psi_ddot;
   const S theta_dot_new = theta_dot + theta_ddot;
-  const S cos_theta_2 = cos_theta * cos_theta;
-  const S t1 = m_rho_4_plus_r_2_J + r_2_J * cos_theta_2;
-  const S t2 = r_2_plus_rho_2 + r_2 * cos_theta_2;
-  const S zeta_dot_new_2 = zeta_dot_new * zeta_dot_new;
-  const S phi_dot_new_2 = phi_dot_new * phi_dot_new;
-  const S psi_dot_new_2 = psi_dot_new * psi_dot_new;
-  const S theta_dot_new_2 = theta_dot_new * theta_dot_new;
   const S chi_dot_new_2 = chi_dot_new * chi_dot_new;
-  const S t3 = S(10000) * epsilon_2
+  const S phi_dot_new_2 = phi_dot_new * phi_dot_new;
+  const S r_2_phi_dot_new_2 = r_2 * phi_dot_new_2;
+  const S psi_dot_new_2 = psi_dot_new * psi_dot_new;
+  const S zeta_dot_new_2 = zeta_dot_new * zeta_dot_new;
+  const S theta_dot_new_2 = theta_dot_new * theta_dot_new;
+  const S t1 = S(10000) * epsilon_2
       * (m * (zeta_dot * zeta_dot + zeta_dot_new_2) + G_chi_chi * (chi_dot * chi_dot + chi_dot_new_2)
       + J * (phi_dot * phi_dot + psi_dot * psi_dot + theta_dot * theta_dot + phi_dot_new_2 + psi_dot_new_2
       + theta_dot_new_2));
-  const S r_2_phi_dot_new_2 = r_2 * phi_dot_new_2;
+  const Bool t2 = Math<S>::less(S(0), J);
   const S r_phi_dot_new = r * phi_dot_new;
-  const S t4 = r * psi_dot_new - r_minus_R * chi_dot_new + r_phi_dot_new * cos_theta;
-  const S t5 = sin_chi_minus_psi * sin_chi_minus_psi
-      + sin_theta * sin_theta * cos_chi_minus_psi * cos_chi_minus_psi;
-  const S t6 = m + r_2_J * t5;
-  const S t7 = S(1) + r_2 * t5;
-  const S t8 = zeta_dot_new + r * theta_dot_new * sin_chi_minus_psi
+  const S t3 = r * psi_dot_new - r_minus_R * chi_dot_new + r_phi_dot_new * cos_theta;
+  const S t4 = zeta_dot_new + r * theta_dot_new * sin_chi_minus_psi
       + r_phi_dot_new * sin_theta * cos_chi_minus_psi;
-  const Bool t9 = Math<S>::any(Math<S>::less(Math<S>::select(Math<S>::less(S(0), t1), t3 * t2 * t2 / t1,
-      S(0)) + c11 * (rho_2 * chi_dot_new_2 + r_2_phi_dot_new_2 + r_2 * psi_dot_new_2), t4 * t4),
-      Math<S>::less(Math<S>::select(Math<S>::less(S(0), t6), t3 * t7 * t7 / t6, S(0))
-      + c11 * (zeta_dot_new_2 + r_2_phi_dot_new_2 + r_2 * theta_dot_new_2), t8 * t8));
+  const Bool t5 = Math<S>::any(Math<S>::less(c13 * (rho_2 * chi_dot_new_2 + r_2_phi_dot_new_2
+      + r_2 * psi_dot_new_2) + t1 * (c11 + Math<S>::select(t2, r_2_over_J * cos_theta * cos_theta, S(0))), t3
+      * t3), Math<S>::less(c13 * (zeta_dot_new_2 + r_2_phi_dot_new_2 + r_2 * theta_dot_new_2)
+      + t1 * (c12 + Math<S>::select(t2, r_2_over_J * sin_theta * sin_theta * cos_chi_minus_psi
+      * cos_chi_minus_psi, S(0))
+      + Math<S>::select(t2, r_2_over_J * sin_chi_minus_psi * sin_chi_minus_psi, S(0))), t4 * t4));
 
   state.chi() = chi;
   state.zeta() = zeta;
@@ -2926,7 +2925,7 @@ GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
 
   const Bool not_finite = Math<S>::not_finite(t, chi, zeta, phi, psi, theta, lambda_rolling_around,
       lambda_rolling_along, chi_dot_new, zeta_dot_new, phi_dot_new, psi_dot_new, theta_dot_new);
-  return Math<S>::status(Bool(false), Bool(false), not_finite, t9);
+  return Math<S>::status(Bool(false), Bool(false), not_finite, t5);
 }
 
 /// Of project: where constraints (nearly) follow from each other, or inertia is beyond all digits small. g a = f + b^T lambda
@@ -3166,31 +3165,33 @@ GAUSS_FUNCTION StatusOf<S> initial_state_of_solution(const Prepared<S>& prepared
   const S t1 = zeta_dot_0 * cos_psi_0 / r - omega_r_0 * sin_psi_0;
   const S phi_dot = -inv_sin_theta_0 * t1;
   const S r_2 = r * r;
-  const S cos_theta_0_2 = cos_theta_0 * cos_theta_0;
-  const S t2 = m * rho_2 * rho_2 + r_2 * J + r_2 * J * cos_theta_0_2;
-  const S epsilon_2 = Math<S>::epsilon() * Math<S>::epsilon();
-  const S t3 = r_2 + rho_2 + r_2 * cos_theta_0_2;
-  const S zeta_dot_0_2 = zeta_dot_0 * zeta_dot_0;
   const S psi_ddot_2 = psi_ddot * psi_ddot;
-  const S theta_ddot_2 = theta_ddot * theta_ddot;
   const S inv_sin_theta_0_2 = inv_sin_theta_0 * inv_sin_theta_0;
-  const S t4 = t1 * t1;
-  const S t5 = S(2) * m * zeta_dot_0_2 + S(32) * G_chi_chi + S(2) * J * inv_sin_theta_0_2 * t4
+  const S cos_theta_0_2 = cos_theta_0 * cos_theta_0;
+  const S t2 = t1 * t1;
+  const S epsilon_2 = Math<S>::epsilon() * Math<S>::epsilon();
+  const Bool t3 = Math<S>::less(S(0), J);
+  const S inv_J = S(1) / J;
+  const S inv_m = S(1) / m;
+  const S zeta_dot_0_2 = zeta_dot_0 * zeta_dot_0;
+  const S theta_ddot_2 = theta_ddot * theta_ddot;
+  const S t4 = S(2) * m * zeta_dot_0_2 + S(32) * G_chi_chi + S(2) * J * inv_sin_theta_0_2 * t2
       + J * psi_ddot_2 + J * theta_ddot_2;
-  const S t6 = S(4) * r - S(4) * R + r * inv_sin_theta_0 * cos_theta_0 * t1 - r * psi_ddot;
+  const S t5 = S(4) * r - S(4) * R + r * inv_sin_theta_0 * cos_theta_0 * t1 - r * psi_ddot;
+  const Bool t6 = Math<S>::less(S(64) * Math<S>::epsilon()
+      * (S(16) * rho_2 + r_2 * inv_sin_theta_0_2 * cos_theta_0_2 * t2 + r_2 * psi_ddot_2)
+      + S(10000) * epsilon_2
+      * (Math<S>::select(t3, r_2 * inv_J, S(0)) + Math<S>::select(t3, r_2 * inv_J * cos_theta_0_2, S(0))
+      + Math<S>::select(Math<S>::less(S(0), G_chi_chi), inv_m, S(0))) * t4, t5 * t5);
   const S sin_psi_0_2 = sin_psi_0 * sin_psi_0;
-  const S sin_theta_0_2 = sin_theta_0 * sin_theta_0;
   const S cos_psi_0_2 = cos_psi_0 * cos_psi_0;
-  const S t7 = m + r_2 * J * sin_psi_0_2 + r_2 * J * sin_theta_0_2 * cos_psi_0_2;
-  const S t8 = S(1) + r_2 * sin_psi_0_2 + r_2 * sin_theta_0_2 * cos_psi_0_2;
-  const S t9 = r * cos_psi_0 * t1 - zeta_dot_0 + r * theta_ddot * sin_psi_0;
-  const Bool t10 = Math<S>::any(Math<S>::less(Math<S>::select(Math<S>::less(S(0), t2), S(10000) * epsilon_2
-      * t3 * t3 * t5 / t2, S(0))
-      + S(64) * Math<S>::epsilon()
-      * (S(16) * rho_2 + r_2 * inv_sin_theta_0_2 * cos_theta_0_2 * t4 + r_2 * psi_ddot_2), t6 * t6),
-      Math<S>::less(Math<S>::select(Math<S>::less(S(0), t7), S(10000) * epsilon_2 * t8 * t8 * t5 / t7, S(0))
-      + S(64) * Math<S>::epsilon()
-      * (zeta_dot_0_2 + r_2 * cos_psi_0_2 * t4 + r_2 * sin_psi_0_2 * theta_ddot_2), t9 * t9));
+  const S t7 = S(64) * Math<S>::epsilon()
+      * (zeta_dot_0_2 + r_2 * cos_psi_0_2 * t2 + r_2 * sin_psi_0_2 * theta_ddot_2)
+      + S(10000) * epsilon_2
+      * (Math<S>::select(Math<S>::less(S(0), m), inv_m, S(0))
+      + Math<S>::select(t3, r_2 * inv_J * sin_psi_0_2, S(0))
+      + Math<S>::select(t3, r_2 * inv_J * sin_theta_0 * sin_theta_0 * cos_psi_0_2, S(0))) * t4;
+  const S t8 = r * cos_psi_0 * t1 - zeta_dot_0 + r * theta_ddot * sin_psi_0;
 
   state.chi() = S(0);
   state.zeta() = S(0);
@@ -3205,7 +3206,8 @@ GAUSS_FUNCTION StatusOf<S> initial_state_of_solution(const Prepared<S>& prepared
 
   const Bool not_finite = Math<S>::not_finite(chi_ddot, zeta_ddot, phi_ddot, psi_ddot, theta_ddot,
       lambda_rolling_around, lambda_rolling_along, phi_0, psi_0, theta_0, zeta_dot_0, phi_dot);
-  return Math<S>::status(Bool(false), Bool(false), not_finite, t10);
+  const Bool violated_constraints = Math<S>::any(t6, Math<S>::less(t7, t8 * t8));
+  return Math<S>::status(Bool(false), Bool(false), not_finite, violated_constraints);
 }
 
 /// Of initial_state: where constraints (nearly) follow from each other, or inertia is beyond all digits small. g a = f + b^T lambda

@@ -1,11 +1,14 @@
-// How far from the constraints `project` may begin, and what it leaves of them: the loop of the four-bar linkage, closed by hand here.
+// How far from the constraints `project` may begin, and what it leaves of them: the loop of the four-bar linkage, closed by hand here, and a disc that rolls.
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
+#include <vector>
 
 #include "catch_shim.hpp"
 #include "headers_plain/four_bar.hpp"
+#include "headers_plain/rolling_disc.hpp"
 
 namespace four_bar = gauss::four_bar;
 using gauss::Status;
@@ -76,4 +79,53 @@ TEST_CASE("from farther off, project arrives at rounding or says that it does no
     missed += 300 - from.arrived;
   }
   CHECK(missed > 100);
+}
+
+namespace {
+
+namespace disc = gauss::rolling_disc;
+
+/// States near rolling, in metres of which the disc has 2^-binary: components that are lengths or their rates are so many times as large.
+struct Rolled {
+  Status status;
+  disc::State<double> state;
+};
+
+std::vector<Rolled> rolled(int binary) {
+  disc::Parameters<double> p;
+  p.R = std::ldexp(p.R, binary);
+  p.g = std::ldexp(p.g, binary);
+  const auto prepared = prepare(p);
+  std::mt19937 engine(20261125);
+  std::uniform_real_distribution<double> up_to_one(-1, 1);
+  std::vector<Rolled> result;
+  for (int k = 0; k < 300; ++k) {
+    disc::State<double> at;
+    for (double& value : at.values) value = up_to_one(engine);
+    at.psi() = k % 3 == 0 ? std::acos(0.0) : 3 * at.psi();  // across: of a constraint, what is along x is rounding
+    at.theta() = 1.2;
+    for (double* length : {&at.x(), &at.y(), &at.x_dot(), &at.y_dot()}) *length = std::ldexp(*length, binary);
+    Rolled one{};
+    one.status = project(0.0, at, prepared, one.state);
+    for (double* length : {&one.state.x(), &one.state.y(), &one.state.x_dot(), &one.state.y_dot()})
+      *length = std::ldexp(*length, -binary);
+    result.push_back(one);
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("project says and does the same in any unit of length") {
+  const std::vector<Rolled> in_metres = rolled(0);
+  for (const int binary : {-60, -30, 30, 60}) {
+    const std::vector<Rolled> in_others = rolled(binary);
+    for (std::size_t k = 0; k < in_metres.size(); ++k) {
+      INFO("2^" << binary << ", state " << k);
+      CHECK(in_metres[k].status == Status::ok);
+      CHECK(in_others[k].status == in_metres[k].status);
+      CHECK(std::equal(std::begin(in_others[k].state.values), std::end(in_others[k].state.values),
+                       in_metres[k].state.values));
+    }
+  }
 }
