@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <set>
 
 #include "generic_point.hpp"
 #include "support/error_codes.hpp"
@@ -40,9 +42,31 @@ class StructureCheck {
     if (!model_.dependent.empty()) check_choice();
     for (const std::size_t force : mechanics_.kinematics.idle_forces) report_idle(model_.forces[force]);
     for (const std::size_t force : mechanics_.kinematics.inner_forces) report_inner(model_.forces[force]);
+    for (const model::Constraint& constraint : model_.constraints) check_contact(constraint);
   }
 
  private:
+  /// Of `rolls`, once for its rows. Where a `no_slip` in one direction is meant, as of a blade, a body takes its place along.
+  void check_contact(const model::Constraint& constraint) {
+    const auto* law = std::get_if<model::SlipLaw>(&constraint.law);
+    const auto* place = law != nullptr ? std::get_if<std::size_t>(&law->at) : nullptr;
+    const bool is_rolling = place != nullptr && constraint.may_vanish && *place != model::k_space;
+    if (!is_rolling || !is_part_of(*place, law->frame) || !contacts_.insert(constraint.name.span.begin).second) return;
+    const std::string point = model_.frames[*place].name.text;
+    diagnostics_.warning(support::code::k_carried_contact, constraint.span,
+                         fmt::format("'{}' rolls at '{}', a place of its own: that is a pin, and nothing rolls",
+                                     model_.frames[law->frame].name.text, point),
+                         "a contact moves over the body: put it on a frame that does not take part in the turn, or "
+                         "write where it is in space; "
+                         "for a pin, write 'coincide'");
+  }
+
+  bool is_part_of(std::size_t place, std::size_t frame) {
+    const auto& places = mechanics_.linkage->places;
+    return places[place] && places[frame] && places[place]->is_fixed && places[frame]->is_fixed &&
+           places[place]->link == places[frame]->link && places[frame]->link != kinematics::k_ground;
+  }
+
   void check_gradient(std::size_t mu) {
     if (generic_rank(at_generic_point_({mechanics_.dynamics.b[mu]})) > 0) return;
     report_no_gradient(model_.constraints[mu], diagnostics_);
@@ -130,6 +154,7 @@ class StructureCheck {
   const model::Model& model_;
   support::Diagnostics& diagnostics_;
   GenericPoint at_generic_point_;
+  std::set<std::uint32_t> contacts_;  ///< reported, by where they begin in the text
 };
 
 }  // namespace

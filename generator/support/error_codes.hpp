@@ -114,7 +114,8 @@ inline constexpr ErrorCode k_contradictory_start{
 inline constexpr ErrorCode k_undefined_start{"W052", "an initial state at which something has no value"};
 inline constexpr ErrorCode k_singular_start{"W053", "an initial state without accelerations"};
 inline constexpr ErrorCode k_dependent_start{"W057", "an initial state at which constraints follow from each other"};
-inline constexpr ErrorCode k_far_start{"W068", "guesses from which emitted code finds no start, or one that rounding decides"};
+inline constexpr ErrorCode k_far_start{"W068",
+                                       "guesses from which emitted code finds no start, or one that rounding decides"};
 inline constexpr ErrorCode k_chosen_start{"W059", "initial rates that the constraints do not determine"};
 
 // What the equations show about every configuration.
@@ -122,6 +123,7 @@ inline constexpr ErrorCode k_redundant_constraint{"W054", "a constraint that fol
 inline constexpr ErrorCode k_unsafe_choice{"W060", "a choice of dependent speeds that breaks down somewhere"};
 inline constexpr ErrorCode k_vanishing_gradient{"W071",
                                                 "a constraint that says nothing wherever it holds, as a square"};
+inline constexpr ErrorCode k_carried_contact{"W072", "what rolls on a point that it takes along"};
 inline constexpr ErrorCode k_singular_chart{"W070", "coordinates that do not describe every motion somewhere"};
 inline constexpr ErrorCode k_idle_point{"W058", "the point of a constraint whose force is not determined"};
 inline constexpr ErrorCode k_empty_output{"W066", "an output that is empty for this model"};
@@ -204,7 +206,7 @@ inline constexpr ErrorCode k_stage_codes[] = {
     code::k_singular_start,       code::k_dependent_start,  code::k_far_start,       code::k_chosen_start,
     code::k_redundant_constraint, code::k_unsafe_choice,    code::k_idle_point,      code::k_contradiction,
     code::k_contradictory_start,  code::k_empty_output,     code::k_no_tree,         code::k_singular_chart,
-    code::k_vanishing_gradient,
+    code::k_vanishing_gradient,   code::k_carried_contact,
 };
 
 }  // namespace gaussgen::support
