@@ -63,33 +63,39 @@ std::vector<model::Name> asked_for(const model::Model& model, const PipelineOpti
   return names;
 }
 
-template <class Has>
-void report_absent(const model::Model& model, const PipelineOptions& options, support::Diagnostics& diagnostics,
-                   const Has& has_output) {
-  std::set<std::string> seen;
-  for (const model::Name& name : asked_for(model, options)) {
-    if (!seen.insert(name.text).second || has_output(name.text)) continue;
-    const Absence absence = absence_of(name.text);
-    diagnostics.warning(
-        support::code::k_empty_output, name.span,
-        fmt::format("the output '{}' is left out, as this model has nothing for it: {}", name.text, absence.why),
-        absence.hint);
-  }
+void report_absent(const model::Name& name, support::Diagnostics& diagnostics) {
+  const Absence absence = absence_of(name.text);
+  diagnostics.warning(
+      support::code::k_empty_output, name.span,
+      fmt::format("the output '{}' is left out, as this model has nothing for it: {}", name.text, absence.why),
+      absence.hint);
 }
 
-/// Derivatives are those of the regular way, in which rows that follow from others are divided by what is zero.
-void report_without_derivatives(Mechanics& mechanics, const PipelineOptions& options,
-                                support::Diagnostics& diagnostics) {
+bool is_of_derivatives(const std::string& output) { return output == "jacobian" || output == "sensitivities"; }
+
+/// They are those of the regular way, in which rows that follow from others are divided by what is zero.
+void check_derivatives(const model::Name& name, Mechanics& mechanics, support::Diagnostics& diagnostics) {
   const std::size_t l = mechanics.dynamics.l();
   if (!has_general_way(mechanics) || usual_rank(mechanics) == l) return;
+  diagnostics.warning(support::code::k_empty_output, name.span,
+                      fmt::format("the output '{}' has status dependent_constraints in every state: {} constraints "
+                                  "have rank {} wherever they hold",
+                                  name.text, l, usual_rank(mechanics)),
+                      "differentiate rhs by gauss::Dual numbers or differences (ByDifferences), or leave out the "
+                      "constraints that follow from others");
+}
+
+template <class Has>
+void check_each(Mechanics& mechanics, const PipelineOptions& options, support::Diagnostics& diagnostics,
+                const Has& has_output) {
+  std::set<std::string> seen;
   for (const model::Name& name : asked_for(mechanics.model, options)) {
-    if (name.text != "jacobian" && name.text != "sensitivities") continue;
-    diagnostics.warning(support::code::k_empty_output, name.span,
-                        fmt::format("the output '{}' has status dependent_constraints in every state: {} constraints "
-                                    "have rank {} wherever they hold",
-                                    name.text, l, usual_rank(mechanics)),
-                        "differentiate rhs by gauss::Dual numbers or differences (ByDifferences), or leave out the "
-                        "constraints that follow from others");
+    if (!seen.insert(name.text).second) continue;
+    if (!has_output(name.text)) {
+      report_absent(name, diagnostics);
+    } else if (is_of_derivatives(name.text)) {
+      check_derivatives(name, mechanics, diagnostics);
+    }
   }
 }
 
@@ -97,14 +103,11 @@ void report_without_derivatives(Mechanics& mechanics, const PipelineOptions& opt
 
 void check_outputs(const emit::Unit& unit, Mechanics& mechanics, const PipelineOptions& options,
                    support::Diagnostics& diagnostics) {
-  report_absent(mechanics.model, options, diagnostics, [&](const std::string& output) { return has(unit, output); });
-  report_without_derivatives(mechanics, options, diagnostics);
+  check_each(mechanics, options, diagnostics, [&](const std::string& output) { return has(unit, output); });
 }
 
 void check_outputs(Mechanics& mechanics, const PipelineOptions& options, support::Diagnostics& diagnostics) {
-  report_absent(mechanics.model, options, diagnostics,
-                [&](const std::string& output) { return has_output(output, mechanics); });
-  report_without_derivatives(mechanics, options, diagnostics);
+  check_each(mechanics, options, diagnostics, [&](const std::string& output) { return has_output(output, mechanics); });
 }
 
 }  // namespace gaussgen

@@ -61,6 +61,7 @@ class StructureCheck {
                          "for a pin, write 'coincide'");
   }
 
+  /// On the same link: what a fixed joint holds is part of it, too, other than for inner forces, which the joint transmits.
   bool is_part_of(std::size_t place, std::size_t frame) {
     const auto& places = mechanics_.linkage->places;
     return places[place] && places[frame] && places[place]->is_fixed && places[frame]->is_fixed &&

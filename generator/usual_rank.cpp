@@ -66,8 +66,9 @@ UsualStates::UsualStates(Mechanics& mechanics) : mechanics_(mechanics) {
   places.go_beside();
   beside_ = state_here();
   // Where branches meet, all that were found may be on another one than that on which the model starts.
+  if (!are_known()) return;
   const Approach start = long_approach(mechanics, strategy::open_positions(mechanics.model, mechanics.expressions), 0);
-  if (!are_known() || !start.is_solved) return;
+  if (!start.is_solved) return;
   places.equations().set(start.position);
   states_.push_back(state_here());
 }

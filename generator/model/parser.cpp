@@ -33,8 +33,6 @@ constexpr double k_largest_exponent_growth = 1 << 14;  // before its exact value
 ///   power   = primary [ ^ unary ]
 ///   primary = number | name | name ( argument { , argument } ) | ( sum )
 ///   argument = sum [ (<|<=|>|>=) sum ], a comparison only as a condition of piecewise
-constexpr int k_most_faults = 100;
-
 class Parser {
  public:
   Parser(const spec::LocatedText& text, Tokens tokens, const KnownTables& tables, support::Diagnostics& diagnostics)
@@ -94,7 +92,8 @@ class Parser {
 
   /// A mistake after which reading goes on. One expression is found to have no more than anybody reads.
   void note(const support::ErrorCode& code, support::Span span, std::string message, std::string hint) {
-    if (!is_over_ && faults_ < k_most_faults) diagnostics_.error(code, span, std::move(message), std::move(hint));
+    if (!is_over_ && faults_ < support::k_most_findings)
+      diagnostics_.error(code, span, std::move(message), std::move(hint));
     ++faults_;
   }
 
@@ -160,7 +159,7 @@ class Parser {
     Ast base = primary();
     if (!accept(TokenKind::power)) return base;
     const Level level(*this);
-    const int faults = faults_;
+    const std::size_t faults = faults_;
     Ast exponent = unary();
     exponent = faults_ == faults ? fold_exponent(exponent) : broken_expression();
     std::vector<Ast> children;
@@ -470,7 +469,7 @@ class Parser {
   support::Diagnostics& diagnostics_;
   std::size_t next_ = 0;
   int depth_ = 0;
-  int faults_ = 0;
+  std::size_t faults_ = 0;
   bool is_over_ = false;
 };
 

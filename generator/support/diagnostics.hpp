@@ -1,6 +1,7 @@
 #pragma once
 // Errors of a model file, collected so that a user sees all of them at once.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,9 +36,12 @@ class Diagnostics {
   int errors_ = 0;
 };
 
+/// That anybody reads.
+inline constexpr std::size_t k_most_findings = 100;
+
 enum class Colour { none, ansi };
 
-/// Findings in the order of the text, no more than anybody reads. `left_out` becomes the number of the others.
+/// Findings in the order of the text, no more than k_most_findings. `left_out` becomes the number of the others.
 std::vector<Diagnostic> in_order(const Diagnostics& diagnostics, std::size_t& left_out);
 
 /// `file:line:col: error[E012]: message`, the source line, a caret, and `hint: …`; sorted by position.

@@ -15,7 +15,6 @@ namespace gaussgen::support {
 
 namespace {
 
-constexpr std::size_t k_most_findings = 100;
 constexpr std::size_t k_longest_text = 2000;
 constexpr int k_widest_line = 160;
 constexpr int k_columns_before_caret = 60;

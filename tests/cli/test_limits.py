@@ -15,8 +15,8 @@ from gauss_gen import MODELS, PARTICLE, PROGRAM, Program
 
 FLAGS = os.environ.get("GAUSS_FLAGS", "-O2")
 IS_SANITIZED = "sanitize" in FLAGS
-# Of the processor, as the user's time. A build with checks, or one that
-# is not optimised, takes longer: there, what is looked for are minutes.
+# Of the processor, as the user's time. A build with checks, or one that is not optimised, takes longer: there, what is looked
+# for are minutes.
 SECONDS = 2 if re.search("-O[23]", FLAGS) and not IS_SANITIZED else 10
 BYTES = 512 << 20
 LIBRARIES = 64 << 20

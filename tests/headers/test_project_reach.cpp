@@ -91,6 +91,10 @@ struct Rolled {
   disc::State<double> state;
 };
 
+void scale_lengths(disc::State<double>& state, int binary) {
+  for (double* length : {&state.x(), &state.y(), &state.x_dot(), &state.y_dot()}) *length = std::ldexp(*length, binary);
+}
+
 std::vector<Rolled> rolled(int binary) {
   disc::Parameters<double> p;
   p.R = std::ldexp(p.R, binary);
@@ -104,11 +108,10 @@ std::vector<Rolled> rolled(int binary) {
     for (double& value : at.values) value = up_to_one(engine);
     at.psi() = k % 3 == 0 ? std::acos(0.0) : 3 * at.psi();  // across: of a constraint, what is along x is rounding
     at.theta() = 1.2;
-    for (double* length : {&at.x(), &at.y(), &at.x_dot(), &at.y_dot()}) *length = std::ldexp(*length, binary);
+    scale_lengths(at, binary);
     Rolled one{};
     one.status = project(0.0, at, prepared, one.state);
-    for (double* length : {&one.state.x(), &one.state.y(), &one.state.x_dot(), &one.state.y_dot()})
-      *length = std::ldexp(*length, -binary);
+    scale_lengths(one.state, -binary);
     result.push_back(one);
   }
   return result;
