@@ -61,14 +61,15 @@ std::vector<emit::Artefact> joint_reactions_artefact(Mechanics& mechanics);
 /// Constraints that may lose their rank somewhere, in a model that is small enough.
 bool has_general_way(Mechanics& mechanics);
 
-/// metric a = f + bᵀ λ, b a + drift = 0. `off`: square of the part by which positions are off the equations that each constraint may follow from; zeros
-/// where nothing asks for it.
+/// metric a = f + bᵀ λ, b a + drift = 0. `off`: square of the part by which positions are off the equations that each constraint may follow from;
+/// `drift_error`: how far drifts may be off; zeros where nothing asks for them.
 struct LinearProblem {
   strategy::Matrix metric;
   strategy::Vector f;
   strategy::Matrix b;
   strategy::Vector drift;
   strategy::Vector off;
+  strategy::Vector drift_error;
 };
 
 /// Functions that fill the struct LinearSystem: of the accelerations, and of a given problem, which has as many speeds and rows.

@@ -7,6 +7,7 @@
 #include "artefact_builder.hpp"
 #include "ir/traverse.hpp"
 #include "strategy/bounds.hpp"
+#include "strategy/drift_error.hpp"
 #include "strategy/position_size.hpp"
 #include "strategy/row_groups.hpp"
 #include "usual_rank.hpp"
@@ -159,7 +160,11 @@ Artefact linear_system(const std::string& name, const LinearProblem& problem, Me
         "square of the part by which positions are off the equations that a row may follow from",
         {l},
         ids(problem.off)},
-       {"drift", "dphi/dt of each at constant speeds; of a step, what is left of it", {l}, ids(problem.drift)}});
+       {"drift", "dphi/dt of each at constant speeds; of a step, what is left of it", {l}, ids(problem.drift)},
+       {"drift_error",
+        "how far it may be off in this state, where it is asked whether constraints agree",
+        {l},
+        ids(problem.drift_error)}});
   Artefact system = builder.finish({});
   system.is_part = true;
   return system;
@@ -167,7 +172,10 @@ Artefact linear_system(const std::string& name, const LinearProblem& problem, Me
 
 Artefact linear_system_artefact(Mechanics& mechanics) {
   const strategy::Dynamics& dynamics = mechanics.dynamics;
-  return linear_system(k_system, {dynamics.g, dynamics.f, dynamics.b, dynamics.b_drift, parts_off(mechanics)},
+  const Vector off = parts_off(mechanics);
+  return linear_system(k_system,
+                       {dynamics.g, dynamics.f, dynamics.b, dynamics.b_drift, off,
+                        strategy::drift_errors(dynamics, off, mechanics.epsilon())},
                        mechanics);
 }
 

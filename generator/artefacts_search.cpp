@@ -101,7 +101,7 @@ class SearchArtefacts {
     const Vector no_forces(mechanics_.dynamics.n(), mechanics_.expressions.number(0));
     const Vector no_rows(mechanics_.dynamics.l(), mechanics_.expressions.number(0));
     Artefact system = linear_system(regular.name + k_system_of_step,
-                                    {open.g, no_forces, open.b, open.residuals, no_rows}, mechanics_);
+                                    {open.g, no_forces, open.b, open.residuals, no_rows, no_rows}, mechanics_);
     SearchStage given{stage.kind, stage.times, open.state, {}};
     Artefact of_solution = function(given, regular.name, "");
     of_solution.takes_start = regular.takes_start;

@@ -25,7 +25,7 @@ struct LinearSolution {
   S rank;            ///< of b, to the tolerance
   StatusOf<S>
       motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
-               ///< violated_constraints: they contradict each other
+      ///< violated_constraints: they contradict each other
   StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
@@ -110,7 +110,9 @@ class Constrained {
       row_scale_[mu] = reciprocal(usual, positive<S>(size));
       for (int i = 0; i < n; ++i) b_[mu][i] = row_scale_[mu] * b_[mu][i] * speed_scale_[i];
       // A row of zeros that asks for something is contradictory; its scale is lost.
-      c_[mu] = -Math<S>::select(Math<S>::less(S(0), size), row_scale_[mu], S(1)) * system.drift[mu];
+      const S of_demands = Math<S>::select(Math<S>::less(S(0), size), row_scale_[mu], S(1));
+      c_[mu] = -of_demands * system.drift[mu];
+      c_error_[mu] = of_demands * system.drift_error[mu];
     }
     find_lost_entries();
     for (int i = 0; i < n; ++i) {
@@ -290,19 +292,8 @@ class Constrained {
         const S takes_part = positive<S>(absolute<S>(null_[j][k]) - least);
         asked_[j] = asked_[j] * (S(1) - takes_part * of_positions[k]);
       }
-      for (int i = 0; i < n; ++i) is_asked_[j][i] = moved_by_row(j, i, least);
     }
-  }
-
-  /// 1: speed i is in row j, or in one that it follows from.
-  GAUSS_FUNCTION S moved_by_row(int j, int i, const S& least) const {
-    S shares[l];
-    for (int k = 0; k < l; ++k) shares[k] = positive<S>(absolute<S>(null_[j][k]) - least);
-    arrange_back(shares);
-    S is_moved = S(0);
-    for (int mu = 0; mu < l; ++mu)
-      is_moved = larger<S>(is_moved, shares[mu] * positive<S>(absolute<S>(b_[mu][i]) - least));
-    return is_moved;
+    arrange(c_error_);
   }
 
   GAUSS_FUNCTION S row_part(int k) const { return k < most ? is_row_[k < n ? k : 0] : S(0); }
@@ -350,18 +341,20 @@ class Constrained {
         size = size + absolute(term);
       }
       if (k < most) y[k] = rest * inverse_[k];
-      const S is_left = asked_[k] * positive<S>(absolute<S>(rest) - rounding_of_demands(c, k));
+      const S is_left = asked_[k] * positive<S>(absolute<S>(rest) - error_of_demands(c, k));
       contradiction = larger(contradiction, is_left * absolute(rest) * reciprocal(size, is_left));
     }
     return contradiction;
   }
 
-  /// Of what row k and those that it follows from ask for, and of what forces make of the speeds that they move.
-  GAUSS_FUNCTION S rounding_of_demands(const S (&c)[l], int k) const {
-    S largest = S(0);
-    for (int m = 0; m < l; ++m) largest = larger<S>(largest, absolute<S>(null_[k][m] * c[m]));
-    for (int i = 0; i < n; ++i) largest = larger<S>(largest, is_asked_[k][i] * absolute<S>(f_[i]));
-    return S(10000) * Math<S>::epsilon() * largest;
+  /// How far what row k and those that it follows from ask for may be off.
+  GAUSS_FUNCTION S error_of_demands(const S (&c)[l], int k) const {
+    S error = S(0);
+    for (int m = 0; m < l; ++m) {
+      const S rounding = S(10000) * Math<S>::epsilon() * absolute<S>(c[m]);
+      error = error + absolute<S>(null_[k][m]) * larger<S>(rounding, c_error_[m]);
+    }
+    return error;
   }
 
   /// R lambda = (Q^T (g a - f)) along the rows, of least norm.
@@ -438,16 +431,16 @@ class Constrained {
   S parts_[n][n];  ///< Q^T g Q
   MaskedLdl<S, n> free_;
   S null_[l][l];
-  S asked_[l];        ///< 1: a row is left that has to agree with the others
-  S is_asked_[l][n];  ///< 1: a speed is in it, or in those
+  S asked_[l];    ///< 1: a row is left that has to agree with the others
+  S c_error_[l];  ///< how far c may be off; as the rows were brought into their order
   MaskedLdl<S, l> shares_;
 };
 
 }  // namespace detail
 
 /// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, reach[l][n], not less than
-/// its entries in any configuration, drift[l], of_positions[l], 1 where a row is the derivative of an equation of positions and else 0, and off[l], the square of the part by which positions are off the
-/// equations that row mu may follow from.
+/// its entries in any configuration, drift[l] and drift_error[l], by how much it may be off; of_positions[l], 1 where a row is the derivative of an equation of positions and else 0, and off[l], the
+/// square of the part by which positions are off the equations that row mu may follow from.
 template <class System, class S, int n, int l>
 GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolution<S, n, l>& solution) noexcept {
   detail::Constrained<S, n, l>(system, rule).solve(solution);

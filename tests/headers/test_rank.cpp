@@ -78,6 +78,7 @@ struct TwoRows {
   double of_positions[2] = {0, 0};
   double off[2] = {0, 0};
   double drift[2] = {0, 0};
+  double drift_error[2] = {0, 0};
 };
 
 /// Two rows at an angle of 1e-6, of which positions are off by 1e-4, and two at 1e-7, of which none are.
@@ -89,6 +90,7 @@ struct TwoPairs {
   double of_positions[4] = {1, 1, 0, 0};
   double off[4] = {1e-8, 1e-8, 0, 0};
   double drift[4] = {0, 0, 0, 0};
+  double drift_error[4] = {0, 0, 0, 0};
 };
 
 int rank_at(double angle, const gauss::RankRule<double>& rule) {

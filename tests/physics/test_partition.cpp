@@ -443,6 +443,7 @@ struct SameTwice {
   double of_positions[2] = {0, 0};
   double off[2] = {0, 0};
   double drift[2] = {0.5, 1};
+  double drift_error[2] = {0, 0};
 };
 
 /// Whether the partition of rank 1 is enough.

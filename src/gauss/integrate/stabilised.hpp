@@ -106,6 +106,7 @@ class Stabilised : public ModelDecorator<Stabilised<Base, Residuals, Metric>, Ba
     Scalar g[n][n], f[n], b[l][n], reach[l][n], drift[l];
     Scalar of_positions[l] = {};  ///< nobody asks: rule_of
     Scalar off[l] = {};
+    Scalar drift_error[l] = {};
   };
 
   static Rows all_rows() {
