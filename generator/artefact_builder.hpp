@@ -79,6 +79,9 @@ emit::Artefact linear_system(const std::string& name, const LinearProblem& probl
 /// A function in its own way and from a given solution, both under other names then, and the one that calls them. Of `ways` the rest is given.
 std::vector<emit::Artefact> two_ways(emit::Artefact regular, emit::Artefact of_solution, emit::TwoWays ways);
 
+/// A function that has no other way than the general solution of the accelerations, to whose derivatives `rates` leaves some entries.
+std::vector<emit::Artefact> of_general_solution(emit::Artefact of_solution, emit::Rates rates, Mechanics& mechanics);
+
 /// What `build` makes, in two ways each where the model has a general one; `shows_multipliers`: results contain them, or what follows from single
 /// ones.
 using ArtefactsOf = std::function<std::vector<emit::Artefact>(Mechanics&)>;

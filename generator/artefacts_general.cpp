@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "artefact_builder.hpp"
+#include "given_solution.hpp"
 #include "ir/traverse.hpp"
 #include "strategy/bounds.hpp"
 #include "strategy/drift_error.hpp"
@@ -40,47 +41,6 @@ bool may_lose_rank(Expr dependent) {
     return node.kind == ir::Kind::symbol && graph.symbol(node.symbol).symbol_class == ir::SymbolClass::epsilon;
   });
 }
-
-/// While it lasts, accelerations and multipliers are those that a caller hands over.
-class GivenSolution {
- public:
-  explicit GivenSolution(Mechanics& mechanics)
-      : mechanics_(mechanics), solution_(mechanics.solution), held_reactions_(mechanics.held_reactions) {
-    const Expr never = mechanics.expressions.number(0);
-    strategy::Solution given{candidate_accelerations(mechanics),
-                             given_multipliers(mechanics),
-                             never,
-                             never,
-                             solution_.description,
-                             {},
-                             {},
-                             {}};
-    mechanics.solution = std::move(given);
-    mechanics.held_reactions =
-        strategy::held_reactions(mechanics.model, mechanics.dynamics, mechanics.solution, mechanics.steps);
-  }
-  ~GivenSolution() {
-    mechanics_.solution = std::move(solution_);
-    mechanics_.held_reactions = std::move(held_reactions_);
-  }
-  GivenSolution(const GivenSolution&) = delete;
-  GivenSolution& operator=(const GivenSolution&) = delete;
-
- private:
-  static Vector given_multipliers(Mechanics& mechanics) {
-    if (mechanics.multipliers.empty()) {
-      for (const std::string& name : mechanics.dynamics.constraints)
-        mechanics.multipliers.push_back(mechanics.graph.declare(ir::SymbolClass::opaque, "lambda_" + name));
-    }
-    Vector given;
-    for (const ir::SymbolId symbol : mechanics.multipliers) given.push_back(mechanics.expressions.symbol(symbol));
-    return given;
-  }
-
-  Mechanics& mechanics_;
-  strategy::Solution solution_;
-  Vector held_reactions_;
-};
 
 /// What a caller sees, without values.
 Artefact caller_of(const Artefact& regular) {
@@ -196,6 +156,20 @@ std::vector<Artefact> two_ways(Artefact regular, Artefact of_solution, emit::Two
   result.push_back(std::move(of_solution));
   result.push_back(std::move(caller));
   return result;
+}
+
+std::vector<Artefact> of_general_solution(Artefact of_solution, emit::Rates rates, Mechanics& mechanics) {
+  emit::TwoWays ways{{},
+                     k_system,
+                     {},
+                     static_cast<int>(usual_rank(mechanics)),
+                     static_cast<int>(mechanics.dynamics.l()),
+                     emit::Shown::motion,
+                     mechanics.kinematics.has_positions(),
+                     mechanics.model.rank_tolerance,
+                     std::move(rates)};
+  Artefact as_caller = caller_of(of_solution);
+  return two_ways(std::move(as_caller), std::move(of_solution), std::move(ways));
 }
 
 std::vector<Artefact> in_two_ways(const ArtefactsOf& build, bool shows_multipliers, Mechanics& mechanics) {

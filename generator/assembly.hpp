@@ -35,7 +35,7 @@ struct FoundStart {
 
 /// Emitted code takes eight steps of Newton's method from the guesses. Where these do not arrive and a longer search does, the position
 /// that it finds takes the place of the guesses, angles within half a turn of them; given values stay. So does one that the steps come to if it depends on
-/// which they take of equations that follow from others, and one with angles more than a turn from their guesses, less the turns. Nothing where the guesses serve, or where no search helps.
+/// which they take of equations that follow from others, and one with angles more than half a turn from their guesses, less the turns. Nothing where the guesses serve, or where no search helps.
 FoundStart improve_guesses(Mechanics& mechanics, model::Model& model, double time = 0);
 
 /// Warns of them.

@@ -97,10 +97,10 @@ void ConstraintCheck::report_redundant() {
     const auto elsewhere =
         found.everywhere ? agree_elsewhere(mechanics_, found.others, independent(), found.index, part) : std::nullopt;
     const bool is_same = !all.empty() && all.back().everywhere == found.everywhere &&
-                         all.back().agrees_elsewhere == elsewhere &&
+                         all.back().by_another == found.by_another && all.back().agrees_elsewhere == elsewhere &&
                          all.back().others.empty() == found.others.empty() && all.back().is_exact == found.is_exact &&
                          mechanics_.model.constraints[all.back().rows.back()].name.span.begin == begin;
-    if (!is_same) all.push_back({{}, {}, found.everywhere, found.is_exact, elsewhere});
+    if (!is_same) all.push_back({{}, {}, found.everywhere, found.by_another, found.is_exact, elsewhere});
     all.back().rows.push_back(found.index);
     all.back().others.insert(found.others.begin(), found.others.end());
   }
@@ -157,6 +157,7 @@ void ConstraintCheck::report_redundant(const Redundancy& found) {
   const model::Name& name = mechanics_.model.constraints[first].name;
   std::string what = dependence_in(mechanics_, found.rows, {found.others.begin(), found.others.end()});
   if (!found.is_exact) what += fmt::format(" up to an angle below {:.1g}", rank_tolerance(mechanics_.model));
+  if (found.by_another) what += " at the initial state (elsewhere, another constraint follows)";
   if (!found.everywhere) {
     diagnostics_.warning(code::k_dependent_start, name.span, what + " at the initial state",
                          remedy_at_start(mechanics_.model.constraints[first]));

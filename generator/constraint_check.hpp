@@ -44,6 +44,7 @@ class ConstraintCheck {
     std::vector<std::size_t> rows;
     std::set<std::size_t> others;
     bool everywhere = false;
+    bool by_another = false;
     bool is_exact = true;
     std::optional<bool> agrees_elsewhere;
   };

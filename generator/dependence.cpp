@@ -308,12 +308,14 @@ std::vector<Dependence> dependences(Mechanics& mechanics, ModelValues& values) {
         combination(*here, is_exact ? independent : that_matter(seen, independent, row, tolerance), row);
     const Agreement agreement = agreement_of(found, is_exact, mechanics, values);
     found.rows.pop_back();
-    result.push_back({row, std::move(found.rows), false, agreement, is_exact});
+    result.push_back({row, std::move(found.rows), false, false, agreement, is_exact});
   }
   if (result.empty()) return result;
   const Rows everywhere = dependent_rows(order, rank_everywhere(mechanics, values), independent);
   for (Dependence& found : result) {
-    found.everywhere = std::find(everywhere.begin(), everywhere.end(), found.index) != everywhere.end();
+    const bool is_there = std::find(everywhere.begin(), everywhere.end(), found.index) != everywhere.end();
+    found.everywhere = is_there || everywhere.size() == result.size();
+    found.by_another = found.everywhere && !is_there;
   }
   return result;
 }

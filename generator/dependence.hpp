@@ -21,7 +21,8 @@ struct Dependence {
   std::size_t index = 0;            ///< into Model::constraints
   std::vector<std::size_t> others;  ///< those that it takes, no more; none where the gradient is zero
   bool everywhere =
-      false;  ///< not at this state only, but wherever the equations of positions hold: numbers show it, not the form of the expressions
+      false;  ///< as many follow from others wherever the equations of positions hold: numbers show it, not the form of the expressions
+  bool by_another = false;  ///< then: elsewhere this one does not, but another in its place
   Agreement agreement = Agreement::agree;
   bool is_exact = true;  ///< false: it has a part of its own, below the tolerance of ranks
 };

@@ -68,6 +68,19 @@ Derivatives::Derivatives(Mechanics& mechanics, std::vector<Variable> variables, 
 }
 
 void Derivatives::by(std::size_t variable) {
+  begin(variable);
+  if (mechanics_.dynamics.n() == 0) return;
+  const std::string& name = variables_[variable].name;
+  if (method_ == DerivativeMethod::implicit) solve(name);
+  if (method_ == DerivativeMethod::links) solve_along_links(name);
+}
+
+strategy::Dynamics Derivatives::sides_by(std::size_t variable) {
+  begin(variable);
+  return sides(variables_[variable].name);
+}
+
+void Derivatives::begin(std::size_t variable) {
   const auto& [symbol, name] = variables_[variable];
   along_.emplace(mechanics_.graph);
   along_->seed(symbol, Expr(mechanics_.graph, mechanics_.graph.constant(1)));
@@ -77,9 +90,6 @@ void Derivatives::by(std::size_t variable) {
   } else {
     along_->skip_others(dependence_, variable);
   }
-  if (mechanics_.dynamics.n() == 0) return;
-  if (method_ == DerivativeMethod::implicit) solve(name);
-  if (method_ == DerivativeMethod::links) solve_along_links(name);
 }
 
 Vector Derivatives::operator()(const Vector& functions) {
@@ -105,7 +115,7 @@ void Derivatives::seed_formulas(SymbolId symbol) {
   }
 }
 
-void Derivatives::solve(const std::string& name) {
+strategy::Dynamics Derivatives::sides(const std::string& name) {
   const strategy::Dynamics& given = mechanics_.dynamics;
   const strategy::Solution& solution = mechanics_.solution;
   strategy::Dynamics other = given;
@@ -124,7 +134,13 @@ void Derivatives::solve(const std::string& name) {
     for (std::size_t j = 0; j < given.n(); ++j) drift += along(given.b[mu][j]) * solution.accelerations[j];
     other.b_drift[mu] = steps_.name(drift, "drift_" + given.constraints[mu] + "_by_" + name);
   }
-  const strategy::Solution rates = solved_again(mechanics_, other, steps_);
+  return other;
+}
+
+void Derivatives::solve(const std::string& name) {
+  const strategy::Dynamics& given = mechanics_.dynamics;
+  const strategy::Solution& solution = mechanics_.solution;
+  const strategy::Solution rates = solved_again(mechanics_, sides(name), steps_);
   for (std::size_t i = 0; i < given.n(); ++i) along_->take(solution.accelerations[i], rates.accelerations[i]);
   for (std::size_t mu = 0; mu < given.l(); ++mu) along_->take(solution.multipliers[mu], rates.multipliers[mu]);
 }

@@ -51,11 +51,16 @@ class Derivatives {
   /// From here on `operator()` is the derivative by the variable of this index.
   void by(std::size_t variable);
 
+  /// The same with accelerations and multipliers as they are: forces and drifts that their derivatives by it are the answer to.
+  strategy::Dynamics sides_by(std::size_t variable);
+
   ir::Expr operator()(ir::Expr function) { return (*along_)(function); }
   strategy::Vector operator()(const strategy::Vector& functions);
 
  private:
+  void begin(std::size_t variable);
   void seed_formulas(ir::SymbolId symbol);
+  strategy::Dynamics sides(const std::string& name);
   void solve(const std::string& name);
   void solve_along_links(const std::string& name);
   void follow(const strategy::Limb& limb, std::size_t index, ir::Directional& response);

@@ -6,6 +6,7 @@
 
 #include "description.hpp"
 #include "dumps.hpp"
+#include "model/turning.hpp"
 #include "support/suggest.hpp"
 
 namespace gaussgen {
@@ -28,8 +29,6 @@ std::string joined_names(const std::vector<model::Name>& names) {
   for (const model::Name& name : names) words.push_back(name.text);
   return support::joined(words);
 }
-
-const char* word_of(model::Axes axes) { return axes == model::Axes::space ? "space" : "body"; }
 
 class ModelText {
  public:
@@ -117,12 +116,15 @@ class ModelText {
   void add(const model::Orientation& orientation) {
     const auto& e = orientation.quaternion;
     const auto& w = orientation.angular_velocity;
-    text_ +=
-        fmt::format("  {}: unit quaternion, body to space{}", orientation.name.text, remarks("", orientation.about));
+    const auto index = static_cast<std::size_t>(&orientation - model_.orientations.data());
+    const std::string outer = model::outer_frame(model_, index);
+    text_ += fmt::format("  {}: unit quaternion, body to {}{}", orientation.name.text, outer,
+                         remarks("", orientation.about));
     text_ += fmt::format("    quaternion [{}], initial {}\n", joined_names({e.begin(), e.end()}),
                          written(orientation.initial));
-    text_ += fmt::format("    angular velocity [{}] in the {} frame, initial {}  [rad/s]\n",
-                         joined_names({w.begin(), w.end()}), word_of(orientation.axes),
+    text_ += fmt::format("    angular velocity [{}]{} in the {} frame, initial {}  [rad/s]\n",
+                         joined_names({w.begin(), w.end()}), outer == "space" ? "" : " relative to " + outer,
+                         orientation.axes == model::Axes::space ? outer : "body",
                          written(orientation.initial_angular_velocity));
   }
 

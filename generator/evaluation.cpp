@@ -187,8 +187,13 @@ class Report {
     for (const auto a : mechanics_.symbols.speeds.indices())
       mechanics_.solution.accelerations[a.value] = mechanics_.expressions.number(found->accelerations[a.value]);
     take_multipliers(found->multipliers);
-    is_motion_known_ =
-        std::all_of(dependences_.begin(), dependences_.end(), [](const Dependence& one) { return one.everywhere; });
+    is_motion_known_ = depend_as_usual();
+  }
+
+  bool depend_as_usual() const {
+    return std::all_of(dependences_.begin(), dependences_.end(), [](const Dependence& one) {
+      return one.everywhere && one.agreement == Agreement::agree;
+    });
   }
 
   void take_multipliers(const std::vector<support::Rational>& multipliers) {
@@ -211,7 +216,10 @@ class Report {
     for (const auto a : mechanics_.symbols.speeds.indices())
       mechanics_.solution.accelerations[a.value] =
           ir::partial(mechanics_.kinematics.speeds_at_rest[a], mechanics_.symbols.time);
-    take_multipliers(*resting_);
+    const auto least =
+        dependences_.empty() ? std::nullopt : least_multipliers(mechanics_, value_of_, dependences_, *resting_);
+    take_multipliers(least.value_or(*resting_));
+    is_motion_known_ = depend_as_usual();
   }
 
   // From here on everything is about the motion that is wanted, made by the forces `missing`: the least ones leave multipliers as they

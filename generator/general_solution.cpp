@@ -128,9 +128,8 @@ cl_F without_rounding(const cl_F& sum, const cl_F& size) {
   return cln::abs(sum) <= cln::scale_float(size, -3 * (digits / 4)) ? cln::cl_float(0, sum) : sum;
 }
 
-/// With rows B = C B_rows: λ = C (Cᵀ C)⁻¹ λ_rows is the least that does the same as λ_rows.
-std::optional<Vector> least_multipliers(const System& system, const std::vector<std::size_t>& rows,
-                                        const Vector& basic) {
+/// Rows B with each row scaled, B = C B_rows: of all λ with Bᵀ λ = f, the least is C (Cᵀ C)⁻¹ (B_rows B_rowsᵀ)⁻¹ B_rows f.
+std::optional<Vector> least_multipliers(const System& system, const std::vector<std::size_t>& rows, const Vector& f) {
   Vector result(system.l(), cln::cl_float(0, system.g(0, 0)));
   if (rows.empty()) return result;
   const Vector scales = RowScales(system)();
@@ -148,15 +147,24 @@ std::optional<Vector> least_multipliers(const System& system, const std::vector<
     if (!found) return std::nullopt;
     for (std::size_t k = 0; k < rows.size(); ++k) combinations(mu, k) = (*found)[k];
   }
-  Vector scaled;
-  for (std::size_t k = 0; k < rows.size(); ++k) scaled.push_back(basic[k] / scales[rows[k]]);
-  const auto shares = evaluate::solve(multiply(transposed(combinations), combinations), scaled);
+  const auto of_rows = evaluate::solve(gram, multiply(some, f));
+  if (!of_rows) return std::nullopt;
+  const auto shares = evaluate::solve(multiply(transposed(combinations), combinations), *of_rows);
   if (!shares) return std::nullopt;
   const Vector least = multiply(combinations, *shares);
   cl_F largest = cln::cl_float(0, system.g(0, 0));
   for (const cl_F& value : least) largest = cln::max(largest, cln::abs(value));
   for (std::size_t mu = 0; mu < system.l(); ++mu) result[mu] = scales[mu] * without_rounding(least[mu], largest);
   return result;
+}
+
+/// Bᵀ λ of these rows.
+Vector forces_of(const System& system, const std::vector<std::size_t>& rows, const Vector& multipliers) {
+  Vector f(system.n(), cln::cl_float(0, system.g(0, 0)));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (std::size_t i = 0; i < system.n(); ++i) f[i] = f[i] + system.b(rows[k], i) * multipliers[k];
+  }
+  return f;
 }
 
 /// Against what the equation of motion of each is made of.
@@ -191,10 +199,22 @@ std::optional<GeneralSolution> general_solution(Mechanics& mechanics, ModelValue
   const auto end = basic->begin() + static_cast<std::ptrdiff_t>(system->n());
   Vector accelerations(basic->begin(), end);
   const Vector of_rows(end, basic->end());
-  const std::optional<Vector> multipliers = least_multipliers(*system, rows, of_rows);
+  const std::optional<Vector> multipliers = least_multipliers(*system, rows, forces_of(*system, rows, of_rows));
   if (!multipliers) return std::nullopt;
   clean_accelerations(*system, *multipliers, accelerations);
   return GeneralSolution{exact(accelerations), exact(*multipliers)};
+}
+
+std::optional<std::vector<support::Rational>> least_multipliers(Mechanics& mechanics, ModelValues& values,
+                                                                const std::vector<Dependence>& dependent,
+                                                                const std::vector<support::Rational>& multipliers) {
+  const std::optional<System> system = system_at(mechanics, values);
+  if (!system) return std::nullopt;
+  const std::vector<std::size_t> all = independent_rows(*system, {});
+  Vector given;
+  for (const support::Rational& multiplier : multipliers) given.push_back(values.number(multiplier));
+  const auto least = least_multipliers(*system, independent_rows(*system, dependent), forces_of(*system, all, given));
+  return least ? std::optional(exact(*least)) : std::nullopt;
 }
 
 bool is_undetermined(Mechanics& mechanics, ModelValues& values, const std::vector<Dependence>& dependent) {

@@ -18,6 +18,11 @@ struct GeneralSolution {
 std::optional<GeneralSolution> general_solution(Mechanics& mechanics, ModelValues& values,
                                                 const std::vector<Dependence>& dependent);
 
+/// Of those that do the same as `multipliers`, the least; nothing where an entry has no value.
+std::optional<std::vector<support::Rational>> least_multipliers(Mechanics& mechanics, ModelValues& values,
+                                                                const std::vector<Dependence>& dependent,
+                                                                const std::vector<support::Rational>& multipliers);
+
 /// Whether there is none since neither inertia nor the constraints that are left determine some acceleration.
 bool is_undetermined(Mechanics& mechanics, ModelValues& values, const std::vector<Dependence>& dependent);
 

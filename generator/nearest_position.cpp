@@ -36,7 +36,6 @@ constexpr double k_noise = 1e-14;  ///< f of what it is made of, in that sum
 constexpr double k_most_damping = 1e12;
 constexpr double k_turned_back = 1e-9;  ///< f of what it is made of, before steps to what is near
 constexpr double k_near = 1e-3;         ///< of a span
-constexpr double k_turn = 6.283185307179586;
 constexpr double k_part = 1e-9;  ///< of the largest: less is rounding
 
 Eigen::Map<const Eigen::VectorXd> mapped(const Vector& v) { return {v.data(), static_cast<Eigen::Index>(v.size())}; }
@@ -351,15 +350,8 @@ std::optional<Vector> less_whole_turns(Mechanics& mechanics, const Vector& posit
   PositionEquations equations(mechanics, std::vector<bool>(mechanics.dynamics.n(), true), time);
   const std::size_t count = mechanics.symbols.plain_count();
   if (!equations.start()) return std::nullopt;
-  const Vector guess = equations.position();
-  const auto is_far = [&](const Vector& q) {
-    for (std::size_t i = 0; i < count; ++i) {
-      if (equations.may_be_angle(i) && std::abs(q[i] - guess[i]) > k_turn) return true;
-    }
-    return false;
-  };
   equations.set(position);
-  if (!is_far(position) || !unwind(equations, count)) return std::nullopt;
+  if (!unwind(equations, count)) return std::nullopt;
   polish(equations, spans_at(mechanics, equations));
   return equations.position();
 }

@@ -45,7 +45,7 @@ Approach emitted_approach(Mechanics& mechanics, const std::vector<bool>& movable
 bool is_held_from(Mechanics& mechanics, const std::vector<bool>& movable, const std::vector<double>& position,
                   double time);
 
-/// This position, with angles that are more than a turn from their guesses brought back by whole turns; nothing where there are none, or where it is not a solution then, as of
+/// This position, with angles that are more than half a turn from their guesses brought back by whole turns; nothing where there are none, or where it is not a solution then, as of
 /// a rack and its wheel.
 std::optional<std::vector<double>> less_whole_turns(Mechanics& mechanics, const std::vector<double>& position,
                                                     double time);

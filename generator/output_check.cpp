@@ -71,18 +71,17 @@ void report_absent(const model::Name& name, support::Diagnostics& diagnostics) {
       absence.hint);
 }
 
-bool is_of_derivatives(const std::string& output) { return output == "jacobian" || output == "sensitivities"; }
-
-/// They are those of the regular way, in which rows that follow from others are divided by what is zero.
-void check_derivatives(const model::Name& name, Mechanics& mechanics, support::Diagnostics& diagnostics) {
+/// They are those of the regular way, in which rows that follow from others are divided by what is zero: with other parameters these may follow no longer.
+void check_sensitivities(const model::Name& name, Mechanics& mechanics, support::Diagnostics& diagnostics) {
   const std::size_t l = mechanics.dynamics.l();
   if (!has_general_way(mechanics) || usual_rank(mechanics) == l) return;
-  diagnostics.warning(support::code::k_empty_output, name.span,
-                      fmt::format("the output '{}' has status dependent_constraints in every state: {} constraints "
-                                  "have rank {} wherever they hold",
-                                  name.text, l, usual_rank(mechanics)),
-                      "differentiate rhs by gauss::Dual numbers or differences (ByDifferences), or leave out the "
-                      "constraints that follow from others");
+  diagnostics.warning(
+      support::code::k_empty_output, name.span,
+      fmt::format("the output '{}' has status dependent_constraints in every state: {} constraints "
+                  "have rank {} wherever they hold",
+                  name.text, l, usual_rank(mechanics)),
+      "differentiate rhs by gauss::Dual numbers or differences, or leave out the constraints that follow from "
+      "others");
 }
 
 template <class Has>
@@ -93,8 +92,8 @@ void check_each(Mechanics& mechanics, const PipelineOptions& options, support::D
     if (!seen.insert(name.text).second) continue;
     if (!has_output(name.text)) {
       report_absent(name, diagnostics);
-    } else if (is_of_derivatives(name.text)) {
-      check_derivatives(name, mechanics, diagnostics);
+    } else if (name.text == "sensitivities") {
+      check_sensitivities(name, mechanics, diagnostics);
     }
   }
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "open_rates.hpp"
 #include "support/suggest.hpp"
 
@@ -30,23 +32,49 @@ std::vector<bool> stated_positions(const model::Model& model) {
   return result;
 }
 
-std::string remedy_of_positions(const Mechanics& mechanics, const kinematics::ConstraintRow& row, ModelValues& values) {
-  std::vector<std::string> given;
-  std::vector<std::string> open;
+void add_once(const std::string& name, std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+/// What moves an equation of positions: coordinates, and orientations by their names.
+struct Movers {
+  std::vector<std::string> given, open, given_orientations, open_orientations;
+};
+
+Movers movers_of(const Mechanics& mechanics, const kinematics::ConstraintRow& row, ModelValues& values) {
+  Movers result;
   const std::vector<bool> is_given = stated_positions(mechanics.model);
+  const std::size_t count = mechanics.symbols.plain_count();
   for (const auto i : mechanics.symbols.speeds.indices()) {
     const auto b = values(row.beta[mechanics.symbols.full(i)].id());
     if (!b || cln::zerop(*b)) continue;
-    (is_given[i.value] ? given : open).push_back(mechanics.symbols.speeds[i].label);
+    if (i.value < count) {
+      (is_given[i.value] ? result.given : result.open).push_back(mechanics.symbols.speeds[i].label);
+    } else {
+      const std::string& name = mechanics.model.orientations[(i.value - count) / 3].name.text;
+      add_once("'" + name + "'", is_given[i.value] ? result.given_orientations : result.open_orientations);
+    }
   }
-  if (!open.empty()) {
+  return result;
+}
+
+std::string remedy_of_positions(const Mechanics& mechanics, const kinematics::ConstraintRow& row, ModelValues& values) {
+  const Movers movers = movers_of(mechanics, row, values);
+  if (!movers.open.empty() || !movers.open_orientations.empty()) {
+    const bool is_of_coordinates = !movers.open.empty();
     return fmt::format(
-        "the search for {} found nothing: give an initial_guess near the wanted position, and check "
-        "that the parts can reach each other",
-        joined(open));
+        "the search for {} found nothing: give an {} near the wanted position, and check that the parts can reach each "
+        "other",
+        joined(is_of_coordinates ? movers.open : movers.open_orientations),
+        is_of_coordinates ? "initial_guess" : "'initial'");
   }
-  if (given.empty()) return "no coordinate moves it at this position: start from another one";
-  return fmt::format("give {} an initial_guess instead of a value, or let --assemble move all values", joined(given));
+  const std::string orientations = joined(movers.given_orientations);
+  if (!movers.given.empty())
+    return fmt::format("give {} an initial_guess instead of a value, or let --assemble move all values{}",
+                       joined(movers.given), orientations.empty() ? "" : ", and the orientation " + orientations);
+  if (!orientations.empty())
+    return fmt::format("correct 'initial' of the orientation {}, or let --assemble turn it", orientations);
+  return "no coordinate moves it at this position: start from another one";
 }
 
 /// No more than a radian with as many digits makes of it: a sine that has to be 0 is made of nothing but its angle.

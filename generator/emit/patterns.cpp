@@ -20,6 +20,7 @@ struct SparseField {
 std::vector<SparseField> sparse_fields(const Unit& unit) {
   std::vector<SparseField> fields;
   for (const Artefact& artefact : unit.artefacts) {
+    if (artefact.is_part) continue;  // the function that calls it fills the same struct
     for (const Group& group : artefact.groups) {
       for (const Field& field : group.fields) {
         if (field.pattern) fields.push_back({&*field.pattern, artefact.result_type, group.name, field.name});

@@ -84,11 +84,30 @@ class GeneralWay {
     add(function, cpp::Evaluation{cpp::call("solve", {cpp::atom("system"), rank_rule(ways_), cpp::atom("solved")})});
     if (ways_.shown == Shown::rank) return show_rank(function);
     worsen(function, cpp::atom(status_in_solution(ways_.shown)));
-    worsen(function, call_with(ways_.of_solution, inputs + std::vector<Argument>{{"", "solved"}} + results));
+    const std::vector<Argument> solved = inputs + std::vector<Argument>{{"", "solved"}};
+    worsen(function, call_with(ways_.of_solution, solved + results));
+    if (ways_.rates) solve_rates(function, *ways_.rates, solved);
   }
 
  private:
   static void add(cpp::Function& function, cpp::Statement statement) { function.body.push_back(std::move(statement)); }
+
+  void solve_rates(cpp::Function& function, const Rates& rates, const std::vector<Argument>& solved) const {
+    const std::string count = std::to_string(rates.count), result = snake_case(artefact_.result_type) + ".";
+    add(function, cpp::Declaration{rates.type + "<S>", {"sides"}});
+    worsen(function, call_with(rates.sides, solved + std::vector<Argument>{{"", "sides"}}));
+    add(function, cpp::Declaration{"S", {"rates[" + count + "][n_v]"}});
+    worsen(function, cpp::call("solve_each", {cpp::atom("system"), rank_rule(ways_), cpp::atom("sides.f"),
+                                              cpp::atom("sides.drift"), cpp::atom("rates")}));
+    for (const Rates::Block& block : rates.blocks) {
+      const std::string columns = std::to_string(block.columns);
+      const std::string entry = result + block.member + "[" +
+                                (block.base == 0 ? "" : std::to_string(block.base) + " + ") + columns + " * i + k]";
+      const std::string rate = "rates[" + (block.first == 0 ? "" : std::to_string(block.first) + " + ") + "k][i]";
+      cpp::Loop along{"k", "0", columns, {cpp::AnyStatement{cpp::Assignment{cpp::atom(entry), cpp::atom(rate)}}}};
+      add(function, cpp::Loop{"i", "0", std::to_string(rates.speeds), {cpp::AnyStatement{std::move(along)}}});
+    }
+  }
 
   void show_rank(cpp::Function& function) const {
     const std::string result = snake_case(artefact_.result_type) + ".";

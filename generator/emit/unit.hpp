@@ -121,6 +121,18 @@ enum class Shown {
   rank,       ///< what the constraints leave, whatever forces are
 };
 
+/// Derivatives of the accelerations by many variables: the same linear system with other right sides. Row i of a member begins at entry `base` + i `columns`, and
+/// its entry k is by variable `first` + k.
+struct Rates {
+  struct Block {
+    std::string member;  ///< of the result
+    int base = 0, columns = 0, first = 0;
+  };
+  std::string sides, type;  ///< function of the solution, and the struct that it fills: f[count][n_v], drift[count][l]
+  int count = 0, speeds = 0;
+  std::vector<Block> blocks;
+};
+
 /// A function that turns to the general solution of the constrained system where its own way is not to be trusted.
 struct TwoWays {
   std::string regular;      ///< function of the own way; empty: there is none
@@ -131,6 +143,7 @@ struct TwoWays {
   Shown shown = Shown::motion;
   bool is_agreement_known = false;                       ///< whether rows contradict each other is told by positions
   std::optional<support::Rational> rank_tolerance = {};  ///< the model's own
+  std::optional<Rates> rates = {};                       ///< these entries of the result are left to them
 };
 
 /// One emitted function.

@@ -1,5 +1,7 @@
 #include "kinematics/symbols.hpp"
 
+#include "model/turning.hpp"
+
 namespace gaussgen::kinematics {
 
 namespace {
@@ -22,7 +24,7 @@ class Declaration {
     }
     symbols_.time = graph_.declare(SymbolClass::time, "t");
     for (std::size_t i = 0; i < model_.coordinates.size(); ++i) declare_coordinate(i);
-    for (const model::Orientation& orientation : model_.orientations) declare_orientation(orientation);
+    for (std::size_t i = 0; i < model_.orientations.size(); ++i) declare_orientation(i);
     for (const model::Input& input : model_.inputs) {
       symbols_.inputs.push_back(graph_.declare(SymbolClass::input, input.name.text));
     }
@@ -61,17 +63,20 @@ class Declaration {
                                about});
   }
 
-  void declare_orientation(const model::Orientation& orientation) {
+  void declare_orientation(std::size_t index) {
+    const model::Orientation& orientation = model_.orientations[index];
+    const std::string outer = model::outer_frame(model_, index);
     symbols_.first_quaternion_component.push_back(ConfigurationIndex{symbols_.configuration.size()});
     for (const model::Name& name : orientation.quaternion) {
       symbols_.configuration.push_back({graph_.declare(ir::SymbolClass::configuration, name.text, true), name.text, "1",
-                                        "unit quaternion " + orientation.name.text + ", body to space"});
+                                        "unit quaternion " + orientation.name.text + ", body to " + outer});
     }
     symbols_.first_angular_velocity.push_back(FreeIndex{symbols_.speeds.size()});
-    const std::string frame = orientation.axes == model::Axes::space ? "space" : "body";
+    const std::string against = outer == "space" ? "" : " relative to " + outer;
+    const std::string axes = orientation.axes == model::Axes::space ? outer : "body";
     for (const model::Name& name : orientation.angular_velocity) {
       declare_speed(name.text, name.text + "_dot", name.text, "rad/s",
-                    "angular velocity of " + orientation.name.text + ", " + frame + " frame");
+                    "angular velocity of " + orientation.name.text + against + ", " + axes + " frame");
     }
   }
 

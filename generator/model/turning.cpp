@@ -39,4 +39,15 @@ bool turns_about_one_own_axis(const Model& model, std::size_t frame) {
   return true;
 }
 
+std::string outer_frame(const Model& model, std::size_t orientation) {
+  std::optional<std::size_t> parent;
+  for (const Frame& frame : model.frames) {
+    const auto* const quaternion = std::get_if<QuaternionOrientation>(&frame.attitude);
+    if (quaternion == nullptr || quaternion->index != orientation) continue;
+    if (parent && *parent != frame.parent) return "parent";
+    parent = frame.parent;
+  }
+  return parent.value_or(k_space) == k_space ? "space" : model.frames[*parent].name.text;
+}
+
 }  // namespace gaussgen::model

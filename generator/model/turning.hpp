@@ -9,4 +9,7 @@ namespace gaussgen::model {
 /// mechanism. False where it cannot be read off, as with a quaternion or an oblique axis.
 bool turns_about_one_own_axis(const Model& model, std::size_t frame);
 
+/// The name of what an orientation is against: "space" or a frame, the parent of those that are turned by it; "parent" where these have several.
+std::string outer_frame(const Model& model, std::size_t orientation);
+
 }  // namespace gaussgen::model

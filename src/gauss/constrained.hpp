@@ -69,19 +69,34 @@ class Constrained {
   }
 
   GAUSS_FUNCTION void solve(LinearSolution<S, n, l>& solution) const {
-    S a[n], lambda[l], residual_f[n], residual_c[l];
-    for (int i = 0; i < n; ++i) a[i] = S(0);
-    for (int mu = 0; mu < l; ++mu) lambda[mu] = S(0);
-    S contradiction = S(0);
-    for (int pass = 0; pass < 2; ++pass) {
-      residual(a, lambda, residual_f, residual_c);
-      const S found = add(residual_f, residual_c, a, lambda);
-      if (pass == 0) contradiction = found;
-    }
+    S a[n], lambda[l];
+    const S contradiction = solve_for(f_, c_, a, lambda);
     finish(a, lambda, contradiction, solution);
   }
 
+  /// With other forces and drifts.
+  GAUSS_FUNCTION void respond(const S (&force)[n], const S (&drift)[l], S (&accelerations)[n]) const {
+    S f[n], c[l], a[n], lambda[l];
+    for (int i = 0; i < n; ++i) f[i] = speed_scale_[i] * force[i];
+    for (int mu = 0; mu < l; ++mu) c[mu] = -row_scale_[mu] * drift[mu];
+    (void)solve_for(f, c, a, lambda);
+    for (int i = 0; i < n; ++i) accelerations[i] = speed_scale_[i] * a[i];
+  }
+
  private:
+  /// Returns by how much rows contradict each other.
+  GAUSS_FUNCTION S solve_for(const S (&f)[n], const S (&c)[l], S (&a)[n], S (&lambda)[l]) const {
+    for (int i = 0; i < n; ++i) a[i] = S(0);
+    for (int mu = 0; mu < l; ++mu) lambda[mu] = S(0);
+    S left_of_f[n], left_of_c[l], contradiction = S(0);
+    for (int pass = 0; pass < 2; ++pass) {
+      residual(f, c, a, lambda, left_of_f, left_of_c);
+      const S found = add(left_of_f, left_of_c, a, lambda);
+      if (pass == 0) contradiction = found;
+    }
+    return contradiction;
+  }
+
   /// Inertias to 1, rows to unit length. What has no inertia is measured by the rows.
   template <class System>
   GAUSS_FUNCTION void scale(const System& system) {
@@ -298,13 +313,14 @@ class Constrained {
 
   GAUSS_FUNCTION S row_part(int k) const { return k < most ? is_row_[k < n ? k : 0] : S(0); }
 
-  GAUSS_FUNCTION void residual(const S (&a)[n], const S (&lambda)[l], S (&of_f)[n], S (&of_c)[l]) const {
+  GAUSS_FUNCTION void residual(const S (&f)[n], const S (&c)[l], const S (&a)[n], const S (&lambda)[l], S (&of_f)[n],
+                               S (&of_c)[l]) const {
     for (int i = 0; i < n; ++i) {
-      of_f[i] = f_[i];
+      of_f[i] = f[i];
       for (int j = 0; j < n; ++j) of_f[i] = of_f[i] - g_[i][j] * a[j];
       for (int mu = 0; mu < l; ++mu) of_f[i] = of_f[i] + b_[mu][i] * lambda[mu];
     }
-    for (int mu = 0; mu < l; ++mu) of_c[mu] = c_[mu] - inner(b_[mu], a);
+    for (int mu = 0; mu < l; ++mu) of_c[mu] = c[mu] - inner(b_[mu], a);
   }
 
   /// Adds to a and lambda what f and c ask for; returns by how much rows contradict each other, of what they ask for.
@@ -444,6 +460,21 @@ class Constrained {
 template <class System, class S, int n, int l>
 GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolution<S, n, l>& solution) noexcept {
   detail::Constrained<S, n, l>(system, rule).solve(solution);
+}
+
+/// Accelerations with each of `count` other forces and drifts in the place of those of `system`, such as their derivatives. The status says whether they are
+/// finite.
+template <class System, class S, int n, int l, int count>
+GAUSS_PART StatusOf<S> solve_each(const System& system, const RankRule<S>& rule, const S (&f)[count][n],
+                                  const S (&drift)[count][l], S (&accelerations)[count][n]) noexcept {
+  const detail::Constrained<S, n, l> constrained(system, rule);
+  S nothing = S(0);
+  for (int k = 0; k < count; ++k) {
+    constrained.respond(f[k], drift[k], accelerations[k]);
+    for (int i = 0; i < n; ++i) nothing = nothing + (accelerations[k][i] - accelerations[k][i]);
+  }
+  const auto never = Math<S>::less(S(0), S(0));
+  return Math<S>::status(never, never, Math<S>::not_finite(nothing));
 }
 
 }  // namespace gauss

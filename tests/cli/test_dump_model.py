@@ -139,5 +139,20 @@ class DumpModel(Program):
             self.assertNotRegex(self.ok(model, "--dump=model"), r"(?m) $", model)
 
 
+    def test_an_orientation_says_what_it_is_against(self):
+        arm = NO_UNITS + """
+joints:
+  hinge: {type: revolute, child: arm, axis: z}
+  ball: {type: spherical, parent: arm, child: rod, at: [1, 0, 0]}
+bodies: {arm: {mass: 1, inertia: 1}, rod: {mass: 1, inertia: [1, 2, 2]}}
+"""
+        text = self.dump(arm)
+        self.assertIn("ball: unit quaternion, body to arm", text)
+        self.assertIn("angular velocity [ball_wx, ball_wy, ball_wz] relative to arm in the body frame", text)
+        self.ok("-", "-o", ".", stdin=arm)
+        header = (self.folder / "particle.hpp").read_text()
+        self.assertIn('"unit quaternion ball, body to arm"', header)
+        self.assertIn('"angular velocity of ball relative to arm, body frame"', header)
+
 if __name__ == "__main__":
     unittest.main()

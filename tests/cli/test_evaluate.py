@@ -546,6 +546,27 @@ forces: {g: {uniform: [0, 0, -9.81]}, wind: {force: [3, 0, 0], on: hook}}
         result = self.run_it("evaluate", "-", stdin=DOUBLED)
         self.assertIn("warning: constraint 'again' follows from constraint 'blade' here: multipliers are not unique", result.stderr)
 
+    def test_rows_that_take_turns_to_vanish_are_as_usual(self):
+        # 'rolls' asks along two axes of the pinion for what is one condition: whichever of them says nothing here, as many do elsewhere.
+        gears = """gauss: 1
+name: gears
+joints:
+  ja: {type: revolute, child: pinion, axis: z, coordinates: a, initial: ANGLE}
+  jb: {type: revolute, child: wheel, at: [0.17, 0, 0], axis: z, coordinates: b}
+bodies: {pinion: {mass: 1, inertia: 0.00125}, wheel: {mass: 1, inertia: 0.0072}}
+points: {mesh: {at: [0.05, 0, 0]}}
+constraints: {mesh: {rolls: wheel, on: pinion, at: mesh}}
+forces: {drive: {torque: [0, 0, 1], on: pinion}}
+"""
+        for angle in ("0", "0.3", "pi/2", "2"):
+            done = self.run_it("evaluate", "-", "--format=json", stdin=gears.replace("ANGLE", angle))
+            found = json.loads(done.stdout)
+            self.assertEqual((found["status"], found["not_unique"][0]), ("dependent_constraints", "multipliers"), done.stderr)
+            self.assertAlmostEqual(float(found["accelerations"]["a_ddot"]["value"]), 1 / (0.00125 + 0.0072 * (0.05 / 0.12) ** 2), 9)
+            # The force on the wheel is across the line of centres: J b'' over its radius.
+            force = [float(found["multipliers"][f"mesh_{axis}"]["value"]) for axis in "xy"]
+            self.assertAlmostEqual(math.hypot(*force), 10, 12)
+
     def test_a_model_from_standard_input_works(self):
         self.assertIn("x_ddot", self.ok("evaluate", "-", stdin=PARTICLE))
 

@@ -166,6 +166,26 @@ constraints: {px: {equation: p.x - 1}, py: {equation: p.y - 0.7}}
         self.assertAlmostEqual(math.sin(state["a"]) + math.sin(state["a"] + state["b"]), 0.7, 13)
         self.assertNotIn("W068", self.run_it("--check", "-", stdin=self.pasted(arm)[0]).stderr)
 
+    def test_angles_are_within_half_a_turn_of_their_guesses(self):
+        loop = """gauss: 1
+name: loop
+joints:
+  slide: {type: prismatic, child: slider, axis: x, coordinates: s, initial: 1}
+  hinge: {type: revolute, parent: slider, child: rod, axis: z, coordinates: q, initial_guess: Q}
+  crank: {type: revolute, child: arm, axis: z, coordinates: p, initial_guess: P}
+bodies: {slider: {mass: 1}, rod: {mass: 1, inertia: 0.1}, arm: {mass: 1, inertia: 0.1}}
+points: {a: {on: rod, at: [0.9, 0, 0]}, b: {on: arm, at: [0.6, 0, 0]}}
+constraints: {close: {coincide: [a, b]}}
+"""
+        for q in (0.5, 2, 4):
+            for p in (-1, 0.8, 1, 2, 3):
+                done = self.run_it("evaluate", "-", "--format=json", stdin=loop.replace("Q", str(q)).replace("P", str(p)))
+                state = {name: float(entry["value"]) for name, entry in json.loads(done.stdout)["state"].items()}
+                self.assertLess(abs(state["q"] - q), math.pi, (q, p))
+                self.assertLess(abs(state["p"] - p), math.pi, (q, p))
+                self.assertAlmostEqual(1 + 0.9 * math.cos(state["q"]), 0.6 * math.cos(state["p"]), 13)
+                self.assertAlmostEqual(0.9 * math.sin(state["q"]), 0.6 * math.sin(state["p"]), 13)
+
     def test_a_wheel_that_has_to_turn_many_times_does(self):
         rack = """gauss: 1
 name: rack

@@ -308,6 +308,24 @@ forces: {one: {spring: x, stiffness: 1, rest: -2}, two: {spring: y, stiffness: 1
         found = self.at_equilibrium(pair)
         self.assertEqual([float(found["state"][name]["value"]) for name in "xy"], [-2, 7])
 
+    def test_three_legs_under_a_plank_carry_the_least_together(self):
+        # Of leg forces with the sum m g and no moment those with the least sum of (c f)^2: c^2 = 1/m + arm^2/J are 4/m, 1.75/m, 4/m.
+        plank = HEAD + """
+coordinates: {x: {initial: 0.2}, y: {}, phi: {}}
+frames: {f: {position: [x, y, 0], orientation: {axis: z, angle: phi}}}
+bodies: {plank: {mass: 3, inertia: 1, frame: f}}
+points: {a: {on: f, at: [-1, 0, 0]}, b: {on: f, at: [0.5, 0, 0]}, c: {on: f, at: [1, 0, 0]}}
+constraints: {la: {equation: a.y}, lb: {equation: b.y}, lc: {equation: c.y}}
+forces: {gravity: {uniform: [0, -10, 0]}, spring: {generalized: {x: -50*x}}}
+"""
+        p = 30 / (13 / 72 + 7 / 31.5 + 5 / 72)
+        legs = {"la": 13 / 72 * p, "lb": 7 / 31.5 * p, "lc": 5 / 72 * p}
+        for start in ("x=0.2", "x=-7"):
+            found = json.loads(self.run_it("evaluate", "-", "--equilibrium", "--format=json", "--set", start, stdin=plank).stdout)
+            self.assertEqual(found["not_unique"], ["multipliers", "reaction_forces"])
+            for leg, force in legs.items():
+                self.assertAlmostEqual(float(found["multipliers"][leg]["value"]), force, 11)
+
     def test_nearly_parallel_rows_carry_at_rest_what_their_difference_can(self):
         # The difference of both rows holds z, with multipliers of weight / d.
         skate = HEAD + """parameters: {d: DIFFERENCE}
