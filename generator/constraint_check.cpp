@@ -131,17 +131,12 @@ std::string agreement_in_words(bool is_one, const std::optional<bool>& elsewhere
 }
 
 const char* remedy_at_start(const model::Constraint& row) {
-  if (row.may_vanish && std::holds_alternative<model::SlipLaw>(row.law)) {
-    return "multipliers are not unique there: start from another state; where it is so in all states, write 'no_slip' "
-           "in "
-           "the directions that are needed instead of 'rolls'";
-  }
+  if (!row.may_vanish) return "multipliers are not unique there: start from another state, or remove a constraint";
   const auto* position = std::get_if<model::PositionLaw>(&row.law);
   return position != nullptr && position->is_coincidence
              ? "multipliers are not unique there: start from another state; in a loop whose plane turns, 'in: frame' "
-               "with an axis "
-               "across that plane leaves this row out"
-             : "multipliers are not unique there: start from another state, or remove a constraint";
+               "with an axis across that plane leaves this row out"
+             : "multipliers are not unique there: start from another state";
 }
 
 }  // namespace

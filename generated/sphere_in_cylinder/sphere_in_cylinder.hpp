@@ -31,8 +31,8 @@
 //
 // Operations per call
 //                                  + -  *   /  sqrt  functions
-//   prepare                        11   49  5  2     0
-//   linear_system                  4    20  0  0     4
+//   prepare                        15   55  8  2     0
+//   linear_system                  29   64  2  0     4
 //   rhs_regular                    16   39  2  0     4
 //   rhs_of_solution                0    0   0  0     0
 //   rhs                            16   39  2  0     4
@@ -48,7 +48,7 @@
 //   energy                         6    12  0  0     1
 //   compulsion                     17   37  0  0     6
 //   residuals                      14   21  0  0     4
-//   mobility                       4    20  0  0     4
+//   mobility                       29   64  2  0     4
 //   mass_matrix                    0    1   0  0     1
 //   project_system                 5    10  0  0     4
 //   project_regular                25   38  1  0     4
@@ -700,7 +700,7 @@ struct LinearSolution {
   S rank;            ///< of b, to the tolerance
   StatusOf<S>
       motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
-               ///< violated_constraints: they contradict each other
+      ///< violated_constraints: they contradict each other
   StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
@@ -744,19 +744,34 @@ class Constrained {
   }
 
   GAUSS_FUNCTION void solve(LinearSolution<S, n, l>& solution) const {
-    S a[n], lambda[l], residual_f[n], residual_c[l];
-    for (int i = 0; i < n; ++i) a[i] = S(0);
-    for (int mu = 0; mu < l; ++mu) lambda[mu] = S(0);
-    S contradiction = S(0);
-    for (int pass = 0; pass < 2; ++pass) {
-      residual(a, lambda, residual_f, residual_c);
-      const S found = add(residual_f, residual_c, a, lambda);
-      if (pass == 0) contradiction = found;
-    }
+    S a[n], lambda[l];
+    const S contradiction = solve_for(f_, c_, a, lambda);
     finish(a, lambda, contradiction, solution);
   }
 
+  /// With other forces and drifts.
+  GAUSS_FUNCTION void respond(const S (&force)[n], const S (&drift)[l], S (&accelerations)[n]) const {
+    S f[n], c[l], a[n], lambda[l];
+    for (int i = 0; i < n; ++i) f[i] = speed_scale_[i] * force[i];
+    for (int mu = 0; mu < l; ++mu) c[mu] = -row_scale_[mu] * drift[mu];
+    (void)solve_for(f, c, a, lambda);
+    for (int i = 0; i < n; ++i) accelerations[i] = speed_scale_[i] * a[i];
+  }
+
  private:
+  /// Returns by how much rows contradict each other.
+  GAUSS_FUNCTION S solve_for(const S (&f)[n], const S (&c)[l], S (&a)[n], S (&lambda)[l]) const {
+    for (int i = 0; i < n; ++i) a[i] = S(0);
+    for (int mu = 0; mu < l; ++mu) lambda[mu] = S(0);
+    S left_of_f[n], left_of_c[l], contradiction = S(0);
+    for (int pass = 0; pass < 2; ++pass) {
+      residual(f, c, a, lambda, left_of_f, left_of_c);
+      const S found = add(left_of_f, left_of_c, a, lambda);
+      if (pass == 0) contradiction = found;
+    }
+    return contradiction;
+  }
+
   /// Inertias to 1, rows to unit length. What has no inertia is measured by the rows.
   template <class System>
   GAUSS_FUNCTION void scale(const System& system) {
@@ -785,7 +800,9 @@ class Constrained {
       row_scale_[mu] = reciprocal(usual, positive<S>(size));
       for (int i = 0; i < n; ++i) b_[mu][i] = row_scale_[mu] * b_[mu][i] * speed_scale_[i];
       // A row of zeros that asks for something is contradictory; its scale is lost.
-      c_[mu] = -Math<S>::select(Math<S>::less(S(0), size), row_scale_[mu], S(1)) * system.drift[mu];
+      const S of_demands = Math<S>::select(Math<S>::less(S(0), size), row_scale_[mu], S(1));
+      c_[mu] = -of_demands * system.drift[mu];
+      c_error_[mu] = of_demands * system.drift_error[mu];
     }
     find_lost_entries();
     for (int i = 0; i < n; ++i) {
@@ -965,30 +982,20 @@ class Constrained {
         const S takes_part = positive<S>(absolute<S>(null_[j][k]) - least);
         asked_[j] = asked_[j] * (S(1) - takes_part * of_positions[k]);
       }
-      for (int i = 0; i < n; ++i) is_asked_[j][i] = moved_by_row(j, i, least);
     }
-  }
-
-  /// 1: speed i is in row j, or in one that it follows from.
-  GAUSS_FUNCTION S moved_by_row(int j, int i, const S& least) const {
-    S shares[l];
-    for (int k = 0; k < l; ++k) shares[k] = positive<S>(absolute<S>(null_[j][k]) - least);
-    arrange_back(shares);
-    S is_moved = S(0);
-    for (int mu = 0; mu < l; ++mu)
-      is_moved = larger<S>(is_moved, shares[mu] * positive<S>(absolute<S>(b_[mu][i]) - least));
-    return is_moved;
+    arrange(c_error_);
   }
 
   GAUSS_FUNCTION S row_part(int k) const { return k < most ? is_row_[k < n ? k : 0] : S(0); }
 
-  GAUSS_FUNCTION void residual(const S (&a)[n], const S (&lambda)[l], S (&of_f)[n], S (&of_c)[l]) const {
+  GAUSS_FUNCTION void residual(const S (&f)[n], const S (&c)[l], const S (&a)[n], const S (&lambda)[l], S (&of_f)[n],
+                               S (&of_c)[l]) const {
     for (int i = 0; i < n; ++i) {
-      of_f[i] = f_[i];
+      of_f[i] = f[i];
       for (int j = 0; j < n; ++j) of_f[i] = of_f[i] - g_[i][j] * a[j];
       for (int mu = 0; mu < l; ++mu) of_f[i] = of_f[i] + b_[mu][i] * lambda[mu];
     }
-    for (int mu = 0; mu < l; ++mu) of_c[mu] = c_[mu] - inner(b_[mu], a);
+    for (int mu = 0; mu < l; ++mu) of_c[mu] = c[mu] - inner(b_[mu], a);
   }
 
   /// Adds to a and lambda what f and c ask for; returns by how much rows contradict each other, of what they ask for.
@@ -1025,18 +1032,20 @@ class Constrained {
         size = size + absolute(term);
       }
       if (k < most) y[k] = rest * inverse_[k];
-      const S is_left = asked_[k] * positive<S>(absolute<S>(rest) - rounding_of_demands(c, k));
+      const S is_left = asked_[k] * positive<S>(absolute<S>(rest) - error_of_demands(c, k));
       contradiction = larger(contradiction, is_left * absolute(rest) * reciprocal(size, is_left));
     }
     return contradiction;
   }
 
-  /// Of what row k and those that it follows from ask for, and of what forces make of the speeds that they move.
-  GAUSS_FUNCTION S rounding_of_demands(const S (&c)[l], int k) const {
-    S largest = S(0);
-    for (int m = 0; m < l; ++m) largest = larger<S>(largest, absolute<S>(null_[k][m] * c[m]));
-    for (int i = 0; i < n; ++i) largest = larger<S>(largest, is_asked_[k][i] * absolute<S>(f_[i]));
-    return S(10000) * Math<S>::epsilon() * largest;
+  /// How far what row k and those that it follows from ask for may be off.
+  GAUSS_FUNCTION S error_of_demands(const S (&c)[l], int k) const {
+    S error = S(0);
+    for (int m = 0; m < l; ++m) {
+      const S rounding = S(10000) * Math<S>::epsilon() * absolute<S>(c[m]);
+      error = error + absolute<S>(null_[k][m]) * larger<S>(rounding, c_error_[m]);
+    }
+    return error;
   }
 
   /// R lambda = (Q^T (g a - f)) along the rows, of least norm.
@@ -1113,19 +1122,34 @@ class Constrained {
   S parts_[n][n];  ///< Q^T g Q
   MaskedLdl<S, n> free_;
   S null_[l][l];
-  S asked_[l];        ///< 1: a row is left that has to agree with the others
-  S is_asked_[l][n];  ///< 1: a speed is in it, or in those
+  S asked_[l];    ///< 1: a row is left that has to agree with the others
+  S c_error_[l];  ///< how far c may be off; as the rows were brought into their order
   MaskedLdl<S, l> shares_;
 };
 
 }  // namespace detail
 
 /// Accelerations and multipliers; see LinearSolution. `System` has g[n][n], symmetric, f[n], b[l][n], where row mu is dphi_mu/du, reach[l][n], not less than
-/// its entries in any configuration, drift[l], of_positions[l], 1 where a row is the derivative of an equation of positions and else 0, and off[l], the square of the part by which positions are off the
-/// equations that row mu may follow from.
+/// its entries in any configuration, drift[l] and drift_error[l], by how much it may be off; of_positions[l], 1 where a row is the derivative of an equation of positions and else 0, and off[l], the
+/// square of the part by which positions are off the equations that row mu may follow from.
 template <class System, class S, int n, int l>
 GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolution<S, n, l>& solution) noexcept {
   detail::Constrained<S, n, l>(system, rule).solve(solution);
+}
+
+/// Accelerations with each of `count` other forces and drifts in the place of those of `system`, such as their derivatives. The status says whether they are
+/// finite.
+template <class System, class S, int n, int l, int count>
+GAUSS_PART StatusOf<S> solve_each(const System& system, const RankRule<S>& rule, const S (&f)[count][n],
+                                  const S (&drift)[count][l], S (&accelerations)[count][n]) noexcept {
+  const detail::Constrained<S, n, l> constrained(system, rule);
+  S nothing = S(0);
+  for (int k = 0; k < count; ++k) {
+    constrained.respond(f[k], drift[k], accelerations[k]);
+    for (int i = 0; i < n; ++i) nothing = nothing + (accelerations[k][i] - accelerations[k][i]);
+  }
+  const auto never = Math<S>::less(S(0), S(0));
+  return Math<S>::status(never, never, Math<S>::not_finite(nothing));
 }
 
 }  // namespace gauss
@@ -1175,14 +1199,23 @@ struct Prepared {
   S rho;                 ///< R - r
   S abs_rho;             ///< abs(R - r)
   S abs_r;               ///< abs(r)
+  S rounding_abs_r;      ///< epsilon * abs(r)
+  S c1;                  ///< r^2 * select(less(0, J), 1 / select(less(0, J), J, 1), 0)
+  S c2;                  ///< select(less(0, m), 1 / select(less(0, m), m, 1), 0)
+  S c3;                  ///< select(less(0, J), 1 / select(less(0, J), J, 1), 0)
+  S c4;
+  S r_minus_R;           ///< r - R
+  S c5;                  ///< 5000 * epsilon
+  S c6;                  ///< abs(r) + abs(R) + abs(r - R)
+  S c7;
   S m_r_2;               ///< m * r^2
   S m_2_r_4;             ///< m^2 * r^4
   S m_g;                 ///< m * g
-  S c1;
-  S c2;
+  S c8;
+  S c9;
   S least_pivot;
   S m_rho;               ///< m * (R - r)
-  S c3;
+  S c10;
   S least_G_pivot;
   S r_minus_R_over_rho;  ///< (r - R) / (R - r)
   S rho_2;               ///< (R - r)^2
@@ -1190,21 +1223,20 @@ struct Prepared {
   S half_J;              ///< 0.5 * J
   S half_inv_m;          ///< 0.5 / m
   S half_inv_J;          ///< 0.5 / J
-  S r_minus_R;           ///< r - R
-  S c4;                  ///< 1 / (m * (1 / m + r^2 / J))
-  S c5;                  ///< r / (J * (1 / m + r^2 / J))
-  S c6;                  ///< r^2 / (J * (1 / m + r^2 / J))
-  S c7;                  ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
-  S c8;
-  S c9;                  ///< select(not_finite(1 / m + r^2 / J), 0, 1 / m + r^2 / J)
+  S c11;                 ///< 1 / (m * (1 / m + r^2 / J))
+  S c12;                 ///< r / (J * (1 / m + r^2 / J))
+  S c13;                 ///< r^2 / (J * (1 / m + r^2 / J))
+  S c14;                 ///< 1 / (m * (R - r) * (1 / m + r^2 / J))
+  S c15;
+  S c16;                 ///< select(not_finite(1 / m + r^2 / J), 0, 1 / m + r^2 / J)
   S r_2;                 ///< r^2
   S r_2_plus_rho_2;      ///< r^2 + (R - r)^2
-  S c10;
+  S c17;
   S r_2_over_J;          ///< r^2 / J
-  S c11;
+  S c18;
   S epsilon_2;           ///< epsilon^2
-  S c12;                 ///< select(less(0, m), 1 / m, 0)
-  S c13;                 ///< 64 * epsilon
+  S c19;                 ///< select(less(0, m), 1 / m, 0)
+  S c20;                 ///< 64 * epsilon
 };
 
 /// Coordinates, then speeds: an array for integrators, with access by name.
@@ -1270,6 +1302,7 @@ struct LinearSystem {
   S of_positions[2];  ///< 1: the derivative of an equation of positions; else 0
   S off[2];           ///< square of the part by which positions are off the equations that a row may follow from
   S drift[2];         ///< dphi/dt of each at constant speeds; of a step, what is left of it
+  S drift_error[2];   ///< how far it may be off in this state, where it is asked whether constraints agree
 };
 
 template <class S>
@@ -1348,6 +1381,7 @@ struct MassMatrix {
 /// What depends on parameters alone, to be computed once.
 template <class S>
 GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
+  using Bool = typename Math<S>::Bool;
   const S& m = parameters.m;
   const S& r = parameters.r;
   const S& R = parameters.R;
@@ -1368,34 +1402,42 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   const S abs_rho = Math<S>::select(Math<S>::less(rho, S(0)), -rho, rho);
   const S abs_r = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
   const S r_2 = r * r;
-  const S t1 = S(12) * Math<S>::epsilon();
+  const Bool t1 = Math<S>::less(S(0), J);
+  const S c3 = Math<S>::select(t1, S(1) / Math<S>::select(t1, J, S(1)), S(0));
+  const S c1 = r_2 * c3;
+  const Bool t2 = Math<S>::less(S(0), m);
+  const Bool t3 = Math<S>::less(S(0), G_chi_chi);
+  const S t4 = Math<S>::select(t3, S(1) / Math<S>::select(t3, G_chi_chi, S(1)), S(0));
+  const S r_minus_R = r - R;
+  const S abs_R = Math<S>::select(Math<S>::less(R, S(0)), -R, R);
+  const S abs_r_minus_R = Math<S>::select(Math<S>::less(r_minus_R, S(0)), -r_minus_R, r_minus_R);
+  const S t5 = S(12) * Math<S>::epsilon();
   const S root_epsilon = Math<S>::sqrt(Math<S>::epsilon());
-  const S t2 = root_epsilon * Math<S>::sqrt(root_epsilon);
+  const S t6 = root_epsilon * Math<S>::sqrt(root_epsilon);
   const S inv_r_2 = S(1) / r_2;
   const S M_chi_chi = G_chi_chi + inv_r_2 * J * rho_2;
   const S abs_J = Math<S>::select(Math<S>::less(J, S(0)), -J, J);
   const S abs_m = Math<S>::select(Math<S>::less(m, S(0)), -m, m);
-  const S t3 = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
-  const S t4 = G_chi_chi - root_epsilon * inv_r_2 * J * rho_2;
+  const S t7 = Math<S>::select(Math<S>::less(r, S(0)), -r, r);
+  const S t8 = G_chi_chi - root_epsilon * inv_r_2 * J * rho_2;
   const S J_minus_root_epsilon_m_r_2 = J - root_epsilon * m * r_2;
-  const S t5 = Math<S>::select(Math<S>::less(J_minus_root_epsilon_m_r_2, t3), J_minus_root_epsilon_m_r_2, t3);
-  const S least_pivot = Math<S>::select(Math<S>::not_finite(J, G_chi_chi, t3), S(0),
-      Math<S>::select(Math<S>::less(t4, t5), t4, t5));
-  const S t6 = S(24) * Math<S>::epsilon();
-  const S t7 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
+  const S t9 = Math<S>::select(Math<S>::less(J_minus_root_epsilon_m_r_2, t7), J_minus_root_epsilon_m_r_2, t7);
+  const S least_pivot = Math<S>::select(Math<S>::not_finite(J, G_chi_chi, t7), S(0),
+      Math<S>::select(Math<S>::less(t8, t9), t8, t9));
+  const S t10 = S(24) * Math<S>::epsilon();
+  const S t11 = Math<S>::select(Math<S>::less(m, G_chi_chi), m, G_chi_chi);
   const S least_G_pivot = Math<S>::select(Math<S>::not_finite(m, J, G_chi_chi), S(0),
-      Math<S>::select(Math<S>::less(J, t7), J, t7));
+      Math<S>::select(Math<S>::less(J, t11), J, t11));
   const S inv_rho = S(1) / rho;
-  const S r_minus_R = r - R;
   const S inv_m = S(1) / m;
   const S inv_J = S(1) / J;
   const S r_2_over_J = r_2 * inv_J;
   const S S_rolling_around = inv_m + r_2_over_J;
   const S inv_S_rolling_around = S(1) / S_rolling_around;
-  const S t8 = S(20) * Math<S>::epsilon();
+  const S t12 = S(20) * Math<S>::epsilon();
   const S S_rolling_around_3 = S_rolling_around * S_rolling_around * S_rolling_around;
-  const S t9 = S(2) * r_2 + rho_2;
-  const S t10 = S(1) + S(2) * r_2;
+  const S t13 = S(2) * r_2 + rho_2;
+  const S t14 = S(1) + S(2) * r_2;
 
   Prepared<S> prepared;
   prepared.m = m;
@@ -1412,14 +1454,23 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.rho = rho;
   prepared.abs_rho = abs_rho;
   prepared.abs_r = abs_r;
+  prepared.rounding_abs_r = Math<S>::epsilon() * abs_r;
+  prepared.c1 = c1;
+  prepared.c2 = Math<S>::select(t2, S(1) / Math<S>::select(t2, m, S(1)), S(0));
+  prepared.c3 = c3;
+  prepared.c4 = c1 + rho_2 * t4;
+  prepared.r_minus_R = r_minus_R;
+  prepared.c5 = S(5000) * Math<S>::epsilon();
+  prepared.c6 = abs_r + abs_R + abs_r_minus_R;
+  prepared.c7 = abs_r * c3 + abs_rho * t4;
   prepared.m_r_2 = m * r_2;
   prepared.m_2_r_4 = m * m * r_2 * r_2;
   prepared.m_g = m_g;
-  prepared.c1 = Math<S>::select(Math<S>::less(t1, t2), t2, t1);
-  prepared.c2 = Math<S>::select(Math<S>::not_finite(M_chi_chi, abs_J + r_2 * abs_m), S(0), M_chi_chi);
+  prepared.c8 = Math<S>::select(Math<S>::less(t5, t6), t6, t5);
+  prepared.c9 = Math<S>::select(Math<S>::not_finite(M_chi_chi, abs_J + r_2 * abs_m), S(0), M_chi_chi);
   prepared.least_pivot = least_pivot;
   prepared.m_rho = m * rho;
-  prepared.c3 = J * Math<S>::select(Math<S>::less(t6, t2), t2, t6);
+  prepared.c10 = J * Math<S>::select(Math<S>::less(t10, t6), t6, t10);
   prepared.least_G_pivot = least_G_pivot;
   prepared.r_minus_R_over_rho = inv_rho * r_minus_R;
   prepared.rho_2 = rho_2;
@@ -1427,23 +1478,21 @@ GAUSS_FUNCTION Prepared<S> prepare(const Parameters<S>& parameters) noexcept {
   prepared.half_J = S(0.5) * J;
   prepared.half_inv_m = S(0.5) * inv_m;
   prepared.half_inv_J = S(0.5) * inv_J;
-  prepared.r_minus_R = r_minus_R;
-  prepared.c4 = inv_m * inv_S_rolling_around;
-  prepared.c5 = r * inv_J * inv_S_rolling_around;
-  prepared.c6 = r_2 * inv_J * inv_S_rolling_around;
-  prepared.c7 = inv_m * inv_rho * inv_S_rolling_around;
-  prepared.c8 = J * Math<S>::select(Math<S>::less(t8, t2), t2, t8);
-  prepared.c9 = Math<S>::select(Math<S>::not_finite(S_rolling_around), S(0), S_rolling_around);
+  prepared.c11 = inv_m * inv_S_rolling_around;
+  prepared.c12 = r * inv_J * inv_S_rolling_around;
+  prepared.c13 = r_2 * inv_J * inv_S_rolling_around;
+  prepared.c14 = inv_m * inv_rho * inv_S_rolling_around;
+  prepared.c15 = J * Math<S>::select(Math<S>::less(t12, t6), t6, t12);
+  prepared.c16 = Math<S>::select(Math<S>::not_finite(S_rolling_around), S(0), S_rolling_around);
   prepared.r_2 = r_2;
   prepared.r_2_plus_rho_2 = r_2 + rho_2;
-  prepared.c10 = Math<S>::select(Math<S>::not_finite(S_rolling_around_3, t9 * t9 * t9, t10 * t10 * t10),
+  prepared.c17 = Math<S>::select(Math<S>::not_finite(S_rolling_around_3, t13 * t13 * t13, t14 * t14 * t14),
       S(0), S_rolling_around_3);
   prepared.r_2_over_J = r_2_over_J;
-  prepared.c11 = Math<S>::select(Math<S>::less(S(0), J), r_2_over_J, S(0))
-      + Math<S>::select(Math<S>::less(S(0), G_chi_chi), inv_m, S(0));
+  prepared.c18 = Math<S>::select(t1, r_2_over_J, S(0)) + Math<S>::select(t3, inv_m, S(0));
   prepared.epsilon_2 = Math<S>::epsilon() * Math<S>::epsilon();
-  prepared.c12 = Math<S>::select(Math<S>::less(S(0), m), inv_m, S(0));
-  prepared.c13 = S(64) * Math<S>::epsilon();
+  prepared.c19 = Math<S>::select(t2, inv_m, S(0));
+  prepared.c20 = S(64) * Math<S>::epsilon();
   return prepared;
 }
 
@@ -1461,6 +1510,15 @@ GAUSS_FUNCTION StatusOf<S> linear_system(const S& t, const State<S>& state, cons
   const S& rho = prepared.rho;
   const S& abs_rho = prepared.abs_rho;
   const S& abs_r = prepared.abs_r;
+  const S& rounding_abs_r = prepared.rounding_abs_r;
+  const S& c1 = prepared.c1;
+  const S& c2 = prepared.c2;
+  const S& c3 = prepared.c3;
+  const S& c4 = prepared.c4;
+  const S& r_minus_R = prepared.r_minus_R;
+  const S& c5 = prepared.c5;
+  const S& c6 = prepared.c6;
+  const S& c7 = prepared.c7;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
   const S& phi = state.phi();
@@ -1481,26 +1539,77 @@ GAUSS_FUNCTION StatusOf<S> linear_system(const S& t, const State<S>& state, cons
   const S G_phi_psi = J * cos_theta;
 
   // f = Q - bias: active forces less the velocity-squared part of A (theory.md, section 4)
-  const S J_psi_dot = J * psi_dot;
-  const S f_phi = theta_dot * J_psi_dot * sin_theta;
-  const S phi_dot_sin_theta = phi_dot * sin_theta;
-  const S f_psi = J * theta_dot * phi_dot_sin_theta;
-  const S bias_theta = J_psi_dot * phi_dot_sin_theta;
+  const S turned = J * sin_theta;
+  const S psi_dot_turned = psi_dot * turned;
+  const S f_phi = theta_dot * psi_dot_turned;
+  const S f_psi = phi_dot * theta_dot * turned;
+  const S bias_theta = phi_dot * psi_dot_turned;
 
   // rolling_around, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 37
   const S beta_rolling_around_phi = r * cos_theta;
 
   // rolling_along, differentiated once: beta du/dt + drift = 0 (theory.md, section 3), model line 40
-  const S beta_rolling_along_phi = r * sin_theta * cos_chi_minus_psi;
+  const S r_sin_theta = r * sin_theta;
+  const S beta_rolling_along_phi = r_sin_theta * cos_chi_minus_psi;
   const S beta_rolling_along_theta = r * sin_chi_minus_psi;
-  const S r_theta_dot = r * theta_dot;
-  const S t1 = r_theta_dot * cos_chi_minus_psi;
+  const S phi_dot_r_sin_theta = phi_dot * r_sin_theta;
   const S chi_dot_minus_psi_dot = chi_dot - psi_dot;
-  const S drift_rolling_along = phi_dot * cos_theta * t1
-      - chi_dot_minus_psi_dot * phi_dot_sin_theta * beta_rolling_along_theta + t1 * chi_dot_minus_psi_dot;
+  const S t1 = chi_dot_minus_psi_dot * sin_chi_minus_psi;
+  const S b_alpha_ball_y_rolling_along = r * cos_chi_minus_psi;
+  const S t2 = theta_dot * b_alpha_ball_y_rolling_along;
+  const S phi_dot_cos_theta = phi_dot * cos_theta;
+  const S t3 = phi_dot_cos_theta + chi_dot_minus_psi_dot;
+  const S drift_rolling_along = t2 * t3 - phi_dot_r_sin_theta * t1;
 
   // Results
-  const S t2 = r_theta_dot * phi_dot_sin_theta;
+  const S t4 = theta_dot * phi_dot_r_sin_theta;
+  const S abs_phi_dot = Math<S>::select(Math<S>::less(phi_dot, S(0)), -phi_dot, phi_dot);
+  const S abs_theta_dot = Math<S>::select(Math<S>::less(theta_dot, S(0)), -theta_dot, theta_dot);
+  const S t5 = c2 + c1 * (sin_chi_minus_psi * sin_chi_minus_psi
+      + sin_theta * sin_theta * cos_chi_minus_psi * cos_chi_minus_psi);
+  const Bool t6 = Math<S>::less(S(0), t5);
+  const S t7 = zeta_dot + theta_dot * beta_rolling_along_theta + phi_dot_r_sin_theta * cos_chi_minus_psi;
+  const S abs_t7 = Math<S>::select(Math<S>::less(t7, S(0)), -t7, t7);
+  const S abs_r_abs_phi_dot = abs_r * abs_phi_dot;
+  const S abs_r_abs_theta_dot = abs_r * abs_theta_dot;
+  const S abs_zeta_dot = Math<S>::select(Math<S>::less(zeta_dot, S(0)), -zeta_dot, zeta_dot);
+  const S t8 = c3 * Math<S>::select(t6, S(1) / Math<S>::select(t6, t5, S(1)), S(0))
+      * (abs_t7 + c5 * (abs_zeta_dot + abs_r_abs_phi_dot + abs_r_abs_theta_dot));
+  const S t9 = Math<S>::select(Math<S>::less(beta_rolling_along_theta, S(0)), -beta_rolling_along_theta,
+      beta_rolling_along_theta);
+  const S t10 = t8 * (S(2) * t9);
+  const S abs_phi_dot_r_sin_theta = Math<S>::select(Math<S>::less(phi_dot_r_sin_theta, S(0)),
+      -phi_dot_r_sin_theta, phi_dot_r_sin_theta);
+  const S t11 = c4 + c1 * cos_theta * cos_theta;
+  const Bool t12 = Math<S>::less(S(0), t11);
+  const S t13 = r * (psi_dot + phi_dot_cos_theta) - r_minus_R * chi_dot;
+  const S abs_t13 = Math<S>::select(Math<S>::less(t13, S(0)), -t13, t13);
+  const S abs_psi_dot = Math<S>::select(Math<S>::less(psi_dot, S(0)), -psi_dot, psi_dot);
+  const S abs_chi_dot = Math<S>::select(Math<S>::less(chi_dot, S(0)), -chi_dot, chi_dot);
+  const S t14 = Math<S>::select(t12, S(1) / Math<S>::select(t12, t11, S(1)), S(0))
+      * (abs_t13 + c5 * (abs_r_abs_phi_dot + abs_r * abs_psi_dot + c6 * abs_chi_dot));
+  const S t15 = Math<S>::select(Math<S>::less(beta_rolling_around_phi, S(0)), -beta_rolling_around_phi,
+      beta_rolling_around_phi);
+  const S abs_beta_rolling_along_phi = Math<S>::select(Math<S>::less(beta_rolling_along_phi, S(0)),
+      -beta_rolling_along_phi, beta_rolling_along_phi);
+  const S t16 = S(2) * (c3 * t15 * t14 + t8 * abs_beta_rolling_along_phi);
+  const S theta_dot_r_sin_theta = theta_dot * r_sin_theta;
+  const S abs_theta_dot_r_sin_theta = Math<S>::select(Math<S>::less(theta_dot_r_sin_theta, S(0)),
+      -theta_dot_r_sin_theta, theta_dot_r_sin_theta);
+  const S drift_error_0 = S(10000) * rounding_abs_r * abs_phi_dot * abs_theta_dot
+      + t10 * abs_phi_dot_r_sin_theta + t16 * abs_theta_dot_r_sin_theta;
+  const S abs_chi_dot_minus_psi_dot = Math<S>::select(Math<S>::less(chi_dot_minus_psi_dot, S(0)),
+      -chi_dot_minus_psi_dot, chi_dot_minus_psi_dot);
+  const S t17 = (abs_chi_dot + abs_psi_dot) + abs_chi_dot_minus_psi_dot;
+  const S slope = t2 - phi_dot_r_sin_theta * sin_chi_minus_psi;
+  const S abs_slope = Math<S>::select(Math<S>::less(slope, S(0)), -slope, slope);
+  const S t18 = b_alpha_ball_y_rolling_along * t3;
+  const S abs_t18 = Math<S>::select(Math<S>::less(t18, S(0)), -t18, t18);
+  const S t19 = r_sin_theta * t1 - t2 * cos_theta;
+  const S abs_t19 = Math<S>::select(Math<S>::less(t19, S(0)), -t19, t19);
+  const S drift_error_1 = S(10000) * Math<S>::epsilon()
+      * (abs_r_abs_phi_dot * (t17 + abs_theta_dot) + abs_r_abs_theta_dot * t17)
+      + c7 * t14 * (S(2) * abs_slope) + t10 * abs_t18 + t16 * abs_t19;
 
   linear_system.g[0][0] = G_chi_chi;
   linear_system.g[0][1] = S(0);
@@ -1556,12 +1665,14 @@ GAUSS_FUNCTION StatusOf<S> linear_system(const S& t, const State<S>& state, cons
   linear_system.of_positions[1] = S(0);
   linear_system.off[0] = S(0);
   linear_system.off[1] = S(0);
-  linear_system.drift[0] = -t2;
+  linear_system.drift[0] = -t4;
   linear_system.drift[1] = drift_rolling_along;
+  linear_system.drift_error[0] = drift_error_0;
+  linear_system.drift_error[1] = drift_error_1;
 
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, G_chi_chi, m, G_phi_psi, Q_zeta, f_phi,
-      f_psi, bias_theta, rho, beta_rolling_around_phi, beta_rolling_along_phi, abs_rho, abs_r, t2,
-      drift_rolling_along);
+      f_psi, bias_theta, rho, beta_rolling_around_phi, beta_rolling_along_phi, beta_rolling_along_theta,
+      abs_rho, t4, drift_rolling_along, drift_error_0, drift_error_1);
   return Math<S>::status(Bool(false), Bool(false), not_finite);
 }
 
@@ -1576,8 +1687,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_regular(const S& t, const State<S>& state, const 
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
-  const S& c1 = prepared.c1;
-  const S& c2 = prepared.c2;
+  const S& c8 = prepared.c8;
+  const S& c9 = prepared.c9;
   const S& least_pivot = prepared.least_pivot;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
@@ -1650,7 +1761,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_regular(const S& t, const State<S>& state, const 
   derivative.theta_ddot() = a_theta;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
-      Math<S>::at_most(M_pivot_theta, c1 * M_theta_theta), Math<S>::at_most(c2, S(0)));
+      Math<S>::at_most(M_pivot_theta, c8 * M_theta_theta), Math<S>::at_most(c9, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, a_zeta, a_psi);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
@@ -1735,8 +1846,8 @@ GAUSS_FUNCTION StatusOf<S> reactions_regular(const S& t, const State<S>& state, 
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
-  const S& c1 = prepared.c1;
-  const S& c2 = prepared.c2;
+  const S& c8 = prepared.c8;
+  const S& c9 = prepared.c9;
   const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
@@ -1816,7 +1927,7 @@ GAUSS_FUNCTION StatusOf<S> reactions_regular(const S& t, const State<S>& state, 
   reactions.rho.generalized = -t8;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
-      Math<S>::at_most(M_pivot_theta, c1 * M_theta_theta), Math<S>::at_most(c2, S(0)));
+      Math<S>::at_most(M_pivot_theta, c8 * M_theta_theta), Math<S>::at_most(c9, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, rolling_along_generalized_2,
       rolling_along_generalized_4, t8);
@@ -1924,8 +2035,8 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions_regular(const S& t, const State<S>&
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
-  const S& c1 = prepared.c1;
-  const S& c2 = prepared.c2;
+  const S& c8 = prepared.c8;
+  const S& c9 = prepared.c9;
   const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
   const S& chi = state.chi();
@@ -2020,7 +2131,7 @@ GAUSS_FUNCTION StatusOf<S> rhs_and_reactions_regular(const S& t, const State<S>&
   reactions.rho.generalized = -t6;
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
-      Math<S>::at_most(M_pivot_theta, c1 * M_theta_theta), Math<S>::at_most(c2, S(0)));
+      Math<S>::at_most(M_pivot_theta, c8 * M_theta_theta), Math<S>::at_most(c9, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, a_psi, rolling_along_generalized_2,
       rolling_along_generalized_4, t6);
@@ -2145,11 +2256,11 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces_regular(const S& t, const State<S>& s
   const S& m_r_2 = prepared.m_r_2;
   const S& m_2_r_4 = prepared.m_2_r_4;
   const S& m_g = prepared.m_g;
-  const S& c1 = prepared.c1;
-  const S& c2 = prepared.c2;
+  const S& c8 = prepared.c8;
+  const S& c9 = prepared.c9;
   const S& least_pivot = prepared.least_pivot;
   const S& m_rho = prepared.m_rho;
-  const S& c3 = prepared.c3;
+  const S& c10 = prepared.c10;
   const S& least_G_pivot = prepared.least_G_pivot;
   const S& chi = state.chi();
   const S& zeta = state.zeta();
@@ -2261,8 +2372,8 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces_regular(const S& t, const State<S>& s
   reaction_forces.on_ball.moment[2] = S(0);
 
   const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(M_phi_phi, S(0)),
-      Math<S>::at_most(M_pivot_theta, c1 * M_theta_theta), Math<S>::at_most(c2, S(0)),
-      Math<S>::at_most(I_ball_zz, c3), Math<S>::at_most(least_G_pivot, S(0)));
+      Math<S>::at_most(M_pivot_theta, c8 * M_theta_theta), Math<S>::at_most(c9, S(0)),
+      Math<S>::at_most(I_ball_zz, c10), Math<S>::at_most(least_G_pivot, S(0)));
   const Bool dependent_constraints = Math<S>::at_most(least_pivot, S(0));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, moment_rolling_along_ball_x,
       r_excess_zeta_cos_chi, t12, t13, moment_on_ball_x, t16, S(0));
@@ -2283,7 +2394,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces_of_solution(const S& t, const State<S
   const S& rho = prepared.rho;
   const S& m_g = prepared.m_g;
   const S& m_rho = prepared.m_rho;
-  const S& c3 = prepared.c3;
+  const S& c10 = prepared.c10;
   const S& least_G_pivot = prepared.least_G_pivot;
   const S& r_minus_R_over_rho = prepared.r_minus_R_over_rho;
   const S& chi = state.chi();
@@ -2372,7 +2483,7 @@ GAUSS_FUNCTION StatusOf<S> reaction_forces_of_solution(const S& t, const State<S
   reaction_forces.on_ball.moment[1] = moment_on_ball_y;
   reaction_forces.on_ball.moment[2] = moment_on_ball_z;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(I_ball_zz, c3),
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(I_ball_zz, c10),
       Math<S>::at_most(least_G_pivot, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, zeta_dot, force_rolling_around_ball_x, t3,
       moment_rolling_around_ball_z, moment_rolling_along_ball_x, t4, m_rho_chi_dot_2_cos_chi,
@@ -2750,6 +2861,8 @@ GAUSS_FUNCTION StatusOf<S> project_system(const S& t, const State<S>& state, con
   linear_system.off[1] = S(0);
   linear_system.drift[0] = drift_0;
   linear_system.drift[1] = drift_1;
+  linear_system.drift_error[0] = S(0);
+  linear_system.drift_error[1] = S(0);
 
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, G_chi_chi, m, G_phi_psi, rho, abs_rho, abs_r,
       drift_0, drift_1);
@@ -2763,17 +2876,17 @@ GAUSS_FUNCTION StatusOf<S> project_regular(const S& t, const State<S>& from, con
   using Bool = typename Math<S>::Bool;
   const S r = prepared.r;
   const S J = prepared.J;
-  const S least_G_pivot = prepared.least_G_pivot;
   const S r_minus_R = prepared.r_minus_R;
-  const S c4 = prepared.c4;
-  const S c5 = prepared.c5;
-  const S c6 = prepared.c6;
-  const S c7 = prepared.c7;
-  const S c8 = prepared.c8;
-  const S c9 = prepared.c9;
+  const S least_G_pivot = prepared.least_G_pivot;
+  const S c11 = prepared.c11;
+  const S c12 = prepared.c12;
+  const S c13 = prepared.c13;
+  const S c14 = prepared.c14;
+  const S c15 = prepared.c15;
+  const S c16 = prepared.c16;
   const S r_2 = prepared.r_2;
   const S r_2_plus_rho_2 = prepared.r_2_plus_rho_2;
-  const S c10 = prepared.c10;
+  const S c17 = prepared.c17;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S phi = from.phi();
@@ -2793,21 +2906,21 @@ GAUSS_FUNCTION StatusOf<S> project_regular(const S& t, const State<S>& from, con
   // smallest change of the speeds in the mass metric that satisfies the constraints
   const S r_phi_dot = r * phi_dot;
   const S t1 = (zeta_dot + r_phi_dot * sin_theta * cos_chi_minus_psi) + r * theta_dot * sin_chi_minus_psi;
-  const S rough_change_zeta = -c4 * t1;
+  const S rough_change_zeta = -c11 * t1;
   const S t2 = cos_chi_minus_psi / sin_theta;
-  const S t3 = c5 * t2;
+  const S t3 = c12 * t2;
   const S rough_change_phi = -t3 * t1;
   const S t4 = (r * psi_dot + r_phi_dot * cos_theta) - r_minus_R * chi_dot;
   const S t5 = -t1 * cos_theta;
-  const S rough_change_psi = -c5 * t4 - t3 * t5;
-  const S correction_y_rolling_around = c4 * t4 - t4 - c6 * t2 * t5 - r * rough_change_psi;
-  const S correction_y_rolling_along = c6 * t1 - t1 - rough_change_zeta;
-  const S change_chi = c7 * (correction_y_rolling_around - t4);
-  const S change_zeta = c4 * correction_y_rolling_along + rough_change_zeta;
+  const S rough_change_psi = -c12 * t4 - t3 * t5;
+  const S correction_y_rolling_around = c11 * t4 - t4 - c13 * t2 * t5 - r * rough_change_psi;
+  const S correction_y_rolling_along = c13 * t1 - t1 - rough_change_zeta;
+  const S change_chi = c14 * (correction_y_rolling_around - t4);
+  const S change_zeta = c11 * correction_y_rolling_along + rough_change_zeta;
   const S t6 = t3 * correction_y_rolling_along;
   const S change_phi = t6 + rough_change_phi;
-  const S change_psi = rough_change_psi - t6 * cos_theta + c5 * correction_y_rolling_around;
-  const S change_theta = c5 * sin_chi_minus_psi * (correction_y_rolling_along - t1);
+  const S change_psi = rough_change_psi - t6 * cos_theta + c12 * correction_y_rolling_around;
+  const S change_theta = c12 * sin_chi_minus_psi * (correction_y_rolling_along - t1);
   const S chi_rate = chi_dot + change_chi;
   const S zeta_rate = zeta_dot + change_zeta;
   const S phi_rate = phi_dot + change_phi;
@@ -2832,12 +2945,12 @@ GAUSS_FUNCTION StatusOf<S> project_regular(const S& t, const State<S>& from, con
   state.psi_dot() = psi_rate;
   state.theta_dot() = theta_rate;
 
-  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(I_ball_zz, c8),
+  const Bool singular_mass_matrix = Math<S>::any(Math<S>::at_most(I_ball_zz, c15),
       Math<S>::at_most(least_G_pivot, S(0)));
-  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(c9, S(0)),
+  const Bool dependent_constraints = Math<S>::any(Math<S>::at_most(c16, S(0)),
       Math<S>::at_most(squares_rolling_around * squares_rolling_around * squares_rolling_around, S(0)),
       Math<S>::at_most(squares_rolling_along * squares_rolling_along * squares_rolling_along, S(0)),
-      Math<S>::at_most(c10, S(0)));
+      Math<S>::at_most(c17, S(0)));
   const Bool not_finite = Math<S>::not_finite(t, zeta, phi, chi_rate, zeta_rate, phi_rate, psi_rate,
       theta_rate);
   return Math<S>::status(singular_mass_matrix, dependent_constraints, not_finite);
@@ -2853,14 +2966,14 @@ GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
   const S r = prepared.r;
   const S J = prepared.J;
   const S G_chi_chi = prepared.G_chi_chi;
-  const S rho_2 = prepared.rho_2;
   const S r_minus_R = prepared.r_minus_R;
+  const S rho_2 = prepared.rho_2;
   const S r_2 = prepared.r_2;
   const S r_2_over_J = prepared.r_2_over_J;
-  const S c11 = prepared.c11;
+  const S c18 = prepared.c18;
   const S epsilon_2 = prepared.epsilon_2;
-  const S c12 = prepared.c12;
-  const S c13 = prepared.c13;
+  const S c19 = prepared.c19;
+  const S c20 = prepared.c20;
   const S chi = from.chi();
   const S zeta = from.zeta();
   const S phi = from.phi();
@@ -2905,10 +3018,10 @@ GAUSS_FUNCTION StatusOf<S> project_of_solution(const S& t, const State<S>& from,
   const S t3 = r * psi_dot_new - r_minus_R * chi_dot_new + r_phi_dot_new * cos_theta;
   const S t4 = zeta_dot_new + r * theta_dot_new * sin_chi_minus_psi
       + r_phi_dot_new * sin_theta * cos_chi_minus_psi;
-  const Bool t5 = Math<S>::any(Math<S>::less(c13 * (rho_2 * chi_dot_new_2 + r_2_phi_dot_new_2
-      + r_2 * psi_dot_new_2) + t1 * (c11 + Math<S>::select(t2, r_2_over_J * cos_theta * cos_theta, S(0))), t3
-      * t3), Math<S>::less(c13 * (zeta_dot_new_2 + r_2_phi_dot_new_2 + r_2 * theta_dot_new_2)
-      + t1 * (c12 + Math<S>::select(t2, r_2_over_J * sin_theta * sin_theta * cos_chi_minus_psi
+  const Bool t5 = Math<S>::any(Math<S>::less(c20 * (rho_2 * chi_dot_new_2 + r_2_phi_dot_new_2
+      + r_2 * psi_dot_new_2) + t1 * (c18 + Math<S>::select(t2, r_2_over_J * cos_theta * cos_theta, S(0))), t3
+      * t3), Math<S>::less(c20 * (zeta_dot_new_2 + r_2_phi_dot_new_2 + r_2 * theta_dot_new_2)
+      + t1 * (c19 + Math<S>::select(t2, r_2_over_J * sin_theta * sin_theta * cos_chi_minus_psi
       * cos_chi_minus_psi, S(0))
       + Math<S>::select(t2, r_2_over_J * sin_chi_minus_psi * sin_chi_minus_psi, S(0))), t4 * t4));
 
@@ -3043,6 +3156,8 @@ GAUSS_FUNCTION StatusOf<S> initial_state_system(const Prepared<S>& prepared,
   linear_system.off[1] = S(0);
   linear_system.drift[0] = drift_0;
   linear_system.drift[1] = drift_1;
+  linear_system.drift_error[0] = S(0);
+  linear_system.drift_error[1] = S(0);
 
   const Bool not_finite = Math<S>::not_finite(G_chi_chi, m, J, r, b_1_4, abs_r, abs_r_sin_psi_0, drift_0,
       drift_1);
