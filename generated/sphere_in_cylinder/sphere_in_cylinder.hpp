@@ -695,12 +695,12 @@ namespace gauss {
 template <class S, int n, int l>
 struct LinearSolution {
   S accelerations[n];
-  S multipliers[l];  ///< of those that do, the ones of least norm, each row at unit length where inertias are 1
-  S is_shared[l];    ///< 1: the multiplier is not unique, another constraint can do what this one does; else 0
-  S rank;            ///< of b, to the tolerance
-  StatusOf<S>
-      motion;  ///< singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something;
-      ///< violated_constraints: they contradict each other
+  /// Of those that do, the least: in the sum of (length_mu lambda_mu)^2, with the lengths of rows where inertias are 1 (detail::usual_size).
+  S multipliers[l];
+  S is_shared[l];  ///< 1: the multiplier is not unique, another constraint can do what this one does; else 0
+  S rank;          ///< of b, to the tolerance
+  /// singular_mass_matrix: something is not determined; dependent_constraints: fewer rows than usual say something; violated_constraints: they contradict each other
+  StatusOf<S> motion;
   StatusOf<S> step;       ///< the same without the last, of a step of Newton's method
   StatusOf<S> reactions;  ///< the same, and dependent_constraints where multipliers are not unique
 };
