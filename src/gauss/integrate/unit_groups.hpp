@@ -23,6 +23,7 @@ class UnitGroups {
   explicit UnitGroups(const Model& model) {
     for (std::size_t i = 0; i < Model::size; ++i) {
       is_angle_[i] = unit(model, i) == "rad";
+      is_number_[i] = is_angle_[i] || unit(model, i) == "1" || unit(model, i).empty();
       first_[i] = i;
       for (std::size_t k = i < Model::n_q ? 0 : Model::n_q; k < i && first_[i] == i; ++k)
         if (unit(model, k) == unit(model, i)) first_[i] = k;
@@ -40,6 +41,15 @@ class UnitGroups {
     for (std::size_t i = 0; i < Model::size; ++i)
       result[first_[i]] = std::max({result[first_[i]], sizes[i], is_angle_[i] ? Scalar(1) : Scalar(0)});
     for (std::size_t i = 0; i < Model::size; ++i) result[i] = result[first_[i]];
+    return result;
+  }
+
+  /// How far components may be moved so that nothing becomes another thing altogether: angles and numbers by 1 or their sizes, speeds by theirs. Lengths stay as they are: they may be counted from far
+  /// away.
+  Array turns(const Array& sizes) const {
+    Array result = largest(sizes);
+    for (std::size_t i = 0; i < Model::n_q; ++i)
+      if (!is_number_[i]) result[i] = Scalar(0);
     return result;
   }
 
@@ -92,7 +102,7 @@ class UnitGroups {
 
   std::array<std::size_t, Model::size> first_{};
   std::array<std::size_t, Model::size> place_{};  ///< of speeds
-  std::array<bool, Model::size> is_angle_{};
+  std::array<bool, Model::size> is_angle_{}, is_number_{};
 };
 
 }  // namespace gauss::integrate

@@ -126,6 +126,7 @@ class Simulation {
       const Scalar dt = arrives ? end - t_ : wanted;
       State before{}, after{};
       if (!attempt(rates, dt, before, after)) {
+        find_sizes_by_constraints(t_ + dt, before);
         if (++refused == 1) approach_.note_refused(dt, find_rounding(rates));
         reject(dt);
         continue;
@@ -217,13 +218,27 @@ class Simulation {
     };
     if (!changes_by_rounding(x_, rates, derivative, changes)) changes.fill(Scalar(0));
     control_.set_rounding(changes);
+    if (is_held_) control_.find_rates_by_constraints(x_, rates, derivative);
     Scalar lost = 0, all = 0;
     for (std::size_t i = 0; i < Model::size; ++i) {
-      if (!(control_.size(i) > Scalar(0))) continue;
-      lost = std::max(lost, changes[i] / control_.size(i));
-      all = std::max(all, std::abs(rates[i]) / control_.size(i));
+      if (!(control_.usual_size(i) > Scalar(0))) continue;
+      lost = std::max(lost, changes[i] / control_.usual_size(i));
+      all = std::max(all, std::abs(rates[i]) / control_.usual_size(i));
     }
     return all > Scalar(0) ? lost / all : Scalar(0);
+  }
+
+  /// At a state at which a step has arrived.
+  void find_sizes_by_constraints(const Scalar& t, const State& state) {
+    if (!is_held_) return;
+    Array x{};
+    std::copy_n(state.values, Model::size, x.begin());
+    control_.find_by_constraints(x, [&](const Array& near, Array& result) {
+      State moved = as_state(near);
+      if (!integrate::is_motion_known(model_.projection(t, moved))) return false;
+      std::copy_n(moved.values, Model::size, result.begin());
+      return true;
+    });
   }
 
   // Times may be of any unit: near 0, rounding is that of the first step.

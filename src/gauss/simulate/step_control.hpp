@@ -64,11 +64,10 @@ class NotingSystem {
   bool is_closed_ = false;
 };
 
-/// How far a function of a state moves it, or changes it by the time, when the state is rounded otherwise: the smaller of two changes in
-/// opposite directions, of eight units in the last place, so that an edge on one side is none.
+/// How a function of a state changes where the state is moved by `by` or in the opposite direction: the smaller of the two changes, so that an edge on one side is none.
 /// `apply(state, result)` is false where it has no value.
 template <class Array, class Apply>
-bool changes_by_rounding(const Array& x, const Array& value, const Apply& apply, Array& changes) {
+bool changes_by(const Array& by, const Array& x, const Array& value, const Apply& apply, Array& changes) {
   using Scalar = typename Array::value_type;
   changes.fill(std::numeric_limits<Scalar>::infinity());
   for (const int sign : {1, -1}) {
@@ -76,7 +75,7 @@ bool changes_by_rounding(const Array& x, const Array& value, const Apply& apply,
     for (std::size_t i = 0; i < x.size(); ++i) {
       // Not the same for all components, which would be a change of units: many models have none of.
       const Scalar share = (i % 2 == 0 ? 1 : -1) * (Scalar(1) - Scalar(i % 5) / 8);
-      moved[i] += sign * 8 * share * std::numeric_limits<Scalar>::epsilon() * x[i];
+      moved[i] += sign * share * by[i];
     }
     if (!apply(moved, result)) return false;
     for (std::size_t i = 0; i < x.size(); ++i) changes[i] = std::min(changes[i], std::abs(result[i] - value[i]));
@@ -84,9 +83,17 @@ bool changes_by_rounding(const Array& x, const Array& value, const Apply& apply,
   return true;
 }
 
+/// Where the state is rounded otherwise, by eight units in the last place.
+template <class Array, class Apply>
+bool changes_by_rounding(const Array& x, const Array& value, const Apply& apply, Array& changes) {
+  Array by = x;
+  for (auto& part : by) part *= 8 * std::numeric_limits<typename Array::value_type>::epsilon();
+  return changes_by(by, x, value, apply, changes);
+}
+
 /// The error of a step in units of what is allowed: the largest over the components. Each is allowed the tolerance of the largest size that it had so far or has within
-/// the step; some units in the last place of the largest component that has the same unit (of 1, for angles), since what is smaller is rounding of that; and what rounding
-/// changes its rate by.
+/// the step; some units in the last place of the largest component that has the same unit (of 1, for angles), or of what constraints make of it where others change by their sizes, since what
+/// is smaller is rounding of that; and what rounding changes its rate by.
 ///
 /// Odeint's own checker adds one absolute tolerance for all components, which suits neither a speed of 100 rad/s nor a quaternion nor other units, and its maximum loses a NaN.
 template <class Model>
@@ -104,8 +111,28 @@ class StepControl {
   }
   void set_smallest(std::size_t i, const Scalar& size) { own_[i] = size; }
   void set_rounding(const Array& of_rates) { rounding_ = of_rates; }
+  /// What constraints make of components, and of their rates, where others change by their sizes. A body that a blade guides straight, or that hangs from parallel bars, does not turn: rounding of its
+  /// speed, divided by an arm, is what it seems to turn by. `project` and `derive` (state, result) are false where there is no result.
+  template <class Project>
+  void find_by_constraints(const Array& x, const Project& project) {
+    Array here{}, changes{};
+    if (!project(x, here) || !changes_by(moves(here), here, here, project, changes)) return;
+    for (std::size_t i = 0; i < Model::size; ++i) by_constraints_[i] = changes[i] / k_part;
+  }
+  template <class Derive>
+  void find_rates_by_constraints(const Array& x, const Array& rates, const Derive& derive) {
+    Array changes{};
+    if (!changes_by(moves(x), x, rates, derive, changes)) return;
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      const Scalar of_rate = changes[i] / k_part;
+      rounding_[i] = std::max(rounding_[i], 8 * std::numeric_limits<Scalar>::epsilon() * of_rate);
+      by_constraints_[i] = std::max(by_constraints_[i], reach_ * of_rate);
+    }
+  }
 
   Scalar size(std::size_t i) const { return std::max(own_[i], system_->sizes()[i]); }
+  /// Beside which less than some units in the last place is nothing.
+  Scalar usual_size(std::size_t i) const { return std::max(size(i), by_constraints_[i]); }
 
   /// By components: what an error may be.
   Array allowed(const Scalar& tolerance, const Scalar& dt) const {
@@ -115,7 +142,8 @@ class StepControl {
     for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = size(i);
     Array result = groups_.largest(sizes);
     for (std::size_t i = 0; i < Model::size; ++i)
-      result[i] = least + tolerance * sizes[i] + k_last_places * result[i] + std::abs(dt) * rounding_[i];
+      result[i] = least + tolerance * sizes[i] + k_last_places * std::max(result[i], by_constraints_[i]) +
+                  std::abs(dt) * rounding_[i];
     return result;
   }
 
@@ -142,6 +170,17 @@ class StepControl {
   const Scalar& reach() const { return reach_; }
 
  private:
+  // No rounding; near a change point, where changes are roots, a smaller one would seem to move all by more.
+  static constexpr Scalar k_part = Scalar(1) / 128;
+
+  Array moves(const Array& x) const {
+    Array sizes{};
+    for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = std::abs(x[i]);
+    Array by = groups_.turns(sizes);
+    for (Scalar& move : by) move *= k_part;
+    return by;
+  }
+
   static constexpr Scalar k_last_places = 64 * std::numeric_limits<Scalar>::epsilon();
 
   // Where what rests is pushed at a point of time (a force that begins to act), the error of a step over it is a part of all that moves, however short the step
@@ -183,6 +222,7 @@ class StepControl {
   const NotingSystem<Model>* system_;
   Array own_{};       ///< largest size so far
   Array rounding_{};  ///< changes of rates by it
+  Array by_constraints_{};
   Scalar reach_ = 0;  ///< the longest step so far
   Scalar last_ = 0;   ///< error
   Edge edge_;
