@@ -70,7 +70,12 @@ void ArtefactBuilder::with_singular_metric(ir::Expr is_singular) {
 
 void ArtefactBuilder::with_solution_status() {
   artefact_.status.singular_mass_matrix = mechanics_.solution.singular_mass_matrix.id();
-  artefact_.status.dependent_constraints = mechanics_.solution.dependent_constraints.id();
+  // What has a gradient of rounding where it holds asks for any acceleration.
+  const auto& constraints = mechanics_.model.constraints;
+  const bool holds_nothing = std::any_of(mechanics_.vanishing.begin(), mechanics_.vanishing.end(),
+                                         [&](std::size_t mu) { return !constraints[mu].may_vanish; });
+  artefact_.status.dependent_constraints =
+      holds_nothing ? mechanics_.graph.constant(1) : mechanics_.solution.dependent_constraints.id();
   looked_at_ = mechanics_.solution.looked_at;
 }
 

@@ -25,6 +25,8 @@ namespace {
 
 /// Of speeds times speeds and constraints: beyond, code and time of the general solution are out of proportion, and a status has to do.
 constexpr std::size_t k_most_entries = 4000;
+/// Where the cheap way is lost in every state, a status would have to do everywhere. Beyond, what is solved fills a stack.
+constexpr std::size_t k_most_entries_of_redundant = 10'000;
 
 const char* const k_regular = "_regular";
 const char* const k_of_solution = "_of_solution";
@@ -64,8 +66,10 @@ Artefact caller_of(const Artefact& regular) {
 
 bool has_general_way(Mechanics& mechanics) {
   const std::size_t n = mechanics.dynamics.n(), l = mechanics.dynamics.l();
-  if (n == 0 || l == 0 || n * (n + l) > k_most_entries) return false;
-  return may_lose_rank(mechanics.solution.dependent_constraints) || usual_rank(mechanics) < l;
+  const std::size_t entries = n * (n + l);
+  if (n == 0 || l == 0 || entries > k_most_entries_of_redundant) return false;
+  if (entries <= k_most_entries && may_lose_rank(mechanics.solution.dependent_constraints)) return true;
+  return usual_rank(mechanics) < l;
 }
 
 namespace {

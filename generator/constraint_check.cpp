@@ -25,7 +25,8 @@ ConstraintCheck::ConstraintCheck(Mechanics& mechanics, ModelValues& values, bool
       dependences_(dependences(mechanics, values)) {}
 
 bool ConstraintCheck::has_general_solution() const {
-  return has_dependent() && contradictory_.empty() && general_solution(mechanics_, values_, dependences_).has_value();
+  return mechanics_.dynamics.l() > 0 && contradictory_.empty() &&
+         general_solution(mechanics_, values_, dependences_).has_value();
 }
 
 bool ConstraintCheck::leave_undetermined() const {

@@ -32,7 +32,7 @@ class ConstraintCheck {
 
   bool has_dependent() const { return !dependences_.empty(); }
 
-  /// Whether constraints follow from each other, and accelerations follow from those that do not.
+  /// Whether accelerations follow from inertia and those constraints that do not follow from others, also where neither determines them alone.
   bool has_general_solution() const;
 
   /// Whether they agree, and neither they nor inertia determine some acceleration: the rows that are left say too little.

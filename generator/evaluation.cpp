@@ -12,6 +12,7 @@
 #include "model/impossible.hpp"
 #include "model_values.hpp"
 #include "strategy/projection.hpp"
+#include "vanishing_gradient.hpp"
 #include "violation.hpp"
 
 namespace gaussgen {
@@ -71,7 +72,7 @@ class Report {
     dependences_ = dependences(mechanics_, value_of_);
     if (resting_) {
       take_rest();
-    } else if (!dependences_.empty()) {
+    } else if (!dependences_.empty() || is_lost()) {
       take_general_solution();
     }
     add_accelerations();
@@ -173,12 +174,21 @@ class Report {
       result_.warnings.push_back("accelerations are undefined here: the coordinates may be singular");
   }
 
+  /// Where inertia alone determines too little, or has been divided by, constraints may determine the rest.
+  bool is_lost() {
+    const strategy::Solution& solution = mechanics_.solution;
+    const auto is_undefined = [this](Expr a) { return !value_of_(a.id()); };
+    return mechanics_.dynamics.l() > 0 &&
+           (value_of_.is_true(solution.singular_mass_matrix) ||
+            std::any_of(solution.accelerations.begin(), solution.accelerations.end(), is_undefined));
+  }
+
   /// As emitted code does where its own way is lost.
   void take_general_solution() {
     const bool agree = std::all_of(dependences_.begin(), dependences_.end(),
                                    [](const Dependence& found) { return found.agreement == Agreement::agree; });
     const auto found = agree ? general_solution(mechanics_, value_of_, dependences_) : std::nullopt;
-    if (agree && !found && is_undetermined(mechanics_, value_of_, dependences_)) {
+    if (agree && !found && !dependences_.empty() && is_undetermined(mechanics_, value_of_, dependences_)) {
       result_.warnings.push_back(
           "neither inertia nor the constraints that say something here determine all accelerations");
       doubt("singular_mass_matrix");
@@ -187,13 +197,13 @@ class Report {
     for (const auto a : mechanics_.symbols.speeds.indices())
       mechanics_.solution.accelerations[a.value] = mechanics_.expressions.number(found->accelerations[a.value]);
     take_multipliers(found->multipliers);
+    is_general_ = true;
     is_motion_known_ = depend_as_usual();
   }
 
   bool depend_as_usual() const {
-    return std::all_of(dependences_.begin(), dependences_.end(), [](const Dependence& one) {
-      return one.everywhere && one.agreement == Agreement::agree;
-    });
+    return std::all_of(dependences_.begin(), dependences_.end(),
+                       [](const Dependence& one) { return one.everywhere && one.agreement == Agreement::agree; });
   }
 
   void take_multipliers(const std::vector<support::Rational>& multipliers) {
@@ -400,13 +410,14 @@ class Report {
   }
 
   void add_status() {
-    if (!resting_ && value_of_.is_true(singular_mass_matrix_)) {
+    if (!resting_ && !is_general_ && value_of_.is_true(singular_mass_matrix_)) {
       result_.warnings.push_back(
           "the mass matrix is not positive definite here (singular, or some mass is negative): accelerations cannot be "
           "trusted");
       doubt("singular_mass_matrix");
     }
     warn_of_dependence();
+    warn_of_vanishing();
     const bool is_beside =
         std::any_of(dependences_.begin(), dependences_.end(), [](const Dependence& found) { return !found.is_exact; });
     if (result_.doubts.empty() || is_beside) warn_of_slow_search();
@@ -414,6 +425,17 @@ class Report {
       result_.warnings.push_back("the initial state violates constraint '" + violation.row->name + "' by " +
                                  evaluate::to_decimal(violation.residual, 3));
       doubt("violated_constraints");
+    }
+  }
+
+  void warn_of_vanishing() {
+    for (std::size_t mu = 0; mu < mechanics_.dynamics.l(); ++mu) {
+      const model::Constraint& row = mechanics_.model.constraints[mu];
+      if (row.may_vanish || !has_small_gradient(mechanics_, value_of_, mu) || !vanishes_with_gradient(mechanics_, mu))
+        continue;
+      result_.warnings.push_back(holds_nothing(row));
+      result_.not_unique.clear();
+      doubt("dependent_constraints");
     }
   }
 
@@ -435,8 +457,10 @@ class Report {
       result_.warnings.push_back(contradiction.empty()
                                      ? dependence_in(mechanics_, dependence) + " here: multipliers are not unique"
                                      : contradiction + " here: accelerations cannot be trusted");
+      if (!contradiction.empty()) doubt("violated_constraints");
     }
-    if (dependences_.empty() && !resting_ && value_of_.is_true(mechanics_.solution.dependent_constraints)) {
+    if (dependences_.empty() && !resting_ && !is_general_ &&
+        value_of_.is_true(mechanics_.solution.dependent_constraints)) {
       result_.warnings.push_back("constraints depend on each other here: multipliers are not unique");
     }
     if (result_.warnings.size() == before) return;
@@ -447,7 +471,7 @@ class Report {
   /// Those that are there.
   std::vector<std::string> groups_of_multipliers() const {
     std::vector<std::string> groups;
-    for (const char* const group : {"multipliers", "reaction_forces", "joint_reactions"}) {
+    for (const char* const group : {"multipliers", "reactions", "reaction_forces", "joint_reactions"}) {
       // Sums over all constraints on a body are unique.
       const auto is_of_group = [&](const EvaluatedValue& value) {
         return value.group == group && value.name.rfind("on_", 0) != 0;
@@ -461,6 +485,7 @@ class Report {
   int digits_;
   ModelValues value_of_;
   std::vector<Dependence> dependences_;
+  bool is_general_ = false;       ///< accelerations are those of the general solution
   bool is_motion_known_ = false;  ///< constraints depend on each other as they always do
   const std::optional<WantedAccelerations>& wanted_;
   const std::optional<RestingMultipliers>& resting_;

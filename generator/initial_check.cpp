@@ -28,7 +28,6 @@ namespace {
 constexpr int k_digits = 17;
 constexpr int k_moved_digits = 12;
 constexpr int k_shown_digits = 9;
-const support::Rational k_small_gradient = support::Rational(1) / 100;
 
 /// Accelerations hold the second derivatives of positions.
 constexpr int k_most_derivatives = 2;
@@ -84,15 +83,12 @@ class InitialCheck {
     for (std::size_t mu = 0; mu < mechanics_.dynamics.l(); ++mu) {
       const bool is_violated = std::any_of(violated.begin(), violated.end(),
                                            [&](const Violation& violation) { return violation.index == mu; });
-      if (!is_violated && !is_small(mechanics_.dynamics.b[mu])) continue;
+      if (!is_violated && !has_small_gradient(mechanics_, values_, mu)) continue;
       if (!vanishes_with_gradient(mechanics_, mu)) continue;
       constraints.pass_over(mu);
       mechanics_.vanishing.insert(mu);
       const model::Constraint& row = model_.constraints[mu];
-      diagnostics_.warning(
-          support::code::k_vanishing_gradient, row.span,
-          fmt::format("constraint '{}' holds nothing: its gradient vanishes wherever it holds", row.name.text),
-          hint_for_vanishing(row));
+      diagnostics_.warning(support::code::k_vanishing_gradient, row.span, holds_nothing(row), hint_for_vanishing(row));
     }
   }
 
@@ -102,14 +98,6 @@ class InitialCheck {
     const auto base = options_.source == nullptr ? std::nullopt : base_of_power(row, *options_.source);
     return base ? fmt::format("state '{}' instead", *base)
                 : "as that of a square does: state what is squared, or each of the terms in a sum of squares";
-  }
-
-  /// Beside what its entries are made of.
-  bool is_small(const strategy::Vector& row) {
-    return std::all_of(row.begin(), row.end(), [&](const ir::Expr entry) {
-      const auto left = values_.relative_residual(entry.id());
-      return left && *left <= values_.number(k_small_gradient);
-    });
   }
 
   void report_undefined(const UndefinedPart& part) {

@@ -36,7 +36,7 @@ constexpr double k_noise = 1e-14;  ///< f of what it is made of, in that sum
 constexpr double k_most_damping = 1e12;
 constexpr double k_turned_back = 1e-9;  ///< f of what it is made of, before steps to what is near
 constexpr double k_near = 1e-3;         ///< of a span
-constexpr double k_part = 1e-9;  ///< of the largest: less is rounding
+constexpr double k_part = 1e-9;         ///< of the largest: less is rounding
 
 Eigen::Map<const Eigen::VectorXd> mapped(const Vector& v) { return {v.data(), static_cast<Eigen::Index>(v.size())}; }
 
@@ -356,12 +356,99 @@ std::optional<Vector> less_whole_turns(Mechanics& mechanics, const Vector& posit
   return equations.position();
 }
 
+namespace {
+
+/// Two roots that are one, as where a crank is at its dead centre: f changes by squares along some way v, and is solved half of the digits before. There uᵀ J v, the least
+/// singular value, changes its sign, and says in all digits where.
+class DoubleRoot {
+ public:
+  DoubleRoot(PositionEquations& equations, Vector spans) : equations_(equations), spans_(std::move(spans)) {}
+
+  /// Goes there if it is as near as half of the digits, and a solution.
+  void approach() {
+    const Vector before = equations_.position();
+    const auto left = left_here();
+    if (!left) return;
+    for (std::size_t k = 0; k < spans_.size() && goes_on(); ++k) continue;
+    drop_rounding();
+    const auto left_there = left_here();
+    if (!left_there || *left_there > std::max(*left, k_solved)) equations_.set(before);
+  }
+
+ private:
+  std::optional<double> left_here() {
+    auto here = equations_.linearised();
+    if (!here || here->j.empty()) return std::nullopt;
+    here->measure_by(spans_);
+    return here->left();
+  }
+
+  /// One way; false where there is none.
+  bool goes_on() {
+    const auto here = equations_.linearised();
+    if (!here) return false;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(in_spans(*here), Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::VectorXd& sizes = svd.singularValues();
+    for (Eigen::Index k = sizes.size() - 1; k >= 0; --k) {
+      if (!(sizes[k] > k_exact * sizes[0] && sizes[k] < k_near_double * sizes[0])) continue;
+      return moves_along(svd.matrixU().col(k), svd.matrixV().col(k), sizes[k]);
+    }
+    return false;
+  }
+
+  bool moves_along(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double size) {
+    const Vector before = equations_.position();
+    const auto ahead = singular_value(before, u, v, k_part_of_span),
+               behind = singular_value(before, u, v, -k_part_of_span);
+    const double slope = ahead && behind ? (*ahead - *behind) / (2 * k_part_of_span) : 0;
+    const double way = slope == 0 ? 1 : -size / slope;
+    equations_.set(before);
+    if (!(std::abs(way) < k_near_double)) return false;
+    move(v, way);
+    return true;
+  }
+
+  std::optional<double> singular_value(const Vector& from, const Eigen::VectorXd& u, const Eigen::VectorXd& v,
+                                       double by) {
+    equations_.set(from);
+    move(v, by);
+    const auto there = equations_.linearised();
+    return there ? std::optional(u.dot(in_spans(*there) * v)) : std::nullopt;
+  }
+
+  void move(const Eigen::VectorXd& v, double by) {
+    Vector along = unmapped(by * v);
+    for (std::size_t i = 0; i < along.size(); ++i) along[i] *= spans_[i];
+    equations_.move(along);
+  }
+
+  Eigen::MatrixXd in_spans(const Linearised& at) const {
+    return matrix(at.j, spans_.size()) * mapped(spans_).asDiagonal();
+  }
+
+  /// Angles of 0.
+  void drop_rounding() {
+    Vector q = equations_.position();
+    for (std::size_t i = 0; i < spans_.size() && i < q.size(); ++i)
+      if (equations_.movable()[i] && std::abs(q[i]) < k_exact * spans_[i]) q[i] = 0;
+    equations_.set(std::move(q));
+  }
+
+  static constexpr double k_near_double = 1e-5, k_exact = 1e-12, k_part_of_span = 1e-3;
+
+  PositionEquations& equations_;
+  Vector spans_;
+};
+
+}  // namespace
+
 Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time) {
   PositionEquations equations(mechanics, movable, time);
   if (!start_beside_guess(mechanics, equations)) return {equations.position(), false};
   const auto reached = Descent(equations).run();
   if (!reached || !reached->is_solved(k_solved)) return {equations.position(), false};
   if (unwind(equations, mechanics.symbols.plain_count())) polish(equations, spans_at(mechanics, equations));
+  DoubleRoot(equations, spans_at(mechanics, equations)).approach();
   return {equations.position(), true};
 }
 

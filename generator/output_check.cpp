@@ -42,6 +42,12 @@ Absence absence_of(const std::string& output) {
     return {"no parameter is named for it, or --fold makes them numbers",
             "name parameters under 'sensitivities', or by --sensitivities; or remove it from the outputs"};
   }
+  if (output == "mobility") {
+    return {
+        "it has no constraints that may follow from each other, or too many speeds and constraints for a solution "
+        "of any rank",
+        "remove it from the outputs; 'gauss-gen --check' says what the constraints leave"};
+  }
   return {"no coordinate is free, so it has no state", "remove it from the outputs"};
 }
 

@@ -21,7 +21,7 @@ namespace gaussgen {
 namespace {
 
 /// Of speeds times speeds and constraints.
-constexpr std::size_t k_most_entries = 4000;
+constexpr std::size_t k_most_entries = 10'000;
 
 constexpr int k_states = 3;
 constexpr double k_solved =

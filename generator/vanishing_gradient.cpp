@@ -11,6 +11,8 @@ namespace gaussgen {
 
 namespace {
 
+const support::Rational k_small_gradient = support::Rational(1) / 100;
+
 using Vector = std::vector<double>;
 
 constexpr int k_starts = 3;
@@ -124,6 +126,18 @@ std::optional<std::string> base_of_power(const model::Constraint& constraint, co
   std::string text(source.text(law->children.front().span));
   const bool is_in_brackets = text.size() > 2 && text.front() == '(' && text.back() == ')';
   return is_in_brackets ? text.substr(1, text.size() - 2) : text;
+}
+
+bool has_small_gradient(Mechanics& mechanics, ModelValues& values, std::size_t constraint) {
+  const strategy::Vector& row = mechanics.dynamics.b[constraint];
+  return std::all_of(row.begin(), row.end(), [&](const ir::Expr entry) {
+    const auto left = values.relative_residual(entry.id());
+    return left && *left <= values.number(k_small_gradient);
+  });
+}
+
+std::string holds_nothing(const model::Constraint& constraint) {
+  return "constraint '" + constraint.name.text + "' holds nothing: its gradient vanishes wherever it holds";
 }
 
 }  // namespace gaussgen

@@ -567,6 +567,38 @@ forces: {drive: {torque: [0, 0, 1], on: pinion}}
             force = [float(found["multipliers"][f"mesh_{axis}"]["value"]) for axis in "xy"]
             self.assertAlmostEqual(math.hypot(*force), 10, 12)
 
+    def test_a_part_without_mass_between_others_is_carried_by_constraints(self):
+        # A four-bar moves as with a coupler of next to no mass.
+        light = json.loads(self.run_it("evaluate", MODELS / "four_bar.yaml", "--set", "m2=1e-14", "--format=json").stdout)
+        none = json.loads(self.run_it("evaluate", MODELS / "four_bar.yaml", "--set", "m2=0", "--format=json").stdout)
+        self.assertEqual((none["status"], none["not_finite"]), ("not_finite", ["compulsion"]))
+        for group in ("accelerations", "multipliers"):
+            for name, entry in none[group].items():
+                self.assertAlmostEqual(float(entry["value"]) / float(light[group][name]["value"]), 1, 11, name)
+
+    def test_constraints_that_ask_for_different_accelerations_are_violated(self):
+        belt = PARTICLE.replace("initial_rate: 1", "initial_rate: 0") + \
+            "constraints: {wall: {equation: x}, belt: {velocity: dot(x) - a*t}}\n"
+        belt = belt.replace("parameters:\n", "parameters:\n  a: {value: 0, unit: m/s^2}\n")
+        done = self.run_it("evaluate", "-", "--set", "a=1", "--format=json", stdin=belt)
+        self.assertIn("violated_constraints", json.loads(done.stdout)["status"])
+        self.assertIn("no accelerations satisfy constraints 'wall' and 'belt' together", done.stderr)
+
+    def test_motors_that_share_a_load_are_not_unique(self):
+        # Two gears that are held by the same law drive a third: any preload between them is possible.
+        gears = """gauss: 1
+name: gears
+coordinates: {qa: {held_at: sin(t)}, qc: {held_at: sin(t)}}
+joints:
+  a: {type: revolute, child: A, axis: z, coordinates: qa}
+  b: {type: revolute, child: B, at: [0.2, 0, 0], axis: z, coordinates: qb}
+  c: {type: revolute, child: C, at: [0.4, 0, 0], axis: z, coordinates: qc}
+bodies: {A: {mass: 1, inertia: 1}, B: {mass: 1, inertia: 1}, C: {mass: 1, inertia: 1}}
+constraints: {ab: {rolls: B, on: A, at: [0.1, 0, 0]}, cb: {rolls: B, on: C, at: [0.3, 0, 0]}}
+"""
+        found = json.loads(self.run_it("evaluate", "-", "--format=json", stdin=gears).stdout)
+        self.assertIn("reactions", found["not_unique"])
+
     def test_a_model_from_standard_input_works(self):
         self.assertIn("x_ddot", self.ok("evaluate", "-", stdin=PARTICLE))
 
