@@ -23,7 +23,7 @@ Each row is a figure of a case that breaks simulators: what a naive form of it d
 "breaks down" is NaN, overflow, or a step that cannot be taken. Times are of computing, of all that a figure measures, so that both forms compare; what runs for several figures is
 shown with each. `./run hard-cases --long` takes whole durations (10^6 s), some minutes. The cases are in `hard_cases/`, one file each,
 with their models in `hard_cases/models/`; each short one is a test (`./run test -R hard_cases`).
-`build/release/bin/hard_cases --only H08` runs one of them and writes nothing.
+`build/release/bin/hard_cases --only H08` runs one of them and writes nothing, once this is built.
 
 """
 

@@ -7,6 +7,7 @@
 #include "gauss/simulate/simulation.hpp"
 #include "hung_straight.hpp"
 #include "hung_straight_twice.hpp"
+#include "skater_quaternion.hpp"
 #include "straight_cart.hpp"
 #include "straight_sledge.hpp"
 #include "tilted_carriage.hpp"
@@ -15,6 +16,7 @@ GAUSS_MODEL(Carriage, gauss::tilted_carriage);
 GAUSS_MODEL(Cart, gauss::straight_cart);
 GAUSS_MODEL(Hung, gauss::hung_straight);
 GAUSS_MODEL(HungTwice, gauss::hung_straight_twice);
+GAUSS_MODEL(Skater, gauss::skater_quaternion);
 GAUSS_MODEL(Sledge, gauss::straight_sledge);
 
 namespace {
@@ -106,5 +108,26 @@ TEST_CASE("a carriage on a tilted guide oscillates") {
     const Reached found = after<Carriage>(7, tolerance);
     CHECK(found.x == Approx(middle * (1 - std::cos(7 * frequency)) * std::cos(p.a)).margin(1e3 * tolerance));
     CHECK(std::abs(found.turn) < 1e-13);
+  }
+}
+
+// Where the skate stands upright its blade has no direction on the ice, and holds nothing: how the motion goes on is nobody's to say.
+TEST_CASE("a skater stops where his blade is upright, and says so") {
+  namespace skater = gauss::skater_quaternion;
+  const skater::Prepared<double> prepared = prepare(skater::Parameters<double>{});
+  const skater::Inputs<double> inputs{};
+  skater::State<double> start;
+  REQUIRE(initial_state(prepared, start) == Status::ok);
+  for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
+    gauss::simulate::Settings<double> settings;
+    settings.tolerance = tolerance;
+    gauss::simulate::Simulation run(gauss::integrate::bind_model<Skater>(prepared, inputs), start, 0.0, settings);
+    CHECK_FALSE(run.advance_to(5));
+    CHECK(run.report().outcome == gauss::simulate::Outcome::constraints_lost);
+    const auto at = run.state();
+    const double along_x = 1 - 2 * (at.e2() * at.e2() + at.e3() * at.e3()),
+                 along_y = 2 * (at.e1() * at.e2() + at.e0() * at.e3());
+    INFO("tolerance " << tolerance << ", stopped at " << run.time());
+    CHECK(std::hypot(along_x, along_y) < 1e-3);
   }
 }

@@ -44,12 +44,23 @@ class UnitGroups {
     return result;
   }
 
-  /// How far components may be moved so that nothing becomes another thing altogether: angles and numbers by 1 or their sizes, speeds by theirs. Lengths stay as they are: they may be counted from far
-  /// away.
-  Array turns(const Array& sizes) const {
-    Array result = largest(sizes);
+  /// How far components go in a time, as `sizes` are: angles and numbers by 1 or their sizes, lengths by their rates, since they may be counted from far away; speeds by their sizes, and those of
+  /// angles so far that these go so far.
+  Array moves(const Array& sizes, const Scalar& time) const {
+    const Array all = largest(sizes);
+    Array result = all;
     for (std::size_t i = 0; i < Model::n_q; ++i)
       if (!is_number_[i]) result[i] = Scalar(0);
+    for (std::size_t k = Model::n_q; k < Model::size; ++k) {
+      const std::size_t place = place_[k];
+      if (place == k_none) continue;
+      if (is_number_[place]) {
+        if (time > Scalar(0)) result[k] = std::max(result[k], all[place] / time);
+        continue;
+      }
+      for (std::size_t i = 0; i < Model::n_q; ++i)
+        if (first_[i] == first_[place]) result[i] = std::max(result[i], time * all[k]);
+    }
     return result;
   }
 

@@ -218,7 +218,6 @@ class Simulation {
     };
     if (!changes_by_rounding(x_, rates, derivative, changes)) changes.fill(Scalar(0));
     control_.set_rounding(changes);
-    if (is_held_) control_.find_rates_by_constraints(x_, rates, derivative);
     Scalar lost = 0, all = 0;
     for (std::size_t i = 0; i < Model::size; ++i) {
       if (!(control_.usual_size(i) > Scalar(0))) continue;

@@ -92,7 +92,7 @@ bool changes_by_rounding(const Array& x, const Array& value, const Apply& apply,
 }
 
 /// The error of a step in units of what is allowed: the largest over the components. Each is allowed the tolerance of the largest size that it had so far or has within
-/// the step; some units in the last place of the largest component that has the same unit (of 1, for angles), or of what constraints make of it where others change by their sizes, since what
+/// the step; some units in the last place of the largest component that has the same unit (of 1, for angles), or of what constraints make of it where all others move, since what
 /// is smaller is rounding of that; and what rounding changes its rate by.
 ///
 /// Odeint's own checker adds one absolute tolerance for all components, which suits neither a speed of 100 rad/s nor a quaternion nor other units, and its maximum loses a NaN.
@@ -111,28 +111,27 @@ class StepControl {
   }
   void set_smallest(std::size_t i, const Scalar& size) { own_[i] = size; }
   void set_rounding(const Array& of_rates) { rounding_ = of_rates; }
-  /// What constraints make of components, and of their rates, where others change by their sizes. A body that a blade guides straight, or that hangs from parallel bars, does not turn: rounding of its
-  /// speed, divided by an arm, is what it seems to turn by. `project` and `derive` (state, result) are false where there is no result.
+  /// What constraints make of components where all of them move. A body that a blade guides straight does not turn: rounding of its speed, divided by an arm, is what it seems to turn by. And what they
+  /// bring back to where it was, as the angle of a slab on parallel bars, is theirs: errors of a step in it are of no other size than those of all that moves.
+  /// `project(state, result)` is false where it does not arrive.
   template <class Project>
   void find_by_constraints(const Array& x, const Project& project) {
-    Array here{}, changes{};
-    if (!project(x, here) || !changes_by(moves(here), here, here, project, changes)) return;
-    for (std::size_t i = 0; i < Model::size; ++i) by_constraints_[i] = changes[i] / k_part;
-  }
-  template <class Derive>
-  void find_rates_by_constraints(const Array& x, const Array& rates, const Derive& derive) {
-    Array changes{};
-    if (!changes_by(moves(x), x, rates, derive, changes)) return;
+    Array here{}, changes{}, sizes{};
+    if (!project(x, here)) return;
+    for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = std::abs(here[i]);
+    const Array moves = groups_.moves(sizes, reach_);
+    Array by = moves;
+    for (Scalar& move : by) move *= k_part;
+    if (!changes_by(by, here, here, project, changes)) return;
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Scalar of_rate = changes[i] / k_part;
-      rounding_[i] = std::max(rounding_[i], 8 * std::numeric_limits<Scalar>::epsilon() * of_rate);
-      by_constraints_[i] = std::max(by_constraints_[i], reach_ * of_rate);
+      is_held_[i] = changes[i] < k_held * by[i];
+      by_constraints_[i] = is_held_[i] ? moves[i] : changes[i] / k_part;
     }
   }
 
   Scalar size(std::size_t i) const { return std::max(own_[i], system_->sizes()[i]); }
-  /// Beside which less than some units in the last place is nothing.
-  Scalar usual_size(std::size_t i) const { return std::max(size(i), by_constraints_[i]); }
+  /// That of its own, unless it is nothing beside what constraints make of it. (Near a change point they make much of what is not nothing.)
+  Scalar usual_size(std::size_t i) const { return is_held_[i] || is_nothing(i) ? by_constraints_[i] : size(i); }
 
   /// By components: what an error may be.
   Array allowed(const Scalar& tolerance, const Scalar& dt) const {
@@ -141,9 +140,11 @@ class StepControl {
     Array sizes{};
     for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = size(i);
     Array result = groups_.largest(sizes);
-    for (std::size_t i = 0; i < Model::size; ++i)
-      result[i] = least + tolerance * sizes[i] + k_last_places * std::max(result[i], by_constraints_[i]) +
-                  std::abs(dt) * rounding_[i];
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      result[i] = least + tolerance * sizes[i] + k_last_places * result[i] + std::abs(dt) * rounding_[i];
+      if (is_held_[i] || is_nothing(i))
+        result[i] += (is_held_[i] ? std::max(tolerance, k_last_places) : k_last_places) * by_constraints_[i];
+    }
     return result;
   }
 
@@ -170,16 +171,11 @@ class StepControl {
   const Scalar& reach() const { return reach_; }
 
  private:
+  bool is_nothing(std::size_t i) const { return size(i) <= k_last_places * by_constraints_[i]; }
+
   // No rounding; near a change point, where changes are roots, a smaller one would seem to move all by more.
   static constexpr Scalar k_part = Scalar(1) / 128;
-
-  Array moves(const Array& x) const {
-    Array sizes{};
-    for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = std::abs(x[i]);
-    Array by = groups_.turns(sizes);
-    for (Scalar& move : by) move *= k_part;
-    return by;
-  }
+  static constexpr Scalar k_held = 1e-6;  ///< of a move
 
   static constexpr Scalar k_last_places = 64 * std::numeric_limits<Scalar>::epsilon();
 
@@ -223,6 +219,7 @@ class StepControl {
   Array own_{};       ///< largest size so far
   Array rounding_{};  ///< changes of rates by it
   Array by_constraints_{};
+  std::array<bool, Model::size> is_held_{};
   Scalar reach_ = 0;  ///< the longest step so far
   Scalar last_ = 0;   ///< error
   Edge edge_;
