@@ -388,23 +388,20 @@ class DoubleRoot {
     const auto here = equations_.linearised();
     if (!here) return false;
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(in_spans(*here), Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const Eigen::VectorXd& sizes = svd.singularValues();
-    for (Eigen::Index k = sizes.size() - 1; k >= 0; --k) {
-      if (!(sizes[k] > k_exact * sizes[0] && sizes[k] < k_near_double * sizes[0])) continue;
-      return moves_along(svd.matrixU().col(k), svd.matrixV().col(k), sizes[k]);
-    }
+    for (Eigen::Index k = svd.singularValues().size() - 1; k >= 0; --k)
+      if (moves_along(svd.matrixU().col(k), svd.matrixV().col(k), svd.singularValues()[k])) return true;
     return false;
   }
 
+  /// Where the singular value is so small beside what it changes by over a span that it is 0 next by.
   bool moves_along(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double size) {
     const Vector before = equations_.position();
     const auto ahead = singular_value(before, u, v, k_part_of_span),
                behind = singular_value(before, u, v, -k_part_of_span);
     const double slope = ahead && behind ? (*ahead - *behind) / (2 * k_part_of_span) : 0;
-    const double way = slope == 0 ? 1 : -size / slope;
     equations_.set(before);
-    if (!(std::abs(way) < k_near_double)) return false;
-    move(v, way);
+    if (!(size > k_exact * std::abs(slope) && size < k_near_double * std::abs(slope))) return false;
+    move(v, -size / slope);
     return true;
   }
 

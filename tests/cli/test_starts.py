@@ -130,6 +130,23 @@ forces: {push: {force: [-F, 0, 0], on: slider}}
         said = self.run_it("-", "-o", ".", stdin=dead)
         self.assertEqual(said.returncode, 0, said.stderr)
 
+    def test_a_dead_centre_of_one_angle_is_one(self):
+        for length in (1, 1000):
+            dead = f"""gauss: 1
+name: dead
+parameters: {{r: {0.3 * length}, l: {0.8 * length}}}
+coordinates: {{phi: {{initial_guess: 0.3, initial_rate: 2}}, s: {{initial: r + l, initial_rate: 0}}}}
+bodies: {{crank: {{mass: 1, inertia: {0.01 * length**2}, position: [0, 0, 0], orientation: {{axis: z, angle: phi}}}}}}
+particles: {{slider: {{mass: 1, position: [s, 0, 0]}}}}
+points: {{pin: {{on: crank, at: [r, 0, 0]}}}}
+constraints: {{rod: {{distance: [pin, slider], is: l}}}}
+forces: {{push: {{force: [-2, 0, 0], on: slider}}}}
+"""
+            found = json.loads(self.run_it("evaluate", "-", "--format=json", stdin=dead).stdout)
+            self.assertEqual((found["status"], float(found["state"]["phi"]["value"])), ("ok", 0))
+            # s'' = -r w^2 - (r w)^2/l
+            self.close(found["accelerations"]["s_ddot"]["value"], -1.65 * length)
+
     def test_a_square_that_holds_nothing_is_not_trusted(self):
         for law in ("(x - 0.5)^2", "(x - 0.5)^3", "(x - 0.5)^2 + (y - 0.5)^2"):
             wall = f"""gauss: 1

@@ -1,5 +1,6 @@
 // What constraints keep from turning does not turn, but by rounding; no step may be judged by that.
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -10,10 +11,12 @@
 #include "skater_quaternion.hpp"
 #include "straight_cart.hpp"
 #include "straight_sledge.hpp"
+#include "tied_flywheels.hpp"
 #include "tilted_carriage.hpp"
 
 GAUSS_MODEL(Carriage, gauss::tilted_carriage);
 GAUSS_MODEL(Cart, gauss::straight_cart);
+GAUSS_MODEL(Flywheels, gauss::tied_flywheels);
 GAUSS_MODEL(Hung, gauss::hung_straight);
 GAUSS_MODEL(HungTwice, gauss::hung_straight_twice);
 GAUSS_MODEL(Skater, gauss::skater_quaternion);
@@ -62,8 +65,8 @@ void check_straight() {
 }
 
 /// As a pendulum: all of it goes along a circle of radius c.
-double swung(double from, double c, double g, double t) {
-  double angle = from, rate = 0;
+double swung(double from, double v, double c, double g, double t) {
+  double angle = from, rate = v / c;
   const int steps = 200'000;
   const double h = t / steps;
   for (int i = 0; i < steps; ++i) {
@@ -79,7 +82,7 @@ void check_swing() {
   for (const double from : {0.3, 0.6, 0.9}) {
     typename Model::template Parameters<double> parameters;
     parameters.start = from;
-    const double angle = swung(from, parameters.c, parameters.g, 5);
+    const double angle = swung(from, 0, parameters.c, parameters.g, 5);
     for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
       const Reached found = after<Model>(5, tolerance, parameters);
       CHECK(found.x == Approx(parameters.c * std::sin(angle)).margin(1e-4 * std::sqrt(tolerance * 1e6) + 1e-7));
@@ -98,6 +101,37 @@ TEST_CASE("a sledge and a cart go straight") {
 TEST_CASE("a slab on parallel bars swings without turning") {
   check_swing<Hung>();
   check_swing<HungTwice>();
+}
+
+// On three bars it has no change point: it goes over the top, again and again. From below, all starts at 0 but its speed.
+TEST_CASE("a slab on three parallel bars goes round") {
+  gauss::hung_straight_twice::Parameters<double> parameters;
+  parameters.start = 0;
+  parameters.v = 8;
+  const double angle = swung(0, parameters.v, parameters.c, parameters.g, 5);
+  for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
+    const Reached found = after<HungTwice>(5, tolerance, parameters);
+    CHECK(found.x == Approx(parameters.c * std::sin(angle)).margin(1e-4 * std::sqrt(tolerance * 1e6) + 1e-7));
+    CHECK(std::abs(found.turn) < 1e-13);
+  }
+}
+
+// What is tied together is not held: A cos 100 t.
+TEST_CASE("a small vibration of flywheels that are tied to each other is followed") {
+  const gauss::tied_flywheels::Parameters<double> parameters;
+  const auto prepared = prepare(parameters);
+  const gauss::tied_flywheels::Inputs<double> inputs{};
+  gauss::tied_flywheels::State<double> start;
+  REQUIRE(initial_state(prepared, start) == Status::ok);
+  for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
+    gauss::simulate::Settings<double> settings;
+    settings.tolerance = tolerance;
+    gauss::simulate::Simulation run(gauss::integrate::bind_model<Flywheels>(prepared, inputs), start, 0.0, settings);
+    REQUIRE(run.advance_to(10));
+    const double part = std::max(1e3 * tolerance, 1e-7);
+    CHECK(run.state().c() == Approx(parameters.A * std::cos(1000.0)).margin(part * parameters.A));
+    CHECK(run.state().c_dot() == Approx(-100 * parameters.A * std::sin(1000.0)).margin(100 * part * parameters.A));
+  }
 }
 
 // Along the guide m s'' = -m g sin a - k s.

@@ -23,7 +23,7 @@ class UnitGroups {
   explicit UnitGroups(const Model& model) {
     for (std::size_t i = 0; i < Model::size; ++i) {
       is_angle_[i] = unit(model, i) == "rad";
-      is_number_[i] = is_angle_[i] || unit(model, i) == "1" || unit(model, i).empty();
+      is_number_[i] = is_angle_[i] || unit(model, i) == "1";
       first_[i] = i;
       for (std::size_t k = i < Model::n_q ? 0 : Model::n_q; k < i && first_[i] == i; ++k)
         if (unit(model, k) == unit(model, i)) first_[i] = k;
@@ -44,22 +44,21 @@ class UnitGroups {
     return result;
   }
 
-  /// How far components go in a time, as `sizes` are: angles and numbers by 1 or their sizes, lengths by their rates, since they may be counted from far away; speeds by their sizes, and those of
-  /// angles so far that these go so far.
+  /// How far components go in a time, as `sizes` are: angles and numbers by 1; others by their rates, since places may be counted from far away. Speeds of angles so far that these go so far, others
+  /// by the largest of their unit.
   Array moves(const Array& sizes, const Scalar& time) const {
     const Array all = largest(sizes);
-    Array result = all;
-    for (std::size_t i = 0; i < Model::n_q; ++i)
-      if (!is_number_[i]) result[i] = Scalar(0);
+    Array result{};
+    for (std::size_t i = 0; i < Model::n_q; ++i) result[i] = is_number_[i] ? Scalar(1) : Scalar(0);
     for (std::size_t k = Model::n_q; k < Model::size; ++k) {
       const std::size_t place = place_[k];
-      if (place == k_none) continue;
-      if (is_number_[place]) {
-        if (time > Scalar(0)) result[k] = std::max(result[k], all[place] / time);
+      if (place != k_none && is_number_[place] && time > Scalar(0)) {
+        result[k] = 1 / time;
         continue;
       }
-      for (std::size_t i = 0; i < Model::n_q; ++i)
-        if (first_[i] == first_[place]) result[i] = std::max(result[i], time * all[k]);
+      result[k] = all[k];
+      for (std::size_t i = 0; place != k_none && i < Model::n_q; ++i)
+        if (first_[i] == first_[place] && !is_number_[i]) result[i] = std::max(result[i], time * all[k]);
     }
     return result;
   }

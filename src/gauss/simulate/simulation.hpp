@@ -229,7 +229,7 @@ class Simulation {
 
   /// At a state at which a step has arrived.
   void find_sizes_by_constraints(const Scalar& t, const State& state) {
-    if (!is_held_) return;
+    if (!settings_.project) return;
     Array x{};
     std::copy_n(state.values, Model::size, x.begin());
     control_.find_by_constraints(x, [&](const Array& near, Array& result) {

@@ -64,10 +64,10 @@ class NotingSystem {
   bool is_closed_ = false;
 };
 
-/// How a function of a state changes where the state is moved by `by` or in the opposite direction: the smaller of the two changes, so that an edge on one side is none.
-/// `apply(state, result)` is false where it has no value.
+/// How far a function of a state changes when the state is rounded otherwise: the smaller of two changes in opposite directions, of eight units in the last place, so that an edge
+/// on one side is none. `apply(state, result)` is false where it has no value.
 template <class Array, class Apply>
-bool changes_by(const Array& by, const Array& x, const Array& value, const Apply& apply, Array& changes) {
+bool changes_by_rounding(const Array& x, const Array& value, const Apply& apply, Array& changes) {
   using Scalar = typename Array::value_type;
   changes.fill(std::numeric_limits<Scalar>::infinity());
   for (const int sign : {1, -1}) {
@@ -75,7 +75,7 @@ bool changes_by(const Array& by, const Array& x, const Array& value, const Apply
     for (std::size_t i = 0; i < x.size(); ++i) {
       // Not the same for all components, which would be a change of units: many models have none of.
       const Scalar share = (i % 2 == 0 ? 1 : -1) * (Scalar(1) - Scalar(i % 5) / 8);
-      moved[i] += sign * share * by[i];
+      moved[i] += sign * 8 * share * std::numeric_limits<Scalar>::epsilon() * x[i];
     }
     if (!apply(moved, result)) return false;
     for (std::size_t i = 0; i < x.size(); ++i) changes[i] = std::min(changes[i], std::abs(result[i] - value[i]));
@@ -83,12 +83,12 @@ bool changes_by(const Array& by, const Array& x, const Array& value, const Apply
   return true;
 }
 
-/// Where the state is rounded otherwise, by eight units in the last place.
-template <class Array, class Apply>
-bool changes_by_rounding(const Array& x, const Array& value, const Apply& apply, Array& changes) {
-  Array by = x;
-  for (auto& part : by) part *= 8 * std::numeric_limits<typename Array::value_type>::epsilon();
-  return changes_by(by, x, value, apply, changes);
+/// Parts of 1, of either sign, no two alike: what constraints tie together is not taken back by them as if they held it (Weyl's sequences).
+template <class Scalar>
+Scalar unlike_part(std::size_t i, int pattern) {
+  const double turn = static_cast<double>(i + 1) * (pattern == 0 ? 0.6180339887498949 : 0.4142135623730951);
+  const double part = 2 * (turn - std::floor(turn)) - 1;
+  return Scalar(part < 0 ? part - 0.5 : part + 0.5) / Scalar(1.5);
 }
 
 /// The error of a step in units of what is allowed: the largest over the components. Each is allowed the tolerance of the largest size that it had so far or has within
@@ -116,16 +116,32 @@ class StepControl {
   /// `project(state, result)` is false where it does not arrive.
   template <class Project>
   void find_by_constraints(const Array& x, const Project& project) {
-    Array here{}, changes{}, sizes{};
+    Array here{}, sizes{}, smallest{}, held{};
     if (!project(x, here)) return;
     for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = std::abs(here[i]);
     const Array moves = groups_.moves(sizes, reach_);
-    Array by = moves;
-    for (Scalar& move : by) move *= k_part;
-    if (!changes_by(by, here, here, project, changes)) return;
+    smallest.fill(std::numeric_limits<Scalar>::infinity());
+    bool holds = false;
+    for (const int pattern : {0, 1}) {
+      Array changes{};
+      changes.fill(std::numeric_limits<Scalar>::infinity());
+      for (const int sign : {1, -1}) {
+        Array moved = here, back{};
+        for (std::size_t i = 0; i < Model::size; ++i)
+          moved[i] += sign * k_part * moves[i] * unlike_part<Scalar>(i, pattern);
+        if (!project(moved, back)) return;
+        holds = holds || back != moved;
+        for (std::size_t i = 0; i < Model::size; ++i) changes[i] = std::min(changes[i], std::abs(back[i] - here[i]));
+      }
+      for (std::size_t i = 0; i < Model::size; ++i) {
+        smallest[i] = std::min(smallest[i], changes[i]);
+        held[i] = std::max(held[i], changes[i]);
+      }
+    }
+    if (!holds) return;
     for (std::size_t i = 0; i < Model::size; ++i) {
-      is_held_[i] = changes[i] < k_held * by[i];
-      by_constraints_[i] = is_held_[i] ? moves[i] : changes[i] / k_part;
+      is_held_[i] = held[i] < k_held * k_part * moves[i];
+      by_constraints_[i] = is_held_[i] ? moves[i] : smallest[i] / k_part;
     }
   }
 
@@ -141,7 +157,8 @@ class StepControl {
     for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = size(i);
     Array result = groups_.largest(sizes);
     for (std::size_t i = 0; i < Model::size; ++i) {
-      result[i] = least + tolerance * sizes[i] + k_last_places * result[i] + std::abs(dt) * rounding_[i];
+      const Scalar places = is_held_[i] ? Scalar(0) : k_last_places * result[i];
+      result[i] = least + tolerance * sizes[i] + places + std::abs(dt) * rounding_[i];
       if (is_held_[i] || is_nothing(i))
         result[i] += (is_held_[i] ? std::max(tolerance, k_last_places) : k_last_places) * by_constraints_[i];
     }
