@@ -5,16 +5,15 @@
 namespace gaussgen {
 
 using ir::Expr;
-using strategy::Vector;
 
 namespace {
 
-Vector given_multipliers(Mechanics& mechanics) {
+strategy::Vector given_multipliers(Mechanics& mechanics) {
   if (mechanics.multipliers.empty()) {
     for (const std::string& name : mechanics.dynamics.constraints)
       mechanics.multipliers.push_back(mechanics.graph.declare(ir::SymbolClass::opaque, "lambda_" + name));
   }
-  Vector given;
+  strategy::Vector given;
   for (const ir::SymbolId symbol : mechanics.multipliers) given.push_back(mechanics.expressions.symbol(symbol));
   return given;
 }

@@ -7,7 +7,8 @@
 #include <string>
 
 #include "artefact_builder.hpp"
-#include "dense.hpp"
+#include "double_root.hpp"
+#include "eigen_lists.hpp"
 #include "least_step.hpp"
 #include "position_equations.hpp"
 #include "spans.hpp"
@@ -38,26 +39,16 @@ constexpr double k_turned_back = 1e-9;  ///< f of what it is made of, before ste
 constexpr double k_near = 1e-3;         ///< of a span
 constexpr double k_part = 1e-9;         ///< of the largest: less is rounding
 
-Eigen::Map<const Eigen::VectorXd> mapped(const Vector& v) { return {v.data(), static_cast<Eigen::Index>(v.size())}; }
-
-Vector unmapped(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
-
-Eigen::MatrixXd matrix(const std::vector<Vector>& rows, std::size_t columns) {
-  Eigen::MatrixXd result(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns));
-  for (std::size_t i = 0; i < rows.size(); ++i) result.row(static_cast<Eigen::Index>(i)) = mapped(rows[i]);
-  return result;
-}
-
 /// J δ = -f, with the least |δ|.
 Vector least_change(const Linearised& at, std::size_t n) {
   const auto size = static_cast<Eigen::Index>(n);
-  return unmapped(least_step(Eigen::MatrixXd::Identity(size, size), matrix(at.j, n), mapped(at.f)));
+  return unmapped(least_step(Eigen::MatrixXd::Identity(size, size), matrix_of(at.j, n), mapped(at.f)));
 }
 
 /// J δ = -f, with the least δ in these spans. Rounding of f, divided by the least sine of a row that is taken, is less than that sine.
 Vector least_change(const Linearised& at, const Vector& spans) {
   const Eigen::VectorXd weights = mapped(spans).cwiseAbs2().cwiseInverse();
-  return unmapped(least_step(weights.asDiagonal(), matrix(at.j, spans.size()), mapped(at.f),
+  return unmapped(least_step(weights.asDiagonal(), matrix_of(at.j, spans.size()), mapped(at.f),
                              k_least_sine_of_step * std::sqrt(at.amplification(spans))));
 }
 
@@ -88,7 +79,7 @@ class EmittedSteps {
     auto here = equations_.start() ? equations_.linearised() : std::nullopt;
     for (int i = 0; here && i < strategy::k_steps_to_start; ++i) {
       const std::size_t n = equations_.movable().size();
-      equations_.move(unmapped(emitted_step(matrix(equations_.metric(), n), matrix(here->j, n), mapped(here->f),
+      equations_.move(unmapped(emitted_step(matrix_of(equations_.metric(), n), matrix_of(here->j, n), mapped(here->f),
                                             least_sine_, rank_, preferred)));
       here = equations_.linearised();
     }
@@ -155,7 +146,7 @@ class Descent {
   bool is_stationary(const Linearised& at) const {
     const double most =
         k_stationary * mapped(at.f).lpNorm<Eigen::Infinity>() + k_noise * mapped(at.size).lpNorm<Eigen::Infinity>();
-    const Eigen::VectorXd slope = matrix(at.j, sizes_.size()).transpose() * mapped(at.f);
+    const Eigen::VectorXd slope = matrix_of(at.j, sizes_.size()).transpose() * mapped(at.f);
     for (std::size_t k = 0; k < sizes_.size(); ++k) {
       if (std::abs(slope[static_cast<Eigen::Index>(k)]) > sizes_[k] * most) return false;
     }
@@ -172,7 +163,7 @@ class Descent {
   }
 
   Vector step(const Linearised& at, double damping) const {
-    const Eigen::MatrixXd j = matrix(at.j, sizes_.size());
+    const Eigen::MatrixXd j = matrix_of(at.j, sizes_.size());
     Eigen::MatrixXd a = j.transpose() * j;
     for (Eigen::Index i = 0; i < a.rows(); ++i) {
       const double size = sizes_[static_cast<std::size_t>(i)];
@@ -206,7 +197,7 @@ Eigen::MatrixXd without_open(const Eigen::MatrixXd& open) {
 /// Unknowns that are not open and in which the least change is not zero, each in the size in which it matters.
 std::vector<bool> needed(const Linearised& at, const std::vector<bool>& open) {
   std::vector<bool> result(open.size(), false);
-  Eigen::MatrixXd j = matrix(at.j, open.size());
+  Eigen::MatrixXd j = matrix_of(at.j, open.size());
   Eigen::VectorXd f = mapped(at.f);
   const Eigen::VectorXd rows = j.rowwise().lpNorm<Eigen::Infinity>().cwiseMax(std::numeric_limits<double>::min());
   j = rows.cwiseInverse().asDiagonal() * j;
@@ -356,96 +347,13 @@ std::optional<Vector> less_whole_turns(Mechanics& mechanics, const Vector& posit
   return equations.position();
 }
 
-namespace {
-
-/// Two roots that are one, as where a crank is at its dead centre: f changes by squares along some way v, and is solved half of the digits before. There uᵀ J v, the least
-/// singular value, changes its sign, and says in all digits where.
-class DoubleRoot {
- public:
-  DoubleRoot(PositionEquations& equations, Vector spans) : equations_(equations), spans_(std::move(spans)) {}
-
-  /// Goes there if it is as near as half of the digits, and a solution.
-  void approach() {
-    const Vector before = equations_.position();
-    const auto left = left_here();
-    if (!left) return;
-    for (std::size_t k = 0; k < spans_.size() && goes_on(); ++k) continue;
-    drop_rounding();
-    const auto left_there = left_here();
-    if (!left_there || *left_there > std::max(*left, k_solved)) equations_.set(before);
-  }
-
- private:
-  std::optional<double> left_here() {
-    auto here = equations_.linearised();
-    if (!here || here->j.empty()) return std::nullopt;
-    here->measure_by(spans_);
-    return here->left();
-  }
-
-  /// One way; false where there is none.
-  bool goes_on() {
-    const auto here = equations_.linearised();
-    if (!here) return false;
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(in_spans(*here), Eigen::ComputeThinU | Eigen::ComputeThinV);
-    for (Eigen::Index k = svd.singularValues().size() - 1; k >= 0; --k)
-      if (moves_along(svd.matrixU().col(k), svd.matrixV().col(k), svd.singularValues()[k])) return true;
-    return false;
-  }
-
-  /// Where the singular value is so small beside what it changes by over a span that it is 0 next by.
-  bool moves_along(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double size) {
-    const Vector before = equations_.position();
-    const auto ahead = singular_value(before, u, v, k_part_of_span),
-               behind = singular_value(before, u, v, -k_part_of_span);
-    const double slope = ahead && behind ? (*ahead - *behind) / (2 * k_part_of_span) : 0;
-    equations_.set(before);
-    if (!(size > k_exact * std::abs(slope) && size < k_near_double * std::abs(slope))) return false;
-    move(v, -size / slope);
-    return true;
-  }
-
-  std::optional<double> singular_value(const Vector& from, const Eigen::VectorXd& u, const Eigen::VectorXd& v,
-                                       double by) {
-    equations_.set(from);
-    move(v, by);
-    const auto there = equations_.linearised();
-    return there ? std::optional(u.dot(in_spans(*there) * v)) : std::nullopt;
-  }
-
-  void move(const Eigen::VectorXd& v, double by) {
-    Vector along = unmapped(by * v);
-    for (std::size_t i = 0; i < along.size(); ++i) along[i] *= spans_[i];
-    equations_.move(along);
-  }
-
-  Eigen::MatrixXd in_spans(const Linearised& at) const {
-    return matrix(at.j, spans_.size()) * mapped(spans_).asDiagonal();
-  }
-
-  /// Angles of 0.
-  void drop_rounding() {
-    Vector q = equations_.position();
-    for (std::size_t i = 0; i < spans_.size() && i < q.size(); ++i)
-      if (equations_.movable()[i] && std::abs(q[i]) < k_exact * spans_[i]) q[i] = 0;
-    equations_.set(std::move(q));
-  }
-
-  static constexpr double k_near_double = 1e-5, k_exact = 1e-12, k_part_of_span = 1e-3;
-
-  PositionEquations& equations_;
-  Vector spans_;
-};
-
-}  // namespace
-
 Approach long_approach(Mechanics& mechanics, const std::vector<bool>& movable, double time) {
   PositionEquations equations(mechanics, movable, time);
   if (!start_beside_guess(mechanics, equations)) return {equations.position(), false};
   const auto reached = Descent(equations).run();
   if (!reached || !reached->is_solved(k_solved)) return {equations.position(), false};
   if (unwind(equations, mechanics.symbols.plain_count())) polish(equations, spans_at(mechanics, equations));
-  DoubleRoot(equations, spans_at(mechanics, equations)).approach();
+  go_to_double_root(equations, spans_at(mechanics, equations), mechanics.symbols.plain_count());
   return {equations.position(), true};
 }
 
