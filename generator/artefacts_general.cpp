@@ -162,16 +162,25 @@ std::vector<Artefact> two_ways(Artefact regular, Artefact of_solution, emit::Two
   return result;
 }
 
+namespace {
+
+/// Of functions of the accelerations.
+emit::TwoWays ways_of(Mechanics& mechanics, emit::Shown shown) {
+  return {{},
+          k_system,
+          {},
+          static_cast<int>(usual_rank(mechanics)),
+          static_cast<int>(mechanics.dynamics.l()),
+          shown,
+          mechanics.kinematics.has_positions(),
+          mechanics.model.rank_tolerance};
+}
+
+}  // namespace
+
 std::vector<Artefact> of_general_solution(Artefact of_solution, emit::Rates rates, Mechanics& mechanics) {
-  emit::TwoWays ways{{},
-                     k_system,
-                     {},
-                     static_cast<int>(usual_rank(mechanics)),
-                     static_cast<int>(mechanics.dynamics.l()),
-                     emit::Shown::motion,
-                     mechanics.kinematics.has_positions(),
-                     mechanics.model.rank_tolerance,
-                     std::move(rates)};
+  emit::TwoWays ways = ways_of(mechanics, emit::Shown::motion);
+  ways.rates = std::move(rates);
   Artefact as_caller = caller_of(of_solution);
   return two_ways(std::move(as_caller), std::move(of_solution), std::move(ways));
 }
@@ -184,15 +193,11 @@ std::vector<Artefact> in_two_ways(const ArtefactsOf& build, bool shows_multiplie
     const GivenSolution given(mechanics);
     of_solution = build(mechanics);
   }
-  const int rank = static_cast<int>(usual_rank(mechanics));
-  const int l = static_cast<int>(mechanics.dynamics.l());
   std::vector<Artefact> result;
   for (std::size_t i = 0; i < regular.size(); ++i) {
     const bool shows = shows_multipliers && !regular[i].result_type.empty();
     const emit::Shown shown = shows ? emit::Shown::reactions : emit::Shown::motion;
-    for (Artefact& one : two_ways(
-             std::move(regular[i]), std::move(of_solution[i]),
-             {{}, k_system, {}, rank, l, shown, mechanics.kinematics.has_positions(), mechanics.model.rank_tolerance}))
+    for (Artefact& one : two_ways(std::move(regular[i]), std::move(of_solution[i]), ways_of(mechanics, shown)))
       result.push_back(std::move(one));
   }
   return result;
@@ -217,14 +222,7 @@ std::vector<Artefact> mobility_artefact(Mechanics& mechanics) {
                    {l},
                    std::vector<NodeId>(mechanics.dynamics.l(), none)}});
   Artefact result = caller_of(builder.finish({}));
-  result.ways = emit::TwoWays{{},
-                              k_system,
-                              {},
-                              static_cast<int>(usual_rank(mechanics)),
-                              l,
-                              emit::Shown::rank,
-                              mechanics.kinematics.has_positions(),
-                              mechanics.model.rank_tolerance};
+  result.ways = ways_of(mechanics, emit::Shown::rank);
   std::vector<Artefact> list;
   list.push_back(std::move(result));
   return list;

@@ -96,10 +96,6 @@ void append(std::vector<Variable>& to, const std::vector<Variable>& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
-}  // namespace
-
-namespace {
-
 /// The state, the inputs, the time.
 struct Variables {
   std::vector<Variable> all;

@@ -73,8 +73,9 @@ class InitialCheck {
     constraints.report_redundant();
     if (violated.empty()) report_locked();
     if (constraints.leave_undetermined()) return report_undetermined(true);
-    const bool has_other_way = has_general_way(mechanics_) && constraints.has_general_solution();
-    if (!has_other_way) report_singular(constraints.has_dependent());
+    const bool is_lost = values_.is_true(mechanics_.solution.singular_mass_matrix) || !has_accelerations();
+    if (is_lost && !(has_general_way(mechanics_) && constraints.has_general_solution()))
+      report_singular(constraints.has_dependent());
   }
 
  private:
