@@ -182,7 +182,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
     return up_to_here();
   }
 
-  const emit::Unit unit = build_unit(mechanics, source, options);
+  emit::Unit unit = build_unit(mechanics, source, options);
   check_outputs(unit, mechanics, options, diagnostics);
   check_range(mechanics.graph, unit, model->name, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
@@ -193,6 +193,8 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   emit::Header header = header_in_range(std::move(mechanics.graph), unit, model->name, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   result.header = std::move(header.text);
+  result.tree = std::move(header.tree);
+  result.unit = std::move(unit);
   result.source = std::move(header.source);
   result.passes = std::move(header.passes);
   result.outputs = std::move(header.outputs);

@@ -55,6 +55,8 @@ struct PipelineResult {
   bool has_units = false;  ///< of the model: whether dimensions were checked
   std::string mobility;    ///< in words; may be empty
   std::string header;
+  emit::cpp::File tree;                ///< of the header
+  emit::Unit unit;                     ///< names, units and shapes of what is in it
   std::string source;                  ///< that compiles the header's functions; empty unless asked for
   std::vector<std::string> assembled;  ///< initial values that the constraints moved, in words
   std::vector<StageTime> times;

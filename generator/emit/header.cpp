@@ -180,7 +180,8 @@ Header build_header(ir::Graph graph, const Unit& unit) {
   header.nodes_planned = plan.graph.size();
   for (Task& task : plan.tasks) header.passes.push_back({task.artefact->name, std::move(task.effects)});
   HeaderBuilder builder(plan);
-  header.text = cpp::print(builder.header());
+  header.tree = builder.header();
+  header.text = cpp::print(header.tree);
   header.outputs = builder.sizes_of_outputs();
   if (!unit.compiled_for.empty()) header.source = cpp::print(builder.source());
   header.nodes = plan.graph.size();

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "emit/cpp_tree.hpp"
 #include "emit/unit.hpp"
 #include "passes/optimise.hpp"
 
@@ -26,6 +27,7 @@ struct OutputSize {
 /// A header, and what it took to make it.
 struct Header {
   std::string text;
+  cpp::File tree;      ///< what `text` is printed from: for those that run it without a compiler
   std::string source;  ///< instantiates its functions for Unit::compiled_for; empty where that is
   std::vector<PassEffects> passes;
   std::vector<OutputSize> outputs;                ///< in their order
