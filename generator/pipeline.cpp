@@ -123,6 +123,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
                                       support::Diagnostics& diagnostics, Stages& stages) {
   std::optional<model::Model> model = read_model(source, diagnostics, options.counts);
   if (!model) return std::nullopt;
+  if (options.adjust) options.adjust(*model);
   stages.took("model", {std::chrono::steady_clock::now(), 0}, source.text().size());
   PipelineResult result;
   result.model_name = model->name.text;

@@ -21,8 +21,10 @@ enum class Route {
 };
 
 struct PipelineOptions {
-  model::GivenCounts counts;               ///< in place of those of the model
-  std::vector<std::string> outputs;        ///< empty: those of the model; if it names none, all
+  model::GivenCounts counts;  ///< in place of those of the model
+  std::function<void(model::Model&)> adjust =
+      nullptr;                       ///< what is changed in it when it is read: values of parameters and of the start
+  std::vector<std::string> outputs;  ///< empty: those of the model; if it names none, all
   std::vector<std::string> sensitivities;  ///< parameters; empty: those of the model
   bool fold = false;
   bool plain = false;                   ///< nothing is rewritten to take fewer operations

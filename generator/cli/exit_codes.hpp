@@ -9,6 +9,7 @@ enum ExitCode {
   k_usage_error = 2,
   k_file_error = 3,
   k_too_large = 4,
+  k_motion_stopped = 5,  ///< of gauss-sim: what there was to that time is written
   k_internal_error = 70,
 };
 

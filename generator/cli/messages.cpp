@@ -61,7 +61,7 @@ void print_lines(const support::Diagnostics& diagnostics, const support::Source&
 
 struct Remark {
   const char* severity;
-  const char* mark;  ///< before the text, for people
+  std::string mark;  ///< before the text, for people
   std::string text;
   std::string hint = {};
   Facts facts = {};
@@ -108,7 +108,7 @@ void remark(const std::string& text, const Facts& facts, const MessageOptions& o
 }
 
 int fail(const std::string& what, int code, const MessageOptions& options, const std::string& hint) {
-  say({"error", "gauss-gen: ", what, hint}, options);
+  say({"error", options.program + ": ", what, hint}, options);
   return code;
 }
 

@@ -15,6 +15,7 @@ enum class MessageFormat { text, json };
 enum class UseOfColour { on_terminals, always, never };
 
 struct MessageOptions {
+  std::string program = "gauss-gen";
   MessageFormat format = MessageFormat::text;
   UseOfColour colour = UseOfColour::on_terminals;
 };

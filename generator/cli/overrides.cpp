@@ -16,6 +16,16 @@
 
 namespace gaussgen::cli {
 
+model::Ast parse_value(const std::string& option, const std::string& text) {
+  const support::Source source(option, text);
+  support::Diagnostics diagnostics;
+  const std::optional<model::Ast> ast = model::parse_expression(spec::located(text), diagnostics);
+  if (ast) model::check_constants(*ast, diagnostics);
+  if (!ast || diagnostics.has_errors())
+    throw UsageError(support::render(diagnostics, source), option, diagnostics.all());
+  return *ast;
+}
+
 namespace {
 
 void refuse_other_symbols(const std::string& option, const model::Ast& ast, const model::Model& model) {
@@ -36,16 +46,6 @@ bool has_symbol(const model::Ast& ast) {
     if (has_symbol(child)) return true;
   }
   return false;
-}
-
-model::Ast parsed(const std::string& option, const std::string& text) {
-  const support::Source source(option, text);
-  support::Diagnostics diagnostics;
-  const std::optional<model::Ast> ast = model::parse_expression(spec::located(text), diagnostics);
-  if (ast) model::check_constants(*ast, diagnostics);
-  if (!ast || diagnostics.has_errors())
-    throw UsageError(support::render(diagnostics, source), option, diagnostics.all());
-  return *ast;
 }
 
 class Override {
@@ -134,7 +134,7 @@ class Override {
 }  // namespace
 
 support::Rational parse_time(const std::string& text) {
-  const auto time = model::exact_value(parsed("--time", text));
+  const auto time = model::exact_value(parse_value("--time", text));
   if (!time) throw UsageError(fmt::format("--time: expected a number, not '{}'", text));
   return *time;
 }
@@ -147,12 +147,6 @@ void relocate(model::Ast& ast, support::Span span) {
   for (model::Ast& child : ast.children) relocate(child, span);
 }
 
-struct Assignment {
-  std::string name;
-  std::string option;  ///< for messages
-  model::Ast value;
-};
-
 /// dot(x) is x_dot.
 std::string as_symbol(const std::string& name) {
   const bool is_dot = name.rfind("dot(", 0) == 0 && name.back() == ')';
@@ -161,15 +155,6 @@ std::string as_symbol(const std::string& name) {
 
 void refuse_second(const char* option, const std::string& name, std::set<std::string>& seen) {
   refuse_second_of(option, name, as_symbol(name), seen);
-}
-
-Assignment split(const std::string& text, const model::Model& model) {
-  const NameAndText given = at_equals("--set", text);
-  const std::string option = "--set " + given.name;
-  Assignment result{given.name, option, parsed(option, given.text)};
-  refuse_other_symbols(option, result.value, model);
-  relocate(result.value, model.name.span);
-  return result;
 }
 
 /// What emitted code calls the acceleration of a coordinate, an angular velocity component or a speed.
@@ -201,7 +186,7 @@ std::map<std::string, support::Rational> parse_accelerations(const std::vector<s
   std::set<std::string> seen;
   for (const std::string& text : assignments) {
     const NameAndText given = at_equals("--accelerate", text);
-    const auto value = model::exact_value(parsed("--accelerate " + given.name, given.text));
+    const auto value = model::exact_value(parse_value("--accelerate " + given.name, given.text));
     if (!value) throw UsageError(fmt::format("--accelerate {}: a number is needed", given.name));
     const std::string acceleration = acceleration_name(given.name, model);
     refuse_second("--accelerate", given.name, seen);
@@ -210,21 +195,32 @@ std::map<std::string, support::Rational> parse_accelerations(const std::vector<s
   return wanted;
 }
 
-void apply_overrides(const std::vector<std::string>& assignments, model::Model& model) {
-  std::vector<Assignment> all;
-  std::set<std::string> seen;
-  for (const std::string& text : assignments) {
-    all.push_back(split(text, model));
-    Override(all.back().name, all.back().value, model).apply();
-    refuse_second("--set", all.back().name, seen);
-  }
-  const model::Values values = model::parameter_values(model);
-  for (const Assignment& assignment : all) {
-    const auto value = model::value_of(assignment.value, values);
+void Overrides::set(const std::string& option, const std::string& name, model::Ast value) {
+  refuse_other_symbols(option, value, model_);
+  relocate(value, model_.name.span);
+  Override(name, value, model_).apply();
+  refuse_second("--set", name, seen_);
+  all_.push_back({option, std::move(value)});
+}
+
+void Overrides::check() const {
+  const model::Values values = model::parameter_values(model_);
+  for (const Given& given : all_) {
+    const auto value = model::value_of(given.value, values);
     if (!value || std::isfinite(*value)) continue;
-    throw UsageError(fmt::format("{}: with the values of the parameters this is {}", assignment.option,
+    throw UsageError(fmt::format("{}: with the values of the parameters this is {}", given.option,
                                  std::isnan(*value) ? "not a real number" : "infinite"));
   }
+}
+
+void apply_overrides(const std::vector<std::string>& assignments, model::Model& model) {
+  Overrides overrides(model);
+  for (const std::string& text : assignments) {
+    const NameAndText given = at_equals("--set", text);
+    const std::string option = "--set " + given.name;
+    overrides.set(option, given.name, parse_value(option, given.text));
+  }
+  overrides.check();
 }
 
 }  // namespace gaussgen::cli

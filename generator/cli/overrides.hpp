@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,31 @@
 #include "model/model.hpp"
 
 namespace gaussgen::cli {
+
+/// An expression that is given to `option`. Throws UsageError.
+model::Ast parse_value(const std::string& option, const std::string& text);
+
+/// Gives a model other values. `option` is for messages: how the user gave them.
+class Overrides {
+ public:
+  explicit Overrides(model::Model& model) : model_(model) {}
+
+  /// A parameter, an input, an initial value or rate, by the names that `apply_overrides` takes. Throws UsageError.
+  void set(const std::string& option, const std::string& name, model::Ast value);
+
+  /// Whether all have values with the parameters as they are now. Throws UsageError.
+  void check() const;
+
+ private:
+  struct Given {
+    std::string option;
+    model::Ast value;
+  };
+
+  model::Model& model_;
+  std::set<std::string> seen_;
+  std::vector<Given> all_;
+};
 
 /// Applies assignments "name=value" to a model: each gives a value to a parameter (a formula is replaced), an input, the initial value of a coordinate or
 /// quaternion component, or an initial rate, written dot(chi), chi_dot or, for angular velocities, by name. The value is an

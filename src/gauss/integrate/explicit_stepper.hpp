@@ -35,20 +35,16 @@ class ExplicitStepper {
 
   StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
     OdeintSystem<Model> system(model);
-    typename OdeintSystem<Model>::Array x;
-    std::copy_n(state.values, Model::size, x.begin());
+    StateArray<Model> x = StateArrays<Model>::array_of(state);
     method_.do_step(std::ref(system), x, t, h);
     const StepResult result = result_of(system.trouble());
-    if (result.is_taken()) std::copy(x.begin(), x.end(), state.values);
+    if (result.is_taken()) copy_into(x, state);
     return result;
   }
 
  private:
   Method method_;
 };
-
-template <class Model>
-using StateArray = typename OdeintSystem<Model>::Array;
 
 template <class Model>
 using Rk4 = ExplicitStepper<Model, boost::numeric::odeint::runge_kutta4<StateArray<Model>, typename Model::Scalar,

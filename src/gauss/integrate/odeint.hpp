@@ -11,6 +11,7 @@
 
 #include "gauss/integrate/bound_model.hpp"
 #include "gauss/integrate/prince_dormand87.hpp"
+#include "gauss/integrate/state_arrays.hpp"
 #include "gauss/integrate/step_result.hpp"
 
 namespace gauss::integrate {
@@ -20,16 +21,12 @@ template <class Model>
 class OdeintSystem {
  public:
   using Scalar = typename Model::Scalar;
-  using Array = std::array<Scalar, Model::size>;
+  using Array = StateArray<Model>;
 
   explicit OdeintSystem(const Model& model) : model_(model) {}
 
   void operator()(const Array& x, Array& dxdt, const Scalar& t) {
-    typename Model::State state;
-    typename Model::Derivative derivative;
-    std::copy(x.begin(), x.end(), state.values);
-    const typename Model::Status status = model_.derivative(t, state, derivative);
-    std::copy_n(derivative.values, Model::size, dxdt.begin());
+    const typename Model::Status status = rates(x, dxdt, t);
     ++calls_;
     if (is_motion_known(trouble_) && status != typename Model::Status{}) trouble_ = status;
   }
@@ -40,6 +37,19 @@ class OdeintSystem {
   long calls() const { return calls_; }
 
  private:
+  typename Model::Status rates(const Array& x, Array& dxdt, const Scalar& t) const {
+    if constexpr (HasOwnArrays<Model>::value) {
+      return model_.rates(t, x, dxdt);
+    } else {
+      typename Model::State state;
+      typename Model::Derivative derivative;
+      copy_into(x, state);
+      const typename Model::Status status = model_.derivative(t, state, derivative);
+      copy_values(derivative, dxdt);
+      return status;
+    }
+  }
+
   const Model& model_;
   typename Model::Status trouble_{};
   long calls_ = 0;
@@ -61,14 +71,13 @@ class ErrorBy {
   Control* control_;
 };
 
-/// Order 8, with a step that follows the estimate of order 7. No dense output.
-template <class Scalar, std::size_t n, class Control>
-using Stepper =
-    boost::numeric::odeint::controlled_runge_kutta<PrinceDormand87<std::array<Scalar, n>, Scalar>, ErrorBy<Control>>;
+/// A method with an estimate of its error, and a step that follows it. No dense output.
+template <class Method, class Control>
+using Stepper = boost::numeric::odeint::controlled_runge_kutta<Method, ErrorBy<Control>>;
 
-template <class Scalar, std::size_t n, class Control>
-Stepper<Scalar, n, Control> make_stepper(Control& control) {
-  using Result = Stepper<Scalar, n, Control>;
+template <class Method, class Control>
+Stepper<Method, Control> make_stepper(Control& control) {
+  using Result = Stepper<Method, Control>;
   // The controller copies a stepper. A static one is zero, where a temporary would have its scratch space copied
   // uninitialised, which compilers warn of.
   static const typename Result::stepper_type k_blank;

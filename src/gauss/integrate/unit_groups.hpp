@@ -4,11 +4,11 @@
 #define GAUSS_INTEGRATE_UNIT_GROUPS_HPP
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
 
+#include "gauss/integrate/state_arrays.hpp"
 #include "gauss/integrate/step_result.hpp"
 
 namespace gauss::integrate {
@@ -18,29 +18,34 @@ template <class Model>
 class UnitGroups {
  public:
   using Scalar = typename Model::Scalar;
-  using Array = std::array<Scalar, Model::size>;
+  using Array = StateArray<Model>;
 
-  explicit UnitGroups(const Model& model) {
-    for (std::size_t i = 0; i < Model::size; ++i) {
+  explicit UnitGroups(const Model& model)
+      : n_q_(Arrays::n_q(model)),
+        first_(Arrays::template filled<std::size_t>(model, 0)),
+        place_(first_),
+        is_angle_(Arrays::template filled<bool>(model, false)),
+        is_number_(is_angle_) {
+    for (std::size_t i = 0; i < first_.size(); ++i) {
       is_angle_[i] = unit(model, i) == "rad";
       is_number_[i] = is_angle_[i] || unit(model, i) == "1";
       first_[i] = i;
-      for (std::size_t k = i < Model::n_q ? 0 : Model::n_q; k < i && first_[i] == i; ++k)
+      for (std::size_t k = i < n_q_ ? 0 : n_q_; k < i && first_[i] == i; ++k)
         if (unit(model, k) == unit(model, i)) first_[i] = k;
     }
-    for (std::size_t i = Model::n_q; i < Model::size; ++i) {
+    for (std::size_t i = n_q_; i < first_.size(); ++i) {
       place_[i] = k_none;
-      for (std::size_t k = 0; k < Model::n_q && place_[i] == k_none; ++k)
+      for (std::size_t k = 0; k < n_q_ && place_[i] == k_none; ++k)
         if (is_rate_of(unit(model, i), unit(model, k))) place_[i] = k;
     }
   }
 
   /// For each component the largest of its group, of `sizes` that are not negative; for angles it is 1 at least, since they have a scale of their own.
   Array largest(const Array& sizes) const {
-    Array result{};
-    for (std::size_t i = 0; i < Model::size; ++i)
+    Array result = zeros_like(sizes);
+    for (std::size_t i = 0; i < first_.size(); ++i)
       result[first_[i]] = std::max({result[first_[i]], sizes[i], is_angle_[i] ? Scalar(1) : Scalar(0)});
-    for (std::size_t i = 0; i < Model::size; ++i) result[i] = result[first_[i]];
+    for (std::size_t i = 0; i < first_.size(); ++i) result[i] = result[first_[i]];
     return result;
   }
 
@@ -48,24 +53,24 @@ class UnitGroups {
   /// by the largest of their unit.
   Array moves(const Array& sizes, const Scalar& time) const {
     const Array all = largest(sizes);
-    Array result{};
-    for (std::size_t i = 0; i < Model::n_q; ++i) result[i] = is_number_[i] ? Scalar(1) : Scalar(0);
-    for (std::size_t k = Model::n_q; k < Model::size; ++k) {
+    Array result = zeros_like(sizes);
+    for (std::size_t i = 0; i < n_q_; ++i) result[i] = is_number_[i] ? Scalar(1) : Scalar(0);
+    for (std::size_t k = n_q_; k < first_.size(); ++k) {
       const std::size_t place = place_[k];
       if (place != k_none && is_number_[place] && time > Scalar(0)) {
         result[k] = 1 / time;
         continue;
       }
       result[k] = all[k];
-      for (std::size_t i = 0; place != k_none && i < Model::n_q; ++i)
+      for (std::size_t i = 0; place != k_none && i < n_q_; ++i)
         if (first_[i] == first_[place] && !is_number_[i]) result[i] = std::max(result[i], time * all[k]);
     }
     return result;
   }
 
   Array largest(const typename Model::State& state) const {
-    Array sizes;
-    for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = std::abs(state.values[i]);
+    Array sizes = Arrays::array_of(state);
+    for (Scalar& size : sizes) size = std::abs(size);
     return largest(sizes);
   }
 
@@ -78,13 +83,13 @@ class UnitGroups {
     for (int look = 0; look < 3 && *std::min_element(result.begin(), result.end()) == Scalar(0); ++look) {
       typename Model::Derivative rates;
       if (!is_motion_known(model.derivative(look == 0 ? t : t + h, ahead, rates))) break;
-      Array changes;
-      for (std::size_t i = 0; i < Model::size; ++i) {
+      Array changes = zeros_like(result);
+      for (std::size_t i = 0; i < first_.size(); ++i) {
         changes[i] = std::abs(h * rates.values[i]);
         ahead.values[i] = state.values[i] + h * rates.values[i];
       }
       changes = largest(changes);
-      for (std::size_t i = 0; i < Model::size; ++i)
+      for (std::size_t i = 0; i < first_.size(); ++i)
         if (result[i] == Scalar(0)) result[i] = changes[i];
     }
     return result;
@@ -96,7 +101,8 @@ class UnitGroups {
   }
 
  private:
-  static constexpr std::size_t k_none = Model::size;
+  using Arrays = StateArrays<Model>;
+  static constexpr std::size_t k_none = static_cast<std::size_t>(-1);
 
   static std::string_view unit(const Model& model, std::size_t i) {
     const char* const text = model.unit(i);
@@ -110,9 +116,10 @@ class UnitGroups {
            rate.substr(place.size()) == k_per_second;
   }
 
-  std::array<std::size_t, Model::size> first_{};
-  std::array<std::size_t, Model::size> place_{};  ///< of speeds
-  std::array<bool, Model::size> is_angle_{}, is_number_{};
+  std::size_t n_q_;
+  typename Arrays::template Of<std::size_t> first_;
+  typename Arrays::template Of<std::size_t> place_;  ///< of speeds
+  typename Arrays::template Of<bool> is_angle_, is_number_;
 };
 
 }  // namespace gauss::integrate

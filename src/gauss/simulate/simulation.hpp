@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <type_traits>
 
 #include "gauss/integrate/model_decorator.hpp"
 #include "gauss/integrate/odeint.hpp"
@@ -18,7 +19,9 @@ namespace gauss::simulate {
 
 /// Time is the start plus the steps taken, and each requested time is set exactly when it is reached, so that rounding does
 /// not add up over the samples.
-template <class Model>
+///
+/// `Method` is a stepper of Odeint with an estimate of its error, for std::array<Scalar, Model::size>.
+template <class Model, class Method = integrate::PrinceDormand87<integrate::StateArray<Model>, typename Model::Scalar>>
 class Simulation {
  public:
   using Scalar = typename Model::Scalar;
@@ -27,15 +30,19 @@ class Simulation {
 
   Simulation(const Model& model, const State& start, const Scalar& start_time = 0,
              const Settings<Scalar>& settings = {})
-      : model_(model), settings_(settings), system_(model_), t_(start_time), step_(settings.first_step) {
-    std::copy_n(start.values, Model::size, x_.begin());
+      : model_(model),
+        settings_(settings),
+        system_(model_),
+        t_(start_time),
+        step_(settings.first_step),
+        x_(Arrays::array_of(start)) {
     if (!settings_.are_usable() || !(start_time - start_time == Scalar(0))) {
       report_.outcome = Outcome::bad_settings;
       return;
     }
     if (settings_.project) project_start();
-    for (std::size_t i = 0; i < Model::size; ++i)
-      control_.set_smallest(i, i < Model::n_q ? settings_.smallest_scale : settings_.least_speed());
+    for (std::size_t i = 0; i < x_.size(); ++i)
+      control_.set_smallest(i, i < Arrays::n_q(model_) ? settings_.smallest_scale : settings_.least_speed());
     control_.grow(x_);
   }
 
@@ -63,7 +70,7 @@ class Simulation {
   }
 
   const Scalar& time() const { return t_; }
-  State state() const { return as_state(x_); }
+  State state() const { return Arrays::state_of(x_); }
   /// As it is in force: of one that writes its state in other coordinates from time to time.
   const Model& model() const { return model_; }
   const Report<Status, Scalar>& report() const { return report_; }
@@ -72,45 +79,48 @@ class Simulation {
   using System = NotingSystem<Model>;
   using Control = StepControl<Model>;
   using Array = typename Control::Array;
+  using Arrays = integrate::StateArrays<Model>;
 
-  static State as_state(const Array& x) {
-    State state;
-    std::copy(x.begin(), x.end(), state.values);
-    return state;
+  /// The last stage of some methods is the first one of the next step, where nothing has moved the state since.
+  Array rates_here() {
+    system_.forget();
+    if (are_rates_known_) return last_rates_;
+    Array rates = integrate::zeros_like(x_);
+    system_(x_, rates, t_);
+    return rates;
   }
 
   /// One step knows nothing of those before it.
   void rewrite() {
     if constexpr (integrate::Rewrites<Model>::value) {
-      State state = as_state(x_);
+      State state = Arrays::state_of(x_);
       if (!model_.rewrite(state)) return;
-      std::copy_n(state.values, Model::size, x_.begin());
+      are_rates_known_ = false;
+      x_ = Arrays::array_of(state);
       control_.grow(x_);
     }
   }
 
   /// What a start misses the constraints by is no error of a step. Where it cannot be mended, the first step will tell.
   void project_start() {
-    const State given = as_state(x_);
+    const State given = Arrays::state_of(x_);
     State start = given;
     if (!integrate::is_motion_known(model_.projection(t_, start))) return;
-    report_.compare_start(given, start, Model::size);
-    std::copy_n(start.values, Model::size, x_.begin());
+    report_.compare_start(given, start, x_.size());
+    x_ = Arrays::array_of(start);
   }
 
   template <class OnStep>
   void step_towards(const Scalar& end, OnStep&& on_step) {
     rewrite();
-    Array rates{};
-    system_.forget();
-    system_(x_, rates, t_);
+    const Array rates = rates_here();
     if (!integrate::is_motion_known(system_.trouble())) {
       report_.outcome = Outcome::model_failed;
       report_.status = system_.trouble();
       return;
     }
     // What starts at 0 has no size yet that rates could be compared with: the error is, of a guess that is too long for most.
-    if (step_ <= Scalar(0)) step_ = std::pow(settings_.tolerance, Scalar(1) / 8) * (end - t_);
+    if (step_ <= Scalar(0)) step_ = std::pow(settings_.tolerance, Scalar(1) / Method::order_value) * (end - t_);
     if (first_ <= Scalar(0)) control_.set_reach(first_ = std::min(step_, end - t_));
     int refused = 0;
     system_.close(is_held_ && approach_.loses_digits());
@@ -124,7 +134,7 @@ class Simulation {
       const Scalar wanted = step_;
       const bool arrives = t_ + wanted >= end;
       const Scalar dt = arrives ? end - t_ : wanted;
-      State before{}, after{};
+      State before = state(), after = before;
       if (!attempt(rates, dt, before, after)) {
         find_sizes_by_constraints(t_ + dt, before);
         if (++refused == 1) approach_.note_refused(dt, find_rounding(rates));
@@ -141,7 +151,8 @@ class Simulation {
   template <class OnStep>
   void take(const Scalar& t, const State& before, const State& after, OnStep&& on_step) {
     t_ = t;
-    std::copy_n(after.values, Model::size, x_.begin());
+    are_rates_known_ = k_keeps_last_stage && Arrays::array_of(before) == Arrays::array_of(after);
+    x_ = Arrays::array_of(after);
     control_.grow(x_);
     ++report_.steps;
     if (system_.trouble() != Status{}) ++report_.with_fewer_constraints;
@@ -154,7 +165,7 @@ class Simulation {
   bool crosses(const Array& rates, const Scalar& end, OnStep&& on_step) {
     const Scalar most = 1 / std::sqrt(settings_.tolerance), step = step_;
     Scalar best = most, best_dt = 0;
-    State before{}, after{};
+    State before = state(), after = before;
     const Scalar longest = settings_.longest_step > Scalar(0) ? settings_.longest_step : end - t_;
     for (const Scalar wanted : approach_.longer_steps()) {
       const Scalar dt = std::min({wanted, longest, end - t_});
@@ -178,19 +189,18 @@ class Simulation {
 
   /// One trial step and its projection, also of one with an error up to `most`; sets step_ to what comes next.
   bool attempt(const Array& rates, const Scalar& dt, State& before, State& after, const Scalar& most = 1) {
-    Array trial{};
+    Array trial = x_;
     Scalar time = t_;
     step_ = dt;
-    const bool is_accurate =
-        stepper_.try_step(std::ref(system_), x_, rates, time, trial, step_) == boost::numeric::odeint::success;
-    before = as_state(trial);
+    const bool is_accurate = try_step(rates, time, trial) == boost::numeric::odeint::success;
+    before = Arrays::state_of(trial);
     after = before;
     Status status = system_.trouble();
     const bool is_candidate = is_accurate || control_.last_error() < most;
     if (is_candidate && integrate::is_motion_known(status) && settings_.project)
       status = model_.projection(t_ + dt, after);
     const bool is_known = integrate::is_motion_known(status);
-    if (is_known && !std::equal(before.values, before.values + Model::size, after.values)) is_held_ = true;
+    if (is_known && Arrays::array_of(before) != Arrays::array_of(after)) is_held_ = true;
     jumped_ = is_known && is_candidate &&
               !is_near(dt, before, after, std::max(most * settings_.tolerance, settings_.tolerance));
     if (is_known && !jumped_) return is_accurate;
@@ -200,26 +210,34 @@ class Simulation {
     return false;
   }
 
+  auto try_step(const Array& rates, Scalar& time, Array& trial) {
+    if constexpr (k_keeps_last_stage) {
+      return stepper_.try_step(std::ref(system_), x_, rates, time, trial, last_rates_, step_);
+    } else {
+      return stepper_.try_step(std::ref(system_), x_, rates, time, trial, step_);
+    }
+  }
+
   /// Where constraints lose their rank, projection may take any part of the motion away.
   bool is_near(const Scalar& dt, const State& before, const State& after, const Scalar& tolerance) const {
     const Array allowed = control_.allowed(std::max(tolerance, std::numeric_limits<Scalar>::epsilon()), dt);
-    for (std::size_t i = 0; i < Model::size; ++i)
+    for (std::size_t i = 0; i < x_.size(); ++i)
       if (!(std::abs(after.values[i] - before.values[i]) <= settings_.most_projected * allowed[i])) return false;
     return true;
   }
 
   /// Returns what part of rates it is.
   Scalar find_rounding(const Array& rates) {
-    Array changes{};
+    Array changes = integrate::zeros_like(x_);
     const auto derivative = [&](const Array& x, Array& result) {
       system_.forget();
       system_(x, result, t_);
       return integrate::is_motion_known(system_.trouble());
     };
-    if (!changes_by_rounding(x_, rates, derivative, changes)) changes.fill(Scalar(0));
+    if (!changes_by_rounding(x_, rates, derivative, changes)) changes = integrate::zeros_like(x_);
     control_.set_rounding(changes);
     Scalar lost = 0, all = 0;
-    for (std::size_t i = 0; i < Model::size; ++i) {
+    for (std::size_t i = 0; i < x_.size(); ++i) {
       if (!(control_.usual_size(i) > Scalar(0))) continue;
       lost = std::max(lost, changes[i] / control_.usual_size(i));
       all = std::max(all, std::abs(rates[i]) / control_.usual_size(i));
@@ -230,12 +248,11 @@ class Simulation {
   /// At a state at which a step has arrived.
   void find_sizes_by_constraints(const Scalar& t, const State& state) {
     if (!settings_.project) return;
-    Array x{};
-    std::copy_n(state.values, Model::size, x.begin());
+    const Array x = Arrays::array_of(state);
     control_.find_by_constraints(x, [&](const Array& near, Array& result) {
-      State moved = as_state(near);
+      State moved = Arrays::state_of(near);
       if (!integrate::is_motion_known(model_.projection(t, moved))) return false;
-      std::copy_n(moved.values, Model::size, result.begin());
+      result = Arrays::array_of(moved);
       return true;
     });
   }
@@ -280,6 +297,8 @@ class Simulation {
     bool has_lost_digits() const { return steps > k_steps && rounding > k_lost; }
   };
   static constexpr double k_brief = 1e-4;  ///< of the longest step
+  static constexpr bool k_keeps_last_stage =
+      std::is_same_v<typename Method::stepper_category, boost::numeric::odeint::explicit_error_stepper_fsal_tag>;
 
   Model model_;
   Settings<Scalar> settings_;
@@ -290,9 +309,11 @@ class Simulation {
   bool is_held_ = false;  ///< by constraints: projection has moved a state
   Approach approach_;
   bool jumped_ = false;  ///< the last trial, by its projection
-  Array x_{};
+  Array x_;
+  Array last_rates_ = x_;
+  bool are_rates_known_ = false;
   Control control_{model_, settings_.tolerance, system_};
-  integrate::Stepper<Scalar, Model::size, Control> stepper_ = integrate::make_stepper<Scalar, Model::size>(control_);
+  integrate::Stepper<Method, Control> stepper_ = integrate::make_stepper<Method>(control_);
   Report<Status, Scalar> report_;
 };
 

@@ -4,7 +4,6 @@
 #define GAUSS_SIMULATE_STEP_CONTROL_HPP
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -24,10 +23,10 @@ class NotingSystem {
   using Scalar = typename Model::Scalar;
   using Array = typename integrate::OdeintSystem<Model>::Array;
 
-  explicit NotingSystem(const Model& model) : model_(model), system_(model_) {}
+  explicit NotingSystem(const Model& model) : model_(model), system_(model_), sizes_(Arrays::zeros(model)) {}
 
   void operator()(const Array& x, Array& dxdt, const Scalar& t) {
-    for (std::size_t i = 0; i < Model::size; ++i) sizes_[i] = std::max(sizes_[i], std::abs(x[i]));
+    for (std::size_t i = 0; i < x.size(); ++i) sizes_[i] = std::max(sizes_[i], std::abs(x[i]));
     if (is_closed_) {
       system_(closed(x, t), dxdt, t);
     } else {
@@ -41,26 +40,25 @@ class NotingSystem {
   auto trouble() const { return system_.trouble(); }
   void forget() {
     system_.forget_trouble();
-    sizes_.fill(Scalar(0));
+    std::fill(sizes_.begin(), sizes_.end(), Scalar(0));
   }
   /// Largest of each component since forget().
   const Array& sizes() const { return sizes_; }
   long calls() const { return system_.calls(); }
 
  private:
+  using Arrays = integrate::StateArrays<Model>;
+
   /// As it is where it cannot be closed: rates say what there is to say.
   Array closed(const Array& x, const Scalar& t) const {
-    typename Model::State state;
-    std::copy(x.begin(), x.end(), state.values);
+    typename Model::State state = Arrays::state_of(x);
     if (!integrate::is_motion_known(model_.projection(t, state))) return x;
-    Array result;
-    std::copy_n(state.values, Model::size, result.begin());
-    return result;
+    return Arrays::array_of(state);
   }
 
   const Model& model_;
   integrate::OdeintSystem<Model> system_;
-  Array sizes_{};
+  Array sizes_;
   bool is_closed_ = false;
 };
 
@@ -69,9 +67,9 @@ class NotingSystem {
 template <class Array, class Apply>
 bool changes_by_rounding(const Array& x, const Array& value, const Apply& apply, Array& changes) {
   using Scalar = typename Array::value_type;
-  changes.fill(std::numeric_limits<Scalar>::infinity());
+  std::fill(changes.begin(), changes.end(), std::numeric_limits<Scalar>::infinity());
   for (const int sign : {1, -1}) {
-    Array moved = x, result{};
+    Array moved = x, result = integrate::zeros_like(x);
     for (std::size_t i = 0; i < x.size(); ++i) {
       // Not the same for all components, which would be a change of units: many models have none of.
       const Scalar share = (i % 2 == 0 ? 1 : -1) * (Scalar(1) - Scalar(i % 5) / 8);
@@ -103,11 +101,17 @@ class StepControl {
   using Array = typename NotingSystem<Model>::Array;
 
   StepControl(const Model& model, const Scalar& tolerance, const NotingSystem<Model>& system)
-      : tolerance_(tolerance), groups_(model), system_(&system) {}
+      : tolerance_(tolerance),
+        groups_(model),
+        system_(&system),
+        own_(Arrays::zeros(model)),
+        rounding_(own_),
+        by_constraints_(own_),
+        is_held_(Arrays::template filled<bool>(model, false)) {}
 
   /// Sizes are those of `x` at least from now on.
   void grow(const Array& x) {
-    for (std::size_t i = 0; i < Model::size; ++i) own_[i] = std::max(own_[i], std::abs(x[i]));
+    for (std::size_t i = 0; i < x.size(); ++i) own_[i] = std::max(own_[i], std::abs(x[i]));
   }
   void set_smallest(std::size_t i, const Scalar& size) { own_[i] = size; }
   void set_rounding(const Array& of_rates) { rounding_ = of_rates; }
@@ -116,30 +120,30 @@ class StepControl {
   /// `project(state, result)` is false where it does not arrive.
   template <class Project>
   void find_by_constraints(const Array& x, const Project& project) {
-    Array here{}, sizes{}, smallest{}, held{};
+    Array here = x, sizes = x, smallest = x, held = integrate::zeros_like(x);
     if (!project(x, here)) return;
-    for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = std::abs(here[i]);
+    for (std::size_t i = 0; i < own_.size(); ++i) sizes[i] = std::abs(here[i]);
     const Array moves = groups_.moves(sizes, reach_);
-    smallest.fill(std::numeric_limits<Scalar>::infinity());
+    std::fill(smallest.begin(), smallest.end(), std::numeric_limits<Scalar>::infinity());
     bool holds = false;
     for (const int pattern : {0, 1}) {
-      Array changes{};
-      changes.fill(std::numeric_limits<Scalar>::infinity());
+      Array changes = x;
+      std::fill(changes.begin(), changes.end(), std::numeric_limits<Scalar>::infinity());
       for (const int sign : {1, -1}) {
-        Array moved = here, back{};
-        for (std::size_t i = 0; i < Model::size; ++i)
+        Array moved = here, back = here;
+        for (std::size_t i = 0; i < own_.size(); ++i)
           moved[i] += sign * k_part * moves[i] * unlike_part<Scalar>(i, pattern);
         if (!project(moved, back)) return;
         holds = holds || back != moved;
-        for (std::size_t i = 0; i < Model::size; ++i) changes[i] = std::min(changes[i], std::abs(back[i] - here[i]));
+        for (std::size_t i = 0; i < own_.size(); ++i) changes[i] = std::min(changes[i], std::abs(back[i] - here[i]));
       }
-      for (std::size_t i = 0; i < Model::size; ++i) {
+      for (std::size_t i = 0; i < own_.size(); ++i) {
         smallest[i] = std::min(smallest[i], changes[i]);
         held[i] = std::max(held[i], changes[i]);
       }
     }
     if (!holds) return;
-    for (std::size_t i = 0; i < Model::size; ++i) {
+    for (std::size_t i = 0; i < own_.size(); ++i) {
       is_held_[i] = held[i] < k_held * k_part * moves[i];
       by_constraints_[i] = is_held_[i] ? moves[i] : smallest[i] / k_part;
     }
@@ -153,10 +157,10 @@ class StepControl {
   Array allowed(const Scalar& tolerance, const Scalar& dt) const {
     // Below it, numbers have not all of their digits.
     constexpr Scalar least = std::numeric_limits<Scalar>::min() / std::numeric_limits<Scalar>::epsilon();
-    Array sizes{};
-    for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = size(i);
+    Array sizes = own_;
+    for (std::size_t i = 0; i < own_.size(); ++i) sizes[i] = size(i);
     Array result = groups_.largest(sizes);
-    for (std::size_t i = 0; i < Model::size; ++i) {
+    for (std::size_t i = 0; i < own_.size(); ++i) {
       const Scalar places = is_held_[i] ? Scalar(0) : k_last_places * result[i];
       result[i] = least + tolerance * sizes[i] + places + std::abs(dt) * rounding_[i];
       if (is_held_[i] || is_nothing(i))
@@ -188,6 +192,8 @@ class StepControl {
   const Scalar& reach() const { return reach_; }
 
  private:
+  using Arrays = integrate::StateArrays<Model>;
+
   bool is_nothing(std::size_t i) const { return size(i) <= k_last_places * by_constraints_[i]; }
 
   // No rounding; near a change point, where changes are roots, a smaller one would seem to move all by more.
@@ -218,7 +224,7 @@ class StepControl {
     const Array bounds = allowed(tolerance_, dt);
     Scalar result = 0;
     is_resting_ = true;
-    for (std::size_t i = 0; i < Model::size; ++i) {
+    for (std::size_t i = 0; i < own_.size(); ++i) {
       if (errors[i] == Scalar(0)) continue;
       const Scalar relative = std::abs(errors[i]) / bounds[i];
       if (!(relative <= std::numeric_limits<Scalar>::max())) return std::numeric_limits<Scalar>::max();
@@ -233,10 +239,10 @@ class StepControl {
   Scalar tolerance_;
   integrate::UnitGroups<Model> groups_;
   const NotingSystem<Model>* system_;
-  Array own_{};       ///< largest size so far
-  Array rounding_{};  ///< changes of rates by it
-  Array by_constraints_{};
-  std::array<bool, Model::size> is_held_{};
+  Array own_;       ///< largest size so far
+  Array rounding_;  ///< changes of rates by it
+  Array by_constraints_;
+  typename Arrays::template Of<bool> is_held_;
   Scalar reach_ = 0;  ///< the longest step so far
   Scalar last_ = 0;   ///< error
   Edge edge_;

@@ -1,0 +1,108 @@
+#include <CLI/CLI.hpp>
+#include <clocale>
+#include <csignal>
+#include <locale>
+#include <new>
+
+#include "cli/assignments.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/files.hpp"
+#include "cli/guard.hpp"
+#include "cli/messages.hpp"
+#include "cli/overrides.hpp"
+#include "ir/graph.hpp"
+#include "sim/run/run.hpp"
+#include "sim/scene/choices.hpp"
+#include "version.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace cli = gaussgen::cli;
+
+void add_run(CLI::App& app, RunOptions& options) {
+  CLI::App* const run =
+      app.add_subcommand("run", "Simulate a scene, or a model from its initial state, and write a table");
+  run->add_option("FILE", options.file, "scene or model")->required();
+  run->add_option("-o,--output", options.output, "table to write, or - for standard output; default <name>.csv")
+      ->type_name("CSV");
+  run->add_option("--set", options.sets, "another value for a parameter, an input or the start, such as m=2")
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->take_all();
+  run->add_option("--outputs", options.outputs, "columns of the table, with commas between")
+      ->delimiter(',')
+      ->type_name("LIST");
+  run->add_option("--method", options.method, "how to integrate")
+      ->check(CLI::IsMember(method_names()))
+      ->type_name("NAME");
+  run->add_option("--number", options.number, "number type")->check(CLI::IsMember(number_names()))->type_name("TYPE");
+  run->add_option("--projection", options.projection, "onto the constraints after each step")
+      ->check(CLI::IsMember(projection_names()))
+      ->type_name("WHAT");
+  run->add_option("--strategy", options.strategy, "how Z is minimised, as in gauss-gen")
+      ->check(CLI::IsMember(strategy_names()))
+      ->type_name("NAME");
+  run->add_option("--engine", options.engine, "how functions are executed")
+      ->check(CLI::IsMember(engine_names()))
+      ->type_name("NAME");
+  run->add_option("--start", options.start, "time of the initial state, default 0")->type_name("T");
+  run->add_option("--duration", options.duration, "default 10")->type_name("T")->check(CLI::PositiveNumber);
+  run->add_option("--samples", options.samples, "rows of the table, default 501")
+      ->type_name("N")
+      ->check(CLI::Range(2L, 100'000'000L));
+  run->add_option("--every", options.every, "time between rows, instead of their number")
+      ->type_name("T")
+      ->check(CLI::PositiveNumber);
+  run->add_option("--tolerance", options.tolerance,
+                  "error of a step, relative to the size of each component; default 1e-9")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber);
+  run->add_option("--step", options.step, "length of steps, of methods that take one")
+      ->type_name("T")
+      ->check(CLI::PositiveNumber);
+  run->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
+}
+
+int guarded(const RunOptions& options) {
+  try {
+    return run(options);
+  } catch (const cli::FileError& error) {
+    return cli::fail(error.what(), cli::k_file_error, options.messages);
+  } catch (const cli::UsageError& error) {
+    return cli::fail(error, options.messages);
+  } catch (const gaussgen::model::UnknownCount& unknown) {
+    return cli::fail(cli::unknown_count(unknown), cli::k_usage_error, options.messages);
+  } catch (const gaussgen::ir::TooManyNodes& error) {
+    return cli::fail(std::string("the model is too large: ") + error.what(), cli::k_too_large, options.messages);
+  } catch (const std::bad_alloc&) {
+    return cli::fail("the model is too large for the memory of this machine", cli::k_too_large, options.messages);
+  } catch (const std::exception& error) {
+    return cli::fail(std::string("internal error, please report it with the model: ") + error.what(),
+                     cli::k_internal_error, options.messages);
+  }
+}
+
+}  // namespace
+
+}  // namespace gausssim
+
+int main(int argc, char** argv) {
+  std::setlocale(LC_ALL, "C");
+  std::locale::global(std::locale::classic());
+  std::signal(SIGXFSZ, SIG_IGN);
+  CLI::App app("Simulates mechanical models: motions, reactions, and what accuracy costs in time", "gauss-sim");
+  app.set_version_flag("--version", std::string("gauss-sim ") + gaussgen::k_version);
+  app.require_subcommand(1);
+  gausssim::RunOptions options;
+  options.messages.program = "gauss-sim";
+  gausssim::add_run(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? 0 : gaussgen::cli::k_usage_error;
+  }
+  return gausssim::guarded(options);
+}

@@ -1,0 +1,43 @@
+#pragma once
+// A method that carries a state forward: what the driver sees of all of them.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "gauss/simulate/report.hpp"
+#include "sim/drive/motion_model.hpp"
+
+namespace gausssim {
+
+/// How a run went so far.
+template <class S>
+struct Progress {
+  gauss::simulate::Outcome outcome = gauss::simulate::Outcome::running;
+  gauss::Status status = gauss::Status::ok;  ///< of the model, the last one that was not ok
+  long steps = 0, rejected = 0, calls = 0, jacobians = 0;
+  long with_fewer_constraints = 0, crossings = 0;
+  S start_moved = 0;  ///< by projection
+  std::size_t start_component = 0;
+};
+
+template <class S>
+class Integrator {
+ public:
+  using Array = Numbers<S>;
+
+  virtual ~Integrator() = default;
+
+  /// False: it did not get there, and `progress` says why.
+  virtual bool advance_to(const S& end) = 0;
+  virtual S time() const = 0;
+  virtual Array state() const = 0;
+  virtual Progress<S> progress() const = 0;
+
+  /// Takes one step of its own length and no further than `end`. Methods that know the motion within it (`at`) are asked to, others go to `end`.
+  virtual bool step_towards(const S& end) { return advance_to(end); }
+  /// Within the last step; false where the method knows its ends alone.
+  virtual bool at(const S&, Array&) const { return false; }
+};
+
+}  // namespace gausssim

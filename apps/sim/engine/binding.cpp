@@ -1,0 +1,94 @@
+#include "sim/engine/binding.hpp"
+
+#include "sim/model/layout.hpp"
+
+namespace gausssim {
+
+namespace cpp = gaussgen::emit::cpp;
+
+namespace {
+
+template <class S>
+typename Callable<S>::Place place_of(const cpp::Argument& argument, bool has_result) {
+  using Place = typename Callable<S>::Place;
+  const std::string& type = argument.type;
+  if (type == "const S&") return Place::time;
+  if (type == "const State<S>&") return Place::state;
+  if (type == "const Inputs<S>&") return Place::inputs;
+  if (type == "const Prepared<S>&") return Place::prepared;
+  if (type == "const Derivative<S>&") return Place::accelerations;
+  return has_result ? Place::second_result : Place::first_result;
+}
+
+/// At least one number, so that there is an address.
+template <class S>
+std::vector<S> room_for(std::size_t count) {
+  return std::vector<S>(count == 0 ? 1 : count, S(0));
+}
+
+}  // namespace
+
+template <class S>
+Callable<S> callable(const Engine& engine, const Described& model, const std::string& function) {
+  const cpp::Function* const found = find_function(model.tree, function);
+  const Entry entry = found == nullptr ? Entry{} : engine.find(function, scalar_name<S>());
+  if (!entry) return {};
+  std::vector<typename Callable<S>::Place> places;
+  bool has_result = false;
+  for (const cpp::Argument& argument : found->arguments) {
+    places.push_back(place_of<S>(argument, has_result));
+    has_result = has_result || places.back() == Callable<S>::Place::first_result;
+  }
+  return Callable<S>(entry, std::move(places));
+}
+
+template <class S>
+std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model) {
+  auto functions = std::make_shared<Functions<S>>();
+  functions->n_q = model.n_q();
+  functions->n_v = model.n_v();
+  for (const auto& entry : model.unit.configuration) functions->units.push_back(entry.unit);
+  for (const auto& entry : model.unit.speeds) functions->units.push_back(entry.unit);
+  std::vector<S> parameters = room_for<S>(layout_of(model.tree, "Parameters").size());
+  functions->prepared = room_for<S>(layout_of(model.tree, "Prepared").size());
+  functions->inputs = room_for<S>(layout_of(model.tree, "Inputs").size());
+  void* given[] = {parameters.data()};
+  engine.find("parameters", scalar_name<S>())(given);
+  void* inputs[] = {functions->inputs.data()};
+  engine.find("inputs", scalar_name<S>())(inputs);
+  void* both[] = {parameters.data(), functions->prepared.data()};
+  engine.find("prepare", scalar_name<S>())(both);
+  const auto bound = [&](const char* function) {
+    Callable<S> found = callable<S>(engine, model, function);
+    if (found) found.bind(functions->prepared.data(), functions->inputs.data());
+    return found;
+  };
+  functions->rates = bound("rhs");
+  functions->projection = bound("project");
+  functions->positions = bound("project_positions");
+  functions->energy = bound("energy");
+  functions->residuals = bound("residuals");
+  functions->jacobian = bound("jacobian");
+  return functions;
+}
+
+template <class S>
+gauss::Status initial_state(const Engine& engine, const Described& model, const Functions<S>& functions,
+                            Numbers<S>& state) {
+  state.assign(model.size(), S(0));
+  Callable<S> start = callable<S>(engine, model, "initial_state");
+  if (!start) return gauss::Status::ok;
+  start.bind(const_cast<S*>(functions.prepared.data()), const_cast<S*>(functions.inputs.data()));
+  return start(S(0), nullptr, state.data());
+}
+
+#define GAUSS_SIM_NUMBER(S)                                                           \
+  template Callable<S> callable(const Engine&, const Described&, const std::string&); \
+  template std::shared_ptr<Functions<S>> bind(const Engine&, const Described&);       \
+  template gauss::Status initial_state(const Engine&, const Described&, const Functions<S>&, Numbers<S>&);
+GAUSS_SIM_NUMBER(float)
+GAUSS_SIM_NUMBER(double)
+GAUSS_SIM_NUMBER(long double)
+#undef GAUSS_SIM_NUMBER
+
+}  // namespace gausssim

@@ -1,0 +1,38 @@
+#pragma once
+// An engine's functions with the parameters and inputs of a run.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "emit/cpp_tree.hpp"
+#include "emit/unit.hpp"
+#include "sim/drive/motion_model.hpp"
+#include "sim/engine/engine.hpp"
+
+namespace gausssim {
+
+/// A compiled model description, as the generator hands it over.
+struct Described {
+  gaussgen::emit::cpp::File tree;
+  gaussgen::emit::Unit unit;
+
+  std::size_t n_q() const { return unit.configuration.size(); }
+  std::size_t n_v() const { return unit.speeds.size(); }
+  std::size_t size() const { return n_q() + n_v(); }
+};
+
+/// A function of the tree in an engine; an empty one where either lacks it.
+template <class S>
+Callable<S> callable(const Engine& engine, const Described& model, const std::string& function);
+
+/// With the values of the model's file.
+template <class S>
+std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model);
+
+/// That of the model's file, on the constraints.
+template <class S>
+gauss::Status initial_state(const Engine& engine, const Described& model, const Functions<S>& functions,
+                            Numbers<S>& state);
+
+}  // namespace gausssim

@@ -1,0 +1,50 @@
+#pragma once
+// How the functions of a model are executed.
+
+#include <memory>
+#include <string>
+
+#include "sim/engine/entry.hpp"
+#include "sim/engine/plugin.hpp"
+
+namespace gausssim {
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  virtual const char* name() const = 0;
+  /// Of function and number type, as C++ writes it; an empty one where there is none.
+  virtual Entry find(const std::string& function, const std::string& scalar) const = 0;
+};
+
+class CompiledEngine final : public Engine {
+ public:
+  explicit CompiledEngine(std::shared_ptr<const Plugin> plugin) : plugin_(std::move(plugin)) {}
+
+  const char* name() const override { return "compiled"; }
+  Entry find(const std::string& function, const std::string& scalar) const override {
+    return plugin_->find(function, scalar);
+  }
+
+ private:
+  std::shared_ptr<const Plugin> plugin_;
+};
+
+/// As C++ writes a number type.
+template <class S>
+const char* scalar_name();
+template <>
+inline const char* scalar_name<float>() {
+  return "float";
+}
+template <>
+inline const char* scalar_name<double>() {
+  return "double";
+}
+template <>
+inline const char* scalar_name<long double>() {
+  return "long double";
+}
+
+}  // namespace gausssim

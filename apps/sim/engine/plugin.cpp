@@ -1,0 +1,133 @@
+#include "sim/engine/plugin.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "sim/engine/plugin_text.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// FNV-1a, 64 bits (Fowler, Noll, Vo): a name for a text, whose equality is looked at besides.
+std::uint64_t hash_of(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (const char c : text) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 1099511628211ULL;
+  }
+  return hash;
+}
+
+bool holds(const fs::path& file, const std::string& text) {
+  std::error_code error;
+  if (fs::file_size(file, error) != text.size() || error) return false;
+  std::ifstream in(file, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(in), {}) == text;
+}
+
+/// A folder of this process alone, gone with it.
+class WorkFolder {
+ public:
+  explicit WorkFolder(const fs::path& parent) {
+    std::error_code error;
+    fs::create_directories(parent, error);
+    std::string path = (parent / "build-XXXXXX").string();
+    if (::mkdtemp(path.data()) != nullptr) path_ = path;
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  ~WorkFolder() {
+    std::error_code error;
+    if (!path_.empty()) fs::remove_all(path_, error);
+  }
+
+  bool is_there() const { return !path_.empty(); }
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+/// Into a folder under its final name, both files together: another process sees the whole or nothing.
+void keep(const WorkFolder& work, const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  fs::rename(work / "model.so", folder / "model.so", error);
+  if (!error) fs::rename(work / "model.cpp", folder / "model.cpp", error);
+}
+
+std::string first_lines(const std::string& text, int count) {
+  std::size_t end = 0;
+  for (; count > 0 && end < text.size(); --count) end = std::min(text.find('\n', end), text.size() - 1) + 1;
+  return text.substr(0, end);
+}
+
+Built compiled(const std::string& text, const Toolchain& toolchain, const fs::path& cache, const fs::path& folder) {
+  Built built;
+  const WorkFolder work(cache.empty() ? fs::temp_directory_path() : cache);
+  if (!work.is_there()) return built.why = "no folder can be made to compile in", built;
+  std::ofstream(work / "model.cpp", std::ios::binary) << text;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto failure = failure_of_compiling(toolchain, work / "model.cpp", work / "model.so");
+  built.compile_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (failure) {
+    built.why = fmt::format("{} fails: {}", toolchain.compiler, first_lines(*failure, 5));
+    return built;
+  }
+  // Loaded from where it was made: nobody else writes there.
+  built.plugin = Plugin::load(work / "model.so", built.why);
+  if (built.plugin && !folder.empty()) keep(work, folder);
+  return built;
+}
+
+}  // namespace
+
+std::shared_ptr<const Plugin> Plugin::load(const std::string& path, std::string& why) {
+  void* const handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) {
+    const char* const error = ::dlerror();
+    why = error == nullptr ? "it cannot be loaded" : error;
+    return nullptr;
+  }
+  return std::shared_ptr<const Plugin>(new Plugin(handle));
+}
+
+Plugin::~Plugin() { ::dlclose(handle_); }
+
+Entry Plugin::find(const std::string& function, const std::string& scalar) const {
+  void* const symbol = ::dlsym(handle_, entry_symbol(function, scalar).c_str());
+  return {reinterpret_cast<Entry::Call>(symbol), nullptr};
+}
+
+std::string cache_folder() {
+  const char* const cache = std::getenv("XDG_CACHE_HOME");
+  if (cache != nullptr && *cache == '/') return std::string(cache) + "/gauss";
+  const char* const home = std::getenv("HOME");
+  return home != nullptr && *home == '/' ? std::string(home) + "/.cache/gauss" : std::string();
+}
+
+Built build_plugin(const std::string& text, const Toolchain& toolchain) {
+  const fs::path cache = cache_folder();
+  const std::string whole = text + "\n/*\n" + toolchain.identity() + "*/\n";
+  const fs::path folder = cache.empty() ? fs::path() : cache / fmt::format("{:016x}", hash_of(whole));
+  if (!folder.empty() && holds(folder / "model.cpp", whole)) {
+    Built built;
+    built.was_cached = true;
+    built.plugin = Plugin::load(folder / "model.so", built.why);
+    if (built.plugin) return built;
+  }
+  return compiled(whole, toolchain, cache, folder);
+}
+
+}  // namespace gausssim

@@ -1,0 +1,46 @@
+#pragma once
+// A compiled model.
+
+#include <memory>
+#include <string>
+
+#include "sim/engine/entry.hpp"
+#include "sim/engine/toolchain.hpp"
+
+namespace gausssim {
+
+/// A shared library that is loaded as long as this lives.
+class Plugin {
+ public:
+  /// Null, with the reason in `why`, where it cannot be loaded.
+  static std::shared_ptr<const Plugin> load(const std::string& path, std::string& why);
+
+  Plugin(const Plugin&) = delete;
+  Plugin& operator=(const Plugin&) = delete;
+  ~Plugin();
+
+  /// Of function and number type; an empty one where the model has none.
+  Entry find(const std::string& function, const std::string& scalar) const;
+
+ private:
+  explicit Plugin(void* handle) : handle_(handle) {}
+
+  void* handle_;
+};
+
+/// What it took to have a plugin.
+struct Built {
+  std::shared_ptr<const Plugin> plugin;  ///< null: `why`
+  std::string why;
+  bool was_cached = false;
+  double compile_seconds = 0;
+};
+
+/// The plugin of a text, from the cache or compiled now. The cache is $XDG_CACHE_HOME/gauss, else ~/.cache/gauss; what is in it is used only if its text is
+/// the same to the byte.
+Built build_plugin(const std::string& text, const Toolchain& toolchain);
+
+/// The folder; empty where there is no home.
+std::string cache_folder();
+
+}  // namespace gausssim

@@ -1,0 +1,91 @@
+#include "sim/engine/plugin_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
+#include "emit/cpp_printer.hpp"
+#include "sim/model/layout.hpp"
+
+namespace gausssim {
+
+namespace cpp = gaussgen::emit::cpp;
+
+namespace {
+
+/// Words about the file, such as its hash and command.
+void remove_provenance(cpp::File& tree) {
+  const auto is_comment = [](const cpp::Item& item) { return std::holds_alternative<cpp::Comment>(item); };
+  tree.before.erase(std::remove_if(tree.before.begin(), tree.before.end(), is_comment), tree.before.end());
+}
+
+/// `const State<S>&` as a type of the plugin, without const and &.
+std::string plain_type(const std::string& type, const std::string& name_space, const std::string& scalar) {
+  std::string text = type;
+  if (text.rfind("const ", 0) == 0) text.erase(0, 6);
+  if (!text.empty() && text.back() == '&') text.pop_back();
+  if (text == "S") return scalar;
+  const std::size_t open = text.find('<');
+  return "::" + name_space + "::" + text.substr(0, open) + "<" + scalar + ">";
+}
+
+std::string entry(const cpp::Function& function, const std::string& name_space, const std::string& scalar) {
+  const bool returns_struct = function.name == "prepare";
+  std::string arguments;
+  std::size_t i = 0;
+  for (const cpp::Argument& argument : function.arguments) {
+    const bool is_const = argument.type.rfind("const ", 0) == 0;
+    arguments += fmt::format("{}*static_cast<{}{}*>(a[{}])", i == 0 ? "" : ", ", is_const ? "const " : "",
+                             plain_type(argument.type, name_space, scalar), i);
+    ++i;
+  }
+  const std::string call = fmt::format("::{}::{}({})", name_space, function.name, arguments);
+  const std::string head = fmt::format("extern \"C\" GAUSS_SIM_VISIBLE int {}(const void*, void* const* a) {{\n",
+                                       entry_symbol(function.name, scalar));
+  if (!returns_struct) return head + "  return static_cast<int>(" + call + ");\n}\n";
+  return head + fmt::format("  *static_cast<{}*>(a[{}]) = {};\n  return 0;\n}}\n",
+                            plain_type(function.type, name_space, scalar), i, call);
+}
+
+/// The values that the header gives a struct.
+std::string values_entry(const std::string& name, const std::string& type, const std::string& name_space,
+                         const std::string& scalar) {
+  const std::string whole = "::" + name_space + "::" + type + "<" + scalar + ">";
+  return fmt::format(
+      "extern \"C\" GAUSS_SIM_VISIBLE int {}(const void*, void* const* a) {{\n  *static_cast<{}*>(a[0]) = {}{{}};\n  "
+      "return 0;\n}}\n",
+      entry_symbol(name, scalar), whole, whole);
+}
+
+}  // namespace
+
+std::string symbol_part(std::string scalar) {
+  std::replace(scalar.begin(), scalar.end(), ' ', '_');
+  return scalar;
+}
+
+std::string entry_symbol(const std::string& function, const std::string& scalar) {
+  return "gauss_sim_" + function + "_" + symbol_part(scalar);
+}
+
+std::string plugin_text(cpp::File tree, const PluginRequest& request) {
+  remove_provenance(tree);
+  std::string text = cpp::print(tree);
+  text += "\n#define GAUSS_SIM_VISIBLE __attribute__((visibility(\"default\")))\n\n";
+  std::vector<std::string> names;
+  for (const std::string& name : request.functions) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  for (const std::string& scalar : request.scalars) {
+    text += values_entry("parameters", "Parameters", tree.name_space, scalar);
+    text += values_entry("inputs", "Inputs", tree.name_space, scalar);
+    for (const std::string& name : names) {
+      if (const cpp::Function* const function = find_function(tree, name))
+        text += entry(*function, tree.name_space, scalar);
+    }
+  }
+  return text;
+}
+
+}  // namespace gausssim

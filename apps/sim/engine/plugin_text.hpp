@@ -1,0 +1,25 @@
+#pragma once
+// The C++ file that is compiled for a run: functions of an emitted header behind symbols that can be looked up.
+
+#include <string>
+#include <vector>
+
+#include "emit/cpp_tree.hpp"
+
+namespace gausssim {
+
+struct PluginRequest {
+  std::vector<std::string> functions;  ///< of the header; those that it lacks are left out
+  std::vector<std::string> scalars;    ///< float, double, long double
+};
+
+/// `double` as a part of a symbol.
+std::string symbol_part(std::string scalar);
+
+/// int (const void*, void* const* arguments): arguments as the function takes them; of `prepare`, the result comes last.
+std::string entry_symbol(const std::string& function, const std::string& scalar);
+
+/// The same text for all values of parameters and of the start: they are given when it runs.
+std::string plugin_text(gaussgen::emit::cpp::File tree, const PluginRequest& request);
+
+}  // namespace gausssim

@@ -1,0 +1,25 @@
+#pragma once
+// The compiler of the system.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gausssim {
+
+struct Toolchain {
+  std::string compiler;            ///< path
+  std::vector<std::string> flags;  ///< of all plugins
+
+  /// Another one where anything is another that may change what it makes: the compiler, its flags, the processor.
+  std::string identity() const;
+};
+
+/// That of CXX, else c++, g++ or clang++ on the path; nothing where there is none.
+std::optional<Toolchain> find_toolchain();
+
+/// Runs the compiler; what it says, if it fails. No shell has a part in it.
+std::optional<std::string> failure_of_compiling(const Toolchain& toolchain, const std::string& source,
+                                                const std::string& result);
+
+}  // namespace gausssim

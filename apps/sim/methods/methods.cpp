@@ -1,0 +1,44 @@
+#include "sim/methods/methods.hpp"
+
+#include <algorithm>
+
+#include "sim/methods/makers.hpp"
+
+namespace gausssim {
+
+const std::vector<MethodInfo>& methods() {
+  static const std::vector<MethodInfo> k_methods{
+      {"prince87", "Odeint", 8, false, "pair of order 8 (7) of Prince and Dormand"},
+      {"fehlberg78", "Odeint", 8, false, "pair of order 7 (8) of Fehlberg, taken at order 8"},
+      {"dopri5", "Odeint", 5, false, "pair of order 5 (4) of Dormand and Prince"},
+      {"cash_karp54", "Odeint", 5, false, "pair of order 5 (4) of Cash and Karp"},
+      {"rk4", "Odeint", 4, true, "classical method of order 4, in steps of one length"}};
+  return k_methods;
+}
+
+const MethodInfo* find_method(const std::string& name) {
+  const auto found =
+      std::find_if(methods().begin(), methods().end(), [&](const MethodInfo& one) { return one.name == name; });
+  return found == methods().end() ? nullptr : &*found;
+}
+
+template <class S>
+Made<S> make_integrator(const std::string& method, const MotionModel<S>& model, const Numbers<S>& start, const S& t,
+                        const MethodSettings<S>& settings, std::string& why) {
+  const Problem<S> problem{model, start, t, settings};
+  if (method == "prince87") return make_prince87(problem);
+  if (method == "fehlberg78") return make_fehlberg78(problem);
+  if (method == "dopri5") return make_dopri5(problem);
+  if (method == "cash_karp54") return make_cash_karp54(problem);
+  if (method == "rk4") return make_rk4(problem);
+  why = "there is no method '" + method + "'";
+  return nullptr;
+}
+
+template Made<double> make_integrator(const std::string&, const MotionModel<double>&, const Numbers<double>&,
+                                      const double&, const MethodSettings<double>&, std::string&);
+template Made<long double> make_integrator(const std::string&, const MotionModel<long double>&,
+                                           const Numbers<long double>&, const long double&,
+                                           const MethodSettings<long double>&, std::string&);
+
+}  // namespace gausssim

@@ -1,0 +1,166 @@
+#include "sim/output/columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "artefacts.hpp"
+#include "sim/model/layout.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace code = gaussgen::support::code;
+
+/// Outputs that depend on the state alone, and so can be sampled.
+const std::vector<std::string>& sampled_outputs() {
+  static const std::vector<std::string> k_names{"reactions", "reaction_forces", "joint_reactions", "energy",
+                                                "mobility",  "mass_matrix",     "jacobian",        "quantities"};
+  return k_names;
+}
+
+std::string struct_of(const std::string& output) {
+  std::string name;
+  bool is_first = true;
+  for (const char c : output) {
+    if (c == '_') {
+      is_first = true;
+      continue;
+    }
+    name += is_first ? static_cast<char>(c - 'a' + 'A') : c;
+    is_first = false;
+  }
+  return name;
+}
+
+/// a.b is in group a, a[0] likewise.
+bool is_in(const std::string& name, const std::string& group) {
+  if (name == group) return true;
+  if (name.size() <= group.size() || name.compare(0, group.size(), group) != 0) return false;
+  return name[group.size()] == '.' || name[group.size()] == '[';
+}
+
+class Chooser {
+ public:
+  explicit Chooser(const Described& model) : model_(model) {
+    add_state();
+    for (const std::string& output : sampled_outputs()) add_results(output);
+  }
+
+  const std::vector<Column>& all() const { return all_; }
+
+  std::vector<std::string> groups() const {
+    std::vector<std::string> names{"state", "accelerations"};
+    for (const SampledFunction& one : functions_) {
+      if (one.function != "rhs") names.push_back(one.function);
+    }
+    return names;
+  }
+
+  /// Indices into all().
+  std::vector<std::size_t> named(const std::string& name) const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      const Column& column = all_[i];
+      const bool is_wanted = name == "state"           ? column.is_state
+                             : name == "accelerations" ? is_acceleration(column)
+                                                       : is_in(column.name, name);
+      if (is_wanted) found.push_back(i);
+    }
+    return found;
+  }
+
+  Columns take(const std::vector<std::size_t>& indices) const {
+    Columns result;
+    std::vector<std::size_t> place(functions_.size(), k_none);
+    for (const std::size_t i : indices) {
+      Column column = all_[i];
+      if (!column.is_state) {
+        std::size_t& at = place[column.source];
+        if (at == k_none) {
+          at = result.functions.size();
+          result.functions.push_back(functions_[column.source]);
+        }
+        column.source = at;
+      }
+      result.columns.push_back(std::move(column));
+    }
+    return result;
+  }
+
+ private:
+  static constexpr std::size_t k_none = static_cast<std::size_t>(-1);
+
+  bool is_acceleration(const Column& column) const {
+    return !column.is_state && functions_[column.source].function == "rhs";
+  }
+
+  void add_state() {
+    std::size_t next = 0;
+    for (const auto* entries : {&model_.unit.configuration, &model_.unit.speeds}) {
+      for (const auto& entry : *entries) all_.push_back({entry.name, entry.unit, entry.about, true, next++, 0});
+    }
+    functions_.push_back({"rhs", model_.size()});
+    std::size_t slot = model_.n_q();
+    for (const auto& entry : model_.unit.accelerations)
+      all_.push_back({entry.name, entry.unit, entry.about, false, 0, slot++});
+  }
+
+  void add_results(const std::string& output) {
+    if (find_function(model_.tree, output) == nullptr) return;
+    const std::vector<Slot> slots = layout_of(model_.tree, struct_of(output));
+    if (slots.empty()) return;
+    for (std::size_t i = 0; i < slots.size(); ++i)
+      all_.push_back({output + "." + slots[i].name, slots[i].unit, slots[i].about, false, functions_.size(), i});
+    functions_.push_back({output, slots.size()});
+  }
+
+  const Described& model_;
+  std::vector<Column> all_;
+  std::vector<SampledFunction> functions_;
+};
+
+std::vector<Word> usual() { return {{"state", {}}, {"energy", {}}}; }
+
+}  // namespace
+
+std::vector<std::string> output_names(const Described& model) {
+  const Chooser chooser(model);
+  std::vector<std::string> names = chooser.groups();
+  for (const Column& column : chooser.all()) names.push_back(column.name);
+  return names;
+}
+
+Columns choose_columns(const Described& model, const std::vector<Word>& wanted,
+                       gaussgen::support::Diagnostics& diagnostics) {
+  const Chooser chooser(model);
+  std::vector<std::size_t> indices;
+  for (const Word& word : wanted.empty() ? usual() : wanted) {
+    const std::vector<std::size_t> found = chooser.named(word.text);
+    if (found.empty() && !wanted.empty()) {
+      const std::string near = gaussgen::support::did_you_mean(word.text, output_names(model));
+      diagnostics.error(code::k_wrong_reference, word.span, fmt::format("the model has no output '{}'", word.text),
+                        near.empty() ? "there are " + gaussgen::support::joined(chooser.groups()) +
+                                           ", coordinates and speeds, and members such as energy.total"
+                                     : near);
+    }
+    for (const std::size_t i : found) {
+      if (std::find(indices.begin(), indices.end(), i) == indices.end()) indices.push_back(i);
+    }
+  }
+  return chooser.take(indices);
+}
+
+std::vector<std::string> generator_outputs(const std::vector<Word>& wanted) {
+  std::vector<std::string> outputs;
+  for (const std::string& output : sampled_outputs()) {
+    const auto asks = [&](const Word& word) { return is_in(word.text, output); };
+    if (std::any_of(wanted.begin(), wanted.end(), asks)) outputs.push_back(output);
+  }
+  return outputs;
+}
+
+}  // namespace gausssim

@@ -1,0 +1,43 @@
+#pragma once
+// A table as text: one row per sample, all digits.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "sim/output/columns.hpp"
+
+namespace gausssim {
+
+/// `t [s],chi [rad],…`; names with commas or quotes are quoted (RFC 4180).
+std::string csv_header(const std::vector<Column>& columns);
+
+/// The shortest decimals that are read as the same numbers.
+template <class S>
+void append_csv_row(std::string& text, const S& t, const S* row, std::size_t count) {
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "{}", t);
+  for (std::size_t i = 0; i < count; ++i) fmt::format_to(out, ",{}", row[i]);
+  text += '\n';
+}
+
+/// A file that appears under its name when it is complete; without `finish` nothing remains of it. "-" is standard output. Throws cli::FileError.
+class CsvFile {
+ public:
+  explicit CsvFile(const std::string& path);
+  CsvFile(const CsvFile&) = delete;
+  CsvFile& operator=(const CsvFile&) = delete;
+  ~CsvFile();
+
+  void write(const std::string& text);
+  void finish();
+
+ private:
+  std::string path_, temporary_;
+  std::FILE* file_ = nullptr;
+};
+
+}  // namespace gausssim

@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/model/layout.hpp"
+#include "sim/run/drive.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace cpp = gaussgen::emit::cpp;
+
+std::vector<std::size_t> slots_of(const std::vector<Slot>& slots, const std::string& name) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    if (slots[i].name.rfind(name + "[", 0) == 0 || slots[i].name == name) found.push_back(i);
+  }
+  return found;
+}
+
+/// A constant of the struct says whether it is the same in every motion.
+bool is_conserved(const cpp::File& tree) {
+  const cpp::Struct* const energy = find_struct(tree, "Energy");
+  if (energy == nullptr) return false;
+  return std::any_of(energy->members.begin(), energy->members.end(), [](const cpp::Member& member) {
+    return member.name == "is_conserved" && member.value && member.value->text == "true";
+  });
+}
+
+template <class S>
+double largest(const std::vector<S>& values, const std::vector<std::size_t>& slots, double so_far) {
+  for (const std::size_t i : slots) so_far = std::max(so_far, std::abs(static_cast<double>(values[i])));
+  return so_far;
+}
+
+}  // namespace
+
+template <class S>
+DriftMeter<S>::DriftMeter(const Functions<S>& functions, const Described& model) : functions_(functions) {
+  const std::vector<Slot> energy = layout_of(model.tree, "Energy");
+  const std::vector<Slot> residuals = layout_of(model.tree, "Residuals");
+  energy_.resize(energy.size());
+  residuals_.resize(residuals.size());
+  rates_.resize(model.size());
+  const auto kinetic = slots_of(energy, "kinetic"), total = slots_of(energy, "total");
+  drift_.has_energy = functions.energy && !kinetic.empty() && !total.empty() && is_conserved(model.tree);
+  if (drift_.has_energy) {
+    kinetic_ = kinetic.front();
+    total_ = total.front();
+  }
+  positions_ = slots_of(residuals, "position");
+  velocities_ = slots_of(residuals, "velocity");
+  drift_.has_constraints = functions.residuals && !residuals.empty();
+}
+
+template <class S>
+void DriftMeter<S>::look(const S& t, const Numbers<S>& state) {
+  if (drift_.has_energy) look_at_energy(t, state);
+  if (drift_.has_constraints) look_at_constraints(t, state);
+}
+
+template <class S>
+void DriftMeter<S>::look_at_energy(const S& t, const Numbers<S>& state) {
+  functions_.energy(t, state.data(), energy_.data());
+  const S total = energy_[total_];
+  if (!has_start_) start_energy_ = total;
+  has_start_ = true;
+  last_energy_ = static_cast<double>(total - start_energy_);
+  drift_.energy = std::max(drift_.energy, std::abs(last_energy_));
+  drift_.energy_scale = std::max(drift_.energy_scale, static_cast<double>(energy_[kinetic_]));
+}
+
+template <class S>
+void DriftMeter<S>::look_at_constraints(const S& t, const Numbers<S>& state) {
+  functions_.rates(t, state.data(), rates_.data());
+  functions_.residuals(t, state.data(), residuals_.data(), nullptr, rates_.data());
+  drift_.positions = largest(residuals_, positions_, drift_.positions);
+  drift_.velocities = largest(residuals_, velocities_, drift_.velocities);
+}
+
+template class DriftMeter<double>;
+template class DriftMeter<long double>;
+
+}  // namespace gausssim

@@ -1,0 +1,68 @@
+#pragma once
+// A run: states at the times that are asked for, and what became of what should not change.
+
+#include <functional>
+#include <vector>
+
+#include "sim/drive/integrator.hpp"
+#include "sim/output/sampler.hpp"
+
+namespace gausssim {
+
+/// How far a motion is from what holds for it, over the samples of a run.
+struct Drift {
+  bool has_energy = false;  ///< it is the same in every motion of this model
+  double energy = 0;        ///< largest change since the start [J]
+  double energy_scale = 0;  ///< largest kinetic energy [J]
+  bool has_constraints = false;
+  double positions = 0;   ///< largest residual of an equation of positions, in its unit
+  double velocities = 0;  ///< of a constraint of velocities, or a rate of such an equation
+};
+
+template <class S>
+struct Grid {
+  S start, end;
+  long samples;
+
+  S at(long k) const { return k + 1 == samples ? end : start + (end - start) * (S(k) / S(samples - 1)); }
+};
+
+/// What is told of a run while it goes on. Returning false ends it.
+template <class S>
+using OnSample = std::function<bool(long k, const S& t, const Numbers<S>& state)>;
+
+/// The samples from number `first` on; how many there are in the end, from the start of the grid on.
+template <class S>
+long drive(Integrator<S>& integrator, const Grid<S>& grid, long first, const OnSample<S>& on_sample) {
+  for (long k = first; k < grid.samples; ++k) {
+    if (!integrator.advance_to(grid.at(k))) return k;
+    if (!on_sample(k, integrator.time(), integrator.state())) return k + 1;
+  }
+  return grid.samples;
+}
+
+/// Looks at states as they come.
+template <class S>
+class DriftMeter {
+ public:
+  DriftMeter(const Functions<S>& functions, const Described& model);
+
+  void look(const S& t, const Numbers<S>& state);
+  const Drift& drift() const { return drift_; }
+  double energy() const { return last_energy_; }
+
+ private:
+  void look_at_energy(const S& t, const Numbers<S>& state);
+  void look_at_constraints(const S& t, const Numbers<S>& state);
+
+  const Functions<S>& functions_;
+  std::size_t kinetic_ = 0, total_ = 0;  ///< slots
+  std::vector<std::size_t> positions_, velocities_;
+  std::vector<S> energy_, residuals_, rates_;
+  bool has_start_ = false;
+  S start_energy_ = 0;
+  double last_energy_ = 0;
+  Drift drift_;
+};
+
+}  // namespace gausssim

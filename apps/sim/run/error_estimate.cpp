@@ -1,0 +1,75 @@
+#include "sim/run/error_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace gausssim {
+
+Rows::Rows(std::size_t columns, long samples) : columns_(columns) {
+  values_.resize(columns * static_cast<std::size_t>(samples), 0);
+}
+
+void Rows::set(long k, const std::vector<double>& row) {
+  std::copy(row.begin(), row.end(),
+            values_.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(k) * columns_));
+  count_ = std::max(count_, k + 1);
+}
+
+namespace {
+
+struct Extent {
+  double range = 0, size = 0;
+};
+
+Extent extent_of(const Rows& rows, std::size_t column) {
+  double least = std::numeric_limits<double>::infinity(), most = -least, size = 0;
+  for (long k = 0; k < rows.samples(); ++k) {
+    const double value = rows.at(k, column);
+    least = std::min(least, value);
+    most = std::max(most, value);
+    size = std::max(size, std::abs(value));
+  }
+  return {most - least, size};
+}
+
+/// What differs by rounding only has no range.
+constexpr double k_rounding = 1e-12;
+
+std::vector<double> scales_of(const Rows& reference, const std::vector<Column>& columns) {
+  std::vector<Extent> extents;
+  std::map<std::string, double> by_unit;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    extents.push_back(extent_of(reference, i));
+    by_unit[columns[i].unit] = std::max(by_unit[columns[i].unit], extents[i].range);
+  }
+  std::vector<double> scales;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const Extent& extent = extents[i];
+    const double others = by_unit[columns[i].unit];
+    double scale = extent.range > k_rounding * extent.size ? extent.range : extent.size;
+    if (scale < k_rounding * others) scale = others;
+    scales.push_back(scale);
+  }
+  return scales;
+}
+
+}  // namespace
+
+DeliveredError delivered_error(const Rows& rows, const Rows& reference, const std::vector<Column>& columns) {
+  DeliveredError result;
+  const std::vector<double> scales = scales_of(reference, columns);
+  const long samples = std::min(rows.samples(), reference.samples());
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    for (long k = 0; k < samples; ++k) {
+      const double miss = std::abs(rows.at(k, i) - reference.at(k, i));
+      const double error = miss == 0 ? 0 : miss / scales[i];
+      if (error <= result.value) continue;
+      result = {error, columns[i].name};
+    }
+  }
+  return result;
+}
+
+}  // namespace gausssim

@@ -1,0 +1,38 @@
+#pragma once
+// How far a run may be off: what a tighter one says.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/run/simulate.hpp"
+
+namespace gausssim {
+
+/// The largest difference of an output at a sampled time from that of a reference, relative to the range of that output in the reference.
+struct DeliveredError {
+  double value = 0;
+  std::string output;  ///< where it is largest
+};
+
+/// Rows of one run, sample by sample.
+class Rows {
+ public:
+  Rows(std::size_t columns, long samples);
+
+  void set(long k, const std::vector<double>& row);
+  std::size_t columns() const { return columns_; }
+  long samples() const { return count_; }
+  double at(long k, std::size_t column) const { return values_[static_cast<std::size_t>(k) * columns_ + column]; }
+
+ private:
+  std::size_t columns_;
+  long count_ = 0;
+  std::vector<double> values_;
+};
+
+/// Over the samples that both have. An output that does not change, as a coordinate at rest, has no range: its size is taken, and where that is 0, the largest range of an output with
+/// the same unit.
+DeliveredError delivered_error(const Rows& rows, const Rows& reference, const std::vector<Column>& columns);
+
+}  // namespace gausssim

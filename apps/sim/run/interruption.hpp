@@ -1,0 +1,16 @@
+#pragma once
+
+namespace gausssim {
+
+/// While it lives, the first Ctrl-C (SIGINT, SIGTERM) only asks for an end, a second one ends the program.
+class Interruption {
+ public:
+  Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+  ~Interruption();
+
+  static bool is_asked_for();
+};
+
+}  // namespace gausssim

@@ -1,0 +1,212 @@
+#include "sim/run/prepare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+
+#include "cli/assignments.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/files.hpp"
+#include "cli/overrides.hpp"
+#include "cli/usage_error.hpp"
+#include "mechanics.hpp"
+#include "model/evaluate.hpp"
+#include "pipeline.hpp"
+#include "sim/scene/read_scene.hpp"
+#include "support/error_codes.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace cli = gaussgen::cli;
+namespace code = gaussgen::support::code;
+namespace model = gaussgen::model;
+using gaussgen::support::Diagnostics;
+using gaussgen::support::Source;
+
+/// What is wrong with a scene shows when its model is read; there is no use in going on.
+struct BadScene {};
+
+/// Where words on the command line stand for those of a scene.
+std::string without_option(const std::string& text) {
+  const bool has_option = text.rfind("--set", 0) == 0;
+  const std::size_t colon = has_option ? text.find(": ") : std::string::npos;
+  return colon == std::string::npos ? text : text.substr(colon + 2);
+}
+
+class SceneValues {
+ public:
+  SceneValues(const Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics) {}
+
+  void apply(model::Model& to) {
+    using model::SymbolKind;
+    cli::Overrides overrides(to);
+    for (const Given& given : scene_.parameters) set(overrides, to, given, SymbolKind::parameter, "parameter");
+    for (const Given& given : scene_.inputs) set(overrides, to, given, SymbolKind::input, "input");
+    for (const Given& given : scene_.initial) set_initial(overrides, to, given);
+    if (diagnostics_.has_errors()) throw BadScene{};
+    try {
+      overrides.check();
+    } catch (const cli::UsageError& error) {
+      diagnostics_.error(code::k_undefined_value, scene_.model.span, without_option(error.what()));
+      throw BadScene{};
+    }
+  }
+
+ private:
+  void set(cli::Overrides& overrides, const model::Model& in, const Given& given, model::SymbolKind kind,
+           const char* what) {
+    const auto symbol = in.symbols.find(given.name);
+    if (symbol != in.symbols.end() && symbol->second.kind != kind) {
+      diagnostics_.error(code::k_wrong_reference, given.span,
+                         fmt::format("'{}' is no {} of the model", given.name, what));
+      return;
+    }
+    give(overrides, given);
+  }
+
+  void set_initial(cli::Overrides& overrides, const model::Model& in, const Given& given) {
+    const auto symbol = in.symbols.find(given.name);
+    const bool is_other = symbol != in.symbols.end() && (symbol->second.kind == model::SymbolKind::parameter ||
+                                                         symbol->second.kind == model::SymbolKind::input);
+    if (!is_other) return give(overrides, given);
+    const bool is_input = symbol->second.kind == model::SymbolKind::input;
+    diagnostics_.error(code::k_wrong_reference, given.span, fmt::format("'{}' has no initial value", given.name),
+                       fmt::format("it belongs under '{}'", is_input ? "inputs" : "parameters"));
+  }
+
+  void give(cli::Overrides& overrides, const Given& given) {
+    try {
+      overrides.set("--set " + given.name, given.name, given.value);
+    } catch (const cli::UsageError& error) {
+      diagnostics_.error(code::k_wrong_reference, given.span, without_option(error.what()));
+    }
+  }
+
+  const Scene& scene_;
+  Diagnostics& diagnostics_;
+};
+
+/// The values of durations and times, which may contain parameters.
+class SpanReader {
+ public:
+  SpanReader(const Scene& scene, const model::Values& values, Diagnostics& diagnostics)
+      : scene_(scene), values_(values), diagnostics_(diagnostics) {}
+
+  Span read() {
+    Span span;
+    span.start = value(scene_.start, "start", 0, false);
+    span.duration = value(scene_.duration, "duration", span.duration, true);
+    if (scene_.samples) span.samples = *scene_.samples;
+    if (!scene_.every) return span;
+    const double count = std::floor(span.duration / value(scene_.every, "every", span.duration, true) * (1 + 1e-12));
+    constexpr double k_most = 1e8;
+    if (count >= 1 && count < k_most) {
+      span.samples = static_cast<long>(count) + 1;
+    } else if (!diagnostics_.has_errors()) {
+      diagnostics_.error(code::k_out_of_range, scene_.every->span,
+                         fmt::format("this makes {} samples; there may be from 2 to {}", count + 1, k_most));
+    }
+    return span;
+  }
+
+ private:
+  double value(const std::optional<model::Ast>& ast, const char* key, double otherwise, bool is_positive) {
+    if (!ast) return otherwise;
+    const auto found = model::value_of(*ast, values_);
+    if (found && std::isfinite(*found) && (!is_positive || *found > 0)) return *found;
+    if (!ast->text.empty())
+      throw cli::UsageError(fmt::format("--{} must be a number{}", key, is_positive ? " above 0" : ""));
+    diagnostics_.error(code::k_out_of_range, ast->span,
+                       fmt::format("'{}' must be a number{}", key, is_positive ? " above 0" : ""),
+                       found ? "" : "it may be made of numbers, pi and parameters of the model");
+    return otherwise;
+  }
+
+  const Scene& scene_;
+  const model::Values& values_;
+  Diagnostics& diagnostics_;
+};
+
+std::string beside(const std::string& file, const std::string& named) {
+  const std::filesystem::path path(named);
+  return path.is_absolute() ? named : (std::filesystem::path(file).parent_path() / path).string();
+}
+
+gaussgen::Strategy strategy_of(const Scene& scene) {
+  using gaussgen::Strategy;
+  for (const Strategy one : {Strategy::tree, Strategy::metric, Strategy::multipliers}) {
+    if (scene.strategy && gaussgen::name_of(one) == scene.strategy->text) return one;
+  }
+  return Strategy::automatic;
+}
+
+/// Nobody has asked for what is empty, where outputs were chosen for the user.
+Diagnostics without_empty_outputs(const Diagnostics& all) {
+  Diagnostics kept;
+  for (const auto& found : all.all()) {
+    if (found.code != std::string(code::k_empty_output)) kept.add(found);
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::optional<PreparedModel> prepare(const Request& request, const std::function<void(Scene&)>& change,
+                                     int& exit_code) {
+  const auto begin = std::chrono::steady_clock::now();
+  PreparedModel result;
+  Source scene_source = cli::read_source(request.file);
+  Diagnostics in_scene;
+  const bool has_scene = is_scene(scene_source);
+  if (has_scene) {
+    const std::optional<Scene> scene = read_scene(scene_source, in_scene);
+    exit_code = cli::report(in_scene, scene_source, request.messages);
+    if (!scene || exit_code != cli::k_ok) return std::nullopt;
+    result.scene = *scene;
+  }
+  change(result.scene);
+  result.model_file = has_scene ? beside(request.file, result.scene.model.text) : request.file;
+  Source source = has_scene ? cli::read_source(result.model_file) : scene_source;
+
+  gaussgen::PipelineOptions options;
+  options.counts = result.scene.counts;
+  options.strategy = strategy_of(result.scene);
+  options.outputs = generator_outputs(result.scene.outputs);
+  for (const char* const output : {"initial_state", "project", "energy", "residuals"})
+    options.outputs.push_back(output);
+  options.outputs.insert(options.outputs.end(), request.also.begin(), request.also.end());
+  Diagnostics in_values;
+  options.adjust = [&](model::Model& read) {
+    SceneValues(result.scene, in_values).apply(read);
+    cli::apply_overrides(request.sets, read);
+    result.span = SpanReader(result.scene, model::parameter_values(read), in_values).read();
+    if (in_values.has_errors()) throw BadScene{};
+  };
+  Diagnostics found;
+  std::optional<gaussgen::PipelineResult> compiled;
+  try {
+    compiled = compile(source, options, found, nullptr);
+  } catch (const BadScene&) {
+    exit_code = cli::report(in_values, scene_source, request.messages);
+    return std::nullopt;
+  }
+  exit_code = cli::report(without_empty_outputs(found), source, request.messages);
+  if (!compiled || exit_code != cli::k_ok) return std::nullopt;
+  result.model = {std::move(compiled->tree), std::move(compiled->unit)};
+  result.columns = choose_columns(result.model, result.scene.outputs, in_values);
+  // Those of the command line have no place in the file.
+  const bool are_options = !result.scene.outputs.empty() && result.scene.outputs.front().span.end == 0;
+  if (in_values.has_errors() && are_options)
+    throw cli::UsageError("--outputs: " + in_values.all().front().message + "; " + in_values.all().front().hint);
+  exit_code = cli::report(in_values, scene_source, request.messages);
+  if (exit_code != cli::k_ok) return std::nullopt;
+  result.generate_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace gausssim

@@ -1,0 +1,42 @@
+#pragma once
+// From a file to a model whose functions can be executed.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/messages.hpp"
+#include "sim/engine/binding.hpp"
+#include "sim/output/columns.hpp"
+#include "sim/scene/scene.hpp"
+
+namespace gausssim {
+
+/// What the command line says beside the file.
+struct Request {
+  std::string file;               ///< a scene or a model
+  std::vector<std::string> sets;  ///< NAME=VALUE
+  std::vector<std::string> also;  ///< outputs of the generator that the method needs
+  gaussgen::cli::MessageOptions messages;
+};
+
+struct Span {
+  double start = 0, duration = 10;
+  long samples = 501;
+};
+
+struct PreparedModel {
+  Scene scene;
+  Described model;
+  Columns columns;
+  Span span;
+  std::string model_file;
+  double generate_seconds = 0;
+};
+
+/// Reads the file; `change` may alter the scene before the model is read, as options do. Nothing after an error, which is reported: `code` is the exit code. Throws
+/// cli::FileError and cli::UsageError.
+std::optional<PreparedModel> prepare(const Request& request, const std::function<void(Scene&)>& change, int& code);
+
+}  // namespace gausssim

@@ -1,0 +1,240 @@
+#include "sim/run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/exit_codes.hpp"
+#include "cli/files.hpp"
+#include "cli/overrides.hpp"
+#include "cli/replacement.hpp"
+#include "sim/engine/plugin_text.hpp"
+#include "sim/output/csv.hpp"
+#include "sim/run/error_estimate.hpp"
+#include "sim/run/interruption.hpp"
+#include "sim/run/progress_bar.hpp"
+#include "version.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace cli = gaussgen::cli;
+using gauss::simulate::Outcome;
+
+constexpr double k_default_tolerance = 1e-9;
+constexpr double k_default_steps = 10'000;  ///< of one length, in a run
+constexpr double k_tighter = 1.0 / 30;      ///< tolerance of the run that tells errors
+constexpr double k_long_run = 5;            ///< seconds; not made twice unless somebody asks
+
+void apply(const RunOptions& options, Scene& scene) {
+  const auto word = [](const std::string& text, std::optional<Word>& to) {
+    if (!text.empty()) to = Word{text, {}};
+  };
+  word(options.method, scene.method);
+  word(options.number, scene.number);
+  word(options.projection, scene.projection);
+  word(options.strategy, scene.strategy);
+  word(options.engine, scene.engine);
+  const auto value = [](const char* option, const std::string& text, std::optional<gaussgen::model::Ast>& to) {
+    if (text.empty()) return;
+    to = cli::parse_value(option, text);
+    to->text = text;
+  };
+  value("--start", options.start, scene.start);
+  value("--duration", options.duration, scene.duration);
+  value("--every", options.every, scene.every);
+  if (!options.every.empty()) scene.samples.reset();
+  if (options.samples) scene.samples = options.samples, scene.every.reset();
+  if (options.tolerance) scene.tolerance = options.tolerance, scene.error.reset();
+  if (options.step) scene.step = options.step;
+  if (!options.outputs.empty()) scene.outputs.clear();
+  for (const std::string& name : options.outputs) scene.outputs.push_back({name, {}});
+}
+
+Setting setting_of(const PreparedModel& prepared) {
+  const Scene& scene = prepared.scene;
+  Setting setting;
+  setting.method = scene.method && scene.method->text != "auto" ? scene.method->text : "prince87";
+  if (scene.number) setting.number = scene.number->text;
+  if (scene.projection && scene.projection->text == "off") setting.projection = Projection::off;
+  if (find_method(setting.method)->takes_step) {
+    setting.step = scene.step.value_or(prepared.span.duration / k_default_steps);
+  } else {
+    setting.tolerance = scene.tolerance.value_or(k_default_tolerance);
+  }
+  return setting;
+}
+
+std::string csv_path(const RunOptions& options, const PreparedModel& prepared) {
+  if (!options.output.empty()) return options.output;
+  const std::string& name = prepared.scene.name.empty() ? prepared.model.unit.model_name : prepared.scene.name;
+  return name + ".csv";
+}
+
+std::string summary_path(const std::string& csv) {
+  return std::filesystem::path(csv).replace_extension(".json").string();
+}
+
+struct Times {
+  double generate = 0, compile = 0;
+  bool was_cached = false;
+};
+
+nlohmann::ordered_json drift_json(const Drift& drift) {
+  nlohmann::ordered_json json;
+  if (drift.has_energy)
+    json["energy"] = {{"largest_change", drift.energy}, {"largest_kinetic", drift.energy_scale}, {"unit", "J"}};
+  if (drift.has_constraints) json["constraints"] = {{"positions", drift.positions}, {"velocities", drift.velocities}};
+  return json;
+}
+
+nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& setting, const Engine& engine,
+                               const Simulated& run, const Times& times, const std::optional<DeliveredError>& error) {
+  nlohmann::ordered_json json;
+  json["tool"] = std::string("gauss-sim ") + gaussgen::k_version;
+  json["model"] = prepared.model.unit.model_name;
+  if (!prepared.scene.name.empty()) json["scene"] = prepared.scene.name;
+  json["outcome"] = run.was_interrupted               ? "interrupted"
+                    : run.outcome == Outcome::running ? "finished"
+                                                      : gauss::simulate::name(run.outcome);
+  json["status"] = gauss::name(run.status);
+  json["start"] = prepared.span.start;
+  json["reached"] = run.reached;
+  json["duration"] = prepared.span.duration;
+  json["samples"] = run.samples;
+  json["engine"] = engine.name();
+  json["method"] = setting.method;
+  json["number"] = setting.number;
+  if (setting.tolerance > 0) json["tolerance"] = setting.tolerance;
+  if (setting.step > 0) json["step"] = setting.step;
+  json["steps"] = run.steps;
+  json["rejected"] = run.rejected;
+  json["calls"] = run.calls;
+  if (error) json["error_estimate"] = {{"relative", error->value}, {"output", error->output}};
+  json["drift"] = drift_json(run.drift);
+  if (run.start_moved > 0) json["start_moved"] = {{"by", run.start_moved}, {"component", run.start_component}};
+  if (run.with_fewer_constraints > 0) json["steps_with_fewer_constraints"] = run.with_fewer_constraints;
+  if (run.crossings > 0) json["crossings"] = run.crossings;
+  if (run.untrusted_samples > 0)
+    json["untrusted_samples"] = {{"count", run.untrusted_samples}, {"status", gauss::name(run.sample_status)}};
+  json["seconds"] = {{"generate", times.generate},
+                     {"compile", times.compile},
+                     {"cached", times.was_cached},
+                     {"run", run.wall_seconds},
+                     {"run_cpu", run.cpu_seconds}};
+  json["last_state"] = run.last_state;
+  return json;
+}
+
+/// Numbers of a state for people.
+std::string said(double value) { return fmt::format("{:.3g}", value); }
+
+void tell(const RunOptions& options, const PreparedModel& prepared, const Setting& setting, const Engine& engine,
+          const Simulated& run, const Times& times, const std::optional<DeliveredError>& error,
+          const std::string& csv) {
+  if (options.quiet || csv == "-") return;
+  const std::string how = setting.step > 0 ? "step " + said(setting.step) : "tolerance " + said(setting.tolerance);
+  std::string text =
+      fmt::format("{}: {} s by {} ({}, {}, {})\n", prepared.model.unit.model_name,
+                  said(run.reached - prepared.span.start), setting.method, how, setting.number, engine.name());
+  text += fmt::format("  steps   {} ({} refused), {} calls, {} s", run.steps, run.rejected, run.calls,
+                      said(run.wall_seconds));
+  text += times.was_cached || times.compile == 0 ? "\n" : fmt::format("; compiled in {} s\n", said(times.compile));
+  if (error)
+    text += fmt::format("  error   {} of the range, largest in {}\n", said(error->value),
+                        error->output.empty() ? "none" : error->output);
+  if (run.drift.has_energy)
+    text += fmt::format("  energy  changes by {} J of {} J\n", said(run.drift.energy), said(run.drift.energy_scale));
+  if (run.drift.has_constraints)
+    text += fmt::format("  drift   {} in positions, {} in velocities\n", said(run.drift.positions),
+                        said(run.drift.velocities));
+  text += fmt::format("  wrote   {} ({} rows of {} columns) and {}\n", csv, run.samples,
+                      prepared.columns.columns.size() + 1, summary_path(csv));
+  cli::write_standard_output(text);
+}
+
+int code_of(const Simulated& run, const PreparedModel& prepared, const cli::MessageOptions& messages) {
+  constexpr int k_interrupted = 130;
+  if (run.untrusted_samples > 0)
+    cli::warn(fmt::format("outputs of {} samples are not to be trusted: {}", run.untrusted_samples,
+                          gauss::name(run.sample_status)),
+              messages);
+  if (run.was_interrupted) {
+    cli::remark(fmt::format("interrupted at t = {}; --resume goes on from there", run.reached), messages);
+    return k_interrupted;
+  }
+  if (run.outcome == Outcome::running) return cli::k_ok;
+  const std::string why = run.why.empty() ? gauss::simulate::name(run.outcome) : run.why;
+  return cli::fail(
+      fmt::format("the motion of '{}' stops at t = {}: {}{}", prepared.model.unit.model_name, run.reached, why,
+                  run.status == gauss::Status::ok ? "" : std::string(" (status: ") + gauss::name(run.status) + ")"),
+      cli::k_motion_stopped, messages);
+}
+
+/// Of the same method, closer to the motion.
+Setting tighter(Setting setting) {
+  if (setting.tolerance > 0) setting.tolerance *= k_tighter;
+  if (setting.step > 0) setting.step /= 2;
+  return setting;
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  Request request{options.file, options.sets, {}, options.messages};
+  int code = cli::k_ok;
+  const auto prepared = prepare(
+      request, [&](Scene& scene) { apply(options, scene); }, code);
+  if (!prepared) return code;
+  const Setting setting = setting_of(*prepared);
+
+  Times times;
+  times.generate = prepared->generate_seconds;
+  const auto toolchain = find_toolchain();
+  if (!toolchain)
+    return cli::fail("there is no C++ compiler on the path; CXX may name one", cli::k_file_error, options.messages);
+  PluginRequest plugin{{"prepare", "initial_state", "rhs", "project", "project_positions", "energy", "residuals"},
+                       {setting.number == "long-double" ? "long double" : "double"}};
+  for (const SampledFunction& function : prepared->columns.functions) plugin.functions.push_back(function.function);
+  const Built built = build_plugin(plugin_text(prepared->model.tree, plugin), *toolchain);
+  if (!built.plugin)
+    return cli::fail("the model cannot be compiled: " + built.why, cli::k_internal_error, options.messages);
+  times.compile = built.compile_seconds;
+  times.was_cached = built.was_cached;
+  const CompiledEngine engine(built.plugin);
+
+  const std::string csv = csv_path(options, *prepared);
+  CsvFile file(csv);
+  file.write(csv_header(prepared->columns.columns));
+  const std::size_t width = prepared->columns.columns.size();
+  Rows rows(width, prepared->span.samples);
+  Simulated simulated;
+  {
+    const Interruption interruption;
+    ProgressBar bar(!options.quiet);
+    const Listeners listeners{[&](const std::string& row, double share) {
+                                file.write(row);
+                                bar.show(share, prepared->model.unit.model_name);
+                                return true;
+                              },
+                              [&](long k, const std::vector<double>& row) { rows.set(k, row); }};
+    simulated = simulate(*prepared, engine, setting, listeners);
+  }
+  std::optional<DeliveredError> error;
+  if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted) {
+    Rows reference(width, prepared->span.samples);
+    const Listeners listeners{nullptr, [&](long k, const std::vector<double>& row) { reference.set(k, row); }};
+    simulate(*prepared, engine, tighter(setting), listeners);
+    error = delivered_error(rows, reference, prepared->columns.columns);
+  }
+  const std::string text = summary(*prepared, setting, engine, simulated, times, error).dump(2) + "\n";
+  file.finish();
+  if (csv != "-") cli::Replacement(summary_path(csv), text).commit();
+  tell(options, *prepared, setting, engine, simulated, times, error, csv);
+  return code_of(simulated, *prepared, options.messages);
+}
+
+}  // namespace gausssim

@@ -1,0 +1,27 @@
+#pragma once
+// `gauss-sim run`.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/messages.hpp"
+
+namespace gausssim {
+
+struct RunOptions {
+  std::string file;
+  std::string output;  ///< CSV; empty: <name>.csv in the working folder; "-": standard output
+  std::vector<std::string> sets, outputs;
+  std::string method, number, projection, strategy, engine;  ///< empty: those of the scene
+  std::string start, duration, every;                        ///< expressions
+  std::optional<double> tolerance, step;
+  std::optional<long> samples;
+  bool quiet = false;
+  gaussgen::cli::MessageOptions messages;
+};
+
+/// Returns an exit code. Throws cli::FileError and cli::UsageError.
+int run(const RunOptions& options);
+
+}  // namespace gausssim

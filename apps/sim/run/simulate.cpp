@@ -1,0 +1,128 @@
+#include "sim/run/simulate.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <ctime>
+
+#include "gauss/integrate/step_result.hpp"
+#include "sim/output/csv.hpp"
+#include "sim/run/interruption.hpp"
+
+namespace gausssim {
+
+namespace {
+
+using gauss::simulate::Outcome;
+
+double processor_seconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+template <class S>
+class Simulator {
+ public:
+  Simulator(const PreparedModel& prepared, const Engine& engine, const Setting& setting, const Listeners& listeners)
+      : prepared_(prepared),
+        engine_(engine),
+        setting_(setting),
+        listeners_(listeners),
+        functions_(bind<S>(engine, prepared.model)),
+        model_(functions_),
+        grid_{S(prepared.span.start), S(prepared.span.start) + S(prepared.span.duration), prepared.span.samples},
+        sampler_(engine, prepared.model, prepared.columns, *functions_),
+        meter_(*functions_, prepared.model),
+        row_(sampler_.size()) {}
+
+  Simulated run() {
+    Numbers<S> start;
+    result_.status = initial_state(engine_, prepared_.model, *functions_, start);
+    if (!gauss::integrate::is_motion_known(result_.status)) {
+      result_.outcome = Outcome::model_failed;
+      result_.why = "the initial state cannot be found";
+      return result_;
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    const double cpu = processor_seconds();
+    MethodSettings<S> settings;
+    if (setting_.tolerance > 0) settings.tolerance = S(setting_.tolerance);
+    if (setting_.step > 0) settings.step = S(setting_.step);
+    settings.projection = setting_.projection;
+    const auto integrator = make_integrator(setting_.method, model_, start, grid_.start, settings, result_.why);
+    if (!integrator) {
+      result_.outcome = Outcome::bad_settings;
+      return result_;
+    }
+    result_.samples =
+        drive<S>(*integrator, grid_, 0, [&](long k, const S& t, const Numbers<S>& state) { return take(k, t, state); });
+    result_.cpu_seconds = processor_seconds() - cpu;
+    result_.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    note(*integrator);
+    return result_;
+  }
+
+ private:
+  bool take(long k, const S& t, const Numbers<S>& state) {
+    const gauss::Status status = sampler_(t, state.data(), row_.data());
+    if (status != gauss::Status::ok) {
+      ++result_.untrusted_samples;
+      result_.sample_status = status;
+    }
+    meter_.look(t, state);
+    if (listeners_.on_numbers) listeners_.on_numbers(k, std::vector<double>(row_.begin(), row_.end()));
+    bool goes_on = true;
+    if (listeners_.on_row) {
+      text_.clear();
+      append_csv_row(text_, t, row_.data(), row_.size());
+      goes_on = listeners_.on_row(text_, static_cast<double>(k + 1) / static_cast<double>(grid_.samples));
+    }
+    result_.was_interrupted = Interruption::is_asked_for() && k + 1 < grid_.samples;
+    return goes_on && !result_.was_interrupted;
+  }
+
+  void note(const Integrator<S>& integrator) {
+    const Progress<S> progress = integrator.progress();
+    result_.outcome = progress.outcome;
+    if (progress.status != gauss::Status::ok) result_.status = progress.status;
+    result_.reached = static_cast<double>(integrator.time());
+    result_.steps = progress.steps;
+    result_.rejected = progress.rejected;
+    result_.calls = progress.calls;
+    result_.with_fewer_constraints = progress.with_fewer_constraints;
+    result_.crossings = progress.crossings;
+    result_.start_moved = static_cast<double>(progress.start_moved);
+    result_.start_component = name_of_component(progress.start_component);
+    result_.drift = meter_.drift();
+    for (const S& value : integrator.state()) result_.last_state.push_back(fmt::format("{}", value));
+  }
+
+  std::string name_of_component(std::size_t i) const {
+    const auto& unit = prepared_.model.unit;
+    return i < unit.configuration.size() ? unit.configuration[i].name : unit.speeds[i - unit.configuration.size()].name;
+  }
+
+  const PreparedModel& prepared_;
+  const Engine& engine_;
+  const Setting& setting_;
+  const Listeners& listeners_;
+  std::shared_ptr<Functions<S>> functions_;
+  MotionModel<S> model_;
+  Grid<S> grid_;
+  Sampler<S> sampler_;
+  DriftMeter<S> meter_;
+  std::vector<S> row_;
+  std::string text_;
+  Simulated result_;
+};
+
+}  // namespace
+
+Simulated simulate(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
+                   const Listeners& listeners) {
+  if (setting.number == "long-double") return Simulator<long double>(prepared, engine, setting, listeners).run();
+  return Simulator<double>(prepared, engine, setting, listeners).run();
+}
+
+}  // namespace gausssim

@@ -1,0 +1,51 @@
+#pragma once
+// One simulation of a prepared model, in one number type.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/methods/methods.hpp"
+#include "sim/run/drive.hpp"
+#include "sim/run/prepare.hpp"
+
+namespace gausssim {
+
+struct Setting {
+  std::string method, number = "double";
+  double tolerance = 0, step = 0;  ///< one of the two, as the method takes it; 0: the other
+  Projection projection = Projection::full;
+};
+
+struct Simulated {
+  gauss::simulate::Outcome outcome = gauss::simulate::Outcome::running;
+  std::string why;  ///< there was no motion at all
+  gauss::Status status = gauss::Status::ok;
+  bool was_interrupted = false;
+  long samples = 0;
+  double reached = 0;  ///< time
+  long steps = 0, rejected = 0, calls = 0, with_fewer_constraints = 0, crossings = 0;
+  double start_moved = 0;
+  std::string start_component;
+  long untrusted_samples = 0;  ///< an output had a status that is not ok
+  gauss::Status sample_status = gauss::Status::ok;
+  Drift drift;
+  double wall_seconds = 0, cpu_seconds = 0;  ///< of the integration, samples included
+  std::vector<std::string> last_state;       ///< all digits
+};
+
+/// Takes rows as text, with their share of the whole; false ends the run.
+using OnRow = std::function<bool(const std::string& row, double share)>;
+/// The same as numbers.
+using OnNumbers = std::function<void(long k, const std::vector<double>& row)>;
+
+struct Listeners {
+  OnRow on_row;          ///< may be empty
+  OnNumbers on_numbers;  ///< likewise
+};
+
+Simulated simulate(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
+                   const Listeners& listeners);
+
+}  // namespace gausssim

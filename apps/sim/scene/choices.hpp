@@ -1,0 +1,15 @@
+#pragma once
+// The words that scenes and options choose from.
+
+#include <string>
+#include <vector>
+
+namespace gausssim {
+
+const std::vector<std::string>& method_names();
+const std::vector<std::string>& number_names();
+const std::vector<std::string>& projection_names();
+const std::vector<std::string>& strategy_names();
+const std::vector<std::string>& engine_names();
+
+}  // namespace gausssim

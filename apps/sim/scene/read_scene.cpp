@@ -1,0 +1,183 @@
+#include "sim/scene/read_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "model/constant.hpp"
+#include "model/constant_check.hpp"
+#include "model/fields.hpp"
+#include "sim/scene/choices.hpp"
+#include "spec/reader.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace code = gaussgen::support::code;
+namespace model = gaussgen::model;
+namespace spec = gaussgen::spec;
+using gaussgen::support::Diagnostics;
+using gaussgen::support::Source;
+using gaussgen::support::Span;
+
+const char* const k_where = "the scene";
+constexpr long k_most_samples = 100'000'000;
+
+const std::vector<std::string>& keys() {
+  static const std::vector<std::string> k_keys{
+      "gauss",     "scene", "about",    "model",  "counts",     "parameters", "initial",
+      "inputs",    "start", "duration", "every",  "samples",    "outputs",    "method",
+      "tolerance", "error", "step",     "number", "projection", "strategy",   "engine"};
+  return k_keys;
+}
+
+class SceneReader {
+ public:
+  SceneReader(const spec::Node& root, model::Reading& reading) : root_(root), reading_(reading) {}
+
+  Scene read() {
+    model::check_keys(root_, k_where, keys(), reading_);
+    check_version();
+    scene_.name = model::text_field(root_, "scene", reading_);
+    scene_.about = model::text_field(root_, "about", reading_);
+    if (const spec::Node* const file = model::required(root_, "model", root_.span, k_where, reading_)) {
+      if (model::expect_scalar(*file, root_.span, "'model'", reading_)) scene_.model = {file->scalar.text, file->span};
+    }
+    read_counts();
+    read_given("parameters", scene_.parameters);
+    read_given("initial", scene_.initial);
+    read_given("inputs", scene_.inputs);
+    scene_.start = model::expression_field(root_, "start", reading_);
+    scene_.duration = model::expression_field(root_, "duration", reading_);
+    scene_.every = model::expression_field(root_, "every", reading_);
+    read_samples();
+    read_outputs();
+    scene_.method = choice("method", method_names());
+    scene_.number = choice("number", number_names());
+    scene_.projection = choice("projection", projection_names());
+    scene_.strategy = choice("strategy", strategy_names());
+    scene_.engine = choice("engine", engine_names());
+    scene_.tolerance = positive("tolerance");
+    scene_.error = positive("error");
+    scene_.step = positive("step");
+    refuse_pair("every", "samples");
+    refuse_pair("tolerance", "error");
+    return std::move(scene_);
+  }
+
+ private:
+  void error(const std::string& id, Span span, const std::string& message, const std::string& hint = "") {
+    reading_.diagnostics.error(id, span, message, hint);
+  }
+
+  void check_version() {
+    const spec::Node* const version = model::required(root_, "gauss", root_.span, k_where, reading_);
+    if (version == nullptr || version->scalar.text == "1") return;
+    error(code::k_format_version, version->span, "this program reads version 1 of the format", "write 'gauss: 1'");
+  }
+
+  void read_counts() {
+    model::read_section(root_, "counts", reading_, [&](const spec::Entry& entry) {
+      if (const auto number = whole(entry.value, entry.key.span, 1, 1'000'000)) scene_.counts[entry.key.text] = *number;
+    });
+  }
+
+  void read_given(const std::string& section, std::vector<Given>& all) {
+    model::read_section(root_, section, reading_, [&](const spec::Entry& entry) {
+      all.push_back({entry.key.text, model::read_expression(entry.value, entry.key.span, reading_), entry.key.span});
+    });
+  }
+
+  void read_samples() {
+    const spec::Node* const node = spec::find(root_, "samples");
+    if (node == nullptr) return;
+    if (const auto number = whole(*node, node->span, 2, k_most_samples)) scene_.samples = *number;
+  }
+
+  void read_outputs() {
+    const spec::Node* const list = spec::find(root_, "outputs");
+    if (list == nullptr || !model::expect_list(*list, root_.span, "'outputs'", reading_)) return;
+    for (const spec::Node& item : list->items) {
+      if (!model::expect_scalar(item, list->span, "an output", reading_)) continue;
+      scene_.outputs.push_back({item.scalar.text, item.span});
+    }
+  }
+
+  /// Nothing, which is reported, where it is no number.
+  std::optional<gaussgen::support::Rational> exact(const spec::Node& node, Span owner) {
+    const model::Ast ast = model::read_expression(node, owner, reading_);
+    Diagnostics found;
+    model::check_constants(ast, found);
+    if (found.has_errors()) reading_.diagnostics.add(found.all().front());
+    is_reported_ = model::is_broken(ast) || found.has_errors();
+    return is_reported_ ? std::nullopt : model::exact_value(ast);
+  }
+
+  std::optional<long> whole(const spec::Node& node, Span owner, long least, long most) {
+    const auto value = exact(node, owner);
+    if (value && gaussgen::support::is_integer(*value) && *value >= least && *value <= most)
+      return static_cast<long>(gaussgen::support::to_double(*value));
+    if (!is_reported_)
+      error(code::k_out_of_range, node.span, fmt::format("expected a whole number from {} to {}", least, most));
+    return std::nullopt;
+  }
+
+  std::optional<double> positive(const std::string& key) {
+    const spec::Node* const node = spec::find(root_, key);
+    if (node == nullptr) return std::nullopt;
+    const auto value = exact(*node, node->span);
+    const double number = value ? gaussgen::support::to_double(*value) : 0;
+    if (number > 0 && std::isfinite(number)) return number;
+    if (!is_reported_) error(code::k_out_of_range, node->span, fmt::format("'{}' is a number above 0", key));
+    return std::nullopt;
+  }
+
+  std::optional<Word> choice(const std::string& key, const std::vector<std::string>& words) {
+    const spec::Node* const node = spec::find(root_, key);
+    if (node == nullptr || !model::expect_scalar(*node, root_.span, "'" + key + "'", reading_)) return std::nullopt;
+    const std::string& word = node->scalar.text;
+    for (const std::string& known : words) {
+      if (known == word) return Word{word, node->span};
+    }
+    const std::string near = gaussgen::support::did_you_mean(word, words);
+    error(code::k_unknown_word, node->span, fmt::format("there is no {} '{}'", key, word),
+          near.empty() ? "there are " + gaussgen::support::joined(words) : near);
+    return std::nullopt;
+  }
+
+  void refuse_pair(const std::string& first, const std::string& second) {
+    const spec::Node* const both = spec::find(root_, second);
+    if (both == nullptr || spec::find(root_, first) == nullptr) return;
+    error(code::k_conflicting_keys, both->span, fmt::format("'{}' and '{}' exclude each other", first, second),
+          "leave one of the two out");
+  }
+
+  const spec::Node& root_;
+  model::Reading& reading_;
+  Scene scene_;
+  bool is_reported_ = false;  ///< what is wrong with the last number
+};
+
+}  // namespace
+
+bool is_scene(const Source& source) {
+  Diagnostics ignored;
+  const auto root = spec::read_yaml(source, ignored);
+  return root && root->kind == spec::NodeKind::map &&
+         (spec::find(*root, "model") != nullptr || spec::find(*root, "scene") != nullptr);
+}
+
+std::optional<Scene> read_scene(const Source& source, Diagnostics& diagnostics) {
+  const auto root = spec::read_yaml(source, diagnostics);
+  if (!root) return std::nullopt;
+  model::Reading reading{source, diagnostics, {}};
+  if (!model::expect_map(*root, root->span, "a scene", reading)) return std::nullopt;
+  Scene scene = SceneReader(*root, reading).read();
+  if (diagnostics.has_errors()) return std::nullopt;
+  return scene;
+}
+
+}  // namespace gausssim
