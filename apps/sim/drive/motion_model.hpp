@@ -81,7 +81,7 @@ class MotionModel {
   using Status = gauss::Status;
   using Array = Numbers<S>;
   template <class T>
-  using Of = absl::InlinedVector<T, k_in_place>;
+  using Of = boost::container::small_vector<T, k_in_place>;
   struct State {
     Array values;
   };

@@ -1,8 +1,7 @@
 #pragma once
 // States whose size is known when a program runs, for the steppers of Odeint.
 
-#include <absl/container/inlined_vector.h>
-
+#include <boost/container/small_vector.hpp>
 #include <boost/numeric/odeint/algebra/algebra_dispatcher.hpp>
 #include <boost/numeric/odeint/algebra/default_operations.hpp>
 #include <boost/numeric/odeint/util/copy.hpp>
@@ -21,7 +20,7 @@ namespace gausssim {
 inline constexpr std::size_t k_in_place = 16;
 
 template <class S>
-using Numbers = absl::InlinedVector<S, k_in_place>;
+using Numbers = boost::container::small_vector<S, k_in_place>;
 
 /// Odeint's operations, entry by entry. The arrays of a step are apart from each other, or the same.
 struct FlatAlgebra {

@@ -10,7 +10,7 @@ Made<S> make_adaptive(const Problem<S>& problem) {
   gauss::simulate::Settings<S> settings;
   settings.tolerance = problem.settings.tolerance;
   settings.most_steps = problem.settings.most_steps;
-  settings.project = problem.settings.projection != Projection::off;
+  settings.project = problem.settings.projection != Projection::off && problem.model.functions().projection;
   return std::make_unique<Adaptive<S, Method>>(problem.model, problem.start, problem.t, settings);
 }
 

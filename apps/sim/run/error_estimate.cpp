@@ -34,8 +34,8 @@ Extent extent_of(const Rows& rows, std::size_t column) {
   return {most - least, size};
 }
 
-/// What differs by rounding only has no range.
-constexpr double k_rounding = 1e-12;
+/// What changes by less than this part of its size, or of what others with its unit change by, is taken for constant.
+constexpr double k_constant = 1e-6;
 
 std::vector<double> scales_of(const Rows& reference, const std::vector<Column>& columns) {
   std::vector<Extent> extents;
@@ -48,9 +48,8 @@ std::vector<double> scales_of(const Rows& reference, const std::vector<Column>& 
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Extent& extent = extents[i];
     const double others = by_unit[columns[i].unit];
-    double scale = extent.range > k_rounding * extent.size ? extent.range : extent.size;
-    if (scale < k_rounding * others) scale = others;
-    scales.push_back(scale);
+    const double whole = std::max(extent.size, others);
+    scales.push_back(extent.range > k_constant * whole ? extent.range : whole);
   }
   return scales;
 }

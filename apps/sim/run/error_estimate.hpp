@@ -31,8 +31,8 @@ class Rows {
   std::vector<double> values_;
 };
 
-/// Over the samples that both have. An output that does not change, as a coordinate at rest, has no range: its size is taken, and where that is 0, the largest range of an output with
-/// the same unit.
+/// Over the samples that both have. An output that does not change, such as the energy or a coordinate at rest, has no range: errors of it are relative to its size or to
+/// the largest range of an output with the same unit, whichever is larger.
 DeliveredError delivered_error(const Rows& rows, const Rows& reference, const std::vector<Column>& columns);
 
 }  // namespace gausssim

@@ -42,11 +42,22 @@ class UnitGroups {
 
   /// For each component the largest of its group, of `sizes` that are not negative; for angles it is 1 at least, since they have a scale of their own.
   Array largest(const Array& sizes) const {
-    Array result = zeros_like(sizes);
-    for (std::size_t i = 0; i < first_.size(); ++i)
-      result[first_[i]] = std::max({result[first_[i]], sizes[i], is_angle_[i] ? Scalar(1) : Scalar(0)});
-    for (std::size_t i = 0; i < first_.size(); ++i) result[i] = result[first_[i]];
+    Array result = sizes;
+    find_largest(sizes.data(), result.data());
     return result;
+  }
+
+  /// The same, into `result`.
+  void find_largest(const Scalar* sizes, Scalar* result) const {
+    const std::size_t n = first_.size();
+    const std::size_t* const first = first_.data();
+    const bool* const is_angle = is_angle_.data();
+    // The first of a group comes before all others.
+    for (std::size_t i = 0; i < n; ++i) {
+      const Scalar size = is_angle[i] ? std::max(sizes[i], Scalar(1)) : sizes[i];
+      result[first[i]] = first[i] == i ? size : std::max(result[first[i]], size);
+    }
+    for (std::size_t i = 0; i < n; ++i) result[i] = result[first[i]];
   }
 
   /// How far components go in a time, as `sizes` are: angles and numbers by 1; others by their rates, since places may be counted from far away. Speeds of angles so far that these go so far, others

@@ -220,7 +220,7 @@ class Simulation {
 
   /// Where constraints lose their rank, projection may take any part of the motion away.
   bool is_near(const Scalar& dt, const State& before, const State& after, const Scalar& tolerance) const {
-    const Array allowed = control_.allowed(std::max(tolerance, std::numeric_limits<Scalar>::epsilon()), dt);
+    const Array& allowed = control_.allowed(std::max(tolerance, std::numeric_limits<Scalar>::epsilon()), dt);
     for (std::size_t i = 0; i < x_.size(); ++i)
       if (!(std::abs(after.values[i] - before.values[i]) <= settings_.most_projected * allowed[i])) return false;
     return true;

@@ -26,7 +26,7 @@ class NotingSystem {
   explicit NotingSystem(const Model& model) : model_(model), system_(model_), sizes_(Arrays::zeros(model)) {}
 
   void operator()(const Array& x, Array& dxdt, const Scalar& t) {
-    for (std::size_t i = 0; i < x.size(); ++i) sizes_[i] = std::max(sizes_[i], std::abs(x[i]));
+    note(x.data(), sizes_.data(), x.size());
     if (is_closed_) {
       system_(closed(x, t), dxdt, t);
     } else {
@@ -48,6 +48,10 @@ class NotingSystem {
 
  private:
   using Arrays = integrate::StateArrays<Model>;
+
+  static void note(const Scalar* x, Scalar* sizes, std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i) sizes[i] = std::max(sizes[i], std::abs(x[i]));
+  }
 
   /// As it is where it cannot be closed: rates say what there is to say.
   Array closed(const Array& x, const Scalar& t) const {
@@ -107,6 +111,8 @@ class StepControl {
         own_(Arrays::zeros(model)),
         rounding_(own_),
         by_constraints_(own_),
+        sizes_(own_),
+        allowed_(own_),
         is_held_(Arrays::template filled<bool>(model, false)) {}
 
   /// Sizes are those of `x` at least from now on.
@@ -153,20 +159,26 @@ class StepControl {
   /// That of its own, unless it is nothing beside what constraints make of it. (Near a change point they make much of what is not nothing.)
   Scalar usual_size(std::size_t i) const { return is_held_[i] || is_nothing(i) ? by_constraints_[i] : size(i); }
 
-  /// By components: what an error may be.
-  Array allowed(const Scalar& tolerance, const Scalar& dt) const {
+  /// By components: what an error may be. Until the next call.
+  const Array& allowed(const Scalar& tolerance, const Scalar& dt) const {
     // Below it, numbers have not all of their digits.
     constexpr Scalar least = std::numeric_limits<Scalar>::min() / std::numeric_limits<Scalar>::epsilon();
-    Array sizes = own_;
-    for (std::size_t i = 0; i < own_.size(); ++i) sizes[i] = size(i);
-    Array result = groups_.largest(sizes);
-    for (std::size_t i = 0; i < own_.size(); ++i) {
-      const Scalar places = is_held_[i] ? Scalar(0) : k_last_places * result[i];
-      result[i] = least + tolerance * sizes[i] + places + std::abs(dt) * rounding_[i];
-      if (is_held_[i] || is_nothing(i))
-        result[i] += (is_held_[i] ? std::max(tolerance, k_last_places) : k_last_places) * by_constraints_[i];
+    const std::size_t n = own_.size();
+    Scalar* const sizes = sizes_.data();
+    Scalar* const result = allowed_.data();
+    const Scalar *const own = own_.data(), *const now = system_->sizes().data(), *const rounding = rounding_.data();
+    const Scalar* const by_constraints = by_constraints_.data();
+    const bool* const is_held = is_held_.data();
+    for (std::size_t i = 0; i < n; ++i) sizes[i] = std::max(own[i], now[i]);
+    groups_.find_largest(sizes, result);
+    const Scalar length = std::abs(dt);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Scalar places = is_held[i] ? Scalar(0) : k_last_places * result[i];
+      result[i] = least + tolerance * sizes[i] + places + length * rounding[i];
+      if (is_held[i] || sizes[i] <= k_last_places * by_constraints[i])
+        result[i] += (is_held[i] ? std::max(tolerance, k_last_places) : k_last_places) * by_constraints[i];
     }
-    return result;
+    return allowed_;
   }
 
   /// As ErrorBy asks for it.
@@ -221,7 +233,7 @@ class StepControl {
   }
 
   Scalar largest(const Array& errors, const Scalar& dt) {
-    const Array bounds = allowed(tolerance_, dt);
+    const Array& bounds = allowed(tolerance_, dt);
     Scalar result = 0;
     is_resting_ = true;
     for (std::size_t i = 0; i < own_.size(); ++i) {
@@ -242,6 +254,7 @@ class StepControl {
   Array own_;       ///< largest size so far
   Array rounding_;  ///< changes of rates by it
   Array by_constraints_;
+  mutable Array sizes_, allowed_;  ///< of `allowed`
   typename Arrays::template Of<bool> is_held_;
   Scalar reach_ = 0;  ///< the longest step so far
   Scalar last_ = 0;   ///< error
