@@ -20,6 +20,7 @@ const std::vector<OutputKind>& output_kinds() {
       {"project", "nearest state that satisfies the constraints"},
       {"initial_state", "the model's initial state"},
       {"quantities", "what the model names under 'quantities'"},
+      {"poses", "where bodies and joints are, and how bodies are turned", false},
       {"inverse_dynamics", "forces and inputs that make given accelerations", false},
       {"jacobian", "derivatives of rhs by state, inputs and time", false},
       {"sensitivities", "derivatives of rhs and of reactions by chosen parameters", false}};
@@ -62,6 +63,7 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   if (name == "jacobian" && has_state) return jacobian_artefact(mechanics);
   if (name == "sensitivities") return sensitivities_artefact(mechanics);
   if (name == "quantities") return quantities_artefact(mechanics);
+  if (name == "poses") return poses_artefact(mechanics);
   return {};
 }
 
@@ -75,7 +77,7 @@ bool has_output(const std::string& name, Mechanics& mechanics) {
   if (name == "sensitivities") return !model.sensitivities.empty() && !mechanics.options.fold;
   if (name == "mobility") return has_general_way(mechanics);
   if (name == "compulsion") return has_compulsion(mechanics);
-  if (name == "energy") return true;
+  if (name == "energy" || name == "poses") return true;
   return mechanics.dynamics.n() > 0;
 }
 

@@ -1,8 +1,7 @@
 #include "artefact_builder.hpp"
 
-#include <cctype>
-
 #include "description.hpp"
+#include "emit/identifiers.hpp"
 #include "strategy/body_reactions.hpp"
 #include "strategy/joint_reactions.hpp"
 #include "support/suggest.hpp"
@@ -18,20 +17,6 @@ using strategy::Steps;
 using strategy::Vector;
 
 namespace {
-
-std::string pascal(const std::string& name) {
-  std::string result;
-  bool upper = true;
-  for (const char c : name) {
-    if (c == '_') {
-      upper = true;
-    } else {
-      result += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-      upper = false;
-    }
-  }
-  return result;
-}
 
 std::vector<NodeId> derivative_of(const Mechanics& mechanics) {
   std::vector<NodeId> values = ids(mechanics.kinematics.configuration_rates.values());
@@ -59,12 +44,12 @@ void add_reaction_fields(ArtefactBuilder& builder, Mechanics& mechanics, Steps& 
                       {static_cast<int>(mechanics.dynamics.n())},
                       ids(generalized[mu])});
     const std::string kind = row.f ? "holonomic constraint " : "nonholonomic constraint ";
-    builder.fields(name, pascal(name) + "Reaction", kind + name, std::move(fields));
+    builder.fields(name, emit::pascal_case(name) + "Reaction", kind + name, std::move(fields));
   }
   for (const auto i : mechanics.symbols.held.indices()) {
     const auto& held = mechanics.symbols.held[i];
     const std::string unit = generalized_unit(mechanics.model.coordinates[held.model_index].unit);
-    builder.fields(held.name, pascal(held.name) + "Reaction", "held coordinate " + held.name,
+    builder.fields(held.name, emit::pascal_case(held.name) + "Reaction", "held coordinate " + held.name,
                    {{"generalized",
                      "R of (3.8)" + quantity(unit) + ", positive along growing " + held.name,
                      {},
@@ -144,8 +129,8 @@ void add_sums(ArtefactBuilder& builder, Mechanics& mechanics, Steps& steps) {
     if (reaction.moment) {
       fields.push_back({"moment", "[N*m], space axes, about the mass centre", {3}, ids(*reaction.moment)});
     }
-    builder.fields("on_" + reaction.body, "On" + pascal(reaction.body), about_sum(mechanics.model, reaction.body),
-                   std::move(fields));
+    builder.fields("on_" + reaction.body, "On" + emit::pascal_case(reaction.body),
+                   about_sum(mechanics.model, reaction.body), std::move(fields));
   }
 }
 
@@ -156,7 +141,8 @@ void add_single_forces(ArtefactBuilder& builder, Mechanics& mechanics, Steps& st
   builder.with_singular_metric(wrenches.singular_metric);
   for (const strategy::ReactionWrench& wrench : wrenches.each) {
     if (groups.empty() || groups.back().name != wrench.constraint) {
-      builder.fields(wrench.constraint, pascal(wrench.constraint) + "Force", "reaction of " + wrench.constraint, {});
+      builder.fields(wrench.constraint, emit::pascal_case(wrench.constraint) + "Force",
+                     "reaction of " + wrench.constraint, {});
     }
     std::vector<Field>& fields = groups.back().fields;
     fields.push_back({"force_on_" + wrench.body, "[N], space axes, on " + wrench.body, {3}, ids(wrench.force)});
@@ -216,7 +202,7 @@ std::vector<Artefact> joint_reactions_artefact(Mechanics& mechanics) {
   builder.with_solution_status();
   for (const strategy::JointReaction& reaction :
        strategy::joint_reactions(mechanics.model, mechanics.dynamics, mechanics.solution, steps)) {
-    builder.fields(reaction.joint, pascal(reaction.joint) + "Wrench",
+    builder.fields(reaction.joint, emit::pascal_case(reaction.joint) + "Wrench",
                    "on " + reaction.child + " from " + reaction.parent + " in joint " + reaction.joint,
                    {{"force", "[N], space axes", {3}, ids(reaction.force)},
                     {"moment", "[N*m], space axes, about the origin of " + reaction.child, {3}, ids(reaction.moment)}});

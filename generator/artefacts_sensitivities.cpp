@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <cctype>
 
 #include "artefact_builder.hpp"
 #include "derivatives.hpp"
+#include "emit/identifiers.hpp"
 #include "ir/cost.hpp"
 #include "support/suggest.hpp"
 
@@ -61,16 +61,6 @@ void add_field(const char* name, const std::string& about, const Vector& values,
   if (!values.empty()) fields.push_back({name, about, {static_cast<int>(values.size())}, ids(values)});
 }
 
-std::string pascal(const std::string& name) {
-  std::string result = "By";
-  bool is_first = true;
-  for (const char c : name) {
-    if (c != '_') result += is_first ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-    is_first = c == '_';
-  }
-  return result;
-}
-
 }  // namespace
 
 std::vector<Artefact> sensitivities_artefact(Mechanics& mechanics) {
@@ -94,7 +84,8 @@ std::vector<Artefact> sensitivities_artefact(Mechanics& mechanics) {
     add_field("multipliers", "of the multipliers, in the order of the constraints", found.multipliers[k], fields);
     add_field("held", of_held, found.held[k], fields);
     if (!fields.empty())
-      builder.fields(variables[k].name, pascal(variables[k].name), "by " + variables[k].name, std::move(fields));
+      builder.fields(variables[k].name, "By" + emit::pascal_case(variables[k].name), "by " + variables[k].name,
+                     std::move(fields));
   }
   builder.with_solution_status();
   std::vector<Artefact> result;

@@ -15,4 +15,7 @@ std::string mangled(const std::string& name);
 /// RollingAround -> rolling_around, for the argument that has a result type.
 std::string snake_case(const std::string& type_name);
 
+/// on_ball -> OnBall
+std::string pascal_case(const std::string& name);
+
 }  // namespace gaussgen::emit

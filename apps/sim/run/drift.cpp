@@ -74,6 +74,7 @@ template <class S>
 void DriftMeter<S>::look_at_constraints(const S& t, const Numbers<S>& state) {
   functions_.rates(t, state.data(), rates_.data());
   functions_.residuals(t, state.data(), residuals_.data(), nullptr, rates_.data());
+  last_constraints_ = largest(residuals_, velocities_, largest(residuals_, positions_, 0));
   drift_.positions = largest(residuals_, positions_, drift_.positions);
   drift_.velocities = largest(residuals_, velocities_, drift_.velocities);
 }

@@ -49,7 +49,9 @@ class DriftMeter {
 
   void look(const S& t, const Numbers<S>& state);
   const Drift& drift() const { return drift_; }
-  double energy() const { return last_energy_; }
+  /// At the state that was looked at last.
+  double energy() const { return drift_.energy_scale > 0 ? last_energy_ / drift_.energy_scale : last_energy_; }
+  double constraints() const { return last_constraints_; }
 
  private:
   void look_at_energy(const S& t, const Numbers<S>& state);
@@ -61,7 +63,7 @@ class DriftMeter {
   std::vector<S> energy_, residuals_, rates_;
   bool has_start_ = false;
   S start_energy_ = 0;
-  double last_energy_ = 0;
+  double last_energy_ = 0, last_constraints_ = 0;
   Drift drift_;
 };
 

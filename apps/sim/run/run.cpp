@@ -10,8 +10,8 @@
 #include "cli/files.hpp"
 #include "cli/overrides.hpp"
 #include "cli/replacement.hpp"
-#include "sim/engine/plugin_text.hpp"
 #include "sim/output/csv.hpp"
+#include "sim/run/build_engine.hpp"
 #include "sim/run/error_estimate.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/progress_bar.hpp"
@@ -79,8 +79,8 @@ std::string summary_path(const std::string& csv) {
 }
 
 struct Times {
-  double generate = 0, compile = 0;
-  bool was_cached = false;
+  double generate = 0;
+  EngineTimes engine;
 };
 
 nlohmann::ordered_json drift_json(const Drift& drift) {
@@ -121,8 +121,8 @@ nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& set
   if (run.untrusted_samples > 0)
     json["untrusted_samples"] = {{"count", run.untrusted_samples}, {"status", gauss::name(run.sample_status)}};
   json["seconds"] = {{"generate", times.generate},
-                     {"compile", times.compile},
-                     {"cached", times.was_cached},
+                     {"compile", times.engine.compile},
+                     {"cached", times.engine.was_cached},
                      {"run", run.wall_seconds},
                      {"run_cpu", run.cpu_seconds}};
   json["last_state"] = run.last_state;
@@ -142,7 +142,7 @@ void tell(const RunOptions& options, const PreparedModel& prepared, const Settin
                   said(run.reached - prepared.span.start), setting.method, how, setting.number, engine.name());
   text += fmt::format("  steps   {} ({} refused), {} calls, {} s", run.steps, run.rejected, run.calls,
                       said(run.wall_seconds));
-  text += times.was_cached || times.compile == 0 ? "\n" : fmt::format("; compiled in {} s\n", said(times.compile));
+  text += times.engine.was_cached || times.engine.compile == 0 ? "\n" : fmt::format("; compiled in {} s\n", said(times.engine.compile));
   if (error)
     text += fmt::format("  error   {} of the range, largest in {}\n", said(error->value),
                         error->output.empty() ? "none" : error->output);
@@ -193,18 +193,9 @@ int run(const RunOptions& options) {
 
   Times times;
   times.generate = prepared->generate_seconds;
-  const auto toolchain = find_toolchain();
-  if (!toolchain)
-    return cli::fail("there is no C++ compiler on the path; CXX may name one", cli::k_file_error, options.messages);
-  PluginRequest plugin{{"prepare", "initial_state", "rhs", "project", "project_positions", "energy", "residuals"},
-                       {setting.number == "long-double" ? "long double" : "double"}};
-  for (const SampledFunction& function : prepared->columns.functions) plugin.functions.push_back(function.function);
-  const Built built = build_plugin(plugin_text(prepared->model.tree, plugin), *toolchain);
-  if (!built.plugin)
-    return cli::fail("the model cannot be compiled: " + built.why, cli::k_internal_error, options.messages);
-  times.compile = built.compile_seconds;
-  times.was_cached = built.was_cached;
-  const CompiledEngine engine(built.plugin);
+  std::string why;
+  const auto engine = build_engine(*prepared, {scalar_of(setting.number)}, times.engine, why);
+  if (!engine) return cli::fail(why, cli::k_file_error, options.messages);
 
   const std::string csv = csv_path(options, *prepared);
   CsvFile file(csv);
@@ -215,25 +206,28 @@ int run(const RunOptions& options) {
   {
     const Interruption interruption;
     ProgressBar bar(!options.quiet);
-    const Listeners listeners{[&](const std::string& row, double share) {
-                                file.write(row);
-                                bar.show(share, prepared->model.unit.model_name);
-                                return true;
-                              },
-                              [&](long k, const std::vector<double>& row) { rows.set(k, row); }};
-    simulated = simulate(*prepared, engine, setting, listeners);
+    Listeners listeners;
+    listeners.on_row = [&](const std::string& row, double share) {
+      file.write(row);
+      bar.show(share, prepared->model.unit.model_name);
+      return true;
+    };
+    listeners.on_numbers = [&](long k, const std::vector<double>& row) { rows.set(k, row); };
+    simulated = simulate(*prepared, *engine, setting, listeners);
   }
   std::optional<DeliveredError> error;
   if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted) {
     Rows reference(width, prepared->span.samples);
-    const Listeners listeners{nullptr, [&](long k, const std::vector<double>& row) { reference.set(k, row); }};
-    simulate(*prepared, engine, tighter(setting), listeners);
+    Listeners listeners;
+    listeners.on_numbers = [&](long k, const std::vector<double>& row) { reference.set(k, row); };
+    listeners.measures_drift = false;
+    simulate(*prepared, *engine, tighter(setting), listeners);
     error = delivered_error(rows, reference, prepared->columns.columns);
   }
-  const std::string text = summary(*prepared, setting, engine, simulated, times, error).dump(2) + "\n";
+  const std::string text = summary(*prepared, setting, *engine, simulated, times, error).dump(2) + "\n";
   file.finish();
   if (csv != "-") cli::Replacement(summary_path(csv), text).commit();
-  tell(options, *prepared, setting, engine, simulated, times, error, csv);
+  tell(options, *prepared, setting, *engine, simulated, times, error, csv);
   return code_of(simulated, *prepared, options.messages);
 }
 

@@ -70,7 +70,8 @@ class Simulator {
       ++result_.untrusted_samples;
       result_.sample_status = status;
     }
-    meter_.look(t, state);
+    if (listeners_.measures_drift) meter_.look(t, state);
+    if (listeners_.on_drift) listeners_.on_drift(static_cast<double>(t), meter_.energy(), meter_.constraints());
     if (listeners_.on_numbers) listeners_.on_numbers(k, std::vector<double>(row_.begin(), row_.end()));
     bool goes_on = true;
     if (listeners_.on_row) {

@@ -40,9 +40,14 @@ using OnRow = std::function<bool(const std::string& row, double share)>;
 /// The same as numbers.
 using OnNumbers = std::function<void(long k, const std::vector<double>& row)>;
 
+/// Of one sample: the change of the energy over the largest kinetic energy so far, and the largest residual of a constraint.
+using OnDrift = std::function<void(double t, double energy, double constraints)>;
+
 struct Listeners {
-  OnRow on_row;          ///< may be empty
-  OnNumbers on_numbers;  ///< likewise
+  OnRow on_row = nullptr;          ///< may be empty
+  OnNumbers on_numbers = nullptr;  ///< likewise
+  OnDrift on_drift = nullptr;      ///< likewise
+  bool measures_drift = true;
 };
 
 Simulated simulate(const PreparedModel& prepared, const Engine& engine, const Setting& setting,

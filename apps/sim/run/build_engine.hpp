@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/run/prepare.hpp"
+
+namespace gausssim {
+
+struct EngineTimes {
+  double compile = 0;  ///< s; 0 where nothing was compiled
+  bool was_cached = false;
+};
+
+/// The functions of a model for these number types, as C++ writes them, compiled or from the cache. Null: `why`.
+std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, const std::vector<std::string>& scalars,
+                                     EngineTimes& times, std::string& why);
+
+/// "long-double" of scenes is "long double".
+std::string scalar_of(const std::string& number);
+
+}  // namespace gausssim

@@ -1,0 +1,42 @@
+#include "sim/study/machine.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "sim/engine/toolchain.hpp"
+
+namespace gausssim {
+
+namespace {
+
+std::string value_in(const char* file, const std::string& key, char separator) {
+  std::ifstream in(file);
+  std::string line;
+  while (std::getline(in, line)) {
+    if (line.rfind(key, 0) != 0) continue;
+    std::string value = line.substr(std::min(line.find(separator) + 1, line.size()));
+    value.erase(0, std::min(value.find_first_not_of(" \t\""), value.size()));
+    value.erase(value.find_last_not_of(" \t\"") + 1);
+    return value;
+  }
+  return "";
+}
+
+}  // namespace
+
+Machine this_machine() {
+  Machine machine;
+  machine.processor = value_in("/proc/cpuinfo", "model name", ':');
+  machine.system = value_in("/etc/os-release", "PRETTY_NAME", '=');
+  machine.cores = static_cast<int>(std::thread::hardware_concurrency());
+  if (const auto toolchain = find_toolchain()) {
+    machine.compiler = std::filesystem::path(toolchain->compiler).filename().string();
+    machine.flags = fmt::format("{}", fmt::join(toolchain->flags, " "));
+  }
+  return machine;
+}
+
+}  // namespace gausssim

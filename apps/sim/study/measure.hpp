@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/study/candidate.hpp"
+
+namespace gausssim {
+
+/// What points are compared with.
+struct Reference {
+  Rows rows;
+  std::string kind;                  ///< "float128", "long double", "closed form"
+  std::vector<std::string> methods;  ///< how it was found, twice
+  double agreement = 0;              ///< of the two, as an error
+};
+
+struct Effort {
+  int repeats = 5;
+  double seconds = 0.02;  ///< of all repeats; at least three are made
+  double longest = 10;    ///< of one run; what takes longer is not repeated
+};
+
+/// Runs a candidate, compares it, and times it.
+Point measure(const PreparedModel& model, const Engine& engine, const Candidate& candidate, const Reference& reference,
+              const Effort& effort);
+
+/// A reference without a closed form: two different ways to the same motion, in long double. The finer one is it.
+std::optional<Reference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why);
+
+}  // namespace gausssim

@@ -1,0 +1,41 @@
+#pragma once
+// One problem of a study, from its file to its points.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/run/build_engine.hpp"
+#include "sim/study/measure.hpp"
+#include "sim/study/study.hpp"
+
+namespace gausssim {
+
+/// A way to describe the motion: its model and how it was emitted.
+struct Formulation {
+  std::string name;
+  PreparedModel model;
+  std::unique_ptr<Engine> engine;
+  EngineTimes times;
+  int operations = 0;  ///< of rhs; 0: not known
+};
+
+struct DriftTrace {
+  int point = 0;
+  std::vector<double> t, energy, constraints;
+};
+
+struct Problem {
+  std::string name, file;
+  std::vector<Formulation> formulations;
+  std::vector<double> ranges;  ///< of the outputs, along the reference
+  Reference reference{Rows(0, 0), "", {}, 0};
+  std::vector<Point> points;
+  std::vector<DriftTrace> drifts;
+  std::string why;  ///< there is none
+};
+
+/// Nothing after an error in the file, which is reported: `code`.
+std::optional<Problem> solve_problem(const std::string& file, const StudyOptions& options, int& code);
+
+}  // namespace gausssim

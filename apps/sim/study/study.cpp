@@ -1,0 +1,73 @@
+#include "sim/study/study.hpp"
+
+#include <fmt/format.h>
+
+#include <list>
+
+#include "cli/exit_codes.hpp"
+#include "cli/files.hpp"
+#include "cli/replacement.hpp"
+#include "sim/report/report_template.hpp"
+#include "sim/run/interruption.hpp"
+#include "sim/study/study_json.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace cli = gaussgen::cli;
+
+/// No name can end the element of the page that holds it.
+std::string without_tags(const std::string& json) {
+  std::string result;
+  for (const char c : json) result += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return result;
+}
+
+std::string page(const std::string& json) {
+  std::string text(report_template());
+  text.replace(text.find(report_placeholder), report_placeholder.size(), without_tags(json));
+  return text;
+}
+
+std::string setting_in_words(const Setting& setting) {
+  return setting.step > 0 ? fmt::format("{}, step {:.3g} s", setting.method, setting.step)
+                          : fmt::format("{}, tolerance {:.0e}", setting.method, setting.tolerance);
+}
+
+void tell(const Problem& problem) {
+  std::string text = fmt::format("{}: {} runs, reference good to {:.1e}\n", problem.name, problem.points.size(), problem.reference.agreement);
+  for (const double error : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    const Point* const best = cheapest(problem.points, error);
+    text += best == nullptr ? fmt::format("  {:.0e}  no run delivered it\n", error)
+                            : fmt::format("  {:.0e}  {:8.3f} ms  {}\n", error, 1e3 * best->time, setting_in_words(best->candidate.setting));
+  }
+  cli::write_standard_output(text);
+}
+
+}  // namespace
+
+int study(const StudyOptions& options) {
+  const Interruption interruption;
+  std::vector<Problem> problems;
+  for (const std::string& file : options.files) {
+    int code = cli::k_ok;
+    auto problem = solve_problem(file, options, code);
+    if (!problem) return code;
+    if (!problem->why.empty())
+      cli::warn(fmt::format("{}: there is no reference: {}", problem->name, problem->why), options.messages);
+    if (!options.quiet) tell(*problem);
+    problems.push_back(std::move(*problem));
+    if (Interruption::is_asked_for()) break;
+  }
+  const std::string json = study_json(problems, options).dump(1) + "\n";
+  std::list<cli::Replacement> files;
+  files.emplace_back(options.output + ".json", json);
+  files.emplace_back(options.output + ".csv", study_csv(problems));
+  files.emplace_back(options.output + ".html", page(json));
+  for (cli::Replacement& file : files) file.commit();
+  if (!options.quiet) cli::write_standard_output(fmt::format("wrote {0}.json, {0}.csv and {0}.html\n", options.output));
+  return cli::k_ok;
+}
+
+}  // namespace gausssim

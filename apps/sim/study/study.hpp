@@ -1,0 +1,23 @@
+#pragma once
+// `gauss-sim study`.
+
+#include <string>
+#include <vector>
+
+#include "cli/messages.hpp"
+
+namespace gausssim {
+
+struct StudyOptions {
+  std::vector<std::string> files;  ///< scenes or models, a problem each
+  std::string output = "study";    ///< path without its ending: .json, .csv, .html
+  double budget = 60;              ///< s for each problem
+  double loosest = 1e-3, tightest = 1e-13;
+  bool quiet = false;
+  gaussgen::cli::MessageOptions messages;
+};
+
+/// Returns an exit code. Throws cli::FileError and cli::UsageError.
+int study(const StudyOptions& options);
+
+}  // namespace gausssim

@@ -1,0 +1,144 @@
+#include "sim/study/study_json.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sim/study/machine.hpp"
+#include "version.hpp"
+
+namespace gausssim {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What is no number is nothing.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json numbers(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(number(value));
+  return list;
+}
+
+const char* word(PointStatus status) {
+  return status == PointStatus::ok ? "ok" : status == PointStatus::failed ? "failed" : "refused";
+}
+
+double constraints_of(const Drift& drift) { return std::max(drift.positions, drift.velocities); }
+
+Json drift_json(const Drift& drift) {
+  Json json = Json::object();
+  if (drift.has_energy) json["energy"] = number(drift.energy_scale > 0 ? drift.energy / drift.energy_scale : drift.energy);
+  if (drift.has_constraints) json["constraints"] = number(constraints_of(drift));
+  return json;
+}
+
+Json point_json(const Point& point, const Problem& problem) {
+  const Setting& setting = point.candidate.setting;
+  const MethodInfo* const method = find_method(setting.method);
+  Json json;
+  json["id"] = point.id;
+  json["method"] = setting.method;
+  json["library"] = method == nullptr ? "" : method->library;
+  json["formulation"] = problem.formulations[point.candidate.formulation].name;
+  json["code"] = point.candidate.code;
+  json["number"] = setting.number;
+  json["projection"] = setting.projection == Projection::off ? "off" : "full";
+  json["engine"] = problem.formulations[point.candidate.formulation].engine->name();
+  json["tolerance"] = setting.tolerance > 0 ? number(setting.tolerance) : Json(nullptr);
+  json["step"] = setting.step > 0 ? number(setting.step) : Json(nullptr);
+  json["status"] = word(point.status);
+  json["why"] = point.why;
+  json["error"] = point.error ? number(point.error->value) : Json(nullptr);
+  json["worst_output"] = point.error ? Json(point.error->output) : Json(nullptr);
+  const bool is_timed = point.status == PointStatus::ok;
+  json["time_s"] = is_timed ? number(point.time) : Json(nullptr);
+  json["time_min_s"] = is_timed ? number(point.least_time) : Json(nullptr);
+  json["time_max_s"] = is_timed ? number(point.most_time) : Json(nullptr);
+  json["repeats"] = point.repeats;
+  json["calls"] = point.calls;
+  json["steps"] = point.steps;
+  json["rejected"] = point.rejected;
+  json["drift"] = drift_json(point.drift);
+  json["pareto"] = point.is_on_front;
+  json["is_default"] = point.candidate.is_default;
+  return json;
+}
+
+Json problem_json(const Problem& problem) {
+  const PreparedModel& model = problem.formulations.front().model;
+  Json json;
+  json["name"] = problem.name;
+  json["about"] = model.scene.about.empty() ? model.model.unit.about : model.scene.about;
+  json["file"] = problem.file;
+  json["duration"] = model.span.duration;
+  json["samples"] = model.span.samples;
+  json["outputs"] = Json::array();
+  for (std::size_t i = 0; i < problem.ranges.size(); ++i) {
+    const Column& column = model.columns.columns[i];
+    json["outputs"].push_back({{"name", column.name}, {"unit", column.unit}, {"range", number(problem.ranges[i])}});
+  }
+  json["reference"] = {{"kind", problem.reference.kind},
+                       {"methods", problem.reference.methods},
+                       {"agreement", number(problem.reference.agreement)}};
+  json["builds"] = Json::array();
+  for (const Formulation& one : problem.formulations) {
+    json["builds"].push_back({{"formulation", one.name},
+                              {"number", "double"},
+                              {"generate_s", number(one.model.generate_seconds)},
+                              {"compile_s", one.times.was_cached ? Json(nullptr) : number(one.times.compile)},
+                              {"operations", one.operations > 0 ? Json(one.operations) : Json(nullptr)}});
+  }
+  json["points"] = Json::array();
+  for (const Point& point : problem.points) json["points"].push_back(point_json(point, problem));
+  json["drifts"] = Json::array();
+  for (const DriftTrace& trace : problem.drifts) {
+    json["drifts"].push_back({{"point", trace.point},
+                              {"t", numbers(trace.t)},
+                              {"energy", numbers(trace.energy)},
+                              {"constraints", numbers(trace.constraints)}});
+  }
+  json["lanes"] = Json::array();
+  return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json study_json(const std::vector<Problem>& problems, const StudyOptions& options) {
+  const Machine machine = this_machine();
+  Json json;
+  json["format"] = 1;
+  json["tool"] = std::string("gauss-sim ") + gaussgen::k_version;
+  json["machine"] = {{"processor", machine.processor},
+                     {"cores", machine.cores},
+                     {"system", machine.system},
+                     {"compiler", machine.compiler},
+                     {"flags", machine.flags}};
+  json["budget_s"] = options.budget;
+  json["problems"] = Json::array();
+  for (const Problem& problem : problems) json["problems"].push_back(problem_json(problem));
+  return json;
+}
+
+std::string study_csv(const std::vector<Problem>& problems) {
+  std::string text =
+      "problem,formulation,code,number,method,projection,tolerance,step [s],status,error,worst_output,time [s],calls,steps,rejected,on_front,why\n";
+  for (const Problem& problem : problems) {
+    for (const Point& point : problem.points) {
+      const Setting& setting = point.candidate.setting;
+      const auto or_nothing = [](bool is_there, double value) { return is_there ? fmt::format("{}", value) : std::string(); };
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"\n", problem.name,
+                          problem.formulations[point.candidate.formulation].name, point.candidate.code, setting.number,
+                          setting.method, setting.projection == Projection::off ? "off" : "full",
+                          or_nothing(setting.tolerance > 0, setting.tolerance), or_nothing(setting.step > 0, setting.step),
+                          word(point.status), or_nothing(point.error.has_value(), point.error ? point.error->value : 0),
+                          point.error ? point.error->output : "", or_nothing(point.status == PointStatus::ok, point.time),
+                          point.calls, point.steps, point.rejected, point.is_on_front ? 1 : 0, point.why);
+    }
+  }
+  return text;
+}
+
+}  // namespace gausssim

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "sim/study/problem.hpp"
+
+namespace gausssim {
+
+/// docs/study-format.md.
+nlohmann::ordered_json study_json(const std::vector<Problem>& problems, const StudyOptions& options);
+
+/// A row for each point.
+std::string study_csv(const std::vector<Problem>& problems);
+
+}  // namespace gausssim
