@@ -18,6 +18,18 @@ export function small(/** @type {any} */ value, digits = 2) {
   return value === 0 ? '0' : tidied(value.toExponential(digits - 1));
 }
 
+/** The same for columns: always two digits, so that those of a column stand below each other. */
+export function column(/** @type {any} */ value) {
+  if (!isNumber(value)) return k_missing;
+  return value === 0 ? '0' : value.toExponential(1).replace('e+', 'e');
+}
+
+/** A factor near 1, for columns: 1.30, 12.4. */
+export function factor(/** @type {any} */ value) {
+  if (!isNumber(value)) return k_missing;
+  return value < 10 ? value.toFixed(2) : value < 100 ? value.toFixed(1) : plain(value);
+}
+
 /** Any number: 1.23, 812, 0.031, 4.1e6, with `digits` digits where it is no integer below a million. */
 export function plain(/** @type {any} */ value, digits = 3) {
   if (!isNumber(value)) return k_missing;

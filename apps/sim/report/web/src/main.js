@@ -47,9 +47,15 @@ class Report {
       page = at < 0 ? new SummaryPage(this.problems, this.slugs.map(linkOf), this.theme) : new ProblemPage(this.problems[at], linkOf(slug), this.theme);
       page.element.hidden = true;
       this.pages.set(known, page);
-      this.main.append(page.element);
+      this.insert(page, at);
     }
     return page;
+  }
+
+  /** In the order of the study, as paper has them. @param {Page} page @param {number} at */
+  insert(page, at) {
+    const next = this.slugs.slice(at + 1).map((slug) => this.pages.get(slug)).find((other) => other !== undefined);
+    this.main.insertBefore(page.element, next?.element ?? null);
   }
 
   /** To where the address says: #/problem/chart. @param {boolean} [first] */

@@ -1,6 +1,6 @@
 // Error asked for against the cheapest time that reaches it, by one setting: formulation, number type, projection.
 
-import {isNumber, plain, seconds, small} from '../format.js';
+import {column, factor, plain, seconds, small} from '../format.js';
 import {nth} from '../look.js';
 import {arrived, cheapest, grouped, targets} from '../maths/points.js';
 import {logAxis, shortSeconds} from './axes.js';
@@ -66,8 +66,8 @@ const tableOf = (lines, setting) => ({
   caption: `Fastest run of each ${setting.word} for an error asked for.`,
   columns: [
     {key: 'target', title: 'error asked for', format: (/** @type {any} */ v) => small(v), numeric: true}, {key: 'name', title: setting.word},
-    {key: 'time', title: 'time', format: seconds, numeric: true}, {key: 'ratio', title: 'beside the fastest', format: (/** @type {any} */ v) => isNumber(v) ? `× ${plain(v)}` : '–', numeric: true},
-    {key: 'method', title: 'method'}, {key: 'accuracy', title: 'setting'}, {key: 'error', title: 'error', format: (/** @type {any} */ v) => small(v), numeric: true},
+    {key: 'time', title: 'time', format: seconds, numeric: true}, {key: 'ratio', title: 'times the fastest', format: factor, numeric: true},
+    {key: 'method', title: 'method'}, {key: 'accuracy', title: 'setting'}, {key: 'error', title: 'error', format: column, numeric: true},
   ],
   rows: lines.flatMap((line) => line.points.map(({target, point, ratio}) => ({
     target, name: line.name, time: point.time_s, ratio, method: point.method, accuracy: accuracyOf(point), error: point.error,

@@ -19,8 +19,8 @@ function axis(look, name, more) {
   };
 }
 
-/** Labels every so many decades, seven of them at most. @param {number} decades */
-const decadesBetween = (decades) => [1, 2, 3, 5, 10, 20, 50].find((step) => decades / step <= 7) ?? 100;
+/** Labels every so many decades, eight of them at most; three decades are what prefixes are apart. @param {number} decades */
+const decadesBetween = (decades) => [1, 2, 3, 6, 12, 24].find((step) => decades / step <= 8) ?? 48;
 
 /** @param {number[]} numbers @returns {[number, number]} whole exponents around all of them */
 function exponents(numbers) {
@@ -44,6 +44,7 @@ export function logAxis(look, name, numbers, how = {}) {
   let [low, high] = exponents(all);
   if (hasZero) low -= 1;
   const step = decadesBetween(high - low);
+  [low, high] = [step * Math.floor(low / step), step * Math.ceil(high / step)];  // so that there is a label at both ends
   const label = how.label ?? power;
   return {
     hasZero, low, high,
@@ -70,5 +71,5 @@ export const linearAxis = (look, name, more = {}) => axis(look, name, {type: 'va
 /** @param {Look} look @param {string[]} names @param {object} [more] */
 export const categoryAxis = (look, names, more = {}) => axis(look, '', {
   type: 'category', data: names, splitLine: {show: false}, axisTick: {show: false},
-  axisLabel: {color: look.ink, fontSize: 12, fontFamily: k_font, width: 170, overflow: 'truncate'}, ...more,
+  axisLabel: {color: look.ink, fontSize: 12, fontFamily: k_font, width: 192, overflow: 'truncate'}, ...more,
 });

@@ -1,6 +1,6 @@
 // What one more digit costs, by method and number type.
 
-import {isNumber, plain, small} from '../format.js';
+import {column, factor, isNumber, plain, small} from '../format.js';
 import {colourOf, fillOf} from '../look.js';
 import {digitCost as costOf, digitCostBetween} from '../maths/digit_cost.js';
 import {arrived, grouped} from '../maths/points.js';
@@ -38,7 +38,7 @@ function picture(problem, points, look) {
   const drawn = [...rows].reverse();
   return {
     option: frame(look, {
-      title: `${problem.name}: time for one more digit`, left: 178,
+      title: `${problem.name}: time for one more digit`, left: 206,
       xAxis: linearAxis(look, 'factor in time for one more digit (1 would be free)', {min: 1, axisLabel: {color: look.muted, formatter: (/** @type {number} */ value) => `× ${plain(value)}`}}),
       yAxis: categoryAxis(look, drawn.map(({name}) => name)), series: [bars(look, drawn)],
     }),
@@ -56,7 +56,7 @@ const bars = (look, rows) => ({
     const colour = colourOf(look, row.method);
     return {value: row.factor, ref, itemStyle: {color: fillOf(look, row.number, colour), borderColor: colour, borderWidth: 1.4}};
   }),
-  label: {show: true, position: 'right', color: look.ink, formatter: (/** @type {{value: number}} */ {value}) => plain(value)},
+  label: {show: true, position: 'right', color: look.ink, formatter: (/** @type {{value: number}} */ {value}) => factor(value)},
 });
 
 /** @param {Row} row @returns {[string, string][]} */
@@ -77,10 +77,10 @@ const tableOf = (rows) => ({
   caption: 'Factor in time for one more digit.', rows,
   columns: [
     {key: 'method', title: 'method'}, {key: 'number', title: 'number type'},
-    {key: 'factor', title: 'over all', format: (/** @type {any} */ v) => plain(v), numeric: true},
-    ...k_ranges.filter(([, , key]) => rows.some((row) => isNumber(row[key]))).map(([from, , key]) => ({key, title: `${small(from)} ${key}`, format: (/** @type {any} */ v) => plain(v), numeric: true})),
-    {key: 'from', title: 'largest error', format: (/** @type {any} */ v) => small(v), numeric: true},
-    {key: 'to', title: 'smallest error', format: (/** @type {any} */ v) => small(v), numeric: true},
+    {key: 'factor', title: 'over all', format: factor, numeric: true},
+    ...k_ranges.filter(([, , key]) => rows.some((row) => isNumber(row[key]))).map(([from, , key]) => ({key, title: `${small(from)} ${key}`, format: factor, numeric: true})),
+    {key: 'from', title: 'largest error', format: column, numeric: true},
+    {key: 'to', title: 'smallest error', format: column, numeric: true},
     {key: 'runs', title: 'runs', format: (/** @type {any} */ v) => plain(v), numeric: true},
   ],
 });

@@ -1,6 +1,6 @@
 // Drift of one invariant, or of the constraints, over time. There is a chart for each that the study has.
 
-import {isNumber, small} from '../format.js';
+import {column, isNumber, small} from '../format.js';
 import {colourOf, dashOf, nth} from '../look.js';
 import {linearAxis, logAxis} from './axes.js';
 import {briefly, detailOf} from './detail.js';
@@ -104,7 +104,7 @@ const tableOf = (name, curves) => ({
   caption: `Drift of ${name} at half time, at the end, and at most.`,
   columns: [
     {key: 'name', title: 'run'}, ...[['half', 'at half time'], ['end', 'at the end'], ['most', 'at most']]
-      .map(([key, title]) => ({key, title, format: (/** @type {any} */ v) => small(v), numeric: true})),
+      .map(([key, title]) => ({key, title, format: column, numeric: true})),
     {key: 'samples', title: 'samples', numeric: true},
   ],
   rows: curves.map((curve) => ({

@@ -11,6 +11,6 @@ export const errorTime = {
   about: 'Each symbol is one run with one setting. Down is faster, right is more exact.',
   make: (problem, points, look) => workPrecision(points, look, {
     title: `${problem.name}: error and time`, of: time, axis: 'time of a run', label: shortSeconds, write: seconds, fewest: 'Fastest', more: 'time',
-    caption: 'Runs by error, then time.',
+    caption: 'Runs: the front first, then by error.',
   }),
 };

@@ -1,6 +1,6 @@
 // Batches: trajectories in lanes of one register, on several threads.
 
-import {isNumber, plain} from '../format.js';
+import {factor, isNumber, plain} from '../format.js';
 import {fillOf, nth} from '../look.js';
 import {categoryAxis, linearAxis} from './axes.js';
 import {frame} from './frame.js';
@@ -61,5 +61,5 @@ function takeaway(rows) {
 const tableOf = (rows) => ({
   caption: 'Batches.', rows,
   columns: [{key: 'number', title: 'number type'}, ...[['lanes', 'lanes'], ['threads', 'threads'], ['trajectories', 'trajectories'], ['trajectories_per_s', 'in a second'], ['ratio', 'ratio']]
-    .map(([key, title]) => ({key, title, format: (/** @type {any} */ v) => plain(v), numeric: true}))],
+    .map(([key, title]) => ({key, title, format: key === 'ratio' ? factor : (/** @type {any} */ v) => plain(v), numeric: true}))],
 });

@@ -60,7 +60,7 @@ export class Marks {
   paretoLine(points) {
     this.series.push({
       type: 'line', name: 'Pareto front', data: points.map(this.place), silent: true, showSymbol: false, z: 1, tooltip: {show: false},
-      lineStyle: {color: this.look.accent, width: 9, opacity: 0.28, cap: 'round', join: 'round'}, itemStyle: {color: this.look.accent},
+      lineStyle: {color: this.look.accent, width: 8, opacity: 0.42, cap: 'round', join: 'round'}, itemStyle: {color: this.look.accent},
     });
     this.legend.push('Pareto front');
   }
@@ -70,8 +70,8 @@ export class Marks {
     const data = points.filter((point) => point.is_default).map(this.place);
     if (data.length === 0) return;
     this.series.push({
-      type: 'scatter', name: 'default', data, silent: true, symbol: 'emptyCircle', symbolSize: 20, z: 4, tooltip: {show: false},
-      itemStyle: {color: this.look.ink, borderWidth: 2},
+      type: 'scatter', name: 'default', data, silent: true, symbol: 'circle', symbolSize: 20, z: 4, tooltip: {show: false},
+      itemStyle: {color: 'transparent', borderColor: this.look.ink, borderWidth: 2},
       label: {show: true, formatter: 'default', position: 'top', color: this.look.ink, fontSize: 12, fontWeight: 600, textBorderColor: this.look.surface, textBorderWidth: 3},
     });
   }

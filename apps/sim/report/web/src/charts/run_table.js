@@ -1,6 +1,6 @@
 // The table of runs that belongs to charts of single runs. What is alike in all of them is left out, and said in the caption.
 
-import {plain, seconds, small} from '../format.js';
+import {column, plain, seconds, small} from '../format.js';
 import {k_settings, settingOf} from '../maths/points.js';
 import {statusOf} from './detail.js';
 
@@ -11,7 +11,7 @@ import {statusOf} from './detail.js';
 const k_results = [
   {key: 'tolerance', title: 'tolerance', format: (v) => small(v), numeric: true},
   {key: 'step', title: 'step, s', format: (v) => small(v), numeric: true},
-  {key: 'error', title: 'error', format: (v) => small(v), numeric: true},
+  {key: 'error', title: 'error', format: column, numeric: true},
   {key: 'time_s', title: 'time', format: seconds, numeric: true},
   {key: 'calls', title: 'calls', format: (v) => plain(v), numeric: true},
   {key: 'steps', title: 'steps', format: (v) => plain(v), numeric: true},
@@ -32,12 +32,13 @@ export function runTable(points, front, caption, more = []) {
       ...differing.map(([key, title]) => ({key, title})), ...used, ...more, {key: 'marks', title: 'marks'},
       ...(failures ? [{key: 'status', title: 'status'}, {key: 'why', title: 'why'}] : []),
     ],
-    rows: [...points].sort(byErrorThenTime).map((point) => ({...point, marks: marks(point), status: statusOf(point)})),
+    rows: [...points].sort(order(onFront)).map((point) => ({...point, marks: marks(point), status: statusOf(point)})),
   };
 }
 
-/** Runs without an error come last. @param {Point} a @param {Point} b */
-function byErrorThenTime(a, b) {
-  const size = (/** @type {number | null} */ value) => value ?? Infinity;
-  return size(a.error) - size(b.error) || size(a.time_s) - size(b.time_s) || 0;
+/** The front comes first, from the cheapest on; runs without an error come last. @param {Set<number>} onFront */
+function order(onFront) {
+  const size = (/** @type {number | null} */ value) => value ?? Number.MAX_VALUE;
+  return (/** @type {Point} */ a, /** @type {Point} */ b) => Number(onFront.has(b.id)) - Number(onFront.has(a.id))
+    || (onFront.has(a.id) ? size(b.error) - size(a.error) : size(a.error) - size(b.error)) || size(a.time_s) - size(b.time_s);
 }

@@ -1,6 +1,6 @@
 // All problems beside each other: the fastest time for each error, and the setting that it takes.
 
-import {plain, seconds, small} from '../format.js';
+import {column, plain, seconds, small} from '../format.js';
 import {nth} from '../look.js';
 import {arrived, cheapest, targets} from '../maths/points.js';
 import {logAxis, shortSeconds} from './axes.js';
@@ -91,7 +91,7 @@ const tableOf = (found) => ({
   caption: 'Fastest setting for each error asked for.',
   columns: [
     {key: 'problem', title: 'problem'}, {key: 'target', title: 'error asked for', format: (/** @type {any} */ v) => small(v), numeric: true},
-    {key: 'time', title: 'time', format: seconds, numeric: true}, {key: 'error', title: 'error', format: (/** @type {any} */ v) => small(v), numeric: true},
+    {key: 'time', title: 'time', format: seconds, numeric: true}, {key: 'error', title: 'error', format: column, numeric: true},
     {key: 'method', title: 'method'}, {key: 'number', title: 'number type'}, {key: 'formulation', title: 'formulation'}, {key: 'projection', title: 'projection'},
     {key: 'accuracy', title: 'setting'}, {key: 'calls', title: 'calls', format: (/** @type {any} */ v) => plain(v), numeric: true},
   ],

@@ -1,6 +1,6 @@
 // Tolerance asked for against error delivered.
 
-import {isNumber, plain, small} from '../format.js';
+import {factor, isNumber, plain} from '../format.js';
 import {front, lost, values} from '../maths/points.js';
 import {logAxis} from './axes.js';
 import {frame} from './frame.js';
@@ -34,7 +34,7 @@ function picture(problem, points, look) {
   return {
     option: frame(look, {title: `${problem.name}: tolerance and error`, legend: marks.legend, xAxis: x.axis, yAxis: y.axis, series: marks.series, left: 84}),
     takeaway: takeaway(found), note: note(points.length - asked.length, y.hasZero), spots: marks.spots, height: 440,
-    table: runTable(asked.map(withRatio), best, 'Runs with a tolerance.', [{key: 'ratio', title: 'error / tolerance', format: (v) => plain(v, 2), numeric: true}]),
+    table: runTable(asked.map(withRatio), best, 'Runs with a tolerance.', [{key: 'ratio', title: 'error / tolerance', format: factor, numeric: true}]),
     key: {methods: values(found, 'method'), numbers: values(found, 'number'), extra: [
       {label: 'error = tolerance', colour: look.muted, dash: [5, 5]}, {label: 'default setting', colour: look.ink, symbol: 'ring'},
       ...(failed.length > 0 ? [{label: 'failed or refused', colour: look.fault, symbol: 'cross'}] : []),
@@ -57,7 +57,7 @@ function takeaway(found) {
   if (ratios.length === 0) return 'No tolerance is above 0.';
   const worse = ratios.filter((ratio) => ratio > 10).length;
   const middle = ratios[Math.floor((ratios.length - 1) / 2)];
-  return `Errors are ${small(ratios[0])} to ${small(ratios[ratios.length - 1])} times the tolerance, ${plain(middle, 2)} times in the middle of ${plain(ratios.length)} runs; `
+  return `Errors are ${plain(ratios[0], 2)} to ${plain(ratios[ratios.length - 1], 2)} times the tolerance, ${plain(middle, 2)} times in the middle of ${plain(ratios.length)} runs; `
     + (worse === 0 ? 'none is beyond ten times.' : `${plain(worse)} are beyond ten times.`);
 }
 

@@ -6,6 +6,7 @@ import {across, cross, dot, minus, plus, scaled, unit} from './vectors.js';
 
 export const k_field = 32 * Math.PI / 180;  // of view, from top to bottom
 const k_steepest = 1.55;
+const k_filled = 0.78;      // of the window, in the first view
 
 export class Camera {
   /** @param {Vector} up @param {{low: Vector, high: Vector, middle: Vector, radius: number}} extent */
@@ -14,6 +15,11 @@ export class Camera {
     this.extent = extent;
     this.first = across(up);
     this.second = cross(up, this.first);
+    this.aspect = 1.6;
+    this.touched = false;
+    this.azimuth = this.elevation = 0;
+    this.distance = 1;
+    this.target = extent.middle;
     this.reset();
   }
 
@@ -27,17 +33,36 @@ export class Camera {
     this.azimuth = second <= flat ? -Math.PI / 2 : first <= flat ? 0 : -1.05;
     this.elevation = second <= flat || first <= flat ? 0.12 : upright <= flat ? 0.75 : 0.32;
     this.target = middle;
-    this.distance = 1.12 * radius / Math.sin(k_field / 2);
+    this.distance = radius / Math.sin(k_field / 2);
+    this.touched = false;
+    for (let i = 0; i < 4; ++i) this.distance *= this.filling() / k_filled;  // perspective makes it a little less than proportional
+  }
+
+  /** The first view fits its window; one that somebody has turned stays. @param {number} aspect width over height */
+  shape(aspect) {
+    this.aspect = aspect;
+    if (!this.touched) this.reset();
+  }
+
+  /** How much of the window the box of the motion takes, 1 being all of it. */
+  filling() {
+    const project = this.projection(2 * this.aspect, 2);
+    const {low, high} = this.extent;
+    const ends = [low, high];
+    const corners = ends.flatMap((a) => ends.flatMap((b) => ends.map((c) => project([a[0], b[1], c[2]]))));
+    return Math.max(1e-3, ...corners.map(({x, y}) => Math.max(Math.abs(x / this.aspect - 1), Math.abs(y - 1))));
   }
 
   /** @param {number} azimuth @param {number} elevation in radians */
   turn(azimuth, elevation) {
+    this.touched = true;
     this.azimuth += azimuth;
     this.elevation = Math.max(-k_steepest, Math.min(k_steepest, this.elevation + elevation));
   }
 
   /** @param {number} factor below 1: nearer */
   zoom(factor) {
+    this.touched = true;
     const usual = this.extent.radius / Math.sin(k_field / 2);
     this.distance = Math.max(0.05 * usual, Math.min(20 * usual, this.distance * factor));
   }

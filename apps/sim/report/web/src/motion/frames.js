@@ -97,7 +97,7 @@ export function extent(motion) {
 
 /** @param {Motion} motion @returns {{value: number, name: string, unit: string, time: number} | null} the largest reaction */
 export function largestReaction(motion) {
-  let best = null;
+  let best = /** @type {{value: number, name: string, unit: string, time: number} | null} */ (null);
   for (const {name, force, unit: of} of motion.reactions ?? []) {
     (force ?? []).forEach((vector, i) => {
       const value = isVector(vector) ? size(/** @type {Vector} */ (vector)) : -1;

@@ -14,13 +14,18 @@ import {SolidStage} from './stage_solid.js';
 
 const k_context = {alpha: true, antialias: true, depth: true, preserveDrawingBuffer: true};
 
+/** For paper: a browser gives few contexts of WebGL, and a study may have many problems. @param {HTMLElement} place @param {import('../types.js').Motion} motion */
+export function flatStageIn(place, motion) {
+  const canvas = document.createElement('canvas');
+  place.replaceChildren(canvas);
+  return new FlatStage(canvas, motion);
+}
+
 /** three.js reports a missing WebGL to the console; asked beforehand, it is no fault. @param {HTMLElement} place @param {import('../types.js').Motion} motion */
 export function stageIn(place, motion) {
   const canvas = document.createElement('canvas');
   place.replaceChildren(canvas);
-  const context = canvas.getContext('webgl2', k_context);
+  const context = /** @type {WebGL2RenderingContext | null} */ (canvas.getContext('webgl2', k_context));
   if (context) return new SolidStage(canvas, context, motion);
-  const flat = document.createElement('canvas');
-  place.replaceChildren(flat);
-  return new FlatStage(flat, motion);
+  return flatStageIn(place, motion);
 }

@@ -1,19 +1,20 @@
 // The motion with its controls: play, speed, time, arrows, traces, camera.
 
 import {isNumber, plain} from '../format.js';
-import {button, el} from '../ui/dom.js';
+import {el} from '../ui/dom.js';
 import {Camera} from './camera.js';
 import {sceneColours} from './colours.js';
+import {controls} from './controls.js';
 import {extent, frameAt, isVector, largestReaction, sampleAt, upOf} from './frames.js';
 import {Player} from './player.js';
-import {stageIn} from './stage.js';
+import {flatStageIn, stageIn} from './stage.js';
 import {size} from './vectors.js';
 
 /** @typedef {import('../types.js').Vector} Vector */
 
 const k_turn = 0.09;        // radians for a key
-const k_longest_arrow = 0.7;  // of the radius of the motion
-const k_speeds = [0.1, 0.25, 0.5, 1, 2, 5, 10];
+const k_longest_arrow = 0.55;  // of the radius of the motion
+const k_paper = /** @type {[number, number]} */ ([460, 256]);
 
 export class MotionView {
   /** @param {import('../types.js').Motion} motion @param {() => boolean} dark */
@@ -26,9 +27,12 @@ export class MotionView {
     this.player = new Player(motion.t[0], motion.t[motion.t.length - 1], () => this.show());
     this.stage = /** @type {ReturnType<typeof stageIn> | null} */ (null);
     this.place = el('div', {class: 'stage', tabindex: 0, role: 'application', 'aria-roledescription': 'moving picture', 'aria-label': this.label(), keydown: (/** @type {KeyboardEvent} */ event) => this.key(event)});
-    this.controls();
+    this.ui = controls({
+      start: this.player.start, end: this.player.end, hasReactions: this.largest !== null, toggle: () => this.toggle(), seek: (time) => this.player.seek(time),
+      speed: (factor) => { this.player.speed = factor; }, show: () => this.show(), first: () => this.firstView(),
+    });
     this.values = el('dl', {class: 'pairs reactions'});
-    this.element = el('div', {class: 'motion'}, el('div', {class: 'motion-picture'}, this.place, this.bar), el('div', {class: 'motion-side'}, this.sliders, this.reactionList(), this.way));
+    this.element = el('div', {class: 'motion'}, el('div', {class: 'motion-picture'}, this.place, this.ui.bar), el('div', {class: 'motion-side'}, this.ui.sliders, this.reactionList(), el('p', {class: 'note'}, 'Drag or arrow keys turn the view, the wheel or plus and minus zoom, space plays.')));
     this.pointer();
     new ResizeObserver(() => this.fit()).observe(this.place);
   }
@@ -36,21 +40,6 @@ export class MotionView {
   label() {
     const names = (this.motion.bodies ?? []).map(({name}) => name).join(', ');
     return `The motion${names ? ` of ${names}` : ''}. Space plays and stops, arrow keys turn the view, plus and minus zoom, comma and full stop go to the sample before and after, 0 brings the first view back.`;
-  }
-
-  controls() {
-    const {start, end} = this.player;
-    this.playButton = button('Play', () => this.toggle(), {class: 'play'});
-    this.scrub = /** @type {HTMLInputElement} */ (el('input', {type: 'range', min: start, max: end, step: (end - start) / 1000, value: start, 'aria-label': 'time of the motion in seconds', input: () => this.player.seek(Number(this.scrub.value))}));
-    this.clock = el('output', {class: 'clock'});
-    this.speed = /** @type {HTMLSelectElement} */ (el('select', {'aria-label': 'speed', change: () => { this.player.speed = Number(this.speed.value); }},
-      ...k_speeds.map((speed) => el('option', {value: speed, selected: speed === 1}, `${speed} ×`))));
-    this.bar = el('div', {class: 'motion-bar'}, this.playButton, this.scrub, this.clock, this.speed);
-    this.arrows = /** @type {HTMLInputElement} */ (el('input', {type: 'range', min: 0, max: 3, step: 0.05, value: 1, input: () => this.show()}));
-    this.traced = /** @type {HTMLInputElement} */ (el('input', {type: 'checkbox', checked: true, change: () => this.show()}));
-    this.sliders = el('div', {class: 'motion-sliders'}, this.largest ? el('label', {}, el('span', {}, 'Reaction arrows'), this.arrows) : null,
-      el('label', {class: 'check'}, this.traced, el('span', {}, 'Traces of bodies')), button('First view', () => this.firstView()));
-    this.way = el('p', {class: 'note'}, 'Drag or arrow keys turn the view, the wheel or plus and minus zoom, space plays.');
   }
 
   reactionList() {
@@ -75,6 +64,14 @@ export class MotionView {
     this.fit();
   }
 
+  /** As it stands, in light colours, also where the page is not open and so has no size. */
+  print() {
+    this.colours = sceneColours(false);
+    this.stage ??= flatStageIn(this.place, this.motion);
+    this.fit(...k_paper);
+    this.show();
+  }
+
   close() {
     this.player.pause();
     this.stage?.destroy();
@@ -87,26 +84,28 @@ export class MotionView {
     this.show();
   }
 
-  fit() {
+  /** @param {number} [otherWidth] @param {number} [otherHeight] where the place has no size */
+  fit(otherWidth = 0, otherHeight = 0) {
     if (!this.stage) return;
-    const [width, height] = [this.place.clientWidth, this.place.clientHeight];
+    const [width, height] = [this.place.clientWidth || otherWidth, this.place.clientHeight || otherHeight];
     if (width === 0 || height === 0) return;
     this.stage.resize(width, height, Math.min(globalThis.devicePixelRatio || 1, 2));
+    this.camera.shape(width / height);
     this.show();
   }
 
   show() {
     const {player} = this;
     const frame = frameAt(this.motion, player.time);
-    this.playButton.textContent = player.playing ? 'Pause' : 'Play';
-    this.scrub.value = String(player.time);
-    this.clock.textContent = `${player.time.toFixed(2)} s`;
+    this.ui.play.textContent = player.playing ? 'Pause' : 'Play';
+    this.ui.scrub.value = String(player.time);
+    this.ui.clock.textContent = `${player.time.toFixed(2)} s`;
     this.say(frame);
-    this.stage?.draw({frame, camera: this.camera, colours: this.colours, traces: this.traced.checked ? this.traces() : this.motion.bodies?.map(() => []) ?? [], arrow: this.arrowLength()});
+    this.stage?.draw({frame, camera: this.camera, colours: this.colours, traces: this.ui.traced.checked ? this.traces() : this.motion.bodies?.map(() => []) ?? [], arrow: this.arrowLength()});
   }
 
   arrowLength() {
-    return this.largest && this.largest.value > 0 ? Number(this.arrows.value) * k_longest_arrow * this.camera.extent.radius / this.largest.value : 0;
+    return this.largest && this.largest.value > 0 ? Number(this.ui.arrows.value) * k_longest_arrow * this.camera.extent.radius / this.largest.value : 0;
   }
 
   /** Places of each body that moves, up to now. @returns {Vector[][]} */

@@ -31,3 +31,7 @@ export const button = (label, click, more = {}) => el('button', {type: 'button',
 
 /** Label and value in two columns. @param {[string, string][]} pairs @param {string} [name] its class */
 export const pairs = (pairs, name = 'pairs') => el('dl', {class: name}, ...pairs.flatMap(([label, value]) => [el('dt', {}, label), el('dd', {}, value)]));
+
+/** A sentence in which numbers are not torn from their exponents and units. @param {string} text @returns {(Node | string)[]} */
+export const prose = (text) => text.split(/((?:(?:tolerance|step) )?\d[^\s,;()]*e-\d+(?: [µmn]?s\b)?|\d[\d.\u202f]* (?:times|[µmn]?s)\b)/)
+  .map((part, i) => i % 2 === 1 ? el('span', {class: 'whole'}, part) : part);

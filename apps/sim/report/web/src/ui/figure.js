@@ -1,6 +1,6 @@
 // A chart with what belongs to it: a title that states what it shows, a line that the data say, the key, and the table.
 
-import {el} from './dom.js';
+import {el, prose} from './dom.js';
 import {Plot} from './plot.js';
 import {keyOf} from './swatch.js';
 import {DataTable} from './table.js';
@@ -56,17 +56,17 @@ export class Figure {
     this.empty.hidden = !fails;
     this.body.hidden = this.takeaway.hidden = this.note.hidden = fails;
     if (fails) this.empty.textContent = picture;
-    else this.fill(picture, look, how.print ? k_print_width : undefined);
+    else this.fill(picture, look, how.print ?? false);
   }
 
-  /** @param {import('../types.js').Picture} picture @param {import('../types.js').Look} look @param {number} [width] */
-  fill(picture, look, width) {
-    this.takeaway.textContent = picture.takeaway;
+  /** @param {import('../types.js').Picture} picture @param {import('../types.js').Look} look @param {boolean} print */
+  fill(picture, look, print) {
+    this.takeaway.replaceChildren(...prose(picture.takeaway));
     this.note.textContent = picture.note ?? '';
     this.note.hidden = !picture.note;
     this.keys.replaceChildren(...(picture.key ? keyOf(picture.key, look) : []));
     this.body.classList.toggle('beside', picture.table.columns.length <= 6);
-    this.table.show(picture.table);
-    this.plot.draw(picture, this.chart.title, width);
+    this.table.show(picture.table, print);
+    this.plot.draw(picture, this.chart.title, print ? k_print_width : undefined);
   }
 }

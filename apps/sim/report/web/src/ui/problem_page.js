@@ -53,7 +53,7 @@ export class ProblemPage {
   /** @param {import('../types.js').Look} look */
   print(look) {
     this.figures.forEach((figure) => figure.draw({look, print: true}));
-    this.motion?.open();
+    this.motion?.print();
   }
 }
 

@@ -4,7 +4,7 @@ import {summaryOf} from '../charts/summary.js';
 import {briefly} from '../charts/detail.js';
 import {seconds, small} from '../format.js';
 import {cheapest} from '../maths/points.js';
-import {el} from './dom.js';
+import {el, prose} from './dom.js';
 import {Figure} from './figure.js';
 
 /** @typedef {import('../types.js').FullProblem} FullProblem */
@@ -50,5 +50,5 @@ function matrix(problems, links) {
 function choice(problem, target) {
   const point = cheapest(problem.points, target);
   if (!point) return el('td', {class: 'none'}, 'nobody gets there');
-  return el('td', {}, el('strong', {}, seconds(point.time_s)), el('span', {}, briefly(point)));
+  return el('td', {}, el('strong', {}, seconds(point.time_s)), el('span', {}, ...prose(briefly(point))));
 }

@@ -20,7 +20,7 @@ const dashes = (dash) => Array.isArray(dash) ? dash.join(' ') : null;
 function swatch(entry, look) {
   const colour = entry.colour ?? look.ink;
   const parts = [];
-  if (entry.dash) parts.push(svg('line', {x1: 1, x2: 33, y1: 8, y2: 8, stroke: colour, 'stroke-width': entry.dash === 'band' ? 8 : 2, 'stroke-dasharray': dashes(entry.dash), opacity: entry.dash === 'band' ? 0.3 : 1}));
+  if (entry.dash) parts.push(svg('line', {x1: 1, x2: 33, y1: 8, y2: 8, stroke: colour, 'stroke-width': entry.dash === 'band' ? 8 : 2, 'stroke-dasharray': dashes(entry.dash), opacity: entry.dash === 'band' ? 0.42 : 1}));
   if (entry.symbol) {
     const fill = entry.symbol === 'ring' ? 'none' : entry.fill ?? colour;
     parts.push(svg('path', {d: pathOf(entry.symbol), transform: 'translate(12 3)', fill, stroke: entry.symbol === 'cross' ? 'none' : colour, 'stroke-width': 1.4}));

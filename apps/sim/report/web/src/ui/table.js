@@ -9,6 +9,7 @@ import {button, el} from './dom.js';
 /** @typedef {import('../types.js').Column} Column */
 
 const k_first_rows = 40;
+const k_first_rows_on_paper = 24;
 
 export class DataTable {
   /** @param {string} name of the file that is downloaded */
@@ -19,6 +20,7 @@ export class DataTable {
     this.sortedBy = /** @type {string | null} */ (null);
     this.falling = false;
     this.all = false;
+    this.print = false;
     this.said = el('span', {role: 'status', class: 'said'});
     this.more = button('', () => this.showAll(), {class: 'more'});
     this.scroll = el('div', {class: 'scroll', tabindex: 0, role: 'region'});
@@ -26,9 +28,10 @@ export class DataTable {
       button('Copy', () => this.copy()), button('CSV', () => download(`${this.name}.csv`, csv(this.sorted()))), this.said));
   }
 
-  /** @param {Table} table */
-  show(table) {
+  /** @param {Table} table @param {boolean} [print] */
+  show(table, print = false) {
     this.table = table;
+    this.print = print;
     if (!table.columns.some(({key}) => key === this.sortedBy)) this.sortedBy = null;
     this.scroll.setAttribute('aria-label', `Table: ${table.caption}`);
     this.order();
@@ -66,7 +69,7 @@ export class DataTable {
   }
 
   draw() {
-    const shown = this.all ? this.rows : this.rows.slice(0, k_first_rows);
+    const shown = this.all ? this.rows : this.rows.slice(0, this.print ? k_first_rows_on_paper : k_first_rows);
     const {columns, caption} = this.table;
     this.scroll.replaceChildren(el('table', {}, el('caption', {}, caption), el('thead', {}, el('tr', {}, ...columns.map((column) => this.heading(column)))),
       el('tbody', {}, ...shown.map((row) => el('tr', {}, ...columns.map((column) => cell(column, row)))))));
@@ -78,7 +81,7 @@ export class DataTable {
   /** @param {Column} column */
   heading({key, title, numeric}) {
     const sort = this.sortedBy !== key ? 'none' : this.falling ? 'descending' : 'ascending';
-    return el('th', {scope: 'col', class: numeric ? 'number' : null, 'aria-sort': sort}, button(title, () => this.sortBy(key), {'data-key': key}));
+    return el('th', {scope: 'col', 'data-column': key, class: numeric ? 'number' : null, 'aria-sort': sort}, button(title, () => this.sortBy(key), {'data-key': key}));
   }
 }
 
@@ -86,7 +89,7 @@ export class DataTable {
 function cell({key, format, numeric}, row) {
   const value = row[key];
   const text = format ? format(value) : value === null || value === undefined || value === '' ? k_missing : String(value);
-  return el('td', {class: numeric ? 'number' : null}, text);
+  return el('td', {'data-column': key, class: numeric ? 'number' : null}, text);
 }
 
 /** What is missing comes last either way. @param {Column} column @param {boolean} falling */
