@@ -2,8 +2,8 @@
 export {init, use} from 'echarts/core';
 import {use} from 'echarts/core';
 import {BarChart, LineChart, ScatterChart} from 'echarts/charts';
-import {GridComponent, LegendComponent, MarkAreaComponent, MarkLineComponent, TitleComponent, TooltipComponent} from 'echarts/components';
+import {GridComponent, MarkAreaComponent, MarkLineComponent, TitleComponent, TooltipComponent} from 'echarts/components';
 import {SVGRenderer} from 'echarts/renderers';
 
-use([BarChart, LineChart, ScatterChart, GridComponent, LegendComponent, MarkAreaComponent, MarkLineComponent, TitleComponent,
+use([BarChart, LineChart, ScatterChart, GridComponent, MarkAreaComponent, MarkLineComponent, TitleComponent,
   TooltipComponent, SVGRenderer]);

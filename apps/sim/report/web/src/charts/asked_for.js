@@ -27,7 +27,7 @@ export function askedFor(points, look, setting) {
   const spots = /** @type {Spot[]} */ ([]);
   const series = shown.map((line, at) => seriesOf(line, at, look, spots, x.at, y.at));
   return {
-    option: frame(look, {title: setting.title, legend: shown.map(({name}) => name), xAxis: x.axis, yAxis: y.axis, series, left: 84}),
+    option: frame(look, {title: setting.title, xAxis: x.axis, yAxis: y.axis, series, left: 84}),
     takeaway: setting.sentence(lines), note: setting.note, spots, height: 360, table: tableOf(lines, setting),
     key: {methods: [], numbers: [], extra: shown.map(({name, at}) => ({label: name, ...nth(look, at)}))},
   };

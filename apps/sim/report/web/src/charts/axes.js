@@ -5,7 +5,8 @@ import {isNumber, power, seconds, small} from '../format.js';
 
 /** @typedef {import('../types.js').Look} Look */
 
-export const k_font = 'system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
+// No quotes: the library writes this into an attribute as it is.
+export const k_font = 'system-ui, Segoe UI, Roboto, Helvetica Neue, Arial, sans-serif';
 
 /** @param {Look} look @param {string} name @param {object} more */
 function axis(look, name, more) {

@@ -25,7 +25,7 @@ function picture(problem, points, look) {
   ];
   return {
     option: frame(look, {
-      title: `${problem.name}: generation and compilation`, legend: ['generation', 'compilation'], left: 206, xAxis: linearAxis(look, 'time, s', {min: 0}),
+      title: `${problem.name}: generation and compilation`, left: 206, xAxis: linearAxis(look, 'time, s', {min: 0}),
       yAxis: categoryAxis(look, drawn.map(({formulation, number}) => `${formulation}, ${number}`)), series: parts,
     }),
     takeaway: takeaway(rows), height: 90 + 30 * rows.length, table: tableOf(rows),

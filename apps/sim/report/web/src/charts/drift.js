@@ -51,7 +51,7 @@ function picture(name, problem, points, look) {
   const before = curves.map((_, i) => spots.slice(0, i).reduce((sum, some) => sum + some.length, 0));
   const drawn = curves.map((curve, i) => seriesOf(curve, look, y.at, before[i]));
   return {
-    option: frame(look, {title: `${problem.name}: drift of ${name}`, legend: curves.map((curve) => curve.name), xAxis, yAxis: y.axis, series: drawn, left: 84}),
+    option: frame(look, {title: `${problem.name}: drift of ${name}`, xAxis, yAxis: y.axis, series: drawn, left: 84}),
     takeaway: takeaway(name, curves), note: y.hasZero ? 'No drift at all is drawn at the lower end of the axis.' : '',
     table: tableOf(name, curves), height: 320, spots: spots.flat(),
     key: {methods: [], numbers: [], extra: curves.map((curve) => ({label: curve.name, ...strokeOf(curve, look)}))},

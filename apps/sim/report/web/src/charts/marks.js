@@ -21,7 +21,6 @@ export class Marks {
     this.front = front;
     this.series = /** @type {any[]} */ ([]);
     this.spots = /** @type {Spot[]} */ ([]);
-    this.legend = /** @type {string[]} */ ([]);
   }
 
   /** Runs of each method and number type. With a cost, the best of them are joined: those that no other of the group beats. @param {Point[]} points @param {((point: Point) => any) | null} cost */
@@ -31,10 +30,8 @@ export class Marks {
       const number = String(group[0].number);
       const colour = colourOf(this.look, method);
       if (cost) this.joined(name, paretoFront(group, (point) => point.error, cost), colour, number);
-      this.symbols(name, group.sort((a, b) => Number(b.error) - Number(a.error)), {
-        symbol: symbolOf(this.look, method), itemStyle: {color: fillOf(this.look, number, colour), borderColor: colour, borderWidth: 1.4},
-      });
-      this.legend.push(name);
+      const [symbol, itemStyle] = [symbolOf(this.look, method), {color: fillOf(this.look, number, colour), borderColor: colour, borderWidth: 1.4}];
+      this.symbols(name, [...group].sort((a, b) => Number(b.error) - Number(a.error)), {symbol, itemStyle});
     }
   }
 
@@ -62,7 +59,6 @@ export class Marks {
       type: 'line', name: 'Pareto front', data: points.map(this.place), silent: true, showSymbol: false, z: 1, tooltip: {show: false},
       lineStyle: {color: this.look.accent, width: 8, opacity: 0.42, cap: 'round', join: 'round'}, itemStyle: {color: this.look.accent},
     });
-    this.legend.push('Pareto front');
   }
 
   /** A ring around what is taken where nothing is said. @param {Point[]} points */
@@ -90,6 +86,5 @@ export class Marks {
       silent: true, itemStyle: {color: this.look.band},
       label: {show: true, formatter: 'no result', color: this.look.fault, fontSize: 11, position: 'insideTop'}, data: [area],
     };
-    this.legend.push('failed or refused');
   }
 }

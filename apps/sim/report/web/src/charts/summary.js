@@ -34,7 +34,7 @@ function picture(problems, look) {
   const spots = found.map(spotOf);
   const series = problems.map((problem, at) => seriesOf(problem, at, found, spots, look, x.at, y.at)).filter(({data}) => data.length > 0);
   return {
-    option: frame(look, {title: 'Fastest time for an error, by problem', legend: series.map(({name}) => name), xAxis: x.axis, yAxis: y.axis, series, left: 84}),
+    option: frame(look, {title: 'Fastest time for an error, by problem', xAxis: x.axis, yAxis: y.axis, series, left: 84}),
     takeaway: takeaway(problems), table: tableOf(found), height: 400, spots: numberedBySeries(spots, found),
     key: {methods: [], numbers: [], extra: problems.map((problem, at) => ({label: problem.name, ...nth(look, at)}))},
   };

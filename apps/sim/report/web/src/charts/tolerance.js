@@ -32,7 +32,7 @@ function picture(problem, points, look) {
   marks.defaults(found);
   marks.failures(failed, (point) => [x.at(point.tolerance), y.high + 0.5], [{yAxis: y.high}, {yAxis: y.axis.max}]);
   return {
-    option: frame(look, {title: `${problem.name}: tolerance and error`, legend: marks.legend, xAxis: x.axis, yAxis: y.axis, series: marks.series, left: 84}),
+    option: frame(look, {title: `${problem.name}: tolerance and error`, xAxis: x.axis, yAxis: y.axis, series: marks.series, left: 84}),
     takeaway: takeaway(found), note: note(points.length - asked.length, y.hasZero), spots: marks.spots, height: 440,
     table: runTable(asked.map(withRatio), best, 'Runs with a tolerance.', [{key: 'ratio', title: 'error / tolerance', format: factor, numeric: true}]),
     key: {methods: values(found, 'method'), numbers: values(found, 'number'), extra: [

@@ -31,7 +31,7 @@ export function workPrecision(points, look, cost) {
   const across = spread(failed, x.high + 0.15 * (top - x.high), top - 0.15 * (top - x.high));
   marks.failures(failed, (point) => [across(point), isNumber(cost.of(point)) ? y.at(cost.of(point)) : y.low + 0.03 * (y.high - y.low)], [{xAxis: x.high}, {xAxis: top}]);
   return {
-    option: frame(look, {title: cost.title, legend: marks.legend, xAxis: x.axis, yAxis: y.axis, series: marks.series, left: 84}),
+    option: frame(look, {title: cost.title, xAxis: x.axis, yAxis: y.axis, series: marks.series, left: 84}),
     takeaway: takeaway(found, failed, cost),
     note: noteOf(x.hasZero, failed.length, points.length - found.length - failed.length, cost),
     table: runTable(points, best, cost.caption), spots: marks.spots, height: 440,
