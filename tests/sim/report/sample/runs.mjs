@@ -66,7 +66,7 @@ function withFailure(point, digits, rand) {
 
 /** Nobody has both a smaller error and a smaller time; slow, and plain enough to be right. */
 export function markFront(points) {
-  const ok = points.filter((point) => point.status === 'ok' && point.error !== null && point.time_s !== null);
+  const ok = points.filter((point) => point.status === 'ok' && Number.isFinite(point.error) && Number.isFinite(point.time_s));
   for (const point of ok) point.pareto = !ok.some((other) => other.error <= point.error && other.time_s <= point.time_s && (other.error < point.error || other.time_s < point.time_s));
   return points;
 }

@@ -7,7 +7,7 @@
 /** @type {Omit<Look, 'methods' | 'numbers' | 'still'>} */
 export const k_light = {
   ink: '#1b2530', muted: '#55616d', grid: '#dfe4e9', surface: '#ffffff', accent: '#0a5aa8', fault: '#a3262a', band: '#f3eeee',
-  colours: ['#0072b2', '#d55e00', '#00875a', '#aa4499', '#8a6d00', '#332288', '#5d6872', '#882255'],
+  colours: ['#0072b2', '#d55e00', '#00875a', '#cc6fa8', '#7a5c00', '#332288', '#5d6872', '#882255'],
 };
 
 /** @type {Omit<Look, 'methods' | 'numbers' | 'still'>} */

@@ -65,11 +65,18 @@ class Report {
     if (page !== this.current) this.turnTo(page, slug);
     const heading = page.headings.get(section) ?? page.headings.get('');
     if (!first || section) {
+      this.drawBefore(page, section);
       heading?.focus({preventScroll: true});
       if (section) heading?.scrollIntoView({block: 'start'});
       else scrollTo(0, 0);
     }
     for (const link of page.element.querySelectorAll('.sections a')) mark(link, /** @type {HTMLElement} */ (link).dataset.section === section);
+  }
+
+  /** Charts above a place have their height only when they are drawn: else the place would move away. @param {Page} page @param {string} section */
+  drawBefore(page, section) {
+    const at = page.figures.findIndex(({chart}) => chart.id === section);
+    for (const figure of page.figures.slice(0, at + 1)) if (figure.stale) figure.draw();
   }
 
   /** @param {Page} page @param {string} slug */

@@ -10,7 +10,7 @@ import {statusOf} from './detail.js';
 /** @type {Column[]} */
 const k_results = [
   {key: 'tolerance', title: 'tolerance', format: (v) => small(v), numeric: true},
-  {key: 'step', title: 'step, s', format: (v) => small(v), numeric: true},
+  {key: 'step', title: 'step (s)', format: (v) => small(v), numeric: true},
   {key: 'error', title: 'error', format: column, numeric: true},
   {key: 'time_s', title: 'time', format: seconds, numeric: true},
   {key: 'calls', title: 'calls', format: (v) => plain(v), numeric: true},
