@@ -40,13 +40,15 @@ function still(picture, title, look) {
   const height = (picture.height ?? 360) + 26;  // the title is inside
   const chart = init(null, undefined, {renderer: 'svg', ssr: true, width: k_width, height});
   chart.setOption({...picture.option, tooltip: {show: false}});
-  // The library counts its charts in the names of parts; a chart shall not depend on those before it.
-  const inner = chart.renderToSVGString().replace(/zr\d+-/g, 'zr-');
+  const inner = withoutPointer(chart.renderToSVGString());
   chart.dispose();
   const key = keyText(picture, look, height);
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${k_width} ${key.bottom}" width="${k_width}" height="${key.bottom}" role="img" aria-label="${escaped(`${title}. ${picture.takeaway}`)}">\n`
     + `<rect width="${k_width}" height="${key.bottom}" fill="${look.surface}"/>\n${inner}\n${key.text}</svg>\n`;
 }
+
+/** What a pointer would do has no place in a document; nor have names with the number of a chart, which would depend on those before it. @param {string} svg */
+const withoutPointer = (svg) => svg.replace(/<style\b[^]*?<\/style>\n?/g, '').replace(/ (class="zr\d+-cls-\d+"|pointer-events="visible")/g, '').replace(/zr\d+-/g, 'zr-');
 
 const k_row = 21;
 const k_letter = 7.2;  // pixels: without a browser nobody measures text
