@@ -13,6 +13,7 @@
 #include "ir/graph.hpp"
 #include "sim/run/run.hpp"
 #include "sim/scene/choices.hpp"
+#include "sim/study/study.hpp"
 #include "version.hpp"
 
 namespace gausssim {
@@ -65,9 +66,28 @@ void add_run(CLI::App& app, RunOptions& options) {
   run->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
 
-int guarded(const RunOptions& options) {
+void add_study(CLI::App& app, StudyOptions& options) {
+  CLI::App* const study =
+      app.add_subcommand("study", "Try all settings, and show what accuracy costs in time: tables and a page");
+  study->add_option("FILE", options.files, "scenes or models, a problem each")->required();
+  study->add_option("-o,--output", options.output, "path of what is written, without its ending; default study")
+      ->type_name("PATH");
+  study->add_option("--budget", options.budget, "seconds for each problem, default 60")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
+  study->add_option("--loosest", options.loosest, "first tolerance, default 1e-3")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber);
+  study->add_option("--tightest", options.tightest, "last tolerance, default 1e-13")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber);
+  study->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
+}
+
+template <class Options>
+int guarded(int (*command)(const Options&), const Options& options) {
   try {
-    return run(options);
+    return command(options);
   } catch (const cli::FileError& error) {
     return cli::fail(error.what(), cli::k_file_error, options.messages);
   } catch (const cli::UsageError& error) {
@@ -97,12 +117,16 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   gausssim::RunOptions options;
   options.messages.program = "gauss-sim";
+  gausssim::StudyOptions study;
+  study.messages.program = options.messages.program;
   gausssim::add_run(app, options);
+  gausssim::add_study(app, study);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
     return code == 0 ? 0 : gaussgen::cli::k_usage_error;
   }
-  return gausssim::guarded(options);
+  if (app.got_subcommand("study")) return gausssim::guarded(gausssim::study, study);
+  return gausssim::guarded(gausssim::run, options);
 }

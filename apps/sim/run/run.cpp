@@ -142,7 +142,9 @@ void tell(const RunOptions& options, const PreparedModel& prepared, const Settin
                   said(run.reached - prepared.span.start), setting.method, how, setting.number, engine.name());
   text += fmt::format("  steps   {} ({} refused), {} calls, {} s", run.steps, run.rejected, run.calls,
                       said(run.wall_seconds));
-  text += times.engine.was_cached || times.engine.compile == 0 ? "\n" : fmt::format("; compiled in {} s\n", said(times.engine.compile));
+  text += times.engine.was_cached || times.engine.compile == 0
+              ? "\n"
+              : fmt::format("; compiled in {} s\n", said(times.engine.compile));
   if (error)
     text += fmt::format("  error   {} of the range, largest in {}\n", said(error->value),
                         error->output.empty() ? "none" : error->output);

@@ -35,7 +35,8 @@ void time_it(const PreparedModel& model, const Engine& engine, const Effort& eff
     constexpr int k_least = 3, k_most = 1000;
     const auto goes_on = [&] {
       const int count = static_cast<int>(times.size());
-      return count < k_least || (count < k_most && (count < effort.repeats || sum < effort.seconds) && sum < effort.longest);
+      return count < k_least ||
+             (count < k_most && (count < effort.repeats || sum < effort.seconds) && sum < effort.longest);
     };
     while (goes_on()) {
       Listeners none;
@@ -96,7 +97,8 @@ std::optional<Reference> find_reference(const PreparedModel& model, const Engine
     return std::nullopt;
   }
   Reference reference{one.rows, "long double", {}, 0};
-  reference.methods = {fmt::format("fehlberg78, tolerance {}", k_tolerance), fmt::format("prince87, tolerance {}", k_other)};
+  reference.methods = {fmt::format("fehlberg78, tolerance {}", k_tolerance),
+                       fmt::format("prince87, tolerance {}", k_other)};
   reference.agreement = delivered_error(two.rows, one.rows, model.columns.columns).value;
   return reference;
 }

@@ -129,7 +129,8 @@ std::optional<Problem> solve_problem(const std::string& file, const StudyOptions
   Problem problem;
   problem.file = std::filesystem::path(file).filename().string();
   Request request{file, {}, {}, options.messages};
-  auto prepared = prepare(request, [](Scene&) {}, code);
+  auto prepared = prepare(
+      request, [](Scene&) {}, code);
   if (!prepared) return std::nullopt;
   problem.name = prepared->scene.name.empty() ? prepared->model.unit.model_name : prepared->scene.name;
   Formulation formulation{"as given", std::move(*prepared), nullptr, {}, 0};

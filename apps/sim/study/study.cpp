@@ -36,11 +36,13 @@ std::string setting_in_words(const Setting& setting) {
 }
 
 void tell(const Problem& problem) {
-  std::string text = fmt::format("{}: {} runs, reference good to {:.1e}\n", problem.name, problem.points.size(), problem.reference.agreement);
+  std::string text = fmt::format("{}: {} runs, reference good to {:.1e}\n", problem.name, problem.points.size(),
+                                 problem.reference.agreement);
   for (const double error : {1e-3, 1e-6, 1e-9, 1e-12}) {
     const Point* const best = cheapest(problem.points, error);
     text += best == nullptr ? fmt::format("  {:.0e}  no run delivered it\n", error)
-                            : fmt::format("  {:.0e}  {:8.3f} ms  {}\n", error, 1e3 * best->time, setting_in_words(best->candidate.setting));
+                            : fmt::format("  {:.0e}  {:8.3f} ms  {}\n", error, 1e3 * best->time,
+                                          setting_in_words(best->candidate.setting));
   }
   cli::write_standard_output(text);
 }

@@ -30,7 +30,8 @@ double constraints_of(const Drift& drift) { return std::max(drift.positions, dri
 
 Json drift_json(const Drift& drift) {
   Json json = Json::object();
-  if (drift.has_energy) json["energy"] = number(drift.energy_scale > 0 ? drift.energy / drift.energy_scale : drift.energy);
+  if (drift.has_energy)
+    json["energy"] = number(drift.energy_scale > 0 ? drift.energy / drift.energy_scale : drift.energy);
   if (drift.has_constraints) json["constraints"] = number(constraints_of(drift));
   return json;
 }
@@ -124,18 +125,22 @@ nlohmann::ordered_json study_json(const std::vector<Problem>& problems, const St
 
 std::string study_csv(const std::vector<Problem>& problems) {
   std::string text =
-      "problem,formulation,code,number,method,projection,tolerance,step [s],status,error,worst_output,time [s],calls,steps,rejected,on_front,why\n";
+      "problem,formulation,code,number,method,projection,tolerance,step [s],status,error,worst_output,time "
+      "[s],calls,steps,rejected,on_front,why\n";
   for (const Problem& problem : problems) {
     for (const Point& point : problem.points) {
       const Setting& setting = point.candidate.setting;
-      const auto or_nothing = [](bool is_there, double value) { return is_there ? fmt::format("{}", value) : std::string(); };
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"\n", problem.name,
-                          problem.formulations[point.candidate.formulation].name, point.candidate.code, setting.number,
-                          setting.method, setting.projection == Projection::off ? "off" : "full",
-                          or_nothing(setting.tolerance > 0, setting.tolerance), or_nothing(setting.step > 0, setting.step),
-                          word(point.status), or_nothing(point.error.has_value(), point.error ? point.error->value : 0),
-                          point.error ? point.error->output : "", or_nothing(point.status == PointStatus::ok, point.time),
-                          point.calls, point.steps, point.rejected, point.is_on_front ? 1 : 0, point.why);
+      const auto or_nothing = [](bool is_there, double value) {
+        return is_there ? fmt::format("{}", value) : std::string();
+      };
+      text +=
+          fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"\n", problem.name,
+                      problem.formulations[point.candidate.formulation].name, point.candidate.code, setting.number,
+                      setting.method, setting.projection == Projection::off ? "off" : "full",
+                      or_nothing(setting.tolerance > 0, setting.tolerance), or_nothing(setting.step > 0, setting.step),
+                      word(point.status), or_nothing(point.error.has_value(), point.error ? point.error->value : 0),
+                      point.error ? point.error->output : "", or_nothing(point.status == PointStatus::ok, point.time),
+                      point.calls, point.steps, point.rejected, point.is_on_front ? 1 : 0, point.why);
     }
   }
   return text;

@@ -1,0 +1,12 @@
+// Formulations of the same mechanism: which coordinates describe it.
+
+import {askedFor, compared} from './asked_for.js';
+
+/** @type {import('../types.js').Chart} */
+export const formulations = {
+  id: 'formulations', short: 'Formulations', title: 'Formulations: the same motion in other coordinates',
+  about: 'For each error, the fastest run of each formulation, whatever its other settings are.',
+  make: (problem, points, look) => askedFor(points, look, {
+    key: 'formulation', word: 'formulation', title: `${problem.name}: formulations`, sentence: compared,
+  }),
+};

@@ -1,0 +1,44 @@
+// The table of runs that belongs to charts of single runs. What is alike in all of them is left out, and said in the caption.
+
+import {column, plain, seconds, small} from '../format.js';
+import {k_settings, settingOf} from '../maths/points.js';
+import {statusOf} from './detail.js';
+
+/** @typedef {import('../types.js').Point} Point */
+/** @typedef {import('../types.js').Column} Column */
+
+/** @type {Column[]} */
+const k_results = [
+  {key: 'tolerance', title: 'tolerance', format: (v) => small(v), numeric: true},
+  {key: 'step', title: 'step (s)', format: (v) => small(v), numeric: true},
+  {key: 'error', title: 'error', format: column, numeric: true},
+  {key: 'time_s', title: 'time', format: seconds, numeric: true},
+  {key: 'calls', title: 'calls', format: (v) => plain(v), numeric: true},
+  {key: 'steps', title: 'steps', format: (v) => plain(v), numeric: true},
+  {key: 'rejected', title: 'rejected', format: (v) => plain(v), numeric: true},
+];
+
+/** @param {Point[]} points @param {Point[]} front @param {string} caption @param {Column[]} [more] columns before those of results */
+export function runTable(points, front, caption, more = []) {
+  const differing = k_settings.filter(([key]) => new Set(points.map((point) => settingOf(point, key))).size > 1 || key === 'method');
+  const alike = k_settings.filter((setting) => !differing.includes(setting) && points.some((point) => point[setting[0]]));
+  const used = k_results.filter(({key}) => points.some((point) => /** @type {any} */ (point)[key] !== null && /** @type {any} */ (point)[key] !== undefined));
+  const onFront = new Set(front.map(({id}) => id));
+  const marks = (/** @type {Point} */ point) => [onFront.has(point.id) && 'front', point.is_default && 'default'].filter(Boolean).join(', ');
+  const failures = points.some((point) => point.status !== 'ok');
+  return {
+    caption: alike.length > 0 ? `${caption} All: ${alike.map(([key, label]) => `${label} ${settingOf(points[0], key)}`).join(', ')}.` : caption,
+    columns: [
+      ...differing.map(([key, title]) => ({key, title})), ...used, ...more, {key: 'marks', title: 'marks'},
+      ...(failures ? [{key: 'status', title: 'status'}, {key: 'why', title: 'why'}] : []),
+    ],
+    rows: [...points].sort(order(onFront)).map((point) => ({...point, marks: marks(point), status: statusOf(point)})),
+  };
+}
+
+/** The front comes first, from the cheapest on; runs without an error come last. @param {Set<number>} onFront */
+function order(onFront) {
+  const size = (/** @type {number | null} */ value) => value ?? Number.MAX_VALUE;
+  return (/** @type {Point} */ a, /** @type {Point} */ b) => Number(onFront.has(b.id)) - Number(onFront.has(a.id))
+    || (onFront.has(a.id) ? size(b.error) - size(a.error) : size(a.error) - size(b.error)) || size(a.time_s) - size(b.time_s);
+}

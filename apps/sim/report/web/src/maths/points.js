@@ -1,0 +1,64 @@
+// What charts ask points for.
+
+import {isNumber} from '../format.js';
+import {paretoFront} from './pareto.js';
+
+/** @typedef {import('../types.js').Point} Point */
+
+/** The settings that a point may differ in, with the words for them. */
+export const k_settings = /** @type {[keyof Point & string, string][]} */ ([
+  ['method', 'method'], ['library', 'library'], ['formulation', 'formulation'], ['code', 'code'], ['number', 'number type'],
+  ['projection', 'projection'], ['engine', 'engine'],
+]);
+
+export const error = (/** @type {Point} */ point) => point.error;
+export const time = (/** @type {Point} */ point) => point.time_s;
+export const calls = (/** @type {Point} */ point) => point.calls ?? null;
+
+/** Runs that arrived and were compared with the reference. */
+export const arrived = (/** @type {Point[]} */ points) => points.filter((point) => point.status === 'ok' && isNumber(point.error));
+
+/** Runs that did not arrive, or whose error nobody knows. */
+export const lost = (/** @type {Point[]} */ points) => points.filter((point) => point.status !== 'ok' || !isNumber(point.error));
+
+/** @param {Point[]} points */
+export const front = (points, cost = time) => paretoFront(arrived(points), error, cost);
+
+/** Different values of a setting, in the order in which they come. @param {Point[]} points @param {string} key */
+export const values = (points, key) => [...new Set(points.map((point) => settingOf(point, key)))];
+
+/** A setting that is not given is a choice of its own. @param {Point} point @param {string} key @returns {string} */
+export const settingOf = (point, key) => String(/** @type {any} */ (point)[key] ?? 'not given');
+
+/**
+ * @param {Point[]} points @param {string[]} keys
+ * @returns {Map<string, Point[]>} by the values of `keys`
+ */
+export function grouped(points, keys) {
+  const groups = new Map();
+  for (const point of points) {
+    const name = keys.map((key) => settingOf(point, key)).join(' · ');
+    if (!groups.has(name)) groups.set(name, []);
+    groups.get(name).push(point);
+  }
+  return groups;
+}
+
+/** The cheapest run with an error of at most `target`; none if nobody gets there. @param {Point[]} points @param {number} target */
+export function cheapest(points, target, cost = time) {
+  let best = null;
+  for (const point of arrived(points)) {
+    if (Number(point.error) > target || !isNumber(cost(point))) continue;
+    if (best === null || Number(cost(point)) < Number(cost(best))) best = point;
+  }
+  return best;
+}
+
+/** 1e-3, 1e-4, ... 1e-12, and on in steps of three decades as far as somebody gets. @param {Point[]} points */
+export function targets(points) {
+  const best = Math.min(...arrived(points).map((point) => Number(point.error)), 1);
+  const found = [];
+  for (let digits = 3; digits <= 12; ++digits) found.push(Number(`1e-${digits}`));
+  for (let digits = 15; digits <= 30 && Number(`1e-${digits}`) >= best; digits += 3) found.push(Number(`1e-${digits}`));
+  return found;
+}

@@ -1,0 +1,179 @@
+// The motion with its controls: play, speed, time, arrows, traces, camera.
+
+import {isNumber, plain} from '../format.js';
+import {el} from '../ui/dom.js';
+import {Camera} from './camera.js';
+import {sceneColours} from './colours.js';
+import {controls} from './controls.js';
+import {extent, frameAt, isVector, largestReaction, sampleAt, upOf} from './frames.js';
+import {Player} from './player.js';
+import {flatStageIn, stageIn} from './stage.js';
+import {size} from './vectors.js';
+
+/** @typedef {import('../types.js').Vector} Vector */
+
+const k_turn = 0.09;        // radians for a key
+const k_longest_arrow = 0.55;  // of the radius of the motion
+const k_paper = /** @type {[number, number]} */ ([460, 256]);
+
+export class MotionView {
+  /** @param {import('../types.js').Motion} motion @param {() => boolean} dark */
+  constructor(motion, dark) {
+    this.motion = motion;
+    this.dark = dark;
+    this.colours = sceneColours(dark());
+    this.camera = new Camera(upOf(motion), extent(motion));
+    this.largest = largestReaction(motion);
+    this.player = new Player(motion.t[0], motion.t[motion.t.length - 1], () => this.show());
+    this.stage = /** @type {ReturnType<typeof stageIn> | null} */ (null);
+    this.place = el('div', {class: 'stage', tabindex: 0, role: 'application', 'aria-roledescription': 'moving picture', 'aria-label': this.label(), keydown: (/** @type {KeyboardEvent} */ event) => this.key(event)});
+    this.ui = controls({
+      start: this.player.start, end: this.player.end, hasReactions: this.largest !== null, toggle: () => this.toggle(), seek: (time) => this.player.seek(time),
+      speed: (factor) => { this.player.speed = factor; }, show: () => this.show(), first: () => this.firstView(),
+    });
+    this.values = el('dl', {class: 'pairs reactions'});
+    this.element = el('div', {class: 'motion'}, el('div', {class: 'motion-picture'}, this.place, this.ui.bar), el('div', {class: 'motion-side'}, this.ui.sliders, this.reactionList(), el('p', {class: 'note'}, 'Drag or arrow keys turn the view, the wheel or plus and minus zoom, space plays.')));
+    this.pointer();
+    new ResizeObserver(() => this.fit()).observe(this.place);
+  }
+
+  label() {
+    const names = (this.motion.bodies ?? []).map(({name}) => name).join(', ');
+    return `The motion${names ? ` of ${names}` : ''}. Space plays and stops, arrow keys turn the view, plus and minus zoom, comma and full stop go to the sample before and after, 0 brings the first view back.`;
+  }
+
+  reactionList() {
+    return this.largest ? el('div', {}, el('h4', {}, 'Reactions now'), this.values) : el('p', {class: 'note'}, 'No reactions are recorded.');
+  }
+
+  firstView() {
+    this.camera.reset();
+    this.show();
+  }
+
+  toggle() {
+    if (this.player.playing) this.player.pause();
+    else this.player.play();
+  }
+
+  /** A stage is made when it is seen, and given back when it is not: browsers allow few of them. */
+  open() {
+    if (this.stage) return;
+    this.stage = stageIn(this.place, this.motion);
+    this.place.dataset.stage = this.stage.kind;
+    this.fit();
+  }
+
+  /** As it stands, in light colours, also where the page is not open and so has no size. */
+  print() {
+    this.colours = sceneColours(false);
+    this.stage ??= flatStageIn(this.place, this.motion);
+    this.fit(...k_paper);
+    this.show();
+  }
+
+  close() {
+    this.player.pause();
+    this.stage?.destroy();
+    this.stage = null;
+  }
+
+  /** The colours of the page have changed. */
+  refresh() {
+    this.colours = sceneColours(this.dark());
+    this.show();
+  }
+
+  /** @param {number} [otherWidth] @param {number} [otherHeight] where the place has no size */
+  fit(otherWidth = 0, otherHeight = 0) {
+    if (!this.stage) return;
+    const [width, height] = [this.place.clientWidth || otherWidth, this.place.clientHeight || otherHeight];
+    if (width === 0 || height === 0) return;
+    this.stage.resize(width, height, Math.min(globalThis.devicePixelRatio || 1, 2));
+    this.camera.shape(width / height);
+    this.show();
+  }
+
+  show() {
+    const {player} = this;
+    const frame = frameAt(this.motion, player.time);
+    this.ui.play.textContent = player.playing ? 'Pause' : 'Play';
+    this.ui.scrub.value = String(player.time);
+    this.ui.clock.textContent = `${player.time.toFixed(2)} s`;
+    this.say(frame);
+    this.stage?.draw({frame, camera: this.camera, colours: this.colours, traces: this.ui.traced.checked ? this.traces() : this.motion.bodies?.map(() => []) ?? [], arrow: this.arrowLength()});
+  }
+
+  arrowLength() {
+    return this.largest && this.largest.value > 0 ? Number(this.ui.arrows.value) * k_longest_arrow * this.camera.extent.radius / this.largest.value : 0;
+  }
+
+  /** Places of each body that moves, up to now. @returns {Vector[][]} */
+  traces() {
+    const [last] = sampleAt(this.motion.t, this.player.time);
+    return (this.motion.bodies ?? []).map(({position}) => /** @type {Vector[]} */ ((position ?? []).slice(0, last + 1).filter(isVector)));
+  }
+
+  /** @param {import('./frames.js').Frame} frame */
+  say(frame) {
+    const rows = (this.motion.reactions ?? []).map(({name, body, unit}, i) => {
+      const reaction = frame.reactions[i];
+      return [body ? `${name} on ${body}` : name, reaction ? `${fixed(size(reaction.force))} ${unit ?? ''}` : 'not known'];
+    });
+    this.values.replaceChildren(...rows.flatMap(([name, value]) => [el('dt', {}, name), el('dd', {}, value)]));
+  }
+
+  pointer() {
+    let last = /** @type {[number, number] | null} */ (null);
+    this.place.addEventListener('pointerdown', (event) => {
+      last = [event.clientX, event.clientY];
+      this.place.setPointerCapture(event.pointerId);
+    });
+    this.place.addEventListener('pointermove', (event) => {
+      if (!last) return;
+      this.turn(-0.008 * (event.clientX - last[0]), 0.008 * (event.clientY - last[1]));
+      last = [event.clientX, event.clientY];
+    });
+    for (const end of ['pointerup', 'pointercancel']) this.place.addEventListener(end, () => { last = null; });
+    // With a modifier, or when the picture has the focus: else the wheel scrolls the page.
+    this.place.addEventListener('wheel', (event) => {
+      if (!event.ctrlKey && document.activeElement !== this.place) return;
+      event.preventDefault();
+      this.zoom(Math.exp(0.0015 * event.deltaY));
+    }, {passive: false});
+  }
+
+  /** @param {number} azimuth @param {number} elevation */
+  turn(azimuth, elevation) {
+    this.camera.turn(azimuth, elevation);
+    this.show();
+  }
+
+  /** @param {number} factor */
+  zoom(factor) {
+    this.camera.zoom(factor);
+    this.show();
+  }
+
+  /** @param {number} by samples */
+  step(by) {
+    const {t} = this.motion;
+    const [at] = sampleAt(t, this.player.time + 1e-9 * (this.player.end - this.player.start));
+    this.player.pause();
+    this.player.seek(t[Math.max(0, Math.min(t.length - 1, at + by))]);
+  }
+
+  /** @param {KeyboardEvent} event */
+  key(event) {
+    const action = /** @type {Record<string, () => void>} */ ({
+      ' ': () => this.toggle(), ArrowLeft: () => this.turn(-k_turn, 0), ArrowRight: () => this.turn(k_turn, 0), ArrowUp: () => this.turn(0, k_turn), ArrowDown: () => this.turn(0, -k_turn),
+      '+': () => this.zoom(0.9), '=': () => this.zoom(0.9), '-': () => this.zoom(1 / 0.9), ',': () => this.step(-1), '.': () => this.step(1), '0': () => this.firstView(),
+    })[event.key];
+    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    action();
+  }
+}
+
+/** Three digits that do not change their width while they run. @param {number} value */
+const fixed = (value) => isNumber(value) && value >= 0.1 && value < 1e5 ? value.toFixed(value < 10 ? 2 : value < 1000 ? 1 : 0) : plain(value);

@@ -1,0 +1,188 @@
+// What a study is made of: docs/study-format.md says what each part means, study.schema.json holds it.
+export type Vector = [number, number, number];
+
+export interface Point {
+  id: number;
+  method: string;
+  library?: string | null;
+  formulation?: string | null;
+  code?: string | null;
+  number?: string | null;
+  projection?: string | null;
+  engine?: string | null;
+  tolerance?: number | null;
+  step?: number | null;
+  status: 'ok' | 'failed' | 'refused';
+  why?: string | null;
+  error: number | null;
+  worst_output?: string | null;
+  error_estimate?: number | null;
+  time_s: number | null;
+  time_min_s?: number | null;
+  time_max_s?: number | null;
+  repeats?: number | null;
+  calls?: number | null;
+  steps?: number | null;
+  rejected?: number | null;
+  drift?: Record<string, number | null> | null;
+  pareto?: boolean;
+  is_default?: boolean;
+}
+
+export interface Drift {
+  point: number;
+  t: (number | null)[];
+  [invariant: string]: any;
+}
+
+export interface Lanes {
+  number: string;
+  lanes: number;
+  threads: number;
+  trajectories?: number | null;
+  trajectories_per_s: number | null;
+  ratio: number | null;
+}
+
+export interface Build {
+  formulation: string;
+  number: string;
+  generate_s: number | null;
+  compile_s: number | null;
+  operations?: number | null;
+}
+
+export interface Shape {
+  kind: 'sphere' | 'box' | 'cylinder' | 'point' | 'none';
+  radius?: number;
+  length?: number;
+  size?: Vector;
+  see_through?: boolean;
+}
+
+export interface Body {
+  name: string;
+  shape?: Shape;
+  position: (Vector | null)[];
+  orientation?: ([number, number, number, number] | null)[] | null;
+}
+
+export interface Rod {
+  name: string;
+  points: (Vector[] | null)[];
+}
+
+export interface Reaction {
+  name: string;
+  body?: string | null;
+  at: (Vector | null)[];
+  force: (Vector | null)[];
+  unit?: string | null;
+}
+
+export interface Motion {
+  up?: Vector;
+  t: number[];
+  bodies?: Body[];
+  lines?: Rod[];
+  reactions?: Reaction[];
+}
+
+export interface Reference {
+  kind: string;
+  methods?: string[];
+  agreement?: number | null;
+}
+
+export interface Problem {
+  name: string;
+  about?: string;
+  file?: string;
+  duration?: number | null;
+  samples?: number | null;
+  outputs?: {name: string, unit?: string | null, range?: number | null}[];
+  reference?: Reference | null;
+  builds?: Build[];
+  points?: Point[];
+  drifts?: Drift[];
+  lanes?: Lanes[];
+  motion?: Motion | null;
+}
+
+export interface Study {
+  format: number;
+  tool?: string;
+  machine?: {processor?: string, cores?: number, system?: string, compiler?: string, flags?: string} | null;
+  budget_s?: number | null;
+  problems?: Problem[];
+}
+
+/** A problem with every list in place, so that charts need not ask. */
+export type FullProblem = Problem & Required<Pick<Problem, 'outputs' | 'builds' | 'points' | 'drifts' | 'lanes'>>;
+
+/** How charts look: colours of the theme, and how methods and number types are told apart. */
+export interface Look {
+  ink: string;
+  muted: string;
+  grid: string;
+  surface: string;
+  accent: string;
+  fault: string;
+  band: string;
+  colours: string[];
+  /** Names of methods and number types of the whole study: a method keeps its colour in every chart. */
+  methods: string[];
+  numbers: string[];
+  /** Of a static picture: title and legend are inside. */
+  still: boolean;
+}
+
+export interface Column {
+  key: string;
+  title: string;
+  /** How a value is written; text as it is if none. */
+  format?: (value: any) => string;
+  /** Numbers are set flush right, and sorted as numbers. */
+  numeric?: boolean;
+}
+
+export interface Table {
+  caption: string;
+  columns: Column[];
+  rows: Record<string, any>[];
+}
+
+/** One place of a chart that can be pointed at: what it says, and where it is. */
+export interface Spot {
+  series: number;
+  index: number;
+  detail: () => [string, string][];
+}
+
+export interface Picture {
+  option: any;
+  takeaway: string;
+  note?: string;
+  table: Table;
+  spots: Spot[];
+  height?: number;
+  /** What symbols and dashes mean. */
+  key?: {methods: string[], numbers: string[], extra?: KeyEntry[]};
+}
+
+export interface KeyEntry {
+  label: string;
+  colour?: string;
+  symbol?: string;
+  fill?: string;
+  dash?: string | number[];
+}
+
+export interface Chart {
+  id: string;
+  title: string;
+  short: string;
+  about: string;
+  /** A picture, or a sentence that says why there is none. */
+  make: (problem: FullProblem, points: Point[], look: Look) => Picture | string;
+}

@@ -1,0 +1,37 @@
+// What a problem and a machine are, in a few lines.
+
+import {counted, isNumber, plain, seconds, small} from '../format.js';
+import {arrived} from '../maths/points.js';
+import {el, pairs} from './dom.js';
+
+/** @typedef {import('../types.js').FullProblem} FullProblem */
+
+/** @param {(string | null | undefined | false)[]} parts */
+const joined = (parts) => parts.filter(Boolean).join(', ');
+
+/** @param {import('../types.js').Reference | null | undefined} reference */
+function referenceOf(reference) {
+  if (!reference) return 'none: errors are not known';
+  const methods = (reference.methods ?? []).join('; ');
+  const agreement = isNumber(reference.agreement) ? `; they agree to ${small(reference.agreement)}` : '';
+  return `${reference.kind}${methods ? `: ${methods}` : ''}${agreement}`;
+}
+
+/** @param {FullProblem} problem */
+export function factsOf(problem) {
+  const outputs = problem.outputs.map(({name, unit, range}) => `${name}${unit ? ` (${unit}${isNumber(range) ? `, range ${plain(range)}` : ''})` : ''}`).join(', ');
+  const found = /** @type {[string, string][]} */ ([]);
+  if (problem.file) found.push(['model', problem.file]);
+  if (isNumber(problem.duration)) found.push(['motion', joined([`${plain(problem.duration)} s`, isNumber(problem.samples) && counted(problem.samples, 'sample')])]);
+  if (outputs) found.push(['compared', outputs]);
+  found.push(['reference', referenceOf(problem.reference)]);
+  found.push(['runs', `${plain(problem.points.length)}, ${plain(arrived(problem.points).length)} of them with a result`]);
+  return pairs(found, 'pairs facts');
+}
+
+/** @param {import('../types.js').Study} study */
+export function machineOf(study) {
+  const machine = study.machine ?? {};
+  const text = joined([machine.processor, isNumber(machine.cores) && counted(machine.cores, 'core'), machine.system, machine.compiler, machine.flags]);
+  return el('p', {class: 'machine'}, joined([study.tool, text || 'on a machine that nobody described', isNumber(study.budget_s) && `${seconds(study.budget_s)} of time for each problem`]));
+}

@@ -1,0 +1,62 @@
+// All about one problem: facts, motion, filters and charts.
+
+import {chartsOf} from '../charts/all.js';
+import {canPlay, largestReaction} from '../motion/frames.js';
+import {MotionView} from '../motion/view.js';
+import {plain} from '../format.js';
+import {el} from './dom.js';
+import {factsOf} from './facts.js';
+import {Figure} from './figure.js';
+import {Filters} from './filters.js';
+
+/** @typedef {import('../types.js').FullProblem} FullProblem */
+
+export class ProblemPage {
+  /** @param {FullProblem} problem @param {string} link of the problem @param {import('./theme.js').Theme} theme */
+  constructor(problem, link, theme) {
+    this.name = problem.name;
+    this.filters = new Filters(problem.points, () => this.figures.forEach((figure) => figure.refresh()));
+    const charts = chartsOf(problem);
+    this.figures = charts.map((chart) => new Figure(chart, problem, () => this.filters.shown(), () => theme.look()));
+    this.motion = canPlay(problem.motion) ? new MotionView(/** @type {any} */ (problem.motion), () => theme.dark()) : null;
+    this.motionHeading = el('h3', {tabindex: -1}, 'The motion');
+    const heading = el('h2', {tabindex: -1}, problem.name);
+    this.headings = new Map(/** @type {[string, HTMLElement][]} */ ([['', heading], ['motion', this.motionHeading], ...this.figures.map(({chart, heading: of}) => [chart.id, of])]));
+    const links = [['motion', 'The motion'], ...charts.map(({id, short}) => [id, short])];
+    this.element = el('div', {class: 'problem'}, el('div', {class: 'side'}, sections(link, links), this.filters.element),
+      el('div', {class: 'charts'}, el('header', {class: 'intro'}, heading, problem.about ? el('p', {class: 'lead'}, problem.about) : null, factsOf(problem)),
+        this.motionSection(problem), ...this.figures.map(({element}) => element)));
+  }
+
+  /** @param {FullProblem} problem */
+  motionSection(problem) {
+    if (!this.motion) return el('section', {class: 'figure', 'data-chart': 'motion'}, this.motionHeading, el('p', {class: 'empty'}, 'No motion is recorded.'));
+    const largest = largestReaction(/** @type {any} */ (problem.motion));
+    const takeaway = largest ? `Largest reaction: ${largest.name}, ${plain(largest.value)} ${largest.unit} at ${plain(largest.time)} s.` : 'No reactions are recorded.';
+    return el('section', {class: 'figure', 'data-chart': 'motion'}, this.motionHeading,
+      el('p', {class: 'about'}, 'The run itself. Arrows are reactions: forces that hold the constraints, on the body that is named.'), el('p', {class: 'takeaway'}, takeaway), this.motion.element);
+  }
+
+  open() {
+    this.motion?.open();
+  }
+
+  close() {
+    this.motion?.close();
+  }
+
+  refresh() {
+    this.figures.forEach((figure) => figure.refresh());
+    this.motion?.refresh();
+  }
+
+  /** @param {import('../types.js').Look} look */
+  print(look) {
+    this.figures.forEach((figure) => figure.draw({look, print: true}));
+    this.motion?.print();
+  }
+}
+
+/** @param {string} link @param {string[][]} links */
+const sections = (link, links) => el('nav', {class: 'sections', 'aria-label': 'Charts of this problem'},
+  el('ul', {}, ...links.map(([id, title]) => el('li', {}, el('a', {href: `${link}/${encodeURIComponent(id)}`, 'data-section': id}, title)))));

@@ -1,0 +1,110 @@
+// What charts say of a study, without a browser: each spot is a run, nothing is drawn that is not there, and nothing is left out without a word.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import {chartsOf} from '../../../apps/sim/report/web/src/charts/all.js';
+import {errorTime} from '../../../apps/sim/report/web/src/charts/error_time.js';
+import {summaryOf} from '../../../apps/sim/report/web/src/charts/summary.js';
+import {k_light} from '../../../apps/sim/report/web/src/look.js';
+import {readStudy} from '../../../apps/sim/report/web/src/study.js';
+import {study} from './sample/study.mjs';
+
+const {problems} = readStudy(JSON.stringify(study()));
+const look = {...k_light, methods: ['prince8', 'dopri5', 'taylor', 'adams', 'bdf', 'gauss_legendre'], numbers: ['double', 'long double', 'float128'], still: false};
+const made = (problem, id, points = problem.points) => chartsOf(problem).find((chart) => chart.id === id).make(problem, points, look);
+
+const itemOf = (picture, {series, index}) => picture.option.series[series].data[index];
+
+test('every spot stands on an item that refers to it', () => {
+  for (const problem of problems) {
+    for (const chart of [...chartsOf(problem), summaryOf(problems)]) {
+      const picture = chart.make(problem, problem.points, look);
+      if (typeof picture === 'string') continue;
+      picture.spots.forEach((spot, i) => assert.equal(itemOf(picture, spot).ref, i, `${problem.name} ${chart.id}`));
+      assert.ok(picture.takeaway.length > 10 && !/NaN|undefined|null|Infinity/.test(picture.takeaway + (picture.note ?? '')), picture.takeaway);
+      assert.ok(picture.table.rows.length > 0);
+    }
+  }
+});
+
+test('each run is drawn once in error against time, where its numbers say', () => {
+  for (const problem of problems) {
+    const picture = made(problem, 'error-time');
+    assert.equal(picture.spots.length, problem.points.length);
+    const places = new Set(picture.spots.map((spot) => itemOf(picture, spot).value.join()));
+    for (const point of problem.points.filter(({status}) => status === 'ok')) assert.ok(places.has([Math.log10(point.error), Math.log10(point.time_s)].join()), String(point.id));
+    assert.deepEqual(picture.table.rows.map(({id}) => id).sort((a, b) => a - b), problem.points.map(({id}) => id));
+  }
+});
+
+test('all settings and results of a run are in its hint', () => {
+  const [problem] = problems;
+  const picture = made(problem, 'error-time');
+  const detail = picture.spots.map((spot) => Object.fromEntries(spot.detail())).find((found) => found.default);
+  const usual = problem.points.find((point) => point.is_default);
+  assert.equal(detail.method, usual.method);
+  assert.equal(detail['number type'], usual.number);
+  for (const key of ['library', 'formulation', 'code', 'projection', 'engine', 'tolerance', 'status', 'error', 'worst output', 'estimate of the error', 'time', 'calls', 'steps', 'rejected steps', 'drift of energy', 'drift of constraints']) assert.ok(key in detail, key);
+});
+
+test('a front that the study sees otherwise is mentioned', () => {
+  const problem = structuredClone(problems[0]);
+  assert.doesNotMatch(errorTime.make(problem, problem.points, look).note, /another front/);
+  problem.points.find(({pareto}) => pareto).pareto = false;
+  assert.match(errorTime.make(problem, problem.points, look).note, /another front its own: 1 runs/);
+});
+
+test('an error of 0 is drawn at the end of the axis, and the note says so', () => {
+  const problem = structuredClone(problems[1]);
+  problem.points[0].error = 0;
+  const picture = made(problem, 'error-time');
+  assert.match(picture.note, /error of 0 is drawn at the end/);
+  const low = picture.option.xAxis.min;
+  assert.ok(picture.spots.some((spot) => itemOf(picture, spot).value[0] === low && spot.detail().some(([label, value]) => label === 'error' && value === '0')));
+});
+
+test('runs with fixed steps are left out of tolerances, and counted', () => {
+  const picture = made(problems[0], 'tolerance');
+  const fixed = problems[0].points.filter(({tolerance}) => tolerance === null).length;
+  assert.match(picture.note, new RegExp(`^${fixed} runs with steps of one length`));
+  assert.equal(picture.spots.length, problems[0].points.length - fixed);
+});
+
+test('drifts follow the filters, and invariants of any name have a chart', () => {
+  const problem = structuredClone(problems[0]);
+  problem.drifts[0].momentum = problem.drifts[0].t.map(() => -1e-9);
+  assert.ok(chartsOf(problem).some(({id}) => id === 'drift-momentum'));
+  assert.equal(made(problem, 'drift-momentum').table.rows[0].most, 1e-9);
+  assert.equal(made(problem, 'drift-energy').table.rows.length, 4);
+  assert.equal(made(problem, 'drift-energy', problem.points.filter(({method}) => method === 'taylor')).table.rows.length, 1);
+});
+
+test('comparisons name the fastest, and by how much', () => {
+  const picture = made(problems[0], 'formulations');
+  const row = picture.table.rows.find(({target, name}) => target === 1e-6 && name === 'redundant');
+  const best = Math.min(...problems[0].points.filter((p) => p.status === 'ok' && p.error <= 1e-6).map((p) => p.time_s));
+  const own = Math.min(...problems[0].points.filter((p) => p.status === 'ok' && p.error <= 1e-6 && p.formulation === 'redundant').map((p) => p.time_s));
+  assert.equal(row.time, own);
+  assert.equal(row.ratio, own / best);
+});
+
+test('where there is nothing to show, a sentence says why', () => {
+  const [nothing] = readStudy('{"format": 1, "problems": [{"name": "nothing"}]}').problems;
+  for (const chart of [...chartsOf(nothing), summaryOf([nothing])]) assert.match(String(chart.make(nothing, [], look)), /^[A-Z].*\.$/, chart.id);
+});
+
+test('one point of each kind, and points of nulls, are no trouble', () => {
+  const bare = {id: 1, method: 'm', status: 'ok', error: 1e-3, time_s: 1};
+  const nulls = {id: 2, method: 'm', status: 'failed', why: 'no', error: null, time_s: null, tolerance: 1e-3, calls: null, drift: null, number: null};
+  for (const points of [[bare], [nulls], [bare, nulls], [{...bare, error: null}], [{...bare, time_s: null, tolerance: 1e-3}], [{...bare, error: 0, time_s: 0, tolerance: 1e-300}]]) {
+    const problem = {...problems[0], points, drifts: [{point: 1, t: [0, null, 2], energy: [null, 1, 0]}, {point: 9, t: []}], lanes: [{number: 'double', lanes: 4, threads: 1, trajectories_per_s: null, ratio: null}], builds: [{formulation: 'a', number: 'b', generate_s: null, compile_s: 1}]};
+    for (const chart of chartsOf(problem)) {
+      const picture = chart.make(problem, points, look);
+      if (typeof picture !== 'string') assert.doesNotMatch(picture.takeaway, /NaN|undefined|Infinity|null/, chart.id);
+    }
+  }
+});
+
+test('what is no study is said to be none', () => {
+  for (const [text, said] of [['@STUDY@', /template/], ['{', /not JSON/], ['[]', /no study/], ['{"format": 2}', /format 1 .* says 2/], ['{}', /says none/]]) assert.match(readStudy(text), said);
+});

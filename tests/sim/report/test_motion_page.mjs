@@ -1,0 +1,96 @@
+// The motion in Chromium: it moves, by WebGL and without, follows keys and pointer, and says the forces of the study.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import {colours, fileOf, section, withPage} from './browser.mjs';
+import {study as sample} from './sample/study.mjs';
+
+const {problems, ...rest} = sample();
+// Runs do not matter here.
+const study = {...rest, problems: problems.map((problem) => ({...problem, points: problem.points.slice(0, 3), drifts: []}))};
+const url = fileOf(study);
+const crank = study.problems.find(({name}) => name === 'slider_crank');
+
+const stageOf = async (page) => (await section(page, 'motion')).locator('.stage');
+const clock = async (page) => Number((await page.locator('main > :not([hidden]) .clock').textContent()).replace(' s', ''));
+const differs = async (stage, act) => {
+  const before = await stage.screenshot();
+  await act();
+  return !before.equals(await stage.screenshot());
+};
+
+for (const [gl, kind] of [[true, 'solid'], [false, 'flat']]) {
+  const open = (name, use) => withPage({url, hash: `#/${name}/motion`, gl, options: {viewport: {width: 1000, height: 800}}}, use);
+
+  test(`${kind}: the picture is there, and moves when it is played, and stops`, () => open('double_pendulum', async (page) => {
+    const stage = await stageOf(page);
+    assert.equal(await stage.getAttribute('data-stage'), kind);
+    const {different, drawn} = await colours(page, await stage.locator('canvas').screenshot());
+    assert.ok(different > 60 && drawn > 0.01, `${different} colours, ${drawn} drawn`);
+    const play = page.locator('main > :not([hidden]) .play');
+    assert.ok(await differs(stage, async () => {
+      await play.click();
+      await page.waitForFunction(() => parseFloat(document.querySelector('main > :not([hidden]) .clock').textContent) > 0.3);
+      assert.equal(await play.textContent(), 'Pause');
+      await play.click();
+    }));
+    const stopped = await clock(page);
+    await page.waitForTimeout(150);
+    assert.equal(await clock(page), stopped);
+  }));
+
+  test(`${kind}: keys play, turn, zoom and step`, () => open('slider_crank', async (page) => {
+    const stage = await stageOf(page);
+    await stage.focus();
+    for (const key of ['ArrowLeft', 'ArrowUp', '+', '.', 'ArrowRight', '-']) assert.ok(await differs(stage, () => page.keyboard.press(key)), key);
+    assert.equal(await clock(page), Number(crank.motion.t[1].toFixed(2)));
+    await page.keyboard.press(',');
+    assert.equal(await clock(page), 0);
+    await page.keyboard.press(' ');
+    await page.waitForFunction(() => parseFloat(document.querySelector('main > :not([hidden]) .clock').textContent) > 0);
+    await page.keyboard.press(' ');
+    assert.equal(await page.locator('main > :not([hidden]) .play').textContent(), 'Play');
+  }));
+
+  test(`${kind}: the pointer turns the view, and arrows and traces can be changed`, () => open('sphere_in_cylinder', async (page) => {
+    const stage = await stageOf(page);
+    const here = page.locator('main > :not([hidden])');
+    const box = await stage.boundingBox();
+    assert.ok(await differs(stage, async () => {
+      await page.mouse.move(box.x + 100, box.y + 100);
+      await page.mouse.down();
+      await page.mouse.move(box.x + 160, box.y + 120, {steps: 3});
+      await page.mouse.up();
+    }));
+    assert.ok(await differs(stage, async () => {
+      await here.getByLabel('time of the motion in seconds').focus();
+      for (let i = 0; i < 9; ++i) await page.keyboard.press('PageUp');
+    }), 'the bar of time moves by keys');
+    assert.ok(await clock(page) > 2);
+    assert.ok(await differs(stage, () => here.getByLabel('Reaction arrows').fill('3')));
+    assert.ok(await differs(stage, () => here.getByLabel('Traces of bodies').uncheck()));
+    assert.ok(await differs(stage, () => here.getByRole('button', {name: 'First view'}).click()));
+  }));
+}
+
+test('the forces of the study stand beside the picture, also where one is missing', () => withPage({url, hash: '#/slider_crank/motion'}, async (page) => {
+  const here = page.locator('main > :not([hidden])');
+  const {t, reactions: [guide]} = crank.motion;
+  await (await stageOf(page)).focus();
+  for (let i = 0; i < 10; ++i) await page.keyboard.press('.');
+  assert.equal(await here.locator('.reactions dt').textContent(), 'guide on slider');
+  assert.equal(await here.locator('.reactions dd').textContent(), `${Math.abs(guide.force[10][2]).toFixed(2)} N`);
+  for (let i = 10; i < guide.force.indexOf(null); ++i) await page.keyboard.press('.');
+  assert.equal(await here.locator('.reactions dd').textContent(), 'not known');
+  const largest = Math.max(...guide.force.filter(Boolean).map((force) => Math.hypot(...force)));
+  assert.match(await here.locator('[data-chart="motion"] .takeaway').textContent(), new RegExp(`guide, ${Number(largest.toPrecision(3))} N at`));
+  assert.ok(t.length > 100);
+}));
+
+test('a motion without reactions says so, and speed can be chosen', () => withPage({url, hash: '#/lagrange_top/motion'}, async (page) => {
+  const here = page.locator('main > :not([hidden])');
+  assert.equal(await here.locator('[data-chart="motion"] .takeaway').textContent(), 'No reactions are recorded.');
+  await here.getByLabel('speed').selectOption('10');
+  await here.locator('.play').click();
+  await page.waitForFunction(() => parseFloat(document.querySelector('main > :not([hidden]) .clock').textContent) > 2, null, {timeout: 3000});
+}));

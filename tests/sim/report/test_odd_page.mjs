@@ -1,0 +1,91 @@
+// Studies that are empty, large, broken or meant badly.
+
+import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import test from 'node:test';
+import {fileOf, section, withPage} from './browser.mjs';
+import {random} from './sample/random.mjs';
+import {study as sample} from './sample/study.mjs';
+
+const study = sample();
+const [first] = study.problems;
+
+test('a page without a study says so', () => withPage({url: fileOf(null, readFileSync(process.env.REPORT_HTML, 'utf8'))}, async (page) => {
+  assert.match(await page.locator('.empty').textContent(), /template: nobody has put a study into it/);
+}));
+
+test('a study of another format is refused in a sentence', () => withPage({url: fileOf({format: 7, problems: []})}, async (page) => {
+  assert.match(await page.locator('.empty').textContent(), /format 1 .* says 7/);
+}));
+
+test('a study without problems, and a problem without anything, are shown as what they are', async () => {
+  await withPage({url: fileOf({format: 1, problems: []})}, async (page) => assert.match(await page.locator('main').textContent(), /The study has no problems/));
+  await withPage({url: fileOf({format: 1, problems: [{name: 'nothing'}]}), hash: '#/nothing'}, async (page) => {
+    await page.locator('h2', {hasText: 'nothing'}).waitFor();
+    const figures = page.locator('main > :not([hidden]) .figure');
+    for (let i = 0; i < await figures.count(); ++i) {
+      await figures.nth(i).scrollIntoViewIfNeeded();
+      await figures.nth(i).locator('.empty:not([hidden])').waitFor();
+      assert.match(await figures.nth(i).locator('.empty').textContent(), /^[A-Z].*\.$/);
+    }
+    assert.equal(await page.locator('.plot:visible, .data:visible').count(), 0);
+  });
+});
+
+test('parts that are missing or null leave the others as they are', async () => {
+  const torn = {...first, points: first.points.slice(0, 40).map((p, i) => i % 3 === 0 ? {id: p.id, method: p.method, status: p.status, why: p.why, error: p.error, time_s: null} : p),
+    drifts: [{point: 999, t: [0, 1], energy: [1e-9, null]}], lanes: null, builds: [], reference: null, outputs: null,
+    motion: {t: [0, 1, 2], bodies: [{name: 'lost', position: [null, [0, 0, 1], null]}], reactions: [{name: 'r', at: [null, [0, 0, 0], null], force: [null, null, null]}]}};
+  await withPage({url: fileOf({format: 1, machine: null, problems: [torn]}), hash: `#/${first.name}`}, async (page) => {
+    for (const id of ['motion', 'error-time', 'tolerance', 'drift-energy', 'lanes']) await section(page, id);
+    assert.match(await page.locator('.facts').textContent(), /none: errors are not known/);
+    assert.match(await (await section(page, 'drift-energy')).locator('tbody').textContent(), /run 999/);
+    assert.match(await page.locator('main > :not([hidden]) [data-chart="error-time"] .note').textContent(), /do not say their time/);
+  });
+});
+
+const k_bad = '</script><img src=x onerror="window.harmed=1"><!--$&';
+
+test('names that are meant badly stay text', () => {
+  const bad = (text) => `${text}${k_bad}`;
+  const run = (p) => ({...p, method: bad(p.method), number: bad(p.number), formulation: bad(p.formulation), why: bad(p.why), worst_output: bad('out'), drift: {[bad('energy')]: 1e-9}});
+  const problem = {...first, name: bad('pendulum'), about: bad('about'), file: bad('file'), outputs: [{name: bad('x'), unit: bad('m'), range: 1}], reference: {kind: bad('k'), methods: [bad('m')], agreement: 1},
+    points: first.points.slice(0, 60).map(run), drifts: first.drifts.map((drift) => ({...drift, [bad('spin')]: drift.energy})), lanes: [{number: bad('d'), lanes: 4, threads: 1, trajectories_per_s: 1, ratio: 1}],
+    builds: [{formulation: bad('f'), number: bad('n'), generate_s: 1, compile_s: 1, operations: 3}],
+    motion: {...first.motion, bodies: first.motion.bodies.map((body) => ({...body, name: bad(body.name)})), reactions: first.motion.reactions.map((one) => ({...one, name: bad(one.name), body: bad('b'), unit: bad('N')}))}};
+  return withPage({url: fileOf({...study, tool: bad('tool'), machine: {processor: bad('p')}, problems: [problem]}), hash: `#/${encodeURIComponent(problem.name)}`}, async (page) => {
+    assert.equal(await page.locator('h2:visible').textContent(), problem.name);
+    for (const figure of await page.locator('main > :not([hidden]) .figure').all()) {
+      await figure.scrollIntoViewIfNeeded();
+      await page.waitForTimeout(50);
+      if (!await figure.locator('.plot:visible').count()) continue;
+      await figure.locator('.plot').focus();
+      await page.keyboard.press('ArrowRight');
+    }
+    const found = await section(page, 'error-time');
+    await found.locator('.plot').focus();
+    await page.keyboard.press('Home');
+    assert.ok((await found.locator('.hint-text').textContent()).includes(k_bad));
+    assert.deepEqual(await page.evaluate(() => [window.harmed, document.images.length, document.scripts.length]), [undefined, 0, 3]);
+  });
+});
+
+test('two thousand runs are drawn within three seconds', async () => {
+  const rand = random(5);
+  const points = Array.from({length: 2000}, (_, i) => ({...first.points[i % first.points.length], id: i + 1, error: first.points[i % first.points.length].error && first.points[i % first.points.length].error * (0.5 + rand())}));
+  const url = fileOf({...study, problems: [{...first, points}]});
+  await withPage({url, hash: `#/${first.name}/error-time`}, async (page) => {
+    await section(page, 'error-time');
+    // Of the page itself, from its beginning until it is drawn: a busy machine or the browser's own start do not count.
+    const spent = await page.evaluate(async () => {
+      await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+      return performance.getEntriesByType('paint').at(-1).startTime;
+    });
+    assert.ok(await page.locator('main > :not([hidden]) [data-chart="error-time"] .plot svg path').count() >= 2000);
+    assert.ok(spent < 3000, `${spent} ms`);
+  });
+});
+
+test('names that are alike keep pages of their own', () => withPage({url: fileOf({...study, problems: [first, {...first, about: 'the second'}]}), hash: `#/${first.name}-2`}, async (page) => {
+  assert.equal(await page.locator('.lead:visible').textContent(), 'the second');
+}));
