@@ -22,7 +22,8 @@ const std::vector<OutputKind>& output_kinds() {
       {"quantities", "what the model names under 'quantities'"},
       {"inverse_dynamics", "forces and inputs that make given accelerations", false},
       {"jacobian", "derivatives of rhs by state, inputs and time", false},
-      {"sensitivities", "derivatives of rhs and of reactions by chosen parameters", false}};
+      {"sensitivities", "derivatives of rhs and of reactions by chosen parameters", false},
+      {"taylor", "power series of the state along its motion", false}};
   return k_kinds;
 }
 
@@ -62,6 +63,7 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   if (name == "jacobian" && has_state) return jacobian_artefact(mechanics);
   if (name == "sensitivities") return sensitivities_artefact(mechanics);
   if (name == "quantities") return quantities_artefact(mechanics);
+  if (name == "taylor" && has_state) return taylor_artefact(mechanics);
   return {};
 }
 
@@ -75,6 +77,7 @@ bool has_output(const std::string& name, Mechanics& mechanics) {
   if (name == "sensitivities") return !model.sensitivities.empty() && !mechanics.options.fold;
   if (name == "mobility") return has_general_way(mechanics);
   if (name == "compulsion") return has_compulsion(mechanics);
+  if (name == "taylor") return has_taylor(mechanics);
   if (name == "energy") return true;
   return mechanics.dynamics.n() > 0;
 }
