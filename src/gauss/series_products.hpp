@@ -63,8 +63,10 @@ GAUSS_INLINED void crosswise(const S (&left)[rows][columns], const S (&right)[ro
                              S (&sums)[columns]) {
   constexpr int count = columns_to_sum<S>(used, columns);
   constexpr int rest = count % k_columns_at_once;
-  for (int first = 0; first < count - rest; first += k_columns_at_once)
-    add_crosswise<k_columns_at_once>(left, right, k, first, sums);
+  if constexpr (count > rest) {
+    for (int first = 0; first < count - rest; first += k_columns_at_once)
+      add_crosswise<k_columns_at_once>(left, right, k, first, sums);
+  }
   if constexpr (rest > 0) add_crosswise<rest>(left, right, k, count - rest, sums);
 }
 
@@ -73,8 +75,10 @@ template <int used, class S, int rows, int columns>
 GAUSS_INLINED void squares(const S (&roots)[rows][columns], int k, S (&sums)[columns]) {
   constexpr int count = columns_to_sum<S>(used, columns);
   constexpr int rest = count % k_columns_at_once;
-  for (int first = 0; first < count - rest; first += k_columns_at_once)
-    add_squares<k_columns_at_once>(roots, k, first, sums);
+  if constexpr (count > rest) {
+    for (int first = 0; first < count - rest; first += k_columns_at_once)
+      add_squares<k_columns_at_once>(roots, k, first, sums);
+  }
   if constexpr (rest > 0) add_squares<rest>(roots, k, count - rest, sums);
 }
 

@@ -34,72 +34,75 @@ class SeriesControl {
   void grow(const State& state) {
     bool has_grown = false;
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Scalar size = std::abs(state.values[i]);
+      const Scalar size = size_of(state.values[i]);
       has_grown = has_grown || size > sizes_[i];
       sizes_[i] = std::max(sizes_[i], size);
     }
     if (has_grown) places_ = groups_.largest(sizes_);
   }
 
-  /// The longest step whose last two terms are allowed; 0 where they have no value. Without terms, infinite.
-  Scalar span(const Series& series) {
-    const Scalar reach = reach_ > Scalar(0) ? reach_ : first_reach(series);
+  /// The longest step whose last two terms are allowed, and no longer than `most`; 0 where they have no value.
+  Scalar span(const Series& series, const Scalar& most) {
+    const Scalar reach = reach_ > Scalar(0) ? reach_ : first_reach(series, most);
     allow(series, reach);
     const int p = series.order;
     Scalar last = 0, before = 0;
     for (std::size_t i = 0; i < Model::size; ++i) {
-      last = std::max(last, std::abs(series.values[p][i]) / allowed_[i]);
-      before = std::max(before, std::abs(series.values[p - 1][i]) / allowed_[i]);
+      last = std::max(last, size_of(series.values[p][i]) / allowed_[i]);
+      before = std::max(before, size_of(series.values[p - 1][i]) / allowed_[i]);
     }
     if (!is_number(series)) return Scalar(0);
-    return std::min(root(last, p), root(before, p - 1));
+    return std::min(within(last, p, most), within(before, p - 1, most));
   }
 
   void took(const Scalar& span) { reach_ = span; }
 
   const Array& allowed() const { return allowed_; }
 
+  static Scalar size_of(const Scalar& x) { return x < Scalar(0) ? -x : x; }
  private:
-  static constexpr Scalar k_last_places = 64 * std::numeric_limits<Scalar>::epsilon();
-  static constexpr Scalar k_least = std::numeric_limits<Scalar>::min() / std::numeric_limits<Scalar>::epsilon();
+  static Scalar last_places() { return 64 * Math<Scalar>::epsilon(); }
 
   /// std::max forgets a NaN.
   static bool is_number(const Series& series) {
     Scalar sum = 0;
     for (std::size_t i = 0; i < Model::size; ++i)
-      sum += std::abs(series.values[series.order][i]) + std::abs(series.values[series.order - 1][i]);
-    return sum <= std::numeric_limits<Scalar>::max();
+      sum += series.values[series.order][i] + series.values[series.order - 1][i];
+    return sum - sum == Scalar(0);
   }
 
-  static Scalar root(const Scalar& part, int order) {
-    if (!(part > Scalar(0))) return std::numeric_limits<Scalar>::infinity();
-    return std::pow(part, Scalar(-1) / Scalar(order));
+  /// part^(-1/order), or `most`.
+  static Scalar within(const Scalar& part, int order, const Scalar& most) {
+    if (!(part > Scalar(0))) return most;
+    return std::min(most, Math<Scalar>::pow(part, Scalar(-1) / Scalar(order)));
   }
 
   /// What starts from 0 has the size of its own first terms: nothing is known of others.
-  Scalar first_reach(const Series& series) const {
-    Scalar least = std::numeric_limits<Scalar>::infinity();
+  Scalar first_reach(const Series& series, const Scalar& most) const {
+    Scalar least = most;
     for (std::size_t i = 0; i < Model::size; ++i) {
       for (const int p : {series.order, series.order - 1}) {
-        const Scalar last = std::abs(series.values[p][i]);
-        const Scalar size = std::abs(series.values[1][i]);
-        if (last > Scalar(0) && size > Scalar(0) && p > 1)
-          least = std::min(least, std::pow(tolerance_ * size / last, Scalar(1) / Scalar(p - 1)));
+        const Scalar last = size_of(series.values[p][i]), size = size_of(series.values[1][i]);
+        if (size > Scalar(0) && p > 1) least = within(last / (tolerance_ * size), p - 1, least);
       }
     }
-    return least < std::numeric_limits<Scalar>::infinity() ? least : Scalar(0);
+    return least;
   }
 
   void allow(const Series& series, const Scalar& reach) {
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Scalar size = std::max(sizes_[i], reach * std::abs(series.values[1][i]));
-      allowed_[i] = k_least + tolerance_ * size + k_last_places * places_[i];
+      const Scalar size = std::max(sizes_[i], reach * size_of(series.values[1][i]));
+      allowed_[i] = least_ + tolerance_ * size + last_places() * places_[i];
     }
   }
 
   Scalar tolerance_;
   integrate::UnitGroups<Model> groups_;
   Array sizes_{}, places_{}, allowed_{};
+  /// Below it, numbers have not all of their digits.
+  Scalar least_ = std::numeric_limits<Scalar>::is_specialized
+                      ? Scalar(std::numeric_limits<Scalar>::min() / Math<Scalar>::epsilon())
+                      : Scalar(1e-290);
   Scalar reach_ = 0;  ///< the step before
 };
 
@@ -187,11 +190,11 @@ class TaylorSimulation {
     }
     now_ = 1 - now_;
     begin_ = begin_ + span_;
-    Scalar span = std::min(control_.span(series()), longest(end));
+    Scalar span = control_.span(series(), longest(end));
     while (!holds(span)) {
       ++report_.rejected;
       span = span / 2;
-      if (span > 4 * std::numeric_limits<Scalar>::epsilon() * std::max(std::abs(begin_), end - begin_)) continue;
+      if (span > 4 * Math<Scalar>::epsilon() * std::max({begin_, -begin_, end - begin_})) continue;
       report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::step_too_small;
       span_ = 0;
       return;
@@ -229,7 +232,7 @@ class TaylorSimulation {
 
   bool is_near(const State& a, const State& b) const {
     for (std::size_t i = 0; i < Model::size; ++i)
-      if (!(std::abs(a.values[i] - b.values[i]) <= settings_.most_projected * control_.allowed()[i])) return false;
+      if (!(control_.size_of(a.values[i] - b.values[i]) <= settings_.most_projected * control_.allowed()[i])) return false;
     return true;
   }
 
@@ -238,7 +241,7 @@ class TaylorSimulation {
     Scalar rates[Model::size];
     integrate::rate_of_series(series(), span, rates);
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Scalar off = span * std::abs(rates[i] - next().values[1][i]);
+      const Scalar off = span * control_.size_of(rates[i] - next().values[1][i]);
       if (!(off <= k_most_off * control_.allowed()[i])) return false;
     }
     return true;
