@@ -44,7 +44,7 @@ class Adder {
         ->type_name("NAME");
     add_list(
         "--outputs", options_.pipeline.outputs, output_names(), "LIST",
-        "functions to emit instead of all but inverse_dynamics, jacobian and sensitivities, with commas between: ");
+        "functions to emit instead of all but inverse_dynamics, jacobian, sensitivities and taylor, with commas between: ");
     add_names("--sensitivities", options_.pipeline.sensitivities,
               "parameters by which derivatives of rhs and of reactions are emitted, with commas between");
     add_flag("--fold", options_.pipeline.fold, "put the parameters in as numbers");

@@ -238,6 +238,7 @@ class SeriesBuilder {
   }
 
   SeriesValue chosen(NodeId id, const Node& node) {
+    if (depends(node.children[0])) result_.edges.push_back(id);
     SeriesValue value = of(id, SeriesValue::Kind::choice, {node.children[1], node.children[2]});
     value.condition = node.children[0];
     return value;

@@ -26,7 +26,7 @@ struct SeriesValue {
     quotient,     ///< operands[0] / operands[1]
     square_root,  ///< of operands[0]
     rates,        ///< divisor y' = Σ coefficient factor of': of every function that solves such an equation
-    choice,       ///< select(condition, operands[0], operands[1]), as it is chosen at order 0
+    choice,       ///< select(condition, operands[0], operands[1]), of a condition that is constant over a step
   };
   /// coefficient factor of', in y'
   struct Term {
@@ -60,7 +60,7 @@ struct Series {
   std::vector<SeriesColumn> products;
   std::vector<NodeId> squares;
   std::vector<NodeId> at_start;  ///< values and conditions of order 0 that the recurrences take
-  std::vector<NodeId> edges;     ///< functions with a jump or a kink in what varies: a series does not see it
+  std::vector<NodeId> edges;     ///< functions with a jump or a kink in what varies: a series does not see it, so there is none
 };
 
 /// Of all that `roots` depend on. `varies` is true for the symbols that change within a step; others are constants. Nodes that the recurrences need
