@@ -22,6 +22,11 @@ bool changes_in_a_step(const ir::Symbol& symbol) {
          symbol.symbol_class == ir::SymbolClass::speed;
 }
 
+/// A pivot is divided by unless it is lost to rounding; where it is, the status says so.
+bool is_of_pivot(const ir::Graph& graph, const ir::Node& node) {
+  return node.function == Function::select && (graph.is_zero(node.children[1]) || graph.is_zero(node.children[2]));
+}
+
 bool has_cases(Function function) { return function == Function::piecewise || function == Function::select; }
 
 /// What is chosen by; of all others, the function itself.
@@ -43,7 +48,7 @@ std::vector<Function> edges_of(const Mechanics& mechanics) {
     const ir::Node& node = graph[id];
     const bool may_have_one =
         node.kind == ir::Kind::function && (ir::is_choice(node.function) || node.function == Function::table);
-    if (may_have_one && changing.contains(decided_by(node, id))) edges.push_back(node.function);
+    if (may_have_one && !is_of_pivot(graph, node) && changing.contains(decided_by(node, id))) edges.push_back(node.function);
   }
   return edges;
 }

@@ -238,7 +238,8 @@ class SeriesBuilder {
   }
 
   SeriesValue chosen(NodeId id, const Node& node) {
-    if (depends(node.children[0])) result_.edges.push_back(id);
+    const bool is_of_pivot = graph_.is_zero(node.children[1]) || graph_.is_zero(node.children[2]);
+    if (depends(node.children[0]) && !is_of_pivot) result_.edges.push_back(id);
     SeriesValue value = of(id, SeriesValue::Kind::choice, {node.children[1], node.children[2]});
     value.condition = node.children[0];
     return value;

@@ -26,7 +26,7 @@ struct SeriesValue {
     quotient,     ///< operands[0] / operands[1]
     square_root,  ///< of operands[0]
     rates,        ///< divisor y' = Σ coefficient factor of': of every function that solves such an equation
-    choice,       ///< select(condition, operands[0], operands[1]), of a condition that is constant over a step
+    choice,       ///< select(condition, operands[0], operands[1]), of a condition that is constant over a step, or tells whether a pivot is lost
   };
   /// coefficient factor of', in y'
   struct Term {

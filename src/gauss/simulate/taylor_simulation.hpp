@@ -191,10 +191,9 @@ class TaylorSimulation {
     now_ = 1 - now_;
     begin_ = begin_ + span_;
     Scalar span = control_.span(series(), longest(end));
-    while (!holds(span)) {
-      ++report_.rejected;
-      span = span / 2;
-      if (span > 4 * Math<Scalar>::epsilon() * std::max({begin_, -begin_, end - begin_})) continue;
+    const Scalar least = 4 * Math<Scalar>::epsilon() * std::max({begin_, -begin_, end - begin_});
+    for (jumped_ = false; span > least && !holds(span); span = span / 2) ++report_.rejected;
+    if (!(span > least)) {
       report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::step_too_small;
       span_ = 0;
       return;
@@ -219,7 +218,7 @@ class TaylorSimulation {
     jumped_ = false;
     Status status = settings_.project ? model_.projection(begin_ + span, last_) : Status::ok;
     if (integrate::is_motion_known(status)) {
-      jumped_ = !is_near(arrived, last_);
+      jumped_ = settings_.project && !is_near(arrived, last_);
       if (jumped_) return false;
       status = fill(begin_ + span, last_, next());
     }
@@ -252,7 +251,7 @@ class TaylorSimulation {
     integrate::state_of_series(series(), end - begin_, there);
     const State found = there;
     const Status status = settings_.project ? model_.projection(end, there) : Status::ok;
-    jumped_ = integrate::is_motion_known(status) && !is_near(found, there);
+    jumped_ = settings_.project && integrate::is_motion_known(status) && !is_near(found, there);
     if (!integrate::is_motion_known(status) || jumped_) {
       report_.status = status;
       report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::model_failed;
