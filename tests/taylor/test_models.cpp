@@ -19,11 +19,15 @@ double largest(const Values& values) {
   return result;
 }
 
-/// Where the last term is rounding of the state.
+/// Where the last terms are rounding of the state. There may be one in each fourth order only.
 template <class Series>
 double span_of(const Series& series) {
-  const double last = std::max(largest(series.values[k_order]), largest(series.values[k_order - 1]));
-  return last > 0 ? std::min(0.5, std::pow(1e-16 * largest(series.values[0]) / last, 1.0 / k_order)) : 0.5;
+  double span = 0.5;
+  for (int k = k_order; k > k_order - 4; --k) {
+    const double last = largest(series.values[k]);
+    if (last > 0) span = std::min(span, std::pow(1e-16 * largest(series.values[0]) / last, 1.0 / k));
+  }
+  return span;
 }
 
 /// How far the rates of a series are from those of rhs at the end of a step, of their size; the state is that at the end then.

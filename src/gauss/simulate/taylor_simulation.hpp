@@ -41,18 +41,15 @@ class SeriesControl {
     if (has_grown) places_ = groups_.largest(sizes_);
   }
 
-  /// The longest step whose last two terms are allowed, and no longer than `most`; 0 where they have no value.
+  /// The longest step whose last terms are allowed, and no longer than `most`; 0 where they have no value.
   Scalar span(const Series& series, const Scalar& most) {
     const Scalar reach = reach_ > Scalar(0) ? reach_ : first_reach(series, most);
     allow(series, reach);
     const int p = series.order;
-    Scalar last = 0, before = 0;
-    for (std::size_t i = 0; i < Model::size; ++i) {
-      last = std::max(last, size_of(series.values[p][i]) / allowed_[i]);
-      before = std::max(before, size_of(series.values[p - 1][i]) / allowed_[i]);
-    }
     if (!is_number(series)) return Scalar(0);
-    return std::min(within(last, p, most), within(before, p - 1, most));
+    const Scalar by_last = within(part(series, p), p, most);
+    const Scalar by_two = within(part(series, p - 1), p - 1, by_last);
+    return p > 4 ? by_those_before(series, by_two) : by_two;
   }
 
   void took(const Scalar& span) { reach_ = span; }
@@ -69,6 +66,25 @@ class SeriesControl {
     for (std::size_t i = 0; i < Model::size; ++i)
       sum += series.values[series.order][i] + series.values[series.order - 1][i];
     return sum - sum == Scalar(0);
+  }
+
+  /// The largest term of an order for a step of 1, in units of what is allowed.
+  Scalar part(const Series& series, int order) const {
+    Scalar result = 0;
+    for (std::size_t i = 0; i < Model::size; ++i)
+      result = std::max(result, size_of(series.values[order][i]) / allowed_[i]);
+    return result;
+  }
+
+  /// From rest, motions are even in time, and may have a term in each fourth order only: the last two are 0 then. Terms of one order after another are
+  /// e^2 apart where a step is as long as it should be.
+  Scalar by_those_before(const Series& series, const Scalar& span) const {
+    constexpr Scalar k_usual = Scalar(10'000);
+    const int q = series.order - 3;
+    const Scalar power = Math<Scalar>::pow(span, Scalar(q));
+    const Scalar third = part(series, q + 1), fourth = part(series, q);
+    if (third * power * span <= k_usual && fourth * power <= k_usual) return span;
+    return within(fourth, q, within(third, q + 1, span));
   }
 
   /// part^(-1/order), or `most`.
