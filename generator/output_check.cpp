@@ -43,8 +43,10 @@ Absence absence_of(const std::string& output) {
             "name parameters under 'sensitivities', or by --sensitivities; or remove it from the outputs"};
   }
   if (output == "taylor") {
-    return {"it has no free coordinate, or its constraints follow from each other wherever they hold, and that way has no series",
-            "leave out the constraints that follow from others, or remove it from the outputs"};
+    return {
+        "it has no free coordinate, or its constraints follow from each other wherever they hold, and that way has no "
+        "series",
+        "leave out the constraints that follow from others, or remove it from the outputs"};
   }
   if (output == "mobility") {
     return {

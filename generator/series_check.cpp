@@ -48,7 +48,8 @@ std::vector<Function> edges_of(const Mechanics& mechanics) {
     const ir::Node& node = graph[id];
     const bool may_have_one =
         node.kind == ir::Kind::function && (ir::is_choice(node.function) || node.function == Function::table);
-    if (may_have_one && !is_of_pivot(graph, node) && changing.contains(decided_by(node, id))) edges.push_back(node.function);
+    if (may_have_one && !is_of_pivot(graph, node) && changing.contains(decided_by(node, id)))
+      edges.push_back(node.function);
   }
   return edges;
 }
@@ -102,11 +103,12 @@ void check_series(const Mechanics& mechanics, support::Diagnostics& diagnostics)
                       "take 'taylor' out of the outputs, or write a smooth form, as sqrt(x^2 + eps^2) for abs(x)");
     return;
   }
-  diagnostics.error(support::code::k_not_smooth, mechanics.model.name.span,
-                    fmt::format("the equations of motion choose between two forms by the state, as those of sin(q)/q do "
-                                "near q = 0: {}",
-                                taken),
-                    "take 'taylor' out of the outputs; '--as-written limits' leaves sin(q)/q without a value at 0");
+  diagnostics.error(
+      support::code::k_not_smooth, mechanics.model.name.span,
+      fmt::format("the equations of motion choose between two forms by the state, as those of sin(q)/q do "
+                  "near q = 0: {}",
+                  taken),
+      "take 'taylor' out of the outputs; '--as-written limits' leaves sin(q)/q without a value at 0");
 }
 
 }  // namespace gaussgen

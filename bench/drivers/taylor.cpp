@@ -238,10 +238,12 @@ void measure(const char* name, double end, int order, const char* separator) {
   print("taylor", cheapest([&](double tolerance) { return problem.taylor_run(tolerance, order); }), ",");
   print("fehlberg78", cheapest([&](double tolerance) {
           return problem.template odeint_run<odeint::runge_kutta_fehlberg78<Array>>(tolerance);
-        }), ",");
+        }),
+        ",");
   print("dopri5", cheapest([&](double tolerance) {
           return problem.template odeint_run<odeint::runge_kutta_dopri5<Array>>(tolerance);
-        }), "");
+        }),
+        "");
   std::printf("  }%s\n", separator);
   std::fflush(stdout);
 }

@@ -160,8 +160,7 @@ std::vector<cpp::Argument> read_arguments(const Plan& plan, const Artefact& arte
   arguments.push_back({"const Prepared<S>&", "prepared", reads_prepared});
   if (artefact.takes_accelerations) arguments.push_back({"const Derivative<S>&", "accelerations", reads_accelerations});
   if (artefact.takes_solution) arguments.push_back({k_solution_type, "solved", reads_solution});
-  if (!artefact.derivative.empty() && !artefact.is_series)
-    arguments.push_back({"Derivative<S>&", "derivative", true});
+  if (!artefact.derivative.empty() && !artefact.is_series) arguments.push_back({"Derivative<S>&", "derivative", true});
   if (artefact.is_series) {
     arguments.push_back({"int", "order", true});
     arguments.push_back({"TaylorSeries<S>&", "series", true});
@@ -180,8 +179,8 @@ namespace {
 /// The rates as order 0 of what `Derivative` holds, and all other orders from them.
 FunctionCode series_function(Plan& plan, const Task& task) {
   Request request = task.request;
-  const std::vector<NodeId> rates(request.outputs.begin(),
-                                  request.outputs.begin() + static_cast<std::ptrdiff_t>(task.artefact->derivative.size()));
+  const std::vector<NodeId> rates(
+      request.outputs.begin(), request.outputs.begin() + static_cast<std::ptrdiff_t>(task.artefact->derivative.size()));
   const passes::Series series = series_of(plan, rates);
   // Mentioned twice, they get names.
   for (const int times : {1, 2}) {

@@ -342,6 +342,7 @@ class Splitter {
 
 Parts split(FunctionCode code, int most) {
   if (code.type) return {std::move(code.type), {}, std::move(code.function)};
- return Splitter(std::move(code), most).run(); }
+  return Splitter(std::move(code), most).run();
+}
 
 }  // namespace gaussgen::emit

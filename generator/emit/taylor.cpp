@@ -26,12 +26,14 @@ constexpr std::size_t k_lanes = 4;
 constexpr int k_most_order = 40;
 
 const char* const k_about =
-    "Order k + 1 of the state from order k of its rates. With u_k = u^(k)/k!, and S(a, b) the sum of a_j b_(k-j) over 0 < j < k, which\n"
+    "Order k + 1 of the state from order k of its rates. With u_k = u^(k)/k!, and S(a, b) the sum of a_j b_(k-j) over "
+    "0 < j < k, which\n"
     "all products have before order k begins:\n"
     "  a b:          a_0 b_k + a_k b_0 + S(a, b)\n"
     "  q = a/b:      (a_k - q_0 b_k - S(q, b)) / b_0\n"
     "  r = sqrt(a):  (a_k - S(r, r)) / (2 r_0)\n"
-    "  d y' = f u':  (f_0 u_k + (S(u', f) - S(y', d)) / k) / d_0, where u' has coefficients j u_j: sines, exponentials, powers, arcs\n"
+    "  d y' = f u':  (f_0 u_k + (S(u', f) - S(y', d)) / k) / d_0, where u' has coefficients j u_j: sines, "
+    "exponentials, powers, arcs\n"
     "(Jorba and Zou, Experimental Mathematics 14 (2005) 99; Griewank and Walther, Evaluating Derivatives, 13.2)";
 
 std::size_t padded(std::size_t columns) { return (columns + k_lanes - 1) / k_lanes * k_lanes; }
@@ -110,9 +112,8 @@ class SeriesWriter {
   /// Orders 0 and 1, and what begins the loop over the others.
   void begin(const std::vector<NodeId>& rates) {
     body_.blank_line();
-    body_.add(cpp::Assignment{
-        atom("series.order"),
-        cpp::call("detail::order_within", {atom("order"), atom("TaylorSeries<S>::most")})});
+    body_.add(cpp::Assignment{atom("series.order"),
+                              cpp::call("detail::order_within", {atom("order"), atom("TaylorSeries<S>::most")})});
     cpp::Assignment copy{atom("series.values[0][i]"), atom("state.values[i]")};
     body_.add(cpp::Loop{"i", "0", std::to_string(rates.size()), {cpp::AnyStatement{std::move(copy)}}});
     for (std::size_t i = 0; i < rates.size(); ++i)
@@ -126,10 +127,8 @@ class SeriesWriter {
     body_.add(cpp::Definition{"S", "degree", atom("S(0)")});
     if (uses_[time_index()] > 0) body_.add(cpp::Definition{"S", "t_k", atom("S(1)")});
     add(cpp::Assignment{atom("degree"), cpp::sum({atom("degree"), atom("S(1)")})});
-    if (has_rates())
-      add(cpp::Definition{"const S", "by_degree", cpp::quotient(atom("S(1)"), atom("degree"))});
-    add(cpp::Definition{"const S", "by_next",
-                        cpp::quotient(atom("S(1)"), cpp::sum({atom("degree"), atom("S(1)")}))});
+    if (has_rates()) add(cpp::Definition{"const S", "by_degree", cpp::quotient(atom("S(1)"), atom("degree"))});
+    add(cpp::Definition{"const S", "by_next", cpp::quotient(atom("S(1)"), cpp::sum({atom("degree"), atom("S(1)")}))});
     sum_up("sums", "crosswise", series_.products.size(), {atom("series.left"), atom("series.right")});
     sum_up("squares", "squares", series_.squares.size(), {atom("series.roots")});
     add_blank();
@@ -176,8 +175,7 @@ class SeriesWriter {
       add(cpp::Definition{"const S", name, std::move(slope)});
       slope = atom(name);
     }
-    for (const Store& one : stores)
-      add(cpp::Assignment{atom(one.place), one.is_rate ? slope : coefficient(id)});
+    for (const Store& one : stores) add(cpp::Assignment{atom(one.place), one.is_rate ? slope : coefficient(id)});
   }
 
   std::string name_of(NodeId id) {
@@ -214,11 +212,12 @@ class SeriesWriter {
       }
       case Of::quotient: return quotient(value);
       case Of::square_root:
-        return cpp::product({cpp::sum({coefficient(of[0]), cpp::negated(squares(value.column))}),
-                             at_start(value.inverse)});
+        return cpp::product(
+            {cpp::sum({coefficient(of[0]), cpp::negated(squares(value.column))}), at_start(value.inverse)});
       case Of::rates: return rates(value);
       case Of::choice:
-        return cpp::call("Math<S>::select", {conditions_.at(value.id.index), coefficient_or_zero(of[0]), coefficient_or_zero(of[1])});
+        return cpp::call("Math<S>::select",
+                         {conditions_.at(value.id.index), coefficient_or_zero(of[0]), coefficient_or_zero(of[1])});
     }
     return {};
   }
@@ -245,9 +244,8 @@ class SeriesWriter {
 
   /// What is subtracted does not stand first where something else may.
   static Expression added(std::vector<Expression> terms) {
-    const auto positive = std::find_if(terms.begin(), terms.end(), [](const Expression& term) {
-      return term.kind != Expression::Kind::negation;
-    });
+    const auto positive = std::find_if(terms.begin(), terms.end(),
+                                       [](const Expression& term) { return term.kind != Expression::Kind::negation; });
     if (positive != terms.end()) std::rotate(terms.begin(), positive, positive + 1);
     return cpp::sum(std::move(terms));
   }
@@ -305,14 +303,16 @@ void write_series(const Series& series, const Plan& plan, const std::vector<Node
 }
 
 void reserve_names_of_series(NameScope& scope) {
-  for (const char* name : {"TaylorSeries", "series", "order", "degree", "by_degree", "by_next", "sums", "squares", "k", "i", "t_k"})
+  for (const char* name :
+       {"TaylorSeries", "series", "order", "degree", "by_degree", "by_next", "sums", "squares", "k", "i", "t_k"})
     scope.reserve(name);
 }
 
 cpp::Struct series_struct(const Series& series) {
   cpp::Struct type;
   type.comment = wrapped(
-      "Power series of the state from one time on: x(t + h) = sum of values[k] h^k over k = 0 to order. A large object: keep it from "
+      "Power series of the state from one time on: x(t + h) = sum of values[k] h^k over k = 0 to order. A large "
+      "object: keep it from "
       "step to step.",
       k_comment_width);
   type.name = "TaylorSeries";
@@ -322,8 +322,7 @@ cpp::Struct series_struct(const Series& series) {
   type.members.push_back({"S", "values", {rows, "n_q + n_v"}, std::nullopt, "of the state in its order: x^(k) / k!"});
   const auto work = [&](const char* name, std::size_t columns, const char* about) {
     if (columns == 0) return;
-    type.members.push_back(
-        {"alignas(64) S", name, {rows, std::to_string(padded(columns))}, cpp::list({}), about});
+    type.members.push_back({"alignas(64) S", name, {rows, std::to_string(padded(columns))}, cpp::list({}), about});
   };
   work("left", series.products.size(), "scratch space: what is multiplied crosswise with");
   work("right", series.products.size(), "this");

@@ -228,9 +228,7 @@ class SeriesBuilder {
       case Function::acos: return arc(id, u, -1);
       case Function::atan: return rates(id, {u, one_plus(1, square(u))}, {{1, one, u}}, {one_plus(1, square(u))});
       case Function::atan2: return angle(id, u, plain(node.children[1]));
-      case Function::select:
-        result_.at_start.push_back(node.children[0]);
-        return chosen(id, node);
+      case Function::select: result_.at_start.push_back(node.children[0]); return chosen(id, node);
       default: break;
     }
     result_.edges.push_back(id);

@@ -26,7 +26,7 @@ struct SeriesValue {
     quotient,     ///< operands[0] / operands[1]
     square_root,  ///< of operands[0]
     rates,        ///< divisor y' = Σ coefficient factor of': of every function that solves such an equation
-    choice,       ///< select(condition, operands[0], operands[1]), of a condition that is constant over a step, or tells whether a pivot is lost
+    choice,  ///< select(condition, operands[0], operands[1]), of a condition that is constant over a step, or tells whether a pivot is lost
   };
   /// coefficient factor of', in y'
   struct Term {
@@ -43,9 +43,9 @@ struct SeriesValue {
   ir::Coefficients coefficients = {};
   std::vector<Term> terms = {};
   std::vector<NodeId> divisor = {};  ///< none or one
-  NodeId inverse = {};  ///< of what is divided by, at order 0
+  NodeId inverse = {};               ///< of what is divided by, at order 0
   NodeId condition = {};
-  std::size_t column = 0;            ///< of products; of squares; of (y', divisor)
+  std::size_t column = 0;  ///< of products; of squares; of (y', divisor)
 };
 
 /// Two values whose coefficients are multiplied crosswise.
@@ -56,11 +56,13 @@ struct SeriesColumn {
 };
 
 struct Series {
-  std::vector<SeriesValue> values;  ///< what varies, operands first; a value and the factors of its rates may need each other
+  std::vector<SeriesValue>
+      values;  ///< what varies, operands first; a value and the factors of its rates may need each other
   std::vector<SeriesColumn> products;
   std::vector<NodeId> squares;
   std::vector<NodeId> at_start;  ///< values and conditions of order 0 that the recurrences take
-  std::vector<NodeId> edges;     ///< functions with a jump or a kink in what varies: a series does not see it, so there is none
+  std::vector<NodeId>
+      edges;  ///< functions with a jump or a kink in what varies: a series does not see it, so there is none
 };
 
 /// Of all that `roots` depend on. `varies` is true for the symbols that change within a step; others are constants. Nodes that the recurrences need

@@ -74,7 +74,8 @@ double worst_of(const Named& function, std::size_t place, const model::TaylorSer
   long double size = 0, worst = 0;
   for (int k = 0; k < k_order; ++k) {
     const long double weight = std::pow(k_radius, k), exact = known[static_cast<std::size_t>(k)];
-    const auto found = static_cast<long double>(series.values[k + 1][model::n_q + static_cast<int>(place) + 1]) * (k + 1);
+    const auto found =
+        static_cast<long double>(series.values[k + 1][model::n_q + static_cast<int>(place) + 1]) * (k + 1);
     size = std::max(size, std::abs(exact) * weight);
     worst = std::max(worst, std::abs(found - exact) * weight);
   }

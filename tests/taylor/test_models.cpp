@@ -57,15 +57,15 @@ double residual(double& t, State& state, const Prepared& prepared) {
 }  // namespace
 
 // At the start of the model, and at the end of a step from there, where nothing is 0 by chance.
-#define GAUSS_WITH_SERIES(model)                                                                                       \
-  TEST_CASE("the series of " #model " satisfies its equations of motion") {                                            \
-    const auto prepared = gauss::model::prepare(gauss::model::Parameters<double>{});                                   \
-    gauss::model::State<double> state;                                                                                 \
-    gauss::model::initial_state(prepared, state);                                                                      \
-    double t = 0;                                                                                                      \
-    for (int step = 0; step < 3; ++step) {                                                                             \
-      CHECK(residual<gauss::model::TaylorSeries<double>, gauss::model::Inputs<double>, gauss::model::Derivative<double>>( \
-                t, state, prepared) < 1e-12);                                                                          \
-    }                                                                                                                  \
+#define GAUSS_WITH_SERIES(model)                                                       \
+  TEST_CASE("the series of " #model " satisfies its equations of motion") {            \
+    const auto prepared = gauss::model::prepare(gauss::model::Parameters<double>{});   \
+    gauss::model::State<double> state;                                                 \
+    gauss::model::initial_state(prepared, state);                                      \
+    double t = 0;                                                                      \
+    for (int step = 0; step < 3; ++step) {                                             \
+      CHECK(residual<gauss::model::TaylorSeries<double>, gauss::model::Inputs<double>, \
+                     gauss::model::Derivative<double>>(t, state, prepared) < 1e-12);   \
+    }                                                                                  \
   }
 #include "models_with_series.inc"

@@ -113,7 +113,8 @@ TEST_CASE("a collision ends with a report, not with numbers") {
   // It falls for pi/sqrt(8) = 1.11.
   CHECK(simulation->advance_to(1.0));
   CHECK_FALSE(simulation->advance_to(1.2));
-  CHECK((simulation->report().outcome == Outcome::step_too_small || simulation->report().outcome == Outcome::model_failed));
+  CHECK((simulation->report().outcome == Outcome::step_too_small ||
+         simulation->report().outcome == Outcome::model_failed));
   CHECK(simulation->time() == 1.0);
 }
 
@@ -135,4 +136,44 @@ TEST_CASE("settings out of range integrate nothing") {
     CHECK_FALSE(simulation->advance_to(1.0));
     CHECK(simulation->report().outcome == Outcome::bad_settings);
   }
+}
+
+namespace {
+
+/// A ball that falls upwards beyond x = 1, which its series does not see: the motion of two parabolas.
+struct Kinked {
+  using Scalar = double;
+  struct State {
+    double values[2];
+  };
+  using Status = gauss::Status;
+  static constexpr std::size_t size = 2, n_q = 1, n_v = 1;
+  struct Series {
+    static constexpr int most = 40;
+    int order = 0;
+    double values[most + 1][2] = {};
+  };
+
+  Status series(double, const State& state, int order, Series& result) const {
+    result = Series{};
+    result.order = order;
+    const double a = state.values[0] < 1 ? 0 : -10;
+    result.values[0][0] = state.values[0];
+    result.values[0][1] = result.values[1][0] = state.values[1];
+    result.values[1][1] = a;
+    result.values[2][0] = a / 2;
+    return Status::ok;
+  }
+  Status projection(double, State&) const { return Status::ok; }
+  const char* unit(std::size_t component) const { return component == 0 ? "m" : "m/s"; }
+};
+
+}  // namespace
+
+TEST_CASE("a step over an edge that its series does not see is refused until it is brief") {
+  gauss::simulate::TaylorSimulation<Kinked, Kinked::Series> simulation(Kinked{}, {{0.0, 1.0}});
+  REQUIRE(simulation.advance_to(1.05));
+  // At the edge at t = 1, and 0.05 s against 10 m/s^2.
+  CHECK(std::abs(simulation.state().values[0] - (1 + 0.05 - 5 * 0.05 * 0.05)) < 1e-8);
+  CHECK(simulation.report().rejected > 0);
 }

@@ -9,7 +9,7 @@
 #include "gauss/integrate/taylor.hpp"
 #include "kepler.hpp"
 #if __has_include(<xsimd/xsimd.hpp>)
-#include "gauss/scalar/xsimd.hpp"
+#include "gauss/batch/taylor_lanes.hpp"
 #define GAUSS_TEST_LANES
 #endif
 #ifdef GAUSS_TEST_FLOAT128
@@ -125,5 +125,48 @@ TEST_CASE("a lane has the series of its state alone, within rounding") {
       for (int i = 0; i < 4; ++i) CHECK(std::abs(all->values[k][i].get(lane) - single->values[k][i]) <= 1e-13 * size);
     }
   }
+}
+#endif
+
+#ifdef GAUSS_TEST_LANES
+TEST_CASE("lanes with steps of their own arrive where each of them does alone") {
+  using Batch = xsimd::batch<double>;
+  gauss::kepler::Parameters<Batch> parameters;
+  double e[Batch::size];
+  for (std::size_t lane = 0; lane < Batch::size; ++lane) e[lane] = 0.2 + 0.7 * static_cast<double>(lane) / Batch::size;
+  parameters.e = Batch::load_unaligned(e);
+  const auto model = gauss::integrate::bind_model<Kepler, Batch>(parameters);
+  gauss::kepler::State<Batch> start;
+  initial_state(model.prepared(), start);
+  const auto lanes =
+      std::make_unique<gauss::batch::TaylorLanes<std::decay_t<decltype(model)>, KeplerSeries<Batch>>>(model, start);
+  REQUIRE(lanes->advance_to(3.0));
+  REQUIRE(lanes->advance_to(8.0));
+  for (std::size_t lane = 0; lane < Batch::size; ++lane) {
+    INFO("e = " << e[lane]);
+    const auto known = on_ellipse(8.0, e[lane]);
+    for (int i = 0; i < 4; ++i) CHECK(std::abs(lanes->states().values[i].get(lane) - known.values[i]) < 1e-10);
+    CHECK(lanes->times().get(lane) == 8.0);
+  }
+}
+
+TEST_CASE("a lane that is lost stops and the others arrive") {
+  using Batch = xsimd::batch<double>;
+  const auto model = gauss::integrate::bind_model<Kepler, Batch>();
+  gauss::kepler::State<Batch> start;
+  initial_state(model.prepared(), start);
+  double x[Batch::size], y[Batch::size];
+  start.values[0].store_unaligned(x);
+  start.values[3].store_unaligned(y);
+  x[1] = 1;  // it falls into the sun
+  y[1] = 0;
+  start.values[0] = Batch::load_unaligned(x);
+  start.values[3] = Batch::load_unaligned(y);
+  const auto lanes =
+      std::make_unique<gauss::batch::TaylorLanes<std::decay_t<decltype(model)>, KeplerSeries<Batch>>>(model, start);
+  CHECK_FALSE(lanes->advance_to(4.0));
+  for (std::size_t lane = 0; lane < Batch::size; ++lane) CHECK(lanes->lost().get(lane) == (lane == 1));
+  const auto known = on_ellipse(4.0, 0.9);
+  CHECK(std::abs(lanes->states().values[0].get(0) - known.values[0]) < 1e-9);
 }
 #endif

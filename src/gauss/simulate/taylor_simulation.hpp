@@ -57,8 +57,9 @@ class SeriesControl {
   const Array& allowed() const { return allowed_; }
 
   static Scalar size_of(const Scalar& x) { return x < Scalar(0) ? -x : x; }
+
  private:
-  static Scalar last_places() { return 64 * Math<Scalar>::epsilon(); }
+  static Scalar last_places() { return 4 * Math<Scalar>::epsilon(); }
 
   /// std::max forgets a NaN.
   static bool is_number(const Series& series) {
@@ -247,7 +248,8 @@ class TaylorSimulation {
 
   bool is_near(const State& a, const State& b) const {
     for (std::size_t i = 0; i < Model::size; ++i)
-      if (!(control_.size_of(a.values[i] - b.values[i]) <= settings_.most_projected * control_.allowed()[i])) return false;
+      if (!(control_.size_of(a.values[i] - b.values[i]) <= settings_.most_projected * control_.allowed()[i]))
+        return false;
     return true;
   }
 
@@ -285,11 +287,11 @@ class TaylorSimulation {
   Settings<Scalar> settings_;
   SeriesControl<Model, Series> control_{model_, settings_};
   int order_ = 2;
-  Scalar t_;                                  ///< asked for last
-  State state_;                               ///< then
-  Scalar begin_ = 0, span_ = 0;               ///< of the step
-  State last_;                                ///< at its end
-  std::array<Series, 2> series_{};            ///< of the step, and of the next one
+  Scalar t_;                        ///< asked for last
+  State state_;                     ///< then
+  Scalar begin_ = 0, span_ = 0;     ///< of the step
+  State last_;                      ///< at its end
+  std::array<Series, 2> series_{};  ///< of the step, and of the next one
   std::size_t now_ = 0;
   bool has_series_ = false, jumped_ = false;
   Report<Status, Scalar> report_;
