@@ -100,6 +100,7 @@ class TaylorLanes {
     t_ = xsimd::select(moves, xsimd::select(arrives, goal, t_ + span), t_);
     if (settings_.project) project(moves);
     span_ = span;
+    reach_ = xsimd::select(moves, span, reach_);
     grow();
     ++steps_;
   }
@@ -124,19 +125,39 @@ class TaylorLanes {
 
   /// By the last four terms: motions from rest may have one in each fourth order only.
   Batch longest() {
-    Batch span(settings_.longest_step > Number(0) ? settings_.longest_step : std::numeric_limits<Number>::max());
+    const Batch none(std::numeric_limits<Number>::max());
+    const Batch reach = xsimd::select(reach_ > Batch(Number(0)), reach_, first_reach());
+    Batch span = settings_.longest_step > Number(0) ? Batch(settings_.longest_step) : none;
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Batch size = xsimd::max(sizes_[i], span_ * size_of(series_.values[1][i]));
+      const Batch size = xsimd::max(sizes_[i], reach * size_of(series_.values[1][i]));
       allowed_[i] = (settings_.tolerance + Number(4) * std::numeric_limits<Number>::epsilon()) * size + least();
     }
     for (int k = order_; k > order_ - 4; --k) {
       Batch part(Number(0));
       for (std::size_t i = 0; i < Model::size; ++i)
         part = xsimd::max(part, size_of(series_.values[k][i]) / allowed_[i]);
-      const Batch by_term = Math<Batch>::pow(xsimd::max(part, least()), Batch(Number(-1) / static_cast<Number>(k)));
-      span = xsimd::select(part > Batch(Number(0)), xsimd::min(span, by_term), span);
+      span = within(part, k, span);
     }
     return span;
+  }
+
+  /// part^(-1/order), or `most`.
+  static Batch within(const Batch& part, int order, const Batch& most) {
+    const Batch by_part = Math<Batch>::pow(xsimd::max(part, least()), Batch(Number(-1) / static_cast<Number>(order)));
+    return xsimd::select(part > Batch(Number(0)), xsimd::min(most, by_part), most);
+  }
+
+  /// What starts from 0 has the size of its own first terms.
+  Batch first_reach() const {
+    Batch reach(Number(1) / std::numeric_limits<Number>::epsilon());
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      const Batch size = settings_.tolerance * size_of(series_.values[1][i]);
+      for (const int k : {order_, order_ - 1}) {
+        const Batch ratio = size_of(series_.values[k][i]) / xsimd::max(size, least());
+        reach = within(xsimd::select(size > Batch(Number(0)), ratio, Batch(Number(0))), k - 1, reach);
+      }
+    }
+    return reach;
   }
 
   static Batch least() { return Batch(std::numeric_limits<Number>::min() / std::numeric_limits<Number>::epsilon()); }
@@ -148,6 +169,7 @@ class TaylorLanes {
   int order_;
   State state_, before_{};
   Batch t_, t_before_ = Batch(Number(0)), span_ = Batch(Number(0));
+  Batch reach_ = Batch(Number(0));  ///< the last step that went on
   Batch most_ = Batch(std::numeric_limits<Number>::infinity());
   Values sizes_ = zeros(), allowed_ = zeros(), expected_ = zeros();
   Mask lost_ = Mask(false);
