@@ -106,6 +106,10 @@ std::vector<emit::Artefact> jacobian_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> sensitivities_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> quantities_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> poses_artefact(Mechanics& mechanics);
+std::vector<emit::Artefact> taylor_artefact(Mechanics& mechanics);
+
+/// False where a model has no state, or constraints follow from others wherever they hold: the cheap way, which has a series, is always lost.
+bool has_taylor(Mechanics& mechanics);
 std::vector<emit::Artefact> initial_state_artefacts(Mechanics& mechanics);
 
 }  // namespace gaussgen

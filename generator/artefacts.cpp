@@ -23,7 +23,8 @@ const std::vector<OutputKind>& output_kinds() {
       {"poses", "where bodies and joints are, and how bodies are turned", false},
       {"inverse_dynamics", "forces and inputs that make given accelerations", false},
       {"jacobian", "derivatives of rhs by state, inputs and time", false},
-      {"sensitivities", "derivatives of rhs and of reactions by chosen parameters", false}};
+      {"sensitivities", "derivatives of rhs and of reactions by chosen parameters", false},
+      {"taylor", "power series of the state along its motion", false}};
   return k_kinds;
 }
 
@@ -64,6 +65,7 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   if (name == "sensitivities") return sensitivities_artefact(mechanics);
   if (name == "quantities") return quantities_artefact(mechanics);
   if (name == "poses") return poses_artefact(mechanics);
+  if (name == "taylor" && has_state) return taylor_artefact(mechanics);
   return {};
 }
 
@@ -77,6 +79,7 @@ bool has_output(const std::string& name, Mechanics& mechanics) {
   if (name == "sensitivities") return !model.sensitivities.empty() && !mechanics.options.fold;
   if (name == "mobility") return has_general_way(mechanics);
   if (name == "compulsion") return has_compulsion(mechanics);
+  if (name == "taylor") return has_taylor(mechanics);
   if (name == "energy" || name == "poses") return true;
   return mechanics.dynamics.n() > 0;
 }

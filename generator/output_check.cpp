@@ -42,6 +42,12 @@ Absence absence_of(const std::string& output) {
     return {"no parameter is named for it, or --fold makes them numbers",
             "name parameters under 'sensitivities', or by --sensitivities; or remove it from the outputs"};
   }
+  if (output == "taylor") {
+    return {
+        "it has no free coordinate, or its constraints follow from each other wherever they hold, and that way has no "
+        "series",
+        "leave out the constraints that follow from others, or remove it from the outputs"};
+  }
   if (output == "mobility") {
     return {
         "it has no constraints that may follow from each other, or too many speeds and constraints for a solution "

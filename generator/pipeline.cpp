@@ -18,6 +18,7 @@
 #include "point_check.hpp"
 #include "read_model.hpp"
 #include "sensitivities.hpp"
+#include "series_check.hpp"
 #include "strategy/projection.hpp"
 #include "structure_check.hpp"
 #include "support/error_codes.hpp"
@@ -74,9 +75,13 @@ class Stages {
   std::vector<StageTime> times_;
 };
 
-bool emits_initial_state(const Mechanics& mechanics, const PipelineOptions& options) {
+bool asks_for(const char* output, const Mechanics& mechanics, const PipelineOptions& options) {
   const std::vector<std::string> wanted = wanted_outputs(mechanics.model, options);
-  return mechanics.dynamics.n() > 0 && std::find(wanted.begin(), wanted.end(), "initial_state") != wanted.end();
+  return std::find(wanted.begin(), wanted.end(), output) != wanted.end();
+}
+
+bool emits_initial_state(const Mechanics& mechanics, const PipelineOptions& options) {
+  return mechanics.dynamics.n() > 0 && asks_for("initial_state", mechanics, options);
 }
 
 }  // namespace
@@ -171,6 +176,7 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
   check_initial_state(mechanics, {emits_initial_state(mechanics, options), options.assemble, &source}, diagnostics);
   check_points(mechanics, diagnostics);
   if (!diagnostics.has_errors()) check_chart(mechanics, diagnostics);
+  if (asks_for("taylor", mechanics, options) && has_taylor(mechanics)) check_series(mechanics, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   stages.took(k_check, mechanics.graph);
   stages.show(k_check, [] { return std::string(); });

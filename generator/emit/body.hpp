@@ -25,6 +25,8 @@ class Body {
   cpp::Expression define_condition(NodeId id, const std::string& name);
 
   cpp::Expression value(NodeId id) const { return writer_.value(id); }
+  /// What it may be called; empty where nothing comes to mind.
+  std::string natural_name_for(NodeId id) const;
   void add(cpp::Statement statement) { statements_.push_back(std::move(statement)); }
   void blank_line();
 
@@ -39,7 +41,6 @@ class Body {
   std::size_t angles_from(const Assignments& assignments, std::size_t first) const;
   void define_angles(const Assignments& assignments, std::size_t first, std::size_t count);
   std::string name_for(NodeId id, const std::string& wanted);
-  std::string natural_name_for(NodeId id) const;
 
   const passes::Writing& writing_;
   const UnitNames& names_;

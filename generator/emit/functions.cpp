@@ -7,6 +7,7 @@
 #include "emit/identifiers.hpp"
 #include "emit/literal.hpp"
 #include "emit/outputs.hpp"
+#include "emit/taylor.hpp"
 #include "emit/text.hpp"
 #include "passes/schedule.hpp"
 #include "passes/share.hpp"
@@ -159,12 +160,49 @@ std::vector<cpp::Argument> read_arguments(const Plan& plan, const Artefact& arte
   arguments.push_back({"const Prepared<S>&", "prepared", reads_prepared});
   if (artefact.takes_accelerations) arguments.push_back({"const Derivative<S>&", "accelerations", reads_accelerations});
   if (artefact.takes_solution) arguments.push_back({k_solution_type, "solved", reads_solution});
-  if (!artefact.derivative.empty()) arguments.push_back({"Derivative<S>&", "derivative", true});
+  if (!artefact.derivative.empty() && !artefact.is_series) arguments.push_back({"Derivative<S>&", "derivative", true});
+  if (artefact.is_series) {
+    arguments.push_back({"int", "order", true});
+    arguments.push_back({"TaylorSeries<S>&", "series", true});
+  }
   if (!artefact.state.empty()) arguments.push_back({"State<S>&", "state", true});
   if (!artefact.result_type.empty()) {
     arguments.push_back({artefact.result_type + "<S>&", snake_case(artefact.result_type), true});
   }
   return arguments;
+}
+
+}  // namespace
+
+namespace {
+
+/// The rates as order 0 of what `Derivative` holds, and all other orders from them.
+FunctionCode series_function(Plan& plan, const Task& task) {
+  Request request = task.request;
+  const std::vector<NodeId> rates(
+      request.outputs.begin(), request.outputs.begin() + static_cast<std::ptrdiff_t>(task.artefact->derivative.size()));
+  const passes::Series series = series_of(plan, rates);
+  // Mentioned twice, they get names.
+  for (const int times : {1, 2}) {
+    static_cast<void>(times);
+    request.outputs.insert(request.outputs.end(), series.at_start.begin(), series.at_start.end());
+  }
+  const Writing writing(plan.graph, request.outputs);
+  const SymbolSet used = symbols_in(writing);
+  NameScope scope = scope_for(plan, *task.artefact, used);
+  Body body(writing, plan.names, scope);
+  Reader reader(body, plan.names, used, "const S&");
+  cpp::Function function = declared(*task.artefact);
+  function.arguments = read_arguments(plan, *task.artefact, reader);
+  for (cpp::Argument& argument : function.arguments) argument.is_used = argument.is_used || argument.name == "state";
+  for (const Output& output : outputs_of(plan, task)) request.suggestions.emplace_back(output.value, output.name);
+  body.define(scheduled(writing, request));
+  write_series(series, plan, rates, body, scope);
+  body.blank_line();
+  return_status(body, plan.graph, task);
+  function.body = body.take();
+  name_type_of_conditions(function.body, !is_always_good(plan.graph, task));
+  return {std::move(function), 0, false, series_struct(series)};
 }
 
 }  // namespace
@@ -182,6 +220,7 @@ cpp::Function declared(const Artefact& artefact) {
 
 FunctionCode artefact_function(Plan& plan, const Task& task) {
   const Artefact& artefact = *task.artefact;
+  if (artefact.is_series) return series_function(plan, task);
   cpp::Function function = declared(artefact);
 
   const Writing writing(plan.graph, task.request.outputs);

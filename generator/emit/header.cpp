@@ -42,6 +42,10 @@ std::string guard_name(const std::string& name_space) {
   return guard + (guard.back() == '_' ? "HPP" : "_HPP");
 }
 
+bool has_series(const Unit& unit) {
+  return std::any_of(unit.artefacts.begin(), unit.artefacts.end(), [](const Artefact& one) { return one.is_series; });
+}
+
 bool has_two_ways(const Unit& unit) {
   return std::any_of(unit.artefacts.begin(), unit.artefacts.end(), [](const Artefact& one) { return one.ways; });
 }
@@ -74,6 +78,10 @@ class HeaderBuilder {
                     cpp::Verbatim{std::string(prelude())}, cpp::BlankLine{}};
     if (has_two_ways(plan_.unit)) {
       file_.before.emplace_back(cpp::Verbatim{std::string(constrained_prelude())});
+      file_.before.emplace_back(cpp::BlankLine{});
+    }
+    if (has_series(plan_.unit)) {
+      file_.before.emplace_back(cpp::Verbatim{std::string(series_prelude())});
       file_.before.emplace_back(cpp::BlankLine{});
     }
     // A model outside of namespace gauss still needs Math, Status and their like.

@@ -48,4 +48,7 @@ std::string_view prelude();
 /// src/gauss/constrained.hpp, without the include of math.hpp.
 std::string_view constrained_prelude();
 
+/// src/gauss/series_products.hpp, likewise.
+std::string_view series_prelude();
+
 }  // namespace gaussgen::emit

@@ -1,6 +1,7 @@
 #include "emit/names.hpp"
 
 #include "emit/identifiers.hpp"
+#include "emit/taylor.hpp"
 
 namespace gaussgen::emit {
 
@@ -23,6 +24,7 @@ std::string NameScope::allocate_anonymous(const std::string& prefix) {
 
 UnitNames::UnitNames(const ir::Graph& graph, const Unit& unit) {
   for (const Artefact& artefact : unit.artefacts) {
+    if (artefact.is_series) reserve_names_of_series(scope_);
     scope_.reserve(artefact.name);
     scope_.reserve(artefact.result_type);
     scope_.reserve(snake_case(artefact.result_type));

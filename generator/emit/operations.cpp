@@ -71,6 +71,12 @@ class Tally {
 
 namespace {
 
+/// Of a loop whose end is found at run time, one round counts.
+int times(const cpp::Loop& loop) {
+  const bool is_known = loop.to.find_first_not_of("0123456789") == std::string::npos;
+  return is_known ? std::stoi(loop.to) - std::stoi(loop.from) : 1;
+}
+
 void add(const cpp::Statement& statement, Tally& tally) {
   if (const auto* definition = std::get_if<cpp::Definition>(&statement)) tally.add(definition->value);
   if (const auto* assignment = std::get_if<cpp::Assignment>(&statement)) tally.add(assignment->value);
@@ -78,7 +84,7 @@ void add(const cpp::Statement& statement, Tally& tally) {
   if (const auto* result = std::get_if<cpp::Return>(&statement)) tally.add(result->value);
   const auto* loop = std::get_if<cpp::Loop>(&statement);
   if (loop == nullptr) return;
-  for (int time = std::stoi(loop->from); time < std::stoi(loop->to); ++time) {
+  for (int time = 0; time < times(*loop); ++time) {
     for (const cpp::AnyStatement& inner : loop->body) add(inner.statement, tally);
   }
 }

@@ -10,6 +10,7 @@
 #include "emit/text.hpp"
 #include "ir/cost.hpp"
 #include "ir/traverse.hpp"
+#include "passes/cancellation.hpp"
 #include "passes/finite.hpp"
 #include "passes/optimise.hpp"
 #include "passes/prepare.hpp"
@@ -174,7 +175,7 @@ class Planner {
       request.sections.push_back(std::move(kept));
     }
     if (!plan_.unit.optimised) return over_prepared(std::move(request));
-    request = passes::apply_cancellation(plan_.graph, request, &effects, plan_.unit.as_written);
+    request = passes::apply_cancellation(plan_.graph, request, &effects, rules_left_out(artefact));
     request = passes::apply(plan_.graph, request, passes::identities(), &effects);
     // What `prepare` computes is no operation any more.
     request = prepared_again(std::move(request), effects);
@@ -186,6 +187,13 @@ class Planner {
     condition = over_fewest_values(plan_.graph, condition);
     add_effect("checks", before, request.outputs, begin, effects);
     return request;
+  }
+
+  std::vector<std::string> rules_left_out(const Artefact& artefact) const {
+    std::vector<std::string> rules = plan_.unit.as_written;
+    const std::vector<std::string>& by_cases = passes::digit_rules_by_cases();
+    if (artefact.is_series) rules.insert(rules.end(), by_cases.begin(), by_cases.end());
+    return rules;
   }
 
   using Clock = std::chrono::steady_clock;

@@ -340,6 +340,9 @@ class Splitter {
 
 }  // namespace
 
-Parts split(FunctionCode code, int most) { return Splitter(std::move(code), most).run(); }
+Parts split(FunctionCode code, int most) {
+  if (code.type) return {std::move(code.type), {}, std::move(code.function)};
+  return Splitter(std::move(code), most).run();
+}
 
 }  // namespace gaussgen::emit

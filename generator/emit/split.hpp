@@ -13,6 +13,8 @@ struct FunctionCode {
   cpp::Function function;
   std::size_t reads = 0;   ///< statements at the beginning that give local names to arguments
   bool may_alias = false;  ///< a result may be the same object as an argument: nothing is written before all is read
+  std::optional<cpp::Struct> type =
+      {};  ///< that it fills, of a shape that follows from its code: it stays in one piece
 };
 
 /// Called one after the other by `function`; values that several of them need are members of `live`.

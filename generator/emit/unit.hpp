@@ -170,7 +170,8 @@ struct Artefact {
   std::vector<Constant> constants;
   std::vector<Section> sections;
   StatusNodes status;
-  bool is_part = false;  ///< of a function in two ways
+  bool is_part = false;    ///< of a function in two ways
+  bool is_series = false;  ///< instead of a derivative, power series of the state are filled
 
   /// It has no values of its own.
   bool is_caller() const { return ways || !calls.empty(); }

@@ -140,7 +140,8 @@ bool has(const Names& names, const std::string& wanted) {
 const std::vector<std::string>& outputs() {
   static const Names k_outputs{"rhs",           "reactions",  "reaction_forces",  "joint_reactions", "energy",
                                "compulsion",    "residuals",  "mobility",         "mass_matrix",     "project",
-                               "initial_state", "quantities", "inverse_dynamics", "jacobian",        "sensitivities"};
+                               "initial_state", "quantities", "inverse_dynamics", "jacobian",        "sensitivities",
+                               "taylor"};
   return k_outputs;
 }
 

@@ -348,4 +348,9 @@ const std::vector<std::string>& digit_rules() {
   return k_rules;
 }
 
+const std::vector<std::string>& digit_rules_by_cases() {
+  static const std::vector<std::string> k_rules{k_exponentials, k_logarithms, k_roots};
+  return k_rules;
+}
+
 }  // namespace gaussgen::passes

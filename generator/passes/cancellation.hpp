@@ -18,4 +18,7 @@ Request keep_digits_except(Graph& graph, const Request& request, const std::vect
 
 const std::vector<std::string>& digit_rules();
 
+/// Those whose forms are chosen by the values that they have: at the edge of a case, derivatives are not those of what was written.
+const std::vector<std::string>& digit_rules_by_cases();
+
 }  // namespace gaussgen::passes

@@ -94,6 +94,12 @@ class BoundModel {
     return jacobian(t, state, inputs(t, state), prepared_, result);
   }
 
+  /// Of a model that was generated with `taylor`: power series of the state from t on. `Result` is its emitted struct.
+  template <class Result>
+  Status series(const Scalar& t, const State& state, int order, Result& result) const {
+    return taylor(t, state, inputs(t, state), prepared_, order, result);
+  }
+
   /// Of a model that was generated with `energy`; `Result` is its emitted struct.
   template <class Result>
   Status energy(const Scalar& t, const State& state, Result& result) const {

@@ -44,9 +44,8 @@ struct Settings {
   /// Whether each is within its range; what is no number is in none. A step cannot be shorter than 0, nor an error smaller.
   bool are_usable() const {
     const Scalar zero = 0;
-    return tolerance > zero && tolerance < std::numeric_limits<Scalar>::infinity() && smallest_scale >= zero &&
-           smallest_speed >= zero && first_step >= zero && longest_step >= zero && most_steps >= 0 &&
-           most_projected >= zero;
+    return tolerance > zero && tolerance - tolerance == zero && smallest_scale >= zero && smallest_speed >= zero &&
+           first_step >= zero && longest_step >= zero && most_steps >= 0 && most_projected >= zero;
   }
 };
 

@@ -1,0 +1,189 @@
+// As many trajectories as a register has lanes, by power series: each with a time and a step of its own.
+// SPDX-License-Identifier: MIT
+//
+// What a lane does depends on no other one, up to rounding: a lane that has arrived, or whose status is not ok, stays where it is.
+#ifndef GAUSS_BATCH_TAYLOR_LANES_HPP
+#define GAUSS_BATCH_TAYLOR_LANES_HPP
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include "gauss/integrate/taylor.hpp"
+#include "gauss/scalar/xsimd.hpp"
+#include "gauss/simulate/report.hpp"
+
+namespace gauss::batch {
+
+/// `Model` is a BoundModel over a batch, `Series` the emitted TaylorSeries of that batch. Inputs are those at the beginning of each step.
+template <class Model, class Series>
+class TaylorLanes {
+ public:
+  using Batch = typename Model::Scalar;
+  using Number = typename Batch::value_type;
+  using Mask = typename Batch::batch_bool_type;
+  using State = typename Model::State;
+  using Status = typename Model::Status;
+  static constexpr std::size_t lanes = Batch::size;
+
+  TaylorLanes(const Model& model, const State& start, const Batch& start_time = Batch(Number(0)),
+              const simulate::Settings<Number>& settings = {}, int order = 0)
+      : model_(model), settings_(settings), state_(start), t_(start_time) {
+    order_ = order > 0 ? order : integrate::taylor_order(static_cast<double>(settings_.tolerance), Series::most);
+    if (order_ < 4) order_ = 4;
+    if (settings_.project) project(Mask(true));
+    grow();
+  }
+
+  /// All lanes to `end`; false where some do not arrive: `lost()` tells which.
+  bool advance_to(const Number& end) {
+    const Batch goal(end);
+    if (!settings_.are_usable()) return false;
+    for (long steps = 0; xsimd::any((t_ < goal) && !lost_); ++steps) {
+      if (steps >= settings_.most_steps) return false;
+      step(goal);
+    }
+    return xsimd::none(lost_);
+  }
+
+  const State& states() const { return state_; }
+  const Batch& times() const { return t_; }
+  /// Lanes that have stopped: their status is not ok, or no step is short enough.
+  const Mask& lost() const { return lost_; }
+  const Status& status() const { return status_; }
+  long steps() const { return steps_; }
+
+ private:
+  using Values = std::array<Batch, Model::size>;
+
+  static Batch size_of(const Batch& x) { return xsimd::abs(x); }
+
+  void project(const Mask& where) {
+    State moved = state_;
+    const Status status = model_.projection(t_, moved);
+    status_ = Math<Batch>::worse(status_, status.within(where));
+    lost_ = lost_ || (where && stops(status));
+    for (std::size_t i = 0; i < Model::size; ++i)
+      state_.values[i] = xsimd::select(where && !stops(status), moved.values[i], state_.values[i]);
+  }
+
+  /// Where constraints depend on each other the motion is known all the same, but has no series.
+  static Mask stops(const Status& status) { return status.bad(); }
+
+  void grow() {
+    for (std::size_t i = 0; i < Model::size; ++i) sizes_[i] = xsimd::max(sizes_[i], size_of(state_.values[i]));
+  }
+
+  void step(const Batch& goal) {
+    const Status status = model_.series(t_, state_, order_, series_);
+    const Mask is_refused = must_go_back(status);
+    const Mask is_lost = stops(status) && !is_refused && !lost_;
+    status_ = Math<Batch>::worse(status_, status.within(is_lost));
+    lost_ = lost_ || is_lost;
+    go_back(is_refused);
+    Batch span = xsimd::min(longest(), most_);
+    lost_ = lost_ || (!(span > least_span(goal)) && !is_refused && (t_ < goal));
+    const Mask arrives = t_ + span >= goal;
+    span = xsimd::select(arrives, goal - t_, span);
+    const Mask moves = (t_ < goal) && !lost_ && !is_refused;
+    span = xsimd::select(moves, span, Batch(Number(0)));
+    before_ = state_;
+    t_before_ = t_;
+    State there;
+    integrate::state_of_series(series_, span, there);
+    Batch rates[Model::size];
+    integrate::rate_of_series(series_, span, rates);
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      expected_[i] = rates[i];
+      state_.values[i] = xsimd::select(moves, there.values[i], state_.values[i]);
+    }
+    t_ = xsimd::select(moves, xsimd::select(arrives, goal, t_ + span), t_);
+    if (settings_.project) project(moves);
+    span_ = span;
+    reach_ = xsimd::select(moves, span, reach_);
+    grow();
+    ++steps_;
+  }
+
+  /// Lanes whose last step ended where the model has other rates than its series, or none.
+  Mask must_go_back(const Status& status) const {
+    Mask agrees = Mask(true);
+    for (std::size_t i = 0; i < Model::size; ++i)
+      agrees = agrees && span_ * size_of(expected_[i] - series_.values[1][i]) <= Number(k_most_off) * allowed_[i];
+    return (span_ > Batch(Number(0))) && !lost_ && (!agrees || stops(status));
+  }
+
+  void go_back(const Mask& where) {
+    for (std::size_t i = 0; i < Model::size; ++i)
+      state_.values[i] = xsimd::select(where, before_.values[i], state_.values[i]);
+    t_ = xsimd::select(where, t_before_, t_);
+    const Batch none(std::numeric_limits<Number>::infinity());
+    most_ = xsimd::select(where, span_ * Number(0.5), xsimd::select(span_ > Batch(Number(0)), none, most_));
+  }
+
+  static Batch least_span(const Batch& goal) { return Number(4) * Math<Batch>::epsilon() * size_of(goal); }
+
+  /// By the last four terms: motions from rest may have one in each fourth order only.
+  Batch longest() {
+    const Batch none(std::numeric_limits<Number>::max());
+    const Batch reach = xsimd::select(reach_ > Batch(Number(0)), reach_, first_reach());
+    Batch span = settings_.longest_step > Number(0) ? Batch(settings_.longest_step) : none;
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      const Batch size = xsimd::max(sizes_[i], reach * size_of(series_.values[1][i]));
+      allowed_[i] = (settings_.tolerance + Number(4) * std::numeric_limits<Number>::epsilon()) * size + least();
+    }
+    for (int k = order_; k > order_ - 4; --k) {
+      Batch part(Number(0));
+      for (std::size_t i = 0; i < Model::size; ++i)
+        part = xsimd::max(part, size_of(series_.values[k][i]) / allowed_[i]);
+      span = within(part, k, span);
+    }
+    return span;
+  }
+
+  /// part^(-1/order), or `most`.
+  static Batch within(const Batch& part, int order, const Batch& most) {
+    const Batch by_part = Math<Batch>::pow(xsimd::max(part, least()), Batch(Number(-1) / static_cast<Number>(order)));
+    return xsimd::select(part > Batch(Number(0)), xsimd::min(most, by_part), most);
+  }
+
+  /// What starts from 0 has the size of its own first terms.
+  Batch first_reach() const {
+    Batch reach(Number(1) / std::numeric_limits<Number>::epsilon());
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      const Batch size = settings_.tolerance * size_of(series_.values[1][i]);
+      for (const int k : {order_, order_ - 1}) {
+        const Batch ratio = size_of(series_.values[k][i]) / xsimd::max(size, least());
+        reach = within(xsimd::select(size > Batch(Number(0)), ratio, Batch(Number(0))), k - 1, reach);
+      }
+    }
+    return reach;
+  }
+
+  static Batch least() { return Batch(std::numeric_limits<Number>::min() / std::numeric_limits<Number>::epsilon()); }
+
+  static constexpr double k_most_off = 10'000;  ///< as TaylorSimulation has it
+
+  Model model_;
+  simulate::Settings<Number> settings_;
+  int order_;
+  State state_, before_{};
+  Batch t_, t_before_ = Batch(Number(0)), span_ = Batch(Number(0));
+  Batch reach_ = Batch(Number(0));  ///< the last step that went on
+  Batch most_ = Batch(std::numeric_limits<Number>::infinity());
+  Values sizes_ = zeros(), allowed_ = zeros(), expected_ = zeros();
+  Mask lost_ = Mask(false);
+  Status status_{};
+  Series series_{};
+  long steps_ = 0;
+
+  static Values zeros() {
+    Values values;
+    values.fill(Batch(Number(0)));
+    return values;
+  }
+};
+
+}  // namespace gauss::batch
+
+#endif  // GAUSS_BATCH_TAYLOR_LANES_HPP

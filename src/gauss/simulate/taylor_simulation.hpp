@@ -1,0 +1,302 @@
+// Integration in time by power series, with projection: of models that were generated with `taylor`.
+// SPDX-License-Identifier: MIT
+#ifndef GAUSS_SIMULATE_TAYLOR_SIMULATION_HPP
+#define GAUSS_SIMULATE_TAYLOR_SIMULATION_HPP
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "gauss/integrate/taylor.hpp"
+#include "gauss/integrate/unit_groups.hpp"
+#include "gauss/simulate/report.hpp"
+
+namespace gauss::simulate {
+
+/// What a step by a series may miss each component by, and how long a step keeps to that.
+///
+/// Each component is allowed the tolerance of the largest size that it had so far or is about to get, and some units in the last place of the largest component of the same
+/// unit (StepControl has more to say of these).
+template <class Model, class Series>
+class SeriesControl {
+ public:
+  using Scalar = typename Model::Scalar;
+  using Array = std::array<Scalar, Model::size>;
+
+  SeriesControl(const Model& model, const Settings<Scalar>& settings) : tolerance_(settings.tolerance), groups_(model) {
+    for (std::size_t i = 0; i < Model::size; ++i)
+      sizes_[i] = i < Model::n_q ? settings.smallest_scale : settings.least_speed();
+    places_ = groups_.largest(sizes_);
+  }
+
+  template <class State>
+  void grow(const State& state) {
+    bool has_grown = false;
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      const Scalar size = size_of(state.values[i]);
+      has_grown = has_grown || size > sizes_[i];
+      sizes_[i] = std::max(sizes_[i], size);
+    }
+    if (has_grown) places_ = groups_.largest(sizes_);
+  }
+
+  /// The longest step whose last terms are allowed, and no longer than `most`; 0 where they have no value.
+  Scalar span(const Series& series, const Scalar& most) {
+    const Scalar reach = reach_ > Scalar(0) ? reach_ : first_reach(series, most);
+    allow(series, reach);
+    const int p = series.order;
+    if (!is_number(series)) return Scalar(0);
+    const Scalar by_last = within(part(series, p), p, most);
+    const Scalar by_two = within(part(series, p - 1), p - 1, by_last);
+    return p > 4 ? by_those_before(series, by_two) : by_two;
+  }
+
+  void took(const Scalar& span) { reach_ = span; }
+
+  const Array& allowed() const { return allowed_; }
+
+  static Scalar size_of(const Scalar& x) { return x < Scalar(0) ? -x : x; }
+
+ private:
+  static Scalar last_places() { return 4 * Math<Scalar>::epsilon(); }
+
+  /// std::max forgets a NaN.
+  static bool is_number(const Series& series) {
+    Scalar sum = 0;
+    for (std::size_t i = 0; i < Model::size; ++i)
+      sum += series.values[series.order][i] + series.values[series.order - 1][i];
+    return sum - sum == Scalar(0);
+  }
+
+  /// The largest term of an order for a step of 1, in units of what is allowed.
+  Scalar part(const Series& series, int order) const {
+    Scalar result = 0;
+    for (std::size_t i = 0; i < Model::size; ++i)
+      result = std::max(result, size_of(series.values[order][i]) / allowed_[i]);
+    return result;
+  }
+
+  /// From rest, motions are even in time, and may have a term in each fourth order only: the last two are 0 then. Terms of one order after another are
+  /// e^2 apart where a step is as long as it should be.
+  Scalar by_those_before(const Series& series, const Scalar& span) const {
+    constexpr Scalar k_usual = Scalar(10'000);
+    const int q = series.order - 3;
+    const Scalar power = Math<Scalar>::pow(span, Scalar(q));
+    const Scalar third = part(series, q + 1), fourth = part(series, q);
+    if (third * power * span <= k_usual && fourth * power <= k_usual) return span;
+    return within(fourth, q, within(third, q + 1, span));
+  }
+
+  /// part^(-1/order), or `most`.
+  static Scalar within(const Scalar& part, int order, const Scalar& most) {
+    if (!(part > Scalar(0))) return most;
+    return std::min(most, Math<Scalar>::pow(part, Scalar(-1) / Scalar(order)));
+  }
+
+  /// What starts from 0 has the size of its own first terms: nothing is known of others.
+  Scalar first_reach(const Series& series, const Scalar& most) const {
+    Scalar least = most;
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      for (const int p : {series.order, series.order - 1}) {
+        const Scalar last = size_of(series.values[p][i]), size = size_of(series.values[1][i]);
+        if (size > Scalar(0) && p > 1) least = within(last / (tolerance_ * size), p - 1, least);
+      }
+    }
+    return least;
+  }
+
+  void allow(const Series& series, const Scalar& reach) {
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      const Scalar size = std::max(sizes_[i], reach * size_of(series.values[1][i]));
+      allowed_[i] = least_ + tolerance_ * size + last_places() * places_[i];
+    }
+  }
+
+  Scalar tolerance_;
+  integrate::UnitGroups<Model> groups_;
+  Array sizes_{}, places_{}, allowed_{};
+  /// Below it, numbers have not all of their digits.
+  Scalar least_ = std::numeric_limits<Scalar>::is_specialized
+                      ? Scalar(std::numeric_limits<Scalar>::min() / Math<Scalar>::epsilon())
+                      : Scalar(1e-290);
+  Scalar reach_ = 0;  ///< the step before
+};
+
+/// One series after another, each from the projected end of the one before. Within a step the motion is that of its series, so requested times cost no steps.
+///
+/// A step is accepted when its last two terms are allowed, and when the rates at its end are those of its series there: what the series did not see is found then. Inputs are
+/// those at the beginning of each step; `restart()` takes others in.
+template <class Model, class Series>
+class TaylorSimulation {
+ public:
+  using Scalar = typename Model::Scalar;
+  using State = typename Model::State;
+  using Status = typename Model::Status;
+
+  /// `order` 0: by the tolerance.
+  TaylorSimulation(const Model& model, const State& start, const Scalar& start_time = 0,
+                   const Settings<Scalar>& settings = {}, int order = 0)
+      : model_(model), settings_(settings), t_(start_time), state_(start) {
+    if (!settings_.are_usable() || !(start_time - start_time == Scalar(0))) {
+      report_.outcome = Outcome::bad_settings;
+      return;
+    }
+    order_ = order > 0 ? std::max(order, 2)
+                       : integrate::taylor_order(static_cast<double>(settings_.tolerance), Series::most);
+    project_start();
+  }
+
+  /// To `end`, which may lie within the step that was taken last. False: it did not get there, see report(); or `end` is no time from here on.
+  bool advance_to(const Scalar& end) {
+    if (!(t_ < end) || report_.outcome != Outcome::running) return t_ == end && report_.outcome == Outcome::running;
+    if (!has_series_) begin();
+    while (report_.outcome == Outcome::running && begin_ + span_ < end) step(end);
+    if (report_.outcome != Outcome::running) return false;
+    return look_at(end);
+  }
+
+  /// The next step begins at the state that was asked for last, with the inputs that there are now.
+  void restart() { has_series_ = false; }
+
+  const Scalar& time() const { return t_; }
+  const State& state() const { return state_; }
+  int order() const { return order_; }
+  const Report<Status, Scalar>& report() const { return report_; }
+
+  /// The step that has been taken last, and when it began: its series holds for `span()` from there.
+  const Series& series() const { return series_[now_]; }
+  const Scalar& begin_of_step() const { return begin_; }
+  const Scalar& span() const { return span_; }
+
+ private:
+  Series& next() { return series_[1 - now_]; }
+
+  void project_start() {
+    if (!settings_.project) return;
+    const State given = state_;
+    if (!integrate::is_motion_known(model_.projection(t_, state_))) {
+      state_ = given;
+      return;
+    }
+    report_.compare_start(given, state_, Model::size);
+  }
+
+  Status fill(const Scalar& t, const State& state, Series& series) {
+    ++report_.calls;
+    return model_.series(t, state, order_, series);
+  }
+
+  void begin() {
+    begin_ = t_;
+    span_ = 0;
+    last_ = state_;
+    control_.grow(state_);
+    const Status status = fill(begin_, last_, next());
+    has_series_ = status == Status::ok;
+    if (has_series_) return;
+    report_.outcome = Outcome::model_failed;
+    report_.status = status;
+  }
+
+  /// `next()` is the series from the end of the last step on: how far it holds, and the one after it.
+  void step(const Scalar& end) {
+    if (report_.steps >= settings_.most_steps) {
+      report_.outcome = Outcome::too_many_steps;
+      return;
+    }
+    now_ = 1 - now_;
+    begin_ = begin_ + span_;
+    Scalar span = control_.span(series(), longest(end));
+    const Scalar least = 4 * Math<Scalar>::epsilon() * std::max({begin_, -begin_, end - begin_});
+    for (jumped_ = false; span > least && !holds(span); span = span / 2) ++report_.rejected;
+    if (!(span > least)) {
+      report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::step_too_small;
+      span_ = 0;
+      return;
+    }
+    span_ = span;
+    ++report_.steps;
+    control_.took(span);
+    control_.grow(last_);
+  }
+
+  Scalar longest(const Scalar& end) const {
+    Scalar most = std::max(end - begin_, 4 * span_);
+    if (settings_.longest_step > Scalar(0)) most = std::min(most, settings_.longest_step);
+    return report_.steps == 0 && settings_.first_step > Scalar(0) ? std::min(most, settings_.first_step) : most;
+  }
+
+  /// Goes to the end of a step and makes the series from there.
+  bool holds(const Scalar& span) {
+    State arrived;
+    integrate::state_of_series(series(), span, arrived);
+    last_ = arrived;
+    jumped_ = false;
+    Status status = settings_.project ? model_.projection(begin_ + span, last_) : Status::ok;
+    if (integrate::is_motion_known(status)) {
+      jumped_ = settings_.project && !is_near(arrived, last_);
+      if (jumped_) return false;
+      status = fill(begin_ + span, last_, next());
+    }
+    if (status != Status::ok) {
+      report_.status = status;
+      return false;
+    }
+    return agrees(span);
+  }
+
+  bool is_near(const State& a, const State& b) const {
+    for (std::size_t i = 0; i < Model::size; ++i)
+      if (!(control_.size_of(a.values[i] - b.values[i]) <= settings_.most_projected * control_.allowed()[i]))
+        return false;
+    return true;
+  }
+
+  /// The rates that the model has at the end are those that the series has there.
+  bool agrees(const Scalar& span) {
+    Scalar rates[Model::size];
+    integrate::rate_of_series(series(), span, rates);
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      const Scalar off = span * control_.size_of(rates[i] - next().values[1][i]);
+      if (!(off <= k_most_off * control_.allowed()[i])) return false;
+    }
+    return true;
+  }
+
+  bool look_at(const Scalar& end) {
+    State there;
+    integrate::state_of_series(series(), end - begin_, there);
+    const State found = there;
+    const Status status = settings_.project ? model_.projection(end, there) : Status::ok;
+    jumped_ = settings_.project && integrate::is_motion_known(status) && !is_near(found, there);
+    if (!integrate::is_motion_known(status) || jumped_) {
+      report_.status = status;
+      report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::model_failed;
+      return false;
+    }
+    t_ = end;
+    state_ = there;
+    return true;
+  }
+
+  /// Errors of rates are those of the step, times its order and more where forces are stiff. What a series did not see is far beyond.
+  static constexpr Scalar k_most_off = 10'000;
+
+  Model model_;
+  Settings<Scalar> settings_;
+  SeriesControl<Model, Series> control_{model_, settings_};
+  int order_ = 2;
+  Scalar t_;                        ///< asked for last
+  State state_;                     ///< then
+  Scalar begin_ = 0, span_ = 0;     ///< of the step
+  State last_;                      ///< at its end
+  std::array<Series, 2> series_{};  ///< of the step, and of the next one
+  std::size_t now_ = 0;
+  bool has_series_ = false, jumped_ = false;
+  Report<Status, Scalar> report_;
+};
+
+}  // namespace gauss::simulate
+
+#endif  // GAUSS_SIMULATE_TAYLOR_SIMULATION_HPP
