@@ -124,7 +124,15 @@ void check_unformed(Mechanics& mechanics, const PipelineOptions& options, suppor
   check_range(mechanics.graph, nodes, mechanics.model.name, diagnostics);
 }
 
-std::optional<PipelineResult> compile(support::Source& source, const PipelineOptions& options,
+/// Of a model that is right otherwise.
+bool can_have(const std::string& output, Mechanics& mechanics) {
+  if (!has_output(output, mechanics)) return false;
+  support::Diagnostics found;
+  if (output == "taylor") check_series(mechanics, found);
+  return !found.has_errors();
+}
+
+std::optional<PipelineResult> compile(support::Source& source, PipelineOptions options,
                                       support::Diagnostics& diagnostics, Stages& stages) {
   std::optional<model::Model> model = read_model(source, diagnostics, options.counts);
   if (!model) return std::nullopt;
@@ -189,6 +197,9 @@ std::optional<PipelineResult> compile(support::Source& source, const PipelineOpt
     return up_to_here();
   }
 
+  for (const std::string& output : options.where_possible) {
+    if (can_have(output, mechanics)) options.outputs.push_back(output);
+  }
   emit::Unit unit = build_unit(mechanics, source, options);
   check_outputs(unit, mechanics, options, diagnostics);
   check_range(mechanics.graph, unit, model->name, diagnostics);

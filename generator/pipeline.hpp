@@ -25,7 +25,8 @@ struct PipelineOptions {
   std::function<void(model::Model&)> adjust =
       nullptr;                       ///< what is changed in it when it is read: values of parameters and of the start
   std::vector<std::string> outputs;  ///< empty: those of the model; if it names none, all
-  std::vector<std::string> sensitivities;  ///< parameters; empty: those of the model
+  std::vector<std::string> where_possible;  ///< outputs beside them, without a word where a model has none
+  std::vector<std::string> sensitivities;   ///< parameters; empty: those of the model
   bool fold = false;
   bool plain = false;                   ///< nothing is rewritten to take fewer operations
   std::vector<std::string> as_written;  ///< rules against cancellation that are left out, of `rules_for_digits`

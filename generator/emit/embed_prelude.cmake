@@ -6,18 +6,22 @@ foreach(source IN LISTS SOURCES)
   string(APPEND hex "${one}")
 endforeach()
 # What they include of ours is in the header already: #include "gauss/….hpp" and the end of its line.
-foreach(source IN LISTS SOURCES ITEMS math.hpp)
-  get_filename_component(name "${source}" NAME)
+foreach(source IN LISTS SOURCES ITEMS src/gauss/math.hpp)
+  string(REGEX REPLACE "^.*src/gauss/" "" name "${source}")
   string(HEX "#include \"gauss/${name}\"\n" include)
   string(REPLACE "${include}" "" hex "${hex}")
 endforeach()
 string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," bytes "${hex}")
 # One line of code per line of text.
 string(REPLACE "'\\x0a'," "'\\x0a',\n    " bytes "${bytes}")
+if(NOT DEFINED NAMESPACE)
+  set(NAMESPACE gaussgen::emit)
+  set(HEADER emit/header.hpp)
+endif()
 file(WRITE "${OUTPUT}" "// Made by embed_prelude.cmake.
-#include \"emit/header.hpp\"
+#include \"${HEADER}\"
 
-namespace gaussgen::emit {
+namespace ${NAMESPACE} {
 
 namespace {
 
@@ -28,5 +32,5 @@ constexpr char k_text[] = {
 
 std::string_view ${FUNCTION}() { return {k_text, sizeof k_text - 1}; }
 
-}  // namespace gaussgen::emit
+}  // namespace ${NAMESPACE}
 ")

@@ -58,12 +58,20 @@ class Callable {
               second_ = k_most - 1;
 };
 
+/// The four functions of a plugin that steps by power series (engine/taylor_glue.hpp).
+struct SeriesEntries {
+  Entry begin, advance, tell, end;
+
+  explicit operator bool() const { return begin && advance && tell && end; }
+};
+
 /// What integrators call, with all that it needs. Shared by their copies of a model.
 template <class S>
 struct Functions {
   std::size_t n_q = 0, n_v = 0;
   std::vector<S> prepared, inputs;
   std::vector<std::string> units;  ///< of the components of a state
+  SeriesEntries series;
   Callable<S> rates, projection, positions, speeds, energy, residuals, jacobian;
 
   Functions() = default;
@@ -95,6 +103,7 @@ class MotionModel {
   std::size_t coordinates() const { return functions_->n_q; }
   const char* unit(std::size_t component) const { return functions_->units[component].c_str(); }
   const Functions<S>& functions() const { return *functions_; }
+  const std::shared_ptr<const Functions<S>>& shared_functions() const { return functions_; }
 
   Status rates(const S& t, const Array& x, Array& dxdt) const { return functions_->rates(t, x.data(), dxdt.data()); }
   Status derivative(const S& t, const State& state, Derivative& result) const {

@@ -63,6 +63,8 @@ std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model)
     if (found) found.bind(functions->prepared.data(), functions->inputs.data());
     return found;
   };
+  const auto entry = [&](const char* name) { return engine.find(name, scalar_name<S>()); };
+  functions->series = {entry("series_begin"), entry("series_advance"), entry("series_tell"), entry("series_end")};
   functions->rates = bound("rhs");
   functions->projection = bound("project");
   functions->positions = bound("project_positions");

@@ -58,6 +58,19 @@ std::string values_entry(const std::string& name, const std::string& type, const
       entry_symbol(name, scalar), whole, whole);
 }
 
+/// A run by power series, where the header has them.
+std::string series_entries(const std::string& name_space, const std::string& scalar) {
+  std::string text;
+  const char* const names[] = {"series_begin", "series_advance", "series_tell", "series_end"};
+  for (int what = 0; what < 4; ++what) {
+    text += fmt::format(
+        "extern \"C\" GAUSS_SIM_VISIBLE int {}(const void*, void* const* a) {{\n"
+        "  return gauss_sim_glue::call<GaussSimModel, {}, ::{}::TaylorSeries<{}>>({}, a);\n}}\n",
+        entry_symbol(names[what], scalar), scalar, name_space, scalar, what);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string symbol_part(std::string scalar) {
@@ -73,6 +86,8 @@ std::string plugin_text(cpp::File tree, const PluginRequest& request) {
   remove_provenance(tree);
   std::string text = cpp::print(tree);
   text += "\n#define GAUSS_SIM_VISIBLE __attribute__((visibility(\"default\")))\n\n";
+  const bool has_series = find_function(tree, "taylor") != nullptr;
+  if (has_series) text += std::string(series_runtime()) + "\nGAUSS_MODEL(GaussSimModel, ::" + tree.name_space + ");\n";
   std::vector<std::string> names;
   for (const std::string& name : request.functions) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -80,6 +95,7 @@ std::string plugin_text(cpp::File tree, const PluginRequest& request) {
   for (const std::string& scalar : request.scalars) {
     text += values_entry("parameters", "Parameters", tree.name_space, scalar);
     text += values_entry("inputs", "Inputs", tree.name_space, scalar);
+    if (has_series) text += series_entries(tree.name_space, scalar);
     for (const std::string& name : names) {
       if (const cpp::Function* const function = find_function(tree, name))
         text += entry(*function, tree.name_space, scalar);

@@ -2,6 +2,7 @@
 // The C++ file that is compiled for a run: functions of an emitted header behind symbols that can be looked up.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "emit/cpp_tree.hpp"
@@ -18,6 +19,9 @@ std::string symbol_part(std::string scalar);
 
 /// int (const void*, void* const* arguments): arguments as the function takes them; of `prepare`, the result comes last.
 std::string entry_symbol(const std::string& function, const std::string& scalar);
+
+/// The headers of src/gauss/ that steps by power series need, and engine/taylor_glue.hpp.
+std::string_view series_runtime();
 
 /// The same text for all values of parameters and of the start: they are given when it runs.
 std::string plugin_text(gaussgen::emit::cpp::File tree, const PluginRequest& request);

@@ -26,6 +26,9 @@ template <class S>
 Made<S> make_dopri5(const Problem<S>& problem);
 template <class S>
 Made<S> make_cash_karp54(const Problem<S>& problem);
+/// Null where the engine has no series of the model.
+template <class S>
+Made<S> make_taylor(const Problem<S>& problem);
 template <class S>
 Made<S> make_rk4(const Problem<S>& problem);
 

@@ -8,6 +8,8 @@ namespace gausssim {
 
 const std::vector<MethodInfo>& methods() {
   static const std::vector<MethodInfo> k_methods{
+      {"taylor", "gauss", 0, false,
+       "power series of the motion, of an order that suits the tolerance; knows the motion within its steps"},
       {"prince87", "Odeint", 8, false, "pair of order 8 (7) of Prince and Dormand"},
       {"fehlberg78", "Odeint", 8, false, "pair of order 7 (8) of Fehlberg, taken at order 8"},
       {"dopri5", "Odeint", 5, false, "pair of order 5 (4) of Dormand and Prince"},
@@ -26,6 +28,14 @@ template <class S>
 Made<S> make_integrator(const std::string& method, const MotionModel<S>& model, const Numbers<S>& start, const S& t,
                         const MethodSettings<S>& settings, std::string& why) {
   const Problem<S> problem{model, start, t, settings};
+  if (method == "taylor") {
+    Made<S> made = make_taylor(problem);
+    if (!made)
+      why =
+          "the model has no power series here: it has a jump or a kink, constraints that always follow from others, or "
+          "it is interpreted";
+    return made;
+  }
   if (method == "prince87") return make_prince87(problem);
   if (method == "fehlberg78") return make_fehlberg78(problem);
   if (method == "dopri5") return make_dopri5(problem);

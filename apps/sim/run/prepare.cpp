@@ -180,6 +180,9 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
   for (const char* const output : {"initial_state", "project", "energy", "residuals"})
     options.outputs.push_back(output);
   options.outputs.insert(options.outputs.end(), request.also.begin(), request.also.end());
+  const std::string method = result.scene.method ? result.scene.method->text : "auto";
+  if (method == "taylor") options.outputs.push_back("taylor");
+  if (method == "auto") options.where_possible.push_back("taylor");
   Diagnostics in_values;
   options.adjust = [&](model::Model& read) {
     SceneValues(result.scene, in_values).apply(read);

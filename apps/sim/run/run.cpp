@@ -10,6 +10,7 @@
 #include "cli/files.hpp"
 #include "cli/overrides.hpp"
 #include "cli/replacement.hpp"
+#include "sim/model/layout.hpp"
 #include "sim/output/csv.hpp"
 #include "sim/run/build_engine.hpp"
 #include "sim/run/error_estimate.hpp"
@@ -54,10 +55,15 @@ void apply(const RunOptions& options, Scene& scene) {
   for (const std::string& name : options.outputs) scene.outputs.push_back({name, {}});
 }
 
+/// Series where the model has them.
+std::string default_method(const Described& model) {
+  return find_function(model.tree, "taylor") != nullptr ? "taylor" : "prince87";
+}
+
 Setting setting_of(const PreparedModel& prepared) {
   const Scene& scene = prepared.scene;
   Setting setting;
-  setting.method = scene.method && scene.method->text != "auto" ? scene.method->text : "prince87";
+  setting.method = scene.method && scene.method->text != "auto" ? scene.method->text : default_method(prepared.model);
   if (scene.number) setting.number = scene.number->text;
   if (scene.projection && scene.projection->text == "off") setting.projection = Projection::off;
   if (find_method(setting.method)->takes_step) {

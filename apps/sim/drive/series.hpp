@@ -1,0 +1,86 @@
+#pragma once
+// Steps by power series, which run inside a plugin (engine/taylor_glue.hpp).
+
+#include <array>
+#include <memory>
+
+#include "sim/drive/integrator.hpp"
+
+namespace gausssim {
+
+template <class S>
+class Series final : public Integrator<S> {
+ public:
+  using Array = Numbers<S>;
+
+  struct Settings {
+    S tolerance;
+    bool projects;
+    long most_steps;
+    int order;  ///< 0: by the tolerance
+  };
+
+  Series(const SeriesEntries& entries, std::shared_ptr<const Functions<S>> functions, const Array& start, const S& t,
+         const Settings& settings)
+      : entries_(entries), functions_(std::move(functions)), state_(start) {
+    const std::array<S, 4> numbers{settings.tolerance, S(settings.projects ? 1 : 0), S(settings.most_steps),
+                                   S(settings.order)};
+    void* const arguments[] = {&run_,
+                               const_cast<S*>(functions_->prepared.data()),
+                               const_cast<S*>(functions_->inputs.data()),
+                               state_.data(),
+                               const_cast<S*>(&t),
+                               const_cast<S*>(numbers.data())};
+    entries_.begin(arguments);
+  }
+  Series(const Series&) = delete;
+  Series& operator=(const Series&) = delete;
+  ~Series() override {
+    void* const arguments[] = {run_};
+    entries_.end(arguments);
+  }
+
+  bool advance_to(const S& end) override {
+    void* const arguments[] = {run_, const_cast<S*>(&end), state_.data()};
+    return entries_.advance(arguments) == 1;
+  }
+
+  S time() const override { return tell().t; }
+  Array state() const override { return state_; }
+  Progress<S> progress() const override {
+    const Report report = tell();
+    Progress<S> progress;
+    progress.outcome = static_cast<gauss::simulate::Outcome>(report.told.outcome);
+    progress.status = static_cast<gauss::Status>(report.told.status);
+    progress.steps = report.told.steps;
+    progress.rejected = report.told.rejected;
+    progress.calls = report.told.calls;
+    progress.with_fewer_constraints = report.told.fewer;
+    progress.start_moved = report.moved;
+    progress.start_component = static_cast<std::size_t>(report.told.moved_component);
+    return progress;
+  }
+
+ private:
+  struct Told {
+    long outcome, status, steps, rejected, calls, fewer, order, moved_component;
+  };
+  struct Report {
+    Told told{};
+    S t = 0, moved = 0;
+  };
+
+  Report tell() const {
+    Report report;
+    void* const arguments[] = {run_, &report.told, &report.t, &report.moved};
+    entries_.tell(arguments);
+    return report;
+  }
+
+  SeriesEntries entries_;
+  std::shared_ptr<const Functions<S>> functions_;
+  Array state_;
+  void* run_ = nullptr;
+};
+
+}  // namespace gausssim
