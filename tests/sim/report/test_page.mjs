@@ -56,6 +56,8 @@ test('the table has all runs with the values of the study, and CSV has all digit
   assert.deepEqual(rows.map((r) => `${r.method} ${r['number type']} ${r.projection} ${r.error} ${r.steps.replace(/\u202f/g, '')}`).sort(), wanted);
   assert.equal(rows.filter(({marks}) => marks.includes('front')).length, first.points.filter(({pareto}) => pareto).length);
   assert.equal(rows.filter(({marks}) => marks.includes('default')).length, 1);
+  await found.getByRole('button', {name: 'Copy'}).click();
+  await found.getByText(`${first.points.length} rows copied`).waitFor();
   const [download] = await Promise.all([page.waitForEvent('download'), found.getByRole('button', {name: 'CSV'}).click()]);
   assert.equal(download.suggestedFilename(), `${first.name}-error-time.csv`);
   const lines = readFileSync(await download.path(), 'utf8').trimEnd().split('\r\n').map((line) => line.split(','));

@@ -65,7 +65,7 @@ export class Figure {
     this.note.textContent = picture.note ?? '';
     this.note.hidden = !picture.note;
     this.keys.replaceChildren(...(picture.key ? keyOf(picture.key, look) : []));
-    this.body.classList.toggle('beside', picture.table.columns.length <= 6);
+    this.body.classList.toggle('beside', picture.table.columns.length <= 5);
     this.table.show(picture.table, print);
     this.plot.draw(picture, this.chart.title, print ? k_print_width : undefined);
   }
