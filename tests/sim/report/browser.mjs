@@ -74,7 +74,7 @@ export async function withPage({url, hash = '', gl = false, options = {}, before
 export async function section(page, id) {
   const found = page.locator(`main > :not([hidden]) [data-chart="${id}"]`);
   await found.scrollIntoViewIfNeeded();
-  await found.locator('.plot svg, .empty:not([hidden]), canvas').first().waitFor();
+  await page.locator(`main > :not([hidden]) [data-chart="${id}"]:not([aria-busy="true"])`).locator('.plot svg, .empty:not([hidden]), canvas').first().waitFor({state: 'attached'});
   return found;
 }
 
