@@ -49,9 +49,9 @@ const harmless = (text) => /GL Driver Message/.test(text);
 /**
  * Opens a page and hands it over; afterwards, it must have had no error and asked for nothing from outside.
  * Without WebGL, unless `gl` says so: software draws it slowly, and charts do not need it.
- * @param {{url: string, hash?: string, gl?: boolean, options?: object}} how
+ * @param {{url: string, hash?: string, gl?: boolean, options?: object, before?: (page: object) => Promise<void>}} how
  */
-export async function withPage({url, hash = '', gl = false, options = {}}, use) {
+export async function withPage({url, hash = '', gl = false, options = {}, before = null}, use) {
   const context = await (await browserWith(gl)).newContext({viewport: {width: 1440, height: 1000}, ...options});
   const page = await context.newPage();
   page.setDefaultTimeout(10000);
@@ -61,6 +61,7 @@ export async function withPage({url, hash = '', gl = false, options = {}}, use) 
   page.on('dialog', (dialog) => { faults.push('a dialog'); dialog.dismiss(); });
   page.on('request', (request) => request.url() !== url && !/^(blob|data):/.test(request.url()) && faults.push(`asks for ${request.url()}`));
   try {
+    if (before) await before(page);
     await page.goto(url + hash);
     await use(page);
     assert.deepEqual(faults, []);
@@ -73,7 +74,7 @@ export async function withPage({url, hash = '', gl = false, options = {}}, use) 
 export async function section(page, id) {
   const found = page.locator(`main > :not([hidden]) [data-chart="${id}"]`);
   await found.scrollIntoViewIfNeeded();
-  await found.locator('.plot svg, .empty:not([hidden]), canvas').first().waitFor();
+  await page.locator(`main > :not([hidden]) [data-chart="${id}"]:not([aria-busy="true"])`).locator('.plot svg, .empty:not([hidden]), canvas').first().waitFor({state: 'attached'});
   return found;
 }
 

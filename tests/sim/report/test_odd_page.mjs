@@ -74,15 +74,19 @@ test('two thousand runs are drawn within three seconds', async () => {
   const rand = random(5);
   const points = Array.from({length: 2000}, (_, i) => ({...first.points[i % first.points.length], id: i + 1, error: first.points[i % first.points.length].error && first.points[i % first.points.length].error * (0.5 + rand())}));
   const url = fileOf({...study, problems: [{...first, points}]});
-  await withPage({url, hash: `#/${first.name}/error-time`}, async (page) => {
+  // Time of the page's own thread, from its beginning: on a busy machine the clock on the wall says something else.
+  let session;
+  const before = async (page) => {
+    session = await page.context().newCDPSession(page);
+    await session.send('Performance.enable', {timeDomain: 'threadTicks'});
+  };
+  await withPage({url, hash: `#/${first.name}/error-time`, before}, async (page) => {
     await section(page, 'error-time');
-    // Of the page itself, from its beginning until it is drawn: a busy machine or the browser's own start do not count.
-    const spent = await page.evaluate(async () => {
-      await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
-      return performance.getEntriesByType('paint').at(-1).startTime;
-    });
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
+    const spent = (await session.send('Performance.getMetrics')).metrics.find(({name}) => name === 'TaskDuration').value;
     assert.ok(await page.locator('main > :not([hidden]) [data-chart="error-time"] .plot svg path').count() >= 2000);
-    assert.ok(spent < 3000, `${spent} ms`);
+    assert.ok(spent > 0.05 && spent < 3, `${spent} s`);
+    console.log(`# 2000 runs: ${spent.toFixed(2)} s`);
   });
 });
 

@@ -52,9 +52,9 @@ test('each chart that has something to show is a picture of 760 pixels', () => {
 });
 
 test('the same study gives the same bytes, alone or among others', () => {
-  const [once, again] = [drawn(study, 'once').pictures, drawn(study, 'again').pictures];
+  const [once, again] = ['once', 'again'].map((name) => drawn({...study, problems: study.problems.map((problem) => ({...problem, points: problem.points.slice(0, 90)}))}, name).pictures);
   assert.deepEqual(once, again);
-  const alone = drawn({...study, problems: [study.problems[1]]}, 'alone').pictures;
+  const alone = drawn({...study, problems: [{...study.problems[1], points: study.problems[1].points.slice(0, 90)}]}, 'alone').pictures;
   for (const name of ['sphere_in_cylinder-lanes.svg', 'sphere_in_cylinder-drift-energy.svg']) {
     assert.ok(alone[name].length > 1000);
     assert.equal(alone[name], once[name]);

@@ -32,12 +32,15 @@ TEST_CASE("the place of the study is in the page once, in an element of JSON") {
 TEST_CASE("the page stays below one and a half megabytes, and names no address that it would fetch from") {
   const std::string_view page = gausssim::report_template();
   CHECK(page.size() < 1500000);
-  for (const std::string_view fetched : {"<link", "<script src", "<img", "@import", "url(http", "fetch(\"http"}) CHECK(page.find(fetched) == std::string_view::npos);
+  for (const std::string_view fetched : {"<link", "<script src", "<img", "@import", "url(http", "fetch(\"http"})
+    CHECK(page.find(fetched) == std::string_view::npos);
 }
 
 TEST_CASE("licences of what the page contains are in it") {
   const std::string_view page = gausssim::report_template();
-  for (const std::string_view named : {"Apache ECharts 6.1.0", "Apache License", "zrender", "BSD 3-Clause", "three.js 0.187.0", "tslib"}) CHECK(page.find(named) != std::string_view::npos);
+  for (const std::string_view named :
+       {"Apache ECharts 6.1.0", "Apache License", "zrender", "BSD 3-Clause", "three.js 0.187.0", "tslib"})
+    CHECK(page.find(named) != std::string_view::npos);
 }
 
 }  // namespace

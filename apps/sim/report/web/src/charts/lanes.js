@@ -24,16 +24,15 @@ function picture(problem, points, look) {
   return {
     option: frame(look, {
       title: `${problem.name}: trajectories at once`, left: 150, xAxis: linearAxis(look, 'times as many trajectories in a second', {min: 0}),
-      yAxis: categoryAxis(look, drawn.map(nameOf)), series: [bars(look, drawn)],
+      yAxis: categoryAxis(look, drawn.map(nameOf)), series: [bars(look, drawn, [...new Set(rows.map(({number}) => number))])],
     }),
     takeaway: takeaway(rows), note: 'A row is number type, lanes × threads.', height: 90 + 30 * rows.length, table: tableOf(rows),
     spots: drawn.map((row, index) => ({series: 0, index, detail: () => detail(row)})),
   };
 }
 
-/** @param {import('../types.js').Look} look @param {Lanes[]} rows */
-function bars(look, rows) {
-  const numbers = [...new Set(rows.map(({number}) => number))];
+/** @param {import('../types.js').Look} look @param {Lanes[]} rows @param {string[]} numbers in the order of the study */
+function bars(look, rows, numbers) {
   return {
     type: 'bar', barMaxWidth: 18, cursor: 'default',
     data: rows.map((row, ref) => {

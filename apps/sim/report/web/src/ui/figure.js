@@ -27,7 +27,7 @@ export class Figure {
     this.empty = el('p', {class: 'empty', hidden: true});
     this.body = el('div', {class: 'figure-body'}, el('div', {class: 'figure-plot'}, this.plot.element, this.keys), this.table.element);
     this.heading = el('h3', {tabindex: -1}, chart.title);
-    this.element = el('section', {class: 'figure', 'data-chart': chart.id}, this.heading, el('p', {class: 'about'}, chart.about), this.takeaway, this.empty, this.body, this.note, this.plot.spoken);
+    this.element = el('section', {class: 'figure', 'data-chart': chart.id, 'aria-busy': 'true'}, this.heading, el('p', {class: 'about'}, chart.about), this.takeaway, this.empty, this.body, this.note, this.plot.spoken);
     this.watch();
   }
 
@@ -44,6 +44,7 @@ export class Figure {
   /** Filters or colours have changed. */
   refresh() {
     this.stale = true;
+    this.element.setAttribute('aria-busy', 'true');
     if (this.near) this.draw();
   }
 
@@ -57,6 +58,7 @@ export class Figure {
     this.body.hidden = this.takeaway.hidden = this.note.hidden = fails;
     if (fails) this.empty.textContent = picture;
     else this.fill(picture, look, how.print ?? false);
+    this.element.setAttribute('aria-busy', 'false');
   }
 
   /** @param {import('../types.js').Picture} picture @param {import('../types.js').Look} look @param {boolean} print */
@@ -65,7 +67,7 @@ export class Figure {
     this.note.textContent = picture.note ?? '';
     this.note.hidden = !picture.note;
     this.keys.replaceChildren(...(picture.key ? keyOf(picture.key, look) : []));
-    this.body.classList.toggle('beside', picture.table.columns.length <= 6);
+    this.body.classList.toggle('beside', picture.table.columns.length <= 5);
     this.table.show(picture.table, print);
     this.plot.draw(picture, this.chart.title, print ? k_print_width : undefined);
   }
