@@ -91,6 +91,7 @@ gauss::Status initial_state(const Engine& engine, const Described& model, const 
 GAUSS_SIM_NUMBER(float)
 GAUSS_SIM_NUMBER(double)
 GAUSS_SIM_NUMBER(long double)
+GAUSS_SIM_NUMBER(Quad)
 #undef GAUSS_SIM_NUMBER
 
 }  // namespace gausssim

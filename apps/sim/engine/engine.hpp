@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "sim/drive/quad.hpp"
 #include "sim/engine/entry.hpp"
 #include "sim/engine/plugin.hpp"
 
@@ -45,6 +46,11 @@ inline const char* scalar_name<double>() {
 template <>
 inline const char* scalar_name<long double>() {
   return "long double";
+}
+
+template <>
+inline const char* scalar_name<Quad>() {
+  return "__float128";
 }
 
 }  // namespace gausssim

@@ -73,6 +73,10 @@ std::string series_entries(const std::string& name_space, const std::string& sca
 
 }  // namespace
 
+bool uses_quad(const PluginRequest& request) {
+  return std::find(request.scalars.begin(), request.scalars.end(), "__float128") != request.scalars.end();
+}
+
 std::string symbol_part(std::string scalar) {
   std::replace(scalar.begin(), scalar.end(), ' ', '_');
   return scalar;
@@ -86,6 +90,7 @@ std::string plugin_text(cpp::File tree, const PluginRequest& request) {
   remove_provenance(tree);
   std::string text = cpp::print(tree);
   text += "\n#define GAUSS_SIM_VISIBLE __attribute__((visibility(\"default\")))\n\n";
+  if (uses_quad(request)) text += quad_runtime();
   const bool has_series = find_function(tree, "taylor") != nullptr;
   if (has_series) text += std::string(series_runtime()) + "\nGAUSS_MODEL(GaussSimModel, ::" + tree.name_space + ");\n";
   std::vector<std::string> names;

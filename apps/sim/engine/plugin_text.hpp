@@ -14,6 +14,9 @@ struct PluginRequest {
   std::vector<std::string> scalars;    ///< float, double, long double
 };
 
+/// It is linked with libquadmath then.
+bool uses_quad(const PluginRequest& request);
+
 /// `double` as a part of a symbol.
 std::string symbol_part(std::string scalar);
 
@@ -22,6 +25,8 @@ std::string entry_symbol(const std::string& function, const std::string& scalar)
 
 /// The headers of src/gauss/ that steps by power series need, and engine/taylor_glue.hpp.
 std::string_view series_runtime();
+/// What __float128 needs.
+std::string_view quad_runtime();
 
 /// The same text for all values of parameters and of the start: they are given when it runs.
 std::string plugin_text(gaussgen::emit::cpp::File tree, const PluginRequest& request);

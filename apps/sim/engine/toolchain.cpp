@@ -97,7 +97,8 @@ std::pair<int, std::string> run(const std::vector<std::string>& words) {
 }  // namespace
 
 std::string Toolchain::identity() const {
-  return fmt::format("{}\n{}\n{}", identity_of_file(compiler), fmt::join(flags, " "), processor());
+  return fmt::format("{}\n{} {}\n{}", identity_of_file(compiler), fmt::join(flags, " "), fmt::join(libraries, " "),
+                     processor());
 }
 
 std::optional<Toolchain> find_toolchain() {
@@ -119,6 +120,7 @@ std::optional<std::string> failure_of_compiling(const Toolchain& toolchain, cons
   std::vector<std::string> words{toolchain.compiler};
   words.insert(words.end(), toolchain.flags.begin(), toolchain.flags.end());
   words.insert(words.end(), {"-o", result, source});
+  words.insert(words.end(), toolchain.libraries.begin(), toolchain.libraries.end());
   const auto [status, said] = run(words);
   if (status == 0) return std::nullopt;
   return said.empty() ? fmt::format("it ended with {}", status) : said;

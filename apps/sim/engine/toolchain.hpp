@@ -10,6 +10,7 @@ namespace gausssim {
 struct Toolchain {
   std::string compiler;            ///< path
   std::vector<std::string> flags;  ///< of all plugins
+  std::vector<std::string> libraries = {};
 
   /// Another one where anything is another that may change what it makes: the compiler, its flags, the processor.
   std::string identity() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/drive/quad.hpp"
 #include "sim/methods/makers.hpp"
 
 namespace gausssim {
@@ -24,16 +25,21 @@ const MethodInfo* find_method(const std::string& name) {
   return found == methods().end() ? nullptr : &*found;
 }
 
+namespace {
+
+const char* const k_no_series =
+    "the model has no power series here: it has a jump or a kink, constraints that always follow from others, or it is "
+    "interpreted";
+
+}  // namespace
+
 template <class S>
 Made<S> make_integrator(const std::string& method, const MotionModel<S>& model, const Numbers<S>& start, const S& t,
                         const MethodSettings<S>& settings, std::string& why) {
   const Problem<S> problem{model, start, t, settings};
   if (method == "taylor") {
     Made<S> made = make_taylor(problem);
-    if (!made)
-      why =
-          "the model has no power series here: it has a jump or a kink, constraints that always follow from others, or "
-          "it is interpreted";
+    if (!made) why = k_no_series;
     return made;
   }
   if (method == "prince87") return make_prince87(problem);
@@ -43,6 +49,19 @@ Made<S> make_integrator(const std::string& method, const MotionModel<S>& model, 
   if (method == "rk4") return make_rk4(problem);
   why = "there is no method '" + method + "'";
   return nullptr;
+}
+
+/// The steppers of libraries have coefficients for less digits.
+template <>
+Made<Quad> make_integrator(const std::string& method, const MotionModel<Quad>& model, const Numbers<Quad>& start,
+                           const Quad& t, const MethodSettings<Quad>& settings, std::string& why) {
+  if (method != "taylor") {
+    why = "in float128 there is no method but taylor";
+    return nullptr;
+  }
+  Made<Quad> made = make_taylor(Problem<Quad>{model, start, t, settings});
+  if (!made) why = k_no_series;
+  return made;
 }
 
 template Made<double> make_integrator(const std::string&, const MotionModel<double>&, const Numbers<double>&,

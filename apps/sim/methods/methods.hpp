@@ -29,6 +29,7 @@ struct MethodSettings {
   S step = S(1e-3);
   Projection projection = Projection::full;
   long most_steps = 100'000'000;
+  int order = 0;  ///< of series; 0: by the tolerance
 };
 
 /// Null where the method does not take the model; `why` says it then.

@@ -1,3 +1,4 @@
+#include "sim/drive/quad.hpp"
 #include "sim/drive/series.hpp"
 #include "sim/methods/makers.hpp"
 
@@ -9,12 +10,13 @@ Made<S> make_taylor(const Problem<S>& problem) {
   if (!functions.series) return nullptr;
   const typename Series<S>::Settings settings{problem.settings.tolerance,
                                               problem.settings.projection != Projection::off && functions.projection,
-                                              problem.settings.most_steps, 0};
+                                              problem.settings.most_steps, problem.settings.order};
   return std::make_unique<Series<S>>(functions.series, problem.model.shared_functions(), problem.start, problem.t,
                                      settings);
 }
 
 template Made<double> make_taylor(const Problem<double>&);
 template Made<long double> make_taylor(const Problem<long double>&);
+template Made<Quad> make_taylor(const Problem<Quad>&);
 
 }  // namespace gausssim

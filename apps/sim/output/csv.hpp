@@ -4,13 +4,17 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <iterator>
 #include <string>
 #include <vector>
 
+#include "sim/drive/quad.hpp"
 #include "sim/output/columns.hpp"
 
 namespace gausssim {
+
+/// The shortest decimal that is read as the same number.
+inline std::string text_of(double value) { return fmt::format("{}", value); }
+inline std::string text_of(long double value) { return fmt::format("{}", value); }
 
 /// `t [s],chi [rad],…`; names with commas or quotes are quoted (RFC 4180).
 std::string csv_header(const std::vector<Column>& columns);
@@ -18,9 +22,11 @@ std::string csv_header(const std::vector<Column>& columns);
 /// The shortest decimals that are read as the same numbers.
 template <class S>
 void append_csv_row(std::string& text, const S& t, const S* row, std::size_t count) {
-  auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}", t);
-  for (std::size_t i = 0; i < count; ++i) fmt::format_to(out, ",{}", row[i]);
+  text += text_of(t);
+  for (std::size_t i = 0; i < count; ++i) {
+    text += ',';
+    text += text_of(row[i]);
+  }
   text += '\n';
 }
 

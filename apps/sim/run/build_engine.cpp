@@ -4,11 +4,13 @@
 
 namespace gausssim {
 
-std::string scalar_of(const std::string& number) { return number == "long-double" ? "long double" : number; }
+std::string scalar_of(const std::string& number) {
+  return number == "long-double" ? "long double" : number == "float128" ? "__float128" : number;
+}
 
 std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, const std::vector<std::string>& scalars,
                                      EngineTimes& times, std::string& why) {
-  const auto toolchain = find_toolchain();
+  auto toolchain = find_toolchain();
   if (!toolchain) {
     why = "there is no C++ compiler on the path; CXX may name one";
     return nullptr;
@@ -17,6 +19,7 @@ std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, const std::v
   request.functions = {"prepare", "initial_state", "rhs", "project", "project_positions", "energy", "residuals"};
   for (const SampledFunction& function : prepared.columns.functions) request.functions.push_back(function.function);
   request.scalars = scalars;
+  if (uses_quad(request)) toolchain->libraries.push_back("-lquadmath");
   const Built built = build_plugin(plugin_text(prepared.model.tree, request), *toolchain);
   times = {built.compile_seconds, built.was_cached};
   if (built.plugin) return std::make_unique<CompiledEngine>(built.plugin);

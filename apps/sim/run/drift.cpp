@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/drive/quad.hpp"
 #include "sim/model/layout.hpp"
 #include "sim/run/drive.hpp"
 
@@ -81,5 +82,6 @@ void DriftMeter<S>::look_at_constraints(const S& t, const Numbers<S>& state) {
 
 template class DriftMeter<double>;
 template class DriftMeter<long double>;
+template class DriftMeter<Quad>;
 
 }  // namespace gausssim

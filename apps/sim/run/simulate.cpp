@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "gauss/integrate/step_result.hpp"
+#include "sim/drive/quad.hpp"
 #include "sim/output/csv.hpp"
 #include "sim/run/interruption.hpp"
 
@@ -50,6 +51,7 @@ class Simulator {
     if (setting_.tolerance > 0) settings.tolerance = S(setting_.tolerance);
     if (setting_.step > 0) settings.step = S(setting_.step);
     settings.projection = setting_.projection;
+    settings.order = setting_.order;
     const auto integrator = make_integrator(setting_.method, model_, start, grid_.start, settings, result_.why);
     if (!integrator) {
       result_.outcome = Outcome::bad_settings;
@@ -72,7 +74,7 @@ class Simulator {
     }
     if (listeners_.measures_drift) meter_.look(t, state);
     if (listeners_.on_drift) listeners_.on_drift(static_cast<double>(t), meter_.energy(), meter_.constraints());
-    if (listeners_.on_numbers) listeners_.on_numbers(k, std::vector<double>(row_.begin(), row_.end()));
+    if (listeners_.on_numbers) listeners_.on_numbers(k, as_doubles());
     bool goes_on = true;
     if (listeners_.on_row) {
       text_.clear();
@@ -81,6 +83,12 @@ class Simulator {
     }
     result_.was_interrupted = Interruption::is_asked_for() && k + 1 < grid_.samples;
     return goes_on && !result_.was_interrupted;
+  }
+
+  std::vector<double> as_doubles() const {
+    std::vector<double> result;
+    for (const S& value : row_) result.push_back(static_cast<double>(value));
+    return result;
   }
 
   void note(const Integrator<S>& integrator) {
@@ -96,7 +104,7 @@ class Simulator {
     result_.start_moved = static_cast<double>(progress.start_moved);
     result_.start_component = name_of_component(progress.start_component);
     result_.drift = meter_.drift();
-    for (const S& value : integrator.state()) result_.last_state.push_back(fmt::format("{}", value));
+    for (const S& value : integrator.state()) result_.last_state.push_back(text_of(value));
   }
 
   std::string name_of_component(std::size_t i) const {
@@ -123,6 +131,7 @@ class Simulator {
 Simulated simulate(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
                    const Listeners& listeners) {
   if (setting.number == "long-double") return Simulator<long double>(prepared, engine, setting, listeners).run();
+  if (setting.number == "float128") return Simulator<Quad>(prepared, engine, setting, listeners).run();
   return Simulator<double>(prepared, engine, setting, listeners).run();
 }
 

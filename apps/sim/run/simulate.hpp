@@ -14,6 +14,7 @@ namespace gausssim {
 
 struct Setting {
   std::string method, number = "double";
+  int order = 0;                   ///< of series; 0: by the tolerance
   double tolerance = 0, step = 0;  ///< one of the two, as the method takes it; 0: the other
   Projection projection = Projection::full;
 };

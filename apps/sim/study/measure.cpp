@@ -65,12 +65,21 @@ Traced traced(const PreparedModel& model, const Engine& engine, const Setting& s
   return result;
 }
 
-Setting in_long_double(const char* method, double tolerance) {
+/// Tolerances and orders of the two runs of a reference: another number of terms in other steps.
+constexpr double k_finer = 1e-29, k_coarser = 1e-27;
+constexpr int k_order = 36, k_other_order = 30;
+
+Setting by_series(double tolerance, int order) {
   Setting setting;
-  setting.method = method;
-  setting.number = "long-double";
+  setting.method = "taylor";
+  setting.number = "float128";
   setting.tolerance = tolerance;
+  setting.order = order;
   return setting;
+}
+
+std::string in_words(const Setting& setting) {
+  return fmt::format("power series of order {}, tolerance {:.0e}", setting.order, setting.tolerance);
 }
 
 }  // namespace
@@ -88,17 +97,14 @@ Point measure(const PreparedModel& model, const Engine& engine, const Candidate&
 }
 
 std::optional<Reference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why) {
-  constexpr double k_tolerance = 1e-17, k_other = 3e-17;
-  const Traced one = traced(model, engine, in_long_double("fehlberg78", k_tolerance));
-  const Traced two = traced(model, engine, in_long_double("prince87", k_other));
+  const Setting fine = by_series(k_finer, k_order), other = by_series(k_coarser, k_other_order);
+  const Traced one = traced(model, engine, fine), two = traced(model, engine, other);
   for (const Traced* const run : {&one, &two}) {
     if (run->run.outcome == Outcome::running) continue;
     why = reason(run->run);
     return std::nullopt;
   }
-  Reference reference{one.rows, "long double", {}, 0};
-  reference.methods = {fmt::format("fehlberg78, tolerance {}", k_tolerance),
-                       fmt::format("prince87, tolerance {}", k_other)};
+  Reference reference{one.rows, "float128", {in_words(fine), in_words(other)}, 0};
   reference.agreement = delivered_error(two.rows, one.rows, model.columns.columns).value;
   return reference;
 }

@@ -10,7 +10,7 @@ namespace gausssim {
 /// What points are compared with.
 struct Reference {
   Rows rows;
-  std::string kind;                  ///< "float128", "long double", "closed form"
+  std::string kind;                  ///< "float128" or "closed form"
   std::vector<std::string> methods;  ///< how it was found, twice
   double agreement = 0;              ///< of the two, as an error
 };
@@ -25,7 +25,7 @@ struct Effort {
 Point measure(const PreparedModel& model, const Engine& engine, const Candidate& candidate, const Reference& reference,
               const Effort& effort);
 
-/// A reference without a closed form: two different ways to the same motion, in long double. The finer one is it.
+/// A reference without a closed form: power series in __float128, of two orders and in other steps. The finer one is it.
 std::optional<Reference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why);
 
 }  // namespace gausssim

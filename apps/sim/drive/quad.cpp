@@ -1,0 +1,15 @@
+#include "sim/drive/quad.hpp"
+
+#include <quadmath.h>
+
+#include <array>
+
+namespace gausssim {
+
+std::string text_of(Quad value) {
+  std::array<char, 64> text{};
+  quadmath_snprintf(text.data(), text.size(), "%.36Qg", value);
+  return text.data();
+}
+
+}  // namespace gausssim

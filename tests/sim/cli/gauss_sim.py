@@ -1,0 +1,70 @@
+"""Runs gauss-sim as a user would. $GAUSS_SIM is the program, $GAUSS_SOURCE_DIR the checkout."""
+
+import csv
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = os.environ["GAUSS_SIM"]
+MODELS = Path(os.environ["GAUSS_SOURCE_DIR"]) / "models"
+
+# A ball on a spring: x = cos(w t), in one coordinate, so that it compiles at once.
+SPRING = """gauss: 1
+name: spring
+parameters:
+  m: {value: 2, unit: kg}
+  k: {value: 8, unit: N/m}
+coordinates:
+  x: {unit: m, initial: 1}
+particles:
+  bob: {mass: m, position: [x, 0, 0]}
+forces:
+  pull: {potential: k*x^2/2}
+"""
+
+
+class Program(unittest.TestCase):
+    """Each test has an empty working folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="gauss sim ")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def run_it(self, *arguments, **more):
+        more.setdefault("timeout", 120)
+        more.setdefault("cwd", self.folder)
+        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False, **more)
+
+    def ok(self, *arguments, **more):
+        result = self.run_it(*arguments, **more)
+        self.assertEqual(result.returncode, 0, (arguments, result.stderr))
+        return result.stdout
+
+    def refused(self, code, *arguments, **more):
+        """Standard error of a run that ends with `code` and leaves nothing behind."""
+        before = self.files()
+        result = self.run_it(*arguments, **more)
+        self.assertEqual(result.returncode, code, (arguments, result.stdout, result.stderr))
+        self.assertEqual(self.files(), before)
+        return result.stderr
+
+    def files(self):
+        return sorted(path.name for path in self.folder.iterdir())
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def table(self, name):
+        """Columns by their headers."""
+        with open(self.folder / name, encoding="utf-8", newline="") as file:
+            rows = list(csv.reader(file))
+        return {header: [float(row[i]) for row in rows[1:]] for i, header in enumerate(rows[0])}
+
+    def summary(self, name):
+        return json.loads((self.folder / name).read_text(encoding="utf-8"))

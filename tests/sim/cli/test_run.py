@@ -1,0 +1,119 @@
+"""gauss-sim run: motions against closed forms, and what is written."""
+
+import math
+import signal
+import subprocess
+import time
+import unittest
+
+from gauss_sim import MODELS, PROGRAM, SPRING, Program
+
+
+class Motions(Program):
+    def test_a_spring_swings_as_its_closed_form(self):
+        self.write("spring.yaml", SPRING)
+        for method in ("auto", "taylor", "prince87", "fehlberg78", "dopri5", "cash_karp54"):
+            self.ok("run", "spring.yaml", "--method", method, "--tolerance", "1e-11", "-q")
+            table = self.table("spring.csv")
+            for t, x in zip(table["t [s]"], table["x [m]"]):
+                self.assertAlmostEqual(x, math.cos(2 * t), delta=2e-8, msg=method)
+
+    def test_steps_of_one_length_have_their_order(self):
+        self.write("spring.yaml", SPRING)
+        errors = []
+        for step in ("0.04", "0.02"):
+            self.ok("run", "spring.yaml", "--method", "rk4", "--step", step, "--samples", "2", "--duration", "8", "-q")
+            errors.append(abs(self.table("spring.csv")["x [m]"][-1] - math.cos(16)))
+        self.assertGreater(errors[0] / errors[1], 13)
+        self.assertLess(errors[0] / errors[1], 19)
+
+    def test_the_ball_climbs_as_its_closed_form_and_the_wall_pushes_so(self):
+        """Neimark and Fufaev: the height of a ball that rolls in a cylinder is harmonic, with nu = chi' sqrt(2/7)."""
+        start = {"m": 0.5, "R": 0.6, "r": 0.1, "g": 9.81, "zeta_dot_0": 0.7, "omega_r_0": 2}
+        sets = [word for name, value in start.items() for word in ("--set", f"{name}={value}")]
+        self.ok("run", MODELS / "sphere_in_cylinder.yaml", "--outputs", "chi,zeta,reactions.rho", *sets, "--set", "chi_dot=4",
+                "--tolerance", "1e-12", "-q")
+        table = self.table("sphere_in_cylinder.csv")
+        nu = 4 * math.sqrt(2 / 7)
+        push = -(2 / 5 * 0.1 * 4 * 2 + 9.81) / (7 / 5)
+        for t, chi, zeta, force in zip(table["t [s]"], table["chi [rad]"], table["zeta [m]"], table["reactions.rho.generalized [N]"]):
+            self.assertAlmostEqual(chi, 4 * t, delta=1e-8)
+            self.assertAlmostEqual(zeta, 0.7 / nu * math.sin(nu * t) + push / nu**2 * (1 - math.cos(nu * t)), delta=1e-8)
+            self.assertAlmostEqual(force, -0.5 * 0.5 * 16, delta=1e-7)
+
+    def test_long_double_has_more_digits(self):
+        self.write("spring.yaml", SPRING)
+        self.ok("run", "spring.yaml", "--number", "long-double", "--tolerance", "1e-17", "--duration", "10", "-q")
+        last = self.summary("spring.json")["last_state"][0]
+        self.assertGreaterEqual(len(last.lstrip("-0.")), 18, last)
+
+    def test_constraints_are_kept(self):
+        self.ok("run", MODELS / "four_bar.yaml", "-q")
+        drift = self.summary("four_bar.json")["drift"]["constraints"]
+        self.assertLess(drift["positions"], 1e-11)
+        self.ok("run", MODELS / "four_bar.yaml", "--projection", "off", "--tolerance", "1e-6", "-q")
+        self.assertGreater(self.summary("four_bar.json")["drift"]["constraints"]["positions"], 1e-9)
+
+
+class Writing(Program):
+    def setUp(self):
+        super().setUp()
+        self.write("spring.yaml", SPRING)
+
+    def test_the_table_has_units_and_the_samples_asked_for(self):
+        self.ok("run", "spring.yaml", "--samples", "11", "--duration", "2", "--outputs", "x,x_dot,x_ddot,energy.total")
+        table = self.table("spring.csv")
+        self.assertEqual(list(table), ["t [s]", "x [m]", "x_dot [m/s]", "x_ddot [m/s^2]", "energy.total [J]"])
+        self.assertEqual(table["t [s]"], [2 * k / 10 for k in range(11)])
+        self.assertAlmostEqual(table["x_ddot [m/s^2]"][0], -4)
+
+    def test_every_is_the_time_between_rows(self):
+        self.ok("run", "spring.yaml", "--every", "0.25", "--duration", "1", "-q")
+        self.assertEqual(self.table("spring.csv")["t [s]"], [0, 0.25, 0.5, 0.75, 1])
+
+    def test_the_summary_says_how_it_went(self):
+        self.ok("run", "spring.yaml", "--tolerance", "1e-10")
+        summary = self.summary("spring.json")
+        self.assertEqual((summary["outcome"], summary["status"], summary["reached"]), ("finished", "ok", 10))
+        self.assertGreater(summary["steps"], 0)
+        self.assertGreaterEqual(summary["calls"], summary["steps"])
+        self.assertLess(summary["drift"]["energy"]["largest_change"], 1e-7)
+        self.assertLess(summary["error_estimate"]["relative"], 1e-7)
+
+    def test_the_estimate_of_the_error_is_that_of_the_closed_form(self):
+        for method in ("dopri5", "fehlberg78"):
+            self.ok("run", "spring.yaml", "--method", method, "--tolerance", "1e-6", "--outputs", "x", "-q")
+            table = self.table("spring.csv")
+            error = max(abs(x - math.cos(2 * t)) for t, x in zip(table["t [s]"], table["x [m]"])) / 2
+            estimate = self.summary("spring.json")["error_estimate"]["relative"]
+            self.assertLess(abs(estimate - error), 0.1 * error, method)
+
+    def test_a_model_is_compiled_once_whatever_its_values_are(self):
+        self.ok("run", "spring.yaml", "-q")
+        self.ok("run", "spring.yaml", "--set", "m=3", "--set", "x=2", "--duration", "5", "-q")
+        self.assertTrue(self.summary("spring.json")["seconds"]["cached"])
+        self.assertEqual(self.table("spring.csv")["x [m]"][0], 2)
+
+    def test_standard_output_takes_the_table(self):
+        lines = self.ok("run", "spring.yaml", "-o", "-", "--samples", "3").splitlines()
+        self.assertEqual(len(lines), 4)
+        self.assertEqual(self.files(), ["spring.yaml"])
+
+    def test_ctrl_c_leaves_a_whole_table(self):
+        command = [PROGRAM, "run", "spring.yaml", "--method", "rk4", "--step", "1e-7", "--duration", "1000", "--samples", "1000001", "-q"]
+        process = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 60
+        while not [path for path in self.folder.glob("spring.csv*") if path.stat().st_size > 4096] and time.monotonic() < deadline:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        said = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 130, said)
+        table = self.table("spring.csv")
+        summary = self.summary("spring.json")
+        self.assertEqual(summary["outcome"], "interrupted")
+        self.assertEqual(len(table["t [s]"]), summary["samples"])
+        self.assertEqual(self.files(), ["spring.csv", "spring.json", "spring.yaml"])
+
+
+if __name__ == "__main__":
+    unittest.main()

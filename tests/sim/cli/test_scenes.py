@@ -1,0 +1,77 @@
+"""Scenes: what they say, and what is wrong with them."""
+
+import math
+import unittest
+
+from gauss_sim import SPRING, Program
+
+SCENE = """gauss: 1
+scene: slow_swing
+model: spring.yaml
+parameters: {k: 2}
+initial: {x: 0.5}
+duration: 2*pi*sqrt(m/k)
+samples: 5
+outputs: [x]
+tolerance: 1e-11
+"""
+
+
+class Scenes(Program):
+    def setUp(self):
+        super().setUp()
+        self.write("spring.yaml", SPRING)
+
+    def mistake(self, text, code=1):
+        self.write("scene.yaml", text)
+        return self.refused(code, "run", "scene.yaml")
+
+    def test_a_scene_says_values_duration_and_outputs(self):
+        self.write("scene.yaml", SCENE)
+        self.ok("run", "scene.yaml", "-q")
+        table = self.table("slow_swing.csv")
+        self.assertEqual(list(table), ["t [s]", "x [m]"])
+        self.assertAlmostEqual(table["t [s]"][-1], 2 * math.pi, delta=1e-14)
+        for x, expected in zip(table["x [m]"], (0.5, 0, -0.5, 0, 0.5)):
+            self.assertAlmostEqual(x, expected, delta=1e-9)
+
+    def test_options_have_precedence(self):
+        self.write("scene.yaml", SCENE)
+        self.ok("run", "scene.yaml", "--duration", "1", "--samples", "3", "-o", "other.csv", "-q")
+        self.assertEqual(self.table("other.csv")["t [s]"], [0, 0.5, 1])
+
+    def test_all_mistakes_are_said_at_once_with_their_places(self):
+        text = SCENE.replace("samples: 5", "sampels: 5").replace("tolerance: 1e-11", "tolerance: -1\nmethod: dopri6")
+        said = self.mistake(text)
+        self.assertIn("scene.yaml:7:1: error[E010]", said)
+        self.assertIn("did you mean 'samples'?", said)
+        self.assertIn("scene.yaml:9:12: error[E017]", said)
+        self.assertIn("scene.yaml:10:9: error[E015]", said)
+        self.assertIn("did you mean 'dopri5'?", said)
+
+    def test_values_belong_where_they_stand(self):
+        said = self.mistake(SCENE.replace("parameters: {k: 2}", "parameters: {x: 2, kk: 1}").replace("initial: {x: 0.5}", "initial: {m: 1}"))
+        self.assertIn("scene.yaml:4:14: error[E024]: 'x' is no parameter of the model", said)
+        self.assertIn("scene.yaml:4:20: error[E024]", said)
+        self.assertIn("scene.yaml:5:11: error[E024]: 'm' has no initial value", said)
+
+    def test_an_output_that_the_model_lacks_is_an_error(self):
+        said = self.mistake(SCENE.replace("outputs: [x]", "outputs: [x, x_dott]"))
+        self.assertIn("scene.yaml:8:14: error[E024]", said)
+        self.assertIn("did you mean 'x_dot'?", said)
+
+    def test_times_must_have_values(self):
+        self.assertIn("scene.yaml:6:11: error[E017]", self.mistake(SCENE.replace("2*pi*sqrt(m/k)", "-m")))
+        self.assertIn("scene.yaml:6:11: error[E017]", self.mistake(SCENE.replace("2*pi*sqrt(m/k)", "2*nothing")))
+        self.assertIn("error[E016]", self.mistake(SCENE + "every: 0.1\n"))
+
+    def test_a_model_that_is_not_there_is_named(self):
+        self.assertIn("nowhere.yaml", self.mistake(SCENE.replace("spring.yaml", "nowhere.yaml"), code=3))
+
+    def test_wrong_options_are_usage(self):
+        for words in (("--method", "dopri6"), ("--duration", "-1"), ("--samples", "1"), ("--outputs", "y"), ("--set", "y=1"), ("--duration", "2*")):
+            self.assertNotEqual(self.refused(2, "run", "spring.yaml", *words), "", words)
+
+
+if __name__ == "__main__":
+    unittest.main()
