@@ -71,7 +71,7 @@ class Problem {
 
   template <class Stepper>
   Run odeint_run(double tolerance) const {
-    auto stepper = odeint::make_controlled<Stepper>(tolerance, tolerance);
+    const auto made = odeint::make_controlled<Stepper>(tolerance, tolerance);
     const auto system = [this](const Array& x, Array& rates, double t) {
       typename Model::template State<double> state;
       typename Model::template Derivative<double> derivative;
@@ -80,6 +80,7 @@ class Problem {
       std::memcpy(rates.data(), derivative.values, sizeof rates);
     };
     return timed([&](Samples<n>& samples) {
+      auto stepper = made;  // that of dopri5 remembers the rates at the end of a step
       Array x;
       std::copy_n(start_.values, n, x.begin());
       double t = 0, wanted = end_ * 1e-4;

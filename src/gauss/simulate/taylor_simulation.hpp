@@ -27,18 +27,11 @@ class SeriesControl {
   SeriesControl(const Model& model, const Settings<Scalar>& settings) : tolerance_(settings.tolerance), groups_(model) {
     for (std::size_t i = 0; i < Model::size; ++i)
       sizes_[i] = i < Model::n_q ? settings.smallest_scale : settings.least_speed();
-    places_ = groups_.largest(sizes_);
   }
 
   template <class State>
   void grow(const State& state) {
-    bool has_grown = false;
-    for (std::size_t i = 0; i < Model::size; ++i) {
-      const Scalar size = size_of(state.values[i]);
-      has_grown = has_grown || size > sizes_[i];
-      sizes_[i] = std::max(sizes_[i], size);
-    }
-    if (has_grown) places_ = groups_.largest(sizes_);
+    for (std::size_t i = 0; i < Model::size; ++i) sizes_[i] = std::max(sizes_[i], size_of(state.values[i]));
   }
 
   /// The longest step whose last terms are allowed, and no longer than `most`; 0 where they have no value.
@@ -106,16 +99,24 @@ class SeriesControl {
     return least;
   }
 
+  /// By a rate, or from rest by a rate of that.
+  static Scalar size_within(const Series& series, const Scalar& reach, std::size_t i) {
+    const Scalar by_rate = reach * size_of(series.values[1][i]);
+    return by_rate > Scalar(0) || series.order < 2 ? by_rate : reach * reach * size_of(series.values[2][i]);
+  }
+
   void allow(const Series& series, const Scalar& reach) {
-    for (std::size_t i = 0; i < Model::size; ++i) {
-      const Scalar size = std::max(sizes_[i], reach * size_of(series.values[1][i]));
-      allowed_[i] = least_ + tolerance_ * size + last_places() * places_[i];
-    }
+    Array sizes;
+    for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = std::max(sizes_[i], size_within(series, reach, i));
+    // What others with the same unit get to in this step counts too: at the start all of them may be 0.
+    const Array places = groups_.largest(sizes);
+    for (std::size_t i = 0; i < Model::size; ++i)
+      allowed_[i] = least_ + tolerance_ * sizes[i] + last_places() * places[i];
   }
 
   Scalar tolerance_;
   integrate::UnitGroups<Model> groups_;
-  Array sizes_{}, places_{}, allowed_{};
+  Array sizes_{}, allowed_{};
   /// Below it, numbers have not all of their digits.
   Scalar least_ = std::numeric_limits<Scalar>::is_specialized
                       ? Scalar(std::numeric_limits<Scalar>::min() / Math<Scalar>::epsilon())
