@@ -27,6 +27,7 @@ template <class S>
 struct MethodSettings {
   S tolerance = S(1e-9);
   S step = S(1e-3);
+  S longest_step = S(0);  ///< 0: any
   Projection projection = Projection::full;
   long most_steps = 100'000'000;
   int order = 0;  ///< of series; 0: by the tolerance

@@ -11,7 +11,7 @@ Rows::Rows(std::size_t columns, long samples) : columns_(columns) {
   values_.resize(columns * static_cast<std::size_t>(samples), 0);
 }
 
-void Rows::set(long k, const std::vector<double>& row) {
+void Rows::set(long k, const std::vector<long double>& row) {
   std::copy(row.begin(), row.end(),
             values_.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(k) * columns_));
   count_ = std::max(count_, k + 1);
@@ -26,7 +26,7 @@ struct Extent {
 Extent extent_of(const Rows& rows, std::size_t column) {
   double least = std::numeric_limits<double>::infinity(), most = -least, size = 0;
   for (long k = 0; k < rows.samples(); ++k) {
-    const double value = rows.at(k, column);
+    const auto value = static_cast<double>(rows.at(k, column));
     least = std::min(least, value);
     most = std::max(most, value);
     size = std::max(size, std::abs(value));
@@ -62,7 +62,7 @@ DeliveredError delivered_error(const Rows& rows, const Rows& reference, const st
   const long samples = std::min(rows.samples(), reference.samples());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     for (long k = 0; k < samples; ++k) {
-      const double miss = std::abs(rows.at(k, i) - reference.at(k, i));
+      const auto miss = static_cast<double>(std::abs(rows.at(k, i) - reference.at(k, i)));
       const double error = miss == 0 ? 0 : miss / scales[i];
       if (error <= result.value) continue;
       result = {error, columns[i].name};

@@ -15,20 +15,20 @@ struct DeliveredError {
   std::string output;  ///< where it is largest
 };
 
-/// Rows of one run, sample by sample.
+/// Rows of one run, sample by sample: in more digits than most, so that references can be told apart.
 class Rows {
  public:
   Rows(std::size_t columns, long samples);
 
-  void set(long k, const std::vector<double>& row);
+  void set(long k, const std::vector<long double>& row);
   std::size_t columns() const { return columns_; }
   long samples() const { return count_; }
-  double at(long k, std::size_t column) const { return values_[static_cast<std::size_t>(k) * columns_ + column]; }
+  long double at(long k, std::size_t column) const { return values_[static_cast<std::size_t>(k) * columns_ + column]; }
 
  private:
   std::size_t columns_;
   long count_ = 0;
-  std::vector<double> values_;
+  std::vector<long double> values_;
 };
 
 /// Over the samples that both have. An output that does not change, such as the energy or a coordinate at rest, has no range: errors of it are relative to its size or to

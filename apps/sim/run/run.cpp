@@ -182,10 +182,13 @@ int code_of(const Simulated& run, const PreparedModel& prepared, const cli::Mess
       cli::k_motion_stopped, messages);
 }
 
-/// Of the same method, closer to the motion.
-Setting tighter(Setting setting) {
+/// Of the same method, closer to the motion. Where samples are closer than steps would be, a tolerance alone changes nothing.
+Setting tighter(Setting setting, const Simulated& run, const Span& span) {
+  constexpr double k_shorter = 0.5;
   if (setting.tolerance > 0) setting.tolerance *= k_tighter;
-  if (setting.step > 0) setting.step /= 2;
+  if (setting.step > 0) setting.step *= k_shorter;
+  if (setting.tolerance > 0 && run.steps > 0)
+    setting.longest_step = k_shorter * span.duration / static_cast<double>(run.steps);
   return setting;
 }
 
@@ -220,16 +223,16 @@ int run(const RunOptions& options) {
       bar.show(share, prepared->model.unit.model_name);
       return true;
     };
-    listeners.on_numbers = [&](long k, const std::vector<double>& row) { rows.set(k, row); };
+    listeners.on_numbers = [&](long k, const std::vector<long double>& row) { rows.set(k, row); };
     simulated = simulate(*prepared, *engine, setting, listeners);
   }
   std::optional<DeliveredError> error;
   if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted) {
     Rows reference(width, prepared->span.samples);
     Listeners listeners;
-    listeners.on_numbers = [&](long k, const std::vector<double>& row) { reference.set(k, row); };
+    listeners.on_numbers = [&](long k, const std::vector<long double>& row) { reference.set(k, row); };
     listeners.measures_drift = false;
-    simulate(*prepared, *engine, tighter(setting), listeners);
+    simulate(*prepared, *engine, tighter(setting, simulated, prepared->span), listeners);
     error = delivered_error(rows, reference, prepared->columns.columns);
   }
   const std::string text = summary(*prepared, setting, *engine, simulated, times, error).dump(2) + "\n";

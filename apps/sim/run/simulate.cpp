@@ -52,6 +52,7 @@ class Simulator {
     if (setting_.step > 0) settings.step = S(setting_.step);
     settings.projection = setting_.projection;
     settings.order = setting_.order;
+    settings.longest_step = S(setting_.longest_step);
     const auto integrator = make_integrator(setting_.method, model_, start, grid_.start, settings, result_.why);
     if (!integrator) {
       result_.outcome = Outcome::bad_settings;
@@ -74,7 +75,7 @@ class Simulator {
     }
     if (listeners_.measures_drift) meter_.look(t, state);
     if (listeners_.on_drift) listeners_.on_drift(static_cast<double>(t), meter_.energy(), meter_.constraints());
-    if (listeners_.on_numbers) listeners_.on_numbers(k, as_doubles());
+    if (listeners_.on_numbers) listeners_.on_numbers(k, numbers());
     bool goes_on = true;
     if (listeners_.on_row) {
       text_.clear();
@@ -85,9 +86,9 @@ class Simulator {
     return goes_on && !result_.was_interrupted;
   }
 
-  std::vector<double> as_doubles() const {
-    std::vector<double> result;
-    for (const S& value : row_) result.push_back(static_cast<double>(value));
+  std::vector<long double> numbers() const {
+    std::vector<long double> result;
+    for (const S& value : row_) result.push_back(static_cast<long double>(value));
     return result;
   }
 

@@ -16,6 +16,7 @@ struct Setting {
   std::string method, number = "double";
   int order = 0;                   ///< of series; 0: by the tolerance
   double tolerance = 0, step = 0;  ///< one of the two, as the method takes it; 0: the other
+  double longest_step = 0;         ///< 0: any
   Projection projection = Projection::full;
 };
 
@@ -39,7 +40,7 @@ struct Simulated {
 /// Takes rows as text, with their share of the whole; false ends the run.
 using OnRow = std::function<bool(const std::string& row, double share)>;
 /// The same as numbers.
-using OnNumbers = std::function<void(long k, const std::vector<double>& row)>;
+using OnNumbers = std::function<void(long k, const std::vector<long double>& row)>;
 
 /// Of one sample: the change of the energy over the largest kinetic energy so far, and the largest residual of a constraint.
 using OnDrift = std::function<void(double t, double energy, double constraints)>;

@@ -60,7 +60,7 @@ struct Traced {
 Traced traced(const PreparedModel& model, const Engine& engine, const Setting& setting) {
   Traced result{{}, Rows(model.columns.columns.size(), model.span.samples)};
   Listeners listeners;
-  listeners.on_numbers = [&](long k, const std::vector<double>& row) { result.rows.set(k, row); };
+  listeners.on_numbers = [&](long k, const std::vector<long double>& row) { result.rows.set(k, row); };
   result.run = simulate(model, engine, setting, listeners);
   return result;
 }

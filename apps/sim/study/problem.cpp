@@ -90,12 +90,12 @@ class Solver {
   static std::vector<double> ranges_of(const Rows& rows) {
     std::vector<double> ranges;
     for (std::size_t i = 0; i < rows.columns(); ++i) {
-      double least = rows.at(0, i), most = least;
+      long double least = rows.at(0, i), most = least;
       for (long k = 1; k < rows.samples(); ++k) {
         least = std::min(least, rows.at(k, i));
         most = std::max(most, rows.at(k, i));
       }
-      ranges.push_back(most - least);
+      ranges.push_back(static_cast<double>(most - least));
     }
     return ranges;
   }
