@@ -1,0 +1,3 @@
+#include "interpreter/interpreter.inc"
+
+template class gausssim::Interpreter<long double>;
