@@ -68,10 +68,9 @@ Slot ExpressionCompiler::step_of_newton(const std::string& object, const Operand
   const std::vector<Slot>& by_one = scope_.elements(operands[3].text);
   if (before.size() != by_one.size() || after.size() != by_one.size())
     throw std::invalid_argument("a step between states of several sizes");
-  std::vector<std::uint32_t> list{before.place, after.place};
+  std::vector<std::uint32_t> list{static_cast<std::uint32_t>(by_one.size()), before.place, after.place};
   list.insert(list.end(), by_one.begin(), by_one.end());
-  const auto count = static_cast<std::uint16_t>(by_one.size());
-  writer_.write({Op::newton, count, *moving, writer_.list(list), 0});
+  writer_.write({Op::newton, 1, *moving, writer_.list(list), 0});
   copy(after, scope_[operands[2].text]);
   return known(status, to);
 }

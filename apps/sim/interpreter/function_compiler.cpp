@@ -21,6 +21,7 @@ void FunctionCompiler::compile(const cpp::Function& function) {
   bind_parameters(writer_.program().functions.back());
   for (const cpp::Statement& statement : function.body) write(statement);
   if (!has_ended_) writer_.write({Op::give_nothing});
+  writer_.end_of_function();
 }
 
 void FunctionCompiler::add_parameter(const cpp::Argument& argument, Function& function) {
@@ -70,7 +71,6 @@ const Layout* FunctionCompiler::layout(const std::string& type) const {
 
 void FunctionCompiler::write(const Statement& statement) {
   std::visit([this](const auto& one) { this->statement(one); }, statement);
-  scope_.end_of_statement();
 }
 
 void FunctionCompiler::statement(const cpp::Definition& definition) {
@@ -217,9 +217,9 @@ void FunctionCompiler::compile_defaults(const cpp::Struct& type) {
     const Slot value = expressions_.value(*member.value);
     const std::size_t offset = members.members[members.places.at(member.name)].offset;
     writer_.store(value, filled, offset);
-    scope_.end_of_statement();
   }
   writer_.write({Op::give_nothing});
+  writer_.end_of_function();
 }
 
 }  // namespace gausssim

@@ -10,9 +10,8 @@ using Slot = std::uint32_t;
 
 enum class Op : std::uint16_t {
   move,   ///< to = a
-  copy,   ///< `count` of them
-  load,   ///< to… = `count` scalars at b of argument a
-  store,  ///< `count` scalars at b of argument a = to…
+  load,   ///< to = scalar b of argument a
+  store,  ///< scalar b of argument a = to
   add,
   subtract,
   multiply,
@@ -28,7 +27,7 @@ enum class Op : std::uint16_t {
   is_no_number,  ///< to = a is not equal to itself
   select,        ///< to = to ? a : b
   replace,       ///< to = a ? b : to
-  status,        ///< to = Math<S>::status of `count` conditions, at a in the list of operands
+  status,        ///< to = Math<S>::status of four conditions, at a in the list of operands
   worse,
   sin,
   cos,
@@ -46,7 +45,7 @@ enum class Op : std::uint16_t {
   pow,
   sincos,        ///< to = sin a, b = cos a
   call,          ///< to = status of call a
-  newton,        ///< a step of Newton's method: at a in the list of operands, `count` components
+  newton,        ///< a step of Newton's method: at a in the list of operands
   solve,         ///< the system a of the program
   solve_each,    ///< to = status; for each of other right sides
   jump_if_zero,  ///< to instruction b, if a is 0
@@ -56,7 +55,8 @@ enum class Op : std::uint16_t {
 
 struct Instruction {
   Op op;
-  std::uint16_t count = 1;
+  std::uint16_t run =
+      1;  ///< of the first of some with the same operation: how many; they are done without a look at what each is
   std::uint32_t to = 0, a = 0, b = 0;
 };
 

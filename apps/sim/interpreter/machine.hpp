@@ -42,6 +42,7 @@ class Machine {
 
  private:
   static S truth(bool condition) { return condition ? S(1) : S(0); }
+  static bool holds(const S& condition) { return condition != S(0); }
   static gauss::Status status(const S& number) { return static_cast<gauss::Status>(static_cast<int>(number)); }
   static S number(gauss::Status status) { return static_cast<S>(static_cast<int>(status)); }
 
@@ -55,21 +56,21 @@ class Machine {
 
   GAUSS_SIM_APART void find_status(const Instruction& i) const noexcept {
     const std::uint32_t* const conditions = program_.operands.data() + i.a;
-    const auto holds = [&](int k) { return r_[conditions[k]] != S(0); };
-    r_[i.to] = number(i.count == 3 ? M::status(holds(0), holds(1), holds(2))
-                                   : M::status(holds(0), holds(1), holds(2), holds(3)));
+    const auto is = [&](int k) { return holds(r_[conditions[k]]); };
+    r_[i.to] = number(M::status(is(0), is(1), is(2), is(3)));
   }
 
   /// The one of the prelude, which takes components each by itself.
   GAUSS_SIM_APART void step(const Instruction& i) const noexcept {
     const std::uint32_t* const operands = program_.operands.data() + i.a;
-    const S* const before = r_ + operands[0];
-    S* const after = r_ + operands[1];
+    const std::uint32_t count = operands[0];
+    const S* const before = r_ + operands[1];
+    S* const after = r_ + operands[2];
     bool moves = false;
-    for (int k = 0; k < i.count; ++k) {
+    for (std::uint32_t k = 0; k < count; ++k) {
       const S one_before[1] = {before[k]};
       S one_after[1] = {after[k]};
-      const int by_one[1] = {static_cast<int>(r_[operands[2 + k]])};
+      const int by_one[1] = {static_cast<int>(r_[operands[3 + k]])};
       gauss::detail::Newton<S> newton;
       (void)newton.take(gauss::Status::ok, one_before, one_after, by_one);
       after[k] = one_after[0];
@@ -96,65 +97,59 @@ class Machine {
 template <class S>
 gauss::Status Machine<S>::run(std::size_t function) const noexcept {
   S* const r = r_;
-  for (const Instruction* i = code_ + program_.functions[function].begin;; ++i) {
+  S** const arguments = arguments_;
+  const Instruction* i = code_ + program_.functions[function].begin;
+  // All of a run, and on to the next one.
+  const auto each = [&i](const auto& work) {
+    for (const Instruction* const end = i + i->run; i != end; ++i) work(*i);
+  };
+  const auto of_one = [&](const auto& f) { each([&](const Instruction& k) { r[k.to] = f(r[k.a]); }); };
+  const auto of_two = [&](const auto& f) { each([&](const Instruction& k) { r[k.to] = f(r[k.a], r[k.b]); }); };
+  const auto of_three = [&](const auto& f) {
+    each([&](const Instruction& k) { r[k.to] = f(r[k.to], r[k.a], r[k.b]); });
+  };
+  for (;;) {
     switch (i->op) {
-      case Op::move: r[i->to] = r[i->a]; break;
-      case Op::copy:
-        for (int k = 0; k < i->count; ++k) r[i->to + k] = r[i->a + k];
-        break;
-      case Op::load: {
-        const S* const from = arguments_[i->a] + i->b;
-        for (int k = 0; k < i->count; ++k) r[i->to + k] = from[k];
-        break;
-      }
-      case Op::store: {
-        S* const place = arguments_[i->a] + i->b;
-        for (int k = 0; k < i->count; ++k) place[k] = r[i->to + k];
-        break;
-      }
-      case Op::add: r[i->to] = r[i->a] + r[i->b]; break;
-      case Op::subtract: r[i->to] = r[i->a] - r[i->b]; break;
-      case Op::multiply: r[i->to] = r[i->a] * r[i->b]; break;
-      case Op::divide: r[i->to] = r[i->a] / r[i->b]; break;
-      case Op::negate: r[i->to] = -r[i->a]; break;
-      case Op::negative_product: r[i->to] = -r[i->a] * r[i->b]; break;
-      case Op::add_product: r[i->to] = r[i->to] + r[i->a] * r[i->b]; break;
-      case Op::subtract_product: r[i->to] = r[i->to] - r[i->a] * r[i->b]; break;
-      case Op::add_difference: r[i->to] = r[i->to] + (r[i->a] - r[i->a]); break;
-      case Op::less: r[i->to] = truth(M::less(r[i->a], r[i->b])); break;
-      case Op::at_most: r[i->to] = truth(M::at_most(r[i->a], r[i->b])); break;
-      case Op::either: r[i->to] = truth(M::any(r[i->a] != S(0), r[i->b] != S(0))); break;
-      case Op::is_no_number: r[i->to] = truth(!(r[i->a] == r[i->a])); break;
-      case Op::select: r[i->to] = M::select(r[i->to] != S(0), r[i->a], r[i->b]); break;
-      case Op::replace: r[i->to] = M::select(r[i->a] != S(0), r[i->b], r[i->to]); break;
-      case Op::status: find_status(*i); break;
-      case Op::worse: r[i->to] = number(M::worse(status(r[i->a]), status(r[i->b]))); break;
-      case Op::sin: r[i->to] = M::sin(r[i->a]); break;
-      case Op::cos: r[i->to] = M::cos(r[i->a]); break;
-      case Op::tan: r[i->to] = M::tan(r[i->a]); break;
-      case Op::asin: r[i->to] = M::asin(r[i->a]); break;
-      case Op::acos: r[i->to] = M::acos(r[i->a]); break;
-      case Op::atan: r[i->to] = M::atan(r[i->a]); break;
-      case Op::atan2: r[i->to] = M::atan2(r[i->a], r[i->b]); break;
-      case Op::exp: r[i->to] = M::exp(r[i->a]); break;
-      case Op::log: r[i->to] = M::log(r[i->a]); break;
-      case Op::sinh: r[i->to] = M::sinh(r[i->a]); break;
-      case Op::cosh: r[i->to] = M::cosh(r[i->a]); break;
-      case Op::tanh: r[i->to] = M::tanh(r[i->a]); break;
-      case Op::sqrt: r[i->to] = M::sqrt(r[i->a]); break;
-      case Op::pow: r[i->to] = M::pow(r[i->a], r[i->b]); break;
-      case Op::sincos: {
-        const S angle = r[i->a];
-        M::sincos(angle, r[i->to], r[i->b]);
-        break;
-      }
-      case Op::call: call(*i); break;
-      case Op::newton: step(*i); break;
-      case Op::solve: solve(*i); break;
-      case Op::solve_each: solve_each(*i); break;
-      case Op::jump_if_zero:
-        if (r[i->a] == S(0)) i = code_ + i->b - 1;
-        break;
+      case Op::move: of_one([](const S& x) { return x; }); break;
+      case Op::load: each([&](const Instruction& k) { r[k.to] = arguments[k.a][k.b]; }); break;
+      case Op::store: each([&](const Instruction& k) { arguments[k.a][k.b] = r[k.to]; }); break;
+      case Op::add: of_two([](const S& x, const S& y) { return x + y; }); break;
+      case Op::subtract: of_two([](const S& x, const S& y) { return x - y; }); break;
+      case Op::multiply: of_two([](const S& x, const S& y) { return x * y; }); break;
+      case Op::divide: of_two([](const S& x, const S& y) { return x / y; }); break;
+      case Op::negate: of_one([](const S& x) { return -x; }); break;
+      case Op::negative_product: of_two([](const S& x, const S& y) { return -x * y; }); break;
+      case Op::add_product: of_three([](const S& sum, const S& x, const S& y) { return sum + x * y; }); break;
+      case Op::subtract_product: of_three([](const S& sum, const S& x, const S& y) { return sum - x * y; }); break;
+      case Op::add_difference: of_three([](const S& sum, const S& x, const S&) { return sum + (x - x); }); break;
+      case Op::less: of_two([](const S& x, const S& y) { return truth(M::less(x, y)); }); break;
+      case Op::at_most: of_two([](const S& x, const S& y) { return truth(M::at_most(x, y)); }); break;
+      case Op::either: of_two([](const S& x, const S& y) { return truth(M::any(holds(x), holds(y))); }); break;
+      case Op::is_no_number: of_one([](const S& x) { return truth(!(x == x)); }); break;
+      case Op::select: of_three([](const S& is, const S& x, const S& y) { return M::select(holds(is), x, y); }); break;
+      case Op::replace: of_three([](const S& x, const S& is, const S& y) { return M::select(holds(is), y, x); }); break;
+      case Op::status: find_status(*i++); break;
+      case Op::worse: of_two([](const S& x, const S& y) { return number(M::worse(status(x), status(y))); }); break;
+      case Op::sin: of_one([](const S& x) { return M::sin(x); }); break;
+      case Op::cos: of_one([](const S& x) { return M::cos(x); }); break;
+      case Op::tan: of_one([](const S& x) { return M::tan(x); }); break;
+      case Op::asin: of_one([](const S& x) { return M::asin(x); }); break;
+      case Op::acos: of_one([](const S& x) { return M::acos(x); }); break;
+      case Op::atan: of_one([](const S& x) { return M::atan(x); }); break;
+      case Op::exp: of_one([](const S& x) { return M::exp(x); }); break;
+      case Op::log: of_one([](const S& x) { return M::log(x); }); break;
+      case Op::sinh: of_one([](const S& x) { return M::sinh(x); }); break;
+      case Op::cosh: of_one([](const S& x) { return M::cosh(x); }); break;
+      case Op::tanh: of_one([](const S& x) { return M::tanh(x); }); break;
+      case Op::sqrt: of_one([](const S& x) { return M::sqrt(x); }); break;
+      case Op::atan2: of_two([](const S& y, const S& x) { return M::atan2(y, x); }); break;
+      case Op::pow: of_two([](const S& x, const S& y) { return M::pow(x, y); }); break;
+      case Op::sincos: each([&](const Instruction& k) { M::sincos(S(r[k.a]), r[k.to], r[k.b]); }); break;
+      case Op::call: call(*i++); break;
+      case Op::newton: step(*i++); break;
+      case Op::solve: solve(*i++); break;
+      case Op::solve_each: solve_each(*i++); break;
+      case Op::jump_if_zero: i = holds(r[i->a]) ? i + 1 : code_ + i->b; break;
       case Op::give_status: return status(r[i->a]);
       case Op::give_nothing: return gauss::Status::ok;
     }

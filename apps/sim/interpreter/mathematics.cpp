@@ -69,8 +69,10 @@ Slot ExpressionCompiler::status(const Operands& operands, Wanted to) {
   std::vector<std::uint32_t> conditions;
   std::transform(operands.begin(), operands.end(), std::back_inserter(conditions),
                  [this](const Expression& operand) { return value(operand); });
+  const std::size_t all = 4;
+  conditions.resize(all, writer_.number(0));
   const Slot result = target(to);
-  writer_.write({Op::status, static_cast<std::uint16_t>(conditions.size()), result, writer_.list(conditions), 0});
+  writer_.write({Op::status, 1, result, writer_.list(conditions), 0});
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "interpreter/place.hpp"
 
 #include <stdexcept>
+#include <string>
 
 namespace gausssim {
 
@@ -34,10 +35,12 @@ Place place_of(std::string_view text) {
   std::string_view rest = text;
   Place place;
   place.object = name_at(rest);
+  const std::string_view behind = rest;
   while (!rest.empty() && rest.front() == '.') {
     rest.remove_prefix(1);
-    place.member += (place.member.empty() ? "" : ".") + std::string(name_at(rest));
+    (void)name_at(rest);
   }
+  if (behind.size() > rest.size()) place.member = behind.substr(1, behind.size() - rest.size() - 1);
   if (rest == "()") {
     place.is_access = true;
     rest = {};

@@ -1,5 +1,7 @@
 #include "interpreter/scope.hpp"
 
+#include <absl/strings/string_view.h>
+
 #include <stdexcept>
 #include <utility>
 
@@ -31,7 +33,7 @@ const std::vector<Slot>& Scope::elements(const std::string& name) const {
 
 Reference Scope::operator[](const std::string& text) const {
   const Place place = place_of(text);
-  const auto found = variables_.find(place.object);
+  const auto found = variables_.find(absl::string_view(place.object.data(), place.object.size()));
   if (found == variables_.end()) throw std::invalid_argument("'" + text + "' is not known");
   Reference reference = found->second.reference;
   if (!place.member.empty()) reference = member(std::move(reference), place);
@@ -55,16 +57,18 @@ Reference Scope::operator[](const std::string& text) const {
 
 Reference Scope::member(Reference object, const Place& place) const {
   const Layout* const layout = object.layout;
-  if (layout == nullptr) throw std::invalid_argument("'" + place.object + "' has no members");
+  if (layout == nullptr) throw std::invalid_argument("'" + std::string(place.object) + "' has no members");
   object.layout = nullptr;
   if (place.is_access) {
-    const auto found = layout->access.find(place.member);
-    if (found == layout->access.end()) throw std::invalid_argument(layout->name + " has no " + place.member + "()");
+    const auto found = layout->access.find(std::string(place.member));
+    if (found == layout->access.end())
+      throw std::invalid_argument(layout->name + " has no " + std::string(place.member) + "()");
     object.offset += found->second;
     return object;
   }
-  const auto found = layout->places.find(place.member);
-  if (found == layout->places.end()) throw std::invalid_argument(layout->name + " has no member " + place.member);
+  const auto found = layout->places.find(std::string(place.member));
+  if (found == layout->places.end())
+    throw std::invalid_argument(layout->name + " has no member " + std::string(place.member));
   const Member& member = layout->members[found->second];
   object.offset += member.offset;
   object.shape = member.shape;
@@ -76,11 +80,6 @@ std::size_t Scope::index(std::string_view text, std::size_t extent) const {
   if (value < 0 || static_cast<std::size_t>(value) >= extent)
     throw std::invalid_argument("[" + std::string(text) + "] is outside of an array");
   return static_cast<std::size_t>(value);
-}
-
-Slot Scope::temporary() {
-  if (in_use_ == temporaries_.size()) temporaries_.push_back(writer_.slots());
-  return temporaries_[in_use_++];
 }
 
 }  // namespace gausssim

@@ -1,8 +1,9 @@
 #pragma once
 // Names of one function, and where their values are.
 
+#include <absl/container/flat_hash_map.h>
+
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "interpreter/place.hpp"
@@ -40,9 +41,8 @@ class Scope {
   const Slot* scalar(const std::string& name) const;
   const std::vector<Slot>& elements(const std::string& name) const;
 
-  /// Until the end of the statement.
-  Slot temporary();
-  void end_of_statement() { in_use_ = 0; }
+  /// Each has a place of its own: what does not depend on each other may be done in any order then.
+  Slot temporary() { return writer_.slots(); }
 
  private:
   struct Variable {
@@ -54,9 +54,7 @@ class Scope {
   std::size_t index(std::string_view text, std::size_t extent) const;
 
   Writer& writer_;
-  std::unordered_map<std::string, Variable> variables_;
-  std::vector<Slot> temporaries_;
-  std::size_t in_use_ = 0;
+  absl::flat_hash_map<std::string, Variable> variables_;
 };
 
 }  // namespace gausssim

@@ -1,14 +1,10 @@
 #include "interpreter/writer.hpp"
 
-#include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace gausssim {
 
 namespace {
-
-constexpr std::size_t k_most_at_once = std::numeric_limits<std::uint16_t>::max();
 
 std::uint32_t narrow(std::size_t value) { return static_cast<std::uint32_t>(value); }
 
@@ -40,40 +36,17 @@ const Constant* Writer::constant_at(Slot slot) const {
 
 void Writer::write(Instruction instruction) { program_.code.push_back(instruction); }
 
-template <class Write>
-void Writer::in_parts(std::size_t count, const Write& write) {
-  for (std::size_t begin = 0; begin < count; begin += k_most_at_once)
-    write(begin, static_cast<std::uint16_t>(std::min(count - begin, k_most_at_once)));
-}
-
 void Writer::move(Slot to, Slot from, std::size_t count) {
   if (to == from) return;
-  if (count == 1) return write({Op::move, 1, to, from, 0});
-  in_parts(count, [&](std::size_t begin, std::uint16_t part) {
-    write({Op::copy, part, narrow(to + begin), narrow(from + begin), 0});
-  });
+  for (std::size_t k = 0; k < count; ++k) write({Op::move, 1, narrow(to + k), narrow(from + k), 0});
 }
 
-// Neighbours are loaded together.
 void Writer::load(Slot to, std::uint32_t argument, std::size_t offset, std::size_t count) {
-  if (program_.code.size() > landing_) {
-    Instruction& last = program_.code.back();
-    const bool goes_on = last.op == Op::load && last.a == argument && last.to + last.count == to &&
-                         last.b + last.count == offset && last.count + count <= k_most_at_once;
-    if (goes_on) {
-      last.count = static_cast<std::uint16_t>(last.count + count);
-      return;
-    }
-  }
-  in_parts(count, [&](std::size_t begin, std::uint16_t part) {
-    write({Op::load, part, narrow(to + begin), argument, narrow(offset + begin)});
-  });
+  for (std::size_t k = 0; k < count; ++k) write({Op::load, 1, narrow(to + k), argument, narrow(offset + k)});
 }
 
 void Writer::store(Slot from, std::uint32_t argument, std::size_t offset, std::size_t count) {
-  in_parts(count, [&](std::size_t begin, std::uint16_t part) {
-    write({Op::store, part, narrow(from + begin), argument, narrow(offset + begin)});
-  });
+  for (std::size_t k = 0; k < count; ++k) write({Op::store, 1, narrow(from + k), argument, narrow(offset + k)});
 }
 
 std::uint32_t Writer::list(const std::vector<std::uint32_t>& operands) {
@@ -88,8 +61,13 @@ std::size_t Writer::jump_if_zero(Slot condition) {
 }
 
 void Writer::land(std::size_t jump) {
-  landing_ = program_.code.size();
-  program_.code[jump].b = narrow(landing_);
+  landings_.push_back(program_.code.size());
+  program_.code[jump].b = narrow(landings_.back());
+}
+
+void Writer::end_of_function() {
+  scheduler_.run(program_.code, program_.functions.back().begin, landings_);
+  landings_.clear();
 }
 
 int Writer::function(const std::string& name) const {
@@ -98,7 +76,7 @@ int Writer::function(const std::string& name) const {
 }
 
 void Writer::add(Function function) {
-  function.begin = landing_ = program_.code.size();
+  function.begin = program_.code.size();
   function.first_argument = program_.arguments;
   program_.arguments += function.parameters.size();
   functions_.emplace(function.name, static_cast<int>(program_.functions.size()));

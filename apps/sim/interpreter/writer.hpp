@@ -1,13 +1,17 @@
 #pragma once
 // The program while it is written.
 
+#include <absl/container/flat_hash_map.h>
+
 #include <map>
 #include <string>
 #include <tuple>
 #include <unordered_map>
+#include <vector>
 
 #include "interpreter/integers.hpp"
 #include "interpreter/program.hpp"
+#include "interpreter/scheduler.hpp"
 
 namespace gausssim {
 
@@ -31,6 +35,8 @@ class Writer {
   /// To be led to the next instruction by `land`.
   std::size_t jump_if_zero(Slot condition);
   void land(std::size_t jump);
+  /// The function that was added last is written: what may change places does, see Scheduler.
+  void end_of_function();
 
   const Layout* layout(const std::string& type) const { return program_.struct_of(type); }
   /// -1: there is none.
@@ -51,15 +57,12 @@ class Writer {
  private:
   using Key = std::tuple<int, bool, double, double, double>;
 
-  /// `count` fits into 16 bits.
-  template <class Write>
-  static void in_parts(std::size_t count, const Write& write);
-
   Program program_;
   std::map<Key, Slot> known_;
   std::unordered_map<Slot, std::size_t> constants_;  ///< places in Program::constants
-  std::unordered_map<std::string, int> functions_;
-  std::size_t landing_ = 0;  ///< what is before has its last word
+  absl::flat_hash_map<std::string, int> functions_;
+  Scheduler scheduler_;
+  std::vector<std::size_t> landings_;  ///< of the function: where jumps lead to
 };
 
 }  // namespace gausssim
