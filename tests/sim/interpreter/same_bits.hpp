@@ -1,12 +1,14 @@
 #pragma once
 // Interpreted against compiled: every function of a header, at states of its own.
 
-#include <catch.hpp>
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "catch_shim.hpp"
 #include "interpreter/interpreter.hpp"
 #include "sim/interpreter/compiled.hpp"
 #include "sim/interpreter/tree_of.hpp"

@@ -10,7 +10,7 @@ import re
 import sys
 
 FUNCTION = re.compile(r"^template <class S>\nGAUSS_FUNCTION (.*?) (\w+)\(([^{]*?)\) noexcept \{", re.M | re.S)
-STRUCT = re.compile(r"^template <class S>\nstruct (\w+) \{(.*?)^\};", re.M | re.S)
+STRUCT = re.compile(r"^template <class S>\nstruct (\w+) \{\n(.*?)^\};", re.M | re.S)
 BODY = re.compile(r"^namespace ([\w:]+) \{\n\ninline constexpr int n_q(.*)^\}  // namespace \1$", re.M | re.S)
 ARGUMENT = re.compile(r"^(const )?(\w+(?:<S>)?)(&?) (?:/\*)?\w+(?:\*/)?$")
 
@@ -54,11 +54,14 @@ def main():
             names.append(name)
             lines += defaults(name)
     for kind, name, text in FUNCTION.findall(body.group(2)):
-        arguments = [Argument(one) for one in text.split(", ")]
         # What only other functions can give stays among them.
-        if all(argument.is_known for argument in arguments) and kind != "void":
-            names.append(name)
-            lines += wrapper(kind, name, arguments)
+        if kind == "void" or "LinearSolution<" in text:
+            continue
+        arguments = [Argument(one) for one in re.split(r",\s+", text)]
+        if not all(argument.is_known for argument in arguments):
+            sys.exit(f"{header}: {name}({text}) is not understood")
+        names.append(name)
+        lines += wrapper(kind, name, arguments)
     if "prepare" not in names:
         sys.exit(f"{header}: no function found")
     if "__float128" in scalars:
