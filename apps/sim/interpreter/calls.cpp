@@ -7,9 +7,9 @@
 
 namespace gausssim {
 
-using Kind = gaussgen::emit::cpp::Expression::Kind;
-
 namespace {
+
+using Kind = gaussgen::emit::cpp::Expression::Kind;
 
 bool is_one_scalar(const Parameter& parameter) { return parameter.type == "S" || parameter.type == "StatusOf"; }
 

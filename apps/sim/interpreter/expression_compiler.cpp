@@ -7,7 +7,11 @@
 
 namespace gausssim {
 
+namespace {
+
 using Kind = gaussgen::emit::cpp::Expression::Kind;
+
+}  // namespace
 
 double number_in(const std::string& text) {
   double value = 0;
