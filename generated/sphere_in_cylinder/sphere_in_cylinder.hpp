@@ -48,7 +48,7 @@
 //   energy                         6    12  0  0     1
 //   compulsion                     17   37  0  0     6
 //   residuals                      14   21  0  0     4
-//   mobility                       29   64  2  0     4
+//   mobility                       30   64  2  0     4
 //   mass_matrix                    0    1   0  0     1
 //   project_system                 5    10  0  0     4
 //   project_regular                25   38  1  0     4
@@ -474,8 +474,15 @@ GAUSS_FUNCTION void swap_where(const typename Math<S>::Bool& condition, S& a, S&
   b = Math<S>::select(condition, before, b);
 }
 
-template <class S, int n>
-GAUSS_FUNCTION S inner(const S (&a)[n], const S (&b)[n]) {
+/// A number that compilers know.
+template <int value>
+struct Known {
+  GAUSS_FUNCTION constexpr operator int() const { return value; }
+};
+
+/// Of the first n; arrays may be longer.
+template <class S, int N, class Count = Known<N>>
+GAUSS_FUNCTION S inner(const S (&a)[N], const S (&b)[N], Count n = {}) {
   S sum = a[0] * b[0];
   for (int i = 1; i < n; ++i) sum = sum + a[i] * b[i];
   return sum;
@@ -562,14 +569,16 @@ namespace gauss {
 
 namespace detail {
 
-/// L D L^T of a symmetric matrix of which some rows and columns count as those of the unit matrix.
-template <class S, int n>
+/// L D L^T of a symmetric matrix of which some rows and columns count as those of the unit matrix. It has n of them, N at most.
+template <class S, int N, class Count = Known<N>>
 class MaskedLdl {
  public:
+  GAUSS_FUNCTION explicit MaskedLdl(Count size = {}) : n(size) {}
+
   /// `counts[i]` 1: row i is that of `matrix`; 0: of the unit matrix. A pivot below `tolerance` of what it is the rest of determines nothing.
-  GAUSS_FUNCTION void factorise(const S (&matrix)[n][n], const S (&counts)[n], const S& tolerance) {
+  GAUSS_FUNCTION void factorise(const S (&matrix)[N][N], const S (&counts)[N], const S& tolerance) {
     is_determined = S(1);
-    S back[n][n];  // L^-1
+    S back[N][N];  // L^-1
     for (int j = 0; j < n; ++j) {
       const S size = size_of_pivot(matrix, counts, j, back);
       for (int i = j; i < n; ++i) {
@@ -587,7 +596,7 @@ class MaskedLdl {
     }
   }
 
-  GAUSS_FUNCTION void solve(S (&x)[n]) const {
+  GAUSS_FUNCTION void solve(S (&x)[N]) const {
     for (int i = 0; i < n; ++i) {
       for (int k = 0; k < i; ++k) x[i] = x[i] - factor_[i][k] * x[k];
     }
@@ -600,12 +609,12 @@ class MaskedLdl {
   S is_determined;
 
  private:
-  GAUSS_FUNCTION static S masked(const S (&matrix)[n][n], const S (&counts)[n], int i, int j) {
+  GAUSS_FUNCTION static S masked(const S (&matrix)[N][N], const S (&counts)[N], int i, int j) {
     return Math<S>::select(Math<S>::less(S(0), counts[i] * counts[j]), matrix[i][j], S(i == j ? 1 : 0));
   }
 
   /// p = w^T matrix w for the row w of L^-1. A pivot that is small makes large factors, and with them what the next ones are the rest of.
-  GAUSS_FUNCTION S size_of_pivot(const S (&matrix)[n][n], const S (&counts)[n], int j, S (&back)[n][n]) const {
+  GAUSS_FUNCTION S size_of_pivot(const S (&matrix)[N][N], const S (&counts)[N], int j, S (&back)[N][N]) const {
     S size = masked(matrix, counts, j, j);
     for (int i = 0; i < j; ++i) {
       back[j][i] = -factor_[j][i];
@@ -615,9 +624,10 @@ class MaskedLdl {
     return size;
   }
 
-  S factor_[n][n];
-  S pivot_[n];
-  S inverse_[n];
+  Count n;
+  S factor_[N][N];
+  S pivot_[N];
+  S inverse_[N];
 };
 
 }  // namespace detail
@@ -708,8 +718,8 @@ struct LinearSolution {
 namespace detail {
 
 /// Of the entry that is largest beside what it may be: whatever units and inertias are.
-template <class S, int n>
-GAUSS_FUNCTION S part_of_reach(const S (&row)[n], const S (&reach)[n]) {
+template <class S, int N, class Count = Known<N>>
+GAUSS_FUNCTION S part_of_reach(const S (&row)[N], const S (&reach)[N], Count n = {}) {
   S part = S(0);
   for (int i = 0; i < n; ++i)
     part = larger<S>(part, absolute<S>(row[i]) * reciprocal<S>(reach[i], positive<S>(reach[i])));
@@ -726,15 +736,26 @@ GAUSS_FUNCTION S usual_size(const S& size, const S& reach, const S& part) {
   return larger(size, Math<S>::select(Math<S>::less(reach, limit), reach, limit));
 }
 
-template <class S, int n, int l>
-class Constrained {
+/// Of a system of n speeds and l constraints that compilers know. Whoever learns them at run time only has a struct of the same members, with arrays for
+/// N and L at most.
+template <int speeds, int rows>
+struct KnownSizes {
+  static constexpr int N = speeds, L = rows;
+  Known<speeds> n;
+  Known<rows> l;
+  Known<(speeds < rows ? speeds : rows)> most;  ///< rows that can say something of their own
+};
+
+template <class S, class Sizes>
+class Constrained : Sizes {
   using Bool = typename Math<S>::Bool;
-  static constexpr int most = n < l ? n : l;  ///< rows that can say something of their own
+  using Sizes::n, Sizes::l, Sizes::most;
+  static constexpr int N = Sizes::N, L = Sizes::L, M = N < L ? N : L;
 
  public:
   template <class System>
-  GAUSS_FUNCTION Constrained(const System& system, const RankRule<S>& rule)
-      : is_agreement_known_(rule.is_agreement_known) {
+  GAUSS_FUNCTION Constrained(const System& system, const RankRule<S>& rule, const Sizes& sizes = {})
+      : Sizes(sizes), is_agreement_known_(rule.is_agreement_known), free_(sizes.n), shares_(sizes.l) {
     scale(system);
     for (int mu = 0; mu < l; ++mu) beyond_[mu] = beyond_usual<S>(system, rule, mu);
     factorise_rows(rule);
@@ -743,15 +764,15 @@ class Constrained {
     find_asked(system);
   }
 
-  GAUSS_FUNCTION void solve(LinearSolution<S, n, l>& solution) const {
-    S a[n], lambda[l];
+  GAUSS_FUNCTION void solve(LinearSolution<S, N, L>& solution) const {
+    S a[N], lambda[L];
     const S contradiction = solve_for(f_, c_, a, lambda);
     finish(a, lambda, contradiction, solution);
   }
 
   /// With other forces and drifts.
-  GAUSS_FUNCTION void respond(const S (&force)[n], const S (&drift)[l], S (&accelerations)[n]) const {
-    S f[n], c[l], a[n], lambda[l];
+  GAUSS_FUNCTION void respond(const S (&force)[N], const S (&drift)[L], S (&accelerations)[N]) const {
+    S f[N], c[L], a[N], lambda[L];
     for (int i = 0; i < n; ++i) f[i] = speed_scale_[i] * force[i];
     for (int mu = 0; mu < l; ++mu) c[mu] = -row_scale_[mu] * drift[mu];
     (void)solve_for(f, c, a, lambda);
@@ -760,10 +781,10 @@ class Constrained {
 
  private:
   /// Returns by how much rows contradict each other.
-  GAUSS_FUNCTION S solve_for(const S (&f)[n], const S (&c)[l], S (&a)[n], S (&lambda)[l]) const {
+  GAUSS_FUNCTION S solve_for(const S (&f)[N], const S (&c)[L], S (&a)[N], S (&lambda)[L]) const {
     for (int i = 0; i < n; ++i) a[i] = S(0);
     for (int mu = 0; mu < l; ++mu) lambda[mu] = S(0);
-    S left_of_f[n], left_of_c[l], contradiction = S(0);
+    S left_of_f[N], left_of_c[L], contradiction = S(0);
     for (int pass = 0; pass < 2; ++pass) {
       residual(f, c, a, lambda, left_of_f, left_of_c);
       const S found = add(left_of_f, left_of_c, a, lambda);
@@ -775,12 +796,12 @@ class Constrained {
   /// Inertias to 1, rows to unit length. What has no inertia is measured by the rows.
   template <class System>
   GAUSS_FUNCTION void scale(const System& system) {
-    S massive[n];
+    S massive[N];
     for (int i = 0; i < n; ++i) {
       massive[i] = positive<S>(system.g[i][i]);
       speed_scale_[i] = root(reciprocal(system.g[i][i], massive[i]));
     }
-    S of_massive[l];
+    S of_massive[L];
     for (int mu = 0; mu < l; ++mu) of_massive[mu] = length(system.b[mu]);
     for (int i = 0; i < n; ++i) {
       S beside = S(0), alone = S(0);
@@ -796,7 +817,7 @@ class Constrained {
     for (int mu = 0; mu < l; ++mu) {
       for (int i = 0; i < n; ++i) b_[mu][i] = without_rounding(system.b[mu][i], system.reach[mu][i]);
       const S size = length(b_[mu]);
-      const S usual = usual_size(size, length(system.reach[mu]), part_of_reach(b_[mu], system.reach[mu]));
+      const S usual = usual_size(size, length(system.reach[mu]), part_of_reach(b_[mu], system.reach[mu], n));
       row_scale_[mu] = reciprocal(usual, positive<S>(size));
       for (int i = 0; i < n; ++i) b_[mu][i] = row_scale_[mu] * b_[mu][i] * speed_scale_[i];
       // A row of zeros that asks for something is contradictory; its scale is lost.
@@ -815,7 +836,7 @@ class Constrained {
     return Math<S>::select(Math<S>::less(absolute(entry), S(8) * Math<S>::epsilon() * reach), S(0), entry);
   }
 
-  GAUSS_FUNCTION S length(const S (&row)[n]) const {
+  GAUSS_FUNCTION S length(const S (&row)[N]) const {
     S squares = S(0);
     for (int i = 0; i < n; ++i) squares = squares + row[i] * speed_scale_[i] * (row[i] * speed_scale_[i]);
     return root(squares);
@@ -858,7 +879,7 @@ class Constrained {
     }
   }
 
-  GAUSS_FUNCTION S squares_from(int k, const S (&row)[n]) const {
+  GAUSS_FUNCTION S squares_from(int k, const S (&row)[N]) const {
     S sum = S(0);
     for (int i = k; i < n; ++i) sum = sum + row[i] * row[i];
     return sum;
@@ -899,23 +920,23 @@ class Constrained {
     inverse_[k] = reciprocal(r_[k][k], is_row_[k]);
   }
 
-  GAUSS_FUNCTION void apply(int k, S (&x)[n]) const {
-    const S along = strength_[k] * inner(reflector_[k], x);
+  GAUSS_FUNCTION void apply(int k, S (&x)[N]) const {
+    const S along = strength_[k] * inner(reflector_[k], x, n);
     for (int i = k; i < n; ++i) x[i] = x[i] - along * reflector_[k][i];
   }
 
-  GAUSS_FUNCTION void turn(int k, S (&x)[n]) const {
+  GAUSS_FUNCTION void turn(int k, S (&x)[N]) const {
     for (int i = k + 1; i < n; ++i) swap_where<S>(moved_[k][i], x[k], x[i]);
     apply(k, x);
   }
 
   /// Q^T x
-  GAUSS_FUNCTION void to_parts(S (&x)[n]) const {
+  GAUSS_FUNCTION void to_parts(S (&x)[N]) const {
     for (int k = 0; k < most; ++k) turn(k, x);
   }
 
   /// Q x
-  GAUSS_FUNCTION void from_parts(S (&x)[n]) const {
+  GAUSS_FUNCTION void from_parts(S (&x)[N]) const {
     for (int k = most - 1; k >= 0; --k) {
       apply(k, x);
       for (int i = n - 1; i > k; --i) swap_where<S>(moved_[k][i], x[k], x[i]);
@@ -931,7 +952,7 @@ class Constrained {
       for (int i = 0; i < n; ++i) to_parts(parts_[i]);
       transpose();
     }
-    S is_free[n];
+    S is_free[N];
     for (int i = 0; i < n; ++i) is_free[i] = S(1) - is_row_[i];
     // A quarter of the digits is left of what is divided by the least one, as in the cheap way.
     const S half = Math<S>::sqrt(Math<S>::epsilon());
@@ -950,7 +971,7 @@ class Constrained {
 
   /// For each row without an own part, what of the others does the same: null vectors of b^T.
   GAUSS_FUNCTION void find_shared() {
-    S counts[l];
+    S counts[L];
     for (int j = 0; j < l; ++j) {
       const S is_left = S(1) - row_part(j);
       counts[j] = is_left;
@@ -961,9 +982,9 @@ class Constrained {
         null_[j][k] = Math<S>::select(Math<S>::less(S(0), is_left * row_part(k)), -sum * inverse_[k], null_[j][k]);
       }
     }
-    S gram[l][l];
+    S gram[L][L];
     for (int i = 0; i < l; ++i) {
-      for (int j = 0; j < l; ++j) gram[i][j] = inner(null_[i], null_[j]);
+      for (int j = 0; j < l; ++j) gram[i][j] = inner(null_[i], null_[j], l);
     }
     shares_.factorise(gram, counts, S(0));
   }
@@ -972,7 +993,7 @@ class Constrained {
   /// the stages of a step, derivatives of these need not agree, and positions tell.
   template <class System>
   GAUSS_FUNCTION void find_asked(const System& system) {
-    S of_positions[l];
+    S of_positions[L];
     for (int mu = 0; mu < l; ++mu) of_positions[mu] = system.of_positions[mu];
     arrange(of_positions);
     const S least = Math<S>::sqrt(Math<S>::epsilon());
@@ -988,20 +1009,20 @@ class Constrained {
 
   GAUSS_FUNCTION S row_part(int k) const { return k < most ? is_row_[k < n ? k : 0] : S(0); }
 
-  GAUSS_FUNCTION void residual(const S (&f)[n], const S (&c)[l], const S (&a)[n], const S (&lambda)[l], S (&of_f)[n],
-                               S (&of_c)[l]) const {
+  GAUSS_FUNCTION void residual(const S (&f)[N], const S (&c)[L], const S (&a)[N], const S (&lambda)[L], S (&of_f)[N],
+                               S (&of_c)[L]) const {
     for (int i = 0; i < n; ++i) {
       of_f[i] = f[i];
       for (int j = 0; j < n; ++j) of_f[i] = of_f[i] - g_[i][j] * a[j];
       for (int mu = 0; mu < l; ++mu) of_f[i] = of_f[i] + b_[mu][i] * lambda[mu];
     }
-    for (int mu = 0; mu < l; ++mu) of_c[mu] = c[mu] - inner(b_[mu], a);
+    for (int mu = 0; mu < l; ++mu) of_c[mu] = c[mu] - inner(b_[mu], a, n);
   }
 
   /// Adds to a and lambda what f and c ask for; returns by how much rows contradict each other, of what they ask for.
-  GAUSS_FUNCTION S add(S (&f)[n], S (&c)[l], S (&a)[n], S (&lambda)[l]) const {
+  GAUSS_FUNCTION S add(S (&f)[N], S (&c)[L], S (&a)[N], S (&lambda)[L]) const {
     arrange(c);
-    S y[n], x[n];
+    S y[N], x[N];
     const S contradiction = along_rows(c, y);
     to_parts(f);
     for (int i = 0; i < n; ++i) {
@@ -1011,7 +1032,7 @@ class Constrained {
     }
     free_.solve(x);
     for (int i = 0; i < n; ++i) y[i] = Math<S>::select(Math<S>::less(S(0), is_row_[i]), y[i], x[i]);
-    S change[l];
+    S change[L];
     forces(f, y, change);
     arrange_back(change);
     from_parts(y);
@@ -1021,7 +1042,7 @@ class Constrained {
   }
 
   /// R^T y = c
-  GAUSS_FUNCTION S along_rows(const S (&c)[l], S (&y)[n]) const {
+  GAUSS_FUNCTION S along_rows(const S (&c)[L], S (&y)[N]) const {
     for (int i = 0; i < n; ++i) y[i] = S(0);
     S contradiction = S(0);
     for (int k = 0; k < l; ++k) {
@@ -1039,7 +1060,7 @@ class Constrained {
   }
 
   /// How far what row k and those that it follows from ask for may be off.
-  GAUSS_FUNCTION S error_of_demands(const S (&c)[l], int k) const {
+  GAUSS_FUNCTION S error_of_demands(const S (&c)[L], int k) const {
     S error = S(0);
     for (int m = 0; m < l; ++m) {
       const S rounding = S(10000) * Math<S>::epsilon() * absolute<S>(c[m]);
@@ -1049,15 +1070,15 @@ class Constrained {
   }
 
   /// R lambda = (Q^T (g a - f)) along the rows, of least norm.
-  GAUSS_FUNCTION void forces(const S (&f)[n], const S (&y)[n], S (&lambda)[l]) const {
+  GAUSS_FUNCTION void forces(const S (&f)[N], const S (&y)[N], S (&lambda)[L]) const {
     for (int k = 0; k < l; ++k) lambda[k] = S(0);
     for (int k = most - 1; k >= 0; --k) {
-      S rest = inner(parts_[k], y) - f[k];
+      S rest = inner(parts_[k], y, n) - f[k];
       for (int j = k + 1; j < most; ++j) rest = rest - r_[j][k] * lambda[j];
       lambda[k] = rest * inverse_[k];
     }
-    S share[l];
-    for (int j = 0; j < l; ++j) share[j] = -inner(null_[j], lambda);
+    S share[L];
+    for (int j = 0; j < l; ++j) share[j] = -inner(null_[j], lambda, l);
     shares_.solve(share);
     for (int j = 0; j < l; ++j) {
       const S part = share[j] * (S(1) - row_part(j));
@@ -1066,20 +1087,20 @@ class Constrained {
   }
 
   /// As the rows were brought into their order.
-  GAUSS_FUNCTION void arrange(S (&values)[l]) const {
+  GAUSS_FUNCTION void arrange(S (&values)[L]) const {
     for (int k = 0; k < most; ++k) {
       for (int j = k + 1; j < l; ++j) swap_where<S>(swapped_[k][j], values[k], values[j]);
     }
   }
 
-  GAUSS_FUNCTION void arrange_back(S (&values)[l]) const {
+  GAUSS_FUNCTION void arrange_back(S (&values)[L]) const {
     for (int k = most - 1; k >= 0; --k) {
       for (int j = l - 1; j > k; --j) swap_where<S>(swapped_[k][j], values[k], values[j]);
     }
   }
 
-  GAUSS_FUNCTION void finish(const S (&a)[n], const S (&lambda)[l], const S& contradiction,
-                             LinearSolution<S, n, l>& solution) const {
+  GAUSS_FUNCTION void finish(const S (&a)[N], const S (&lambda)[L], const S& contradiction,
+                             LinearSolution<S, N, L>& solution) const {
     for (int i = 0; i < n; ++i) solution.accelerations[i] = speed_scale_[i] * a[i];
     for (int k = 0; k < l; ++k) {
       S shared = S(0);
@@ -1094,7 +1115,7 @@ class Constrained {
     const S is_unknown = unknown();
     const Bool undetermined = Math<S>::less(free_.is_determined - has_lost_entries_ + is_unknown, S(1));
     const Bool lost = Math<S>::less(is_full_ + is_unknown, S(1));
-    const Bool not_unique = Math<S>::less(rank_ + S(l) * is_unknown, S(l));
+    const Bool not_unique = Math<S>::less(rank_ + S(int(l)) * is_unknown, S(int(l)));
     const S allowed = is_agreement_known_ ? S(2) : Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
     const Bool contradictory = Math<S>::less(allowed, contradiction);
     solution.motion = Math<S>::status(undetermined, lost, never, contradictory);
@@ -1104,27 +1125,27 @@ class Constrained {
 
   GAUSS_FUNCTION S unknown() const {
     S sum = S(0);
-    for (int i = 0; i < n; ++i) sum = sum + f_[i] + inner(g_[i], g_[i]);
-    for (int mu = 0; mu < l; ++mu) sum = sum + c_[mu] + inner(b_[mu], b_[mu]);
+    for (int i = 0; i < n; ++i) sum = sum + f_[i] + inner(g_[i], g_[i], n);
+    for (int mu = 0; mu < l; ++mu) sum = sum + c_[mu] + inner(b_[mu], b_[mu], n);
     return indicator<S>(Math<S>::not_finite(sum));
   }
 
-  S g_[n][n], f_[n], b_[l][n], c_[l];  ///< scaled
-  S speed_scale_[n], row_scale_[l];
-  S r_[l][n];  ///< R^T: row k has its entries above the diagonal, and r_[k][k]
-  S reflector_[most][n], strength_[most], inverse_[most];
-  S is_row_[n];  ///< 1: this part of the speeds is what a row says; 0: it is free
-  S beyond_[l];  ///< what is asked of a row beyond the usual rank
+  S g_[N][N], f_[N], b_[L][N], c_[L];  ///< scaled
+  S speed_scale_[N], row_scale_[L];
+  S r_[L][N];  ///< R^T: row k has its entries above the diagonal, and r_[k][k]
+  S reflector_[M][N], strength_[M], inverse_[M];
+  S is_row_[N];  ///< 1: this part of the speeds is what a row says; 0: it is free
+  S beyond_[L];  ///< what is asked of a row beyond the usual rank
   S rank_, is_full_, has_lost_entries_;
   bool is_agreement_known_;
-  Bool swapped_[most][l];  ///< rows, and speeds:
-  Bool moved_[most][n];
-  S parts_[n][n];  ///< Q^T g Q
-  MaskedLdl<S, n> free_;
-  S null_[l][l];
-  S asked_[l];    ///< 1: a row is left that has to agree with the others
-  S c_error_[l];  ///< how far c may be off; as the rows were brought into their order
-  MaskedLdl<S, l> shares_;
+  Bool swapped_[M][L];  ///< rows, and speeds:
+  Bool moved_[M][N];
+  S parts_[N][N];  ///< Q^T g Q
+  MaskedLdl<S, N, decltype(Sizes::n)> free_;
+  S null_[L][L];
+  S asked_[L];    ///< 1: a row is left that has to agree with the others
+  S c_error_[L];  ///< how far c may be off; as the rows were brought into their order
+  MaskedLdl<S, L, decltype(Sizes::l)> shares_;
 };
 
 }  // namespace detail
@@ -1134,7 +1155,7 @@ class Constrained {
 /// square of the part by which positions are off the equations that row mu may follow from.
 template <class System, class S, int n, int l>
 GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolution<S, n, l>& solution) noexcept {
-  detail::Constrained<S, n, l>(system, rule).solve(solution);
+  detail::Constrained<S, detail::KnownSizes<n, l>>(system, rule).solve(solution);
 }
 
 /// Accelerations with each of `count` other forces and drifts in the place of those of `system`, such as their derivatives. The status says whether they are
@@ -1142,7 +1163,7 @@ GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolut
 template <class System, class S, int n, int l, int count>
 GAUSS_PART StatusOf<S> solve_each(const System& system, const RankRule<S>& rule, const S (&f)[count][n],
                                   const S (&drift)[count][l], S (&accelerations)[count][n]) noexcept {
-  const detail::Constrained<S, n, l> constrained(system, rule);
+  const detail::Constrained<S, detail::KnownSizes<n, l>> constrained(system, rule);
   S nothing = S(0);
   for (int k = 0; k < count; ++k) {
     constrained.respond(f[k], drift[k], accelerations[k]);

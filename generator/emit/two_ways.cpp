@@ -112,7 +112,8 @@ class GeneralWay {
   void show_rank(cpp::Function& function) const {
     const std::string result = snake_case(artefact_.result_type) + ".";
     add(function, cpp::Assignment{cpp::atom(result + "rank"), cpp::atom("solved.rank")});
-    add(function, cpp::Assignment{cpp::atom(result + "mobility"), cpp::atom("S(n_v) - solved.rank")});
+    Expression left = cpp::sum({cpp::call("S", {cpp::atom("n_v")}), cpp::negated(cpp::atom("solved.rank"))});
+    add(function, cpp::Assignment{cpp::atom(result + "mobility"), std::move(left)});
     cpp::Assignment copy{cpp::atom(result + "is_shared[mu]"), cpp::atom("solved.is_shared[mu]")};
     add(function, cpp::Loop{"mu", "0", std::to_string(ways_.rows), {cpp::AnyStatement{std::move(copy)}}});
   }

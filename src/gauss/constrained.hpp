@@ -33,8 +33,8 @@ struct LinearSolution {
 namespace detail {
 
 /// Of the entry that is largest beside what it may be: whatever units and inertias are.
-template <class S, int n>
-GAUSS_FUNCTION S part_of_reach(const S (&row)[n], const S (&reach)[n]) {
+template <class S, int N, class Count = Known<N>>
+GAUSS_FUNCTION S part_of_reach(const S (&row)[N], const S (&reach)[N], Count n = {}) {
   S part = S(0);
   for (int i = 0; i < n; ++i)
     part = larger<S>(part, absolute<S>(row[i]) * reciprocal<S>(reach[i], positive<S>(reach[i])));
@@ -51,15 +51,26 @@ GAUSS_FUNCTION S usual_size(const S& size, const S& reach, const S& part) {
   return larger(size, Math<S>::select(Math<S>::less(reach, limit), reach, limit));
 }
 
-template <class S, int n, int l>
-class Constrained {
+/// Of a system of n speeds and l constraints that compilers know. Whoever learns them at run time only has a struct of the same members, with arrays for
+/// N and L at most.
+template <int speeds, int rows>
+struct KnownSizes {
+  static constexpr int N = speeds, L = rows;
+  Known<speeds> n;
+  Known<rows> l;
+  Known<(speeds < rows ? speeds : rows)> most;  ///< rows that can say something of their own
+};
+
+template <class S, class Sizes>
+class Constrained : Sizes {
   using Bool = typename Math<S>::Bool;
-  static constexpr int most = n < l ? n : l;  ///< rows that can say something of their own
+  using Sizes::n, Sizes::l, Sizes::most;
+  static constexpr int N = Sizes::N, L = Sizes::L, M = N < L ? N : L;
 
  public:
   template <class System>
-  GAUSS_FUNCTION Constrained(const System& system, const RankRule<S>& rule)
-      : is_agreement_known_(rule.is_agreement_known) {
+  GAUSS_FUNCTION Constrained(const System& system, const RankRule<S>& rule, const Sizes& sizes = {})
+      : Sizes(sizes), is_agreement_known_(rule.is_agreement_known), free_(sizes.n), shares_(sizes.l) {
     scale(system);
     for (int mu = 0; mu < l; ++mu) beyond_[mu] = beyond_usual<S>(system, rule, mu);
     factorise_rows(rule);
@@ -68,15 +79,15 @@ class Constrained {
     find_asked(system);
   }
 
-  GAUSS_FUNCTION void solve(LinearSolution<S, n, l>& solution) const {
-    S a[n], lambda[l];
+  GAUSS_FUNCTION void solve(LinearSolution<S, N, L>& solution) const {
+    S a[N], lambda[L];
     const S contradiction = solve_for(f_, c_, a, lambda);
     finish(a, lambda, contradiction, solution);
   }
 
   /// With other forces and drifts.
-  GAUSS_FUNCTION void respond(const S (&force)[n], const S (&drift)[l], S (&accelerations)[n]) const {
-    S f[n], c[l], a[n], lambda[l];
+  GAUSS_FUNCTION void respond(const S (&force)[N], const S (&drift)[L], S (&accelerations)[N]) const {
+    S f[N], c[L], a[N], lambda[L];
     for (int i = 0; i < n; ++i) f[i] = speed_scale_[i] * force[i];
     for (int mu = 0; mu < l; ++mu) c[mu] = -row_scale_[mu] * drift[mu];
     (void)solve_for(f, c, a, lambda);
@@ -85,10 +96,10 @@ class Constrained {
 
  private:
   /// Returns by how much rows contradict each other.
-  GAUSS_FUNCTION S solve_for(const S (&f)[n], const S (&c)[l], S (&a)[n], S (&lambda)[l]) const {
+  GAUSS_FUNCTION S solve_for(const S (&f)[N], const S (&c)[L], S (&a)[N], S (&lambda)[L]) const {
     for (int i = 0; i < n; ++i) a[i] = S(0);
     for (int mu = 0; mu < l; ++mu) lambda[mu] = S(0);
-    S left_of_f[n], left_of_c[l], contradiction = S(0);
+    S left_of_f[N], left_of_c[L], contradiction = S(0);
     for (int pass = 0; pass < 2; ++pass) {
       residual(f, c, a, lambda, left_of_f, left_of_c);
       const S found = add(left_of_f, left_of_c, a, lambda);
@@ -100,12 +111,12 @@ class Constrained {
   /// Inertias to 1, rows to unit length. What has no inertia is measured by the rows.
   template <class System>
   GAUSS_FUNCTION void scale(const System& system) {
-    S massive[n];
+    S massive[N];
     for (int i = 0; i < n; ++i) {
       massive[i] = positive<S>(system.g[i][i]);
       speed_scale_[i] = root(reciprocal(system.g[i][i], massive[i]));
     }
-    S of_massive[l];
+    S of_massive[L];
     for (int mu = 0; mu < l; ++mu) of_massive[mu] = length(system.b[mu]);
     for (int i = 0; i < n; ++i) {
       S beside = S(0), alone = S(0);
@@ -121,7 +132,7 @@ class Constrained {
     for (int mu = 0; mu < l; ++mu) {
       for (int i = 0; i < n; ++i) b_[mu][i] = without_rounding(system.b[mu][i], system.reach[mu][i]);
       const S size = length(b_[mu]);
-      const S usual = usual_size(size, length(system.reach[mu]), part_of_reach(b_[mu], system.reach[mu]));
+      const S usual = usual_size(size, length(system.reach[mu]), part_of_reach(b_[mu], system.reach[mu], n));
       row_scale_[mu] = reciprocal(usual, positive<S>(size));
       for (int i = 0; i < n; ++i) b_[mu][i] = row_scale_[mu] * b_[mu][i] * speed_scale_[i];
       // A row of zeros that asks for something is contradictory; its scale is lost.
@@ -140,7 +151,7 @@ class Constrained {
     return Math<S>::select(Math<S>::less(absolute(entry), S(8) * Math<S>::epsilon() * reach), S(0), entry);
   }
 
-  GAUSS_FUNCTION S length(const S (&row)[n]) const {
+  GAUSS_FUNCTION S length(const S (&row)[N]) const {
     S squares = S(0);
     for (int i = 0; i < n; ++i) squares = squares + row[i] * speed_scale_[i] * (row[i] * speed_scale_[i]);
     return root(squares);
@@ -183,7 +194,7 @@ class Constrained {
     }
   }
 
-  GAUSS_FUNCTION S squares_from(int k, const S (&row)[n]) const {
+  GAUSS_FUNCTION S squares_from(int k, const S (&row)[N]) const {
     S sum = S(0);
     for (int i = k; i < n; ++i) sum = sum + row[i] * row[i];
     return sum;
@@ -224,23 +235,23 @@ class Constrained {
     inverse_[k] = reciprocal(r_[k][k], is_row_[k]);
   }
 
-  GAUSS_FUNCTION void apply(int k, S (&x)[n]) const {
-    const S along = strength_[k] * inner(reflector_[k], x);
+  GAUSS_FUNCTION void apply(int k, S (&x)[N]) const {
+    const S along = strength_[k] * inner(reflector_[k], x, n);
     for (int i = k; i < n; ++i) x[i] = x[i] - along * reflector_[k][i];
   }
 
-  GAUSS_FUNCTION void turn(int k, S (&x)[n]) const {
+  GAUSS_FUNCTION void turn(int k, S (&x)[N]) const {
     for (int i = k + 1; i < n; ++i) swap_where<S>(moved_[k][i], x[k], x[i]);
     apply(k, x);
   }
 
   /// Q^T x
-  GAUSS_FUNCTION void to_parts(S (&x)[n]) const {
+  GAUSS_FUNCTION void to_parts(S (&x)[N]) const {
     for (int k = 0; k < most; ++k) turn(k, x);
   }
 
   /// Q x
-  GAUSS_FUNCTION void from_parts(S (&x)[n]) const {
+  GAUSS_FUNCTION void from_parts(S (&x)[N]) const {
     for (int k = most - 1; k >= 0; --k) {
       apply(k, x);
       for (int i = n - 1; i > k; --i) swap_where<S>(moved_[k][i], x[k], x[i]);
@@ -256,7 +267,7 @@ class Constrained {
       for (int i = 0; i < n; ++i) to_parts(parts_[i]);
       transpose();
     }
-    S is_free[n];
+    S is_free[N];
     for (int i = 0; i < n; ++i) is_free[i] = S(1) - is_row_[i];
     // A quarter of the digits is left of what is divided by the least one, as in the cheap way.
     const S half = Math<S>::sqrt(Math<S>::epsilon());
@@ -275,7 +286,7 @@ class Constrained {
 
   /// For each row without an own part, what of the others does the same: null vectors of b^T.
   GAUSS_FUNCTION void find_shared() {
-    S counts[l];
+    S counts[L];
     for (int j = 0; j < l; ++j) {
       const S is_left = S(1) - row_part(j);
       counts[j] = is_left;
@@ -286,9 +297,9 @@ class Constrained {
         null_[j][k] = Math<S>::select(Math<S>::less(S(0), is_left * row_part(k)), -sum * inverse_[k], null_[j][k]);
       }
     }
-    S gram[l][l];
+    S gram[L][L];
     for (int i = 0; i < l; ++i) {
-      for (int j = 0; j < l; ++j) gram[i][j] = inner(null_[i], null_[j]);
+      for (int j = 0; j < l; ++j) gram[i][j] = inner(null_[i], null_[j], l);
     }
     shares_.factorise(gram, counts, S(0));
   }
@@ -297,7 +308,7 @@ class Constrained {
   /// the stages of a step, derivatives of these need not agree, and positions tell.
   template <class System>
   GAUSS_FUNCTION void find_asked(const System& system) {
-    S of_positions[l];
+    S of_positions[L];
     for (int mu = 0; mu < l; ++mu) of_positions[mu] = system.of_positions[mu];
     arrange(of_positions);
     const S least = Math<S>::sqrt(Math<S>::epsilon());
@@ -313,20 +324,20 @@ class Constrained {
 
   GAUSS_FUNCTION S row_part(int k) const { return k < most ? is_row_[k < n ? k : 0] : S(0); }
 
-  GAUSS_FUNCTION void residual(const S (&f)[n], const S (&c)[l], const S (&a)[n], const S (&lambda)[l], S (&of_f)[n],
-                               S (&of_c)[l]) const {
+  GAUSS_FUNCTION void residual(const S (&f)[N], const S (&c)[L], const S (&a)[N], const S (&lambda)[L], S (&of_f)[N],
+                               S (&of_c)[L]) const {
     for (int i = 0; i < n; ++i) {
       of_f[i] = f[i];
       for (int j = 0; j < n; ++j) of_f[i] = of_f[i] - g_[i][j] * a[j];
       for (int mu = 0; mu < l; ++mu) of_f[i] = of_f[i] + b_[mu][i] * lambda[mu];
     }
-    for (int mu = 0; mu < l; ++mu) of_c[mu] = c[mu] - inner(b_[mu], a);
+    for (int mu = 0; mu < l; ++mu) of_c[mu] = c[mu] - inner(b_[mu], a, n);
   }
 
   /// Adds to a and lambda what f and c ask for; returns by how much rows contradict each other, of what they ask for.
-  GAUSS_FUNCTION S add(S (&f)[n], S (&c)[l], S (&a)[n], S (&lambda)[l]) const {
+  GAUSS_FUNCTION S add(S (&f)[N], S (&c)[L], S (&a)[N], S (&lambda)[L]) const {
     arrange(c);
-    S y[n], x[n];
+    S y[N], x[N];
     const S contradiction = along_rows(c, y);
     to_parts(f);
     for (int i = 0; i < n; ++i) {
@@ -336,7 +347,7 @@ class Constrained {
     }
     free_.solve(x);
     for (int i = 0; i < n; ++i) y[i] = Math<S>::select(Math<S>::less(S(0), is_row_[i]), y[i], x[i]);
-    S change[l];
+    S change[L];
     forces(f, y, change);
     arrange_back(change);
     from_parts(y);
@@ -346,7 +357,7 @@ class Constrained {
   }
 
   /// R^T y = c
-  GAUSS_FUNCTION S along_rows(const S (&c)[l], S (&y)[n]) const {
+  GAUSS_FUNCTION S along_rows(const S (&c)[L], S (&y)[N]) const {
     for (int i = 0; i < n; ++i) y[i] = S(0);
     S contradiction = S(0);
     for (int k = 0; k < l; ++k) {
@@ -364,7 +375,7 @@ class Constrained {
   }
 
   /// How far what row k and those that it follows from ask for may be off.
-  GAUSS_FUNCTION S error_of_demands(const S (&c)[l], int k) const {
+  GAUSS_FUNCTION S error_of_demands(const S (&c)[L], int k) const {
     S error = S(0);
     for (int m = 0; m < l; ++m) {
       const S rounding = S(10000) * Math<S>::epsilon() * absolute<S>(c[m]);
@@ -374,15 +385,15 @@ class Constrained {
   }
 
   /// R lambda = (Q^T (g a - f)) along the rows, of least norm.
-  GAUSS_FUNCTION void forces(const S (&f)[n], const S (&y)[n], S (&lambda)[l]) const {
+  GAUSS_FUNCTION void forces(const S (&f)[N], const S (&y)[N], S (&lambda)[L]) const {
     for (int k = 0; k < l; ++k) lambda[k] = S(0);
     for (int k = most - 1; k >= 0; --k) {
-      S rest = inner(parts_[k], y) - f[k];
+      S rest = inner(parts_[k], y, n) - f[k];
       for (int j = k + 1; j < most; ++j) rest = rest - r_[j][k] * lambda[j];
       lambda[k] = rest * inverse_[k];
     }
-    S share[l];
-    for (int j = 0; j < l; ++j) share[j] = -inner(null_[j], lambda);
+    S share[L];
+    for (int j = 0; j < l; ++j) share[j] = -inner(null_[j], lambda, l);
     shares_.solve(share);
     for (int j = 0; j < l; ++j) {
       const S part = share[j] * (S(1) - row_part(j));
@@ -391,20 +402,20 @@ class Constrained {
   }
 
   /// As the rows were brought into their order.
-  GAUSS_FUNCTION void arrange(S (&values)[l]) const {
+  GAUSS_FUNCTION void arrange(S (&values)[L]) const {
     for (int k = 0; k < most; ++k) {
       for (int j = k + 1; j < l; ++j) swap_where<S>(swapped_[k][j], values[k], values[j]);
     }
   }
 
-  GAUSS_FUNCTION void arrange_back(S (&values)[l]) const {
+  GAUSS_FUNCTION void arrange_back(S (&values)[L]) const {
     for (int k = most - 1; k >= 0; --k) {
       for (int j = l - 1; j > k; --j) swap_where<S>(swapped_[k][j], values[k], values[j]);
     }
   }
 
-  GAUSS_FUNCTION void finish(const S (&a)[n], const S (&lambda)[l], const S& contradiction,
-                             LinearSolution<S, n, l>& solution) const {
+  GAUSS_FUNCTION void finish(const S (&a)[N], const S (&lambda)[L], const S& contradiction,
+                             LinearSolution<S, N, L>& solution) const {
     for (int i = 0; i < n; ++i) solution.accelerations[i] = speed_scale_[i] * a[i];
     for (int k = 0; k < l; ++k) {
       S shared = S(0);
@@ -419,7 +430,7 @@ class Constrained {
     const S is_unknown = unknown();
     const Bool undetermined = Math<S>::less(free_.is_determined - has_lost_entries_ + is_unknown, S(1));
     const Bool lost = Math<S>::less(is_full_ + is_unknown, S(1));
-    const Bool not_unique = Math<S>::less(rank_ + S(l) * is_unknown, S(l));
+    const Bool not_unique = Math<S>::less(rank_ + S(int(l)) * is_unknown, S(int(l)));
     const S allowed = is_agreement_known_ ? S(2) : Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
     const Bool contradictory = Math<S>::less(allowed, contradiction);
     solution.motion = Math<S>::status(undetermined, lost, never, contradictory);
@@ -429,27 +440,27 @@ class Constrained {
 
   GAUSS_FUNCTION S unknown() const {
     S sum = S(0);
-    for (int i = 0; i < n; ++i) sum = sum + f_[i] + inner(g_[i], g_[i]);
-    for (int mu = 0; mu < l; ++mu) sum = sum + c_[mu] + inner(b_[mu], b_[mu]);
+    for (int i = 0; i < n; ++i) sum = sum + f_[i] + inner(g_[i], g_[i], n);
+    for (int mu = 0; mu < l; ++mu) sum = sum + c_[mu] + inner(b_[mu], b_[mu], n);
     return indicator<S>(Math<S>::not_finite(sum));
   }
 
-  S g_[n][n], f_[n], b_[l][n], c_[l];  ///< scaled
-  S speed_scale_[n], row_scale_[l];
-  S r_[l][n];  ///< R^T: row k has its entries above the diagonal, and r_[k][k]
-  S reflector_[most][n], strength_[most], inverse_[most];
-  S is_row_[n];  ///< 1: this part of the speeds is what a row says; 0: it is free
-  S beyond_[l];  ///< what is asked of a row beyond the usual rank
+  S g_[N][N], f_[N], b_[L][N], c_[L];  ///< scaled
+  S speed_scale_[N], row_scale_[L];
+  S r_[L][N];  ///< R^T: row k has its entries above the diagonal, and r_[k][k]
+  S reflector_[M][N], strength_[M], inverse_[M];
+  S is_row_[N];  ///< 1: this part of the speeds is what a row says; 0: it is free
+  S beyond_[L];  ///< what is asked of a row beyond the usual rank
   S rank_, is_full_, has_lost_entries_;
   bool is_agreement_known_;
-  Bool swapped_[most][l];  ///< rows, and speeds:
-  Bool moved_[most][n];
-  S parts_[n][n];  ///< Q^T g Q
-  MaskedLdl<S, n> free_;
-  S null_[l][l];
-  S asked_[l];    ///< 1: a row is left that has to agree with the others
-  S c_error_[l];  ///< how far c may be off; as the rows were brought into their order
-  MaskedLdl<S, l> shares_;
+  Bool swapped_[M][L];  ///< rows, and speeds:
+  Bool moved_[M][N];
+  S parts_[N][N];  ///< Q^T g Q
+  MaskedLdl<S, N, decltype(Sizes::n)> free_;
+  S null_[L][L];
+  S asked_[L];    ///< 1: a row is left that has to agree with the others
+  S c_error_[L];  ///< how far c may be off; as the rows were brought into their order
+  MaskedLdl<S, L, decltype(Sizes::l)> shares_;
 };
 
 }  // namespace detail
@@ -459,7 +470,7 @@ class Constrained {
 /// square of the part by which positions are off the equations that row mu may follow from.
 template <class System, class S, int n, int l>
 GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolution<S, n, l>& solution) noexcept {
-  detail::Constrained<S, n, l>(system, rule).solve(solution);
+  detail::Constrained<S, detail::KnownSizes<n, l>>(system, rule).solve(solution);
 }
 
 /// Accelerations with each of `count` other forces and drifts in the place of those of `system`, such as their derivatives. The status says whether they are
@@ -467,7 +478,7 @@ GAUSS_PART void solve(const System& system, const RankRule<S>& rule, LinearSolut
 template <class System, class S, int n, int l, int count>
 GAUSS_PART StatusOf<S> solve_each(const System& system, const RankRule<S>& rule, const S (&f)[count][n],
                                   const S (&drift)[count][l], S (&accelerations)[count][n]) noexcept {
-  const detail::Constrained<S, n, l> constrained(system, rule);
+  const detail::Constrained<S, detail::KnownSizes<n, l>> constrained(system, rule);
   S nothing = S(0);
   for (int k = 0; k < count; ++k) {
     constrained.respond(f[k], drift[k], accelerations[k]);

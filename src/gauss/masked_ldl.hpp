@@ -9,14 +9,16 @@ namespace gauss {
 
 namespace detail {
 
-/// L D L^T of a symmetric matrix of which some rows and columns count as those of the unit matrix.
-template <class S, int n>
+/// L D L^T of a symmetric matrix of which some rows and columns count as those of the unit matrix. It has n of them, N at most.
+template <class S, int N, class Count = Known<N>>
 class MaskedLdl {
  public:
+  GAUSS_FUNCTION explicit MaskedLdl(Count size = {}) : n(size) {}
+
   /// `counts[i]` 1: row i is that of `matrix`; 0: of the unit matrix. A pivot below `tolerance` of what it is the rest of determines nothing.
-  GAUSS_FUNCTION void factorise(const S (&matrix)[n][n], const S (&counts)[n], const S& tolerance) {
+  GAUSS_FUNCTION void factorise(const S (&matrix)[N][N], const S (&counts)[N], const S& tolerance) {
     is_determined = S(1);
-    S back[n][n];  // L^-1
+    S back[N][N];  // L^-1
     for (int j = 0; j < n; ++j) {
       const S size = size_of_pivot(matrix, counts, j, back);
       for (int i = j; i < n; ++i) {
@@ -34,7 +36,7 @@ class MaskedLdl {
     }
   }
 
-  GAUSS_FUNCTION void solve(S (&x)[n]) const {
+  GAUSS_FUNCTION void solve(S (&x)[N]) const {
     for (int i = 0; i < n; ++i) {
       for (int k = 0; k < i; ++k) x[i] = x[i] - factor_[i][k] * x[k];
     }
@@ -47,12 +49,12 @@ class MaskedLdl {
   S is_determined;
 
  private:
-  GAUSS_FUNCTION static S masked(const S (&matrix)[n][n], const S (&counts)[n], int i, int j) {
+  GAUSS_FUNCTION static S masked(const S (&matrix)[N][N], const S (&counts)[N], int i, int j) {
     return Math<S>::select(Math<S>::less(S(0), counts[i] * counts[j]), matrix[i][j], S(i == j ? 1 : 0));
   }
 
   /// p = w^T matrix w for the row w of L^-1. A pivot that is small makes large factors, and with them what the next ones are the rest of.
-  GAUSS_FUNCTION S size_of_pivot(const S (&matrix)[n][n], const S (&counts)[n], int j, S (&back)[n][n]) const {
+  GAUSS_FUNCTION S size_of_pivot(const S (&matrix)[N][N], const S (&counts)[N], int j, S (&back)[N][N]) const {
     S size = masked(matrix, counts, j, j);
     for (int i = 0; i < j; ++i) {
       back[j][i] = -factor_[j][i];
@@ -62,9 +64,10 @@ class MaskedLdl {
     return size;
   }
 
-  S factor_[n][n];
-  S pivot_[n];
-  S inverse_[n];
+  Count n;
+  S factor_[N][N];
+  S pivot_[N];
+  S inverse_[N];
 };
 
 }  // namespace detail

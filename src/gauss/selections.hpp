@@ -51,8 +51,15 @@ GAUSS_FUNCTION void swap_where(const typename Math<S>::Bool& condition, S& a, S&
   b = Math<S>::select(condition, before, b);
 }
 
-template <class S, int n>
-GAUSS_FUNCTION S inner(const S (&a)[n], const S (&b)[n]) {
+/// A number that compilers know.
+template <int value>
+struct Known {
+  GAUSS_FUNCTION constexpr operator int() const { return value; }
+};
+
+/// Of the first n; arrays may be longer.
+template <class S, int N, class Count = Known<N>>
+GAUSS_FUNCTION S inner(const S (&a)[N], const S (&b)[N], Count n = {}) {
   S sum = a[0] * b[0];
   for (int i = 1; i < n; ++i) sum = sum + a[i] * b[i];
   return sum;

@@ -19,17 +19,21 @@ class Engine {
   virtual Entry find(const std::string& function, const std::string& scalar) const = 0;
 };
 
+/// Values and the start, which are no part of what is compiled, are found by another engine.
 class CompiledEngine final : public Engine {
  public:
-  explicit CompiledEngine(std::shared_ptr<const Plugin> plugin) : plugin_(std::move(plugin)) {}
+  CompiledEngine(std::shared_ptr<const Plugin> plugin, std::unique_ptr<const Engine> beside)
+      : plugin_(std::move(plugin)), beside_(std::move(beside)) {}
 
   const char* name() const override { return "compiled"; }
   Entry find(const std::string& function, const std::string& scalar) const override {
-    return plugin_->find(function, scalar);
+    const Entry compiled = plugin_->find(function, scalar);
+    return compiled ? compiled : beside_->find(function, scalar);
   }
 
  private:
   std::shared_ptr<const Plugin> plugin_;
+  std::unique_ptr<const Engine> beside_;
 };
 
 /// As C++ writes a number type.

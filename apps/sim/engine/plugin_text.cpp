@@ -14,6 +14,24 @@ namespace cpp = gaussgen::emit::cpp;
 
 namespace {
 
+bool is_of_start(const std::string& function) { return function.rfind("initial_state", 0) == 0; }
+
+/// What comes from the values in the model's file: the start, and what parameters are if nobody says so.
+void remove_values(cpp::File& tree) {
+  std::vector<cpp::Item> kept;
+  for (cpp::Item& item : tree.items) {
+    const auto* const function = std::get_if<cpp::Function>(&item);
+    if (function != nullptr && is_of_start(function->name)) continue;
+    if (auto* const type = std::get_if<cpp::Struct>(&item); type != nullptr) {
+      if (type->name == "Parameters" || type->name == "Inputs") {
+        for (cpp::Member& member : type->members) member.value.reset();
+      }
+    }
+    kept.push_back(std::move(item));
+  }
+  tree.items = std::move(kept);
+}
+
 /// Words about the file, such as its hash and command.
 void remove_provenance(cpp::File& tree) {
   const auto is_comment = [](const cpp::Item& item) { return std::holds_alternative<cpp::Comment>(item); };
@@ -48,16 +66,6 @@ std::string entry(const cpp::Function& function, const std::string& name_space, 
                             plain_type(function.type, name_space, scalar), i, call);
 }
 
-/// The values that the header gives a struct.
-std::string values_entry(const std::string& name, const std::string& type, const std::string& name_space,
-                         const std::string& scalar) {
-  const std::string whole = "::" + name_space + "::" + type + "<" + scalar + ">";
-  return fmt::format(
-      "extern \"C\" GAUSS_SIM_VISIBLE int {}(const void*, void* const* a) {{\n  *static_cast<{}*>(a[0]) = {}{{}};\n  "
-      "return 0;\n}}\n",
-      entry_symbol(name, scalar), whole, whole);
-}
-
 /// A run by power series, where the header has them.
 std::string series_entries(const std::string& name_space, const std::string& scalar) {
   std::string text;
@@ -88,6 +96,7 @@ std::string entry_symbol(const std::string& function, const std::string& scalar)
 
 std::string plugin_text(cpp::File tree, const PluginRequest& request) {
   remove_provenance(tree);
+  remove_values(tree);
   std::string text = cpp::print(tree);
   text += "\n#define GAUSS_SIM_VISIBLE __attribute__((visibility(\"default\")))\n\n";
   if (uses_quad(request)) text += quad_runtime();
@@ -98,8 +107,6 @@ std::string plugin_text(cpp::File tree, const PluginRequest& request) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   for (const std::string& scalar : request.scalars) {
-    text += values_entry("parameters", "Parameters", tree.name_space, scalar);
-    text += values_entry("inputs", "Inputs", tree.name_space, scalar);
     if (has_series) text += series_entries(tree.name_space, scalar);
     for (const std::string& name : names) {
       if (const cpp::Function* const function = find_function(tree, name))

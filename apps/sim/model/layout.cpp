@@ -23,7 +23,7 @@ std::vector<std::string> indices_of(const std::vector<std::string>& shape) {
   return indices;
 }
 
-void add(const cpp::Struct& type, const std::string& prefix, std::vector<Slot>& slots) {
+void add(const cpp::Struct& type, const std::string& prefix, std::vector<ResultNumber>& slots) {
   for (const cpp::Struct& nested : type.nested) add(nested, prefix + nested.instance + ".", slots);
   gaussgen::emit::Group group;
   group.about = prefix.empty() ? "" : type.comment;
@@ -54,8 +54,8 @@ const cpp::Function* find_function(const cpp::File& tree, const std::string& nam
   return find<cpp::Function>(tree, name);
 }
 
-std::vector<Slot> layout_of(const cpp::File& tree, const std::string& type) {
-  std::vector<Slot> slots;
+std::vector<ResultNumber> layout_of(const cpp::File& tree, const std::string& type) {
+  std::vector<ResultNumber> slots;
   if (const cpp::Struct* const found = find_struct(tree, type)) add(*found, "", slots);
   return slots;
 }

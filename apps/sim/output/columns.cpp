@@ -111,7 +111,7 @@ class Chooser {
 
   void add_results(const std::string& output) {
     if (find_function(model_.tree, output) == nullptr) return;
-    const std::vector<Slot> slots = layout_of(model_.tree, struct_of(output));
+    const std::vector<ResultNumber> slots = layout_of(model_.tree, struct_of(output));
     if (slots.empty()) return;
     for (std::size_t i = 0; i < slots.size(); ++i)
       all_.push_back({output + "." + slots[i].name, slots[i].unit, slots[i].about, false, functions_.size(), i});

@@ -1,5 +1,6 @@
 #include "sim/run/build_engine.hpp"
 
+#include "sim/engine/interpreted.hpp"
 #include "sim/engine/plugin_text.hpp"
 
 namespace gausssim {
@@ -8,21 +9,24 @@ std::string scalar_of(const std::string& number) {
   return number == "long-double" ? "long double" : number == "float128" ? "__float128" : number;
 }
 
-std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, const std::vector<std::string>& scalars,
-                                     EngineTimes& times, std::string& why) {
+std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice choice,
+                                     const std::vector<std::string>& scalars, EngineTimes& times, std::string& why) {
+  auto interpreted = std::make_unique<InterpretedEngine>(prepared.model.tree);
+  if (choice == EngineChoice::interpreted) return interpreted;
   auto toolchain = find_toolchain();
+  if (!toolchain && choice == EngineChoice::automatic) return interpreted;
   if (!toolchain) {
     why = "there is no C++ compiler on the path; CXX may name one";
     return nullptr;
   }
   PluginRequest request;
-  request.functions = {"prepare", "initial_state", "rhs", "project", "project_positions", "energy", "residuals"};
+  request.functions = {"prepare", "rhs", "project", "project_positions", "energy", "residuals"};
   for (const SampledFunction& function : prepared.columns.functions) request.functions.push_back(function.function);
   request.scalars = scalars;
   if (uses_quad(request)) toolchain->libraries.push_back("-lquadmath");
   const Built built = build_plugin(plugin_text(prepared.model.tree, request), *toolchain);
   times = {built.compile_seconds, built.was_cached};
-  if (built.plugin) return std::make_unique<CompiledEngine>(built.plugin);
+  if (built.plugin) return std::make_unique<CompiledEngine>(built.plugin, std::move(interpreted));
   why = "the model cannot be compiled: " + built.why;
   return nullptr;
 }

@@ -13,9 +13,12 @@ struct EngineTimes {
   bool was_cached = false;
 };
 
-/// The functions of a model for these number types, as C++ writes them, compiled or from the cache. Null: `why`.
-std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, const std::vector<std::string>& scalars,
-                                     EngineTimes& times, std::string& why);
+enum class EngineChoice { automatic, compiled, interpreted };
+
+/// The functions of a model for these number types, as C++ writes them: compiled, or from the cache, or interpreted where that is asked for or there is no compiler.
+/// Null: `why`.
+std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice choice,
+                                     const std::vector<std::string>& scalars, EngineTimes& times, std::string& why);
 
 /// "long-double" of scenes is "long double".
 std::string scalar_of(const std::string& number);

@@ -11,7 +11,7 @@ namespace {
 
 namespace cpp = gaussgen::emit::cpp;
 
-std::vector<std::size_t> slots_of(const std::vector<Slot>& slots, const std::string& name) {
+std::vector<std::size_t> slots_of(const std::vector<ResultNumber>& slots, const std::string& name) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     if (slots[i].name.rfind(name + "[", 0) == 0 || slots[i].name == name) found.push_back(i);
@@ -38,8 +38,8 @@ double largest(const std::vector<S>& values, const std::vector<std::size_t>& slo
 
 template <class S>
 DriftMeter<S>::DriftMeter(const Functions<S>& functions, const Described& model) : functions_(functions) {
-  const std::vector<Slot> energy = layout_of(model.tree, "Energy");
-  const std::vector<Slot> residuals = layout_of(model.tree, "Residuals");
+  const std::vector<ResultNumber> energy = layout_of(model.tree, "Energy");
+  const std::vector<ResultNumber> residuals = layout_of(model.tree, "Residuals");
   energy_.resize(energy.size());
   residuals_.resize(residuals.size());
   rates_.resize(model.size());

@@ -55,16 +55,24 @@ void apply(const RunOptions& options, Scene& scene) {
   for (const std::string& name : options.outputs) scene.outputs.push_back({name, {}});
 }
 
-/// Series where the model has them.
-std::string default_method(const Described& model) {
-  return find_function(model.tree, "taylor") != nullptr ? "taylor" : "prince87";
+EngineChoice engine_choice(const Scene& scene) {
+  if (!scene.engine || scene.engine->text == "auto") return EngineChoice::automatic;
+  return scene.engine->text == "compiled" ? EngineChoice::compiled : EngineChoice::interpreted;
 }
 
-Setting setting_of(const PreparedModel& prepared) {
+/// Series where the model has them.
+std::string default_method(const Described& model, const Engine& engine, const std::string& scalar) {
+  const bool has_series = static_cast<bool>(engine.find("series_begin", scalar));
+  return find_function(model.tree, "taylor") != nullptr && has_series ? "taylor" : "prince87";
+}
+
+Setting setting_of(const PreparedModel& prepared, const Engine& engine) {
   const Scene& scene = prepared.scene;
   Setting setting;
-  setting.method = scene.method && scene.method->text != "auto" ? scene.method->text : default_method(prepared.model);
   if (scene.number) setting.number = scene.number->text;
+  setting.method = scene.method && scene.method->text != "auto"
+                       ? scene.method->text
+                       : default_method(prepared.model, engine, scalar_of(setting.number));
   if (scene.projection && scene.projection->text == "off") setting.projection = Projection::off;
   if (find_method(setting.method)->takes_step) {
     setting.step = scene.step.value_or(prepared.span.duration / k_default_steps);
@@ -200,13 +208,13 @@ int run(const RunOptions& options) {
   const auto prepared = prepare(
       request, [&](Scene& scene) { apply(options, scene); }, code);
   if (!prepared) return code;
-  const Setting setting = setting_of(*prepared);
-
+  const std::string number = prepared->scene.number ? prepared->scene.number->text : "double";
   Times times;
   times.generate = prepared->generate_seconds;
   std::string why;
-  const auto engine = build_engine(*prepared, {scalar_of(setting.number)}, times.engine, why);
+  const auto engine = build_engine(*prepared, engine_choice(prepared->scene), {scalar_of(number)}, times.engine, why);
   if (!engine) return cli::fail(why, cli::k_file_error, options.messages);
+  const Setting setting = setting_of(*prepared, *engine);
 
   const std::string csv = csv_path(options, *prepared);
   CsvFile file(csv);

@@ -134,8 +134,8 @@ std::optional<Problem> solve_problem(const std::string& file, const StudyOptions
   if (!prepared) return std::nullopt;
   problem.name = prepared->scene.name.empty() ? prepared->model.unit.model_name : prepared->scene.name;
   Formulation formulation{"as given", std::move(*prepared), nullptr, {}, 0};
-  formulation.engine =
-      build_engine(formulation.model, {"double", "long double", "__float128"}, formulation.times, problem.why);
+  formulation.engine = build_engine(formulation.model, EngineChoice::compiled, {"double", "long double", "__float128"},
+                                    formulation.times, problem.why);
   if (!formulation.engine) {
     code = gaussgen::cli::fail(problem.why, gaussgen::cli::k_file_error, options.messages);
     return std::nullopt;

@@ -1,0 +1,31 @@
+#pragma once
+// Functions that run without a compiler.
+
+#include <list>
+#include <memory>
+#include <string>
+
+#include "sim/engine/engine.hpp"
+#include "sim/interpreter/interpreter.hpp"
+
+namespace gausssim {
+
+/// Of a header, all functions but series. Numbers and bits are those of the compiled ones.
+class InterpretedEngine final : public Engine {
+ public:
+  /// Throws NotRunnable.
+  explicit InterpretedEngine(gaussgen::emit::cpp::File tree);
+  ~InterpretedEngine() override;
+
+  const char* name() const override { return "interpreted"; }
+  /// Each has a frame of its own, so that different ones may run at a time.
+  Entry find(const std::string& function, const std::string& scalar) const override;
+
+ private:
+  struct Callees;
+
+  std::shared_ptr<const Program> program_;
+  std::unique_ptr<Callees> callees_;
+};
+
+}  // namespace gausssim

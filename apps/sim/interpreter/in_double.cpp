@@ -1,0 +1,3 @@
+#include "sim/interpreter/interpreter.inc"
+
+template class gausssim::Interpreter<double>;
