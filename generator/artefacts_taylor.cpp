@@ -18,7 +18,7 @@ std::vector<Artefact> taylor_artefact(Mechanics& mechanics) {
   result.back().name = "taylor";
   result.back().about =
       "Coefficients of the power series of the state from t on, up to `order` (1 to TaylorSeries<S>::most): those of "
-      "order 1 are what rhs\nfills. Inputs are constant. Where the status is not ok there is no series, while rhs may "
+      "order 1 are what rhs fills. Inputs are constant. Where the status is not ok there is no series, while rhs may "
       "know "
       "the motion all the same.";
   result.back().is_series = true;

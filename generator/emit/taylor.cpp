@@ -26,14 +26,13 @@ constexpr std::size_t k_lanes = 4;
 constexpr int k_most_order = 40;
 
 const char* const k_about =
-    "Order k + 1 of the state from order k of its rates. With u_k = u^(k)/k!, and S(a, b) the sum of a_j b_(k-j) over "
-    "0 < j < k, which\n"
-    "all products have before order k begins:\n"
+    "Order k + 1 of the state from order k of its rates. With u_k = u^(k)/k!, and S(a, b) the sum of a_j b_(k-j)\n"
+    "over 0 < j < k, which all products have before order k begins:\n"
     "  a b:          a_0 b_k + a_k b_0 + S(a, b)\n"
     "  q = a/b:      (a_k - q_0 b_k - S(q, b)) / b_0\n"
     "  r = sqrt(a):  (a_k - S(r, r)) / (2 r_0)\n"
-    "  d y' = f u':  (f_0 u_k + (S(u', f) - S(y', d)) / k) / d_0, where u' has coefficients j u_j: sines, "
-    "exponentials, powers, arcs\n"
+    "  d y' = f u':  (f_0 u_k + (S(u', f) - S(y', d)) / k) / d_0, where u' has coefficients j u_j: all other "
+    "functions\n"
     "(Jorba and Zou, Experimental Mathematics 14 (2005) 99; Griewank and Walther, Evaluating Derivatives, 13.2)";
 
 std::size_t padded(std::size_t columns) { return (columns + k_lanes - 1) / k_lanes * k_lanes; }
