@@ -271,7 +271,7 @@ class Constrained : Sizes {
     for (int i = 0; i < n; ++i) is_free[i] = S(1) - is_row_[i];
     // A quarter of the digits is left of what is divided by the least one, as in the cheap way.
     const S half = Math<S>::sqrt(Math<S>::epsilon());
-    free_.factorise(parts_, is_free, S(8 * n) * Math<S>::epsilon() + half * Math<S>::sqrt(half));
+    free_.factorise(parts_, is_free, S(8) * number<S>(n) * Math<S>::epsilon() + half * Math<S>::sqrt(half));
   }
 
   GAUSS_FUNCTION void transpose() {
@@ -430,7 +430,7 @@ class Constrained : Sizes {
     const S is_unknown = unknown();
     const Bool undetermined = Math<S>::less(free_.is_determined - has_lost_entries_ + is_unknown, S(1));
     const Bool lost = Math<S>::less(is_full_ + is_unknown, S(1));
-    const Bool not_unique = Math<S>::less(rank_ + S(int(l)) * is_unknown, S(int(l)));
+    const Bool not_unique = Math<S>::less(rank_ + number<S>(l) * is_unknown, number<S>(l));
     const S allowed = is_agreement_known_ ? S(2) : Math<S>::sqrt(Math<S>::sqrt(Math<S>::epsilon()));
     const Bool contradictory = Math<S>::less(allowed, contradiction);
     solution.motion = Math<S>::status(undetermined, lost, never, contradictory);

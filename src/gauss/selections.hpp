@@ -57,6 +57,17 @@ struct Known {
   GAUSS_FUNCTION constexpr operator int() const { return value; }
 };
 
+/// Of a number that compilers know, one that they see to be exact.
+template <class S, int value>
+GAUSS_FUNCTION S number(Known<value>) {
+  return S(value);
+}
+
+template <class S>
+GAUSS_FUNCTION S number(int value) {
+  return S(value);
+}
+
 /// Of the first n; arrays may be longer.
 template <class S, int N, class Count = Known<N>>
 GAUSS_FUNCTION S inner(const S (&a)[N], const S (&b)[N], Count n = {}) {
