@@ -1,5 +1,7 @@
 #include "sim/engine/binding.hpp"
 
+#include <initializer_list>
+
 #include "sim/model/layout.hpp"
 
 namespace gausssim {
@@ -52,12 +54,13 @@ std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model)
   std::vector<S> parameters = room_for<S>(layout_of(model.tree, "Parameters").size());
   functions->prepared = room_for<S>(layout_of(model.tree, "Prepared").size());
   functions->inputs = room_for<S>(layout_of(model.tree, "Inputs").size());
-  void* given[] = {parameters.data()};
-  engine.find("parameters", scalar_name<S>())(given);
-  void* inputs[] = {functions->inputs.data()};
-  engine.find("inputs", scalar_name<S>())(inputs);
-  void* both[] = {parameters.data(), functions->prepared.data()};
-  engine.find("prepare", scalar_name<S>())(both);
+  // A header without parameters or inputs has no function for them.
+  const auto fill = [&](const char* function, std::initializer_list<void*> arguments) {
+    if (const Entry entry = engine.find(function, scalar_name<S>())) entry(arguments.begin());
+  };
+  fill("parameters", {parameters.data()});
+  fill("inputs", {functions->inputs.data()});
+  fill("prepare", {parameters.data(), functions->prepared.data()});
   const auto bound = [&](const char* function) {
     Callable<S> found = callable<S>(engine, model, function);
     if (found) found.bind(functions->prepared.data(), functions->inputs.data());
