@@ -174,6 +174,10 @@ function(_gauss_set_contraction target visibility contract)
       target_compile_options(${target} ${visibility} "$<$<COMPILE_LANG_AND_ID:CXX,${gnu_like}>:-ffp-contract=${contract}>"
                              "$<$<COMPILE_LANG_AND_ID:CUDA,Clang>:-ffp-contract=${contract}>")
     endif()
+    # Where g++ 12 makes vectors of straight code, it contracts pairs of products and sums (vfmaddsub) whatever -ffp-contract says.
+    if(contract STREQUAL "off")
+      target_compile_options(${target} ${visibility} "$<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-tree-slp-vectorize>")
+    endif()
     # nvcc has a switch, and hands the rest to the compiler of the host.
     set(fmad true)
     if(contract STREQUAL "off")

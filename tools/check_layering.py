@@ -233,7 +233,7 @@ def check_emitted(root):
 
 
 def programs(root):
-    """The folders of apps/: each is a program, and an include in it is written from there, from generator/ or from src/."""
+    """The folders of apps/: each is a program, and an include in it is written from apps/, from generator/ or from src/."""
     apps = root / "apps"
     return [path for path in sorted(apps.iterdir()) if path.is_dir()] if apps.is_dir() else []
 
@@ -241,13 +241,16 @@ def programs(root):
 def check_apps(root):
     """Programs need both sides, but see neither GiNaC nor yaml-cpp, nor each other; nothing sees them."""
     for program in programs(root):
-        bases = (program, root / "generator", root / "src")
+        bases = (root / "generator", root / "src")
+        inside = program.name + "/"
         for path in sources(program):
             for include in includes(read(path)):
                 if include.path is None or ".." in include.path.split("/"):
                     yield Violation(path, include.line, "plain", 'write an include of a program as "folder/file.hpp"')
                 elif include.path.split("/")[0] in ("ginac", "cln", "yaml-cpp"):
                     yield Violation(path, include.line, "apps", f"programs see no {include.path}: generator/ does")
+                elif include.path.startswith(inside) and (root / "apps" / include.path).is_file():
+                    continue
                 elif not include.angled and not any((base / (include.path + end)).is_file()
                                                     for base in bases for end in ("", ".in")):
                     yield Violation(path, include.line, "apps", f'"{include.path}" is neither of this program nor of '
@@ -255,7 +258,7 @@ def check_apps(root):
     for path in sources(root / "src") + sources(root / "generator"):
         for include in includes(read(path)):
             inside = include.path is not None and not include.angled
-            if inside and any((program / include.path).is_file() for program in programs(root)):
+            if inside and (root / "apps" / include.path).is_file():
                 yield Violation(path, include.line, "apps", f'nothing includes "{include.path}" of a program')
 
 

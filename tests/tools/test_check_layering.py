@@ -124,19 +124,19 @@ class Programs(Checkout):
 
     def test_a_program_may_see_both_sides_and_itself(self):
         self.write("apps/sim/interpreter/a.cpp",
-                   '#include "interpreter/place.hpp"\n#include "support/source.hpp"\n#include "gauss/math.hpp"\n#include <map>\n')
+                   '#include "sim/interpreter/place.hpp"\n#include "support/source.hpp"\n#include "gauss/math.hpp"\n#include <map>\n')
         self.assert_only()
 
     def test_what_only_the_generator_sees_is_refused_in_it_and_so_are_other_programs(self):
         self.write("apps/view/draw/draw.hpp", "")
         self.write("apps/sim/interpreter/a.cpp",
-                   '#include <ginac/ginac.h>\n#include <yaml-cpp/yaml.h>\n#include "draw/draw.hpp"\n#include "../../view/draw.hpp"\n')
+                   '#include <ginac/ginac.h>\n#include <yaml-cpp/yaml.h>\n#include "view/draw/draw.hpp"\n#include "../../view/draw.hpp"\n')
         file = "apps/sim/interpreter/a.cpp"
         self.assert_only((file, 1, "apps"), (file, 2, "apps"), (file, 3, "apps"), (file, 4, "plain"))
 
     def test_nothing_sees_a_program(self):
-        self.write("src/gauss/b.hpp", '#include "interpreter/place.hpp"\n')
-        self.write("generator/emit/b.hpp", '\n#include "interpreter/place.hpp"\n')
+        self.write("src/gauss/b.hpp", '#include "sim/interpreter/place.hpp"\n')
+        self.write("generator/emit/b.hpp", '\n#include "sim/interpreter/place.hpp"\n')
         self.assert_only(("src/gauss/b.hpp", 1, "apps"), ("generator/emit/b.hpp", 2, "apps"), ("generator/emit/b.hpp", 2, "arrow"))
 
 

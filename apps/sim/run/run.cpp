@@ -179,7 +179,7 @@ int code_of(const Simulated& run, const PreparedModel& prepared, const cli::Mess
                           gauss::name(run.sample_status)),
               messages);
   if (run.was_interrupted) {
-    cli::remark(fmt::format("interrupted at t = {}; --resume goes on from there", run.reached), messages);
+    cli::remark(fmt::format("interrupted at t = {}; the table ends there", run.reached), messages);
     return k_interrupted;
   }
   if (run.outcome == Outcome::running) return cli::k_ok;
