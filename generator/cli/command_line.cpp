@@ -42,9 +42,10 @@ class Adder {
         ->type_name("NAME");
     app_.add_option("--namespace", options_.pipeline.name_space, "C++ namespace instead of gauss::<name>")
         ->type_name("NAME");
-    add_list("--outputs", options_.pipeline.outputs, output_names(), "LIST",
-             "functions to emit instead of all but inverse_dynamics, jacobian, sensitivities and taylor, with commas "
-             "between: ");
+    add_list(
+        "--outputs", options_.pipeline.outputs, output_names(), "LIST",
+        "functions to emit instead of all but poses, inverse_dynamics, jacobian, sensitivities and taylor, with commas "
+        "between: ");
     add_names("--sensitivities", options_.pipeline.sensitivities,
               "parameters by which derivatives of rhs and of reactions are emitted, with commas between");
     add_flag("--fold", options_.pipeline.fold, "put the parameters in as numbers");

@@ -138,10 +138,10 @@ bool has(const Names& names, const std::string& wanted) {
 }  // namespace
 
 const std::vector<std::string>& outputs() {
-  static const Names k_outputs{"rhs",           "reactions",  "reaction_forces",  "joint_reactions", "energy",
-                               "compulsion",    "residuals",  "mobility",         "mass_matrix",     "project",
-                               "initial_state", "quantities", "inverse_dynamics", "jacobian",        "sensitivities",
-                               "taylor"};
+  static const Names k_outputs{"rhs",           "reactions",  "reaction_forces", "joint_reactions",  "energy",
+                               "compulsion",    "residuals",  "mobility",        "mass_matrix",      "project",
+                               "initial_state", "quantities", "poses",           "inverse_dynamics", "jacobian",
+                               "sensitivities", "taylor"};
   return k_outputs;
 }
 
