@@ -1,6 +1,7 @@
 """gauss-sim run: motions against closed forms, and what is written."""
 
 import math
+import os
 import signal
 import subprocess
 import time
@@ -93,6 +94,33 @@ class Writing(Program):
         self.ok("run", "spring.yaml", "--set", "m=3", "--set", "x=2", "--duration", "5", "-q")
         self.assertTrue(self.summary("spring.json")["seconds"]["cached"])
         self.assertEqual(self.table("spring.csv")["x [m]"][0], 2)
+
+    def test_both_engines_have_the_same_bits(self):
+        for model in (self.folder / "spring.yaml", MODELS / "four_bar.yaml", MODELS / "iftomm_a02_parallel.yaml"):
+            tables = []
+            for engine in ("compiled", "interpreted"):
+                self.ok("run", model, "--engine", engine, "--method", "prince87", "--duration", "1", "-o", "table.csv", "-q")
+                self.assertEqual(self.summary("table.json")["engine"], engine)
+                tables.append((self.folder / "table.csv").read_bytes())
+            self.assertEqual(tables[0], tables[1], model)
+
+    def test_without_a_compiler_models_are_interpreted(self):
+        without = {**os.environ, "CXX": "no-such-compiler"}
+        self.ok("run", "spring.yaml", "-q", env=without)
+        summary = self.summary("spring.json")
+        self.assertEqual((summary["engine"], summary["method"]), ("interpreted", "prince87"))
+        self.assertIn("no C++ compiler", self.refused(3, "run", "spring.yaml", "--engine", "compiled", "-o", "other.csv", env=without))
+
+    def test_a_broken_cache_is_mended(self):
+        cache = self.folder / "cache"
+        own = {**os.environ, "XDG_CACHE_HOME": str(cache)}
+        self.ok("run", "spring.yaml", "-q", env=own)
+        for plugin in cache.rglob("model.so"):
+            plugin.write_bytes(b"no library")
+        self.ok("run", "spring.yaml", "-q", env=own)
+        self.assertFalse(self.summary("spring.json")["seconds"]["cached"])
+        self.ok("run", "spring.yaml", "-q", env=own)
+        self.assertTrue(self.summary("spring.json")["seconds"]["cached"])
 
     def test_standard_output_takes_the_table(self):
         lines = self.ok("run", "spring.yaml", "-o", "-", "--samples", "3").splitlines()
