@@ -54,13 +54,41 @@ void apply(const RunOptions& options, Scene& scene) {
   for (const std::string& name : options.outputs) scene.outputs.push_back({name, {}});
 }
 
+std::string method_of(const Scene& scene) {
+  return scene.method && scene.method->text != "auto" ? scene.method->text : "prince87";
+}
+
+/// What no model can change: refused before one is read.
+void check_method(const Scene& scene) {
+  const MethodInfo& method = *find_method(method_of(scene));
+  const auto refuse = [&](const std::string& why) {
+    throw cli::UsageError(fmt::format("method '{}': {}", method.name, why));
+  };
+  if (!method.missing.empty()) refuse(method.missing);
+  if (!method.has_long_double && scene.number && scene.number->text == "long-double")
+    refuse("it computes in double, and no other number type");
+  if (!method.projects && scene.projection && scene.projection->text != "off")
+    refuse("it does not project, so states drift off the constraints as its tolerance allows; take 'projection: off'");
+}
+
+/// Of the header, for a run.
+std::vector<std::string> functions_of(const PreparedModel& prepared, const Setting& setting) {
+  std::vector<std::string> functions{"prepare", "initial_state", "rhs", "project", "project_positions", "energy", "residuals"};
+  if (setting.projection == Projection::velocities) functions.push_back("project_speeds");
+  for (const std::string& output : find_method(setting.method)->takes) functions.push_back(output);
+  for (const SampledFunction& sampled : prepared.columns.functions) functions.push_back(sampled.function);
+  return functions;
+}
+
 Setting setting_of(const PreparedModel& prepared) {
   const Scene& scene = prepared.scene;
   Setting setting;
-  setting.method = scene.method && scene.method->text != "auto" ? scene.method->text : "prince87";
+  setting.method = method_of(scene);
   if (scene.number) setting.number = scene.number->text;
-  if (scene.projection && scene.projection->text == "off") setting.projection = Projection::off;
-  if (find_method(setting.method)->takes_step) {
+  const MethodInfo& method = *find_method(setting.method);
+  setting.projection = scene.projection ? projection_of(scene.projection->text)
+                                        : method.projects ? Projection::full : Projection::off;
+  if (method.takes_step) {
     setting.step = scene.step.value_or(prepared.span.duration / k_default_steps);
   } else {
     setting.tolerance = scene.tolerance.value_or(k_default_tolerance);
@@ -187,7 +215,13 @@ int run(const RunOptions& options) {
   Request request{options.file, options.sets, {}, options.messages};
   int code = cli::k_ok;
   const auto prepared = prepare(
-      request, [&](Scene& scene) { apply(options, scene); }, code);
+      request,
+      [&](Scene& scene) {
+        apply(options, scene);
+        check_method(scene);
+        request.also = find_method(method_of(scene))->takes;
+      },
+      code);
   if (!prepared) return code;
   const Setting setting = setting_of(*prepared);
 
@@ -196,9 +230,8 @@ int run(const RunOptions& options) {
   const auto toolchain = find_toolchain();
   if (!toolchain)
     return cli::fail("there is no C++ compiler on the path; CXX may name one", cli::k_file_error, options.messages);
-  PluginRequest plugin{{"prepare", "initial_state", "rhs", "project", "project_positions", "energy", "residuals"},
-                       {setting.number == "long-double" ? "long double" : "double"}};
-  for (const SampledFunction& function : prepared->columns.functions) plugin.functions.push_back(function.function);
+  const PluginRequest plugin{functions_of(*prepared, setting),
+                             {setting.number == "long-double" ? "long double" : "double"}};
   const Built built = build_plugin(plugin_text(prepared->model.tree, plugin), *toolchain);
   if (!built.plugin)
     return cli::fail("the model cannot be compiled: " + built.why, cli::k_internal_error, options.messages);

@@ -85,6 +85,7 @@ class Simulator {
   void note(const Integrator<S>& integrator) {
     const Progress<S> progress = integrator.progress();
     result_.outcome = progress.outcome;
+    if (!progress.why.empty()) result_.why = progress.why;
     if (progress.status != gauss::Status::ok) result_.status = progress.status;
     result_.reached = static_cast<double>(integrator.time());
     result_.steps = progress.steps;
