@@ -55,8 +55,8 @@ class Callable {
   std::vector<Place> places_;
   void* bound_[k_most] = {};
   /// start_: of functions that take the state before a first step, too.
-  std::size_t time_ = k_most - 1, state_ = k_most - 1, start_ = k_most - 1, accelerations_ = k_most - 1, first_ = k_most - 1,
-              second_ = k_most - 1;
+  std::size_t time_ = k_most - 1, state_ = k_most - 1, start_ = k_most - 1, accelerations_ = k_most - 1,
+              first_ = k_most - 1, second_ = k_most - 1;
 };
 
 /// Of what the function `energy` fills.

@@ -73,16 +73,13 @@ class MotionModel {
     if (how != Projection::energy) return result;
     State state{start};
     Energy found;
-    const bool is_known =
-        gauss::integrate::is_motion_known(onto(functions_->projection, t, state)) &&
-        gauss::integrate::is_motion_known(energy(t, state, found));
+    const bool is_known = gauss::integrate::is_motion_known(onto(functions_->projection, t, state)) &&
+                          gauss::integrate::is_motion_known(energy(t, state, found));
     // What is not known is not kept, and the first step says why there is no motion.
     result.level_ = is_known ? found.total : std::numeric_limits<S>::quiet_NaN();
     return result;
   }
-  bool projects() const {
-    return how_ != Projection::off && (functions_->projection || how_ == Projection::energy);
-  }
+  bool projects() const { return how_ != Projection::off && (functions_->projection || how_ == Projection::energy); }
 
   /// As it was chosen; a model without any constraints stays where it is.
   Status projection(const S& t, State& state) const {

@@ -1,7 +1,7 @@
 #include "sim/engine/binding.hpp"
 
-#include "sim/model/layout.hpp"
 #include "sim/engine/result_layouts.hpp"
+#include "sim/model/layout.hpp"
 
 namespace gausssim {
 

@@ -23,8 +23,9 @@ Arkode::Arkode(const Model& model, const Array& start, double t, const gauss::si
 
 void Arkode::set_up(const ArkodeTable& table) {
   const bool is_implicit = table.is_implicit();
-  void* const arkode = sundials::created(ARKStepCreate(is_implicit ? nullptr : Base::rates, is_implicit ? Base::rates : nullptr,
-                                                       t_, work_.state.get(), work_.context.get()));
+  void* const arkode =
+      sundials::created(ARKStepCreate(is_implicit ? nullptr : Base::rates, is_implicit ? Base::rates : nullptr, t_,
+                                      work_.state.get(), work_.context.get()));
   arkode_.reset(arkode);
   ARKStepSetErrHandlerFn(arkode, sundials::be_quiet, nullptr);
   ARKStepSetUserData(arkode, static_cast<Base*>(&problem_));

@@ -55,7 +55,8 @@ template <class S>
 Made<S> make_integrator(const std::string& name, const MotionModel<S>& model, const Numbers<S>& start, const S& t,
                         const MethodSettings<S>& settings, std::string& why) {
   const auto& table = method_table();
-  const auto method = std::find_if(table.begin(), table.end(), [&](const Method& one) { return one.info.name == name; });
+  const auto method =
+      std::find_if(table.begin(), table.end(), [&](const Method& one) { return one.info.name == name; });
   if (method == table.end()) return why = "there is no method '" + name + "'", nullptr;
   const Method::Make<S> make = maker_of<S>(*method);
   why = why_not_taken(*method, static_cast<bool>(make), settings.projection);
@@ -69,9 +70,9 @@ Made<S> make_integrator(const std::string& name, const MotionModel<S>& model, co
   return make({model.projecting(settings.projection, t, start), start, t, settings});
 }
 
-#define GAUSS_SIM_NUMBER(S)                                                                                  \
-  template std::string why_not_projected(const Functions<S>&, Projection);                                   \
-  template Made<S> make_integrator(const std::string&, const MotionModel<S>&, const Numbers<S>&, const S&,   \
+#define GAUSS_SIM_NUMBER(S)                                                                                \
+  template std::string why_not_projected(const Functions<S>&, Projection);                                 \
+  template Made<S> make_integrator(const std::string&, const MotionModel<S>&, const Numbers<S>&, const S&, \
                                    const MethodSettings<S>&, std::string&);
 GAUSS_SIM_NUMBER(double)
 GAUSS_SIM_NUMBER(long double)

@@ -13,12 +13,12 @@ namespace gausssim {
 /// What a method is, and what it asks of a model.
 struct MethodInfo {
   std::string name;
-  std::string library;       ///< whose code the method itself is
-  int least_order = 0;       ///< of methods that choose one; else the same as
-  int order = 0;             ///< the largest: what the error of a step of length h goes down with, as h^(order + 1)
-  bool takes_step = false;   ///< steps of one length instead of a tolerance
-  bool is_stiff = false;     ///< for what decays, or is held, much faster than it moves
-  bool projects = true;      ///< onto constraints after each step
+  std::string library;      ///< whose code the method itself is
+  int least_order = 0;      ///< of methods that choose one; else the same as
+  int order = 0;            ///< the largest: what the error of a step of length h goes down with, as h^(order + 1)
+  bool takes_step = false;  ///< steps of one length instead of a tolerance
+  bool is_stiff = false;    ///< for what decays, or is held, much faster than it moves
+  bool projects = true;     ///< onto constraints after each step
   bool has_long_double = true;
   bool is_separable = false;       ///< takes only models whose accelerations depend on coordinates alone
   std::vector<std::string> takes;  ///< outputs of the generator, where a model has them

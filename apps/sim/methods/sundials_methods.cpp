@@ -36,6 +36,7 @@ std::vector<Method> of_arkode() {
       info("arkode_cash_karp", 5, 5, "pair of order 5 (4) of Cash and Karp"),
       info("arkode_fehlberg", 5, 5, "pair of order 5 (4) of Fehlberg"),
       info("arkode_dormand_prince", 5, 5, "pair of order 5 (4) of Dormand and Prince"),
+      info("arkode_verner", 6, 6, "pair of order 6 (5) of Verner"),
       info("arkode_fehlberg78", 8, 8, "pair of order 8 (7) of Fehlberg"),
       stiff(info("arkode_trbdf2", 2, 2, "trapezium and backward difference, L-stable: stiff models, few digits")),
       stiff(info("arkode_sdirk4", 4, 4, "diagonally implicit, five stages, L-stable: stiff models")),
@@ -55,9 +56,11 @@ std::vector<Method> of_arkode() {
 
 std::vector<Method> sundials_methods() {
   std::vector<Method> all{
-      {drifting(info("cvode_adams", 1, 12, "multistep method of Adams: rates that are dear to compute")), nullptr, nullptr},
+      {drifting(info("cvode_adams", 1, 12, "multistep method of Adams: rates that are dear to compute")), nullptr,
+       nullptr},
       {stiff(info("cvode_bdf", 1, 5, "backward differentiation: stiff models")), nullptr, nullptr},
-      {drifting(stiff(info("ida", 1, 5, "backward differentiation of y' - f(t, y) = 0: stiff models"))), nullptr, nullptr}};
+      {drifting(stiff(info("ida", 1, 5, "backward differentiation of y' - f(t, y) = 0: stiff models"))), nullptr,
+       nullptr}};
 #ifdef GAUSS_SIM_HAS_SUNDIALS
   all[0].in_double = make_cvode_adams;
   all[1].in_double = make_cvode_bdf;

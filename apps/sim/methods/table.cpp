@@ -31,7 +31,8 @@ MethodInfo of_orders(int least, MethodInfo result) {
   return result;
 }
 
-#define GAUSS_SIM_METHOD(said, make) {said, make<double>, make<long double>}
+#define GAUSS_SIM_METHOD(said, make) \
+  { said, make<double>, make<long double> }
 
 std::vector<Method> of_everywhere() {
   return {
@@ -42,12 +43,13 @@ std::vector<Method> of_everywhere() {
       GAUSS_SIM_METHOD(info("dopri5", "Odeint", 5, "pair of order 5 (4) of Dormand and Prince: few digits, cheaply"),
                        make_dopri5),
       GAUSS_SIM_METHOD(info("cash_karp54", "Odeint", 5, "pair of order 5 (4) of Cash and Karp"), make_cash_karp54),
-      GAUSS_SIM_METHOD(
-          of_orders(4, info("bulirsch_stoer", "Odeint", 16, "extrapolation of the midpoint rule: long steps, many digits")),
-          make_bulirsch_stoer),
+      GAUSS_SIM_METHOD(of_orders(4, info("bulirsch_stoer", "Odeint", 16,
+                                         "extrapolation of the midpoint rule: long steps, many digits")),
+                       make_bulirsch_stoer),
       GAUSS_SIM_METHOD(fixed(info("rk4", "Odeint", 4, "classical method of Runge and Kutta")), make_rk4),
-      GAUSS_SIM_METHOD(symplectic(info("verlet", "gauss", 2, "symplectic, one call in a step: the energy stays bounded")),
-                       make_verlet),
+      GAUSS_SIM_METHOD(
+          symplectic(info("verlet", "gauss", 2, "symplectic, one call in a step: the energy stays bounded")),
+          make_verlet),
       GAUSS_SIM_METHOD(symplectic(info("mclachlan4", "Odeint", 4, "symplectic, five calls in a step")),
                        make_mclachlan4),
       GAUSS_SIM_METHOD(

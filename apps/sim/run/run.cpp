@@ -73,7 +73,8 @@ void check_method(const Scene& scene) {
 
 /// Of the header, for a run.
 std::vector<std::string> functions_of(const PreparedModel& prepared, const Setting& setting) {
-  std::vector<std::string> functions{"prepare", "initial_state", "rhs", "project", "project_positions", "energy", "residuals"};
+  std::vector<std::string> functions{"prepare",           "initial_state", "rhs",      "project",
+                                     "project_positions", "energy",        "residuals"};
   if (setting.projection == Projection::velocities) functions.push_back("project_speeds");
   for (const std::string& output : find_method(setting.method)->takes) functions.push_back(output);
   for (const SampledFunction& sampled : prepared.columns.functions) functions.push_back(sampled.function);
@@ -86,8 +87,9 @@ Setting setting_of(const PreparedModel& prepared) {
   setting.method = method_of(scene);
   if (scene.number) setting.number = scene.number->text;
   const MethodInfo& method = *find_method(setting.method);
-  setting.projection = scene.projection ? projection_of(scene.projection->text)
-                                        : method.projects ? Projection::full : Projection::off;
+  setting.projection = scene.projection  ? projection_of(scene.projection->text)
+                       : method.projects ? Projection::full
+                                         : Projection::off;
   if (method.takes_step) {
     setting.step = scene.step.value_or(prepared.span.duration / k_default_steps);
   } else {
@@ -138,9 +140,13 @@ nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& set
   json["number"] = setting.number;
   if (setting.tolerance > 0) json["tolerance"] = setting.tolerance;
   if (setting.step > 0) json["step"] = setting.step;
+  for (const auto& [name, how] : k_projections) {
+    if (how == setting.projection) json["projection"] = name;
+  }
   json["steps"] = run.steps;
   json["rejected"] = run.rejected;
   json["calls"] = run.calls;
+  json["jacobians"] = run.jacobians;
   if (error) json["error_estimate"] = {{"relative", error->value}, {"output", error->output}};
   json["drift"] = drift_json(run.drift);
   if (run.start_moved > 0) json["start_moved"] = {{"by", run.start_moved}, {"component", run.start_component}};

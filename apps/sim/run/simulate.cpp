@@ -91,6 +91,7 @@ class Simulator {
     result_.steps = progress.steps;
     result_.rejected = progress.rejected;
     result_.calls = progress.calls;
+    result_.jacobians = progress.jacobians;
     result_.with_fewer_constraints = progress.with_fewer_constraints;
     result_.crossings = progress.crossings;
     result_.start_moved = static_cast<double>(progress.start_moved);

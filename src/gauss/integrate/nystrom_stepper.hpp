@@ -159,9 +159,10 @@ using Verlet = NystromStepper<Model, PositionVerlet<typename HalfArrays<Model>::
 /// Order 4, five accelerations in a step, symmetric; R. I. McLachlan, On the numerical integration of ordinary differential equations by
 /// symmetric composition methods, SIAM Journal on Scientific Computing 16 (1995) 151-168.
 template <class Model>
-using McLachlan4 = NystromStepper<Model, boost::numeric::odeint::symplectic_rkn_sb3a_m4_mclachlan<
-                                             typename HalfArrays<Model>::Array, typename HalfArrays<Model>::Array,
-                                             typename Model::Scalar>>;
+using McLachlan4 =
+    NystromStepper<Model,
+                   boost::numeric::odeint::symplectic_rkn_sb3a_m4_mclachlan<
+                       typename HalfArrays<Model>::Array, typename HalfArrays<Model>::Array, typename Model::Scalar>>;
 
 }  // namespace gauss::integrate
 

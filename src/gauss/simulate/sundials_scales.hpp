@@ -22,11 +22,7 @@ class SundialsScales {
   using Array = integrate::StateArray<Model>;
 
   explicit SundialsScales(const Model& model)
-      : groups_(model),
-        n_q_(Arrays::n_q(model)),
-        scales_(Arrays::zeros(model)),
-        seen_(scales_),
-        sizes_(scales_) {}
+      : groups_(model), n_q_(Arrays::n_q(model)), scales_(Arrays::zeros(model)), seen_(scales_), sizes_(scales_) {}
 
   /// For a step from `state`, of a length that is not 0.
   void find(const Model& model, double t, double step, const State& state) {

@@ -26,14 +26,14 @@ S error_of(const std::string& method, const MethodSettings<S>& settings, S end) 
 }
 
 /// By halving the step.
-template <class S>
-double order_in_kepler(const std::string& method, S end, long steps) {
+template <class Problem, class S>
+double order_in(const std::string& method, S end, long steps) {
   MethodSettings<S> settings;
   settings.projection = Projection::off;
   settings.step = end / S(steps);
-  const S coarse = error_of<problems::Kepler<S>>(method, settings, end);
+  const S coarse = error_of<Problem>(method, settings, end);
   settings.step /= 2;
-  return static_cast<double>(std::log2(coarse / error_of<problems::Kepler<S>>(method, settings, end)));
+  return static_cast<double>(std::log2(coarse / error_of<Problem>(method, settings, end)));
 }
 
 /// Decades of the error for each decade of the tolerance, from `loose` to `tight`.

@@ -95,6 +95,26 @@ struct Kepler {
   }
 };
 
+/// q'' = (cos^2 t - sin t) q, which exp(sin t) satisfies: rates depend on time, as where a table of coefficients has wrong times.
+template <class S>
+struct Driven {
+  static int rates(const void*, void* const* all) {
+    const Arguments<S> a(all);
+    const S q = a.y[0], c = std::cos(a.t);
+    a.result[0] = a.y[1];
+    a.result[1] = (c * c - std::sin(a.t)) * q;
+    return 0;
+  }
+  static std::shared_ptr<Functions<S>> functions() {
+    auto result = std::make_shared<Functions<S>>();
+    result->n_q = result->n_v = 1;
+    result->units = {"m", "m/s"};
+    result->rates = bound<S>(rates);
+    return result;
+  }
+  static Numbers<S> at(S t) { return {std::exp(std::sin(t)), std::cos(t) * std::exp(std::sin(t))}; }
+};
+
 /// q' = v, v' = -k (v - cos t) - sin t: v is cos t, however large k is, and q is sin t.
 template <class S>
 struct Relaxation {

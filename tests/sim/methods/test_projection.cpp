@@ -53,7 +53,8 @@ constexpr double k_rounding = 1e-13, k_drift = 1e-9;
 }  // namespace
 
 TEST_CASE("each level of projection holds what it is of, and leaves the rest to drift") {
-  for (const char* const method : {"rk4", "prince87", "bulirsch_stoer", "gauss_legendre4"}) {
+  for (const char* const method : {"rk4", "prince87", "bulirsch_stoer", "arkode_dormand_prince", "cvode_bdf"}) {
+    if (!gausssim::find_method(method)->missing.empty()) continue;
     INFO(method);
     const Misses off = misses_after_ten(method, Projection::off);
     CHECK(off.position > k_drift);
@@ -82,7 +83,8 @@ TEST_CASE("what the model lacks for a projection is said, and nothing is integra
   CHECK_THAT(why_refused("rk4", free, start, Projection::velocities), Catch::Contains("no constraints"));
   auto damped = Bob<double>::functions();
   damped->energy_layout.is_conserved = false;
-  CHECK_THAT(why_refused("rk4", Model(damped), Bob<double>::start(), Projection::energy), Catch::Contains("may change"));
+  CHECK_THAT(why_refused("rk4", Model(damped), Bob<double>::start(), Projection::energy),
+             Catch::Contains("may change"));
 }
 
 TEST_CASE("symplectic methods say so where accelerations depend on speeds") {
@@ -116,8 +118,8 @@ TEST_CASE("a method that is not there, or not in this number type, is refused wi
   for (const auto& method : gausssim::methods()) {
     if (method.has_long_double && method.missing.empty()) continue;
     std::string why;
-    const auto made = make_integrator(method.name, wide, Bob<long double>::start(), 0.0L,
-                                      MethodSettings<long double>{}, why);
+    const auto made =
+        make_integrator(method.name, wide, Bob<long double>::start(), 0.0L, MethodSettings<long double>{}, why);
     CHECK(made == nullptr);
     CHECK_THAT(why, Catch::Contains(method.missing.empty() ? "in double" : "not built in"));
   }
