@@ -46,6 +46,11 @@ void Arkode::use_newton(void* arkode) {
   // Rates of a stage from the stage: evaluated there, they would magnify what Newton's method leaves of a stiff model.
   ARKStepSetDeduceImplicitRhs(arkode, SUNTRUE);
   if (fixed_step_ > 0) ARKStepSetMaxNonlinIters(arkode, 20);
+  // As it comes, ARKODE goes on with the matrix of a step that was up to 0.2 longer or shorter, and with the rate of convergence of all steps since it was made. That of exact
+  // matrices is next to nothing: so it took the first iteration for the solution where a step was cut off to arrive, and left errors of thousands of tolerances.
+  constexpr double k_same_step = 1e-12, k_no_better = 1;
+  ARKStepSetDeltaGammaMax(arkode, k_same_step);
+  ARKStepSetNonlinCRDown(arkode, k_no_better);
 }
 
 bool Arkode::advance_to(const double& end) {

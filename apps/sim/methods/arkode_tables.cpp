@@ -20,7 +20,7 @@ const std::vector<NamedTable>& arkode_tables() {
       {"arkode_verner", 6, explicit_one(ARKODE_VERNER_8_5_6)},
       {"arkode_fehlberg78", 8, explicit_one(ARKODE_FEHLBERG_13_7_8)},
       {"arkode_trbdf2", 2, implicit(ARKODE_TRBDF2_3_3_2)},
-      {"arkode_sdirk4", 4, implicit(ARKODE_SDIRK_5_3_4)},
+      {"arkode_esdirk4", 4, implicit(ARKODE_ESDIRK436L2SA_6_3_4)},
       {"arkode_kvaerno5", 5, implicit(ARKODE_KVAERNO_7_4_5)}};
   return k_tables;
 }

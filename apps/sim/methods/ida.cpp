@@ -74,6 +74,11 @@ void Ida::step_once(double end) {
   if (problem_.trouble() == gauss::Status::dependent_constraints) ++progress_.with_fewer_constraints;
   t_ = reached;
   ++progress_.steps;
+  long inaccurate = 0;
+  int order = 0;
+  IDAGetNumErrTestFails(ida, &inaccurate);
+  IDAGetLastOrder(ida, &order);
+  places_.look(progress_.steps, inaccurate, order, settings_.tolerance);
 }
 
 Progress<double> Ida::progress() const {
@@ -111,7 +116,7 @@ int Ida::weights(N_Vector y, N_Vector result, void* user_data) {
     const double way = self.end_ - self.t_;
     const double step = self.planned_ > 0 ? std::min(self.planned_, way) : k_first_guess * way;
     self.scales_.find(self.model_, self.t_, step > 0 ? step : 1, Base::state_of(y));
-    const Array allowed = self.scales_.allowed(self.settings_, self.settings_.tolerance);
+    const Array allowed = self.scales_.allowed(self.settings_, self.settings_.tolerance, self.places_.share());
     for (std::size_t i = 0; i < allowed.size(); ++i) N_VGetArrayPointer(result)[i] = 1 / allowed[i];
     return gauss::Status::ok;
   });

@@ -55,6 +55,7 @@ class Ida final : public Integrator<double> {
   double planned_ = 0;   ///< the next step; 0: none is yet
   int without_way_ = 0;  ///< steps in a row that did not move the time
   gauss::simulate::SundialsScales<Model> scales_{model_};
+  gauss::simulate::DemandOnPlaces places_;
   Progress<double> progress_;
   Problem problem_;
   gauss::integrate::sundials::Workspace work_{static_cast<sunindextype>(model_.size())};

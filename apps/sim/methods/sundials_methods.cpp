@@ -39,7 +39,8 @@ std::vector<Method> of_arkode() {
       info("arkode_verner", 6, 6, "pair of order 6 (5) of Verner"),
       info("arkode_fehlberg78", 8, 8, "pair of order 8 (7) of Fehlberg"),
       stiff(info("arkode_trbdf2", 2, 2, "trapezium and backward difference, L-stable: stiff models, few digits")),
-      stiff(info("arkode_sdirk4", 4, 4, "diagonally implicit, five stages, L-stable: stiff models")),
+      stiff(info("arkode_esdirk4", 4, 4,
+                 "diagonally implicit, six stages, of Kennedy and Carpenter, L-stable: stiff models")),
       stiff(info("arkode_kvaerno5", 5, 5, "diagonally implicit, seven stages, of Kvaerno: stiff models, more digits"))};
   std::vector<Method> methods;
   for (MethodInfo& one : all) {

@@ -143,7 +143,7 @@ class CvodeSimulation {
       if (!model_.rewrite(now)) return;
       Base::copy(now, work_.state.get());
       before_ = {report_.steps, inaccurate_, unsolved_};
-      watched_.looks = watched_.refused = 0;
+      places_.forget();
       CVodeReInit(cvode_.get(), t_, work_.state.get());
       CVodeSetInitStep(cvode_.get(), 0);
       planned_ = 0;
@@ -193,25 +193,11 @@ class CvodeSimulation {
 #endif
   }
 
-  /// A spring and a damper make a speed follow a place, k/c times as large. What steps may miss a place by is then a change of the speed, and where that is beyond what the speed may
-  /// be missed by, steps are refused again and again: neither their length nor their order grows. So where the order stays low from look to look and refusals add up,
-  /// coordinates are asked for a digit more, down to rounding. Tolerances become no looser by this. Where it does not help (rates that jump), it is taken back.
   void demand_places() {
-    constexpr int k_steps_to_look = 50, k_looks = 2, k_refused = 15;
-    if (method_ != Multistep::bdf || report_.steps < watched_.steps + k_steps_to_look) return;
+    if (method_ != Multistep::bdf) return;
     int order = 0;
     CVodeGetLastOrder(cvode_.get(), &order);
-    const bool is_low = order <= 2;
-    watched_.looks = is_low ? watched_.looks + 1 : 0;
-    watched_.refused = is_low ? watched_.refused + inaccurate_ - watched_.inaccurate : 0;
-    watched_.steps = report_.steps;
-    watched_.inaccurate = inaccurate_;
-    if (watched_.is_given_up || watched_.looks < k_looks || watched_.refused < k_refused) return;
-    watched_.looks = 0;
-    watched_.refused = 0;
-    places_ /= 10;
-    watched_.is_given_up = settings_.tolerance * places_ < 16 * std::numeric_limits<double>::epsilon();
-    if (watched_.is_given_up) places_ = 1;
+    places_.look(report_.steps, inaccurate_, order, settings_.tolerance);
   }
 
   Outcome outcome_of(int flag) const {
@@ -240,7 +226,7 @@ class CvodeSimulation {
       return Status::ok;
     });
     const auto allowed =
-        simulation.scales_.allowed(simulation.settings_, simulation.settings_.tolerance, simulation.places_);
+        simulation.scales_.allowed(simulation.settings_, simulation.settings_.tolerance, simulation.places_.share());
     for (std::size_t i = 0; i < allowed.size(); ++i) N_VGetArrayPointer(result)[i] = 1 / allowed[i];
     return failure;
   }
@@ -262,7 +248,7 @@ class CvodeSimulation {
     if (failure != 0) return failure;
     for (std::size_t i = 0; i < std::size(before.values); ++i)
       N_VGetArrayPointer(correction)[i] = after.values[i] - before.values[i];
-    simulation.jumped_ = !simulation.scales_.is_near(simulation.settings_, before, after, simulation.places_);
+    simulation.jumped_ = !simulation.scales_.is_near(simulation.settings_, before, after, simulation.places_.share());
     return simulation.jumped_ ? 1 : 0;
   }
 
@@ -279,13 +265,7 @@ class CvodeSimulation {
     long steps = 0, inaccurate = 0, unsolved = 0;
   };
   Before before_;  ///< what CVODE has counted before it began anew
-  struct Watched {
-    long steps = 0, inaccurate = 0;
-    long looks = 0, refused = 0;  ///< in a row with a low order
-    bool is_given_up = false;
-  };
-  Watched watched_;    ///< at the last look of demand_places
-  double places_ = 1;  ///< share of the tolerance that coordinates are allowed
+  DemandOnPlaces places_;
   SundialsScales<Model> scales_{model_};
   double planned_ = 0;  ///< the next step; 0: none is yet
   Report<Status> report_;

@@ -76,6 +76,39 @@ class SundialsScales {
   double step_ = 1;  ///< that scales are for
 };
 
+/// A spring and a damper make a speed follow a place, k/c times as large. What steps of backward differentiation may miss a place by is then a change of the speed, and where that is
+/// beyond what the speed may be missed by, steps are refused again and again: neither their length nor their order grows. So where the order stays low from look to look
+/// and refusals add up, coordinates are asked for a digit more, down to rounding. Tolerances become no looser by this. Where it does not help (rates that jump), it is taken back.
+class DemandOnPlaces {
+ public:
+  /// `steps` and `inaccurate`: so far, taken and refused by the estimate of the error. `order`: of the last step.
+  void look(long steps, long inaccurate, int order, double tolerance) {
+    constexpr int k_steps_to_look = 50, k_looks = 2, k_refused = 15;
+    if (steps < steps_ + k_steps_to_look) return;
+    const bool is_low = order <= 2;
+    looks_ = is_low ? looks_ + 1 : 0;
+    refused_ = is_low ? refused_ + inaccurate - inaccurate_ : 0;
+    steps_ = steps;
+    inaccurate_ = inaccurate;
+    if (is_given_up_ || looks_ < k_looks || refused_ < k_refused) return;
+    forget();
+    share_ /= 10;
+    is_given_up_ = tolerance * share_ < 16 * std::numeric_limits<double>::epsilon();
+    if (is_given_up_) share_ = 1;
+  }
+  /// What a method has refused that begins anew says nothing of the new one.
+  void forget() { looks_ = refused_ = 0; }
+
+  /// Of the tolerance that coordinates are allowed.
+  double share() const { return share_; }
+
+ private:
+  long steps_ = 0, inaccurate_ = 0;  ///< at the last look
+  long looks_ = 0, refused_ = 0;     ///< in a row with a low order
+  bool is_given_up_ = false;
+  double share_ = 1;
+};
+
 }  // namespace gauss::simulate
 
 #endif  // GAUSS_SIMULATE_SUNDIALS_SCALES_HPP

@@ -146,6 +146,43 @@ struct Relaxation {
   static Numbers<S> at(S t) { return {std::sin(t), std::cos(t)}; }
 };
 
+/// A mass that a spring and a damper, both very stiff, pull along behind a place that moves as cos t: rates of 1e9/s and 1e3/s beside one of 1/s.
+template <class S>
+struct Pulled {
+  static constexpr double m = 1e-3, c = 1e6, k = 1e9;
+
+  static int rates(const void*, void* const* all) {
+    const Arguments<S> a(all);
+    const S s = a.y[0], v = a.y[1];
+    a.result[0] = v;
+    a.result[1] = (-S(k) * (s - std::cos(a.t)) - S(c) * v) / S(m);
+    return 0;
+  }
+  static int jacobian(const void*, void* const* all) {
+    const Arguments<S> a(all);
+    a.result[0] = 0;
+    a.result[1] = 1;
+    a.result[2] = -S(k / m);
+    a.result[3] = -S(c / m);
+    return 0;
+  }
+  static std::shared_ptr<Functions<S>> functions() {
+    auto result = std::make_shared<Functions<S>>();
+    result->n_q = result->n_v = 1;
+    result->units = {"m", "m/s"};
+    result->rates = bound<S>(rates);
+    result->jacobian = bound<S>(jacobian);
+    result->jacobian_layout = full_layout(2);
+    return result;
+  }
+  /// What is left when all else has decayed: A cos t + B sin t with m s'' + c s' + k s = k cos t.
+  static Numbers<S> at(S t) {
+    const S real = S(k - m), all = real * real + S(c) * S(c);
+    const S a = S(k) * real / all, b = S(k) * S(c) / all;
+    return {a * std::cos(t) + b * std::sin(t), b * std::cos(t) - a * std::sin(t)};
+  }
+};
+
 /// A mass of 1 kg on a rod of 1 m in Cartesian coordinates, g = 9.81 m/s^2: a constraint of positions.
 template <class S>
 struct Bob {

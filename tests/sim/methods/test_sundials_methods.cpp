@@ -125,3 +125,26 @@ TEST_CASE(
     CHECK(differences.calls < 100'000);
   }
 }
+
+// What Newton's method of ARKODE takes for the equations of a step of another length, it leaves errors of thousands of tolerances with: see arkode.cpp.
+TEST_CASE("stiff methods keep their accuracy at each of many times at which a step is cut off to arrive") {
+  using problems::Pulled;
+  for (const auto& method : gausssim::methods()) {
+    if (!method.is_stiff) continue;
+    MethodSettings<double> settings;
+    settings.tolerance = 1e-7;
+    settings.projection = Projection::off;
+    std::string why;
+    const auto integrator =
+        make_integrator(method.name, Model(Pulled<double>::functions()), Pulled<double>::at(0), 0.0, settings, why);
+    REQUIRE(integrator != nullptr);
+    double largest = 0;
+    for (int k = 1; k <= 500; ++k) {
+      REQUIRE(integrator->advance_to(0.02 * k));
+      largest = std::max(largest, problems::distance(integrator->state(), Pulled<double>::at(0.02 * k)));
+    }
+    CAPTURE(method.name, largest, integrator->progress().steps);
+    CHECK(largest < 3e-5);
+    CHECK(integrator->progress().steps < 50'000);
+  }
+}
