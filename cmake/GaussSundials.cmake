@@ -1,10 +1,10 @@
-# gauss_sundials: CVODE and ARKODE with dense matrices, where SUNDIALS 6 is installed (Debian: libsundials-dev); GAUSS_HAS_SUNDIALS says so.
+# gauss_sundials: CVODE, ARKODE and IDA with dense matrices, where SUNDIALS 6 is installed (Debian: libsundials-dev); GAUSS_HAS_SUNDIALS says so.
 #
 # The package's own configuration file is not asked: it looks for PETSc, OpenMP and MPI first, which nothing here uses.
 find_path(GAUSS_SUNDIALS_INCLUDE cvode/cvode.h)
 set(_missing)
 set(_libraries)
-foreach(_name arkode cvode nvecserial sunmatrixdense sunlinsoldense sunnonlinsolfixedpoint)
+foreach(_name arkode cvode ida nvecserial sunmatrixdense sunlinsoldense sunnonlinsolfixedpoint)
   find_library(GAUSS_SUNDIALS_${_name} sundials_${_name})
   mark_as_advanced(GAUSS_SUNDIALS_${_name})
   list(APPEND _libraries ${GAUSS_SUNDIALS_${_name}})

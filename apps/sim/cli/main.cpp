@@ -11,6 +11,7 @@
 #include "cli/messages.hpp"
 #include "cli/overrides.hpp"
 #include "ir/graph.hpp"
+#include "sim/cli/list_methods.hpp"
 #include "sim/run/run.hpp"
 #include "sim/scene/choices.hpp"
 #include "sim/study/study.hpp"
@@ -84,6 +85,18 @@ void add_study(CLI::App& app, StudyOptions& options) {
   study->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
 
+struct ListOptions {
+  CLI::App* command = nullptr;
+  std::string format = "text";
+};
+
+void add_methods(CLI::App& app, ListOptions& options) {
+  options.command = app.add_subcommand("methods", "List the methods of integration: order, library, what they need");
+  options.command->add_option("--format", options.format, "default text")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->type_name("FORMAT");
+}
+
 template <class Options>
 int guarded(int (*command)(const Options&), const Options& options) {
   try {
@@ -121,11 +134,17 @@ int main(int argc, char** argv) {
   study.messages.program = options.messages.program;
   gausssim::add_run(app, options);
   gausssim::add_study(app, study);
+  gausssim::ListOptions listing;
+  gausssim::add_methods(app, listing);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
     return code == 0 ? 0 : gaussgen::cli::k_usage_error;
+  }
+  if (*listing.command) {
+    gaussgen::cli::write_standard_output(gausssim::listed_methods(listing.format == "json"));
+    return gaussgen::cli::k_ok;
   }
   if (app.got_subcommand("study")) return gausssim::guarded(gausssim::study, study);
   return gausssim::guarded(gausssim::run, options);

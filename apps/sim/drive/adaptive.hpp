@@ -18,20 +18,7 @@ class Adaptive final : public Integrator<S> {
   bool advance_to(const S& end) override { return simulation_.advance_to(end); }
   S time() const override { return simulation_.time(); }
   Array state() const override { return simulation_.state().values; }
-  Progress<S> progress() const override {
-    const auto& report = simulation_.report();
-    Progress<S> progress;
-    progress.outcome = report.outcome;
-    progress.status = report.status;
-    progress.steps = report.steps;
-    progress.rejected = report.rejected;
-    progress.calls = report.calls;
-    progress.with_fewer_constraints = report.with_fewer_constraints;
-    progress.crossings = report.crossings;
-    progress.start_moved = report.start_moved;
-    progress.start_component = report.start_component;
-    return progress;
-  }
+  Progress<S> progress() const override { return progress_of<S>(simulation_.report()); }
 
  private:
   gauss::simulate::Simulation<Model, Method> simulation_;

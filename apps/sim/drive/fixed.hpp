@@ -1,39 +1,42 @@
 #pragma once
 // Steps of one length, by a stepper in the sense of gauss/integrate/explicit_stepper.hpp.
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "gauss/integrate/step_result.hpp"
 #include "gauss/integrate/time_grid.hpp"
 #include "sim/drive/integrator.hpp"
+#include "sim/drive/project_start.hpp"
 
 namespace gausssim {
 
-/// Each way to `advance_to` is divided into equal steps, none longer than `step`.
+/// Each way to `advance_to` is divided into equal steps, none longer than `step`, up to rounding.
 template <class S, class Stepper>
 class Fixed final : public Integrator<S> {
  public:
   using Array = Numbers<S>;
   using Model = MotionModel<S>;
 
-  Fixed(const Model& model, const Array& start, const S& t, const S& step, bool projects, long calls_in_a_step,
-        Stepper stepper = Stepper())
+  /// `calls_in_a_step` 0: the stepper knows.
+  Fixed(const Model& model, const Array& start, const S& t, const S& step, long most_steps, long calls_in_a_step)
       : model_(model),
-        stepper_(std::move(stepper)),
         state_{start},
         t_(t),
         step_(step),
-        projects_(projects),
+        most_steps_(most_steps),
+        projects_(model.projects()),
         calls_in_a_step_(calls_in_a_step) {
-    if (projects_) project();
+    if (projects_) project_start(model_, t_, state_, progress_);
   }
 
   bool advance_to(const S& end) override {
     using std::ceil;
     const S way = end - t_;
     if (!(way > S(0)) || !is_running()) return is_running() && way == S(0);
-    const auto count = static_cast<long>(ceil(way / step_));
+    const auto count = static_cast<long>(std::max(ceil(way / step_ * (1 - k_rounding)), S(1)));
     const gauss::integrate::TimeGrid<S> grid(t_, way / S(count));
     for (long k = 0; k < count && is_running(); ++k)
       step(grid.at(k), grid.step(), k + 1 == count ? end : grid.at(k + 1));
@@ -45,33 +48,57 @@ class Fixed final : public Integrator<S> {
   Progress<S> progress() const override { return progress_; }
 
  private:
-  bool is_running() const { return progress_.outcome == gauss::simulate::Outcome::running; }
+  using Outcome = gauss::simulate::Outcome;
+  using StepOutcome = gauss::integrate::StepOutcome;
+
+  static constexpr double k_rounding = 1e-12;  ///< of a way that is a whole number of steps
+
+  bool is_running() const { return progress_.outcome == Outcome::running; }
 
   void step(const S& t, const S& h, const S& next) {
-    const gauss::integrate::StepResult result = stepper_.step(model_, t, h, state_);
-    progress_.calls += calls_in_a_step_;
-    if (result.status != gauss::Status::ok) progress_.status = result.status;
-    if (!result.is_taken()) {
-      progress_.outcome = gauss::simulate::Outcome::model_failed;
+    if (progress_.steps >= most_steps_) {
+      progress_.outcome = Outcome::too_many_steps;
       return;
     }
+    const gauss::integrate::StepResult result = stepper_.step(model_, t, h, state_);
+    progress_.calls += calls(stepper_, 0);
+    if (result.status != gauss::Status::ok) progress_.status = result.status;
+    if (!result.is_taken()) return stop(result.outcome);
     t_ = next;
     ++progress_.steps;
     if (result.status == gauss::Status::dependent_constraints) ++progress_.with_fewer_constraints;
     if (projects_) project();
   }
 
+  void stop(StepOutcome outcome) {
+    progress_.outcome = Outcome::model_failed;
+    if (outcome == StepOutcome::unsuitable)
+      progress_.why = "the method takes only models whose accelerations depend on coordinates alone";
+    if (outcome == StepOutcome::not_converged)
+      progress_.why = "the equations of the implicit method were not solved: the step is too long";
+  }
+
   void project() {
     const gauss::Status status = model_.projection(t_, state_);
     if (gauss::integrate::is_motion_known(status)) return;
     progress_.status = status;
-    progress_.outcome = gauss::simulate::Outcome::constraints_lost;
+    progress_.outcome = Outcome::constraints_lost;
+  }
+
+  template <class Any>
+  auto calls(const Any& stepper, int) const -> decltype(stepper.calls_of_last_step()) {
+    return stepper.calls_of_last_step();
+  }
+  template <class Any>
+  long calls(const Any&, long) const {
+    return calls_in_a_step_;
   }
 
   Model model_;
   Stepper stepper_;
   typename Model::State state_;
   S t_, step_;
+  long most_steps_;
   bool projects_;
   long calls_in_a_step_;
   Progress<S> progress_;

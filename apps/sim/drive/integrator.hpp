@@ -15,11 +15,29 @@ template <class S>
 struct Progress {
   gauss::simulate::Outcome outcome = gauss::simulate::Outcome::running;
   gauss::Status status = gauss::Status::ok;  ///< of the model, the last one that was not ok
+  std::string why;                           ///< it stopped, where the method knows more than the outcome says
   long steps = 0, rejected = 0, calls = 0, jacobians = 0;
   long with_fewer_constraints = 0, crossings = 0;
   S start_moved = 0;  ///< by projection
   std::size_t start_component = 0;
 };
+
+/// As simulations of src/gauss/ tell it.
+template <class S, class Report>
+Progress<S> progress_of(const Report& report) {
+  Progress<S> progress;
+  progress.outcome = report.outcome;
+  progress.status = report.status;
+  progress.steps = report.steps;
+  progress.rejected = report.rejected;
+  progress.calls = report.calls;
+  progress.jacobians = report.jacobians;
+  progress.with_fewer_constraints = report.with_fewer_constraints;
+  progress.crossings = report.crossings;
+  progress.start_moved = report.start_moved;
+  progress.start_component = report.start_component;
+  return progress;
+}
 
 template <class S>
 class Integrator {

@@ -2,86 +2,19 @@
 // A model at run time, in the form that integrators of src/gauss/ take.
 
 #include <cstddef>
+#include <limits>
 #include <memory>
-#include <string>
-#include <vector>
+#include <utility>
 
+#include "gauss/integrate/corrections.hpp"
 #include "gauss/math.hpp"
+#include "sim/drive/functions.hpp"
 #include "sim/drive/numbers.hpp"
-#include "sim/engine/entry.hpp"
+#include "sim/drive/projection.hpp"
 
 namespace gausssim {
 
-/// A function with what it reads besides the state and what it is to fill.
-template <class S>
-class Callable {
- public:
-  Callable() = default;
-  /// `places`: what each argument is.
-  enum class Place { time, state, inputs, prepared, accelerations, first_result, second_result };
-  Callable(Entry entry, std::vector<Place> places) : entry_(entry), places_(std::move(places)) {}
-
-  explicit operator bool() const { return static_cast<bool>(entry_); }
-
-  void bind(S* prepared, S* inputs) {
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      if (places_[i] == Place::prepared) bound_[i] = prepared;
-      if (places_[i] == Place::inputs) bound_[i] = inputs;
-      if (places_[i] == Place::time) time_ = i;
-      if (places_[i] == Place::state) state_ = i;
-      if (places_[i] == Place::accelerations) accelerations_ = i;
-      if (places_[i] == Place::first_result) first_ = i;
-      if (places_[i] == Place::second_result) second_ = i;
-    }
-  }
-
-  gauss::Status operator()(const S& t, const S* state, S* first, S* second = nullptr,
-                           const S* accelerations = nullptr) const {
-    void* arguments[k_most];
-    for (std::size_t i = 0; i < k_most; ++i) arguments[i] = bound_[i];
-    // What has no place goes behind all that the function reads.
-    arguments[time_] = const_cast<S*>(&t);
-    arguments[state_] = const_cast<S*>(state);
-    arguments[accelerations_] = const_cast<S*>(accelerations);
-    arguments[first_] = first;
-    arguments[second_] = second;
-    return static_cast<gauss::Status>(entry_(arguments));
-  }
-
- private:
-  static constexpr std::size_t k_most = 8;  ///< no function has so many
-
-  Entry entry_;
-  std::vector<Place> places_;
-  void* bound_[k_most] = {};
-  std::size_t time_ = k_most - 1, state_ = k_most - 1, accelerations_ = k_most - 1, first_ = k_most - 1,
-              second_ = k_most - 1;
-};
-
-/// The four functions of a plugin that steps by power series (engine/taylor_glue.hpp).
-struct SeriesEntries {
-  Entry begin, advance, tell, end;
-
-  explicit operator bool() const { return begin && advance && tell && end; }
-};
-
-/// What integrators call, with all that it needs. Shared by their copies of a model.
-template <class S>
-struct Functions {
-  std::size_t n_q = 0, n_v = 0;
-  std::vector<S> prepared, inputs;
-  std::vector<std::string> units;  ///< of the components of a state
-  SeriesEntries series;
-  Callable<S> rates, projection, positions, speeds, energy, residuals, jacobian;
-
-  Functions() = default;
-  Functions(const Functions&) = delete;
-  Functions& operator=(const Functions&) = delete;
-
-  std::size_t size() const { return n_q + n_v; }
-};
-
-/// A model in the sense of gauss/integrate/state_arrays.hpp.
+/// In the sense of gauss/integrate/state_arrays.hpp.
 template <class S>
 class MotionModel {
  public:
@@ -95,6 +28,9 @@ class MotionModel {
   };
   struct Derivative {
     Array values;
+  };
+  struct Energy {
+    S kinetic = 0, total = 0;
   };
 
   explicit MotionModel(std::shared_ptr<const Functions<S>> functions) : functions_(std::move(functions)) {}
@@ -110,18 +46,81 @@ class MotionModel {
     result.values.resize(size());
     return rates(t, state.values, result.values);
   }
-  /// Onto all constraints; a model without any stays where it is.
-  Status projection(const S& t, State& state) const { return onto(functions_->projection, t, state); }
-  /// One step of Newton's method.
-  Status position_step(const S& t, State& state) const { return onto(functions_->positions, t, state); }
-  Status speed_step(const S& t, State& state) const { return onto(functions_->speeds, t, state); }
+  Status energy(const S& t, const State& state, Energy& result) const {
+    const EnergyLayout& layout = functions_->energy_layout;
+    Array values(layout.size, S(0));
+    const Status status = functions_->energy(t, state.values.data(), values.data());
+    result = {values[layout.kinetic], values[layout.total]};
+    return status;
+  }
+
+  bool has_jacobian() const { return static_cast<bool>(functions_->jacobian); }
+  /// As gauss::integrate::OwnJacobian says.
+  template <class Fill>
+  Status jacobian(const S& t, const State& state, const Fill& fill) const {
+    const JacobianLayout& layout = functions_->jacobian_layout;
+    Array values(layout.size, S(0));
+    const Status status = functions_->jacobian(t, state.values.data(), values.data());
+    for (std::size_t i = 0; i + 1 < layout.row_begin.size(); ++i)
+      for (std::size_t k = layout.row_begin[i]; k < layout.row_begin[i + 1]; ++k)
+        fill(i, layout.column[k], values[layout.first + k]);
+    return status;
+  }
+
+  /// The same model, which projects otherwise. `start`: its energy is the one to be kept.
+  MotionModel projecting(Projection how, const S& t, const Array& start) const {
+    MotionModel result = *this;
+    result.how_ = how;
+    if (how != Projection::energy) return result;
+    State state{start};
+    Energy found;
+    const bool is_known = gauss::integrate::is_motion_known(onto(functions_->projection, t, state)) &&
+                          gauss::integrate::is_motion_known(energy(t, state, found));
+    // What is not known is not kept, and the first step says why there is no motion.
+    result.level_ = is_known ? found.total : std::numeric_limits<S>::quiet_NaN();
+    return result;
+  }
+  bool projects() const { return how_ != Projection::off && (functions_->projection || how_ == Projection::energy); }
+
+  /// As it was chosen; a model without any constraints stays where it is.
+  Status projection(const S& t, State& state) const {
+    using namespace gauss::integrate;
+    const Whole whole{*this};
+    switch (how_) {
+      case Projection::positions: return ToPositions::apply(whole, t, state);
+      case Projection::velocities: return functions_->speeds ? ToSpeeds::apply(whole, t, state) : to_all(t, state);
+      default: return to_all(t, state);
+    }
+  }
 
  private:
+  /// What a level of projection asks a model for.
+  struct Whole {
+    using Scalar = S;
+    using State = typename MotionModel::State;
+    const MotionModel& model;
+
+    Status projection(const S& t, State& state) const { return onto(model.functions_->projection, t, state); }
+    Status position_step(const S& t, State& state) const { return onto(model.functions_->positions, t, state); }
+    Status speed_step(const S& t, State& state) const { return onto(model.functions_->speeds, t, state); }
+  };
+
+  Status to_all(const S& t, State& state) const {
+    const Status status = onto(functions_->projection, t, state);
+    if (how_ == Projection::energy && gauss::integrate::is_motion_known(status))
+      gauss::integrate::detail::to_energy<Energy>(*this, t, level_, state);
+    return status;
+  }
+
   static Status onto(const Callable<S>& function, const S& t, State& state) {
-    return function ? function(t, state.values.data(), state.values.data()) : Status::ok;
+    if (!function) return Status::ok;
+    const State before = state;
+    return function(t, before.values.data(), state.values.data());
   }
 
   std::shared_ptr<const Functions<S>> functions_;
+  Projection how_ = Projection::full;
+  S level_ = 0;  ///< of the energy
 };
 
 }  // namespace gausssim

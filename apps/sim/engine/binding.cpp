@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 
+#include "sim/engine/result_layouts.hpp"
 #include "sim/model/layout.hpp"
 
 namespace gausssim {
@@ -71,9 +72,12 @@ std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model)
   functions->rates = bound("rhs");
   functions->projection = bound("project");
   functions->positions = bound("project_positions");
+  functions->speeds = bound("project_speeds");
   functions->energy = bound("energy");
   functions->residuals = bound("residuals");
   functions->jacobian = bound("jacobian");
+  functions->energy_layout = energy_layout_of(model.tree);
+  functions->jacobian_layout = jacobian_layout_of(model.tree);
   return functions;
 }
 

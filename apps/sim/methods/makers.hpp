@@ -7,6 +7,7 @@
 
 namespace gausssim {
 
+/// `model` projects as the settings say.
 template <class S>
 struct Problem {
   const MotionModel<S>& model;
@@ -18,18 +19,30 @@ struct Problem {
 template <class S>
 using Made = std::unique_ptr<Integrator<S>>;
 
-template <class S>
-Made<S> make_prince87(const Problem<S>& problem);
-template <class S>
-Made<S> make_fehlberg78(const Problem<S>& problem);
-template <class S>
-Made<S> make_dopri5(const Problem<S>& problem);
-template <class S>
-Made<S> make_cash_karp54(const Problem<S>& problem);
+#define GAUSS_SIM_MAKER(method) \
+  template <class S>            \
+  Made<S> make_##method(const Problem<S>& problem);
+
+GAUSS_SIM_MAKER(prince87)
+GAUSS_SIM_MAKER(fehlberg78)
+GAUSS_SIM_MAKER(dopri5)
+GAUSS_SIM_MAKER(cash_karp54)
+GAUSS_SIM_MAKER(bulirsch_stoer)
 /// Null where the engine has no series of the model.
-template <class S>
-Made<S> make_taylor(const Problem<S>& problem);
-template <class S>
-Made<S> make_rk4(const Problem<S>& problem);
+GAUSS_SIM_MAKER(taylor)
+GAUSS_SIM_MAKER(rk4)
+GAUSS_SIM_MAKER(verlet)
+GAUSS_SIM_MAKER(mclachlan4)
+GAUSS_SIM_MAKER(kahan_li8)
+GAUSS_SIM_MAKER(gauss_legendre2)
+GAUSS_SIM_MAKER(gauss_legendre4)
+GAUSS_SIM_MAKER(gauss_legendre6)
+#undef GAUSS_SIM_MAKER
+
+// Of SUNDIALS, which computes in double; defined where it is installed.
+Made<double> make_cvode_adams(const Problem<double>& problem);
+Made<double> make_cvode_bdf(const Problem<double>& problem);
+Made<double> make_arkode(const Problem<double>& problem, const std::string& method);
+Made<double> make_ida(const Problem<double>& problem);
 
 }  // namespace gausssim

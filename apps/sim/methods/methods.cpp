@@ -4,18 +4,16 @@
 
 #include "sim/drive/quad.hpp"
 #include "sim/methods/makers.hpp"
+#include "sim/methods/table.hpp"
 
 namespace gausssim {
 
 const std::vector<MethodInfo>& methods() {
-  static const std::vector<MethodInfo> k_methods{
-      {"taylor", "gauss", 0, false,
-       "power series of the motion, of an order that suits the tolerance; knows the motion within its steps"},
-      {"prince87", "Odeint", 8, false, "pair of order 8 (7) of Prince and Dormand"},
-      {"fehlberg78", "Odeint", 8, false, "pair of order 7 (8) of Fehlberg, taken at order 8"},
-      {"dopri5", "Odeint", 5, false, "pair of order 5 (4) of Dormand and Prince"},
-      {"cash_karp54", "Odeint", 5, false, "pair of order 5 (4) of Cash and Karp"},
-      {"rk4", "Odeint", 4, true, "classical method of order 4, in steps of one length"}};
+  static const std::vector<MethodInfo> k_methods = [] {
+    std::vector<MethodInfo> all;
+    for (const Method& method : method_table()) all.push_back(method.info);
+    return all;
+  }();
   return k_methods;
 }
 
@@ -25,38 +23,69 @@ const MethodInfo* find_method(const std::string& name) {
   return found == methods().end() ? nullptr : &*found;
 }
 
+template <class S>
+std::string why_not_projected(const Functions<S>& functions, Projection how) {
+  if (how == Projection::positions && !functions.positions) return "the model has no equations of positions";
+  if (how == Projection::velocities && !functions.projection) return "the model has no constraints";
+  if (how == Projection::energy && !(functions.energy && functions.energy_layout.is_conserved))
+    return "the energy of the model may change: it has dampers, inputs, laws in time or forces without a potential";
+  return {};
+}
+
 namespace {
 
 const char* const k_no_series =
     "the model has no power series here: it has a jump or a kink, constraints that always follow from others, or it is "
     "interpreted";
 
+std::string why_not_taken(const Method& method, bool has_number, Projection how) {
+  if (!method.info.missing.empty()) return method.info.missing;
+  if (!has_number) return "it computes in double, and no other number type";
+  if (method.info.name == "taylor" && how != Projection::full && how != Projection::off)
+    return "series take full projection, or none";
+  if (!method.info.projects && how != Projection::off) return "it does not project: choose 'projection: off' with it";
+  return {};
+}
+
+template <class S>
+Method::Make<S> maker_of(const Method& method) {
+  if constexpr (std::is_same_v<S, double>) {
+    return method.in_double;
+  } else {
+    return method.in_long_double;
+  }
+}
+
 }  // namespace
 
 template <class S>
-Made<S> make_integrator(const std::string& method, const MotionModel<S>& model, const Numbers<S>& start, const S& t,
+Made<S> make_integrator(const std::string& name, const MotionModel<S>& model, const Numbers<S>& start, const S& t,
                         const MethodSettings<S>& settings, std::string& why) {
-  const Problem<S> problem{model, start, t, settings};
-  if (method == "taylor") {
-    Made<S> made = make_taylor(problem);
-    if (!made) why = k_no_series;
-    return made;
+  const auto& table = method_table();
+  const auto method =
+      std::find_if(table.begin(), table.end(), [&](const Method& one) { return one.info.name == name; });
+  if (method == table.end()) return why = "there is no method '" + name + "'", nullptr;
+  const Method::Make<S> make = maker_of<S>(*method);
+  why = why_not_taken(*method, static_cast<bool>(make), settings.projection);
+  if (why.empty()) {
+    why = why_not_projected(model.functions(), settings.projection);
+    if (!why.empty()) why = "no projection of this kind: " + why;
+  } else {
+    why = "method '" + name + "': " + why;
   }
-  if (method == "prince87") return make_prince87(problem);
-  if (method == "fehlberg78") return make_fehlberg78(problem);
-  if (method == "dopri5") return make_dopri5(problem);
-  if (method == "cash_karp54") return make_cash_karp54(problem);
-  if (method == "rk4") return make_rk4(problem);
-  why = "there is no method '" + method + "'";
-  return nullptr;
+  if (!why.empty()) return nullptr;
+  Made<S> made = make({model.projecting(settings.projection, t, start), start, t, settings});
+  if (!made) why = k_no_series;
+  return made;
 }
 
-/// The steppers of libraries have coefficients for less digits.
+/// The steppers of libraries have coefficients with fewer digits.
 template <>
-Made<Quad> make_integrator(const std::string& method, const MotionModel<Quad>& model, const Numbers<Quad>& start,
+Made<Quad> make_integrator(const std::string& name, const MotionModel<Quad>& model, const Numbers<Quad>& start,
                            const Quad& t, const MethodSettings<Quad>& settings, std::string& why) {
-  if (method != "taylor") {
-    why = "in float128 there is no method but taylor";
+  const bool is_known = settings.projection == Projection::full || settings.projection == Projection::off;
+  if (name != "taylor" || !is_known) {
+    why = "in float128 there is no method but taylor, with full projection or none";
     return nullptr;
   }
   Made<Quad> made = make_taylor(Problem<Quad>{model, start, t, settings});
@@ -64,10 +93,12 @@ Made<Quad> make_integrator(const std::string& method, const MotionModel<Quad>& m
   return made;
 }
 
-template Made<double> make_integrator(const std::string&, const MotionModel<double>&, const Numbers<double>&,
-                                      const double&, const MethodSettings<double>&, std::string&);
-template Made<long double> make_integrator(const std::string&, const MotionModel<long double>&,
-                                           const Numbers<long double>&, const long double&,
-                                           const MethodSettings<long double>&, std::string&);
+#define GAUSS_SIM_NUMBER(S)                                                                                \
+  template std::string why_not_projected(const Functions<S>&, Projection);                                 \
+  template Made<S> make_integrator(const std::string&, const MotionModel<S>&, const Numbers<S>&, const S&, \
+                                   const MethodSettings<S>&, std::string&);
+GAUSS_SIM_NUMBER(double)
+GAUSS_SIM_NUMBER(long double)
+#undef GAUSS_SIM_NUMBER
 
 }  // namespace gausssim

@@ -6,22 +6,28 @@
 #include <vector>
 
 #include "sim/drive/integrator.hpp"
+#include "sim/drive/projection.hpp"
 
 namespace gausssim {
 
+/// What a method is, and what it asks of a model.
 struct MethodInfo {
   std::string name;
-  std::string library;
-  int order = 0;
+  std::string library;      ///< whose code the method itself is
+  int least_order = 0;      ///< of methods that choose one; else the same as
+  int order = 0;            ///< the largest: what the error of a step of length h goes down with, as h^(order + 1)
   bool takes_step = false;  ///< steps of one length instead of a tolerance
+  bool is_stiff = false;    ///< for what decays, or is held, much faster than it moves
+  bool projects = true;     ///< onto constraints after each step
+  bool has_long_double = true;
+  bool is_separable = false;       ///< takes only models whose accelerations depend on coordinates alone
+  std::vector<std::string> takes;  ///< outputs of the generator, where a model has them
   std::string about;
+  std::string missing;  ///< why it is not built in; empty: it is
 };
 
 const std::vector<MethodInfo>& methods();
 const MethodInfo* find_method(const std::string& name);
-
-/// Which states are put back onto what constraints ask for, after each step.
-enum class Projection { off, full, positions, velocities };
 
 template <class S>
 struct MethodSettings {
@@ -33,7 +39,11 @@ struct MethodSettings {
   int order = 0;  ///< of series; 0: by the tolerance
 };
 
-/// Null where the method does not take the model; `why` says it then.
+/// Why a model cannot be projected so; empty where it can.
+template <class S>
+std::string why_not_projected(const Functions<S>& functions, Projection how);
+
+/// Null where the method does not take the model, or the model not the projection; `why` says it then.
 template <class S>
 std::unique_ptr<Integrator<S>> make_integrator(const std::string& method, const MotionModel<S>& model,
                                                const Numbers<S>& start, const S& t, const MethodSettings<S>& settings,

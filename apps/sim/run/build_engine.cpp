@@ -20,7 +20,8 @@ std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice
     return nullptr;
   }
   PluginRequest request;
-  request.functions = {"prepare", "rhs", "project", "project_positions", "energy", "residuals"};
+  request.functions = {"prepare",        "rhs",    "project",   "project_positions",
+                       "project_speeds", "energy", "residuals", "jacobian"};
   for (const SampledFunction& function : prepared.columns.functions) request.functions.push_back(function.function);
   request.scalars = scalars;
   if (uses_quad(request)) toolchain->libraries.push_back("-lquadmath");

@@ -9,23 +9,12 @@ namespace gausssim {
 
 namespace {
 
-namespace cpp = gaussgen::emit::cpp;
-
 std::vector<std::size_t> slots_of(const std::vector<ResultNumber>& slots, const std::string& name) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     if (slots[i].name.rfind(name + "[", 0) == 0 || slots[i].name == name) found.push_back(i);
   }
   return found;
-}
-
-/// A constant of the struct says whether it is the same in every motion.
-bool is_conserved(const cpp::File& tree) {
-  const cpp::Struct* const energy = find_struct(tree, "Energy");
-  if (energy == nullptr) return false;
-  return std::any_of(energy->members.begin(), energy->members.end(), [](const cpp::Member& member) {
-    return member.name == "is_conserved" && member.value && member.value->text == "true";
-  });
 }
 
 template <class S>
@@ -38,17 +27,14 @@ double largest(const std::vector<S>& values, const std::vector<std::size_t>& slo
 
 template <class S>
 DriftMeter<S>::DriftMeter(const Functions<S>& functions, const Described& model) : functions_(functions) {
-  const std::vector<ResultNumber> energy = layout_of(model.tree, "Energy");
+  const EnergyLayout& energy = functions.energy_layout;
   const std::vector<ResultNumber> residuals = layout_of(model.tree, "Residuals");
-  energy_.resize(energy.size());
+  energy_.resize(energy.size);
   residuals_.resize(residuals.size());
   rates_.resize(model.size());
-  const auto kinetic = slots_of(energy, "kinetic"), total = slots_of(energy, "total");
-  drift_.has_energy = functions.energy && !kinetic.empty() && !total.empty() && is_conserved(model.tree);
-  if (drift_.has_energy) {
-    kinetic_ = kinetic.front();
-    total_ = total.front();
-  }
+  drift_.has_energy = functions.energy && energy.is_conserved;
+  kinetic_ = energy.kinetic;
+  total_ = energy.total;
   positions_ = slots_of(residuals, "position");
   velocities_ = slots_of(residuals, "velocity");
   drift_.has_constraints = functions.residuals && !residuals.empty();

@@ -66,15 +66,34 @@ std::string default_method(const Described& model, const Engine& engine, const s
   return find_function(model.tree, "taylor") != nullptr && has_series ? "taylor" : "prince87";
 }
 
+bool chooses_method(const Scene& scene) { return !scene.method || scene.method->text == "auto"; }
+
+/// What no model can change: refused before one is read.
+void check_method(const Scene& scene) {
+  if (chooses_method(scene)) return;
+  const MethodInfo& method = *find_method(scene.method->text);
+  const auto refuse = [&](const std::string& why) {
+    throw cli::UsageError(fmt::format("method '{}': {}", method.name, why));
+  };
+  if (!method.missing.empty()) refuse(method.missing);
+  const std::string number = scene.number ? scene.number->text : "double";
+  if (!method.has_long_double && number != "double") refuse("it computes in double, and no other number type");
+  if (number == "float128" && method.name != "taylor") refuse("in float128 there is no method but taylor");
+  if (!method.projects && scene.projection && scene.projection->text != "off")
+    refuse("it does not project, so states drift off the constraints as its tolerance allows; take 'projection: off'");
+}
+
 Setting setting_of(const PreparedModel& prepared, const Engine& engine) {
   const Scene& scene = prepared.scene;
   Setting setting;
   if (scene.number) setting.number = scene.number->text;
-  setting.method = scene.method && scene.method->text != "auto"
-                       ? scene.method->text
-                       : default_method(prepared.model, engine, scalar_of(setting.number));
-  if (scene.projection && scene.projection->text == "off") setting.projection = Projection::off;
-  if (find_method(setting.method)->takes_step) {
+  setting.method =
+      chooses_method(scene) ? default_method(prepared.model, engine, scalar_of(setting.number)) : scene.method->text;
+  const MethodInfo& method = *find_method(setting.method);
+  setting.projection = scene.projection  ? projection_of(scene.projection->text)
+                       : method.projects ? Projection::full
+                                         : Projection::off;
+  if (method.takes_step) {
     setting.step = scene.step.value_or(prepared.span.duration / k_default_steps);
   } else {
     setting.tolerance = scene.tolerance.value_or(k_default_tolerance);
@@ -124,9 +143,13 @@ nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& set
   json["number"] = setting.number;
   if (setting.tolerance > 0) json["tolerance"] = setting.tolerance;
   if (setting.step > 0) json["step"] = setting.step;
+  for (const auto& [name, how] : k_projections) {
+    if (how == setting.projection) json["projection"] = name;
+  }
   json["steps"] = run.steps;
   json["rejected"] = run.rejected;
   json["calls"] = run.calls;
+  json["jacobians"] = run.jacobians;
   if (error) json["error_estimate"] = {{"relative", error->value}, {"output", error->output}};
   json["drift"] = drift_json(run.drift);
   if (run.start_moved > 0) json["start_moved"] = {{"by", run.start_moved}, {"component", run.start_component}};
@@ -206,7 +229,13 @@ int run(const RunOptions& options) {
   Request request{options.file, options.sets, {}, options.messages};
   int code = cli::k_ok;
   const auto prepared = prepare(
-      request, [&](Scene& scene) { apply(options, scene); }, code);
+      request,
+      [&](Scene& scene) {
+        apply(options, scene);
+        check_method(scene);
+        if (!chooses_method(scene)) request.also = find_method(scene.method->text)->takes;
+      },
+      code);
   if (!prepared) return code;
   const std::string number = prepared->scene.number ? prepared->scene.number->text : "double";
   Times times;

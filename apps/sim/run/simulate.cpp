@@ -95,11 +95,13 @@ class Simulator {
   void note(const Integrator<S>& integrator) {
     const Progress<S> progress = integrator.progress();
     result_.outcome = progress.outcome;
+    if (!progress.why.empty()) result_.why = progress.why;
     if (progress.status != gauss::Status::ok) result_.status = progress.status;
     result_.reached = static_cast<double>(integrator.time());
     result_.steps = progress.steps;
     result_.rejected = progress.rejected;
     result_.calls = progress.calls;
+    result_.jacobians = progress.jacobians;
     result_.with_fewer_constraints = progress.with_fewer_constraints;
     result_.crossings = progress.crossings;
     result_.start_moved = static_cast<double>(progress.start_moved);

@@ -27,7 +27,7 @@ struct Simulated {
   bool was_interrupted = false;
   long samples = 0;
   double reached = 0;  ///< time
-  long steps = 0, rejected = 0, calls = 0, with_fewer_constraints = 0, crossings = 0;
+  long steps = 0, rejected = 0, calls = 0, jacobians = 0, with_fewer_constraints = 0, crossings = 0;
   double start_moved = 0;
   std::string start_component;
   long untrusted_samples = 0;  ///< an output had a status that is not ok

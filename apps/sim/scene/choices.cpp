@@ -20,7 +20,11 @@ const std::vector<std::string>& number_names() {
 }
 
 const std::vector<std::string>& projection_names() {
-  static const std::vector<std::string> k_names{"full", "off"};
+  static const std::vector<std::string> k_names = [] {
+    std::vector<std::string> names;
+    for (const auto& one : k_projections) names.push_back(one.first);
+    return names;
+  }();
   return k_names;
 }
 

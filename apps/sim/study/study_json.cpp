@@ -22,6 +22,13 @@ Json numbers(const std::vector<double>& values) {
   return list;
 }
 
+const char* name_of(Projection projection) {
+  for (const auto& [name, how] : k_projections) {
+    if (how == projection) return name;
+  }
+  return "";
+}
+
 const char* word(PointStatus status) {
   return status == PointStatus::ok ? "ok" : status == PointStatus::failed ? "failed" : "refused";
 }
@@ -46,7 +53,7 @@ Json point_json(const Point& point, const Problem& problem) {
   json["formulation"] = problem.formulations[point.candidate.formulation].name;
   json["code"] = point.candidate.code;
   json["number"] = setting.number;
-  json["projection"] = setting.projection == Projection::off ? "off" : "full";
+  json["projection"] = name_of(setting.projection);
   json["engine"] = problem.formulations[point.candidate.formulation].engine->name();
   json["tolerance"] = setting.tolerance > 0 ? number(setting.tolerance) : Json(nullptr);
   json["step"] = setting.step > 0 ? number(setting.step) : Json(nullptr);
@@ -136,9 +143,9 @@ std::string study_csv(const std::vector<Problem>& problems) {
       text +=
           fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"\n", problem.name,
                       problem.formulations[point.candidate.formulation].name, point.candidate.code, setting.number,
-                      setting.method, setting.projection == Projection::off ? "off" : "full",
-                      or_nothing(setting.tolerance > 0, setting.tolerance), or_nothing(setting.step > 0, setting.step),
-                      word(point.status), or_nothing(point.error.has_value(), point.error ? point.error->value : 0),
+                      setting.method, name_of(setting.projection), or_nothing(setting.tolerance > 0, setting.tolerance),
+                      or_nothing(setting.step > 0, setting.step), word(point.status),
+                      or_nothing(point.error.has_value(), point.error ? point.error->value : 0),
                       point.error ? point.error->output : "", or_nothing(point.status == PointStatus::ok, point.time),
                       point.calls, point.steps, point.rejected, point.is_on_front ? 1 : 0, point.why);
     }

@@ -6,7 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <type_traits>
+
+#include "gauss/integrate/state_arrays.hpp"
 
 namespace gauss::integrate {
 
@@ -59,36 +62,52 @@ struct Compensated {
   }
 };
 
-/// Components of a state that a stepper sums up, step after step.
-template <class Scalar, std::size_t n>
-class CompensatedState {
+/// Components of a state that a stepper sums up, step after step. `Sums` holds a Compensated<Scalar> for each, `Flags` a bool: arrays, or containers that
+/// grow to the size of the state.
+template <class Sums, class Flags>
+class CompensatedSums {
  public:
+  using Scalar = decltype(Sums::value_type::value);
+
   /// What somebody else has changed since has no rest.
-  void begin(const Scalar (&values)[n]) {
-    for (std::size_t i = 0; i < n; ++i)
+  template <class Values>
+  void begin(const Values& values) {
+    fit(sums_, std::size(values));
+    fit(is_angle_, std::size(values));
+    for (std::size_t i = 0; i < sums_.size(); ++i)
       if (!(values[i] == sums_[i].value)) sums_[i] = {values[i], 0};
   }
 
   /// rate[i] h, added to each component.
-  void advance(const Scalar (&rate)[n], const Scalar& h, Scalar (&values)[n]) {
-    for (std::size_t i = 0; i < n; ++i) {
-      sums_[i].add_product(h, rate[i]);
-      if constexpr (PartsOfTurn<Scalar>::are_known) {
-        if (is_angle_[i]) sums_[i].wrap();
-      }
-      values[i] = sums_[i].value;
+  template <class Rates, class Values>
+  void advance(const Rates& rate, const Scalar& h, Values& values) {
+    for (std::size_t i = 0; i < sums_.size(); ++i) add(i, rate[i], h, values);
+  }
+  /// The same of one component.
+  template <class Values>
+  void add(std::size_t i, const Scalar& rate, const Scalar& h, Values& values) {
+    sums_[i].add_product(h, rate);
+    if constexpr (PartsOfTurn<Scalar>::are_known) {
+      if (is_angle_[i]) sums_[i].wrap();
     }
+    values[i] = sums_[i].value;
   }
 
   /// Component i is an angle, of which whole turns do not matter.
-  void wrap(std::size_t i) { is_angle_[i] = true; }
+  void wrap(std::size_t i) {
+    if (is_angle_.size() <= i) fit(is_angle_, i + 1);
+    is_angle_[i] = true;
+  }
 
   const Scalar& rest(std::size_t i) const { return sums_[i].rest; }
 
  private:
-  std::array<Compensated<Scalar>, n> sums_{};
-  std::array<bool, n> is_angle_{};
+  Sums sums_{};
+  Flags is_angle_{};
 };
+
+template <class Scalar, std::size_t n>
+using CompensatedState = CompensatedSums<std::array<Compensated<Scalar>, n>, std::array<bool, n>>;
 
 }  // namespace gauss::integrate
 

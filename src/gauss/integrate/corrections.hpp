@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "gauss/integrate/bound_model.hpp"
+#include "gauss/integrate/state_arrays.hpp"
 #include "gauss/integrate/step_result.hpp"
 
 namespace gauss::integrate {
@@ -130,7 +131,8 @@ typename Model::Scalar to_energy(const Model& model, const typename Model::Scala
   if (!(std::abs(miss) <= energy.kinetic / 4)) return -1;
   typename Model::State scaled = state;
   const Scalar factor = std::sqrt(1 + miss / energy.kinetic);
-  for (std::size_t i = Model::n_q; i < Model::size; ++i) scaled.values[i] *= factor;
+  using Arrays = StateArrays<Model>;
+  for (std::size_t i = Arrays::n_q(model); i < Arrays::size(model); ++i) scaled.values[i] *= factor;
   Energy after;
   if (!is_motion_known(model.energy(t, scaled, after)) || !(std::abs(level - after.total) < std::abs(miss))) return -1;
   state = scaled;

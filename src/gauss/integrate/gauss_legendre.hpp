@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 
 #include "gauss/integrate/bound_model.hpp"
 #include "gauss/integrate/compensated.hpp"
+#include "gauss/integrate/state_arrays.hpp"
 #include "gauss/integrate/step_result.hpp"
 
 namespace gauss::integrate {
@@ -61,7 +63,8 @@ class GaussLegendre {
 
   StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
     sums_.begin(state.values);
-    for (std::size_t i = 0; i < Model::size; ++i) size_[i] = std::max(size_[i], std::abs(state.values[i]));
+    fit(size_, std::size(state.values));
+    for (std::size_t i = 0; i < size_.size(); ++i) size_[i] = std::max(size_[i], std::abs(state.values[i]));
     iterations_of_last_step_ = 0;
     StepResult result = start(model, t, h, state);
     Scalar last = std::numeric_limits<Scalar>::max();
@@ -85,6 +88,7 @@ class GaussLegendre {
 
   /// Each takes one evaluation of the model per stage; one more begins the step.
   int iterations_of_last_step() const { return iterations_of_last_step_; }
+  long calls_of_last_step() const { return 1 + static_cast<long>(stages) * iterations_of_last_step_; }
 
  private:
   static constexpr int k_most_iterations = 60;
@@ -93,18 +97,20 @@ class GaussLegendre {
 
   /// Stages on the tangent.
   StepResult start(const Model& model, const Scalar& t, const Scalar& h, const State& state) {
-    typename Model::Derivative rates;
+    auto rates = Arrays::rates(model);
     const StepResult result = result_of(model.derivative(t, state, rates));
-    for (int s = 0; s < stages; ++s)
-      for (std::size_t i = 0; i < Model::size; ++i) shift_[s][i] = tableau_.c[s] * h * rates.values[i];
+    for (int s = 0; s < stages; ++s) {
+      fit(shift_[s], size_.size());
+      for (std::size_t i = 0; i < size_.size(); ++i) shift_[s][i] = tableau_.c[s] * h * rates.values[i];
+    }
     return result;
   }
 
   Status evaluate(const Model& model, const Scalar& t, const Scalar& h, const State& state) {
     Status trouble = Status::ok;
     for (int s = 0; s < stages; ++s) {
-      State at;
-      for (std::size_t i = 0; i < Model::size; ++i) at.values[i] = state.values[i] + (shift_[s][i] + sums_.rest(i));
+      State at = state;
+      for (std::size_t i = 0; i < size_.size(); ++i) at.values[i] = state.values[i] + (shift_[s][i] + sums_.rest(i));
       const Status status = model.derivative(t + tableau_.c[s] * h, at, rates_[s]);
       if (is_motion_known(trouble) && status != Status::ok) trouble = status;
     }
@@ -116,7 +122,7 @@ class GaussLegendre {
   Scalar improve(const Scalar& h, const State& state) {
     Scalar largest = 0;
     for (int s = 0; s < stages; ++s) {
-      for (std::size_t i = 0; i < Model::size; ++i) {
+      for (std::size_t i = 0; i < size_.size(); ++i) {
         Scalar sum = 0;
         for (int j = 0; j < stages; ++j) sum += tableau_.a[s][j] * rates_[j].values[i];
         const Scalar better = h * sum;
@@ -133,8 +139,8 @@ class GaussLegendre {
   /// Weights add up to 1, so differences of rates are weighted: a constant rate is summed exactly, whatever the weights round to.
   void add_up(const Scalar& h, State& state) {
     constexpr int k_middle = stages / 2;
-    Scalar mean[Model::size];
-    for (std::size_t i = 0; i < Model::size; ++i) {
+    auto mean = zeros_like(size_);
+    for (std::size_t i = 0; i < size_.size(); ++i) {
       const Scalar& middle = rates_[k_middle].values[i];
       Scalar sum = 0;
       for (int j = 0; j < stages; ++j) sum += tableau_.b[j] * (rates_[j].values[i] - middle);
@@ -143,11 +149,14 @@ class GaussLegendre {
     sums_.advance(mean, h, state.values);
   }
 
+  using Arrays = StateArrays<Model>;
+  using Array = typename Arrays::Array;
+
   GaussLegendreTableau<Scalar, stages> tableau_;
   typename Model::Derivative rates_[stages]{};
-  Scalar shift_[stages][Model::size]{};
-  CompensatedState<Scalar, Model::size> sums_;
-  Scalar size_[Model::size]{};  ///< largest so far
+  Array shift_[stages]{};
+  CompensatedSums<typename Arrays::template Of<Compensated<Scalar>>, typename Arrays::template Of<bool>> sums_;
+  Array size_{};  ///< largest so far
   int iterations_of_last_step_ = 0;
 };
 

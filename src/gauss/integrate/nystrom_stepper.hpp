@@ -8,8 +8,10 @@
 #include <boost/numeric/odeint/stepper/base/symplectic_rkn_stepper_base.hpp>
 #include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
 #include <cstddef>
+#include <iterator>
 
 #include "gauss/integrate/bound_model.hpp"
+#include "gauss/integrate/state_arrays.hpp"
 #include "gauss/integrate/step_result.hpp"
 
 namespace gauss::integrate {
@@ -19,20 +21,22 @@ template <class Model>
 bool is_same_elsewhere(const Model& model, const typename Model::Scalar& t, const typename Model::State& state,
                        const typename Model::Derivative& here) {
   using Scalar = typename Model::Scalar;
+  using Arrays = StateArrays<Model>;
+  const std::size_t n_q = Arrays::n_q(model), size = Arrays::size(model);
   typename Model::State other = state;
-  for (std::size_t i = Model::n_q; i < Model::size; ++i)
+  for (std::size_t i = n_q; i < size; ++i)
     other.values[i] = -2 * state.values[i] + Scalar(1) + static_cast<Scalar>(i) / 8;
-  typename Model::Derivative there{};
+  auto there = Arrays::rates(model);
   if (!is_motion_known(model.derivative(t, other, there))) return false;
-  const bool same_accelerations =
-      std::equal(here.values + Model::n_q, here.values + Model::size, there.values + Model::n_q);
-  return same_accelerations && std::equal(there.values, there.values + Model::n_q, other.values + Model::n_q);
+  const auto* const now = std::data(here.values);
+  const auto* const then = std::data(there.values);
+  return std::equal(now + n_q, now + size, then + n_q) && std::equal(then, then + n_q, std::data(other.values) + n_q);
 }
 
 /// What a step of a model that does not suit comes to: its own status where that stops it, else `unsuitable`.
 template <class Model>
 StepResult refused_by_nystrom(const Model& model, const typename Model::Scalar& t, const typename Model::State& state) {
-  typename Model::Derivative derivative;
+  auto derivative = StateArrays<Model>::rates(model);
   const StepResult result = result_of(model.derivative(t, state, derivative));
   return result.is_taken() ? StepResult{StepOutcome::unsuitable, result.status} : result;
 }
@@ -58,17 +62,15 @@ class NystromWatch {
   template <class Model>
   bool suits(const Model& model, const typename Model::Scalar& t, const typename Model::Scalar& h,
              const typename Model::State& state) const {
-    if constexpr (Model::n_q != Model::n_v) {
-      return false;
-    } else {
-      typename Model::Derivative here{};
-      if (!is_motion_known(model.derivative(t, state, here))) return false;
-      const int first = looks_ == 0 ? 0 : looks_ - 1, end = looks_ == 0 ? k_times : looks_;
-      for (int k = first; k < end; ++k) {
-        if (!is_same_elsewhere(model, t + steps_ahead<typename Model::Scalar>(k) * h, state, here)) return false;
-      }
-      return true;
+    using Arrays = StateArrays<Model>;
+    if (Arrays::size(model) != 2 * Arrays::n_q(model)) return false;
+    auto here = Arrays::rates(model);
+    if (!is_motion_known(model.derivative(t, state, here))) return false;
+    const int first = looks_ == 0 ? 0 : looks_ - 1, end = looks_ == 0 ? k_times : looks_;
+    for (int k = first; k < end; ++k) {
+      if (!is_same_elsewhere(model, t + steps_ahead<typename Model::Scalar>(k) * h, state, here)) return false;
     }
+    return true;
   }
 
  private:
@@ -81,7 +83,7 @@ class NystromWatch {
   int looks_ = 0;  ///< 0: none yet; else which time ahead is next, from 1
 };
 
-/// `Method` is one of Odeint's symplectic Runge-Kutta-Nystrom steppers over std::array<Scalar, n_q>, or has its do_step. The first step looks whether
+/// `Method` is one of Odeint's symplectic Runge-Kutta-Nystrom steppers over arrays of n_q numbers, or has its do_step. The first step looks whether
 /// the model suits, and so does each NystromWatch::k_steps_between-th after it, since a damper may begin to act on the way; one that does not suit is refused there. What depends
 /// on speeds for fewer steps may pass between two looks: those steps have order 1 and no symmetry.
 template <class Model, class Method>
@@ -89,7 +91,7 @@ class NystromStepper {
  public:
   using Scalar = typename Model::Scalar;
   using State = typename Model::State;
-  using Half = std::array<Scalar, Model::n_q>;
+  using Half = typename HalfArrays<Model>::Array;
 
   // Scratch space of the method has no values to copy before the first step.
   NystromStepper() = default;
@@ -101,25 +103,27 @@ class NystromStepper {
 
   StepResult step(const Model& model, const Scalar& t, const Scalar& h, State& state) {
     if (watch_.is_due() && !watch_.suits(model, t, h, state)) return refused_by_nystrom(model, t, state);
-    Half q, v;
-    std::copy_n(state.values, q.size(), q.begin());
-    std::copy_n(state.values + q.size(), v.size(), v.begin());
+    Half q = HalfArrays<Model>::zeros(model), v = q;
+    const std::size_t n_q = q.size();
+    std::copy_n(std::data(state.values), n_q, q.begin());
+    std::copy_n(std::data(state.values) + n_q, n_q, v.begin());
     Status trouble = Status::ok;
+    State at = state;
+    auto derivative = StateArrays<Model>::rates(model);
     // Time does not matter: NystromWatch has seen to it.
     const auto acceleration = [&](const Half& position, Half& result) {
-      State at = state;
-      typename Model::Derivative derivative;
-      std::copy(position.begin(), position.end(), at.values);
+      std::copy(position.begin(), position.end(), std::begin(at.values));
       const Status status = model.derivative(t, at, derivative);
       if (is_motion_known(trouble) && status != Status::ok) trouble = status;
-      std::copy_n(derivative.values + position.size(), position.size(), result.begin());
+      fit(result, n_q);
+      std::copy_n(std::data(derivative.values) + n_q, n_q, result.begin());
     };
     method_.do_step(acceleration, q, v, t, h);
     const StepResult result = result_of(trouble);
     if (!result.is_taken()) return result;
     watch_.step_taken();
-    std::copy(q.begin(), q.end(), state.values);
-    std::copy(v.begin(), v.end(), state.values + q.size());
+    std::copy(q.begin(), q.end(), std::data(state.values));
+    std::copy(v.begin(), v.end(), std::data(state.values) + n_q);
     return result;
   }
 
@@ -150,15 +154,15 @@ class PositionVerlet {
 
 /// Order 2, one acceleration in a step, symmetric: the cheapest that keeps the energy bounded (Hairer, Lubich, Wanner, Geometric Numerical Integration, I.1.4).
 template <class Model>
-using Verlet =
-    NystromStepper<Model, PositionVerlet<std::array<typename Model::Scalar, Model::n_q>, typename Model::Scalar>>;
+using Verlet = NystromStepper<Model, PositionVerlet<typename HalfArrays<Model>::Array, typename Model::Scalar>>;
 
 /// Order 4, five accelerations in a step, symmetric; R. I. McLachlan, On the numerical integration of ordinary differential equations by
 /// symmetric composition methods, SIAM Journal on Scientific Computing 16 (1995) 151-168.
 template <class Model>
-using McLachlan4 = NystromStepper<Model, boost::numeric::odeint::symplectic_rkn_sb3a_m4_mclachlan<
-                                             std::array<typename Model::Scalar, Model::n_q>,
-                                             std::array<typename Model::Scalar, Model::n_q>, typename Model::Scalar>>;
+using McLachlan4 =
+    NystromStepper<Model,
+                   boost::numeric::odeint::symplectic_rkn_sb3a_m4_mclachlan<
+                       typename HalfArrays<Model>::Array, typename HalfArrays<Model>::Array, typename Model::Scalar>>;
 
 }  // namespace gauss::integrate
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
+#include <utility>
 
 namespace gauss::integrate {
 
@@ -28,6 +29,8 @@ struct StateArrays {
   static constexpr std::size_t size(const Model&) { return Model::size; }
   static constexpr std::size_t n_q(const Model&) { return Model::n_q; }
   static Array zeros(const Model&) { return {}; }
+  /// What the model's rates are to be written to.
+  static auto rates(const Model&) { return typename Model::Derivative{}; }
   static State state_of(const Array& x) {
     State state;
     std::copy(x.begin(), x.end(), state.values);
@@ -59,6 +62,7 @@ struct StateArrays<Model, true> {
   static std::size_t size(const Model& model) { return model.size(); }
   static std::size_t n_q(const Model& model) { return model.coordinates(); }
   static Array zeros(const Model& model) { return Array(model.size(), Scalar(0)); }
+  static auto rates(const Model& model) { return typename Model::Derivative{zeros(model)}; }
   static State state_of(const Array& x) { return {x}; }
   static const Array& array_of(const State& state) { return state.values; }
   template <class T>
@@ -69,6 +73,35 @@ struct StateArrays<Model, true> {
 
 template <class Model>
 using StateArray = typename StateArrays<Model>::Array;
+
+/// One number for each coordinate.
+template <class Model, bool has_own = HasOwnArrays<Model>::value>
+struct HalfArrays {
+  using Array = std::array<typename Model::Scalar, Model::n_q>;
+  static Array zeros(const Model&) { return {}; }
+};
+template <class Model>
+struct HalfArrays<Model, true> {
+  using Array = typename Model::Array;
+  static Array zeros(const Model& model) { return Array(model.coordinates(), typename Model::Scalar(0)); }
+};
+
+namespace detail {
+
+template <class Array, class = void>
+struct Grows : std::false_type {};
+template <class Array>
+struct Grows<Array, std::void_t<decltype(std::declval<Array&>().resize(std::size_t{}))>> : std::true_type {};
+
+}  // namespace detail
+
+/// A container gets `size` elements; an array has them.
+template <class Array>
+void fit([[maybe_unused]] Array& x, [[maybe_unused]] std::size_t size) {
+  if constexpr (detail::Grows<Array>::value) {
+    if (x.size() != size) x.resize(size, typename Array::value_type{});
+  }
+}
 
 /// Zeros, as many as `like` has.
 template <class Array>

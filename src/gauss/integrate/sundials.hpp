@@ -10,13 +10,16 @@
 #include <sunmatrix/sunmatrix_dense.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
+#include <iterator>
 #include <memory>
 #include <new>
 #include <type_traits>
 #include <utility>
 
 #include "gauss/integrate/bound_model.hpp"
+#include "gauss/integrate/state_arrays.hpp"
 #include "gauss/integrate/step_result.hpp"
 
 static_assert(SUNDIALS_VERSION_MAJOR == 6, "SUNDIALS 6 is expected: other versions call things by other names");
@@ -33,6 +36,10 @@ struct EmittedJacobian {
   using Jacobian = JacobianType;
   using Pattern = PatternType;
 };
+
+/// Of a model that knows at run time whether it has one: `has_jacobian()`, and `jacobian(t, state, fill)`, which calls fill(row, column, value) for what may not
+/// be 0. Differences, where it has none.
+struct OwnJacobian {};
 
 namespace sundials {
 
@@ -90,10 +97,10 @@ class Problem {
   /// Rates; 1 where the model has a status that stops a motion, which a shorter step may avoid.
   static int rates(sunrealtype t, N_Vector y, N_Vector result, void* user_data) {
     return self(user_data).guarded([&](Problem& problem) {
-      typename Model::Derivative derivative;
+      auto derivative = Arrays::rates(*problem.model_);
       ++problem.calls_;
       const Status status = problem.model_->derivative(t, state_of(y), derivative);
-      std::copy_n(derivative.values, Model::size, N_VGetArrayPointer(result));
+      std::copy(std::begin(derivative.values), std::end(derivative.values), N_VGetArrayPointer(result));
       return status;
     });
   }
@@ -101,18 +108,40 @@ class Problem {
   static int jacobian(sunrealtype t, N_Vector y, N_Vector, SUNMatrix result, void* user_data, N_Vector, N_Vector,
                       N_Vector) {
     static_assert(has_jacobian, "only for a model that was generated with `jacobian`");
-    using Pattern = typename Derivatives::Pattern;
-    static_assert(Pattern::rows == Model::size, "the pattern is not that of this model");
     return self(user_data).guarded([&](Problem& problem) {
-      typename Derivatives::Jacobian entries;
       ++problem.jacobians_;
-      const Status status = problem.model_->derivatives(t, state_of(y), entries);
       SUNMatZero(result);
+      const auto fill = [&](std::size_t row, std::size_t column, double value) {
+        SM_ELEMENT_D(result, static_cast<sunindextype>(row), static_cast<sunindextype>(column)) = value;
+      };
+      return problem.fill_jacobian(t, state_of(y), fill);
+    });
+  }
+
+  /// Calls fill(row, column, value).
+  template <class Fill>
+  Status fill_jacobian(double t, const State& state, const Fill& fill) const {
+    if constexpr (std::is_same_v<Derivatives, OwnJacobian>) {
+      return model_->jacobian(t, state, fill);
+    } else {
+      using Pattern = typename Derivatives::Pattern;
+      static_assert(Pattern::rows == Model::size, "the pattern is not that of this model");
+      typename Derivatives::Jacobian entries;
+      const Status status = model_->derivatives(t, state, entries);
       for (int i = 0; i < Pattern::rows; ++i)
         for (int k = Pattern::row_begin[i]; k < Pattern::row_begin[i + 1]; ++k)
-          SM_ELEMENT_D(result, i, Pattern::column[k]) = entries.by_state[k];
+          fill(static_cast<std::size_t>(i), static_cast<std::size_t>(Pattern::column[k]), entries.by_state[k]);
       return status;
-    });
+    }
+  }
+
+  /// Whether `jacobian` may be called.
+  static bool is_jacobian_there([[maybe_unused]] const Model& model) {
+    if constexpr (std::is_same_v<Derivatives, OwnJacobian>) {
+      return model.has_jacobian();
+    } else {
+      return has_jacobian;
+    }
   }
 
   /// Calls back into the model; what that throws must not fly through C.
@@ -133,9 +162,17 @@ class Problem {
   }
 
   static State state_of(N_Vector y) {
-    State state;
-    std::copy_n(N_VGetArrayPointer(y), Model::size, state.values);
-    return state;
+    const double* const values = N_VGetArrayPointer(y);
+    if constexpr (HasOwnArrays<Model>::value) {
+      return {typename Arrays::Array(values, values + N_VGetLength(y))};
+    } else {
+      State state;
+      std::copy_n(values, Model::size, state.values);
+      return state;
+    }
+  }
+  static void copy(const State& state, N_Vector y) {
+    std::copy(std::begin(state.values), std::end(state.values), N_VGetArrayPointer(y));
   }
   static Problem& self(void* user_data) { return *static_cast<Problem*>(user_data); }
 
@@ -148,6 +185,8 @@ class Problem {
   long jacobians() const { return jacobians_; }
 
  private:
+  using Arrays = StateArrays<Model>;
+
   const Model* model_ = nullptr;
   Status trouble_ = Status::ok;
   std::exception_ptr thrown_;

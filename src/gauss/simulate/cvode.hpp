@@ -9,15 +9,15 @@
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 
 #include "gauss/integrate/model_decorator.hpp"
 #include "gauss/integrate/sundials.hpp"
-#include "gauss/integrate/unit_groups.hpp"
 #include "gauss/simulate/report.hpp"
+#include "gauss/simulate/sundials_scales.hpp"
 
 namespace gauss::simulate {
 
@@ -37,7 +37,7 @@ class CvodeSimulation {
                   Multistep method = Multistep::bdf)
       : model_(model), settings_(settings), method_(method), t_(start_time) {
     problem_.set_model(model_);
-    std::copy_n(start.values, Model::size, N_VGetArrayPointer(work_.state.get()));
+    Base::copy(start, work_.state.get());
     if (!settings_.are_usable() || !std::isfinite(start_time)) {
       report_.outcome = Outcome::bad_settings;
       return;
@@ -87,6 +87,7 @@ class CvodeSimulation {
     void operator()(SUNNonlinearSolver solver) const { SUNNonlinSolFree(solver); }
   };
   using Base = integrate::sundials::Problem<Model, Derivatives>;
+  using Arrays = integrate::StateArrays<Model>;
 
   /// Each halves the step at least, as does a failure of the projection: enough to come down to rounding.
   static constexpr int k_most_failures = 60;
@@ -96,8 +97,8 @@ class CvodeSimulation {
   void project_start(const State& given) {
     State start = given;
     if (!integrate::is_motion_known(model_.projection(t_, start))) return;
-    report_.compare_start(given, start, Model::size);
-    std::copy_n(start.values, Model::size, N_VGetArrayPointer(work_.state.get()));
+    report_.compare_start(given, start, Arrays::size(model_));
+    Base::copy(start, work_.state.get());
   }
 
   void set_up() {
@@ -125,7 +126,9 @@ class CvodeSimulation {
 
   void use_newton(void* cvode) {
     CVodeSetLinearSolver(cvode, work_.solver.get(), work_.matrix.get());
-    if constexpr (Base::has_jacobian) CVodeSetJacFn(cvode, Base::jacobian);
+    if constexpr (Base::has_jacobian) {
+      if (Base::is_jacobian_there(model_)) CVodeSetJacFn(cvode, Base::jacobian);
+    }
     if (!settings_.project) return;
     CVodeSetProjFn(cvode, project);
     // Estimates of the error stay those of the method.
@@ -138,9 +141,9 @@ class CvodeSimulation {
     if constexpr (integrate::Rewrites<Model>::value) {
       State now = state();
       if (!model_.rewrite(now)) return;
-      std::copy_n(now.values, Model::size, N_VGetArrayPointer(work_.state.get()));
+      Base::copy(now, work_.state.get());
       before_ = {report_.steps, inaccurate_, unsolved_};
-      watched_.looks = watched_.refused = 0;
+      places_.forget();
       CVodeReInit(cvode_.get(), t_, work_.state.get());
       CVodeSetInitStep(cvode_.get(), 0);
       planned_ = 0;
@@ -190,25 +193,11 @@ class CvodeSimulation {
 #endif
   }
 
-  /// A spring and a damper make a speed follow a place, k/c times as large. What steps may miss a place by is then a change of the speed, and where that is beyond what the speed may
-  /// be missed by, steps are refused again and again: neither their length nor their order grows. So where the order stays low from look to look and refusals add up,
-  /// coordinates are asked for a digit more, down to rounding. Tolerances become no looser by this. Where it does not help (rates that jump), it is taken back.
   void demand_places() {
-    constexpr int k_steps_to_look = 50, k_looks = 2, k_refused = 15;
-    if (method_ != Multistep::bdf || report_.steps < watched_.steps + k_steps_to_look) return;
+    if (method_ != Multistep::bdf) return;
     int order = 0;
     CVodeGetLastOrder(cvode_.get(), &order);
-    const bool is_low = order <= 2;
-    watched_.looks = is_low ? watched_.looks + 1 : 0;
-    watched_.refused = is_low ? watched_.refused + inaccurate_ - watched_.inaccurate : 0;
-    watched_.steps = report_.steps;
-    watched_.inaccurate = inaccurate_;
-    if (watched_.is_given_up || watched_.looks < k_looks || watched_.refused < k_refused) return;
-    watched_.looks = 0;
-    watched_.refused = 0;
-    places_ /= 10;
-    watched_.is_given_up = settings_.tolerance * places_ < 16 * std::numeric_limits<double>::epsilon();
-    if (watched_.is_given_up) places_ = 1;
+    places_.look(report_.steps, inaccurate_, order, settings_.tolerance);
   }
 
   Outcome outcome_of(int flag) const {
@@ -236,8 +225,9 @@ class CvodeSimulation {
       simulation.find_scales(problem.model(), Base::state_of(y));
       return Status::ok;
     });
-    const auto allowed = simulation.allowed(simulation.settings_.tolerance);
-    for (std::size_t i = 0; i < Model::size; ++i) N_VGetArrayPointer(result)[i] = 1 / allowed[i];
+    const auto allowed =
+        simulation.scales_.allowed(simulation.settings_, simulation.settings_.tolerance, simulation.places_.share());
+    for (std::size_t i = 0; i < allowed.size(); ++i) N_VGetArrayPointer(result)[i] = 1 / allowed[i];
     return failure;
   }
 
@@ -246,34 +236,7 @@ class CvodeSimulation {
     constexpr double k_first_guess = 1e-3;
     double t = t_;
     CVodeGetCurrentTime(cvode_.get(), &t);
-    step_ = planned_ > 0 ? std::min(planned_, end_ - t) : k_first_guess * (end_ - t);
-    for (std::size_t i = 0; i < Model::size; ++i) sizes_[i] = std::max(sizes_[i], std::abs(state.values[i]));
-    // Before an edge, steps and with them the changes in sight become shorter without end: a part of earlier ones stays.
-    constexpr double k_part_of_earlier = 1e-3;
-    const auto own = groups_.largest(sizes_);
-    scales_ = groups_.scales(model, t, step_, state, sizes_);
-    for (std::size_t i = 0; i < Model::size; ++i) {
-      seen_[i] = std::max(seen_[i], k_part_of_earlier * scales_[i]);
-      if (own[i] == 0) scales_[i] = std::max(scales_[i], seen_[i]);
-    }
-  }
-
-  /// What an error may be, by components: `tolerance` of the largest size so far, and rounding of the largest with the same unit. A speed is not told from places better than these are
-  /// rounded, within a step. What rests at 0 has nothing but this.
-  std::array<double, Model::size> allowed(double tolerance) const {
-    constexpr double k_last_places = 64 * std::numeric_limits<double>::epsilon();
-    constexpr double k_of_places = 4 * std::numeric_limits<double>::epsilon();
-    std::array<double, Model::size> result;
-    for (std::size_t i = 0; i < Model::size; ++i) {
-      const bool is_speed = i >= Model::n_q;
-      const double smallest = is_speed ? settings_.least_speed() : settings_.smallest_scale;
-      const double size = std::max(sizes_[i] > 0 ? sizes_[i] : scales_[i], smallest);
-      result[i] = tolerance * (is_speed ? 1 : places_) * size + k_last_places * scales_[i];
-      if (is_speed) result[i] += k_of_places / std::abs(step_) * groups_.places_of(i, scales_);
-      // What will not move, as far as can be seen, has no scale.
-      if (!(result[i] > 0)) result[i] = tolerance;
-    }
-    return result;
+    scales_.find(model, t, planned_ > 0 ? std::min(planned_, end_ - t) : k_first_guess * (end_ - t), state);
   }
 
   static int project(sunrealtype t, N_Vector y, N_Vector correction, sunrealtype, N_Vector, void* user_data) {
@@ -283,18 +246,10 @@ class CvodeSimulation {
     const int failure =
         simulation.problem_.guarded([&](Base& problem) { return problem.model().projection(t, after); });
     if (failure != 0) return failure;
-    for (std::size_t i = 0; i < Model::size; ++i)
+    for (std::size_t i = 0; i < std::size(before.values); ++i)
       N_VGetArrayPointer(correction)[i] = after.values[i] - before.values[i];
-    simulation.jumped_ = !simulation.is_near(before, after);
+    simulation.jumped_ = !simulation.scales_.is_near(simulation.settings_, before, after, simulation.places_.share());
     return simulation.jumped_ ? 1 : 0;
-  }
-
-  /// Where constraints lose their rank, projection may take any part of the motion away.
-  bool is_near(const State& before, const State& after) const {
-    const auto allowed = this->allowed(std::max(settings_.tolerance, std::numeric_limits<double>::epsilon()));
-    for (std::size_t i = 0; i < Model::size; ++i)
-      if (!(std::abs(after.values[i] - before.values[i]) <= settings_.most_projected * allowed[i])) return false;
-    return true;
   }
 
   Model model_;
@@ -310,22 +265,12 @@ class CvodeSimulation {
     long steps = 0, inaccurate = 0, unsolved = 0;
   };
   Before before_;  ///< what CVODE has counted before it began anew
-  struct Watched {
-    long steps = 0, inaccurate = 0;
-    long looks = 0, refused = 0;  ///< in a row with a low order
-    bool is_given_up = false;
-  };
-  Watched watched_;    ///< at the last look of demand_places
-  double places_ = 1;  ///< share of the tolerance that coordinates are allowed
-  integrate::UnitGroups<Model> groups_{model_};
-  std::array<double, Model::size> scales_{};
-  std::array<double, Model::size> seen_{};   ///< part of the largest scale so far
-  double step_ = 1;                          ///< that scales are for
-  double planned_ = 0;                       ///< the next one; 0: none is yet
-  std::array<double, Model::size> sizes_{};  ///< largest so far
+  DemandOnPlaces places_;
+  SundialsScales<Model> scales_{model_};
+  double planned_ = 0;  ///< the next step; 0: none is yet
   Report<Status> report_;
   Problem problem_;
-  integrate::sundials::Workspace work_{static_cast<sunindextype>(Model::size)};
+  integrate::sundials::Workspace work_{static_cast<sunindextype>(Arrays::size(model_))};
   std::unique_ptr<integrate::sundials::Target<SUNNonlinearSolver>, Free> fixed_point_;
   std::unique_ptr<void, Free> cvode_;
 };

@@ -1,0 +1,99 @@
+#pragma once
+// The functions of a model at run time.
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gauss/math.hpp"
+#include "sim/engine/entry.hpp"
+
+namespace gausssim {
+
+/// A function with what it reads besides the state and what it is to fill.
+template <class S>
+class Callable {
+ public:
+  Callable() = default;
+  /// `places`: what each argument is.
+  enum class Place { time, state, inputs, prepared, accelerations, first_result, second_result };
+  Callable(Entry entry, std::vector<Place> places) : entry_(entry), places_(std::move(places)) {}
+
+  explicit operator bool() const { return static_cast<bool>(entry_); }
+
+  void bind(S* prepared, S* inputs) {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (places_[i] == Place::prepared) bound_[i] = prepared;
+      if (places_[i] == Place::inputs) bound_[i] = inputs;
+      if (places_[i] == Place::time) time_ = i;
+      if (places_[i] == Place::state) (state_ == k_most - 1 ? state_ : start_) = i;
+      if (places_[i] == Place::accelerations) accelerations_ = i;
+      if (places_[i] == Place::first_result) first_ = i;
+      if (places_[i] == Place::second_result) second_ = i;
+    }
+  }
+
+  gauss::Status operator()(const S& t, const S* state, S* first, S* second = nullptr,
+                           const S* accelerations = nullptr) const {
+    void* arguments[k_most];
+    for (std::size_t i = 0; i < k_most; ++i) arguments[i] = bound_[i];
+    // What has no place goes behind all that the function reads.
+    arguments[time_] = const_cast<S*>(&t);
+    arguments[state_] = const_cast<S*>(state);
+    arguments[start_] = const_cast<S*>(state);
+    arguments[accelerations_] = const_cast<S*>(accelerations);
+    arguments[first_] = first;
+    arguments[second_] = second;
+    return static_cast<gauss::Status>(entry_(arguments));
+  }
+
+ private:
+  static constexpr std::size_t k_most = 8;  ///< no function has so many
+
+  Entry entry_;
+  std::vector<Place> places_;
+  void* bound_[k_most] = {};
+  /// start_: of functions that take the state before a first step, too.
+  std::size_t time_ = k_most - 1, state_ = k_most - 1, start_ = k_most - 1, accelerations_ = k_most - 1,
+              first_ = k_most - 1, second_ = k_most - 1;
+};
+
+/// Of what the function `energy` fills.
+struct EnergyLayout {
+  std::size_t size = 0, kinetic = 0, total = 0;
+  bool is_conserved = false;  ///< the same in every motion of the model
+};
+
+/// Derivatives of rates by the state, in what the function `jacobian` fills: row i has the entries row_begin[i] to row_begin[i + 1] - 1, and entry k is in column[k].
+struct JacobianLayout {
+  std::size_t size = 0, first = 0;  ///< of all numbers; the first entry
+  std::vector<std::size_t> row_begin, column;
+};
+
+/// The four functions of a plugin that steps by power series (engine/taylor_glue.hpp).
+struct SeriesEntries {
+  Entry begin, advance, tell, end;
+
+  explicit operator bool() const { return begin && advance && tell && end; }
+};
+
+/// What integrators call, with all that it needs. Shared by their copies of a model.
+template <class S>
+struct Functions {
+  std::size_t n_q = 0, n_v = 0;
+  std::vector<S> prepared, inputs;
+  std::vector<std::string> units;  ///< of the components of a state
+  SeriesEntries series;
+  Callable<S> rates, projection, positions, speeds, energy, residuals, jacobian;
+  EnergyLayout energy_layout;
+  JacobianLayout jacobian_layout;
+
+  Functions() = default;
+  Functions(const Functions&) = delete;
+  Functions& operator=(const Functions&) = delete;
+
+  std::size_t size() const { return n_q + n_v; }
+};
+
+}  // namespace gausssim

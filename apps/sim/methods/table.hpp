@@ -1,0 +1,25 @@
+#pragma once
+// All methods: what is said of them, and what makes them.
+
+#include <functional>
+#include <vector>
+
+#include "sim/methods/makers.hpp"
+
+namespace gausssim {
+
+struct Method {
+  template <class S>
+  using Make = std::function<Made<S>(const Problem<S>&)>;
+
+  MethodInfo info;
+  Make<double> in_double;
+  Make<long double> in_long_double;
+};
+
+const std::vector<Method>& method_table();
+
+/// Those of SUNDIALS; where it is not there, with the reason.
+std::vector<Method> sundials_methods();
+
+}  // namespace gausssim
