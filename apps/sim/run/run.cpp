@@ -263,6 +263,11 @@ int run(const RunOptions& options) {
     listeners.on_numbers = [&](long k, const std::vector<long double>& row) { rows.set(k, row); };
     simulated = simulate(*prepared, *engine, setting, listeners);
   }
+  // There was no motion at all, so there is no table of one.
+  if (!simulated.why.empty() && simulated.samples == 0) {
+    const bool is_setting = simulated.outcome == Outcome::bad_settings;
+    return cli::fail(simulated.why, is_setting ? cli::k_usage_error : cli::k_motion_stopped, options.messages);
+  }
   std::optional<DeliveredError> error;
   if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted) {
     Rows reference(width, prepared->span.samples);

@@ -32,7 +32,9 @@ std::vector<Candidate> grid_of(const PreparedModel& model, std::size_t formulati
   std::vector<Candidate> all;
   for (const MethodInfo& method : methods()) {
     Setting setting;
+    if (!method.missing.empty()) continue;
     setting.method = method.name;
+    setting.projection = method.projects ? Projection::full : Projection::off;
     if (method.takes_step) {
       const double duration = model.span.duration;
       for (const double step : between(duration / k_fewest_steps, duration / k_most_steps, 2)) {

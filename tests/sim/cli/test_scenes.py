@@ -68,6 +68,11 @@ class Scenes(Program):
     def test_a_model_that_is_not_there_is_named(self):
         self.assertIn("nowhere.yaml", self.mistake(SCENE.replace("spring.yaml", "nowhere.yaml"), code=3))
 
+    def test_what_a_method_does_not_do_is_said_and_nothing_is_written(self):
+        self.assertIn("series take full projection", self.refused(2, "run", "spring.yaml", "--method", "taylor", "--projection", "energy"))
+        self.assertIn("no method but taylor", self.refused(2, "run", "spring.yaml", "--method", "dopri5", "--number", "float128"))
+        self.assertIn("interpreted", self.refused(2, "run", "spring.yaml", "--method", "taylor", "--engine", "interpreted"))
+
     def test_wrong_options_are_usage(self):
         for words in (("--method", "dopri6"), ("--duration", "-1"), ("--samples", "1"), ("--outputs", "y"), ("--set", "y=1"), ("--duration", "2*")):
             self.assertNotEqual(self.refused(2, "run", "spring.yaml", *words), "", words)
