@@ -9,8 +9,8 @@ namespace gausssim {
 const std::vector<NamedTable>& arkode_tables() {
   const auto implicit = [](ARKODE_DIRKTableID id) { return ArkodeTable{id, ARKODE_ERK_NONE}; };
   const auto explicit_one = [](ARKODE_ERKTableID id) { return ArkodeTable{ARKODE_DIRK_NONE, id}; };
-  // By ARKStep, also those that are explicit: ERKStep of 6.4.1 takes a last stage at the end of a step for the first one of the next step, whatever its coefficients
-  // say, and comes down to order 3 or 2 with VERNER_8_5_6, ARK548L2SA_ERK_8_4_5 and SAYFY_ABURUB_6_3_4. tests/sim/methods measures each.
+  // By ARKStep, also those that are explicit: ERKStep of 6.4.1 comes down to order 3 or 2 with VERNER_8_5_6, ARK548L2SA_ERK_8_4_5 and SAYFY_ABURUB_6_3_4, whose coefficients are
+  // right, and it seems to take a last stage at the end of a step for the first one of the next. tests/sim/methods measures both.
   static const std::vector<NamedTable> k_tables{
       {"arkode_bogacki_shampine", 3, explicit_one(ARKODE_BOGACKI_SHAMPINE_4_2_3)},
       {"arkode_zonneveld", 4, explicit_one(ARKODE_ZONNEVELD_5_3_4)},

@@ -1,8 +1,8 @@
 // Symplectic steps of order 8 for q'' = a(q), with sums to twice the digits: for runs of very many steps.
 // SPDX-License-Identifier: MIT
 //
-// Steps of Verlet's method with lengths gamma_s h, one after the other, of which some go back, cancel each other's errors up to a high order. The method has
-// so small an error then that rounding is what is left: in 10^6 steps plain sums lose three digits of the energy, and compensated ones none of them.
+// Steps of Verlet's method with lengths gamma_s h, one after the other, of which some go back, cancel each other's errors up to a high order. What is left is rounding: over
+// 400 000 steps plain sums miss the energy by 150 times as much as compensated ones do (tests/sim/methods).
 #ifndef GAUSS_INTEGRATE_SYMMETRIC_COMPOSITION_HPP
 #define GAUSS_INTEGRATE_SYMMETRIC_COMPOSITION_HPP
 
