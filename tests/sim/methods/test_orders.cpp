@@ -34,11 +34,14 @@ TEST_CASE("each method with steps of one length has the order that it claims") {
   CHECK(measured == 7);
 }
 
+// Series are functions of a plugin, which models by hand do not have: ctest -R taylor_stepping measures their orders, and sim.cli.run their errors.
+static bool is_of_plugins(const MethodInfo& method) { return method.name == "taylor"; }
+
 // The error of a step of order q is as h^(q+1), and that of the motion as h^q: for a decade of the tolerance the motion has q/(q+1) of one more.
 TEST_CASE("errors of each method with a tolerance follow it over decades") {
   int measured = 0;
   for (const MethodInfo& method : methods()) {
-    if (method.takes_step || !is_built_in(method)) continue;
+    if (method.takes_step || !is_built_in(method) || is_of_plugins(method)) continue;
     // Few steps of a high order are no proportion yet, and those of a low order are many.
     const bool is_low = method.order <= 3;
     const double decades = decades_for_each<double>(method.name, is_low ? 1e-3 : 1e-4, is_low ? 1e-8 : 1e-10);
@@ -53,6 +56,7 @@ TEST_CASE("errors of each method with a tolerance follow it over decades") {
 TEST_CASE("long double takes over where double ends") {
   for (const MethodInfo& method : methods()) {
     if (method.takes_step || !method.has_long_double || !is_built_in(method) || method.order < 8) continue;
+    if (is_of_plugins(method)) continue;
     INFO(method.name);
     MethodSettings<long double> settings;
     settings.projection = Projection::off;
