@@ -1,8 +1,5 @@
 #include "model/build.hpp"
 
-#include <fmt/format.h>
-
-#include <string_view>
 #include <utility>
 
 #include "model/checks.hpp"
@@ -12,6 +9,7 @@
 #include "model/sections.hpp"
 #include "model/submodels.hpp"
 #include "spec/reader.hpp"
+#include "support/content_hash.hpp"
 
 namespace gaussgen::model {
 
@@ -20,16 +18,6 @@ namespace {
 std::string base_name(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   return slash == std::string::npos ? path : path.substr(slash + 1);
-}
-
-/// FNV-1a, 64 bits.
-std::string content_hash(std::string_view text) {
-  std::uint64_t hash = 0xCBF29CE484222325U;
-  for (const char c : text) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 0x100000001B3U;
-  }
-  return fmt::format("{:016x}", hash);
 }
 
 void read_sections(const spec::Node& root, Reading& reading) {
@@ -69,7 +57,7 @@ std::optional<Model> build_model(support::Source& source, support::Diagnostics& 
   auto root = spec::read_yaml(own, diagnostics);
   if (!root || !expect_map(*root, root->span, "a model file", reading)) return std::nullopt;
   const spec::Node whole = with_submodels(*std::move(root), source, reading);
-  reading.model.content_hash = content_hash(source.text());
+  reading.model.content_hash = support::content_hash(source.text());
   read_sections(whole, reading);
   check_model(reading);
   check_units(reading);

@@ -51,11 +51,6 @@ class Integrator {
   virtual S time() const = 0;
   virtual Array state() const = 0;
   virtual Progress<S> progress() const = 0;
-
-  /// Takes one step of its own length and no further than `end`. Methods that know the motion within it (`at`) are asked to, others go to `end`.
-  virtual bool step_towards(const S& end) { return advance_to(end); }
-  /// Within the last step; false where the method knows its ends alone.
-  virtual bool at(const S&, Array&) const { return false; }
 };
 
 }  // namespace gausssim

@@ -5,29 +5,19 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "sim/engine/plugin_text.hpp"
+#include "support/content_hash.hpp"
 
 namespace gausssim {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// FNV-1a, 64 bits (Fowler, Noll, Vo): a name for a text, whose equality is looked at besides.
-std::uint64_t hash_of(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (const char c : text) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 1099511628211ULL;
-  }
-  return hash;
-}
 
 bool holds(const fs::path& file, const std::string& text) {
   std::error_code error;
@@ -120,7 +110,7 @@ std::string cache_folder() {
 Built build_plugin(const std::string& text, const Toolchain& toolchain) {
   const fs::path cache = cache_folder();
   const std::string whole = text + "\n/*\n" + toolchain.identity() + "*/\n";
-  const fs::path folder = cache.empty() ? fs::path() : cache / fmt::format("{:016x}", hash_of(whole));
+  const fs::path folder = cache.empty() ? fs::path() : cache / gaussgen::support::content_hash(whole);
   if (!folder.empty() && holds(folder / "model.cpp", whole)) {
     Built built;
     built.was_cached = true;

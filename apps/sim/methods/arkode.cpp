@@ -58,11 +58,6 @@ bool Arkode::advance_to(const double& end) {
   return is_running() && t_ == end;
 }
 
-bool Arkode::step_towards(const double& end) {
-  if (t_ < end && is_running()) step_once(end);
-  return is_running();
-}
-
 bool Arkode::step_once(double end) {
   if (progress_.steps >= settings_.most_steps) return progress_.outcome = Outcome::too_many_steps, false;
   end_ = end;

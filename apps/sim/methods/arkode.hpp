@@ -34,7 +34,6 @@ class Arkode final : public Integrator<double> {
   Arkode& operator=(const Arkode&) = delete;
 
   bool advance_to(const double& end) override;
-  bool step_towards(const double& end) override;
   double time() const override { return t_; }
   Array state() const override { return Base::state_of(work_.state.get()).values; }
   Progress<double> progress() const override;

@@ -39,10 +39,6 @@ class BulirschStoer final : public Integrator<S> {
     while (t_ < end && is_running()) step_once(end);
     return is_running() && t_ == end;
   }
-  bool step_towards(const S& end) override {
-    if (t_ < end && is_running()) step_once(end);
-    return is_running();
-  }
   S time() const override { return t_; }
   Array state() const override { return x_; }
   Progress<S> progress() const override {

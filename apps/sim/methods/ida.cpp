@@ -44,11 +44,6 @@ bool Ida::advance_to(const double& end) {
   return is_running() && t_ == end;
 }
 
-bool Ida::step_towards(const double& end) {
-  if (t_ < end && is_running()) step_once(end);
-  return is_running();
-}
-
 void Ida::step_once(double end) {
   if (progress_.steps >= settings_.most_steps) {
     progress_.outcome = Outcome::too_many_steps;

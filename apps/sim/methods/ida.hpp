@@ -26,7 +26,6 @@ class Ida final : public Integrator<double> {
   Ida& operator=(const Ida&) = delete;
 
   bool advance_to(const double& end) override;
-  bool step_towards(const double& end) override;
   double time() const override { return t_; }
   Array state() const override { return Base::state_of(work_.state.get()).values; }
   Progress<double> progress() const override;

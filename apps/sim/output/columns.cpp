@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "artefacts.hpp"
+#include "emit/identifiers.hpp"
 #include "sim/model/layout.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
@@ -20,20 +20,6 @@ const std::vector<std::string>& sampled_outputs() {
   static const std::vector<std::string> k_names{"reactions", "reaction_forces", "joint_reactions", "energy",
                                                 "mobility",  "mass_matrix",     "jacobian",        "quantities"};
   return k_names;
-}
-
-std::string struct_of(const std::string& output) {
-  std::string name;
-  bool is_first = true;
-  for (const char c : output) {
-    if (c == '_') {
-      is_first = true;
-      continue;
-    }
-    name += is_first ? static_cast<char>(c - 'a' + 'A') : c;
-    is_first = false;
-  }
-  return name;
 }
 
 /// a.b is in group a, a[0] likewise.
@@ -111,7 +97,7 @@ class Chooser {
 
   void add_results(const std::string& output) {
     if (find_function(model_.tree, output) == nullptr) return;
-    const std::vector<ResultNumber> slots = layout_of(model_.tree, struct_of(output));
+    const std::vector<ResultNumber> slots = layout_of(model_.tree, gaussgen::emit::pascal_case(output));
     if (slots.empty()) return;
     for (std::size_t i = 0; i < slots.size(); ++i)
       all_.push_back({output + "." + slots[i].name, slots[i].unit, slots[i].about, false, functions_.size(), i});

@@ -31,10 +31,10 @@ struct Grid {
 template <class S>
 using OnSample = std::function<bool(long k, const S& t, const Numbers<S>& state)>;
 
-/// The samples from number `first` on; how many there are in the end, from the start of the grid on.
+/// How many samples there are in the end.
 template <class S>
-long drive(Integrator<S>& integrator, const Grid<S>& grid, long first, const OnSample<S>& on_sample) {
-  for (long k = first; k < grid.samples; ++k) {
+long drive(Integrator<S>& integrator, const Grid<S>& grid, const OnSample<S>& on_sample) {
+  for (long k = 0; k < grid.samples; ++k) {
     if (!integrator.advance_to(grid.at(k))) return k;
     if (!on_sample(k, integrator.time(), integrator.state())) return k + 1;
   }

@@ -59,7 +59,7 @@ class Simulator {
       return result_;
     }
     result_.samples =
-        drive<S>(*integrator, grid_, 0, [&](long k, const S& t, const Numbers<S>& state) { return take(k, t, state); });
+        drive<S>(*integrator, grid_, [&](long k, const S& t, const Numbers<S>& state) { return take(k, t, state); });
     result_.cpu_seconds = processor_seconds() - cpu;
     result_.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     note(*integrator);
