@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <list>
+#include <map>
+#include <utility>
 #include <variant>
 
 namespace gausssim {
@@ -58,6 +61,7 @@ std::string as_in_program(const std::string& function) {
 }  // namespace
 
 struct InterpretedEngine::Callees {
+  std::map<std::pair<std::string, std::string>, Entry> entries;  ///< by function and scalar
   std::list<Callee<float>> in_float;
   std::list<Callee<double>> in_double;
   std::list<Callee<long double>> in_long_double;
@@ -72,6 +76,12 @@ InterpretedEngine::InterpretedEngine(cpp::File tree) : callees_(std::make_unique
 InterpretedEngine::~InterpretedEngine() = default;
 
 Entry InterpretedEngine::find(const std::string& function, const std::string& scalar) const {
+  const auto [place, is_new] = callees_->entries.try_emplace({function, scalar});
+  if (is_new) place->second = made(function, scalar);
+  return place->second;
+}
+
+Entry InterpretedEngine::made(const std::string& function, const std::string& scalar) const {
   const int index = program_->find(as_in_program(function));
   if (index < 0) return {};
   if (scalar == scalar_name<float>()) return entry_of(callees_->in_float, program_, index);

@@ -1,7 +1,6 @@
 #pragma once
 // Functions that run without a compiler.
 
-#include <list>
 #include <memory>
 #include <string>
 
@@ -18,11 +17,13 @@ class InterpretedEngine final : public Engine {
   ~InterpretedEngine() override;
 
   const char* name() const override { return "interpreted"; }
-  /// Each has a frame of its own, so that different ones may run at a time.
+  /// The same entry for the same words, with a frame of its own: different ones may run at a time, one may not.
   Entry find(const std::string& function, const std::string& scalar) const override;
 
  private:
   struct Callees;
+
+  Entry made(const std::string& function, const std::string& scalar) const;
 
   std::shared_ptr<const Program> program_;
   std::unique_ptr<Callees> callees_;
