@@ -10,6 +10,7 @@ enum ExitCode {
   k_file_error = 3,
   k_too_large = 4,
   k_motion_stopped = 5,  ///< of gauss-sim: what there was to that time is written
+  k_not_delivered = 6,   ///< of gauss-sim: nothing that it can do has as small an error as is asked for
   k_internal_error = 70,
 };
 

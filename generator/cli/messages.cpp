@@ -68,6 +68,7 @@ struct Remark {
 };
 
 void say(const Remark& remark, const MessageOptions& options) {
+  if (options.is_silent) return;
   const std::string line = remark.text.substr(0, remark.text.find_last_not_of('\n') + 1);
   if (options.format == MessageFormat::text) {
     std::cerr << remark.mark << support::without_controls(line) << "\n"
@@ -85,7 +86,9 @@ void say(const Remark& remark, const MessageOptions& options) {
 }  // namespace
 
 int report(const support::Diagnostics& diagnostics, const support::Source& source, const MessageOptions& options) {
-  if (options.format == MessageFormat::json) {
+  if (options.is_silent) {
+    // The exit code is all that is wanted.
+  } else if (options.format == MessageFormat::json) {
     print_lines(diagnostics, source);
   } else {
     std::cerr << support::render(diagnostics, source, colour_of(options));

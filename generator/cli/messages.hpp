@@ -18,6 +18,7 @@ struct MessageOptions {
   std::string program = "gauss-gen";
   MessageFormat format = MessageFormat::text;
   UseOfColour colour = UseOfColour::on_terminals;
+  bool is_silent = false;  ///< nothing is said: of what is tried, and may not be possible
 };
 
 /// Prints what was found and returns the exit code that goes with it.

@@ -11,6 +11,8 @@
 #include "cli/messages.hpp"
 #include "cli/overrides.hpp"
 #include "ir/graph.hpp"
+#include "sim/advise/advise.hpp"
+#include "sim/advise/search.hpp"
 #include "sim/cli/list_methods.hpp"
 #include "sim/run/run.hpp"
 #include "sim/scene/choices.hpp"
@@ -61,6 +63,12 @@ void add_run(CLI::App& app, RunOptions& options) {
                   "error of a step, relative to the size of each component; default 1e-9")
       ->type_name("E")
       ->check(CLI::PositiveNumber);
+  run->add_option(
+         "--error", options.error,
+         "largest error of all columns, relative to their ranges: finds a method and a tolerance that deliver it")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber)
+      ->excludes("--tolerance");
   run->add_option("--step", options.step, "length of steps, of methods that take one")
       ->type_name("T")
       ->check(CLI::PositiveNumber);
@@ -85,6 +93,21 @@ void add_study(CLI::App& app, StudyOptions& options) {
   study->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
 
+void add_advise(CLI::App& app, AdviseOptions& options) {
+  CLI::App* const advise =
+      app.add_subcommand("advise", "Find the cheapest setting that delivers an error, for pasting into a scene");
+  advise->add_option("FILE", options.file, "scene or model")->required();
+  advise->add_option("--error", options.error, "largest error of all outputs, relative to their ranges")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber)
+      ->required();
+  advise->add_option("--study", options.study, "take it from this study (JSON) instead of trying now")
+      ->type_name("FILE");
+  advise->add_option("--format", options.format, "default text")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->type_name("FORMAT");
+}
+
 struct ListOptions {
   CLI::App* command = nullptr;
   std::string format = "text";
@@ -96,6 +119,8 @@ void add_methods(CLI::App& app, ListOptions& options) {
       ->check(CLI::IsMember({"text", "json"}))
       ->type_name("FORMAT");
 }
+
+int run_for_errors(const RunOptions& options) { return run(options, find_setting); }
 
 template <class Options>
 int guarded(int (*command)(const Options&), const Options& options) {
@@ -132,7 +157,10 @@ int main(int argc, char** argv) {
   options.messages.program = "gauss-sim";
   gausssim::StudyOptions study;
   study.messages.program = options.messages.program;
+  gausssim::AdviseOptions advice;
+  advice.messages.program = options.messages.program;
   gausssim::add_run(app, options);
+  gausssim::add_advise(app, advice);
   gausssim::add_study(app, study);
   gausssim::ListOptions listing;
   gausssim::add_methods(app, listing);
@@ -147,5 +175,6 @@ int main(int argc, char** argv) {
     return gaussgen::cli::k_ok;
   }
   if (app.got_subcommand("study")) return gausssim::guarded(gausssim::study, study);
-  return gausssim::guarded(gausssim::run, options);
+  if (app.got_subcommand("advise")) return gausssim::guarded(gausssim::advise, advice);
+  return gausssim::guarded(gausssim::run_for_errors, options);
 }

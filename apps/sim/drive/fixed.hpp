@@ -36,7 +36,7 @@ class Fixed final : public Integrator<S> {
     using std::ceil;
     const S way = end - t_;
     if (!(way > S(0)) || !is_running()) return is_running() && way == S(0);
-    const auto count = static_cast<long>(std::max(ceil(way / step_ * (1 - k_rounding)), S(1)));
+    const auto count = static_cast<long>(std::max(ceil(way / step_ * S(1 - k_rounding)), S(1)));
     const gauss::integrate::TimeGrid<S> grid(t_, way / S(count));
     for (long k = 0; k < count && is_running(); ++k)
       step(grid.at(k), grid.step(), k + 1 == count ? end : grid.at(k + 1));

@@ -51,6 +51,8 @@ template <class S>
 Method::Make<S> maker_of(const Method& method) {
   if constexpr (std::is_same_v<S, double>) {
     return method.in_double;
+  } else if constexpr (std::is_same_v<S, float>) {
+    return method.in_float;
   } else {
     return method.in_long_double;
   }
@@ -97,6 +99,7 @@ Made<Quad> make_integrator(const std::string& name, const MotionModel<Quad>& mod
   template std::string why_not_projected(const Functions<S>&, Projection);                                 \
   template Made<S> make_integrator(const std::string&, const MotionModel<S>&, const Numbers<S>&, const S&, \
                                    const MethodSettings<S>&, std::string&);
+GAUSS_SIM_NUMBER(float)
 GAUSS_SIM_NUMBER(double)
 GAUSS_SIM_NUMBER(long double)
 #undef GAUSS_SIM_NUMBER

@@ -11,6 +11,7 @@ Made<S> make_rk4(const Problem<S>& problem) {
   return make_fixed<S, gauss::integrate::Rk4<MotionModel<S>>>(problem, k_stages);
 }
 
+template Made<float> make_rk4(const Problem<float>&);
 template Made<double> make_rk4(const Problem<double>&);
 template Made<long double> make_rk4(const Problem<long double>&);
 

@@ -16,6 +16,11 @@ MethodInfo info(const char* name, const char* library, int order, const char* ab
   return result;
 }
 
+MethodInfo in_float(MethodInfo result) {
+  result.has_float = true;
+  return result;
+}
+
 MethodInfo fixed(MethodInfo result) {
   result.takes_step = true;
   return result;
@@ -33,25 +38,28 @@ MethodInfo of_orders(int least, MethodInfo result) {
 
 #define GAUSS_SIM_METHOD(said, make) \
   { said, make<double>, make<long double> }
+#define GAUSS_SIM_METHOD_IN_FLOAT(said, make) \
+  { in_float(said), make<double>, make<long double>, make<float> }
 
 std::vector<Method> of_everywhere() {
   return {
-      GAUSS_SIM_METHOD(of_orders(2, info("taylor", "gauss", 40,
-                                         "power series of the motion, of an order that suits the tolerance; knows the "
-                                         "motion within its steps: the default")),
-                       make_taylor),
-      GAUSS_SIM_METHOD(info("prince87", "Odeint", 8,
-                            "pair of order 8 (7) of Prince and Dormand: the default where there is no series"),
-                       make_prince87),
+      GAUSS_SIM_METHOD_IN_FLOAT(
+          of_orders(2, info("taylor", "gauss", 40,
+                            "power series of the motion, of an order that suits the tolerance; knows the "
+                            "motion within its steps: the default")),
+          make_taylor),
+      GAUSS_SIM_METHOD_IN_FLOAT(info("prince87", "Odeint", 8,
+                                     "pair of order 8 (7) of Prince and Dormand: the default where there is no series"),
+                                make_prince87),
       GAUSS_SIM_METHOD(info("fehlberg78", "Odeint", 8, "pair of order 7 (8) of Fehlberg, taken at order 8"),
                        make_fehlberg78),
-      GAUSS_SIM_METHOD(info("dopri5", "Odeint", 5, "pair of order 5 (4) of Dormand and Prince: few digits, cheaply"),
-                       make_dopri5),
+      GAUSS_SIM_METHOD_IN_FLOAT(
+          info("dopri5", "Odeint", 5, "pair of order 5 (4) of Dormand and Prince: few digits, cheaply"), make_dopri5),
       GAUSS_SIM_METHOD(info("cash_karp54", "Odeint", 5, "pair of order 5 (4) of Cash and Karp"), make_cash_karp54),
       GAUSS_SIM_METHOD(of_orders(4, info("bulirsch_stoer", "Odeint", 16,
                                          "extrapolation of the midpoint rule: long steps, many digits")),
                        make_bulirsch_stoer),
-      GAUSS_SIM_METHOD(fixed(info("rk4", "Odeint", 4, "classical method of Runge and Kutta")), make_rk4),
+      GAUSS_SIM_METHOD_IN_FLOAT(fixed(info("rk4", "Odeint", 4, "classical method of Runge and Kutta")), make_rk4),
       GAUSS_SIM_METHOD(
           symplectic(info("verlet", "gauss", 2, "symplectic, one call in a step: the energy stays bounded")),
           make_verlet),
@@ -69,6 +77,7 @@ std::vector<Method> of_everywhere() {
           make_gauss_legendre6)};
 }
 #undef GAUSS_SIM_METHOD
+#undef GAUSS_SIM_METHOD_IN_FLOAT
 
 }  // namespace
 

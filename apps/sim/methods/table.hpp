@@ -15,6 +15,7 @@ struct Method {
   MethodInfo info;
   Make<double> in_double;
   Make<long double> in_long_double;
+  Make<float> in_float = nullptr;  ///< for few digits: of few methods
 };
 
 const std::vector<Method>& method_table();

@@ -15,6 +15,7 @@ Made<S> make_taylor(const Problem<S>& problem) {
                                      settings);
 }
 
+template Made<float> make_taylor(const Problem<float>&);
 template Made<double> make_taylor(const Problem<double>&);
 template Made<long double> make_taylor(const Problem<long double>&);
 template Made<Quad> make_taylor(const Problem<Quad>&);

@@ -17,8 +17,9 @@ namespace code = gaussgen::support::code;
 
 /// Outputs that depend on the state alone, and so can be sampled.
 const std::vector<std::string>& sampled_outputs() {
-  static const std::vector<std::string> k_names{"reactions", "reaction_forces", "joint_reactions", "energy",
-                                                "mobility",  "mass_matrix",     "jacobian",        "quantities"};
+  static const std::vector<std::string> k_names{"reactions", "reaction_forces", "joint_reactions",
+                                                "energy",    "mobility",        "mass_matrix",
+                                                "jacobian",  "quantities",      "poses"};
   return k_names;
 }
 

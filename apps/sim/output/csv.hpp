@@ -13,6 +13,7 @@
 namespace gausssim {
 
 /// The shortest decimal that is read as the same number.
+inline std::string text_of(float value) { return fmt::format("{}", value); }
 inline std::string text_of(double value) { return fmt::format("{}", value); }
 inline std::string text_of(long double value) { return fmt::format("{}", value); }
 

@@ -66,6 +66,7 @@ void DriftMeter<S>::look_at_constraints(const S& t, const Numbers<S>& state) {
   drift_.velocities = largest(residuals_, velocities_, drift_.velocities);
 }
 
+template class DriftMeter<float>;
 template class DriftMeter<double>;
 template class DriftMeter<long double>;
 template class DriftMeter<Quad>;

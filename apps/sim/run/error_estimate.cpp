@@ -54,6 +54,13 @@ std::vector<double> scales_of(const Rows& reference, const std::vector<Column>& 
   return scales;
 }
 
+/// What is no number in the reference cannot be missed; what is none beside a number is off by all.
+double miss(long double value, long double reference) {
+  if (std::isnan(reference) || value == reference) return 0;
+  const auto result = static_cast<double>(std::abs(value - reference));
+  return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
+}
+
 }  // namespace
 
 DeliveredError delivered_error(const Rows& rows, const Rows& reference, const std::vector<Column>& columns) {
@@ -62,9 +69,8 @@ DeliveredError delivered_error(const Rows& rows, const Rows& reference, const st
   const long samples = std::min(rows.samples(), reference.samples());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     for (long k = 0; k < samples; ++k) {
-      const auto miss = static_cast<double>(std::abs(rows.at(k, i) - reference.at(k, i)));
-      const double error = miss == 0 ? 0 : miss / scales[i];
-      if (error <= result.value) continue;
+      const double error = miss(rows.at(k, i), reference.at(k, i)) / scales[i];
+      if (!(error > result.value)) continue;
       result = {error, columns[i].name};
     }
   }

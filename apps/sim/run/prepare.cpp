@@ -137,6 +137,44 @@ std::string beside(const std::string& file, const std::string& named) {
   return path.is_absolute() ? named : (std::filesystem::path(file).parent_path() / path).string();
 }
 
+/// The scene with another description of its motion.
+void take_form(const std::string& name, Scene& scene) {
+  const auto form =
+      std::find_if(scene.forms.begin(), scene.forms.end(), [&](const GivenForm& one) { return one.name.text == name; });
+  if (form == scene.forms.end()) return;
+  const auto add = [&](const std::vector<Given>& more, std::vector<Given>& all) {
+    if (form->model) all.clear();
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  add(form->initial, scene.initial);
+  if (!form->parameters.empty()) add(form->parameters, scene.parameters);
+  if (form->model) scene.model = *form->model;
+  if (form->strategy) scene.strategy = form->strategy;
+}
+
+/// Closed forms are of columns, over time and parameters.
+void check_exact(const Scene& scene, const Columns& columns, model::Values values, Diagnostics& diagnostics) {
+  values["t"] = scene.exact.empty() ? 0 : 1;
+  for (const Given& form : scene.exact) {
+    const bool is_column = std::any_of(columns.columns.begin(), columns.columns.end(),
+                                       [&](const Column& column) { return column.name == form.name; });
+    if (!is_column)
+      diagnostics.error(code::k_wrong_reference, form.span, fmt::format("'{}' is no column of the table", form.name),
+                        "'outputs' names the columns; a closed form is of one of them");
+    if (!model::is_broken(form.value) && !model::value_of(form.value, values))
+      diagnostics.error(code::k_wrong_reference, form.value.span,
+                        "a closed form is made of t, pi, numbers, parameters and functions of one argument or atan2");
+  }
+}
+
+/// Of the equations alone: what everything costs that calls them.
+int operations_of_rates(const gaussgen::PipelineResult& compiled) {
+  for (const auto& output : compiled.outputs) {
+    if (output.output == "rhs") return output.operations;
+  }
+  return 0;
+}
+
 gaussgen::Strategy strategy_of(const Scene& scene) {
   using gaussgen::Strategy;
   for (const Strategy one : {Strategy::tree, Strategy::metric, Strategy::multipliers}) {
@@ -169,11 +207,15 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
     if (!scene || exit_code != cli::k_ok) return std::nullopt;
     result.scene = *scene;
   }
+  if (!request.form.empty()) take_form(request.form, result.scene);
   change(result.scene);
   result.model_file = has_scene ? beside(request.file, result.scene.model.text) : request.file;
   Source source = has_scene ? cli::read_source(result.model_file) : scene_source;
 
   gaussgen::PipelineOptions options;
+  options.fold = request.code == Code::folded;
+  options.plain = request.code == Code::expanded;
+  options.where_possible = request.where_possible;
   options.counts = result.scene.counts;
   options.strategy = strategy_of(result.scene);
   options.outputs = generator_outputs(result.scene.outputs);
@@ -184,10 +226,12 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
   if (method == "taylor") options.outputs.push_back("taylor");
   if (method == "auto") options.where_possible.push_back("taylor");
   Diagnostics in_values;
+  model::Values parameters;
   options.adjust = [&](model::Model& read) {
     SceneValues(result.scene, in_values).apply(read);
     cli::apply_overrides(request.sets, read);
-    result.span = SpanReader(result.scene, model::parameter_values(read), in_values).read();
+    parameters = model::parameter_values(read);
+    result.span = SpanReader(result.scene, parameters, in_values).read();
     if (in_values.has_errors()) throw BadScene{};
   };
   Diagnostics found;
@@ -200,8 +244,10 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
   }
   exit_code = cli::report(without_empty_outputs(found), source, request.messages);
   if (!compiled || exit_code != cli::k_ok) return std::nullopt;
+  result.operations = operations_of_rates(*compiled);
   result.model = {std::move(compiled->tree), std::move(compiled->unit)};
   result.columns = choose_columns(result.model, result.scene.outputs, in_values);
+  check_exact(result.scene, result.columns, parameters, in_values);
   // Those of the command line have no place in the file.
   const bool are_options = !result.scene.outputs.empty() && result.scene.outputs.front().span.end == 0;
   if (in_values.has_errors() && are_options)

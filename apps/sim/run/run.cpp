@@ -10,12 +10,12 @@
 #include "cli/files.hpp"
 #include "cli/overrides.hpp"
 #include "cli/replacement.hpp"
-#include "sim/model/layout.hpp"
 #include "sim/output/csv.hpp"
 #include "sim/run/build_engine.hpp"
 #include "sim/run/error_estimate.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/progress_bar.hpp"
+#include "sim/run/setting.hpp"
 #include "version.hpp"
 
 namespace gausssim {
@@ -25,10 +25,8 @@ namespace {
 namespace cli = gaussgen::cli;
 using gauss::simulate::Outcome;
 
-constexpr double k_default_tolerance = 1e-9;
-constexpr double k_default_steps = 10'000;  ///< of one length, in a run
-constexpr double k_tighter = 1.0 / 30;      ///< tolerance of the run that tells errors
-constexpr double k_long_run = 5;            ///< seconds; not made twice unless somebody asks
+constexpr double k_tighter = 1.0 / 30;  ///< tolerance of the run that tells errors
+constexpr double k_long_run = 5;        ///< seconds; not made twice unless somebody asks
 
 void apply(const RunOptions& options, Scene& scene) {
   const auto word = [](const std::string& text, std::optional<Word>& to) {
@@ -50,7 +48,8 @@ void apply(const RunOptions& options, Scene& scene) {
   if (!options.every.empty()) scene.samples.reset();
   if (options.samples) scene.samples = options.samples, scene.every.reset();
   if (options.tolerance) scene.tolerance = options.tolerance, scene.error.reset();
-  if (options.step) scene.step = options.step;
+  if (options.step) scene.step = options.step, scene.error.reset();
+  if (options.error) scene.error = options.error, scene.tolerance.reset(), scene.step.reset();
   if (!options.outputs.empty()) scene.outputs.clear();
   for (const std::string& name : options.outputs) scene.outputs.push_back({name, {}});
 }
@@ -59,14 +58,6 @@ EngineChoice engine_choice(const Scene& scene) {
   if (!scene.engine || scene.engine->text == "auto") return EngineChoice::automatic;
   return scene.engine->text == "compiled" ? EngineChoice::compiled : EngineChoice::interpreted;
 }
-
-/// Series where the model has them.
-std::string default_method(const Described& model, const Engine& engine, const std::string& scalar) {
-  const bool has_series = static_cast<bool>(engine.find("series_begin", scalar));
-  return find_function(model.tree, "taylor") != nullptr && has_series ? "taylor" : "prince87";
-}
-
-bool chooses_method(const Scene& scene) { return !scene.method || scene.method->text == "auto"; }
 
 /// What no model can change: refused before one is read.
 void check_method(const Scene& scene) {
@@ -77,28 +68,10 @@ void check_method(const Scene& scene) {
   };
   if (!method.missing.empty()) refuse(method.missing);
   const std::string number = scene.number ? scene.number->text : "double";
-  if (!method.has_long_double && number != "double") refuse("it computes in double, and no other number type");
   if (number == "float128" && method.name != "taylor") refuse("in float128 there is no method but taylor");
+  if (!computes_in(method, number)) refuse("it does not compute in " + number);
   if (!method.projects && scene.projection && scene.projection->text != "off")
     refuse("it does not project, so states drift off the constraints as its tolerance allows; take 'projection: off'");
-}
-
-Setting setting_of(const PreparedModel& prepared, const Engine& engine) {
-  const Scene& scene = prepared.scene;
-  Setting setting;
-  if (scene.number) setting.number = scene.number->text;
-  setting.method =
-      chooses_method(scene) ? default_method(prepared.model, engine, scalar_of(setting.number)) : scene.method->text;
-  const MethodInfo& method = *find_method(setting.method);
-  setting.projection = scene.projection  ? projection_of(scene.projection->text)
-                       : method.projects ? Projection::full
-                                         : Projection::off;
-  if (method.takes_step) {
-    setting.step = scene.step.value_or(prepared.span.duration / k_default_steps);
-  } else {
-    setting.tolerance = scene.tolerance.value_or(k_default_tolerance);
-  }
-  return setting;
 }
 
 std::string csv_path(const RunOptions& options, const PreparedModel& prepared) {
@@ -124,8 +97,16 @@ nlohmann::ordered_json drift_json(const Drift& drift) {
   return json;
 }
 
+nlohmann::ordered_json asked_json(const FoundSetting& found, double error) {
+  return {{"error", error},
+          {"reference", found.reference_in_words},
+          {"agreement", found.agreement},
+          {"settings_tried", found.trials.size()}};
+}
+
 nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& setting, const Engine& engine,
-                               const Simulated& run, const Times& times, const std::optional<DeliveredError>& error) {
+                               const Simulated& run, const Times& times, const std::optional<DeliveredError>& error,
+                               const std::optional<FoundSetting>& found) {
   nlohmann::ordered_json json;
   json["tool"] = std::string("gauss-sim ") + gaussgen::k_version;
   json["model"] = prepared.model.unit.model_name;
@@ -151,6 +132,7 @@ nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& set
   json["calls"] = run.calls;
   json["jacobians"] = run.jacobians;
   if (error) json["error_estimate"] = {{"relative", error->value}, {"output", error->output}};
+  if (found) json["asked_for"] = asked_json(*found, *prepared.scene.error);
   json["drift"] = drift_json(run.drift);
   if (run.start_moved > 0) json["start_moved"] = {{"by", run.start_moved}, {"component", run.start_component}};
   if (run.with_fewer_constraints > 0) json["steps_with_fewer_constraints"] = run.with_fewer_constraints;
@@ -225,7 +207,7 @@ Setting tighter(Setting setting, const Simulated& run, const Span& span) {
 
 }  // namespace
 
-int run(const RunOptions& options) {
+int run(const RunOptions& options, const FindSetting& find) {
   Request request{options.file, options.sets, {}, options.messages};
   int code = cli::k_ok;
   const auto prepared = prepare(
@@ -234,16 +216,24 @@ int run(const RunOptions& options) {
         apply(options, scene);
         check_method(scene);
         if (!chooses_method(scene)) request.also = find_method(scene.method->text)->takes;
+        if (scene.error && chooses_method(scene)) request.where_possible = {"jacobian"};
       },
       code);
   if (!prepared) return code;
-  const std::string number = prepared->scene.number ? prepared->scene.number->text : "double";
-  Times times;
-  times.generate = prepared->generate_seconds;
-  std::string why;
-  const auto engine = build_engine(*prepared, engine_choice(prepared->scene), {scalar_of(number)}, times.engine, why);
-  if (!engine) return cli::fail(why, cli::k_file_error, options.messages);
-  const Setting setting = setting_of(*prepared, *engine);
+  Engines engines(*prepared, engine_choice(prepared->scene));
+  const std::string first = prepared->scene.number ? prepared->scene.number->text : "double";
+  const Engine* engine = engines.of(first);
+  if (engine == nullptr) return cli::fail(engines.why(), cli::k_file_error, options.messages);
+  Setting setting = setting_of(*prepared, *engine);
+  std::optional<FoundSetting> found;
+  if (prepared->scene.error) {
+    std::string why;
+    found = find(*prepared, engines, *prepared->scene.error, why);
+    if (!found) return cli::fail(why, cli::k_not_delivered, options.messages);
+    setting = found->chosen.setting;
+    engine = engines.of(setting.number);
+  }
+  const Times times{prepared->generate_seconds, engines.times()};
 
   const std::string csv = csv_path(options, *prepared);
   CsvFile file(csv);
@@ -269,7 +259,9 @@ int run(const RunOptions& options) {
     return cli::fail(simulated.why, is_setting ? cli::k_usage_error : cli::k_motion_stopped, options.messages);
   }
   std::optional<DeliveredError> error;
-  if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted) {
+  if (found) {
+    error = delivered_error(rows, found->reference, prepared->columns.columns);
+  } else if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted) {
     Rows reference(width, prepared->span.samples);
     Listeners listeners;
     listeners.on_numbers = [&](long k, const std::vector<long double>& row) { reference.set(k, row); };
@@ -277,10 +269,13 @@ int run(const RunOptions& options) {
     simulate(*prepared, *engine, tighter(setting, simulated, prepared->span), listeners);
     error = delivered_error(rows, reference, prepared->columns.columns);
   }
-  const std::string text = summary(*prepared, setting, *engine, simulated, times, error).dump(2) + "\n";
+  const std::string text = summary(*prepared, setting, *engine, simulated, times, error, found).dump(2) + "\n";
   file.finish();
   if (csv != "-") cli::Replacement(summary_path(csv), text).commit();
   tell(options, *prepared, setting, *engine, simulated, times, error, csv);
+  if (found && simulated.outcome == Outcome::running && !(error->value <= *prepared->scene.error))
+    return cli::fail(fmt::format("the run is off by {:.2e}, in {}", error->value, error->output), cli::k_not_delivered,
+                     options.messages);
   return code_of(simulated, *prepared, options.messages);
 }
 

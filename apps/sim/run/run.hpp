@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/messages.hpp"
+#include "sim/run/found_setting.hpp"
 
 namespace gausssim {
 
@@ -15,13 +16,13 @@ struct RunOptions {
   std::vector<std::string> sets, outputs;
   std::string method, number, projection, strategy, engine;  ///< empty: those of the scene
   std::string start, duration, every;                        ///< expressions
-  std::optional<double> tolerance, step;
+  std::optional<double> tolerance, step, error;
   std::optional<long> samples;
   bool quiet = false;
   gaussgen::cli::MessageOptions messages;
 };
 
-/// Returns an exit code. Throws cli::FileError and cli::UsageError.
-int run(const RunOptions& options);
+/// Returns an exit code. `find` finds settings where an error is asked for. Throws cli::FileError and cli::UsageError.
+int run(const RunOptions& options, const FindSetting& find);
 
 }  // namespace gausssim

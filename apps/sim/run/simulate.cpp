@@ -133,6 +133,7 @@ class Simulator {
 
 Simulated simulate(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
                    const Listeners& listeners) {
+  if (setting.number == "float") return Simulator<float>(prepared, engine, setting, listeners).run();
   if (setting.number == "long-double") return Simulator<long double>(prepared, engine, setting, listeners).run();
   if (setting.number == "float128") return Simulator<Quad>(prepared, engine, setting, listeners).run();
   return Simulator<double>(prepared, engine, setting, listeners).run();

@@ -15,7 +15,7 @@ const std::vector<std::string>& method_names() {
 }
 
 const std::vector<std::string>& number_names() {
-  static const std::vector<std::string> k_names{"double", "long-double", "float128"};
+  static const std::vector<std::string> k_names{"double", "float", "long-double", "float128"};
   return k_names;
 }
 

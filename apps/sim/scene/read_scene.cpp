@@ -28,9 +28,9 @@ constexpr long k_most_samples = 100'000'000;
 
 const std::vector<std::string>& keys() {
   static const std::vector<std::string> k_keys{
-      "gauss",     "scene", "about",    "model",  "counts",     "parameters", "initial",
-      "inputs",    "start", "duration", "every",  "samples",    "outputs",    "method",
-      "tolerance", "error", "step",     "number", "projection", "strategy",   "engine"};
+      "gauss", "scene",    "about",      "model",    "counts",  "parameters",  "initial",      "inputs",
+      "start", "duration", "every",      "samples",  "outputs", "method",      "tolerance",    "error",
+      "step",  "number",   "projection", "strategy", "engine",  "formulation", "formulations", "exact"};
   return k_keys;
 }
 
@@ -47,24 +47,26 @@ class SceneReader {
       if (model::expect_scalar(*file, root_.span, "'model'", reading_)) scene_.model = {file->scalar.text, file->span};
     }
     read_counts();
-    read_given("parameters", scene_.parameters);
-    read_given("initial", scene_.initial);
-    read_given("inputs", scene_.inputs);
+    read_given(root_, "parameters", scene_.parameters);
+    read_given(root_, "initial", scene_.initial);
+    read_given(root_, "inputs", scene_.inputs);
+    read_given(root_, "exact", scene_.exact);
     scene_.start = model::expression_field(root_, "start", reading_);
     scene_.duration = model::expression_field(root_, "duration", reading_);
     scene_.every = model::expression_field(root_, "every", reading_);
     read_samples();
     read_outputs();
-    scene_.method = choice("method", method_names());
-    scene_.number = choice("number", number_names());
-    scene_.projection = choice("projection", projection_names());
-    scene_.strategy = choice("strategy", strategy_names());
-    scene_.engine = choice("engine", engine_names());
+    scene_.method = choice(root_, "method", method_names());
+    scene_.number = choice(root_, "number", number_names());
+    scene_.projection = choice(root_, "projection", projection_names());
+    scene_.strategy = choice(root_, "strategy", strategy_names());
+    scene_.engine = choice(root_, "engine", engine_names());
     scene_.tolerance = positive("tolerance");
     scene_.error = positive("error");
     scene_.step = positive("step");
     refuse_pair("every", "samples");
     refuse_pair("tolerance", "error");
+    read_forms();
     return std::move(scene_);
   }
 
@@ -85,8 +87,29 @@ class SceneReader {
     });
   }
 
-  void read_given(const std::string& section, std::vector<Given>& all) {
-    model::read_section(root_, section, reading_, [&](const spec::Entry& entry) {
+  void read_forms() {
+    if (const std::string own = model::text_field(root_, "formulation", reading_); !own.empty()) scene_.form = own;
+    model::read_section(root_, "formulations", reading_, [&](const spec::Entry& entry) {
+      GivenForm form;
+      form.name = {entry.key.text, entry.key.span};
+      if (form.name.text == scene_.form)
+        error(code::k_conflicting_keys, form.name.span, fmt::format("'{}' is the scene itself", form.name.text),
+              "'formulation' gives the scene's own description another name");
+      if (!model::expect_map(entry.value, entry.key.span, "formulation '" + entry.key.text + "'", reading_)) return;
+      model::check_keys(entry.value, "formulation '" + entry.key.text + "'",
+                        {"model", "strategy", "parameters", "initial"}, reading_);
+      if (const spec::Node* const file = spec::find(entry.value, "model");
+          file != nullptr && model::expect_scalar(*file, entry.key.span, "'model'", reading_))
+        form.model = Word{file->scalar.text, file->span};
+      form.strategy = choice(entry.value, "strategy", strategy_names());
+      read_given(entry.value, "parameters", form.parameters);
+      read_given(entry.value, "initial", form.initial);
+      scene_.forms.push_back(std::move(form));
+    });
+  }
+
+  void read_given(const spec::Node& in, const std::string& section, std::vector<Given>& all) {
+    model::read_section(in, section, reading_, [&](const spec::Entry& entry) {
       all.push_back({entry.key.text, model::read_expression(entry.value, entry.key.span, reading_), entry.key.span});
     });
   }
@@ -135,9 +158,9 @@ class SceneReader {
     return std::nullopt;
   }
 
-  std::optional<Word> choice(const std::string& key, const std::vector<std::string>& words) {
-    const spec::Node* const node = spec::find(root_, key);
-    if (node == nullptr || !model::expect_scalar(*node, root_.span, "'" + key + "'", reading_)) return std::nullopt;
+  std::optional<Word> choice(const spec::Node& in, const std::string& key, const std::vector<std::string>& words) {
+    const spec::Node* const node = spec::find(in, key);
+    if (node == nullptr || !model::expect_scalar(*node, in.span, "'" + key + "'", reading_)) return std::nullopt;
     const std::string& word = node->scalar.text;
     for (const std::string& known : words) {
       if (known == word) return Word{word, node->span};

@@ -24,11 +24,22 @@ struct Word {
   gaussgen::support::Span span;
 };
 
+/// Another description of the same motion: what is not said is as in the scene.
+struct GivenForm {
+  Word name;
+  std::optional<Word> model, strategy;
+  std::vector<Given> parameters,
+      initial;  ///< beside those of the scene, if the model is the same; else instead of them
+};
+
 struct Scene {
   std::string name, about;
-  Word model;  ///< file, beside that of the scene
+  Word model;                     ///< file, beside that of the scene
+  std::string form = "as given";  ///< what its own description is called beside others
+  std::vector<GivenForm> forms;
   gaussgen::model::GivenCounts counts;
   std::vector<Given> parameters, initial, inputs;
+  std::vector<Given> exact;  ///< outputs that are known as functions of time and parameters
   std::optional<gaussgen::model::Ast> start, duration, every;  ///< over parameters
   std::optional<long> samples;                                 ///< the start and the end among them
   std::vector<Word> outputs;                                   ///< empty: those that everybody wants

@@ -12,8 +12,7 @@ namespace gausssim {
 
 /// A setting of one of the forms in which the motion is described.
 struct Candidate {
-  std::size_t formulation = 0;
-  std::string code = "shared";
+  std::size_t form = 0;
   Setting setting;
   bool is_default = false;
 };

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "sim/run/prepare.hpp"
 #include "sim/study/candidate.hpp"
+#include "sim/study/form.hpp"
 
 namespace gausssim {
 
@@ -12,7 +12,8 @@ struct GridOptions {
   int per_decade = 1;
 };
 
-/// All methods at all tolerances, or steps, of one formulation, loose ones first. What a model does not allow is left to the run to say.
-std::vector<Candidate> grid_of(const PreparedModel& model, std::size_t formulation, const GridOptions& options);
+/// What a study tries, what people are likely to take first, and loose tolerances first: of the scene as it is, all methods at all tolerances or steps, all
+/// projections and number types; of the other forms, the usual methods. What a model does not allow is left to the run to say.
+std::vector<Candidate> grid_of(const std::vector<Form>& forms, const GridOptions& options);
 
 }  // namespace gausssim

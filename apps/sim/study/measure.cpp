@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "sim/study/closed_form.hpp"
+
 namespace gausssim {
 
 namespace {
@@ -78,6 +80,33 @@ Setting by_series(double tolerance, int order) {
   return setting;
 }
 
+/// Where outputs are known as functions of time, both have to say the same.
+void take_closed_forms(const PreparedModel& model, const Engine& engine, Reference& reference, std::string& why) {
+  const ClosedForms forms = closed_forms_of(model, engine);
+  if (!forms.are_there()) return;
+  constexpr double k_alike = 1e-12;
+  const auto& columns = model.columns.columns;
+  Rows rows = reference.rows;
+  bool are_all = true;
+  const Grid<Quad> grid{Quad(model.span.start), Quad(model.span.start) + Quad(model.span.duration), model.span.samples};
+  for (long k = 0; k < rows.samples(); ++k) {
+    std::vector<long double> row;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const bool is_known = forms.has(columns[i].name);
+      row.push_back(is_known ? static_cast<long double>(forms.at(columns[i].name, grid.at(k))) : rows.at(k, i));
+      are_all = are_all && is_known;
+    }
+    rows.set(k, row);
+  }
+  const DeliveredError apart = delivered_error(rows, reference.rows, columns);
+  if (!(apart.value <= k_alike))
+    why = fmt::format("the closed form of '{}' differs from the motion by {:.2g} of its range", apart.output,
+                      apart.value);
+  reference.agreement = std::max(reference.agreement, apart.value);
+  reference.methods.emplace_back(are_all ? "closed forms of all outputs" : "closed forms of some outputs");
+  if (are_all) reference.kind = "closed form", reference.rows = std::move(rows);
+}
+
 std::string in_words(const Setting& setting) {
   return fmt::format("power series of order {}, tolerance {:.0e}", setting.order, setting.tolerance);
 }
@@ -96,6 +125,14 @@ Point measure(const PreparedModel& model, const Engine& engine, const Candidate&
   return point;
 }
 
+DeliveredError error_of(const PreparedModel& model, const Engine& engine, const Setting& setting,
+                        const Reference& reference, std::string& why) {
+  const Traced traced_run = traced(model, engine, setting);
+  if (traced_run.run.outcome != Outcome::running) why = reason(traced_run.run);
+  if (model.columns.columns.size() != reference.rows.columns()) why = "it has other outputs";
+  return why.empty() ? delivered_error(traced_run.rows, reference.rows, model.columns.columns) : DeliveredError{};
+}
+
 std::optional<Reference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why) {
   const Setting fine = by_series(k_finer, k_order), other = by_series(k_coarser, k_other_order);
   const Traced one = traced(model, engine, fine), two = traced(model, engine, other);
@@ -106,6 +143,8 @@ std::optional<Reference> find_reference(const PreparedModel& model, const Engine
   }
   Reference reference{one.rows, "float128", {in_words(fine), in_words(other)}, 0};
   reference.agreement = delivered_error(two.rows, one.rows, model.columns.columns).value;
+  take_closed_forms(model, engine, reference, why);
+  if (!why.empty()) return std::nullopt;
   return reference;
 }
 

@@ -25,6 +25,10 @@ struct Effort {
 Point measure(const PreparedModel& model, const Engine& engine, const Candidate& candidate, const Reference& reference,
               const Effort& effort);
 
+/// How far a setting is off; `why` it is not known.
+DeliveredError error_of(const PreparedModel& model, const Engine& engine, const Setting& setting,
+                        const Reference& reference, std::string& why);
+
 /// A reference without a closed form: power series in __float128, of two orders and in other steps. The finer one is it.
 std::optional<Reference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why);
 

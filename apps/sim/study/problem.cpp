@@ -10,6 +10,7 @@
 #include "cli/exit_codes.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/progress_bar.hpp"
+#include "sim/run/setting.hpp"
 #include "sim/study/grid.hpp"
 
 namespace gausssim {
@@ -31,60 +32,73 @@ class Forecast {
 
  private:
   static std::string key(const Candidate& candidate) {
-    return fmt::format("{} {} {}", candidate.formulation, candidate.setting.method, candidate.setting.number);
+    return fmt::format("{} {} {} {}", candidate.form, candidate.setting.method, candidate.setting.number,
+                       static_cast<int>(candidate.setting.projection));
   }
 
   std::map<std::string, double> last_;
 };
+
+constexpr double k_least_runs = 10;  ///< no run takes more of the time than this part
 
 class Solver {
  public:
   Solver(Problem& problem, const StudyOptions& options) : problem_(problem), options_(options) {}
 
   void run() {
-    const Formulation& first = problem_.formulations.front();
+    const Form& first = problem_.forms.front();
     auto reference = find_reference(first.model, *first.engine, problem_.why);
     if (!reference) return;
     problem_.reference = std::move(*reference);
     problem_.ranges = ranges_of(problem_.reference.rows);
+    for (Form& form : problem_.forms) compare(form);
     measure_all();
     mark_front(problem_.points);
     trace_front();
+    problem_.motion = motion_of(first.model, *first.engine, default_setting(first.model, *first.engine));
   }
 
  private:
-  std::vector<Candidate> candidates() const {
-    std::vector<Candidate> all;
-    GridOptions grid;
-    grid.loosest = options_.loosest;
-    grid.tightest = options_.tightest;
-    for (std::size_t i = 0; i < problem_.formulations.size(); ++i) {
-      for (const Candidate& one : grid_of(problem_.formulations[i].model, i, grid)) all.push_back(one);
-    }
-    return all;
+  /// Another description has to tell the same motion.
+  void compare(Form& form) const {
+    if (!form.engine) return;
+    constexpr double k_tight = 1e-11, k_alike = 1e-3;
+    Setting setting = default_setting(form.model, *form.engine);
+    setting.tolerance = k_tight;
+    const DeliveredError error = error_of(form.model, *form.engine, setting, problem_.reference, form.why);
+    if (form.why.empty() && !(error.value <= k_alike))
+      form.why = fmt::format("it tells another motion: '{}' is off by {:.2g} of its range", error.output, error.value);
   }
 
   void measure_all() {
     ProgressBar bar(!options_.quiet);
     Forecast forecast;
-    const std::vector<Candidate> all = candidates();
+    GridOptions grid;
+    grid.loosest = options_.loosest;
+    grid.tightest = options_.tightest;
+    const std::vector<Candidate> all = grid_of(problem_.forms, grid);
     for (const Candidate& candidate : all) {
       if (Interruption::is_asked_for()) return;
       bar.show(static_cast<double>(problem_.points.size()) / static_cast<double>(all.size()), problem_.name);
-      const double left = options_.budget - since(begin_);
-      Point point;
-      if (left <= 0 || forecast.of(candidate) > std::min(left, options_.budget / 5)) {
-        point.candidate = candidate;
-        point.status = PointStatus::refused;
-        point.why = "beyond the time that the study was given";
-      } else {
-        const Formulation& formulation = problem_.formulations[candidate.formulation];
-        point = measure(formulation.model, *formulation.engine, candidate, problem_.reference, {});
-        if (point.status == PointStatus::ok) forecast.note(point);
-      }
+      Point point = measured(candidate, forecast);
       point.id = static_cast<int>(problem_.points.size()) + 1;
       problem_.points.push_back(std::move(point));
     }
+  }
+
+  Point measured(const Candidate& candidate, Forecast& forecast) const {
+    const Form& form = problem_.forms[candidate.form];
+    const double left = options_.budget - since(begin_);
+    Point point;
+    point.candidate = candidate;
+    point.status = PointStatus::refused;
+    point.why = form.why;
+    if (point.why.empty() && (left <= 0 || forecast.of(candidate) > std::min(left, options_.budget / k_least_runs)))
+      point.why = "beyond the time that the study was given";
+    if (!point.why.empty()) return point;
+    point = measure(form.model, *form.engine, candidate, problem_.reference, {});
+    if (point.status == PointStatus::ok) forecast.note(point);
+    return point;
   }
 
   static std::vector<double> ranges_of(const Rows& rows) {
@@ -104,7 +118,7 @@ class Solver {
   void trace_front() {
     for (const Point& point : problem_.points) {
       if (!point.is_on_front) continue;
-      const Formulation& formulation = problem_.formulations[point.candidate.formulation];
+      const Form& form = problem_.forms[point.candidate.form];
       DriftTrace trace;
       trace.point = point.id;
       Listeners listeners;
@@ -113,7 +127,7 @@ class Solver {
         trace.energy.push_back(energy);
         trace.constraints.push_back(constraints);
       };
-      simulate(formulation.model, *formulation.engine, point.candidate.setting, listeners);
+      simulate(form.model, *form.engine, point.candidate.setting, listeners);
       problem_.drifts.push_back(std::move(trace));
     }
   }
@@ -128,19 +142,10 @@ class Solver {
 std::optional<Problem> solve_problem(const std::string& file, const StudyOptions& options, int& code) {
   Problem problem;
   problem.file = std::filesystem::path(file).filename().string();
-  Request request{file, {}, {}, options.messages};
-  auto prepared = prepare(
-      request, [](Scene&) {}, code);
-  if (!prepared) return std::nullopt;
-  problem.name = prepared->scene.name.empty() ? prepared->model.unit.model_name : prepared->scene.name;
-  Formulation formulation{"as given", std::move(*prepared), nullptr, {}, 0};
-  formulation.engine = build_engine(formulation.model, EngineChoice::compiled, {"double", "long double", "__float128"},
-                                    formulation.times, problem.why);
-  if (!formulation.engine) {
-    code = gaussgen::cli::fail(problem.why, gaussgen::cli::k_file_error, options.messages);
-    return std::nullopt;
-  }
-  problem.formulations.push_back(std::move(formulation));
+  problem.forms = forms_of(file, options.messages, code);
+  if (problem.forms.empty()) return std::nullopt;
+  const PreparedModel& own = problem.forms.front().model;
+  problem.name = own.scene.name.empty() ? own.model.unit.model_name : own.scene.name;
   Solver(problem, options).run();
   return problem;
 }

@@ -5,20 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/run/build_engine.hpp"
+#include "sim/study/form.hpp"
 #include "sim/study/measure.hpp"
+#include "sim/study/motion.hpp"
 #include "sim/study/study.hpp"
 
 namespace gausssim {
-
-/// A way to describe the motion: its model and how it was emitted.
-struct Formulation {
-  std::string name;
-  PreparedModel model;
-  std::unique_ptr<Engine> engine;
-  EngineTimes times;
-  int operations = 0;  ///< of rhs; 0: not known
-};
 
 struct DriftTrace {
   int point = 0;
@@ -27,11 +19,12 @@ struct DriftTrace {
 
 struct Problem {
   std::string name, file;
-  std::vector<Formulation> formulations;
+  std::vector<Form> forms;
   std::vector<double> ranges;  ///< of the outputs, along the reference
   Reference reference{Rows(0, 0), "", {}, 0};
   std::vector<Point> points;
   std::vector<DriftTrace> drifts;
+  std::optional<Motion> motion;
   std::string why;  ///< there is none
 };
 

@@ -46,15 +46,16 @@ Json drift_json(const Drift& drift) {
 Json point_json(const Point& point, const Problem& problem) {
   const Setting& setting = point.candidate.setting;
   const MethodInfo* const method = find_method(setting.method);
+  const Form& form = problem.forms[point.candidate.form];
   Json json;
   json["id"] = point.id;
   json["method"] = setting.method;
   json["library"] = method == nullptr ? "" : method->library;
-  json["formulation"] = problem.formulations[point.candidate.formulation].name;
-  json["code"] = point.candidate.code;
+  json["formulation"] = form.formulation;
+  json["code"] = form.code;
   json["number"] = setting.number;
   json["projection"] = name_of(setting.projection);
-  json["engine"] = problem.formulations[point.candidate.formulation].engine->name();
+  json["engine"] = "compiled";
   json["tolerance"] = setting.tolerance > 0 ? number(setting.tolerance) : Json(nullptr);
   json["step"] = setting.step > 0 ? number(setting.step) : Json(nullptr);
   json["status"] = word(point.status);
@@ -75,8 +76,60 @@ Json point_json(const Point& point, const Problem& problem) {
   return json;
 }
 
+Json build_json(const Form& form) {
+  const bool is_usual = form.code == "optimised";
+  return {{"formulation", is_usual ? form.formulation : form.formulation + ", " + form.code},
+          {"number", fmt::format("{}", fmt::join(form.scalars, ", "))},
+          {"generate_s", number(form.model.generate_seconds)},
+          {"compile_s", form.times.was_cached || !form.engine ? Json(nullptr) : number(form.times.compile)},
+          {"operations", form.model.operations > 0 ? Json(form.model.operations) : Json(nullptr)}};
+}
+
+template <class List>
+Json places(const List& list) {
+  Json json = Json::array();
+  for (const auto& entry : list) {
+    bool is_known = true;
+    for (const double value : entry) is_known = is_known && std::isfinite(value);
+    json.push_back(is_known ? Json(entry) : Json(nullptr));
+  }
+  return json;
+}
+
+/// Boxes of one size: a model says how heavy bodies are, and not how large.
+Json body_json(const Motion::Body& body, double size) {
+  constexpr double k_part = 0.04;
+  Json json{{"name", body.name}, {"position", places(body.position)}};
+  if (body.orientation.empty() || !(size > 0)) {
+    json["shape"] = {{"kind", "point"}};
+  } else {
+    json["shape"] = {{"kind", "box"}, {"size", {k_part * size, k_part * size, k_part * size}}};
+  }
+  if (!body.orientation.empty()) json["orientation"] = places(body.orientation);
+  return json;
+}
+
+Json motion_json(const Motion& motion) {
+  Json json{
+      {"t", numbers(motion.t)}, {"bodies", Json::array()}, {"lines", Json::array()}, {"reactions", Json::array()}};
+  for (const Motion::Body& body : motion.bodies) json["bodies"].push_back(body_json(body, motion.size));
+  for (const Motion::Line& line : motion.lines) {
+    Json points = Json::array();
+    for (const auto& one : line.points) points.push_back(places(one));
+    json["lines"].push_back({{"name", line.name}, {"points", points}});
+  }
+  for (const Motion::Force& force : motion.forces) {
+    json["reactions"].push_back({{"name", force.name},
+                                 {"body", force.body.empty() ? Json(nullptr) : Json(force.body)},
+                                 {"at", places(force.at)},
+                                 {"force", places(force.force)},
+                                 {"unit", force.unit}});
+  }
+  return json;
+}
+
 Json problem_json(const Problem& problem) {
-  const PreparedModel& model = problem.formulations.front().model;
+  const PreparedModel& model = problem.forms.front().model;
   Json json;
   json["name"] = problem.name;
   json["about"] = model.scene.about.empty() ? model.model.unit.about : model.scene.about;
@@ -92,13 +145,7 @@ Json problem_json(const Problem& problem) {
                        {"methods", problem.reference.methods},
                        {"agreement", number(problem.reference.agreement)}};
   json["builds"] = Json::array();
-  for (const Formulation& one : problem.formulations) {
-    json["builds"].push_back({{"formulation", one.name},
-                              {"number", "double"},
-                              {"generate_s", number(one.model.generate_seconds)},
-                              {"compile_s", one.times.was_cached ? Json(nullptr) : number(one.times.compile)},
-                              {"operations", one.operations > 0 ? Json(one.operations) : Json(nullptr)}});
-  }
+  for (const Form& form : problem.forms) json["builds"].push_back(build_json(form));
   json["points"] = Json::array();
   for (const Point& point : problem.points) json["points"].push_back(point_json(point, problem));
   json["drifts"] = Json::array();
@@ -109,6 +156,7 @@ Json problem_json(const Problem& problem) {
                               {"constraints", numbers(trace.constraints)}});
   }
   json["lanes"] = Json::array();
+  if (problem.motion) json["motion"] = motion_json(*problem.motion);
   return json;
 }
 
@@ -137,15 +185,15 @@ std::string study_csv(const std::vector<Problem>& problems) {
   for (const Problem& problem : problems) {
     for (const Point& point : problem.points) {
       const Setting& setting = point.candidate.setting;
+      const Form& form = problem.forms[point.candidate.form];
       const auto or_nothing = [](bool is_there, double value) {
         return is_there ? fmt::format("{}", value) : std::string();
       };
       text +=
-          fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"\n", problem.name,
-                      problem.formulations[point.candidate.formulation].name, point.candidate.code, setting.number,
-                      setting.method, name_of(setting.projection), or_nothing(setting.tolerance > 0, setting.tolerance),
-                      or_nothing(setting.step > 0, setting.step), word(point.status),
-                      or_nothing(point.error.has_value(), point.error ? point.error->value : 0),
+          fmt::format("{},\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"\n", problem.name, form.formulation,
+                      form.code, setting.number, setting.method, name_of(setting.projection),
+                      or_nothing(setting.tolerance > 0, setting.tolerance), or_nothing(setting.step > 0, setting.step),
+                      word(point.status), or_nothing(point.error.has_value(), point.error ? point.error->value : 0),
                       point.error ? point.error->output : "", or_nothing(point.status == PointStatus::ok, point.time),
                       point.calls, point.steps, point.rejected, point.is_on_front ? 1 : 0, point.why);
     }

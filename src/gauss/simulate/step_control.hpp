@@ -77,7 +77,7 @@ bool changes_by_rounding(const Array& x, const Array& value, const Apply& apply,
     for (std::size_t i = 0; i < x.size(); ++i) {
       // Not the same for all components, which would be a change of units: many models have none of.
       const Scalar share = (i % 2 == 0 ? 1 : -1) * (Scalar(1) - Scalar(i % 5) / 8);
-      moved[i] += sign * 8 * share * std::numeric_limits<Scalar>::epsilon() * x[i];
+      moved[i] += Scalar(sign) * 8 * share * std::numeric_limits<Scalar>::epsilon() * x[i];
     }
     if (!apply(moved, result)) return false;
     for (std::size_t i = 0; i < x.size(); ++i) changes[i] = std::min(changes[i], std::abs(result[i] - value[i]));
@@ -138,7 +138,7 @@ class StepControl {
       for (const int sign : {1, -1}) {
         Array moved = here, back = here;
         for (std::size_t i = 0; i < own_.size(); ++i)
-          moved[i] += sign * k_part * moves[i] * unlike_part<Scalar>(i, pattern);
+          moved[i] += Scalar(sign) * k_part * moves[i] * unlike_part<Scalar>(i, pattern);
         if (!project(moved, back)) return;
         holds = holds || back != moved;
         for (std::size_t i = 0; i < own_.size(); ++i) changes[i] = std::min(changes[i], std::abs(back[i] - here[i]));
@@ -210,7 +210,7 @@ class StepControl {
 
   // No rounding; near a change point, where changes are roots, a smaller one would seem to move all by more.
   static constexpr Scalar k_part = Scalar(1) / 128;
-  static constexpr Scalar k_held = 1e-6;  ///< of a move
+  static constexpr Scalar k_held = Scalar(1e-6);  ///< of a move
 
   static constexpr Scalar k_last_places = 64 * std::numeric_limits<Scalar>::epsilon();
 

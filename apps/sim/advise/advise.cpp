@@ -1,0 +1,109 @@
+#include "sim/advise/advise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/exit_codes.hpp"
+#include "cli/files.hpp"
+#include "sim/advise/from_study.hpp"
+#include "sim/advise/search.hpp"
+#include "sim/run/setting.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace cli = gaussgen::cli;
+using Json = nlohmann::ordered_json;
+
+const char* name_of(Projection projection) {
+  for (const auto& [name, how] : k_projections) {
+    if (how == projection) return name;
+  }
+  return "";
+}
+
+StudyPoint point_of(const Trial& trial) {
+  const Setting& setting = trial.setting;
+  return {
+      "",           "optimised",       setting.method, setting.number, name_of(setting.projection), setting.tolerance,
+      setting.step, trial.error.value, trial.seconds};
+}
+
+std::string in_words(const StudyPoint& point) {
+  return fmt::format(
+      "{:<24}{:<12}{:<14}{:>10.1e}{:>12.3f} ms", point.method, point.number,
+      point.step > 0 ? fmt::format("step {:.3g}", point.step) : fmt::format("tol. {:.1e}", point.tolerance),
+      point.error, 1e3 * point.seconds);
+}
+
+/// Lines of a scene.
+std::string as_scene(const StudyPoint& point, const std::string& own_form) {
+  std::string text = fmt::format("method: {}\n", point.method);
+  text += point.step > 0 ? fmt::format("step: {}\n", point.step) : fmt::format("tolerance: {}\n", point.tolerance);
+  text += fmt::format("number: {}\nprojection: {}\n", point.number, point.projection);
+  if (!point.formulation.empty() && point.formulation != own_form)
+    text += fmt::format("# formulation: {} (as under 'formulations' of the scene)\n", point.formulation);
+  if (point.code == "folded" || point.code == "expanded")
+    text += fmt::format("# code: {} (of gauss-gen; a run takes optimised code)\n", point.code);
+  return text;
+}
+
+Json as_json(const StudyPoint& point) {
+  Json json{{"method", point.method}, {"number", point.number}, {"projection", point.projection}};
+  json[point.step > 0 ? "step" : "tolerance"] = point.step > 0 ? point.step : point.tolerance;
+  if (!point.formulation.empty()) json["formulation"] = point.formulation;
+  json["error"] = point.error;
+  json["time_s"] = point.seconds;
+  return json;
+}
+
+void write(const AdviseOptions& options, const StudyPoint& best, const std::vector<StudyPoint>& others,
+           const std::string& said, const std::string& own_form) {
+  if (options.format == "json") {
+    Json json{{"asked", options.error}, {"found", as_json(best)}, {"reference", said}, {"tried", Json::array()}};
+    for (const StudyPoint& other : others) json["tried"].push_back(as_json(other));
+    cli::write_standard_output(json.dump(2) + "\n");
+    return;
+  }
+  std::string text;
+  for (const StudyPoint& other : others) text += "#  " + in_words(other) + "\n";
+  text += fmt::format("# delivers {:.1e} of {:.1e} in {:.3g} ms; {}\n", best.error, options.error, 1e3 * best.seconds,
+                      said);
+  cli::write_standard_output(text + as_scene(best, own_form));
+}
+
+std::string name_of(const PreparedModel& prepared) {
+  return prepared.scene.name.empty() ? prepared.model.unit.model_name : prepared.scene.name;
+}
+
+}  // namespace
+
+int advise(const AdviseOptions& options) {
+  Request request{options.file, {}, {}, options.messages};
+  request.where_possible = {"jacobian"};
+  int code = cli::k_ok;
+  const auto prepared = prepare(
+      request, [](Scene&) {}, code);
+  if (!prepared) return code;
+  if (!options.study.empty()) {
+    const StudyPoint best = cheapest_in_study(options.study, name_of(*prepared), options.error);
+    write(options, best, {}, "by " + std::filesystem::path(options.study).filename().string(), prepared->scene.form);
+    return cli::k_ok;
+  }
+  Engines engines(*prepared, EngineChoice::automatic);
+  std::string why;
+  const auto found = find_setting(*prepared, engines, options.error, why);
+  if (!found) return cli::fail(why, cli::k_not_delivered, options.messages);
+  std::vector<StudyPoint> tried;
+  for (const Trial& trial : found->trials) tried.push_back(point_of(trial));
+  write(options, point_of(found->chosen), tried,
+        fmt::format("reference: {}, good to {:.1e}", found->reference_in_words, found->agreement),
+        prepared->scene.form);
+  return cli::k_ok;
+}
+
+}  // namespace gausssim

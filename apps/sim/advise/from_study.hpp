@@ -1,0 +1,19 @@
+#pragma once
+// What a study says of a problem.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace gausssim {
+
+/// A point of docs/study-format.md.
+struct StudyPoint {
+  std::string formulation, code, method, number, projection;
+  double tolerance = 0, step = 0, error = 0, seconds = 0;
+};
+
+/// The cheapest point of the problem `name` that delivered `error` with a margin of two. Throws cli::FileError where the file is no study or lacks the problem; nothing delivered
+/// it: cli::UsageError says what was closest.
+StudyPoint cheapest_in_study(const std::string& path, const std::string& name, double error);
+
+}  // namespace gausssim

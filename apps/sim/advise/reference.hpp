@@ -1,0 +1,38 @@
+#pragma once
+// What a setting is compared with: two runs that agree far better than the error that is asked for.
+
+#include <optional>
+#include <string>
+
+#include "sim/run/found_setting.hpp"
+
+namespace gausssim {
+
+/// A run in numbers.
+struct Told {
+  Simulated run;
+  Rows rows;
+};
+
+Told told_by(const PreparedModel& prepared, const Engine& engine, const Setting& setting);
+
+/// Why a run did not arrive; empty: it did.
+std::string why_not(const Simulated& run);
+
+struct TightRun {
+  Rows rows;
+  std::string in_words;
+  double agreement = 0;
+  std::string number;  ///< type that it took
+};
+
+/// In double, else in number types of more digits, until two tolerances agree to a twentieth of `error`. Nothing: `why`.
+std::optional<TightRun> tight_run(const PreparedModel& prepared, Engines& engines, double error, std::string& why);
+
+/// The number types that a method may be run in, those of fewest digits first.
+std::vector<std::string> numbers_from(const std::string& first, const std::string& method);
+
+/// The smallest tolerance that means anything in a number type.
+double least_tolerance(const std::string& number);
+
+}  // namespace gausssim

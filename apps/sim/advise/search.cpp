@@ -1,0 +1,211 @@
+#include "sim/advise/search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/advise/reference.hpp"
+#include "sim/run/setting.hpp"
+
+namespace gausssim {
+
+namespace {
+
+constexpr double k_margin = 0.5;       ///< of what is asked for
+constexpr double k_close = 0.1;        ///< of it: looser is not looked for
+constexpr int k_most_trials = 7;       ///< of a method
+constexpr double k_few_digits = 1e-5;  ///< from here on methods of low order are tried
+constexpr double k_hopeless = 3;       ///< times the best so far, at a looser tolerance
+
+/// The loosest tolerance of one method in one number type that delivers.
+class OneMethod {
+ public:
+  OneMethod(const PreparedModel& prepared, const Engine& engine, const Rows& reference, double error)
+      : prepared_(prepared), engine_(engine), reference_(reference), goal_(k_margin * error) {}
+
+  /// `best`: seconds of the best so far. Nothing: it does not deliver, or not as cheaply.
+  std::optional<Trial> run(Setting setting, double best) {
+    double& knob = setting.step > 0 ? setting.step : setting.tolerance;
+    const double least = setting.step > 0 ? 0 : least_tolerance(setting.number);
+    std::optional<Trial> found;
+    double loosest_failing = std::numeric_limits<double>::infinity();
+    for (int count = 0; count < k_most_trials; ++count) {
+      Trial trial = tried(setting);
+      last_ = trial;
+      const bool delivers = trial.why.empty() && trial.error.value <= goal_;
+      if (!delivers && trial.why.empty() && trial.seconds > k_hopeless * best) break;
+      if (!delivers && knob <= least) break;
+      if (delivers && (!found || trial.seconds < found->seconds)) found = trial;
+      if (delivers && trial.error.value >= k_close * goal_) break;
+      if (!delivers) loosest_failing = std::min(loosest_failing, knob);
+      const double next = std::max(knob * factor(trial, setting), least);
+      if (delivers && next >= loosest_failing) break;
+      knob = next;
+    }
+    return found;
+  }
+
+  const Trial& last() const { return last_; }
+
+ private:
+  Trial tried(const Setting& setting) const {
+    constexpr int k_repeats = 3;
+    const Told told = told_by(prepared_, engine_, setting);
+    Trial trial{setting, {}, told.run.cpu_seconds, why_not(told.run)};
+    if (!trial.why.empty()) return trial;
+    trial.error = delivered_error(told.rows, reference_, prepared_.columns.columns);
+    constexpr double k_short = 0.02;
+    for (int k = 1; k < k_repeats && trial.seconds < k_short; ++k) {
+      Listeners none;
+      none.measures_drift = false;
+      trial.seconds = std::min(trial.seconds, simulate(prepared_, engine_, setting, none).cpu_seconds);
+    }
+    return trial;
+  }
+
+  /// Errors go with tolerances, and with powers of steps.
+  double factor(const Trial& trial, const Setting& setting) const {
+    constexpr double k_unknown = 0.1, k_safe = 0.6, k_most = 1e3;
+    if (!trial.why.empty() || !std::isfinite(trial.error.value)) return k_unknown;
+    const double ratio = k_safe * goal_ / std::max(trial.error.value, goal_ / k_most);
+    const double order = setting.step > 0 ? find_method(setting.method)->order : 1;
+    return std::pow(std::clamp(ratio, 1 / k_most, k_most), 1 / order);
+  }
+
+  const PreparedModel& prepared_;
+  const Engine& engine_;
+  const Rows& reference_;
+  double goal_;
+  Trial last_;
+};
+
+class Search {
+ public:
+  Search(const PreparedModel& prepared, Engines& engines, double error)
+      : prepared_(prepared), engines_(engines), error_(error) {}
+
+  std::optional<FoundSetting> run(std::string& why) {
+    auto reference = tight_run(prepared_, engines_, error_, why);
+    if (!reference) return std::nullopt;
+    found_.reference = std::move(reference->rows);
+    found_.reference_in_words = reference->in_words;
+    found_.agreement = reference->agreement;
+    if (!chooses_method(prepared_.scene)) {
+      try_in_numbers(prepared_.scene.method->text);
+    } else {
+      try_all();
+    }
+    if (found_.trials.empty()) {
+      why = fmt::format("no setting delivers an error of {:.1e}: {}", error_, said_of_last());
+      return std::nullopt;
+    }
+    found_.chosen = *std::min_element(found_.trials.begin(), found_.trials.end(),
+                                      [](const Trial& a, const Trial& b) { return a.seconds < b.seconds; });
+    return std::move(found_);
+  }
+
+ private:
+  const std::string& first_number() const {
+    static const std::string k_double = "double";
+    return prepared_.scene.number ? prepared_.scene.number->text : k_double;
+  }
+
+  void try_all() {
+    const Engine* const engine = engines_.of(first_number());
+    if (engine == nullptr) return;
+    const std::string usual = default_method(prepared_.model, *engine, scalar_of(first_number()));
+    std::vector<std::string> methods{usual};
+    if (usual != k_method_of_any_model) methods.emplace_back(k_method_of_any_model);
+    if (error_ >= k_few_digits) methods.emplace_back("dopri5");
+    for (const std::string& method : methods) try_in(method, first_number());
+    if (is_stiff()) {
+      for (const MethodInfo& method : gausssim::methods())
+        if (method.is_stiff && method.missing.empty()) try_in(method.name, first_number());
+    }
+    if (found_.trials.empty()) try_in_numbers(usual);
+  }
+
+  /// In more digits where fewer do not do.
+  void try_in_numbers(const std::string& method) {
+    for (const std::string& number : numbers_from(first_number(), method)) {
+      if (prepared_.scene.number && number != first_number()) return;
+      if (try_in(method, number)) return;
+    }
+  }
+
+  bool try_in(const std::string& method, const std::string& number) {
+    if (!computes_in(*find_method(method), number)) return false;
+    const Engine* const engine = engines_.of(number);
+    if (engine == nullptr) return false;
+    Setting setting;
+    setting.method = method;
+    setting.number = number;
+    setting.projection =
+        prepared_.scene.projection ? projection_of(prepared_.scene.projection->text) : default_projection(method);
+    constexpr double k_first = 0.1;  ///< of the error: errors of steps add up
+    constexpr double k_first_steps = 1000;
+    if (find_method(method)->takes_step) {
+      setting.step = prepared_.span.duration / k_first_steps;
+    } else {
+      setting.tolerance = std::max(k_first * error_, least_tolerance(number));
+    }
+    OneMethod one(prepared_, *engine, found_.reference, error_);
+    const auto trial = one.run(setting, best_);
+    if (!trial) return last_ = one.last(), false;
+    best_ = std::min(best_, trial->seconds);
+    found_.trials.push_back(*trial);
+    return true;
+  }
+
+  /// Steps are as long as stability allows, and not as the tolerance does.
+  bool is_stiff() {
+    const Engine* const engine = engines_.of("double");
+    if (engine == nullptr) return false;
+    Setting setting;
+    setting.method = k_method_of_any_model;
+    setting.projection = default_projection(setting.method);
+    constexpr double k_loose = 1e-3, k_tight = 1e-6, k_alike = 0.75;  ///< of order 8: 0.42 where accuracy decides
+    setting.tolerance = k_loose;
+    const Simulated loose = simulate(one_way(), *engine, setting, quiet());
+    setting.tolerance = k_tight;
+    const Simulated tight = simulate(one_way(), *engine, setting, quiet());
+    const long steps = std::max(loose.steps + loose.rejected, 1L), all = std::max(tight.steps + tight.rejected, 1L);
+    return static_cast<double>(steps) > k_alike * static_cast<double>(all);
+  }
+
+  /// Without samples, which shorten steps.
+  PreparedModel one_way() const {
+    PreparedModel model = prepared_;
+    model.span.samples = 2;
+    return model;
+  }
+  static Listeners quiet() {
+    Listeners none;
+    none.measures_drift = false;
+    return none;
+  }
+
+  std::string said_of_last() const {
+    if (!last_.why.empty()) return last_.why;
+    return fmt::format("{} in {} at tolerance {:.0e} is off by {:.1e}, in {}", last_.setting.method,
+                       last_.setting.number, last_.setting.tolerance, last_.error.value, last_.error.output);
+  }
+
+  const PreparedModel& prepared_;
+  Engines& engines_;
+  double error_;
+  double best_ = std::numeric_limits<double>::infinity();
+  FoundSetting found_;
+  Trial last_;
+};
+
+}  // namespace
+
+std::optional<FoundSetting> find_setting(const PreparedModel& prepared, Engines& engines, double error,
+                                         std::string& why) {
+  return Search(prepared, engines, error).run(why);
+}
+
+}  // namespace gausssim

@@ -1,0 +1,16 @@
+#pragma once
+// The cheapest setting that delivers an error.
+
+#include <optional>
+#include <string>
+
+#include "sim/run/found_setting.hpp"
+
+namespace gausssim {
+
+/// Tries the methods that come into question, each at the loosest tolerance that delivers half of `error` against a tight run; in more digits where double cannot deliver it.
+/// A method or number type that the scene names is taken as it is. Nothing: `why`.
+std::optional<FoundSetting> find_setting(const PreparedModel& prepared, Engines& engines, double error,
+                                         std::string& why);
+
+}  // namespace gausssim

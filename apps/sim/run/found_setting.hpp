@@ -1,0 +1,34 @@
+#pragma once
+// A setting that was found for an error that somebody accepts, and what says so.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/run/engines.hpp"
+#include "sim/run/error_estimate.hpp"
+
+namespace gausssim {
+
+/// A setting that was tried.
+struct Trial {
+  Setting setting;
+  DeliveredError error;
+  double seconds = 0;  ///< of the processor, for one run
+  std::string why;     ///< there was no motion
+};
+
+struct FoundSetting {
+  Trial chosen;
+  std::vector<Trial> trials;  ///< the best of each method that came into question
+  Rows reference{0, 0};       ///< of a tighter run, which another one agrees with
+  std::string reference_in_words;
+  double agreement = 0;  ///< of the two
+};
+
+/// The cheapest setting that delivers `error` in all outputs, as `advise` finds it. Nothing: `why`.
+using FindSetting = std::function<std::optional<FoundSetting>(const PreparedModel& prepared, Engines& engines,
+                                                              double error, std::string& why)>;
+
+}  // namespace gausssim

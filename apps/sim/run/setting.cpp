@@ -1,0 +1,47 @@
+#include "sim/run/setting.hpp"
+
+#include "sim/model/layout.hpp"
+#include "sim/run/build_engine.hpp"
+
+namespace gausssim {
+
+std::string default_method(const Described& model, const Engine& engine, const std::string& scalar) {
+  const bool has_series = static_cast<bool>(engine.find("series_begin", scalar));
+  return find_function(model.tree, "taylor") != nullptr && has_series ? "taylor" : k_method_of_any_model;
+}
+
+Projection default_projection(const std::string& method) {
+  return find_method(method)->projects ? Projection::full : Projection::off;
+}
+
+bool chooses_method(const Scene& scene) { return !scene.method || scene.method->text == "auto"; }
+
+Setting setting_of(const PreparedModel& prepared, const Engine& engine) {
+  const Scene& scene = prepared.scene;
+  Setting setting;
+  if (scene.number) setting.number = scene.number->text;
+  setting.method =
+      chooses_method(scene) ? default_method(prepared.model, engine, scalar_of(setting.number)) : scene.method->text;
+  setting.projection = scene.projection ? projection_of(scene.projection->text) : default_projection(setting.method);
+  if (find_method(setting.method)->takes_step) {
+    setting.step = scene.step.value_or(prepared.span.duration / k_default_steps);
+  } else {
+    setting.tolerance = scene.tolerance.value_or(k_default_tolerance);
+  }
+  return setting;
+}
+
+Setting default_setting(const PreparedModel& prepared, const Engine& engine) {
+  Setting setting;
+  setting.method = default_method(prepared.model, engine, scalar_of(setting.number));
+  setting.projection = default_projection(setting.method);
+  setting.tolerance = k_default_tolerance;
+  return setting;
+}
+
+bool computes_in(const MethodInfo& method, const std::string& number) {
+  if (number == "float128") return method.name == "taylor";
+  return number == "double" || (number == "float" ? method.has_float : method.has_long_double);
+}
+
+}  // namespace gausssim

@@ -1,0 +1,31 @@
+#pragma once
+// What a run does where nobody says anything.
+
+#include <string>
+
+#include "sim/run/simulate.hpp"
+
+namespace gausssim {
+
+constexpr double k_default_tolerance = 1e-9;
+constexpr double k_default_steps = 10'000;  ///< of one length, in a run
+constexpr const char* k_method_of_any_model = "prince87";
+
+/// Series where the model has them.
+std::string default_method(const Described& model, const Engine& engine, const std::string& scalar);
+
+Projection default_projection(const std::string& method);
+
+/// Whether the scene leaves it to us.
+bool chooses_method(const Scene& scene);
+
+/// As the scene says; what it does not say is the default.
+Setting setting_of(const PreparedModel& prepared, const Engine& engine);
+
+/// Of a scene that says nothing.
+Setting default_setting(const PreparedModel& prepared, const Engine& engine);
+
+/// Whether a method is made for a number type, as scenes call it.
+bool computes_in(const MethodInfo& method, const std::string& number);
+
+}  // namespace gausssim

@@ -1,0 +1,95 @@
+#include "sim/study/closed_form.hpp"
+
+#include <quadmath.h>
+
+#include <array>
+
+#include "sim/model/layout.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace model = gaussgen::model;
+using Values = std::map<std::string, Quad>;
+
+Quad value_of(const gaussgen::support::Integer& number) {
+  return ::strtoflt128(gaussgen::support::to_text(gaussgen::support::Rational(number)).c_str(), nullptr);
+}
+
+Quad value_of(const gaussgen::support::Rational& number) {
+  return value_of(cln::numerator(number)) / value_of(cln::denominator(number));
+}
+
+using Unary = Quad (*)(Quad);
+
+const std::map<std::string, Unary>& unary_functions() {
+  static const std::map<std::string, Unary> k_functions{
+      {"sin", ::sinq},   {"cos", ::cosq},   {"tan", ::tanq}, {"asin", ::asinq}, {"acos", ::acosq},
+      {"atan", ::atanq}, {"exp", ::expq},   {"log", ::logq}, {"sqrt", ::sqrtq}, {"sinh", ::sinhq},
+      {"cosh", ::coshq}, {"tanh", ::tanhq}, {"abs", ::fabsq}};
+  return k_functions;
+}
+
+Quad nothing() { return ::nanq(""); }
+
+Quad evaluate(const model::Ast& ast, const Values& values);
+
+Quad call(const model::Ast& ast, const Values& values) {
+  const Quad first = evaluate(ast.children[0], values);
+  if (ast.name == "atan2") return ::atan2q(first, evaluate(ast.children[1], values));
+  const auto function = unary_functions().find(ast.name);
+  return function == unary_functions().end() ? nothing() : function->second(first);
+}
+
+Quad combined(const model::Ast& ast, const Values& values) {
+  const bool is_sum = ast.kind == model::AstKind::sum;
+  Quad result = is_sum ? 0 : 1;
+  for (const model::Ast& child : ast.children) {
+    const Quad value = evaluate(child, values);
+    result = is_sum ? result + value : result * value;
+  }
+  return result;
+}
+
+Quad evaluate(const model::Ast& ast, const Values& values) {
+  switch (ast.kind) {
+    case model::AstKind::number: return value_of(ast.number);
+    case model::AstKind::symbol: {
+      const auto found = values.find(ast.name);
+      return found == values.end() ? nothing() : found->second;
+    }
+    case model::AstKind::negate: return -evaluate(ast.children[0], values);
+    case model::AstKind::reciprocal: return 1 / evaluate(ast.children[0], values);
+    case model::AstKind::power: return ::powq(evaluate(ast.children[0], values), evaluate(ast.children[1], values));
+    case model::AstKind::sum:
+    case model::AstKind::product: return combined(ast, values);
+    case model::AstKind::call: return call(ast, values);
+    default: return nothing();
+  }
+}
+
+}  // namespace
+
+ClosedForms::ClosedForms(const Scene& scene, std::map<std::string, Quad> parameters) : values_(std::move(parameters)) {
+  for (const Given& form : scene.exact) forms_.emplace(form.name, form.value);
+  values_["pi"] = ::acosq(-1);
+}
+
+Quad ClosedForms::at(const std::string& column, Quad t) const {
+  Values values = values_;
+  values["t"] = t;
+  return evaluate(forms_.at(column), values);
+}
+
+ClosedForms closed_forms_of(const PreparedModel& prepared, const Engine& engine) {
+  Values values;
+  const auto slots = layout_of(prepared.model.tree, "Parameters");
+  std::vector<Quad> numbers(slots.size() + 1, Quad(0));
+  std::array<void*, 1> arguments{numbers.data()};
+  if (const Entry parameters = engine.find("parameters", scalar_name<Quad>())) parameters(arguments.data());
+  for (std::size_t i = 0; i < slots.size(); ++i) values[slots[i].name] = numbers[i];
+  return ClosedForms(prepared.scene, std::move(values));
+}
+
+}  // namespace gausssim

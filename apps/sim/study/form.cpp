@@ -1,0 +1,109 @@
+#include "sim/study/form.hpp"
+
+#include <algorithm>
+#include <future>
+#include <set>
+
+#include "cli/exit_codes.hpp"
+#include "sim/engine/plugin_text.hpp"
+#include "sim/scene/choices.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace cli = gaussgen::cli;
+
+/// What the study looks at, or methods like to have, where a model has it.
+const std::vector<std::string>& welcome_outputs() {
+  static const std::vector<std::string> k_outputs{"jacobian", "poses", "reaction_forces", "joint_reactions"};
+  return k_outputs;
+}
+
+class Collector {
+ public:
+  Collector(std::string file, const cli::MessageOptions& messages, int& code)
+      : file_(std::move(file)), messages_(messages), code_(code) {}
+
+  std::vector<Form> all() {
+    Request own = request();
+    own.where_possible = welcome_outputs();
+    auto first = prepare(
+        own, [](Scene&) {}, code_);
+    if (!first) return {};
+    const Scene scene = first->scene;
+    texts_.insert(text_of(*first));
+    forms_.push_back(
+        {scene.form, "optimised", std::move(*first), {"double", "float", "long double", "__float128"}, nullptr, {}});
+    for (const GivenForm& form : scene.forms) {
+      Request other = request();
+      other.form = form.name.text;
+      if (!add(other, form.name.text, "optimised", nullptr)) return {};
+    }
+    // What a strategy does not suit is told as it would be to a user; here it is no error.
+    if (!scene.strategy) {
+      for (const std::string& strategy : strategy_names())
+        add_quietly(scene.form + ", " + strategy, "optimised", Code::optimised, strategy);
+    }
+    add_quietly(scene.form, "expanded", Code::expanded, "");
+    add_quietly(scene.form, "folded", Code::folded, "");
+    build_all();
+    return std::move(forms_);
+  }
+
+ private:
+  Request request() const { return {file_, {}, {}, messages_}; }
+
+  static std::string text_of(const PreparedModel& model) { return plugin_text(model.model.tree, {{}, {}}); }
+
+  bool add(const Request& request, const std::string& formulation, const std::string& code,
+           const std::string* strategy) {
+    auto prepared = prepare(
+        request,
+        [&](Scene& scene) {
+          if (strategy != nullptr) scene.strategy = Word{*strategy, {}};
+        },
+        code_);
+    if (!prepared) return false;
+    if (texts_.insert(text_of(*prepared)).second)
+      forms_.push_back({formulation, code, std::move(*prepared), {"double"}, nullptr, {}});
+    return true;
+  }
+
+  void add_quietly(const std::string& formulation, const std::string& code, Code how, const std::string& strategy) {
+    Request other = request();
+    other.code = how;
+    other.messages.is_silent = true;
+    const int before = code_;
+    add(other, formulation, code, strategy.empty() ? nullptr : &strategy);
+    code_ = before;
+  }
+
+  /// A compiler is a process: as many at a time as there are forms.
+  void build_all() {
+    std::vector<std::future<void>> builds;
+    for (Form& form : forms_) {
+      builds.push_back(std::async(std::launch::async, [&form] {
+        form.engine = build_engine(form.model, EngineChoice::compiled, form.scalars, form.times, form.why);
+      }));
+    }
+    for (std::future<void>& build : builds) build.get();
+    if (forms_.front().engine) return;
+    code_ = cli::fail(forms_.front().why, cli::k_file_error, messages_);
+    forms_.clear();
+  }
+
+  std::string file_;
+  const cli::MessageOptions& messages_;
+  int& code_;
+  std::vector<Form> forms_;
+  std::set<std::string> texts_;
+};
+
+}  // namespace
+
+std::vector<Form> forms_of(const std::string& file, const cli::MessageOptions& messages, int& code) {
+  return Collector(file, messages, code).all();
+}
+
+}  // namespace gausssim
