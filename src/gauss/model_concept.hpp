@@ -1,4 +1,3 @@
-#pragma once
 // What a driver (integrator, simulator, table printer) may rely on in every emitted model.
 // SPDX-License-Identifier: MIT-0
 //
@@ -7,6 +6,9 @@
 //     GAUSS_MODEL(Pendulum, gauss::pendulum);
 //     static_assert(gauss::is_model<Pendulum, double>);
 //     gauss::Status s = Pendulum::rhs(t, state, inputs, prepared, derivative);
+
+#ifndef GAUSS_MODEL_CONCEPT_HPP
+#define GAUSS_MODEL_CONCEPT_HPP
 
 #include <type_traits>
 #include <utility>
@@ -83,3 +85,5 @@ inline constexpr bool is_model = concept_detail::IsModel<M, S>::value;
       return name_space::rhs(t, state, inputs, prepared, derivative);                                                 \
     }                                                                                                                 \
   }
+
+#endif  // GAUSS_MODEL_CONCEPT_HPP

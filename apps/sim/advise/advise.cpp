@@ -11,6 +11,7 @@
 #include "sim/advise/from_study.hpp"
 #include "sim/advise/search.hpp"
 #include "sim/run/setting.hpp"
+#include "sim/scene/choices.hpp"
 
 namespace gausssim {
 
@@ -18,13 +19,6 @@ namespace {
 
 namespace cli = gaussgen::cli;
 using Json = nlohmann::ordered_json;
-
-const char* name_of(Projection projection) {
-  for (const auto& [name, how] : k_projections) {
-    if (how == projection) return name;
-  }
-  return "";
-}
 
 StudyPoint point_of(const Trial& trial) {
   const Setting& setting = trial.setting;
@@ -47,8 +41,7 @@ std::string as_scene(const StudyPoint& point, const std::string& own_form) {
   text += fmt::format("number: {}\nprojection: {}\n", point.number, point.projection);
   if (!point.formulation.empty() && point.formulation != own_form)
     text += fmt::format("# formulation: {} (as under 'formulations' of the scene)\n", point.formulation);
-  if (point.code == "folded" || point.code == "expanded")
-    text += fmt::format("# code: {} (of gauss-gen; a run takes optimised code)\n", point.code);
+  if (!point.code.empty() && point.code != code_names().front()) text += fmt::format("code: {}\n", point.code);
   return text;
 }
 
@@ -89,13 +82,14 @@ int advise(const AdviseOptions& options) {
   const auto prepared = prepare(
       request, [](Scene&) {}, code);
   if (!prepared) return code;
+  std::string why;
   if (!options.study.empty()) {
-    const StudyPoint best = cheapest_in_study(options.study, name_of(*prepared), options.error);
+    const StudyPoint best = cheapest_in_study(options.study, name_of(*prepared), options.error, why);
+    if (!why.empty()) return cli::fail(why, cli::k_not_delivered, options.messages);
     write(options, best, {}, "by " + std::filesystem::path(options.study).filename().string(), prepared->scene.form);
     return cli::k_ok;
   }
   Engines engines(*prepared, EngineChoice::automatic);
-  std::string why;
   const auto found = find_setting(*prepared, engines, options.error, why);
   if (!found) return cli::fail(why, cli::k_not_delivered, options.messages);
   std::vector<StudyPoint> tried;

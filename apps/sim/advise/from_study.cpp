@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "cli/files.hpp"
-#include "cli/usage_error.hpp"
 
 namespace gausssim {
 
@@ -46,7 +45,7 @@ Json read(const std::string& path) {
 
 }  // namespace
 
-StudyPoint cheapest_in_study(const std::string& path, const std::string& name, double error) {
+StudyPoint cheapest_in_study(const std::string& path, const std::string& name, double error, std::string& why) {
   const Json study = read(path);
   double least_error = std::numeric_limits<double>::infinity();
   StudyPoint best;
@@ -64,9 +63,8 @@ StudyPoint cheapest_in_study(const std::string& path, const std::string& name, d
   }
   if (!is_known) throw cli::FileError(fmt::format("{} has no problem '{}'", path, name));
   if (best.method.empty())
-    throw cli::UsageError(
-        fmt::format("no run of the study delivers an error of {:.1e} with a margin of two; the best has {:.1e}", error,
-                    least_error));
+    why = fmt::format("no run of the study delivers an error of {:.1e} with a margin of two; the best has {:.1e}",
+                      error, least_error);
   return best;
 }
 

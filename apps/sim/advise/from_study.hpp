@@ -12,8 +12,8 @@ struct StudyPoint {
   double tolerance = 0, step = 0, error = 0, seconds = 0;
 };
 
-/// The cheapest point of the problem `name` that delivered `error` with a margin of two. Throws cli::FileError where the file is no study or lacks the problem; nothing delivered
-/// it: cli::UsageError says what was closest.
-StudyPoint cheapest_in_study(const std::string& path, const std::string& name, double error);
+/// The cheapest point of the problem `name` that delivered `error` with a margin of two. Nothing delivered it: `why`. Throws cli::FileError where the file is no study or lacks
+/// the problem.
+StudyPoint cheapest_in_study(const std::string& path, const std::string& name, double error, std::string& why);
 
 }  // namespace gausssim

@@ -107,10 +107,4 @@ std::vector<std::string> numbers_from(const std::string& first, const std::strin
   return numbers;
 }
 
-double least_tolerance(const std::string& number) {
-  if (number == "float") return 1e-7;
-  if (number == "double") return 1e-15;
-  return number == "long-double" ? 1e-18 : 1e-32;
-}
-
 }  // namespace gausssim

@@ -32,7 +32,4 @@ std::optional<TightRun> tight_run(const PreparedModel& prepared, Engines& engine
 /// The number types that a method may be run in, those of fewest digits first.
 std::vector<std::string> numbers_from(const std::string& first, const std::string& method);
 
-/// The smallest tolerance that means anything in a number type.
-double least_tolerance(const std::string& number);
-
 }  // namespace gausssim

@@ -13,11 +13,17 @@ namespace gausssim {
 
 namespace {
 
-constexpr double k_margin = 0.5;       ///< of what is asked for
-constexpr double k_close = 0.1;        ///< of it: looser is not looked for
-constexpr int k_most_trials = 7;       ///< of a method
+constexpr double k_margin = 0.5;  ///< of what is asked for
+constexpr double k_close = 0.1;   ///< of it: looser is not looked for
+constexpr int k_most_trials = 7;  ///< of a method
+constexpr double k_digits_of_float = 1e-4;
 constexpr double k_few_digits = 1e-5;  ///< from here on methods of low order are tried
-constexpr double k_hopeless = 3;       ///< times the best so far, at a looser tolerance
+/// As somebody would write it.
+double two_digits(double value) { return std::stod(fmt::format("{:.1e}", value)); }
+
+constexpr double k_beaten =
+    10;  ///< times the best so far, where it delivers: looser tolerances will not make up for that
+constexpr double k_hopeless = 3;  ///< times the best so far, at a looser tolerance
 
 /// The loosest tolerance of one method in one number type that delivers.
 class OneMethod {
@@ -35,12 +41,12 @@ class OneMethod {
       Trial trial = tried(setting);
       last_ = trial;
       const bool delivers = trial.why.empty() && trial.error.value <= goal_;
-      if (!delivers && trial.why.empty() && trial.seconds > k_hopeless * best) break;
+      if (trial.seconds > (delivers ? k_beaten : k_hopeless) * best) break;
       if (!delivers && knob <= least) break;
       if (delivers && (!found || trial.seconds < found->seconds)) found = trial;
       if (delivers && trial.error.value >= k_close * goal_) break;
       if (!delivers) loosest_failing = std::min(loosest_failing, knob);
-      const double next = std::max(knob * factor(trial, setting), least);
+      const double next = std::max(two_digits(knob * factor(trial, setting)), least);
       if (delivers && next >= loosest_failing) break;
       knob = next;
     }
@@ -120,6 +126,9 @@ class Search {
     if (usual != k_method_of_any_model) methods.emplace_back(k_method_of_any_model);
     if (error_ >= k_few_digits) methods.emplace_back("dopri5");
     for (const std::string& method : methods) try_in(method, first_number());
+    if (error_ >= k_digits_of_float && !prepared_.scene.number) {
+      for (const std::string& method : methods) try_in(method, "float");
+    }
     if (is_stiff()) {
       for (const MethodInfo& method : gausssim::methods())
         if (method.is_stiff && method.missing.empty()) try_in(method.name, first_number());
@@ -166,7 +175,7 @@ class Search {
     Setting setting;
     setting.method = k_method_of_any_model;
     setting.projection = default_projection(setting.method);
-    constexpr double k_loose = 1e-3, k_tight = 1e-6, k_alike = 0.75;  ///< of order 8: 0.42 where accuracy decides
+    constexpr double k_loose = 1e-3, k_tight = 1e-6, k_alike = 0.9;  ///< of order 8: 0.42 where accuracy decides
     setting.tolerance = k_loose;
     const Simulated loose = simulate(one_way(), *engine, setting, quiet());
     setting.tolerance = k_tight;

@@ -48,6 +48,9 @@ void add_run(CLI::App& app, RunOptions& options) {
   run->add_option("--strategy", options.strategy, "how Z is minimised, as in gauss-gen")
       ->check(CLI::IsMember(strategy_names()))
       ->type_name("NAME");
+  run->add_option("--code", options.code, "how equations are written out")
+      ->check(CLI::IsMember(code_names()))
+      ->type_name("HOW");
   run->add_option("--engine", options.engine, "how functions are executed")
       ->check(CLI::IsMember(engine_names()))
       ->type_name("NAME");
@@ -81,6 +84,12 @@ void add_study(CLI::App& app, StudyOptions& options) {
   study->add_option("FILE", options.files, "scenes or models, a problem each")->required();
   study->add_option("-o,--output", options.output, "path of what is written, without its ending; default study")
       ->type_name("PATH");
+  study
+      ->add_option("--methods", options.methods,
+                   "these methods alone, of the scene as it is, in double, with commas between")
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::vector<std::string>(method_names().begin() + 1, method_names().end())))
+      ->type_name("LIST");
   study->add_option("--budget", options.budget, "seconds for each problem, default 60")
       ->type_name("S")
       ->check(CLI::PositiveNumber);

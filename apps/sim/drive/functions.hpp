@@ -78,6 +78,13 @@ struct SeriesEntries {
   explicit operator bool() const { return begin && advance && tell && end; }
 };
 
+/// Rates whose constraints pull themselves back to zero, of a plugin (engine/gains_glue.hpp).
+struct GainsEntries {
+  Entry begin, rates, end;
+
+  explicit operator bool() const { return begin && rates && end; }
+};
+
 /// What integrators call, with all that it needs. Shared by their copies of a model.
 template <class S>
 struct Functions {
@@ -85,6 +92,7 @@ struct Functions {
   std::vector<S> prepared, inputs;
   std::vector<std::string> units;  ///< of the components of a state
   SeriesEntries series;
+  GainsEntries gains;
   Callable<S> rates, projection, positions, speeds, energy, residuals, jacobian;
   EnergyLayout energy_layout;
   JacobianLayout jacobian_layout;

@@ -80,7 +80,10 @@ class MotionModel {
     result.level_ = is_known ? found.total : std::numeric_limits<S>::quiet_NaN();
     return result;
   }
-  bool projects() const { return how_ != Projection::off && (functions_->projection || how_ == Projection::energy); }
+  bool projects() const {
+    return how_ != Projection::off && how_ != Projection::gains &&
+           (functions_->projection || how_ == Projection::energy);
+  }
 
   /// As it was chosen; a model without any constraints stays where it is.
   Status projection(const S& t, State& state) const {

@@ -69,6 +69,7 @@ std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model)
   };
   const auto entry = [&](const char* name) { return engine.find(name, scalar_name<S>()); };
   functions->series = {entry("series_begin"), entry("series_advance"), entry("series_tell"), entry("series_end")};
+  functions->gains = {entry("gains_begin"), entry("gains_rates"), entry("gains_end")};
   functions->rates = bound("rhs");
   functions->projection = bound("project");
   functions->positions = bound("project_positions");

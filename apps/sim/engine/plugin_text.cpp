@@ -79,6 +79,39 @@ std::string series_entries(const std::string& name_space, const std::string& sca
   return text;
 }
 
+std::string length_of(const cpp::Struct& type, const std::string& member) {
+  for (const cpp::Member& one : type.members)
+    if (one.name == member && one.shape.size() == 1) return one.shape.front();
+  return "";
+}
+
+/// The struct with the metric; empty where the header has none, or no rows to be pulled, or equations of positions beside constraints of velocities alone: nothing says there
+/// which rows are which.
+std::string metric_for_gains(const cpp::File& tree) {
+  const cpp::Struct* const residuals = find_struct(tree, "Residuals");
+  if (residuals == nullptr) return "";
+  const std::string rows = length_of(*residuals, "velocity"), positions = length_of(*residuals, "position");
+  if (rows.empty() || (!positions.empty() && positions != rows)) return "";
+  for (const char* const type : {"LinearSystem", "MassMatrix"})
+    if (find_struct(tree, type) != nullptr) return type;
+  return "";
+}
+
+/// Rates with gains.
+std::string gains_entries(const std::string& name_space, const std::string& scalar, const std::string& metric,
+                          int usual_rank) {
+  const std::string type =
+      fmt::format("gauss_sim_glue::PulledBack<GaussSimModel, {0}, ::{1}::Residuals<{0}>, ::{1}::{2}<{0}>>", scalar,
+                  name_space, metric);
+  const auto entry = [&](const char* name, const std::string& self, const std::string& call) {
+    return fmt::format(
+        "extern \"C\" GAUSS_SIM_VISIBLE int {}(const void*{}, void* const* a) {{\n  return {}::{};\n}}\n",
+        entry_symbol(name, scalar), self, type, call);
+  };
+  return entry("gains_begin", "", fmt::format("begin({}, a)", usual_rank)) +
+         entry("gains_rates", " self", "rates(self, a)") + entry("gains_end", "", "end(a)");
+}
+
 }  // namespace
 
 bool uses_quad(const PluginRequest& request) {
@@ -101,13 +134,17 @@ std::string plugin_text(cpp::File tree, const PluginRequest& request) {
   text += "\n#define GAUSS_SIM_VISIBLE __attribute__((visibility(\"default\")))\n\n";
   if (uses_quad(request)) text += quad_runtime();
   const bool has_series = find_function(tree, "taylor") != nullptr;
-  if (has_series) text += std::string(series_runtime()) + "\nGAUSS_MODEL(GaussSimModel, ::" + tree.name_space + ");\n";
+  const std::string metric = request.usual_rank ? metric_for_gains(tree) : "";
+  if (has_series) text += series_runtime();
+  if (!metric.empty()) text += gains_runtime();
+  if (has_series || !metric.empty()) text += "\nGAUSS_MODEL(GaussSimModel, ::" + tree.name_space + ");\n";
   std::vector<std::string> names;
   for (const std::string& name : request.functions) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   for (const std::string& scalar : request.scalars) {
     if (has_series) text += series_entries(tree.name_space, scalar);
+    if (!metric.empty()) text += gains_entries(tree.name_space, scalar, metric, *request.usual_rank);
     for (const std::string& name : names) {
       if (const cpp::Function* const function = find_function(tree, name))
         text += entry(*function, tree.name_space, scalar);

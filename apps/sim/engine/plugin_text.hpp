@@ -1,6 +1,7 @@
 #pragma once
 // The C++ file that is compiled for a run: functions of an emitted header behind symbols that can be looked up.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,8 @@ namespace gausssim {
 struct PluginRequest {
   std::vector<std::string> functions;  ///< of the header; those that it lacks are left out
   std::vector<std::string> scalars;    ///< float, double, long double
+  std::optional<int> usual_rank =
+      {};  ///< of the constraints; given: gains are wanted, where the header has what they need
 };
 
 /// It is linked with libquadmath then.
@@ -25,6 +28,8 @@ std::string entry_symbol(const std::string& function, const std::string& scalar)
 
 /// The headers of src/gauss/ that steps by power series need, and engine/taylor_glue.hpp.
 std::string_view series_runtime();
+/// The headers of src/gauss/ that gains need, and engine/gains_glue.hpp.
+std::string_view gains_runtime();
 /// What __float128 needs.
 std::string_view quad_runtime();
 

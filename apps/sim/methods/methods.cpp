@@ -27,6 +27,8 @@ template <class S>
 std::string why_not_projected(const Functions<S>& functions, Projection how) {
   if (how == Projection::positions && !functions.positions) return "the model has no equations of positions";
   if (how == Projection::velocities && !functions.projection) return "the model has no constraints";
+  if (how == Projection::gains && !functions.gains)
+    return "gains are for compiled models with constraints, all of positions or all of velocities";
   if (how == Projection::energy && !(functions.energy && functions.energy_layout.is_conserved))
     return "the energy of the model may change: it has dampers, inputs, laws in time or forces without a potential";
   return {};

@@ -5,6 +5,17 @@
 
 namespace gausssim {
 
+namespace {
+
+/// Of the constraints: all of them where the equations have no second way.
+int usual_rank_of(const gaussgen::emit::Unit& unit) {
+  for (const gaussgen::emit::Artefact& artefact : unit.artefacts)
+    if (artefact.name == "rhs" && artefact.ways) return artefact.ways->usual_rank;
+  return static_cast<int>(unit.constraints.size());
+}
+
+}  // namespace
+
 std::string scalar_of(const std::string& number) {
   return number == "long-double" ? "long double" : number == "float128" ? "__float128" : number;
 }
@@ -24,6 +35,7 @@ std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice
                        "project_speeds", "energy", "residuals", "jacobian"};
   for (const SampledFunction& function : prepared.columns.functions) request.functions.push_back(function.function);
   request.scalars = scalars;
+  if (prepared.wants_gains) request.usual_rank = usual_rank_of(prepared.model.unit);
   if (uses_quad(request)) toolchain->libraries.push_back("-lquadmath");
   const Built built = build_plugin(plugin_text(prepared.model.tree, request), *toolchain);
   times = {built.compile_seconds, built.was_cached};

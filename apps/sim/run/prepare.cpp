@@ -213,8 +213,8 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
   Source source = has_scene ? cli::read_source(result.model_file) : scene_source;
 
   gaussgen::PipelineOptions options;
-  options.fold = request.code == Code::folded;
-  options.plain = request.code == Code::expanded;
+  options.fold = result.scene.code && result.scene.code->text == "folded";
+  options.plain = result.scene.code && result.scene.code->text == "expanded";
   options.where_possible = request.where_possible;
   options.counts = result.scene.counts;
   options.strategy = strategy_of(result.scene);
@@ -222,6 +222,10 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
   for (const char* const output : {"initial_state", "project", "energy", "residuals"})
     options.outputs.push_back(output);
   options.outputs.insert(options.outputs.end(), request.also.begin(), request.also.end());
+  const bool uses_gains = result.scene.projection && result.scene.projection->text == "gains";
+  if (uses_gains) options.where_possible.push_back("mass_matrix");
+  const auto& welcome = options.where_possible;
+  result.wants_gains = std::find(welcome.begin(), welcome.end(), "mass_matrix") != welcome.end();
   const std::string method = result.scene.method ? result.scene.method->text : "auto";
   if (method == "taylor") options.outputs.push_back("taylor");
   if (method == "auto") options.where_possible.push_back("taylor");

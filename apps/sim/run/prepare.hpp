@@ -13,13 +13,6 @@
 
 namespace gausssim {
 
-/// How the equations are written out.
-enum class Code {
-  optimised,
-  expanded,  ///< values as they were derived, in more operations
-  folded,    ///< values of parameters are numbers in it
-};
-
 /// What the command line says beside the file.
 struct Request {
   std::string file;               ///< a scene or a model
@@ -28,7 +21,6 @@ struct Request {
   gaussgen::cli::MessageOptions messages;
   std::vector<std::string> where_possible = {};  ///< outputs that are left out without a word where the model has none
   std::string form = {};                         ///< one of the scene's `formulations`; empty: the scene itself
-  Code code = Code::optimised;
 };
 
 struct Span {
@@ -43,7 +35,8 @@ struct PreparedModel {
   Span span;
   std::string model_file;
   double generate_seconds = 0;
-  int operations = 0;  ///< of the rates
+  int operations = 0;        ///< of the rates
+  bool wants_gains = false;  ///< the projection `gains` may be asked for
 };
 
 /// Reads the file; `change` may alter the scene before the model is read, as options do. Nothing after an error, which is reported: `code` is the exit code. Throws

@@ -37,6 +37,7 @@ void apply(const RunOptions& options, Scene& scene) {
   word(options.projection, scene.projection);
   word(options.strategy, scene.strategy);
   word(options.engine, scene.engine);
+  word(options.code, scene.code);
   const auto value = [](const char* option, const std::string& text, std::optional<gaussgen::model::Ast>& to) {
     if (text.empty()) return;
     to = cli::parse_value(option, text);

@@ -14,8 +14,8 @@ struct RunOptions {
   std::string file;
   std::string output;  ///< CSV; empty: <name>.csv in the working folder; "-": standard output
   std::vector<std::string> sets, outputs;
-  std::string method, number, projection, strategy, engine;  ///< empty: those of the scene
-  std::string start, duration, every;                        ///< expressions
+  std::string method, number, projection, strategy, engine, code;  ///< empty: those of the scene
+  std::string start, duration, every;                              ///< expressions
   std::optional<double> tolerance, step, error;
   std::optional<long> samples;
   bool quiet = false;

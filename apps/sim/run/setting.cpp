@@ -23,6 +23,7 @@ Setting setting_of(const PreparedModel& prepared, const Engine& engine) {
   setting.method =
       chooses_method(scene) ? default_method(prepared.model, engine, scalar_of(setting.number)) : scene.method->text;
   setting.projection = scene.projection ? projection_of(scene.projection->text) : default_projection(setting.method);
+  setting.gain = scene.gain.value_or(setting.gain);
   if (find_method(setting.method)->takes_step) {
     setting.step = scene.step.value_or(prepared.span.duration / k_default_steps);
   } else {
@@ -42,6 +43,12 @@ Setting default_setting(const PreparedModel& prepared, const Engine& engine) {
 bool computes_in(const MethodInfo& method, const std::string& number) {
   if (number == "float128") return method.name == "taylor";
   return number == "double" || (number == "float" ? method.has_float : method.has_long_double);
+}
+
+double least_tolerance(const std::string& number) {
+  if (number == "float") return 1e-7;
+  if (number == "double") return 1e-15;
+  return number == "long-double" ? 1e-18 : 1e-32;
 }
 
 }  // namespace gausssim

@@ -28,4 +28,7 @@ Setting default_setting(const PreparedModel& prepared, const Engine& engine);
 /// Whether a method is made for a number type, as scenes call it.
 bool computes_in(const MethodInfo& method, const std::string& number);
 
+/// The smallest tolerance that means anything in a number type.
+double least_tolerance(const std::string& number);
+
 }  // namespace gausssim

@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "gauss/integrate/step_result.hpp"
+#include "sim/drive/gains.hpp"
 #include "sim/drive/quad.hpp"
 #include "sim/output/csv.hpp"
 #include "sim/run/interruption.hpp"
@@ -31,6 +32,9 @@ class Simulator {
         setting_(setting),
         listeners_(listeners),
         functions_(bind<S>(engine, prepared.model)),
+        pulled_(setting.projection == Projection::gains && functions_->gains
+                    ? std::make_unique<PulledRates<S>>(*functions_, S(setting.gain))
+                    : nullptr),
         model_(functions_),
         grid_{S(prepared.span.start), S(prepared.span.start) + S(prepared.span.duration), prepared.span.samples},
         sampler_(engine, prepared.model, prepared.columns, *functions_),
@@ -120,6 +124,7 @@ class Simulator {
   const Setting& setting_;
   const Listeners& listeners_;
   std::shared_ptr<Functions<S>> functions_;
+  std::unique_ptr<PulledRates<S>> pulled_;
   MotionModel<S> model_;
   Grid<S> grid_;
   Sampler<S> sampler_;

@@ -18,6 +18,7 @@ struct Setting {
   double tolerance = 0, step = 0;  ///< one of the two, as the method takes it; 0: the other
   double longest_step = 0;         ///< 0: any
   Projection projection = Projection::full;
+  double gain = 10;  ///< 1/s, of projection `gains`
 };
 
 struct Simulated {

@@ -36,6 +36,11 @@ const std::vector<std::string>& strategy_names() {
   return k_names;
 }
 
+const std::vector<std::string>& code_names() {
+  static const std::vector<std::string> k_names{"optimised", "expanded", "folded"};
+  return k_names;
+}
+
 const std::vector<std::string>& engine_names() {
   static const std::vector<std::string> k_names{"auto", "compiled", "interpreted"};
   return k_names;

@@ -11,5 +11,6 @@ const std::vector<std::string>& number_names();
 const std::vector<std::string>& projection_names();
 const std::vector<std::string>& strategy_names();
 const std::vector<std::string>& engine_names();
+const std::vector<std::string>& code_names();
 
 }  // namespace gausssim

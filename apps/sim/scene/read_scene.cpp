@@ -28,9 +28,9 @@ constexpr long k_most_samples = 100'000'000;
 
 const std::vector<std::string>& keys() {
   static const std::vector<std::string> k_keys{
-      "gauss", "scene",    "about",      "model",    "counts",  "parameters",  "initial",      "inputs",
-      "start", "duration", "every",      "samples",  "outputs", "method",      "tolerance",    "error",
-      "step",  "number",   "projection", "strategy", "engine",  "formulation", "formulations", "exact"};
+      "gauss",      "scene",    "about",   "model",   "counts", "parameters",  "initial",      "inputs", "start",
+      "duration",   "every",    "samples", "outputs", "method", "tolerance",   "error",        "step",   "number",
+      "projection", "strategy", "engine",  "code",    "gain",   "formulation", "formulations", "exact"};
   return k_keys;
 }
 
@@ -60,10 +60,12 @@ class SceneReader {
     scene_.number = choice(root_, "number", number_names());
     scene_.projection = choice(root_, "projection", projection_names());
     scene_.strategy = choice(root_, "strategy", strategy_names());
+    scene_.code = choice(root_, "code", code_names());
     scene_.engine = choice(root_, "engine", engine_names());
     scene_.tolerance = positive("tolerance");
     scene_.error = positive("error");
     scene_.step = positive("step");
+    scene_.gain = positive("gain");
     refuse_pair("every", "samples");
     refuse_pair("tolerance", "error");
     read_forms();

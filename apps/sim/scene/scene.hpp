@@ -43,8 +43,8 @@ struct Scene {
   std::optional<gaussgen::model::Ast> start, duration, every;  ///< over parameters
   std::optional<long> samples;                                 ///< the start and the end among them
   std::vector<Word> outputs;                                   ///< empty: those that everybody wants
-  std::optional<Word> method, number, projection, strategy, engine;
-  std::optional<double> tolerance, error, step;
+  std::optional<Word> method, number, projection, strategy, engine, code;
+  std::optional<double> tolerance, error, step, gain;
 };
 
 }  // namespace gausssim

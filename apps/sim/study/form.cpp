@@ -1,6 +1,6 @@
 #include "sim/study/form.hpp"
 
-#include <algorithm>
+#include <functional>
 #include <future>
 #include <set>
 
@@ -16,7 +16,8 @@ namespace cli = gaussgen::cli;
 
 /// What the study looks at, or methods like to have, where a model has it.
 const std::vector<std::string>& welcome_outputs() {
-  static const std::vector<std::string> k_outputs{"jacobian", "poses", "reaction_forces", "joint_reactions"};
+  static const std::vector<std::string> k_outputs{"jacobian", "mass_matrix", "poses", "reaction_forces",
+                                                  "joint_reactions"};
   return k_outputs;
 }
 
@@ -25,9 +26,8 @@ class Collector {
   Collector(std::string file, const cli::MessageOptions& messages, int& code)
       : file_(std::move(file)), messages_(messages), code_(code) {}
 
-  std::vector<Form> all() {
-    Request own = request();
-    own.where_possible = welcome_outputs();
+  std::vector<Form> all(bool is_alone) {
+    const Request own = request();
     auto first = prepare(
         own, [](Scene&) {}, code_);
     if (!first) return {};
@@ -35,47 +35,57 @@ class Collector {
     texts_.insert(text_of(*first));
     forms_.push_back(
         {scene.form, "optimised", std::move(*first), {"double", "float", "long double", "__float128"}, nullptr, {}});
-    for (const GivenForm& form : scene.forms) {
-      Request other = request();
-      other.form = form.name.text;
-      if (!add(other, form.name.text, "optimised", nullptr)) return {};
-    }
-    // What a strategy does not suit is told as it would be to a user; here it is no error.
-    if (!scene.strategy) {
-      for (const std::string& strategy : strategy_names())
-        add_quietly(scene.form + ", " + strategy, "optimised", Code::optimised, strategy);
-    }
-    add_quietly(scene.form, "expanded", Code::expanded, "");
-    add_quietly(scene.form, "folded", Code::folded, "");
+    if (!is_alone && !add_others(scene)) return {};
     build_all();
     return std::move(forms_);
   }
 
  private:
-  Request request() const { return {file_, {}, {}, messages_}; }
+  /// The same outputs in all forms, whose texts can be compared then.
+  Request request() const {
+    Request request{file_, {}, {}, messages_};
+    request.where_possible = welcome_outputs();
+    return request;
+  }
 
   static std::string text_of(const PreparedModel& model) { return plugin_text(model.model.tree, {{}, {}}); }
 
-  bool add(const Request& request, const std::string& formulation, const std::string& code,
-           const std::string* strategy) {
-    auto prepared = prepare(
-        request,
-        [&](Scene& scene) {
-          if (strategy != nullptr) scene.strategy = Word{*strategy, {}};
-        },
-        code_);
-    if (!prepared) return false;
-    if (texts_.insert(text_of(*prepared)).second)
-      forms_.push_back({formulation, code, std::move(*prepared), {"double"}, nullptr, {}});
+  /// False after an error.
+  bool add_others(const Scene& scene) {
+    for (const GivenForm& form : scene.forms) {
+      Request other = request();
+      other.form = form.name.text;
+      if (!add(other, form.name.text, [](Scene&) {})) return false;
+    }
+    // What a strategy does not suit is told as it would be to a user; here it is no error.
+    if (!scene.strategy) {
+      for (const std::string& strategy : strategy_names())
+        add_quietly(scene.form + ", " + strategy, [&](Scene& same) { same.strategy = Word{strategy, {}}; });
+    }
+    if (!scene.code) {
+      for (const std::string& code : code_names())
+        add_quietly(scene.form, [&](Scene& same) { same.code = Word{code, {}}; });
+    }
     return true;
   }
 
-  void add_quietly(const std::string& formulation, const std::string& code, Code how, const std::string& strategy) {
+  using Change = std::function<void(Scene&)>;
+
+  bool add(const Request& request, const std::string& formulation, const Change& change) {
+    auto prepared = prepare(request, change, code_);
+    if (!prepared) return false;
+    if (texts_.insert(text_of(*prepared)).second)
+      forms_.push_back({formulation, code_of(prepared->scene), std::move(*prepared), {"double"}, nullptr, {}});
+    return true;
+  }
+
+  static std::string code_of(const Scene& scene) { return scene.code ? scene.code->text : code_names().front(); }
+
+  void add_quietly(const std::string& formulation, const Change& change) {
     Request other = request();
-    other.code = how;
     other.messages.is_silent = true;
     const int before = code_;
-    add(other, formulation, code, strategy.empty() ? nullptr : &strategy);
+    add(other, formulation, change);
     code_ = before;
   }
 
@@ -102,8 +112,8 @@ class Collector {
 
 }  // namespace
 
-std::vector<Form> forms_of(const std::string& file, const cli::MessageOptions& messages, int& code) {
-  return Collector(file, messages, code).all();
+std::vector<Form> forms_of(const std::string& file, bool is_alone, const cli::MessageOptions& messages, int& code) {
+  return Collector(file, messages, code).all(is_alone);
 }
 
 }  // namespace gausssim

@@ -19,7 +19,8 @@ struct Form {
   std::string why = {};  ///< it cannot be compared with the others; empty: it can
 };
 
-/// The scene itself first. Forms of one text are there once. Nothing after an error, which is reported: `code` is the exit code. Throws as `prepare`.
-std::vector<Form> forms_of(const std::string& file, const gaussgen::cli::MessageOptions& messages, int& code);
+/// The scene itself first, and `is_alone` nothing else. Forms of one text are there once. Nothing after an error, which is reported: `code` is the exit code. Throws as `prepare`.
+std::vector<Form> forms_of(const std::string& file, bool is_alone, const gaussgen::cli::MessageOptions& messages,
+                           int& code);
 
 }  // namespace gausssim

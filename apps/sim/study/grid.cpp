@@ -33,6 +33,8 @@ class GridMaker {
   GridMaker(const std::vector<Form>& forms, const GridOptions& options) : forms_(forms), options_(options) {}
 
   std::vector<Candidate> all() {
+    for (const std::string& method : options_.only) add(0, *find_method(method), "double", default_projection(method));
+    if (!options_.only.empty()) return std::move(all_);
     const std::vector<std::string> usual = usual_methods();
     for (std::size_t form = 0; form < forms_.size(); ++form)
       for (const std::string& method : usual) add(form, *find_method(method), "double", default_projection(method));
@@ -75,6 +77,7 @@ class GridMaker {
       return;
     }
     for (const double tolerance : between(options_.loosest, options_.tightest, options_.per_decade)) {
+      if (tolerance < least_tolerance(number)) return;
       candidate.setting.tolerance = tolerance;
       all_.push_back(candidate);
       all_.back().is_default = is_default(all_.back());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "sim/study/candidate.hpp"
@@ -10,6 +11,7 @@ namespace gausssim {
 struct GridOptions {
   double loosest = 1e-3, tightest = 1e-13;
   int per_decade = 1;
+  std::vector<std::string> only = {};  ///< methods: these, of the scene as it is, in double; empty: all, and all else
 };
 
 /// What a study tries, what people are likely to take first, and loose tolerances first: of the scene as it is, all methods at all tolerances or steps, all

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "sim/study/closed_form.hpp"
 
@@ -142,7 +143,9 @@ std::optional<Reference> find_reference(const PreparedModel& model, const Engine
     return std::nullopt;
   }
   Reference reference{one.rows, "float128", {in_words(fine), in_words(other)}, 0};
-  reference.agreement = delivered_error(two.rows, one.rows, model.columns.columns).value;
+  // They are compared with the digits of long double.
+  reference.agreement = std::max(delivered_error(two.rows, one.rows, model.columns.columns).value,
+                                 static_cast<double>(std::numeric_limits<long double>::epsilon()));
   take_closed_forms(model, engine, reference, why);
   if (!why.empty()) return std::nullopt;
   return reference;

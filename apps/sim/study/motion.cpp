@@ -140,7 +140,7 @@ class Reader {
     const std::size_t begin = column.name.rfind(".force_on_") + std::string(".force_on_").size();
     const std::string name = column.name.substr(begin, column.name.size() - 3 - begin);
     for (const Motion::Body& body : motion_.bodies)
-      if (body.name == name) return add(constraint + " on " + name, name, column, body.position);
+      if (body.name == name) return add(constraint, name, column, body.position);
   }
 
   void add(const std::string& name, const std::string& body, const Column& column, const std::vector<Place>& at) {

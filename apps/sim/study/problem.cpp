@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "cli/exit_codes.hpp"
 #include "sim/run/interruption.hpp"
@@ -54,7 +55,7 @@ class Solver {
     for (Form& form : problem_.forms) compare(form);
     measure_all();
     mark_front(problem_.points);
-    trace_front();
+    trace_drifts();
     problem_.motion = motion_of(first.model, *first.engine, default_setting(first.model, *first.engine));
   }
 
@@ -76,6 +77,7 @@ class Solver {
     GridOptions grid;
     grid.loosest = options_.loosest;
     grid.tightest = options_.tightest;
+    grid.only = options_.methods;
     const std::vector<Candidate> all = grid_of(problem_.forms, grid);
     for (const Candidate& candidate : all) {
       if (Interruption::is_asked_for()) return;
@@ -114,10 +116,31 @@ class Solver {
     return ranges;
   }
 
-  /// Drift over time of the best ones, which people may take.
-  void trace_front() {
+  /// The default, and what differs from it in one thing that drift may depend on.
+  std::vector<int> worth_tracing() const {
+    const auto usual = std::find_if(problem_.points.begin(), problem_.points.end(),
+                                    [](const Point& point) { return point.candidate.is_default; });
+    std::set<int> ids;
     for (const Point& point : problem_.points) {
-      if (!point.is_on_front) continue;
+      if (usual == problem_.points.end() || point.status != PointStatus::ok) continue;
+      const Setting &one = point.candidate.setting, &other = usual->candidate.setting;
+      const bool is_alike = one.tolerance == other.tolerance && one.number == other.number;
+      const bool is_usual_form = point.candidate.form == 0;
+      const bool is_unusual_description =
+          problem_.forms[point.candidate.form].formulation != problem_.forms.front().formulation;
+      if (is_alike && (is_usual_form ? one.method == other.method || one.method == k_method_of_any_model
+                                     : one.method == other.method && is_unusual_description))
+        ids.insert(point.id);
+    }
+    for (const double error : {1e-3, 1e-6, 1e-12}) {
+      if (const Point* const best = cheapest(problem_.points, error)) ids.insert(best->id);
+    }
+    return {ids.begin(), ids.end()};
+  }
+
+  void trace_drifts() {
+    for (const int id : worth_tracing()) {
+      const Point& point = problem_.points[static_cast<std::size_t>(id - 1)];
       const Form& form = problem_.forms[point.candidate.form];
       DriftTrace trace;
       trace.point = point.id;
@@ -142,7 +165,7 @@ class Solver {
 std::optional<Problem> solve_problem(const std::string& file, const StudyOptions& options, int& code) {
   Problem problem;
   problem.file = std::filesystem::path(file).filename().string();
-  problem.forms = forms_of(file, options.messages, code);
+  problem.forms = forms_of(file, !options.methods.empty(), options.messages, code);
   if (problem.forms.empty()) return std::nullopt;
   const PreparedModel& own = problem.forms.front().model;
   problem.name = own.scene.name.empty() ? own.model.unit.model_name : own.scene.name;

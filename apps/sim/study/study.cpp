@@ -9,6 +9,7 @@
 #include "cli/replacement.hpp"
 #include "sim/report/report_template.hpp"
 #include "sim/run/interruption.hpp"
+#include "sim/run/setting.hpp"
 #include "sim/study/study_json.hpp"
 
 namespace gausssim {
@@ -30,9 +31,15 @@ std::string page(const std::string& json) {
   return text;
 }
 
-std::string setting_in_words(const Setting& setting) {
-  return setting.step > 0 ? fmt::format("{}, step {:.3g} s", setting.method, setting.step)
-                          : fmt::format("{}, tolerance {:.0e}", setting.method, setting.tolerance);
+std::string in_words(const Point& point, const Problem& problem) {
+  const Setting& setting = point.candidate.setting;
+  const Form& form = problem.forms[point.candidate.form];
+  std::string text = setting.step > 0 ? fmt::format("{}, step {:.3g} s", setting.method, setting.step)
+                                      : fmt::format("{}, tolerance {:.0e}", setting.method, setting.tolerance);
+  if (setting.number != "double") text += ", " + setting.number;
+  if (setting.projection != default_projection(setting.method)) text += ", projection " + name_of(setting.projection);
+  if (form.formulation != problem.forms.front().formulation) text += ", " + form.formulation;
+  return form.code == "optimised" ? text : text + ", " + form.code;
 }
 
 void tell(const Problem& problem) {
@@ -40,9 +47,9 @@ void tell(const Problem& problem) {
                                  problem.reference.agreement);
   for (const double error : {1e-3, 1e-6, 1e-9, 1e-12}) {
     const Point* const best = cheapest(problem.points, error);
-    text += best == nullptr ? fmt::format("  {:.0e}  no run delivered it\n", error)
-                            : fmt::format("  {:.0e}  {:8.3f} ms  {}\n", error, 1e3 * best->time,
-                                          setting_in_words(best->candidate.setting));
+    text += best == nullptr
+                ? fmt::format("  {:.0e}  no run delivered it\n", error)
+                : fmt::format("  {:.0e}  {:8.3f} ms  {}\n", error, 1e3 * best->time, in_words(*best, problem));
   }
   cli::write_standard_output(text);
 }

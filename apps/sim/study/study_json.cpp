@@ -22,13 +22,6 @@ Json numbers(const std::vector<double>& values) {
   return list;
 }
 
-const char* name_of(Projection projection) {
-  for (const auto& [name, how] : k_projections) {
-    if (how == projection) return name;
-  }
-  return "";
-}
-
 const char* word(PointStatus status) {
   return status == PointStatus::ok ? "ok" : status == PointStatus::failed ? "failed" : "refused";
 }

@@ -60,6 +60,17 @@ class Scenes(Program):
         self.assertIn("scene.yaml:8:14: error[E024]", said)
         self.assertIn("did you mean 'x_dot'?", said)
 
+    def test_closed_forms_are_of_columns_over_time_and_parameters(self):
+        said = self.mistake(SCENE + "exact: {x: cos(w*t), x_dot: 1}\n")
+        self.assertIn("scene.yaml:10:12: error[E024]: a closed form is made of t", said)
+        self.assertIn("scene.yaml:10:22: error[E024]: 'x_dot' is no column", said)
+
+    def test_other_formulations_are_read_whole(self):
+        said = self.mistake(SCENE + "formulations:\n  as given: {modle: other.yaml}\n  b: {strategy: treee}\n")
+        self.assertIn("scene.yaml:11:3: error[E016]: 'as given' is the scene itself", said)
+        self.assertIn("did you mean 'model'?", said)
+        self.assertIn("scene.yaml:12:17: error[E015]", said)
+
     def test_times_must_have_values(self):
         self.assertIn("scene.yaml:6:11: error[E017]", self.mistake(SCENE.replace("2*pi*sqrt(m/k)", "-m")))
         self.assertIn("scene.yaml:6:11: error[E017]", self.mistake(SCENE.replace("2*pi*sqrt(m/k)", "2*nothing")))

@@ -48,5 +48,110 @@ class Study(Program):
                 self.assertTrue(all(math.isfinite(value) for value in trace["energy"]))
 
 
+# The same swing by its angle, and by its place, which a constraint holds on the circle.
+BY_ANGLE = """gauss: 1
+name: by_angle
+parameters:
+  m: {value: 1, unit: kg}
+  l: {value: 2, unit: m}
+  g: {value: 10, unit: m/s^2}
+coordinates:
+  phi: {unit: rad, initial: 0.5}
+particles:
+  bob: {mass: m, position: [l*sin(phi), -l*cos(phi), 0]}
+forces:
+  gravity: {uniform: [0, -g, 0]}
+"""
+BY_PLACE = """gauss: 1
+name: by_place
+parameters:
+  m: {value: 1, unit: kg}
+  l: {value: 2, unit: m}
+  g: {value: 10, unit: m/s^2}
+coordinates:
+  x: {unit: m, initial: l*sin(1/2)}
+  y: {unit: m, initial: -l*cos(1/2)}
+particles:
+  bob: {mass: m, position: [x, y, 0]}
+constraints:
+  bar: {equation: x^2 + y^2 - l^2}
+forces:
+  gravity: {uniform: [0, -g, 0]}
+"""
+SCENE = """gauss: 1
+scene: swing
+model: by_place.yaml
+formulation: place
+formulations:
+  angle: {model: by_angle.yaml}
+  lower: {model: by_angle.yaml, initial: {phi: 0.4}}
+duration: 3
+samples: 31
+outputs: [poses.bob, energy.kinetic]
+"""
+
+
+class Formulations(Program):
+    def setUp(self):
+        super().setUp()
+        self.write("by_angle.yaml", BY_ANGLE)
+        self.write("by_place.yaml", BY_PLACE)
+
+    def study(self, scene, *options):
+        self.write("swing.yaml", scene)
+        self.ok("study", "swing.yaml", "--tightest", "1e-9", "-q", *options)
+        return json.loads((self.folder / "study.json").read_text(encoding="utf-8"))["problems"][0]
+
+    def test_ways_to_describe_one_motion(self):
+        problem = self.study(SCENE, "--budget", "20")
+        points = problem["points"]
+
+        def those(**keys):
+            return [p for p in points if all(p[key] == value for key, value in keys.items())]
+
+        with self.subTest("another formulation is compared with the same reference"):
+            self.assertLess(min(p["error"] for p in those(formulation="angle", status="ok")), 1e-8)
+        with self.subTest("one that tells another motion is refused"):
+            self.assertEqual({p["status"] for p in those(formulation="lower")}, {"refused"})
+            self.assertIn("another motion", those(formulation="lower")[0]["why"])
+        with self.subTest("codes and number types"):
+            self.assertTrue({"optimised", "folded"} <= {p["code"] for p in points})
+            self.assertEqual({p["number"] for p in those(status="ok")}, {"float", "double", "long-double", "float128"})
+            self.assertGreater(min(p["error"] for p in those(number="float", status="ok")), 1e-8)
+        with self.subTest("projection keeps the bar, gains pull it back, nothing lets it drift"):
+            drift = {p["projection"]: p["drift"]["constraints"] for p in those(method="prince87", number="double", tolerance=1e-6, status="ok",
+                                                                             code="optimised", formulation="place")}
+            self.assertTrue({"full", "off", "gains", "positions", "velocities", "energy"} <= set(drift), drift)
+            self.assertLess(drift["full"], 1e-12)
+            self.assertLess(drift["full"], drift["gains"])
+            self.assertLess(drift["gains"], drift["off"])
+        with self.subTest("one point is the default"):
+            self.assertEqual([(p["tolerance"], p["method"]) for p in points if p["is_default"]], [(1e-9, "taylor")])
+        with self.subTest("the motion is there: a bob at the end of its bar, and the force that holds it"):
+            motion = problem["motion"]
+            self.assertEqual(len(motion["t"]), len(motion["bodies"][0]["position"]))
+            for (x, y, _), (fx, fy, _) in zip(motion["bodies"][0]["position"], motion["reactions"][0]["force"]):
+                self.assertAlmostEqual(math.hypot(x, y), 2, places=7)
+                self.assertAlmostEqual(x * fy - y * fx, 0, places=7)
+        with self.subTest("operations of each build"):
+            self.assertTrue(all(build["operations"] > 0 for build in problem["builds"]))
+
+    def test_closed_forms(self):
+        self.write("spring.yaml", SPRING)
+        scene = "gauss: 1\nscene: swing\nmodel: spring.yaml\noutputs: [x, x_dot]\nduration: 3\nexact: {x: cos(sqrt(k/m)*t)"
+        with self.subTest("of some columns: they check the reference"):
+            problem = self.study(scene + "}\n", "--budget", "3")
+            self.assertEqual(problem["reference"]["kind"], "float128")
+            self.assertLess(problem["reference"]["agreement"], 1e-17)
+        with self.subTest("of all: they are the reference"):
+            problem = self.study(scene + ", x_dot: -sqrt(k/m)*sin(sqrt(k/m)*t)}\n", "--budget", "3")
+            self.assertEqual(problem["reference"]["kind"], "closed form")
+            self.assertLess(min(p["error"] for p in problem["points"] if p["status"] == "ok"), 1e-15)
+        with self.subTest("a wrong one is found"):
+            self.write("swing.yaml", scene.replace("sqrt(k/m)", "1.9") + "}\n")
+            said = self.run_it("study", "swing.yaml", "--budget", "3", "-q").stderr
+            self.assertIn("closed form of 'x' differs", said)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,0 +1,94 @@
+"""An error instead of a tolerance: gauss-sim run --error, and gauss-sim advise."""
+
+import json
+import math
+import unittest
+
+from gauss_sim import MODELS, SPRING, Program
+
+# Its closed form is known: x = cos(2 t).
+DURATION = 10
+
+
+class Errors(Program):
+    def off(self, name):
+        """The error of x against the closed form, relative to its range."""
+        table = self.table(f"{name}.csv")
+        return max(abs(x - math.cos(2 * t)) for t, x in zip(table["t [s]"], table["x [m]"])) / 2
+
+    def test_what_is_asked_for_is_delivered(self):
+        self.write("spring.yaml", SPRING)
+        for exponent in (3, 6, 9):
+            error = 10.0 ** -exponent
+            self.ok("run", "spring.yaml", "--error", error, "--outputs", "x", "-q")
+            said = self.summary("spring.json")
+            with self.subTest(error):
+                self.assertLessEqual(self.off("spring"), error)
+                self.assertLessEqual(said["error_estimate"]["relative"], error)
+                self.assertLessEqual(said["asked_for"]["agreement"], error / 20)
+                # Not by running as tight as possible.
+                self.assertGreater(said["error_estimate"]["relative"], error / 1e3)
+
+    def test_more_digits_than_double_has(self):
+        self.write("spring.yaml", SPRING)
+        self.ok("run", "spring.yaml", "--error", "1e-17", "--outputs", "x", "-q")
+        said = self.summary("spring.json")
+        self.assertIn(said["number"], ("long-double", "float128"))
+        self.assertLessEqual(said["error_estimate"]["relative"], 1e-17)
+
+    def test_what_cannot_be_delivered_is_refused(self):
+        self.write("spring.yaml", SPRING)
+        with self.subTest("no number type has the digits"):
+            said = self.refused(6, "run", "spring.yaml", "--error", "1e-36", "-q")
+            self.assertIn("1.0e-36", said)
+        with self.subTest("the scene insists on double"):
+            self.write("s.yaml", "gauss: 1\nmodel: spring.yaml\nnumber: double\nerror: 1e-18\n")
+            self.assertIn("no setting delivers", self.refused(6, "run", "s.yaml", "-q"))
+        with self.subTest("not beside a tolerance"):
+            self.refused(2, "run", "spring.yaml", "--error", "1e-6", "--tolerance", "1e-6")
+
+    def test_methods_of_the_scene_are_kept(self):
+        self.write("spring.yaml", SPRING)
+        for method in ("rk4", "dopri5"):
+            self.write("s.yaml", f"gauss: 1\nscene: s\nmodel: spring.yaml\nmethod: {method}\nerror: 1e-7\noutputs: [x]\n")
+            self.ok("run", "s.yaml", "-q")
+            self.assertEqual(self.summary("s.json")["method"], method)
+            self.assertLessEqual(self.off("s"), 1e-7)
+
+    def test_advice_can_be_pasted(self):
+        self.write("spring.yaml", SPRING)
+        advice = self.ok("advise", "spring.yaml", "--error", "1e-7")
+        self.write("s.yaml", "gauss: 1\nscene: s\nmodel: spring.yaml\noutputs: [x]\n" + advice)
+        self.ok("run", "s.yaml", "-q")
+        self.assertLessEqual(self.off("s"), 1e-7)
+        found = json.loads(self.ok("advise", "spring.yaml", "--error", "1e-7", "--format", "json"))
+        self.assertLessEqual(found["found"]["error"], 1e-7)
+        self.assertEqual(found["found"]["time_s"], min(one["time_s"] for one in found["tried"]))
+
+    def test_stiff_models_get_stiff_methods(self):
+        found = json.loads(self.ok("advise", MODELS / "spring_pendulum.yaml", "--error", "1e-4", "--format", "json"))
+        tried = {one["method"] for one in found["tried"]}
+        self.assertTrue(tried & {"cvode_bdf", "arkode_esdirk4", "arkode_kvaerno5", "ida"}, tried)
+
+    def test_advice_from_a_study(self):
+        point = {"id": 1, "method": "dopri5", "formulation": "as given", "code": "optimised", "number": "double", "projection": "full",
+                 "tolerance": 1e-5, "step": None, "status": "ok", "why": "", "error": 1e-5, "time_s": 1e-3}
+        points = [point, {**point, "id": 2, "tolerance": 1e-8, "error": 1e-8, "time_s": 2e-3},
+                  {**point, "id": 3, "status": "failed", "why": "it stopped", "error": None, "time_s": None}]
+        self.write("study.json", json.dumps({"format": 1, "problems": [{"name": "spring", "points": points}]}))
+        self.write("spring.yaml", SPRING)
+        self.assertIn("tolerance: 1e-05\n", self.ok("advise", "spring.yaml", "--error", "1e-4", "--study", "study.json"))
+        with self.subTest("a margin of two"):
+            self.assertIn("tolerance: 1e-08\n", self.ok("advise", "spring.yaml", "--error", "1.5e-5", "--study", "study.json"))
+        with self.subTest("nothing delivers it"):
+            self.assertIn("1.0e-08", self.refused(6, "advise", "spring.yaml", "--error", "1e-9", "--study", "study.json"))
+        with self.subTest("another problem"):
+            self.write("other.yaml", SPRING.replace("name: spring", "name: other"))
+            self.assertIn("other", self.refused(3, "advise", "other.yaml", "--error", "1e-4", "--study", "study.json"))
+        with self.subTest("no study"):
+            self.write("list.json", "[]")
+            self.refused(3, "advise", "spring.yaml", "--error", "1e-4", "--study", "list.json")
+
+
+if __name__ == "__main__":
+    unittest.main()
