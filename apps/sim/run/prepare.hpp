@@ -1,12 +1,14 @@
 #pragma once
 // From a file to a model whose functions can be executed.
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/messages.hpp"
+#include "model/model.hpp"
 #include "sim/engine/binding.hpp"
 #include "sim/output/columns.hpp"
 #include "sim/scene/scene.hpp"
@@ -19,6 +21,8 @@ struct Request {
   std::vector<std::string> sets;  ///< NAME=VALUE
   std::vector<std::string> also;  ///< outputs of the generator that the method needs
   gaussgen::cli::MessageOptions messages;
+  /// Changes the model when scene and options have had their say; what it finds is in the text of the scene. May be empty.
+  std::function<void(const Scene&, gaussgen::model::Model&, gaussgen::support::Diagnostics&)> adjust = nullptr;
 };
 
 struct Span {

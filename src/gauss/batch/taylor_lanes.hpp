@@ -39,12 +39,21 @@ class TaylorLanes {
   bool advance_to(const Number& end) {
     const Batch goal(end);
     if (!settings_.are_usable()) return false;
-    for (long steps = 0; xsimd::any((t_ < goal) && !lost_); ++steps) {
+    for (long steps = 0; are_under_way(end); ++steps) {
       if (steps >= settings_.most_steps) return false;
       step(goal);
     }
     return xsimd::none(lost_);
   }
+
+  /// For callers that look at the motion within steps: whether any lane has a way to go, and one step of those that have.
+  bool are_under_way(const Number& end) const { return xsimd::any((t_ < Batch(end)) && !lost_); }
+  void step_towards(const Number& end) { step(Batch(end)); }
+  /// Of the last step, from where each lane was then. A lane may be back there after the next one, which found that it did not hold.
+  const Series& series() const { return series_; }
+  const Batch& begin_of_step() const { return t_before_; }
+  /// Steps that each lane has taken, without those that it took back.
+  const Batch& steps_of_lanes() const { return taken_; }
 
   const State& states() const { return state_; }
   const Batch& times() const { return t_; }
@@ -99,6 +108,7 @@ class TaylorLanes {
     }
     t_ = xsimd::select(moves, xsimd::select(arrives, goal, t_ + span), t_);
     if (settings_.project) project(moves);
+    taken_ = taken_ + xsimd::select(moves, Batch(Number(1)), Batch(Number(0)));
     span_ = span;
     reach_ = xsimd::select(moves, span, reach_);
     grow();
@@ -117,6 +127,7 @@ class TaylorLanes {
     for (std::size_t i = 0; i < Model::size; ++i)
       state_.values[i] = xsimd::select(where, before_.values[i], state_.values[i]);
     t_ = xsimd::select(where, t_before_, t_);
+    taken_ = taken_ - xsimd::select(where, Batch(Number(1)), Batch(Number(0)));
     const Batch none(std::numeric_limits<Number>::infinity());
     most_ = xsimd::select(where, span_ * Number(0.5), xsimd::select(span_ > Batch(Number(0)), none, most_));
   }
@@ -171,6 +182,7 @@ class TaylorLanes {
   Batch t_, t_before_ = Batch(Number(0)), span_ = Batch(Number(0));
   Batch reach_ = Batch(Number(0));  ///< the last step that went on
   Batch most_ = Batch(std::numeric_limits<Number>::infinity());
+  Batch taken_ = Batch(Number(0));
   Values sizes_ = zeros(), allowed_ = zeros(), expected_ = zeros();
   Mask lost_ = Mask(false);
   Status status_{};
