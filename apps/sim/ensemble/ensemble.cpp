@@ -59,8 +59,7 @@ void tell(const EnsembleTold& told, const std::string& csv) {
       fmt::format("{}: {} trajectories by {} ({}, {} lanes, {} threads)\n", told.prepared.model.unit.model_name,
                   outcomes.run(), setting.setting.method, setting.setting.number,
                   setting.lanes == nullptr ? 1 : setting.lanes->lanes(), setting.threads);
-  for (const auto& [status, count] : counts_by_status(outcomes))
-    text += fmt::format("  {:8}{}\n", count, status);
+  for (const auto& [status, count] : counts_by_status(outcomes)) text += fmt::format("  {:8} {}\n", count, status);
   text += fmt::format("  {:.3g} s: {:.4g} trajectories/s, {:.4g} steps/s\n", outcomes.wall_seconds,
                       rate_of(outcomes.run(), outcomes), rate_of(outcomes.steps(), outcomes));
   text += fmt::format("  wrote {}\n", csv);

@@ -116,6 +116,7 @@ void LaneGroups::run(long first, long last, std::vector<Track<double>>& tracks) 
     const long trajectory = first + static_cast<long>(lane);
     if (arrived_[lane] == 0) {
       alone_.run(trajectory, tracks[lane]);
+      tracks[lane].ended.left_lane = true;
       continue;
     }
     give_back(lane);

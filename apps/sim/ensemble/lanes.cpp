@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sim/engine/plugin_text.hpp"
 #include "sim/model/layout.hpp"
 
@@ -9,12 +11,35 @@ namespace gausssim {
 
 namespace {
 
-/// What some lanes do may differ from one trajectory alone by rounding, so products and sums need not be rounded one by one.
+/// What lanes do may differ from one trajectory alone by rounding, so products and sums need not be rounded one by one. Loops over columns of a product have to be
+/// straight code, or sums go through memory.
 Toolchain for_lanes(Toolchain toolchain) {
-  for (std::string& flag : toolchain.flags) {
+  auto& flags = toolchain.flags;
+  for (std::string& flag : flags) {
     if (flag == "-ffp-contract=off") flag = "-ffp-contract=fast";
+    if (flag == "-O2") flag = "-O3";
   }
+  flags.erase(std::remove(flags.begin(), flags.end(), "-fno-tree-slp-vectorize"), flags.end());
   return toolchain;
+}
+
+}  // namespace
+
+namespace {
+
+void build(const Described& model, const Toolchain& toolchain, BuiltLanes& result) {
+  const Built built = build_plugin(lanes_text(model), toolchain);
+  result.compile_seconds = built.compile_seconds;
+  result.was_cached = built.was_cached;
+  if (!built.plugin) {
+    const bool has_xsimd = built.why.find("xsimd/xsimd.hpp") == std::string::npos;
+    result.why = has_xsimd ? built.why : "the compiler finds no xsimd (Debian: libxsimd-dev)";
+    return;
+  }
+  int lanes = 0;
+  void* const arguments[] = {&lanes};
+  built.plugin->find("count_lanes", "double")(arguments);
+  result.kernel = std::make_unique<LanesKernel>(built.plugin, lanes);
 }
 
 }  // namespace
@@ -47,21 +72,13 @@ void LanesKernel::run(LanesJob& job) const {
 BuiltLanes build_lanes(const Described& model) {
   BuiltLanes result;
   const auto toolchain = find_toolchain();
-  if (find_function(model.tree, "taylor") == nullptr)
-    return result.why = "the model has no power series", std::move(result);
-  if (!toolchain) return result.why = "there is no C++ compiler on the path", std::move(result);
-  const Built built = build_plugin(lanes_text(model), for_lanes(*toolchain));
-  result.compile_seconds = built.compile_seconds;
-  result.was_cached = built.was_cached;
-  if (!built.plugin) {
-    const bool has_xsimd = built.why.find("xsimd/xsimd.hpp") == std::string::npos;
-    result.why = has_xsimd ? built.why : "the compiler finds no xsimd (Debian: libxsimd-dev)";
-    return result;
+  if (find_function(model.tree, "taylor") == nullptr) {
+    result.why = "the model has no power series";
+  } else if (!toolchain) {
+    result.why = "there is no C++ compiler on the path";
+  } else {
+    build(model, for_lanes(*toolchain), result);
   }
-  int lanes = 0;
-  void* const arguments[] = {&lanes};
-  built.plugin->find("count_lanes", "double")(arguments);
-  result.kernel = std::make_unique<LanesKernel>(built.plugin, lanes);
   return result;
 }
 

@@ -111,6 +111,10 @@ long Outcomes::run() const {
   return std::count_if(ended.begin(), ended.end(), [](const Ended& one) { return one.how != Ended::How::not_run; });
 }
 
+long Outcomes::left_lane() const {
+  return std::count_if(ended.begin(), ended.end(), [](const Ended& one) { return one.left_lane; });
+}
+
 long Outcomes::steps() const { return sum(ended, &Ended::steps); }
 long Outcomes::untrusted() const { return sum(ended, &Ended::untrusted); }
 

@@ -19,6 +19,7 @@ struct Outcomes {
   long run() const;  ///< how many
   long steps() const;
   long untrusted() const;
+  long left_lane() const;
 };
 
 struct EnsembleSetting {

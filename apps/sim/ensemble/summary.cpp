@@ -107,6 +107,7 @@ nlohmann::ordered_json ensemble_json(const EnsembleTold& told) {
   json["duration"] = prepared.span.duration;
   json["engine"] = told.engine;
   add_setting(told.setting, json);
+  if (told.setting.lanes != nullptr) json["left_lanes"] = outcomes.left_lane();
   json["steps"] = outcomes.steps();
   if (outcomes.untrusted() > 0) json["untrusted_rows"] = outcomes.untrusted();
   json["trajectories_per_s"] = rate_of(outcomes.run(), outcomes);

@@ -19,7 +19,8 @@ struct Ended {
   gauss::Status status = gauss::Status::ok;
   double reached = 0;  ///< time
   long steps = 0, rejected = 0;
-  long untrusted = 0;  ///< rows in which an output had a status that is not ok
+  bool left_lane = false;  ///< and was run by itself
+  long untrusted = 0;      ///< rows in which an output had a status that is not ok
 };
 
 /// In a word or three, for tables.

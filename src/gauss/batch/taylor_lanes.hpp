@@ -134,22 +134,38 @@ class TaylorLanes {
 
   static Batch least_span(const Batch& goal) { return Number(4) * Math<Batch>::epsilon() * size_of(goal); }
 
-  /// By the last four terms: motions from rest may have one in each fourth order only.
+  /// As SeriesControl has it: by the last two terms, and by the two before them where these are larger than they usually are.
   Batch longest() {
-    const Batch none(std::numeric_limits<Number>::max());
-    const Batch reach = xsimd::select(reach_ > Batch(Number(0)), reach_, first_reach());
-    Batch span = settings_.longest_step > Number(0) ? Batch(settings_.longest_step) : none;
+    const Mask is_first = !(reach_ > Batch(Number(0)));
+    const Batch reach = xsimd::any(is_first) ? xsimd::select(is_first, first_reach(), reach_) : reach_;
+    Values by_allowed;
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Batch size = xsimd::max(sizes_[i], reach * size_of(series_.values[1][i]));
+      const Batch size = xsimd::max(sizes_[i], size_within(reach, i));
       allowed_[i] = (settings_.tolerance + Number(4) * std::numeric_limits<Number>::epsilon()) * size + least();
+      by_allowed[i] = Batch(Number(1)) / allowed_[i];
     }
-    for (int k = order_; k > order_ - 4; --k) {
-      Batch part(Number(0));
-      for (std::size_t i = 0; i < Model::size; ++i)
-        part = xsimd::max(part, size_of(series_.values[k][i]) / allowed_[i]);
-      span = within(part, k, span);
-    }
-    return span;
+    const int q = order_ - 3;
+    const Batch third = logarithm_within(by_allowed, q + 1), fourth = logarithm_within(by_allowed, q);
+    const Batch by_two = xsimd::min(logarithm_within(by_allowed, q + 3), logarithm_within(by_allowed, q + 2));
+    const Number usual = Number(9.21);  // ln 10000
+    const Mask is_usual =
+        by_two <= third + usual / static_cast<Number>(q + 1) && by_two <= fourth + usual / static_cast<Number>(q);
+    const Batch span = Math<Batch>::exp(xsimd::select(is_usual, by_two, xsimd::min(by_two, xsimd::min(third, fourth))));
+    return settings_.longest_step > Number(0) ? xsimd::min(span, Batch(settings_.longest_step)) : span;
+  }
+
+  /// By a rate, or from rest by a rate of that.
+  Batch size_within(const Batch& reach, std::size_t i) const {
+    const Batch by_rate = reach * size_of(series_.values[1][i]);
+    return xsimd::select(by_rate > Batch(Number(0)), by_rate, reach * reach * size_of(series_.values[2][i]));
+  }
+
+  /// Of the longest step whose term of an order is allowed.
+  Batch logarithm_within(const Values& by_allowed, int order) const {
+    Batch part(Number(0));
+    for (std::size_t i = 0; i < Model::size; ++i)
+      part = xsimd::max(part, size_of(series_.values[order][i]) * by_allowed[i]);
+    return Math<Batch>::log(xsimd::max(part, least())) * (Number(-1) / static_cast<Number>(order));
   }
 
   /// part^(-1/order), or `most`.
