@@ -23,13 +23,11 @@ struct Mistake {
 
 class Checker {
  public:
-  Checker(const std::vector<Place>& places, const model::Model& model) : model_(model) {
-    for (const Place& place : places) {
+  Checker(const std::vector<Placed>& places, const model::Model& model) : model_(model) {
+    for (const Placed& place : places) {
       std::optional<std::size_t> index;
-      for (std::size_t k = 0; k < model.parameters.size() && !place.is_input; ++k) {
-        if (model.parameters[k].name.text + "_" == place.member || model.parameters[k].name.text == place.member)
-          index = k;
-      }
+      const auto symbol = model.symbols.find(place.name);
+      if (!place.is_input && symbol != model.symbols.end()) index = symbol->second.index;
       parameters_.push_back(index);
     }
     for (const model::Parameter& parameter : model.parameters)
@@ -83,7 +81,7 @@ std::string in_words(const Plan& plan, const std::vector<double>& values) {
 
 }  // namespace
 
-void check_draws(const Ensemble& ensemble, const std::vector<Place>& places, const model::Model& model,
+void check_draws(const Ensemble& ensemble, const std::vector<Placed>& places, const model::Model& model,
                  gaussgen::support::Diagnostics& diagnostics) {
   const Plan plan(ensemble);
   const Checker checker(places, model);

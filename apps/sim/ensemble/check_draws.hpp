@@ -9,7 +9,7 @@
 namespace gausssim {
 
 /// Reports what is wrong with the parameters and bodies of the first trajectory that cannot be, and how many more there are. `model` is as `vary` left it.
-void check_draws(const Ensemble& ensemble, const std::vector<Place>& places, const gaussgen::model::Model& model,
+void check_draws(const Ensemble& ensemble, const std::vector<Placed>& places, const gaussgen::model::Model& model,
                  gaussgen::support::Diagnostics& diagnostics);
 
 }  // namespace gausssim

@@ -13,6 +13,8 @@ namespace cli = gaussgen::cli;
 /// Why nobody could have lanes here; empty where they may be built.
 std::string why_none(const Engine& engine, const Setting& setting) {
   if (setting.method != "taylor") return fmt::format("method '{}' takes one trajectory at a time", setting.method);
+  if (setting.projection != Projection::full && setting.projection != Projection::off)
+    return "series take full projection, or none";
   if (setting.number != "double") return "lanes are of double";
   if (engine.name() != std::string("compiled")) return "the model is interpreted";
   return "";

@@ -89,7 +89,7 @@ int code_of(const EnsembleTold& told, const cli::MessageOptions& messages) {
 
 int ensemble(const EnsembleOptions& options) {
   Request request{options.run.file, options.run.sets, {}, options.messages};
-  std::vector<Place> places;
+  std::vector<Placed> places;
   request.adjust = [&](const Scene& scene, gaussgen::model::Model& model, gaussgen::support::Diagnostics& diagnostics) {
     places = vary(scene, model, diagnostics);
     if (!diagnostics.has_errors()) check_draws(*scene.ensemble, places, model, diagnostics);

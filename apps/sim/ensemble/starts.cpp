@@ -1,6 +1,8 @@
 #include "sim/ensemble/starts.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 #include "gauss/integrate/step_result.hpp"
 #include "sim/drive/quad.hpp"
@@ -22,15 +24,30 @@ Bound<S>::Bound(const Engine& with, const Described& of)
   if (initial_state) initial_state.bind(functions->prepared.data(), functions->inputs.data());
 }
 
+namespace {
+
+/// Members of emitted structs have the order of the unit; formulas are none.
+std::vector<std::string> members(const gaussgen::emit::Unit& unit, bool of_inputs) {
+  std::vector<std::string> names;
+  for (const auto& input : unit.inputs) {
+    if (of_inputs) names.push_back(input.entry.name);
+  }
+  for (const auto& parameter : unit.parameters) {
+    if (!of_inputs && !parameter.is_formula) names.push_back(parameter.entry.name);
+  }
+  return names;
+}
+
+}  // namespace
+
 template <class S>
-PlannedStarts<S>::PlannedStarts(const Plan& plan, const std::vector<Place>& places, const Described& model)
+PlannedStarts<S>::PlannedStarts(const Plan& plan, const std::vector<Placed>& places, const Described& model)
     : plan_(plan), places_(places) {
-  const auto parameters = layout_of(model.tree, "Parameters"), inputs = layout_of(model.tree, "Inputs");
-  for (const Place& place : places_) {
-    const auto& members = place.is_input ? inputs : parameters;
-    const auto found = std::find_if(members.begin(), members.end(),
-                                    [&](const ResultNumber& member) { return member.name == place.member; });
-    slots_.push_back(static_cast<std::size_t>(found - members.begin()));
+  for (const Placed& place : places_) {
+    const std::vector<std::string> names = members(model.unit, place.is_input);
+    const auto found = std::find(names.begin(), names.end(), place.name);
+    if (found == names.end()) throw std::logic_error("emitted code has no '" + place.name + "'");
+    slots_.push_back(static_cast<std::size_t>(found - names.begin()));
   }
 }
 

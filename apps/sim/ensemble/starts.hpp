@@ -37,13 +37,13 @@ class Starts {
 template <class S>
 class PlannedStarts final : public Starts<S> {
  public:
-  PlannedStarts(const Plan& plan, const std::vector<Place>& places, const Described& model);
+  PlannedStarts(const Plan& plan, const std::vector<Placed>& places, const Described& model);
 
   gauss::Status begin(long trajectory, Bound<S>& bound, Numbers<S>& state) const override;
 
  private:
   const Plan& plan_;
-  const std::vector<Place>& places_;
+  const std::vector<Placed>& places_;
   std::vector<std::size_t> slots_;  ///< of each place in its struct
 };
 
@@ -62,7 +62,7 @@ class PerturbedStarts final : public Starts<S> {
 /// Where trajectories come from: a plan, or a measurement.
 struct Source {
   const Plan* plan = nullptr;
-  const std::vector<Place>* places = nullptr;
+  const std::vector<Placed>* places = nullptr;
   long count = 0;   ///< without a plan
   double part = 0;  ///< likewise, of the size of each component
 

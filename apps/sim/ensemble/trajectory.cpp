@@ -43,6 +43,7 @@ Trajectories<S>::Trajectories(const PreparedModel& prepared, const Engine& engin
       model_(bound_.functions),
       grid_{S(prepared.span.start), S(prepared.span.start) + S(prepared.span.duration),
             records_samples ? prepared.span.samples : 1},
+      samples_{grid_.start, grid_.end, prepared.span.samples},
       records_samples_(records_samples),
       sampler_(engine, prepared.model, prepared.columns, *bound_.functions),
       settings_(method_settings<S>(setting)) {}
@@ -66,21 +67,31 @@ void Trajectories<S>::run(long trajectory, Track<S>& track) {
     ended.how = Ended::How::without_start;
     return;
   }
+  integrate(start, grid_, records_samples_, track);
+  // Series know the time that was asked for last: with samples there are some before it stops.
+  const bool is_at_start = ended.how == Ended::How::stopped && ended.reached == static_cast<double>(grid_.start);
+  if (is_at_start && !records_samples_) integrate(start, samples_, false, track);
+}
+
+template <class S>
+void Trajectories<S>::integrate(const Numbers<S>& start, const Grid<S>& grid, bool keeps_all, Track<S>& track) {
+  track.clear();
+  Ended& ended = track.ended;
   std::string why;
-  const auto integrator = make_integrator(setting_.method, model_, start, grid_.start, settings_, why);
+  const auto integrator = make_integrator(setting_.method, model_, start, grid.start, settings_, why);
   if (!integrator) throw gaussgen::cli::UsageError(why);
-  drive<S>(*integrator, grid_, [&](long, const S& t, const Numbers<S>& state) {
-    if (records_samples_) add_row(t, state, track);
+  drive<S>(*integrator, grid, [&](long, const S& t, const Numbers<S>& state) {
+    if (keeps_all) add_row(t, state, track);
     return true;
   });
   const Progress<S> progress = integrator->progress();
   ended.how = progress.outcome == Outcome::running ? Ended::How::finished : Ended::How::stopped;
   ended.outcome = progress.outcome;
-  if (progress.status != gauss::Status::ok) ended.status = progress.status;
+  ended.status = progress.status;
   ended.reached = static_cast<double>(integrator->time());
   ended.steps = progress.steps;
   ended.rejected = progress.rejected;
-  if (!records_samples_) add_row(integrator->time(), integrator->state(), track);
+  if (!keeps_all) add_row(integrator->time(), integrator->state(), track);
 }
 
 template class Trajectories<double>;

@@ -53,11 +53,13 @@ class Trajectories {
   const Grid<S>& grid() const { return grid_; }
 
  private:
+  void integrate(const Numbers<S>& start, const Grid<S>& grid, bool keeps_all, Track<S>& track);
+
   const Setting& setting_;
   const Starts<S>& starts_;
   Bound<S> bound_;
   MotionModel<S> model_;
-  Grid<S> grid_;
+  Grid<S> grid_, samples_;
   bool records_samples_;
   Sampler<S> sampler_;
   MethodSettings<S> settings_;

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "cli/overrides.hpp"
-#include "emit/identifiers.hpp"
 #include "sim/ensemble/plan.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
@@ -32,13 +31,13 @@ class Varying {
   Varying(model::Model& model, gaussgen::support::Diagnostics& diagnostics)
       : model_(model), diagnostics_(diagnostics) {}
 
-  Place apply(const Varied& one) {
+  Placed apply(const Varied& one) {
     const model::Ast value = number_of(nominal(one.distribution));
     if (one.section == Section::initial) return initial(one, value);
     const bool is_input = one.section == Section::inputs;
     const SymbolKind kind = is_input ? SymbolKind::input : SymbolKind::parameter;
     if (is_declared(one, kind)) give(one, value);
-    return {is_input, gaussgen::emit::mangled(one.name)};
+    return {is_input, one.name};
   }
 
  private:
@@ -59,7 +58,7 @@ class Varying {
     return false;
   }
 
-  Place initial(const Varied& one, const model::Ast& value) {
+  Placed initial(const Varied& one, const model::Ast& value) {
     const auto symbol = model_.symbols.find(one.name);
     const bool is_known = symbol != model_.symbols.end();
     const bool is_input = is_known && symbol->second.kind == SymbolKind::input;
@@ -73,7 +72,7 @@ class Varying {
     ast.kind = model::AstKind::symbol;
     ast.name = name;
     give(one, ast);
-    return {false, gaussgen::emit::mangled(name)};
+    return {false, name};
   }
 
   /// Nobody can write it, so it is told from all that are declared.
@@ -104,8 +103,8 @@ class Varying {
 
 }  // namespace
 
-std::vector<Place> vary(const Scene& scene, model::Model& to, gaussgen::support::Diagnostics& diagnostics) {
-  std::vector<Place> places;
+std::vector<Placed> vary(const Scene& scene, model::Model& to, gaussgen::support::Diagnostics& diagnostics) {
+  std::vector<Placed> places;
   Varying varying(to, diagnostics);
   for (const Varied& one : scene.ensemble->varied) places.push_back(varying.apply(one));
   return places;

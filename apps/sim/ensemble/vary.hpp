@@ -10,14 +10,15 @@
 
 namespace gausssim {
 
-/// Where a varied value goes in emitted code.
-struct Place {
-  bool is_input = false;  ///< a member of Inputs, else of Parameters
-  std::string member;
+/// Where a varied value goes.
+struct Placed {
+  bool is_input = false;  ///< else a parameter
+  std::string name;       ///< in the model
 };
 
 /// Makes each varied quantity one that is given at run time: formulas are no more, and initial values follow parameters of their own. The model gets the nominal
 /// values. One place for each varied quantity of the scene, unless `diagnostics` has errors.
-std::vector<Place> vary(const Scene& scene, gaussgen::model::Model& model, gaussgen::support::Diagnostics& diagnostics);
+std::vector<Placed> vary(const Scene& scene, gaussgen::model::Model& model,
+                         gaussgen::support::Diagnostics& diagnostics);
 
 }  // namespace gausssim
