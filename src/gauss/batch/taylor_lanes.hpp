@@ -145,13 +145,22 @@ class TaylorLanes {
       by_allowed[i] = Batch(Number(1)) / allowed_[i];
     }
     const int q = order_ - 3;
-    const Batch third = logarithm_within(by_allowed, q + 1), fourth = logarithm_within(by_allowed, q);
-    const Batch by_two = xsimd::min(logarithm_within(by_allowed, q + 3), logarithm_within(by_allowed, q + 2));
-    const Number usual = Number(9.21);  // ln 10000
-    const Mask is_usual =
-        by_two <= third + usual / static_cast<Number>(q + 1) && by_two <= fourth + usual / static_cast<Number>(q);
-    const Batch span = Math<Batch>::exp(xsimd::select(is_usual, by_two, xsimd::min(by_two, xsimd::min(third, fourth))));
+    const Batch by_two =
+        xsimd::min(logarithm_within(part(by_allowed, q + 3), q + 3), logarithm_within(part(by_allowed, q + 2), q + 2));
+    Batch span = Math<Batch>::exp(by_two);
+    const Batch third = part(by_allowed, q + 1), fourth = part(by_allowed, q), factor = power(span, q);
+    const Mask is_usual = third * factor * span <= Number(k_usual) && fourth * factor <= Number(k_usual);
+    if (!xsimd::all(is_usual)) {
+      const Batch by_others = xsimd::min(logarithm_within(third, q + 1), logarithm_within(fourth, q));
+      span = xsimd::select(is_usual, span, Math<Batch>::exp(xsimd::min(by_two, by_others)));
+    }
     return settings_.longest_step > Number(0) ? xsimd::min(span, Batch(settings_.longest_step)) : span;
+  }
+
+  static Batch power(Batch x, int exponent) {
+    Batch result(Number(1));
+    for (; exponent > 0; exponent /= 2, x = x * x) result = exponent % 2 == 1 ? result * x : result;
+    return result;
   }
 
   /// By a rate, or from rest by a rate of that.
@@ -160,11 +169,16 @@ class TaylorLanes {
     return xsimd::select(by_rate > Batch(Number(0)), by_rate, reach * reach * size_of(series_.values[2][i]));
   }
 
-  /// Of the longest step whose term of an order is allowed.
-  Batch logarithm_within(const Values& by_allowed, int order) const {
-    Batch part(Number(0));
+  /// The largest term of an order for a step of 1, in units of what is allowed.
+  Batch part(const Values& by_allowed, int order) const {
+    Batch result(Number(0));
     for (std::size_t i = 0; i < Model::size; ++i)
-      part = xsimd::max(part, size_of(series_.values[order][i]) * by_allowed[i]);
+      result = xsimd::max(result, size_of(series_.values[order][i]) * by_allowed[i]);
+    return result;
+  }
+
+  /// Of the longest step whose term of an order is allowed.
+  static Batch logarithm_within(const Batch& part, int order) {
     return Math<Batch>::log(xsimd::max(part, least())) * (Number(-1) / static_cast<Number>(order));
   }
 
@@ -190,6 +204,7 @@ class TaylorLanes {
   static Batch least() { return Batch(std::numeric_limits<Number>::min() / std::numeric_limits<Number>::epsilon()); }
 
   static constexpr double k_most_off = 10'000;  ///< as TaylorSimulation has it
+  static constexpr double k_usual = 10'000;     ///< as SeriesControl has it
 
   Model model_;
   simulate::Settings<Number> settings_;
