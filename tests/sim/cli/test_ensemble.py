@@ -136,8 +136,9 @@ class Sameness(Ensembles):
         self.assertEqual(len(tables), 1)
 
     def test_lanes_stay_within_the_tolerance(self):
-        self.run_ensemble(SCENE, "--lanes", "1", "-o", "one.csv")
-        self.run_ensemble(SCENE, "-o", "lanes.csv")
+        text = SCENE.replace("[x, x_dot]", "[x, x_dot, energy]")
+        self.run_ensemble(text, "--lanes", "1", "-o", "one.csv")
+        self.run_ensemble(text, "-o", "lanes.csv")
         self.assertGreater(self.summary("lanes.json")["lanes"], 1)
         self.assertEqual(self.summary("lanes.json")["left_lanes"], 0)
         for one, lanes in zip(self.rows("one.csv"), self.rows("lanes.csv")):
