@@ -48,8 +48,10 @@ GAUSS_INLINED void add_squares(const S (&roots)[rows][columns], int k, int first
   for (int m = 0; m < count; ++m) sums[first + m] = sum[m];
 }
 
-/// Columns that are summed at the same time: four registers of four doubles hide the time of an addition.
-inline constexpr int k_columns_at_once = 16;
+/// Columns that are summed at the same time: four registers of four doubles hide the time of an addition. Of numbers that are registers themselves, as many
+/// as leave some for what is read.
+template <class S>
+inline constexpr int k_columns_at_once = std::is_arithmetic_v<S> ? 16 : 12;
 
 /// Rows are padded to whole registers, which numbers that are no such lanes do not need.
 template <class S>
@@ -62,10 +64,10 @@ template <int used, class S, int rows, int columns>
 GAUSS_INLINED void crosswise(const S (&left)[rows][columns], const S (&right)[rows][columns], int k,
                              S (&sums)[columns]) {
   constexpr int count = columns_to_sum<S>(used, columns);
-  constexpr int rest = count % k_columns_at_once;
+  constexpr int rest = count % k_columns_at_once<S>;
   if constexpr (count > rest) {
-    for (int first = 0; first < count - rest; first += k_columns_at_once)
-      add_crosswise<k_columns_at_once>(left, right, k, first, sums);
+    for (int first = 0; first < count - rest; first += k_columns_at_once<S>)
+      add_crosswise<k_columns_at_once<S>>(left, right, k, first, sums);
   }
   if constexpr (rest > 0) add_crosswise<rest>(left, right, k, count - rest, sums);
 }
@@ -74,10 +76,10 @@ GAUSS_INLINED void crosswise(const S (&left)[rows][columns], const S (&right)[ro
 template <int used, class S, int rows, int columns>
 GAUSS_INLINED void squares(const S (&roots)[rows][columns], int k, S (&sums)[columns]) {
   constexpr int count = columns_to_sum<S>(used, columns);
-  constexpr int rest = count % k_columns_at_once;
+  constexpr int rest = count % k_columns_at_once<S>;
   if constexpr (count > rest) {
-    for (int first = 0; first < count - rest; first += k_columns_at_once)
-      add_squares<k_columns_at_once>(roots, k, first, sums);
+    for (int first = 0; first < count - rest; first += k_columns_at_once<S>)
+      add_squares<k_columns_at_once<S>>(roots, k, first, sums);
   }
   if constexpr (rest > 0) add_squares<rest>(roots, k, count - rest, sums);
 }

@@ -7,6 +7,7 @@
 #include "double_pendulum.hpp"
 #include "gauss/integrate/bound_model.hpp"
 #include "gauss/integrate/taylor.hpp"
+#include "gauss/simulate/taylor_simulation.hpp"
 #include "kepler.hpp"
 #if __has_include(<xsimd/xsimd.hpp>)
 #include "gauss/batch/taylor_lanes.hpp"
@@ -168,5 +169,34 @@ TEST_CASE("a lane that is lost stops and the others arrive") {
   for (std::size_t lane = 0; lane < Batch::size; ++lane) CHECK(lanes->lost().get(lane) == (lane == 1));
   const auto known = on_ellipse(4.0, 0.9);
   CHECK(std::abs(lanes->states().values[0].get(0) - known.values[0]) < 1e-9);
+}
+
+TEST_CASE("lanes that start at rest have a first step, and samples see the motion within steps") {
+  using Batch = xsimd::batch<double>;
+  namespace pendulum = gauss::double_pendulum;
+  const auto model = gauss::integrate::bind_model<Pendulum, Batch>();
+  pendulum::State<Batch> start;
+  initial_state(model.prepared(), start);
+  using Lanes = gauss::batch::TaylorLanes<std::decay_t<decltype(model)>, pendulum::TaylorSeries<Batch>>;
+  const auto lanes = std::make_unique<Lanes>(model, start, Batch(0.0), gauss::simulate::Settings<double>{});
+  REQUIRE(lanes->are_under_way(2.0));
+  lanes->step_towards(2.0);
+  const double first = lanes->times().get(0);
+  CHECK(first > 1e-3);
+  CHECK(lanes->begin_of_step().get(0) == 0);
+  CHECK(lanes->steps_of_lanes().get(0) == 1);
+  pendulum::State<Batch> middle;
+  gauss::integrate::state_of_series(lanes->series(), Batch(first / 2), middle);
+  REQUIRE(lanes->advance_to(2.0));
+  const auto alone = gauss::integrate::bind_model<Pendulum, double>();
+  pendulum::State<double> begin;
+  initial_state(alone.prepared(), begin);
+  using Single = gauss::simulate::TaylorSimulation<std::decay_t<decltype(alone)>, pendulum::TaylorSeries<double>>;
+  const auto single = std::make_unique<Single>(alone, begin);
+  REQUIRE(single->advance_to(first / 2));
+  for (int i = 0; i < 4; ++i) CHECK(std::abs(middle.values[i].get(0) - single->state().values[i]) < 1e-11);
+  REQUIRE(single->advance_to(2.0));
+  for (int i = 0; i < 4; ++i) CHECK(std::abs(lanes->states().values[i].get(0) - single->state().values[i]) < 1e-9);
+  CHECK(std::abs(lanes->steps_of_lanes().get(0) - static_cast<double>(single->report().steps)) <= 3);
 }
 #endif

@@ -14,8 +14,10 @@
 #include "sim/advise/advise.hpp"
 #include "sim/advise/search.hpp"
 #include "sim/cli/list_methods.hpp"
+#include "sim/ensemble/ensemble.hpp"
 #include "sim/run/run.hpp"
 #include "sim/scene/choices.hpp"
+#include "sim/scene/ensemble.hpp"
 #include "sim/study/study.hpp"
 #include "version.hpp"
 
@@ -25,57 +27,93 @@ namespace {
 
 namespace cli = gaussgen::cli;
 
+/// Of what is simulated and how, whatever is made of it.
+void add_setting(CLI::App* command, RunOptions& options) {
+  command->add_option("--set", options.sets, "another value for a parameter, an input or the start, such as m=2")
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->take_all();
+  command->add_option("--outputs", options.outputs, "columns of the table, with commas between")
+      ->delimiter(',')
+      ->type_name("LIST");
+  command->add_option("--method", options.method, "how to integrate")
+      ->check(CLI::IsMember(method_names()))
+      ->type_name("NAME");
+  command->add_option("--number", options.number, "number type")
+      ->check(CLI::IsMember(number_names()))
+      ->type_name("TYPE");
+  command->add_option("--projection", options.projection, "onto the constraints after each step")
+      ->check(CLI::IsMember(projection_names()))
+      ->type_name("WHAT");
+  command->add_option("--strategy", options.strategy, "how Z is minimised, as in gauss-gen")
+      ->check(CLI::IsMember(strategy_names()))
+      ->type_name("NAME");
+  command->add_option("--code", options.code, "how equations are written out")
+      ->check(CLI::IsMember(code_names()))
+      ->type_name("HOW");
+  command->add_option("--engine", options.engine, "how functions are executed")
+      ->check(CLI::IsMember(engine_names()))
+      ->type_name("NAME");
+  command->add_option("--start", options.start, "time of the initial state, default 0")->type_name("T");
+  command->add_option("--duration", options.duration, "default 10")->type_name("T")->check(CLI::PositiveNumber);
+  command->add_option("--samples", options.samples, "rows of the table, default 501")
+      ->type_name("N")
+      ->check(CLI::Range(2L, 100'000'000L));
+  command->add_option("--every", options.every, "time between rows, instead of their number")
+      ->type_name("T")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--tolerance", options.tolerance,
+                   "error of a step, relative to the size of each component; default 1e-9")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--step", options.step, "length of steps, of methods that take one")
+      ->type_name("T")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
+}
+
 void add_run(CLI::App& app, RunOptions& options) {
   CLI::App* const run =
       app.add_subcommand("run", "Simulate a scene, or a model from its initial state, and write a table");
   run->add_option("FILE", options.file, "scene or model")->required();
   run->add_option("-o,--output", options.output, "table to write, or - for standard output; default <name>.csv")
       ->type_name("CSV");
-  run->add_option("--set", options.sets, "another value for a parameter, an input or the start, such as m=2")
-      ->type_name("NAME=VALUE")
-      ->expected(1)
-      ->take_all();
-  run->add_option("--outputs", options.outputs, "columns of the table, with commas between")
-      ->delimiter(',')
-      ->type_name("LIST");
-  run->add_option("--method", options.method, "how to integrate")
-      ->check(CLI::IsMember(method_names()))
-      ->type_name("NAME");
-  run->add_option("--number", options.number, "number type")->check(CLI::IsMember(number_names()))->type_name("TYPE");
-  run->add_option("--projection", options.projection, "onto the constraints after each step")
-      ->check(CLI::IsMember(projection_names()))
-      ->type_name("WHAT");
-  run->add_option("--strategy", options.strategy, "how Z is minimised, as in gauss-gen")
-      ->check(CLI::IsMember(strategy_names()))
-      ->type_name("NAME");
-  run->add_option("--code", options.code, "how equations are written out")
-      ->check(CLI::IsMember(code_names()))
-      ->type_name("HOW");
-  run->add_option("--engine", options.engine, "how functions are executed")
-      ->check(CLI::IsMember(engine_names()))
-      ->type_name("NAME");
-  run->add_option("--start", options.start, "time of the initial state, default 0")->type_name("T");
-  run->add_option("--duration", options.duration, "default 10")->type_name("T")->check(CLI::PositiveNumber);
-  run->add_option("--samples", options.samples, "rows of the table, default 501")
-      ->type_name("N")
-      ->check(CLI::Range(2L, 100'000'000L));
-  run->add_option("--every", options.every, "time between rows, instead of their number")
-      ->type_name("T")
-      ->check(CLI::PositiveNumber);
-  run->add_option("--tolerance", options.tolerance,
-                  "error of a step, relative to the size of each component; default 1e-9")
-      ->type_name("E")
-      ->check(CLI::PositiveNumber);
+  add_setting(run, options);
   run->add_option(
          "--error", options.error,
          "largest error of all columns, relative to their ranges: finds a method and a tolerance that deliver it")
       ->type_name("E")
       ->check(CLI::PositiveNumber)
       ->excludes("--tolerance");
-  run->add_option("--step", options.step, "length of steps, of methods that take one")
-      ->type_name("T")
-      ->check(CLI::PositiveNumber);
-  run->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
+}
+
+void add_ensemble(CLI::App& app, EnsembleOptions& options) {
+  CLI::App* const command = app.add_subcommand(
+      "ensemble",
+      "Simulate a scene for many values of parameters and of the start, and write a table with a row for each");
+  command->add_option("FILE", options.run.file, "scene with the key 'ensemble'")->required();
+  command->add_option("-o,--output", options.run.output, "table to write, or - for standard output; default <name>.csv")
+      ->type_name("CSV");
+  command->add_option("--trajectories", options.trajectories, "how many, for each point of the sweeps")
+      ->type_name("N")
+      ->check(CLI::Range(1L, k_most_trajectories));
+  command->add_option("--seed", options.seed, "of what is drawn, default 0")->type_name("N");
+  command->add_option("--threads", options.threads, "default: one for each processor; they change no result")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command
+      ->add_option("--lanes", options.lanes,
+                   "trajectories that a thread integrates together: auto, 1, or what the processor has; results "
+                   "change within the tolerance")
+      ->type_name("N")
+      ->check([](const std::string& text) {
+        const bool is_word =
+            text == "auto" || (!text.empty() && text.find_first_not_of("0123456789") == std::string::npos);
+        return is_word && text.front() != '0' ? std::string() : "expected auto or a number above 0, not '" + text + "'";
+      });
+  command->add_flag("--every-sample", options.records_samples, "a row for each trajectory and sample");
+  add_setting(command, options.run);
 }
 
 void add_study(CLI::App& app, StudyOptions& options) {
@@ -171,6 +209,9 @@ int main(int argc, char** argv) {
   gausssim::add_run(app, options);
   gausssim::add_advise(app, advice);
   gausssim::add_study(app, study);
+  gausssim::EnsembleOptions ensemble;
+  ensemble.messages.program = options.messages.program;
+  gausssim::add_ensemble(app, ensemble);
   gausssim::ListOptions listing;
   gausssim::add_methods(app, listing);
   try {
@@ -183,6 +224,7 @@ int main(int argc, char** argv) {
     gaussgen::cli::write_standard_output(gausssim::listed_methods(listing.format == "json"));
     return gaussgen::cli::k_ok;
   }
+  if (app.got_subcommand("ensemble")) return gausssim::guarded(gausssim::ensemble, ensemble);
   if (app.got_subcommand("study")) return gausssim::guarded(gausssim::study, study);
   if (app.got_subcommand("advise")) return gausssim::guarded(gausssim::advise, advice);
   return gausssim::guarded(gausssim::run_for_errors, options);

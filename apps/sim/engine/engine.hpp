@@ -17,6 +17,8 @@ class Engine {
   virtual const char* name() const = 0;
   /// Of function and number type, as C++ writes it; an empty one where there is none.
   virtual Entry find(const std::string& function, const std::string& scalar) const = 0;
+  /// The same functions, for another thread: what one engine has found may run on one thread at a time.
+  virtual std::unique_ptr<const Engine> another() const = 0;
 };
 
 /// Values and the start, which are no part of what is compiled, are found by another engine.
@@ -29,6 +31,9 @@ class CompiledEngine final : public Engine {
   Entry find(const std::string& function, const std::string& scalar) const override {
     const Entry compiled = plugin_->find(function, scalar);
     return compiled ? compiled : beside_->find(function, scalar);
+  }
+  std::unique_ptr<const Engine> another() const override {
+    return std::make_unique<CompiledEngine>(plugin_, beside_->another());
   }
 
  private:

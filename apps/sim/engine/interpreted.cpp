@@ -68,6 +68,9 @@ struct InterpretedEngine::Callees {
   std::list<Callee<Quad>> in_quad;
 };
 
+InterpretedEngine::InterpretedEngine(std::shared_ptr<const Program> program)
+    : program_(std::move(program)), callees_(std::make_unique<Callees>()) {}
+
 InterpretedEngine::InterpretedEngine(cpp::File tree) : callees_(std::make_unique<Callees>()) {
   remove_series(tree);
   program_ = std::make_shared<const Program>(compile(tree));
@@ -79,6 +82,10 @@ Entry InterpretedEngine::find(const std::string& function, const std::string& sc
   const auto [place, is_new] = callees_->entries.try_emplace({function, scalar});
   if (is_new) place->second = made(function, scalar);
   return place->second;
+}
+
+std::unique_ptr<const Engine> InterpretedEngine::another() const {
+  return std::unique_ptr<const Engine>(new InterpretedEngine(program_));
 }
 
 Entry InterpretedEngine::made(const std::string& function, const std::string& scalar) const {

@@ -19,9 +19,12 @@ class InterpretedEngine final : public Engine {
   const char* name() const override { return "interpreted"; }
   /// The same entry for the same words, with a frame of its own: different ones may run at a time, one may not.
   Entry find(const std::string& function, const std::string& scalar) const override;
+  std::unique_ptr<const Engine> another() const override;
 
  private:
   struct Callees;
+
+  explicit InterpretedEngine(std::shared_ptr<const Program> program);
 
   Entry made(const std::string& function, const std::string& scalar) const;
 

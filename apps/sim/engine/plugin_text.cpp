@@ -127,11 +127,14 @@ std::string entry_symbol(const std::string& function, const std::string& scalar)
   return "gauss_sim_" + function + "_" + symbol_part(scalar);
 }
 
-std::string plugin_text(cpp::File tree, const PluginRequest& request) {
+std::string plugin_header(cpp::File tree) {
   remove_provenance(tree);
   remove_values(tree);
-  std::string text = cpp::print(tree);
-  text += "\n#define GAUSS_SIM_VISIBLE __attribute__((visibility(\"default\")))\n\n";
+  return cpp::print(tree) + "\n#define GAUSS_SIM_VISIBLE __attribute__((visibility(\"default\")))\n\n";
+}
+
+std::string plugin_text(cpp::File tree, const PluginRequest& request) {
+  std::string text = plugin_header(tree);
   if (uses_quad(request)) text += quad_runtime();
   const bool has_series = find_function(tree, "taylor") != nullptr;
   const std::string metric = request.usual_rank ? metric_for_gains(tree) : "";

@@ -33,6 +33,9 @@ std::string_view gains_runtime();
 /// What __float128 needs.
 std::string_view quad_runtime();
 
+/// Of the header all but values and words about its file, and what makes entries visible.
+std::string plugin_header(gaussgen::emit::cpp::File tree);
+
 /// The same text for all values of parameters and of the start: they are given when it runs.
 std::string plugin_text(gaussgen::emit::cpp::File tree, const PluginRequest& request);
 

@@ -1,22 +1,25 @@
 #include "sim/run/interruption.hpp"
 
+#include <atomic>
 #include <csignal>
 
 namespace gausssim {
 
 namespace {
 
-volatile std::sig_atomic_t asked = 0;
+// The handler runs on any thread, and all of them look.
+std::atomic<bool> asked{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 void note(int signal) {
-  asked = 1;
+  asked = true;
   std::signal(signal, SIG_DFL);
 }
 
 }  // namespace
 
 Interruption::Interruption() {
-  asked = 0;
+  asked = false;
   std::signal(SIGINT, note);
   std::signal(SIGTERM, note);
 }
@@ -26,6 +29,6 @@ Interruption::~Interruption() {
   std::signal(SIGTERM, SIG_DFL);
 }
 
-bool Interruption::is_asked_for() { return asked != 0; }
+bool Interruption::is_asked_for() { return asked; }
 
 }  // namespace gausssim

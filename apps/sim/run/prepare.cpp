@@ -234,6 +234,7 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
   options.adjust = [&](model::Model& read) {
     SceneValues(result.scene, in_values).apply(read);
     cli::apply_overrides(request.sets, read);
+    if (request.adjust) request.adjust(result.scene, read, in_values);
     parameters = model::parameter_values(read);
     result.span = SpanReader(result.scene, parameters, in_values).read();
     if (in_values.has_errors()) throw BadScene{};

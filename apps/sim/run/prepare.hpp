@@ -1,12 +1,14 @@
 #pragma once
 // From a file to a model whose functions can be executed.
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/messages.hpp"
+#include "model/model.hpp"
 #include "sim/engine/binding.hpp"
 #include "sim/output/columns.hpp"
 #include "sim/scene/scene.hpp"
@@ -21,6 +23,8 @@ struct Request {
   gaussgen::cli::MessageOptions messages;
   std::vector<std::string> where_possible = {};  ///< outputs that are left out without a word where the model has none
   std::string form = {};                         ///< one of the scene's `formulations`; empty: the scene itself
+  /// Changes the model when scene and options have had their say; what it finds is in the text of the scene. May be empty.
+  std::function<void(const Scene&, gaussgen::model::Model&, gaussgen::support::Diagnostics&)> adjust = nullptr;
 };
 
 struct Span {

@@ -8,14 +8,13 @@
 
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
-#include "cli/overrides.hpp"
 #include "cli/replacement.hpp"
 #include "sim/output/csv.hpp"
 #include "sim/run/build_engine.hpp"
 #include "sim/run/error_estimate.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/progress_bar.hpp"
-#include "sim/run/setting.hpp"
+#include "sim/run/settings.hpp"
 #include "version.hpp"
 
 namespace gausssim {
@@ -27,53 +26,6 @@ using gauss::simulate::Outcome;
 
 constexpr double k_tighter = 1.0 / 30;  ///< tolerance of the run that tells errors
 constexpr double k_long_run = 5;        ///< seconds; not made twice unless somebody asks
-
-void apply(const RunOptions& options, Scene& scene) {
-  const auto word = [](const std::string& text, std::optional<Word>& to) {
-    if (!text.empty()) to = Word{text, {}};
-  };
-  word(options.method, scene.method);
-  word(options.number, scene.number);
-  word(options.projection, scene.projection);
-  word(options.strategy, scene.strategy);
-  word(options.engine, scene.engine);
-  word(options.code, scene.code);
-  const auto value = [](const char* option, const std::string& text, std::optional<gaussgen::model::Ast>& to) {
-    if (text.empty()) return;
-    to = cli::parse_value(option, text);
-    to->text = text;
-  };
-  value("--start", options.start, scene.start);
-  value("--duration", options.duration, scene.duration);
-  value("--every", options.every, scene.every);
-  if (!options.every.empty()) scene.samples.reset();
-  if (options.samples) scene.samples = options.samples, scene.every.reset();
-  if (options.tolerance) scene.tolerance = options.tolerance, scene.error.reset();
-  if (options.step) scene.step = options.step, scene.error.reset();
-  if (options.error) scene.error = options.error, scene.tolerance.reset(), scene.step.reset();
-  if (!options.outputs.empty()) scene.outputs.clear();
-  for (const std::string& name : options.outputs) scene.outputs.push_back({name, {}});
-}
-
-EngineChoice engine_choice(const Scene& scene) {
-  if (!scene.engine || scene.engine->text == "auto") return EngineChoice::automatic;
-  return scene.engine->text == "compiled" ? EngineChoice::compiled : EngineChoice::interpreted;
-}
-
-/// What no model can change: refused before one is read.
-void check_method(const Scene& scene) {
-  if (chooses_method(scene)) return;
-  const MethodInfo& method = *find_method(scene.method->text);
-  const auto refuse = [&](const std::string& why) {
-    throw cli::UsageError(fmt::format("method '{}': {}", method.name, why));
-  };
-  if (!method.missing.empty()) refuse(method.missing);
-  const std::string number = scene.number ? scene.number->text : "double";
-  if (number == "float128" && method.name != "taylor") refuse("in float128 there is no method but taylor");
-  if (!computes_in(method, number)) refuse("it does not compute in " + number);
-  if (!method.projects && scene.projection && scene.projection->text != "off")
-    refuse("it does not project, so states drift off the constraints as its tolerance allows; take 'projection: off'");
-}
 
 std::string csv_path(const RunOptions& options, const PreparedModel& prepared) {
   if (!options.output.empty()) return options.output;

@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include "model/constant.hpp"
-#include "model/constant_check.hpp"
 #include "model/fields.hpp"
 #include "sim/scene/choices.hpp"
+#include "sim/scene/read_ensemble.hpp"
+#include "sim/scene/read_numbers.hpp"
 #include "spec/reader.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
@@ -30,7 +28,7 @@ const std::vector<std::string>& keys() {
   static const std::vector<std::string> k_keys{
       "gauss",      "scene",    "about",   "model",   "counts", "parameters",  "initial",      "inputs", "start",
       "duration",   "every",    "samples", "outputs", "method", "tolerance",   "error",        "step",   "number",
-      "projection", "strategy", "engine",  "code",    "gain",   "formulation", "formulations", "exact"};
+      "projection", "strategy", "engine",  "code",    "gain",   "formulation", "formulations", "exact",  "ensemble"};
   return k_keys;
 }
 
@@ -62,10 +60,12 @@ class SceneReader {
     scene_.strategy = choice(root_, "strategy", strategy_names());
     scene_.code = choice(root_, "code", code_names());
     scene_.engine = choice(root_, "engine", engine_names());
-    scene_.tolerance = positive("tolerance");
-    scene_.error = positive("error");
-    scene_.step = positive("step");
-    scene_.gain = positive("gain");
+    scene_.tolerance = numbers_.positive(root_, "tolerance");
+    scene_.error = numbers_.positive(root_, "error");
+    scene_.step = numbers_.positive(root_, "step");
+    scene_.gain = numbers_.positive(root_, "gain");
+    if (const spec::Node* const ensemble = spec::find(root_, "ensemble"))
+      scene_.ensemble = read_ensemble(*ensemble, root_, reading_);
     refuse_pair("every", "samples");
     refuse_pair("tolerance", "error");
     read_forms();
@@ -85,7 +85,8 @@ class SceneReader {
 
   void read_counts() {
     model::read_section(root_, "counts", reading_, [&](const spec::Entry& entry) {
-      if (const auto number = whole(entry.value, entry.key.span, 1, 1'000'000)) scene_.counts[entry.key.text] = *number;
+      if (const auto number = numbers_.whole(entry.value, entry.key.span, 1, 1'000'000))
+        scene_.counts[entry.key.text] = *number;
     });
   }
 
@@ -119,7 +120,7 @@ class SceneReader {
   void read_samples() {
     const spec::Node* const node = spec::find(root_, "samples");
     if (node == nullptr) return;
-    if (const auto number = whole(*node, node->span, 2, k_most_samples)) scene_.samples = *number;
+    if (const auto number = numbers_.whole(*node, node->span, 2, k_most_samples)) scene_.samples = *number;
   }
 
   void read_outputs() {
@@ -129,35 +130,6 @@ class SceneReader {
       if (!model::expect_scalar(item, list->span, "an output", reading_)) continue;
       scene_.outputs.push_back({item.scalar.text, item.span});
     }
-  }
-
-  /// Nothing, which is reported, where it is no number.
-  std::optional<gaussgen::support::Rational> exact(const spec::Node& node, Span owner) {
-    const model::Ast ast = model::read_expression(node, owner, reading_);
-    Diagnostics found;
-    model::check_constants(ast, found);
-    if (found.has_errors()) reading_.diagnostics.add(found.all().front());
-    is_reported_ = model::is_broken(ast) || found.has_errors();
-    return is_reported_ ? std::nullopt : model::exact_value(ast);
-  }
-
-  std::optional<long> whole(const spec::Node& node, Span owner, long least, long most) {
-    const auto value = exact(node, owner);
-    if (value && gaussgen::support::is_integer(*value) && *value >= least && *value <= most)
-      return static_cast<long>(gaussgen::support::to_double(*value));
-    if (!is_reported_)
-      error(code::k_out_of_range, node.span, fmt::format("expected a whole number from {} to {}", least, most));
-    return std::nullopt;
-  }
-
-  std::optional<double> positive(const std::string& key) {
-    const spec::Node* const node = spec::find(root_, key);
-    if (node == nullptr) return std::nullopt;
-    const auto value = exact(*node, node->span);
-    const double number = value ? gaussgen::support::to_double(*value) : 0;
-    if (number > 0 && std::isfinite(number)) return number;
-    if (!is_reported_) error(code::k_out_of_range, node->span, fmt::format("'{}' is a number above 0", key));
-    return std::nullopt;
   }
 
   std::optional<Word> choice(const spec::Node& in, const std::string& key, const std::vector<std::string>& words) {
@@ -183,7 +155,7 @@ class SceneReader {
   const spec::Node& root_;
   model::Reading& reading_;
   Scene scene_;
-  bool is_reported_ = false;  ///< what is wrong with the last number
+  NumberReader numbers_{reading_};
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "model/ast.hpp"
 #include "model/given_counts.hpp"
+#include "sim/scene/ensemble.hpp"
 #include "support/source.hpp"
 
 namespace gausssim {
@@ -45,6 +46,7 @@ struct Scene {
   std::vector<Word> outputs;                                   ///< empty: those that everybody wants
   std::optional<Word> method, number, projection, strategy, engine, code;
   std::optional<double> tolerance, error, step, gain;
+  std::optional<Ensemble> ensemble;
 };
 
 }  // namespace gausssim

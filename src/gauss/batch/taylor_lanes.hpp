@@ -39,12 +39,21 @@ class TaylorLanes {
   bool advance_to(const Number& end) {
     const Batch goal(end);
     if (!settings_.are_usable()) return false;
-    for (long steps = 0; xsimd::any((t_ < goal) && !lost_); ++steps) {
+    for (long steps = 0; are_under_way(end); ++steps) {
       if (steps >= settings_.most_steps) return false;
       step(goal);
     }
     return xsimd::none(lost_);
   }
+
+  /// For callers that look at the motion within steps: whether any lane has a way to go, and one step of those that have.
+  bool are_under_way(const Number& end) const { return xsimd::any((t_ < Batch(end)) && !lost_); }
+  void step_towards(const Number& end) { step(Batch(end)); }
+  /// Of the last step, from where each lane was then. A lane may be back there after the next one, which found that it did not hold.
+  const Series& series() const { return series_; }
+  const Batch& begin_of_step() const { return t_before_; }
+  /// Steps that each lane has taken, without those that it took back.
+  const Batch& steps_of_lanes() const { return taken_; }
 
   const State& states() const { return state_; }
   const Batch& times() const { return t_; }
@@ -99,6 +108,7 @@ class TaylorLanes {
     }
     t_ = xsimd::select(moves, xsimd::select(arrives, goal, t_ + span), t_);
     if (settings_.project) project(moves);
+    taken_ = taken_ + xsimd::select(moves, Batch(Number(1)), Batch(Number(0)));
     span_ = span;
     reach_ = xsimd::select(moves, span, reach_);
     grow();
@@ -117,28 +127,59 @@ class TaylorLanes {
     for (std::size_t i = 0; i < Model::size; ++i)
       state_.values[i] = xsimd::select(where, before_.values[i], state_.values[i]);
     t_ = xsimd::select(where, t_before_, t_);
+    taken_ = taken_ - xsimd::select(where, Batch(Number(1)), Batch(Number(0)));
     const Batch none(std::numeric_limits<Number>::infinity());
     most_ = xsimd::select(where, span_ * Number(0.5), xsimd::select(span_ > Batch(Number(0)), none, most_));
   }
 
   static Batch least_span(const Batch& goal) { return Number(4) * Math<Batch>::epsilon() * size_of(goal); }
 
-  /// By the last four terms: motions from rest may have one in each fourth order only.
+  /// As SeriesControl has it: by the last two terms, and by the two before them where these are larger than they usually are.
   Batch longest() {
-    const Batch none(std::numeric_limits<Number>::max());
-    const Batch reach = xsimd::select(reach_ > Batch(Number(0)), reach_, first_reach());
-    Batch span = settings_.longest_step > Number(0) ? Batch(settings_.longest_step) : none;
+    const Mask is_first = !(reach_ > Batch(Number(0)));
+    const Batch reach = xsimd::any(is_first) ? xsimd::select(is_first, first_reach(), reach_) : reach_;
+    Values by_allowed;
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Batch size = xsimd::max(sizes_[i], reach * size_of(series_.values[1][i]));
+      const Batch size = xsimd::max(sizes_[i], size_within(reach, i));
       allowed_[i] = (settings_.tolerance + Number(4) * std::numeric_limits<Number>::epsilon()) * size + least();
+      by_allowed[i] = Batch(Number(1)) / allowed_[i];
     }
-    for (int k = order_; k > order_ - 4; --k) {
-      Batch part(Number(0));
-      for (std::size_t i = 0; i < Model::size; ++i)
-        part = xsimd::max(part, size_of(series_.values[k][i]) / allowed_[i]);
-      span = within(part, k, span);
+    const int q = order_ - 3;
+    const Batch by_two =
+        xsimd::min(logarithm_within(part(by_allowed, q + 3), q + 3), logarithm_within(part(by_allowed, q + 2), q + 2));
+    Batch span = Math<Batch>::exp(by_two);
+    const Batch third = part(by_allowed, q + 1), fourth = part(by_allowed, q), factor = power(span, q);
+    const Mask is_usual = third * factor * span <= Number(k_usual) && fourth * factor <= Number(k_usual);
+    if (!xsimd::all(is_usual)) {
+      const Batch by_others = xsimd::min(logarithm_within(third, q + 1), logarithm_within(fourth, q));
+      span = xsimd::select(is_usual, span, Math<Batch>::exp(xsimd::min(by_two, by_others)));
     }
-    return span;
+    return settings_.longest_step > Number(0) ? xsimd::min(span, Batch(settings_.longest_step)) : span;
+  }
+
+  static Batch power(Batch x, int exponent) {
+    Batch result(Number(1));
+    for (; exponent > 0; exponent /= 2, x = x * x) result = exponent % 2 == 1 ? result * x : result;
+    return result;
+  }
+
+  /// By a rate, or from rest by a rate of that.
+  Batch size_within(const Batch& reach, std::size_t i) const {
+    const Batch by_rate = reach * size_of(series_.values[1][i]);
+    return xsimd::select(by_rate > Batch(Number(0)), by_rate, reach * reach * size_of(series_.values[2][i]));
+  }
+
+  /// The largest term of an order for a step of 1, in units of what is allowed.
+  Batch part(const Values& by_allowed, int order) const {
+    Batch result(Number(0));
+    for (std::size_t i = 0; i < Model::size; ++i)
+      result = xsimd::max(result, size_of(series_.values[order][i]) * by_allowed[i]);
+    return result;
+  }
+
+  /// Of the longest step whose term of an order is allowed.
+  static Batch logarithm_within(const Batch& part, int order) {
+    return Math<Batch>::log(xsimd::max(part, least())) * (Number(-1) / static_cast<Number>(order));
   }
 
   /// part^(-1/order), or `most`.
@@ -163,6 +204,7 @@ class TaylorLanes {
   static Batch least() { return Batch(std::numeric_limits<Number>::min() / std::numeric_limits<Number>::epsilon()); }
 
   static constexpr double k_most_off = 10'000;  ///< as TaylorSimulation has it
+  static constexpr double k_usual = 10'000;     ///< as SeriesControl has it
 
   Model model_;
   simulate::Settings<Number> settings_;
@@ -171,6 +213,7 @@ class TaylorLanes {
   Batch t_, t_before_ = Batch(Number(0)), span_ = Batch(Number(0));
   Batch reach_ = Batch(Number(0));  ///< the last step that went on
   Batch most_ = Batch(std::numeric_limits<Number>::infinity());
+  Batch taken_ = Batch(Number(0));
   Values sizes_ = zeros(), allowed_ = zeros(), expected_ = zeros();
   Mask lost_ = Mask(false);
   Status status_{};

@@ -1,0 +1,147 @@
+#include "sim/ensemble/ensemble.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <thread>
+
+#include "cli/exit_codes.hpp"
+#include "cli/files.hpp"
+#include "cli/replacement.hpp"
+#include "sim/ensemble/check_draws.hpp"
+#include "sim/ensemble/choose_lanes.hpp"
+#include "sim/ensemble/summary.hpp"
+#include "sim/ensemble/table.hpp"
+#include "sim/output/csv.hpp"
+#include "sim/run/interruption.hpp"
+#include "sim/run/progress_bar.hpp"
+#include "sim/run/settings.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace cli = gaussgen::cli;
+
+/// What options say of the ensemble itself.
+void apply(const EnsembleOptions& options, Ensemble& ensemble) {
+  if (options.seed) ensemble.seed = *options.seed;
+  ensemble.records_samples = ensemble.records_samples || options.records_samples;
+  const auto& varied = ensemble.varied;
+  for (const std::string& set : options.run.sets) {
+    const std::string name = set.substr(0, set.find('='));
+    if (std::any_of(varied.begin(), varied.end(), [&](const Varied& one) { return one.name == name; }))
+      throw cli::UsageError(fmt::format("--set {}: the ensemble varies it", name));
+  }
+  if (!options.trajectories) return;
+  if (std::none_of(varied.begin(), varied.end(), [](const Varied& one) { return one.distribution.is_random(); }))
+    throw cli::UsageError("--trajectories: nothing is drawn, so sweeps alone say how many there are");
+  ensemble.trajectories = *options.trajectories;
+  if (points_of(ensemble) * static_cast<double>(ensemble.trajectories) > static_cast<double>(k_most_trajectories))
+    throw cli::UsageError(fmt::format("--trajectories: there may be {} in all", k_most_trajectories));
+}
+
+int threads_of(const EnsembleOptions& options) {
+  const int all = static_cast<int>(std::thread::hardware_concurrency());
+  return options.threads > 0 ? options.threads : std::max(1, all);
+}
+
+std::string csv_path(const EnsembleOptions& options, const PreparedModel& prepared) {
+  if (!options.run.output.empty()) return options.run.output;
+  return (prepared.scene.name.empty() ? prepared.model.unit.model_name : prepared.scene.name) + ".csv";
+}
+
+void tell(const EnsembleTold& told, const std::string& csv) {
+  const Outcomes& outcomes = told.outcomes;
+  const EnsembleSetting& setting = told.setting;
+  std::string text =
+      fmt::format("{}: {} trajectories by {} ({}, {} lanes, {} threads)\n", told.prepared.model.unit.model_name,
+                  outcomes.run(), setting.setting.method, setting.setting.number,
+                  setting.lanes == nullptr ? 1 : setting.lanes->lanes(), setting.threads);
+  for (const auto& [status, count] : counts_by_status(outcomes)) text += fmt::format("  {:8} {}\n", count, status);
+  text += fmt::format("  {:.3g} s: {:.4g} trajectories/s, {:.4g} steps/s\n", outcomes.wall_seconds,
+                      rate_of(outcomes.run(), outcomes), rate_of(outcomes.steps(), outcomes));
+  text += fmt::format("  wrote {}\n", csv);
+  cli::write_standard_output(text);
+}
+
+int code_of(const EnsembleTold& told, const cli::MessageOptions& messages) {
+  constexpr int k_interrupted = 130;
+  const Outcomes& outcomes = told.outcomes;
+  const long run = outcomes.run();
+  const long finished = std::count_if(outcomes.ended.begin(), outcomes.ended.end(),
+                                      [](const Ended& one) { return one.how == Ended::How::finished; });
+  if (outcomes.untrusted() > 0)
+    cli::warn(fmt::format("outputs of {} rows are not to be trusted", outcomes.untrusted()), messages);
+  if (told.was_interrupted) {
+    cli::remark(fmt::format("interrupted: the table has {} of {} trajectories", run, outcomes.ended.size()), messages);
+    return k_interrupted;
+  }
+  if (finished == run) return cli::k_ok;
+  const std::string text = fmt::format("{} of {} trajectories did not arrive; the table says why", run - finished, run);
+  if (finished == 0) return cli::fail(text, cli::k_motion_stopped, messages);
+  cli::warn(text, messages);
+  return cli::k_ok;
+}
+
+}  // namespace
+
+int ensemble(const EnsembleOptions& options) {
+  Request request{options.run.file, options.run.sets, {}, options.messages};
+  std::vector<Placed> places;
+  request.adjust = [&](const Scene& scene, gaussgen::model::Model& model, gaussgen::support::Diagnostics& diagnostics) {
+    places = vary(scene, model, diagnostics);
+    if (!diagnostics.has_errors()) check_draws(*scene.ensemble, places, model, diagnostics);
+  };
+  int code = cli::k_ok;
+  const auto prepared = prepare(
+      request,
+      [&](Scene& scene) {
+        if (!scene.ensemble)
+          throw cli::UsageError("the file says nothing of an ensemble: add the key 'ensemble' to a scene");
+        apply(options.run, scene);
+        apply(options, *scene.ensemble);
+        check_method(scene);
+        if (!chooses_method(scene)) request.also = find_method(scene.method->text)->takes;
+      },
+      code);
+  if (!prepared) return code;
+  const Plan plan(*prepared->scene.ensemble);
+  const std::string number = prepared->scene.number ? prepared->scene.number->text : "double";
+  EngineTimes times;
+  std::string why;
+  const auto engine = build_engine(*prepared, engine_choice(prepared->scene), {scalar_of(number)}, times, why);
+  if (!engine) return cli::fail(why, cli::k_file_error, options.messages);
+  EnsembleSetting setting;
+  setting.setting = setting_of(*prepared, *engine);
+  const BuiltLanes lanes = choose_lanes(options.lanes, *prepared, *engine, setting.setting, options.messages);
+  setting.threads = threads_of(options);
+  setting.lanes = lanes.kernel.get();
+  setting.records_samples = prepared->scene.ensemble->records_samples;
+
+  const std::string csv = csv_path(options, *prepared);
+  CsvFile file(csv);
+  file.write(ensemble_header(*prepared, plan.varied()));
+  Outcomes outcomes;
+  bool was_interrupted = false;
+  {
+    const Interruption interruption;
+    ProgressBar bar(!options.run.quiet);
+    EnsembleListeners listeners;
+    listeners.on_rows = [&](const std::string& rows) { file.write(rows); };
+    listeners.on_wait = [&](double share) { bar.show(share, prepared->model.unit.model_name); };
+    outcomes = run_all(*prepared, *engine, setting, {&plan, &places}, listeners);
+    was_interrupted = Interruption::is_asked_for() && outcomes.run() < plan.count();
+  }
+  const EnsembleTold told{*prepared, setting, outcomes, engine->name(), times, lanes.compile_seconds, was_interrupted};
+  file.finish();
+  if (csv != "-") {
+    const std::string path = std::filesystem::path(csv).replace_extension(".json").string();
+    cli::Replacement(path, ensemble_json(told).dump(2) + "\n").commit();
+    if (!options.run.quiet) tell(told, csv + " and " + path);
+  }
+  return code_of(told, options.messages);
+}
+
+}  // namespace gausssim

@@ -1,0 +1,24 @@
+#pragma once
+// `gauss-sim ensemble`.
+
+#include <optional>
+#include <string>
+
+#include "sim/run/run.hpp"
+
+namespace gausssim {
+
+struct EnsembleOptions {
+  RunOptions run;   ///< what they share
+  int threads = 0;  ///< 0: as many as there are processors
+  std::string lanes = "auto";
+  std::optional<long> trajectories;
+  std::optional<std::uint64_t> seed;
+  bool records_samples = false;
+  gaussgen::cli::MessageOptions messages;
+};
+
+/// Returns an exit code. Throws cli::FileError and cli::UsageError.
+int ensemble(const EnsembleOptions& options);
+
+}  // namespace gausssim

@@ -1,0 +1,113 @@
+#include "sim/ensemble/vary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/overrides.hpp"
+#include "sim/ensemble/plan.hpp"
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace cli = gaussgen::cli;
+namespace code = gaussgen::support::code;
+namespace model = gaussgen::model;
+using model::SymbolKind;
+
+model::Ast number_of(double value) { return cli::parse_value("ensemble", fmt::format("{}", value)); }
+
+/// Without the words for a command line.
+std::string without_option(const std::string& text) {
+  const std::size_t colon = text.rfind("--set", 0) == 0 ? text.find(": ") : std::string::npos;
+  return colon == std::string::npos ? text : text.substr(colon + 2);
+}
+
+class Varying {
+ public:
+  Varying(model::Model& model, gaussgen::support::Diagnostics& diagnostics)
+      : model_(model), diagnostics_(diagnostics) {}
+
+  Placed apply(const Varied& one) {
+    const model::Ast value = number_of(nominal(one.distribution));
+    if (one.section == Section::initial) return initial(one, value);
+    const bool is_input = one.section == Section::inputs;
+    const SymbolKind kind = is_input ? SymbolKind::input : SymbolKind::parameter;
+    if (is_declared(one, kind)) give(one, value);
+    return {is_input, one.name};
+  }
+
+ private:
+  void error(const Varied& one, const std::string& message, const std::string& hint = "") {
+    diagnostics_.error(code::k_wrong_reference, one.span, message, hint);
+  }
+
+  bool is_declared(const Varied& one, SymbolKind kind) {
+    const auto symbol = model_.symbols.find(one.name);
+    if (symbol != model_.symbols.end() && symbol->second.kind == kind) return true;
+    const char* const what = kind == SymbolKind::input ? "input" : "parameter";
+    std::vector<std::string> names;
+    for (const auto& [name, ref] : model_.symbols) {
+      if (ref.kind == kind) names.push_back(name);
+    }
+    error(one, fmt::format("'{}' is no {} of the model", one.name, what),
+          gaussgen::support::did_you_mean(one.name, names));
+    return false;
+  }
+
+  Placed initial(const Varied& one, const model::Ast& value) {
+    const auto symbol = model_.symbols.find(one.name);
+    const bool is_known = symbol != model_.symbols.end();
+    const bool is_input = is_known && symbol->second.kind == SymbolKind::input;
+    if (is_input || (is_known && symbol->second.kind == SymbolKind::parameter)) {
+      error(one, fmt::format("'{}' has no initial value", one.name),
+            fmt::format("it belongs under '{}'", is_input ? "inputs" : "parameters"));
+      return {};
+    }
+    const std::string name = add_parameter(one.name, value);
+    model::Ast ast;
+    ast.kind = model::AstKind::symbol;
+    ast.name = name;
+    give(one, ast);
+    return {false, name};
+  }
+
+  /// Nobody can write it, so it is told from all that are declared.
+  std::string add_parameter(const std::string& quantity, const model::Ast& value) {
+    std::string name = "start_of_";
+    for (const char c : quantity) name += c == '(' || c == ')' || c == ' ' ? '_' : c;
+    while (model_.symbols.count(name) > 0) name += "_";
+    model::Parameter parameter;
+    parameter.name = {name, model_.name.span};
+    parameter.value = value;
+    model_.symbols[name] = {SymbolKind::parameter, model_.parameters.size()};
+    model_.parameters.push_back(std::move(parameter));
+    return name;
+  }
+
+  void give(const Varied& one, const model::Ast& value) {
+    try {
+      overrides_.set("--set " + one.name, one.name, value);
+    } catch (const cli::UsageError& error_of_set) {
+      error(one, without_option(error_of_set.what()));
+    }
+  }
+
+  model::Model& model_;
+  gaussgen::support::Diagnostics& diagnostics_;
+  cli::Overrides overrides_{model_};
+};
+
+}  // namespace
+
+std::vector<Placed> vary(const Scene& scene, model::Model& to, gaussgen::support::Diagnostics& diagnostics) {
+  std::vector<Placed> places;
+  Varying varying(to, diagnostics);
+  for (const Varied& one : scene.ensemble->varied) places.push_back(varying.apply(one));
+  return places;
+}
+
+}  // namespace gausssim

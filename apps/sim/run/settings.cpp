@@ -1,0 +1,62 @@
+#include "sim/run/settings.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/overrides.hpp"
+#include "cli/usage_error.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace cli = gaussgen::cli;
+
+}  // namespace
+
+void apply(const RunOptions& options, Scene& scene) {
+  const auto word = [](const std::string& text, std::optional<Word>& to) {
+    if (!text.empty()) to = Word{text, {}};
+  };
+  word(options.method, scene.method);
+  word(options.number, scene.number);
+  word(options.projection, scene.projection);
+  word(options.strategy, scene.strategy);
+  word(options.engine, scene.engine);
+  word(options.code, scene.code);
+  const auto value = [](const char* option, const std::string& text, std::optional<gaussgen::model::Ast>& to) {
+    if (text.empty()) return;
+    to = cli::parse_value(option, text);
+    to->text = text;
+  };
+  value("--start", options.start, scene.start);
+  value("--duration", options.duration, scene.duration);
+  value("--every", options.every, scene.every);
+  if (!options.every.empty()) scene.samples.reset();
+  if (options.samples) scene.samples = options.samples, scene.every.reset();
+  if (options.tolerance) scene.tolerance = options.tolerance, scene.error.reset();
+  if (options.step) scene.step = options.step, scene.error.reset();
+  if (options.error) scene.error = options.error, scene.tolerance.reset(), scene.step.reset();
+  if (!options.outputs.empty()) scene.outputs.clear();
+  for (const std::string& name : options.outputs) scene.outputs.push_back({name, {}});
+}
+
+EngineChoice engine_choice(const Scene& scene) {
+  if (!scene.engine || scene.engine->text == "auto") return EngineChoice::automatic;
+  return scene.engine->text == "compiled" ? EngineChoice::compiled : EngineChoice::interpreted;
+}
+
+void check_method(const Scene& scene) {
+  if (chooses_method(scene)) return;
+  const MethodInfo& method = *find_method(scene.method->text);
+  const auto refuse = [&](const std::string& why) {
+    throw cli::UsageError(fmt::format("method '{}': {}", method.name, why));
+  };
+  if (!method.missing.empty()) refuse(method.missing);
+  const std::string number = scene.number ? scene.number->text : "double";
+  if (number == "float128" && method.name != "taylor") refuse("in float128 there is no method but taylor");
+  if (!computes_in(method, number)) refuse("it does not compute in " + number);
+  if (!method.projects && scene.projection && scene.projection->text != "off")
+    refuse("it does not project, so states drift off the constraints as its tolerance allows; take 'projection: off'");
+}
+
+}  // namespace gausssim
