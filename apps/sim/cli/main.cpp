@@ -64,6 +64,7 @@ void add_run(CLI::App& app, RunOptions& options) {
   run->add_option("--step", options.step, "length of steps, of methods that take one")
       ->type_name("T")
       ->check(CLI::PositiveNumber);
+  run->add_flag("--resume", options.resume, "go on from the table and the summary that an interrupted run has left");
   run->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
 

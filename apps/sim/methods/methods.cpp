@@ -100,5 +100,6 @@ Made<Quad> make_integrator(const std::string& name, const MotionModel<Quad>& mod
 GAUSS_SIM_NUMBER(double)
 GAUSS_SIM_NUMBER(long double)
 #undef GAUSS_SIM_NUMBER
+template std::string why_not_projected(const Functions<Quad>&, Projection);
 
 }  // namespace gausssim

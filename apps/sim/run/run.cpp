@@ -16,6 +16,7 @@
 #include "sim/run/error_estimate.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/progress_bar.hpp"
+#include "sim/run/resume.hpp"
 #include "version.hpp"
 
 namespace gausssim {
@@ -111,6 +112,11 @@ std::string summary_path(const std::string& csv) {
   return std::filesystem::path(csv).replace_extension(".json").string();
 }
 
+EarlierRun earlier_run(const std::string& csv, const PreparedModel& prepared, const Setting& setting) {
+  if (csv == "-") throw cli::UsageError("--resume: standard output cannot be gone on with");
+  return read_earlier_run(csv, summary_path(csv), prepared, setting);
+}
+
 struct Times {
   double generate = 0;
   EngineTimes engine;
@@ -163,6 +169,7 @@ nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& set
                      {"run", run.wall_seconds},
                      {"run_cpu", run.cpu_seconds}};
   json["last_state"] = run.last_state;
+  json["resume"] = resume_json(prepared, run);
   return json;
 }
 
@@ -202,7 +209,8 @@ int code_of(const Simulated& run, const PreparedModel& prepared, const cli::Mess
                           gauss::name(run.sample_status)),
               messages);
   if (run.was_interrupted) {
-    cli::remark(fmt::format("interrupted at t = {}; the table ends there", run.reached), messages);
+    cli::remark(fmt::format("interrupted at t = {}; the table ends there, and --resume goes on from it", run.reached),
+                messages);
     return k_interrupted;
   }
   if (run.outcome == Outcome::running) return cli::k_ok;
@@ -246,8 +254,14 @@ int run(const RunOptions& options) {
   const Setting setting = setting_of(*prepared, *engine);
 
   const std::string csv = csv_path(options, *prepared);
+  std::optional<EarlierRun> earlier;
+  if (options.resume) earlier = earlier_run(csv, *prepared, setting);
+  if (earlier && earlier->is_finished) {
+    if (!options.quiet) cli::remark(fmt::format("the run in '{}' has finished already", csv), options.messages);
+    return cli::k_ok;
+  }
   CsvFile file(csv);
-  file.write(csv_header(prepared->columns.columns));
+  file.write(earlier ? earlier->table : csv_header(prepared->columns.columns));
   const std::size_t width = prepared->columns.columns.size();
   Rows rows(width, prepared->span.samples);
   Simulated simulated;
@@ -261,7 +275,7 @@ int run(const RunOptions& options) {
       return true;
     };
     listeners.on_numbers = [&](long k, const std::vector<long double>& row) { rows.set(k, row); };
-    simulated = simulate(*prepared, *engine, setting, listeners);
+    simulated = simulate(*prepared, *engine, setting, listeners, earlier ? &earlier->run : nullptr);
   }
   // There was no motion at all, so there is no table of one.
   if (!simulated.why.empty() && simulated.samples == 0) {
@@ -269,7 +283,7 @@ int run(const RunOptions& options) {
     return cli::fail(simulated.why, is_setting ? cli::k_usage_error : cli::k_motion_stopped, options.messages);
   }
   std::optional<DeliveredError> error;
-  if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted) {
+  if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted && !earlier) {
     Rows reference(width, prepared->span.samples);
     Listeners listeners;
     listeners.on_numbers = [&](long k, const std::vector<long double>& row) { reference.set(k, row); };
