@@ -12,6 +12,7 @@
 #include "cli/overrides.hpp"
 #include "ir/graph.hpp"
 #include "sim/cli/list_methods.hpp"
+#include "sim/plot/plot.hpp"
 #include "sim/run/run.hpp"
 #include "sim/scene/choices.hpp"
 #include "sim/study/study.hpp"
@@ -86,6 +87,18 @@ void add_study(CLI::App& app, StudyOptions& options) {
   study->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
 
+void add_plot(CLI::App& app, PlotOptions& options) {
+  CLI::App* const plot = app.add_subcommand("plot", "Draw the columns of a table as a picture: a panel for each unit");
+  plot->add_option("CSV", options.file, "table that a run has written, or - for standard input")->required();
+  plot->add_option("-o,--output", options.output, "SVG to write, or - for standard output; default beside the table")
+      ->type_name("SVG");
+  plot->add_option("--columns", options.columns, "what to draw, with commas between; default all")
+      ->delimiter(',')
+      ->type_name("LIST");
+  plot->add_option("--against", options.against, "column along the lower edge; default the first one, which is time")
+      ->type_name("NAME");
+}
+
 struct ListOptions {
   CLI::App* command = nullptr;
   std::string format = "text";
@@ -135,6 +148,9 @@ int main(int argc, char** argv) {
   study.messages.program = options.messages.program;
   gausssim::add_run(app, options);
   gausssim::add_study(app, study);
+  gausssim::PlotOptions plot;
+  plot.messages.program = options.messages.program;
+  gausssim::add_plot(app, plot);
   gausssim::ListOptions listing;
   gausssim::add_methods(app, listing);
   try {
@@ -147,6 +163,7 @@ int main(int argc, char** argv) {
     gaussgen::cli::write_standard_output(gausssim::listed_methods(listing.format == "json"));
     return gaussgen::cli::k_ok;
   }
+  if (app.got_subcommand("plot")) return gausssim::guarded(gausssim::draw_plot, plot);
   if (app.got_subcommand("study")) return gausssim::guarded(gausssim::study, study);
   return gausssim::guarded(gausssim::run, options);
 }
