@@ -12,6 +12,8 @@
 #include "cli/overrides.hpp"
 #include "ir/graph.hpp"
 #include "sim/cli/list_methods.hpp"
+#include "sim/cli/message_options.hpp"
+#include "sim/cli/shell.hpp"
 #include "sim/plot/plot.hpp"
 #include "sim/run/run.hpp"
 #include "sim/scene/choices.hpp"
@@ -66,6 +68,7 @@ void add_run(CLI::App& app, RunOptions& options) {
       ->type_name("T")
       ->check(CLI::PositiveNumber);
   run->add_flag("--resume", options.resume, "go on from the table and the summary that an interrupted run has left");
+  add_messages(*run, options.messages);
   run->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
 
@@ -84,6 +87,7 @@ void add_study(CLI::App& app, StudyOptions& options) {
   study->add_option("--tightest", options.tightest, "last tolerance, default 1e-13")
       ->type_name("E")
       ->check(CLI::PositiveNumber);
+  add_messages(*study, options.messages);
   study->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
 
@@ -97,6 +101,7 @@ void add_plot(CLI::App& app, PlotOptions& options) {
       ->type_name("LIST");
   plot->add_option("--against", options.against, "column along the lower edge; default the first one, which is time")
       ->type_name("NAME");
+  add_messages(*plot, options.messages);
 }
 
 struct ListOptions {
@@ -109,6 +114,20 @@ void add_methods(CLI::App& app, ListOptions& options) {
   options.command->add_option("--format", options.format, "default text")
       ->check(CLI::IsMember({"text", "json"}))
       ->type_name("FORMAT");
+}
+
+struct ShellOptions {
+  CLI::App* command = nullptr;
+  std::string shell;
+  bool man = false;
+};
+
+void add_shell(CLI::App& app, ShellOptions& options) {
+  app.add_flag("--man", options.man, "print the manual page, for 'man -l -'");
+  options.command = app.add_subcommand("completion", "Write a script with which a shell completes command lines");
+  options.command->add_option("SHELL", options.shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
 }
 
 template <class Options>
@@ -141,7 +160,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app("Simulates mechanical models: motions, reactions, and what accuracy costs in time", "gauss-sim");
   app.set_version_flag("--version", std::string("gauss-sim ") + gaussgen::k_version);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   gausssim::RunOptions options;
   options.messages.program = "gauss-sim";
   gausssim::StudyOptions study;
@@ -153,11 +172,19 @@ int main(int argc, char** argv) {
   gausssim::add_plot(app, plot);
   gausssim::ListOptions listing;
   gausssim::add_methods(app, listing);
+  gausssim::ShellOptions shell;
+  gausssim::add_shell(app, shell);
   try {
     app.parse(argc, argv);
+    if (!shell.man && app.get_subcommands().size() != 1) throw CLI::RequiredError::Subcommand(1);
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
     return code == 0 ? 0 : gaussgen::cli::k_usage_error;
+  }
+  if (shell.man || *shell.command) {
+    gaussgen::cli::write_standard_output(shell.man ? gausssim::manual_of(app)
+                                                   : gausssim::completion_of(app, shell.shell));
+    return gaussgen::cli::k_ok;
   }
   if (*listing.command) {
     gaussgen::cli::write_standard_output(gausssim::listed_methods(listing.format == "json"));
