@@ -16,10 +16,14 @@ import json
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-RESULTS = ROOT / "bench/results/accuracy_time.json"
+sys.path.insert(0, str(ROOT / "bench"))
+
+from harness import simulation  # noqa: E402
+
 PENDULUM = ROOT / "models/double_pendulum.yaml"
 BALLS = {"quaternion": ROOT / "models/sphere_in_cylinder_quaternion.yaml", "Euler angles": ROOT / "models/sphere_in_cylinder.yaml",
          "Euler angles, reduced": ROOT / "bench/models/sphere_in_cylinder_reduced.yaml"}
@@ -93,7 +97,7 @@ def by_mujoco(bench, reference, samples, goal):
     if built.returncode != 0:
         return {"skipped": "MuJoCo (libmujoco-dev) is not installed"}
     tried = []
-    for between in (10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 120, 140, 160, 200, 300):
+    for between in (10, 15, 18, 20, 22, 24, 26, 28, 30, 35, 40, 50, 60, 70, 80, 90, 100, 120, 140, 160, 200, 300):
         words = [program, END, samples, between, 1]
         rounds = 1
         for rounds in (1, max(3, bench.rounds // 3)):
@@ -173,7 +177,7 @@ def main():
         results = {"double_pendulum": pendulum(bench), "ball": ball(bench), "sampling_reactions": sampling(bench)}
     tell(results)
     if arguments.write:
-        RESULTS.write_text(json.dumps(results, indent=1) + "\n")
+        simulation.write(simulation.ACCURACY, results)
 
 
 if __name__ == "__main__":

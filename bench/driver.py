@@ -6,7 +6,7 @@
 
 The double pendulum (4 states, compiled engine) for 10 s. "hand" measures errors as gauss-sim does, so that both take the same steps and calls, which is
 asserted; gauss-sim has up to two calls more for each step that it refuses. "usual" has the checker of Odeint. Both are compiled with the options that gauss-sim compiles models with. Prints ratios, and with --write also
-bench/results/driver.json. Instructions are callgrind's, of one run each.
+bench/results/driver.json, from which `./run bench --report` writes docs/performance.md. Instructions are callgrind's, of one run each.
 """
 
 import argparse
@@ -17,9 +17,14 @@ import re
 import shutil
 import statistics
 import subprocess
+import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "bench"))
+
+from harness import simulation  # noqa: E402
+
 MODEL = ROOT / "models/double_pendulum.yaml"
 FLAGS = "-std=c++17 -O2 -march=native -ffp-contract=off -fno-tree-slp-vectorize -fPIC -shared -w".split()
 END = 10
@@ -109,7 +114,7 @@ def main():
             results["methods"][method] = measured(pair, method, arguments.rounds)
             print(line(method, results["methods"][method]), flush=True)
     if arguments.write:
-        (ROOT / "bench/results/driver.json").write_text(json.dumps(results, indent=1) + "\n")
+        simulation.write(simulation.DRIVER, results)
 
 
 if __name__ == "__main__":
