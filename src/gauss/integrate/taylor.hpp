@@ -23,9 +23,10 @@ void in_lanes(const Each& each) {
   constexpr std::size_t k_lanes = n >= 8 ? 8 : n >= 4 ? 4 : n;
   std::size_t first = 0;
   for (; first + k_lanes <= n; first += k_lanes) each(std::integral_constant<std::size_t, k_lanes>{}, first);
-  if (first == n) return;
-  constexpr std::size_t k_rest = n % k_lanes > 4 || k_lanes == 4 ? k_lanes : 4;
-  each(std::integral_constant<std::size_t, k_rest>{}, n - k_rest);
+  if constexpr (n % k_lanes != 0) {
+    constexpr std::size_t k_rest = n % k_lanes > 4 ? k_lanes : 4;
+    each(std::integral_constant<std::size_t, k_rest>{}, n - k_rest);
+  }
 }
 
 }  // namespace detail
