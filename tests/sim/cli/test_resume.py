@@ -76,6 +76,13 @@ class Resuming(Program):
         self.ok("run", "spring.yaml", "-q", "--resume", *BY_STEPS)
         self.assertAlmostEqual(self.summary("spring.json")["drift"]["energy"]["largest_change"], 0.125)
 
+    def test_the_energy_that_is_kept_is_that_of_the_summary(self):
+        summary = self.interrupted(*BY_TOLERANCE)
+        summary["resume"]["kept_energy"] = "5.000001"
+        self.write("spring.json", json.dumps(summary))
+        self.ok("run", "spring.yaml", "-q", "--resume", *BY_TOLERANCE, "--outputs", "state,energy")
+        self.assertAlmostEqual(self.table("spring.csv")["energy.total [J]"][-1], 5.000001, delta=1e-12)
+
     def test_another_run_is_refused_with_what_is_other(self):
         self.interrupted(*BY_STEPS)
         before = (self.folder / "spring.csv").read_bytes()
