@@ -2,7 +2,7 @@
 
 import json
 
-from . import charts, reasons, remedies, targets
+from . import charts, reasons, remedies, simulation, targets
 from .targets import number
 
 INTRODUCTION = """# What it costs
@@ -198,7 +198,7 @@ def text_of(document, has_charts=True):
         text += "".join(f"![{titles[name]}]({name})\n\n" for name in pictures(document))
     text += target_block(document) + missed(document) + losses(document) + generation_block(document)
     text += "".join(section(document, *entry) for entry in SECTIONS) + profile(document)
-    return text + remedies.block_of_file() + QUOTED + "\n" + left_out(document).rstrip("\n") + "\n"
+    return text + simulation.block_of_files() + remedies.block_of_file() + QUOTED + "\n" + left_out(document).rstrip("\n") + "\n"
 
 
 def files(document, page):

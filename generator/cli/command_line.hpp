@@ -8,12 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/command_rows.hpp"
 #include "cli/options.hpp"
 
 namespace gaussgen::cli {
-
-/// What may stand after an option or at a place, for shells.
-enum class Argument { none, text, file, folder, model };
 
 struct CommandLine {
   /// Reading a command line fills `options`.

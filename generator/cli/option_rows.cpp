@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cli/command_line.hpp"
+
 namespace gaussgen::cli {
 
 namespace {
@@ -45,12 +47,6 @@ std::vector<CommandRow> command_rows() {
     rows.push_back(row_of(*command, line));
   }
   return rows;
-}
-
-std::string summary_of(const CommandRow& command) {
-  const std::size_t end = std::min({command.about.find(". "), command.about.find(": "), command.about.size()});
-  const std::string summary = command.about.substr(0, end);
-  return !summary.empty() && summary.back() == '.' ? summary.substr(0, summary.size() - 1) : summary;
 }
 
 }  // namespace gaussgen::cli

@@ -51,6 +51,15 @@ class Package(unittest.TestCase):
             text = (self.prefix / "share" / file).read_text(encoding="utf-8")
             self.assertEqual(text, run(self.prefix / "bin/gauss-gen", *command), file)
 
+    def test_the_simulator_is_installed_with_its_pages(self):
+        if not (self.prefix / "bin/gauss-sim").exists():
+            self.skipTest("gauss-sim is not built")
+        printed = {"man/man1/gauss-sim.1": ["--man"], "bash-completion/completions/gauss-sim": ["completion", "bash"],
+                   "zsh/site-functions/_gauss-sim": ["completion", "zsh"], "fish/vendor_completions.d/gauss-sim.fish": ["completion", "fish"]}
+        for file, command in printed.items():
+            text = (self.prefix / "share" / file).read_text(encoding="utf-8")
+            self.assertEqual(text, run(self.prefix / "bin/gauss-sim", *command), file)
+
     def test_links_of_installed_documents_lead_somewhere(self):
         pages = sorted((self.prefix / "share/doc/gauss").rglob("*.md"))
         self.assertGreater(len(pages), 10)

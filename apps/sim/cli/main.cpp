@@ -14,7 +14,10 @@
 #include "sim/advise/advise.hpp"
 #include "sim/advise/search.hpp"
 #include "sim/cli/list_methods.hpp"
+#include "sim/cli/message_options.hpp"
+#include "sim/cli/shell.hpp"
 #include "sim/ensemble/ensemble.hpp"
+#include "sim/plot/plot.hpp"
 #include "sim/run/run.hpp"
 #include "sim/scene/choices.hpp"
 #include "sim/scene/ensemble.hpp"
@@ -86,6 +89,8 @@ void add_run(CLI::App& app, RunOptions& options) {
       ->type_name("E")
       ->check(CLI::PositiveNumber)
       ->excludes("--tolerance");
+  run->add_flag("--resume", options.resume, "go on from the table and the summary that an interrupted run has left");
+  add_messages(*run, options.messages);
 }
 
 void add_ensemble(CLI::App& app, EnsembleOptions& options) {
@@ -114,6 +119,7 @@ void add_ensemble(CLI::App& app, EnsembleOptions& options) {
       });
   command->add_flag("--every-sample", options.records_samples, "a row for each trajectory and sample");
   add_setting(command, options.run);
+  add_messages(*command, options.run.messages);
 }
 
 void add_study(CLI::App& app, StudyOptions& options) {
@@ -137,6 +143,7 @@ void add_study(CLI::App& app, StudyOptions& options) {
   study->add_option("--tightest", options.tightest, "last tolerance, default 1e-13")
       ->type_name("E")
       ->check(CLI::PositiveNumber);
+  add_messages(*study, options.messages);
   study->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
 
@@ -153,6 +160,20 @@ void add_advise(CLI::App& app, AdviseOptions& options) {
   advise->add_option("--format", options.format, "default text")
       ->check(CLI::IsMember({"text", "json"}))
       ->type_name("FORMAT");
+  add_messages(*advise, options.messages);
+}
+
+void add_plot(CLI::App& app, PlotOptions& options) {
+  CLI::App* const plot = app.add_subcommand("plot", "Draw the columns of a table as a picture: a panel for each unit");
+  plot->add_option("CSV", options.file, "table that a run has written, or - for standard input")->required();
+  plot->add_option("-o,--output", options.output, "SVG to write, or - for standard output; default beside the table")
+      ->type_name("SVG");
+  plot->add_option("--columns", options.columns, "what to draw, with commas between; default all")
+      ->delimiter(',')
+      ->type_name("LIST");
+  plot->add_option("--against", options.against, "column along the lower edge; default the first one, which is time")
+      ->type_name("NAME");
+  add_messages(*plot, options.messages);
 }
 
 struct ListOptions {
@@ -168,6 +189,20 @@ void add_methods(CLI::App& app, ListOptions& options) {
 }
 
 int run_for_errors(const RunOptions& options) { return run(options, find_setting); }
+
+struct ShellOptions {
+  CLI::App* command = nullptr;
+  std::string shell;
+  bool man = false;
+};
+
+void add_shell(CLI::App& app, ShellOptions& options) {
+  app.add_flag("--man", options.man, "print the manual page, for 'man -l -'");
+  options.command = app.add_subcommand("completion", "Write a script with which a shell completes command lines");
+  options.command->add_option("SHELL", options.shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+}
 
 template <class Options>
 int guarded(int (*command)(const Options&), const Options& options) {
@@ -199,7 +234,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app("Simulates mechanical models: motions, reactions, and what accuracy costs in time", "gauss-sim");
   app.set_version_flag("--version", std::string("gauss-sim ") + gaussgen::k_version);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   gausssim::RunOptions options;
   options.messages.program = "gauss-sim";
   gausssim::StudyOptions study;
@@ -212,19 +247,31 @@ int main(int argc, char** argv) {
   gausssim::EnsembleOptions ensemble;
   ensemble.messages.program = options.messages.program;
   gausssim::add_ensemble(app, ensemble);
+  gausssim::PlotOptions plot;
+  plot.messages.program = options.messages.program;
+  gausssim::add_plot(app, plot);
   gausssim::ListOptions listing;
   gausssim::add_methods(app, listing);
+  gausssim::ShellOptions shell;
+  gausssim::add_shell(app, shell);
   try {
     app.parse(argc, argv);
+    if (!shell.man && app.get_subcommands().size() != 1) throw CLI::RequiredError::Subcommand(1);
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
     return code == 0 ? 0 : gaussgen::cli::k_usage_error;
+  }
+  if (shell.man || *shell.command) {
+    gaussgen::cli::write_standard_output(shell.man ? gausssim::manual_of(app)
+                                                   : gausssim::completion_of(app, shell.shell));
+    return gaussgen::cli::k_ok;
   }
   if (*listing.command) {
     gaussgen::cli::write_standard_output(gausssim::listed_methods(listing.format == "json"));
     return gaussgen::cli::k_ok;
   }
   if (app.got_subcommand("ensemble")) return gausssim::guarded(gausssim::ensemble, ensemble);
+  if (app.got_subcommand("plot")) return gausssim::guarded(gausssim::draw_plot, plot);
   if (app.got_subcommand("study")) return gausssim::guarded(gausssim::study, study);
   if (app.got_subcommand("advise")) return gausssim::guarded(gausssim::advise, advice);
   return gausssim::guarded(gausssim::run_for_errors, options);

@@ -1,26 +1,39 @@
 #pragma once
 // Methods of Odeint with an estimate of their error, by gauss::simulate::Simulation.
 
+#include <algorithm>
+
 #include "gauss/simulate/simulation.hpp"
 #include "sim/drive/integrator.hpp"
 
 namespace gausssim {
 
-template <class S, class Method>
+/// `Inner`: arrays with room for the state.
+template <class S, class Method, class Inner>
 class Adaptive final : public Integrator<S> {
  public:
   using Array = Numbers<S>;
-  using Model = MotionModel<S>;
+  using Model = MotionModel<S, Inner>;
 
-  Adaptive(const Model& model, const Array& start, const S& t, const gauss::simulate::Settings<S>& settings)
-      : simulation_(model, typename Model::State{start}, t, settings) {}
+  Adaptive(const MotionModel<S>& model, const Array& start, const S& t, const gauss::simulate::Settings<S>& settings)
+      : size_(start.size()), simulation_(Model(model), inside(start), t, settings) {}
 
   bool advance_to(const S& end) override { return simulation_.advance_to(end); }
   S time() const override { return simulation_.time(); }
-  Array state() const override { return simulation_.state().values; }
+  Array state() const override {
+    const typename Model::State state = simulation_.state();
+    return Array(state.values.begin(), state.values.begin() + static_cast<std::ptrdiff_t>(size_));
+  }
   Progress<S> progress() const override { return progress_of<S>(simulation_.report()); }
 
  private:
+  static typename Model::State inside(const Array& start) {
+    typename Model::State state{Inner(start.size(), S(0))};
+    std::copy(start.begin(), start.end(), state.values.begin());
+    return state;
+  }
+
+  std::size_t size_;
   gauss::simulate::Simulation<Model, Method> simulation_;
 };
 

@@ -32,10 +32,14 @@ class Callable {
       if (places_[i] == Place::first_result) first_ = i;
       if (places_[i] == Place::second_result) second_ = i;
     }
+    is_usual_ =
+        places_ == std::vector<Place>{Place::time, Place::state, Place::inputs, Place::prepared, Place::first_result};
   }
 
   gauss::Status operator()(const S& t, const S* state, S* first, S* second = nullptr,
                            const S* accelerations = nullptr) const {
+    // That of rates, which are called more often than all others together.
+    if (is_usual_) return usual(t, state, first);
     void* arguments[k_most];
     for (std::size_t i = 0; i < k_most; ++i) arguments[i] = bound_[i];
     // What has no place goes behind all that the function reads.
@@ -51,8 +55,14 @@ class Callable {
  private:
   static constexpr std::size_t k_most = 8;  ///< no function has so many
 
+  gauss::Status usual(const S& t, const S* state, S* result) const {
+    void* const arguments[] = {const_cast<S*>(&t), const_cast<S*>(state), bound_[2], bound_[3], result};
+    return static_cast<gauss::Status>(entry_(arguments));
+  }
+
   Entry entry_;
   std::vector<Place> places_;
+  bool is_usual_ = false;
   void* bound_[k_most] = {};
   /// start_: of functions that take the state before a first step, too.
   std::size_t time_ = k_most - 1, state_ = k_most - 1, start_ = k_most - 1, accelerations_ = k_most - 1,
@@ -96,6 +106,7 @@ struct Functions {
   Callable<S> rates, projection, positions, speeds, energy, residuals, jacobian;
   EnergyLayout energy_layout;
   JacobianLayout jacobian_layout;
+  bool is_constrained = true;  ///< else projection leaves every state where it is
 
   Functions() = default;
   Functions(const Functions&) = delete;

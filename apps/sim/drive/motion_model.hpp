@@ -14,15 +14,31 @@
 
 namespace gausssim {
 
-/// In the sense of gauss/integrate/state_arrays.hpp.
-template <class S>
+namespace detail {
+
+/// The container of the same kind for something else.
+template <class Array, class T>
+struct Rebound;
+template <class S, class T>
+struct Rebound<Numbers<S>, T> {
+  using type = boost::container::small_vector<T, k_in_place>;
+};
+template <class S, std::size_t room, class T>
+struct Rebound<InPlace<S, room>, T> {
+  using type = InPlace<T, room>;
+};
+
+}  // namespace detail
+
+/// In the sense of gauss/integrate/state_arrays.hpp. Functions of a model neither read nor fill what an array has beyond its state.
+template <class S, class ArrayType = Numbers<S>>
 class MotionModel {
  public:
   using Scalar = S;
   using Status = gauss::Status;
-  using Array = Numbers<S>;
+  using Array = ArrayType;
   template <class T>
-  using Of = boost::container::small_vector<T, k_in_place>;
+  using Of = typename detail::Rebound<Array, T>::type;
   struct State {
     Array values;
   };
@@ -34,21 +50,27 @@ class MotionModel {
   };
 
   explicit MotionModel(std::shared_ptr<const Functions<S>> functions) : functions_(std::move(functions)) {}
+  /// The same, with other arrays.
+  template <class Other>
+  explicit MotionModel(const MotionModel<S, Other>& model)
+      : functions_(model.functions_), how_(model.how_), level_(model.level_), has_level_(model.has_level_) {}
 
   std::size_t size() const { return functions_->size(); }
   std::size_t coordinates() const { return functions_->n_q; }
-  const char* unit(std::size_t component) const { return functions_->units[component].c_str(); }
+  const char* unit(std::size_t component) const {
+    return component < functions_->units.size() ? functions_->units[component].c_str() : "beyond the state";
+  }
   const Functions<S>& functions() const { return *functions_; }
   const std::shared_ptr<const Functions<S>>& shared_functions() const { return functions_; }
 
   Status rates(const S& t, const Array& x, Array& dxdt) const { return functions_->rates(t, x.data(), dxdt.data()); }
   Status derivative(const S& t, const State& state, Derivative& result) const {
-    result.values.resize(size());
+    gauss::integrate::fit(result.values, size());
     return rates(t, state.values, result.values);
   }
   Status energy(const S& t, const State& state, Energy& result) const {
     const EnergyLayout& layout = functions_->energy_layout;
-    Array values(layout.size, S(0));
+    Numbers<S> values(layout.size, S(0));
     const Status status = functions_->energy(t, state.values.data(), values.data());
     result = {values[layout.kinetic], values[layout.total]};
     return status;
@@ -59,7 +81,7 @@ class MotionModel {
   template <class Fill>
   Status jacobian(const S& t, const State& state, const Fill& fill) const {
     const JacobianLayout& layout = functions_->jacobian_layout;
-    Array values(layout.size, S(0));
+    Numbers<S> values(layout.size, S(0));
     const Status status = functions_->jacobian(t, state.values.data(), values.data());
     for (std::size_t i = 0; i + 1 < layout.row_begin.size(); ++i)
       for (std::size_t k = layout.row_begin[i]; k < layout.row_begin[i + 1]; ++k)
@@ -67,11 +89,18 @@ class MotionModel {
     return status;
   }
 
-  /// The same model, which projects otherwise. `start`: its energy is the one to be kept.
+  /// The same model, whose energy is to be kept at a level that is known from an earlier start.
+  MotionModel keeping(const S& level) const {
+    MotionModel result = *this;
+    result.level_ = level;
+    result.has_level_ = true;
+    return result;
+  }
+  /// The same model, which projects otherwise. `start`: its energy is the one to be kept, where no other is.
   MotionModel projecting(Projection how, const S& t, const Array& start) const {
     MotionModel result = *this;
     result.how_ = how;
-    if (how != Projection::energy) return result;
+    if (how != Projection::energy || has_level_) return result;
     State state{start};
     Energy found;
     const bool is_known = gauss::integrate::is_motion_known(onto(functions_->projection, t, state)) &&
@@ -80,9 +109,11 @@ class MotionModel {
     result.level_ = is_known ? found.total : std::numeric_limits<S>::quiet_NaN();
     return result;
   }
+  /// The energy that projection keeps, of a model that projects so.
+  const S& level() const { return level_; }
   bool projects() const {
-    return how_ != Projection::off && how_ != Projection::gains &&
-           (functions_->projection || how_ == Projection::energy);
+    if (how_ == Projection::off || how_ == Projection::gains) return false;
+    return how_ == Projection::energy || (functions_->projection && functions_->is_constrained);
   }
 
   /// As it was chosen; a model without any constraints stays where it is.
@@ -97,6 +128,9 @@ class MotionModel {
   }
 
  private:
+  template <class, class>
+  friend class MotionModel;
+
   /// What a level of projection asks a model for.
   struct Whole {
     using Scalar = S;
@@ -124,6 +158,7 @@ class MotionModel {
   std::shared_ptr<const Functions<S>> functions_;
   Projection how_ = Projection::full;
   S level_ = 0;  ///< of the energy
+  bool has_level_ = false;
 };
 
 }  // namespace gausssim

@@ -1,6 +1,7 @@
 #pragma once
-// States whose size is known when a program runs, for the steppers of Odeint.
+// States for the steppers of Odeint: of a size that is known when a program runs, or of room for the state of any small model.
 
+#include <array>
 #include <boost/container/small_vector.hpp>
 #include <boost/numeric/odeint/algebra/algebra_dispatcher.hpp>
 #include <boost/numeric/odeint/algebra/default_operations.hpp>
@@ -21,6 +22,14 @@ inline constexpr std::size_t k_in_place = 16;
 
 template <class S>
 using Numbers = boost::container::small_vector<S, k_in_place>;
+
+/// Loops over a state are straight code then. A state that is shorter ends with zeros.
+template <class S, std::size_t room>
+struct InPlace : std::array<S, room> {
+  InPlace() : std::array<S, room>{} {}
+  /// As containers are made.
+  InPlace(std::size_t, const S& value) { this->fill(value); }
+};
 
 /// Odeint's operations, entry by entry. The arrays of a step are apart from each other, or the same.
 struct FlatAlgebra {
@@ -93,6 +102,10 @@ struct is_resizeable<gausssim::Numbers<S>> {
 
 template <class S>
 struct algebra_dispatcher_sfinae<gausssim::Numbers<S>> {
+  using algebra_type = gausssim::FlatAlgebra;
+};
+template <class S, std::size_t room>
+struct algebra_dispatcher_sfinae<gausssim::InPlace<S, room>> {
   using algebra_type = gausssim::FlatAlgebra;
 };
 

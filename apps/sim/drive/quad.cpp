@@ -12,4 +12,6 @@ std::string text_of(Quad value) {
   return text.data();
 }
 
+Quad quad_of(const std::string& text) { return ::strtoflt128(text.c_str(), nullptr); }
+
 }  // namespace gausssim

@@ -10,5 +10,6 @@ __extension__ typedef __float128 Quad;
 
 /// All its digits.
 std::string text_of(Quad value);
+Quad quad_of(const std::string& text);
 
 }  // namespace gausssim

@@ -22,7 +22,7 @@ class Series final : public Integrator<S> {
 
   Series(const SeriesEntries& entries, std::shared_ptr<const Functions<S>> functions, const Array& start, const S& t,
          const Settings& settings)
-      : entries_(entries), functions_(std::move(functions)), state_(start) {
+      : entries_(entries), functions_(std::move(functions)), state_(start), t_(t) {
     const std::array<S, 4> numbers{settings.tolerance, S(settings.projects ? 1 : 0), S(settings.most_steps),
                                    S(settings.order)};
     void* const arguments[] = {&run_,
@@ -42,10 +42,12 @@ class Series final : public Integrator<S> {
 
   bool advance_to(const S& end) override {
     void* const arguments[] = {run_, const_cast<S*>(&end), state_.data()};
-    return entries_.advance(arguments) == 1;
+    const bool arrives = entries_.advance(arguments) == 1;
+    t_ = arrives ? end : tell().t;
+    return arrives;
   }
 
-  S time() const override { return tell().t; }
+  S time() const override { return t_; }
   Array state() const override { return state_; }
   Progress<S> progress() const override {
     const Report report = tell();
@@ -80,6 +82,7 @@ class Series final : public Integrator<S> {
   SeriesEntries entries_;
   std::shared_ptr<const Functions<S>> functions_;
   Array state_;
+  S t_;
   void* run_ = nullptr;
 };
 

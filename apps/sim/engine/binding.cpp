@@ -29,6 +29,11 @@ std::vector<S> room_for(std::size_t count) {
   return std::vector<S>(count == 0 ? 1 : count, S(0));
 }
 
+/// By equations, or by the length of quaternions, which have a coordinate more than speeds.
+bool is_constrained(const Described& model) {
+  return model.n_q() != model.n_v() || !model.unit.constraints.empty() || !layout_of(model.tree, "Residuals").empty();
+}
+
 }  // namespace
 
 template <class S>
@@ -79,6 +84,7 @@ std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model)
   functions->jacobian = bound("jacobian");
   functions->energy_layout = energy_layout_of(model.tree);
   functions->jacobian_layout = jacobian_layout_of(model.tree);
+  functions->is_constrained = is_constrained(model);
   return functions;
 }
 

@@ -1,5 +1,7 @@
 // Steps by power series behind plain functions: a part of plugins, compiled with the model, whose sizes are known there.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "gauss/integrate/bound_model.hpp"
 #include "gauss/simulate/taylor_simulation.hpp"
 
@@ -29,7 +31,7 @@ class Run {
 
   int advance_to(const S& end, S* state) {
     const bool arrives = simulation_.advance_to(end);
-    for (std::size_t i = 0; i < Model::size; ++i) state[i] = simulation_.state().values[i];
+    std::copy_n(simulation_.state().values, Model::size, state);
     return arrives ? 1 : 0;
   }
 

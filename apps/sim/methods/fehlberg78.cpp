@@ -4,10 +4,13 @@
 
 namespace gausssim {
 
+// A template, not an alias: g++ 12 takes aliases of one name for the same in all files.
+template <class Array, class S>
+struct Fehlberg78 : boost::numeric::odeint::runge_kutta_fehlberg78<Array, S, Array, S> {};
+
 template <class S>
 Made<S> make_fehlberg78(const Problem<S>& problem) {
-  using Array = Numbers<S>;
-  return make_adaptive<S, boost::numeric::odeint::runge_kutta_fehlberg78<Array, S, Array, S>>(problem);
+  return make_adaptive<S, Fehlberg78>(problem);
 }
 
 template Made<double> make_fehlberg78(const Problem<double>&);

@@ -105,5 +105,6 @@ GAUSS_SIM_NUMBER(float)
 GAUSS_SIM_NUMBER(double)
 GAUSS_SIM_NUMBER(long double)
 #undef GAUSS_SIM_NUMBER
+template std::string why_not_projected(const Functions<Quad>&, Projection);
 
 }  // namespace gausssim

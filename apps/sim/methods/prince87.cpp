@@ -4,7 +4,7 @@ namespace gausssim {
 
 template <class S>
 Made<S> make_prince87(const Problem<S>& problem) {
-  return make_adaptive<S, gauss::integrate::PrinceDormand87<Numbers<S>, S>>(problem);
+  return make_adaptive<S, gauss::integrate::PrinceDormand87>(problem);
 }
 
 template Made<float> make_prince87(const Problem<float>&);

@@ -1,6 +1,7 @@
 #pragma once
 // The row of a table that belongs to a state.
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -20,7 +21,14 @@ class Sampler {
       calls_.back().bind(const_cast<S*>(functions.prepared.data()), const_cast<S*>(functions.inputs.data()));
       results_.emplace_back(one.size);
     }
+    for (const Column& column : columns_.columns) {
+      if (column.is_state) state_.resize(std::max(state_.size(), column.source + 1));
+    }
+    for (const Column& column : columns_.columns)
+      places_.push_back(column.is_state ? &state_[column.source] : &results_[column.source][column.slot]);
   }
+  Sampler(const Sampler&) = delete;
+  Sampler& operator=(const Sampler&) = delete;
 
   std::size_t size() const { return columns_.columns.size(); }
   const std::vector<Column>& columns() const { return columns_.columns; }
@@ -32,9 +40,10 @@ class Sampler {
       const gauss::Status now = calls_[i](t, state, results_[i].data());
       if (status == gauss::Status::ok) status = now;
     }
-    std::size_t next = 0;
-    for (const Column& column : columns_.columns)
-      row[next++] = column.is_state ? state[column.source] : results_[column.source][column.slot];
+    std::copy_n(state, state_.size(), state_.begin());
+    const std::size_t count = places_.size();
+    const S* const* const places = places_.data();
+    for (std::size_t i = 0; i < count; ++i) row[i] = *places[i];
     return status;
   }
 
@@ -42,6 +51,8 @@ class Sampler {
   Columns columns_;
   std::vector<Callable<S>> calls_;
   std::vector<std::vector<S>> results_;
+  std::vector<S> state_;          ///< as far as there are columns of it
+  std::vector<const S*> places_;  ///< of columns, in these
 };
 
 }  // namespace gausssim

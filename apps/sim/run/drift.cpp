@@ -47,6 +47,16 @@ void DriftMeter<S>::look(const S& t, const Numbers<S>& state) {
 }
 
 template <class S>
+void DriftMeter<S>::go_on_from(const Drift& earlier, const S& start_energy) {
+  drift_.energy = earlier.energy;
+  drift_.energy_scale = earlier.energy_scale;
+  drift_.positions = earlier.positions;
+  drift_.velocities = earlier.velocities;
+  start_energy_ = start_energy;
+  has_start_ = true;
+}
+
+template <class S>
 void DriftMeter<S>::look_at_energy(const S& t, const Numbers<S>& state) {
   functions_.energy(t, state.data(), energy_.data());
   const S total = energy_[total_];

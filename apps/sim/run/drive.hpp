@@ -31,10 +31,10 @@ struct Grid {
 template <class S>
 using OnSample = std::function<bool(long k, const S& t, const Numbers<S>& state)>;
 
-/// How many samples there are in the end.
+/// How many samples there are in the end. `first`: before it there are those of an earlier run.
 template <class S>
-long drive(Integrator<S>& integrator, const Grid<S>& grid, const OnSample<S>& on_sample) {
-  for (long k = 0; k < grid.samples; ++k) {
+long drive(Integrator<S>& integrator, const Grid<S>& grid, const OnSample<S>& on_sample, long first = 0) {
+  for (long k = first; k < grid.samples; ++k) {
     if (!integrator.advance_to(grid.at(k))) return k;
     if (!on_sample(k, integrator.time(), integrator.state())) return k + 1;
   }
@@ -49,6 +49,9 @@ class DriftMeter {
 
   void look(const S& t, const Numbers<S>& state);
   const Drift& drift() const { return drift_; }
+  /// As if it had looked at the states of an earlier run, too.
+  void go_on_from(const Drift& earlier, const S& start_energy);
+  const S& start_energy() const { return start_energy_; }
   /// At the state that was looked at last.
   double energy() const { return drift_.energy_scale > 0 ? last_energy_ / drift_.energy_scale : last_energy_; }
   double constraints() const { return last_constraints_; }

@@ -14,6 +14,7 @@
 #include "sim/run/error_estimate.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/progress_bar.hpp"
+#include "sim/run/resume.hpp"
 #include "sim/run/settings.hpp"
 #include "version.hpp"
 
@@ -35,6 +36,11 @@ std::string csv_path(const RunOptions& options, const PreparedModel& prepared) {
 
 std::string summary_path(const std::string& csv) {
   return std::filesystem::path(csv).replace_extension(".json").string();
+}
+
+EarlierRun earlier_run(const std::string& csv, const PreparedModel& prepared, const Setting& setting) {
+  if (csv == "-") throw cli::UsageError("--resume: standard output cannot be gone on with");
+  return read_earlier_run(csv, summary_path(csv), prepared, setting);
 }
 
 struct Times {
@@ -77,9 +83,8 @@ nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& set
   json["number"] = setting.number;
   if (setting.tolerance > 0) json["tolerance"] = setting.tolerance;
   if (setting.step > 0) json["step"] = setting.step;
-  for (const auto& [name, how] : k_projections) {
-    if (how == setting.projection) json["projection"] = name;
-  }
+  json["projection"] = name_of(setting.projection);
+  if (setting.projection == Projection::gains) json["gain"] = setting.gain;
   json["steps"] = run.steps;
   json["rejected"] = run.rejected;
   json["calls"] = run.calls;
@@ -98,6 +103,7 @@ nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& set
                      {"run", run.wall_seconds},
                      {"run_cpu", run.cpu_seconds}};
   json["last_state"] = run.last_state;
+  json["resume"] = resume_json(prepared, run);
   return json;
 }
 
@@ -137,7 +143,8 @@ int code_of(const Simulated& run, const PreparedModel& prepared, const cli::Mess
                           gauss::name(run.sample_status)),
               messages);
   if (run.was_interrupted) {
-    cli::remark(fmt::format("interrupted at t = {}; the table ends there", run.reached), messages);
+    cli::remark(fmt::format("interrupted at t = {}; the table ends there, and --resume goes on from it", run.reached),
+                messages);
     return k_interrupted;
   }
   if (run.outcome == Outcome::running) return cli::k_ok;
@@ -179,6 +186,9 @@ int run(const RunOptions& options, const FindSetting& find) {
   if (engine == nullptr) return cli::fail(engines.why(), cli::k_file_error, options.messages);
   Setting setting = setting_of(*prepared, *engine);
   std::optional<FoundSetting> found;
+  if (prepared->scene.error && options.resume)
+    throw cli::UsageError(
+        "--resume goes on with the settings of the summary: give its method and tolerance instead of an error");
   if (prepared->scene.error) {
     std::string why;
     found = find(*prepared, engines, *prepared->scene.error, why);
@@ -189,8 +199,14 @@ int run(const RunOptions& options, const FindSetting& find) {
   const Times times{prepared->generate_seconds, engines.times()};
 
   const std::string csv = csv_path(options, *prepared);
+  std::optional<EarlierRun> earlier;
+  if (options.resume) earlier = earlier_run(csv, *prepared, setting);
+  if (earlier && earlier->is_finished) {
+    if (!options.quiet) cli::remark(fmt::format("the run in '{}' has finished already", csv), options.messages);
+    return cli::k_ok;
+  }
   CsvFile file(csv);
-  file.write(csv_header(prepared->columns.columns));
+  file.write(earlier ? earlier->table : csv_header(prepared->columns.columns));
   const std::size_t width = prepared->columns.columns.size();
   Rows rows(width, prepared->span.samples);
   Simulated simulated;
@@ -204,7 +220,7 @@ int run(const RunOptions& options, const FindSetting& find) {
       return true;
     };
     listeners.on_numbers = [&](long k, const std::vector<long double>& row) { rows.set(k, row); };
-    simulated = simulate(*prepared, *engine, setting, listeners);
+    simulated = simulate(*prepared, *engine, setting, listeners, earlier ? &earlier->run : nullptr);
   }
   // There was no motion at all, so there is no table of one.
   if (!simulated.why.empty() && simulated.samples == 0) {
@@ -212,9 +228,9 @@ int run(const RunOptions& options, const FindSetting& find) {
     return cli::fail(simulated.why, is_setting ? cli::k_usage_error : cli::k_motion_stopped, options.messages);
   }
   std::optional<DeliveredError> error;
-  if (found) {
+  if (found && !earlier) {
     error = delivered_error(rows, found->reference, prepared->columns.columns);
-  } else if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted) {
+  } else if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted && !earlier) {
     Rows reference(width, prepared->span.samples);
     Listeners listeners;
     listeners.on_numbers = [&](long k, const std::vector<long double>& row) { reference.set(k, row); };
@@ -226,7 +242,7 @@ int run(const RunOptions& options, const FindSetting& find) {
   file.finish();
   if (csv != "-") cli::Replacement(summary_path(csv), text).commit();
   tell(options, *prepared, setting, *engine, simulated, times, error, csv);
-  if (found && simulated.outcome == Outcome::running && !(error->value <= *prepared->scene.error))
+  if (found && error && simulated.outcome == Outcome::running && !(error->value <= *prepared->scene.error))
     return cli::fail(fmt::format("the run is off by {:.2e}, in {}", error->value, error->output), cli::k_not_delivered,
                      options.messages);
   return code_of(simulated, *prepared, options.messages);

@@ -19,6 +19,7 @@ struct RunOptions {
   std::optional<double> tolerance, step, error;
   std::optional<long> samples;
   bool quiet = false;
+  bool resume = false;  ///< goes on from what an interrupted run has left
   gaussgen::cli::MessageOptions messages;
 };
 

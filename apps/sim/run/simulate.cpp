@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <ctime>
+#include <type_traits>
 
 #include "gauss/integrate/step_result.hpp"
 #include "sim/drive/gains.hpp"
@@ -24,10 +26,26 @@ double processor_seconds() {
 }
 
 template <class S>
+S number_of(const std::string& text) {
+  if constexpr (std::is_same_v<S, Quad>) {
+    return quad_of(text);
+  } else {
+    return static_cast<S>(std::strtold(text.c_str(), nullptr));
+  }
+}
+/// Not by way of more digits, which would round twice.
+template <>
+double number_of<double>(const std::string& text) {
+  return std::strtod(text.c_str(), nullptr);
+}
+
+template <class S>
 class Simulator {
  public:
-  Simulator(const PreparedModel& prepared, const Engine& engine, const Setting& setting, const Listeners& listeners)
-      : prepared_(prepared),
+  Simulator(const PreparedModel& prepared, const Engine& engine, const Setting& setting, const Listeners& listeners,
+            const Simulated* earlier)
+      : earlier_(earlier),
+        prepared_(prepared),
         engine_(engine),
         setting_(setting),
         listeners_(listeners),
@@ -44,6 +62,7 @@ class Simulator {
   Simulated run() {
     Numbers<S> start;
     result_.status = initial_state(engine_, prepared_.model, *functions_, start);
+    if (earlier_ != nullptr) go_on(start);
     if (!gauss::integrate::is_motion_known(result_.status)) {
       result_.outcome = Outcome::model_failed;
       result_.why = "the initial state cannot be found";
@@ -57,20 +76,54 @@ class Simulator {
     settings.projection = setting_.projection;
     settings.order = setting_.order;
     settings.longest_step = S(setting_.longest_step);
-    const auto integrator = make_integrator(setting_.method, model_, start, grid_.start, settings, result_.why);
+    const S from = earlier_ == nullptr ? grid_.start : grid_.at(earlier_->samples - 1);
+    const bool keeps_energy =
+        setting_.projection == Projection::energy && why_not_projected(*functions_, Projection::energy).empty();
+    if (keeps_energy && earlier_ == nullptr) keep_energy(from, start);
+    const auto integrator = make_integrator(setting_.method, model_, start, from, settings, result_.why);
     if (!integrator) {
       result_.outcome = Outcome::bad_settings;
       return result_;
     }
-    result_.samples =
-        drive<S>(*integrator, grid_, [&](long k, const S& t, const Numbers<S>& state) { return take(k, t, state); });
+    result_.samples = drive<S>(
+        *integrator, grid_, [&](long k, const S& t, const Numbers<S>& state) { return take(k, t, state); },
+        earlier_ == nullptr ? 0 : earlier_->samples);
     result_.cpu_seconds = processor_seconds() - cpu;
     result_.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     note(*integrator);
+    if (earlier_ != nullptr) add_earlier();
     return result_;
   }
 
  private:
+  void go_on(Numbers<S>& start) {
+    for (std::size_t i = 0; i < start.size(); ++i) start[i] = number_of<S>(earlier_->last_state[i]);
+    meter_.go_on_from(earlier_->drift, earlier_->start_energy.empty() ? S(0) : number_of<S>(earlier_->start_energy));
+    result_.kept_energy = earlier_->kept_energy;
+    if (!earlier_->kept_energy.empty()) model_ = model_.keeping(number_of<S>(earlier_->kept_energy));
+  }
+
+  void keep_energy(const S& t, const Numbers<S>& start) {
+    const S level = model_.projecting(Projection::energy, t, start).level();
+    result_.kept_energy = text_of(level);
+    model_ = model_.keeping(level);
+  }
+
+  void add_earlier() {
+    result_.steps += earlier_->steps;
+    result_.rejected += earlier_->rejected;
+    result_.calls += earlier_->calls;
+    result_.jacobians += earlier_->jacobians;
+    result_.with_fewer_constraints += earlier_->with_fewer_constraints;
+    result_.crossings += earlier_->crossings;
+    result_.untrusted_samples += earlier_->untrusted_samples;
+    if (result_.sample_status == gauss::Status::ok) result_.sample_status = earlier_->sample_status;
+    result_.start_moved = earlier_->start_moved;
+    result_.start_component = earlier_->start_component;
+    result_.wall_seconds += earlier_->wall_seconds;
+    result_.cpu_seconds += earlier_->cpu_seconds;
+  }
+
   bool take(long k, const S& t, const Numbers<S>& state) {
     const gauss::Status status = sampler_(t, state.data(), row_.data());
     if (status != gauss::Status::ok) {
@@ -111,6 +164,7 @@ class Simulator {
     result_.start_moved = static_cast<double>(progress.start_moved);
     result_.start_component = name_of_component(progress.start_component);
     result_.drift = meter_.drift();
+    if (result_.drift.has_energy) result_.start_energy = text_of(meter_.start_energy());
     for (const S& value : integrator.state()) result_.last_state.push_back(text_of(value));
   }
 
@@ -119,6 +173,7 @@ class Simulator {
     return i < unit.configuration.size() ? unit.configuration[i].name : unit.speeds[i - unit.configuration.size()].name;
   }
 
+  const Simulated* earlier_;  ///< null: there is none
   const PreparedModel& prepared_;
   const Engine& engine_;
   const Setting& setting_;
@@ -137,11 +192,12 @@ class Simulator {
 }  // namespace
 
 Simulated simulate(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
-                   const Listeners& listeners) {
-  if (setting.number == "float") return Simulator<float>(prepared, engine, setting, listeners).run();
-  if (setting.number == "long-double") return Simulator<long double>(prepared, engine, setting, listeners).run();
-  if (setting.number == "float128") return Simulator<Quad>(prepared, engine, setting, listeners).run();
-  return Simulator<double>(prepared, engine, setting, listeners).run();
+                   const Listeners& listeners, const Simulated* earlier) {
+  if (setting.number == "float") return Simulator<float>(prepared, engine, setting, listeners, earlier).run();
+  if (setting.number == "long-double")
+    return Simulator<long double>(prepared, engine, setting, listeners, earlier).run();
+  if (setting.number == "float128") return Simulator<Quad>(prepared, engine, setting, listeners, earlier).run();
+  return Simulator<double>(prepared, engine, setting, listeners, earlier).run();
 }
 
 }  // namespace gausssim

@@ -36,6 +36,8 @@ struct Simulated {
   Drift drift;
   double wall_seconds = 0, cpu_seconds = 0;  ///< of the integration, samples included
   std::vector<std::string> last_state;       ///< all digits
+  std::string start_energy,
+      kept_energy;  ///< likewise; that which drift is counted from, and that which projection keeps
 };
 
 /// Takes rows as text, with their share of the whole; false ends the run.
@@ -53,7 +55,8 @@ struct Listeners {
   bool measures_drift = true;
 };
 
+/// `earlier`: an interrupted run of the same, which goes on from its last sample; what is counted is counted for both.
 Simulated simulate(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
-                   const Listeners& listeners);
+                   const Listeners& listeners, const Simulated* earlier = nullptr);
 
 }  // namespace gausssim

@@ -8,21 +8,42 @@
 
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 #include "gauss/integrate/step_result.hpp"
 
 namespace gauss::integrate {
 
+namespace detail {
+
+/// Components by as many at a time as vectors take, so that sums stay in registers from one order to the next; the last ones may be done twice. `each(lanes, first)`: with
+/// lanes a constant.
+template <std::size_t n, class Each>
+void in_lanes(const Each& each) {
+  constexpr std::size_t k_lanes = n >= 8 ? 8 : n >= 4 ? 4 : n;
+  std::size_t first = 0;
+  for (; first + k_lanes <= n; first += k_lanes) each(std::integral_constant<std::size_t, k_lanes>{}, first);
+  if constexpr (n % k_lanes != 0) {
+    constexpr std::size_t k_rest = n % k_lanes > 4 ? k_lanes : 4;
+    each(std::integral_constant<std::size_t, k_rest>{}, n - k_rest);
+  }
+}
+
+}  // namespace detail
+
 /// The state `h` after the time of a series, of its first `order` orders, by Horner's rule.
 template <class Series, class S, class State>
 void state_of_series(const Series& series, int order, const S& h, State& state) {
   constexpr std::size_t n = sizeof(state.values) / sizeof(state.values[0]);
-  S x[n];
-  for (std::size_t i = 0; i < n; ++i) x[i] = series.values[order][i];
-  for (int k = order - 1; k >= 0; --k) {
-    for (std::size_t i = 0; i < n; ++i) x[i] = x[i] * h + series.values[k][i];
-  }
-  for (std::size_t i = 0; i < n; ++i) state.values[i] = x[i];
+  const S step = h;
+  detail::in_lanes<n>([&](auto lanes, std::size_t first) {
+    S x[lanes];
+    for (std::size_t i = 0; i < lanes; ++i) x[i] = series.values[order][first + i];
+    for (int k = order - 1; k >= 0; --k) {
+      for (std::size_t i = 0; i < lanes; ++i) x[i] = x[i] * step + series.values[k][first + i];
+    }
+    for (std::size_t i = 0; i < lanes; ++i) state.values[first + i] = x[i];
+  });
 }
 
 template <class Series, class S, class State>
@@ -33,12 +54,17 @@ void state_of_series(const Series& series, const S& h, State& state) {
 /// Its rate there.
 template <class Series, class S, std::size_t n>
 void rate_of_series(const Series& series, const S& h, S (&rate)[n]) {
-  S factor = S(series.order);
-  for (std::size_t i = 0; i < n; ++i) rate[i] = factor * series.values[series.order][i];
-  for (int k = series.order - 1; k > 0; --k) {
-    factor = factor - S(1);
-    for (std::size_t i = 0; i < n; ++i) rate[i] = rate[i] * h + factor * series.values[k][i];
-  }
+  const S step = h;
+  detail::in_lanes<n>([&](auto lanes, std::size_t first) {
+    S factor = S(series.order);
+    S x[lanes];
+    for (std::size_t i = 0; i < lanes; ++i) x[i] = factor * series.values[series.order][first + i];
+    for (int k = series.order - 1; k > 0; --k) {
+      factor = factor - S(1);
+      for (std::size_t i = 0; i < lanes; ++i) x[i] = x[i] * step + factor * series.values[k][first + i];
+    }
+    for (std::size_t i = 0; i < lanes; ++i) rate[first + i] = x[i];
+  });
 }
 
 /// Order at which a step of a given relative error takes the least work for the time that it spans, between 2 and `most`. A term of order p is e^-2p where a step is the e^2-th part of the radius

@@ -1,0 +1,98 @@
+#include "sim/plot/table.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "cli/files.hpp"
+
+namespace gausssim::plot {
+
+namespace {
+
+class Reader {
+ public:
+  Reader(std::string_view text, const std::string& path) : rest_(text), path_(path) {}
+
+  bool is_at_end() const { return rest_.empty(); }
+
+  /// The fields of the next line; quotes may hold commas, quotes and ends of lines.
+  std::vector<std::string> line() {
+    ++line_;
+    std::vector<std::string> fields(1);
+    bool is_quoted = false;
+    while (!rest_.empty()) {
+      const char c = taken();
+      if (is_quoted && c == '"' && !rest_.empty() && rest_.front() == '"') {
+        fields.back() += taken();
+      } else if (c == '"' && (is_quoted || fields.back().empty())) {
+        is_quoted = !is_quoted;
+      } else if (c == ',' && !is_quoted) {
+        fields.emplace_back();
+      } else if (c == '\n' && !is_quoted) {
+        return fields;
+      } else if (c != '\r' || is_quoted) {
+        fields.back() += c;
+      }
+    }
+    if (is_quoted) fail("a quote is not closed");
+    return fields;
+  }
+
+  double number(const std::string& field, const std::string& column) const {
+    double value = 0;
+    const char* const end = field.data() + field.size();
+    const auto [stop, error] = std::from_chars(field.data(), end, value);
+    if (stop != end || field.empty() || error == std::errc::invalid_argument)
+      fail(fmt::format("'{}' in column '{}' is no number", field, column));
+    return value;
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw gaussgen::cli::FileError(fmt::format("{}:{}: {}", path_, line_, what));
+  }
+
+ private:
+  char taken() {
+    const char c = rest_.front();
+    rest_.remove_prefix(1);
+    return c;
+  }
+
+  std::string_view rest_;
+  const std::string& path_;
+  int line_ = 0;
+};
+
+TableColumn column_of(const std::string& header) {
+  const std::size_t open = header.rfind(" [");
+  if (open == std::string::npos || header.back() != ']') return {header, "", {}};
+  return {header.substr(0, open), header.substr(open + 2, header.size() - open - 3), {}};
+}
+
+}  // namespace
+
+std::vector<TableColumn> parse_table(std::string_view text, const std::string& path) {
+  Reader reader(text, path);
+  std::vector<TableColumn> columns;
+  for (const std::string& header : reader.line()) {
+    if (header.empty()) reader.fail("a column has no name");
+    columns.push_back(column_of(header));
+  }
+  while (!reader.is_at_end()) {
+    const std::vector<std::string> fields = reader.line();
+    if (fields.size() != columns.size())
+      reader.fail(fmt::format("there are {} fields where the header has {}", fields.size(), columns.size()));
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      columns[i].values.push_back(reader.number(fields[i], columns[i].name));
+  }
+  if (columns.front().values.empty()) reader.fail("there are no rows under the header");
+  return columns;
+}
+
+std::vector<TableColumn> read_table(const std::string& path) {
+  const gaussgen::support::Source source = gaussgen::cli::read_source(path);
+  return parse_table(source.text(), path);
+}
+
+}  // namespace gausssim::plot

@@ -1,0 +1,21 @@
+#pragma once
+// A table as `gauss-sim run` writes it.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gausssim::plot {
+
+struct TableColumn {
+  std::string name, unit;  ///< of a header such as `chi [rad]`; the unit may be empty
+  std::vector<double> values;
+};
+
+/// The columns of a CSV file with a header (RFC 4180). Throws cli::FileError with file and line where it is none.
+std::vector<TableColumn> read_table(const std::string& path);
+
+/// The same of a text; `path` is for messages.
+std::vector<TableColumn> parse_table(std::string_view text, const std::string& path);
+
+}  // namespace gausssim::plot

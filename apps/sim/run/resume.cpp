@@ -1,0 +1,174 @@
+#include "sim/run/resume.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "cli/files.hpp"
+#include "cli/usage_error.hpp"
+#include "emit/cpp_printer.hpp"
+#include "sim/output/csv.hpp"
+#include "support/content_hash.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace cli = gaussgen::cli;
+using nlohmann::json;
+
+/// The model with the values of its parameters and its start. Words about the file, such as a comment in it, are no part of that.
+std::string identity_of(const PreparedModel& prepared) {
+  auto tree = prepared.model.tree;
+  tree.before.clear();
+  return gaussgen::support::content_hash(gaussgen::emit::cpp::print(tree));
+}
+
+std::string text_of_file(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) cli::fail_on(path, "there is no such file, so there is no run to go on with");
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+json parsed(const std::string& path) {
+  const json result = json::parse(text_of_file(path), nullptr, false);
+  if (result.is_discarded() || !result.is_object() || !result.contains("resume"))
+    cli::fail_on(path, "this is no summary of a run that can go on");
+  return result;
+}
+
+/// Whether a summary says the same of a run as its settings do now.
+class Comparison {
+ public:
+  Comparison(std::string file, const json& summary) : file_(std::move(file)), summary_(summary) {}
+
+  void text(const char* key, const std::string& now) const {
+    const std::string before = summary_.value(key, std::string());
+    if (before != now) refuse(fmt::format("{} was '{}' and is '{}' now", key, before, now));
+  }
+  void number(const char* key, double now) const {
+    const double before = summary_.value(key, 0.0);
+    if (before != now) refuse(fmt::format("{} was {} and is {} now", key, before, now));
+  }
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw cli::UsageError(fmt::format("--resume: the run in '{}' is another one: {}", file_, why));
+  }
+
+ private:
+  std::string file_;
+  const json& summary_;
+};
+
+void compare(const json& summary, const std::string& file, const PreparedModel& prepared, const Setting& setting) {
+  const Comparison with(file, summary);
+  with.text("model", prepared.model.unit.model_name);
+  with.text("scene", prepared.scene.name);
+  with.text("method", setting.method);
+  with.text("number", setting.number);
+  with.text("projection", name_of(setting.projection));
+  with.number("tolerance", setting.tolerance);
+  with.number("step", setting.step);
+  with.number("gain", setting.projection == Projection::gains ? setting.gain : 0);
+  with.number("start", prepared.span.start);
+  with.number("duration", prepared.span.duration);
+  const json& resume = summary["resume"];
+  Comparison(file, resume).number("samples", static_cast<double>(prepared.span.samples));
+  if (resume.value("model", std::string()) != identity_of(prepared))
+    with.refuse("the model, or a value in it or in its start, has changed");
+}
+
+/// The header and a row for each sample, and nothing else.
+void check_table(const std::string& table, const std::string& csv, const PreparedModel& prepared, long samples) {
+  const std::string header = csv_header(prepared.columns.columns);
+  if (table.compare(0, header.size(), header) != 0)
+    throw cli::UsageError(fmt::format("--resume: '{}' has other columns than are asked for", csv));
+  const auto lines = std::count(table.begin() + static_cast<std::ptrdiff_t>(header.size()), table.end(), '\n');
+  if (lines != samples || table.back() != '\n')
+    cli::fail_on(csv, fmt::format("it has {} rows where its summary says {}", lines, samples));
+}
+
+gauss::Status status_of(const std::string& name) {
+  for (int i = 0; i <= static_cast<int>(gauss::Status::violated_constraints); ++i) {
+    if (name == gauss::name(static_cast<gauss::Status>(i))) return static_cast<gauss::Status>(i);
+  }
+  return gauss::Status::ok;
+}
+
+Drift drift_of(const json& summary) {
+  Drift drift;
+  const json from = summary.value("drift", json::object());
+  if (from.contains("energy")) {
+    drift.energy = from["energy"].value("largest_change", 0.0);
+    drift.energy_scale = from["energy"].value("largest_kinetic", 0.0);
+  }
+  if (from.contains("constraints")) {
+    drift.positions = from["constraints"].value("positions", 0.0);
+    drift.velocities = from["constraints"].value("velocities", 0.0);
+  }
+  return drift;
+}
+
+Simulated run_of(const json& summary) {
+  Simulated run;
+  run.samples = summary.at("samples").get<long>();
+  run.reached = summary.at("reached").get<double>();
+  run.steps = summary.at("steps").get<long>();
+  run.rejected = summary.at("rejected").get<long>();
+  run.calls = summary.at("calls").get<long>();
+  run.jacobians = summary.at("jacobians").get<long>();
+  run.with_fewer_constraints = summary.value("steps_with_fewer_constraints", 0L);
+  run.crossings = summary.value("crossings", 0L);
+  if (summary.contains("start_moved")) {
+    run.start_moved = summary["start_moved"].at("by").get<double>();
+    run.start_component = summary["start_moved"].at("component").get<std::string>();
+  }
+  if (summary.contains("untrusted_samples")) {
+    run.untrusted_samples = summary["untrusted_samples"].at("count").get<long>();
+    run.sample_status = status_of(summary["untrusted_samples"].at("status").get<std::string>());
+  }
+  run.drift = drift_of(summary);
+  run.wall_seconds = summary.at("seconds").at("run").get<double>();
+  run.cpu_seconds = summary.at("seconds").at("run_cpu").get<double>();
+  run.last_state = summary.at("last_state").get<std::vector<std::string>>();
+  run.start_energy = summary["resume"].value("start_energy", std::string());
+  run.kept_energy = summary["resume"].value("kept_energy", std::string());
+  return run;
+}
+
+}  // namespace
+
+nlohmann::ordered_json resume_json(const PreparedModel& prepared, const Simulated& run) {
+  nlohmann::ordered_json result;
+  result["model"] = identity_of(prepared);
+  result["samples"] = prepared.span.samples;
+  if (!run.start_energy.empty()) result["start_energy"] = run.start_energy;
+  if (!run.kept_energy.empty()) result["kept_energy"] = run.kept_energy;
+  return result;
+}
+
+EarlierRun read_earlier_run(const std::string& csv, const std::string& summary, const PreparedModel& prepared,
+                            const Setting& setting) {
+  const json said = parsed(summary);
+  compare(said, summary, prepared, setting);
+  EarlierRun earlier;
+  const std::string outcome = said.value("outcome", std::string());
+  earlier.is_finished = outcome == "finished";
+  if (!earlier.is_finished && outcome != "interrupted")
+    throw cli::UsageError(fmt::format("--resume: the motion in '{}' has stopped by itself: {}", csv, outcome));
+  try {
+    earlier.run = run_of(said);
+  } catch (const json::exception&) {
+    cli::fail_on(summary, "this is no summary of a run that can go on");
+  }
+  const bool is_state = earlier.run.last_state.size() == prepared.model.size();
+  const bool has_samples = earlier.run.samples >= 1 && earlier.run.samples <= prepared.span.samples;
+  if (!is_state || !has_samples) cli::fail_on(summary, "this is no summary of a run that can go on");
+  earlier.table = text_of_file(csv);
+  check_table(earlier.table, csv, prepared, earlier.run.samples);
+  return earlier;
+}
+
+}  // namespace gausssim

@@ -1,0 +1,25 @@
+#pragma once
+// What an interrupted run has left, for one that goes on from it.
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "sim/run/simulate.hpp"
+
+namespace gausssim {
+
+struct EarlierRun {
+  std::string table;  ///< the CSV
+  Simulated run;
+  bool is_finished = false;
+};
+
+/// What the summary of a run says for one that goes on from it.
+nlohmann::ordered_json resume_json(const PreparedModel& prepared, const Simulated& run);
+
+/// Reads table and summary. Throws cli::FileError where they cannot be read or do not belong to each other, and cli::UsageError where they are of another run.
+EarlierRun read_earlier_run(const std::string& csv, const std::string& summary, const PreparedModel& prepared,
+                            const Setting& setting);
+
+}  // namespace gausssim

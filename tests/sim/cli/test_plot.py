@@ -1,0 +1,122 @@
+"""gauss-sim plot: what is in the picture is what is in the table."""
+
+import math
+import re
+import unittest
+import xml.etree.ElementTree as xml
+
+from gauss_sim import SPRING, Program
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+class Plots(Program):
+    def table_of(self, header, rows, name="table.csv"):
+        return self.write(name, "".join(",".join(map(str, row)) + "\n" for row in [header, *rows]))
+
+    def picture(self, *arguments, name="table.svg"):
+        self.ok("plot", *arguments)
+        return xml.parse(self.folder / name).getroot()
+
+    def words(self, picture, look):
+        return [text.text for text in picture.iter(SVG + "text") if text.get("class") == look]
+
+    def lines(self, picture):
+        """Points of each line by its title, the sample of the legend apart."""
+        found = {}
+        for group in picture.iter(SVG + "g"):
+            lines = [[tuple(map(float, point.split(","))) for point in line.get("points").split()] for line in group.iter(SVG + "polyline")]
+            found[group.find(SVG + "title").text] = lines[:-1]
+        return found
+
+    def frames(self, picture):
+        return [{key: float(frame.get(key)) for key in ("x", "y", "width", "height")}
+                for frame in picture.iter(SVG + "rect") if frame.get("class") == "frame"]
+
+    def test_a_panel_for_each_unit_with_its_title_and_legend(self):
+        self.write("spring.yaml", SPRING)
+        self.ok("run", "spring.yaml", "-q", "--outputs", "x,x_dot,energy")
+        picture = self.picture("spring.csv", name="spring.svg")
+        self.assertEqual(self.words(picture, "title"), ["spring", "x [m]", "x_dot [m/s]", "[J]", "t [s]"])
+        legend = self.words(picture, "legend")
+        self.assertEqual(legend[:2], ["x", "x_dot"])
+        self.assertIn("energy.total", legend)
+        self.assertEqual(len(self.frames(picture)), 3)
+
+    def test_points_are_where_the_ticks_say(self):
+        self.table_of(["t [s]", "x [m]"], [[0, -1], [5, 1], [10, 0.5]])
+        picture = self.picture("table.csv")
+        frame = self.frames(picture)[0]
+        points = self.lines(picture)["x [m]"][0]
+        self.assertEqual(self.words(picture, "tick"), ["−1.0", "−0.5", "0.0", "0.5", "1.0"] + [str(k) for k in range(11)])
+        for (x, y), (t, value) in zip(points, ((0, -1), (5, 1), (10, 0.5))):
+            self.assertAlmostEqual(x, frame["x"] + frame["width"] * t / 10, delta=0.01)
+            self.assertAlmostEqual(y, frame["y"] + frame["height"] * (1 - value) / 2, delta=0.01)
+
+    def test_columns_are_chosen_by_name_and_by_group(self):
+        self.table_of(["t [s]", "chi [rad]", "energy.kinetic [J]", "energy.total [J]"], [[0, 1, 2, 3], [1, 2, 3, 4]])
+        self.assertEqual(list(self.lines(self.picture("table.csv", "--columns", "energy"))), ["energy.kinetic [J]", "energy.total [J]"])
+        picture = self.picture("table.csv", "--columns", "energy.total", "--against", "chi", "-o", "other.svg", name="other.svg")
+        self.assertEqual(self.words(picture, "title"), ["table", "energy.total [J]", "chi [rad]"])
+        self.assertIn("did you mean 'chi'?", self.refused(2, "plot", "table.csv", "--columns", "ch"))
+        self.assertIn("--against: the table has no column 'zeta'", self.refused(2, "plot", "table.csv", "--against", "zeta"))
+        self.assertIn("is the table itself", self.refused(2, "plot", "table.csv", "-o", "table.csv"))
+
+    def test_long_tables_keep_their_extremes(self):
+        rows = [[k / 100_000, math.sin(k / 1000)] for k in range(100_000)]
+        rows[54_321][1], rows[12_345][1] = 7.0, -5.0
+        self.table_of(["t [s]", "x"], rows)
+        picture = self.picture("table.csv")
+        frame, points = self.frames(picture)[0], self.lines(picture)["x"][0]
+        self.assertLess(len(points), 4 * frame["width"] + 4)
+        ticks = [float(word.replace("−", "-")) for word in self.words(picture, "tick")]
+        low, high = min(ticks[:ticks.index(max(ticks)) + 1]), max(ticks)
+        up = lambda value: frame["y"] + frame["height"] * (high - value) / (high - low)
+        self.assertAlmostEqual(min(y for _, y in points), up(7), delta=0.01)
+        self.assertAlmostEqual(max(y for _, y in points), up(-5), delta=0.01)
+
+    def test_small_and_large_numbers_have_short_ticks(self):
+        self.table_of(["t [s]", "x [m]", "y [N]", "z [J]"], [[0, 0, 1e6, 4.5], [1, 3e-7, 3e6, 4.5 + 2e-9]])
+        picture = self.picture("table.csv")
+        titles = self.words(picture, "title")
+        self.assertEqual(titles[1:3], ["x [10⁻⁹ m]", "y [10⁶ N]"])
+        self.assertRegex(titles[3], r"^z \[10⁻⁹ J, from 4\.5\]$")
+        self.assertLessEqual(max(map(len, self.words(picture, "tick"))), 5)
+
+    def test_what_is_no_number_parts_a_line_and_what_is_constant_is_a_line(self):
+        self.table_of(["t [s]", "x", "y"], [[0, 1, 2], [1, "nan", 2], [2, 1, 2], [3, "inf", 2], [4, 2, 2]])
+        lines = self.lines(self.picture("table.csv"))
+        self.assertEqual([len(line) for line in lines["x"]], [1, 1, 1])
+        self.assertEqual(len({y for _, y in lines["y"][0]}), 1)
+
+    def test_names_are_text(self):
+        self.write("table.csv", 't [s],"a<b&""c"", d [m]"\n0,1\n1,2\n')
+        self.assertEqual(list(self.lines(self.picture("table.csv"))), ['a<b&"c", d [m]'])
+
+    def test_more_lines_than_colours_are_dashed(self):
+        self.table_of(["t [s]"] + [f"x{k}" for k in range(14)], [[0] * 15, list(range(15))])
+        looks = {line.get("class") for line in self.picture("table.csv").iter(SVG + "polyline")}
+        self.assertEqual(len(looks), 14)
+
+    def test_it_suits_light_and_dark(self):
+        self.table_of(["t [s]", "x"], [[0, 1], [1, 2]])
+        self.ok("plot", "table.csv")
+        text = (self.folder / "table.svg").read_text(encoding="utf-8")
+        self.assertIn("@media(prefers-color-scheme:dark)", text)
+        self.assertEqual(text, self.ok("plot", "table.csv", "-o", "-"))
+        self.assertFalse(re.search(r"nan|inf", text))
+
+    def test_what_is_no_table_is_refused_with_its_line(self):
+        for text, line, said in (("t,x\n0,1\n1,a\n", 3, "'a' in column 'x' is no number"), ("t,x\n0,1\n1\n", 3, "1 fields where the header has 2"),
+                                 ("t,x\n", 1, "no rows"), ("", 1, "no name"), ('t,"x\n0,1\n', 1, "not closed"), ("t,,x\n0,1,2\n", 1, "no name"),
+                                 ("t,x\n0,1 \n", 2, "is no number"), ("t,x\n0,\n", 2, "'' in column 'x'")):
+            self.write("bad.csv", text)
+            self.assertIn(f"bad.csv:{line}: ", said_now := self.refused(3, "plot", "bad.csv"), text)
+            self.assertIn(said, said_now, text)
+        self.refused(3, "plot", "none.csv")
+        self.table_of(["t"], [[0], [1]])
+        self.assertIn("one column", self.refused(2, "plot", "table.csv"))
+
+
+if __name__ == "__main__":
+    unittest.main()

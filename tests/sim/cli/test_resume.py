@@ -1,0 +1,126 @@
+"""gauss-sim run --resume: what was interrupted goes on as if nothing had happened."""
+
+import json
+import signal
+import subprocess
+import time
+import unittest
+
+from gauss_sim import PROGRAM, SPRING, Program
+
+BY_STEPS = ["--method", "rk4", "--step", "1e-7", "--duration", "2", "--samples", "20001"]
+BY_TOLERANCE = ["--method", "prince87", "--tolerance", "1e-12", "--duration", "500", "--samples", "300001", "--projection", "energy",
+                "--set", "x_dot=1"]
+
+
+class Resuming(Program):
+    def setUp(self):
+        super().setUp()
+        self.write("spring.yaml", SPRING)
+
+    def interrupted(self, *arguments, rows=100):
+        """Ctrl-C after some rows more than there are now."""
+        table = self.folder / "spring.csv"
+        before = table.stat().st_size if table.exists() else 0
+        process = subprocess.Popen([PROGRAM, "run", "spring.yaml", "-q", *arguments], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 60
+        while time.monotonic() < deadline and process.poll() is None:
+            if any(path.stat().st_size > before + 60 * rows for path in self.folder.glob("spring.csv.*")):
+                break
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        said = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 130, said)
+        self.assertIn("--resume", said)
+        return self.summary("spring.json")
+
+    def test_steps_of_one_length_have_the_same_bits_after_two_interruptions(self):
+        self.ok("run", "spring.yaml", "-q", "-o", "whole.csv", *BY_STEPS)
+        first = self.interrupted(*BY_STEPS)
+        second = self.interrupted(*BY_STEPS, "--resume")
+        self.assertLess(first["samples"], second["samples"])
+        self.assertLess(second["samples"], 20001)
+        self.ok("run", "spring.yaml", "-q", "--resume", *BY_STEPS)
+        self.assertEqual((self.folder / "whole.csv").read_bytes(), (self.folder / "spring.csv").read_bytes())
+        whole, parts = self.summary("whole.json"), self.summary("spring.json")
+        for key in ("outcome", "reached", "samples", "steps", "calls", "drift", "last_state", "resume"):
+            self.assertEqual(whole[key], parts[key], key)
+        self.assertEqual(self.files(), ["spring.csv", "spring.json", "spring.yaml", "whole.csv", "whole.json"])
+
+    def test_steps_by_tolerance_agree_within_it_and_the_energy_is_that_of_the_first_start(self):
+        self.ok("run", "spring.yaml", "-q", "-o", "whole.csv", *BY_TOLERANCE)
+        first = self.interrupted(*BY_TOLERANCE)
+        self.ok("run", "spring.yaml", "-q", "--resume", *BY_TOLERANCE)
+        whole, parts = self.table("whole.csv"), self.table("spring.csv")
+        self.assertEqual(whole["t [s]"], parts["t [s]"])
+        self.assertLess(max(abs(a - b) for a, b in zip(whole["x [m]"], parts["x [m]"])), 1e-8)
+        summary = self.summary("spring.json")
+        self.assertEqual(summary["outcome"], "finished")
+        self.assertGreater(summary["steps"], first["steps"])
+        self.assertEqual(summary["resume"], self.summary("whole.json")["resume"])
+        self.assertEqual(summary["resume"]["kept_energy"], "5")
+        self.assertLess(summary["drift"]["energy"]["largest_change"], 1e-14)
+
+    def test_drift_is_the_largest_of_both_parts(self):
+        self.interrupted(*BY_STEPS)
+        summary = self.summary("spring.json")
+        summary["drift"]["energy"]["largest_change"] = 0.25
+        summary["resume"]["start_energy"] = "3.875"
+        self.write("spring.json", json.dumps(summary))
+        self.ok("run", "spring.yaml", "-q", "--resume", *BY_STEPS)
+        self.assertEqual(self.summary("spring.json")["drift"]["energy"]["largest_change"], 0.25)
+        summary["drift"]["energy"]["largest_change"] = 0.0625
+        self.write("spring.json", json.dumps(summary))
+        table = (self.folder / "spring.csv").read_text().splitlines(keepends=True)
+        self.write("spring.csv", "".join(table[:summary["samples"] + 1]))
+        self.ok("run", "spring.yaml", "-q", "--resume", *BY_STEPS)
+        self.assertAlmostEqual(self.summary("spring.json")["drift"]["energy"]["largest_change"], 0.125)
+
+    def test_the_energy_that_is_kept_is_that_of_the_summary(self):
+        summary = self.interrupted(*BY_TOLERANCE)
+        summary["resume"]["kept_energy"] = "5.000001"
+        self.write("spring.json", json.dumps(summary))
+        self.ok("run", "spring.yaml", "-q", "--resume", *BY_TOLERANCE, "--outputs", "state,energy")
+        self.assertAlmostEqual(self.table("spring.csv")["energy.total [J]"][-1], 5.000001, delta=1e-12)
+
+    def test_another_run_is_refused_with_what_is_other(self):
+        self.interrupted(*BY_STEPS)
+        before = (self.folder / "spring.csv").read_bytes()
+        usual = dict(zip(BY_STEPS[::2], BY_STEPS[1::2]))
+        for option, value, said in (("--step", "1e-6", "step was 1e-07 and is 1e-06 now"), ("--method", "gauss_legendre4", "method was 'rk4'"),
+                                    ("--number", "long-double", "number was 'double'"), ("--duration", "3", "duration was 2"),
+                                    ("--samples", "11", "samples was 20001"), ("--set", "m=3", "has changed"), ("--set", "x=2", "has changed"),
+                                    ("--outputs", "x", "other columns"), ("--projection", "off", "projection was 'full'")):
+            words = [word for pair in {**usual, option: value}.items() for word in pair]
+            self.assertIn(said, self.refused(2, "run", "spring.yaml", "--resume", *words), option)
+        self.assertEqual((self.folder / "spring.csv").read_bytes(), before)
+        self.write("spring.yaml", SPRING.replace("value: 8", "value: 9"))
+        self.assertIn("has changed", self.refused(2, "run", "spring.yaml", "--resume", *BY_STEPS))
+
+    def test_a_comment_in_the_model_changes_nothing(self):
+        self.interrupted(*BY_STEPS)
+        self.write("spring.yaml", "# A word.\n" + SPRING)
+        self.ok("run", "spring.yaml", "-q", "--resume", *BY_STEPS)
+
+    def test_what_is_not_there_or_not_whole_is_said(self):
+        self.assertIn("no such file", self.refused(3, "run", "spring.yaml", "--resume"))
+        self.assertIn("standard output", self.refused(2, "run", "spring.yaml", "--resume", "-o", "-"))
+        self.interrupted(*BY_STEPS)
+        table = (self.folder / "spring.csv").read_text()
+        self.write("spring.csv", table[:table.rindex("\n", 0, -1) + 1])
+        self.assertIn("rows where its summary says", self.refused(3, "run", "spring.yaml", "--resume", *BY_STEPS))
+        for text in ("{}", "no JSON", json.dumps({**self.summary("spring.json"), "last_state": ["1"]})):
+            self.write("spring.json", text)
+            self.refused(3, "run", "spring.yaml", "--resume", *BY_STEPS)
+
+    def test_a_finished_run_is_left_alone(self):
+        self.ok("run", "spring.yaml", "-q")
+        before = (self.folder / "spring.csv").read_bytes()
+        result = self.run_it("run", "spring.yaml", "--resume")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("has finished already", result.stderr)
+        self.assertEqual((self.folder / "spring.csv").read_bytes(), before)
+
+
+if __name__ == "__main__":
+    unittest.main()
