@@ -26,7 +26,7 @@ namespace cli = gaussgen::cli;
 
 /// What options say of the ensemble itself.
 void apply(const EnsembleOptions& options, Ensemble& ensemble) {
-  if (options.seed) ensemble.seed = *options.seed;
+  if (options.seed) ensemble.seed = static_cast<std::uint64_t>(*options.seed);
   ensemble.records_samples = ensemble.records_samples || options.records_samples;
   const auto& varied = ensemble.varied;
   for (const std::string& set : options.run.sets) {
