@@ -103,7 +103,9 @@ void add_ensemble(CLI::App& app, EnsembleOptions& options) {
   command->add_option("--trajectories", options.trajectories, "how many, for each point of the sweeps")
       ->type_name("N")
       ->check(CLI::Range(1L, k_most_trajectories));
-  command->add_option("--seed", options.seed, "of what is drawn, default 0")->type_name("N");
+  command->add_option("--seed", options.seed, "of what is drawn, default 0")
+      ->type_name("N")
+      ->check(CLI::Range(0L, k_largest_seed));
   command->add_option("--threads", options.threads, "default: one for each processor; they change no result")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));

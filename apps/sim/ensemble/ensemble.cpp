@@ -26,7 +26,7 @@ namespace cli = gaussgen::cli;
 
 /// What options say of the ensemble itself.
 void apply(const EnsembleOptions& options, Ensemble& ensemble) {
-  if (options.seed) ensemble.seed = *options.seed;
+  if (options.seed) ensemble.seed = static_cast<std::uint64_t>(*options.seed);
   ensemble.records_samples = ensemble.records_samples || options.records_samples;
   const auto& varied = ensemble.varied;
   for (const std::string& set : options.run.sets) {
@@ -85,27 +85,29 @@ int code_of(const EnsembleTold& told, const cli::MessageOptions& messages) {
   return cli::k_ok;
 }
 
-}  // namespace
-
-int ensemble(const EnsembleOptions& options) {
+std::optional<PreparedModel> prepare_varied(const EnsembleOptions& options, std::vector<Placed>& places, int& code) {
   Request request{options.run.file, options.run.sets, {}, options.messages};
-  std::vector<Placed> places;
   request.adjust = [&](const Scene& scene, gaussgen::model::Model& model, gaussgen::support::Diagnostics& diagnostics) {
     places = vary(scene, model, diagnostics);
     if (!diagnostics.has_errors()) check_draws(*scene.ensemble, places, model, diagnostics);
   };
+  const auto change = [&](Scene& scene) {
+    if (!scene.ensemble)
+      throw cli::UsageError("the file says nothing of an ensemble: add the key 'ensemble' to a scene");
+    apply(options.run, scene);
+    apply(options, *scene.ensemble);
+    check_method(scene);
+    if (!chooses_method(scene)) request.also = find_method(scene.method->text)->takes;
+  };
+  return prepare(request, change, code);
+}
+
+}  // namespace
+
+int ensemble(const EnsembleOptions& options) {
+  std::vector<Placed> places;
   int code = cli::k_ok;
-  const auto prepared = prepare(
-      request,
-      [&](Scene& scene) {
-        if (!scene.ensemble)
-          throw cli::UsageError("the file says nothing of an ensemble: add the key 'ensemble' to a scene");
-        apply(options.run, scene);
-        apply(options, *scene.ensemble);
-        check_method(scene);
-        if (!chooses_method(scene)) request.also = find_method(scene.method->text)->takes;
-      },
-      code);
+  const auto prepared = prepare_varied(options, places, code);
   if (!prepared) return code;
   const Plan plan(*prepared->scene.ensemble);
   const std::string number = prepared->scene.number ? prepared->scene.number->text : "double";

@@ -13,7 +13,7 @@ struct EnsembleOptions {
   int threads = 0;  ///< 0: as many as there are processors
   std::string lanes = "auto";
   std::optional<long> trajectories;
-  std::optional<std::uint64_t> seed;
+  std::optional<long> seed;
   bool records_samples = false;
   gaussgen::cli::MessageOptions messages;
 };

@@ -46,6 +46,8 @@ struct Ensemble {
 };
 
 inline constexpr long k_most_trajectories = 10'000'000;
+/// A double has all numbers up to it, and so have programs that read JSON.
+inline constexpr long k_largest_seed = 1L << 53;
 
 /// How many points all sweeps together have.
 double points_of(const Ensemble& ensemble);

@@ -21,8 +21,6 @@ namespace spec = gaussgen::spec;
 using gaussgen::support::Span;
 
 constexpr std::array<Section, 3> k_sections{Section::parameters, Section::initial, Section::inputs};
-/// All digits of a double.
-constexpr long k_largest_seed = 1L << 53;
 
 /// How a quantity may be varied, by the key that says so.
 const std::vector<std::string>& ways() {

@@ -111,6 +111,7 @@ class Mistakes(Program):
         self.assertIn("one trajectory at a time", self.mistake(text, "--engine", "interpreted", "--lanes", "4", code=2))
         self.assertIn("--lanes 64: this processor has", self.mistake(text, "--lanes", "64", code=2))
         self.assertIn("auto", self.mistake(text, "--lanes", "many", code=2))
+        self.assertIn("--seed", self.mistake(text, "--seed", "-1", code=2))
         self.assertIn("--threads", self.mistake(text, "--threads", "0", code=2))
         self.assertIn("--trajectories", self.mistake(text, "--trajectories", "0", code=2))
         self.assertIn("nothing is drawn", self.mistake("ensemble: {parameters: {m: {values: [1]}}}\n", "--trajectories", "5", code=2))
