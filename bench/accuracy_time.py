@@ -15,6 +15,9 @@ import csv
 import json
 import os
 import pathlib
+import re
+import shutil
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -47,10 +50,21 @@ class Bench:
     def reference(self, model, outputs, samples):
         return self.table(model, outputs, samples, "--method", "taylor", "--number", "float128", "--tolerance", "1e-26")
 
-    def seconds(self, model, outputs, method, setting, samples):
-        words = [self.binaries / "bench_sampling", model, outputs, method, setting, END, ",".join(map(str, samples)), self.rounds]
+    def seconds(self, model, outputs, method, setting, samples, rounds=None):
+        words = [self.binaries / "bench_sampling", model, outputs, method, setting, END, ",".join(map(str, samples)), rounds or self.rounds]
         done = subprocess.run(list(map(str, words)), env=self.environment, check=True, capture_output=True, text=True)
         return json.loads(done.stdout)
+
+
+    def instructions(self, model, outputs, setting, samples):
+        """Of the integration with its samples, by callgrind."""
+        if not shutil.which("valgrind"):
+            return None
+        out = self.folder / "callgrind.out"
+        tool = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", "--toggle-collect=*gausssim::drive<double>*"]
+        words = [*tool, self.binaries / "bench_sampling", model, outputs, "taylor", setting, END, samples, "once"]
+        subprocess.run(list(map(str, words)), env=self.environment, check=True, capture_output=True)
+        return int(re.search(r"^(?:summary|totals): (\d+)", out.read_text(), re.MULTILINE).group(1))
 
 
 def absolute(rows, reference):
@@ -121,9 +135,23 @@ def pendulum(bench, samples=501, goal=1e-6):
         result["gauss"][method] = cheapest(bench, PENDULUM, outputs, method, lambda rows: absolute(rows, reference), goal, samples)
     found = [row for row in result["gauss"].values() if row]
     result["best"] = min(found, key=lambda row: row["seconds"])
-    theirs = result["mujoco"].get("delivers")
-    result["mujoco_to_best"] = theirs["seconds"] / result["best"]["seconds"] if theirs else None
+    result["mujoco_to_best"] = in_turns(bench, result["best"], result["mujoco"].get("delivers"), outputs, samples)
     return result
+
+
+def in_turns(bench, ours, theirs, outputs, samples):
+    """The median of ratios of times that are taken one right after the other."""
+    if not theirs:
+        return None
+    between = round(END / (samples - 1) / theirs["step"])
+    words = list(map(str, [bench.folder / "mujoco_pendulum", END, samples, between, 3]))
+    ratios = []
+    for _ in range(15):
+        first_line = subprocess.run(words, check=True, capture_output=True, text=True).stdout.split("\n")[0]
+        found = bench.seconds(PENDULUM, outputs, ours["method"], ours["tolerance"], [samples], 31)
+        ratios.append(float(first_line) / found["seconds"][0])
+        theirs["seconds"], ours["seconds"] = min(theirs["seconds"], float(first_line)), min(ours["seconds"], found["seconds"][0])
+    return statistics.median(ratios)
 
 
 def ball(bench, samples=501, goal=1e-9):
@@ -137,6 +165,9 @@ def ball(bench, samples=501, goal=1e-9):
             best["seconds_by_samples"] = dict(zip(map(str, numbers), found["seconds"]))
             best["ns_per_sample"] = 1e9 * (found["seconds"][-1] - found["seconds"][0]) / (numbers[-1] - numbers[0])
             best["seconds"] = min(best["seconds"], found["seconds"][2])
+            counts = [bench.instructions(model, result["outputs"], best["tolerance"], count) for count in (2, samples)]
+            if counts[0]:
+                best["instructions"], best["instructions_per_sample"] = counts[1], (counts[1] - counts[0]) / (samples - 2)
         result["forms"][form] = best
     return result
 
@@ -147,6 +178,9 @@ def sampling(bench):
     for form, model in BALLS.items():
         found = bench.seconds(model, "reactions", "taylor", 1e-9, numbers)
         rows[form] = {"columns": found["columns"], "ns_per_sample": 1e9 * (found["seconds"][1] - found["seconds"][0]) / (numbers[1] - numbers[0])}
+        counts = [bench.instructions(model, "reactions", 1e-9, count) for count in (2, 2002)]
+        if counts[0]:
+            rows[form]["instructions_per_sample"] = (counts[1] - counts[0]) / 2000
     return rows
 
 
@@ -163,7 +197,7 @@ def tell(results):
         print(f"    {form:22}", f"{1e3 * row['seconds']:.3f} ms, {row['steps']} steps, tolerance {row['tolerance']:g}, {row['columns']} columns, "
               f"{row['ns_per_sample']:.0f} ns a sample, {1e3 * row['seconds_by_samples']['2']:.3f} ms with two" if row else "not delivered")
     for form, row in results["sampling_reactions"].items():
-        print(f"    reactions alone, {form:22} {row['ns_per_sample']:.0f} ns a sample of {row['columns']} columns")
+        print(f"    reactions alone, {form:22} {row['ns_per_sample']:.0f} ns a sample of {row['columns']} columns, {row.get('instructions_per_sample', 0):.0f} instructions")
 
 
 def main():

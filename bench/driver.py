@@ -26,7 +26,7 @@ sys.path.insert(0, str(ROOT / "bench"))
 from harness import simulation  # noqa: E402
 
 MODEL = ROOT / "models/double_pendulum.yaml"
-FLAGS = "-std=c++17 -O2 -march=native -ffp-contract=off -fno-tree-slp-vectorize -fPIC -shared -w".split()
+FLAGS = "-std=c++17 -O2 -march=native -ffp-contract=off -fno-tree-slp-vectorize -funroll-loops -fPIC -shared -w".split()
 END = 10
 SETTINGS = {"fehlberg78": 1e-9, "prince87": 1e-9, "dopri5": 1e-9, "rk4": 1e-3}
 TARGET = 1.10

@@ -103,10 +103,11 @@ std::string Toolchain::identity() const {
 
 std::optional<Toolchain> find_toolchain() {
   // Products and sums are rounded one by one, as by the interpreter and by gauss_add_model. g++ 12 contracts a pair of them (vfmaddsub) all the same
-  // where it makes vectors of straight code, which is the last option then; loops become vectors without it.
+  // where it makes vectors of straight code, which is switched off then; loops become vectors without it. Power series are loops over orders: unrolled they take a
+  // sixth less, at no price in compilation.
   const std::vector<std::string> flags{
-      "-std=c++17",          "-O2", "-march=native", "-ffp-contract=off", "-fno-tree-slp-vectorize", "-fPIC", "-shared",
-      "-fvisibility=hidden", "-w"};
+      "-std=c++17",     "-O2",   "-march=native", "-ffp-contract=off",   "-fno-tree-slp-vectorize",
+      "-funroll-loops", "-fPIC", "-shared",       "-fvisibility=hidden", "-w"};
   const char* const own = std::getenv("CXX");
   const std::vector<std::string> commands = own != nullptr && *own != '\0'
                                                 ? std::vector<std::string>{own}
