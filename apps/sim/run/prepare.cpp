@@ -236,6 +236,7 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
     cli::apply_overrides(request.sets, read);
     if (request.adjust) request.adjust(result.scene, read, in_values);
     parameters = model::parameter_values(read);
+    for (const model::Parameter& one : read.parameters) result.parameters.emplace_back(one.name.text, one.value);
     result.span = SpanReader(result.scene, parameters, in_values).read();
     if (in_values.has_errors()) throw BadScene{};
   };

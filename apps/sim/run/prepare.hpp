@@ -36,6 +36,7 @@ struct PreparedModel {
   Scene scene;
   Described model;
   Columns columns;
+  std::vector<std::pair<std::string, gaussgen::model::Ast>> parameters;  ///< each over those before it
   Span span;
   std::string model_file;
   double generate_seconds = 0;

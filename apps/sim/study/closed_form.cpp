@@ -2,10 +2,6 @@
 
 #include <quadmath.h>
 
-#include <array>
-
-#include "sim/model/layout.hpp"
-
 namespace gausssim {
 
 namespace {
@@ -71,25 +67,16 @@ Quad evaluate(const model::Ast& ast, const Values& values) {
 
 }  // namespace
 
-ClosedForms::ClosedForms(const Scene& scene, std::map<std::string, Quad> parameters) : values_(std::move(parameters)) {
-  for (const Given& form : scene.exact) forms_.emplace(form.name, form.value);
+ClosedForms::ClosedForms(const PreparedModel& model) {
   values_["pi"] = ::acosq(-1);
+  for (const auto& [name, value] : model.parameters) values_[name] = evaluate(value, values_);
+  for (const Given& form : model.scene.exact) forms_.emplace(form.name, form.value);
 }
 
 Quad ClosedForms::at(const std::string& column, Quad t) const {
   Values values = values_;
   values["t"] = t;
   return evaluate(forms_.at(column), values);
-}
-
-ClosedForms closed_forms_of(const PreparedModel& prepared, const Engine& engine) {
-  Values values;
-  const auto slots = layout_of(prepared.model.tree, "Parameters");
-  std::vector<Quad> numbers(slots.size() + 1, Quad(0));
-  std::array<void*, 1> arguments{numbers.data()};
-  if (const Entry parameters = engine.find("parameters", scalar_name<Quad>())) parameters(arguments.data());
-  for (std::size_t i = 0; i < slots.size(); ++i) values[slots[i].name] = numbers[i];
-  return ClosedForms(prepared.scene, std::move(values));
 }
 
 }  // namespace gausssim

@@ -13,8 +13,7 @@ namespace gausssim {
 /// Over time and parameters, with the digits of the number type.
 class ClosedForms {
  public:
-  /// `parameters` by their names.
-  ClosedForms(const Scene& scene, std::map<std::string, Quad> parameters);
+  explicit ClosedForms(const PreparedModel& model);
 
   bool has(const std::string& column) const { return forms_.count(column) != 0; }
   bool are_there() const { return !forms_.empty(); }
@@ -25,8 +24,5 @@ class ClosedForms {
   std::map<std::string, gaussgen::model::Ast> forms_;
   std::map<std::string, Quad> values_;
 };
-
-/// With the parameters of a model in float128.
-ClosedForms closed_forms_of(const PreparedModel& model, const Engine& engine);
 
 }  // namespace gausssim

@@ -55,7 +55,7 @@ class Collector {
     for (const GivenForm& form : scene.forms) {
       Request other = request();
       other.form = form.name.text;
-      if (!add(other, form.name.text, [](Scene&) {})) return false;
+      if (!add(other, form.name.text)) return false;
     }
     // What a strategy does not suit is told as it would be to a user; here it is no error.
     if (!scene.strategy) {
@@ -71,22 +71,28 @@ class Collector {
 
   using Change = std::function<void(Scene&)>;
 
-  bool add(const Request& request, const std::string& formulation, const Change& change) {
-    auto prepared = prepare(request, change, code_);
+  bool add(const Request& request, const std::string& formulation) {
+    auto prepared = prepare(
+        request, [](Scene&) {}, code_);
     if (!prepared) return false;
-    if (texts_.insert(text_of(*prepared)).second)
-      forms_.push_back({formulation, code_of(prepared->scene), std::move(*prepared), {"double"}, nullptr, {}});
+    push(formulation, std::move(*prepared));
     return true;
+  }
+
+  void push(const std::string& formulation, PreparedModel model) {
+    const std::string code = code_of(model.scene);
+    forms_.push_back({formulation, code, std::move(model), {"double"}, nullptr, {}});
   }
 
   static std::string code_of(const Scene& scene) { return scene.code ? scene.code->text : code_names().front(); }
 
+  /// Where it is possible, and makes other code.
   void add_quietly(const std::string& formulation, const Change& change) {
     Request other = request();
     other.messages.is_silent = true;
-    const int before = code_;
-    add(other, formulation, change);
-    code_ = before;
+    int ignored = 0;
+    auto prepared = prepare(other, change, ignored);
+    if (prepared && texts_.insert(text_of(*prepared)).second) push(formulation, std::move(*prepared));
   }
 
   /// A compiler is a process: as many at a time as there are forms.

@@ -82,8 +82,8 @@ Setting by_series(double tolerance, int order) {
 }
 
 /// Where outputs are known as functions of time, both have to say the same.
-void take_closed_forms(const PreparedModel& model, const Engine& engine, Reference& reference, std::string& why) {
-  const ClosedForms forms = closed_forms_of(model, engine);
+void take_closed_forms(const PreparedModel& model, Reference& reference, std::string& why) {
+  const ClosedForms forms(model);
   if (!forms.are_there()) return;
   constexpr double k_alike = 1e-12;
   const auto& columns = model.columns.columns;
@@ -146,7 +146,7 @@ std::optional<Reference> find_reference(const PreparedModel& model, const Engine
   // They are compared with the digits of long double.
   reference.agreement = std::max(delivered_error(two.rows, one.rows, model.columns.columns).value,
                                  static_cast<double>(std::numeric_limits<long double>::epsilon()));
-  take_closed_forms(model, engine, reference, why);
+  take_closed_forms(model, reference, why);
   if (!why.empty()) return std::nullopt;
   return reference;
 }

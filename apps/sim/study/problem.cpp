@@ -56,6 +56,8 @@ class Solver {
     measure_all();
     mark_front(problem_.points);
     trace_drifts();
+    std::string why_no_lanes;
+    if (options_.methods.empty()) problem_.lanes = measure_lanes(first.model, {}, why_no_lanes);
     problem_.motion = motion_of(first.model, *first.engine, default_setting(first.model, *first.engine));
   }
 

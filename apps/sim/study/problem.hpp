@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/ensemble/measure_lanes.hpp"
 #include "sim/study/form.hpp"
 #include "sim/study/measure.hpp"
 #include "sim/study/motion.hpp"
@@ -25,6 +26,7 @@ struct Problem {
   std::vector<Point> points;
   std::vector<DriftTrace> drifts;
   std::optional<Motion> motion;
+  std::vector<LanesRow> lanes;
   std::string why;  ///< there is none
 };
 

@@ -149,6 +149,14 @@ Json problem_json(const Problem& problem) {
                               {"constraints", numbers(trace.constraints)}});
   }
   json["lanes"] = Json::array();
+  for (const LanesRow& row : problem.lanes) {
+    json["lanes"].push_back({{"number", row.number},
+                             {"lanes", row.lanes},
+                             {"threads", row.threads},
+                             {"trajectories", row.trajectories},
+                             {"trajectories_per_s", number(row.trajectories_per_s)},
+                             {"ratio", number(row.ratio)}});
+  }
   if (problem.motion) json["motion"] = motion_json(*problem.motion);
   return json;
 }

@@ -85,8 +85,8 @@ formulation: place
 formulations:
   angle: {model: by_angle.yaml}
   lower: {model: by_angle.yaml, initial: {phi: 0.4}}
-duration: 3
-samples: 31
+duration: 10
+samples: 3
 outputs: [poses.bob, energy.kinetic]
 """
 
