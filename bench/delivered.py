@@ -37,7 +37,7 @@ def scales(head, rows):
     result = []
     for extent, size, unit in zip(ranges, sizes, units):
         whole = max(size, by_unit.get(unit, 0))
-        result.append(extent if extent > CONSTANT * whole else whole)
+        result.append((extent if extent > CONSTANT * whole else whole) or 1)
     return result
 
 

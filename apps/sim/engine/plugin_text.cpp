@@ -112,6 +112,11 @@ std::string gains_entries(const std::string& name_space, const std::string& scal
          entry("gains_rates", " self", "rates(self, a)") + entry("gains_end", "", "end(a)");
 }
 
+/// What only methods in double call, or nobody in a hurry.
+bool is_for_double(const std::string& function) {
+  return function == "jacobian" || function == "project_positions" || function == "project_speeds";
+}
+
 }  // namespace
 
 bool uses_quad(const PluginRequest& request) {
@@ -149,6 +154,7 @@ std::string plugin_text(cpp::File tree, const PluginRequest& request) {
     if (has_series) text += series_entries(tree.name_space, scalar);
     if (!metric.empty()) text += gains_entries(tree.name_space, scalar, metric, *request.usual_rank);
     for (const std::string& name : names) {
+      if (scalar != "double" && is_for_double(name)) continue;
       if (const cpp::Function* const function = find_function(tree, name))
         text += entry(*function, tree.name_space, scalar);
     }

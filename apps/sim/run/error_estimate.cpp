@@ -49,7 +49,8 @@ std::vector<double> scales_of(const Rows& reference, const std::vector<Column>& 
     const Extent& extent = extents[i];
     const double others = by_unit[columns[i].unit];
     const double whole = std::max(extent.size, others);
-    scales.push_back(extent.range > k_constant * whole ? extent.range : whole);
+    const double scale = extent.range > k_constant * whole ? extent.range : whole;
+    scales.push_back(scale > 0 ? scale : 1);
   }
   return scales;
 }

@@ -32,7 +32,7 @@ class Rows {
 };
 
 /// Over the samples that both have. An output that does not change, such as the energy or a coordinate at rest, has no range: errors of it are relative to its size or to
-/// the largest range of an output with the same unit, whichever is larger.
+/// the largest range of an output with the same unit, whichever is larger; of what is 0 throughout, as all of its unit, they are in that unit.
 DeliveredError delivered_error(const Rows& rows, const Rows& reference, const std::vector<Column>& columns);
 
 }  // namespace gausssim

@@ -1,8 +1,11 @@
 #include "sim/study/form.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <functional>
 #include <future>
 #include <set>
+#include <thread>
 
 #include "cli/exit_codes.hpp"
 #include "sim/engine/plugin_text.hpp"
@@ -95,15 +98,19 @@ class Collector {
     if (prepared && texts_.insert(text_of(*prepared)).second) push(formulation, std::move(*prepared));
   }
 
-  /// A compiler is a process: as many at a time as there are forms.
+  /// As many compilers at a time as there are processors.
   void build_all() {
-    std::vector<std::future<void>> builds;
-    for (Form& form : forms_) {
-      builds.push_back(std::async(std::launch::async, [&form] {
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+      for (std::size_t i = next++; i < forms_.size(); i = next++) {
+        Form& form = forms_[i];
         form.engine = build_engine(form.model, EngineChoice::compiled, form.scalars, form.times, form.why);
-      }));
-    }
-    for (std::future<void>& build : builds) build.get();
+      }
+    };
+    std::vector<std::future<void>> workers;
+    for (unsigned k = 0; k < std::max(1U, std::thread::hardware_concurrency()); ++k)
+      workers.push_back(std::async(std::launch::async, work));
+    for (std::future<void>& worker : workers) worker.get();
     if (forms_.front().engine) return;
     code_ = cli::fail(forms_.front().why, cli::k_file_error, messages_);
     forms_.clear();

@@ -69,11 +69,11 @@ int study(const StudyOptions& options) {
     problems.push_back(std::move(*problem));
     if (Interruption::is_asked_for()) break;
   }
-  const std::string json = study_json(problems, options).dump(1) + "\n";
+  const auto json = study_json(problems, options);
   std::list<cli::Replacement> files;
-  files.emplace_back(options.output + ".json", json);
+  files.emplace_back(options.output + ".json", json.dump(1) + "\n");
   files.emplace_back(options.output + ".csv", study_csv(problems));
-  files.emplace_back(options.output + ".html", page(json));
+  files.emplace_back(options.output + ".html", page(json.dump()));
   for (cli::Replacement& file : files) file.commit();
   if (!options.quiet) cli::write_standard_output(fmt::format("wrote {0}.json, {0}.csv and {0}.html\n", options.output));
   return cli::k_ok;

@@ -78,13 +78,22 @@ Json build_json(const Form& form) {
           {"operations", form.model.operations > 0 ? Json(form.model.operations) : Json(nullptr)}};
 }
 
+/// Enough digits for a picture.
+double for_eyes(double value) { return std::stod(fmt::format("{:.6g}", value)); }
+
 template <class List>
 Json places(const List& list) {
   Json json = Json::array();
   for (const auto& entry : list) {
     bool is_known = true;
     for (const double value : entry) is_known = is_known && std::isfinite(value);
-    json.push_back(is_known ? Json(entry) : Json(nullptr));
+    if (!is_known) {
+      json.push_back(nullptr);
+      continue;
+    }
+    Json numbers = Json::array();
+    for (const double value : entry) numbers.push_back(for_eyes(value));
+    json.push_back(numbers);
   }
   return json;
 }
