@@ -12,6 +12,7 @@
 
 #include "gauss/simulate/step_control.hpp"
 #include "sim/drive/integrator.hpp"
+#include "sim/drive/odeint_numbers.hpp"
 #include "sim/drive/project_start.hpp"
 
 namespace gausssim {

@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "sim/drive/adaptive.hpp"
+#include "sim/drive/odeint_numbers.hpp"
 #include "sim/methods/settings.hpp"
 
 namespace gausssim {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/drive/fixed.hpp"
+#include "sim/drive/odeint_numbers.hpp"
 #include "sim/methods/makers.hpp"
 
 namespace gausssim {

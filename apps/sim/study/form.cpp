@@ -30,14 +30,17 @@ class Collector {
       : file_(std::move(file)), messages_(messages), code_(code) {}
 
   std::vector<Form> all(bool is_alone) {
-    const Request own = request();
+    Request own = request();
+    // Methods for stiff models like to have it; all else is for what is compared beside them.
+    if (is_alone) own.where_possible = {"jacobian"};
     auto first = prepare(
         own, [](Scene&) {}, code_);
     if (!first) return {};
     const Scene scene = first->scene;
     texts_.insert(text_of(*first));
-    forms_.push_back(
-        {scene.form, "optimised", std::move(*first), {"double", "float", "long double", "__float128"}, nullptr, {}});
+    push(scene.form, std::move(*first));
+    forms_.front().scalars = {"double", "__float128"};
+    if (!is_alone) forms_.front().scalars.insert(forms_.front().scalars.end(), {"float", "long double"});
     if (!is_alone && !add_others(scene)) return {};
     build_all();
     return std::move(forms_);
