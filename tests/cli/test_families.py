@@ -85,6 +85,13 @@ class Families(Evaluate):
         one = self.found("tree", "n=1")
         self.near(one["q_1_ddot"], -1.5 * G / 0.7 * math.sin(one["q_1"]))
 
+    def test_a_pendulum_on_a_stiff_spring_is_that_in_polar_coordinates(self):
+        s, theta, v, w = 1.001, 0.7, 0.02, -0.4
+        document = self.document(MODELS / "spring_pendulum.yaml", f"--set=s={s}", f"--set=theta={theta}", f"--set=dot(s)={v}", f"--set=dot(theta)={w}")
+        found = {name: float(value["value"]) for name, value in document["accelerations"].items()}
+        self.near(found["s_ddot"], s * w**2 + G * math.cos(theta) - 1e7 * (s - 1) - 1e4 * v)
+        self.near(found["theta_ddot"], -(G * math.sin(theta) + 2 * v * w) / s)
+
     def test_two_four_bars_are_the_problem_of_the_library(self):
         document = self.document(MODELS / "iftomm_a02.yaml")
         found = self.found("n_four_bar", "n=2")
