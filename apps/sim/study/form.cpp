@@ -101,22 +101,45 @@ class Collector {
     if (prepared && texts_.insert(text_of(*prepared)).second) push(formulation, std::move(*prepared));
   }
 
+  struct Build {
+    Form* form;
+    std::string scalar, why;
+    std::unique_ptr<Engine> engine;
+    EngineTimes times;
+  };
+
   /// As many compilers at a time as there are processors.
   void build_all() {
+    std::vector<Build> builds;
+    for (Form& form : forms_)
+      for (const std::string& scalar : form.scalars) builds.push_back({&form, scalar, "", nullptr, {}});
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
-      for (std::size_t i = next++; i < forms_.size(); i = next++) {
-        Form& form = forms_[i];
-        form.engine = build_engine(form.model, EngineChoice::compiled, form.scalars, form.times, form.why);
+      for (std::size_t i = next++; i < builds.size(); i = next++) {
+        Build& one = builds[i];
+        one.engine = build_engine(one.form->model, EngineChoice::compiled, {one.scalar}, one.times, one.why);
       }
     };
     std::vector<std::future<void>> workers;
     for (unsigned k = 0; k < std::max(1U, std::thread::hardware_concurrency()); ++k)
       workers.push_back(std::async(std::launch::async, work));
     for (std::future<void>& worker : workers) worker.get();
+    for (Form& form : forms_) gather(form, builds);
     if (forms_.front().engine) return;
     code_ = cli::fail(forms_.front().why, cli::k_file_error, messages_);
     forms_.clear();
+  }
+
+  static void gather(Form& form, std::vector<Build>& builds) {
+    auto engine = std::make_unique<EngineOfNumbers>();
+    for (Build& one : builds) {
+      if (one.form != &form) continue;
+      if (!one.engine) form.why = one.why;
+      form.times.compile += one.times.compile;
+      form.times.was_cached = form.times.was_cached || one.times.was_cached;
+      if (one.engine) engine->add(one.scalar, std::move(one.engine));
+    }
+    if (form.why.empty()) form.engine = std::move(engine);
   }
 
   std::string file_;

@@ -38,18 +38,17 @@ class GridMaker {
     const std::vector<std::string> usual = usual_methods();
     for (std::size_t form = 0; form < forms_.size(); ++form)
       for (const std::string& method : usual) add(form, *find_method(method), "double", default_projection(method));
-    for (const char* const number : {"float", "long-double", "float128"})
-      for (const std::string& method : usual) add(0, *find_method(method), number, default_projection(method));
-    for (const auto& [word, how] : k_projections)
-      for (const std::string& method : usual)
-        if (how != default_projection(method)) add(0, *find_method(method), "double", how);
-    // Stiff ones last: where they are of no use, they take longest.
     for (const bool is_stiff : {false, true}) {
       for (const MethodInfo& method : methods()) {
         if (method.is_stiff == is_stiff && std::count(usual.begin(), usual.end(), method.name) == 0)
           add(0, method, "double", default_projection(method.name));
       }
     }
+    for (const char* const number : {"float", "long-double", "float128"})
+      for (const std::string& method : usual) add(0, *find_method(method), number, default_projection(method));
+    for (const auto& [word, how] : k_projections)
+      for (const std::string& method : usual)
+        if (how != default_projection(method)) add(0, *find_method(method), "double", how);
     return std::move(all_);
   }
 

@@ -14,8 +14,7 @@ struct GridOptions {
   std::vector<std::string> only = {};  ///< methods: these, of the scene as it is, in double; empty: all, and all else
 };
 
-/// What a study tries, what people are likely to take first, and loose tolerances first: of the scene as it is, all methods at all tolerances or steps, all
-/// projections and number types; of the other forms, the usual methods. What a model does not allow is left to the run to say.
+/// What a study tries, what people are likely to take first, and loose tolerances first: the usual methods of all forms, then all methods of the scene as it is, then the usual ones in other number types and with other projections. What a model does not allow is left to the run to say.
 std::vector<Candidate> grid_of(const std::vector<Form>& forms, const GridOptions& options);
 
 }  // namespace gausssim

@@ -35,10 +35,12 @@ void time_it(const PreparedModel& model, const Engine& engine, const Effort& eff
   if (first < effort.longest) {
     times.clear();
     double sum = 0;
-    constexpr int k_least = 3, k_most = 1000;
+    constexpr double k_short = 0.05;
+    const int least = first < k_short ? 3 : 1;
+    constexpr int k_most = 1000;
     const auto goes_on = [&] {
       const int count = static_cast<int>(times.size());
-      return count < k_least ||
+      return count < least ||
              (count < k_most && (count < effort.repeats || sum < effort.seconds) && sum < effort.longest);
     };
     while (goes_on()) {

@@ -17,7 +17,7 @@ struct Reference {
 
 struct Effort {
   int repeats = 5;
-  double seconds = 0.02;  ///< of all repeats; at least three are made
+  double seconds = 0.02;  ///< of all repeats; of short runs at least three are made
   double longest = 10;    ///< of one run; what takes longer is not repeated
 };
 

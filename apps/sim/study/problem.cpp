@@ -40,7 +40,7 @@ class Forecast {
   std::map<std::string, double> last_;
 };
 
-constexpr double k_least_runs = 10;  ///< no run takes more of the time than this part
+constexpr double k_least_runs = 40;  ///< no run takes more of the time than this part
 
 class Solver {
  public:

@@ -8,7 +8,7 @@ import unittest
 
 from gauss_sim import SPRING, Program
 
-COMMANDS = ["", "run", "study", "plot", "methods", "completion"]
+COMMANDS = ["", "run", "advise", "study", "ensemble", "plot", "methods", "completion"]
 BASH_WORDS = """
 source ./completion
 COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=(); _gauss_sim; printf '%s\\n' "${COMPREPLY[@]}"
@@ -55,7 +55,7 @@ class Shells(Program):
         self.assertEqual(self.bash(""), set(COMMANDS) - {""})
         self.assertEqual(self.bash("run", "--to"), {"--tolerance"})
         self.assertEqual(self.bash("run", "--method", "ta"), {"taylor"})
-        self.assertEqual(self.bash("run", "--projection", ""), {"full", "positions", "velocities", "energy", "off"})
+        self.assertEqual(self.bash("run", "--projection", ""), {"full", "positions", "velocities", "energy", "gains", "off"})
         self.assertEqual(self.bash("run", "sp"), {"spring.yaml"})
         self.assertEqual(self.bash("completion", ""), {"bash", "zsh", "fish"})
 

@@ -40,8 +40,7 @@ class Study(Program):
             for row, point in zip(rows, self.problem["points"]):
                 self.assertEqual((row["method"], row["status"]), (point["method"], point["status"]))
             page = (self.folder / "study.html").read_text(encoding="utf-8")
-            self.assertIn('"name": "spring"', page)
-            self.assertNotIn("@STUDY@", page)
+            self.assertTrue('"name":"spring"' in page and "@STUDY@" not in page)
         with self.subTest("drift of the best is there over time"):
             for trace in self.problem["drifts"]:
                 self.assertEqual(len(trace["t"]), self.problem["samples"])
@@ -131,8 +130,8 @@ class Formulations(Program):
             motion = problem["motion"]
             self.assertEqual(len(motion["t"]), len(motion["bodies"][0]["position"]))
             for (x, y, _), (fx, fy, _) in zip(motion["bodies"][0]["position"], motion["reactions"][0]["force"]):
-                self.assertAlmostEqual(math.hypot(x, y), 2, places=7)
-                self.assertAlmostEqual(x * fy - y * fx, 0, places=7)
+                self.assertAlmostEqual(math.hypot(x, y), 2, places=5)  # six digits are written
+                self.assertAlmostEqual(x * fy - y * fx, 0, places=3)
         with self.subTest("operations of each build"):
             self.assertTrue(all(build["operations"] > 0 for build in problem["builds"]))
 
@@ -146,7 +145,7 @@ class Formulations(Program):
         with self.subTest("of all: they are the reference"):
             problem = self.study(scene + ", x_dot: -sqrt(k/m)*sin(sqrt(k/m)*t)}\n", "--budget", "3")
             self.assertEqual(problem["reference"]["kind"], "closed form")
-            self.assertLess(min(p["error"] for p in problem["points"] if p["status"] == "ok"), 1e-15)
+            self.assertLess(min(p["error"] for p in problem["points"] if p["status"] == "ok"), 1e-14)
         with self.subTest("a wrong one is found"):
             self.write("swing.yaml", scene.replace("sqrt(k/m)", "1.9") + "}\n")
             said = self.run_it("study", "swing.yaml", "--budget", "3", "-q").stderr

@@ -6,6 +6,7 @@
 #include "catch_shim.hpp"
 #include "gauss/integrate/explicit_stepper.hpp"
 #include "problems.hpp"
+#include "sim/drive/odeint_numbers.hpp"
 
 namespace {
 
