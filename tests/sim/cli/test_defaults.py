@@ -1,4 +1,6 @@
-"""What gauss-sim does where nobody says anything is a good choice: on the front of error and time, for every shipped model."""
+"""What gauss-sim does where nobody says anything is a good choice: on the front of error and time.
+
+Of some shipped models, which compilers are soon done with; with GAUSS_ALL_MODELS=1 of all of them (twenty minutes)."""
 
 import json
 import os
@@ -10,6 +12,9 @@ from gauss_sim import MODELS, Program
 # What people would take instead. Where rates are stiff, what is made for that.
 RIVALS = ["taylor", "prince87", "fehlberg78", "dopri5", "bulirsch_stoer"]
 STIFF = {"spring_pendulum": ["cvode_bdf", "arkode_kvaerno5"]}
+
+SOME = ["chaplygin_sleigh", "double_pendulum", "kepler", "lagrange_top", "sphere_in_cylinder", "sphere_in_cylinder_quaternion", "spherical_pendulum",
+        "spring_pendulum"]
 
 # Times move on a busy machine. What is beaten by less than this, in one of some tries, is not beaten.
 MARGIN = 1.5
@@ -39,7 +44,9 @@ class Defaults(Program):
         return [(p["method"], p["tolerance"], p["time_s"] / default[0]["time_s"]) for p in better]
 
     def test_defaults_are_on_the_front(self):
-        models = sorted(MODELS.glob("*.yaml"))
+        is_wanted = (lambda path: True) if os.environ.get("GAUSS_ALL_MODELS") == "1" else (lambda path: path.stem in SOME)
+        models = sorted(filter(is_wanted, MODELS.glob("*.yaml")))
+        self.assertGreaterEqual(len(models), len(SOME))
         with ThreadPoolExecutor(1 if os.cpu_count() == 1 else 2) as pool:
             found = list(pool.map(self.beaten_by, models))
         for model, better in zip(models, found):
