@@ -15,6 +15,7 @@ struct Candidate {
   std::size_t form = 0;
   Setting setting;
   bool is_default = false;
+  double share_of_time = 1;  ///< until this part of the budget is over it may run
 };
 
 enum class PointStatus { ok, failed, refused };

@@ -38,14 +38,17 @@ class GridMaker {
     const std::vector<std::string> usual = usual_methods();
     for (std::size_t form = 0; form < forms_.size(); ++form)
       for (const std::string& method : usual) add(form, *find_method(method), "double", default_projection(method));
+    give_until(0.3);
     for (const bool is_stiff : {false, true}) {
       for (const MethodInfo& method : methods()) {
         if (method.is_stiff == is_stiff && std::count(usual.begin(), usual.end(), method.name) == 0)
           add(0, method, "double", default_projection(method.name));
       }
     }
+    give_until(0.7);
     for (const char* const number : {"float", "long-double", "float128"})
       for (const std::string& method : usual) add(0, *find_method(method), number, default_projection(method));
+    give_until(0.85);
     for (const auto& [word, how] : k_projections)
       for (const std::string& method : usual)
         if (how != default_projection(method)) add(0, *find_method(method), "double", how);
@@ -53,6 +56,11 @@ class GridMaker {
   }
 
  private:
+  /// Of what has no share yet.
+  void give_until(double share) {
+    for (; given_ < all_.size(); ++given_) all_[given_].share_of_time = share;
+  }
+
   /// The default of this model, and that of any model.
   std::vector<std::string> usual_methods() const {
     std::vector<std::string> usual{default_method(forms_.front().model.model, *forms_.front().engine, "double")};
@@ -93,6 +101,7 @@ class GridMaker {
   const std::vector<Form>& forms_;
   const GridOptions& options_;
   std::vector<Candidate> all_;
+  std::size_t given_ = 0;
 };
 
 }  // namespace

@@ -103,7 +103,7 @@ class Solver {
 
   Point measured(const Candidate& candidate, Forecast& forecast) const {
     const Form& form = problem_.forms[candidate.form];
-    const double left = options_.budget - since(begin_);
+    const double left = options_.budget * candidate.share_of_time - since(begin_);
     Point point;
     point.candidate = candidate;
     point.status = PointStatus::refused;
