@@ -69,10 +69,6 @@ void write(const AdviseOptions& options, const StudyPoint& best, const std::vect
   cli::write_standard_output(text + as_scene(best, own_form));
 }
 
-std::string name_of(const PreparedModel& prepared) {
-  return prepared.scene.name.empty() ? prepared.model.unit.model_name : prepared.scene.name;
-}
-
 }  // namespace
 
 int advise(const AdviseOptions& options) {
@@ -84,7 +80,7 @@ int advise(const AdviseOptions& options) {
   if (!prepared) return code;
   std::string why;
   if (!options.study.empty()) {
-    const StudyPoint best = cheapest_in_study(options.study, name_of(*prepared), options.error, why);
+    const StudyPoint best = cheapest_in_study(options.study, prepared->name(), options.error, why);
     if (!why.empty()) return cli::fail(why, cli::k_not_delivered, options.messages);
     write(options, best, {}, "by " + std::filesystem::path(options.study).filename().string(), prepared->scene.form);
     return cli::k_ok;

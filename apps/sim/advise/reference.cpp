@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/run/in_rows.hpp"
 #include "sim/run/setting.hpp"
 
 namespace gausssim {
@@ -48,24 +49,24 @@ class TightSearch {
     setting.number = number;
     setting.projection = default_projection(setting.method);
     setting.tolerance = std::max(error_ * k_first, least_tolerance(number));
-    Told coarse = told(*engine, setting);
+    RunInRows coarse = told(*engine, setting);
     while (setting.tolerance > least_tolerance(number)) {
       setting.tolerance = std::max(setting.tolerance * k_tighter, least_tolerance(number));
-      Told fine = told(*engine, setting);
+      RunInRows fine = told(*engine, setting);
       if (!why_not(fine.run).empty()) break;
       const DeliveredError apart = delivered_error(coarse.rows, fine.rows, prepared_.columns.columns);
       if (apart.value < closest_.value) closest_ = apart;
       if (apart.value <= k_agreement * error_)
         return TightRun{std::move(fine.rows),
                         fmt::format("{} in {}, tolerance {:.0e}", setting.method, number, setting.tolerance),
-                        apart.value, number};
+                        apart.value};
       coarse = std::move(fine);
     }
     return std::nullopt;
   }
 
-  Told told(const Engine& engine, const Setting& setting) {
-    Told result = told_by(prepared_, engine, setting);
+  RunInRows told(const Engine& engine, const Setting& setting) {
+    RunInRows result = in_rows(prepared_, engine, setting, Meter::none);
     failure_ = why_not(result.run);
     return result;
   }
@@ -78,15 +79,6 @@ class TightSearch {
 };
 
 }  // namespace
-
-Told told_by(const PreparedModel& prepared, const Engine& engine, const Setting& setting) {
-  Told result{{}, Rows(prepared.columns.columns.size(), prepared.span.samples)};
-  Listeners listeners;
-  listeners.measures_drift = false;
-  listeners.on_numbers = [&](long k, const std::vector<long double>& row) { result.rows.set(k, row); };
-  result.run = simulate(prepared, engine, setting, listeners);
-  return result;
-}
 
 std::string why_not(const Simulated& run) {
   if (run.outcome == gauss::simulate::Outcome::running) return "";

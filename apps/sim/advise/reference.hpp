@@ -8,14 +8,6 @@
 
 namespace gausssim {
 
-/// A run in numbers.
-struct Told {
-  Simulated run;
-  Rows rows;
-};
-
-Told told_by(const PreparedModel& prepared, const Engine& engine, const Setting& setting);
-
 /// Why a run did not arrive; empty: it did.
 std::string why_not(const Simulated& run);
 
@@ -23,7 +15,6 @@ struct TightRun {
   Rows rows;
   std::string in_words;
   double agreement = 0;
-  std::string number;  ///< type that it took
 };
 
 /// In double, else in number types of more digits, until two tolerances agree to a twentieth of `error`. Nothing: `why`.

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "sim/advise/reference.hpp"
+#include "sim/run/in_rows.hpp"
 #include "sim/run/setting.hpp"
 
 namespace gausssim {
@@ -18,12 +19,12 @@ constexpr double k_close = 0.1;   ///< of it: looser is not looked for
 constexpr int k_most_trials = 7;  ///< of a method
 constexpr double k_digits_of_float = 1e-4;
 constexpr double k_few_digits = 1e-5;  ///< from here on methods of low order are tried
-/// As somebody would write it.
-double two_digits(double value) { return std::stod(fmt::format("{:.1e}", value)); }
-
 constexpr double k_beaten =
     10;  ///< times the best so far, where it delivers: looser tolerances will not make up for that
 constexpr double k_hopeless = 3;  ///< times the best so far, at a looser tolerance
+
+/// As somebody would write it.
+double two_digits(double value) { return std::stod(fmt::format("{:.1e}", value)); }
 
 /// The loosest tolerance of one method in one number type that delivers.
 class OneMethod {
@@ -58,15 +59,13 @@ class OneMethod {
  private:
   Trial tried(const Setting& setting) const {
     constexpr int k_repeats = 3;
-    const Told told = told_by(prepared_, engine_, setting);
+    const RunInRows told = in_rows(prepared_, engine_, setting, Meter::none);
     Trial trial{setting, {}, told.run.cpu_seconds, why_not(told.run)};
     if (!trial.why.empty()) return trial;
     trial.error = delivered_error(told.rows, reference_, prepared_.columns.columns);
     constexpr double k_short = 0.02;
     for (int k = 1; k < k_repeats && trial.seconds < k_short; ++k) {
-      Listeners none;
-      none.measures_drift = false;
-      trial.seconds = std::min(trial.seconds, simulate(prepared_, engine_, setting, none).cpu_seconds);
+      trial.seconds = std::min(trial.seconds, unheard(prepared_, engine_, setting).cpu_seconds);
     }
     return trial;
   }
@@ -172,28 +171,18 @@ class Search {
   bool is_stiff() {
     const Engine* const engine = engines_.of("double");
     if (engine == nullptr) return false;
+    PreparedModel one_way = prepared_;
+    one_way.span.samples = 2;  // more of them shorten steps
     Setting setting;
     setting.method = k_method_of_any_model;
     setting.projection = default_projection(setting.method);
     constexpr double k_loose = 1e-3, k_tight = 1e-6, k_alike = 0.9;  ///< of order 8: 0.42 where accuracy decides
     setting.tolerance = k_loose;
-    const Simulated loose = simulate(one_way(), *engine, setting, quiet());
+    const Simulated loose = unheard(one_way, *engine, setting);
     setting.tolerance = k_tight;
-    const Simulated tight = simulate(one_way(), *engine, setting, quiet());
+    const Simulated tight = unheard(one_way, *engine, setting);
     const long steps = std::max(loose.steps + loose.rejected, 1L), all = std::max(tight.steps + tight.rejected, 1L);
     return static_cast<double>(steps) > k_alike * static_cast<double>(all);
-  }
-
-  /// Without samples, which shorten steps.
-  PreparedModel one_way() const {
-    PreparedModel model = prepared_;
-    model.span.samples = 2;
-    return model;
-  }
-  static Listeners quiet() {
-    Listeners none;
-    none.measures_drift = false;
-    return none;
   }
 
   std::string said_of_last() const {

@@ -49,7 +49,7 @@ int threads_of(const EnsembleOptions& options) {
 
 std::string csv_path(const EnsembleOptions& options, const PreparedModel& prepared) {
   if (!options.run.output.empty()) return options.run.output;
-  return (prepared.scene.name.empty() ? prepared.model.unit.model_name : prepared.scene.name) + ".csv";
+  return prepared.name() + ".csv";
 }
 
 void tell(const EnsembleTold& told, const std::string& csv) {

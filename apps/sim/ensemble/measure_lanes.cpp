@@ -7,6 +7,7 @@
 #include "sim/ensemble/outcomes.hpp"
 #include "sim/run/build_engine.hpp"
 #include "sim/run/interruption.hpp"
+#include "sim/run/setting.hpp"
 
 namespace gausssim {
 
@@ -19,8 +20,7 @@ class LanesMeter {
  public:
   LanesMeter(const PreparedModel& prepared, const Engine& engine, const LanesEffort& effort)
       : prepared_(prepared), engine_(engine), effort_(effort) {
-    const bool has_series = static_cast<bool>(engine.find("series_begin", "double"));
-    setting_.setting.method = has_series ? "taylor" : "prince87";
+    setting_.setting = default_setting(prepared, engine);
     setting_.setting.tolerance = effort.tolerance;
   }
 

@@ -19,21 +19,6 @@ std::string status_text(const Ended& ended) {
   }
 }
 
-namespace {
-
-template <class S>
-MethodSettings<S> method_settings(const Setting& setting) {
-  MethodSettings<S> settings;
-  if (setting.tolerance > 0) settings.tolerance = S(setting.tolerance);
-  if (setting.step > 0) settings.step = S(setting.step);
-  settings.projection = setting.projection;
-  settings.order = setting.order;
-  settings.longest_step = S(setting.longest_step);
-  return settings;
-}
-
-}  // namespace
-
 template <class S>
 Trajectories<S>::Trajectories(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
                               const Starts<S>& starts, bool records_samples)

@@ -42,6 +42,9 @@ struct PreparedModel {
   double generate_seconds = 0;
   int operations = 0;        ///< of the rates
   bool wants_gains = false;  ///< the projection `gains` may be asked for
+
+  /// Of the scene, else of the model: names files and problems.
+  const std::string& name() const { return scene.name.empty() ? model.unit.model_name : scene.name; }
 };
 
 /// Reads the file; `change` may alter the scene before the model is read, as options do. Nothing after an error, which is reported: `code` is the exit code. Throws

@@ -12,6 +12,7 @@
 #include "sim/output/csv.hpp"
 #include "sim/run/build_engine.hpp"
 #include "sim/run/error_estimate.hpp"
+#include "sim/run/in_rows.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/progress_bar.hpp"
 #include "sim/run/resume.hpp"
@@ -30,8 +31,7 @@ constexpr double k_long_run = 5;        ///< seconds; not made twice unless some
 
 std::string csv_path(const RunOptions& options, const PreparedModel& prepared) {
   if (!options.output.empty()) return options.output;
-  const std::string& name = prepared.scene.name.empty() ? prepared.model.unit.model_name : prepared.scene.name;
-  return name + ".csv";
+  return prepared.name() + ".csv";
 }
 
 std::string summary_path(const std::string& csv) {
@@ -231,12 +231,8 @@ int run(const RunOptions& options, const FindSetting& find) {
   if (found && !earlier) {
     error = delivered_error(rows, found->reference, prepared->columns.columns);
   } else if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted && !earlier) {
-    Rows reference(width, prepared->span.samples);
-    Listeners listeners;
-    listeners.on_numbers = [&](long k, const std::vector<long double>& row) { reference.set(k, row); };
-    listeners.measures_drift = false;
-    simulate(*prepared, *engine, tighter(setting, simulated, prepared->span), listeners);
-    error = delivered_error(rows, reference, prepared->columns.columns);
+    const RunInRows reference = in_rows(*prepared, *engine, tighter(setting, simulated, prepared->span), Meter::none);
+    error = delivered_error(rows, reference.rows, prepared->columns.columns);
   }
   const std::string text = summary(*prepared, setting, *engine, simulated, times, error, found).dump(2) + "\n";
   file.finish();

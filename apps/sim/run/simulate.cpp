@@ -70,12 +70,7 @@ class Simulator {
     }
     const auto begin = std::chrono::steady_clock::now();
     const double cpu = processor_seconds();
-    MethodSettings<S> settings;
-    if (setting_.tolerance > 0) settings.tolerance = S(setting_.tolerance);
-    if (setting_.step > 0) settings.step = S(setting_.step);
-    settings.projection = setting_.projection;
-    settings.order = setting_.order;
-    settings.longest_step = S(setting_.longest_step);
+    const MethodSettings<S> settings = method_settings<S>(setting_);
     const S from = earlier_ == nullptr ? grid_.start : grid_.at(earlier_->samples - 1);
     const bool keeps_energy =
         setting_.projection == Projection::energy && why_not_projected(*functions_, Projection::energy).empty();

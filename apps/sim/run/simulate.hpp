@@ -21,6 +21,18 @@ struct Setting {
   double gain = 10;  ///< 1/s, of projection `gains`
 };
 
+/// What a setting leaves open is as methods have it.
+template <class S>
+MethodSettings<S> method_settings(const Setting& setting) {
+  MethodSettings<S> settings;
+  if (setting.tolerance > 0) settings.tolerance = S(setting.tolerance);
+  if (setting.step > 0) settings.step = S(setting.step);
+  settings.projection = setting.projection;
+  settings.order = setting.order;
+  settings.longest_step = S(setting.longest_step);
+  return settings;
+}
+
 struct Simulated {
   gauss::simulate::Outcome outcome = gauss::simulate::Outcome::running;
   std::string why;  ///< there was no motion at all

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/run/in_rows.hpp"
 #include "sim/study/closed_form.hpp"
 
 namespace gausssim {
@@ -44,9 +45,7 @@ void time_it(const PreparedModel& model, const Engine& engine, const Effort& eff
              (count < k_most && (count < effort.repeats || sum < effort.seconds) && sum < effort.longest);
     };
     while (goes_on()) {
-      Listeners none;
-      none.measures_drift = false;
-      times.push_back(simulate(model, engine, point.candidate.setting, none).cpu_seconds);
+      times.push_back(unheard(model, engine, point.candidate.setting).cpu_seconds);
       sum += times.back();
     }
   }
@@ -55,19 +54,6 @@ void time_it(const PreparedModel& model, const Engine& engine, const Effort& eff
   point.time = times[times.size() / 2];
   point.least_time = times.front();
   point.most_time = times.back();
-}
-
-struct Traced {
-  Simulated run;
-  Rows rows;
-};
-
-Traced traced(const PreparedModel& model, const Engine& engine, const Setting& setting) {
-  Traced result{{}, Rows(model.columns.columns.size(), model.span.samples)};
-  Listeners listeners;
-  listeners.on_numbers = [&](long k, const std::vector<long double>& row) { result.rows.set(k, row); };
-  result.run = simulate(model, engine, setting, listeners);
-  return result;
 }
 
 /// Tolerances and orders of the two runs of a reference: another number of terms in other steps.
@@ -120,26 +106,26 @@ Point measure(const PreparedModel& model, const Engine& engine, const Candidate&
               const Effort& effort) {
   Point point;
   point.candidate = candidate;
-  const Traced traced_run = traced(model, engine, candidate.setting);
-  note(traced_run.run, point);
+  const RunInRows found = in_rows(model, engine, candidate.setting, Meter::drift);
+  note(found.run, point);
   if (point.status != PointStatus::ok) return point;
-  point.error = delivered_error(traced_run.rows, reference.rows, model.columns.columns);
-  time_it(model, engine, effort, traced_run.run.cpu_seconds, point);
+  point.error = delivered_error(found.rows, reference.rows, model.columns.columns);
+  time_it(model, engine, effort, found.run.cpu_seconds, point);
   return point;
 }
 
 DeliveredError error_of(const PreparedModel& model, const Engine& engine, const Setting& setting,
                         const Reference& reference, std::string& why) {
-  const Traced traced_run = traced(model, engine, setting);
-  if (traced_run.run.outcome != Outcome::running) why = reason(traced_run.run);
+  const RunInRows found = in_rows(model, engine, setting, Meter::none);
+  if (found.run.outcome != Outcome::running) why = reason(found.run);
   if (model.columns.columns.size() != reference.rows.columns()) why = "it has other outputs";
-  return why.empty() ? delivered_error(traced_run.rows, reference.rows, model.columns.columns) : DeliveredError{};
+  return why.empty() ? delivered_error(found.rows, reference.rows, model.columns.columns) : DeliveredError{};
 }
 
 std::optional<Reference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why) {
   const Setting fine = by_series(k_finer, k_order), other = by_series(k_coarser, k_other_order);
-  const Traced one = traced(model, engine, fine), two = traced(model, engine, other);
-  for (const Traced* const run : {&one, &two}) {
+  const RunInRows one = in_rows(model, engine, fine, Meter::none), two = in_rows(model, engine, other, Meter::none);
+  for (const RunInRows* const run : {&one, &two}) {
     if (run->run.outcome == Outcome::running) continue;
     why = reason(run->run);
     return std::nullopt;

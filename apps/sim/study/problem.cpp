@@ -180,8 +180,7 @@ std::optional<Problem> solve_problem(const std::string& file, const StudyOptions
   problem.file = std::filesystem::path(file).filename().string();
   problem.forms = forms_of(file, !options.methods.empty(), options.messages, code);
   if (problem.forms.empty()) return std::nullopt;
-  const PreparedModel& own = problem.forms.front().model;
-  problem.name = own.scene.name.empty() ? own.model.unit.model_name : own.scene.name;
+  problem.name = problem.forms.front().model.name();
   Solver(problem, options).run();
   return problem;
 }
