@@ -11,14 +11,20 @@
 
 namespace gausssim {
 
+/// What an argument of a function is.
+enum class Place { time, state, inputs, prepared, accelerations, first_result, second_result };
+
 /// A function with what it reads besides the state and what it is to fill.
 template <class S>
 class Callable {
  public:
   Callable() = default;
   /// `places`: what each argument is.
-  enum class Place { time, state, inputs, prepared, accelerations, first_result, second_result };
   Callable(Entry entry, std::vector<Place> places) : entry_(entry), places_(std::move(places)) {}
+
+  /// For numbers of another type that have the same bytes; to be bound.
+  template <class Other>
+  explicit Callable(const Callable<Other>& same) : entry_(same.entry_), places_(same.places_) {}
 
   explicit operator bool() const { return static_cast<bool>(entry_); }
 
@@ -53,6 +59,9 @@ class Callable {
   }
 
  private:
+  template <class>
+  friend class Callable;
+
   static constexpr std::size_t k_most = 8;  ///< no function has so many
 
   gauss::Status usual(const S& t, const S* state, S* result) const {

@@ -12,7 +12,6 @@ class PulledRates {
   PulledRates(Functions<S>& functions, S gain) : entries_(functions.gains) {
     void* const arguments[] = {&self_, functions.prepared.data(), functions.inputs.data(), &gain};
     entries_.begin(arguments);
-    using Place = typename Callable<S>::Place;
     Callable<S> rates({entries_.rates.call, self_}, {Place::time, Place::state, Place::first_result});
     rates.bind(nullptr, nullptr);
     functions.rates = rates;

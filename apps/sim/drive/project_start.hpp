@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "gauss/integrate/step_result.hpp"
 #include "sim/drive/integrator.hpp"
 
@@ -14,7 +12,7 @@ void project_start(const MotionModel<S>& model, const S& t, typename MotionModel
   typename MotionModel<S>::State moved = start;
   if (!gauss::integrate::is_motion_known(model.projection(t, moved))) return;
   for (std::size_t i = 0; i < start.values.size(); ++i) {
-    const S move = std::abs(moved.values[i] - start.values[i]);
+    const S move = gauss::integrate::magnitude(moved.values[i] - start.values[i]);
     if (!(move > progress.start_moved)) continue;
     progress.start_moved = move;
     progress.start_component = i;

@@ -11,9 +11,7 @@ namespace cpp = gaussgen::emit::cpp;
 
 namespace {
 
-template <class S>
-typename Callable<S>::Place place_of(const cpp::Argument& argument, bool has_result) {
-  using Place = typename Callable<S>::Place;
+Place place_of(const cpp::Argument& argument, bool has_result) {
   const std::string& type = argument.type;
   if (type == "const S&") return Place::time;
   if (type == "const State<S>&") return Place::state;
@@ -41,11 +39,11 @@ Callable<S> callable(const Engine& engine, const Described& model, const std::st
   const cpp::Function* const found = find_function(model.tree, function);
   const Entry entry = found == nullptr ? Entry{} : engine.find(function, scalar_name<S>());
   if (!entry) return {};
-  std::vector<typename Callable<S>::Place> places;
+  std::vector<Place> places;
   bool has_result = false;
   for (const cpp::Argument& argument : found->arguments) {
-    places.push_back(place_of<S>(argument, has_result));
-    has_result = has_result || places.back() == Callable<S>::Place::first_result;
+    places.push_back(place_of(argument, has_result));
+    has_result = has_result || places.back() == Place::first_result;
   }
   return Callable<S>(entry, std::move(places));
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
-#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -61,7 +60,7 @@ class BulirschStoer final : public Integrator<S> {
     if (!gauss::integrate::is_motion_known(system_.trouble())) return stop(Outcome::model_failed);
     // An order in the middle of those that there are.
     constexpr int k_usual_order = 8;
-    if (!(step_ > S(0))) step_ = std::pow(settings_.tolerance, S(1) / k_usual_order) * (end - t_);
+    if (!(step_ > S(0))) step_ = gauss::Math<S>::pow(settings_.tolerance, S(1) / k_usual_order) * (end - t_);
     if (!(first_ > S(0))) first_ = std::min(step_, end - t_);
     bool is_taken = false;
     while (!is_taken && is_running()) {
@@ -75,7 +74,7 @@ class BulirschStoer final : public Integrator<S> {
 
   /// One trial from t_; sets step_ to what comes next.
   bool attempt(const S& dt, const S& next) {
-    const S rounding = std::numeric_limits<S>::epsilon() * std::max(first_, std::abs(t_));
+    const S rounding = std::numeric_limits<S>::epsilon() * std::max(first_, gauss::integrate::magnitude(t_));
     if (!(dt > 4 * rounding)) return stop(Outcome::step_too_small), false;
     Array x = x_, rates = rates_, result = x_;
     unit_ = control_.allowed(settings_.tolerance, dt);
@@ -105,7 +104,8 @@ class BulirschStoer final : public Integrator<S> {
       const gauss::Status status = model_.projection(next, state);
       if (!gauss::integrate::is_motion_known(status)) return progress_.status = status, false;
       for (std::size_t i = 0; i < result.size(); ++i)
-        if (!(std::abs(state.values[i] - result[i]) <= settings_.most_projected * unit_[i])) return false;
+        if (!(gauss::integrate::magnitude(state.values[i] - result[i]) <= settings_.most_projected * unit_[i]))
+          return false;
     }
     t_ = next;
     x_ = state.values;
@@ -116,7 +116,7 @@ class BulirschStoer final : public Integrator<S> {
   }
 
   static bool is_finite(const Array& x) {
-    return std::all_of(x.begin(), x.end(), [](const S& value) { return std::isfinite(value); });
+    return std::all_of(x.begin(), x.end(), [](const S& value) { return value - value == S(0); });
   }
 
   void stop(Outcome outcome) {

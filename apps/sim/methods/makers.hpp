@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "sim/drive/quad.hpp"
 #include "sim/methods/methods.hpp"
 
 namespace gausssim {
@@ -38,6 +39,9 @@ GAUSS_SIM_MAKER(gauss_legendre2)
 GAUSS_SIM_MAKER(gauss_legendre4)
 GAUSS_SIM_MAKER(gauss_legendre6)
 #undef GAUSS_SIM_MAKER
+
+template <>
+Made<Quad> make_bulirsch_stoer(const Problem<Quad>& problem);
 
 // Of SUNDIALS, which computes in double; defined where it is installed.
 Made<double> make_cvode_adams(const Problem<double>& problem);

@@ -88,11 +88,13 @@ template <>
 Made<Quad> make_integrator(const std::string& name, const MotionModel<Quad>& model, const Numbers<Quad>& start,
                            const Quad& t, const MethodSettings<Quad>& settings, std::string& why) {
   const bool is_known = settings.projection == Projection::full || settings.projection == Projection::off;
-  if (name != "taylor" || !is_known) {
-    why = "in float128 there is no method but taylor, with full projection or none";
+  const MethodInfo* const method = find_method(name);
+  if (method == nullptr || !method->has_float128 || !is_known) {
+    why = "in float128 there are taylor and bulirsch_stoer, with full projection or none";
     return nullptr;
   }
-  Made<Quad> made = make_taylor(Problem<Quad>{model, start, t, settings});
+  const Problem<Quad> problem{model, start, t, settings};
+  Made<Quad> made = name == "taylor" ? make_taylor(problem) : make_bulirsch_stoer(problem);
   if (!made) why = k_no_series;
   return made;
 }

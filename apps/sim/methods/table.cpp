@@ -21,6 +21,12 @@ MethodInfo in_float(MethodInfo result) {
   return result;
 }
 
+/// Whose coefficients are exact in any number type.
+MethodInfo in_float128(MethodInfo result) {
+  result.has_float128 = true;
+  return result;
+}
+
 MethodInfo fixed(MethodInfo result) {
   result.takes_step = true;
   return result;
@@ -44,9 +50,9 @@ MethodInfo of_orders(int least, MethodInfo result) {
 std::vector<Method> of_everywhere() {
   return {
       GAUSS_SIM_METHOD_IN_FLOAT(
-          of_orders(2, info("taylor", "gauss", 40,
-                            "power series of the motion, of an order that suits the tolerance; knows the "
-                            "motion within its steps: the default")),
+          in_float128(of_orders(2, info("taylor", "gauss", 40,
+                                        "power series of the motion, of an order that suits the tolerance; knows the "
+                                        "motion within its steps: the default"))),
           make_taylor),
       GAUSS_SIM_METHOD_IN_FLOAT(info("prince87", "Odeint", 8,
                                      "pair of order 8 (7) of Prince and Dormand: the default where there is no series"),
@@ -56,8 +62,8 @@ std::vector<Method> of_everywhere() {
       GAUSS_SIM_METHOD_IN_FLOAT(
           info("dopri5", "Odeint", 5, "pair of order 5 (4) of Dormand and Prince: few digits, cheaply"), make_dopri5),
       GAUSS_SIM_METHOD(info("cash_karp54", "Odeint", 5, "pair of order 5 (4) of Cash and Karp"), make_cash_karp54),
-      GAUSS_SIM_METHOD(of_orders(4, info("bulirsch_stoer", "Odeint", 16,
-                                         "extrapolation of the midpoint rule: long steps, many digits")),
+      GAUSS_SIM_METHOD(in_float128(of_orders(4, info("bulirsch_stoer", "Odeint", 16,
+                                                     "extrapolation of the midpoint rule: long steps, many digits"))),
                        make_bulirsch_stoer),
       GAUSS_SIM_METHOD_IN_FLOAT(fixed(info("rk4", "Odeint", 4, "classical method of Runge and Kutta")), make_rk4),
       GAUSS_SIM_METHOD(

@@ -7,7 +7,8 @@ namespace gausssim {
 
 std::string default_method(const Described& model, const Engine& engine, const std::string& scalar) {
   const bool has_series = static_cast<bool>(engine.find("series_begin", scalar));
-  return find_function(model.tree, "taylor") != nullptr && has_series ? "taylor" : k_method_of_any_model;
+  if (find_function(model.tree, "taylor") != nullptr && has_series) return "taylor";
+  return scalar == scalar_of("float128") ? "bulirsch_stoer" : k_method_of_any_model;
 }
 
 Projection default_projection(const std::string& method) {
@@ -41,7 +42,7 @@ Setting default_setting(const PreparedModel& prepared, const Engine& engine) {
 }
 
 bool computes_in(const MethodInfo& method, const std::string& number) {
-  if (number == "float128") return method.name == "taylor";
+  if (number == "float128") return method.has_float128;
   return number == "double" || (number == "float" ? method.has_float : method.has_long_double);
 }
 

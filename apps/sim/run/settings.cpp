@@ -53,7 +53,6 @@ void check_method(const Scene& scene) {
   };
   if (!method.missing.empty()) refuse(method.missing);
   const std::string number = scene.number ? scene.number->text : "double";
-  if (number == "float128" && method.name != "taylor") refuse("in float128 there is no method but taylor");
   if (!computes_in(method, number)) refuse("it does not compute in " + number);
   if (!method.projects && scene.projection && scene.projection->text != "off")
     refuse("it does not project, so states drift off the constraints as its tolerance allows; take 'projection: off'");

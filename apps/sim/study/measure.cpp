@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
+#include "sim/run/build_engine.hpp"
 #include "sim/run/in_rows.hpp"
+#include "sim/run/setting.hpp"
 #include "sim/study/closed_form.hpp"
 
 namespace gausssim {
@@ -56,17 +59,16 @@ void time_it(const PreparedModel& model, const Engine& engine, const Effort& eff
   point.most_time = times.back();
 }
 
-/// Tolerances and orders of the two runs of a reference: another number of terms in other steps.
-constexpr double k_finer = 1e-29, k_coarser = 1e-27;
-constexpr int k_order = 36, k_other_order = 30;
-
-Setting by_series(double tolerance, int order) {
-  Setting setting;
-  setting.method = "taylor";
-  setting.number = "float128";
-  setting.tolerance = tolerance;
-  setting.order = order;
-  return setting;
+/// The two runs of a reference: another number of terms in other steps, or of columns of extrapolation.
+std::array<Setting, 2> tight_settings(const PreparedModel& model, const Engine& engine) {
+  Setting fine, other;
+  fine.number = other.number = "float128";
+  fine.method = other.method = default_method(model.model, engine, scalar_of(fine.number));
+  const bool is_series = fine.method == "taylor";
+  fine.tolerance = is_series ? 1e-29 : 1e-26;
+  other.tolerance = is_series ? 1e-27 : 1e-23;
+  if (is_series) fine.order = 36, other.order = 30;
+  return {fine, other};
 }
 
 /// Where outputs are known as functions of time, both have to say the same.
@@ -97,7 +99,9 @@ void take_closed_forms(const PreparedModel& model, Reference& reference, std::st
 }
 
 std::string in_words(const Setting& setting) {
-  return fmt::format("power series of order {}, tolerance {:.0e}", setting.order, setting.tolerance);
+  if (setting.order > 0)
+    return fmt::format("power series of order {}, tolerance {:.0e}", setting.order, setting.tolerance);
+  return fmt::format("extrapolation (Bulirsch and Stoer), tolerance {:.0e}", setting.tolerance);
 }
 
 }  // namespace
@@ -123,7 +127,7 @@ DeliveredError error_of(const PreparedModel& model, const Engine& engine, const 
 }
 
 std::optional<Reference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why) {
-  const Setting fine = by_series(k_finer, k_order), other = by_series(k_coarser, k_other_order);
+  const auto [fine, other] = tight_settings(model, engine);
   const RunInRows one = in_rows(model, engine, fine, Meter::none), two = in_rows(model, engine, other, Meter::none);
   for (const RunInRows* const run : {&one, &two}) {
     if (run->run.outcome == Outcome::running) continue;

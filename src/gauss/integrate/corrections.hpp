@@ -13,6 +13,7 @@
 #include "gauss/integrate/bound_model.hpp"
 #include "gauss/integrate/state_arrays.hpp"
 #include "gauss/integrate/step_result.hpp"
+#include "gauss/math.hpp"
 
 namespace gauss::integrate {
 
@@ -38,8 +39,7 @@ namespace detail {
 template <class State>
 bool still_moves(const State& before, const State& after) {
   for (std::size_t i = 0; i < std::size(after.values); ++i) {
-    using std::abs;
-    if (!(abs(after.values[i] - before.values[i]) <= 1e-8 * abs(after.values[i]))) return true;
+    if (!(magnitude(after.values[i] - before.values[i]) <= 1e-8 * magnitude(after.values[i]))) return true;
   }
   return false;
 }
@@ -103,7 +103,7 @@ class Projected {
     const StepResult projected = result_of(Level::apply(model, t + h, trial));
     if (!projected.is_taken()) return projected;
     for (std::size_t i = 0; i < Model::size; ++i)
-      correction_.largest = std::max(correction_.largest, std::abs(trial.values[i] - before.values[i]));
+      correction_.largest = std::max(correction_.largest, magnitude(trial.values[i] - before.values[i]));
     ++correction_.applied;
     state = trial;
     return result;
@@ -128,15 +128,16 @@ typename Model::Scalar to_energy(const Model& model, const typename Model::Scala
   if (!is_motion_known(model.energy(t, state, energy))) return -1;
   const Scalar miss = level - energy.total;
   // Near rest no factor helps: the energy is missed by the positions, and speeds would have to make up for it.
-  if (!(std::abs(miss) <= energy.kinetic / 4)) return -1;
+  if (!(magnitude(miss) <= energy.kinetic / 4)) return -1;
   typename Model::State scaled = state;
-  const Scalar factor = std::sqrt(1 + miss / energy.kinetic);
+  const Scalar factor = Math<Scalar>::sqrt(1 + miss / energy.kinetic);
   using Arrays = StateArrays<Model>;
   for (std::size_t i = Arrays::n_q(model); i < Arrays::size(model); ++i) scaled.values[i] *= factor;
   Energy after;
-  if (!is_motion_known(model.energy(t, scaled, after)) || !(std::abs(level - after.total) < std::abs(miss))) return -1;
+  if (!is_motion_known(model.energy(t, scaled, after)) || !(magnitude(level - after.total) < magnitude(miss)))
+    return -1;
   state = scaled;
-  return std::abs(factor - 1);
+  return magnitude(factor - 1);
 }
 
 }  // namespace detail

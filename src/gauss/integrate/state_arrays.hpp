@@ -5,12 +5,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
 #include <utility>
 
 namespace gauss::integrate {
+
+/// Of number types of libraries, too.
+template <class Scalar>
+Scalar magnitude(const Scalar& x) {
+  using std::abs;
+  return abs(x);
+}
 
 template <class Model, class = void>
 struct HasOwnArrays : std::false_type {};

@@ -81,7 +81,7 @@ class UnitGroups {
 
   Array largest(const typename Model::State& state) const {
     Array sizes = Arrays::array_of(state);
-    for (Scalar& size : sizes) size = std::abs(size);
+    for (Scalar& size : sizes) size = magnitude(size);
     return largest(sizes);
   }
 
@@ -96,7 +96,7 @@ class UnitGroups {
       if (!is_motion_known(model.derivative(look == 0 ? t : t + h, ahead, rates))) break;
       Array changes = zeros_like(result);
       for (std::size_t i = 0; i < first_.size(); ++i) {
-        changes[i] = std::abs(h * rates.values[i]);
+        changes[i] = magnitude(h * rates.values[i]);
         ahead.values[i] = state.values[i] + h * rates.values[i];
       }
       changes = largest(changes);

@@ -50,7 +50,7 @@ class NotingSystem {
   using Arrays = integrate::StateArrays<Model>;
 
   static void note(const Scalar* x, Scalar* sizes, std::size_t n) {
-    for (std::size_t i = 0; i < n; ++i) sizes[i] = std::max(sizes[i], std::abs(x[i]));
+    for (std::size_t i = 0; i < n; ++i) sizes[i] = std::max(sizes[i], integrate::magnitude(x[i]));
   }
 
   /// As it is where it cannot be closed: rates say what there is to say.
@@ -80,7 +80,8 @@ bool changes_by_rounding(const Array& x, const Array& value, const Apply& apply,
       moved[i] += Scalar(sign) * 8 * share * std::numeric_limits<Scalar>::epsilon() * x[i];
     }
     if (!apply(moved, result)) return false;
-    for (std::size_t i = 0; i < x.size(); ++i) changes[i] = std::min(changes[i], std::abs(result[i] - value[i]));
+    for (std::size_t i = 0; i < x.size(); ++i)
+      changes[i] = std::min(changes[i], integrate::magnitude(result[i] - value[i]));
   }
   return true;
 }
@@ -117,7 +118,7 @@ class StepControl {
 
   /// Sizes are those of `x` at least from now on.
   void grow(const Array& x) {
-    for (std::size_t i = 0; i < x.size(); ++i) own_[i] = std::max(own_[i], std::abs(x[i]));
+    for (std::size_t i = 0; i < x.size(); ++i) own_[i] = std::max(own_[i], integrate::magnitude(x[i]));
   }
   void set_smallest(std::size_t i, const Scalar& size) { own_[i] = size; }
   void set_rounding(const Array& of_rates) { rounding_ = of_rates; }
@@ -128,7 +129,7 @@ class StepControl {
   void find_by_constraints(const Array& x, const Project& project) {
     Array here = x, sizes = x, smallest = x, held = integrate::zeros_like(x);
     if (!project(x, here)) return;
-    for (std::size_t i = 0; i < own_.size(); ++i) sizes[i] = std::abs(here[i]);
+    for (std::size_t i = 0; i < own_.size(); ++i) sizes[i] = integrate::magnitude(here[i]);
     const Array moves = groups_.moves(sizes, reach_);
     std::fill(smallest.begin(), smallest.end(), std::numeric_limits<Scalar>::infinity());
     bool holds = false;
@@ -141,7 +142,8 @@ class StepControl {
           moved[i] += Scalar(sign) * k_part * moves[i] * unlike_part<Scalar>(i, pattern);
         if (!project(moved, back)) return;
         holds = holds || back != moved;
-        for (std::size_t i = 0; i < own_.size(); ++i) changes[i] = std::min(changes[i], std::abs(back[i] - here[i]));
+        for (std::size_t i = 0; i < own_.size(); ++i)
+          changes[i] = std::min(changes[i], integrate::magnitude(back[i] - here[i]));
       }
       for (std::size_t i = 0; i < own_.size(); ++i) {
         smallest[i] = std::min(smallest[i], changes[i]);
@@ -171,7 +173,7 @@ class StepControl {
     const bool* const is_held = is_held_.data();
     for (std::size_t i = 0; i < n; ++i) sizes[i] = std::max(own[i], now[i]);
     groups_.find_largest(sizes, result);
-    const Scalar length = std::abs(dt);
+    const Scalar length = integrate::magnitude(dt);
     for (std::size_t i = 0; i < n; ++i) {
       const Scalar places = is_held[i] ? Scalar(0) : k_last_places * result[i];
       result[i] = least + tolerance * sizes[i] + places + length * rounding[i];
@@ -190,8 +192,8 @@ class StepControl {
       edge_.error = 0;
       return found;
     }
-    look_for_edge(found, std::abs(dt));
-    if (edge_.stalls < k_stalls_of_an_edge || !(std::abs(dt) <= k_brief * reach_)) return found;
+    look_for_edge(found, integrate::magnitude(dt));
+    if (edge_.stalls < k_stalls_of_an_edge || !(integrate::magnitude(dt) <= k_brief * reach_)) return found;
     accepted(dt);
     return Scalar(1);
   }
@@ -238,7 +240,7 @@ class StepControl {
     is_resting_ = true;
     for (std::size_t i = 0; i < own_.size(); ++i) {
       if (errors[i] == Scalar(0)) continue;
-      const Scalar relative = std::abs(errors[i]) / bounds[i];
+      const Scalar relative = integrate::magnitude(errors[i]) / bounds[i];
       if (!(relative <= std::numeric_limits<Scalar>::max())) return std::numeric_limits<Scalar>::max();
       if (relative > Scalar(0.01) && tolerance_ * size(i) > bounds[i] / 2) is_resting_ = false;
       result = std::max(result, relative);
@@ -246,7 +248,7 @@ class StepControl {
     return result;
   }
 
-  void accepted(const Scalar& dt) { reach_ = std::max(reach_, std::abs(dt)); }
+  void accepted(const Scalar& dt) { reach_ = std::max(reach_, integrate::magnitude(dt)); }
 
   Scalar tolerance_;
   integrate::UnitGroups<Model> groups_;

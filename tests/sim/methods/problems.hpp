@@ -18,7 +18,7 @@ using gausssim::Numbers;
 using Call = int (*)(const void*, void* const*);
 template <class S>
 gausssim::Callable<S> bound(Call call) {
-  using Place = typename gausssim::Callable<S>::Place;
+  using gausssim::Place;
   gausssim::Callable<S> result({call, nullptr}, {Place::time, Place::state, Place::first_result});
   result.bind(nullptr, nullptr);
   return result;

@@ -1,0 +1,16 @@
+# The target gauss_quadmath: functions of __float128. libquadmath is GCC's; clang++ knows the type, and finds the header where GCC has it.
+if(TARGET gauss_quadmath)
+  return()
+endif()
+add_library(gauss_quadmath INTERFACE)
+target_link_libraries(gauss_quadmath INTERFACE quadmath)
+if(NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  file(GLOB folders /usr/lib/gcc/*/*/include /usr/lib64/gcc/*/*/include)
+  find_path(GAUSS_QUADMATH_INCLUDE quadmath.h HINTS ${folders})
+  mark_as_advanced(GAUSS_QUADMATH_INCLUDE)
+  if(NOT GAUSS_QUADMATH_INCLUDE)
+    message(FATAL_ERROR "no quadmath.h, which GCC has (Debian: libgcc-12-dev); set GAUSS_QUADMATH_INCLUDE to its folder")
+  endif()
+  # Behind all others: the compiler has its own headers of the same names as GCC's beside it.
+  target_compile_options(gauss_quadmath INTERFACE "SHELL:-idirafter ${GAUSS_QUADMATH_INCLUDE}")
+endif()
