@@ -12,7 +12,7 @@
 namespace gausssim {
 
 /// What an argument of a function is.
-enum class Place { time, state, inputs, prepared, accelerations, first_result, second_result };
+enum class ArgumentIs { time, state, inputs, prepared, accelerations, first_result, second_result };
 
 /// A function with what it reads besides the state and what it is to fill.
 template <class S>
@@ -20,7 +20,7 @@ class Callable {
  public:
   Callable() = default;
   /// `places`: what each argument is.
-  Callable(Entry entry, std::vector<Place> places) : entry_(entry), places_(std::move(places)) {}
+  Callable(Entry entry, std::vector<ArgumentIs> places) : entry_(entry), places_(std::move(places)) {}
 
   /// For numbers of another type that have the same bytes; to be bound.
   template <class Other>
@@ -30,16 +30,16 @@ class Callable {
 
   void bind(S* prepared, S* inputs) {
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      if (places_[i] == Place::prepared) bound_[i] = prepared;
-      if (places_[i] == Place::inputs) bound_[i] = inputs;
-      if (places_[i] == Place::time) time_ = i;
-      if (places_[i] == Place::state) (state_ == k_most - 1 ? state_ : start_) = i;
-      if (places_[i] == Place::accelerations) accelerations_ = i;
-      if (places_[i] == Place::first_result) first_ = i;
-      if (places_[i] == Place::second_result) second_ = i;
+      if (places_[i] == ArgumentIs::prepared) bound_[i] = prepared;
+      if (places_[i] == ArgumentIs::inputs) bound_[i] = inputs;
+      if (places_[i] == ArgumentIs::time) time_ = i;
+      if (places_[i] == ArgumentIs::state) (state_ == k_most - 1 ? state_ : start_) = i;
+      if (places_[i] == ArgumentIs::accelerations) accelerations_ = i;
+      if (places_[i] == ArgumentIs::first_result) first_ = i;
+      if (places_[i] == ArgumentIs::second_result) second_ = i;
     }
-    is_usual_ =
-        places_ == std::vector<Place>{Place::time, Place::state, Place::inputs, Place::prepared, Place::first_result};
+    is_usual_ = places_ == std::vector<ArgumentIs>{ArgumentIs::time, ArgumentIs::state, ArgumentIs::inputs,
+                                                   ArgumentIs::prepared, ArgumentIs::first_result};
   }
 
   gauss::Status operator()(const S& t, const S* state, S* first, S* second = nullptr,
@@ -70,7 +70,7 @@ class Callable {
   }
 
   Entry entry_;
-  std::vector<Place> places_;
+  std::vector<ArgumentIs> places_;
   bool is_usual_ = false;
   void* bound_[k_most] = {};
   /// start_: of functions that take the state before a first step, too.

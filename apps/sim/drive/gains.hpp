@@ -12,7 +12,7 @@ class PulledRates {
   PulledRates(Functions<S>& functions, S gain) : entries_(functions.gains) {
     void* const arguments[] = {&self_, functions.prepared.data(), functions.inputs.data(), &gain};
     entries_.begin(arguments);
-    Callable<S> rates({entries_.rates.call, self_}, {Place::time, Place::state, Place::first_result});
+    Callable<S> rates({entries_.rates.call, self_}, {ArgumentIs::time, ArgumentIs::state, ArgumentIs::first_result});
     rates.bind(nullptr, nullptr);
     functions.rates = rates;
     functions.jacobian = {};  // it is that of the model without gains

@@ -17,8 +17,17 @@ static_assert(sizeof(Wide) == sizeof(Quad) && alignof(Wide) == alignof(Quad));
 
 inline Quad narrow(const Wide& value) { return value.backend().value(); }
 
-inline std::vector<Wide> widened(const std::vector<Quad>& values) { return {values.begin(), values.end()}; }
-inline Numbers<Wide> widened(const Numbers<Quad>& values) { return {values.begin(), values.end()}; }
+inline std::vector<Wide> widened(const std::vector<Quad>& values) {
+  std::vector<Wide> result;
+  for (const Quad& value : values) result.emplace_back(value);
+  return result;
+}
+
+inline Numbers<Wide> widened(const Numbers<Quad>& values) {
+  Numbers<Wide> result;
+  for (const Quad& value : values) result.emplace_back(value);
+  return result;
+}
 
 /// The same functions of the same model; `functions` need not outlive them.
 inline std::shared_ptr<const Functions<Wide>> widened(const Functions<Quad>& functions) {

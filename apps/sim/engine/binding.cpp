@@ -11,14 +11,14 @@ namespace cpp = gaussgen::emit::cpp;
 
 namespace {
 
-Place place_of(const cpp::Argument& argument, bool has_result) {
+ArgumentIs place_of(const cpp::Argument& argument, bool has_result) {
   const std::string& type = argument.type;
-  if (type == "const S&") return Place::time;
-  if (type == "const State<S>&") return Place::state;
-  if (type == "const Inputs<S>&") return Place::inputs;
-  if (type == "const Prepared<S>&") return Place::prepared;
-  if (type == "const Derivative<S>&") return Place::accelerations;
-  return has_result ? Place::second_result : Place::first_result;
+  if (type == "const S&") return ArgumentIs::time;
+  if (type == "const State<S>&") return ArgumentIs::state;
+  if (type == "const Inputs<S>&") return ArgumentIs::inputs;
+  if (type == "const Prepared<S>&") return ArgumentIs::prepared;
+  if (type == "const Derivative<S>&") return ArgumentIs::accelerations;
+  return has_result ? ArgumentIs::second_result : ArgumentIs::first_result;
 }
 
 /// At least one number, so that there is an address.
@@ -39,11 +39,11 @@ Callable<S> callable(const Engine& engine, const Described& model, const std::st
   const cpp::Function* const found = find_function(model.tree, function);
   const Entry entry = found == nullptr ? Entry{} : engine.find(function, scalar_name<S>());
   if (!entry) return {};
-  std::vector<Place> places;
+  std::vector<ArgumentIs> places;
   bool has_result = false;
   for (const cpp::Argument& argument : found->arguments) {
     places.push_back(place_of(argument, has_result));
-    has_result = has_result || places.back() == Place::first_result;
+    has_result = has_result || places.back() == ArgumentIs::first_result;
   }
   return Callable<S>(entry, std::move(places));
 }

@@ -12,10 +12,10 @@ class InQuads final : public Integrator<Quad> {
  public:
   explicit InQuads(const Problem<Quad>& problem)
       : model_(MotionModel<Wide>(widened(problem.model.functions()))
-                   .projecting(problem.settings.projection, problem.t, widened(problem.start))),
-        steps_(model_, widened(problem.start), problem.t, settings_with(problem, model_.projects())) {}
+                   .projecting(problem.settings.projection, Wide(problem.t), widened(problem.start))),
+        steps_(model_, widened(problem.start), Wide(problem.t), settings_with(problem, model_.projects())) {}
 
-  bool advance_to(const Quad& end) override { return steps_.advance_to(end); }
+  bool advance_to(const Quad& end) override { return steps_.advance_to(Wide(end)); }
   Quad time() const override { return narrow(steps_.time()); }
   Numbers<Quad> state() const override {
     Numbers<Quad> result;
@@ -40,8 +40,8 @@ class InQuads final : public Integrator<Quad> {
  private:
   static gauss::simulate::Settings<Wide> settings_with(const Problem<Quad>& problem, bool projects) {
     gauss::simulate::Settings<Wide> settings;
-    settings.tolerance = problem.settings.tolerance;
-    settings.longest_step = problem.settings.longest_step;
+    settings.tolerance = Wide(problem.settings.tolerance);
+    settings.longest_step = Wide(problem.settings.longest_step);
     settings.most_steps = problem.settings.most_steps;
     settings.project = projects;
     return settings;

@@ -18,8 +18,8 @@ using gausssim::Numbers;
 using Call = int (*)(const void*, void* const*);
 template <class S>
 gausssim::Callable<S> bound(Call call) {
-  using gausssim::Place;
-  gausssim::Callable<S> result({call, nullptr}, {Place::time, Place::state, Place::first_result});
+  using gausssim::ArgumentIs;
+  gausssim::Callable<S> result({call, nullptr}, {ArgumentIs::time, ArgumentIs::state, ArgumentIs::first_result});
   result.bind(nullptr, nullptr);
   return result;
 }
