@@ -61,7 +61,7 @@ class Bench:
         if not shutil.which("valgrind"):
             return None
         out = self.folder / "callgrind.out"
-        tool = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", "--toggle-collect=*gausssim::drive<double>*"]
+        tool = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", "--toggle-collect=*Run::counted*"]
         words = [*tool, self.binaries / "bench_sampling", model, outputs, "taylor", setting, END, samples, "once"]
         subprocess.run(list(map(str, words)), env=self.environment, check=True, capture_output=True)
         return int(re.search(r"^(?:summary|totals): (\d+)", out.read_text(), re.MULTILINE).group(1))

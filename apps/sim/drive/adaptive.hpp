@@ -20,9 +20,10 @@ class Adaptive final : public Integrator<S> {
 
   bool advance_to(const S& end) override { return simulation_.advance_to(end); }
   S time() const override { return simulation_.time(); }
-  Array state() const override {
-    const typename Model::State state = simulation_.state();
-    return Array(state.values.begin(), state.values.begin() + static_cast<std::ptrdiff_t>(size_));
+  const Array& state() const override {
+    const typename Model::State inner = simulation_.state();
+    shown_.assign(inner.values.begin(), inner.values.begin() + static_cast<std::ptrdiff_t>(size_));
+    return shown_;
   }
   Progress<S> progress() const override { return progress_of<S>(simulation_.report()); }
 
@@ -34,6 +35,7 @@ class Adaptive final : public Integrator<S> {
   }
 
   std::size_t size_;
+  mutable Array shown_;
   gauss::simulate::Simulation<Model, Method> simulation_;
 };
 

@@ -44,7 +44,7 @@ class Fixed final : public Integrator<S> {
   }
 
   S time() const override { return t_; }
-  Array state() const override { return state_.values; }
+  const Array& state() const override { return state_.values; }
   Progress<S> progress() const override { return progress_; }
 
  private:

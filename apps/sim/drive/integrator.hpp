@@ -49,7 +49,8 @@ class Integrator {
   /// False: it did not get there, and `progress` says why.
   virtual bool advance_to(const S& end) = 0;
   virtual S time() const = 0;
-  virtual Array state() const = 0;
+  /// Until it advances.
+  virtual const Array& state() const = 0;
   virtual Progress<S> progress() const = 0;
 };
 

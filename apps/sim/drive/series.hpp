@@ -48,7 +48,7 @@ class Series final : public Integrator<S> {
   }
 
   S time() const override { return t_; }
-  Array state() const override { return state_; }
+  const Array& state() const override { return state_; }
   Progress<S> progress() const override {
     const Report report = tell();
     Progress<S> progress;

@@ -35,7 +35,7 @@ class Arkode final : public Integrator<double> {
 
   bool advance_to(const double& end) override;
   double time() const override { return t_; }
-  Array state() const override { return Base::state_of(work_.state.get()).values; }
+  const Array& state() const override { return shown_ = Base::state_of(work_.state.get()).values; }
   Progress<double> progress() const override;
 
  private:
@@ -55,6 +55,7 @@ class Arkode final : public Integrator<double> {
   bool arrives_at(double reached);
   static int weights(N_Vector y, N_Vector result, void* user_data);
 
+  mutable Array shown_;
   Model model_;
   gauss::simulate::Settings<double> settings_;
   double t_, end_, fixed_step_;

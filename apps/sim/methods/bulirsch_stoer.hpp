@@ -40,7 +40,7 @@ class BulirschStoer final : public Integrator<S> {
     return is_running() && t_ == end;
   }
   S time() const override { return t_; }
-  Array state() const override { return x_; }
+  const Array& state() const override { return x_; }
   Progress<S> progress() const override {
     Progress<S> progress = progress_;
     progress.calls = system_.calls();

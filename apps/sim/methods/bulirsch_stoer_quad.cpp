@@ -17,10 +17,10 @@ class InQuads final : public Integrator<Quad> {
 
   bool advance_to(const Quad& end) override { return steps_.advance_to(Wide(end)); }
   Quad time() const override { return narrow(steps_.time()); }
-  Numbers<Quad> state() const override {
-    Numbers<Quad> result;
-    for (const Wide& value : steps_.state()) result.push_back(narrow(value));
-    return result;
+  const Numbers<Quad>& state() const override {
+    shown_.clear();
+    for (const Wide& value : steps_.state()) shown_.push_back(narrow(value));
+    return shown_;
   }
   Progress<Quad> progress() const override {
     const Progress<Wide> of_steps = steps_.progress();
@@ -47,6 +47,7 @@ class InQuads final : public Integrator<Quad> {
     return settings;
   }
 
+  mutable Numbers<Quad> shown_;
   MotionModel<Wide> model_;
   BulirschStoer<Wide> steps_;
 };

@@ -16,10 +16,11 @@ class Cvode final : public Integrator<double> {
 
   bool advance_to(const double& end) override { return simulation_.advance_to(end); }
   double time() const override { return simulation_.time(); }
-  Array state() const override { return simulation_.state().values; }
+  const Array& state() const override { return shown_ = simulation_.state().values; }
   Progress<double> progress() const override { return progress_of<double>(simulation_.report()); }
 
  private:
+  mutable Array shown_;
   gauss::simulate::CvodeSimulation<Model, gauss::integrate::OwnJacobian> simulation_;
 };
 

@@ -27,7 +27,7 @@ class Ida final : public Integrator<double> {
 
   bool advance_to(const double& end) override;
   double time() const override { return t_; }
-  Array state() const override { return Base::state_of(work_.state.get()).values; }
+  const Array& state() const override { return shown_ = Base::state_of(work_.state.get()).values; }
   Progress<double> progress() const override;
 
  private:
@@ -48,6 +48,7 @@ class Ida final : public Integrator<double> {
                       SUNMatrix result, void* user_data, N_Vector, N_Vector, N_Vector);
   static int weights(N_Vector y, N_Vector result, void* user_data);
 
+  mutable Array shown_;
   Model model_;
   gauss::simulate::Settings<double> settings_;
   double t_, end_;

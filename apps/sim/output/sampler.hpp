@@ -24,8 +24,10 @@ class Sampler {
     for (const Column& column : columns_.columns) {
       if (column.is_state) state_.resize(std::max(state_.size(), column.source + 1));
     }
-    for (const Column& column : columns_.columns)
-      places_.push_back(column.is_state ? &state_[column.source] : &results_[column.source][column.slot]);
+    for (const Column& column : columns_.columns) {
+      std::vector<S>& all = column.is_state ? state_ : results_[column.source];
+      add(all, column.is_state ? column.source : column.slot);
+    }
   }
   Sampler(const Sampler&) = delete;
   Sampler& operator=(const Sampler&) = delete;
@@ -40,19 +42,32 @@ class Sampler {
       const gauss::Status now = calls_[i](t, state, results_[i].data());
       if (status == gauss::Status::ok) status = now;
     }
-    std::copy_n(state, state_.size(), state_.begin());
-    const std::size_t count = places_.size();
-    const S* const* const places = places_.data();
-    for (std::size_t i = 0; i < count; ++i) row[i] = *places[i];
+    if (!state_.empty()) std::copy_n(state, state_.size(), state_.begin());
+    for (const Piece& piece : pieces_) row = std::copy_n(piece.all + piece.first, piece.size, row);
     return status;
   }
 
  private:
+  /// Numbers beside each other here as in a row.
+  struct Piece {
+    const S* all;
+    std::size_t first, size;
+  };
+
+  void add(const std::vector<S>& all, std::size_t place) {
+    Piece* const last = pieces_.empty() ? nullptr : &pieces_.back();
+    if (last != nullptr && last->all == all.data() && last->first + last->size == place) {
+      ++last->size;
+    } else {
+      pieces_.push_back({all.data(), place, 1});
+    }
+  }
+
   Columns columns_;
   std::vector<Callable<S>> calls_;
   std::vector<std::vector<S>> results_;
-  std::vector<S> state_;          ///< as far as there are columns of it
-  std::vector<const S*> places_;  ///< of columns, in these
+  std::vector<S> state_;       ///< as far as there are columns of it
+  std::vector<Piece> pieces_;  ///< of these, column by column
 };
 
 }  // namespace gausssim

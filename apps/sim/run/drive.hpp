@@ -1,7 +1,6 @@
 #pragma once
 // A run: states at the times that are asked for, and what became of what should not change.
 
-#include <functional>
 #include <vector>
 
 #include "sim/drive/integrator.hpp"
@@ -27,13 +26,9 @@ struct Grid {
   S at(long k) const { return k + 1 == samples ? end : start + (end - start) * (S(k) / S(samples - 1)); }
 };
 
-/// What is told of a run while it goes on. Returning false ends it.
-template <class S>
-using OnSample = std::function<bool(long k, const S& t, const Numbers<S>& state)>;
-
-/// How many samples there are in the end. `first`: before it there are those of an earlier run.
-template <class S>
-long drive(Integrator<S>& integrator, const Grid<S>& grid, const OnSample<S>& on_sample, long first = 0) {
+/// How many samples there are in the end. `first`: before it there are those of an earlier run. `on_sample(k, t, state)`: returning false ends it.
+template <class S, class OnSample>
+long drive(Integrator<S>& integrator, const Grid<S>& grid, const OnSample& on_sample, long first = 0) {
   for (long k = first; k < grid.samples; ++k) {
     if (!integrator.advance_to(grid.at(k))) return k;
     if (!on_sample(k, integrator.time(), integrator.state())) return k + 1;
