@@ -21,18 +21,20 @@
 #include "mutation.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+/// Of libFuzzer, which is not here and does not call what calls it.
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t*, std::size_t size, std::size_t) { return size; }
 
 namespace {
 
 constexpr int k_seconds = 20;  ///< of a processor, that an input may take: these are the limits of run_fuzzers.py
 constexpr std::size_t k_longest = 8192;
 
-const char* finding = nullptr;
+const char* finding_path = nullptr;
 std::string input;  ///< that is being looked at
 
 /// Async-signal-safe: it may come in the middle of anything.
 void end_with_finding(int) {
-  const int file = ::open(finding, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  const int file = ::open(finding_path, O_WRONLY | O_CREAT | O_TRUNC, 0644);
   const char said[] = "mutated: an input breaks it, or takes too long; see the file of findings\n";
   const bool is_written =
       file >= 0 && ::write(file, input.data(), input.size()) >= 0 && ::write(2, said, sizeof said - 1) >= 0;
@@ -112,7 +114,7 @@ class Inputs {
 
 int main(int argc, char** argv) {
   if (argc < 4) return std::cerr << "mutated_model INPUTS FINDING FOLDER...\n", 2;
-  finding = argv[2];
+  finding_path = argv[2];
   for (const int signal : {SIGABRT, SIGSEGV, SIGFPE, SIGBUS, SIGILL, SIGVTALRM}) std::signal(signal, end_with_finding);
   Inputs inputs(seeds_in({argv + 3, argv + argc}));
   const long count = std::atol(argv[1]);
