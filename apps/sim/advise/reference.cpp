@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "gauss/integrate/taylor.hpp"
 #include "sim/run/in_rows.hpp"
 #include "sim/run/setting.hpp"
 
@@ -16,8 +17,10 @@ constexpr double k_agreement = 1.0 / 20;  ///< of the error that is asked for
 constexpr double k_first =
     1e-3;  ///< tolerance, as a part of the error: what is lost over a motion of some length is made up for
 constexpr double k_tighter = 1e-2;
+constexpr const char* k_relative = "fehlberg78";  ///< of the same order as the method of any model
 
-/// Both runs by one method: the default of the model, whose errors have nothing in common when its steps differ.
+/// Runs by the default of the model, each second one of another order or by a relative of the method: where steps are as long as stability allows they are the
+/// same for any tolerance, and their errors, too, would be.
 class TightSearch {
  public:
   TightSearch(const PreparedModel& prepared, Engines& engines, double error)
@@ -50,9 +53,9 @@ class TightSearch {
     setting.projection = default_projection(setting.method);
     setting.tolerance = std::max(error_ * k_first, least_tolerance(number));
     RunInRows coarse = told(*engine, setting);
-    while (setting.tolerance > least_tolerance(number)) {
+    for (bool is_other = true; setting.tolerance > least_tolerance(number); is_other = !is_other) {
       setting.tolerance = std::max(setting.tolerance * k_tighter, least_tolerance(number));
-      RunInRows fine = told(*engine, setting);
+      RunInRows fine = told(*engine, is_other ? other_than(setting) : setting);
       if (!why_not(fine.run).empty()) break;
       const DeliveredError apart = delivered_error(coarse.rows, fine.rows, prepared_.columns.columns);
       if (apart.value < closest_.value) closest_ = apart;
@@ -63,6 +66,20 @@ class TightSearch {
       coarse = std::move(fine);
     }
     return std::nullopt;
+  }
+
+  /// With errors of other terms.
+  static Setting other_than(const Setting& setting) {
+    constexpr int k_more = 4;
+    Setting other = setting;
+    if (setting.method == "taylor") {
+      const int most = find_method(setting.method)->order;
+      const int usual = gauss::integrate::taylor_order(setting.tolerance, most);
+      other.order = usual + k_more <= most ? usual + k_more : usual - k_more;
+    } else if (setting.method == k_method_of_any_model && computes_in(*find_method(k_relative), setting.number)) {
+      other.method = k_relative;
+    }
+    return other;
   }
 
   RunInRows told(const Engine& engine, const Setting& setting) {

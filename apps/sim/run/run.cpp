@@ -60,7 +60,9 @@ nlohmann::ordered_json asked_json(const FoundSetting& found, double error) {
   return {{"error", error},
           {"reference", found.reference_in_words},
           {"agreement", found.agreement},
-          {"settings_tried", found.trials.size()}};
+          {"settings_tried", found.trials.size()},
+          // Of the processor, for a run that writes nothing: what settings are compared by.
+          {"seconds", found.chosen.seconds}};
 }
 
 nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& setting, const Engine& engine,
