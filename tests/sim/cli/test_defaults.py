@@ -1,6 +1,6 @@
 """What gauss-sim does where nobody says anything is a good choice: on the front of error and time.
 
-Of some shipped models, which compilers are soon done with; with GAUSS_ALL_MODELS=1 of all of them (twenty minutes)."""
+Of some shipped models, which compilers are soon done with; with GAUSS_ALL_MODELS=1, as `./run test --thorough` has it, of all of them (twenty minutes)."""
 
 import json
 import os
@@ -47,7 +47,7 @@ class Defaults(Program):
         is_wanted = (lambda path: True) if os.environ.get("GAUSS_ALL_MODELS") == "1" else (lambda path: path.stem in SOME)
         models = sorted(filter(is_wanted, MODELS.glob("*.yaml")))
         self.assertGreaterEqual(len(models), len(SOME))
-        with ThreadPoolExecutor(1 if os.cpu_count() == 1 else 2) as pool:
+        with ThreadPoolExecutor(min(8, os.cpu_count() or 1)) as pool:
             found = list(pool.map(self.beaten_by, models))
         for model, better in zip(models, found):
             with self.subTest(model.stem):
