@@ -17,6 +17,7 @@ namespace {
 constexpr double k_margin = 0.5;  ///< of what is asked for
 constexpr double k_close = 0.1;   ///< of it: looser is not looked for
 constexpr int k_most_trials = 7;  ///< of a method
+constexpr double k_loosest = 1e-2;  ///< tolerance
 constexpr double k_digits_of_float = 1e-4;
 constexpr double k_few_digits = 1e-5;  ///< from here on methods of low order are tried
 constexpr double k_beaten =
@@ -36,6 +37,9 @@ class OneMethod {
   std::optional<Trial> run(Setting setting, double best) {
     double& knob = setting.step > 0 ? setting.step : setting.tolerance;
     const double least = setting.step > 0 ? 0 : least_tolerance(setting.number);
+    // Where samples are closer than steps would be, looser settings are the same ones.
+    const double most = setting.step > 0 ? prepared_.span.duration / static_cast<double>(prepared_.span.samples - 1) : k_loosest;
+    knob = std::min(knob, most);
     std::optional<Trial> found;
     double loosest_failing = std::numeric_limits<double>::infinity();
     for (int count = 0; count < k_most_trials; ++count) {
@@ -47,8 +51,8 @@ class OneMethod {
       if (delivers && (!found || trial.seconds < found->seconds)) found = trial;
       if (delivers && trial.error.value >= k_close * goal_) break;
       if (!delivers) loosest_failing = std::min(loosest_failing, knob);
-      const double next = std::max(two_digits(knob * factor(trial, setting)), least);
-      if (delivers && next >= loosest_failing) break;
+      const double next = std::clamp(two_digits(knob * factor(trial, setting)), least, most);
+      if (delivers && (next >= loosest_failing || next == knob)) break;
       knob = next;
     }
     return found;

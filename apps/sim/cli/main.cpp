@@ -16,6 +16,7 @@
 #include "sim/cli/list_methods.hpp"
 #include "sim/cli/message_options.hpp"
 #include "sim/cli/shell.hpp"
+#include "sim/cli/validators.hpp"
 #include "sim/ensemble/ensemble.hpp"
 #include "sim/plot/plot.hpp"
 #include "sim/run/run.hpp"
@@ -40,39 +41,37 @@ void add_setting(CLI::App* command, RunOptions& options) {
       ->delimiter(',')
       ->type_name("LIST");
   command->add_option("--method", options.method, "how to integrate")
-      ->check(CLI::IsMember(method_names()))
+      ->check(one_of(method_names()))
       ->type_name("NAME");
   command->add_option("--number", options.number, "number type")
-      ->check(CLI::IsMember(number_names()))
+      ->check(one_of(number_names()))
       ->type_name("TYPE");
   command->add_option("--projection", options.projection, "onto the constraints after each step")
-      ->check(CLI::IsMember(projection_names()))
+      ->check(one_of(projection_names()))
       ->type_name("WHAT");
   command->add_option("--strategy", options.strategy, "how Z is minimised, as in gauss-gen")
-      ->check(CLI::IsMember(strategy_names()))
+      ->check(one_of(strategy_names()))
       ->type_name("NAME");
   command->add_option("--code", options.code, "how equations are written out")
-      ->check(CLI::IsMember(code_names()))
+      ->check(one_of(code_names()))
       ->type_name("HOW");
   command->add_option("--engine", options.engine, "how functions are executed")
-      ->check(CLI::IsMember(engine_names()))
+      ->check(one_of(engine_names()))
       ->type_name("NAME");
   command->add_option("--start", options.start, "time of the initial state, default 0")->type_name("T");
-  command->add_option("--duration", options.duration, "default 10")->type_name("T")->check(CLI::PositiveNumber);
+  command->add_option("--duration", options.duration, "default 10")->type_name("T");
   command->add_option("--samples", options.samples, "rows of the table, default 501")
       ->type_name("N")
       ->check(CLI::Range(2L, 100'000'000L));
-  command->add_option("--every", options.every, "time between rows, instead of their number")
-      ->type_name("T")
-      ->check(CLI::PositiveNumber);
+  command->add_option("--every", options.every, "time between rows, instead of their number")->type_name("T");
   command
       ->add_option("--tolerance", options.tolerance,
                    "error of a step, relative to the size of each component; default 1e-9")
       ->type_name("E")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   command->add_option("--step", options.step, "length of steps, of methods that take one")
       ->type_name("T")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   command->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
 
@@ -87,7 +86,7 @@ void add_run(CLI::App& app, RunOptions& options) {
          "--error", options.error,
          "largest error of all columns, relative to their ranges: finds a method and a tolerance that deliver it")
       ->type_name("E")
-      ->check(CLI::PositiveNumber)
+      ->check(positive())
       ->excludes("--tolerance");
   run->add_flag("--resume", options.resume, "go on from the table and the summary that an interrupted run has left");
   add_messages(*run, options.messages);
@@ -134,17 +133,17 @@ void add_study(CLI::App& app, StudyOptions& options) {
       ->add_option("--methods", options.methods,
                    "these methods alone, of the scene as it is, in double, with commas between")
       ->delimiter(',')
-      ->check(CLI::IsMember(std::vector<std::string>(method_names().begin() + 1, method_names().end())))
+      ->check(one_of({method_names().begin() + 1, method_names().end()}))
       ->type_name("LIST");
-  study->add_option("--budget", options.budget, "seconds for each problem, default 60")
+  study->add_option("--budget", options.budget, "seconds of runs for each problem, beside what compiling its forms takes; default 60")
       ->type_name("S")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   study->add_option("--loosest", options.loosest, "first tolerance, default 1e-3")
       ->type_name("E")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   study->add_option("--tightest", options.tightest, "last tolerance, default 1e-13")
       ->type_name("E")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   add_messages(*study, options.messages);
   study->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
@@ -155,12 +154,12 @@ void add_advise(CLI::App& app, AdviseOptions& options) {
   advise->add_option("FILE", options.file, "scene or model")->required();
   advise->add_option("--error", options.error, "largest error of all outputs, relative to their ranges")
       ->type_name("E")
-      ->check(CLI::PositiveNumber)
+      ->check(positive())
       ->required();
   advise->add_option("--study", options.study, "take it from this study (JSON) instead of trying now")
       ->type_name("FILE");
   advise->add_option("--format", options.format, "default text")
-      ->check(CLI::IsMember({"text", "json"}))
+      ->check(one_of({"text", "json"}))
       ->type_name("FORMAT");
   add_messages(*advise, options.messages);
 }
@@ -186,7 +185,7 @@ struct ListOptions {
 void add_methods(CLI::App& app, ListOptions& options) {
   options.command = app.add_subcommand("methods", "List the methods of integration: order, library, what they need");
   options.command->add_option("--format", options.format, "default text")
-      ->check(CLI::IsMember({"text", "json"}))
+      ->check(one_of({"text", "json"}))
       ->type_name("FORMAT");
 }
 
@@ -203,7 +202,7 @@ void add_shell(CLI::App& app, ShellOptions& options) {
   options.command = app.add_subcommand("completion", "Write a script with which a shell completes command lines");
   options.command->add_option("SHELL", options.shell, "bash, zsh or fish")
       ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+      ->check(one_of({"bash", "zsh", "fish"}));
 }
 
 template <class Options>

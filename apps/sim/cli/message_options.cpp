@@ -1,5 +1,7 @@
 #include "sim/cli/message_options.hpp"
 
+#include "sim/cli/validators.hpp"
+
 #include <CLI/CLI.hpp>
 
 namespace gausssim {
@@ -14,7 +16,7 @@ void add_messages(CLI::App& command, gaussgen::cli::MessageOptions& options) {
             options.format = word == "json" ? MessageFormat::json : MessageFormat::text;
           },
           "messages on standard error: text (default), or json, an object in each line")
-      ->check(CLI::IsMember({"text", "json"}))
+      ->check(one_of({"text", "json"}))
       ->type_name("FORMAT");
   command
       .add_option_function<std::string>(
@@ -25,7 +27,7 @@ void add_messages(CLI::App& command, gaussgen::cli::MessageOptions& options) {
                                                : UseOfColour::on_terminals;
           },
           "auto (default: on a terminal, unless NO_COLOR is set), always or never")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->check(one_of({"auto", "always", "never"}))
       ->type_name("WHEN");
 }
 

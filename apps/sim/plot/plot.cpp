@@ -57,6 +57,10 @@ std::vector<const TableColumn*> chosen(const std::vector<TableColumn>& table, co
   return result;
 }
 
+void check_numbers(const TableColumn& column) {
+  if (!column.no_number.empty()) throw cli::FileError(column.no_number);
+}
+
 }  // namespace
 
 int draw_plot(const PlotOptions& options) {
@@ -65,6 +69,8 @@ int draw_plot(const PlotOptions& options) {
       options.against.empty() ? table.front() : *named(table, options.against, "--against").front();
   const std::vector<const TableColumn*> columns = chosen(table, options, across);
   if (columns.empty()) throw cli::UsageError("the table has one column, and nothing to show against it");
+  check_numbers(across);
+  for (const TableColumn* const column : columns) check_numbers(*column);
   const std::filesystem::path path(options.file);
   const std::string text = plot::chart(across, columns, path.stem().string());
   const std::string output =
@@ -76,6 +82,7 @@ int draw_plot(const PlotOptions& options) {
   if (cli::are_same_file(output, options.file))
     throw cli::UsageError(fmt::format("'{}' is the table itself; -o names another file", output));
   cli::Replacement(output, text).commit();
+  cli::write_standard_output(fmt::format("wrote {}\n", output));
   return cli::k_ok;
 }
 

@@ -39,20 +39,21 @@ class Reader {
     return fields;
   }
 
-  double number(const std::string& field, const std::string& column) const {
+  void add(const std::string& field, TableColumn& column) const {
     double value = 0;
     const char* const end = field.data() + field.size();
     const auto [stop, error] = std::from_chars(field.data(), end, value);
-    if (stop != end || field.empty() || error == std::errc::invalid_argument)
-      fail(fmt::format("'{}' in column '{}' is no number", field, column));
-    return value;
+    const bool is_number = stop == end && !field.empty() && error != std::errc::invalid_argument;
+    if (!is_number && column.no_number.empty())
+      column.no_number = at_line(fmt::format("'{}' in column '{}' is no number", field, column.name));
+    column.values.push_back(value);
   }
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw gaussgen::cli::FileError(fmt::format("{}:{}: {}", path_, line_, what));
-  }
+  [[noreturn]] void fail(const std::string& what) const { throw gaussgen::cli::FileError(at_line(what)); }
 
  private:
+  std::string at_line(const std::string& what) const { return fmt::format("{}:{}: {}", path_, line_, what); }
+
   char taken() {
     const char c = rest_.front();
     rest_.remove_prefix(1);
@@ -66,8 +67,8 @@ class Reader {
 
 TableColumn column_of(const std::string& header) {
   const std::size_t open = header.rfind(" [");
-  if (open == std::string::npos || header.back() != ']') return {header, "", {}};
-  return {header.substr(0, open), header.substr(open + 2, header.size() - open - 3), {}};
+  if (open == std::string::npos || header.back() != ']') return {header, "", {}, ""};
+  return {header.substr(0, open), header.substr(open + 2, header.size() - open - 3), {}, ""};
 }
 
 }  // namespace
@@ -83,8 +84,7 @@ std::vector<TableColumn> parse_table(std::string_view text, const std::string& p
     const std::vector<std::string> fields = reader.line();
     if (fields.size() != columns.size())
       reader.fail(fmt::format("there are {} fields where the header has {}", fields.size(), columns.size()));
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      columns[i].values.push_back(reader.number(fields[i], columns[i].name));
+    for (std::size_t i = 0; i < columns.size(); ++i) reader.add(fields[i], columns[i]);
   }
   if (columns.front().values.empty()) reader.fail("there are no rows under the header");
   return columns;

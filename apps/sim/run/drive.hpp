@@ -23,7 +23,7 @@ struct Grid {
   S start, end;
   long samples;
 
-  S at(long k) const { return k + 1 == samples ? end : start + (end - start) * (S(k) / S(samples - 1)); }
+  S at(long k) const { return k + 1 == samples ? end : start + (end - start) * S(k) / S(samples - 1); }
 };
 
 /// How many samples there are in the end. `first`: before it there are those of an earlier run. `on_sample(k, t, state)`: returning false ends it.

@@ -11,6 +11,7 @@
 #include "cli/usage_error.hpp"
 #include "emit/cpp_printer.hpp"
 #include "sim/output/csv.hpp"
+#include "sim/run/setting.hpp"
 #include "support/content_hash.hpp"
 
 namespace gausssim {
@@ -139,6 +140,24 @@ Simulated run_of(const json& summary) {
 }
 
 }  // namespace
+
+Setting setting_of_earlier_run(const std::string& path) {
+  const json summary = parsed(path);
+  Setting setting;
+  try {
+    setting.method = summary.at("method").get<std::string>();
+    setting.number = summary.at("number").get<std::string>();
+    setting.projection = projection_of(summary.at("projection").get<std::string>());
+    setting.tolerance = summary.value("tolerance", 0.0);
+    setting.step = summary.value("step", 0.0);
+  } catch (const json::exception&) {
+    cli::fail_on(path, "this is no summary of a run that can go on");
+  }
+  const MethodInfo* const method = find_method(setting.method);
+  if (method == nullptr || !computes_in(*method, setting.number))
+    cli::fail_on(path, "this is no summary of a run that can go on");
+  return setting;
+}
 
 nlohmann::ordered_json resume_json(const PreparedModel& prepared, const Simulated& run) {
   nlohmann::ordered_json result;

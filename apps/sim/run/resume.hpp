@@ -15,6 +15,9 @@ struct EarlierRun {
   bool is_finished = false;
 };
 
+/// How the run of a summary was made. Throws cli::FileError.
+Setting setting_of_earlier_run(const std::string& summary);
+
 /// What the summary of a run says for one that goes on from it.
 nlohmann::ordered_json resume_json(const PreparedModel& prepared, const Simulated& run);
 

@@ -114,17 +114,20 @@ std::string said(double value) { return fmt::format("{:.3g}", value); }
 
 void tell(const RunOptions& options, const PreparedModel& prepared, const Setting& setting, const Engine& engine,
           const Simulated& run, const Times& times, const std::optional<DeliveredError>& error,
-          const std::string& csv) {
+          const std::optional<FoundSetting>& found, const std::string& csv) {
   if (options.quiet || csv == "-") return;
   const std::string how = setting.step > 0 ? "step " + said(setting.step) : "tolerance " + said(setting.tolerance);
   std::string text =
-      fmt::format("{}: {} s by {} ({}, {}, {})\n", prepared.model.unit.model_name,
-                  said(run.reached - prepared.span.start), setting.method, how, setting.number, engine.name());
+      fmt::format("{}: {} s by {} ({}, {}, {})\n", prepared.name(),
+                  fmt::format("{:.6g}", run.reached - prepared.span.start), setting.method, how, setting.number, engine.name());
   text += fmt::format("  steps   {} ({} refused), {} calls, {} s", run.steps, run.rejected, run.calls,
                       said(run.wall_seconds));
   text += times.engine.was_cached || times.engine.compile == 0
               ? "\n"
               : fmt::format("; compiled in {} s\n", said(times.engine.compile));
+  if (found)
+    text += fmt::format("  asked   for {} of the range; found by trying, against {}\n", said(*prepared.scene.error),
+                        found->reference_in_words);
   if (error)
     text += fmt::format("  error   {} of the range, largest in {}\n", said(error->value),
                         error->output.empty() ? "none" : error->output);
@@ -145,16 +148,24 @@ int code_of(const Simulated& run, const PreparedModel& prepared, const cli::Mess
                           gauss::name(run.sample_status)),
               messages);
   if (run.was_interrupted) {
-    cli::remark(fmt::format("interrupted at t = {}; the table ends there, and --resume goes on from it", run.reached),
+    cli::remark(fmt::format("interrupted at t = {:.10g}; the table ends there, and --resume goes on from it", run.reached),
                 messages);
     return k_interrupted;
   }
   if (run.outcome == Outcome::running) return cli::k_ok;
   const std::string why = run.why.empty() ? gauss::simulate::name(run.outcome) : run.why;
   return cli::fail(
-      fmt::format("the motion of '{}' stops at t = {}: {}{}", prepared.model.unit.model_name, run.reached, why,
+      fmt::format("the motion of '{}' stops at t = {:.10g}: {}{}", prepared.model.unit.model_name, run.reached, why,
                   run.status == gauss::Status::ok ? "" : std::string(" (status: ") + gauss::name(run.status) + ")"),
       cli::k_motion_stopped, messages);
+}
+
+void warn_of_tolerance(const Setting& setting, const cli::MessageOptions& messages) {
+  const double least = least_tolerance(setting.number);
+  if (setting.tolerance > 0 && setting.tolerance < least)
+    cli::warn(fmt::format("in {}, rounding is more than tolerances below {:.0e}: {} brings nothing", setting.number, least,
+                          setting.tolerance),
+              messages);
 }
 
 /// Of the same method, closer to the motion. Where samples are closer than steps would be, a tolerance alone changes nothing.
@@ -188,10 +199,13 @@ int run(const RunOptions& options, const FindSetting& find) {
   if (engine == nullptr) return cli::fail(engines.why(), cli::k_file_error, options.messages);
   Setting setting = setting_of(*prepared, *engine);
   std::optional<FoundSetting> found;
-  if (prepared->scene.error && options.resume)
-    throw cli::UsageError(
-        "--resume goes on with the settings of the summary: give its method and tolerance instead of an error");
-  if (prepared->scene.error) {
+  const std::string csv = csv_path(options, *prepared);
+  // What was found then goes on; what would be found now may be another setting.
+  if (prepared->scene.error && options.resume) {
+    setting = setting_of_earlier_run(summary_path(csv));
+    engine = engines.of(setting.number);
+    if (engine == nullptr) return cli::fail(engines.why(), cli::k_file_error, options.messages);
+  } else if (prepared->scene.error) {
     std::string why;
     found = find(*prepared, engines, *prepared->scene.error, why);
     if (!found) return cli::fail(why, cli::k_not_delivered, options.messages);
@@ -199,8 +213,8 @@ int run(const RunOptions& options, const FindSetting& find) {
     engine = engines.of(setting.number);
   }
   const Times times{prepared->generate_seconds, engines.times()};
+  warn_of_tolerance(setting, options.messages);
 
-  const std::string csv = csv_path(options, *prepared);
   std::optional<EarlierRun> earlier;
   if (options.resume) earlier = earlier_run(csv, *prepared, setting);
   if (earlier && earlier->is_finished) {
@@ -239,7 +253,7 @@ int run(const RunOptions& options, const FindSetting& find) {
   const std::string text = summary(*prepared, setting, *engine, simulated, times, error, found).dump(2) + "\n";
   file.finish();
   if (csv != "-") cli::Replacement(summary_path(csv), text).commit();
-  tell(options, *prepared, setting, *engine, simulated, times, error, csv);
+  tell(options, *prepared, setting, *engine, simulated, times, error, found, csv);
   if (found && error && simulated.outcome == Outcome::running && !(error->value <= *prepared->scene.error))
     return cli::fail(fmt::format("the run is off by {:.2e}, in {}", error->value, error->output), cli::k_not_delivered,
                      options.messages);

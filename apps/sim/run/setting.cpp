@@ -24,6 +24,9 @@ Setting setting_of(const PreparedModel& prepared, const Engine& engine) {
   setting.method =
       chooses_method(scene) ? default_method(prepared.model, engine, scalar_of(setting.number)) : scene.method->text;
   setting.projection = scene.projection ? projection_of(scene.projection->text) : default_projection(setting.method);
+  // Series take full projection, or none.
+  const bool is_whole = setting.projection == Projection::full || setting.projection == Projection::off;
+  if (chooses_method(scene) && setting.method == "taylor" && !is_whole) setting.method = k_method_of_any_model;
   setting.gain = scene.gain.value_or(setting.gain);
   if (find_method(setting.method)->takes_step) {
     setting.step = scene.step.value_or(prepared.span.duration / k_default_steps);

@@ -65,7 +65,7 @@ class Simulator {
     if (earlier_ != nullptr) go_on(start);
     if (!gauss::integrate::is_motion_known(result_.status)) {
       result_.outcome = Outcome::model_failed;
-      result_.why = "the initial state cannot be found";
+      result_.why = fmt::format("the initial state cannot be found: {}", gauss::name(result_.status));
       return result_;
     }
     const auto begin = std::chrono::steady_clock::now();

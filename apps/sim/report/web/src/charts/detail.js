@@ -7,7 +7,7 @@ import {k_settings} from '../maths/points.js';
 
 /** A run in a few words, for sentences. @param {Point} point */
 export function briefly(point) {
-  const parts = [point.method, point.number, point.formulation, point.projection && point.projection !== 'none' ? `projection ${point.projection}` : null];
+  const parts = [point.method, point.number, point.formulation, point.code && point.code !== 'optimised' ? `${point.code} code` : null, point.projection && point.projection !== 'none' ? `projection ${point.projection}` : null];
   return `${parts.filter(Boolean).join(', ')}, ${accuracyOf(point)}`;
 }
 

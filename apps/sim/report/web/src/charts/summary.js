@@ -92,7 +92,7 @@ const tableOf = (found) => ({
   columns: [
     {key: 'problem', title: 'problem'}, {key: 'target', title: 'error asked for', format: (/** @type {any} */ v) => small(v), numeric: true},
     {key: 'time', title: 'time', format: seconds, numeric: true}, {key: 'error', title: 'error', format: column, numeric: true},
-    {key: 'method', title: 'method'}, {key: 'number', title: 'number type'}, {key: 'formulation', title: 'formulation'}, {key: 'projection', title: 'projection'},
+    {key: 'method', title: 'method'}, {key: 'number', title: 'number type'}, {key: 'formulation', title: 'formulation'}, {key: 'code', title: 'code'}, {key: 'projection', title: 'projection'},
     {key: 'accuracy', title: 'setting'}, {key: 'calls', title: 'calls', format: (/** @type {any} */ v) => plain(v), numeric: true},
   ],
   rows: found.map(({problem, target, point}) => ({...point, problem: problem.name, target, time: point.time_s, accuracy: accuracyOf(point)})),

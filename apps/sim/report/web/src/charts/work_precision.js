@@ -1,7 +1,7 @@
 // Error against cost, the cost being time or calls: what a more exact result is paid for with.
 
 import {isNumber, plain, small} from '../format.js';
-import {arrived, cheapest, front, lost, values} from '../maths/points.js';
+import {arrived, cheapest, front, hadNoTime, lost, values} from '../maths/points.js';
 import {logAxis} from './axes.js';
 import {briefly} from './detail.js';
 import {frame} from './frame.js';
@@ -67,8 +67,16 @@ function takeaway(found, failed, cost) {
   const usual = found.find((point) => point.is_default);
   const lines = [best ? `${cost.fewest} for an error of ${small(target)}: ${briefly(best)} (${cost.write(cost.of(best))}).` : ''];
   if (usual) lines.push(besideDefault(usual, found, cost));
-  if (failed.length > 0) lines.push(`${plain(failed.length)} of ${plain(found.length + failed.length)} runs have no result.`);
+  if (failed.length > 0) lines.push(withoutResult(failed, found.length + failed.length));
   return lines.filter(Boolean).join(' ');
+}
+
+/** @param {Point[]} failed @param {number} all */
+function withoutResult(failed, all) {
+  const late = failed.filter(hadNoTime).length, stopped = failed.filter((point) => point.status === 'failed').length;
+  const why = [[late, 'had no time'], [stopped, 'stopped on the way'], [failed.length - late - stopped, 'do not suit the model']]
+    .filter(([count]) => Number(count) > 0).map(([count, word]) => `${plain(Number(count))} ${word}`);
+  return `${plain(failed.length)} of ${plain(all)} runs have no result: ${why.join(', ')}.`;
 }
 
 /** @param {Point} usual @param {Point[]} found @param {Cost} cost */

@@ -15,6 +15,9 @@ export const error = (/** @type {Point} */ point) => point.error;
 export const time = (/** @type {Point} */ point) => point.time_s;
 export const calls = (/** @type {Point} */ point) => point.calls ?? null;
 
+/** Not run at all, for the time that the study had. @param {Point} point */
+export const hadNoTime = (point) => point.status === 'refused' && /time that the study/.test(point.why ?? '');
+
 /** Runs that arrived and were compared with the reference. */
 export const arrived = (/** @type {Point[]} */ points) => points.filter((point) => point.status === 'ok' && isNumber(point.error));
 
