@@ -10,6 +10,7 @@
 #include "cli/files.hpp"
 #include "sim/advise/from_study.hpp"
 #include "sim/advise/search.hpp"
+#include "sim/run/interruption.hpp"
 #include "sim/run/setting.hpp"
 #include "sim/scene/choices.hpp"
 
@@ -86,7 +87,14 @@ int advise(const AdviseOptions& options) {
     return cli::k_ok;
   }
   Engines engines(*prepared, EngineChoice::automatic);
-  const auto found = find_setting(*prepared, engines, options.error, why);
+  const Interruption interruption;
+  std::optional<FoundSetting> found;
+  try {
+    found = find_setting(*prepared, engines, options.error, why);
+  } catch (const Interrupted&) {
+    constexpr int k_interrupted = 130;
+    return k_interrupted;
+  }
   if (!found) return cli::fail(why, cli::k_not_delivered, options.messages);
   std::vector<StudyPoint> tried;
   for (const Trial& trial : found->trials) tried.push_back(point_of(trial));

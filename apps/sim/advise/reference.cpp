@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "gauss/integrate/taylor.hpp"
 #include "sim/run/in_rows.hpp"
+#include "sim/run/interruption.hpp"
 #include "sim/run/setting.hpp"
 
 namespace gausssim {
@@ -17,10 +17,12 @@ constexpr double k_agreement = 1.0 / 20;  ///< of the error that is asked for
 constexpr double k_first =
     1e-3;  ///< tolerance, as a part of the error: what is lost over a motion of some length is made up for
 constexpr double k_tighter = 1e-2;
-constexpr const char* k_relative = "fehlberg78";  ///< of the same order as the method of any model
 
-/// Runs by the default of the model, each second one of another order or by a relative of the method: where steps are as long as stability allows they are the
-/// same for any tolerance, and their errors, too, would be.
+/// Steps of a reference are no longer than these parts of the duration, so that what acts for a short time is seen; two of them, since a step may end on it.
+constexpr double k_parts = 499, k_other_parts = 1009;
+
+/// Two runs by the default of the model that have as little in common as can be: in number types that are next to each other, since runs that round the same start, and the same values, agree on
+/// what that makes of an unstable motion; of other orders, or by a pair of methods, since steps that stability limits are the same for all tolerances; and with other longest steps.
 class TightSearch {
  public:
   TightSearch(const PreparedModel& prepared, Engines& engines, double error)
@@ -43,47 +45,46 @@ class TightSearch {
     return number == "double" && (first == "long-double" || first == "float128");
   }
 
+  static std::string next_to(const std::string& number) {
+    return number == "double" || number == "float" ? "long-double" : "float128";
+  }
+
   std::optional<TightRun> in(const std::string& number) {
-    const Engine* const engine = engines_.of(number);
-    if (engine == nullptr) return std::nullopt;
-    Setting setting;
-    setting.method = default_method(prepared_.model, *engine, scalar_of(number));
-    if (!computes_in(*find_method(setting.method), number)) return std::nullopt;
-    setting.number = number;
-    setting.projection = default_projection(setting.method);
-    setting.tolerance = std::max(error_ * k_first, least_tolerance(number));
-    RunInRows coarse = told(*engine, setting);
-    for (bool is_other = true; setting.tolerance > least_tolerance(number); is_other = !is_other) {
-      setting.tolerance = std::max(setting.tolerance * k_tighter, least_tolerance(number));
-      RunInRows fine = told(*engine, is_other ? other_than(setting) : setting);
+    const std::string wider = next_to(number);
+    if (engines_.of(number) == nullptr) return std::nullopt;
+    const bool has_wider = engines_.of(wider) != nullptr;
+    double tolerance = std::max(error_ * k_first, least_tolerance(number));
+    RunInRows coarse = told(tight(number, tolerance, k_parts));
+    for (bool is_last = false; !is_last; is_last = tolerance <= least_tolerance(number)) {
+      tolerance = std::max(tolerance * k_tighter, least_tolerance(number));
+      const Setting setting = by_other_terms(tight(has_wider ? wider : number, tolerance, k_other_parts));
+      RunInRows fine = told(setting);
       if (!why_not(fine.run).empty()) break;
       const DeliveredError apart = delivered_error(coarse.rows, fine.rows, prepared_.columns.columns);
       if (apart.value < closest_.value) closest_ = apart;
       if (apart.value <= k_agreement * error_)
         return TightRun{std::move(fine.rows),
-                        fmt::format("{} in {}, tolerance {:.0e}", setting.method, number, setting.tolerance),
+                        fmt::format("{} in {}, tolerance {:.0e}", setting.method, setting.number, setting.tolerance),
                         apart.value};
-      coarse = std::move(fine);
+      coarse = told(tight(number, tolerance, k_parts));
+      if (!why_not(coarse.run).empty()) break;
     }
     return std::nullopt;
   }
 
-  /// With errors of other terms.
-  static Setting other_than(const Setting& setting) {
-    constexpr int k_more = 4;
-    Setting other = setting;
-    if (setting.method == "taylor") {
-      const int most = find_method(setting.method)->order;
-      const int usual = gauss::integrate::taylor_order(setting.tolerance, most);
-      other.order = usual + k_more <= most ? usual + k_more : usual - k_more;
-    } else if (setting.method == k_method_of_any_model && computes_in(*find_method(k_relative), setting.number)) {
-      other.method = k_relative;
-    }
-    return other;
+  Setting tight(const std::string& number, double tolerance, double parts) {
+    Setting setting;
+    setting.method = default_method(prepared_.model, *engines_.of(number), scalar_of(number));
+    setting.number = number;
+    setting.projection = default_projection(setting.method);
+    setting.tolerance = tolerance;
+    setting.longest_step = prepared_.span.duration / parts;
+    return setting;
   }
 
-  RunInRows told(const Engine& engine, const Setting& setting) {
-    RunInRows result = in_rows(prepared_, engine, setting, Meter::none);
+  RunInRows told(const Setting& setting) {
+    RunInRows result = in_rows(prepared_, *engines_.of(setting.number), setting, Meter::none);
+    if (Interruption::is_asked_for()) throw Interrupted{};
     failure_ = why_not(result.run);
     return result;
   }

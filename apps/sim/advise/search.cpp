@@ -8,15 +8,16 @@
 
 #include "sim/advise/reference.hpp"
 #include "sim/run/in_rows.hpp"
+#include "sim/run/interruption.hpp"
 #include "sim/run/setting.hpp"
 
 namespace gausssim {
 
 namespace {
 
-constexpr double k_margin = 0.5;  ///< of what is asked for
-constexpr double k_close = 0.1;   ///< of it: looser is not looked for
-constexpr int k_most_trials = 7;  ///< of a method
+constexpr double k_margin = 0.5;    ///< of what is asked for
+constexpr double k_close = 0.1;     ///< of it: looser is not looked for
+constexpr int k_most_trials = 7;    ///< of a method
 constexpr double k_loosest = 1e-2;  ///< tolerance
 constexpr double k_digits_of_float = 1e-4;
 constexpr double k_few_digits = 1e-5;  ///< from here on methods of low order are tried
@@ -38,7 +39,8 @@ class OneMethod {
     double& knob = setting.step > 0 ? setting.step : setting.tolerance;
     const double least = setting.step > 0 ? 0 : least_tolerance(setting.number);
     // Where samples are closer than steps would be, looser settings are the same ones.
-    const double most = setting.step > 0 ? prepared_.span.duration / static_cast<double>(prepared_.span.samples - 1) : k_loosest;
+    const double most =
+        setting.step > 0 ? prepared_.span.duration / static_cast<double>(prepared_.span.samples - 1) : k_loosest;
     knob = std::min(knob, most);
     std::optional<Trial> found;
     double loosest_failing = std::numeric_limits<double>::infinity();
@@ -64,6 +66,7 @@ class OneMethod {
   Trial tried(const Setting& setting) const {
     constexpr int k_repeats = 3;
     const RunInRows told = in_rows(prepared_, engine_, setting, Meter::none);
+    if (Interruption::is_asked_for()) throw Interrupted{};
     Trial trial{setting, {}, told.run.cpu_seconds, why_not(told.run)};
     if (!trial.why.empty()) return trial;
     trial.error = delivered_error(told.rows, reference_, prepared_.columns.columns);

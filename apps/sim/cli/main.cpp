@@ -40,12 +40,8 @@ void add_setting(CLI::App* command, RunOptions& options) {
   command->add_option("--outputs", options.outputs, "columns of the table, with commas between")
       ->delimiter(',')
       ->type_name("LIST");
-  command->add_option("--method", options.method, "how to integrate")
-      ->check(one_of(method_names()))
-      ->type_name("NAME");
-  command->add_option("--number", options.number, "number type")
-      ->check(one_of(number_names()))
-      ->type_name("TYPE");
+  command->add_option("--method", options.method, "how to integrate")->check(one_of(method_names()))->type_name("NAME");
+  command->add_option("--number", options.number, "number type")->check(one_of(number_names()))->type_name("TYPE");
   command->add_option("--projection", options.projection, "onto the constraints after each step")
       ->check(one_of(projection_names()))
       ->type_name("WHAT");
@@ -135,15 +131,13 @@ void add_study(CLI::App& app, StudyOptions& options) {
       ->delimiter(',')
       ->check(one_of({method_names().begin() + 1, method_names().end()}))
       ->type_name("LIST");
-  study->add_option("--budget", options.budget, "seconds of runs for each problem, beside what compiling its forms takes; default 60")
+  study
+      ->add_option("--budget", options.budget,
+                   "seconds of runs for each problem, beside what compiling its forms takes; default 60")
       ->type_name("S")
       ->check(positive());
-  study->add_option("--loosest", options.loosest, "first tolerance, default 1e-3")
-      ->type_name("E")
-      ->check(positive());
-  study->add_option("--tightest", options.tightest, "last tolerance, default 1e-13")
-      ->type_name("E")
-      ->check(positive());
+  study->add_option("--loosest", options.loosest, "first tolerance, default 1e-3")->type_name("E")->check(positive());
+  study->add_option("--tightest", options.tightest, "last tolerance, default 1e-13")->type_name("E")->check(positive());
   add_messages(*study, options.messages);
   study->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
@@ -158,9 +152,7 @@ void add_advise(CLI::App& app, AdviseOptions& options) {
       ->required();
   advise->add_option("--study", options.study, "take it from this study (JSON) instead of trying now")
       ->type_name("FILE");
-  advise->add_option("--format", options.format, "default text")
-      ->check(one_of({"text", "json"}))
-      ->type_name("FORMAT");
+  advise->add_option("--format", options.format, "default text")->check(one_of({"text", "json"}))->type_name("FORMAT");
   add_messages(*advise, options.messages);
 }
 

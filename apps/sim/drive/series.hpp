@@ -17,14 +17,15 @@ class Series final : public Integrator<S> {
     S tolerance;
     bool projects;
     long most_steps;
-    int order;  ///< 0: by the tolerance
+    int order;       ///< 0: by the tolerance
+    S longest_step;  ///< 0: any
   };
 
   Series(const SeriesEntries& entries, std::shared_ptr<const Functions<S>> functions, const Array& start, const S& t,
          const Settings& settings)
       : entries_(entries), functions_(std::move(functions)), state_(start), t_(t) {
-    const std::array<S, 4> numbers{settings.tolerance, S(settings.projects ? 1 : 0), S(settings.most_steps),
-                                   S(settings.order)};
+    const std::array<S, 5> numbers{settings.tolerance, S(settings.projects ? 1 : 0), S(settings.most_steps),
+                                   S(settings.order), settings.longest_step};
     void* const arguments[] = {&run_,
                                const_cast<S*>(functions_->prepared.data()),
                                const_cast<S*>(functions_->inputs.data()),

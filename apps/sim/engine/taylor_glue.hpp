@@ -22,7 +22,7 @@ class Run {
   using Settings = gauss::simulate::Settings<S>;
 
  public:
-  /// Numbers: tolerance, 1 to project, most steps, order or 0.
+  /// Numbers: tolerance, 1 to project, most steps, order or 0, longest step or 0.
   Run(const void* prepared, const void* inputs, const void* start, const S& t, const S* numbers)
       : simulation_(
             gauss::integrate::bind_model<Type, S>(*static_cast<const typename Type::template Prepared<S>*>(prepared),
@@ -55,6 +55,7 @@ class Run {
     settings.tolerance = numbers[0];
     settings.project = numbers[1] > S(0);
     settings.most_steps = static_cast<long>(numbers[2]);
+    settings.longest_step = numbers[4];
     return settings;
   }
 

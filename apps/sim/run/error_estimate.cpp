@@ -19,14 +19,15 @@ void Rows::set(long k, const std::vector<long double>& row) {
 
 namespace {
 
+/// In long double, whose range other number types do not leave.
 struct Extent {
-  double range = 0, size = 0;
+  long double range = 0, size = 0;
 };
 
 Extent extent_of(const Rows& rows, std::size_t column) {
-  double least = std::numeric_limits<double>::infinity(), most = -least, size = 0;
+  long double least = std::numeric_limits<long double>::infinity(), most = -least, size = 0;
   for (long k = 0; k < rows.samples(); ++k) {
-    const auto value = static_cast<double>(rows.at(k, column));
+    const long double value = rows.at(k, column);
     least = std::min(least, value);
     most = std::max(most, value);
     size = std::max(size, std::abs(value));
@@ -35,42 +36,42 @@ Extent extent_of(const Rows& rows, std::size_t column) {
 }
 
 /// What changes by less than this part of its size, or of what others with its unit change by, is taken for constant.
-constexpr double k_constant = 1e-6;
+constexpr long double k_constant = 1e-6;
 
-std::vector<double> scales_of(const Rows& reference, const std::vector<Column>& columns) {
+std::vector<long double> scales_of(const Rows& reference, const std::vector<Column>& columns) {
   std::vector<Extent> extents;
-  std::map<std::string, double> by_unit;
+  std::map<std::string, long double> by_unit;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     extents.push_back(extent_of(reference, i));
     by_unit[columns[i].unit] = std::max(by_unit[columns[i].unit], extents[i].range);
   }
-  std::vector<double> scales;
+  std::vector<long double> scales;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Extent& extent = extents[i];
-    const double others = by_unit[columns[i].unit];
-    const double whole = std::max(extent.size, others);
-    const double scale = extent.range > k_constant * whole ? extent.range : whole;
+    const long double others = by_unit[columns[i].unit];
+    const long double whole = std::max(extent.size, others);
+    const long double scale = extent.range > k_constant * whole ? extent.range : whole;
     scales.push_back(scale > 0 ? scale : 1);
   }
   return scales;
 }
 
-/// What is no number in the reference cannot be missed; what is none beside a number is off by all.
-double miss(long double value, long double reference) {
-  if (std::isnan(reference) || value == reference) return 0;
-  const auto result = static_cast<double>(std::abs(value - reference));
-  return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
+/// In units of `scale`. What is no number in both is not missed; what is none in one of them, or has no scale, is off by all.
+double miss(long double value, long double reference, long double scale) {
+  if (value == reference || (std::isnan(value) && std::isnan(reference))) return 0;
+  const auto result = static_cast<double>(std::abs(value - reference) / scale);
+  return std::isfinite(scale) && !std::isnan(result) ? result : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
 
 DeliveredError delivered_error(const Rows& rows, const Rows& reference, const std::vector<Column>& columns) {
   DeliveredError result;
-  const std::vector<double> scales = scales_of(reference, columns);
+  const std::vector<long double> scales = scales_of(reference, columns);
   const long samples = std::min(rows.samples(), reference.samples());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     for (long k = 0; k < samples; ++k) {
-      const double error = miss(rows.at(k, i), reference.at(k, i)) / scales[i];
+      const double error = miss(rows.at(k, i), reference.at(k, i), scales[i]);
       if (!(error > result.value)) continue;
       result = {error, columns[i].name};
     }

@@ -2,6 +2,9 @@
 
 namespace gausssim {
 
+/// Thrown where there is nothing to be kept.
+struct Interrupted {};
+
 /// While it lives, the first Ctrl-C (SIGINT, SIGTERM) only asks for an end, a second one ends the program.
 class Interruption {
  public:

@@ -14,7 +14,9 @@
 #include "cli/usage_error.hpp"
 #include "mechanics.hpp"
 #include "model/evaluate.hpp"
+#include "model/impossible.hpp"
 #include "pipeline.hpp"
+#include "sim/model/layout.hpp"
 #include "sim/scene/read_scene.hpp"
 #include "support/error_codes.hpp"
 
@@ -132,6 +134,17 @@ class SpanReader {
   Diagnostics& diagnostics_;
 };
 
+/// Masses and inertias that no body has, by other values than those of the model's file, which are looked at with it.
+void check_bodies(const Scene& scene, const std::vector<std::string>& sets, const model::Model& read,
+                  Diagnostics& diagnostics) {
+  if (scene.parameters.empty() && sets.empty()) return;
+  for (const auto& found : model::impossible_bodies(read)) {
+    if (found.severity != gaussgen::support::Severity::error) continue;
+    if (scene.parameters.empty()) throw cli::UsageError("--set: " + found.message);
+    diagnostics.error(found.code, scene.parameters.front().span, found.message, found.hint);
+  }
+}
+
 std::string beside(const std::string& file, const std::string& named) {
   const std::filesystem::path path(named);
   return path.is_absolute() ? named : (std::filesystem::path(file).parent_path() / path).string();
@@ -236,6 +249,7 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
     cli::apply_overrides(request.sets, read);
     if (request.adjust) request.adjust(result.scene, read, in_values);
     parameters = model::parameter_values(read);
+    check_bodies(result.scene, request.sets, read, in_values);
     for (const model::Parameter& one : read.parameters) result.parameters.emplace_back(one.name.text, one.value);
     result.span = SpanReader(result.scene, parameters, in_values).read();
     if (in_values.has_errors()) throw BadScene{};
@@ -250,6 +264,12 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
   }
   exit_code = cli::report(without_empty_outputs(found), source, request.messages);
   if (!compiled || exit_code != cli::k_ok) return std::nullopt;
+  if (find_function(compiled->tree, "rhs") == nullptr) {
+    exit_code = cli::fail(
+        fmt::format("nothing moves in '{}' by itself: there is no motion to be found", compiled->unit.model_name),
+        cli::k_motion_stopped, request.messages);
+    return std::nullopt;
+  }
   result.operations = operations_of_rates(*compiled);
   result.model = {std::move(compiled->tree), std::move(compiled->unit)};
   result.columns = choose_columns(result.model, result.scene.outputs, in_values);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -117,9 +118,9 @@ void tell(const RunOptions& options, const PreparedModel& prepared, const Settin
           const std::optional<FoundSetting>& found, const std::string& csv) {
   if (options.quiet || csv == "-") return;
   const std::string how = setting.step > 0 ? "step " + said(setting.step) : "tolerance " + said(setting.tolerance);
-  std::string text =
-      fmt::format("{}: {} s by {} ({}, {}, {})\n", prepared.name(),
-                  fmt::format("{:.6g}", run.reached - prepared.span.start), setting.method, how, setting.number, engine.name());
+  std::string text = fmt::format("{}: {} s by {} ({}, {}, {})\n", prepared.name(),
+                                 fmt::format("{:.6g}", run.reached - prepared.span.start), setting.method, how,
+                                 setting.number, engine.name());
   text += fmt::format("  steps   {} ({} refused), {} calls, {} s", run.steps, run.rejected, run.calls,
                       said(run.wall_seconds));
   text += times.engine.was_cached || times.engine.compile == 0
@@ -141,15 +142,17 @@ void tell(const RunOptions& options, const PreparedModel& prepared, const Settin
   cli::write_standard_output(text);
 }
 
+constexpr int k_interrupted = 130;
+
 int code_of(const Simulated& run, const PreparedModel& prepared, const cli::MessageOptions& messages) {
-  constexpr int k_interrupted = 130;
   if (run.untrusted_samples > 0)
     cli::warn(fmt::format("outputs of {} samples are not to be trusted: {}", run.untrusted_samples,
                           gauss::name(run.sample_status)),
               messages);
   if (run.was_interrupted) {
-    cli::remark(fmt::format("interrupted at t = {:.10g}; the table ends there, and --resume goes on from it", run.reached),
-                messages);
+    cli::remark(
+        fmt::format("interrupted at t = {:.10g}; the table ends there, and --resume goes on from it", run.reached),
+        messages);
     return k_interrupted;
   }
   if (run.outcome == Outcome::running) return cli::k_ok;
@@ -163,19 +166,48 @@ int code_of(const Simulated& run, const PreparedModel& prepared, const cli::Mess
 void warn_of_tolerance(const Setting& setting, const cli::MessageOptions& messages) {
   const double least = least_tolerance(setting.number);
   if (setting.tolerance > 0 && setting.tolerance < least)
-    cli::warn(fmt::format("in {}, rounding is more than tolerances below {:.0e}: {} brings nothing", setting.number, least,
-                          setting.tolerance),
+    cli::warn(fmt::format("in {}, rounding is more than tolerances below {:.0e}: {} brings nothing", setting.number,
+                          least, setting.tolerance),
               messages);
 }
 
-/// Of the same method, closer to the motion. Where samples are closer than steps would be, a tolerance alone changes nothing.
+/// Closer to the motion, by other terms. Where samples are closer than steps would be, a tolerance alone changes nothing, nor does a step.
 Setting tighter(Setting setting, const Simulated& run, const Span& span) {
   constexpr double k_shorter = 0.5;
-  if (setting.tolerance > 0) setting.tolerance *= k_tighter;
-  if (setting.step > 0) setting.step *= k_shorter;
-  if (setting.tolerance > 0 && run.steps > 0)
-    setting.longest_step = k_shorter * span.duration / static_cast<double>(run.steps);
-  return setting;
+  const double taken = span.duration / static_cast<double>(std::max(run.steps, 1L));
+  if (setting.tolerance > 0) {
+    setting.tolerance *= k_tighter;
+    // What acts for a short time may lie within a step of both.
+    constexpr double k_parts = 1009;
+    setting.longest_step = std::min(k_shorter * taken, span.duration / k_parts);
+  }
+  if (setting.step > 0) setting.step = k_shorter * std::min(setting.step, taken);
+  return by_other_terms(setting);
+}
+
+/// How far a run is off, as a tighter one tells it; nothing where that is no other run, or does not arrive.
+std::optional<DeliveredError> estimate(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
+                                       const Simulated& run, const Rows& rows) {
+  const RunInRows reference = in_rows(prepared, engine, tighter(setting, run, prepared.span), Meter::none);
+  const bool is_other = reference.run.steps != run.steps || reference.run.calls != run.calls;
+  const bool arrives = reference.run.outcome == Outcome::running || reference.run.samples >= run.samples;
+  if (!is_other || !arrives || Interruption::is_asked_for()) return std::nullopt;
+  return delivered_error(rows, reference.rows, prepared.columns.columns);
+}
+
+/// What stands where a table or a summary is to be written, and is no such thing.
+void check_output(const std::string& csv, const PreparedModel& prepared, const std::string& file) {
+  if (csv == "-") return;
+  const std::string summary = summary_path(csv);
+  if (summary == csv)
+    throw cli::UsageError(fmt::format("'{}' is where the summary goes; the table is a CSV file", csv));
+  for (const std::string& path : {csv, summary}) {
+    std::error_code error;
+    if (cli::are_same_file(path, file) || cli::are_same_file(path, prepared.model_file))
+      throw cli::UsageError(fmt::format("'{}' is what the run reads; -o names another file", path));
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+      throw cli::UsageError(fmt::format("'{}' is no file that a table could take the place of", path));
+  }
 }
 
 }  // namespace
@@ -200,6 +232,8 @@ int run(const RunOptions& options, const FindSetting& find) {
   Setting setting = setting_of(*prepared, *engine);
   std::optional<FoundSetting> found;
   const std::string csv = csv_path(options, *prepared);
+  check_output(csv, *prepared, options.file);
+  const Interruption interruption;
   // What was found then goes on; what would be found now may be another setting.
   if (prepared->scene.error && options.resume) {
     setting = setting_of_earlier_run(summary_path(csv));
@@ -207,7 +241,12 @@ int run(const RunOptions& options, const FindSetting& find) {
     if (engine == nullptr) return cli::fail(engines.why(), cli::k_file_error, options.messages);
   } else if (prepared->scene.error) {
     std::string why;
-    found = find(*prepared, engines, *prepared->scene.error, why);
+    try {
+      found = find(*prepared, engines, *prepared->scene.error, why);
+    } catch (const Interrupted&) {
+      cli::remark("interrupted while a setting was looked for; nothing is written", options.messages);
+      return k_interrupted;
+    }
     if (!found) return cli::fail(why, cli::k_not_delivered, options.messages);
     setting = found->chosen.setting;
     engine = engines.of(setting.number);
@@ -227,7 +266,6 @@ int run(const RunOptions& options, const FindSetting& find) {
   Rows rows(width, prepared->span.samples);
   Simulated simulated;
   {
-    const Interruption interruption;
     ProgressBar bar(!options.quiet);
     Listeners listeners;
     listeners.on_row = [&](const std::string& row, double share) {
@@ -247,8 +285,7 @@ int run(const RunOptions& options, const FindSetting& find) {
   if (found && !earlier) {
     error = delivered_error(rows, found->reference, prepared->columns.columns);
   } else if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted && !earlier) {
-    const RunInRows reference = in_rows(*prepared, *engine, tighter(setting, simulated, prepared->span), Meter::none);
-    error = delivered_error(rows, reference.rows, prepared->columns.columns);
+    error = estimate(*prepared, *engine, setting, simulated, rows);
   }
   const std::string text = summary(*prepared, setting, *engine, simulated, times, error, found).dump(2) + "\n";
   file.finish();

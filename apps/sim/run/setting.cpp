@@ -1,9 +1,16 @@
 #include "sim/run/setting.hpp"
 
+#include "gauss/integrate/taylor.hpp"
 #include "sim/model/layout.hpp"
 #include "sim/run/build_engine.hpp"
 
 namespace gausssim {
+
+namespace {
+
+constexpr const char* k_relative = "fehlberg78";  ///< of the same order as the method of any model
+
+}  // namespace
 
 std::string default_method(const Described& model, const Engine& engine, const std::string& scalar) {
   const bool has_series = static_cast<bool>(engine.find("series_begin", scalar));
@@ -42,6 +49,19 @@ Setting default_setting(const PreparedModel& prepared, const Engine& engine) {
   setting.projection = default_projection(setting.method);
   setting.tolerance = k_default_tolerance;
   return setting;
+}
+
+Setting by_other_terms(const Setting& setting) {
+  constexpr int k_more = 4;
+  Setting other = setting;
+  if (setting.method == "taylor") {
+    const int most = find_method(setting.method)->order;
+    const int usual = setting.order > 0 ? setting.order : gauss::integrate::taylor_order(setting.tolerance, most);
+    other.order = usual + k_more <= most ? usual + k_more : usual - k_more;
+  } else if (setting.method == k_method_of_any_model && computes_in(*find_method(k_relative), setting.number)) {
+    other.method = k_relative;
+  }
+  return other;
 }
 
 bool computes_in(const MethodInfo& method, const std::string& number) {

@@ -25,6 +25,9 @@ Setting setting_of(const PreparedModel& prepared, const Engine& engine);
 /// Of a scene that says nothing.
 Setting default_setting(const PreparedModel& prepared, const Engine& engine);
 
+/// Of the same accuracy with errors of other terms: another order, or another pair of the same order. The same where there is none.
+Setting by_other_terms(const Setting& setting);
+
 /// Whether a method is made for a number type, as scenes call it.
 bool computes_in(const MethodInfo& method, const std::string& number);
 
