@@ -17,6 +17,8 @@ constexpr double k_agreement = 1.0 / 20;  ///< of the error that is asked for
 constexpr double k_first =
     1e-3;  ///< tolerance, as a part of the error: what is lost over a motion of some length is made up for
 constexpr double k_tighter = 1e-2;
+/// Of errors that can be shown: tables are compared with the digits of long double.
+constexpr double k_least = static_cast<double>(std::numeric_limits<long double>::epsilon()) / k_agreement;
 
 /// Steps of a reference are no longer than these parts of the duration, so that what acts for a short time is seen; two of them, since a step may end on it.
 constexpr double k_parts = 499, k_other_parts = 1009;
@@ -29,6 +31,10 @@ class TightSearch {
       : prepared_(prepared), engines_(engines), error_(error) {}
 
   std::optional<TightRun> run(std::string& why) {
+    if (error_ < k_least) {
+      why = fmt::format("an error of {:.1e} cannot be shown: that takes {:.1e} and more", error_, k_least);
+      return std::nullopt;
+    }
     const std::string first = prepared_.scene.number ? prepared_.scene.number->text : "double";
     for (const char* const number : {"double", "long-double", "float128"}) {
       if (is_before(number, first)) continue;
@@ -60,7 +66,8 @@ class TightSearch {
       const Setting setting = by_other_terms(tight(has_wider ? wider : number, tolerance, k_other_parts));
       RunInRows fine = told(setting);
       if (!why_not(fine.run).empty()) break;
-      const DeliveredError apart = delivered_error(coarse.rows, fine.rows, prepared_.columns.columns);
+      DeliveredError apart = delivered_error(coarse.rows, fine.rows, prepared_.columns.columns);
+      apart.value = std::max(apart.value, k_agreement * k_least);
       if (apart.value < closest_.value) closest_ = apart;
       if (apart.value <= k_agreement * error_)
         return TightRun{std::move(fine.rows),

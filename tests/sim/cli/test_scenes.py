@@ -81,7 +81,7 @@ class Scenes(Program):
 
     def test_what_a_method_does_not_do_is_said_and_nothing_is_written(self):
         self.assertIn("series take full projection", self.refused(2, "run", "spring.yaml", "--method", "taylor", "--projection", "energy"))
-        self.assertIn("no method but taylor", self.refused(2, "run", "spring.yaml", "--method", "dopri5", "--number", "float128"))
+        self.assertIn("it does not compute in float128", self.refused(2, "run", "spring.yaml", "--method", "dopri5", "--number", "float128"))
         self.assertIn("interpreted", self.refused(2, "run", "spring.yaml", "--method", "taylor", "--engine", "interpreted"))
 
     def test_wrong_options_are_usage(self):
