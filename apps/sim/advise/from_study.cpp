@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cli/files.hpp"
+#include "sim/methods/methods.hpp"
 
 namespace gausssim {
 
@@ -27,7 +28,10 @@ double number_at(const Json& point, const char* key) {
 
 bool is_timed(const Json& point) {
   const auto has = [&](const char* key) { return point.contains(key) && point[key].is_number(); };
-  return text_at(point, "status") == "ok" && has("error") && has("time_s");
+  if (text_at(point, "status") != "ok" || !has("error") || !has("time_s")) return false;
+  // Whoever has edited the study may have made anything of it.
+  const MethodInfo* const method = find_method(text_at(point, "method"));
+  return method != nullptr && point["error"].get<double>() >= 0 && point["time_s"].get<double>() > 0;
 }
 
 StudyPoint point_of(const Json& point) {

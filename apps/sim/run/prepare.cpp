@@ -109,6 +109,9 @@ class SpanReader {
     constexpr double k_most = 1e8;
     if (count >= 1 && count < k_most) {
       span.samples = static_cast<long>(count) + 1;
+      // Rows are where they are asked for, and the run ends with the last one.
+      const double end = count * value(scene_.every, "every", span.duration, true);
+      if (end < span.duration * (1 - 1e-12)) span.duration = end;
     } else if (!diagnostics_.has_errors()) {
       diagnostics_.error(code::k_out_of_range, scene_.every->span,
                          fmt::format("this makes {} samples; there may be from 2 to {}", count + 1, k_most));

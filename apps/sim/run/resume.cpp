@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -79,6 +81,12 @@ void compare(const json& summary, const std::string& file, const PreparedModel& 
   Comparison(file, resume).number("samples", static_cast<double>(prepared.span.samples));
   if (resume.value("model", std::string()) != identity_of(prepared))
     with.refuse("the model, or a value in it or in its start, has changed");
+}
+
+bool is_number(const std::string& text) {
+  char* end = nullptr;
+  const long double value = std::strtold(text.c_str(), &end);
+  return !text.empty() && *end == '\0' && std::isfinite(value);
 }
 
 /// The header and a row for each sample, and nothing else.
@@ -182,7 +190,8 @@ EarlierRun read_earlier_run(const std::string& csv, const std::string& summary, 
   } catch (const json::exception&) {
     cli::fail_on(summary, "this is no summary of a run that can go on");
   }
-  const bool is_state = earlier.run.last_state.size() == prepared.model.size();
+  const auto& last = earlier.run.last_state;
+  const bool is_state = last.size() == prepared.model.size() && std::all_of(last.begin(), last.end(), is_number);
   const bool has_samples = earlier.run.samples >= 1 && earlier.run.samples <= prepared.span.samples;
   if (!is_state || !has_samples) cli::fail_on(summary, "this is no summary of a run that can go on");
   earlier.table = text_of_file(csv);

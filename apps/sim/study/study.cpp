@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <list>
 
 #include "cli/exit_codes.hpp"
@@ -76,7 +77,9 @@ int study(const StudyOptions& options) {
   files.emplace_back(options.output + ".html", page(json.dump()));
   for (cli::Replacement& file : files) file.commit();
   if (!options.quiet) cli::write_standard_output(fmt::format("wrote {0}.json, {0}.csv and {0}.html\n", options.output));
-  return cli::k_ok;
+  const bool tells_anything =
+      std::any_of(problems.begin(), problems.end(), [](const Problem& one) { return one.why.empty(); });
+  return tells_anything ? cli::k_ok : cli::k_not_delivered;
 }
 
 }  // namespace gausssim

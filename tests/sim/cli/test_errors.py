@@ -6,8 +6,23 @@ import unittest
 
 from gauss_sim import MODELS, SPRING, Program
 
-# Its closed form is known: x = cos(2 t).
-DURATION = 10
+# Unstable, and started on the way that decays: x = e^(-t/10), where rounding the start of -1/10 alone is 4e-5 in the end.
+UNSTABLE = """gauss: 1
+name: unstable
+parameters: {m: {value: 1, unit: kg}, k: {value: 0.01, unit: N/m}}
+coordinates: {x: {unit: m, initial: 1, initial_rate: -0.1}}
+particles: {bob: {mass: m, position: [x, 0, 0]}}
+forces: {push: {generalized: {x: k*x}}}
+"""
+
+# A blow of a hundredth of a second, whose impulse is the integral of a Gauss curve.
+BLOW = """gauss: 1
+name: blow
+parameters: {m: {value: 1, unit: kg}, F: {value: 1, unit: N}, w: {value: 200, unit: 1/s}, at: {value: 5.3, unit: s}}
+coordinates: {x: {unit: m, initial: 0}}
+particles: {bob: {mass: m, position: [x, 0, 0]}}
+forces: {push: {generalized: {x: F*exp(-((t - at)*w)^2)}}}
+"""
 
 
 class Errors(Program):
@@ -28,6 +43,24 @@ class Errors(Program):
                 self.assertLessEqual(said["asked_for"]["agreement"], error / 20)
                 # Not by running as tight as possible.
                 self.assertGreater(said["error_estimate"]["relative"], error / 1e3)
+
+    def test_errors_of_two_runs_that_round_the_same_start_are_seen(self):
+        self.write("unstable.yaml", UNSTABLE)
+        self.ok("run", "unstable.yaml", "--error", "1e-6", "--outputs", "x", "--duration", "300", "-q")
+        table = self.table("unstable.csv")
+        off = max(abs(x - math.exp(-t / 10)) for t, x in zip(table["t [s]"], table["x [m]"]))
+        self.assertLessEqual(off, 1e-6)
+
+    def test_what_overflows_is_not_delivered(self):
+        self.write("unstable.yaml", UNSTABLE.replace("0.01", "1e4").replace("-0.1", "-100"))
+        self.refused(6, "run", "unstable.yaml", "--error", "1e-6", "--outputs", "state", "-q")
+
+    def test_what_acts_for_a_short_time_is_seen(self):
+        self.write("blow.yaml", BLOW)
+        self.ok("run", "blow.yaml", "--error", "1e-6", "--outputs", "x", "-q")
+        self.assertAlmostEqual(self.table("blow.csv")["x [m]"][-1], math.sqrt(math.pi) / 200 * 4.7, delta=1e-7)
+        self.ok("run", "blow.yaml", "--outputs", "x", "-q", "-o", "plain.csv")
+        self.assertGreater(self.summary("plain.json")["error_estimate"]["relative"], 0.1)
 
     def test_more_digits_than_double_has(self):
         self.write("spring.yaml", SPRING)

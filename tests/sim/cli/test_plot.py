@@ -62,6 +62,11 @@ class Plots(Program):
         self.assertIn("--against: the table has no column 'zeta'", self.refused(2, "plot", "table.csv", "--against", "zeta"))
         self.assertIn("is the table itself", self.refused(2, "plot", "table.csv", "-o", "table.csv"))
 
+    def test_words_are_no_lines_and_in_nobodys_way(self):
+        self.write("t.csv", "trajectory,m [kg],status,x [m]\n0,1,finished,2\n1,2,finished,3\n")
+        self.ok("plot", "t.csv", "--columns", "x", "--against", "m", "-o", "x.svg")
+        self.assertIn("'finished' in column 'status'", self.refused(3, "plot", "t.csv", "-o", "y.svg"))
+
     def test_long_tables_keep_their_extremes(self):
         rows = [[k / 100_000, math.sin(k / 1000)] for k in range(100_000)]
         rows[54_321][1], rows[12_345][1] = 7.0, -5.0

@@ -113,6 +113,20 @@ class Resuming(Program):
             self.write("spring.json", text)
             self.refused(3, "run", "spring.yaml", "--resume", *BY_STEPS)
 
+    def test_a_state_that_is_no_number_is_not_gone_on_from(self):
+        self.interrupted(*BY_STEPS)
+        summary = self.summary("spring.json")
+        summary["last_state"][0] = "abc"
+        (self.folder / "spring.json").write_text(json.dumps(summary), encoding="utf-8")
+        self.assertIn("no summary", self.refused(3, "run", "spring.yaml", "-q", "--resume", *BY_STEPS))
+
+    def test_a_run_with_an_error_goes_on_with_what_was_found(self):
+        asked = ["--error", "1e-6", "--duration", "500", "--samples", "300001", "--method", "prince87"]
+        first = self.interrupted(*asked)
+        self.ok("run", "spring.yaml", "-q", "--resume", *asked)
+        self.assertEqual(self.summary("spring.json")["tolerance"], first["tolerance"])
+        self.assertEqual(self.summary("spring.json")["outcome"], "finished")
+
     def test_a_finished_run_is_left_alone(self):
         self.ok("run", "spring.yaml", "-q")
         before = (self.folder / "spring.csv").read_bytes()

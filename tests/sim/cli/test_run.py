@@ -71,6 +71,26 @@ class Writing(Program):
     def test_every_is_the_time_between_rows(self):
         self.ok("run", "spring.yaml", "--every", "0.25", "--duration", "1", "-q")
         self.assertEqual(self.table("spring.csv")["t [s]"], [0, 0.25, 0.5, 0.75, 1])
+        self.ok("run", "spring.yaml", "--every", "0.25", "--duration", "0.9", "-q")
+        self.assertEqual(self.table("spring.csv")["t [s]"], [0, 0.25, 0.5, 0.75])
+
+    def test_times_may_be_formulas(self):
+        self.ok("run", "spring.yaml", "--duration", "pi/2", "--samples", "3", "--outputs", "x", "-q")
+        self.assertAlmostEqual(self.table("spring.csv")["x [m]"][-1], -1, delta=1e-8)
+
+    def test_an_estimate_that_nothing_supports_is_left_out(self):
+        self.ok("run", "spring.yaml", "--method", "rk4", "--step", "100", "--samples", "11", "-q")
+        error = self.summary("spring.json").get("error_estimate")
+        self.assertTrue(error is None or error["relative"] > 0.01, error)
+
+    def test_what_is_not_used_is_said(self):
+        for options, said in ((["--method", "rk4", "--tolerance", "1e-3"], "the tolerance is not used"), (["--step", "1e-3"], "the step is not used"),
+                              (["--tolerance", "1e-20"], "brings nothing")):
+            self.assertIn(said, self.run_it("run", "spring.yaml", "-q", *options).stderr)
+
+    def test_automatic_methods_suit_the_projection(self):
+        self.ok("run", "spring.yaml", "--projection", "energy", "-q")
+        self.assertEqual(self.summary("spring.json")["method"], "prince87")
 
     def test_the_summary_says_how_it_went(self):
         self.ok("run", "spring.yaml", "--tolerance", "1e-10")
@@ -126,6 +146,24 @@ class Writing(Program):
         lines = self.ok("run", "spring.yaml", "-o", "-", "--samples", "3").splitlines()
         self.assertEqual(len(lines), 4)
         self.assertEqual(self.files(), ["spring.yaml"])
+
+    def test_outputs_take_the_place_of_tables_alone(self):
+        before = (self.folder / "spring.yaml").read_bytes()
+        self.assertIn("where the summary goes", self.refused(2, "run", "spring.yaml", "-o", "x.json"))
+        self.assertIn("what the run reads", self.refused(2, "run", "spring.yaml", "-o", "spring.yaml"))
+        os.mkfifo(self.folder / "pipe")
+        self.assertIn("no file that a table", self.refused(2, "run", "spring.yaml", "-o", "pipe"))
+        self.assertEqual((self.folder / "spring.yaml").read_bytes(), before)
+
+    def test_what_has_no_motion_is_said(self):
+        self.write("held.yaml", "gauss: 1\nname: held\nparameters: {m: 1}\ncoordinates: {x: {held_at: sin(t)}}\n"
+                   "particles: {bob: {mass: m, position: [x, 0, 0]}}\n")
+        self.assertIn("nothing moves", self.refused(5, "run", "held.yaml"))
+
+    def test_masses_that_no_body_has_are_refused_wherever_they_come_from(self):
+        self.assertIn("negative", self.refused(2, "run", "spring.yaml", "--set", "m=-1"))
+        self.write("s.yaml", "gauss: 1\nmodel: spring.yaml\nparameters: {m: -1}\n")
+        self.assertIn("s.yaml:3:", self.refused(1, "run", "s.yaml"))
 
     def test_ctrl_c_leaves_a_whole_table(self):
         command = [PROGRAM, "run", "spring.yaml", "--method", "rk4", "--step", "1e-7", "--duration", "1000", "--samples", "1000001", "-q"]
