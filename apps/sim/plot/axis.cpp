@@ -20,6 +20,9 @@ double step_of(double width, int wanted) {
 
 /// What does not change has room above and below.
 Range widened(Range range) {
+  // Beyond it, the width of a range has no value.
+  constexpr double k_most = 4e307;
+  range = {std::clamp(range.least, -k_most, k_most), std::clamp(range.most, -k_most, k_most)};
   const double size = std::max(std::abs(range.least), std::abs(range.most));
   constexpr double k_rounding = 1e-14;
   if (range.most - range.least > k_rounding * size) return range;

@@ -62,6 +62,10 @@ class Plots(Program):
         self.assertIn("--against: the table has no column 'zeta'", self.refused(2, "plot", "table.csv", "--against", "zeta"))
         self.assertIn("is the table itself", self.refused(2, "plot", "table.csv", "-o", "table.csv"))
 
+    def test_the_largest_numbers_have_axes(self):
+        self.write("t.csv", "t,x\n0,1e308\n1,-1e308\n")
+        self.ok("plot", "t.csv")
+
     def test_words_are_no_lines_and_in_nobodys_way(self):
         self.write("t.csv", "trajectory,m [kg],status,x [m]\n0,1,finished,2\n1,2,finished,3\n")
         self.ok("plot", "t.csv", "--columns", "x", "--against", "m", "-o", "x.svg")
