@@ -23,9 +23,9 @@ std::vector<T> scales_of(const std::vector<Scaled<T>>& x) {
 // A scale is never below |v|: the first-order bound alone would vanish where a slope does.
 template <class T>
 Outcome<Scaled<T>> Arithmetic<Scaled<T>>::joined(const Outcome<T>& value, const Outcome<T>& scale) const {
-  using Result = Outcome<Scaled<T>>;
-  if (!value) return Result::undefined(value.reason());
-  if (!scale) return Result::undefined(reason::k_no_bound);
+  using Joined = Outcome<Scaled<T>>;
+  if (!value) return Joined::undefined(value.reason());
+  if (!scale) return Joined::undefined(reason::k_no_bound);
   const T least = magnitude(*value);
   return Scaled<T>{*value, *scale < least ? least : *scale};
 }
