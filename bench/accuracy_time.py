@@ -38,6 +38,7 @@ class Bench:
     def __init__(self, binaries, folder, rounds):
         self.binaries, self.folder, self.rounds = binaries, folder, rounds
         self.environment = dict(os.environ, XDG_CACHE_HOME=str(folder))
+        self.when_counting = dict(self.environment, CXX=simulation.counting_compiler(folder))
 
     def table(self, model, outputs, samples, *more):
         out = self.folder / "table.csv"
@@ -57,13 +58,13 @@ class Bench:
 
 
     def instructions(self, model, outputs, setting, samples):
-        """Of the integration with its samples, by callgrind."""
+        """Of the integration with its samples, for processors with AVX2, by callgrind."""
         if not shutil.which("valgrind"):
             return None
         out = self.folder / "callgrind.out"
         tool = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", "--toggle-collect=*Run::counted*"]
         words = [*tool, self.binaries / "bench_sampling", model, outputs, "taylor", setting, END, samples, "once"]
-        subprocess.run(list(map(str, words)), env=self.environment, check=True, capture_output=True)
+        subprocess.run(list(map(str, words)), env=self.when_counting, check=True, capture_output=True)
         return int(re.search(r"^(?:summary|totals): (\d+)", out.read_text(), re.MULTILINE).group(1))
 
 

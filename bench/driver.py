@@ -36,15 +36,18 @@ class Pair:
     def __init__(self, program, folder):
         self.program, self.folder = program, folder
         self.environment = dict(os.environ, XDG_CACHE_HOME=str(folder))
-        self.library = folder / "by_hand.so"
+        self.when_counting = dict(self.environment, CXX=simulation.counting_compiler(folder))
+        self.library, self.counted_library = folder / "by_hand.so", folder / "by_hand_counted.so"
 
     def build(self, gauss_gen):
         subprocess.run([gauss_gen, MODEL, "--outputs", "rhs,initial_state", "-o", self.folder], check=True, capture_output=True)
         sources = ["-I", ROOT / "src", "-I", self.folder, ROOT / "bench/drivers/driver_by_hand.cpp"]
-        subprocess.run([os.environ.get("CXX", "g++"), *FLAGS, *sources, "-o", self.library], check=True)
+        compiler = os.environ.get("CXX", "g++")
+        subprocess.run([compiler, *FLAGS, *sources, "-o", self.library], check=True)
+        subprocess.run([compiler, *FLAGS, simulation.COUNTED, *sources, "-o", self.counted_library], check=True)
 
-    def command(self, method, what):
-        return list(map(str, [self.program, MODEL, self.library, method, SETTINGS[method], END, what]))
+    def command(self, method, what, library=None):
+        return list(map(str, [self.program, MODEL, library or self.library, method, SETTINGS[method], END, what]))
 
     def run(self, method, rounds):
         done = subprocess.run(self.command(method, rounds), env=self.environment, check=True, capture_output=True, text=True)
@@ -53,8 +56,8 @@ class Pair:
     def instructions(self, method, what):
         out = self.folder / "callgrind.out"
         counted = "*counted_ours*" if what == "ours" else "*counted_hand*"
-        words = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", f"--toggle-collect={counted}", *self.command(method, what)]
-        subprocess.run(words, env=self.environment, check=True, capture_output=True)
+        words = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", f"--toggle-collect={counted}", *self.command(method, what, self.counted_library)]
+        subprocess.run(words, env=self.when_counting, check=True, capture_output=True)
         return int(re.search(r"^(?:summary|totals): (\d+)", out.read_text(), re.MULTILINE).group(1))
 
 

@@ -9,6 +9,18 @@ from .targets import at_most, faster, number
 DRIVER = build.ROOT / "bench/results/driver.json"
 ACCURACY = build.ROOT / "bench/results/accuracy_time.json"
 
+# Instructions are counted for processors with AVX2, wherever that is: valgrind does not know all that others have.
+COUNTED = "-march=x86-64-v3"
+
+
+def counting_compiler(folder):
+    """What gauss-sim compiles with where instructions are counted, for $CXX."""
+    compiler = folder / "compiler"
+    compiler.write_text(f'#!/bin/sh\nexec c++ "$@" {COUNTED}\n', encoding="utf-8")
+    compiler.chmod(0o755)
+    return str(compiler)
+
+
 ABOUT_DRIVER = """### The driver
 
 One call of the right-hand side of the double pendulum (4 states, compiled engine) in a run of 10 s, beside a loop by hand over the same stepper of Boost.Odeint in the same
