@@ -19,6 +19,7 @@
 #include "sim/model/layout.hpp"
 #include "sim/scene/read_scene.hpp"
 #include "support/error_codes.hpp"
+#include "support/suggest.hpp"
 
 namespace gausssim {
 
@@ -137,6 +138,18 @@ class SpanReader {
   Diagnostics& diagnostics_;
 };
 
+/// A model beside the file that is not there, if its name is near; else where it was looked for.
+std::string hint_for(const std::string& missing) {
+  const std::filesystem::path path(missing);
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(path.has_parent_path() ? path.parent_path() : ".", error))
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().filename().string());
+  const std::string near = gaussgen::support::did_you_mean(path.filename().string(), names);
+  return near.empty() ? "paths begin at the folder of the scene" : near;
+}
+
 /// Masses and inertias that no body has, by other values than those of the model's file, which are looked at with it.
 void check_bodies(const Scene& scene, const std::vector<std::string>& sets, const model::Model& read,
                   Diagnostics& diagnostics) {
@@ -226,6 +239,12 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
   if (!request.form.empty()) take_form(request.form, result.scene);
   change(result.scene);
   result.model_file = has_scene ? beside(request.file, result.scene.model.text) : request.file;
+  if (has_scene && !std::filesystem::exists(result.model_file)) {
+    in_scene.error(code::k_submodel_file, result.scene.model.span,
+                   fmt::format("there is no file '{}'", result.scene.model.text), hint_for(result.model_file));
+    exit_code = cli::report(in_scene, scene_source, request.messages);
+    return std::nullopt;
+  }
   Source source = has_scene ? cli::read_source(result.model_file) : scene_source;
 
   gaussgen::PipelineOptions options;

@@ -76,8 +76,11 @@ class Scenes(Program):
         self.assertIn("scene.yaml:6:11: error[E017]", self.mistake(SCENE.replace("2*pi*sqrt(m/k)", "2*nothing")))
         self.assertIn("error[E016]", self.mistake(SCENE + "every: 0.1\n"))
 
-    def test_a_model_that_is_not_there_is_named(self):
-        self.assertIn("nowhere.yaml", self.mistake(SCENE.replace("spring.yaml", "nowhere.yaml"), code=3))
+    def test_a_model_that_is_not_there_has_a_place_and_a_neighbour(self):
+        self.write("spring.yaml", SPRING)
+        said = self.mistake("gauss: 1\nmodel: sprin.yaml\n")
+        self.assertIn(":2:8: error[E091]: there is no file 'sprin.yaml'", said)
+        self.assertIn("did you mean 'spring.yaml'?", said)
 
     def test_what_a_method_does_not_do_is_said_and_nothing_is_written(self):
         self.assertIn("series take full projection", self.refused(2, "run", "spring.yaml", "--method", "taylor", "--projection", "energy"))
