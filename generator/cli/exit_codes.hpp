@@ -12,6 +12,7 @@ enum ExitCode {
   k_motion_stopped = 5,  ///< of gauss-sim: what there was to that time is written
   k_not_delivered = 6,   ///< of gauss-sim: nothing that it can do has as small an error as is asked for
   k_internal_error = 70,
+  k_interrupted = 130,  ///< of gauss-sim: by SIGINT or SIGTERM, as shells have it
 };
 
 struct ExitMeaning {

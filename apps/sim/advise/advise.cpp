@@ -92,8 +92,7 @@ int advise(const AdviseOptions& options) {
   try {
     found = find_setting(*prepared, engines, options.error, why);
   } catch (const Interrupted&) {
-    constexpr int k_interrupted = 130;
-    return k_interrupted;
+    return cli::k_interrupted;
   }
   if (!found) return cli::fail(why, cli::k_not_delivered, options.messages);
   std::vector<StudyPoint> tried;

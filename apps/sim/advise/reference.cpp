@@ -20,8 +20,8 @@ constexpr double k_tighter = 1e-2;
 /// Of errors that can be shown: tables are compared with the digits of long double.
 constexpr double k_least = static_cast<double>(std::numeric_limits<long double>::epsilon()) / k_agreement;
 
-/// Steps of a reference are no longer than these parts of the duration, so that what acts for a short time is seen; two of them, since a step may end on it.
-constexpr double k_parts = 499, k_other_parts = 1009;
+/// As k_least_parts, of the other run, since a step of one may end where something acts.
+constexpr double k_other_parts = 499;
 
 /// Two runs by the default of the model that have as little in common as can be: in number types that are next to each other, since runs that round the same start, and the same values, agree on
 /// what that makes of an unstable motion; of other orders, or by a pair of methods, since steps that stability limits are the same for all tolerances; and with other longest steps.
@@ -59,13 +59,14 @@ class TightSearch {
     const std::string wider = next_to(number);
     if (engines_.of(number) == nullptr) return std::nullopt;
     const bool has_wider = engines_.of(wider) != nullptr;
-    double tolerance = std::max(error_ * k_first, least_tolerance(number));
-    RunInRows coarse = told(tight(number, tolerance, k_parts));
-    for (bool is_last = false; !is_last; is_last = tolerance <= least_tolerance(number)) {
-      tolerance = std::max(tolerance * k_tighter, least_tolerance(number));
-      const Setting setting = by_other_terms(tight(has_wider ? wider : number, tolerance, k_other_parts));
+    const double least = least_tolerance(number);
+    for (double tolerance = std::max(error_ * k_first, least);;) {
+      const RunInRows coarse = told(tight(number, tolerance, k_other_parts));
+      if (!failure_.empty()) return std::nullopt;
+      tolerance = std::max(tolerance * k_tighter, least);
+      const Setting setting = by_other_terms(tight(has_wider ? wider : number, tolerance, k_least_parts));
       RunInRows fine = told(setting);
-      if (!why_not(fine.run).empty()) break;
+      if (!failure_.empty()) return std::nullopt;
       DeliveredError apart = delivered_error(coarse.rows, fine.rows, prepared_.columns.columns);
       apart.value = std::max(apart.value, k_agreement * k_least);
       if (apart.value < closest_.value) closest_ = apart;
@@ -73,10 +74,8 @@ class TightSearch {
         return TightRun{std::move(fine.rows),
                         fmt::format("{} in {}, tolerance {:.0e}", setting.method, setting.number, setting.tolerance),
                         apart.value};
-      coarse = told(tight(number, tolerance, k_parts));
-      if (!why_not(coarse.run).empty()) break;
+      if (tolerance <= least) return std::nullopt;
     }
-    return std::nullopt;
   }
 
   Setting tight(const std::string& number, double tolerance, double parts) {

@@ -34,7 +34,7 @@ Progress<S> progress_of(const Report& report) {
   progress.jacobians = report.jacobians;
   progress.with_fewer_constraints = report.with_fewer_constraints;
   progress.crossings = report.crossings;
-  progress.start_moved = report.start_moved;
+  progress.start_moved = static_cast<S>(report.start_moved);
   progress.start_component = report.start_component;
   return progress;
 }

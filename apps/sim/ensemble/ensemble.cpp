@@ -67,7 +67,6 @@ void tell(const EnsembleTold& told, const std::string& csv) {
 }
 
 int code_of(const EnsembleTold& told, const cli::MessageOptions& messages) {
-  constexpr int k_interrupted = 130;
   const Outcomes& outcomes = told.outcomes;
   const long run = outcomes.run();
   const long finished = std::count_if(outcomes.ended.begin(), outcomes.ended.end(),
@@ -76,7 +75,7 @@ int code_of(const EnsembleTold& told, const cli::MessageOptions& messages) {
     cli::warn(fmt::format("outputs of {} rows are not to be trusted", outcomes.untrusted()), messages);
   if (told.was_interrupted) {
     cli::remark(fmt::format("interrupted: the table has {} of {} trajectories", run, outcomes.ended.size()), messages);
-    return k_interrupted;
+    return cli::k_interrupted;
   }
   if (finished == run) return cli::k_ok;
   const std::string text = fmt::format("{} of {} trajectories did not arrive; the table says why", run - finished, run);

@@ -5,12 +5,12 @@
 
 namespace gausssim {
 
-/// Of methods with an estimate of their error.
-template <class S>
-gauss::simulate::Settings<S> settings_of(const Problem<S>& problem) {
-  gauss::simulate::Settings<S> settings;
-  settings.tolerance = problem.settings.tolerance;
-  settings.longest_step = problem.settings.longest_step;
+/// Of methods with an estimate of their error. `To`: the number type that the steps are computed in, if it is another class for the same numbers.
+template <class S, class To = S>
+gauss::simulate::Settings<To> settings_of(const Problem<S>& problem) {
+  gauss::simulate::Settings<To> settings;
+  settings.tolerance = To(problem.settings.tolerance);
+  settings.longest_step = To(problem.settings.longest_step);
   settings.most_steps = problem.settings.most_steps;
   settings.project = problem.model.projects();
   return settings;

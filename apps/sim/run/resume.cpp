@@ -36,10 +36,13 @@ std::string text_of_file(const std::string& path) {
   return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
+[[noreturn]] void refuse_summary(const std::string& path) {
+  cli::fail_on(path, "this is no summary of a run that can go on");
+}
+
 json parsed(const std::string& path) {
   const json result = json::parse(text_of_file(path), nullptr, false);
-  if (result.is_discarded() || !result.is_object() || !result.contains("resume"))
-    cli::fail_on(path, "this is no summary of a run that can go on");
+  if (result.is_discarded() || !result.is_object() || !result.contains("resume")) refuse_summary(path);
   return result;
 }
 
@@ -159,11 +162,10 @@ Setting setting_of_earlier_run(const std::string& path) {
     setting.tolerance = summary.value("tolerance", 0.0);
     setting.step = summary.value("step", 0.0);
   } catch (const json::exception&) {
-    cli::fail_on(path, "this is no summary of a run that can go on");
+    refuse_summary(path);
   }
   const MethodInfo* const method = find_method(setting.method);
-  if (method == nullptr || !computes_in(*method, setting.number))
-    cli::fail_on(path, "this is no summary of a run that can go on");
+  if (method == nullptr || !computes_in(*method, setting.number)) refuse_summary(path);
   return setting;
 }
 
@@ -188,12 +190,12 @@ EarlierRun read_earlier_run(const std::string& csv, const std::string& summary, 
   try {
     earlier.run = run_of(said);
   } catch (const json::exception&) {
-    cli::fail_on(summary, "this is no summary of a run that can go on");
+    refuse_summary(summary);
   }
   const auto& last = earlier.run.last_state;
   const bool is_state = last.size() == prepared.model.size() && std::all_of(last.begin(), last.end(), is_number);
   const bool has_samples = earlier.run.samples >= 1 && earlier.run.samples <= prepared.span.samples;
-  if (!is_state || !has_samples) cli::fail_on(summary, "this is no summary of a run that can go on");
+  if (!is_state || !has_samples) refuse_summary(summary);
   earlier.table = text_of_file(csv);
   check_table(earlier.table, csv, prepared, earlier.run.samples);
   return earlier;

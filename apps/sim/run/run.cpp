@@ -118,9 +118,8 @@ void tell(const RunOptions& options, const PreparedModel& prepared, const Settin
           const std::optional<FoundSetting>& found, const std::string& csv) {
   if (options.quiet || csv == "-") return;
   const std::string how = setting.step > 0 ? "step " + said(setting.step) : "tolerance " + said(setting.tolerance);
-  std::string text = fmt::format("{}: {} s by {} ({}, {}, {})\n", prepared.name(),
-                                 fmt::format("{:.6g}", run.reached - prepared.span.start), setting.method, how,
-                                 setting.number, engine.name());
+  std::string text = fmt::format("{}: {:.6g} s by {} ({}, {}, {})\n", prepared.name(),
+                                 run.reached - prepared.span.start, setting.method, how, setting.number, engine.name());
   text += fmt::format("  steps   {} ({} refused), {} calls, {} s", run.steps, run.rejected, run.calls,
                       said(run.wall_seconds));
   text += times.engine.was_cached || times.engine.compile == 0
@@ -142,8 +141,6 @@ void tell(const RunOptions& options, const PreparedModel& prepared, const Settin
   cli::write_standard_output(text);
 }
 
-constexpr int k_interrupted = 130;
-
 int code_of(const Simulated& run, const PreparedModel& prepared, const cli::MessageOptions& messages) {
   if (run.untrusted_samples > 0)
     cli::warn(fmt::format("outputs of {} samples are not to be trusted: {}", run.untrusted_samples,
@@ -153,7 +150,7 @@ int code_of(const Simulated& run, const PreparedModel& prepared, const cli::Mess
     cli::remark(
         fmt::format("interrupted at t = {:.10g}; the table ends there, and --resume goes on from it", run.reached),
         messages);
-    return k_interrupted;
+    return cli::k_interrupted;
   }
   if (run.outcome == Outcome::running) return cli::k_ok;
   const std::string why = run.why.empty() ? gauss::simulate::name(run.outcome) : run.why;
@@ -189,8 +186,7 @@ Setting tighter(Setting setting, const Simulated& run, const Span& span) {
   if (setting.tolerance > 0) {
     setting.tolerance *= k_tighter;
     // What acts for a short time may lie within a step of both.
-    constexpr double k_parts = 1009;
-    setting.longest_step = std::min(k_shorter * taken, span.duration / k_parts);
+    setting.longest_step = std::min(k_shorter * taken, span.duration / k_least_parts);
   }
   if (setting.step > 0) setting.step = k_shorter * std::min(setting.step, taken);
   return by_other_terms(setting);
@@ -256,7 +252,7 @@ int run(const RunOptions& options, const FindSetting& find) {
       found = find(*prepared, engines, *prepared->scene.error, why);
     } catch (const Interrupted&) {
       cli::remark("interrupted while a setting was looked for; nothing is written", options.messages);
-      return k_interrupted;
+      return cli::k_interrupted;
     }
     if (!found) return cli::fail(why, cli::k_not_delivered, options.messages);
     setting = found->chosen.setting;

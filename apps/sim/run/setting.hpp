@@ -10,6 +10,8 @@ namespace gausssim {
 constexpr double k_default_tolerance = 1e-9;
 constexpr double k_default_steps = 10'000;  ///< of one length, in a run
 constexpr const char* k_method_of_any_model = "prince87";
+constexpr double k_least_parts =
+    1009;  ///< steps of a run that others are compared with: more than most samples, and no multiple of their number
 
 /// Series where the model has them.
 std::string default_method(const Described& model, const Engine& engine, const std::string& scalar);

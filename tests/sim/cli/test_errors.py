@@ -77,6 +77,8 @@ class Errors(Program):
         with self.subTest("the scene insists on double"):
             self.write("s.yaml", "gauss: 1\nmodel: spring.yaml\nnumber: double\nerror: 1e-17\n")
             self.assertIn("no setting delivers", self.refused(6, "run", "s.yaml", "-q"))
+            self.write("s.yaml", "gauss: 1\nmodel: spring.yaml\nnumber: double\nerror: 1e-18\n")
+            self.assertIn("cannot be shown", self.refused(6, "run", "s.yaml", "-q"))
         with self.subTest("not beside a tolerance"):
             self.refused(2, "run", "spring.yaml", "--error", "1e-6", "--tolerance", "1e-6")
 

@@ -81,6 +81,7 @@ class Scenes(Program):
         said = self.mistake("gauss: 1\nmodel: sprin.yaml\n")
         self.assertIn(":2:8: error[E091]: there is no file 'sprin.yaml'", said)
         self.assertIn("did you mean 'spring.yaml'?", said)
+        self.assertIn("nowhere.yaml", self.mistake(SCENE.replace("spring.yaml", "nowhere.yaml")))
 
     def test_what_a_method_does_not_do_is_said_and_nothing_is_written(self):
         self.assertIn("series take full projection", self.refused(2, "run", "spring.yaml", "--method", "taylor", "--projection", "energy"))
