@@ -51,6 +51,8 @@ class Integrator {
   virtual S time() const = 0;
   /// Until it advances.
   virtual const Array& state() const = 0;
+  /// The same numbers, where the method has them.
+  virtual const S* values() const { return state().data(); }
   virtual Progress<S> progress() const = 0;
 };
 

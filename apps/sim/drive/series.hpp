@@ -1,6 +1,7 @@
 #pragma once
 // Steps by power series, which run inside a plugin (engine/taylor_glue.hpp).
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -42,14 +43,19 @@ class Series final : public Integrator<S> {
   }
 
   bool advance_to(const S& end) override {
-    void* const arguments[] = {run_, const_cast<S*>(&end), state_.data()};
+    void* const arguments[] = {run_, const_cast<S*>(&end), &values_};
     const bool arrives = entries_.advance(arguments) == 1;
     t_ = arrives ? end : tell().t;
     return arrives;
   }
 
   S time() const override { return t_; }
-  const Array& state() const override { return state_; }
+  const Array& state() const override {
+    if (values_ != nullptr) std::copy_n(values_, state_.size(), state_.begin());
+    return state_;
+  }
+  /// Not copied: numbers that were written one by one are not yet where wide loads find them.
+  const S* values() const override { return values_ != nullptr ? values_ : state_.data(); }
   Progress<S> progress() const override {
     const Report report = tell();
     Progress<S> progress;
@@ -82,7 +88,8 @@ class Series final : public Integrator<S> {
 
   SeriesEntries entries_;
   std::shared_ptr<const Functions<S>> functions_;
-  Array state_;
+  mutable Array state_;
+  const S* values_ = nullptr;  ///< inside the run; null before it has advanced
   S t_;
   void* run_ = nullptr;
 };

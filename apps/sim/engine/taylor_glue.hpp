@@ -1,7 +1,5 @@
 // Steps by power series behind plain functions: a part of plugins, compiled with the model, whose sizes are known there.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-
 #include "gauss/integrate/bound_model.hpp"
 #include "gauss/simulate/taylor_simulation.hpp"
 
@@ -29,9 +27,10 @@ class Run {
                                                   *static_cast<const typename Type::template Inputs<S>*>(inputs)),
             *static_cast<const State*>(start), t, settings_of(numbers), static_cast<int>(numbers[3])) {}
 
-  int advance_to(const S& end, S* state) {
+  /// `state`: where it is until the next call.
+  int advance_to(const S& end, const S*& state) {
     const bool arrives = simulation_.advance_to(end);
-    std::copy_n(simulation_.state().values, Model::size, state);
+    state = simulation_.state().values;
     return arrives ? 1 : 0;
   }
 
@@ -70,7 +69,7 @@ int call(int what, void* const* a) {
       *static_cast<void**>(a[0]) =
           new This(a[1], a[2], a[3], *static_cast<const S*>(a[4]), static_cast<const S*>(a[5]));
       return 0;
-    case 1: return static_cast<This*>(a[0])->advance_to(*static_cast<const S*>(a[1]), static_cast<S*>(a[2]));
+    case 1: return static_cast<This*>(a[0])->advance_to(*static_cast<const S*>(a[1]), *static_cast<const S**>(a[2]));
     case 2:
       static_cast<const This*>(a[0])->tell(*static_cast<Told*>(a[1]), *static_cast<S*>(a[2]), *static_cast<S*>(a[3]));
       return 0;

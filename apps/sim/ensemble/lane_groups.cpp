@@ -99,7 +99,7 @@ void LaneGroups::take(std::size_t lane, Track<double>& track) {
     if (projects_samples_ && k + 1 < times_.size() &&
         !is_motion_known(alone_.functions().projection(times_[k], state.data(), found.data())))
       found = state;
-    alone_.add_row(times_[k], found, track);
+    alone_.add_row(times_[k], found.data(), track);
   }
 }
 

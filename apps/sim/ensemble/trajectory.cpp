@@ -34,11 +34,11 @@ Trajectories<S>::Trajectories(const PreparedModel& prepared, const Engine& engin
       settings_(method_settings<S>(setting)) {}
 
 template <class S>
-void Trajectories<S>::add_row(const S& t, const Numbers<S>& state, Track<S>& track) {
+void Trajectories<S>::add_row(const S& t, const S* state, Track<S>& track) {
   const std::size_t begin = track.rows.size();
   track.rows.resize(begin + sampler_.size());
   track.times.push_back(t);
-  if (sampler_(t, state.data(), track.rows.data() + begin) != gauss::Status::ok) ++track.ended.untrusted;
+  if (sampler_(t, state, track.rows.data() + begin) != gauss::Status::ok) ++track.ended.untrusted;
 }
 
 template <class S>
@@ -65,7 +65,7 @@ void Trajectories<S>::integrate(const Numbers<S>& start, const Grid<S>& grid, bo
   std::string why;
   const auto integrator = make_integrator(setting_.method, model_, start, grid.start, settings_, why);
   if (!integrator) throw gaussgen::cli::UsageError(why);
-  drive<S>(*integrator, grid, [&](long, const S& t, const Numbers<S>& state) {
+  drive<S>(*integrator, grid, [&](long, const S& t, const S* state) {
     if (keeps_all) add_row(t, state, track);
     return true;
   });
@@ -76,7 +76,7 @@ void Trajectories<S>::integrate(const Numbers<S>& start, const Grid<S>& grid, bo
   ended.reached = static_cast<double>(integrator->time());
   ended.steps = progress.steps;
   ended.rejected = progress.rejected;
-  if (!keeps_all) add_row(integrator->time(), integrator->state(), track);
+  if (!keeps_all) add_row(integrator->time(), integrator->values(), track);
 }
 
 template class Trajectories<double>;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "sim/engine/binding.hpp"
@@ -20,13 +21,17 @@ class Sampler {
       calls_.push_back(callable<S>(engine, model, one.function));
       calls_.back().bind(const_cast<S*>(functions.prepared.data()), const_cast<S*>(functions.inputs.data()));
       results_.emplace_back(one.size);
+      rows_of_all_.push_back(row_of_all(results_.size() - 1));
     }
     for (const Column& column : columns_.columns) {
       if (column.is_state) state_.resize(std::max(state_.size(), column.source + 1));
     }
+    std::size_t place = 0;
     for (const Column& column : columns_.columns) {
-      std::vector<S>& all = column.is_state ? state_ : results_[column.source];
-      add(all, column.is_state ? column.source : column.slot);
+      const std::vector<S>& all = column.is_state ? state_ : results_[column.source];
+      if (column.is_state || !rows_of_all_[column.source])
+        add(all, column.is_state ? column.source : column.slot, place);
+      ++place;
     }
   }
   Sampler(const Sampler&) = delete;
@@ -39,11 +44,12 @@ class Sampler {
   gauss::Status operator()(const S& t, const S* state, S* row) {
     gauss::Status status = gauss::Status::ok;
     for (std::size_t i = 0; i < calls_.size(); ++i) {
-      const gauss::Status now = calls_[i](t, state, results_[i].data());
+      S* const result = rows_of_all_[i] ? row + *rows_of_all_[i] : results_[i].data();
+      const gauss::Status now = calls_[i](t, state, result);
       if (status == gauss::Status::ok) status = now;
     }
     if (!state_.empty()) std::copy_n(state, state_.size(), state_.begin());
-    for (const Piece& piece : pieces_) row = std::copy_n(piece.all + piece.first, piece.size, row);
+    for (const Piece& piece : pieces_) std::copy_n(piece.all + piece.first, piece.size, row + piece.place);
     return status;
   }
 
@@ -51,21 +57,37 @@ class Sampler {
   /// Numbers beside each other here as in a row.
   struct Piece {
     const S* all;
-    std::size_t first, size;
+    std::size_t first, size, place;
   };
 
-  void add(const std::vector<S>& all, std::size_t place) {
+  void add(const std::vector<S>& all, std::size_t first, std::size_t place) {
     Piece* const last = pieces_.empty() ? nullptr : &pieces_.back();
-    if (last != nullptr && last->all == all.data() && last->first + last->size == place) {
+    if (last != nullptr && last->all == all.data() && last->first + last->size == first &&
+        last->place + last->size == place) {
       ++last->size;
     } else {
-      pieces_.push_back({all.data(), place, 1});
+      pieces_.push_back({all.data(), first, 1, place});
     }
+  }
+
+  /// Where all numbers of a function are beside each other in a row, so that it may fill them there.
+  std::optional<std::size_t> row_of_all(std::size_t function) const {
+    std::optional<std::size_t> begin;
+    std::size_t found = 0;
+    for (std::size_t place = 0; place < columns_.columns.size(); ++place) {
+      const Column& column = columns_.columns[place];
+      if (column.is_state || column.source != function) continue;
+      if (!begin) begin = place;
+      if (column.slot != found || place != *begin + found) return std::nullopt;
+      ++found;
+    }
+    return found == results_[function].size() ? begin : std::nullopt;
   }
 
   Columns columns_;
   std::vector<Callable<S>> calls_;
   std::vector<std::vector<S>> results_;
+  std::vector<std::optional<std::size_t>> rows_of_all_;
   std::vector<S> state_;       ///< as far as there are columns of it
   std::vector<Piece> pieces_;  ///< of these, column by column
 };

@@ -41,7 +41,7 @@ DriftMeter<S>::DriftMeter(const Functions<S>& functions, const Described& model)
 }
 
 template <class S>
-void DriftMeter<S>::look(const S& t, const Numbers<S>& state) {
+void DriftMeter<S>::look(const S& t, const S* state) {
   if (drift_.has_energy) look_at_energy(t, state);
   if (drift_.has_constraints) look_at_constraints(t, state);
 }
@@ -57,8 +57,8 @@ void DriftMeter<S>::go_on_from(const Drift& earlier, const S& start_energy) {
 }
 
 template <class S>
-void DriftMeter<S>::look_at_energy(const S& t, const Numbers<S>& state) {
-  functions_.energy(t, state.data(), energy_.data());
+void DriftMeter<S>::look_at_energy(const S& t, const S* state) {
+  functions_.energy(t, state, energy_.data());
   const S total = energy_[total_];
   if (!has_start_) start_energy_ = total;
   has_start_ = true;
@@ -68,9 +68,9 @@ void DriftMeter<S>::look_at_energy(const S& t, const Numbers<S>& state) {
 }
 
 template <class S>
-void DriftMeter<S>::look_at_constraints(const S& t, const Numbers<S>& state) {
-  functions_.rates(t, state.data(), rates_.data());
-  functions_.residuals(t, state.data(), residuals_.data(), nullptr, rates_.data());
+void DriftMeter<S>::look_at_constraints(const S& t, const S* state) {
+  functions_.rates(t, state, rates_.data());
+  functions_.residuals(t, state, residuals_.data(), nullptr, rates_.data());
   last_constraints_ = largest(residuals_, velocities_, largest(residuals_, positions_, 0));
   drift_.positions = largest(residuals_, positions_, drift_.positions);
   drift_.velocities = largest(residuals_, velocities_, drift_.velocities);

@@ -26,12 +26,12 @@ struct Grid {
   S at(long k) const { return k + 1 == samples ? end : start + (end - start) * S(k) / S(samples - 1); }
 };
 
-/// How many samples there are in the end. `first`: before it there are those of an earlier run. `on_sample(k, t, state)`: returning false ends it.
+/// How many samples there are in the end. `first`: before it there are those of an earlier run. `on_sample(k, t, values of the state)`: returning false ends it.
 template <class S, class OnSample>
 long drive(Integrator<S>& integrator, const Grid<S>& grid, const OnSample& on_sample, long first = 0) {
   for (long k = first; k < grid.samples; ++k) {
     if (!integrator.advance_to(grid.at(k))) return k;
-    if (!on_sample(k, integrator.time(), integrator.state())) return k + 1;
+    if (!on_sample(k, integrator.time(), integrator.values())) return k + 1;
   }
   return grid.samples;
 }
@@ -42,7 +42,7 @@ class DriftMeter {
  public:
   DriftMeter(const Functions<S>& functions, const Described& model);
 
-  void look(const S& t, const Numbers<S>& state);
+  void look(const S& t, const S* state);
   const Drift& drift() const { return drift_; }
   /// As if it had looked at the states of an earlier run, too.
   void go_on_from(const Drift& earlier, const S& start_energy);
@@ -52,8 +52,8 @@ class DriftMeter {
   double constraints() const { return last_constraints_; }
 
  private:
-  void look_at_energy(const S& t, const Numbers<S>& state);
-  void look_at_constraints(const S& t, const Numbers<S>& state);
+  void look_at_energy(const S& t, const S* state);
+  void look_at_constraints(const S& t, const S* state);
 
   const Functions<S>& functions_;
   std::size_t kinetic_ = 0, total_ = 0;  ///< slots

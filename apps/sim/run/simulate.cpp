@@ -81,7 +81,7 @@ class Simulator {
       return result_;
     }
     result_.samples = drive<S>(
-        *integrator, grid_, [&](long k, const S& t, const Numbers<S>& state) { return take(k, t, state); },
+        *integrator, grid_, [&](long k, const S& t, const S* state) { return take(k, t, state); },
         earlier_ == nullptr ? 0 : earlier_->samples);
     result_.cpu_seconds = processor_seconds() - cpu;
     result_.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -119,8 +119,8 @@ class Simulator {
     result_.cpu_seconds += earlier_->cpu_seconds;
   }
 
-  bool take(long k, const S& t, const Numbers<S>& state) {
-    const gauss::Status status = sampler_(t, state.data(), row_.data());
+  bool take(long k, const S& t, const S* state) {
+    const gauss::Status status = sampler_(t, state, row_.data());
     if (status != gauss::Status::ok) {
       ++result_.untrusted_samples;
       result_.sample_status = status;

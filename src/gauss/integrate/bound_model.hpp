@@ -14,13 +14,14 @@ namespace detail {
 
 // Found through the namespace of State. A model that was generated without `project` is left as it is.
 template <class Scalar, class State, class Prepared>
-auto project_if_any(int, const Scalar& t, const Prepared& prepared, State& state)
-    -> decltype(project(t, state, prepared, state)) {
-  return project(t, state, prepared, state);
+auto project_if_any(int, const Scalar& t, const State& from, const Prepared& prepared, State& state)
+    -> decltype(project(t, from, prepared, state)) {
+  return project(t, from, prepared, state);
 }
 
 template <class Scalar, class State, class Prepared>
-StatusOf<Scalar> project_if_any(long, const Scalar&, const Prepared&, State&) {
+StatusOf<Scalar> project_if_any(long, const Scalar&, const State& from, const Prepared&, State& state) {
+  state = from;
   return StatusOf<Scalar>{};
 }
 
@@ -107,7 +108,11 @@ class BoundModel {
   }
 
   /// Back onto the constraints.
-  Status projection(const Scalar& t, State& state) const { return detail::project_if_any(0, t, prepared_, state); }
+  Status projection(const Scalar& t, State& state) const { return projection(t, state, state); }
+  /// The same of `from`, which may be `state`.
+  Status projection(const Scalar& t, const State& from, State& state) const {
+    return detail::project_if_any(0, t, from, prepared_, state);
+  }
 
   /// One step of Newton's method towards the equations of positions, in the metric of the masses; of a model that has some.
   Status position_step(const Scalar& t, State& state) const { return detail::position_step(t, prepared_, state); }

@@ -29,21 +29,81 @@ void in_lanes(const Each& each) {
   }
 }
 
+#if defined(__GNUC__)
+/// Sums of four components at a time stay in registers as vectors only: compilers keep arrays of numbers in memory, and in parts of other sizes.
+template <class S>
+struct Four {
+  typedef S type __attribute__((vector_size(4 * sizeof(S)), aligned(alignof(S)), may_alias));
+};
+
+template <class S>
+inline constexpr bool has_four = std::is_same_v<S, double> || std::is_same_v<S, float>;
+
+/// Of the components from each of `begin` on: even orders and odd ones are sums of their own, which wait for each other in one place only. The order 0 is added last, so
+/// that the result is rounded once at its own size.
+template <std::size_t... begin, class Series, class S>
+void sum_in_fours(const Series& series, int order, S h, S* result) {
+  using V = typename Four<S>::type;
+  const S square = h * h;
+  const auto at = [&](int k, std::size_t i) { return reinterpret_cast<const V*>(&series.values[k][i]); };
+  const auto each = [](const auto& what) {
+    std::size_t group = 0;
+    (what(group++, begin), ...);
+  };
+  V last[] = {*at(order, begin)...}, other[] = {*at(order - 1, begin)...};
+  int k = order - 2;
+  for (; k > 1; k -= 2) {
+    each([&](std::size_t g, std::size_t i) { last[g] = last[g] * square + *at(k, i); });
+    each([&](std::size_t g, std::size_t i) { other[g] = other[g] * square + *at(k - 1, i); });
+  }
+  if (k == 1) {
+    each([&](std::size_t g, std::size_t i) { last[g] = (last[g] * square + *at(1, i)) + h * other[g]; });
+  } else {
+    each([&](std::size_t g, std::size_t) { last[g] = other[g] + h * last[g]; });
+  }
+  each([&](std::size_t g, std::size_t i) { *reinterpret_cast<V*>(result + i) = *at(0, i) + h * last[g]; });
+}
+
+/// As many together as there are registers for; the last four may begin within those before.
+template <std::size_t n, std::size_t first = 0, class Series, class S>
+void sum_all_in_fours(const Series& series, int order, const S& h, S* result) {
+  constexpr auto at = [](std::size_t group) { return first + 4 * group + 4 <= n ? first + 4 * group : n - 4; };
+  constexpr std::size_t left = n - first;
+  if constexpr (left > 12) {
+    sum_in_fours<at(0), at(1), at(2), at(3)>(series, order, h, result);
+    if constexpr (left > 16) sum_all_in_fours<n, first + 16>(series, order, h, result);
+  } else if constexpr (left > 8) {
+    sum_in_fours<at(0), at(1), at(2)>(series, order, h, result);
+  } else if constexpr (left > 4) {
+    sum_in_fours<at(0), at(1)>(series, order, h, result);
+  } else {
+    sum_in_fours<at(0)>(series, order, h, result);
+  }
+}
+#else
+template <class S>
+inline constexpr bool has_four = false;
+#endif
+
 }  // namespace detail
 
-/// The state `h` after the time of a series, of its first `order` orders, by Horner's rule.
+/// The state `h` after the time of a series, of its first `order` orders, at least 2, by Horner's rule.
 template <class Series, class S, class State>
 void state_of_series(const Series& series, int order, const S& h, State& state) {
   constexpr std::size_t n = sizeof(state.values) / sizeof(state.values[0]);
-  const S step = h;
-  detail::in_lanes<n>([&](auto lanes, std::size_t first) {
-    S x[lanes];
-    for (std::size_t i = 0; i < lanes; ++i) x[i] = series.values[order][first + i];
-    for (int k = order - 1; k >= 0; --k) {
-      for (std::size_t i = 0; i < lanes; ++i) x[i] = x[i] * step + series.values[k][first + i];
-    }
-    for (std::size_t i = 0; i < lanes; ++i) state.values[first + i] = x[i];
-  });
+  if constexpr (detail::has_four<S> && n >= 4) {
+    detail::sum_all_in_fours<n>(series, order, h, state.values);
+  } else {
+    const S step = h;
+    detail::in_lanes<n>([&](auto lanes, std::size_t first) {
+      S x[lanes];
+      for (std::size_t i = 0; i < lanes; ++i) x[i] = series.values[order][first + i];
+      for (int k = order - 1; k >= 0; --k) {
+        for (std::size_t i = 0; i < lanes; ++i) x[i] = x[i] * step + series.values[k][first + i];
+      }
+      for (std::size_t i = 0; i < lanes; ++i) state.values[first + i] = x[i];
+    });
+  }
 }
 
 template <class Series, class S, class State>

@@ -124,6 +124,22 @@ class SeriesControl {
   Scalar reach_ = 0;  ///< the step before
 };
 
+namespace detail {
+
+/// Of models that write elsewhere, and of others.
+template <class Model, class Scalar, class State>
+auto project_into(int, const Model& model, const Scalar& t, const State& from, State& to)
+    -> decltype(model.projection(t, from, to)) {
+  return model.projection(t, from, to);
+}
+template <class Model, class Scalar, class State>
+auto project_into(long, const Model& model, const Scalar& t, const State& from, State& to) {
+  to = from;
+  return model.projection(t, to);
+}
+
+}  // namespace detail
+
 /// One series after another, each from the projected end of the one before. Within a step the motion is that of its series, so requested times cost no steps.
 ///
 /// A step is accepted when its last two terms are allowed, and when the rates at its end are those of its series there: what the series did not see is found then. Inputs are
@@ -138,7 +154,7 @@ class TaylorSimulation {
   /// `order` 0: by the tolerance.
   TaylorSimulation(const Model& model, const State& start, const Scalar& start_time = 0,
                    const Settings<Scalar>& settings = {}, int order = 0)
-      : model_(model), settings_(settings), t_(start_time), state_(start) {
+      : model_(model), settings_(settings), t_(start_time), states_{start, start} {
     if (!settings_.are_usable() || !(start_time - start_time == Scalar(0))) {
       report_.outcome = Outcome::bad_settings;
       return;
@@ -161,7 +177,8 @@ class TaylorSimulation {
   void restart() { has_series_ = false; }
 
   const Scalar& time() const { return t_; }
-  const State& state() const { return state_; }
+  /// Until it advances.
+  const State& state() const { return states_[here_]; }
   int order() const { return order_; }
   const Report<Status, Scalar>& report() const { return report_; }
 
@@ -175,12 +192,10 @@ class TaylorSimulation {
 
   void project_start() {
     if (!settings_.project) return;
-    const State given = state_;
-    if (!integrate::is_motion_known(model_.projection(t_, state_))) {
-      state_ = given;
-      return;
-    }
-    report_.compare_start(given, state_, Model::size);
+    State& there = states_[1 - here_];
+    if (!integrate::is_motion_known(detail::project_into(0, model_, t_, state(), there))) return;
+    report_.compare_start(state(), there, Model::size);
+    here_ = 1 - here_;
   }
 
   Status fill(const Scalar& t, const State& state, Series& series) {
@@ -191,8 +206,8 @@ class TaylorSimulation {
   void begin() {
     begin_ = t_;
     span_ = 0;
-    last_ = state_;
-    control_.grow(state_);
+    last_ = state();
+    control_.grow(last_);
     const Status status = fill(begin_, last_, next());
     has_series_ = status == Status::ok;
     if (has_series_) return;
@@ -248,9 +263,10 @@ class TaylorSimulation {
   }
 
   bool is_near(const State& a, const State& b) const {
-    for (std::size_t i = 0; i < Model::size; ++i)
-      if (!(control_.size_of(a.values[i] - b.values[i]) <= settings_.most_projected * control_.allowed()[i]))
-        return false;
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      const Scalar off = a.values[i] - b.values[i], most = settings_.most_projected * control_.allowed()[i];
+      if (!(off <= most && -most <= off)) return false;
+    }
     return true;
   }
 
@@ -265,19 +281,23 @@ class TaylorSimulation {
     return true;
   }
 
+  /// Numbers that are written one by one cannot be read several at a time right after that, so that states are not copied here.
   bool look_at(const Scalar& end) {
-    State there;
-    integrate::state_of_series(series(), end - begin_, there);
-    const State found = there;
-    const Status status = settings_.project ? model_.projection(end, there) : Status::ok;
-    jumped_ = settings_.project && integrate::is_motion_known(status) && !is_near(found, there);
-    if (!integrate::is_motion_known(status) || jumped_) {
-      report_.status = status;
-      report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::model_failed;
-      return false;
+    State &there = states_[1 - here_], found;
+    if (!settings_.project) {
+      integrate::state_of_series(series(), end - begin_, there);
+    } else {
+      integrate::state_of_series(series(), end - begin_, found);
+      const Status status = detail::project_into(0, model_, end, found, there);
+      jumped_ = integrate::is_motion_known(status) && !is_near(found, there);
+      if (!integrate::is_motion_known(status) || jumped_) {
+        report_.status = status;
+        report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::model_failed;
+        return false;
+      }
     }
     t_ = end;
-    state_ = there;
+    here_ = 1 - here_;
     return true;
   }
 
@@ -288,8 +308,9 @@ class TaylorSimulation {
   Settings<Scalar> settings_;
   SeriesControl<Model, Series> control_{model_, settings_};
   int order_ = 2;
-  Scalar t_;                        ///< asked for last
-  State state_;                     ///< then
+  Scalar t_;                     ///< asked for last
+  std::array<State, 2> states_;  ///< then, and room for the next one
+  std::size_t here_ = 0;
   Scalar begin_ = 0, span_ = 0;     ///< of the step
   State last_;                      ///< at its end
   std::array<Series, 2> series_{};  ///< of the step, and of the next one
