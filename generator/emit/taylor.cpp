@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -55,18 +56,61 @@ passes::Series series_of(Plan& plan, const std::vector<NodeId>& rates) {
 
 namespace {
 
+/// What is multiplied by others or itself, each once. Products with a factor in common are beside each other, and have it on the right: what sums several of them
+/// at a time reads it once.
+struct Factors {
+  struct Factor {
+    NodeId id;
+    bool is_rate;
+  };
+  std::vector<Factor> all;
+  std::vector<std::size_t> left, right, squared;  ///< of each column
+  std::vector<std::size_t> column_of_product;
+
+  explicit Factors(const Series& series) {
+    using Pair = std::pair<std::size_t, std::size_t>;
+    std::vector<Pair> pairs;
+    for (const passes::SeriesColumn& column : series.products) {
+      const std::size_t first = place_of({column.left, column.is_rate});
+      pairs.emplace_back(first, place_of({column.right, false}));
+    }
+    for (const NodeId root : series.squares) squared.push_back(place_of({root, false}));
+    std::vector<std::size_t> uses(all.size());
+    for (const auto& [first, second] : pairs) ++uses[first], ++uses[second];
+    for (auto& [first, second] : pairs)
+      if (uses[first] > uses[second]) std::swap(first, second);
+    std::vector<std::size_t> order(pairs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto key = [&](std::size_t product) {
+      const std::size_t common = pairs[product].second;
+      return std::pair(all.size() - uses[common], common);
+    };
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+    column_of_product.resize(order.size());
+    for (const std::size_t product : order) {
+      column_of_product[product] = left.size();
+      left.push_back(pairs[product].first);
+      right.push_back(pairs[product].second);
+    }
+  }
+
+ private:
+  std::size_t place_of(const Factor& factor) {
+    const auto place = places_.emplace(std::pair(factor.id.index, factor.is_rate), all.size());
+    if (place.second) all.push_back(factor);
+    return place.first->second;
+  }
+
+  std::map<std::pair<std::uint32_t, bool>, std::size_t> places_;
+};
+
 class SeriesWriter {
  public:
   SeriesWriter(const Series& series, const Plan& plan, Body& body, NameScope& scope)
-      : series_(series), plan_(plan), body_(body), scope_(scope) {
+      : series_(series), factors_(series), plan_(plan), body_(body), scope_(scope) {
     for (std::size_t i = 0; i < series.values.size(); ++i) values_.emplace(series.values[i].id.index, i);
-    for (std::size_t c = 0; c < series.products.size(); ++c) {
-      const passes::SeriesColumn& column = series.products[c];
-      stores_[column.left.index].push_back({place("series.left", "k", c), column.is_rate});
-      stores_[column.right.index].push_back({place("series.right", "k", c), false});
-    }
-    for (std::size_t c = 0; c < series.squares.size(); ++c)
-      stores_[series.squares[c].index].push_back({place("series.roots", "k", c), false});
+    for (std::size_t i = 0; i < factors_.all.size(); ++i)
+      stores_[factors_.all[i].id.index].push_back({i, factors_.all[i].is_rate});
   }
 
   void write(const std::vector<NodeId>& rates) {
@@ -85,7 +129,7 @@ class SeriesWriter {
 
  private:
   struct Store {
-    std::string place;
+    std::size_t factor;
     bool is_rate;
   };
 
@@ -128,8 +172,8 @@ class SeriesWriter {
     add(cpp::Assignment{atom("degree"), cpp::sum({atom("degree"), atom("S(1)")})});
     if (has_rates()) add(cpp::Definition{"const S", "by_degree", cpp::quotient(atom("S(1)"), atom("degree"))});
     add(cpp::Definition{"const S", "by_next", cpp::quotient(atom("S(1)"), cpp::sum({atom("degree"), atom("S(1)")}))});
-    sum_up("sums", "crosswise", series_.products.size(), {atom("series.left"), atom("series.right")});
-    sum_up("squares", "squares", series_.squares.size(), {atom("series.roots")});
+    sum_up("sums", "crosswise", series_.products.size());
+    sum_up("squares", "squares", series_.squares.size());
     add_blank();
   }
 
@@ -140,12 +184,10 @@ class SeriesWriter {
     });
   }
 
-  void sum_up(const std::string& name, const std::string& function, std::size_t count, std::vector<Expression> from) {
+  void sum_up(const std::string& name, const std::string& function, std::size_t count) {
     if (count == 0) return;
-    from.push_back(atom("k"));
-    from.push_back(atom(name));
     add(cpp::Declaration{"S", {name + "[" + std::to_string(padded(count)) + "]"}});
-    add(cpp::Evaluation{cpp::call("detail::" + function + "<" + std::to_string(count) + ">", std::move(from))});
+    add(cpp::Evaluation{cpp::call("detail::" + function, {atom("series"), atom("k"), atom(name)})});
   }
 
   // ---- Values
@@ -167,14 +209,11 @@ class SeriesWriter {
   }
 
   void store(NodeId id, const std::vector<Store>& stores) {
-    const auto is_rate = [](const Store& one) { return one.is_rate; };
-    Expression slope = cpp::product({atom("degree"), coefficient(id)});
-    if (std::count_if(stores.begin(), stores.end(), is_rate) > 1) {
-      const std::string name = scope_.allocate("slope_of_" + coefficient(id).text);
-      add(cpp::Definition{"const S", name, std::move(slope)});
-      slope = atom(name);
+    for (const Store& one : stores) {
+      Expression value = one.is_rate ? cpp::product({atom("degree"), coefficient(id)}) : coefficient(id);
+      add(cpp::Evaluation{cpp::call("detail::set_factor<" + std::to_string(one.factor) + ">",
+                                    {atom("series"), atom("k"), std::move(value)})});
     }
-    for (const Store& one : stores) add(cpp::Assignment{atom(one.place), one.is_rate ? slope : coefficient(id)});
   }
 
   std::string name_of(NodeId id) {
@@ -223,7 +262,9 @@ class SeriesWriter {
 
   Expression coefficient_or_zero(NodeId id) const { return varies(id) ? coefficient(id) : atom("S(0)"); }
 
-  static Expression sums(std::size_t column) { return atom("sums[" + std::to_string(column) + "]"); }
+  Expression sums(std::size_t product) const {
+    return atom("sums[" + std::to_string(factors_.column_of_product[product]) + "]");
+  }
   static Expression squares(std::size_t column) { return atom("squares[" + std::to_string(column) + "]"); }
 
   std::size_t component(NodeId id) const {
@@ -282,6 +323,7 @@ class SeriesWriter {
   }
 
   const Series& series_;
+  Factors factors_;
   const Plan& plan_;
   Body& body_;
   NameScope& scope_;
@@ -319,13 +361,25 @@ cpp::Struct series_struct(const Series& series) {
   type.members.push_back({"int", "order", {}, atom("0"), {}});
   const std::string rows = "most + 1";
   type.members.push_back({"S", "values", {rows, "n_q + n_v"}, std::nullopt, "of the state in its order: x^(k) / k!"});
-  const auto work = [&](const char* name, std::size_t columns, const char* about) {
-    if (columns == 0) return;
-    type.members.push_back({"alignas(64) S", name, {rows, std::to_string(padded(columns))}, cpp::list({}), about});
+  const Factors factors(series);
+  const auto table = [&](const char* name, const std::vector<std::size_t>& of) {
+    if (of.empty()) return;
+    std::vector<Expression> numbers;
+    for (const std::size_t factor : of) numbers.push_back(atom(std::to_string(factor)));
+    type.members.push_back(
+        {"static constexpr short", name, {std::to_string(of.size())}, cpp::list(std::move(numbers)), {}});
   };
-  work("left", series.products.size(), "scratch space: what is multiplied crosswise with");
-  work("right", series.products.size(), "this");
-  work("roots", series.squares.size(), "and with itself");
+  table("left", factors.left);
+  table("right", factors.right);
+  table("squared", factors.squared);
+  const auto count = [](const auto& of) { return std::to_string(of.size()); };
+  if (!factors.all.empty())
+    type.members.push_back({"detail::SeriesFactors<S, most + 1, " + count(factors.all) + ", " + count(factors.left) +
+                                ", " + count(factors.squared) + ">",
+                            "factors",
+                            {},
+                            std::nullopt,
+                            "scratch space: left with right, squared with themselves"});
   return type;
 }
 

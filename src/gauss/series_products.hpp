@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT-0
 //
 // A coefficient of order k of a product is  a_0 b_k + a_k b_0 + sum_{j=1}^{k-1} a_j b_{k-j}.  The sum knows lower orders only, so those of all
-// products are there before the first coefficient of order k is: one column for each. Columns are lanes, which compilers put into
-// registers without a new order of any sum.
+// products are there before the first coefficient of order k is: one column for each. Of numbers, columns of a row are lanes, which compilers put into
+// registers without a new order of any sum: each product has factors of its own beside those of its neighbours. Numbers that are registers
+// themselves keep each factor once, so that all of them stay in the nearest cache.
 #ifndef GAUSS_SERIES_PRODUCTS_HPP
 #define GAUSS_SERIES_PRODUCTS_HPP
+
+#include <type_traits>
+#include <utility>
 
 #include "gauss/math.hpp"
 
@@ -53,35 +57,156 @@ GAUSS_INLINED void add_squares(const S (&roots)[rows][columns], int k, int first
 template <class S>
 inline constexpr int k_columns_at_once = std::is_arithmetic_v<S> ? 16 : 12;
 
-/// Rows are padded to whole registers, which numbers that are no such lanes do not need.
-template <class S>
-constexpr int columns_to_sum(int used, int padded) noexcept {
-  return std::is_arithmetic_v<S> ? padded : used;
+constexpr int whole_registers(int columns) noexcept { return columns < 1 ? 4 : (columns + 3) / 4 * 4; }
+
+/// Coefficients of `factors` values, for `products` of two of them and for `squares`.
+template <class S, int rows, int factors, int products, int squares, bool is_number = std::is_arithmetic_v<S>>
+struct SeriesFactors {
+  static constexpr int n_factors = factors, n_products = products, n_squares = squares;
+  alignas(64) S left[rows][whole_registers(products)] = {};
+  alignas(64) S right[rows][whole_registers(products)] = {};
+  alignas(64) S roots[rows][whole_registers(squares)] = {};
+};
+/// An odd number, so that rows do not share places of the cache.
+template <class S, int rows, int factors, int products, int squares>
+struct SeriesFactors<S, rows, factors, products, squares, false> {
+  static constexpr int n_factors = factors, n_products = products, n_squares = squares;
+  alignas(64) S all[rows][factors | 1];
+};
+
+/// Columns in which each factor is: products on the left, those on the right, then squares.
+template <int factors, int columns>
+struct FactorColumns {
+  int begin[factors + 1] = {};
+  int column[columns] = {};
+};
+
+template <class Series>
+constexpr auto factor_columns() {
+  using Factors = decltype(Series::factors);
+  constexpr int n = Factors::n_products;
+  FactorColumns<Factors::n_factors, 2 * n + Factors::n_squares> result;
+  int next = 0;
+  for (int factor = 0; factor < Factors::n_factors; ++factor) {
+    result.begin[factor] = next;
+    if constexpr (n > 0) {
+      for (int m = 0; m < n; ++m) {
+        if (Series::left[m] == factor) result.column[next++] = m;
+        if (Series::right[m] == factor) result.column[next++] = n + m;
+      }
+    }
+    if constexpr (Factors::n_squares > 0) {
+      for (int m = 0; m < Factors::n_squares; ++m)
+        if (Series::squared[m] == factor) result.column[next++] = 2 * n + m;
+    }
+  }
+  result.begin[Factors::n_factors] = next;
+  return result;
 }
 
-/// sums[m] = sum_{j=1}^{k-1} left[j][m] right[k - j][m], of `used` columns.
-template <int used, class S, int rows, int columns>
-GAUSS_INLINED void crosswise(const S (&left)[rows][columns], const S (&right)[rows][columns], int k,
-                             S (&sums)[columns]) {
-  constexpr int count = columns_to_sum<S>(used, columns);
-  constexpr int rest = count % k_columns_at_once<S>;
-  if constexpr (count > rest) {
-    for (int first = 0; first < count - rest; first += k_columns_at_once<S>)
-      add_crosswise<k_columns_at_once<S>>(left, right, k, first, sums);
+template <class Series>
+inline constexpr auto k_factor_columns = factor_columns<Series>();
+
+template <int column, class Factors, class S>
+GAUSS_INLINED void set_column(Factors& factors, int k, const S& value) {
+  constexpr int n = Factors::n_products;
+  if constexpr (column < n) {
+    factors.left[k][column] = value;
+  } else if constexpr (column < 2 * n) {
+    factors.right[k][column - n] = value;
+  } else {
+    factors.roots[k][column - 2 * n] = value;
   }
-  if constexpr (rest > 0) add_crosswise<rest>(left, right, k, count - rest, sums);
 }
 
-/// sums[m] = sum_{j=1}^{k-1} roots[j][m] roots[k - j][m].
-template <int used, class S, int rows, int columns>
-GAUSS_INLINED void squares(const S (&roots)[rows][columns], int k, S (&sums)[columns]) {
-  constexpr int count = columns_to_sum<S>(used, columns);
-  constexpr int rest = count % k_columns_at_once<S>;
-  if constexpr (count > rest) {
-    for (int first = 0; first < count - rest; first += k_columns_at_once<S>)
-      add_squares<k_columns_at_once<S>>(roots, k, first, sums);
+template <int begin, class Series, class S, int... i>
+GAUSS_INLINED void set_columns(Series& series, int k, const S& value, std::integer_sequence<int, i...>) {
+  (set_column<k_factor_columns<Series>.column[begin + i]>(series.factors, k, value), ...);
+}
+
+/// Coefficient k of a factor, for sums of higher orders.
+template <int factor, class Series, class S>
+GAUSS_INLINED void set_factor(Series& series, int k, const S& value) {
+  if constexpr (std::is_arithmetic_v<S>) {
+    constexpr int begin = k_factor_columns<Series>.begin[factor];
+    constexpr int count = k_factor_columns<Series>.begin[factor + 1] - begin;
+    set_columns<begin>(series, k, value, std::make_integer_sequence<int, count>());
+  } else {
+    series.factors.all[k][factor] = value;
   }
-  if constexpr (rest > 0) add_squares<rest>(roots, k, count - rest, sums);
+}
+
+/// By place, known when code is compiled, so that addresses are.
+template <class Series, int m>
+inline constexpr int k_left = Series::left[m];
+template <class Series, int m>
+inline constexpr int k_right = Series::right[m];
+template <class Series, int m>
+inline constexpr int k_squared = Series::squared[m];
+
+/// Of factors that are there once. These are stored and read as whole registers, so that nothing waits for what was stored last.
+template <class Series, int first, class S, int rows, int width, int... m>
+GAUSS_INLINED void add_factors(const S (&all)[rows][width], int k, S* sums, std::integer_sequence<int, m...>) {
+  S sum[] = {(static_cast<void>(m), S(0))...};
+  for (int j = 1; j < k; ++j)
+    ((sum[m] = sum[m] + all[j][k_left<Series, first + m>] * all[k - j][k_right<Series, first + m>]), ...);
+  ((sums[first + m] = sum[m]), ...);
+}
+
+template <class Series, int first, class S, int rows, int width, int... m>
+GAUSS_INLINED void add_squared(const S (&all)[rows][width], int k, S* sums, std::integer_sequence<int, m...>) {
+  S sum[] = {(static_cast<void>(m), S(0))...};
+  for (int j = (k - 1) / 2; j > 0; --j)
+    ((sum[m] = sum[m] + all[j][k_squared<Series, first + m>] * all[k - j][k_squared<Series, first + m>]), ...);
+  ((sum[m] = sum[m] + sum[m]), ...);
+  if (k % 2 == 0)
+    ((sum[m] = sum[m] + all[k / 2][k_squared<Series, first + m>] * all[k / 2][k_squared<Series, first + m>]), ...);
+  ((sums[first + m] = sum[m]), ...);
+}
+
+/// Some columns after others, in straight code.
+template <class Series, int first, int count, class S, int rows, int width>
+GAUSS_INLINED void add_all_factors(const S (&all)[rows][width], int k, S* sums) {
+  constexpr int now = count - first < k_columns_at_once<S> ? count - first : k_columns_at_once<S>;
+  add_factors<Series, first>(all, k, sums, std::make_integer_sequence<int, now>());
+  if constexpr (first + now < count) add_all_factors<Series, first + now, count>(all, k, sums);
+}
+template <class Series, int first, int count, class S, int rows, int width>
+GAUSS_INLINED void add_all_squared(const S (&all)[rows][width], int k, S* sums) {
+  constexpr int now = count - first < k_columns_at_once<S> ? count - first : k_columns_at_once<S>;
+  add_squared<Series, first>(all, k, sums, std::make_integer_sequence<int, now>());
+  if constexpr (first + now < count) add_all_squared<Series, first + now, count>(all, k, sums);
+}
+
+/// sums[m] = sum_{j=1}^{k-1} a[j] b[k - j], a and b the factors left[m] and right[m].
+template <class Series, class S, int columns>
+GAUSS_INLINED void crosswise(const Series& series, int k, S (&sums)[columns]) {
+  if constexpr (std::is_arithmetic_v<S>) {
+    // Rows are padded to whole registers.
+    constexpr int rest = columns % k_columns_at_once<S>;
+    if constexpr (columns > rest) {
+      for (int first = 0; first < columns - rest; first += k_columns_at_once<S>)
+        add_crosswise<k_columns_at_once<S>>(series.factors.left, series.factors.right, k, first, sums);
+    }
+    if constexpr (rest > 0) add_crosswise<rest>(series.factors.left, series.factors.right, k, columns - rest, sums);
+  } else {
+    add_all_factors<Series, 0, decltype(Series::factors)::n_products>(series.factors.all, k, sums);
+  }
+}
+
+/// sums[m] = sum_{j=1}^{k-1} a[j] a[k - j], a the factor squared[m].
+template <class Series, class S, int columns>
+GAUSS_INLINED void squares(const Series& series, int k, S (&sums)[columns]) {
+  if constexpr (std::is_arithmetic_v<S>) {
+    constexpr int rest = columns % k_columns_at_once<S>;
+    if constexpr (columns > rest) {
+      for (int first = 0; first < columns - rest; first += k_columns_at_once<S>)
+        add_squares<k_columns_at_once<S>>(series.factors.roots, k, first, sums);
+    }
+    if constexpr (rest > 0) add_squares<rest>(series.factors.roots, k, columns - rest, sums);
+  } else {
+    add_all_squared<Series, 0, decltype(Series::factors)::n_squares>(series.factors.all, k, sums);
+  }
 }
 
 }  // namespace detail

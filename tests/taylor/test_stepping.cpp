@@ -151,6 +151,35 @@ TEST_CASE("lanes with steps of their own arrive where each of them does alone") 
   }
 }
 
+TEST_CASE("a lane that begins anew goes as it does from the beginning, and others do not notice") {
+  using Batch = xsimd::batch<double>;
+  gauss::kepler::Parameters<Batch> parameters, others;
+  double e[Batch::size], other[Batch::size], marks[Batch::size] = {};
+  for (std::size_t lane = 0; lane < Batch::size; ++lane)
+    other[lane] = e[lane] = 0.2 + 0.7 * static_cast<double>(lane) / Batch::size;
+  other[1] = 0.85;
+  marks[1] = 1;
+  parameters.e = Batch::load_unaligned(e);
+  others.e = Batch::load_unaligned(other);
+  const auto model = gauss::integrate::bind_model<Kepler, Batch>(parameters);
+  const auto before = gauss::integrate::bind_model<Kepler, Batch>(others);
+  gauss::kepler::State<Batch> start, start_before;
+  initial_state(model.prepared(), start);
+  initial_state(before.prepared(), start_before);
+  using Lanes = gauss::batch::TaylorLanes<std::decay_t<decltype(model)>, KeplerSeries<Batch>>;
+  const auto fresh = std::make_unique<Lanes>(model, start), mended = std::make_unique<Lanes>(before, start_before);
+  REQUIRE(fresh->advance_to(8.0));
+  for (int step = 0; step < 7; ++step) mended->step_towards(8.0);
+  REQUIRE(xsimd::none(mended->are_done(8.0)));
+  mended->begin(Batch::load_unaligned(marks) > Batch(0.5), model, start, Batch(0.0));
+  REQUIRE(mended->advance_to(8.0));
+  for (std::size_t lane = 0; lane < Batch::size; ++lane) {
+    INFO("lane " << lane);
+    for (int i = 0; i < 4; ++i) CHECK(mended->states().values[i].get(lane) == fresh->states().values[i].get(lane));
+    CHECK(mended->steps_of_lanes().get(lane) == fresh->steps_of_lanes().get(lane));
+  }
+}
+
 TEST_CASE("a lane that is lost stops and the others arrive") {
   using Batch = xsimd::batch<double>;
   const auto model = gauss::integrate::bind_model<Kepler, Batch>();
@@ -179,7 +208,7 @@ TEST_CASE("lanes that start at rest have a first step, and samples see the motio
   initial_state(model.prepared(), start);
   using Lanes = gauss::batch::TaylorLanes<std::decay_t<decltype(model)>, pendulum::TaylorSeries<Batch>>;
   const auto lanes = std::make_unique<Lanes>(model, start, Batch(0.0), gauss::simulate::Settings<double>{});
-  REQUIRE(lanes->are_under_way(2.0));
+  REQUIRE(xsimd::none(lanes->are_done(2.0)));
   lanes->step_towards(2.0);
   const double first = lanes->times().get(0);
   CHECK(first > 1e-3);

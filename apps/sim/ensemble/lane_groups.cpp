@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gauss/integrate/step_result.hpp"
+#include "sim/run/interruption.hpp"
 
 namespace gausssim {
 
@@ -10,117 +11,90 @@ using gauss::integrate::is_motion_known;
 
 LaneGroups::LaneGroups(const PreparedModel& prepared, const LanesKernel& kernel, const Setting& setting,
                        Trajectories<double>& alone)
-    : kernel_(kernel), alone_(alone) {
-  const Functions<double>& functions = alone_.functions();
-  const std::size_t width = lanes(), size = prepared.model.size();
-  prepared_.assign(functions.prepared.size() * width, 0);
-  inputs_.assign(functions.inputs.size() * width, 0);
-  start_.assign(size * width, 0);
-  steps_.assign(width, 0);
-  arrived_.assign(width, 0);
+    : kernel_(kernel), alone_(alone), size_(prepared.model.size()) {
   const Grid<double>& grid = alone_.grid();
   for (long k = 0; k < grid.samples; ++k) times_.push_back(grid.at(k));
-  states_.assign(size * width * times_.size(), 0);
-  const bool projects = setting.projection != Projection::off && functions.projection;
+  const bool projects = setting.projection != Projection::off && alone_.functions().projection;
   projects_samples_ = projects && times_.size() > 1;
-  job_ = {prepared_.data(),
-          inputs_.data(),
-          start_.data(),
-          times_.data(),
-          static_cast<long>(times_.size()),
-          grid.start,
-          setting.tolerance,
-          projects ? 1 : 0,
-          MethodSettings<double>().most_steps,
-          states_.data(),
-          steps_.data(),
-          arrived_.data()};
+  job_.times = times_.data();
+  job_.samples = static_cast<long>(times_.size());
+  job_.start_time = grid.start;
+  job_.tolerance = setting.tolerance;
+  job_.projects = projects ? 1 : 0;
+  job_.most_steps = MethodSettings<double>().most_steps;
+  job_.ends = Interruption::is_asked_for;
 }
 
-void LaneGroups::put(std::size_t lane, const Numbers<double>& state) {
-  const auto spread = [&](const auto& from, std::vector<double>& to) {
-    for (std::size_t i = 0; i < from.size(); ++i) to[i * lanes() + lane] = from[i];
-  };
-  spread(alone_.functions().prepared, prepared_);
-  spread(alone_.functions().inputs, inputs_);
-  spread(state, start_);
+/// Those that have a start, without gaps.
+void LaneGroups::load(long first, std::vector<Track<double>>& tracks) {
+  for (std::vector<double>* const all : {&prepared_, &inputs_, &start_}) all->clear();
+  loaded_.clear();
+  Numbers<double> state;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    Ended& ended = tracks[i].ended;
+    ended.status = alone_.begin(first + static_cast<long>(i), state);
+    ended.reached = alone_.grid().start;
+    if (!is_motion_known(ended.status)) {
+      ended.how = Ended::How::without_start;
+      continue;
+    }
+    const Functions<double>& functions = alone_.functions();
+    prepared_.insert(prepared_.end(), functions.prepared.begin(), functions.prepared.end());
+    inputs_.insert(inputs_.end(), functions.inputs.begin(), functions.inputs.end());
+    start_.insert(start_.end(), state.begin(), state.end());
+    loaded_.push_back(i);
+  }
 }
 
 /// Outputs read the values of the trajectory that they are of.
-void LaneGroups::give_back(std::size_t lane) {
+void LaneGroups::give_back(std::size_t place) {
   const auto gather = [&](const std::vector<double>& from, std::vector<double>& to) {
-    for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i * lanes() + lane];
+    std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(place * to.size()), to.size(), to.begin());
   };
   gather(prepared_, alone_.functions().prepared);
   gather(inputs_, alone_.functions().inputs);
 }
 
-/// Lanes of trajectories without a start, and those behind the last one, do what another lane does.
-void LaneGroups::load(long first, long last, std::vector<Track<double>>& tracks) {
-  Numbers<double> state;
-  std::vector<std::size_t> idle;
-  for (std::size_t lane = 0; lane < lanes(); ++lane) {
-    const long trajectory = first + static_cast<long>(lane);
-    if (trajectory >= last) {
-      idle.push_back(lane);
-      continue;
-    }
-    Ended& ended = tracks[lane].ended;
-    ended.status = alone_.begin(trajectory, state);
-    ended.reached = alone_.grid().start;
-    if (is_motion_known(ended.status)) {
-      put(lane, state);
-    } else {
-      ended.how = Ended::How::without_start;
-      idle.push_back(lane);
-    }
-  }
-  for (std::size_t like = 0; like < lanes() && !idle.empty(); ++like) {
-    if (std::find(idle.begin(), idle.end(), like) != idle.end()) continue;
-    for (std::vector<double>* const all : {&prepared_, &inputs_, &start_}) {
-      for (const std::size_t lane : idle) {
-        for (std::size_t i = 0; i < all->size(); i += lanes()) (*all)[i + lane] = (*all)[i + like];
-      }
-    }
-    return;
-  }
-}
-
-void LaneGroups::take(std::size_t lane, Track<double>& track) {
+void LaneGroups::take(std::size_t place, Track<double>& track) {
   track.ended.how = Ended::How::finished;
   track.ended.reached = times_.back();
-  track.ended.steps = static_cast<long>(steps_[lane]);
-  const std::size_t size = start_.size() / lanes();
-  Numbers<double> state(size), found;
+  track.ended.steps = static_cast<long>(steps_[place]);
+  Numbers<double> found(size_);
   for (std::size_t k = 0; k < times_.size(); ++k) {
-    for (std::size_t i = 0; i < size; ++i) state[i] = states_[(k * size + i) * lanes() + lane];
-    found = state;
+    const double* const state = states_.data() + (place * times_.size() + k) * size_;
     // The end is on the constraints already.
-    if (projects_samples_ && k + 1 < times_.size() &&
-        !is_motion_known(alone_.functions().projection(times_[k], state.data(), found.data())))
-      found = state;
-    alone_.add_row(times_[k], found.data(), track);
+    const bool projects = projects_samples_ && k + 1 < times_.size();
+    const bool is_moved = projects && is_motion_known(alone_.functions().projection(times_[k], state, found.data()));
+    alone_.add_row(times_[k], is_moved ? found.data() : state, track);
   }
 }
 
 void LaneGroups::run(long first, long last, std::vector<Track<double>>& tracks) {
   tracks.resize(static_cast<std::size_t>(last - first));
   for (Track<double>& track : tracks) track.clear();
-  load(first, last, tracks);
-  const bool is_any = std::any_of(tracks.begin(), tracks.end(),
-                                  [](const Track<double>& track) { return track.ended.how == Ended::How::not_run; });
-  if (!is_any) return;
+  load(first, tracks);
+  if (loaded_.empty()) return;
+  constexpr long k_not_begun = -1;
+  states_.assign(loaded_.size() * times_.size() * size_, 0);
+  steps_.assign(loaded_.size(), 0);
+  arrived_.assign(loaded_.size(), k_not_begun);
+  job_.prepared = prepared_.data();
+  job_.inputs = inputs_.data();
+  job_.start = start_.data();
+  job_.count = static_cast<long>(loaded_.size());
+  job_.states = states_.data();
+  job_.steps = steps_.data();
+  job_.arrived = arrived_.data();
   kernel_.run(job_);
-  for (std::size_t lane = 0; lane < tracks.size(); ++lane) {
-    if (tracks[lane].ended.how != Ended::How::not_run) continue;
-    const long trajectory = first + static_cast<long>(lane);
-    if (arrived_[lane] == 0) {
-      alone_.run(trajectory, tracks[lane]);
-      tracks[lane].ended.left_lane = true;
-      continue;
+  for (std::size_t place = 0; place < loaded_.size(); ++place) {
+    Track<double>& track = tracks[loaded_[place]];
+    if (arrived_[place] == 1) {
+      give_back(place);
+      take(place, track);
+    } else if (arrived_[place] != k_not_begun) {
+      alone_.run(first + static_cast<long>(loaded_[place]), track);
+      track.ended.left_lane = true;
     }
-    give_back(lane);
-    take(lane, tracks[lane]);
   }
 }
 

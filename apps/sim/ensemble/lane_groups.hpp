@@ -14,22 +14,22 @@ class LaneGroups {
   LaneGroups(const PreparedModel& prepared, const LanesKernel& kernel, const Setting& setting,
              Trajectories<double>& alone);
 
-  /// Trajectories `first` to `last` - 1, no more than there are lanes: one track for each.
+  /// Trajectories `first` to `last` - 1: one track for each.
   void run(long first, long last, std::vector<Track<double>>& tracks);
 
  private:
-  std::size_t lanes() const { return static_cast<std::size_t>(kernel_.lanes()); }
-  void load(long first, long last, std::vector<Track<double>>& tracks);
-  void put(std::size_t lane, const Numbers<double>& state);
-  void give_back(std::size_t lane);
-  void take(std::size_t lane, Track<double>& track);
+  void load(long first, std::vector<Track<double>>& tracks);
+  void give_back(std::size_t place);
+  void take(std::size_t place, Track<double>& track);
 
   const LanesKernel& kernel_;
   Trajectories<double>& alone_;
+  std::size_t size_;                 ///< of a state
+  std::vector<std::size_t> loaded_;  ///< which tracks
   std::vector<double> prepared_, inputs_, start_, times_, states_, steps_;
   std::vector<long> arrived_;
   LanesJob job_{};
-  bool projects_samples_;
+  bool projects_samples_ = false;
 };
 
 }  // namespace gausssim

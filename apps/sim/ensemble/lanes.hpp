@@ -9,16 +9,18 @@
 
 namespace gausssim {
 
-/// What is integrated together, as ensemble/lanes_glue.hpp reads it. Arrays have the lanes of one number next to each other.
+/// Trajectories that follow each other, as ensemble/lanes_glue.hpp reads them. Arrays have those of the first one first.
 struct LanesJob {
   const double *prepared, *inputs, *start;
+  long count;
   const double* times;  ///< of samples; the last one is the end
   long samples;
   double start_time, tolerance;
   long projects, most_steps;
+  bool (*ends)();  ///< no trajectory is begun any more
   double* states;  ///< sample by sample
-  double* steps;   ///< of each lane
-  long* arrived;   ///< 1: the lane is at the end, and its samples have values
+  double* steps;
+  long* arrived;  ///< 1: at the end, and samples have values; as it was: not begun
 };
 
 /// A compiled model that takes several trajectories at a time. Any number of threads may run it.

@@ -1,5 +1,6 @@
-// As many trajectories as a register has lanes, behind a plain function: a part of plugins, compiled with the model.
+// As many trajectories at a time as a register has lanes, behind a plain function: a part of plugins, compiled with the model.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 
@@ -8,91 +9,166 @@
 
 namespace gauss_sim_glue {
 
-/// As apps/sim/ensemble/lanes.hpp writes it. Arrays have the lanes of one number next to each other.
+/// As apps/sim/ensemble/lanes.hpp writes it.
 struct LanesJob {
   const double *prepared, *inputs, *start;
-  const double* times;  ///< of samples; the last one is the end
+  long count;
+  const double* times;
   long samples;
   double start_time, tolerance;
   long projects, most_steps;
-  double* states;  ///< sample by sample
+  bool (*ends)();
+  double* states;
   double* steps;
-  long* arrived;  ///< whether a lane is at the end
+  long* arrived;
 };
 
 /// A struct of emitted code holds scalars only, so it is an array of them.
 template <class Struct, class Batch>
-Struct struct_of_lanes(const double* from) {
-  Struct result{};
-  constexpr std::size_t count = std::is_empty_v<Struct> ? 0 : sizeof(Struct) / sizeof(Batch);
-  static_assert(std::is_empty_v<Struct> || sizeof(Struct) % sizeof(Batch) == 0, "a struct holds scalars only");
-  auto* const numbers = reinterpret_cast<Batch*>(&result);
-  for (std::size_t i = 0; i < count; ++i) numbers[i] = Batch::load_unaligned(from + i * Batch::size);
-  return result;
-}
-
-/// What samples see of a motion: values of the series within each step.
-template <class Lanes, std::size_t size>
-class LaneSamples {
+class StructOfLanes {
  public:
-  explicit LaneSamples(const LanesJob& job) : job_(job) {}
+  const Struct& all() const { return all_; }
 
-  void look(const Lanes& lanes, int order) {
-    double begin[L], reached[L];
-    lanes.begin_of_step().store_unaligned(begin);
-    lanes.times().store_unaligned(reached);
-    for (std::size_t lane = 0; lane < L; ++lane) {
-      long& k = next_[lane];
-      // What was taken from a step that did not hold is taken again.
-      while (k > 0 && job_.times[k - 1] > begin[lane]) --k;
-      for (; k + 1 < job_.samples && job_.times[k] <= reached[lane]; ++k)
-        take(lanes, lane, order, k, job_.times[k] - begin[lane]);
-    }
+  /// What one lane has of it, number by number.
+  void put(std::size_t lane, const double* from) {
+    auto* const numbers = reinterpret_cast<double*>(&all_);
+    for (std::size_t i = 0; i < count; ++i) numbers[i * Batch::size + lane] = from[i];
   }
+
+  static constexpr std::size_t count = std::is_empty_v<Struct> ? 0 : sizeof(Struct) / sizeof(Batch);
 
  private:
-  static constexpr std::size_t L = Lanes::lanes;
-
-  void take(const Lanes& lanes, std::size_t lane, int order, long k, double h) {
-    double* const to = job_.states + static_cast<std::size_t>(k) * size * L + lane;
-    for (std::size_t i = 0; i < size; ++i) {
-      double x = 0;
-      for (int p = order; p >= 0; --p) x = x * h + lanes.series().values[p][i].get(lane);
-      to[i * L] = x;
-    }
-  }
-
-  const LanesJob& job_;
-  long next_[L] = {};
+  static_assert(std::is_empty_v<Struct> || sizeof(Struct) % sizeof(Batch) == 0, "a struct holds scalars only");
+  Struct all_{};
 };
 
+/// Trajectories one after another in each lane, in their order: what is in one lane does not wait for what is in others.
 template <class Type, class Batch, class Series>
-int run_lanes(LanesJob& job) {
+class LanesRun {
   using Prepared = typename Type::template Prepared<Batch>;
   using Inputs = typename Type::template Inputs<Batch>;
   using Model = decltype(gauss::integrate::bind_model<Type, Batch>(std::declval<const Prepared&>(),
                                                                    std::declval<const Inputs&>()));
   using State = typename Model::State;
   using Lanes = gauss::batch::TaylorLanes<Model, Series>;
-  gauss::simulate::Settings<double> settings;
-  settings.tolerance = job.tolerance;
-  settings.project = job.projects != 0;
-  settings.most_steps = job.most_steps;
-  const auto lanes =
-      std::make_unique<Lanes>(gauss::integrate::bind_model<Type, Batch>(struct_of_lanes<Prepared, Batch>(job.prepared),
-                                                                        struct_of_lanes<Inputs, Batch>(job.inputs)),
-                              struct_of_lanes<State, Batch>(job.start), Batch(job.start_time), settings);
-  const double end = job.times[job.samples - 1];
-  LaneSamples<Lanes, Model::size> samples(job);
-  for (long taken = 0; lanes->are_under_way(end) && taken < job.most_steps; ++taken) {
-    lanes->step_towards(end);
-    if (job.samples > 1) samples.look(*lanes, lanes->series().order);
+  using Mask = typename Batch::batch_bool_type;
+  static constexpr std::size_t L = Batch::size;
+
+ public:
+  explicit LanesRun(LanesJob& job) : job_(job), end_(job.times[job.samples - 1]) {
+    for (std::size_t lane = 0; lane < L; ++lane) {
+      // A lane without a trajectory has numbers with which nothing goes wrong.
+      load(lane, next_ < job_.count ? next_ : 0);
+      of_lane_[lane] = next_ < job_.count ? next_++ : k_none;
+    }
+    lanes_ = std::make_unique<Lanes>(model(), start_.all(), Batch(job.start_time), settings());
+    lanes_->stop(lanes_where([&](std::size_t lane) { return of_lane_[lane] == k_none; }));
   }
-  double* const last = job.states + static_cast<std::size_t>(job.samples - 1) * Model::size * Batch::size;
-  for (std::size_t i = 0; i < Model::size; ++i) lanes->states().values[i].store_unaligned(last + i * Batch::size);
-  lanes->steps_of_lanes().store_unaligned(job.steps);
-  for (std::size_t lane = 0; lane < Batch::size; ++lane)
-    job.arrived[lane] = lanes->times().get(lane) >= end && !lanes->lost().get(lane) ? 1 : 0;
+
+  void run() {
+    while (is_busy()) {
+      lanes_->step_towards(end_);
+      for (std::size_t lane = 0; lane < L && job_.samples > 1; ++lane) look(lane);
+      const Mask done = lanes_->are_done(end_);
+      for (std::size_t lane = 0; lane < L; ++lane)
+        is_done_[lane] = of_lane_[lane] != k_none && (done.get(lane) || ++tried_[lane] >= job_.most_steps);
+      if (any(is_done_)) go_on();
+    }
+  }
+
+ private:
+  static constexpr long k_none = -1;
+
+  gauss::simulate::Settings<double> settings() const {
+    gauss::simulate::Settings<double> settings;
+    settings.tolerance = job_.tolerance;
+    settings.project = job_.projects != 0;
+    settings.most_steps = job_.most_steps;
+    return settings;
+  }
+
+  Model model() const { return gauss::integrate::bind_model<Type, Batch>(prepared_.all(), inputs_.all()); }
+
+  template <class Is>
+  static Mask lanes_where(const Is& is) {
+    double marks[L];
+    for (std::size_t lane = 0; lane < L; ++lane) marks[lane] = is(lane) ? 1 : 0;
+    return Batch::load_unaligned(marks) > Batch(0.5);
+  }
+
+  static bool any(const bool (&of)[L]) { return std::find(of, of + L, true) != of + L; }
+  bool is_busy() const {
+    return std::any_of(of_lane_, of_lane_ + L, [](long trajectory) { return trajectory != k_none; });
+  }
+
+  void load(std::size_t lane, long trajectory) {
+    prepared_.put(lane, job_.prepared + trajectory * prepared_.count);
+    inputs_.put(lane, job_.inputs + trajectory * inputs_.count);
+    start_.put(lane, job_.start + trajectory * start_.count);
+    tried_[lane] = next_sample_[lane] = 0;
+  }
+
+  /// Lanes that are done give back what they have, and take what comes next.
+  void go_on() {
+    bool begins[L] = {};
+    for (std::size_t lane = 0; lane < L; ++lane) {
+      if (!is_done_[lane]) continue;
+      give_back(lane, of_lane_[lane]);
+      begins[lane] = next_ < job_.count && !job_.ends();
+      of_lane_[lane] = begins[lane] ? next_++ : k_none;
+      if (begins[lane]) load(lane, of_lane_[lane]);
+    }
+    lanes_->stop(lanes_where([&](std::size_t lane) { return of_lane_[lane] == k_none; }));
+    if (any(begins))
+      lanes_->begin(lanes_where([&](std::size_t lane) { return begins[lane]; }), model(), start_.all(),
+                    Batch(job_.start_time));
+  }
+
+  double* states(long trajectory, long sample) const {
+    return job_.states + static_cast<std::size_t>(trajectory * job_.samples + sample) * Model::size;
+  }
+
+  void give_back(std::size_t lane, long trajectory) {
+    double* const last = states(trajectory, job_.samples - 1);
+    for (std::size_t i = 0; i < Model::size; ++i) last[i] = lanes_->states().values[i].get(lane);
+    job_.steps[trajectory] = lanes_->steps_of_lanes().get(lane);
+    job_.arrived[trajectory] = lanes_->times().get(lane) >= end_ && !lanes_->lost().get(lane) ? 1 : 0;
+  }
+
+  /// What samples see of a motion: values of the series within each step.
+  void look(std::size_t lane) {
+    if (of_lane_[lane] == k_none) return;
+    const double begin = lanes_->begin_of_step().get(lane), reached = lanes_->times().get(lane);
+    long& k = next_sample_[lane];
+    // What was taken from a step that did not hold is taken again.
+    while (k > 0 && job_.times[k - 1] > begin) --k;
+    for (; k + 1 < job_.samples && job_.times[k] <= reached; ++k)
+      take(lane, job_.times[k] - begin, states(of_lane_[lane], k));
+  }
+
+  void take(std::size_t lane, double h, double* to) const {
+    const Series& series = lanes_->series();
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      double x = 0;
+      for (int p = series.order; p >= 0; --p) x = x * h + series.values[p][i].get(lane);
+      to[i] = x;
+    }
+  }
+
+  LanesJob& job_;
+  double end_;
+  StructOfLanes<Prepared, Batch> prepared_;
+  StructOfLanes<Inputs, Batch> inputs_;
+  StructOfLanes<State, Batch> start_;
+  std::unique_ptr<Lanes> lanes_;
+  long of_lane_[L] = {}, tried_[L] = {}, next_sample_[L] = {};
+  bool is_done_[L] = {};
+  long next_ = 0;
+};
+
+template <class Type, class Batch, class Series>
+int run_lanes(LanesJob& job) {
+  std::make_unique<LanesRun<Type, Batch, Series>>(job)->run();
   return 0;
 }
 

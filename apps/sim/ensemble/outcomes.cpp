@@ -17,11 +17,11 @@ namespace gausssim {
 
 namespace {
 
-/// Trajectories that a thread takes at a time: several groups, and fewer where there are few for each thread. No result depends on it.
-long block_size(long count, long group, int threads) {
+/// Trajectories that a thread takes at a time, in each lane one after another, and fewer where there are few for each thread. No result depends on it.
+long block_size(long count, long lanes, int threads) {
   constexpr long k_most = 64, k_blocks_of_thread = 8;
   const long wanted = std::clamp(count / (k_blocks_of_thread * threads), 1L, k_most);
-  return (wanted + group - 1) / group * group;
+  return (wanted + lanes - 1) / lanes * lanes;
 }
 
 double processor_seconds() {
@@ -125,8 +125,8 @@ Outcomes run_all(const PreparedModel& prepared, const Engine& engine, const Ense
   outcomes.ended.resize(static_cast<std::size_t>(source.size()));
   outcomes.finals.assign(outcomes.ended.size() * outcomes.width, std::numeric_limits<double>::quiet_NaN());
   Shape shape;
-  if (setting.lanes != nullptr) shape.group = setting.lanes->lanes();
-  shape.block = block_size(source.size(), shape.group, setting.threads);
+  shape.block = block_size(source.size(), setting.lanes == nullptr ? 1 : setting.lanes->lanes(), setting.threads);
+  if (setting.lanes != nullptr) shape.group = shape.block;
   shape.makes_rows = static_cast<bool>(listeners.on_rows);
   Blocks blocks;
   blocks.count = (source.size() + shape.block - 1) / shape.block;

@@ -1,7 +1,7 @@
 // As many trajectories as a register has lanes, by power series: each with a time and a step of its own.
 // SPDX-License-Identifier: MIT
 //
-// What a lane does depends on no other one, up to rounding: a lane that has arrived, or whose status is not ok, stays where it is.
+// What a lane does depends on no other one, to the last bit where angles are below a million: a lane that has arrived, or whose status is not ok, stays where it is.
 #ifndef GAUSS_BATCH_TAYLOR_LANES_HPP
 #define GAUSS_BATCH_TAYLOR_LANES_HPP
 
@@ -39,16 +39,37 @@ class TaylorLanes {
   bool advance_to(const Number& end) {
     const Batch goal(end);
     if (!settings_.are_usable()) return false;
-    for (long steps = 0; are_under_way(end); ++steps) {
+    for (long steps = 0; !xsimd::all(are_done(end)); ++steps) {
       if (steps >= settings_.most_steps) return false;
       step(goal);
     }
     return xsimd::none(lost_);
   }
 
-  /// For callers that look at the motion within steps: whether any lane has a way to go, and one step of those that have.
-  bool are_under_way(const Number& end) const { return xsimd::any((t_ < Batch(end)) && !lost_); }
+  /// For callers that look at the motion within steps, or give other trajectories to lanes that are done: one step of all that have a way to go.
   void step_towards(const Number& end) { step(Batch(end)); }
+  /// Lanes that are at the end, where the model has been asked whether the last step holds, or have stopped.
+  Mask are_done(const Number& end) const { return lost_ || (t_ >= Batch(end) && !(span_ > Batch(Number(0)))); }
+  /// Lanes of `where` begin anew, with what `model` has of them; its other lanes are those that there are. Nothing changes in others.
+  void begin(const Mask& where, const Model& model, const State& start, const Batch& start_time) {
+    const Batch none(Number(0));
+    model_ = model;
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      state_.values[i] = xsimd::select(where, start.values[i], state_.values[i]);
+      sizes_[i] = xsimd::select(where, none, sizes_[i]);
+    }
+    t_ = xsimd::select(where, start_time, t_);
+    span_ = xsimd::select(where, none, span_);
+    reach_ = xsimd::select(where, none, reach_);
+    taken_ = xsimd::select(where, none, taken_);
+    most_ = xsimd::select(where, Batch(std::numeric_limits<Number>::infinity()), most_);
+    lost_ = lost_ && !where;
+    status_ = status_.within(!where);
+    if (settings_.project) project(where);
+    grow();
+  }
+  /// Lanes of `where` stay where they are.
+  void stop(const Mask& where) { lost_ = lost_ || where; }
   /// Of the last step, from where each lane was then. A lane may be back there after the next one, which found that it did not hold.
   const Series& series() const { return series_; }
   const Batch& begin_of_step() const { return t_before_; }

@@ -45,7 +45,11 @@ struct Math<xsimd::batch<T, Arch>> {
 
   static S sin(const S& x) noexcept { return pair(x).first; }
   static S cos(const S& x) noexcept { return pair(x).second; }
-  static S tan(const S& x) noexcept { return xsimd::tan(x); }
+  /// xsimd's own looks at all lanes together.
+  static S tan(const S& x) noexcept {
+    const auto both = pair(x);
+    return both.first / both.second;
+  }
   static S asin(const S& x) noexcept { return xsimd::asin(x); }
   static S acos(const S& x) noexcept { return xsimd::acos(x); }
   static S atan(const S& x) noexcept { return xsimd::atan(x); }
