@@ -90,7 +90,7 @@ int advise(const AdviseOptions& options) {
   const Interruption interruption;
   std::optional<FoundSetting> found;
   try {
-    found = find_setting(*prepared, engines, options.error, why);
+    found = find_setting(*prepared, engines, {options.error, options.budget}, why);
   } catch (const Interrupted&) {
     return cli::k_interrupted;
   }

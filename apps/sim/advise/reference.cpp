@@ -27,8 +27,8 @@ constexpr double k_other_parts = 499;
 /// what that makes of an unstable motion; of other orders, or by a pair of methods, since steps that stability limits are the same for all tolerances; and with other longest steps.
 class TightSearch {
  public:
-  TightSearch(const PreparedModel& prepared, Engines& engines, double error)
-      : prepared_(prepared), engines_(engines), error_(error) {}
+  TightSearch(const PreparedModel& prepared, Engines& engines, double error, const TimeLimit& limit)
+      : prepared_(prepared), engines_(engines), error_(error), limit_(limit) {}
 
   std::optional<TightRun> run(std::string& why) {
     if (error_ < k_least) {
@@ -90,7 +90,7 @@ class TightSearch {
 
   RunInRows told(const Setting& setting) {
     RunInRows result = in_rows(prepared_, *engines_.of(setting.number), setting, Meter::none);
-    if (Interruption::is_asked_for()) throw Interrupted{};
+    throw_if_ended(limit_);
     failure_ = why_not(result.run);
     return result;
   }
@@ -98,6 +98,7 @@ class TightSearch {
   const PreparedModel& prepared_;
   Engines& engines_;
   double error_;
+  const TimeLimit& limit_;
   DeliveredError closest_{std::numeric_limits<double>::infinity(), ""};
   std::string failure_;
 };
@@ -109,8 +110,9 @@ std::string why_not(const Simulated& run) {
   return run.why.empty() ? fmt::format("{} at t = {:.6g}", gauss::simulate::name(run.outcome), run.reached) : run.why;
 }
 
-std::optional<TightRun> tight_run(const PreparedModel& prepared, Engines& engines, double error, std::string& why) {
-  return TightSearch(prepared, engines, error).run(why);
+std::optional<TightRun> tight_run(const PreparedModel& prepared, Engines& engines, double error, const TimeLimit& limit,
+                                  std::string& why) {
+  return TightSearch(prepared, engines, error, limit).run(why);
 }
 
 std::vector<std::string> numbers_from(const std::string& first, const std::string& method) {

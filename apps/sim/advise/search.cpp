@@ -31,8 +31,9 @@ double two_digits(double value) { return std::stod(fmt::format("{:.1e}", value))
 /// The loosest tolerance of one method in one number type that delivers.
 class OneMethod {
  public:
-  OneMethod(const PreparedModel& prepared, const Engine& engine, const Rows& reference, double error)
-      : prepared_(prepared), engine_(engine), reference_(reference), goal_(k_margin * error) {}
+  OneMethod(const PreparedModel& prepared, const Engine& engine, const Rows& reference, double error,
+            const TimeLimit& whole)
+      : prepared_(prepared), engine_(engine), reference_(reference), goal_(k_margin * error), whole_(whole) {}
 
   /// `best`: seconds of the best so far. Nothing: it does not deliver, or not as cheaply.
   std::optional<Trial> run(Setting setting, double best) {
@@ -45,7 +46,7 @@ class OneMethod {
     std::optional<Trial> found;
     double loosest_failing = std::numeric_limits<double>::infinity();
     for (int count = 0; count < k_most_trials; ++count) {
-      Trial trial = tried(setting);
+      Trial trial = tried(setting, best);
       last_ = trial;
       const bool delivers = trial.why.empty() && trial.error.value <= goal_;
       if (trial.seconds > (delivers ? k_beaten : k_hopeless) * best) break;
@@ -63,9 +64,12 @@ class OneMethod {
   const Trial& last() const { return last_; }
 
  private:
-  Trial tried(const Setting& setting) const {
+  Trial tried(const Setting& setting, double best) const {
+    // Whatever takes longer is of no use.
+    constexpr double k_least_limit = 1, k_sure = 2;
+    const TimeLimit limit(k_least_limit + k_sure * k_beaten * best);
     const RunInRows told = in_rows(prepared_, engine_, setting, Meter::none);
-    if (Interruption::is_asked_for()) throw Interrupted{};
+    throw_if_ended(whole_);
     Trial trial{setting, {}, told.run.cpu_seconds, why_not(told.run)};
     if (!trial.why.empty()) return trial;
     trial.error = delivered_error(told.rows, reference_, prepared_.columns.columns);
@@ -94,24 +98,34 @@ class OneMethod {
   const Engine& engine_;
   const Rows& reference_;
   double goal_;
+  const TimeLimit& whole_;
   Trial last_;
 };
 
 class Search {
  public:
-  Search(const PreparedModel& prepared, Engines& engines, double error)
-      : prepared_(prepared), engines_(engines), error_(error) {}
+  Search(const PreparedModel& prepared, Engines& engines, const Wanted& wanted)
+      : prepared_(prepared),
+        engines_(engines),
+        error_(wanted.error),
+        limit_(wanted.budget),
+        too_long_(fmt::format("no setting for an error of {:.1e} was found in {:.3g} s; --budget gives it more",
+                              wanted.error, wanted.budget)) {}
 
   std::optional<FoundSetting> run(std::string& why) {
-    auto reference = tight_run(prepared_, engines_, error_, why);
-    if (!reference) return std::nullopt;
-    found_.reference = std::move(reference->rows);
-    found_.reference_in_words = reference->in_words;
-    found_.agreement = reference->agreement;
-    if (!chooses_method(prepared_.scene)) {
-      try_in_numbers(prepared_.scene.method->text);
-    } else {
-      try_all();
+    try {
+      auto reference = tight_run(prepared_, engines_, error_, limit_, why);
+      if (!reference) return std::nullopt;
+      found_.reference = std::move(reference->rows);
+      found_.reference_in_words = reference->in_words;
+      found_.agreement = reference->agreement;
+      if (!chooses_method(prepared_.scene)) {
+        try_in_numbers(prepared_.scene.method->text);
+      } else {
+        try_all();
+      }
+    } catch (const OutOfTime&) {
+      if (found_.trials.empty()) return why = too_long_, std::nullopt;
     }
     if (found_.trials.empty()) {
       why = fmt::format("no setting delivers an error of {:.1e}: {}", error_, said_of_last());
@@ -170,7 +184,7 @@ class Search {
     } else {
       setting.tolerance = std::max(k_first * error_, least_tolerance(number));
     }
-    OneMethod one(prepared_, *engine, found_.reference, error_);
+    OneMethod one(prepared_, *engine, found_.reference, error_, limit_);
     const auto trial = one.run(setting, best_);
     if (!trial) return last_ = one.last(), false;
     best_ = std::min(best_, trial->seconds);
@@ -192,6 +206,7 @@ class Search {
     const Simulated loose = unheard(one_way, *engine, setting);
     setting.tolerance = k_tight;
     const Simulated tight = unheard(one_way, *engine, setting);
+    throw_if_ended(limit_);
     const long steps = std::max(loose.steps + loose.rejected, 1L), all = std::max(tight.steps + tight.rejected, 1L);
     return static_cast<double>(steps) > k_alike * static_cast<double>(all);
   }
@@ -205,6 +220,8 @@ class Search {
   const PreparedModel& prepared_;
   Engines& engines_;
   double error_;
+  TimeLimit limit_;
+  std::string too_long_;
   double best_ = std::numeric_limits<double>::infinity();
   FoundSetting found_;
   Trial last_;
@@ -212,9 +229,9 @@ class Search {
 
 }  // namespace
 
-std::optional<FoundSetting> find_setting(const PreparedModel& prepared, Engines& engines, double error,
+std::optional<FoundSetting> find_setting(const PreparedModel& prepared, Engines& engines, const Wanted& wanted,
                                          std::string& why) {
-  return Search(prepared, engines, error).run(why);
+  return Search(prepared, engines, wanted).run(why);
 }
 
 }  // namespace gausssim

@@ -8,9 +8,9 @@
 
 namespace gausssim {
 
-/// Tries the methods that come into question, each at the loosest tolerance that delivers half of `error` against a tight run; in more digits where double cannot deliver it.
-/// A method or number type that the scene names is taken as it is. Nothing: `why`.
-std::optional<FoundSetting> find_setting(const PreparedModel& prepared, Engines& engines, double error,
+/// Tries the methods that come into question, each at the loosest tolerance that delivers half of the error against a tight run; in more digits where double cannot deliver it.
+/// A method or number type that the scene names is taken as it is. When time is over, the cheapest of those that were tried counts. Nothing: `why`.
+std::optional<FoundSetting> find_setting(const PreparedModel& prepared, Engines& engines, const Wanted& wanted,
                                          std::string& why);
 
 }  // namespace gausssim

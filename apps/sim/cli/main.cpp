@@ -71,6 +71,12 @@ void add_setting(CLI::App* command, RunOptions& options) {
   command->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
 
+void add_budget(CLI::App* command, double& budget) {
+  command->add_option("--budget", budget, "seconds of the search for a setting that delivers an error; default 600")
+      ->type_name("S")
+      ->check(positive());
+}
+
 void add_run(CLI::App& app, RunOptions& options) {
   CLI::App* const run =
       app.add_subcommand("run", "Simulate a scene, or a model from its initial state, and write a table");
@@ -84,6 +90,7 @@ void add_run(CLI::App& app, RunOptions& options) {
       ->type_name("E")
       ->check(positive())
       ->excludes("--tolerance");
+  add_budget(run, options.budget);
   run->add_flag("--resume", options.resume, "go on from the table and the summary that an interrupted run has left");
   add_messages(*run, options.messages);
 }
@@ -150,6 +157,7 @@ void add_advise(CLI::App& app, AdviseOptions& options) {
       ->type_name("E")
       ->check(positive())
       ->required();
+  add_budget(advise, options.budget);
   advise->add_option("--study", options.study, "take it from this study (JSON) instead of trying now")
       ->type_name("FILE");
   advise->add_option("--format", options.format, "default text")->check(one_of({"text", "json"}))->type_name("FORMAT");

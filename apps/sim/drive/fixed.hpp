@@ -21,12 +21,13 @@ class Fixed final : public Integrator<S> {
   using Model = MotionModel<S>;
 
   /// `calls_in_a_step` 0: the stepper knows.
-  Fixed(const Model& model, const Array& start, const S& t, const S& step, long most_steps, long calls_in_a_step)
+  Fixed(const Model& model, const Array& start, const S& t, const S& step, const gauss::simulate::Settings<S>& settings,
+        long calls_in_a_step)
       : model_(model),
         state_{start},
         t_(t),
         step_(step),
-        most_steps_(most_steps),
+        settings_(settings),
         projects_(model.projects()),
         calls_in_a_step_(calls_in_a_step) {
     if (projects_) project_start(model_, t_, state_, progress_);
@@ -56,10 +57,8 @@ class Fixed final : public Integrator<S> {
   bool is_running() const { return progress_.outcome == Outcome::running; }
 
   void step(const S& t, const S& h, const S& next) {
-    if (progress_.steps >= most_steps_) {
-      progress_.outcome = Outcome::too_many_steps;
-      return;
-    }
+    progress_.outcome = settings_.before_step(progress_.steps);
+    if (!is_running()) return;
     const gauss::integrate::StepResult result = stepper_.step(model_, t, h, state_);
     progress_.calls += calls(stepper_, 0);
     if (result.status != gauss::Status::ok) progress_.status = result.status;
@@ -98,7 +97,7 @@ class Fixed final : public Integrator<S> {
   Stepper stepper_;
   typename Model::State state_;
   S t_, step_;
-  long most_steps_;
+  gauss::simulate::Settings<S> settings_;
   bool projects_;
   long calls_in_a_step_;
   Progress<S> progress_;

@@ -18,6 +18,7 @@ class Series final : public Integrator<S> {
     S tolerance;
     bool projects;
     long most_steps;
+    bool (*ends)();  ///< as gauss::simulate::Settings has it
     int order;       ///< 0: by the tolerance
     S longest_step;  ///< 0: any
   };
@@ -27,12 +28,14 @@ class Series final : public Integrator<S> {
       : entries_(entries), functions_(std::move(functions)), state_(start), t_(t) {
     const std::array<S, 5> numbers{settings.tolerance, S(settings.projects ? 1 : 0), S(settings.most_steps),
                                    S(settings.order), settings.longest_step};
+    bool (*ends)() = settings.ends;
     void* const arguments[] = {&run_,
                                const_cast<S*>(functions_->prepared.data()),
                                const_cast<S*>(functions_->inputs.data()),
                                state_.data(),
                                const_cast<S*>(&t),
-                               const_cast<S*>(numbers.data())};
+                               const_cast<S*>(numbers.data()),
+                               &ends};
     entries_.begin(arguments);
   }
   Series(const Series&) = delete;

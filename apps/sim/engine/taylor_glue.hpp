@@ -21,11 +21,11 @@ class Run {
 
  public:
   /// Numbers: tolerance, 1 to project, most steps, order or 0, longest step or 0.
-  Run(const void* prepared, const void* inputs, const void* start, const S& t, const S* numbers)
+  Run(const void* prepared, const void* inputs, const void* start, const S& t, const S* numbers, bool (*ends)())
       : simulation_(
             gauss::integrate::bind_model<Type, S>(*static_cast<const typename Type::template Prepared<S>*>(prepared),
                                                   *static_cast<const typename Type::template Inputs<S>*>(inputs)),
-            *static_cast<const State*>(start), t, settings_of(numbers), static_cast<int>(numbers[3])) {}
+            *static_cast<const State*>(start), t, settings_of(numbers, ends), static_cast<int>(numbers[3])) {}
 
   /// `state`: where it is until the next call.
   int advance_to(const S& end, const S*& state) {
@@ -49,12 +49,13 @@ class Run {
   }
 
  private:
-  static Settings settings_of(const S* numbers) {
+  static Settings settings_of(const S* numbers, bool (*ends)()) {
     Settings settings;
     settings.tolerance = numbers[0];
     settings.project = numbers[1] > S(0);
     settings.most_steps = static_cast<long>(numbers[2]);
     settings.longest_step = numbers[4];
+    settings.ends = ends;
     return settings;
   }
 
@@ -66,8 +67,8 @@ int call(int what, void* const* a) {
   using This = Run<Type, S, Series>;
   switch (what) {
     case 0:
-      *static_cast<void**>(a[0]) =
-          new This(a[1], a[2], a[3], *static_cast<const S*>(a[4]), static_cast<const S*>(a[5]));
+      *static_cast<void**>(a[0]) = new This(a[1], a[2], a[3], *static_cast<const S*>(a[4]), static_cast<const S*>(a[5]),
+                                            *static_cast<bool (**)()>(a[6]));
       return 0;
     case 1: return static_cast<This*>(a[0])->advance_to(*static_cast<const S*>(a[1]), *static_cast<const S**>(a[2]));
     case 2:

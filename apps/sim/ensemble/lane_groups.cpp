@@ -74,10 +74,10 @@ void LaneGroups::run(long first, long last, std::vector<Track<double>>& tracks) 
   for (Track<double>& track : tracks) track.clear();
   load(first, tracks);
   if (loaded_.empty()) return;
-  constexpr long k_not_begun = -1;
+  constexpr long k_not_done = -1;
   states_.assign(loaded_.size() * times_.size() * size_, 0);
   steps_.assign(loaded_.size(), 0);
-  arrived_.assign(loaded_.size(), k_not_begun);
+  arrived_.assign(loaded_.size(), k_not_done);
   job_.prepared = prepared_.data();
   job_.inputs = inputs_.data();
   job_.start = start_.data();
@@ -91,7 +91,7 @@ void LaneGroups::run(long first, long last, std::vector<Track<double>>& tracks) 
     if (arrived_[place] == 1) {
       give_back(place);
       take(place, track);
-    } else if (arrived_[place] != k_not_begun) {
+    } else if (arrived_[place] != k_not_done) {
       alone_.run(first + static_cast<long>(loaded_[place]), track);
       track.ended.left_lane = true;
     }

@@ -17,10 +17,10 @@ struct LanesJob {
   long samples;
   double start_time, tolerance;
   long projects, most_steps;
-  bool (*ends)();  ///< no trajectory is begun any more
+  bool (*ends)();  ///< asked before each step: whether none is taken any more
   double* states;  ///< sample by sample
   double* steps;
-  long* arrived;  ///< 1: at the end, and samples have values; as it was: not begun
+  long* arrived;  ///< 1: at the end, and samples have values; as it was: not done
 };
 
 /// A compiled model that takes several trajectories at a time. Any number of threads may run it.

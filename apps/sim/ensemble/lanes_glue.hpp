@@ -66,7 +66,7 @@ class LanesRun {
   }
 
   void run() {
-    while (is_busy()) {
+    while (is_busy() && !job_.ends()) {
       lanes_->step_towards(end_);
       for (std::size_t lane = 0; lane < L && job_.samples > 1; ++lane) look(lane);
       const Mask done = lanes_->are_done(end_);
@@ -114,7 +114,7 @@ class LanesRun {
     for (std::size_t lane = 0; lane < L; ++lane) {
       if (!is_done_[lane]) continue;
       give_back(lane, of_lane_[lane]);
-      begins[lane] = next_ < job_.count && !job_.ends();
+      begins[lane] = next_ < job_.count;
       of_lane_[lane] = begins[lane] ? next_++ : k_none;
       if (begins[lane]) load(lane, of_lane_[lane]);
     }

@@ -76,6 +76,7 @@ class Worker {
   /// Each trajectory has a place of its own, so threads do not meet.
   void note(long trajectory, const Track<S>& track, std::string& text) {
     const auto i = static_cast<std::size_t>(trajectory);
+    if (track.ended.how == Ended::How::not_run) return;
     outcomes_.ended[i] = track.ended;
     const bool has_row = !track.times.empty();
     for (std::size_t k = 0; has_row && k < outcomes_.width; ++k)

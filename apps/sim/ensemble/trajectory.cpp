@@ -70,6 +70,7 @@ void Trajectories<S>::integrate(const Numbers<S>& start, const Grid<S>& grid, bo
     return true;
   });
   const Progress<S> progress = integrator->progress();
+  if (progress.outcome == Outcome::interrupted) return track.clear();
   ended.how = progress.outcome == Outcome::running ? Ended::How::finished : Ended::How::stopped;
   ended.outcome = progress.outcome;
   ended.status = progress.status;

@@ -59,7 +59,8 @@ bool Arkode::advance_to(const double& end) {
 }
 
 bool Arkode::step_once(double end) {
-  if (progress_.steps >= settings_.most_steps) return progress_.outcome = Outcome::too_many_steps, false;
+  progress_.outcome = settings_.before_step(progress_.steps);
+  if (!is_running()) return false;
   end_ = end;
   problem_.forget_trouble();
   void* const arkode = arkode_.get();

@@ -54,7 +54,8 @@ class BulirschStoer final : public Integrator<S> {
   bool is_running() const { return progress_.outcome == Outcome::running; }
 
   void step_once(const S& end) {
-    if (progress_.steps >= settings_.most_steps) return stop(Outcome::too_many_steps);
+    progress_.outcome = settings_.before_step(progress_.steps);
+    if (!is_running()) return;
     system_.forget();
     system_(x_, rates_, t_);
     if (!gauss::integrate::is_motion_known(system_.trouble())) return stop(Outcome::model_failed);

@@ -45,10 +45,8 @@ bool Ida::advance_to(const double& end) {
 }
 
 void Ida::step_once(double end) {
-  if (progress_.steps >= settings_.most_steps) {
-    progress_.outcome = Outcome::too_many_steps;
-    return;
-  }
+  progress_.outcome = settings_.before_step(progress_.steps);
+  if (!is_running()) return;
   end_ = end;
   problem_.forget_trouble();
   void* const ida = ida_.get();

@@ -2,7 +2,7 @@
 
 #include "sim/drive/fixed.hpp"
 #include "sim/drive/odeint_numbers.hpp"
-#include "sim/methods/makers.hpp"
+#include "sim/methods/settings.hpp"
 
 namespace gausssim {
 
@@ -10,7 +10,7 @@ namespace gausssim {
 template <class S, class Stepper>
 Made<S> make_fixed(const Problem<S>& problem, long calls_in_a_step = 0) {
   return std::make_unique<Fixed<S, Stepper>>(problem.model, problem.start, problem.t, problem.settings.step,
-                                             problem.settings.most_steps, calls_in_a_step);
+                                             settings_of(problem), calls_in_a_step);
 }
 
 }  // namespace gausssim

@@ -36,7 +36,8 @@ struct MethodSettings {
   S longest_step = S(0);  ///< 0: any
   Projection projection = Projection::full;
   long most_steps = 100'000'000;
-  int order = 0;  ///< of series; 0: by the tolerance
+  bool (*ends)() = nullptr;  ///< asked before each step: whether none is taken any more
+  int order = 0;             ///< of series; 0: by the tolerance
 };
 
 /// Why a model cannot be projected so; empty where it can.

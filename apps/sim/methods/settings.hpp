@@ -12,6 +12,7 @@ gauss::simulate::Settings<To> settings_of(const Problem<S>& problem) {
   settings.tolerance = To(problem.settings.tolerance);
   settings.longest_step = To(problem.settings.longest_step);
   settings.most_steps = problem.settings.most_steps;
+  settings.ends = problem.settings.ends;
   settings.project = problem.model.projects();
   return settings;
 }

@@ -9,8 +9,9 @@ Made<S> make_taylor(const Problem<S>& problem) {
   const Functions<S>& functions = problem.model.functions();
   if (!functions.series) return nullptr;
   const typename Series<S>::Settings settings{
-      problem.settings.tolerance, problem.settings.projection != Projection::off && functions.projection,
-      problem.settings.most_steps, problem.settings.order, problem.settings.longest_step};
+      problem.settings.tolerance,  problem.settings.projection != Projection::off && functions.projection,
+      problem.settings.most_steps, problem.settings.ends,
+      problem.settings.order,      problem.settings.longest_step};
   return std::make_unique<Series<S>>(functions.series, problem.model.shared_functions(), problem.start, problem.t,
                                      settings);
 }

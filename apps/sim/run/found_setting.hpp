@@ -27,8 +27,14 @@ struct FoundSetting {
   double agreement = 0;  ///< of the two
 };
 
-/// The cheapest setting that delivers `error` in all outputs, as `advise` finds it. Nothing: `why`.
+/// What is asked for.
+struct Wanted {
+  double error = 0;     ///< of all outputs, relative to their ranges
+  double budget = 600;  ///< seconds of the search
+};
+
+/// The cheapest setting that delivers an error in all outputs, as `advise` finds it. Nothing: `why`.
 using FindSetting = std::function<std::optional<FoundSetting>(const PreparedModel& prepared, Engines& engines,
-                                                              double error, std::string& why)>;
+                                                              const Wanted& wanted, std::string& why)>;
 
 }  // namespace gausssim

@@ -1,4 +1,7 @@
 #pragma once
+// What ends a run before its end: Ctrl-C, or a limit of time.
+
+#include <chrono>
 
 namespace gausssim {
 
@@ -15,5 +18,30 @@ class Interruption {
 
   static bool is_asked_for();
 };
+
+/// While it lives, runs of its thread end after so many seconds, or with the limit around it if that is earlier.
+class TimeLimit {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  explicit TimeLimit(double seconds);
+  TimeLimit(const TimeLimit&) = delete;
+  TimeLimit& operator=(const TimeLimit&) = delete;
+  ~TimeLimit();
+
+  bool is_over() const;
+
+ private:
+  Clock::time_point before_, own_;
+};
+
+/// Thrown where a limit is over and nothing is to be kept.
+struct OutOfTime {};
+
+/// After a run that may have ended before its end: Interrupted or OutOfTime.
+void throw_if_ended(const TimeLimit& limit);
+
+/// For Settings::ends of integrators: an interruption is asked for, or a limit of time is over.
+bool ends_steps();
 
 }  // namespace gausssim

@@ -195,6 +195,9 @@ Setting tighter(Setting setting, const Simulated& run, const Span& span) {
 /// How far a run is off, as a tighter one tells it; nothing where that is no other run, or does not arrive.
 std::optional<DeliveredError> estimate(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
                                        const Simulated& run, const Rows& rows) {
+  // Of a motion that a tighter run takes far longer for, nothing is said.
+  constexpr double k_least_limit = 2, k_longer = 20;
+  const TimeLimit limit(k_least_limit + k_longer * run.wall_seconds);
   const RunInRows reference = in_rows(prepared, engine, tighter(setting, run, prepared.span), Meter::none);
   const bool is_other = reference.run.steps != run.steps || reference.run.calls != run.calls;
   const bool arrives = reference.run.outcome == Outcome::running || reference.run.samples >= run.samples;
@@ -249,7 +252,7 @@ int run(const RunOptions& options, const FindSetting& find) {
   } else if (prepared->scene.error) {
     std::string why;
     try {
-      found = find(*prepared, engines, *prepared->scene.error, why);
+      found = find(*prepared, engines, {*prepared->scene.error, options.budget}, why);
     } catch (const Interrupted&) {
       cli::remark("interrupted while a setting was looked for; nothing is written", options.messages);
       return cli::k_interrupted;

@@ -80,6 +80,7 @@ class Simulator {
       result_.outcome = Outcome::bad_settings;
       return result_;
     }
+    shown_ = start;
     result_.samples = drive<S>(
         *integrator, grid_, [&](long k, const S& t, const S* state) { return take(k, t, state); },
         earlier_ == nullptr ? 0 : earlier_->samples);
@@ -134,6 +135,7 @@ class Simulator {
       append_csv_row(text_, t, row_.data(), row_.size());
       goes_on = listeners_.on_row(text_, static_cast<double>(k + 1) / static_cast<double>(grid_.samples));
     }
+    if (listeners_.on_row) shown_.assign(state, state + shown_.size());
     result_.was_interrupted = Interruption::is_asked_for() && k + 1 < grid_.samples;
     return goes_on && !result_.was_interrupted;
   }
@@ -158,9 +160,18 @@ class Simulator {
     result_.crossings = progress.crossings;
     result_.start_moved = static_cast<double>(progress.start_moved);
     result_.start_component = name_of_component(progress.start_component);
+    if (progress.outcome == Outcome::interrupted && Interruption::is_asked_for()) note_interruption();
     result_.drift = meter_.drift();
     if (result_.drift.has_energy) result_.start_energy = text_of(meter_.start_energy());
-    for (const S& value : integrator.state()) result_.last_state.push_back(text_of(value));
+    const Numbers<S>& last = result_.was_interrupted ? shown_ : integrator.state();
+    for (const S& value : last) result_.last_state.push_back(text_of(value));
+  }
+
+  /// Between samples: the run ends with the last one.
+  void note_interruption() {
+    result_.was_interrupted = true;
+    result_.outcome = Outcome::running;
+    result_.reached = static_cast<double>(grid_.at(result_.samples - 1));
   }
 
   std::string name_of_component(std::size_t i) const {
@@ -180,6 +191,7 @@ class Simulator {
   Sampler<S> sampler_;
   DriftMeter<S> meter_;
   std::vector<S> row_;
+  Numbers<S> shown_;  ///< state of the last sample
   std::string text_;
   Simulated result_;
 };

@@ -8,6 +8,7 @@
 
 #include "sim/methods/methods.hpp"
 #include "sim/run/drive.hpp"
+#include "sim/run/interruption.hpp"
 #include "sim/run/prepare.hpp"
 
 namespace gausssim {
@@ -30,6 +31,7 @@ MethodSettings<S> method_settings(const Setting& setting) {
   settings.projection = setting.projection;
   settings.order = setting.order;
   settings.longest_step = S(setting.longest_step);
+  settings.ends = ends_steps;
   return settings;
 }
 

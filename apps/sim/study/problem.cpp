@@ -40,6 +40,7 @@ class Forecast {
   std::map<std::string, double> last_;
 };
 
+constexpr const char* k_beyond_time = "beyond the time that the study was given";
 constexpr double k_least_runs = 40;  ///< no run takes more of the time than this part
 
 class Solver {
@@ -96,6 +97,7 @@ class Solver {
       if (Interruption::is_asked_for()) return;
       bar.show(static_cast<double>(problem_.points.size()) / static_cast<double>(all.size()), problem_.name);
       Point point = measured(candidate, forecast);
+      if (Interruption::is_asked_for()) return;
       point.id = static_cast<int>(problem_.points.size()) + 1;
       problem_.points.push_back(std::move(point));
     }
@@ -109,9 +111,14 @@ class Solver {
     point.status = PointStatus::refused;
     point.why = form.why;
     if (point.why.empty() && (left <= 0 || forecast.of(candidate) > std::min(left, options_.budget / k_least_runs)))
-      point.why = "beyond the time that the study was given";
+      point.why = k_beyond_time;
     if (!point.why.empty()) return point;
+    const TimeLimit limit(left);
     point = measure(form.model, *form.engine, candidate, problem_.reference, {});
+    if (point.status == PointStatus::failed && limit.is_over()) {
+      point.status = PointStatus::refused;
+      point.why = k_beyond_time;
+    }
     if (point.status == PointStatus::ok) forecast.note(point);
     return point;
   }

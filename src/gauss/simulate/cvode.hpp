@@ -62,11 +62,8 @@ class CvodeSimulation {
     end_ = end;
     if (t_ < end && report_.outcome == Outcome::running) CVodeSetStopTime(cvode_.get(), end);
     while (t_ < end && report_.outcome == Outcome::running) {
-      if (report_.steps >= settings_.most_steps) {
-        report_.outcome = Outcome::too_many_steps;
-      } else if (step_towards(end)) {
-        on_step(t_, state());
-      }
+      report_.outcome = settings_.before_step(report_.steps);
+      if (report_.outcome == Outcome::running && step_towards(end)) on_step(t_, state());
     }
     return report_.outcome == Outcome::running && t_ == end;
   }

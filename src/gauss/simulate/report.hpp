@@ -14,6 +14,7 @@ enum class Outcome {
   step_too_small,  ///< the model's status or the error asks for steps below rounding of the time
   too_many_steps,
   constraints_lost,  ///< projection moves the state by more than errors of steps explain, however short the steps
+  interrupted,       ///< Settings::ends said so
   bad_settings,      ///< a setting or the time of the start is no number or out of its range; nothing was integrated
 };
 
@@ -22,6 +23,7 @@ constexpr const char* name(Outcome outcome) noexcept {
          : outcome == Outcome::model_failed   ? "model failed"
          : outcome == Outcome::step_too_small ? "step too small"
          : outcome == Outcome::too_many_steps ? "too many steps"
+         : outcome == Outcome::interrupted    ? "interrupted"
          : outcome == Outcome::bad_settings   ? "bad settings"
                                               : "constraints lost";
 }
@@ -36,10 +38,17 @@ struct Settings {
   Scalar longest_step =
       0;  ///< 0: none. A pulse that is shorter than a step may lie between the times at which it looks
   long most_steps = 10'000'000;
+  bool (*ends)() = nullptr;  ///< asked before each step: whether none is taken any more
   bool project = true;
   Scalar most_projected = 1000;  ///< a projection that moves a component by more tolerances is refused
 
   Scalar least_speed() const { return smallest_speed > Scalar(0) ? smallest_speed : smallest_scale; }
+
+  /// After so many steps, whether there is another one.
+  Outcome before_step(long steps) const {
+    if (ends != nullptr && ends()) return Outcome::interrupted;
+    return steps >= most_steps ? Outcome::too_many_steps : Outcome::running;
+  }
 
   /// Whether each is within its range; what is no number is in none. A step cannot be shorter than 0, nor an error smaller.
   bool are_usable() const {

@@ -59,11 +59,8 @@ class Simulation {
   template <class OnStep>
   bool advance_to(const Scalar& end, OnStep&& on_step) {
     while (t_ < end && report_.outcome == Outcome::running) {
-      if (report_.steps >= settings_.most_steps) {
-        report_.outcome = Outcome::too_many_steps;
-      } else {
-        step_towards(end, on_step);
-      }
+      report_.outcome = settings_.before_step(report_.steps);
+      if (report_.outcome == Outcome::running) step_towards(end, on_step);
     }
     report_.calls = system_.calls();
     return report_.outcome == Outcome::running && t_ == end;

@@ -217,10 +217,8 @@ class TaylorSimulation {
 
   /// `next()` is the series from the end of the last step on: how far it holds, and the one after it.
   void step(const Scalar& end) {
-    if (report_.steps >= settings_.most_steps) {
-      report_.outcome = Outcome::too_many_steps;
-      return;
-    }
+    report_.outcome = settings_.before_step(report_.steps);
+    if (report_.outcome != Outcome::running) return;
     now_ = 1 - now_;
     begin_ = begin_ + span_;
     Scalar span = control_.span(series(), longest(end));
