@@ -81,7 +81,7 @@ int advise(const AdviseOptions& options) {
   if (!prepared) return code;
   std::string why;
   if (!options.study.empty()) {
-    const StudyPoint best = cheapest_in_study(options.study, prepared->name(), options.error, why);
+    const StudyPoint best = cheapest_in_study(options.study, *prepared, options.error, why);
     if (!why.empty()) return cli::fail(why, cli::k_not_delivered, options.messages);
     write(options, best, {}, "by " + std::filesystem::path(options.study).filename().string(), prepared->scene.form);
     return cli::k_ok;

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
+#include <vector>
 
 #include "cli/files.hpp"
 #include "sim/methods/methods.hpp"
@@ -40,6 +42,18 @@ StudyPoint point_of(const Json& point) {
           number_at(point, "step"),      number_at(point, "error"),    number_at(point, "time_s")};
 }
 
+/// What a study cannot say anything of this problem for; empty: it can.
+std::string difference(const Json& problem, const PreparedModel& prepared) {
+  const double duration = number_at(problem, "duration");
+  if (!(std::abs(duration - prepared.span.duration) <= 1e-12 * prepared.span.duration))
+    return fmt::format("it lasts {:.6g} s, and here {:.6g} s", duration, prepared.span.duration);
+  std::vector<std::string> there, here;
+  for (const Json& output : problem.value("outputs", Json::array()))
+    if (output.is_object()) there.push_back(text_at(output, "name"));
+  for (const Column& column : prepared.columns.columns) here.push_back(column.name);
+  return there == here ? "" : "it has other outputs";
+}
+
 Json read(const std::string& path) {
   Json study = Json::parse(cli::read_source(path).text(), nullptr, false);
   if (!study.is_object() || study.value("format", Json()) != 1 || !study["problems"].is_array())
@@ -49,15 +63,17 @@ Json read(const std::string& path) {
 
 }  // namespace
 
-StudyPoint cheapest_in_study(const std::string& path, const std::string& name, double error, std::string& why) {
+StudyPoint cheapest_in_study(const std::string& path, const PreparedModel& prepared, double error, std::string& why) {
   const Json study = read(path);
   double least_error = std::numeric_limits<double>::infinity();
   StudyPoint best;
   best.seconds = std::numeric_limits<double>::infinity();
   bool is_known = false;
   for (const Json& problem : study["problems"]) {
-    if (!problem.is_object() || text_at(problem, "name") != name || !problem["points"].is_array()) continue;
+    if (!problem.is_object() || text_at(problem, "name") != prepared.name() || !problem["points"].is_array()) continue;
     is_known = true;
+    if (const std::string other = difference(problem, prepared); !other.empty())
+      throw cli::FileError(fmt::format("{}: '{}' is another problem there: {}", path, prepared.name(), other));
     for (const Json& one : problem["points"]) {
       if (!is_timed(one)) continue;
       const StudyPoint point = point_of(one);
@@ -65,7 +81,7 @@ StudyPoint cheapest_in_study(const std::string& path, const std::string& name, d
       if (point.error <= k_margin * error && point.seconds < best.seconds) best = point;
     }
   }
-  if (!is_known) throw cli::FileError(fmt::format("{} has no problem '{}'", path, name));
+  if (!is_known) throw cli::FileError(fmt::format("{} has no problem '{}'", path, prepared.name()));
   if (best.method.empty())
     why = fmt::format("no run of the study delivers an error of {:.1e} with a margin of two; the best has {:.1e}",
                       error, least_error);

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "sim/run/prepare.hpp"
+
 namespace gausssim {
 
 /// A point of docs/study-format.md.
@@ -12,8 +14,8 @@ struct StudyPoint {
   double tolerance = 0, step = 0, error = 0, seconds = 0;
 };
 
-/// The cheapest point of the problem `name` that delivered `error` with a margin of two. Nothing delivered it: `why`. Throws cli::FileError where the file is no study or lacks
-/// the problem.
-StudyPoint cheapest_in_study(const std::string& path, const std::string& name, double error, std::string& why);
+/// The cheapest point of the problem that delivered `error` with a margin of two. Nothing delivered it: `why`. Throws cli::FileError where the file is no study, or lacks
+/// the problem, or has another one of the name.
+StudyPoint cheapest_in_study(const std::string& path, const PreparedModel& prepared, double error, std::string& why);
 
 }  // namespace gausssim

@@ -100,7 +100,9 @@ void add_ensemble(CLI::App& app, EnsembleOptions& options) {
       "ensemble",
       "Simulate a scene for many values of parameters and of the start, and write a table with a row for each");
   command->add_option("FILE", options.run.file, "scene with the key 'ensemble'")->required();
-  command->add_option("-o,--output", options.run.output, "table to write, or - for standard output; default <name>.csv")
+  command
+      ->add_option("-o,--output", options.run.output,
+                   "table to write, or - for standard output; default <name>.ensemble.csv")
       ->type_name("CSV");
   command->add_option("--trajectories", options.trajectories, "how many, for each point of the sweeps")
       ->type_name("N")

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <thread>
 
 #include "cli/exit_codes.hpp"
@@ -14,6 +13,7 @@
 #include "sim/ensemble/summary.hpp"
 #include "sim/ensemble/table.hpp"
 #include "sim/output/csv.hpp"
+#include "sim/output/files.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/progress_bar.hpp"
 #include "sim/run/settings.hpp"
@@ -49,7 +49,7 @@ int threads_of(const EnsembleOptions& options) {
 
 std::string csv_path(const EnsembleOptions& options, const PreparedModel& prepared) {
   if (!options.run.output.empty()) return options.run.output;
-  return prepared.name() + ".csv";
+  return prepared.name() + ".ensemble.csv";
 }
 
 void tell(const EnsembleTold& told, const std::string& csv) {
@@ -114,6 +114,11 @@ int ensemble(const EnsembleOptions& options) {
   std::string why;
   const auto engine = build_engine(*prepared, engine_choice(prepared->scene), {scalar_of(number)}, times, why);
   if (!engine) return cli::fail(why, cli::k_file_error, options.messages);
+  warn_of_interpreting(times, options.messages);
+  if (prepared->scene.error)
+    cli::warn("an error is for 'run', which looks for a setting: the ensemble takes the tolerance", options.messages);
+  const std::string csv = csv_path(options, *prepared);
+  check_outputs(csv, {options.run.file, prepared->model_file});
   EnsembleSetting setting;
   setting.setting = setting_of(*prepared, *engine);
   const BuiltLanes lanes = choose_lanes(options.lanes, *prepared, *engine, setting.setting, options.messages);
@@ -121,7 +126,6 @@ int ensemble(const EnsembleOptions& options) {
   setting.lanes = lanes.kernel.get();
   setting.records_samples = prepared->scene.ensemble->records_samples;
 
-  const std::string csv = csv_path(options, *prepared);
   CsvFile file(csv);
   file.write(ensemble_header(*prepared, plan.varied()));
   Outcomes outcomes;
@@ -138,7 +142,7 @@ int ensemble(const EnsembleOptions& options) {
   const EnsembleTold told{*prepared, setting, outcomes, engine->name(), times, lanes.compile_seconds, was_interrupted};
   file.finish();
   if (csv != "-") {
-    const std::string path = std::filesystem::path(csv).replace_extension(".json").string();
+    const std::string path = summary_path(csv);
     cli::Replacement(path, ensemble_json(told).dump(2) + "\n").commit();
     if (!options.run.quiet) tell(told, csv + " and " + path);
   }

@@ -16,6 +16,10 @@ int usual_rank_of(const gaussgen::emit::Unit& unit) {
 
 }  // namespace
 
+void warn_of_interpreting(const EngineTimes& times, const gaussgen::cli::MessageOptions& messages) {
+  if (!times.why_interpreted.empty()) gaussgen::cli::warn(times.why_interpreted + "; it is interpreted", messages);
+}
+
 std::string scalar_of(const std::string& number) {
   return number == "long-double" ? "long double" : number == "float128" ? "__float128" : number;
 }
@@ -38,10 +42,12 @@ std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice
   if (prepared.wants_gains) request.usual_rank = usual_rank_of(prepared.model.unit);
   if (uses_quad(request)) toolchain->libraries.push_back("-lquadmath");
   const Built built = build_plugin(plugin_text(prepared.model.tree, request), *toolchain);
-  times = {built.compile_seconds, built.was_cached};
+  times = {built.compile_seconds, built.was_cached, {}};
   if (built.plugin) return std::make_unique<CompiledEngine>(built.plugin, std::move(interpreted));
   why = "the model cannot be compiled: " + built.why;
-  return nullptr;
+  if (choice != EngineChoice::automatic) return nullptr;
+  times.why_interpreted = why;
+  return interpreted;
 }
 
 }  // namespace gausssim

@@ -11,14 +11,18 @@ namespace gausssim {
 struct EngineTimes {
   double compile = 0;  ///< s; 0 where nothing was compiled
   bool was_cached = false;
+  std::string why_interpreted;  ///< a compiler is there, and fails
 };
 
 enum class EngineChoice { automatic, compiled, interpreted };
 
-/// The functions of a model for these number types, as C++ writes them: compiled, or from the cache, or interpreted where that is asked for or there is no compiler.
+/// The functions of a model for these number types, as C++ writes them: compiled, or from the cache, or interpreted where that is asked for, or by default where no compiler does it.
 /// Null: `why`.
 std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice choice,
                                      const std::vector<std::string>& scalars, EngineTimes& times, std::string& why);
+
+/// Says why, where a compiler fails and the model is interpreted.
+void warn_of_interpreting(const EngineTimes& times, const gaussgen::cli::MessageOptions& messages);
 
 /// "long-double" of scenes is "long double".
 std::string scalar_of(const std::string& number);

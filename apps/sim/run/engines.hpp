@@ -22,6 +22,7 @@ class Engines {
       place->second = build_engine(prepared_, choice_, {scalar_of(number)}, times, why_);
       times_.compile += times.compile;
       times_.was_cached = times.was_cached;
+      times_.why_interpreted = times.why_interpreted;
     }
     return place->second.get();
   }

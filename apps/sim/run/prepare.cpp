@@ -105,7 +105,17 @@ class SpanReader {
     span.start = value(scene_.start, "start", 0, false);
     span.duration = value(scene_.duration, "duration", span.duration, true);
     if (scene_.samples) span.samples = *scene_.samples;
-    if (!scene_.every) return span;
+    if (scene_.every) take_every(span);
+    // Times of samples are to be told from each other.
+    const double between = span.duration / static_cast<double>(span.samples - 1);
+    if (scene_.start && !diagnostics_.has_errors() && !(span.start + between > span.start))
+      diagnostics_.error(code::k_out_of_range, scene_.start->span,
+                         fmt::format("in double, {:.6g} s later is the same time", between));
+    return span;
+  }
+
+ private:
+  void take_every(Span& span) {
     const double count = std::floor(span.duration / value(scene_.every, "every", span.duration, true) * (1 + 1e-12));
     constexpr double k_most = 1e8;
     if (count >= 1 && count < k_most) {
@@ -117,10 +127,8 @@ class SpanReader {
       diagnostics_.error(code::k_out_of_range, scene_.every->span,
                          fmt::format("this makes {} samples; there may be from 2 to {}", count + 1, k_most));
     }
-    return span;
   }
 
- private:
   double value(const std::optional<model::Ast>& ast, const char* key, double otherwise, bool is_positive) {
     if (!ast) return otherwise;
     const auto found = model::value_of(*ast, values_);

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
 #include "cli/replacement.hpp"
 #include "sim/output/csv.hpp"
+#include "sim/output/files.hpp"
 #include "sim/run/build_engine.hpp"
 #include "sim/run/error_estimate.hpp"
 #include "sim/run/in_rows.hpp"
@@ -33,10 +33,6 @@ constexpr double k_long_run = 5;        ///< seconds; not made twice unless some
 std::string csv_path(const RunOptions& options, const PreparedModel& prepared) {
   if (!options.output.empty()) return options.output;
   return prepared.name() + ".csv";
-}
-
-std::string summary_path(const std::string& csv) {
-  return std::filesystem::path(csv).replace_extension(".json").string();
 }
 
 EarlierRun earlier_run(const std::string& csv, const PreparedModel& prepared, const Setting& setting) {
@@ -205,21 +201,6 @@ std::optional<DeliveredError> estimate(const PreparedModel& prepared, const Engi
   return delivered_error(rows, reference.rows, prepared.columns.columns);
 }
 
-/// What stands where a table or a summary is to be written, and is no such thing.
-void check_output(const std::string& csv, const PreparedModel& prepared, const std::string& file) {
-  if (csv == "-") return;
-  const std::string summary = summary_path(csv);
-  if (summary == csv)
-    throw cli::UsageError(fmt::format("'{}' is where the summary goes; the table is a CSV file", csv));
-  for (const std::string& path : {csv, summary}) {
-    std::error_code error;
-    if (cli::are_same_file(path, file) || cli::are_same_file(path, prepared.model_file))
-      throw cli::UsageError(fmt::format("'{}' is what the run reads; -o names another file", path));
-    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
-      throw cli::UsageError(fmt::format("'{}' is no file that a table could take the place of", path));
-  }
-}
-
 }  // namespace
 
 int run(const RunOptions& options, const FindSetting& find) {
@@ -239,10 +220,11 @@ int run(const RunOptions& options, const FindSetting& find) {
   const std::string first = prepared->scene.number ? prepared->scene.number->text : "double";
   const Engine* engine = engines.of(first);
   if (engine == nullptr) return cli::fail(engines.why(), cli::k_file_error, options.messages);
+  warn_of_interpreting(engines.times(), options.messages);
   Setting setting = setting_of(*prepared, *engine);
   std::optional<FoundSetting> found;
   const std::string csv = csv_path(options, *prepared);
-  check_output(csv, *prepared, options.file);
+  check_outputs(csv, {options.file, prepared->model_file});
   const Interruption interruption;
   // What was found then goes on; what would be found now may be another setting.
   if (prepared->scene.error && options.resume) {

@@ -43,7 +43,7 @@ NO_LANES = {**os.environ, "CXX": "no-such-compiler"}
 
 
 class Ensembles(Program):
-    def rows(self, name="many.csv"):
+    def rows(self, name="many.ensemble.csv"):
         with open(self.folder / name, encoding="utf-8", newline="") as file:
             return list(csv.DictReader(file))
 
@@ -103,7 +103,7 @@ class Motions(Ensembles):
         self.write("scene.yaml", f"gauss: 1\nscene: bars\nmodel: {json.dumps(str(MODELS / 'four_bar.yaml'))}\nduration: 0.5\noutputs: [state, energy]\n"
                                  "ensemble: {initial: {alpha: {sweep: {from: 0.4, to: 0.9, count: 6}}}}\n")
         self.ok("ensemble", "scene.yaml", "-q")
-        many = self.rows("bars.csv")
+        many = self.rows("bars.ensemble.csv")
         for row in many:
             start = row["initial.alpha [rad]"]
             self.ok("run", MODELS / "four_bar.yaml", "--set", f"alpha={start}", "--duration", "0.5", "--samples", "2", "--outputs", "state,energy",
@@ -158,7 +158,7 @@ class Sameness(Ensembles):
 
     def test_without_a_compiler_there_are_no_lanes(self):
         self.run_ensemble(SCENE, env=NO_LANES)
-        summary = self.summary("many.json")
+        summary = self.summary("many.ensemble.json")
         self.assertEqual((summary["lanes"], summary["engine"], summary["method"]), (1, "interpreted", "prince87"))
 
 
@@ -173,12 +173,12 @@ class Stopping(Ensembles):
             result = self.fall("{initial: {x: {values: [4, 1, 5, 1.1, 6]}, x_dot: {values: [0]}}}", "--lanes", lanes)
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertIn("2 of 5 trajectories did not arrive", result.stderr)
-            rows = self.rows("falls.csv")
+            rows = self.rows("falls.ensemble.csv")
             self.assertEqual([row["status"] == "finished" for row in rows], [True, False, True, False, True])
             for row, x in ((rows[1], 1), (rows[3], 1.1)):
                 self.assertLess(float(row["t [s]"]), math.pi / 2 * math.sqrt(x**3 / 2) + 1e-3)
                 self.assertGreater(float(row["t [s]"]), 0.5)
-            counts = self.summary("falls.json")["by_status"]
+            counts = self.summary("falls.ensemble.json")["by_status"]
             self.assertEqual(counts["finished"], 3)
             self.assertEqual(sum(counts.values()), 5)
 
@@ -186,16 +186,16 @@ class Stopping(Ensembles):
         for lanes in ("1", "auto"):
             result = self.fall("{parameters: {p: {values: [3, 4, -1, 6, 7]}}}", "--lanes", lanes, duration="0.1")
             self.assertEqual(result.returncode, 0, result.stderr)
-            rows = self.rows("falls.csv")
+            rows = self.rows("falls.ensemble.csv")
             self.assertEqual([row["status"] for row in rows], ["finished"] * 2 + ["no initial state"] + ["finished"] * 2)
             self.assertEqual((rows[2]["x"], rows[2]["t [s]"]), ("", "0"))
-            self.assertEqual(self.summary("falls.json")["statistics"][0]["count"], 4)
+            self.assertEqual(self.summary("falls.ensemble.json")["statistics"][0]["count"], 4)
 
     def test_where_none_arrives_the_program_says_so(self):
         result = self.fall("{initial: {x: {values: [1, 1.1]}, x_dot: {values: [0]}}}")
         self.assertEqual(result.returncode, 5)
-        self.assertEqual(len(self.rows("falls.csv")), 2)
-        self.assertEqual(self.summary("falls.json")["statistics"][0], {"output": "x", "unit": "", "count": 0})
+        self.assertEqual(len(self.rows("falls.ensemble.csv")), 2)
+        self.assertEqual(self.summary("falls.ensemble.json")["statistics"][0], {"output": "x", "unit": "", "count": 0})
 
     def test_ctrl_c_leaves_what_is_finished(self):
         self.write("spring.yaml", SPRING)
@@ -203,24 +203,24 @@ class Stopping(Ensembles):
         command = [PROGRAM, "ensemble", "scene.yaml", "--method", "rk4", "--step", "1e-3", "--threads", "2", "-q"]
         process = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True)
         deadline = time.monotonic() + 60
-        while not [path for path in self.folder.glob("many.csv*") if path.stat().st_size > 4096] and time.monotonic() < deadline:
+        while not [path for path in self.folder.glob("many.ensemble.csv*") if path.stat().st_size > 4096] and time.monotonic() < deadline:
             time.sleep(0.05)
         process.send_signal(signal.SIGINT)
         said = process.communicate(timeout=60)[1]
         self.assertEqual(process.returncode, 130, said)
         self.assertIn("interrupted", said)
-        rows, summary = self.rows(), self.summary("many.json")
+        rows, summary = self.rows(), self.summary("many.ensemble.json")
         self.assertEqual(summary["outcome"], "interrupted")
         self.assertGreater(len(rows), 0)
         self.assertEqual((len(rows), summary["by_status"]), (summary["run"], {"finished": len(rows)}))
         self.assertLess(len(rows), 2000000)
-        self.assertEqual(self.files(), ["many.csv", "many.json", "scene.yaml", "spring.yaml"])
+        self.assertEqual(self.files(), ["many.ensemble.csv", "many.ensemble.json", "scene.yaml", "spring.yaml"])
 
 
 class Writing(Ensembles):
     def test_the_summary_has_the_statistics_of_the_table(self):
         self.run_ensemble(SCENE)
-        rows, summary = self.rows(), self.summary("many.json")
+        rows, summary = self.rows(), self.summary("many.ensemble.json")
         self.assertEqual([one["output"] for one in summary["statistics"]], ["x", "x_dot"])
         for one, name in zip(summary["statistics"], ("x [m]", "x_dot [m/s]")):
             values = [float(row[name]) for row in rows]
@@ -233,7 +233,7 @@ class Writing(Ensembles):
 
     def test_the_summary_says_how_it_went(self):
         self.run_ensemble(SCENE, "--threads", "2", "--tolerance", "1e-8")
-        summary = self.summary("many.json")
+        summary = self.summary("many.ensemble.json")
         self.assertEqual((summary["outcome"], summary["trajectories"], summary["run"], summary["seed"]), ("finished", 100, 100, 3))
         self.assertEqual((summary["threads"], summary["tolerance"], summary["method"], summary["record"]), (2, 1e-8, "taylor", "end"))
         self.assertEqual(summary["by_status"], {"finished": 100})
@@ -253,11 +253,11 @@ class Writing(Ensembles):
     def test_a_model_is_compiled_once_whatever_is_varied_to(self):
         self.run_ensemble(SCENE)
         self.run_ensemble(SCENE.replace("[1, 3]", "[2, 4]").replace("seed: 3", "seed: 9"))
-        self.assertTrue(self.summary("many.json")["seconds"]["cached"])
+        self.assertTrue(self.summary("many.ensemble.json")["seconds"]["cached"])
 
     def test_the_shipped_scene_runs(self):
         self.ok("ensemble", MODELS.parent / "examples/scenes/balls_in_cylinders.yaml", "--trajectories", "8", "-q")
-        rows = self.rows("balls_in_cylinders.csv")
+        rows = self.rows("balls_in_cylinders.ensemble.csv")
         self.assertEqual({row["status"] for row in rows}, {"finished"})
 
     def test_standard_output_takes_the_table(self):

@@ -1,0 +1,34 @@
+#include "sim/output/files.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/files.hpp"
+#include "cli/usage_error.hpp"
+
+namespace gausssim {
+
+namespace cli = gaussgen::cli;
+
+std::string summary_path(const std::string& csv) {
+  return std::filesystem::path(csv).replace_extension(".json").string();
+}
+
+void check_outputs(const std::string& csv, const std::vector<std::string>& inputs) {
+  if (csv == "-") return;
+  const std::string summary = summary_path(csv);
+  if (summary == csv)
+    throw cli::UsageError(fmt::format("'{}' is where the summary goes; the table is a CSV file", csv));
+  for (const std::string& path : {csv, summary}) {
+    for (const std::string& input : inputs) {
+      if (cli::are_same_file(path, input))
+        throw cli::UsageError(fmt::format("'{}' is what the run reads; -o names another file", path));
+    }
+    std::error_code error;
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+      throw cli::UsageError(fmt::format("'{}' is no file that a table could take the place of", path));
+  }
+}
+
+}  // namespace gausssim
