@@ -48,6 +48,7 @@ class ModelText {
     section("constraints", model_.constraints);
     section("forces", model_.forces);
     section("quantities", model_.quantities);
+    section("exact", model_.exact);
     add_elimination();
     if (!model::has_units(model_)) text_ += "units\n  none are stated, so none are checked\n";
     text_ += "outputs\n  " + (model_.outputs.empty() ? "all" : joined_names(model_.outputs)) + "\n";
@@ -90,6 +91,8 @@ class ModelText {
     const std::string value = quantity.values.size() == 1 ? written(quantity.values.front()) : written(quantity.values);
     text_ += fmt::format("  {} = {}{}", quantity.name.text, value, remarks(quantity.unit, quantity.about));
   }
+
+  void add(const model::ClosedForm& form) { text_ += fmt::format("  {} = {}\n", form.name.text, written(form.value)); }
 
   void add(const model::Table& table) {
     const std::string kind = table.kind == model::Table::Kind::spline ? "spline" : "linear";

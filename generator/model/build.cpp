@@ -36,6 +36,7 @@ void read_sections(const spec::Node& root, Reading& reading) {
   read_constraints(root, reading);
   read_forces(root, reading);
   read_quantities(root, reading);
+  read_exact(root, reading);
   read_elimination(root, reading);
   read_rank_tolerance(root, reading);
   read_outputs(root, reading);

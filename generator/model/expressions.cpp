@@ -55,10 +55,10 @@ constexpr Place k_place_of_force =
     in(Quantity::length, {"the place of a force", "it is fixed in the axes of what 'on' names",
                           "use numbers and parameters; a place that moves there is declared under 'points'"});
 constexpr Place k_axis{"an axis", "it is fixed in its frame", "use numbers and parameters"};
-constexpr Place k_placement =
-    differentiated(2, in(Quantity::length, {"a position", "it is a formula of coordinates and time",
-                                            "use coordinates, parameters and t; what begins at another frame names it as 'parent'",
-                                            true, true, true}));
+constexpr Place k_placement = differentiated(
+    2, in(Quantity::length,
+          {"a position", "it is a formula of coordinates and time",
+           "use coordinates, parameters and t; what begins at another frame names it as 'parent'", true, true, true}));
 constexpr Place k_point = with_places(differentiated(
     1, in(Quantity::length, {"the point of a constraint", "a place does not depend on speeds or on inputs",
                              "use coordinates, parameters and t", true, true, true})));
@@ -182,6 +182,9 @@ void visit_force(const Force& force, const Visit& visit) {
   }
 }
 
+constexpr Place k_exact{"a closed form", "it says what the motion is at a time", "use t, parameters, numbers and pi",
+                        true, true};
+
 }  // namespace
 
 const Place& parameter_place() { return k_parameter; }
@@ -209,6 +212,8 @@ void for_each_slot(const Model& model, const Visit& visit) {
   for (const Constraint& constraint : model.constraints) visit_constraint(constraint, visit);
   for (const Force& force : model.forces) visit_force(force, visit);
   for (const NamedQuantity& quantity : model.quantities) visit_all(quantity.values, {k_quantity, quantity}, visit);
+  for (const ClosedForm& form : model.exact)
+    visit(form.value, {k_exact, form.is_rate ? Quantity::rate_of_owner : Quantity::owner, form.of});
 }
 
 }  // namespace gaussgen::model

@@ -387,6 +387,8 @@ const Map& model_file() {
        {"forces", section(force()), "each with one law"},
        {"quantities", or_empty(entries_of(or_else(or_else(expression(), vector()), entry(quantity())))),
         "what else the emitted code shall tell of a state"},
+       {"exact", or_empty(entries_of(expression())),
+        "coordinates, rates x_dot and speeds as functions of t, where they are known"},
        {"elimination", map_of(elimination()), "the choice of dependent speeds"},
        {"rank_tolerance", expression(), "a number: sine of the angle below which a constraint follows from the others"},
        {"outputs", or_empty(list_of(word_of(outputs()))), "what is emitted; all if left out"},

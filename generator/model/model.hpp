@@ -262,6 +262,14 @@ struct NamedQuantity {
   std::string about;
 };
 
+/// What a coordinate, its rate or a speed is at a time, in the motion from the initial state: for studies of accuracy. Nothing is emitted of it.
+struct ClosedForm {
+  Name name;  ///< as a table calls it: x, x_dot
+  Name of;    ///< the coordinate or speed
+  bool is_rate = false;
+  Ast value;  ///< over parameters and t
+};
+
 enum class SymbolKind {
   time,                  ///< `t`
   pi,                    ///< `pi`
@@ -300,6 +308,7 @@ struct Model {
   std::vector<std::string> idle_closures;  ///< rows of `coincide` that hold in every motion and are left out
   std::vector<Force> forces;
   std::vector<NamedQuantity> quantities;
+  std::vector<ClosedForm> exact;
   std::vector<Name> dependent;      ///< the user's choice of dependent speeds (3.6); empty: chosen by the generator
   std::vector<Name> outputs;        ///< empty: the default set
   std::vector<Name> sensitivities;  ///< parameters by which derivatives are emitted

@@ -204,6 +204,21 @@ void check_exact(const Scene& scene, const Columns& columns, model::Values value
   }
 }
 
+/// Closed forms of the model's file: of its own initial state, at a time that begins with 0, and what the scene says itself counts more.
+void take_exact_of_model(const std::vector<model::ClosedForm>& of_model, const Columns& columns, const Span& span,
+                         model::Values values, Scene& scene) {
+  if (!scene.initial.empty() || !scene.inputs.empty() || span.start != 0) return;
+  values["t"] = 1;
+  const auto has_name = [](const std::string& name) { return [&](const auto& one) { return one.name == name; }; };
+  for (const model::ClosedForm& form : of_model) {
+    const auto is_it = has_name(form.name.text);
+    const bool is_column = std::any_of(columns.columns.begin(), columns.columns.end(), is_it);
+    const bool is_said = std::any_of(scene.exact.begin(), scene.exact.end(), is_it);
+    if (is_column && !is_said && model::value_of(form.value, values))
+      scene.exact.push_back({form.name.text, form.value, form.name.span});
+  }
+}
+
 /// Of the equations alone: what everything costs that calls them.
 int operations_of_rates(const gaussgen::PipelineResult& compiled) {
   for (const auto& output : compiled.outputs) {
@@ -274,6 +289,7 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
   if (method == "auto") options.where_possible.push_back("taylor");
   Diagnostics in_values;
   model::Values parameters;
+  std::vector<model::ClosedForm> closed_forms;
   options.adjust = [&](model::Model& read) {
     SceneValues(result.scene, in_values).apply(read);
     cli::apply_overrides(request.sets, read);
@@ -281,6 +297,7 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
     parameters = model::parameter_values(read);
     check_bodies(result.scene, request.sets, read, in_values);
     for (const model::Parameter& one : read.parameters) result.parameters.emplace_back(one.name.text, one.value);
+    closed_forms = read.exact;
     result.span = SpanReader(result.scene, parameters, in_values).read();
     if (in_values.has_errors()) throw BadScene{};
   };
@@ -304,6 +321,7 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
   result.model = {std::move(compiled->tree), std::move(compiled->unit)};
   result.columns = choose_columns(result.model, result.scene.outputs, in_values);
   check_exact(result.scene, result.columns, parameters, in_values);
+  take_exact_of_model(closed_forms, result.columns, result.span, parameters, result.scene);
   // Those of the command line have no place in the file.
   const bool are_options = !result.scene.outputs.empty() && result.scene.outputs.front().span.end == 0;
   if (in_values.has_errors() && are_options)

@@ -146,6 +146,19 @@ class Formulations(Program):
             problem = self.study(scene + ", x_dot: -sqrt(k/m)*sin(sqrt(k/m)*t)}\n", "--budget", "3")
             self.assertEqual(problem["reference"]["kind"], "closed form")
             self.assertLess(min(p["error"] for p in problem["points"] if p["status"] == "ok"), 1e-14)
+        with self.subTest("the model names them, of its own initial state"):
+            own = SPRING + "exact: {x: cos(sqrt(k/m)*t), x_dot: -sqrt(k/m)*sin(sqrt(k/m)*t)}\n"
+            self.write("spring.yaml", own)
+            plain = scene[: scene.index("exact")]
+            self.assertEqual(self.study(plain, "--budget", "3")["reference"]["kind"], "closed form")
+            self.assertEqual(self.study(plain + "initial: {x: 0.5}\n", "--budget", "3")["reference"]["kind"], "float128")
+            self.assertEqual(self.study(plain + "parameters: {k: 2}\n", "--budget", "3")["reference"]["kind"], "closed form")
+        with self.subTest("a wrong one of the model is found"):
+            self.write("spring.yaml", own.replace("cos(sqrt(k/m)*t)", "cos(1.9*sqrt(k/m)*t)"))
+            self.write("swing.yaml", plain)
+            said = self.run_it("study", "swing.yaml", "--budget", "3", "-q").stderr
+            self.assertIn("closed form of 'x' differs", said)
+        self.write("spring.yaml", SPRING)
         with self.subTest("a wrong one is found"):
             self.write("swing.yaml", scene.replace("sqrt(k/m)", "1.9") + "}\n")
             said = self.run_it("study", "swing.yaml", "--budget", "3", "-q").stderr

@@ -1,0 +1,63 @@
+// exact: `x: x_0*cos(w*t)`, `x_dot: -x_0*w*sin(w*t)`.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "model/fields.hpp"
+#include "model/sections.hpp"
+#include "support/error_codes.hpp"
+
+namespace gaussgen::model {
+
+namespace code = support::code;
+using spec::Entry;
+
+namespace {
+
+constexpr std::string_view k_rate = "_dot";
+
+bool is_of_kind(const std::string& name, SymbolKind kind, const Reading& reading) {
+  const auto symbol = reading.model.symbols.find(name);
+  return symbol != reading.model.symbols.end() && symbol->second.kind == kind;
+}
+
+/// A table has the speeds that stand in the state, and the rates of all other coordinates.
+std::vector<std::string> names_of_columns(const Reading& reading) {
+  std::vector<std::string> names;
+  for (const Coordinate& coordinate : reading.model.coordinates) {
+    names.push_back(coordinate.name.text);
+    names.push_back(coordinate.name.text + std::string(k_rate));
+  }
+  for (const Speed& speed : reading.model.speeds) names.push_back(speed.name.text);
+  return names;
+}
+
+void read_form(const Entry& entry, Reading& reading) {
+  ClosedForm form;
+  form.name = form.of = name_of(entry.key);
+  form.value = read_expression(entry.value, entry.key.span, reading);
+  const std::string& name = form.name.text;
+  const std::size_t end = name.size() - std::min(name.size(), k_rate.size());
+  if (name.compare(end, std::string::npos, k_rate) == 0 &&
+      is_of_kind(name.substr(0, end), SymbolKind::coordinate, reading)) {
+    form.of.text = name.substr(0, end);
+    form.is_rate = true;
+  } else if (!is_of_kind(name, SymbolKind::coordinate, reading) && !is_of_kind(name, SymbolKind::speed, reading)) {
+    const std::string near = did_you_mean_one_of(
+        form.name, [&] { return names_of_columns(reading); }, reading);
+    reading.diagnostics.error(
+        code::k_wrong_reference, form.name.span, fmt::format("'{}' is no coordinate, rate or speed", name),
+        near.empty() ? "a closed form is of a coordinate x, of its rate x_dot, or of a speed" : near);
+  }
+  reading.model.exact.push_back(std::move(form));
+}
+
+}  // namespace
+
+void read_exact(const spec::Node& root, Reading& reading) {
+  read_section(root, "exact", reading, [&](const Entry& entry) { read_form(entry, reading); });
+}
+
+}  // namespace gaussgen::model
