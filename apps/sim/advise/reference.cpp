@@ -35,7 +35,7 @@ class TightSearch {
       why = fmt::format("an error of {:.1e} cannot be shown: that takes {:.1e} and more", error_, k_least);
       return std::nullopt;
     }
-    const std::string first = prepared_.scene.number ? prepared_.scene.number->text : "double";
+    const std::string first = number_name(prepared_.scene);
     for (const char* const number : {"double", "long-double", "float128"}) {
       if (is_before(number, first)) continue;
       if (auto found = in(number)) return found;

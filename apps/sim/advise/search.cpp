@@ -9,6 +9,7 @@
 #include "sim/advise/reference.hpp"
 #include "sim/run/in_rows.hpp"
 #include "sim/run/interruption.hpp"
+#include "sim/run/progress_bar.hpp"
 #include "sim/run/setting.hpp"
 
 namespace gausssim {
@@ -108,12 +109,14 @@ class Search {
       : prepared_(prepared),
         engines_(engines),
         error_(wanted.error),
+        bar_(wanted.is_told),
         limit_(wanted.budget),
         too_long_(fmt::format("no setting for an error of {:.1e} was found in {:.3g} s; --budget gives it more",
                               wanted.error, wanted.budget)) {}
 
   std::optional<FoundSetting> run(std::string& why) {
     try {
+      bar_.say("looking for a setting: a tight run");
       auto reference = tight_run(prepared_, engines_, error_, limit_, why);
       if (!reference) return std::nullopt;
       found_.reference = std::move(reference->rows);
@@ -137,33 +140,28 @@ class Search {
   }
 
  private:
-  const std::string& first_number() const {
-    static const std::string k_double = "double";
-    return prepared_.scene.number ? prepared_.scene.number->text : k_double;
-  }
-
   void try_all() {
-    const Engine* const engine = engines_.of(first_number());
+    const Engine* const engine = engines_.of(number_name(prepared_.scene));
     if (engine == nullptr) return;
-    const std::string usual = default_method(prepared_.model, *engine, scalar_of(first_number()));
+    const std::string usual = default_method(prepared_.model, *engine, scalar_of(number_name(prepared_.scene)));
     std::vector<std::string> methods{usual};
     if (usual != k_method_of_any_model) methods.emplace_back(k_method_of_any_model);
     if (error_ >= k_few_digits) methods.emplace_back("dopri5");
-    for (const std::string& method : methods) try_in(method, first_number());
+    for (const std::string& method : methods) try_in(method, number_name(prepared_.scene));
     if (error_ >= k_digits_of_float && !prepared_.scene.number) {
       for (const std::string& method : methods) try_in(method, "float");
     }
     if (is_stiff()) {
       for (const MethodInfo& method : gausssim::methods())
-        if (method.is_stiff && method.missing.empty()) try_in(method.name, first_number());
+        if (method.is_stiff && method.missing.empty()) try_in(method.name, number_name(prepared_.scene));
     }
     if (found_.trials.empty()) try_in_numbers(usual);
   }
 
   /// In more digits where fewer do not do.
   void try_in_numbers(const std::string& method) {
-    for (const std::string& number : numbers_from(first_number(), method)) {
-      if (prepared_.scene.number && number != first_number()) return;
+    for (const std::string& number : numbers_from(number_name(prepared_.scene), method)) {
+      if (prepared_.scene.number && number != number_name(prepared_.scene)) return;
       if (try_in(method, number)) return;
     }
   }
@@ -172,6 +170,7 @@ class Search {
     if (!computes_in(*find_method(method), number)) return false;
     const Engine* const engine = engines_.of(number);
     if (engine == nullptr) return false;
+    bar_.say(fmt::format("looking for a setting: {} in {}", method, number));
     Setting setting;
     setting.method = method;
     setting.number = number;
@@ -220,6 +219,7 @@ class Search {
   const PreparedModel& prepared_;
   Engines& engines_;
   double error_;
+  ProgressBar bar_;
   TimeLimit limit_;
   std::string too_long_;
   double best_ = std::numeric_limits<double>::infinity();

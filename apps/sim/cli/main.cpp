@@ -71,10 +71,18 @@ void add_setting(CLI::App* command, RunOptions& options) {
   command->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
 
-void add_budget(CLI::App* command, double& budget) {
-  command->add_option("--budget", budget, "seconds of the search for a setting that delivers an error; default 600")
+/// Of a search for a setting: it is what the search finds that takes a tolerance or a step.
+CLI::Option* add_error(CLI::App* command, RunOptions& options, const char* text) {
+  command
+      ->add_option("--budget", options.budget,
+                   "seconds of the search for a setting that delivers an error; default 600")
       ->type_name("S")
       ->check(positive());
+  return command->add_option("--error", options.error, text)
+      ->type_name("E")
+      ->check(positive())
+      ->excludes("--tolerance")
+      ->excludes("--step");
 }
 
 void add_run(CLI::App& app, RunOptions& options) {
@@ -84,13 +92,8 @@ void add_run(CLI::App& app, RunOptions& options) {
   run->add_option("-o,--output", options.output, "table to write, or - for standard output; default <name>.csv")
       ->type_name("CSV");
   add_setting(run, options);
-  run->add_option(
-         "--error", options.error,
-         "largest error of all columns, relative to their ranges: finds a method and a tolerance that deliver it")
-      ->type_name("E")
-      ->check(positive())
-      ->excludes("--tolerance");
-  add_budget(run, options.budget);
+  add_error(run, options,
+            "largest error of all columns, relative to their ranges: finds a method and a tolerance that deliver it");
   run->add_flag("--resume", options.resume, "go on from the table and the summary that an interrupted run has left");
   add_messages(*run, options.messages);
 }
@@ -154,16 +157,13 @@ void add_study(CLI::App& app, StudyOptions& options) {
 void add_advise(CLI::App& app, AdviseOptions& options) {
   CLI::App* const advise =
       app.add_subcommand("advise", "Find the cheapest setting that delivers an error, for pasting into a scene");
-  advise->add_option("FILE", options.file, "scene or model")->required();
-  advise->add_option("--error", options.error, "largest error of all outputs, relative to their ranges")
-      ->type_name("E")
-      ->check(positive())
-      ->required();
-  add_budget(advise, options.budget);
+  advise->add_option("FILE", options.run.file, "scene or model")->required();
+  add_setting(advise, options.run);
+  add_error(advise, options.run, "largest error of all outputs, relative to their ranges")->required();
   advise->add_option("--study", options.study, "take it from this study (JSON) instead of trying now")
       ->type_name("FILE");
   advise->add_option("--format", options.format, "default text")->check(one_of({"text", "json"}))->type_name("FORMAT");
-  add_messages(*advise, options.messages);
+  add_messages(*advise, options.run.messages);
 }
 
 void add_plot(CLI::App& app, PlotOptions& options) {

@@ -109,10 +109,10 @@ int ensemble(const EnsembleOptions& options) {
   const auto prepared = prepare_varied(options, places, code);
   if (!prepared) return code;
   const Plan plan(*prepared->scene.ensemble);
-  const std::string number = prepared->scene.number ? prepared->scene.number->text : "double";
   EngineTimes times;
   std::string why;
-  const auto engine = build_engine(*prepared, engine_choice(prepared->scene), {scalar_of(number)}, times, why);
+  const auto engine =
+      build_engine(*prepared, engine_choice(prepared->scene), {scalar_of(number_name(prepared->scene))}, times, why);
   if (!engine) return cli::fail(why, cli::k_file_error, options.messages);
   warn_of_interpreting(times, options.messages);
   if (prepared->scene.error)

@@ -31,6 +31,7 @@ struct FoundSetting {
 struct Wanted {
   double error = 0;     ///< of all outputs, relative to their ranges
   double budget = 600;  ///< seconds of the search
+  bool is_told = true;  ///< what is tried, on a terminal
 };
 
 /// The cheapest setting that delivers an error in all outputs, as `advise` finds it. Nothing: `why`.

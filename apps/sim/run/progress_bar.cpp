@@ -26,12 +26,20 @@ void ProgressBar::show(double share, const std::string& text) {
   const auto now = Clock::now();
   if (now - begin_ < k_first_pause || now - last_ < k_pause) return;
   last_ = now;
-  is_drawn_ = true;
   const int filled = static_cast<int>(std::clamp(share, 0.0, 1.0) * k_width);
   const double seconds = std::chrono::duration<double>(now - begin_).count();
   const double left = share > 0 ? seconds * (1 - share) / share : 0;
-  fmt::print(stderr, "\r\x1b[K[{:#<{}}{:.<{}}] {:3.0f} %  {}  {:.0f} s left", "", filled, "", k_width - filled,
-             100 * share, text, left);
+  draw(fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %  {}  {:.0f} s left", "", filled, "", k_width - filled, 100 * share, text,
+                   left));
+}
+
+void ProgressBar::say(const std::string& text) {
+  if (is_shown_) draw(text);
+}
+
+void ProgressBar::draw(const std::string& line) {
+  is_drawn_ = true;
+  fmt::print(stderr, "\r\x1b[K{}", line);
   std::fflush(stderr);
 }
 

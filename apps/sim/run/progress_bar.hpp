@@ -15,9 +15,13 @@ class ProgressBar {
 
   /// `share`: of the whole, from 0 to 1.
   void show(double share, const std::string& text);
+  /// Of a whole that nobody knows.
+  void say(const std::string& text);
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  void draw(const std::string& line);
 
   bool is_shown_;
   bool is_drawn_ = false;

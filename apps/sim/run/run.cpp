@@ -204,21 +204,11 @@ std::optional<DeliveredError> estimate(const PreparedModel& prepared, const Engi
 }  // namespace
 
 int run(const RunOptions& options, const FindSetting& find) {
-  Request request{options.file, options.sets, {}, options.messages};
   int code = cli::k_ok;
-  const auto prepared = prepare(
-      request,
-      [&](Scene& scene) {
-        apply(options, scene);
-        check_method(scene);
-        if (!chooses_method(scene)) request.also = find_method(scene.method->text)->takes;
-        if (scene.error && chooses_method(scene)) request.where_possible = {"jacobian"};
-      },
-      code);
+  const auto prepared = prepare_run(options, code);
   if (!prepared) return code;
   Engines engines(*prepared, engine_choice(prepared->scene));
-  const std::string first = prepared->scene.number ? prepared->scene.number->text : "double";
-  const Engine* engine = engines.of(first);
+  const Engine* engine = engines.of(number_name(prepared->scene));
   if (engine == nullptr) return cli::fail(engines.why(), cli::k_file_error, options.messages);
   warn_of_interpreting(engines.times(), options.messages);
   Setting setting = setting_of(*prepared, *engine);
@@ -234,7 +224,7 @@ int run(const RunOptions& options, const FindSetting& find) {
   } else if (prepared->scene.error) {
     std::string why;
     try {
-      found = find(*prepared, engines, {*prepared->scene.error, options.budget}, why);
+      found = find(*prepared, engines, {*prepared->scene.error, options.budget, !options.quiet}, why);
     } catch (const Interrupted&) {
       cli::remark("interrupted while a setting was looked for; nothing is written", options.messages);
       return cli::k_interrupted;

@@ -24,10 +24,15 @@ Projection default_projection(const std::string& method) {
 
 bool chooses_method(const Scene& scene) { return !scene.method || scene.method->text == "auto"; }
 
+const std::string& number_name(const Scene& scene) {
+  static const std::string k_usual = "double";
+  return scene.number ? scene.number->text : k_usual;
+}
+
 Setting setting_of(const PreparedModel& prepared, const Engine& engine) {
   const Scene& scene = prepared.scene;
   Setting setting;
-  if (scene.number) setting.number = scene.number->text;
+  setting.number = number_name(scene);
   setting.method =
       chooses_method(scene) ? default_method(prepared.model, engine, scalar_of(setting.number)) : scene.method->text;
   setting.projection = scene.projection ? projection_of(scene.projection->text) : default_projection(setting.method);

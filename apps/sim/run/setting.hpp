@@ -21,6 +21,9 @@ Projection default_projection(const std::string& method);
 /// Whether the scene leaves it to us.
 bool chooses_method(const Scene& scene);
 
+/// The number type that the scene names, else double.
+const std::string& number_name(const Scene& scene);
+
 /// As the scene says; what it does not say is the default.
 Setting setting_of(const PreparedModel& prepared, const Engine& engine);
 

@@ -52,10 +52,21 @@ void check_method(const Scene& scene) {
     throw cli::UsageError(fmt::format("method '{}': {}", method.name, why));
   };
   if (!method.missing.empty()) refuse(method.missing);
-  const std::string number = scene.number ? scene.number->text : "double";
+  const std::string number = number_name(scene);
   if (!computes_in(method, number)) refuse("it does not compute in " + number);
   if (!method.projects && scene.projection && scene.projection->text != "off")
     refuse("it does not project, so states drift off the constraints as its tolerance allows; take 'projection: off'");
+}
+
+std::optional<PreparedModel> prepare_run(const RunOptions& options, int& code) {
+  Request request{options.file, options.sets, {}, options.messages};
+  const auto change = [&](Scene& scene) {
+    apply(options, scene);
+    check_method(scene);
+    if (!chooses_method(scene)) request.also = find_method(scene.method->text)->takes;
+    if (scene.error && chooses_method(scene)) request.where_possible = {"jacobian"};
+  };
+  return prepare(request, change, code);
 }
 
 }  // namespace gausssim

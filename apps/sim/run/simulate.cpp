@@ -82,7 +82,7 @@ class Simulator {
     }
     shown_ = start;
     result_.samples = drive<S>(
-        *integrator, grid_, [&](long k, const S& t, const S* state) { return take(k, t, state); },
+        *integrator, grid_, [&](long k, const S& t, const S* state) { return take(k, t, state, *integrator); },
         earlier_ == nullptr ? 0 : earlier_->samples);
     result_.cpu_seconds = processor_seconds() - cpu;
     result_.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -120,7 +120,7 @@ class Simulator {
     result_.cpu_seconds += earlier_->cpu_seconds;
   }
 
-  bool take(long k, const S& t, const S* state) {
+  bool take(long k, const S& t, const S* state, const Integrator<S>& integrator) {
     const gauss::Status status = sampler_(t, state, row_.data());
     if (status != gauss::Status::ok) {
       ++result_.untrusted_samples;
@@ -135,7 +135,10 @@ class Simulator {
       append_csv_row(text_, t, row_.data(), row_.size());
       goes_on = listeners_.on_row(text_, static_cast<double>(k + 1) / static_cast<double>(grid_.samples));
     }
-    if (listeners_.on_row) shown_.assign(state, state + shown_.size());
+    if (listeners_.on_row) {
+      shown_.assign(state, state + shown_.size());
+      until_shown_ = integrator.progress();
+    }
     result_.was_interrupted = Interruption::is_asked_for() && k + 1 < grid_.samples;
     return goes_on && !result_.was_interrupted;
   }
@@ -147,11 +150,14 @@ class Simulator {
   }
 
   void note(const Integrator<S>& integrator) {
-    const Progress<S> progress = integrator.progress();
+    Progress<S> progress = integrator.progress();
+    if (progress.outcome == Outcome::interrupted) result_.was_interrupted = Interruption::is_asked_for();
+    // --resume makes the steps after the last sample again: they count then.
+    if (result_.was_interrupted) progress = until_shown_;
     result_.outcome = progress.outcome;
     if (!progress.why.empty()) result_.why = progress.why;
     if (progress.status != gauss::Status::ok) result_.status = progress.status;
-    result_.reached = static_cast<double>(integrator.time());
+    result_.reached = static_cast<double>(result_.was_interrupted ? grid_.at(result_.samples - 1) : integrator.time());
     result_.steps = progress.steps;
     result_.rejected = progress.rejected;
     result_.calls = progress.calls;
@@ -160,18 +166,10 @@ class Simulator {
     result_.crossings = progress.crossings;
     result_.start_moved = static_cast<double>(progress.start_moved);
     result_.start_component = name_of_component(progress.start_component);
-    if (progress.outcome == Outcome::interrupted && Interruption::is_asked_for()) note_interruption();
     result_.drift = meter_.drift();
     if (result_.drift.has_energy) result_.start_energy = text_of(meter_.start_energy());
     const Numbers<S>& last = result_.was_interrupted ? shown_ : integrator.state();
     for (const S& value : last) result_.last_state.push_back(text_of(value));
-  }
-
-  /// Between samples: the run ends with the last one.
-  void note_interruption() {
-    result_.was_interrupted = true;
-    result_.outcome = Outcome::running;
-    result_.reached = static_cast<double>(grid_.at(result_.samples - 1));
   }
 
   std::string name_of_component(std::size_t i) const {
@@ -191,7 +189,8 @@ class Simulator {
   Sampler<S> sampler_;
   DriftMeter<S> meter_;
   std::vector<S> row_;
-  Numbers<S> shown_;  ///< state of the last sample
+  Numbers<S> shown_;         ///< state of the last sample
+  Progress<S> until_shown_;  ///< and how the run went until then
   std::string text_;
   Simulated result_;
 };

@@ -116,6 +116,19 @@ class Mistakes(Program):
         self.assertIn("--trajectories", self.mistake(text, "--trajectories", "0", code=2))
         self.assertIn("nothing is drawn", self.mistake("ensemble: {parameters: {m: {values: [1]}}}\n", "--trajectories", "5", code=2))
 
+    def test_what_an_ensemble_does_not_use_is_said(self):
+        text = "ensemble: {trajectories: 3, parameters: {m: {uniform: [1, 2]}}}\nerror: 1e-6\n"
+        self.write("scene.yaml", HEAD + text)
+        result = self.run_it("ensemble", "scene.yaml")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("warning: an error is for 'run'", result.stderr)
+
+    def test_outputs_take_the_place_of_tables_alone(self):
+        self.write("scene.yaml", HEAD + "ensemble: {trajectories: 3, parameters: {m: {uniform: [1, 2]}}}\n")
+        for path, said in (("scene.yaml", "what the run reads"), ("spring.yaml", "what the run reads"), ("x.json", "where the summary goes"),
+                           ("/dev/null", "no file that a table")):
+            self.assertIn(said, self.refused(2, "ensemble", "scene.yaml", "-o", path), path)
+
     def test_what_a_method_does_not_do_is_said_and_nothing_is_written(self):
         text = "ensemble: {trajectories: 3, parameters: {m: {uniform: [1, 2]}}}\n"
         self.assertIn("series take full projection", self.mistake(text, "--method", "taylor", "--projection", "energy", code=2))

@@ -2,6 +2,7 @@
 
 import json
 import math
+import time
 import unittest
 
 from gauss_sim import MODELS, SPRING, Program
@@ -82,6 +83,14 @@ class Errors(Program):
         with self.subTest("not beside a tolerance"):
             self.refused(2, "run", "spring.yaml", "--error", "1e-6", "--tolerance", "1e-6")
 
+    def test_a_search_ends_with_its_budget(self):
+        """Coulomb's friction, smoothed, holds the bob after a second: each step after that is a short one."""
+        begin = time.monotonic()
+        said = self.refused(6, "run", MODELS / "functions.yaml", "--duration", "3", "--error", "1e-3", "--budget", "5")
+        self.assertIn("--budget gives it more", said)
+        self.assertLess(time.monotonic() - begin, 60)
+        self.refused(6, "advise", MODELS / "functions.yaml", "--duration", "3", "--error", "1e-3", "--budget", "5")
+
     def test_methods_of_the_scene_are_kept(self):
         self.write("spring.yaml", SPRING)
         for method in ("rk4", "dopri5"):
@@ -110,7 +119,8 @@ class Errors(Program):
                  "tolerance": 1e-5, "step": None, "status": "ok", "why": "", "error": 1e-5, "time_s": 1e-3}
         points = [point, {**point, "id": 2, "tolerance": 1e-8, "error": 1e-8, "time_s": 2e-3},
                   {**point, "id": 3, "status": "failed", "why": "it stopped", "error": None, "time_s": None}]
-        self.write("study.json", json.dumps({"format": 1, "problems": [{"name": "spring", "points": points}]}))
+        problem = {"name": "spring", "duration": 10, "outputs": [{"name": "x"}, {"name": "x_dot"}], "points": points}
+        self.write("study.json", json.dumps({"format": 1, "problems": [problem]}))
         self.write("spring.yaml", SPRING)
         self.assertIn("tolerance: 1e-05\n", self.ok("advise", "spring.yaml", "--error", "1e-4", "--study", "study.json"))
         with self.subTest("a margin of two"):
@@ -120,6 +130,10 @@ class Errors(Program):
         with self.subTest("another problem"):
             self.write("other.yaml", SPRING.replace("name: spring", "name: other"))
             self.assertIn("other", self.refused(3, "advise", "other.yaml", "--error", "1e-4", "--study", "study.json"))
+        with self.subTest("another time, and other outputs"):
+            of_study = ("advise", "spring.yaml", "--error", "1e-4", "--study", "study.json")
+            self.assertIn("lasts 10 s, and here 5 s", self.refused(3, *of_study, "--duration", "5"))
+            self.assertIn("other outputs", self.refused(3, *of_study, "--outputs", "x"))
         with self.subTest("no study"):
             self.write("list.json", "[]")
             self.refused(3, "advise", "spring.yaml", "--error", "1e-4", "--study", "list.json")

@@ -1,6 +1,7 @@
 """gauss-sim run --resume: what was interrupted goes on as if nothing had happened."""
 
 import json
+import math
 import signal
 import subprocess
 import time
@@ -60,6 +61,26 @@ class Resuming(Program):
         self.assertEqual(summary["resume"], self.summary("whole.json")["resume"])
         self.assertEqual(summary["resume"]["kept_energy"], "5")
         self.assertLess(summary["drift"]["energy"]["largest_change"], 1e-14)
+
+    def test_ctrl_c_need_not_wait_for_a_sample(self):
+        table = self.folder / "spring.csv"
+        asked = ["run", "spring.yaml", "-q", "--method", "rk4", "--step", "1e-7", "--duration", "2"]
+        process = subprocess.Popen([PROGRAM, *asked, "--samples", "2"], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 60
+        while time.monotonic() < deadline and process.poll() is None and not list(self.folder.glob("spring.csv.*")):
+            time.sleep(0.01)
+        time.sleep(0.2)
+        process.send_signal(signal.SIGINT)
+        begin = time.monotonic()
+        self.assertIn("--resume", process.communicate(timeout=60)[1])
+        self.assertLess(time.monotonic() - begin, 1)
+        self.assertEqual(process.returncode, 130)
+        summary = self.summary("spring.json")
+        self.assertEqual((summary["outcome"], summary["reached"], summary["samples"], summary["steps"]), ("interrupted", 0, 1, 0))
+        self.assertEqual(len(table.read_text().splitlines()), 2)
+        self.ok(*asked, "--samples", "2", "--resume")
+        self.assertEqual(self.summary("spring.json")["steps"], 20_000_000)
+        self.assertAlmostEqual(self.table("spring.csv")["x [m]"][-1], math.cos(4), delta=1e-8)
 
     def test_drift_is_the_largest_of_both_parts(self):
         self.interrupted(*BY_STEPS)

@@ -131,6 +131,17 @@ class Writing(Program):
         self.assertEqual((summary["engine"], summary["method"]), ("interpreted", "prince87"))
         self.assertIn("no C++ compiler", self.refused(3, "run", "spring.yaml", "--engine", "compiled", "-o", "other.csv", env=without))
 
+    def test_where_a_compiler_fails_models_are_interpreted_and_it_is_said(self):
+        compiler = self.write("broken-cxx", '#!/bin/sh\n[ "$1" = --version ] && echo "broken 1.0" && exit 0\necho no space left >&2\nexit 1\n')
+        compiler.chmod(0o755)
+        broken = {**os.environ, "CXX": str(compiler)}
+        result = self.run_it("run", "spring.yaml", env=broken)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("warning: the model cannot be compiled", result.stderr)
+        self.assertIn("it is interpreted", result.stderr)
+        self.assertEqual(self.summary("spring.json")["engine"], "interpreted")
+        self.assertIn("no space left", self.refused(3, "run", "spring.yaml", "--engine", "compiled", "-o", "other.csv", env=broken))
+
     def test_a_broken_cache_is_mended(self):
         cache = self.folder / "cache"
         own = {**os.environ, "XDG_CACHE_HOME": str(cache)}

@@ -89,7 +89,8 @@ class Scenes(Program):
         self.assertIn("interpreted", self.refused(2, "run", "spring.yaml", "--method", "taylor", "--engine", "interpreted"))
 
     def test_wrong_options_are_usage(self):
-        for words in (("--method", "dopri6"), ("--duration", "-1"), ("--samples", "1"), ("--outputs", "y"), ("--set", "y=1"), ("--duration", "2*")):
+        for words in (("--method", "dopri6"), ("--duration", "-1"), ("--samples", "1"), ("--outputs", "y"), ("--set", "y=1"), ("--duration", "2*"),
+                      ("--start", "1e300")):
             self.assertNotEqual(self.refused(2, "run", "spring.yaml", *words), "", words)
 
 
