@@ -58,15 +58,15 @@ Json as_json(const StudyPoint& point) {
 void write(const AdviseOptions& options, const StudyPoint& best, const std::vector<StudyPoint>& others,
            const std::string& said, const std::string& own_form) {
   if (options.format == "json") {
-    Json json{{"asked", *options.run.error}, {"found", as_json(best)}, {"reference", said}, {"tried", Json::array()}};
+    Json json{{"asked", *options.error}, {"found", as_json(best)}, {"reference", said}, {"tried", Json::array()}};
     for (const StudyPoint& other : others) json["tried"].push_back(as_json(other));
     cli::write_standard_output(json.dump(2) + "\n");
     return;
   }
   std::string text;
   for (const StudyPoint& other : others) text += "#  " + in_words(other) + "\n";
-  text += fmt::format("# delivers {:.1e} of {:.1e} in {:.3g} ms; {}\n", best.error, *options.run.error,
-                      1e3 * best.seconds, said);
+  text += fmt::format("# delivers {:.1e} of {:.1e} in {:.3g} ms; {}\n", best.error, *options.error, 1e3 * best.seconds,
+                      said);
   cli::write_standard_output(text + as_scene(best, own_form));
 }
 
@@ -74,28 +74,28 @@ void write(const AdviseOptions& options, const StudyPoint& best, const std::vect
 
 int advise(const AdviseOptions& options) {
   int code = cli::k_ok;
-  const auto prepared = prepare_run(options.run, code);
+  const auto prepared = prepare_run(options, code);
   if (!prepared) return code;
   const double error = *prepared->scene.error;
   std::string why;
   if (!options.study.empty()) {
     const StudyPoint best = cheapest_in_study(options.study, *prepared, error, why);
-    if (!why.empty()) return cli::fail(why, cli::k_not_delivered, options.run.messages);
+    if (!why.empty()) return cli::fail(why, cli::k_not_delivered, options.messages);
     write(options, best, {}, "by " + std::filesystem::path(options.study).filename().string(), prepared->scene.form);
     return cli::k_ok;
   }
   Engines engines(*prepared, engine_choice(prepared->scene));
   if (engines.of(number_name(prepared->scene)) == nullptr)
-    return cli::fail(engines.why(), cli::k_file_error, options.run.messages);
-  warn_of_interpreting(engines.times(), options.run.messages);
+    return cli::fail(engines.why(), cli::k_file_error, options.messages);
+  warn_of_interpreting(engines.times(), options.messages);
   const Interruption interruption;
   std::optional<FoundSetting> found;
   try {
-    found = find_setting(*prepared, engines, {error, options.run.budget, !options.run.quiet}, why);
+    found = find_setting(*prepared, engines, {error, options.budget, !options.quiet}, why);
   } catch (const Interrupted&) {
     return cli::k_interrupted;
   }
-  if (!found) return cli::fail(why, cli::k_not_delivered, options.run.messages);
+  if (!found) return cli::fail(why, cli::k_not_delivered, options.messages);
   std::vector<StudyPoint> tried;
   for (const Trial& trial : found->trials) tried.push_back(point_of(trial));
   write(options, point_of(found->chosen), tried,

@@ -7,8 +7,8 @@
 
 namespace gausssim {
 
-struct AdviseOptions {
-  RunOptions run;     ///< what they share, with an error
+/// With an error.
+struct AdviseOptions : RunOptions {
   std::string study;  ///< JSON of a study that has the problem; empty: a quick one is made now
   std::string format = "text";
 };

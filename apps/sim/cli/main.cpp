@@ -102,9 +102,9 @@ void add_ensemble(CLI::App& app, EnsembleOptions& options) {
   CLI::App* const command = app.add_subcommand(
       "ensemble",
       "Simulate a scene for many values of parameters and of the start, and write a table with a row for each");
-  command->add_option("FILE", options.run.file, "scene with the key 'ensemble'")->required();
+  command->add_option("FILE", options.file, "scene with the key 'ensemble'")->required();
   command
-      ->add_option("-o,--output", options.run.output,
+      ->add_option("-o,--output", options.output,
                    "table to write, or - for standard output; default <name>.ensemble.csv")
       ->type_name("CSV");
   command->add_option("--trajectories", options.trajectories, "how many, for each point of the sweeps")
@@ -127,8 +127,8 @@ void add_ensemble(CLI::App& app, EnsembleOptions& options) {
         return is_word && text.front() != '0' ? std::string() : "expected auto or a number above 0, not '" + text + "'";
       });
   command->add_flag("--every-sample", options.records_samples, "a row for each trajectory and sample");
-  add_setting(command, options.run);
-  add_messages(*command, options.run.messages);
+  add_setting(command, options);
+  add_messages(*command, options.messages);
 }
 
 void add_study(CLI::App& app, StudyOptions& options) {
@@ -157,13 +157,13 @@ void add_study(CLI::App& app, StudyOptions& options) {
 void add_advise(CLI::App& app, AdviseOptions& options) {
   CLI::App* const advise =
       app.add_subcommand("advise", "Find the cheapest setting that delivers an error, for pasting into a scene");
-  advise->add_option("FILE", options.run.file, "scene or model")->required();
-  add_setting(advise, options.run);
-  add_error(advise, options.run, "largest error of all outputs, relative to their ranges")->required();
+  advise->add_option("FILE", options.file, "scene or model")->required();
+  add_setting(advise, options);
+  add_error(advise, options, "largest error of all outputs, relative to their ranges")->required();
   advise->add_option("--study", options.study, "take it from this study (JSON) instead of trying now")
       ->type_name("FILE");
   advise->add_option("--format", options.format, "default text")->check(one_of({"text", "json"}))->type_name("FORMAT");
-  add_messages(*advise, options.run.messages);
+  add_messages(*advise, options.messages);
 }
 
 void add_plot(CLI::App& app, PlotOptions& options) {

@@ -29,7 +29,7 @@ void apply(const EnsembleOptions& options, Ensemble& ensemble) {
   if (options.seed) ensemble.seed = static_cast<std::uint64_t>(*options.seed);
   ensemble.records_samples = ensemble.records_samples || options.records_samples;
   const auto& varied = ensemble.varied;
-  for (const std::string& set : options.run.sets) {
+  for (const std::string& set : options.sets) {
     const std::string name = set.substr(0, set.find('='));
     if (std::any_of(varied.begin(), varied.end(), [&](const Varied& one) { return one.name == name; }))
       throw cli::UsageError(fmt::format("--set {}: the ensemble varies it", name));
@@ -48,7 +48,7 @@ int threads_of(const EnsembleOptions& options) {
 }
 
 std::string csv_path(const EnsembleOptions& options, const PreparedModel& prepared) {
-  if (!options.run.output.empty()) return options.run.output;
+  if (!options.output.empty()) return options.output;
   return prepared.name() + ".ensemble.csv";
 }
 
@@ -85,7 +85,7 @@ int code_of(const EnsembleTold& told, const cli::MessageOptions& messages) {
 }
 
 std::optional<PreparedModel> prepare_varied(const EnsembleOptions& options, std::vector<Placed>& places, int& code) {
-  Request request{options.run.file, options.run.sets, {}, options.messages};
+  Request request{options.file, options.sets, {}, options.messages};
   request.adjust = [&](const Scene& scene, gaussgen::model::Model& model, gaussgen::support::Diagnostics& diagnostics) {
     places = vary(scene, model, diagnostics);
     if (!diagnostics.has_errors()) check_draws(*scene.ensemble, places, model, diagnostics);
@@ -93,7 +93,7 @@ std::optional<PreparedModel> prepare_varied(const EnsembleOptions& options, std:
   const auto change = [&](Scene& scene) {
     if (!scene.ensemble)
       throw cli::UsageError("the file says nothing of an ensemble: add the key 'ensemble' to a scene");
-    apply(options.run, scene);
+    apply(options, scene);
     apply(options, *scene.ensemble);
     check_method(scene);
     if (!chooses_method(scene)) request.also = find_method(scene.method->text)->takes;
@@ -118,7 +118,7 @@ int ensemble(const EnsembleOptions& options) {
   if (prepared->scene.error)
     cli::warn("an error is for 'run', which looks for a setting: the ensemble takes the tolerance", options.messages);
   const std::string csv = csv_path(options, *prepared);
-  check_outputs(csv, {options.run.file, prepared->model_file});
+  check_outputs(csv, {options.file, prepared->model_file});
   EnsembleSetting setting;
   setting.setting = setting_of(*prepared, *engine);
   const BuiltLanes lanes = choose_lanes(options.lanes, *prepared, *engine, setting.setting, options.messages);
@@ -132,7 +132,7 @@ int ensemble(const EnsembleOptions& options) {
   bool was_interrupted = false;
   {
     const Interruption interruption;
-    ProgressBar bar(!options.run.quiet);
+    ProgressBar bar(!options.quiet);
     EnsembleListeners listeners;
     listeners.on_rows = [&](const std::string& rows) { file.write(rows); };
     listeners.on_wait = [&](double share) { bar.show(share, prepared->model.unit.model_name); };
@@ -144,7 +144,7 @@ int ensemble(const EnsembleOptions& options) {
   if (csv != "-") {
     const std::string path = summary_path(csv);
     cli::Replacement(path, ensemble_json(told).dump(2) + "\n").commit();
-    if (!options.run.quiet) tell(told, csv + " and " + path);
+    if (!options.quiet) tell(told, csv + " and " + path);
   }
   return code_of(told, options.messages);
 }

@@ -8,14 +8,12 @@
 
 namespace gausssim {
 
-struct EnsembleOptions {
-  RunOptions run;   ///< what they share
+struct EnsembleOptions : RunOptions {
   int threads = 0;  ///< 0: as many as there are processors
   std::string lanes = "auto";
   std::optional<long> trajectories;
   std::optional<long> seed;
   bool records_samples = false;
-  gaussgen::cli::MessageOptions messages;
 };
 
 /// Returns an exit code. Throws cli::FileError and cli::UsageError.

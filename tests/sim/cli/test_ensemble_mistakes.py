@@ -1,5 +1,6 @@
 """What is wrong with ensembles: each is said with its place, and nothing is written."""
 
+import json
 import unittest
 
 from gauss_sim import SPRING, Program
@@ -115,6 +116,10 @@ class Mistakes(Program):
         self.assertIn("--threads", self.mistake(text, "--threads", "0", code=2))
         self.assertIn("--trajectories", self.mistake(text, "--trajectories", "0", code=2))
         self.assertIn("nothing is drawn", self.mistake("ensemble: {parameters: {m: {values: [1]}}}\n", "--trajectories", "5", code=2))
+
+    def test_mistakes_are_json_where_somebody_asks(self):
+        said = json.loads(self.mistake("ensemble: {trajectories: 3, parameters: {m: {uniform: [2, 1]}}}\n", "--diagnostics", "json"))
+        self.assertIn("E017", json.dumps(said))
 
     def test_what_an_ensemble_does_not_use_is_said(self):
         text = "ensemble: {trajectories: 3, parameters: {m: {uniform: [1, 2]}}}\nerror: 1e-6\n"
