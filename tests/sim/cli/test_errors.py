@@ -119,9 +119,10 @@ class Errors(Program):
                  "tolerance": 1e-5, "step": None, "status": "ok", "why": "", "error": 1e-5, "time_s": 1e-3}
         points = [point, {**point, "id": 2, "tolerance": 1e-8, "error": 1e-8, "time_s": 2e-3},
                   {**point, "id": 3, "status": "failed", "why": "it stopped", "error": None, "time_s": None}]
-        problem = {"name": "spring", "duration": 10, "outputs": [{"name": "x"}, {"name": "x_dot"}], "points": points}
-        self.write("study.json", json.dumps({"format": 1, "problems": [problem]}))
         self.write("spring.yaml", SPRING)
+        columns = self.ok("run", "spring.yaml", "-o", "-", "--samples", "2").splitlines()[0].split(",")[1:]
+        problem = {"name": "spring", "duration": 10, "outputs": [{"name": one.split(" ")[0]} for one in columns], "points": points}
+        self.write("study.json", json.dumps({"format": 1, "problems": [problem]}))
         self.assertIn("tolerance: 1e-05\n", self.ok("advise", "spring.yaml", "--error", "1e-4", "--study", "study.json"))
         with self.subTest("a margin of two"):
             self.assertIn("tolerance: 1e-08\n", self.ok("advise", "spring.yaml", "--error", "1.5e-5", "--study", "study.json"))

@@ -147,7 +147,8 @@ class Formulations(Program):
             self.assertEqual(problem["reference"]["kind"], "closed form")
             self.assertLess(min(p["error"] for p in problem["points"] if p["status"] == "ok"), 1e-14)
         with self.subTest("the model names them, of its own initial state"):
-            own = SPRING + "exact: {x: cos(sqrt(k/m)*t), x_dot: -sqrt(k/m)*sin(sqrt(k/m)*t)}\n"
+            own = (SPRING.replace("coordinates:", "  x0: {value: 1, unit: m}\ncoordinates:")
+                   + "exact: {x: x0*cos(sqrt(k/m)*t), x_dot: -x0*sqrt(k/m)*sin(sqrt(k/m)*t)}\n")
             self.write("spring.yaml", own)
             plain = scene[: scene.index("exact")]
             self.assertEqual(self.study(plain, "--budget", "3")["reference"]["kind"], "closed form")
