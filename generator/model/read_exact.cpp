@@ -34,17 +34,25 @@ std::vector<std::string> names_of_columns(const Reading& reading) {
   return names;
 }
 
+/// The coordinate of a rate `x_dot`; empty: the name is none of a rate.
+std::string coordinate_of(const std::string& rate, const Reading& reading) {
+  const std::size_t end = rate.size() - std::min(rate.size(), k_rate.size());
+  if (rate.compare(end, std::string::npos, k_rate) != 0) return "";
+  const std::string name = rate.substr(0, end);
+  return is_of_kind(name, SymbolKind::coordinate, reading) || reading.unread.may_declare(name) ? name : "";
+}
+
 void read_form(const Entry& entry, Reading& reading) {
   ClosedForm form;
   form.name = form.of = name_of(entry.key);
   form.value = read_expression(entry.value, entry.key.span, reading);
   const std::string& name = form.name.text;
-  const std::size_t end = name.size() - std::min(name.size(), k_rate.size());
-  if (name.compare(end, std::string::npos, k_rate) == 0 &&
-      is_of_kind(name.substr(0, end), SymbolKind::coordinate, reading)) {
-    form.of.text = name.substr(0, end);
+  const auto is_moving = [&](SymbolKind kind) { return is_of_kind(name, kind, reading); };
+  const std::string coordinate = coordinate_of(name, reading);
+  if (!coordinate.empty()) {
+    form.of.text = coordinate;
     form.is_rate = true;
-  } else if (!is_of_kind(name, SymbolKind::coordinate, reading) && !is_of_kind(name, SymbolKind::speed, reading)) {
+  } else if (!is_moving(SymbolKind::coordinate) && !is_moving(SymbolKind::speed) && !reading.unread.may_declare(name)) {
     const std::string near = did_you_mean_one_of(
         form.name, [&] { return names_of_columns(reading); }, reading);
     reading.diagnostics.error(
