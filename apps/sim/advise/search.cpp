@@ -79,9 +79,10 @@ class OneMethod {
     constexpr int k_most = 30, k_least = 3;
     double sum = trial.seconds;
     for (int k = 1; k < k_most && sum < (k < k_least ? 2 * k_enough : k_enough); ++k) {
-      const double seconds = unheard(prepared_, engine_, setting).cpu_seconds;
-      trial.seconds = std::min(trial.seconds, seconds);
-      sum += seconds;
+      const Simulated again = unheard(prepared_, engine_, setting);
+      if (!why_not(again).empty()) break;  // its time is over
+      trial.seconds = std::min(trial.seconds, again.cpu_seconds);
+      sum += again.cpu_seconds;
     }
     return trial;
   }

@@ -8,6 +8,7 @@
 
 #include "sim/run/build_engine.hpp"
 #include "sim/run/in_rows.hpp"
+#include "sim/run/interruption.hpp"
 #include "sim/run/setting.hpp"
 #include "sim/study/closed_form.hpp"
 
@@ -30,8 +31,14 @@ void note(const Simulated& run, Point& point) {
   point.rejected = run.rejected;
   point.drift = run.drift;
   if (run.outcome == Outcome::running) return;
-  point.status = run.outcome == Outcome::bad_settings ? PointStatus::refused : PointStatus::failed;
-  point.why = reason(run);
+  const bool is_refused = run.outcome == Outcome::bad_settings || run.outcome == Outcome::interrupted;
+  point.status = is_refused ? PointStatus::refused : PointStatus::failed;
+  point.why = run.outcome == Outcome::interrupted ? k_beyond_time : reason(run);
+}
+
+RunInRows first_run(const PreparedModel& model, const Engine& engine, const Setting& setting, const Effort& effort) {
+  const TimeLimit limit(effort.limit);
+  return in_rows(model, engine, setting, Meter::drift);
 }
 
 void time_it(const PreparedModel& model, const Engine& engine, const Effort& effort, double first, Point& point) {
@@ -110,7 +117,7 @@ Point measure(const PreparedModel& model, const Engine& engine, const Candidate&
               const Effort& effort) {
   Point point;
   point.candidate = candidate;
-  const RunInRows found = in_rows(model, engine, candidate.setting, Meter::drift);
+  const RunInRows found = first_run(model, engine, candidate.setting, effort);
   note(found.run, point);
   if (point.status != PointStatus::ok) return point;
   point.error = delivered_error(found.rows, reference.rows, model.columns.columns);

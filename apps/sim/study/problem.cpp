@@ -40,7 +40,6 @@ class Forecast {
   std::map<std::string, double> last_;
 };
 
-constexpr const char* k_beyond_time = "beyond the time that the study was given";
 constexpr double k_least_runs = 40;  ///< no run takes more of the time than this part
 
 class Solver {
@@ -113,12 +112,9 @@ class Solver {
     if (point.why.empty() && (left <= 0 || forecast.of(candidate) > std::min(left, options_.budget / k_least_runs)))
       point.why = k_beyond_time;
     if (!point.why.empty()) return point;
-    const TimeLimit limit(left);
-    point = measure(form.model, *form.engine, candidate, problem_.reference, {});
-    if (point.status == PointStatus::failed && limit.is_over()) {
-      point.status = PointStatus::refused;
-      point.why = k_beyond_time;
-    }
+    Effort effort;
+    effort.limit = left;
+    point = measure(form.model, *form.engine, candidate, problem_.reference, effort);
     if (point.status == PointStatus::ok) forecast.note(point);
     return point;
   }
