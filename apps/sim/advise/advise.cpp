@@ -30,7 +30,7 @@ StudyPoint point_of(const Trial& trial) {
 
 std::string in_words(const StudyPoint& point) {
   return fmt::format(
-      "{:<24}{:<12}{:<14}{:>10.1e}{:>12.3f} ms", point.method, point.number,
+      "{:<24}{:<12}{:<12}{:<14}{:>10.1e}{:>12.3f} ms", point.method, point.number, point.projection,
       point.step > 0 ? fmt::format("step {:.3g}", point.step) : fmt::format("tol. {:.1e}", point.tolerance),
       point.error, 1e3 * point.seconds);
 }

@@ -114,8 +114,11 @@ void tell(const RunOptions& options, const PreparedModel& prepared, const Settin
           const std::optional<FoundSetting>& found, const std::string& csv) {
   if (options.quiet || csv == "-") return;
   const std::string how = setting.step > 0 ? "step " + said(setting.step) : "tolerance " + said(setting.tolerance);
-  std::string text = fmt::format("{}: {:.6g} s by {} ({}, {}, {})\n", prepared.name(),
-                                 run.reached - prepared.span.start, setting.method, how, setting.number, engine.name());
+  const char* const projection =
+      run.drift.has_constraints && setting.projection == Projection::off ? ", no projection" : "";
+  std::string text =
+      fmt::format("{}: {:.6g} s by {} ({}, {}, {}{})\n", prepared.name(), run.reached - prepared.span.start,
+                  setting.method, how, setting.number, engine.name(), projection);
   text += fmt::format("  steps   {} ({} refused), {} calls, {} s", run.steps, run.rejected, run.calls,
                       said(run.wall_seconds));
   text += times.engine.was_cached || times.engine.compile == 0
