@@ -1,10 +1,11 @@
 """What `gauss-sim run --error` delivers, and what it costs beside the best of a study, on all shipped models.
 
-    bench/delivered.py --gauss-sim build/release/bin/gauss-sim [--models NAME...] [--budget S] [--write]
+    bench/delivered.py [--gauss-sim build/release/bin/gauss-sim] [--models NAME...] [--budget S] [--write]
 
 For each model and each error from 1e-3 to 1e-10: the error of the table against a run that the search has not seen (power series in float128, tolerance
 1e-24; extrapolation where a model has none), relative to the range of each column; and the time of the run over that of the
-cheapest point of a study that delivers the error: both of the integration with its samples in memory, since writing them costs the same for each setting. With --write the rows go to bench/results/delivered.json.
+cheapest point of a study that delivers the error: both of the integration with its samples in memory, since writing them costs the same for each setting. With --write the rows
+go to bench/results/delivered.json, from which `./run bench --report` writes docs/performance.md; with --models, those of other models stay.
 """
 
 import argparse
@@ -13,9 +14,12 @@ import json
 import math
 import pathlib
 import subprocess
+import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "bench"))
+from harness import simulation  # noqa: E402
 ERRORS = [10.0 ** -k for k in range(3, 11)]
 # Seconds of motions that end: the skater falls into a place where his blade is upright, and the wagon of functions.yaml sticks, held by a friction that jumps.
 ENDS = {"functions": 2, "skater_quaternion": 0.4}
@@ -100,12 +104,11 @@ class Model:
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--gauss-sim", required=True, type=pathlib.Path)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--gauss-sim", default=ROOT / "build/release/bin/gauss-sim", type=pathlib.Path)
     parser.add_argument("--models", nargs="*")
     parser.add_argument("--budget", type=float, default=10)
     parser.add_argument("--write", action="store_true")
-    parser.add_argument("--json", type=pathlib.Path, help="write the rows there")
     options = parser.parse_args()
     paths = sorted((ROOT / "models").glob("*.yaml"))
     paths = [path for path in paths if not options.models or path.stem in options.models]
@@ -118,10 +121,11 @@ def main():
                 ratio = f"{row['ratio']:.2f}" if row.get("ratio") else "-"
                 print(f"{row['model']:32} {row['asked']:.0e}  " + (f"{row['delivered'] or 0:.1e}  {1e3 * row['seconds']:9.3f} ms  {ratio:>6}  "
                       f"{row['method']} {row['number']}{late}" if "seconds" in row else row["why"]), flush=True)
-    if options.json:
-        options.json.write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
     if options.write:
-        (ROOT / "bench/results/delivered.json").write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
+        others = json.loads(simulation.DELIVERED.read_text(encoding="utf-8"))["rows"] if options.models else []
+        measured = {path.stem for path in paths}
+        rows = sorted([*rows, *(row for row in others if row["model"] not in measured)], key=lambda row: (row["model"], -row["asked"]))
+        simulation.write(simulation.DELIVERED, {"budget": options.budget, "rows": rows})
 
 
 if __name__ == "__main__":

@@ -44,7 +44,7 @@ class Pair:
         sources = ["-I", ROOT / "src", "-I", self.folder, ROOT / "bench/drivers/driver_by_hand.cpp"]
         compiler = os.environ.get("CXX", "g++")
         subprocess.run([compiler, *FLAGS, *sources, "-o", self.library], check=True)
-        subprocess.run([compiler, *FLAGS, simulation.COUNTED, *sources, "-o", self.counted_library], check=True)
+        subprocess.run([compiler, *FLAGS, f"-march={simulation.AVX2}", *sources, "-o", self.counted_library], check=True)
 
     def command(self, method, what, library=None):
         return list(map(str, [self.program, MODEL, library or self.library, method, SETTINGS[method], END, what]))

@@ -1,10 +1,11 @@
 """Ensembles on one machine: threads and SIMD lanes against one trajectory after the other on one thread.
 
-    bench/ensemble.py --gauss-sim build/release/bin/gauss-sim [--trajectories N] [--repeats N] [--write]
+    bench/ensemble.py [--gauss-sim build/release/bin/gauss-sim] [--for x86-64-v3 native] [--trajectories N] [--repeats N] [--write]
 
 Of each model, initial speeds are drawn, so that trajectories take other steps. Each way is run `repeats` times, in turns, and the fastest run counts: time between
-the first trajectory and the last, without generation and compilation. Prints trajectories per second and ratios to one thread without
-lanes, and with --write also bench/results/ensemble.json.
+the first trajectory and the last, without generation and compilation. All ways are compiled for the same processors (-march): x86-64-v3 has AVX2, which
+is 4 lanes of double. Prints trajectories per second and ratios to one thread without lanes, and with --write also bench/results/ensemble.json, from which
+`./run bench --report` writes docs/performance.md.
 """
 
 import argparse
@@ -17,7 +18,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
-from harness import build, machine  # noqa: E402
+from harness import simulation  # noqa: E402
 
 # Model, what is drawn, duration.
 PROBLEMS = [
@@ -37,13 +38,13 @@ def scene(model, drawn, duration, trajectories, tolerance):
             f"ensemble:\n  trajectories: {trajectories}\n  initial: {{{drawn}}}\n")
 
 
-def run(gauss_sim, folder, file, threads, lanes):
+def run(gauss_sim, folder, file, threads, lanes, compiler):
     command = [gauss_sim, "ensemble", file, "--threads", str(threads), "--lanes", lanes, "-q", "-o", "table.csv"]
-    subprocess.run(command, cwd=folder, check=True, capture_output=True)
+    subprocess.run(command, cwd=folder, check=True, capture_output=True, env={**os.environ, "CXX": compiler})
     return json.loads((folder / "table.json").read_text())
 
 
-def measured(gauss_sim, folder, problem, options, threads):
+def measured(gauss_sim, folder, problem, options, threads, compiler):
     model, drawn, duration = problem
     path = folder / f"{model}.yaml"
     path.write_text(scene(model, drawn, duration, options.trajectories, options.tolerance))
@@ -51,7 +52,7 @@ def measured(gauss_sim, folder, problem, options, threads):
     best = {}
     for _ in range(options.repeats):
         for way in ways:
-            summary = run(gauss_sim, folder, path, *way)
+            summary = run(gauss_sim, folder, path, *way, compiler)
             if way not in best or summary["seconds"]["run"] < best[way]["seconds"]["run"]:
                 best[way] = summary
     first = best[ways[0]]
@@ -68,6 +69,7 @@ def measured(gauss_sim, folder, problem, options, threads):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--gauss-sim", default=ROOT / "build/release/bin/gauss-sim", type=pathlib.Path)
+    parser.add_argument("--for", dest="processors", nargs="+", default=["x86-64-v3", "native"], help="what code is compiled for (-march)")
     parser.add_argument("--trajectories", type=int, default=2048)
     parser.add_argument("--tolerance", default="1e-9")
     parser.add_argument("--repeats", type=int, default=5)
@@ -75,22 +77,19 @@ def main():
     options = parser.parse_args()
     threads = os.cpu_count()
     results = {}
-    load_before = os.getloadavg()[0]
     with tempfile.TemporaryDirectory() as name:
-        for problem in PROBLEMS:
-            rows = measured(options.gauss_sim.resolve(), pathlib.Path(name), problem, options, threads)
-            results[problem[0]] = {"drawn": problem[1], "duration": problem[2], "rows": rows}
-            print(problem[0])
-            for row in rows:
-                print(f"  {row['lanes']} lanes, {row['threads']} threads: {row['trajectories_per_s']:12.1f}/s  ratio {row['ratio']:5.2f}  "
-                      f"left {row['left_lanes']}", flush=True)
+        folder = pathlib.Path(name)
+        for processor in options.processors:
+            compiler = simulation.compiler_for(folder, processor)
+            for problem in PROBLEMS:
+                rows = measured(options.gauss_sim.resolve(), folder, problem, options, threads, compiler)
+                results.setdefault(processor, {})[problem[0]] = {"drawn": problem[1], "duration": problem[2], "rows": rows}
+                print(processor, problem[0])
+                for row in rows:
+                    print(f"  {row['lanes']} lanes, {row['threads']} threads: {row['trajectories_per_s']:12.1f}/s  ratio {row['ratio']:5.2f}  "
+                          f"left {row['left_lanes']}", flush=True)
     if options.write:
-        description = {"processor": machine.processor(), "cores": threads, "load_before": round(load_before, 2),
-                       "load_after": round(os.getloadavg()[0], 2), "compiler": build.version([build.COMPILER, "--version"]),
-                       "flags": "-O2 -march=native, of lanes -O3 -march=native -ffp-contract=fast", "xsimd": machine.package_version("libxsimd-dev"),
-                       "tolerance": float(options.tolerance), "repeats": options.repeats}
-        text = json.dumps({"machine": description, "problems": results}, indent=1) + "\n"
-        (ROOT / "bench/results/ensemble.json").write_text(text)
+        simulation.write(simulation.ENSEMBLE, {"tolerance": float(options.tolerance), "repeats": options.repeats, "processors": results})
 
 
 if __name__ == "__main__":

@@ -1,24 +1,32 @@
-"""What gauss-sim costs, on the page: bench/driver.py and bench/accuracy_time.py measure it, each into a JSON of its own."""
+"""What gauss-sim costs, on the page: driver.py, accuracy_time.py, ensemble.py and delivered.py of bench/ measure it, each into a JSON of its own."""
 
 import datetime
 import json
+import statistics
 
 from . import build, machine
 from .targets import at_most, faster, number
 
 DRIVER = build.ROOT / "bench/results/driver.json"
 ACCURACY = build.ROOT / "bench/results/accuracy_time.json"
+ENSEMBLE = build.ROOT / "bench/results/ensemble.json"
+DELIVERED = build.ROOT / "bench/results/delivered.json"
 
-# Instructions are counted for processors with AVX2, wherever that is: valgrind does not know all that others have.
-COUNTED = "-march=x86-64-v3"
+# With AVX2, and nothing that valgrind does not know.
+AVX2 = "x86-64-v3"
+
+
+def compiler_for(folder, processor):
+    """What gauss-sim compiles with for some processors (-march), for $CXX."""
+    compiler = folder / f"compiler-for-{processor}"
+    compiler.write_text(f'#!/bin/sh\nexec c++ "$@" -march={processor}\n', encoding="utf-8")
+    compiler.chmod(0o755)
+    return str(compiler)
 
 
 def counting_compiler(folder):
-    """What gauss-sim compiles with where instructions are counted, for $CXX."""
-    compiler = folder / "compiler"
-    compiler.write_text(f'#!/bin/sh\nexec c++ "$@" {COUNTED}\n', encoding="utf-8")
-    compiler.chmod(0o755)
-    return str(compiler)
+    """What gauss-sim compiles with where instructions are counted, wherever that is."""
+    return compiler_for(folder, AVX2)
 
 
 ABOUT_DRIVER = """### The driver
@@ -40,6 +48,20 @@ ABOUT_BALL = """
 Its attitude, all other coordinates, speeds and reactions at 501 times in 10 s, each relative to what it ranges over, by power series.
 
 """
+ABOUT_ENSEMBLE = """
+### Ensembles
+
+Trajectories per second of `gauss-sim ensemble` by power series, whose initial speeds are drawn, with all that is compiled for the same processors: {lanes}. The best of {repeats} runs of each way.
+
+"""
+ABOUT_DELIVERED = """
+### What `run --error` delivers
+
+{rows} runs: {models} shipped models, each asked for 1e-3 to 1e-10 of the range of every column. {late} less than was asked for, against runs in float128 that the search has not seen{failed}. The time of a
+run, over that of the fastest point of a study of {budget:g} s that delivers the error: {median:.2f} in the median, {most:.2f} at most, {dear} of {compared} above 2. Below 1, the search has found a tolerance between those
+of the study; above it, margins are paid for, or methods that were not tried.
+
+"""
 
 
 def where():
@@ -56,7 +78,7 @@ def table(head, rows):
     return "\n".join([lines[0], "|" + "---|" * len(head), *lines[1:]]) + "\n"
 
 
-def targets(driver, accuracy):
+def targets(driver, accuracy, ensemble, delivered):
     for method, row in driver.get("methods", {}).items():
         yield at_most(f"driver, {method}: time of a call to that by hand", row["time_per_call_to_hand"], 1.1)
         if "instructions_per_call_to_hand" in row:
@@ -70,6 +92,13 @@ def targets(driver, accuracy):
         yield at_most("ball to 1e-9 by quaternion, 501 samples", 1e3 * forms["quaternion"]["seconds"], 0.4, " ms")
     for form, row in accuracy.get("sampling_reactions", {}).items():
         yield at_most(f"a sample of all reactions, {form}", row["ns_per_sample"], 100, " ns")
+    of_lanes = {name: all_lanes(one)["ratio"] for name, one in ensemble["processors"].get(AVX2, {}).items()}
+    if of_lanes:
+        yield faster(f"ensembles, two threads and all lanes of AVX2 against one, least of {len(of_lanes)} models", 1, min(of_lanes.values()), 6)
+    found = [row for row in delivered["rows"] if row.get("delivered") is not None]
+    if found:
+        yield at_most("`run --error`: delivered over asked for, largest", max(row["delivered"] / row["asked"] for row in found), 1)
+        yield at_most("`run --error`: time over the best of the study, largest", max(row["ratio"] for row in found if row["ratio"]), 2)
 
 
 def driver_block(driver):
@@ -108,6 +137,41 @@ def ball_block(found, reactions):
     return ABOUT_BALL + table(head, rows)
 
 
+def all_lanes(problem):
+    """The row with all threads and lanes."""
+    return problem["rows"][-1]
+
+
+def ensemble_block(found):
+    lanes = [f"{all_lanes(next(iter(problems.values())))['lanes']} lanes for `-march={processor}`" for processor, problems in found["processors"].items()]
+    text = ABOUT_ENSEMBLE.format(lanes=", ".join(lanes), repeats=found["repeats"])
+    head, columns = ["model"], []
+    for processor, problems in found["processors"].items():
+        one = next(iter(problems.values()))["rows"]
+        head += [f"{processor}: one at a time"] + [f"{row['lanes']} lanes, {row['threads']} threads" for row in one[1:]]
+        columns.append(problems)
+    rows = []
+    for model in columns[0]:
+        row = [f"`{model}`"]
+        for problems in columns:
+            first, *rest = problems[model]["rows"]
+            row += [number(round(first["trajectories_per_s"])) + "/s"] + [f"{one['ratio']:.2f} times" for one in rest]
+        rows.append(row)
+    return text + table(head, rows)
+
+
+def delivered_block(found):
+    rows = found["rows"]
+    known = [row for row in rows if row.get("delivered") is not None]
+    late = sum(row["delivered"] > row["asked"] for row in known)
+    failed = [row for row in rows if row.get("delivered") is None]
+    ratios = [row["ratio"] for row in known if row["ratio"]]
+    return ABOUT_DELIVERED.format(
+        rows=len(rows), models=len({row["model"] for row in rows}), late=f"{late} delivered" if late else "None delivered", budget=found["budget"],
+        failed="".join(f"; `{row['model']}` to {row['asked']:.0e}: {row['why']}" for row in failed), median=statistics.median(ratios), most=max(ratios),
+        dear=sum(ratio > 2 for ratio in ratios), compared=len(ratios)).rstrip("\n") + "\n"
+
+
 def machine_line(*documents):
     lines = []
     for name, document in documents:
@@ -116,15 +180,17 @@ def machine_line(*documents):
     return "\n".join(lines) + "\n\n"
 
 
-def block(driver, accuracy):
-    text = "## Simulations\n\n" + machine_line(("`bench/driver.py`", driver), ("`bench/accuracy_time.py`", accuracy))
-    rows = [[one.work, one.target, one.reached, "yes" if one.is_met else "**no**"] for one in targets(driver, accuracy)]
+def block(driver, accuracy, ensemble, delivered):
+    scripts = {"`bench/driver.py`": driver, "`bench/accuracy_time.py`": accuracy, "`bench/ensemble.py`": ensemble, "`bench/delivered.py`": delivered}
+    text = "## Simulations\n\n" + machine_line(*scripts.items())
+    rows = [[one.work, one.target, one.reached, "yes" if one.is_met else "**no**"] for one in targets(driver, accuracy, ensemble, delivered)]
     text += table(["work", "target", "reached", "met"], rows) + "\n" + driver_block(driver)
-    text += pendulum_block(accuracy["double_pendulum"])
-    return text + ball_block(accuracy["ball"], accuracy["sampling_reactions"]) + "\n"
+    text += pendulum_block(accuracy["double_pendulum"]) + ball_block(accuracy["ball"], accuracy["sampling_reactions"])
+    return text + ensemble_block(ensemble) + delivered_block(delivered) + "\n"
 
 
 def block_of_files():
-    if not (DRIVER.exists() and ACCURACY.exists()):
+    files = [DRIVER, ACCURACY, ENSEMBLE, DELIVERED]
+    if not all(file.exists() for file in files):
         return ""
-    return block(json.loads(DRIVER.read_text(encoding="utf-8")), json.loads(ACCURACY.read_text(encoding="utf-8")))
+    return block(*(json.loads(file.read_text(encoding="utf-8")) for file in files))
