@@ -25,7 +25,7 @@ constexpr double k_few_digits = 1e-5;  ///< from here on methods of low order ar
 constexpr double k_beaten =
     10;  ///< times the best so far, where it delivers: looser tolerances will not make up for that
 constexpr double k_hopeless = 3;  ///< times the best so far, at a looser tolerance
-constexpr double k_dear = 1.5;    ///< times what a run without projection takes: constraints are kept for less
+constexpr double k_dear = 1.25;   ///< times what a run without projection takes: constraints are kept for less
 
 /// As somebody would write it.
 double two_digits(double value) { return std::stod(fmt::format("{:.1e}", value)); }
