@@ -16,7 +16,7 @@ namespace {
 constexpr double k_agreement = 1.0 / 20;  ///< of the error that is asked for
 constexpr double k_first =
     1e-3;  ///< tolerance, as a part of the error: what is lost over a motion of some length is made up for
-constexpr double k_tighter = 1e-2;
+constexpr double k_tighter = 1e-2, k_much_tighter = 1e-6;  ///< tolerances, by how far two runs are apart
 /// Of errors that can be shown: tables are compared with the digits of long double.
 constexpr double k_least = static_cast<double>(std::numeric_limits<long double>::epsilon()) / k_agreement;
 
@@ -28,7 +28,7 @@ constexpr double k_other_parts = 499;
 class TightSearch {
  public:
   TightSearch(const PreparedModel& prepared, Engines& engines, double error, const TimeLimit& limit)
-      : prepared_(prepared), engines_(engines), error_(error), limit_(limit) {}
+      : prepared_(prepared), engines_(engines), error_(error), tolerance_(error * k_first), limit_(limit) {}
 
   std::optional<TightRun> run(std::string& why) {
     if (error_ < k_least) {
@@ -60,11 +60,11 @@ class TightSearch {
     if (engines_.of(number) == nullptr) return std::nullopt;
     const bool has_wider = engines_.of(wider) != nullptr;
     const double least = least_tolerance(number);
-    for (double tolerance = std::max(error_ * k_first, least);;) {
-      const RunInRows coarse = told(tight(number, tolerance, k_other_parts));
+    for (tolerance_ = std::max(tolerance_, least);;) {
+      const RunInRows coarse = told(tight(number, tolerance_, k_other_parts));
       if (!failure_.empty()) return std::nullopt;
-      tolerance = std::max(tolerance * k_tighter, least);
-      const Setting setting = by_other_terms(tight(has_wider ? wider : number, tolerance, k_least_parts));
+      const double finer = std::max(tolerance_ * k_tighter, least);
+      const Setting setting = by_other_terms(tight(has_wider ? wider : number, finer, k_least_parts));
       RunInRows fine = told(setting);
       if (!failure_.empty()) return std::nullopt;
       DeliveredError apart = delivered_error(coarse.rows, fine.rows, prepared_.columns.columns);
@@ -74,7 +74,9 @@ class TightSearch {
         return TightRun{std::move(fine.rows),
                         fmt::format("{} in {}, tolerance {:.0e}", setting.method, setting.number, setting.tolerance),
                         apart.value};
-      if (tolerance <= least) return std::nullopt;
+      if (finer <= least) return std::nullopt;
+      tolerance_ *= std::clamp(k_agreement * error_ / apart.value, k_much_tighter, k_tighter);
+      tolerance_ = std::max(tolerance_, least);
     }
   }
 
@@ -98,6 +100,7 @@ class TightSearch {
   const PreparedModel& prepared_;
   Engines& engines_;
   double error_;
+  double tolerance_;  ///< of the coarse run: what one number type has found not to do, others need not try
   const TimeLimit& limit_;
   DeliveredError closest_{std::numeric_limits<double>::infinity(), ""};
   std::string failure_;

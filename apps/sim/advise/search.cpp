@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "sim/advise/reference.hpp"
 #include "sim/run/in_rows.hpp"
@@ -27,6 +28,8 @@ constexpr double k_beaten =
 constexpr double k_hopeless = 3;  ///< times the best so far, at a looser tolerance
 constexpr double k_dear = 1.25;   ///< times what a run without projection takes: constraints are kept for less
 
+constexpr double k_unlimited = std::numeric_limits<double>::infinity();
+
 /// As somebody would write it.
 double two_digits(double value) { return std::stod(fmt::format("{:.1e}", value)); }
 
@@ -46,7 +49,7 @@ class OneMethod {
         setting.step > 0 ? prepared_.span.duration / static_cast<double>(prepared_.span.samples - 1) : k_loosest;
     knob = std::min(knob, most);
     std::optional<Trial> found;
-    double loosest_failing = std::numeric_limits<double>::infinity();
+    double loosest_failing = k_unlimited;
     for (int count = 0; count < k_most_trials; ++count) {
       Trial trial = tried(setting, best);
       last_ = trial;
@@ -90,11 +93,11 @@ class OneMethod {
 
   /// Errors go with tolerances, and with powers of steps.
   double factor(const Trial& trial, const Setting& setting) const {
-    constexpr double k_unknown = 0.1, k_safe = 0.6, k_most = 1e3;
+    constexpr double k_unknown = 0.1, k_safe = 0.6, k_most = 1e3, k_least = 1e-6;
     if (!trial.why.empty() || !std::isfinite(trial.error.value)) return k_unknown;
     const double ratio = k_safe * goal_ / std::max(trial.error.value, goal_ / k_most);
     const double order = setting.step > 0 ? find_method(setting.method)->order : 1;
-    return std::pow(std::clamp(ratio, 1 / k_most, k_most), 1 / order);
+    return std::pow(std::clamp(ratio, k_least, k_most), 1 / order);
   }
 
   const PreparedModel& prepared_;
@@ -125,7 +128,8 @@ class Search {
       found_.reference_in_words = reference->in_words;
       found_.agreement = reference->agreement;
       if (!chooses_method(prepared_.scene)) {
-        try_in_numbers(prepared_.scene.method->text);
+        const std::string& method = prepared_.scene.method->text;
+        if (!try_in(method, number_name(prepared_.scene)) && !prepared_.scene.number) try_in_more_digits(method);
       } else {
         try_all();
       }
@@ -157,7 +161,7 @@ class Search {
       for (const MethodInfo& method : gausssim::methods())
         if (method.is_stiff && method.missing.empty()) try_in(method.name, number_name(prepared_.scene));
     }
-    if (found_.trials.empty()) try_in_numbers(usual);
+    if (found_.trials.empty() && !prepared_.scene.number) try_in_more_digits(usual);
   }
 
   const Trial& cheapest() const {
@@ -177,15 +181,14 @@ class Search {
     if (trial && k_dear * trial->seconds < projected.seconds) found_.trials.push_back(*trial);
   }
 
-  /// In more digits where fewer do not do.
-  void try_in_numbers(const std::string& method) {
-    for (const std::string& number : numbers_from(number_name(prepared_.scene), method)) {
-      if (prepared_.scene.number && number != number_name(prepared_.scene)) return;
-      if (try_in(method, number)) return;
-    }
+  void try_in_more_digits(const std::string& method) {
+    for (const std::string& number : numbers_from(number_name(prepared_.scene), method))
+      if (number != number_name(prepared_.scene) && try_in(method, number, given_up(method))) return;
   }
 
-  bool try_in(const std::string& method, const std::string& number) {
+  double& given_up(const std::string& method) { return given_up_.try_emplace(method, k_unlimited).first->second; }
+
+  bool try_in(const std::string& method, const std::string& number, double loosest = k_unlimited) {
     if (!computes_in(*find_method(method), number)) return false;
     const Engine* const engine = engines_.of(number);
     if (engine == nullptr) return false;
@@ -200,11 +203,16 @@ class Search {
     if (find_method(method)->takes_step) {
       setting.step = prepared_.span.duration / k_first_steps;
     } else {
-      setting.tolerance = std::max(k_first * error_, least_tolerance(number));
+      setting.tolerance = std::max(std::min(k_first * error_, loosest), least_tolerance(number));
     }
     OneMethod one(prepared_, *engine, found_.reference, error_, limit_);
     const auto trial = one.run(setting, best_);
-    if (!trial) return last_ = one.last(), false;
+    if (!trial) {
+      last_ = one.last();
+      double& tolerance = given_up(method);
+      tolerance = std::min(tolerance, last_.setting.tolerance);
+      return false;
+    }
     best_ = std::min(best_, trial->seconds);
     found_.trials.push_back(*trial);
     return true;
@@ -241,9 +249,10 @@ class Search {
   ProgressBar bar_;
   TimeLimit limit_;
   std::string too_long_;
-  double best_ = std::numeric_limits<double>::infinity();
+  double best_ = k_unlimited;
   FoundSetting found_;
   Trial last_;
+  std::map<std::string, double> given_up_;  ///< at which tolerance each method was
 };
 
 }  // namespace

@@ -159,6 +159,17 @@ int code_of(const Simulated& run, const PreparedModel& prepared, const cli::Mess
       cli::k_motion_stopped, messages);
 }
 
+/// Of motions that nobody can follow, or not with this tolerance.
+void warn_of_error(const DeliveredError& error, const cli::MessageOptions& messages) {
+  constexpr double k_useless = 0.1;
+  if (error.value < k_useless) return;
+  cli::warn(
+      fmt::format("the table is off by {:.2g} of the range of '{}': it is not this motion; --error 1e-3 looks for a "
+                  "setting that is, or says that there is none",
+                  error.value, error.output),
+      messages);
+}
+
 /// Nobody should believe that a run was made with what it does not use.
 void warn_of_unused(const Scene& scene, const Setting& setting, const cli::MessageOptions& messages) {
   const bool takes_step = setting.step > 0;
@@ -277,6 +288,7 @@ int run(const RunOptions& options, const FindSetting& find) {
   file.finish();
   if (csv != "-") cli::Replacement(summary_path(csv), text).commit();
   tell(options, *prepared, setting, *engine, simulated, times, error, found, csv);
+  if (error && !found) warn_of_error(*error, options.messages);
   if (found && error && simulated.outcome == Outcome::running && !(error->value <= *prepared->scene.error))
     return cli::fail(fmt::format("the run is off by {:.2e}, in {}", error->value, error->output), cli::k_not_delivered,
                      options.messages);

@@ -109,6 +109,13 @@ class Writing(Program):
             estimate = self.summary("spring.json")["error_estimate"]["relative"]
             self.assertLess(abs(estimate - error), 0.1 * error, method)
 
+    def test_a_table_of_another_motion_is_not_left_without_a_word(self):
+        """After a minute the tolerance of a double pendulum is all that its angles depend on."""
+        chaos = self.run_it("run", MODELS / "double_pendulum.yaml", "--method", "dopri5", "--tolerance", "1e-3", "--duration", "60", "-q")
+        self.assertEqual(chaos.returncode, 0)
+        self.assertIn("warning: the table is off by", chaos.stderr)
+        self.assertEqual(self.run_it("run", "spring.yaml", "-q").stderr, "")
+
     def test_a_model_is_compiled_once_whatever_its_values_are(self):
         self.ok("run", "spring.yaml", "-q")
         self.ok("run", "spring.yaml", "--set", "m=3", "--set", "x=2", "--duration", "5", "-q")
