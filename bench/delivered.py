@@ -126,7 +126,7 @@ def main():
         others = json.loads(simulation.DELIVERED.read_text(encoding="utf-8"))["rows"] if options.models else []
         measured = {path.stem for path in paths}
         rows = sorted([*rows, *(row for row in others if row["model"] not in measured)], key=lambda row: (row["model"], -row["asked"]))
-        simulation.write(simulation.DELIVERED, {"budget": options.budget, "rows": rows})
+        simulation.write(simulation.DELIVERED, {"budget": options.budget, "ends": ENDS, "rows": rows})
 
 
 if __name__ == "__main__":

@@ -57,7 +57,7 @@ Trajectories per second of `gauss-sim ensemble` by power series, whose initial s
 ABOUT_DELIVERED = """
 ### What `run --error` delivers
 
-{rows} runs: {models} shipped models, each asked for 1e-3 to 1e-10 of the range of every column. {late} less than was asked for, against runs in float128 that the search has not seen{failed}. The time of a
+{rows} runs: {models} shipped models, each asked for 1e-3 to 1e-10 of the range of every column, over 10 s or what it can be followed for{ends}. Against runs in float128 that the search has not seen, {late}{failed}. The time of a
 run, over that of the fastest point of a study of {budget:g} s that delivers the error: {median:.2f} in the median, {most:.2f} at most, {dear} of {compared} above 2. Below 1, the search has found a tolerance between those
 of the study; above it, margins are paid for, or methods that were not tried.
 
@@ -142,13 +142,17 @@ def all_lanes(problem):
     return problem["rows"][-1]
 
 
+def some(count, what):
+    return f"{count} {what}{'' if count == 1 else 's'}"
+
+
 def ensemble_block(found):
     lanes = [f"{all_lanes(next(iter(problems.values())))['lanes']} lanes for `-march={processor}`" for processor, problems in found["processors"].items()]
     text = ABOUT_ENSEMBLE.format(lanes=", ".join(lanes), repeats=found["repeats"])
     head, columns = ["model"], []
     for processor, problems in found["processors"].items():
         one = next(iter(problems.values()))["rows"]
-        head += [f"{processor}: one at a time"] + [f"{row['lanes']} lanes, {row['threads']} threads" for row in one[1:]]
+        head += [f"{processor}: one at a time"] + [f"{some(row['lanes'], 'lane')}, {some(row['threads'], 'thread')}" for row in one[1:]]
         columns.append(problems)
     rows = []
     for model in columns[0]:
@@ -167,7 +171,8 @@ def delivered_block(found):
     failed = [row for row in rows if row.get("delivered") is None]
     ratios = [row["ratio"] for row in known if row["ratio"]]
     return ABOUT_DELIVERED.format(
-        rows=len(rows), models=len({row["model"] for row in rows}), late=f"{late} delivered" if late else "None delivered", budget=found["budget"],
+        rows=len(rows), models=len({row["model"] for row in rows}), budget=found["budget"],
+        late=f"{late} do not deliver it" if late else "each delivers it", ends="".join(f", `{model}` {seconds:g} s" for model, seconds in found["ends"].items()),
         failed="".join(f"; `{row['model']}` to {row['asked']:.0e}: {row['why']}" for row in failed), median=statistics.median(ratios), most=max(ratios),
         dear=sum(ratio > 2 for ratio in ratios), compared=len(ratios)).rstrip("\n") + "\n"
 
