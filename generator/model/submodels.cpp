@@ -249,8 +249,8 @@ class Submodels {
   }
 
   bool is_header(const Entry& entry) const {
-    static const std::vector<std::string> k_header{"gauss",          "name",    "about",        "elimination", "exact",
-                                                   "rank_tolerance", "outputs", "sensitivities"};
+    static const std::vector<std::string> k_header{"gauss", "name",           "about",   "elimination",
+                                                   "exact", "rank_tolerance", "outputs", "sensitivities"};
     return std::find(k_header.begin(), k_header.end(), entry.key.text) != k_header.end() ||
            reading_.unknown_keys.count(entry.key.span.begin) > 0;
   }

@@ -18,7 +18,7 @@ struct Reference {
 constexpr const char* k_beyond_time = "beyond the time that the study was given";
 
 struct Effort {
-  double limit = 60;      ///< seconds of the first run: what takes longer is refused
+  double limit = 60;  ///< seconds of the first run: what takes longer is refused
   int repeats = 5;
   double seconds = 0.02;  ///< of all repeats; of short runs at least three are made
   double longest = 10;    ///< of one run; what takes longer is not repeated
