@@ -48,6 +48,7 @@ def setting(point):
     size = f"tolerance {short(point['tolerance'])}" if point["tolerance"] else f"step {point['step']:.2g} s"
     more = [point["number"]] if point["number"] != "double" else []
     more += [point["code"]] if point["code"] != "optimised" else []
+    more += [f"projection {point['projection']}"] if point["projection"] != "full" else []
     return ", ".join([f"`{point['method']}`", size, *more, point["formulation"]])
 
 
