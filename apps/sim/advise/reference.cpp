@@ -75,8 +75,8 @@ class TightSearch {
                         fmt::format("{} in {}, tolerance {:.0e}", setting.method, setting.number, setting.tolerance),
                         apart.value};
       if (finer <= least) return std::nullopt;
-      tolerance_ *= std::clamp(k_agreement * error_ / apart.value, k_much_tighter, k_tighter);
-      tolerance_ = std::max(tolerance_, least);
+      const double tighter = std::clamp(k_agreement * error_ / apart.value, k_much_tighter, k_tighter);
+      tolerance_ = std::max(tolerance_ * tighter, least);
     }
   }
 

@@ -93,10 +93,8 @@ std::optional<PreparedModel> prepare_varied(const EnsembleOptions& options, std:
   const auto change = [&](Scene& scene) {
     if (!scene.ensemble)
       throw cli::UsageError("the file says nothing of an ensemble: add the key 'ensemble' to a scene");
-    apply(options, scene);
+    apply(options, scene, request);
     apply(options, *scene.ensemble);
-    check_method(scene);
-    if (!chooses_method(scene)) request.also = find_method(scene.method->text)->takes;
   };
   return prepare(request, change, code);
 }

@@ -11,9 +11,7 @@ namespace {
 
 namespace cli = gaussgen::cli;
 
-}  // namespace
-
-void apply(const RunOptions& options, Scene& scene) {
+void override_by(const RunOptions& options, Scene& scene) {
   const auto word = [](const std::string& text, std::optional<Word>& to) {
     if (!text.empty()) to = Word{text, {}};
   };
@@ -40,11 +38,6 @@ void apply(const RunOptions& options, Scene& scene) {
   for (const std::string& name : options.outputs) scene.outputs.push_back({name, {}});
 }
 
-EngineChoice engine_choice(const Scene& scene) {
-  if (!scene.engine || scene.engine->text == "auto") return EngineChoice::automatic;
-  return scene.engine->text == "compiled" ? EngineChoice::compiled : EngineChoice::interpreted;
-}
-
 void check_method(const Scene& scene) {
   if (chooses_method(scene)) return;
   const MethodInfo& method = *find_method(scene.method->text);
@@ -58,12 +51,23 @@ void check_method(const Scene& scene) {
     refuse("it does not project, so states drift off the constraints as its tolerance allows; take 'projection: off'");
 }
 
+}  // namespace
+
+EngineChoice engine_choice(const Scene& scene) {
+  if (!scene.engine || scene.engine->text == "auto") return EngineChoice::automatic;
+  return scene.engine->text == "compiled" ? EngineChoice::compiled : EngineChoice::interpreted;
+}
+
+void apply(const RunOptions& options, Scene& scene, Request& request) {
+  override_by(options, scene);
+  check_method(scene);
+  if (!chooses_method(scene)) request.also = find_method(scene.method->text)->takes;
+}
+
 std::optional<PreparedModel> prepare_run(const RunOptions& options, int& code) {
   Request request{options.file, options.sets, {}, options.messages};
   const auto change = [&](Scene& scene) {
-    apply(options, scene);
-    check_method(scene);
-    if (!chooses_method(scene)) request.also = find_method(scene.method->text)->takes;
+    apply(options, scene, request);
     if (scene.error && chooses_method(scene)) request.where_possible = {"jacobian"};
   };
   return prepare(request, change, code);

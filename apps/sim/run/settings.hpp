@@ -1,5 +1,5 @@
 #pragma once
-// From a scene and options to the setting of a simulation: what `run` and `ensemble` share.
+// From a scene and options to the setting of a simulation: what `run`, `advise` and `ensemble` share.
 
 #include "sim/run/build_engine.hpp"
 #include "sim/run/prepare.hpp"
@@ -8,13 +8,11 @@
 
 namespace gausssim {
 
-/// Options have precedence over what the scene says.
-void apply(const RunOptions& options, Scene& scene);
-
 EngineChoice engine_choice(const Scene& scene);
 
-/// What no model can change: refused before one is read. Throws cli::UsageError.
-void check_method(const Scene& scene);
+/// Options have precedence over what the scene says; requests what the method takes. What no model can change is refused before one is read: throws
+/// cli::UsageError.
+void apply(const RunOptions& options, Scene& scene, Request& request);
 
 /// A model with all that its method takes, or those that may be chosen for an error. Nothing: `code`, and why has been said.
 std::optional<PreparedModel> prepare_run(const RunOptions& options, int& code);

@@ -134,8 +134,6 @@ class Simulator {
       text_.clear();
       append_csv_row(text_, t, row_.data(), row_.size());
       goes_on = listeners_.on_row(text_, static_cast<double>(k + 1) / static_cast<double>(grid_.samples));
-    }
-    if (listeners_.on_row) {
       shown_.assign(state, state + shown_.size());
       until_shown_ = integrator.progress();
     }
