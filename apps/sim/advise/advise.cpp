@@ -23,9 +23,16 @@ using Json = nlohmann::ordered_json;
 
 StudyPoint point_of(const Trial& trial) {
   const Setting& setting = trial.setting;
-  return {
-      "",           "optimised",       setting.method, setting.number, name_of(setting.projection), setting.tolerance,
-      setting.step, trial.error.value, trial.seconds};
+  return {"",
+          "optimised",
+          setting.method,
+          setting.number,
+          name_of(setting.projection),
+          setting.tolerance,
+          setting.step,
+          trial.error.value,
+          trial.seconds,
+          setting.longest_step};
 }
 
 std::string in_words(const StudyPoint& point) {
@@ -39,6 +46,7 @@ std::string in_words(const StudyPoint& point) {
 std::string as_scene(const StudyPoint& point, const std::string& own_form) {
   std::string text = fmt::format("method: {}\n", point.method);
   text += point.step > 0 ? fmt::format("step: {}\n", point.step) : fmt::format("tolerance: {}\n", point.tolerance);
+  if (point.longest_step > 0) text += fmt::format("longest_step: {}\n", point.longest_step);
   text += fmt::format("number: {}\nprojection: {}\n", point.number, point.projection);
   if (!point.formulation.empty() && point.formulation != own_form)
     text += fmt::format("# formulation: {} (as under 'formulations' of the scene)\n", point.formulation);
@@ -49,6 +57,7 @@ std::string as_scene(const StudyPoint& point, const std::string& own_form) {
 Json as_json(const StudyPoint& point) {
   Json json{{"method", point.method}, {"number", point.number}, {"projection", point.projection}};
   json[point.step > 0 ? "step" : "tolerance"] = point.step > 0 ? point.step : point.tolerance;
+  if (point.longest_step > 0) json["longest_step"] = point.longest_step;
   if (!point.formulation.empty()) json["formulation"] = point.formulation;
   json["error"] = point.error;
   json["time_s"] = point.seconds;

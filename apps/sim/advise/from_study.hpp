@@ -11,7 +11,7 @@ namespace gausssim {
 /// A point of docs/study-format.md.
 struct StudyPoint {
   std::string formulation, code, method, number, projection;
-  double tolerance = 0, step = 0, error = 0, seconds = 0;
+  double tolerance = 0, step = 0, error = 0, seconds = 0, longest_step = 0;
 };
 
 /// The cheapest point of the problem that delivered `error` with a margin of two. Nothing delivered it: `why`. Throws cli::FileError where the file is no study, or lacks

@@ -20,6 +20,9 @@ constexpr double k_tighter = 1e-2, k_much_tighter = 1e-6;  ///< tolerances, by h
 /// Of errors that can be shown: tables are compared with the digits of long double.
 constexpr double k_least = static_cast<double>(std::numeric_limits<long double>::epsilon()) / k_agreement;
 
+/// As of Yardstick. What is as small as this beside its size has no digits in double that could be delivered.
+constexpr double k_least_range = 1e-12;
+
 /// As k_least_parts, of the other run, since a step of one may end where something acts.
 constexpr double k_other_parts = 499;
 
@@ -64,14 +67,17 @@ class TightSearch {
       const RunInRows coarse = told(tight(number, tolerance_, k_other_parts));
       if (!failure_.empty()) return std::nullopt;
       const double finer = std::max(tolerance_ * k_tighter, least);
-      const Setting setting = by_other_terms(tight(has_wider ? wider : number, finer, k_least_parts));
+      const std::string& fine_number = has_wider ? wider : number;
+      const Setting setting = by_other_terms(tight(fine_number, finer, k_least_parts));
       RunInRows fine = told(setting);
       if (!failure_.empty()) return std::nullopt;
-      DeliveredError apart = delivered_error(coarse.rows, fine.rows, prepared_.columns.columns);
+      Yardstick yardstick(std::move(fine.rows), coarse.rows, prepared_.columns.columns, k_least_range,
+                          least_tolerance(fine_number));
+      DeliveredError apart = yardstick.error_of(coarse.rows);
       apart.value = std::max(apart.value, k_agreement * k_least);
       if (apart.value < closest_.value) closest_ = apart;
       if (apart.value <= k_agreement * error_)
-        return TightRun{std::move(fine.rows),
+        return TightRun{std::move(yardstick),
                         fmt::format("{} in {}, tolerance {:.0e}", setting.method, setting.number, setting.tolerance),
                         apart.value};
       if (finer <= least) return std::nullopt;
@@ -87,6 +93,8 @@ class TightSearch {
     setting.projection = default_projection(setting.method);
     setting.tolerance = tolerance;
     setting.longest_step = prepared_.span.duration / parts;
+    if (prepared_.scene.longest_step)
+      setting.longest_step = std::min(setting.longest_step, *prepared_.scene.longest_step);
     return setting;
   }
 

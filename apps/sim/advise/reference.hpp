@@ -13,7 +13,7 @@ namespace gausssim {
 std::string why_not(const Simulated& run);
 
 struct TightRun {
-  Rows rows;
+  Yardstick yardstick;
   std::string in_words;
   double agreement = 0;
 };

@@ -36,7 +36,7 @@ double two_digits(double value) { return std::stod(fmt::format("{:.1e}", value))
 /// The loosest tolerance of one method in one number type that delivers.
 class OneMethod {
  public:
-  OneMethod(const PreparedModel& prepared, const Engine& engine, const Rows& reference, double error,
+  OneMethod(const PreparedModel& prepared, const Engine& engine, const Yardstick& reference, double error,
             const TimeLimit& whole)
       : prepared_(prepared), engine_(engine), reference_(reference), goal_(k_margin * error), whole_(whole) {}
 
@@ -77,7 +77,7 @@ class OneMethod {
     throw_if_ended(whole_);
     Trial trial{setting, {}, told.run.cpu_seconds, why_not(told.run)};
     if (!trial.why.empty()) return trial;
-    trial.error = delivered_error(told.rows, reference_, prepared_.columns.columns);
+    trial.error = reference_.error_of(told.rows);
     // The least of some: what is short is disturbed most.
     constexpr double k_enough = 0.01;
     constexpr int k_most = 30, k_least = 3;
@@ -102,7 +102,7 @@ class OneMethod {
 
   const PreparedModel& prepared_;
   const Engine& engine_;
-  const Rows& reference_;
+  const Yardstick& reference_;
   double goal_;
   const TimeLimit& whole_;
   Trial last_;
@@ -117,19 +117,21 @@ class Search {
         bar_(wanted.is_told),
         limit_(wanted.budget),
         too_long_(fmt::format("no setting for an error of {:.1e} was found in {:.3g} s; --budget gives it more",
-                              wanted.error, wanted.budget)) {}
+                              wanted.error, wanted.budget)),
+        longest_step_(prepared.scene.longest_step.value_or(0)) {}
 
   std::optional<FoundSetting> run(std::string& why) {
     try {
       bar_.say("looking for a setting: a tight run");
       auto reference = tight_run(prepared_, engines_, error_, limit_, why);
       if (!reference) return std::nullopt;
-      found_.reference = std::move(reference->rows);
+      found_.reference = std::move(reference->yardstick);
       found_.reference_in_words = reference->in_words;
       found_.agreement = reference->agreement;
       if (!chooses_method(prepared_.scene)) {
         const std::string& method = prepared_.scene.method->text;
-        if (!try_in(method, number_name(prepared_.scene)) && !prepared_.scene.number) try_in_more_digits(method);
+        try_in(method, number_name(prepared_.scene));
+        try_harder(method);
       } else {
         try_all();
       }
@@ -161,7 +163,17 @@ class Search {
       for (const MethodInfo& method : gausssim::methods())
         if (method.is_stiff && method.missing.empty()) try_in(method.name, number_name(prepared_.scene));
     }
-    if (found_.trials.empty() && !prepared_.scene.number) try_in_more_digits(usual);
+    try_harder(usual);
+  }
+
+  /// Where nothing has delivered: shorter steps, for what acts for a time that others pass over; then more digits.
+  void try_harder(const std::string& method) {
+    if (!prepared_.scene.longest_step && found_.trials.empty()) {
+      longest_step_ = prepared_.span.duration / k_least_parts;
+      if (try_in(method, number_name(prepared_.scene))) return;
+      longest_step_ = 0;
+    }
+    if (found_.trials.empty() && !prepared_.scene.number) try_in_more_digits(method);
   }
 
   const Trial& cheapest() const {
@@ -204,6 +216,7 @@ class Search {
       setting.step = prepared_.span.duration / k_first_steps;
     } else {
       setting.tolerance = std::max(std::min(k_first * error_, loosest), least_tolerance(number));
+      setting.longest_step = longest_step_;
     }
     OneMethod one(prepared_, *engine, found_.reference, error_, limit_);
     const auto trial = one.run(setting, best_);
@@ -249,6 +262,7 @@ class Search {
   ProgressBar bar_;
   TimeLimit limit_;
   std::string too_long_;
+  double longest_step_;
   double best_ = k_unlimited;
   FoundSetting found_;
   Trial last_;

@@ -68,6 +68,11 @@ void add_setting(CLI::App* command, RunOptions& options) {
   command->add_option("--step", options.step, "length of steps, of methods that take one")
       ->type_name("T")
       ->check(positive());
+  command
+      ->add_option("--longest-step", options.longest_step,
+                   "no step is longer: for what acts for a time that steps would pass over")
+      ->type_name("T")
+      ->check(positive());
   command->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
 

@@ -32,10 +32,31 @@ void remove_values(cpp::File& tree) {
   tree.items = std::move(kept);
 }
 
-/// Words about the file, such as its hash and command.
-void remove_provenance(cpp::File& tree) {
+void remove_words(cpp::Struct& type) {
+  type.comment.clear();
+  for (cpp::Member& member : type.members) member.comment.clear();
+  for (cpp::Struct& nested : type.nested) remove_words(nested);
+}
+
+void remove_words(cpp::Function& function) {
+  function.comment.clear();
+  const auto is_comment = [](const cpp::Statement& one) { return std::holds_alternative<cpp::Comment>(one); };
+  auto& body = function.body;
+  body.erase(std::remove_if(body.begin(), body.end(), is_comment), body.end());
+}
+
+/// Words change with the file, its hash and the values in it. What is compiled does not, and is not compiled again for them.
+void remove_words(cpp::File& tree) {
   const auto is_comment = [](const cpp::Item& item) { return std::holds_alternative<cpp::Comment>(item); };
-  tree.before.erase(std::remove_if(tree.before.begin(), tree.before.end(), is_comment), tree.before.end());
+  for (auto* const items : {&tree.before, &tree.items, &tree.after}) {
+    items->erase(std::remove_if(items->begin(), items->end(), is_comment), items->end());
+    for (cpp::Item& item : *items) {
+      if (auto* const type = std::get_if<cpp::Struct>(&item)) remove_words(*type);
+      if (auto* const function = std::get_if<cpp::Function>(&item)) remove_words(*function);
+      if (auto* const constant = std::get_if<cpp::Constant>(&item)) constant->comment.clear();
+      if (auto* const table = std::get_if<cpp::Table>(&item)) table->comment.clear();
+    }
+  }
 }
 
 /// `const State<S>&` as a type of the plugin, without const and &.
@@ -133,7 +154,7 @@ std::string entry_symbol(const std::string& function, const std::string& scalar)
 }
 
 std::string plugin_header(cpp::File tree) {
-  remove_provenance(tree);
+  remove_words(tree);
   remove_values(tree);
   return cpp::print(tree) + "\n#define GAUSS_SIM_VISIBLE __attribute__((visibility(\"default\")))\n\n";
 }

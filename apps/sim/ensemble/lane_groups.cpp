@@ -20,6 +20,7 @@ LaneGroups::LaneGroups(const PreparedModel& prepared, const LanesKernel& kernel,
   job_.samples = static_cast<long>(times_.size());
   job_.start_time = grid.start;
   job_.tolerance = setting.tolerance;
+  job_.longest_step = setting.longest_step;
   job_.projects = projects ? 1 : 0;
   job_.most_steps = MethodSettings<double>().most_steps;
   job_.ends = Interruption::is_asked_for;

@@ -15,7 +15,7 @@ struct LanesJob {
   long count;
   const double* times;  ///< of samples; the last one is the end
   long samples;
-  double start_time, tolerance;
+  double start_time, tolerance, longest_step;
   long projects, most_steps;
   bool (*ends)();  ///< asked before each step: whether none is taken any more
   double* states;  ///< sample by sample

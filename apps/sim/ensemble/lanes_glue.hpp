@@ -15,7 +15,7 @@ struct LanesJob {
   long count;
   const double* times;
   long samples;
-  double start_time, tolerance;
+  double start_time, tolerance, longest_step;
   long projects, most_steps;
   bool (*ends)();
   double* states;
@@ -82,6 +82,7 @@ class LanesRun {
   gauss::simulate::Settings<double> settings() const {
     gauss::simulate::Settings<double> settings;
     settings.tolerance = job_.tolerance;
+    settings.longest_step = job_.longest_step;
     settings.project = job_.projects != 0;
     settings.most_steps = job_.most_steps;
     return settings;

@@ -66,6 +66,7 @@ void add_setting(const EnsembleSetting& all, Json& json) {
   json["number"] = setting.number;
   if (setting.tolerance > 0) json["tolerance"] = setting.tolerance;
   if (setting.step > 0) json["step"] = setting.step;
+  if (setting.longest_step > 0) json["longest_step"] = setting.longest_step;
   for (const auto& [name, how] : k_projections) {
     if (how == setting.projection) json["projection"] = name;
   }

@@ -37,6 +37,7 @@ void Arkode::set_up(const ArkodeTable& table) {
   ARKStepSetMaxErrTestFails(arkode, k_most_failures);
   ARKStepSetMaxConvFails(arkode, k_most_failures);
   if (fixed_step_ > 0) ARKStepSetFixedStep(arkode, fixed_step_);
+  if (settings_.longest_step > 0) ARKStepSetMaxStep(arkode, settings_.longest_step);
   if (is_implicit) use_newton(arkode);
 }
 

@@ -65,7 +65,8 @@ class BulirschStoer final : public Integrator<S> {
     if (!(first_ > S(0))) first_ = std::min(step_, end - t_);
     bool is_taken = false;
     while (!is_taken && is_running()) {
-      const S wanted = step_;
+      const S wanted = settings_.longest_step > S(0) ? std::min(step_, settings_.longest_step) : step_;
+      if (shortest_in_a_row_ > k_most_shortest) return stop(Outcome::step_too_small);
       const bool arrives = t_ + wanted >= end;
       is_taken = attempt(arrives ? end - t_ : wanted, arrives ? end : t_ + wanted);
       // What comes after a step that was cut off to arrive is not known better than before it.
@@ -76,7 +77,8 @@ class BulirschStoer final : public Integrator<S> {
   /// One trial from t_; sets step_ to what comes next.
   bool attempt(const S& dt, const S& next) {
     const S rounding = std::numeric_limits<S>::epsilon() * std::max(first_, gauss::integrate::magnitude(t_));
-    if (!(dt > 4 * rounding)) return stop(Outcome::step_too_small), false;
+    const bool is_shortest = !(dt > 4 * rounding);
+    shortest_in_a_row_ = is_shortest ? shortest_in_a_row_ + 1 : 0;
     Array x = x_, rates = rates_, result = x_;
     unit_ = control_.allowed(settings_.tolerance, dt);
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -87,7 +89,7 @@ class BulirschStoer final : public Integrator<S> {
     const auto outcome = stepper_.try_step(std::ref(scaled_), x, rates, t, result, tried);
     step_ = tried;
     for (std::size_t i = 0; i < x.size(); ++i) result[i] *= unit_[i];
-    const bool is_accurate = outcome == boost::numeric::odeint::success && is_finite(result);
+    const bool is_accurate = (outcome == boost::numeric::odeint::success || is_shortest) && is_finite(result);
     if (gauss::integrate::is_motion_known(system_.trouble()) && is_accurate && arrives_at(next, result)) return true;
     ++progress_.rejected;
     if (!(step_ < dt)) step_ = dt / 4;
@@ -138,12 +140,17 @@ class BulirschStoer final : public Integrator<S> {
 
   Model model_;
   gauss::simulate::Settings<S> settings_;
+  /// What rests is off by all that a force does to it which begins to act within a step, be it as short as rounding of time: then that is what time tells of the edge. One or
+  /// two of these lead over it; more of them are no edge.
+  static constexpr int k_most_shortest = 8;
+
   S t_, step_ = 0, first_ = 0;
+  int shortest_in_a_row_ = 0;
   Array x_, rates_, unit_;
   gauss::simulate::NotingSystem<Model> system_{model_};
   gauss::simulate::StepControl<Model> control_{model_, settings_.tolerance, system_};
   Scaled scaled_{*this};
-  Stepper stepper_{S(1), S(0), S(1), S(0)};
+  Stepper stepper_{S(1), S(0), S(1), S(0), settings_.longest_step};
   Progress<S> progress_;
 };
 

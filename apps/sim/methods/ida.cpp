@@ -35,6 +35,7 @@ void Ida::set_up() {
   constexpr int k_most_failures = 60;
   IDASetMaxErrTestFails(ida, k_most_failures);
   IDASetMaxConvFails(ida, k_most_failures);
+  if (settings_.longest_step > 0) IDASetMaxStep(ida, settings_.longest_step);
   IDASetLinearSolver(ida, work_.solver.get(), work_.matrix.get());
   if (model_.has_jacobian()) IDASetJacFn(ida, jacobian);
 }

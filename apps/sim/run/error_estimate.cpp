@@ -19,64 +19,87 @@ void Rows::set(long k, const std::vector<long double>& row) {
 
 namespace {
 
-/// In long double, whose range other number types do not leave.
+/// In long double, whose range other number types do not leave. What is no number has none.
 struct Extent {
   long double range = 0, size = 0;
 };
 
 Extent extent_of(const Rows& rows, std::size_t column) {
-  long double least = std::numeric_limits<long double>::infinity(), most = -least, size = 0;
+  long double least = std::numeric_limits<long double>::infinity(), most = -least;
   for (long k = 0; k < rows.samples(); ++k) {
     const long double value = rows.at(k, column);
+    if (!std::isfinite(value)) continue;
     least = std::min(least, value);
     most = std::max(most, value);
-    size = std::max(size, std::abs(value));
   }
-  return {most - least, size};
+  if (!(least <= most)) return {};
+  return {most - least, std::max(std::abs(least), std::abs(most))};
 }
 
-/// What changes by less than this part of its size, or of what others with its unit change by, is taken for constant.
-constexpr long double k_constant = 1e-6;
-
-std::vector<long double> scales_of(const Rows& reference, const std::vector<Column>& columns) {
-  std::vector<Extent> extents;
-  std::map<std::string, long double> by_unit;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    extents.push_back(extent_of(reference, i));
-    by_unit[columns[i].unit] = std::max(by_unit[columns[i].unit], extents[i].range);
+/// By how much two runs differ: neither is known better.
+long double doubt_of(const Rows& rows, const Rows& other, std::size_t column) {
+  long double most = 0;
+  for (long k = 0; k < std::min(rows.samples(), other.samples()); ++k) {
+    const long double apart = std::abs(rows.at(k, column) - other.at(k, column));
+    if (std::isfinite(apart)) most = std::max(most, apart);
   }
-  std::vector<long double> scales;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const Extent& extent = extents[i];
-    const long double others = by_unit[columns[i].unit];
-    const long double whole = std::max(extent.size, others);
-    const long double scale = extent.range > k_constant * whole ? extent.range : whole;
-    scales.push_back(scale > 0 ? scale : 1);
-  }
-  return scales;
+  return most;
 }
 
-/// In units of `scale`. What is no number in both is not missed; what is none in one of them, or has no scale, is off by all.
+/// What stays within this, in its unit, is 0 but for rounding, if nothing of that unit is more.
+constexpr long double k_nothing = 1e-12;
+
+/// In units of `scale`. What is no number in both is not missed; what is none in one of them is off by all.
 double miss(long double value, long double reference, long double scale) {
   if (value == reference || (std::isnan(value) && std::isnan(reference))) return 0;
   const auto result = static_cast<double>(std::abs(value - reference) / scale);
-  return std::isfinite(scale) && !std::isnan(result) ? result : std::numeric_limits<double>::infinity();
+  return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
 }
 
 }  // namespace
 
-DeliveredError delivered_error(const Rows& rows, const Rows& reference, const std::vector<Column>& columns) {
-  DeliveredError result;
-  const std::vector<long double> scales = scales_of(reference, columns);
-  const long samples = std::min(rows.samples(), reference.samples());
+Yardstick::Yardstick(Rows rows, const Rows& other, const std::vector<Column>& columns, double least, double rounding)
+    : rows_(std::move(rows)) {
+  std::vector<Extent> extents;
+  std::map<std::string, long double> by_unit;
   for (std::size_t i = 0; i < columns.size(); ++i) {
+    extents.push_back(extent_of(rows_, i));
+    by_unit[columns[i].unit] = std::max(by_unit[columns[i].unit], extents[i].range);
+  }
+  const long double digits = std::max(static_cast<long double>(rounding), std::numeric_limits<long double>::epsilon());
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    constexpr long double k_clear = 10;
+    const long double range = extents[i].range, size = std::max(extents[i].size, by_unit[columns[i].unit]);
+    const bool is_clear = range > k_clear * std::max(doubt_of(rows_, other, i), digits * size);
+    const bool is_constant = !is_clear && (range <= least * size || size <= k_nothing);
+    const long double scale = !is_constant ? range : size <= k_nothing ? 1 : size;
+    outputs_.push_back({columns[i].name, scale, is_constant});
+  }
+}
+
+DeliveredError Yardstick::error_of(const Rows& rows) const {
+  DeliveredError result;
+  const long samples = std::min(rows.samples(), rows_.samples());
+  for (std::size_t i = 0; i < outputs_.size(); ++i) {
     for (long k = 0; k < samples; ++k) {
-      const double error = miss(rows.at(k, i), reference.at(k, i), scales[i]);
-      if (!(error > result.value)) continue;
-      result = {error, columns[i].name};
+      const double error = miss(rows.at(k, i), rows_.at(k, i), outputs_[i].scale);
+      if (error > result.value) result = {error, outputs_[i].name};
     }
   }
   return result;
+}
+
+std::vector<std::string> Yardstick::constants() const {
+  std::vector<std::string> names;
+  for (const Output& output : outputs_) {
+    if (output.is_constant) names.push_back(output.name);
+  }
+  return names;
+}
+
+double least_range(double tolerance) {
+  constexpr double k_drift = 1e3, k_least = 1e-12, k_most = 1e-3;
+  return std::clamp(k_drift * tolerance, k_least, k_most);
 }
 
 }  // namespace gausssim

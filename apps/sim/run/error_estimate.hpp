@@ -1,8 +1,8 @@
 #pragma once
 // How far a run may be off: what a tighter one says.
 
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/run/simulate.hpp"
@@ -31,8 +31,37 @@ class Rows {
   std::vector<long double> values_;
 };
 
-/// Over the samples that both have. An output that does not change, such as the energy or a coordinate at rest, has no range: errors of it are relative to its size or to
-/// the largest range of an output with the same unit, whichever is larger; of what is 0 throughout, as all of its unit, they are in that unit.
-DeliveredError delivered_error(const Rows& rows, const Rows& reference, const std::vector<Column>& columns);
+/// Rows that others are compared with, and what an error of each output is relative to: the range of the output along them. What does not change, such as the energy or a
+/// coordinate at rest, has no range, only what rounding and steps leave of it: errors of it are relative to its size or to the largest range of an output with the same unit,
+/// whichever is larger; of what is 0 throughout, as all of its unit, they are in that unit.
+class Yardstick {
+ public:
+  Yardstick() = default;
+  /// `other`: rows that should be the same. An output is taken for constant where they do not tell its range, since a tenth of it is no more than they differ by, or than
+  /// `rounding` of its size, if it is below `least` of that; size is also what others with its unit range over.
+  Yardstick(Rows rows, const Rows& other, const std::vector<Column>& columns, double least, double rounding);
+
+  const Rows& rows() const { return rows_; }
+  long double scale(std::size_t column) const { return outputs_[column].scale; }
+  /// Over the samples that both have.
+  DeliveredError error_of(const Rows& rows) const;
+  /// Names of the outputs that have no range.
+  std::vector<std::string> constants() const;
+  /// Closer to the motion.
+  void take(Rows rows) { rows_ = std::move(rows); }
+
+ private:
+  struct Output {
+    std::string name;
+    long double scale = 1;
+    bool is_constant = false;
+  };
+
+  Rows rows_{0, 0};
+  std::vector<Output> outputs_;
+};
+
+/// Of rows whose steps keep `tolerance`: what does not change drifts by some times that.
+double least_range(double tolerance);
 
 }  // namespace gausssim

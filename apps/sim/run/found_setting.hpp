@@ -22,7 +22,7 @@ struct Trial {
 struct FoundSetting {
   Trial chosen;
   std::vector<Trial> trials;  ///< the best of each method that came into question
-  Rows reference{0, 0};       ///< of a tighter run, which another one agrees with
+  Yardstick reference;        ///< of a tighter run, which another one agrees with
   std::string reference_in_words;
   double agreement = 0;  ///< of the two
 };

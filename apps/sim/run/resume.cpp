@@ -77,6 +77,7 @@ void compare(const json& summary, const std::string& file, const PreparedModel& 
   with.text("projection", name_of(setting.projection));
   with.number("tolerance", setting.tolerance);
   with.number("step", setting.step);
+  with.number("longest_step", setting.longest_step);
   with.number("gain", setting.projection == Projection::gains ? setting.gain : 0);
   with.number("start", prepared.span.start);
   with.number("duration", prepared.span.duration);
@@ -161,6 +162,7 @@ Setting setting_of_earlier_run(const std::string& path) {
     setting.projection = projection_of(summary.at("projection").get<std::string>());
     setting.tolerance = summary.value("tolerance", 0.0);
     setting.step = summary.value("step", 0.0);
+    setting.longest_step = summary.value("longest_step", 0.0);
   } catch (const json::exception&) {
     refuse_summary(path);
   }

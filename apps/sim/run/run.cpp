@@ -40,6 +40,11 @@ EarlierRun earlier_run(const std::string& csv, const PreparedModel& prepared, co
   return read_earlier_run(csv, summary_path(csv), prepared, setting);
 }
 
+/// How far a run may be off, and which outputs have no range that this is a part of.
+struct Estimate : DeliveredError {
+  std::vector<std::string> constants;
+};
+
 struct Times {
   double generate = 0;
   EngineTimes engine;
@@ -63,7 +68,7 @@ nlohmann::ordered_json asked_json(const FoundSetting& found, double error) {
 }
 
 nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& setting, const Engine& engine,
-                               const Simulated& run, const Times& times, const std::optional<DeliveredError>& error,
+                               const Simulated& run, const Times& times, const std::optional<Estimate>& error,
                                const std::optional<FoundSetting>& found) {
   nlohmann::ordered_json json;
   json["tool"] = std::string("gauss-sim ") + gaussgen::k_version;
@@ -82,13 +87,15 @@ nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& set
   json["number"] = setting.number;
   if (setting.tolerance > 0) json["tolerance"] = setting.tolerance;
   if (setting.step > 0) json["step"] = setting.step;
+  if (setting.longest_step > 0) json["longest_step"] = setting.longest_step;
   json["projection"] = name_of(setting.projection);
   if (setting.projection == Projection::gains) json["gain"] = setting.gain;
   json["steps"] = run.steps;
   json["rejected"] = run.rejected;
   json["calls"] = run.calls;
   json["jacobians"] = run.jacobians;
-  if (error) json["error_estimate"] = {{"relative", error->value}, {"output", error->output}};
+  if (error)
+    json["error_estimate"] = {{"relative", error->value}, {"output", error->output}, {"constant", error->constants}};
   if (found) json["asked_for"] = asked_json(*found, *prepared.scene.error);
   json["drift"] = drift_json(run.drift);
   if (run.start_moved > 0) json["start_moved"] = {{"by", run.start_moved}, {"component", run.start_component}};
@@ -110,7 +117,7 @@ nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& set
 std::string said(double value) { return fmt::format("{:.3g}", value); }
 
 void tell(const RunOptions& options, const PreparedModel& prepared, const Setting& setting, const Engine& engine,
-          const Simulated& run, const Times& times, const std::optional<DeliveredError>& error,
+          const Simulated& run, const Times& times, const std::optional<Estimate>& error,
           const std::optional<FoundSetting>& found, const std::string& csv) {
   if (options.quiet || csv == "-") return;
   const std::string how = setting.step > 0 ? "step " + said(setting.step) : "tolerance " + said(setting.tolerance);
@@ -128,8 +135,8 @@ void tell(const RunOptions& options, const PreparedModel& prepared, const Settin
     text += fmt::format("  asked   for {} of the range; found by trying, against {}\n", said(*prepared.scene.error),
                         found->reference_in_words);
   if (error)
-    text += fmt::format("  error   {} of the range, largest in {}\n", said(error->value),
-                        error->output.empty() ? "none" : error->output);
+    text += fmt::format("  error   {} of the range{}\n", said(error->value),
+                        error->output.empty() ? "" : ", largest in " + error->output);
   if (run.drift.has_energy)
     text += fmt::format("  energy  changes by {} J of {} J\n", said(run.drift.energy), said(run.drift.energy_scale));
   if (run.drift.has_constraints)
@@ -175,6 +182,8 @@ void warn_of_unused(const Scene& scene, const Setting& setting, const cli::Messa
   const bool takes_step = setting.step > 0;
   if (takes_step && scene.tolerance)
     cli::warn(fmt::format("'{}' takes steps of one length: the tolerance is not used", setting.method), messages);
+  if (takes_step && scene.longest_step)
+    cli::warn(fmt::format("'{}' takes steps of one length: 'longest_step' is not used", setting.method), messages);
   if (!takes_step && scene.step)
     cli::warn(fmt::format("'{}' chooses its steps by the tolerance: the step is not used", setting.method), messages);
   if (scene.gain && setting.projection != Projection::gains)
@@ -196,23 +205,28 @@ Setting tighter(Setting setting, const Simulated& run, const Span& span) {
   if (setting.tolerance > 0) {
     setting.tolerance *= k_tighter;
     // What acts for a short time may lie within a step of both.
-    setting.longest_step = std::min(k_shorter * taken, span.duration / k_least_parts);
+    const double longest = std::min(k_shorter * taken, span.duration / k_least_parts);
+    setting.longest_step = setting.longest_step > 0 ? std::min(k_shorter * setting.longest_step, longest) : longest;
   }
   if (setting.step > 0) setting.step = k_shorter * std::min(setting.step, taken);
   return by_other_terms(setting);
 }
 
-/// How far a run is off, as a tighter one tells it; nothing where that is no other run, or does not arrive.
-std::optional<DeliveredError> estimate(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
-                                       const Simulated& run, const Rows& rows) {
+/// What a tighter run makes of errors; nothing where that is no other run, or does not arrive.
+std::optional<Yardstick> yardstick_of(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
+                                      const Simulated& run, const Rows& rows) {
   // Of a motion that a tighter run takes far longer for, nothing is said.
   constexpr double k_least_limit = 2, k_longer = 20;
   const TimeLimit limit(k_least_limit + k_longer * run.wall_seconds);
-  const RunInRows reference = in_rows(prepared, engine, tighter(setting, run, prepared.span), Meter::none);
+  const Setting other = tighter(setting, run, prepared.span);
+  RunInRows reference = in_rows(prepared, engine, other, Meter::none);
   const bool is_other = reference.run.steps != run.steps || reference.run.calls != run.calls;
   const bool arrives = reference.run.outcome == Outcome::running || reference.run.samples >= run.samples;
   if (!is_other || !arrives || Interruption::is_asked_for()) return std::nullopt;
-  return delivered_error(rows, reference.rows, prepared.columns.columns);
+  constexpr double k_of_steps = 1e-9;  ///< nobody knows their tolerance
+  const double tolerance = other.tolerance > 0 ? other.tolerance : k_of_steps;
+  return Yardstick(std::move(reference.rows), rows, prepared.columns.columns, least_range(tolerance),
+                   least_tolerance(setting.number));
 }
 
 }  // namespace
@@ -278,12 +292,14 @@ int run(const RunOptions& options, const FindSetting& find) {
     const bool is_setting = simulated.outcome == Outcome::bad_settings;
     return cli::fail(simulated.why, is_setting ? cli::k_usage_error : cli::k_motion_stopped, options.messages);
   }
-  std::optional<DeliveredError> error;
+  std::optional<Yardstick> yardstick;
   if (found && !earlier) {
-    error = delivered_error(rows, found->reference, prepared->columns.columns);
+    yardstick = std::move(found->reference);
   } else if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted && !earlier) {
-    error = estimate(*prepared, *engine, setting, simulated, rows);
+    yardstick = yardstick_of(*prepared, *engine, setting, simulated, rows);
   }
+  std::optional<Estimate> error;
+  if (yardstick) error = Estimate{yardstick->error_of(rows), yardstick->constants()};
   const std::string text = summary(*prepared, setting, *engine, simulated, times, error, found).dump(2) + "\n";
   file.finish();
   if (csv != "-") cli::Replacement(summary_path(csv), text).commit();

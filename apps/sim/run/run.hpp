@@ -16,7 +16,7 @@ struct RunOptions {
   std::vector<std::string> sets, outputs;
   std::string method, number, projection, strategy, engine, code;  ///< empty: those of the scene
   std::string start, duration, every;                              ///< expressions
-  std::optional<double> tolerance, step, error;
+  std::optional<double> tolerance, step, longest_step, error;
   double budget = Wanted().budget;  ///< of the search for a setting
   std::optional<long> samples;
   bool quiet = false;

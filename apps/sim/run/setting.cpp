@@ -8,7 +8,8 @@ namespace gausssim {
 
 namespace {
 
-constexpr const char* k_relative = "fehlberg78";  ///< of the same order as the method of any model
+/// Beside the method of any model. (Not Fehlberg's pair of order 8: its estimate of errors takes forces at both ends of a step alone, so it does not see one that jumps between.)
+constexpr const char* k_relative = "bulirsch_stoer";
 
 }  // namespace
 
@@ -44,6 +45,7 @@ Setting setting_of(const PreparedModel& prepared, const Engine& engine) {
     setting.step = scene.step.value_or(prepared.span.duration / k_default_steps);
   } else {
     setting.tolerance = scene.tolerance.value_or(k_default_tolerance);
+    setting.longest_step = scene.longest_step.value_or(0);
   }
   return setting;
 }

@@ -33,6 +33,7 @@ void override_by(const RunOptions& options, Scene& scene) {
   if (options.samples) scene.samples = options.samples, scene.every.reset();
   if (options.tolerance) scene.tolerance = options.tolerance, scene.error.reset();
   if (options.step) scene.step = options.step, scene.error.reset();
+  if (options.longest_step) scene.longest_step = options.longest_step;
   if (options.error) scene.error = options.error, scene.tolerance.reset(), scene.step.reset();
   if (!options.outputs.empty()) scene.outputs.clear();
   for (const std::string& name : options.outputs) scene.outputs.push_back({name, {}});

@@ -26,9 +26,10 @@ constexpr long k_most_samples = 100'000'000;
 
 const std::vector<std::string>& keys() {
   static const std::vector<std::string> k_keys{
-      "gauss",      "scene",    "about",   "model",   "counts", "parameters",  "initial",      "inputs", "start",
-      "duration",   "every",    "samples", "outputs", "method", "tolerance",   "error",        "step",   "number",
-      "projection", "strategy", "engine",  "code",    "gain",   "formulation", "formulations", "exact",  "ensemble"};
+      "gauss",     "scene", "about",       "model",        "counts",     "parameters", "initial",
+      "inputs",    "start", "duration",    "every",        "samples",    "outputs",    "method",
+      "tolerance", "error", "step",        "number",       "projection", "strategy",   "engine",
+      "code",      "gain",  "formulation", "formulations", "exact",      "ensemble",   "longest_step"};
   return k_keys;
 }
 
@@ -63,6 +64,7 @@ class SceneReader {
     scene_.tolerance = numbers_.positive(root_, "tolerance");
     scene_.error = numbers_.positive(root_, "error");
     scene_.step = numbers_.positive(root_, "step");
+    scene_.longest_step = numbers_.positive(root_, "longest_step");
     scene_.gain = numbers_.positive(root_, "gain");
     if (const spec::Node* const ensemble = spec::find(root_, "ensemble"))
       scene_.ensemble = read_ensemble(*ensemble, root_, reading_);

@@ -45,7 +45,7 @@ struct Scene {
   std::optional<long> samples;                                 ///< the start and the end among them
   std::vector<Word> outputs;                                   ///< empty: those that everybody wants
   std::optional<Word> method, number, projection, strategy, engine, code;
-  std::optional<double> tolerance, error, step, gain;
+  std::optional<double> tolerance, error, step, longest_step, gain;
   std::optional<Ensemble> ensemble;
 };
 

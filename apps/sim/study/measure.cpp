@@ -84,7 +84,7 @@ void take_closed_forms(const PreparedModel& model, Reference& reference, std::st
   if (!forms.are_there()) return;
   constexpr double k_alike = 1e-12;
   const auto& columns = model.columns.columns;
-  Rows rows = reference.rows;
+  Rows rows = reference.yardstick.rows();
   bool are_all = true;
   const Grid<Quad> grid{Quad(model.span.start), Quad(model.span.start) + Quad(model.span.duration), model.span.samples};
   for (long k = 0; k < rows.samples(); ++k) {
@@ -96,13 +96,13 @@ void take_closed_forms(const PreparedModel& model, Reference& reference, std::st
     }
     rows.set(k, row);
   }
-  const DeliveredError apart = delivered_error(rows, reference.rows, columns);
+  const DeliveredError apart = reference.yardstick.error_of(rows);
   if (!(apart.value <= k_alike))
     why = fmt::format("the closed form of '{}' differs from the motion by {:.2g} of its range", apart.output,
                       apart.value);
   reference.agreement = std::max(reference.agreement, apart.value);
   reference.methods.emplace_back(are_all ? "closed forms of all outputs" : "closed forms of some outputs");
-  if (are_all) reference.kind = "closed form", reference.rows = std::move(rows);
+  if (are_all) reference.kind = "closed form", reference.yardstick.take(std::move(rows));
 }
 
 std::string in_words(const Setting& setting) {
@@ -120,7 +120,7 @@ Point measure(const PreparedModel& model, const Engine& engine, const Candidate&
   const RunInRows found = first_run(model, engine, candidate.setting, effort);
   note(found.run, point);
   if (point.status != PointStatus::ok) return point;
-  point.error = delivered_error(found.rows, reference.rows, model.columns.columns);
+  point.error = reference.yardstick.error_of(found.rows);
   time_it(model, engine, effort, found.run.cpu_seconds, point);
   return point;
 }
@@ -129,8 +129,8 @@ DeliveredError error_of(const PreparedModel& model, const Engine& engine, const 
                         const Reference& reference, std::string& why) {
   const RunInRows found = in_rows(model, engine, setting, Meter::none);
   if (found.run.outcome != Outcome::running) why = reason(found.run);
-  if (model.columns.columns.size() != reference.rows.columns()) why = "it has other outputs";
-  return why.empty() ? delivered_error(found.rows, reference.rows, model.columns.columns) : DeliveredError{};
+  if (model.columns.columns.size() != reference.yardstick.rows().columns()) why = "it has other outputs";
+  return why.empty() ? reference.yardstick.error_of(found.rows) : DeliveredError{};
 }
 
 std::optional<Reference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why) {
@@ -141,9 +141,13 @@ std::optional<Reference> find_reference(const PreparedModel& model, const Engine
     why = reason(run->run);
     return std::nullopt;
   }
-  Reference reference{one.rows, "float128", {in_words(fine), in_words(other)}, 0};
+  constexpr double k_least_range = 1e-15;
+  Reference reference{Yardstick(one.rows, two.rows, model.columns.columns, k_least_range, least_tolerance(fine.number)),
+                      "float128",
+                      {in_words(fine), in_words(other)},
+                      0};
   // They are compared with the digits of long double.
-  reference.agreement = std::max(delivered_error(two.rows, one.rows, model.columns.columns).value,
+  reference.agreement = std::max(reference.yardstick.error_of(two.rows).value,
                                  static_cast<double>(std::numeric_limits<long double>::epsilon()));
   take_closed_forms(model, reference, why);
   if (!why.empty()) return std::nullopt;

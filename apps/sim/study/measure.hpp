@@ -9,7 +9,7 @@ namespace gausssim {
 
 /// What points are compared with.
 struct Reference {
-  Rows rows;
+  Yardstick yardstick;
   std::string kind;                  ///< "float128" or "closed form"
   std::vector<std::string> methods;  ///< how it was found, twice
   double agreement = 0;              ///< of the two, as an error

@@ -51,7 +51,7 @@ class Solver {
     auto reference = find_reference(first.model, *first.engine, problem_.why);
     if (!reference) return;
     problem_.reference = std::move(*reference);
-    problem_.ranges = ranges_of(problem_.reference.rows);
+    problem_.ranges = ranges_of(problem_.reference.yardstick.rows());
     compare_forms();
     begin_ = Clock::now();
     measure_all();

@@ -22,7 +22,7 @@ struct Problem {
   std::string name, file;
   std::vector<Form> forms;
   std::vector<double> ranges;  ///< of the outputs, along the reference
-  Reference reference{Rows(0, 0), "", {}, 0};
+  Reference reference;
   std::vector<Point> points;
   std::vector<DriftTrace> drifts;
   std::optional<Motion> motion;

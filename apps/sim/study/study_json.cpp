@@ -141,7 +141,10 @@ Json problem_json(const Problem& problem) {
   json["outputs"] = Json::array();
   for (std::size_t i = 0; i < problem.ranges.size(); ++i) {
     const Column& column = model.columns.columns[i];
-    json["outputs"].push_back({{"name", column.name}, {"unit", column.unit}, {"range", number(problem.ranges[i])}});
+    json["outputs"].push_back({{"name", column.name},
+                               {"unit", column.unit},
+                               {"range", number(problem.ranges[i])},
+                               {"scale", number(static_cast<double>(problem.reference.yardstick.scale(i)))}});
   }
   json["reference"] = {{"kind", problem.reference.kind},
                        {"methods", problem.reference.methods},

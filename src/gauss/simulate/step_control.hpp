@@ -186,16 +186,11 @@ class StepControl {
   /// As ErrorBy asks for it.
   Scalar error(const Array& errors, const Scalar& dt) {
     const Scalar found = last_ = largest(errors, dt);
-    if (found <= Scalar(1)) {
-      accepted(dt);
-      if (!is_resting_) edge_ = Edge{};
-      edge_.error = 0;
-      return found;
-    }
-    look_for_edge(found, integrate::magnitude(dt));
-    if (edge_.stalls < k_stalls_of_an_edge || !(integrate::magnitude(dt) <= k_brief * reach_)) return found;
+    const Scalar length = integrate::magnitude(dt);
+    if (found > Scalar(1) && !is_edge(found, length)) return found;
     accepted(dt);
-    return Scalar(1);
+    if (!is_resting_ || found > Scalar(1)) edge_ = Edge{};
+    return std::min(found, Scalar(1));
   }
 
   /// Of the step that was looked at last, as it was.
@@ -217,21 +212,22 @@ class StepControl {
   static constexpr Scalar k_last_places = 64 * std::numeric_limits<Scalar>::epsilon();
 
   // Where what rests is pushed at a point of time (a force that begins to act), the error of a step over it is a part of all that moves, however short the step
-  // is. It shows by errors that do not become smaller with the step, where those of smooth motions do so with its seventh power. What happens in
-  // this part of the longest step so far is not asked for then.
-  static constexpr int k_stalls_of_an_edge = 3;
+  // is. It shows by errors that stay much the same from one refused step to a far shorter one, where those of smooth motions go with its fifth power and more. What
+  // happens in this part of the longest step so far is not asked for then.
   static constexpr double k_brief = 1e-10;
+  static constexpr double k_far_shorter = 1e-2;
 
+  /// The longest step that was refused since something has moved.
   struct Edge {
-    int stalls = 0;
-    Scalar error = 0, dt = 0;  ///< of the step that was refused before, from the same time; 0: none was
+    Scalar error = 0, dt = 0;
   };
 
-  void look_for_edge(const Scalar& error, const Scalar& dt) {
-    const bool is_comparable = edge_.error > Scalar(0) && error < std::numeric_limits<Scalar>::max();
-    if (is_comparable && dt < edge_.dt / 2) edge_.stalls = error > edge_.error / 5 ? edge_.stalls + 1 : 0;
-    edge_.error = error < std::numeric_limits<Scalar>::max() ? error : Scalar(0);
-    edge_.dt = dt;
+  bool is_edge(const Scalar& error, const Scalar& dt) {
+    if (!(error < std::numeric_limits<Scalar>::max())) return edge_ = Edge{}, false;
+    // More than all that moves is that.
+    const Scalar part = std::min(error, 1 / tolerance_);
+    if (dt >= edge_.dt) edge_ = Edge{part, dt};
+    return dt <= k_brief * reach_ && dt < k_far_shorter * edge_.dt && part * edge_.dt > edge_.error * dt;
   }
 
   Scalar largest(const Array& errors, const Scalar& dt) {

@@ -25,6 +25,26 @@ particles: {bob: {mass: m, position: [x, 0, 0]}}
 forces: {push: {generalized: {x: F*exp(-((t - at)*w)^2)}}}
 """
 
+# A push that nobody feels who looks every ten seconds: 0.2 s of 2 N.
+PULSE = """gauss: 1
+name: pulse
+parameters: {m: {value: 1, unit: kg}, F: {value: 2, unit: N}, w: {value: 0.1, unit: s}, at: {value: 6.3, unit: s}}
+coordinates: {x: {unit: m, initial: 0}}
+particles: {bob: {mass: m, position: [x, 0, 0]}}
+forces: {push: {generalized: {x: "piecewise(abs(t - at) < w, F, 0*F)"}}}
+"""
+
+# A ball on a spring that swings by a centimetre beside one that flies 600 km: of one unit, one range 3e7 times the other.
+BESIDE = """gauss: 1
+name: beside
+parameters: {m: {value: 1, unit: kg}, k: {value: 4, unit: N/m}}
+coordinates:
+  x: {unit: m, initial: 0.01}
+  far: {unit: m, initial: 0, initial_rate: 6e4}
+particles: {bob: {mass: m, position: [x, 0, 0]}, stone: {mass: m, position: [far, 0, 0]}}
+forces: {pull: {potential: k*x^2/2}}
+"""
+
 
 class Errors(Program):
     def off(self, name):
@@ -62,6 +82,43 @@ class Errors(Program):
         self.assertAlmostEqual(self.table("blow.csv")["x [m]"][-1], math.sqrt(math.pi) / 200 * 4.7, delta=1e-7)
         self.ok("run", "blow.yaml", "--outputs", "x", "-q", "-o", "plain.csv")
         self.assertGreater(self.summary("plain.json")["error_estimate"]["relative"], 0.1)
+
+    def test_what_acts_for_a_short_time_is_seen_by_those_who_look_twice_in_all(self):
+        self.write("pulse.yaml", PULSE)
+        self.ok("run", "pulse.yaml", "--error", "1e-6", "--outputs", "x", "--samples", "2", "-q")
+        self.assertAlmostEqual(self.table("pulse.csv")["x [m]"][-1], 2 * 0.2 * 3.7, delta=1.5e-6)
+
+    def test_what_rests_is_set_moving_wherever_samples_and_steps_fall(self):
+        self.write("pulse.yaml", PULSE)
+        for method in ("prince87", "dopri5", "cash_karp54", "bulirsch_stoer"):
+            for at in (6.3, 6.31, 1.1, 5.0, 7.77777):
+                for more in ((), ("--longest-step", 10 / 1009), ("--samples", 1001)):
+                    with self.subTest((method, at, more)):
+                        self.ok("run", "pulse.yaml", "--set", f"at={at}", "--method", method, "--outputs", "x", "-q", *more)
+                        last = self.table("pulse.csv")["x [m]"][-1]
+                        self.assertAlmostEqual(last, 2 * 0.2 * (10 - at), delta=1e-5)
+
+    def test_a_small_motion_beside_a_large_one_of_its_unit_is_delivered_in_parts_of_its_own_range(self):
+        self.write("beside.yaml", BESIDE)
+        self.ok("run", "beside.yaml", "--error", "1e-6", "-q")
+        table = self.table("beside.csv")
+        off = max(abs(x / 0.01 - math.cos(2 * t)) for t, x in zip(table["t [s]"], table["x [m]"])) / 2
+        self.assertLessEqual(off, 1e-6)
+        self.ok("run", "beside.yaml", "--method", "rk4", "--step", "0.2", "-q")
+        table = self.table("beside.csv")
+        off = max(abs(x / 0.01 - math.cos(2 * t)) for t, x in zip(table["t [s]"], table["x [m]"])) / 2
+        said = self.summary("beside.json")["error_estimate"]
+        self.assertGreater(said["relative"], off / 2)
+        self.assertEqual(said["constant"], ["far_dot", "energy.total"])
+
+    def test_a_closed_form_that_is_wrong_in_what_is_small_is_refused(self):
+        self.write(
+            "beside.yaml",
+            BESIDE.replace("k: {", "a: {value: 0.011, unit: m}, w: {value: 2, unit: rad/s}, k: {") + "exact: {x: a*cos(w*t)}\n",
+        )
+        self.write("scene.yaml", "gauss: 1\nmodel: beside.yaml\nduration: 5\n")
+        said = self.run_it("study", "scene.yaml", "-q", "--budget", "1", "-o", "s").stderr
+        self.assertIn("the closed form of 'x' differs from the motion by 0.05 of its range", said)
 
     def test_more_digits_than_double_has(self):
         self.write("spring.yaml", SPRING)
