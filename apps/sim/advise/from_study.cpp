@@ -8,6 +8,8 @@
 
 #include "cli/files.hpp"
 #include "sim/methods/methods.hpp"
+#include "sim/run/identity.hpp"
+#include "sim/run/setting.hpp"
 
 namespace gausssim {
 
@@ -51,7 +53,18 @@ std::string difference(const Json& problem, const PreparedModel& prepared) {
   for (const Json& output : problem.value("outputs", Json::array()))
     if (output.is_object()) there.push_back(text_at(output, "name"));
   for (const Column& column : prepared.columns.columns) here.push_back(column.name);
-  return there == here ? "" : "it has other outputs";
+  if (there != here) return "it has other outputs";
+  const bool is_same = text_at(problem, "identity") == identity_of_problem(prepared);
+  return is_same ? "" : "the model, a value in it, or its start is not the same";
+}
+
+/// What the scene says is kept.
+bool is_allowed(const StudyPoint& point, const Scene& scene) {
+  const auto fits = [](const std::optional<Word>& wanted, const std::string& has) {
+    return !wanted || wanted->text == has;
+  };
+  return (chooses_method(scene) || scene.method->text == point.method) && fits(scene.number, point.number) &&
+         fits(scene.projection, point.projection) && fits(scene.code, point.code);
 }
 
 Json read(const std::string& path) {
@@ -77,12 +90,15 @@ StudyPoint cheapest_in_study(const std::string& path, const PreparedModel& prepa
     for (const Json& one : problem["points"]) {
       if (!is_timed(one)) continue;
       const StudyPoint point = point_of(one);
+      if (!is_allowed(point, prepared.scene)) continue;
       least_error = std::min(least_error, point.error);
       if (point.error <= k_margin * error && point.seconds < best.seconds) best = point;
     }
   }
   if (!is_known) throw cli::FileError(fmt::format("{} has no problem '{}'", path, prepared.name()));
-  if (best.method.empty())
+  if (std::isinf(least_error))
+    why = "the study has no run that arrives with what is asked for";
+  else if (best.method.empty())
     why = fmt::format("no run of the study delivers an error of {:.1e} with a margin of two; the best has {:.1e}",
                       error, least_error);
   return best;

@@ -45,20 +45,6 @@ void remove_words(cpp::Function& function) {
   body.erase(std::remove_if(body.begin(), body.end(), is_comment), body.end());
 }
 
-/// Words change with the file, its hash and the values in it. What is compiled does not, and is not compiled again for them.
-void remove_words(cpp::File& tree) {
-  const auto is_comment = [](const cpp::Item& item) { return std::holds_alternative<cpp::Comment>(item); };
-  for (auto* const items : {&tree.before, &tree.items, &tree.after}) {
-    items->erase(std::remove_if(items->begin(), items->end(), is_comment), items->end());
-    for (cpp::Item& item : *items) {
-      if (auto* const type = std::get_if<cpp::Struct>(&item)) remove_words(*type);
-      if (auto* const function = std::get_if<cpp::Function>(&item)) remove_words(*function);
-      if (auto* const constant = std::get_if<cpp::Constant>(&item)) constant->comment.clear();
-      if (auto* const table = std::get_if<cpp::Table>(&item)) table->comment.clear();
-    }
-  }
-}
-
 /// `const State<S>&` as a type of the plugin, without const and &.
 std::string plain_type(const std::string& type, const std::string& name_space, const std::string& scalar) {
   std::string text = type;
@@ -139,6 +125,19 @@ bool is_for_double(const std::string& function) {
 }
 
 }  // namespace
+
+void remove_words(cpp::File& tree) {
+  const auto is_comment = [](const cpp::Item& item) { return std::holds_alternative<cpp::Comment>(item); };
+  for (auto* const items : {&tree.before, &tree.items, &tree.after}) {
+    items->erase(std::remove_if(items->begin(), items->end(), is_comment), items->end());
+    for (cpp::Item& item : *items) {
+      if (auto* const type = std::get_if<cpp::Struct>(&item)) remove_words(*type);
+      if (auto* const function = std::get_if<cpp::Function>(&item)) remove_words(*function);
+      if (auto* const constant = std::get_if<cpp::Constant>(&item)) constant->comment.clear();
+      if (auto* const table = std::get_if<cpp::Table>(&item)) table->comment.clear();
+    }
+  }
+}
 
 bool uses_quad(const PluginRequest& request) {
   return std::find(request.scalars.begin(), request.scalars.end(), "__float128") != request.scalars.end();

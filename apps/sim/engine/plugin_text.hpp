@@ -33,6 +33,9 @@ std::string_view gains_runtime();
 /// What __float128 needs.
 std::string_view quad_runtime();
 
+/// Comments of all kinds: they hold values and names, and the hash and the place of a file.
+void remove_words(gaussgen::emit::cpp::File& tree);
+
 /// Of the header all but values and words about its file, and what makes entries visible.
 std::string plugin_header(gaussgen::emit::cpp::File tree);
 

@@ -11,24 +11,16 @@
 
 #include "cli/files.hpp"
 #include "cli/usage_error.hpp"
-#include "emit/cpp_printer.hpp"
 #include "sim/output/csv.hpp"
+#include "sim/run/identity.hpp"
 #include "sim/run/setting.hpp"
-#include "support/content_hash.hpp"
 
 namespace gausssim {
 
 namespace {
 
 namespace cli = gaussgen::cli;
-using nlohmann::json;
-
-/// The model with the values of its parameters and its start. Words about the file, such as a comment in it, are no part of that.
-std::string identity_of(const PreparedModel& prepared) {
-  auto tree = prepared.model.tree;
-  tree.before.clear();
-  return gaussgen::support::content_hash(gaussgen::emit::cpp::print(tree));
-}
+using Json = nlohmann::json;
 
 std::string text_of_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -40,8 +32,8 @@ std::string text_of_file(const std::string& path) {
   cli::fail_on(path, "this is no summary of a run that can go on");
 }
 
-json parsed(const std::string& path) {
-  const json result = json::parse(text_of_file(path), nullptr, false);
+Json parsed(const std::string& path) {
+  const Json result = Json::parse(text_of_file(path), nullptr, false);
   if (result.is_discarded() || !result.is_object() || !result.contains("resume")) refuse_summary(path);
   return result;
 }
@@ -49,7 +41,7 @@ json parsed(const std::string& path) {
 /// Whether a summary says the same of a run as its settings do now.
 class Comparison {
  public:
-  Comparison(std::string file, const json& summary) : file_(std::move(file)), summary_(summary) {}
+  Comparison(std::string file, const Json& summary) : file_(std::move(file)), summary_(summary) {}
 
   void text(const char* key, const std::string& now) const {
     const std::string before = summary_.value(key, std::string());
@@ -65,10 +57,10 @@ class Comparison {
 
  private:
   std::string file_;
-  const json& summary_;
+  const Json& summary_;
 };
 
-void compare(const json& summary, const std::string& file, const PreparedModel& prepared, const Setting& setting) {
+void compare(const Json& summary, const std::string& file, const PreparedModel& prepared, const Setting& setting) {
   const Comparison with(file, summary);
   with.text("model", prepared.model.unit.model_name);
   with.text("scene", prepared.scene.name);
@@ -81,7 +73,7 @@ void compare(const json& summary, const std::string& file, const PreparedModel& 
   with.number("gain", setting.projection == Projection::gains ? setting.gain : 0);
   with.number("start", prepared.span.start);
   with.number("duration", prepared.span.duration);
-  const json& resume = summary["resume"];
+  const Json& resume = summary["resume"];
   Comparison(file, resume).number("samples", static_cast<double>(prepared.span.samples));
   if (resume.value("model", std::string()) != identity_of(prepared))
     with.refuse("the model, or a value in it or in its start, has changed");
@@ -110,9 +102,9 @@ gauss::Status status_of(const std::string& name) {
   return gauss::Status::ok;
 }
 
-Drift drift_of(const json& summary) {
+Drift drift_of(const Json& summary) {
   Drift drift;
-  const json from = summary.value("drift", json::object());
+  const Json from = summary.value("drift", Json::object());
   if (from.contains("energy")) {
     drift.energy = from["energy"].value("largest_change", 0.0);
     drift.energy_scale = from["energy"].value("largest_kinetic", 0.0);
@@ -124,7 +116,7 @@ Drift drift_of(const json& summary) {
   return drift;
 }
 
-Simulated run_of(const json& summary) {
+Simulated run_of(const Json& summary) {
   Simulated run;
   run.samples = summary.at("samples").get<long>();
   run.reached = summary.at("reached").get<double>();
@@ -154,7 +146,7 @@ Simulated run_of(const json& summary) {
 }  // namespace
 
 Setting setting_of_earlier_run(const std::string& path) {
-  const json summary = parsed(path);
+  const Json summary = parsed(path);
   Setting setting;
   try {
     setting.method = summary.at("method").get<std::string>();
@@ -163,7 +155,7 @@ Setting setting_of_earlier_run(const std::string& path) {
     setting.tolerance = summary.value("tolerance", 0.0);
     setting.step = summary.value("step", 0.0);
     setting.longest_step = summary.value("longest_step", 0.0);
-  } catch (const json::exception&) {
+  } catch (const Json::exception&) {
     refuse_summary(path);
   }
   const MethodInfo* const method = find_method(setting.method);
@@ -182,7 +174,7 @@ nlohmann::ordered_json resume_json(const PreparedModel& prepared, const Simulate
 
 EarlierRun read_earlier_run(const std::string& csv, const std::string& summary, const PreparedModel& prepared,
                             const Setting& setting) {
-  const json said = parsed(summary);
+  const Json said = parsed(summary);
   compare(said, summary, prepared, setting);
   EarlierRun earlier;
   const std::string outcome = said.value("outcome", std::string());
@@ -191,7 +183,7 @@ EarlierRun read_earlier_run(const std::string& csv, const std::string& summary, 
     throw cli::UsageError(fmt::format("--resume: the motion in '{}' has stopped by itself: {}", csv, outcome));
   try {
     earlier.run = run_of(said);
-  } catch (const json::exception&) {
+  } catch (const Json::exception&) {
     refuse_summary(summary);
   }
   const auto& last = earlier.run.last_state;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "sim/run/identity.hpp"
 #include "sim/study/machine.hpp"
 #include "version.hpp"
 
@@ -136,6 +137,7 @@ Json problem_json(const Problem& problem) {
   json["name"] = problem.name;
   json["about"] = model.scene.about.empty() ? model.model.unit.about : model.scene.about;
   json["file"] = problem.file;
+  json["identity"] = identity_of_problem(model);
   json["duration"] = model.span.duration;
   json["samples"] = model.span.samples;
   json["outputs"] = Json::array();

@@ -177,9 +177,10 @@ class Errors(Program):
         points = [point, {**point, "id": 2, "tolerance": 1e-8, "error": 1e-8, "time_s": 2e-3},
                   {**point, "id": 3, "status": "failed", "why": "it stopped", "error": None, "time_s": None}]
         self.write("spring.yaml", SPRING)
-        columns = self.ok("run", "spring.yaml", "-o", "-", "--samples", "2").splitlines()[0].split(",")[1:]
-        problem = {"name": "spring", "duration": 10, "outputs": [{"name": one.split(" ")[0]} for one in columns], "points": points}
-        self.write("study.json", json.dumps({"format": 1, "problems": [problem]}))
+        self.ok("study", "spring.yaml", "-q", "--budget", "1", "--methods", "rk4", "-o", "study")
+        study = self.summary("study.json")
+        study["problems"][0]["points"] = points
+        self.write("study.json", json.dumps(study))
         self.assertIn("tolerance: 1e-05\n", self.ok("advise", "spring.yaml", "--error", "1e-4", "--study", "study.json"))
         with self.subTest("a margin of two"):
             self.assertIn("tolerance: 1e-08\n", self.ok("advise", "spring.yaml", "--error", "1.5e-5", "--study", "study.json"))
@@ -192,6 +193,16 @@ class Errors(Program):
             of_study = ("advise", "spring.yaml", "--error", "1e-4", "--study", "study.json")
             self.assertIn("lasts 10 s, and here 5 s", self.refused(3, *of_study, "--duration", "5"))
             self.assertIn("other outputs", self.refused(3, *of_study, "--outputs", "x"))
+        with self.subTest("another motion"):
+            for change in ("m=3", "x=2", "x_dot=1"):
+                self.assertIn("is not the same", self.refused(3, *of_study, "--set", change), change)
+            self.write("spring.yaml", SPRING.replace("k*x^2/2", "3*k*x^2/2"))
+            self.assertIn("is not the same", self.refused(3, *of_study))
+            self.write("spring.yaml", SPRING)
+        with self.subTest("what is asked for is kept"):
+            self.ok(*of_study, "--method", "dopri5", "--number", "double", "--projection", "full")
+            for more in (("--method", "prince87"), ("--number", "float"), ("--projection", "off"), ("--code", "expanded")):
+                self.assertIn("no run that arrives", self.refused(6, *of_study, *more), more)
         with self.subTest("no study"):
             self.write("list.json", "[]")
             self.refused(3, "advise", "spring.yaml", "--error", "1e-4", "--study", "list.json")

@@ -122,6 +122,15 @@ class Writing(Program):
         self.assertTrue(self.summary("spring.json")["seconds"]["cached"])
         self.assertEqual(self.table("spring.csv")["x [m]"][0], 2)
 
+    def test_decimals_in_formulas_are_not_compiled_either(self):
+        model = SPRING.replace("k: {value: 8, unit: N/m}", "soft: {value: 0.7, unit: N/m}\n  k: {value: 3*soft, unit: N/m}")
+        for value in ("0.7", "0.71", "1/3", "1", "1e-9"):
+            self.write("spring.yaml", model.replace("0.7", value))
+            self.ok("run", "spring.yaml", "--duration", "1", "-q")
+        self.assertTrue(self.summary("spring.json")["seconds"]["cached"])
+        self.ok("run", "spring.yaml", "--set", "soft=0.123", "--set", "x=0.456", "-q")
+        self.assertTrue(self.summary("spring.json")["seconds"]["cached"])
+
     def test_both_engines_have_the_same_bits(self):
         for model in (self.folder / "spring.yaml", MODELS / "four_bar.yaml", MODELS / "iftomm_a02_parallel.yaml"):
             tables = []
