@@ -24,7 +24,7 @@ ERRORS = [10.0 ** -k for k in range(3, 11)]
 # Seconds of motions that end: the skater falls into a place where his blade is upright, and the wagon of functions.yaml sticks, held by a friction that jumps. The arm, whose
 # motors nobody controls, turns over and over: each second of its motion takes about nine more digits, and ten seconds more than float128 has.
 ENDS = {"functions": 2, "skater_quaternion": 0.4, "robot_arm": 1}
-CONSTANT = 1e-6  # as in apps/sim/run/error_estimate.cpp: what changes by less than this part of its size
+CONSTANT = 1e-12  # what changes by less than this part of its size, or of the range of its unit, has no range along a reference in float128
 
 
 def table(path):
