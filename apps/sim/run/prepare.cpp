@@ -204,6 +204,15 @@ void check_exact(const Scene& scene, const Columns& columns, model::Values value
   }
 }
 
+/// Not the start, nor inputs.
+bool set_parameters_alone(const std::vector<std::string>& sets, const model::Model& read) {
+  return std::all_of(sets.begin(), sets.end(), [&](const std::string& set) {
+    const std::string name = set.substr(0, set.find('='));
+    return std::any_of(read.parameters.begin(), read.parameters.end(),
+                       [&](const model::Parameter& one) { return one.name.text == name; });
+  });
+}
+
 /// Closed forms of the model's file: of its own initial state, at a time that begins with 0, and what the scene says itself counts more.
 void take_exact_of_model(const std::vector<model::ClosedForm>& of_model, const Columns& columns, const Span& span,
                          model::Values values, Scene& scene) {
@@ -297,7 +306,7 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
     parameters = model::parameter_values(read);
     check_bodies(result.scene, request.sets, read, in_values);
     for (const model::Parameter& one : read.parameters) result.parameters.emplace_back(one.name.text, one.value);
-    closed_forms = read.exact;
+    if (set_parameters_alone(request.sets, read)) closed_forms = read.exact;
     result.span = SpanReader(result.scene, parameters, in_values).read();
     if (in_values.has_errors()) throw BadScene{};
   };

@@ -12,6 +12,7 @@
 #include "sim/output/csv.hpp"
 #include "sim/output/files.hpp"
 #include "sim/run/build_engine.hpp"
+#include "sim/run/closed_form.hpp"
 #include "sim/run/error_estimate.hpp"
 #include "sim/run/in_rows.hpp"
 #include "sim/run/interruption.hpp"
@@ -45,6 +46,12 @@ struct Estimate : DeliveredError {
   std::vector<std::string> constants;
 };
 
+/// What is known of errors; nothing where it is not.
+struct KnownErrors {
+  std::optional<Estimate> estimate;
+  std::optional<DeliveredError> from_closed_forms;
+};
+
 struct Times {
   double generate = 0;
   EngineTimes engine;
@@ -68,7 +75,7 @@ nlohmann::ordered_json asked_json(const FoundSetting& found, double error) {
 }
 
 nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& setting, const Engine& engine,
-                               const Simulated& run, const Times& times, const std::optional<Estimate>& error,
+                               const Simulated& run, const Times& times, const KnownErrors& errors,
                                const std::optional<FoundSetting>& found) {
   nlohmann::ordered_json json;
   json["tool"] = std::string("gauss-sim ") + gaussgen::k_version;
@@ -94,8 +101,10 @@ nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& set
   json["rejected"] = run.rejected;
   json["calls"] = run.calls;
   json["jacobians"] = run.jacobians;
-  if (error)
+  if (const auto& error = errors.estimate)
     json["error_estimate"] = {{"relative", error->value}, {"output", error->output}, {"constant", error->constants}};
+  if (const auto& error = errors.from_closed_forms)
+    json["from_closed_forms"] = {{"relative", error->value}, {"output", error->output}};
   if (found) json["asked_for"] = asked_json(*found, *prepared.scene.error);
   json["drift"] = drift_json(run.drift);
   if (run.start_moved > 0) json["start_moved"] = {{"by", run.start_moved}, {"component", run.start_component}};
@@ -116,9 +125,14 @@ nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& set
 /// Numbers of a state for people.
 std::string said(double value) { return fmt::format("{:.3g}", value); }
 
+/// In parts of ranges.
+std::string in_words(const DeliveredError& error) {
+  return said(error.value) + " of the range" + (error.output.empty() ? "" : ", largest in " + error.output);
+}
+
 void tell(const RunOptions& options, const PreparedModel& prepared, const Setting& setting, const Engine& engine,
-          const Simulated& run, const Times& times, const std::optional<Estimate>& error,
-          const std::optional<FoundSetting>& found, const std::string& csv) {
+          const Simulated& run, const Times& times, const KnownErrors& errors, const std::optional<FoundSetting>& found,
+          const std::string& csv) {
   if (options.quiet || csv == "-") return;
   const std::string how = setting.step > 0 ? "step " + said(setting.step) : "tolerance " + said(setting.tolerance);
   const char* const projection =
@@ -134,9 +148,8 @@ void tell(const RunOptions& options, const PreparedModel& prepared, const Settin
   if (found)
     text += fmt::format("  asked   for {} of the range; found by trying, against {}\n", said(*prepared.scene.error),
                         found->reference_in_words);
-  if (error)
-    text += fmt::format("  error   {} of the range{}\n", said(error->value),
-                        error->output.empty() ? "" : ", largest in " + error->output);
+  if (errors.estimate) text += fmt::format("  error   {}\n", in_words(*errors.estimate));
+  if (errors.from_closed_forms) text += fmt::format("  exact   off by {}\n", in_words(*errors.from_closed_forms));
   if (run.drift.has_energy)
     text += fmt::format("  energy  changes by {} J of {} J\n", said(run.drift.energy), said(run.drift.energy_scale));
   if (run.drift.has_constraints)
@@ -175,6 +188,18 @@ void warn_of_error(const DeliveredError& error, const cli::MessageOptions& messa
                   "setting that is, or says that there is none",
                   error.value, error.output),
       messages);
+}
+
+/// Who wrote the closed form had another motion in mind.
+void warn_of_closed_forms(const KnownErrors& errors, const cli::MessageOptions& messages) {
+  constexpr double k_apart = 1e-3, k_clear = 100;
+  if (!errors.estimate || !errors.from_closed_forms) return;
+  const auto& [apart, output] = *errors.from_closed_forms;
+  if (apart < k_apart || apart < k_clear * errors.estimate->value) return;
+  cli::warn(fmt::format("the closed form of '{}' is another motion: it is {:.2g} of its range off, where the error is "
+                        "about {:.2g}",
+                        output, apart, errors.estimate->value),
+            messages);
 }
 
 /// Nobody should believe that a run was made with what it does not use.
@@ -227,6 +252,13 @@ std::optional<Yardstick> yardstick_of(const PreparedModel& prepared, const Engin
   const double tolerance = other.tolerance > 0 ? other.tolerance : k_of_steps;
   return Yardstick(std::move(reference.rows), rows, prepared.columns.columns, least_range(tolerance),
                    least_tolerance(setting.number));
+}
+
+DeliveredError from_closed_forms(const ClosedForms& forms, const PreparedModel& prepared, const Setting& setting,
+                                 const Rows& rows) {
+  const Rows exact = forms.instead_of(rows, prepared);
+  const double rounding = least_tolerance(setting.number);
+  return Yardstick(exact, exact, prepared.columns.columns, rounding, rounding).error_of(rows);
 }
 
 }  // namespace
@@ -298,13 +330,17 @@ int run(const RunOptions& options, const FindSetting& find) {
   } else if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted && !earlier) {
     yardstick = yardstick_of(*prepared, *engine, setting, simulated, rows);
   }
-  std::optional<Estimate> error;
-  if (yardstick) error = Estimate{yardstick->error_of(rows), yardstick->constants()};
-  const std::string text = summary(*prepared, setting, *engine, simulated, times, error, found).dump(2) + "\n";
+  KnownErrors errors;
+  if (yardstick) errors.estimate = Estimate{yardstick->error_of(rows), yardstick->constants()};
+  if (const ClosedForms forms(*prepared); forms.are_there() && !earlier)
+    errors.from_closed_forms = from_closed_forms(forms, *prepared, setting, rows);
+  const std::string text = summary(*prepared, setting, *engine, simulated, times, errors, found).dump(2) + "\n";
   file.finish();
   if (csv != "-") cli::Replacement(summary_path(csv), text).commit();
-  tell(options, *prepared, setting, *engine, simulated, times, error, found, csv);
+  tell(options, *prepared, setting, *engine, simulated, times, errors, found, csv);
+  const auto& error = errors.estimate;
   if (error && !found) warn_of_error(*error, options.messages);
+  warn_of_closed_forms(errors, options.messages);
   if (found && error && simulated.outcome == Outcome::running && !(error->value <= *prepared->scene.error))
     return cli::fail(fmt::format("the run is off by {:.2e}, in {}", error->value, error->output), cli::k_not_delivered,
                      options.messages);

@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "sim/run/build_engine.hpp"
+#include "sim/run/closed_form.hpp"
 #include "sim/run/in_rows.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/setting.hpp"
-#include "sim/study/closed_form.hpp"
 
 namespace gausssim {
 
@@ -84,18 +84,9 @@ void take_closed_forms(const PreparedModel& model, Reference& reference, std::st
   if (!forms.are_there()) return;
   constexpr double k_alike = 1e-12;
   const auto& columns = model.columns.columns;
-  Rows rows = reference.yardstick.rows();
-  bool are_all = true;
-  const Grid<Quad> grid{Quad(model.span.start), Quad(model.span.start) + Quad(model.span.duration), model.span.samples};
-  for (long k = 0; k < rows.samples(); ++k) {
-    std::vector<long double> row;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const bool is_known = forms.has(columns[i].name);
-      row.push_back(is_known ? static_cast<long double>(forms.at(columns[i].name, grid.at(k))) : rows.at(k, i));
-      are_all = are_all && is_known;
-    }
-    rows.set(k, row);
-  }
+  const bool are_all =
+      std::all_of(columns.begin(), columns.end(), [&](const Column& column) { return forms.has(column.name); });
+  Rows rows = forms.instead_of(reference.yardstick.rows(), model);
   const DeliveredError apart = reference.yardstick.error_of(rows);
   if (!(apart.value <= k_alike))
     why = fmt::format("the closed form of '{}' differs from the motion by {:.2g} of its range", apart.output,

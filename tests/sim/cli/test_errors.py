@@ -127,6 +127,19 @@ class Errors(Program):
         self.assertIn(said["number"], ("long-double", "float128"))
         self.assertLessEqual(said["error_estimate"]["relative"], 1e-17)
 
+    def test_closed_forms_of_a_model_are_compared_with_where_they_are_its_motion(self):
+        model = SPRING.replace("parameters:\n", "parameters:\n  a: {value: 1, unit: m}\n  w: {value: 2, unit: rad/s}\n")
+        self.write("spring.yaml", model + "exact: {x: a*cos(w*t)}\n")
+        said = self.ok("run", "spring.yaml", "--tolerance", "1e-6")
+        self.assertIn("exact   off by ", said)
+        found = self.summary("spring.json")["from_closed_forms"]
+        self.assertEqual(found["output"], "x")
+        self.assertAlmostEqual(found["relative"], self.off("spring"), delta=1e-3 * found["relative"])
+        wrong = self.run_it("run", "spring.yaml", "--set", "w=2.1", "-q").stderr
+        self.assertIn("the closed form of 'x' is another motion", wrong)
+        self.assertEqual(self.run_it("run", "spring.yaml", "--set", "x=2", "-q").stderr, "")
+        self.assertNotIn("from_closed_forms", self.summary("spring.json"))
+
     def test_what_cannot_be_delivered_is_refused(self):
         self.write("spring.yaml", SPRING)
         with self.subTest("no number type has the digits"):

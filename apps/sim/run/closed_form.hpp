@@ -19,6 +19,8 @@ class ClosedForms {
   bool are_there() const { return !forms_.empty(); }
   /// Of a column that there is one for.
   Quad at(const std::string& column, Quad t) const;
+  /// `rows` of a run of the model from its start on, with columns that are known as they have to be.
+  Rows instead_of(const Rows& rows, const PreparedModel& model) const;
 
  private:
   std::map<std::string, gaussgen::model::Ast> forms_;

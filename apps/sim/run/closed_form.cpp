@@ -1,4 +1,4 @@
-#include "sim/study/closed_form.hpp"
+#include "sim/run/closed_form.hpp"
 
 #include <quadmath.h>
 
@@ -77,6 +77,20 @@ Quad ClosedForms::at(const std::string& column, Quad t) const {
   Values values = values_;
   values["t"] = t;
   return evaluate(forms_.at(column), values);
+}
+
+Rows ClosedForms::instead_of(const Rows& rows, const PreparedModel& model) const {
+  const auto& columns = model.columns.columns;
+  const Quad start(model.span.start);
+  const Grid<Quad> grid{start, start + Quad(model.span.duration), model.span.samples};
+  Rows known = rows;
+  for (long k = 0; k < rows.samples(); ++k) {
+    std::vector<long double> row;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      row.push_back(has(columns[i].name) ? static_cast<long double>(at(columns[i].name, grid.at(k))) : rows.at(k, i));
+    known.set(k, row);
+  }
+  return known;
 }
 
 }  // namespace gausssim
