@@ -52,20 +52,6 @@ std::string csv_path(const EnsembleOptions& options, const PreparedModel& prepar
   return prepared.name() + ".ensemble.csv";
 }
 
-void tell(const EnsembleTold& told, const std::string& csv) {
-  const Outcomes& outcomes = told.outcomes;
-  const EnsembleSetting& setting = told.setting;
-  std::string text =
-      fmt::format("{}: {} trajectories by {} ({}, {} lanes, {} threads)\n", told.prepared.model.unit.model_name,
-                  outcomes.run(), setting.setting.method, setting.setting.number,
-                  setting.lanes == nullptr ? 1 : setting.lanes->lanes(), setting.threads);
-  for (const auto& [status, count] : counts_by_status(outcomes)) text += fmt::format("  {:8} {}\n", count, status);
-  text += fmt::format("  {:.3g} s: {:.4g} trajectories/s, {:.4g} steps/s\n", outcomes.wall_seconds,
-                      rate_of(outcomes.run(), outcomes), rate_of(outcomes.steps(), outcomes));
-  text += fmt::format("  wrote {}\n", csv);
-  cli::write_standard_output(text);
-}
-
 int code_of(const EnsembleTold& told, const cli::MessageOptions& messages) {
   const Outcomes& outcomes = told.outcomes;
   const long run = outcomes.run();
@@ -137,12 +123,13 @@ int ensemble(const EnsembleOptions& options) {
     outcomes = run_all(*prepared, *engine, setting, {&plan, &places}, listeners);
     was_interrupted = Interruption::is_asked_for() && outcomes.run() < plan.count();
   }
-  const EnsembleTold told{*prepared, setting, outcomes, engine->name(), times, lanes.compile_seconds, was_interrupted};
+  EnsembleTold told{*prepared, setting, outcomes, engine->name(), times, lanes.compile_seconds, was_interrupted};
+  told.statistics = statistics_of_outputs(outcomes);
   file.finish();
   if (csv != "-") {
     const std::string path = summary_path(csv);
     cli::Replacement(path, ensemble_json(told).dump(2) + "\n").commit();
-    if (!options.quiet) tell(told, csv + " and " + path);
+    if (!options.quiet) cli::write_standard_output(ensemble_text(told) + fmt::format("  wrote {} and {}\n", csv, path));
   }
   return code_of(told, options.messages);
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/ensemble/statistics.hpp"
 #include "version.hpp"
 
 namespace gausssim {
@@ -34,7 +33,6 @@ Json varied_json(const Varied& one) {
   return json;
 }
 
-/// Of trajectories that arrived; infinities and what is no number are left out.
 std::vector<double> finals_of(const Outcomes& outcomes, std::size_t column) {
   std::vector<double> values;
   for (std::size_t i = 0; i < outcomes.ended.size(); ++i) {
@@ -76,6 +74,12 @@ void add_setting(const EnsembleSetting& all, Json& json) {
 }
 
 }  // namespace
+
+std::vector<Statistics> statistics_of_outputs(const Outcomes& outcomes) {
+  std::vector<Statistics> result;
+  for (std::size_t k = 0; k < outcomes.width; ++k) result.push_back(statistics_of(finals_of(outcomes, k)));
+  return result;
+}
 
 std::map<std::string, long> counts_by_status(const Outcomes& outcomes) {
   std::map<std::string, long> counts;
@@ -119,8 +123,8 @@ nlohmann::ordered_json ensemble_json(const EnsembleTold& told) {
                      {"run", outcomes.wall_seconds},
                      {"run_cpu", outcomes.cpu_seconds}};
   json["statistics"] = Json::array();
-  for (std::size_t k = 0; k < outcomes.width; ++k)
-    json["statistics"].push_back(statistics_json(prepared.columns.columns[k], statistics_of(finals_of(outcomes, k))));
+  for (std::size_t k = 0; k < told.statistics.size(); ++k)
+    json["statistics"].push_back(statistics_json(prepared.columns.columns[k], told.statistics[k]));
   return json;
 }
 

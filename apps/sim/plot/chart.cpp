@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "sim/plot/axis.hpp"
 #include "sim/plot/polyline.hpp"
@@ -97,13 +99,14 @@ void draw_frame(Svg& svg, const Panel& panel, const Axis& below, bool is_last) {
 
 /// A number that is none parts a line.
 void draw_line(Svg& svg, const Panel& panel, const Axis& below, const TableColumn& x, const TableColumn& y,
-               const std::string& look) {
+               const TableColumn* within, const std::string& look) {
   std::vector<Point> points;
   const auto draw = [&] {
     if (!points.empty()) svg.polyline(decimated(points, 1), look);
     points.clear();
   };
   for (std::size_t i = 0; i < x.values.size(); ++i) {
+    if (within != nullptr && i > 0 && within->values[i] != within->values[i - 1]) draw();
     if (std::isfinite(x.values[i]) && std::isfinite(y.values[i])) {
       points.push_back({across(below, x.values[i]), up(panel, y.values[i])});
     } else {
@@ -113,14 +116,32 @@ void draw_line(Svg& svg, const Panel& panel, const Axis& below, const TableColum
   draw();
 }
 
-void draw(Svg& svg, const Panel& panel, const Axis& below, const TableColumn& x, bool is_last) {
+/// One for each place that eyes tell from others.
+void draw_dots(Svg& svg, const Panel& panel, const Axis& below, const TableColumn& x, const TableColumn& y,
+               const std::string& look) {
+  std::set<std::pair<long, long>> places;
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < x.values.size(); ++i) {
+    if (!std::isfinite(x.values[i]) || !std::isfinite(y.values[i])) continue;
+    const Point point{across(below, x.values[i]), up(panel, y.values[i])};
+    if (places.emplace(std::lround(point.x), std::lround(point.y)).second) points.push_back(point);
+  }
+  svg.dots(points, look);
+}
+
+void draw(Svg& svg, const Panel& panel, const Axis& below, const TableColumn& x, const Bonds& bonds, bool is_last) {
   draw_frame(svg, panel, below, is_last);
   for (std::size_t i = 0; i < panel.columns.size(); ++i) {
     const TableColumn& y = *panel.columns[i];
     svg.begin_group(y.unit.empty() ? y.name : y.name + " [" + y.unit + "]");
-    draw_line(svg, panel, below, x, y, look_of_line(i));
     const Point at = panel.legend[i];
-    svg.polyline({at, {at.x + k_sample, at.y}}, look_of_line(i));
+    if (bonds.are_there) {
+      draw_line(svg, panel, below, x, y, bonds.within, look_of_line(i));
+      svg.polyline({at, {at.x + k_sample, at.y}}, look_of_line(i));
+    } else {
+      draw_dots(svg, panel, below, x, y, look_of_dots(i));
+      svg.dots({{at.x + k_sample / 2, at.y}}, look_of_dots(i));
+    }
     svg.text({at.x + k_sample + 8, at.y + 4}, y.name, "start", "legend");
     svg.end_group();
   }
@@ -128,7 +149,8 @@ void draw(Svg& svg, const Panel& panel, const Axis& below, const TableColumn& x,
 
 }  // namespace
 
-std::string chart(const TableColumn& x, const std::vector<const TableColumn*>& columns, const std::string& title) {
+std::string chart(const TableColumn& x, const std::vector<const TableColumn*>& columns, const std::string& title,
+                  const Bonds& bonds) {
   constexpr int k_ticks_up = 5, k_ticks_across = 10;
   const Axis below = axis_of(range_of({&x}), k_ticks_across, true);
   std::vector<Panel> panels = by_units(columns);
@@ -141,7 +163,7 @@ std::string chart(const TableColumn& x, const std::vector<const TableColumn*>& c
   const double end = panels.back().top + k_panel;
   Svg svg(k_width, end + k_bottom, title);
   svg.text({k_left, k_top - 16}, title, "start", "title");
-  for (const Panel& panel : panels) draw(svg, panel, below, x, &panel == &panels.back());
+  for (const Panel& panel : panels) draw(svg, panel, below, x, bonds, &panel == &panels.back());
   const std::string unit = unit_text(below, x.unit);
   svg.text({k_left + k_inside / 2, end + 42}, unit.empty() ? x.name : x.name + " [" + unit + "]", "middle", "title");
   return svg.finished();

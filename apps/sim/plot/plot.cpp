@@ -40,6 +40,31 @@ std::vector<const TableColumn*> named(const std::vector<TableColumn>& table, con
                                     near.empty() ? "there are " + gaussgen::support::joined(names) : near));
 }
 
+/// What a table of `gauss-sim ensemble` begins with.
+bool is_of_ensemble(const std::vector<TableColumn>& table) {
+  return table.size() > 2 && table[0].name == "trajectory" && table[1].name == "status";
+}
+
+/// Outputs come behind the time, and what varies stands before it.
+std::size_t place_of_time(const std::vector<TableColumn>& table) {
+  const auto time =
+      std::find_if(table.begin(), table.end(), [](const TableColumn& column) { return column.name == "t"; });
+  return static_cast<std::size_t>(time - table.begin());
+}
+
+bool has_samples(const std::vector<TableColumn>& table) {
+  const std::vector<double>& trajectory = table.front().values;
+  return std::adjacent_find(trajectory.begin(), trajectory.end()) != trajectory.end();
+}
+
+/// Trajectories over time; or what became of each, over the first of what varies.
+const TableColumn& usual_across(const std::vector<TableColumn>& table) {
+  if (!is_of_ensemble(table)) return table.front();
+  const std::size_t time = place_of_time(table);
+  if (time == table.size()) return table.front();
+  return has_samples(table) || time == 2 ? table[time] : table[2];
+}
+
 std::vector<const TableColumn*> chosen(const std::vector<TableColumn>& table, const PlotOptions& options,
                                        const TableColumn& across) {
   std::vector<const TableColumn*> result;
@@ -51,14 +76,16 @@ std::vector<const TableColumn*> chosen(const std::vector<TableColumn>& table, co
   }
   if (!options.columns.empty()) return result;
   // Nobody has asked for time as a line.
-  for (std::size_t i = 1; i < table.size(); ++i) {
+  const std::size_t first = is_of_ensemble(table) ? std::min(place_of_time(table), table.size() - 1) + 1 : 1;
+  for (std::size_t i = first; i < table.size(); ++i) {
     if (&table[i] != &across) take(&table[i]);
   }
   return result;
 }
 
-void check_numbers(const TableColumn& column) {
+void check_numbers(const TableColumn& column, bool may_have_gaps) {
   if (!column.no_number.empty()) throw cli::FileError(column.no_number);
+  if (!may_have_gaps && !column.gap.empty()) throw cli::FileError(column.gap);
 }
 
 }  // namespace
@@ -66,13 +93,17 @@ void check_numbers(const TableColumn& column) {
 int draw_plot(const PlotOptions& options) {
   const std::vector<TableColumn> table = plot::read_table(options.file);
   const TableColumn& across =
-      options.against.empty() ? table.front() : *named(table, options.against, "--against").front();
+      options.against.empty() ? usual_across(table) : *named(table, options.against, "--against").front();
   const std::vector<const TableColumn*> columns = chosen(table, options, across);
   if (columns.empty()) throw cli::UsageError("the table has one column, and nothing to show against it");
-  check_numbers(across);
-  for (const TableColumn* const column : columns) check_numbers(*column);
+  // Trajectories that did not arrive have no outputs.
+  const bool is_ensemble = is_of_ensemble(table);
+  check_numbers(across, is_ensemble);
+  for (const TableColumn* const column : columns) check_numbers(*column, is_ensemble);
+  plot::Bonds bonds;
+  if (is_ensemble) bonds = {has_samples(table), &table.front()};
   const std::filesystem::path path(options.file);
-  const std::string text = plot::chart(across, columns, path.stem().string());
+  const std::string text = plot::chart(across, columns, path.stem().string(), bonds);
   const std::string output =
       options.output.empty() ? std::filesystem::path(path).replace_extension(".svg").string() : options.output;
   if (output == "-") {

@@ -27,6 +27,7 @@ std::string style() {
   text += ".ground{fill:var(--ground)}.grid{stroke:var(--grid);stroke-width:1}";
   text += ".frame{fill:none;stroke:var(--ink);stroke-width:1;opacity:.6}";
   text += ".line{fill:none;stroke-width:1.6;stroke-linejoin:round}";
+  text += ".dot{fill:none;stroke-width:4;stroke-linecap:round}";
   for (std::size_t i = 0; i < k_on_light.size(); ++i) text += fmt::format(".c{}{{stroke:var(--c{})}}", i, i);
   for (std::size_t i = 1; i < k_dashes.size(); ++i) text += fmt::format(".d{}{{stroke-dasharray:{}}}", i, k_dashes[i]);
   return text + "</style>\n";
@@ -46,6 +47,8 @@ std::string look_of_line(std::size_t i) {
   const std::size_t dash = i / k_on_light.size() % k_dashes.size();
   return fmt::format("line c{}{}", i % k_on_light.size(), dash == 0 ? "" : fmt::format(" d{}", dash));
 }
+
+std::string look_of_dots(std::size_t i) { return fmt::format("dot c{}", i % k_on_light.size()); }
 
 Svg::Svg(double width, double height, const std::string& title) {
   body_ = fmt::format(
@@ -71,6 +74,12 @@ void Svg::polyline(const std::vector<Point>& points, const std::string& look) {
     body_ += fmt::format("{}{:.2f},{:.2f}", before, point.x, point.y);
     before = " ";
   }
+  body_ += "\"/>\n";
+}
+
+void Svg::dots(const std::vector<Point>& points, const std::string& look) {
+  body_ += fmt::format("<path class=\"{}\" d=\"", look);
+  for (const Point& point : points) body_ += fmt::format("M{:.2f} {:.2f}h0", point.x, point.y);
   body_ += "\"/>\n";
 }
 

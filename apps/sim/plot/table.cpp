@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <limits>
 
 #include "cli/files.hpp"
 
@@ -40,12 +41,12 @@ class Reader {
   }
 
   void add(const std::string& field, TableColumn& column) const {
-    double value = 0;
+    double value = std::numeric_limits<double>::quiet_NaN();
     const char* const end = field.data() + field.size();
     const auto [stop, error] = std::from_chars(field.data(), end, value);
     const bool is_number = stop == end && !field.empty() && error != std::errc::invalid_argument;
-    if (!is_number && column.no_number.empty())
-      column.no_number = at_line(fmt::format("'{}' in column '{}' is no number", field, column.name));
+    std::string& why = field.empty() ? column.gap : column.no_number;
+    if (!is_number && why.empty()) why = at_line(fmt::format("'{}' in column '{}' is no number", field, column.name));
     column.values.push_back(value);
   }
 
@@ -67,8 +68,8 @@ class Reader {
 
 TableColumn column_of(const std::string& header) {
   const std::size_t open = header.rfind(" [");
-  if (open == std::string::npos || header.back() != ']') return {header, "", {}, ""};
-  return {header.substr(0, open), header.substr(open + 2, header.size() - open - 3), {}, ""};
+  if (open == std::string::npos || header.back() != ']') return {header, "", {}, "", ""};
+  return {header.substr(0, open), header.substr(open + 2, header.size() - open - 3), {}, "", ""};
 }
 
 }  // namespace

@@ -231,6 +231,19 @@ class Writing(Ensembles):
             for quantile in one["quantiles"]:
                 self.assertAlmostEqual(quantile["value"], expected[round(quantile["share"] * 20) - 1], delta=1e-13)
 
+    def test_the_terminal_has_the_statistics_of_the_summary(self):
+        self.write("spring.yaml", SPRING)
+        self.write("s.yaml", "gauss: 1\nscene: some\nmodel: spring.yaml\noutputs: [x]\nensemble: {parameters: {k: {values: [2, 8, 18]}}}\n")
+        said = self.ok("ensemble", "s.yaml").splitlines()
+        self.assertTrue(said[0].startswith("some: 3 trajectories by"), said)
+        self.assertEqual(said[2].split(), ["at", "the", "end", "mean", "deviation", "least", "median", "most"])
+        statistics = self.summary("some.ensemble.json")["statistics"][0]
+        name, unit, *numbers = said[3].split()
+        self.assertEqual((name, unit), ("x", "[m]"))
+        wanted = [statistics[key] for key in ("mean", "deviation", "least")] + [statistics["quantiles"][2]["value"], statistics["most"]]
+        for shown, value in zip(map(float, numbers), wanted, strict=True):
+            self.assertAlmostEqual(shown, value, delta=1e-3 * abs(value))
+
     def test_the_summary_says_how_it_went(self):
         self.run_ensemble(SCENE, "--threads", "2", "--tolerance", "1e-8")
         summary = self.summary("many.ensemble.json")

@@ -71,6 +71,23 @@ class Plots(Program):
         self.ok("plot", "t.csv", "--columns", "x", "--against", "m", "-o", "x.svg")
         self.assertIn("'finished' in column 'status'", self.refused(3, "plot", "t.csv", "-o", "y.svg"))
 
+    def test_an_ensemble_is_dots_over_what_varies_or_lines_over_time(self):
+        header = "trajectory,status,parameters.m [kg],t [s],x [m]\n"
+        self.write("end.csv", header + "0,finished,1,5,2\n1,step too small,2,3,\n2,finished,3,5,4\n")
+        picture = self.picture("end.csv", name="end.svg")
+        self.assertEqual(self.words(picture, "title"), ["end", "x [m]", "parameters.m [kg]"])
+        dots = [path.get("d") for path in picture.iter(SVG + "path") if path.get("class") == "dot c0"]
+        frame = self.frames(picture)[0]
+        places = [tuple(map(float, place.split())) for place in re.findall(r"M([^h]*)h0", dots[0])]
+        self.assertEqual(places, [(frame["x"], frame["y"] + frame["height"]), (frame["x"] + frame["width"], frame["y"])])
+        self.write("way.csv", header + "0,finished,1,0,0\n0,finished,1,1,2\n1,finished,2,0,0\n1,finished,2,1,4\n")
+        picture = self.picture("way.csv", name="way.svg")
+        self.assertEqual(self.words(picture, "title"), ["way", "x [m]", "t [s]"])
+        self.assertEqual(len(self.lines(picture)["x [m]"]), 2)
+        # In a table of one motion, what is missing is a mistake.
+        self.write("t.csv", "t,x\n0,1\n1,\n")
+        self.assertIn("'' in column 'x'", self.refused(3, "plot", "t.csv"))
+
     def test_long_tables_keep_their_extremes(self):
         rows = [[k / 100_000, math.sin(k / 1000)] for k in range(100_000)]
         rows[54_321][1], rows[12_345][1] = 7.0, -5.0
