@@ -94,34 +94,83 @@ std::pair<int, std::string> run(const std::vector<std::string>& words) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
 }
 
+/// As a shell has them: blanks part words, quotes and backslashes keep them together.
+std::vector<std::string> shell_words(std::string_view text) {
+  std::vector<std::string> words;
+  bool is_inside = false;
+  char quote = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const bool is_blank = c == ' ' || c == '\t' || c == '\n';
+    if (quote == 0 && is_blank) {
+      is_inside = false;
+      continue;
+    }
+    if (!is_inside) words.emplace_back();
+    is_inside = true;
+    if (c == quote) {
+      quote = 0;
+    } else if (quote == 0 && (c == '\'' || c == '"')) {
+      quote = c;
+    } else {
+      const bool is_escape = c == '\\' && quote != '\'' && i + 1 < text.size();
+      words.back() += is_escape ? text[++i] : c;
+    }
+  }
+  return words;
+}
+
+std::string chosen_compiler() {
+  const char* const own = std::getenv("CXX");
+  const std::string text = own == nullptr ? "" : own;
+  return text.find_first_not_of(" \t\n") == std::string::npos ? "" : text;
+}
+
+/// A path with blanks is one word.
+std::vector<std::string> words_of(const std::string& chosen) {
+  return on_path(chosen).empty() ? shell_words(chosen) : std::vector<std::string>{chosen};
+}
+
 }  // namespace
 
 std::string Toolchain::identity() const {
-  return fmt::format("{}\n{} {}\n{}", identity_of_file(compiler), fmt::join(flags, " "), fmt::join(libraries, " "),
-                     processor());
+  std::string programs = identity_of_file(compiler);
+  // CXX="ccache g++" names two.
+  for (const std::string& word : arguments) {
+    const std::string path = on_path(word);
+    programs += "\n" + (path.empty() ? word : identity_of_file(path));
+  }
+  return fmt::format("{}\n{} {}\n{}", programs, fmt::join(flags, " "), fmt::join(libraries, " "), processor());
 }
 
-std::optional<Toolchain> find_toolchain() {
+bool is_compiler_chosen() { return !chosen_compiler().empty(); }
+
+std::optional<Toolchain> find_toolchain(std::string& why) {
   // Products and sums are rounded one by one, as by the interpreter and by gauss_add_model. g++ 12 contracts a pair of them (vfmaddsub) all the same
   // where it makes vectors of straight code, which is switched off then; loops become vectors without it. Power series are loops over orders: unrolled they take a
   // sixth less, at no price in compilation.
   const std::vector<std::string> flags{
       "-std=c++17",     "-O2",   "-march=native", "-ffp-contract=off",   "-fno-tree-slp-vectorize",
       "-funroll-loops", "-fPIC", "-shared",       "-fvisibility=hidden", "-w"};
-  const char* const own = std::getenv("CXX");
-  const std::vector<std::string> commands = own != nullptr && *own != '\0'
-                                                ? std::vector<std::string>{own}
-                                                : std::vector<std::string>{"c++", "g++", "clang++"};
-  for (const std::string& command : commands) {
-    if (const std::string path = on_path(command); !path.empty()) return Toolchain{path, flags};
+  if (const std::string chosen = chosen_compiler(); !chosen.empty()) {
+    std::vector<std::string> words = words_of(chosen);
+    const std::string path = words.empty() ? "" : on_path(words.front());
+    if (!path.empty()) return Toolchain{path, {words.begin() + 1, words.end()}, flags};
+    why = fmt::format("CXX is '{}', and that is no program that can be run", chosen);
+    return std::nullopt;
   }
+  for (const char* const command : {"c++", "g++", "clang++"}) {
+    if (const std::string path = on_path(command); !path.empty()) return Toolchain{path, {}, flags};
+  }
+  why = "there is no C++ compiler on the path; CXX may name one";
   return std::nullopt;
 }
 
 std::optional<std::string> failure_of_compiling(const Toolchain& toolchain, const std::string& source,
                                                 const std::string& result) {
   std::vector<std::string> words{toolchain.compiler};
-  words.insert(words.end(), toolchain.flags.begin(), toolchain.flags.end());
+  for (const auto* const more : {&toolchain.arguments, &toolchain.flags})
+    words.insert(words.end(), more->begin(), more->end());
   words.insert(words.end(), {"-o", result, source});
   words.insert(words.end(), toolchain.libraries.begin(), toolchain.libraries.end());
   const auto [status, said] = run(words);

@@ -8,16 +8,20 @@
 namespace gausssim {
 
 struct Toolchain {
-  std::string compiler;            ///< path
-  std::vector<std::string> flags;  ///< of all plugins
+  std::string compiler;                ///< path
+  std::vector<std::string> arguments;  ///< that CXX has behind it
+  std::vector<std::string> flags;      ///< of all plugins
   std::vector<std::string> libraries = {};
 
   /// Another one where anything is another that may change what it makes: the compiler, its flags, the processor.
   std::string identity() const;
 };
 
-/// That of CXX, else c++, g++ or clang++ on the path; nothing where there is none.
-std::optional<Toolchain> find_toolchain();
+/// That of CXX, which may have arguments as for make and CMake, else c++, g++ or clang++ on the path. Nothing: `why`.
+std::optional<Toolchain> find_toolchain(std::string& why);
+
+/// CXX says which one.
+bool is_compiler_chosen();
 
 /// Runs the compiler; what it says, if it fails. No shell has a part in it.
 std::optional<std::string> failure_of_compiling(const Toolchain& toolchain, const std::string& source,

@@ -71,12 +71,10 @@ void LanesKernel::run(LanesJob& job) const {
 
 BuiltLanes build_lanes(const Described& model) {
   BuiltLanes result;
-  const auto toolchain = find_toolchain();
+  const auto toolchain = find_toolchain(result.why);
   if (find_function(model.tree, "taylor") == nullptr) {
     result.why = "the model has no power series";
-  } else if (!toolchain) {
-    result.why = "there is no C++ compiler on the path";
-  } else {
+  } else if (toolchain) {
     build(model, for_lanes(*toolchain), result);
   }
   return result;

@@ -28,11 +28,12 @@ std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice
                                      const std::vector<std::string>& scalars, EngineTimes& times, std::string& why) {
   auto interpreted = std::make_unique<InterpretedEngine>(prepared.model.tree);
   if (choice == EngineChoice::interpreted) return interpreted;
-  auto toolchain = find_toolchain();
-  if (!toolchain && choice == EngineChoice::automatic) return interpreted;
+  auto toolchain = find_toolchain(why);
+  if (!toolchain && choice != EngineChoice::automatic) return nullptr;
   if (!toolchain) {
-    why = "there is no C++ compiler on the path; CXX may name one";
-    return nullptr;
+    // Nobody misses a compiler, but for who has named one.
+    if (is_compiler_chosen()) times.why_interpreted = why;
+    return interpreted;
   }
   PluginRequest request;
   request.functions = {"prepare",        "rhs",    "project",   "project_positions",

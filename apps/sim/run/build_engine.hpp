@@ -11,7 +11,7 @@ namespace gausssim {
 struct EngineTimes {
   double compile = 0;  ///< s; 0 where nothing was compiled
   bool was_cached = false;
-  std::string why_interpreted;  ///< a compiler is there, and fails
+  std::string why_interpreted;  ///< a compiler fails, or is not the one that CXX names
 };
 
 enum class EngineChoice { automatic, compiled, interpreted };
@@ -21,7 +21,7 @@ enum class EngineChoice { automatic, compiled, interpreted };
 std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice choice,
                                      const std::vector<std::string>& scalars, EngineTimes& times, std::string& why);
 
-/// Says why, where a compiler fails and the model is interpreted.
+/// Says why a model is interpreted that somebody would expect to be compiled.
 void warn_of_interpreting(const EngineTimes& times, const gaussgen::cli::MessageOptions& messages);
 
 /// "long-double" of scenes is "long double".

@@ -32,8 +32,11 @@ Machine this_machine() {
   machine.processor = value_in("/proc/cpuinfo", "model name", ':');
   machine.system = value_in("/etc/os-release", "PRETTY_NAME", '=');
   machine.cores = static_cast<int>(std::thread::hardware_concurrency());
-  if (const auto toolchain = find_toolchain()) {
-    machine.compiler = std::filesystem::path(toolchain->compiler).filename().string();
+  std::string why;
+  if (const auto toolchain = find_toolchain(why)) {
+    const std::string name = std::filesystem::path(toolchain->compiler).filename().string();
+    machine.compiler =
+        fmt::format("{}{}{}", name, toolchain->arguments.empty() ? "" : " ", fmt::join(toolchain->arguments, " "));
     machine.flags = fmt::format("{}", fmt::join(toolchain->flags, " "));
   }
   return machine;

@@ -39,7 +39,7 @@ forces:
   sun: {potential: -1/sqrt(x^2)}
 """
 
-NO_LANES = {**os.environ, "CXX": "no-such-compiler"}
+NO_LANES = {**os.environ, "CXX": "", "PATH": "/nowhere"}
 
 
 class Ensembles(Program):

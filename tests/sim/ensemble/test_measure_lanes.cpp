@@ -16,10 +16,10 @@ std::optional<gausssim::PreparedModel> prepared(const char* model) {
 }  // namespace
 
 TEST_CASE("what lanes and threads are worth is measured beside one thread") {
-  if (!gausssim::find_toolchain()) return;
+  std::string why;
+  if (!gausssim::find_toolchain(why)) return;
   const auto model = prepared("kepler");
   REQUIRE(model);
-  std::string why;
   gausssim::LanesEffort effort;
   effort.seconds = 0.05;
   effort.threads = 2;
