@@ -60,7 +60,7 @@ int code_of(const EnsembleTold& told, const cli::MessageOptions& messages) {
   if (outcomes.untrusted() > 0)
     cli::warn(fmt::format("outputs of {} rows are not to be trusted", outcomes.untrusted()), messages);
   if (told.was_interrupted) {
-    cli::remark(fmt::format("interrupted: the table has {} of {} trajectories", run, outcomes.ended.size()), messages);
+    cli::remark(fmt::format("interrupted: the table has the first {} of {} trajectories", run, outcomes.ended.size()), messages);
     return cli::k_interrupted;
   }
   if (finished == run) return cli::k_ok;

@@ -53,13 +53,18 @@ class Worker {
     }
   }
 
+  /// Up to the first trajectory that an interruption has not let end.
   std::string block(long block) {
     std::string text;
     const long last = std::min((block + 1) * shape_.block, source_.size());
     for (long first = block * shape_.block; first < last && !Interruption::is_asked_for(); first += shape_.group) {
       const long end = std::min(first + shape_.group, last);
       run(first, end);
-      for (long i = first; i < end; ++i) note(i, tracks_[static_cast<std::size_t>(i - first)], text);
+      for (long i = first; i < end; ++i) {
+        const Track<S>& track = tracks_[static_cast<std::size_t>(i - first)];
+        if (track.ended.how == Ended::How::not_run) return text;
+        note(i, track, text);
+      }
     }
     return text;
   }
@@ -76,7 +81,6 @@ class Worker {
   /// Each trajectory has a place of its own, so threads do not meet.
   void note(long trajectory, const Track<S>& track, std::string& text) {
     const auto i = static_cast<std::size_t>(trajectory);
-    if (track.ended.how == Ended::How::not_run) return;
     outcomes_.ended[i] = track.ended;
     const bool has_row = !track.times.empty();
     for (std::size_t k = 0; has_row && k < outcomes_.width; ++k)
@@ -101,6 +105,37 @@ BlockWork work_of(const PreparedModel& prepared, const Engine& engine, const Ens
   const auto worker = std::make_shared<Worker<S>>(prepared, engine, setting, source, shape, outcomes);
   return [worker](long block) { return worker->block(block); };
 }
+
+/// Threads are at several places when an interruption ends them: what is behind the first gap is left out.
+class Whole {
+ public:
+  Whole(Outcomes& outcomes, long block) : outcomes_(outcomes), block_(block) {}
+
+  /// Of the next block: whether there is no gap before it.
+  bool reaches_next() {
+    const bool is_whole = last_ == next_;
+    next_ = std::min(next_ + block_, static_cast<long>(outcomes_.ended.size()));
+    while (is_whole && last_ < next_ && has_ended(last_)) ++last_;
+    return is_whole;
+  }
+
+  void cut() {
+    for (auto i = static_cast<std::size_t>(last_); i < outcomes_.ended.size(); ++i) {
+      if (!has_ended(static_cast<long>(i))) continue;
+      outcomes_.ended[i] = {};
+      std::fill_n(outcomes_.finals.begin() + static_cast<std::ptrdiff_t>(i * outcomes_.width), outcomes_.width,
+                  std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+
+ private:
+  bool has_ended(long i) const { return outcomes_.ended[static_cast<std::size_t>(i)].how != Ended::How::not_run; }
+
+  Outcomes& outcomes_;
+  long block_;
+  long last_ = 0;  ///< those before it have ended
+  long next_ = 0;
+};
 
 long sum(const std::vector<Ended>& all, long Ended::*what) {
   return std::accumulate(all.begin(), all.end(), 0L, [&](long so_far, const Ended& one) { return so_far + one.*what; });
@@ -138,8 +173,9 @@ Outcomes run_all(const PreparedModel& prepared, const Engine& engine, const Ense
                                                               : work_of<double>;
     return make(prepared, engine, setting, source, shape, outcomes);
   };
+  Whole whole(outcomes, shape.block);
   blocks.on_text = [&](const std::string& text) {
-    if (shape.makes_rows) listeners.on_rows(text);
+    if (whole.reaches_next() && shape.makes_rows) listeners.on_rows(text);
   };
   blocks.ends = Interruption::is_asked_for;
   blocks.on_wait = [&](double share) {
@@ -148,6 +184,7 @@ Outcomes run_all(const PreparedModel& prepared, const Engine& engine, const Ense
   const auto begin = std::chrono::steady_clock::now();
   const double cpu = processor_seconds();
   run_in_order(blocks);
+  whole.cut();
   outcomes.cpu_seconds = processor_seconds() - cpu;
   outcomes.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return outcomes;

@@ -35,7 +35,7 @@ struct EnsembleListeners {
   std::function<void(double share)> on_wait = nullptr;  ///< may be empty
 };
 
-/// The same for any number of threads. Ends early where an interruption is asked for. Throws cli::UsageError where the method does not take the model.
+/// The same for any number of threads. Ends early where an interruption is asked for, with the first trajectories, however many have ended by then. Throws cli::UsageError where the method does not take the model.
 Outcomes run_all(const PreparedModel& prepared, const Engine& engine, const EnsembleSetting& setting,
                  const Source& source, const EnsembleListeners& listeners);
 

@@ -200,21 +200,27 @@ class Stopping(Ensembles):
     def test_ctrl_c_leaves_what_is_finished(self):
         self.write("spring.yaml", SPRING)
         self.write("scene.yaml", SCENE.replace("trajectories: 50", "trajectories: 1000000"))
-        command = [PROGRAM, "ensemble", "scene.yaml", "--method", "rk4", "--step", "1e-3", "--threads", "2", "-q"]
-        process = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True)
-        deadline = time.monotonic() + 60
-        while not [path for path in self.folder.glob("many.ensemble.csv*") if path.stat().st_size > 4096] and time.monotonic() < deadline:
-            time.sleep(0.05)
-        process.send_signal(signal.SIGINT)
-        said = process.communicate(timeout=60)[1]
-        self.assertEqual(process.returncode, 130, said)
-        self.assertIn("interrupted", said)
-        rows, summary = self.rows(), self.summary("many.ensemble.json")
-        self.assertEqual(summary["outcome"], "interrupted")
-        self.assertGreater(len(rows), 0)
-        self.assertEqual((len(rows), summary["by_status"]), (summary["run"], {"finished": len(rows)}))
-        self.assertLess(len(rows), 2000000)
-        self.assertEqual(self.files(), ["many.ensemble.csv", "many.ensemble.json", "scene.yaml", "spring.yaml"])
+        for options in (("--method", "rk4", "--step", "1e-3"), ("--duration", "500"), ("--lanes", "1", "--every-sample", "--samples", "3")):
+            with self.subTest(options):
+                process = subprocess.Popen([PROGRAM, "ensemble", "scene.yaml", "--threads", "4", "-q", *options], cwd=self.folder,
+                                           stderr=subprocess.PIPE, text=True)
+                deadline = time.monotonic() + 60
+                while not [path for path in self.folder.glob("many.ensemble.csv.*") if path.stat().st_size > 4096] and time.monotonic() < deadline:
+                    time.sleep(0.05)
+                process.send_signal(signal.SIGINT)
+                said = process.communicate(timeout=60)[1]
+                self.assertEqual(process.returncode, 130, said)
+                self.assertIn("interrupted", said)
+                rows, summary = self.rows(), self.summary("many.ensemble.json")
+                self.assertEqual(summary["outcome"], "interrupted")
+                self.assertGreater(len(rows), 0)
+                with self.subTest("the first ones, without gaps"):
+                    samples = 3 if "--samples" in options else 1
+                    self.assertEqual([int(row["trajectory"]) for row in rows], [k // samples for k in range(len(rows))])
+                    self.assertEqual((len(rows), summary["by_status"]), (samples * summary["run"], {"finished": summary["run"]}))
+                    self.assertEqual(summary["statistics"][0]["count"], summary["run"])
+                self.assertLess(summary["run"], 2000000)
+                self.assertEqual(self.files(), ["many.ensemble.csv", "many.ensemble.json", "scene.yaml", "spring.yaml"])
 
 
 class Writing(Ensembles):
