@@ -82,6 +82,7 @@ void write(const AdviseOptions& options, const StudyPoint& best, const std::vect
 }  // namespace
 
 int advise(const AdviseOptions& options) {
+  const Interruption interruption;
   int code = cli::k_ok;
   const auto prepared = prepare_run(options, code);
   if (!prepared) return code;
@@ -93,17 +94,12 @@ int advise(const AdviseOptions& options) {
     write(options, best, {}, "by " + std::filesystem::path(options.study).filename().string(), prepared->scene.form);
     return cli::k_ok;
   }
+  const TimeLimit limit(options.budget);
   Engines engines(*prepared, engine_choice(prepared->scene));
   if (engines.of(number_name(prepared->scene)) == nullptr)
     return cli::fail(engines.why(), cli::k_file_error, options.messages);
   warn_of_interpreting(engines.times(), options.messages);
-  const Interruption interruption;
-  std::optional<FoundSetting> found;
-  try {
-    found = find_setting(*prepared, engines, {error, options.budget, !options.quiet}, why);
-  } catch (const Interrupted&) {
-    return cli::k_interrupted;
-  }
+  const auto found = find_setting(*prepared, engines, {error, options.budget, !options.quiet}, why);
   if (!found) return cli::fail(why, cli::k_not_delivered, options.messages);
   std::vector<StudyPoint> tried;
   for (const Trial& trial : found->trials) tried.push_back(point_of(trial));

@@ -19,6 +19,7 @@
 #include "sim/cli/validators.hpp"
 #include "sim/ensemble/ensemble.hpp"
 #include "sim/plot/plot.hpp"
+#include "sim/run/interruption.hpp"
 #include "sim/run/run.hpp"
 #include "sim/scene/choices.hpp"
 #include "sim/scene/ensemble.hpp"
@@ -80,7 +81,8 @@ void add_setting(CLI::App* command, RunOptions& options) {
 CLI::Option* add_error(CLI::App* command, RunOptions& options, const char* text) {
   command
       ->add_option("--budget", options.budget,
-                   "seconds of the search for a setting that delivers an error; default 600")
+                   "seconds of the search for a setting that delivers an error, with what it compiles; equations "
+                   "before it, and the run after it, come on top; default 600")
       ->type_name("S")
       ->check(positive());
   return command->add_option("--error", options.error, text)
@@ -149,8 +151,10 @@ void add_study(CLI::App& app, StudyOptions& options) {
       ->check(one_of({method_names().begin() + 1, method_names().end()}))
       ->type_name("LIST");
   study
-      ->add_option("--budget", options.budget,
-                   "seconds of runs for each problem, beside what compiling its forms takes; default 60")
+      ->add_option(
+          "--budget", options.budget,
+          "seconds of the runs that are compared, for each problem; equations, compiling, the reference and what is "
+          "shown beside them come on top; default 60")
       ->type_name("S")
       ->check(positive());
   study->add_option("--loosest", options.loosest, "first tolerance, default 1e-3")->type_name("E")->check(positive());
@@ -220,6 +224,12 @@ int guarded(int (*command)(const Options&), const Options& options) {
     return cli::fail(error.what(), cli::k_file_error, options.messages);
   } catch (const cli::UsageError& error) {
     return cli::fail(error, options.messages);
+  } catch (const Interrupted&) {
+    cli::remark("interrupted; nothing is written", options.messages);
+    return cli::k_interrupted;
+  } catch (const OutOfTime&) {
+    return cli::fail("the model was not compiled in the time that there is; --budget gives it more",
+                     cli::k_not_delivered, options.messages);
   } catch (const gaussgen::model::UnknownCount& unknown) {
     return cli::fail(cli::unknown_count(unknown), cli::k_usage_error, options.messages);
   } catch (const gaussgen::ir::TooManyNodes& error) {

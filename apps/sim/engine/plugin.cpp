@@ -2,7 +2,6 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -11,6 +10,7 @@
 #include <iterator>
 
 #include "sim/engine/plugin_text.hpp"
+#include "sim/engine/work_folder.hpp"
 #include "support/content_hash.hpp"
 
 namespace gausssim {
@@ -26,29 +26,6 @@ bool holds(const fs::path& file, const std::string& text) {
   return std::string(std::istreambuf_iterator<char>(in), {}) == text;
 }
 
-/// A folder of this process alone, gone with it.
-class WorkFolder {
- public:
-  explicit WorkFolder(const fs::path& parent) {
-    std::error_code error;
-    fs::create_directories(parent, error);
-    std::string path = (parent / "build-XXXXXX").string();
-    if (::mkdtemp(path.data()) != nullptr) path_ = path;
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  ~WorkFolder() {
-    std::error_code error;
-    if (!path_.empty()) fs::remove_all(path_, error);
-  }
-
-  bool is_there() const { return !path_.empty(); }
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
-
 /// Into a folder under its final name, both files together: another process sees the whole or nothing.
 void keep(const WorkFolder& work, const fs::path& folder) {
   std::error_code error;
@@ -63,14 +40,17 @@ std::string first_lines(const std::string& text, int count) {
   return text.substr(0, end);
 }
 
-Built compiled(const std::string& text, const Toolchain& toolchain, const fs::path& cache, const fs::path& folder) {
+Built compiled(const std::string& text, const Toolchain& toolchain, const fs::path& cache, const fs::path& folder,
+               const std::function<bool()>& ends) {
   Built built;
-  const WorkFolder work(cache.empty() ? fs::temp_directory_path() : cache);
+  const WorkFolder work(cache);
   if (!work.is_there()) return built.why = "no folder can be made to compile in", built;
   std::ofstream(work / "model.cpp", std::ios::binary) << text;
   const auto begin = std::chrono::steady_clock::now();
-  const auto failure = failure_of_compiling(toolchain, work / "model.cpp", work / "model.so");
+  const auto [failure, was_ended] = compile(toolchain, work / "model.cpp", work / "model.so", ends);
   built.compile_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  built.was_ended = was_ended;
+  if (was_ended) return built.why = "it was ended", built;
   if (failure) {
     built.why = fmt::format("{} fails: {}", toolchain.compiler, first_lines(*failure, 5));
     return built;
@@ -107,7 +87,7 @@ std::string cache_folder() {
   return home != nullptr && *home == '/' ? std::string(home) + "/.cache/gauss" : std::string();
 }
 
-Built build_plugin(const std::string& text, const Toolchain& toolchain) {
+Built build_plugin(const std::string& text, const Toolchain& toolchain, const std::function<bool()>& ends) {
   const fs::path cache = cache_folder();
   const std::string whole = text + "\n/*\n" + toolchain.identity() + "*/\n";
   const fs::path folder = cache.empty() ? fs::path() : cache / gaussgen::support::content_hash(whole);
@@ -117,7 +97,7 @@ Built build_plugin(const std::string& text, const Toolchain& toolchain) {
     built.plugin = Plugin::load(folder / "model.so", built.why);
     if (built.plugin) return built;
   }
-  return compiled(whole, toolchain, cache, folder);
+  return compiled(whole, toolchain, cache, folder, ends);
 }
 
 }  // namespace gausssim

@@ -1,6 +1,7 @@
 #pragma once
 // A compiled model.
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -33,12 +34,13 @@ struct Built {
   std::shared_ptr<const Plugin> plugin;  ///< null: `why`
   std::string why;
   bool was_cached = false;
+  bool was_ended = false;  ///< by `ends`, while it was compiled
   double compile_seconds = 0;
 };
 
 /// The plugin of a text, from the cache or compiled now. The cache is $XDG_CACHE_HOME/gauss, else ~/.cache/gauss; what is in it is used only if its text is
 /// the same to the byte.
-Built build_plugin(const std::string& text, const Toolchain& toolchain);
+Built build_plugin(const std::string& text, const Toolchain& toolchain, const std::function<bool()>& ends);
 
 /// The folder; empty where there is no home.
 std::string cache_folder();

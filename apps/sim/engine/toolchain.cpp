@@ -1,19 +1,15 @@
 #include "sim/engine/toolchain.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string_view>
 
-extern char** environ;
+#include "sim/engine/child_process.hpp"
 
 namespace gausssim {
 
@@ -57,41 +53,6 @@ std::string processor() {
       result += line + "\n";
   }
   return result;
-}
-
-std::string text_of_pipe(int descriptor) {
-  std::string text;
-  std::array<char, 4096> block{};
-  for (;;) {
-    const ssize_t count = ::read(descriptor, block.data(), block.size());
-    if (count <= 0) return text;
-    text.append(block.data(), static_cast<std::size_t>(count));
-  }
-}
-
-/// The exit status of a program, and what it says on standard error.
-std::pair<int, std::string> run(const std::vector<std::string>& words) {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return {-1, "no pipe"};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  pid_t child = 0;
-  const int error = ::posix_spawn(&child, words.front().c_str(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  ::close(ends[1]);
-  std::string said = text_of_pipe(ends[0]);
-  ::close(ends[0]);
-  if (error != 0) return {-1, "it cannot be started"};
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
 }
 
 /// As a shell has them: blanks part words, quotes and backslashes keep them together.
@@ -166,16 +127,17 @@ std::optional<Toolchain> find_toolchain(std::string& why) {
   return std::nullopt;
 }
 
-std::optional<std::string> failure_of_compiling(const Toolchain& toolchain, const std::string& source,
-                                                const std::string& result) {
+Compilation compile(const Toolchain& toolchain, const std::string& source, const std::string& result,
+                    const std::function<bool()>& ends) {
   std::vector<std::string> words{toolchain.compiler};
   for (const auto* const more : {&toolchain.arguments, &toolchain.flags})
     words.insert(words.end(), more->begin(), more->end());
   words.insert(words.end(), {"-o", result, source});
   words.insert(words.end(), toolchain.libraries.begin(), toolchain.libraries.end());
-  const auto [status, said] = run(words);
-  if (status == 0) return std::nullopt;
-  return said.empty() ? fmt::format("it ended with {}", status) : said;
+  const Finished run = run_program(words, ends);
+  if (run.was_ended) return {{}, true};
+  if (run.status == 0) return {};
+  return {run.said.empty() ? fmt::format("it ended with {}", run.status) : run.said};
 }
 
 }  // namespace gausssim

@@ -1,6 +1,7 @@
 #pragma once
 // The compiler of the system.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,8 +24,13 @@ std::optional<Toolchain> find_toolchain(std::string& why);
 /// CXX says which one.
 bool is_compiler_chosen();
 
-/// Runs the compiler; what it says, if it fails. No shell has a part in it.
-std::optional<std::string> failure_of_compiling(const Toolchain& toolchain, const std::string& source,
-                                                const std::string& result);
+struct Compilation {
+  std::optional<std::string> failure = {};  ///< what the compiler says then
+  bool was_ended = false;                   ///< by `ends`
+};
+
+/// Runs the compiler. No shell has a part in it.
+Compilation compile(const Toolchain& toolchain, const std::string& source, const std::string& result,
+                    const std::function<bool()>& ends);
 
 }  // namespace gausssim

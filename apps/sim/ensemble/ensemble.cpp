@@ -60,7 +60,8 @@ int code_of(const EnsembleTold& told, const cli::MessageOptions& messages) {
   if (outcomes.untrusted() > 0)
     cli::warn(fmt::format("outputs of {} rows are not to be trusted", outcomes.untrusted()), messages);
   if (told.was_interrupted) {
-    cli::remark(fmt::format("interrupted: the table has the first {} of {} trajectories", run, outcomes.ended.size()), messages);
+    cli::remark(fmt::format("interrupted: the table has the first {} of {} trajectories", run, outcomes.ended.size()),
+                messages);
     return cli::k_interrupted;
   }
   if (finished == run) return cli::k_ok;
@@ -82,12 +83,14 @@ std::optional<PreparedModel> prepare_varied(const EnsembleOptions& options, std:
     apply(options, scene, request);
     apply(options, *scene.ensemble);
   };
+  const EndsAtOnce while_it_checks(options.messages);
   return prepare(request, change, code);
 }
 
 }  // namespace
 
 int ensemble(const EnsembleOptions& options) {
+  const Interruption interruption;
   std::vector<Placed> places;
   int code = cli::k_ok;
   const auto prepared = prepare_varied(options, places, code);
@@ -115,7 +118,6 @@ int ensemble(const EnsembleOptions& options) {
   Outcomes outcomes;
   bool was_interrupted = false;
   {
-    const Interruption interruption;
     ProgressBar bar(!options.quiet);
     EnsembleListeners listeners;
     listeners.on_rows = [&](const std::string& rows) { file.write(rows); };

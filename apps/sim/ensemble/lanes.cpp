@@ -6,6 +6,7 @@
 
 #include "sim/engine/plugin_text.hpp"
 #include "sim/model/layout.hpp"
+#include "sim/run/interruption.hpp"
 
 namespace gausssim {
 
@@ -28,7 +29,8 @@ Toolchain for_lanes(Toolchain toolchain) {
 namespace {
 
 void build(const Described& model, const Toolchain& toolchain, BuiltLanes& result) {
-  const Built built = build_plugin(lanes_text(model), toolchain);
+  const Built built = build_plugin(lanes_text(model), toolchain, ends_now);
+  if (built.was_ended) throw_if_ended();
   result.compile_seconds = built.compile_seconds;
   result.was_cached = built.was_cached;
   if (!built.plugin) {

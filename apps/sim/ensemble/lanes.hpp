@@ -44,7 +44,7 @@ struct BuiltLanes {
   bool was_cached = false;
 };
 
-/// By the compiler of the system, where it finds xsimd and the model has series.
+/// By the compiler of the system, where it finds xsimd and the model has series. Throws Interrupted.
 BuiltLanes build_lanes(const Described& model);
 
 /// The C++ file of it.

@@ -2,6 +2,7 @@
 
 #include "sim/engine/interpreted.hpp"
 #include "sim/engine/plugin_text.hpp"
+#include "sim/run/interruption.hpp"
 
 namespace gausssim {
 
@@ -42,7 +43,8 @@ std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice
   request.scalars = scalars;
   if (prepared.wants_gains) request.usual_rank = usual_rank_of(prepared.model.unit);
   if (uses_quad(request)) toolchain->libraries.push_back("-lquadmath");
-  const Built built = build_plugin(plugin_text(prepared.model.tree, request), *toolchain);
+  const Built built = build_plugin(plugin_text(prepared.model.tree, request), *toolchain, ends_now);
+  if (built.was_ended || Interruption::is_asked_for()) throw_if_ended();
   times = {built.compile_seconds, built.was_cached, {}};
   if (built.plugin) return std::make_unique<CompiledEngine>(built.plugin, std::move(interpreted));
   why = "the model cannot be compiled: " + built.why;

@@ -17,7 +17,7 @@ struct EngineTimes {
 enum class EngineChoice { automatic, compiled, interpreted };
 
 /// The functions of a model for these number types, as C++ writes them: compiled, or from the cache, or interpreted where that is asked for, or by default where no compiler does it.
-/// Null: `why`.
+/// Null: `why`. Throws Interrupted, and OutOfTime where a limit is over before it is compiled.
 std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice choice,
                                      const std::vector<std::string>& scalars, EngineTimes& times, std::string& why);
 

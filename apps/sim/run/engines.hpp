@@ -14,17 +14,16 @@ class Engines {
   /// `prepared` outlives this.
   Engines(const PreparedModel& prepared, EngineChoice choice) : prepared_(prepared), choice_(choice) {}
 
-  /// As scenes call number types; built when it is asked for first. Null: `why()`.
+  /// As scenes call number types; built when it is asked for first. Null: `why()`. Throws as `build_engine`.
   const Engine* of(const std::string& number) {
-    const auto [place, is_new] = engines_.try_emplace(number);
-    if (is_new) {
-      EngineTimes times;
-      place->second = build_engine(prepared_, choice_, {scalar_of(number)}, times, why_);
-      times_.compile += times.compile;
-      times_.was_cached = times.was_cached;
-      times_.why_interpreted = times.why_interpreted;
-    }
-    return place->second.get();
+    const auto known = engines_.find(number);
+    if (known != engines_.end()) return known->second.get();
+    EngineTimes times;
+    auto engine = build_engine(prepared_, choice_, {scalar_of(number)}, times, why_);
+    times_.compile += times.compile;
+    times_.was_cached = times.was_cached;
+    times_.why_interpreted = times.why_interpreted;
+    return (engines_[number] = std::move(engine)).get();
   }
 
   const std::string& why() const { return why_; }

@@ -1,8 +1,13 @@
 #include "sim/run/interruption.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <csignal>
+#include <cstring>
+
+#include "cli/exit_codes.hpp"
 
 namespace gausssim {
 
@@ -14,7 +19,18 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 thread_local TimeLimit::Clock::time_point limit = TimeLimit::Clock::time_point::max();
 
+const char* const k_text = "interrupted; nothing is written\n";
+const char* const k_json = "{\"severity\":\"note\",\"message\":\"interrupted; nothing is written\"}\n";
+
+std::atomic<const char*> last_words{nullptr};  ///< null: an interruption is only asked for
+static_assert(std::atomic<const char*>::is_always_lock_free);
+
+/// Inside a signal only such calls are allowed.
 void note(int signal) {
+  if (const char* const words = last_words) {
+    const ssize_t written = ::write(STDERR_FILENO, words, std::strlen(words));
+    ::_exit(written < 0 ? gaussgen::cli::k_file_error : gaussgen::cli::k_interrupted);
+  }
   asked = true;
   std::signal(signal, SIG_DFL);
 }
@@ -34,6 +50,12 @@ Interruption::~Interruption() {
 
 bool Interruption::is_asked_for() { return asked; }
 
+EndsAtOnce::EndsAtOnce(const gaussgen::cli::MessageOptions& messages) {
+  last_words = messages.format == gaussgen::cli::MessageFormat::json ? k_json : k_text;
+}
+
+EndsAtOnce::~EndsAtOnce() { last_words = nullptr; }
+
 TimeLimit::TimeLimit(double seconds) : before_(limit), own_(limit) {
   constexpr double k_for_ever = 1e9;
   const std::chrono::duration<double> span(std::clamp(seconds, 0.0, k_for_ever));
@@ -43,15 +65,21 @@ TimeLimit::TimeLimit(double seconds) : before_(limit), own_(limit) {
 
 TimeLimit::~TimeLimit() { limit = before_; }
 
-bool TimeLimit::is_over() const { return Clock::now() >= own_; }
+bool TimeLimit::is_over() const { return Clock::now() >= std::min(before_, own_); }
 
-void throw_if_ended(const TimeLimit& limit) {
+void throw_if_ended(const TimeLimit& whole) {
   if (Interruption::is_asked_for()) throw Interrupted{};
-  if (limit.is_over()) throw OutOfTime{};
+  if (whole.is_over()) throw OutOfTime{};
 }
 
+void throw_if_ended() {
+  if (Interruption::is_asked_for()) throw Interrupted{};
+  if (ends_now()) throw OutOfTime{};
+}
+
+bool ends_now() { return asked || TimeLimit::Clock::now() >= limit; }
+
 bool ends_steps() {
-  // To look at the clock takes as long as some steps do.
   constexpr unsigned k_looks_once_in = 64;
   static thread_local unsigned count = 0;
   if (asked.load(std::memory_order_relaxed)) return true;

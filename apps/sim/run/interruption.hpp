@@ -3,6 +3,8 @@
 
 #include <chrono>
 
+#include "cli/messages.hpp"
+
 namespace gausssim {
 
 /// Thrown where there is nothing to be kept.
@@ -19,7 +21,16 @@ class Interruption {
   static bool is_asked_for();
 };
 
-/// While it lives, runs of its thread end after so many seconds, or with the limit around it if that is earlier.
+/// While it lives within an Interruption, Ctrl-C ends the program with a remark: for what does not look, and has nothing to keep.
+class EndsAtOnce {
+ public:
+  explicit EndsAtOnce(const gaussgen::cli::MessageOptions& messages);
+  EndsAtOnce(const EndsAtOnce&) = delete;
+  EndsAtOnce& operator=(const EndsAtOnce&) = delete;
+  ~EndsAtOnce();
+};
+
+/// While it lives, runs and compilations of its thread end after so many seconds, or with the limit around it if that is earlier.
 class TimeLimit {
  public:
   using Clock = std::chrono::steady_clock;
@@ -39,9 +50,15 @@ class TimeLimit {
 struct OutOfTime {};
 
 /// After a run that may have ended before its end: Interrupted or OutOfTime.
-void throw_if_ended(const TimeLimit& limit);
+void throw_if_ended(const TimeLimit& whole);
 
-/// For Settings::ends of integrators: an interruption is asked for, or a limit of time is over.
+/// After what `ends_now` has ended: likewise.
+void throw_if_ended();
+
+/// Whether an interruption is asked for, or a limit of time of this thread is over.
+bool ends_now();
+
+/// The same for Settings::ends of integrators, where to look at the clock takes as long as some steps do.
 bool ends_steps();
 
 }  // namespace gausssim

@@ -264,9 +264,13 @@ DeliveredError from_closed_forms(const ClosedForms& forms, const PreparedModel& 
 }  // namespace
 
 int run(const RunOptions& options, const FindSetting& find) {
+  const Interruption interruption;
   int code = cli::k_ok;
   const auto prepared = prepare_run(options, code);
   if (!prepared) return code;
+  // What a search compiles first is a part of it.
+  std::optional<TimeLimit> limit;
+  if (prepared->scene.error && !options.resume) limit.emplace(options.budget);
   Engines engines(*prepared, engine_choice(prepared->scene));
   const Engine* engine = engines.of(number_name(prepared->scene));
   if (engine == nullptr) return cli::fail(engines.why(), cli::k_file_error, options.messages);
@@ -275,7 +279,6 @@ int run(const RunOptions& options, const FindSetting& find) {
   std::optional<FoundSetting> found;
   const std::string csv = csv_path(options, *prepared);
   check_outputs(csv, {options.file, prepared->model_file});
-  const Interruption interruption;
   // What was found then goes on; what would be found now may be another setting.
   if (prepared->scene.error && options.resume) {
     setting = setting_of_earlier_run(summary_path(csv));
@@ -293,6 +296,7 @@ int run(const RunOptions& options, const FindSetting& find) {
     setting = found->chosen.setting;
     engine = engines.of(setting.number);
   }
+  limit.reset();
   const Times times{prepared->generate_seconds, engines.times()};
   warn_of_tolerance(setting, options.messages);
   warn_of_unused(prepared->scene, setting, options.messages);

@@ -24,7 +24,7 @@ struct RunOptions {
   gaussgen::cli::MessageOptions messages;
 };
 
-/// Returns an exit code. `find` finds settings where an error is asked for. Throws cli::FileError and cli::UsageError.
+/// Returns an exit code. `find` finds settings where an error is asked for. Throws cli::FileError and cli::UsageError, Interrupted, and OutOfTime, where there is nothing to be kept.
 int run(const RunOptions& options, const FindSetting& find);
 
 }  // namespace gausssim

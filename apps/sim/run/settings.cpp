@@ -4,6 +4,7 @@
 
 #include "cli/overrides.hpp"
 #include "cli/usage_error.hpp"
+#include "sim/run/interruption.hpp"
 
 namespace gausssim {
 
@@ -71,6 +72,7 @@ std::optional<PreparedModel> prepare_run(const RunOptions& options, int& code) {
     apply(options, scene, request);
     if (scene.error && chooses_method(scene)) request.where_possible = {"jacobian"};
   };
+  const EndsAtOnce while_it_derives(options.messages);
   return prepare(request, change, code);
 }
 

@@ -9,6 +9,7 @@
 
 #include "cli/exit_codes.hpp"
 #include "sim/engine/plugin_text.hpp"
+#include "sim/run/interruption.hpp"
 #include "sim/scene/choices.hpp"
 
 namespace gausssim {
@@ -33,7 +34,7 @@ class Collector {
     Request own = request();
     // Methods for stiff models like to have it; all else is for what is compared beside them.
     if (is_alone) own.where_possible = {"jacobian"};
-    auto first = prepare(
+    auto first = prepared(
         own, [](Scene&) {}, code_);
     if (!first) return {};
     const Scene scene = first->scene;
@@ -77,11 +78,16 @@ class Collector {
 
   using Change = std::function<void(Scene&)>;
 
+  static std::optional<PreparedModel> prepared(const Request& request, const Change& change, int& code) {
+    throw_if_ended();
+    return prepare(request, change, code);
+  }
+
   bool add(const Request& request, const std::string& formulation) {
-    auto prepared = prepare(
+    auto model = prepared(
         request, [](Scene&) {}, code_);
-    if (!prepared) return false;
-    push(formulation, std::move(*prepared));
+    if (!model) return false;
+    push(formulation, std::move(*model));
     return true;
   }
 
@@ -97,8 +103,8 @@ class Collector {
     Request other = request();
     other.messages.is_silent = true;
     int ignored = 0;
-    auto prepared = prepare(other, change, ignored);
-    if (prepared && texts_.insert(text_of(*prepared)).second) push(formulation, std::move(*prepared));
+    auto model = prepared(other, change, ignored);
+    if (model && texts_.insert(text_of(*model)).second) push(formulation, std::move(*model));
   }
 
   struct Build {

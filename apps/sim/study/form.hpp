@@ -40,7 +40,7 @@ struct Form {
   std::string why = {};  ///< it cannot be compared with the others; empty: it can
 };
 
-/// The scene itself first, and `is_alone` nothing else. Forms of one text are there once. Nothing after an error, which is reported: `code` is the exit code. Throws as `prepare`.
+/// The scene itself first, and `is_alone` nothing else. Forms of one text are there once. Nothing after an error, which is reported: `code` is the exit code. Throws as `prepare`, and Interrupted.
 std::vector<Form> forms_of(const std::string& file, bool is_alone, const gaussgen::cli::MessageOptions& messages,
                            int& code);
 

@@ -5,6 +5,7 @@ import json
 import os
 import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -51,6 +52,15 @@ class Program(unittest.TestCase):
         self.assertEqual(result.returncode, code, (arguments, result.stdout, result.stderr))
         self.assertEqual(self.files(), before)
         return result.stderr
+
+    def wait_for_processor(self, process, seconds):
+        """Until it has computed for so long, without those that it has started."""
+        deadline = time.monotonic() + 100
+        while time.monotonic() < deadline and process.poll() is None:
+            fields = Path(f"/proc/{process.pid}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()
+            if (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK") > seconds:
+                return
+            time.sleep(0.01)
 
     def files(self):
         return sorted(path.name for path in self.folder.iterdir())

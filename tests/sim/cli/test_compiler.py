@@ -1,20 +1,123 @@
-"""Which compiler of the system gauss-sim takes."""
+"""What gauss-sim does with the compiler of the system: which one it takes, how it ends it, and what is left in the cache."""
 
 import os
 import shutil
+import signal
+import subprocess
+import time
 import unittest
+from pathlib import Path
 
-from gauss_sim import SPRING, Program
+from gauss_sim import PROGRAM, SPRING, Program
+
+SCENE = """gauss: 1
+scene: many
+model: spring.yaml
+outputs: [x]
+ensemble: {trajectories: 10, parameters: {m: {uniform: [1, 3]}}}
+"""
+
+# A compiler that takes longer than anybody waits, by a program that it starts, as g++ starts cc1plus.
+SLOW = """#!/bin/sh
+sleep 100 &
+echo $$ $! > {folder}/ids.new
+mv {folder}/ids.new {folder}/ids
+wait
+"""
+
+COMMANDS = (("run", "spring.yaml"), ("run", "spring.yaml", "--error", "1e-6"), ("advise", "spring.yaml", "--error", "1e-6"),
+            ("ensemble", "scene.yaml"), ("study", "spring.yaml"))
+
+
+def goes_on(process):
+    try:
+        return Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()[0] != "Z"
+    except OSError:
+        return False
 
 
 class Compilers(Program):
     def setUp(self):
         super().setUp()
         self.write("spring.yaml", SPRING)
+        self.write("scene.yaml", SCENE)
         self.cache = self.folder / "cache/gauss"
+        self.compiler = self.write("slow-cxx", SLOW.format(folder="."))
+        self.compiler.chmod(0o755)
+        self.inputs = sorted([*self.files(), "cache"])
 
     def environment(self, compiler):
         return {**os.environ, "XDG_CACHE_HOME": str(self.folder / "cache"), "CXX": str(compiler)}
+
+    def builds(self):
+        return [path.name for path in self.cache.glob("build-*")]
+
+    def started(self, *arguments):
+        """While it compiles, and the processes that do."""
+        process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, env=self.environment(self.compiler), stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, text=True)
+        ids, deadline = self.folder / "ids", time.monotonic() + 60
+        while not ids.exists() and time.monotonic() < deadline:
+            time.sleep(0.01)
+        compilers = [int(word) for word in ids.read_text(encoding="utf-8").split()]
+        ids.unlink()
+        return process, compilers
+
+    def assert_gone(self, compilers, message):
+        deadline = time.monotonic() + 10
+        while any(map(goes_on, compilers)) and time.monotonic() < deadline:
+            time.sleep(0.01)
+        self.assertEqual([one for one in compilers if goes_on(one)], [], message)
+
+
+class Ending(Compilers):
+    def test_a_signal_ends_compilers_too_and_leaves_nothing(self):
+        for arguments in COMMANDS:
+            for how in (signal.SIGINT, signal.SIGTERM):
+                with self.subTest(arguments, how=how):
+                    process, compilers = self.started(*arguments)
+                    self.assertTrue(self.builds())
+                    process.send_signal(how)
+                    said = process.communicate(timeout=30)[1]
+                    self.assertEqual(process.returncode, 130, said)
+                    self.assertIn("interrupted", said)
+                    self.assert_gone(compilers, arguments)
+                    self.assertEqual(self.builds(), [])
+                    (self.folder / "ids").unlink(missing_ok=True)  # of another compiler
+                    self.assertEqual(self.files(), self.inputs)
+
+    def test_programs_are_told_in_json(self):
+        process, _ = self.started("run", "spring.yaml", "--diagnostics", "json")
+        process.send_signal(signal.SIGINT)
+        self.assertIn('"severity":"note"', process.communicate(timeout=30)[1])
+
+    def test_a_budget_ends_compilers(self):
+        for arguments in (COMMANDS[1], COMMANDS[2]):
+            begin = time.monotonic()
+            result = self.run_it(*arguments, "--budget", "1", env=self.environment(self.compiler), timeout=60)
+            self.assertEqual(result.returncode, 6, result.stderr)
+            self.assertIn("--budget", result.stderr)
+            self.assertLess(time.monotonic() - begin, 30)
+            self.assertEqual(self.builds(), [])
+
+    def test_what_killed_processes_have_left_goes_with_the_next_build(self):
+        process, compilers = self.started("run", "spring.yaml")
+        process.kill()
+        process.communicate(timeout=30)
+        for one in compilers:
+            os.kill(one, signal.SIGKILL)
+        killed = self.builds()
+        self.assertEqual(len(killed), 1)
+        other, _ = self.started("run", "spring.yaml")
+        self.addCleanup(other.communicate, timeout=30)
+        self.addCleanup(other.send_signal, signal.SIGTERM)
+        at_work = [name for name in self.builds() if name not in killed]
+        an_hour_ago = time.time() - 3600
+        for name in (*killed, *at_work):
+            os.utime(self.cache / name, (an_hour_ago, an_hour_ago))
+        (self.cache / "build-new").mkdir()
+        self.ok("run", "spring.yaml", "-q", env=self.environment("c++"))
+        self.assertEqual(sorted(self.builds()), sorted([*at_work, "build-new"]))
 
 
 class Choosing(Compilers):

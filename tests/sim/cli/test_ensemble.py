@@ -222,6 +222,17 @@ class Stopping(Ensembles):
                 self.assertLess(summary["run"], 2000000)
                 self.assertEqual(self.files(), ["many.ensemble.csv", "many.ensemble.json", "scene.yaml", "spring.yaml"])
 
+    def test_ctrl_c_while_draws_are_checked_leaves_nothing(self):
+        self.write("spring.yaml", SPRING)
+        self.write("scene.yaml", SCENE.replace("trajectories: 50", "trajectories: 5000000"))
+        process = subprocess.Popen([PROGRAM, "ensemble", "scene.yaml", "-q"], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        self.wait_for_processor(process, 0.5)
+        process.send_signal(signal.SIGINT)
+        said = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 130, said)
+        self.assertIn("interrupted; nothing is written", said)
+        self.assertEqual(self.files(), ["scene.yaml", "spring.yaml"])
+
 
 class Writing(Ensembles):
     def test_the_summary_has_the_statistics_of_the_table(self):
