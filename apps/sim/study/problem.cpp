@@ -49,6 +49,7 @@ class Solver {
   void run() {
     const Form& first = problem_.forms.front();
     auto reference = find_reference(first.model, *first.engine, problem_.why);
+    throw_if_ended();
     if (!reference) return;
     problem_.reference = std::move(*reference);
     problem_.ranges = ranges_of(problem_.reference.yardstick.rows());
@@ -56,15 +57,33 @@ class Solver {
     begin_ = Clock::now();
     measure_all();
     mark_front(problem_.points);
-    trace_drifts();
-    LanesEffort effort;
-    effort.seconds = 0.3;
-    std::string why_no_lanes;
-    if (options_.methods.empty()) problem_.lanes = measure_lanes(first.model, effort, why_no_lanes);
-    problem_.motion = motion_of(first.model, *first.engine, default_setting(first.model, *first.engine));
+    if (problem_.points.empty()) throw_if_ended();
+    try {
+      show_beside();
+    } catch (const Interrupted&) {
+      // The points are there.
+    }
+    problem_.was_interrupted = Interruption::is_asked_for();
   }
 
  private:
+  /// What a page has beside points; each whole, or not at all.
+  void show_beside() {
+    trace_drifts();
+    const Form& first = problem_.forms.front();
+    LanesEffort effort;
+    effort.seconds = 0.3;
+    std::string why_no_lanes;
+    if (options_.methods.empty()) {
+      auto lanes = measure_lanes(first.model, effort, why_no_lanes);
+      throw_if_ended();
+      problem_.lanes = std::move(lanes);
+    }
+    auto motion = motion_of(first.model, *first.engine, default_setting(first.model, *first.engine));
+    throw_if_ended();
+    problem_.motion = std::move(motion);
+  }
+
   /// Another description has to tell the same motion, as far as tight runs tell it at all.
   void compare_forms() {
     double own = 0;
@@ -74,6 +93,7 @@ class Solver {
       Setting setting = default_setting(form.model, *form.engine);
       setting.tolerance = k_tight;
       const DeliveredError error = error_of(form.model, *form.engine, setting, problem_.reference, form.why);
+      throw_if_ended();
       if (&form == &problem_.forms.front()) {
         own = error.value;
         form.why.clear();
@@ -167,6 +187,7 @@ class Solver {
         trace.constraints.push_back(constraints);
       };
       simulate(form.model, *form.engine, point.candidate.setting, listeners);
+      throw_if_ended();
       problem_.drifts.push_back(std::move(trace));
     }
   }

@@ -28,9 +28,10 @@ struct Problem {
   std::optional<Motion> motion;
   std::vector<LanesRow> lanes;
   std::string why;  ///< there is none
+  bool was_interrupted = false;
 };
 
-/// Nothing after an error in the file, which is reported: `code`.
+/// Nothing after an error in the file, which is reported: `code`. Throws Interrupted where nothing has been measured yet.
 std::optional<Problem> solve_problem(const std::string& file, const StudyOptions& options, int& code);
 
 }  // namespace gausssim

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <list>
+#include <optional>
 
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
@@ -44,8 +45,9 @@ std::string in_words(const Point& point, const Problem& problem) {
 }
 
 void tell(const Problem& problem) {
-  std::string text = fmt::format("{}: {} runs, reference good to {:.1e}\n", problem.name, problem.points.size(),
-                                 problem.reference.agreement);
+  std::string text =
+      fmt::format("{}: {} runs{}, reference good to {:.1e}\n", problem.name, problem.points.size(),
+                  problem.was_interrupted ? " until it was interrupted" : "", problem.reference.agreement);
   for (const double error : {1e-3, 1e-6, 1e-9, 1e-12}) {
     const Point* const best = cheapest(problem.points, error);
     text += best == nullptr
@@ -55,6 +57,15 @@ void tell(const Problem& problem) {
   cli::write_standard_output(text);
 }
 
+int say_interrupted(const std::vector<Problem>& problems, const StudyOptions& options) {
+  std::size_t runs = 0;
+  for (const Problem& problem : problems) runs += problem.points.size();
+  cli::remark(fmt::format("interrupted: the study has {} runs, of {} of {} problems", runs, problems.size(),
+                          options.files.size()),
+              options.messages);
+  return cli::k_interrupted;
+}
+
 }  // namespace
 
 int study(const StudyOptions& options) {
@@ -62,7 +73,13 @@ int study(const StudyOptions& options) {
   std::vector<Problem> problems;
   for (const std::string& file : options.files) {
     int code = cli::k_ok;
-    auto problem = solve_problem(file, options, code);
+    std::optional<Problem> problem;
+    try {
+      problem = solve_problem(file, options, code);
+    } catch (const Interrupted&) {
+      if (problems.empty()) throw;
+      break;
+    }
     if (!problem) return code;
     if (!problem->why.empty())
       cli::warn(fmt::format("{}: there is no reference: {}", problem->name, problem->why), options.messages);
@@ -77,6 +94,7 @@ int study(const StudyOptions& options) {
   files.emplace_back(options.output + ".html", page(json.dump()));
   for (cli::Replacement& file : files) file.commit();
   if (!options.quiet) cli::write_standard_output(fmt::format("wrote {0}.json, {0}.csv and {0}.html\n", options.output));
+  if (was_interrupted(problems, options)) return say_interrupted(problems, options);
   const bool tells_anything =
       std::any_of(problems.begin(), problems.end(), [](const Problem& one) { return one.why.empty(); });
   return tells_anything ? cli::k_ok : cli::k_not_delivered;

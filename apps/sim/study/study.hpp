@@ -18,7 +18,7 @@ struct StudyOptions {
   gaussgen::cli::MessageOptions messages;
 };
 
-/// Returns an exit code. Throws cli::FileError and cli::UsageError.
+/// Returns an exit code. Throws cli::FileError and cli::UsageError, and Interrupted where nothing has been measured.
 int study(const StudyOptions& options);
 
 }  // namespace gausssim

@@ -177,6 +177,10 @@ Json problem_json(const Problem& problem) {
 
 }  // namespace
 
+bool was_interrupted(const std::vector<Problem>& problems, const StudyOptions& options) {
+  return problems.size() < options.files.size() || (!problems.empty() && problems.back().was_interrupted);
+}
+
 nlohmann::ordered_json study_json(const std::vector<Problem>& problems, const StudyOptions& options) {
   const Machine machine = this_machine();
   Json json;
@@ -188,6 +192,7 @@ nlohmann::ordered_json study_json(const std::vector<Problem>& problems, const St
                      {"compiler", machine.compiler},
                      {"flags", machine.flags}};
   json["budget_s"] = options.budget;
+  json["interrupted"] = was_interrupted(problems, options);
   json["problems"] = Json::array();
   for (const Problem& problem : problems) json["problems"].push_back(problem_json(problem));
   return json;

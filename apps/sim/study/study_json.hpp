@@ -8,6 +8,9 @@
 
 namespace gausssim {
 
+/// Points or problems are missing.
+bool was_interrupted(const std::vector<Problem>& problems, const StudyOptions& options);
+
 /// docs/study-format.md.
 nlohmann::ordered_json study_json(const std::vector<Problem>& problems, const StudyOptions& options);
 

@@ -3,9 +3,11 @@
 import csv
 import json
 import math
+import signal
+import subprocess
 import unittest
 
-from gauss_sim import SPRING, Program
+from gauss_sim import PROGRAM, SPRING, Program
 
 
 class Study(Program):
@@ -19,6 +21,7 @@ class Study(Program):
     def test_what_is_measured_holds_together(self):
         points = [point for point in self.problem["points"] if point["status"] == "ok"]
         self.assertGreater(len(points), 20)
+        self.assertIs(self.study["interrupted"], False)
         with self.subTest("nobody on the front is beaten"):
             for point in points:
                 beaten = [other for other in points if other["time_s"] <= point["time_s"] and other["error"] <= point["error"]
@@ -45,6 +48,28 @@ class Study(Program):
             for trace in self.problem["drifts"]:
                 self.assertEqual(len(trace["t"]), self.problem["samples"])
                 self.assertTrue(all(math.isfinite(value) for value in trace["energy"]))
+
+
+class Interruption(Program):
+    def test_ctrl_c_leaves_what_was_measured_and_says_so(self):
+        self.write("spring.yaml", SPRING)
+        self.write("other.yaml", SPRING.replace("name: spring", "name: other"))
+        process = subprocess.Popen([PROGRAM, "study", "spring.yaml", "other.yaml"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True)
+        self.wait_for_processor(process, 4)
+        process.send_signal(signal.SIGINT)
+        table, said = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, said)
+        study = json.loads((self.folder / "study.json").read_text(encoding="utf-8"))
+        points = study["problems"][0]["points"]
+        self.assertIs(study["interrupted"], True)
+        self.assertEqual([problem["name"] for problem in study["problems"]], ["spring"])
+        self.assertTrue(any(point["status"] == "ok" for point in points))
+        self.assertIn(f"interrupted: the study has {len(points)} runs, of 1 of 2 problems", said)
+        self.assertIn(f"spring: {len(points)} runs until it was interrupted", table)
+        self.assertIn('"interrupted":true', (self.folder / "study.html").read_text(encoding="utf-8"))
+        with open(self.folder / "study.csv", encoding="utf-8", newline="") as file:
+            self.assertEqual(len(list(csv.DictReader(file))), len(points))
 
 
 # The same swing by its angle, and by its place, which a constraint holds on the circle.

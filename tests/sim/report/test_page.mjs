@@ -32,6 +32,11 @@ test('the page is one file that opens with a summary of all problems', () => wit
   const rows = await rowsOf((await section(page, 'summary')).locator('.data'));
   assert.equal(rows[0].problem, first.name);
   assert.match(await page.locator('.machine').textContent(), /gauss-sim 0.1.0.*g\+\+ 12.2.0/);
+  assert.equal(await page.locator('.interrupted').count(), 0);
+}));
+
+test('a study that was interrupted says so above everything', () => withPage({url: fileOf({...study, interrupted: true})}, async (page) => {
+  assert.match(await page.locator('header.top .interrupted').textContent(), /was interrupted/);
 }));
 
 test('every problem has every section, with a chart or a sentence', () => withPage({url}, async (page) => {

@@ -66,6 +66,10 @@ class Schema(unittest.TestCase):
                 next(point for point in study["problems"][0]["points"] if point["status"] == "failed")[key] = value
             self.refused(change)
 
+    def test_a_study_may_have_been_interrupted(self):
+        self.assertEqual(list(self.validator.iter_errors({**self.small, "interrupted": True})), [])
+        self.refused(lambda study: study.update(interrupted="yes"))
+
     def test_misspelt_keys_are_refused(self):
         self.refused(lambda study: study["problems"][0]["points"][0].update(tolerence=1e-3))
 

@@ -2,7 +2,7 @@
 
 import {readStudy} from './study.js';
 import {el} from './ui/dom.js';
-import {machineOf} from './ui/facts.js';
+import {interruptionOf, machineOf} from './ui/facts.js';
 import {ProblemPage} from './ui/problem_page.js';
 import {SummaryPage} from './ui/summary_page.js';
 import {Theme} from './ui/theme.js';
@@ -34,7 +34,7 @@ class Report {
   /** @param {import('./types.js').Study} study */
   header(study) {
     const skip = el('a', {class: 'skip', href: '#main', click: (/** @type {Event} */ event) => { event.preventDefault(); this.main.focus(); }}, 'Skip to the content');
-    return el('header', {class: 'top'}, skip, el('div', {class: 'title'}, el('div', {}, el('h1', {}, 'What accuracy costs in time'), machineOf(study)), this.theme.element),
+    return el('header', {class: 'top'}, skip, el('div', {class: 'title'}, el('div', {}, el('h1', {}, 'What accuracy costs in time'), machineOf(study), interruptionOf(study)), this.theme.element),
       el('nav', {class: 'problems', 'aria-label': 'Problems'}, ...this.links.values()));
   }
 

@@ -114,6 +114,7 @@ export interface Study {
   tool?: string;
   machine?: {processor?: string, cores?: number, system?: string, compiler?: string, flags?: string} | null;
   budget_s?: number | null;
+  interrupted?: boolean;
   problems?: Problem[];
 }
 

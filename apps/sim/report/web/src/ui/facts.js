@@ -33,5 +33,11 @@ export function factsOf(problem) {
 export function machineOf(study) {
   const machine = study.machine ?? {};
   const text = joined([machine.processor, isNumber(machine.cores) && counted(machine.cores, 'core'), machine.system, machine.compiler, machine.flags]);
-  return el('p', {class: 'machine'}, joined([study.tool, text || 'on a machine that nobody described', isNumber(study.budget_s) && `${seconds(study.budget_s)} of time for each problem`]));
+  return el('p', {class: 'machine'}, joined([study.tool, text || 'on a machine that nobody described', isNumber(study.budget_s) && `${seconds(study.budget_s)} of runs for each problem`]));
+}
+
+/** @param {import('../types.js').Study} study */
+export function interruptionOf(study) {
+  if (study.interrupted !== true) return null;
+  return el('p', {class: 'interrupted'}, 'This study was interrupted: it has what had been measured by then, and what would have come after that is missing.');
 }
