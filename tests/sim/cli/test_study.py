@@ -56,7 +56,7 @@ class Interruption(Program):
         self.write("other.yaml", SPRING.replace("name: spring", "name: other"))
         process = subprocess.Popen([PROGRAM, "study", "spring.yaml", "other.yaml"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                    text=True)
-        self.wait_for_processor(process, 4)
+        self.wait_for_processor(process, 8)
         process.send_signal(signal.SIGINT)
         table, said = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130, said)
