@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "emit/identifiers.hpp"
 #include "sim/model/layout.hpp"
@@ -14,14 +15,6 @@ namespace gausssim {
 namespace {
 
 namespace code = gaussgen::support::code;
-
-/// Outputs that depend on the state alone, and so can be sampled.
-const std::vector<std::string>& sampled_outputs() {
-  static const std::vector<std::string> k_names{"reactions", "reaction_forces", "joint_reactions",
-                                                "energy",    "mobility",        "mass_matrix",
-                                                "jacobian",  "quantities",      "poses"};
-  return k_names;
-}
 
 /// a.b is in group a, a[0] likewise.
 bool is_in(const std::string& name, const std::string& group) {
@@ -110,9 +103,37 @@ class Chooser {
   std::vector<SampledFunction> functions_;
 };
 
+/// Of a name one part of which is `part`, as far as that part; empty: there is none.
+std::string member_with(const std::string& part, const std::vector<Column>& columns) {
+  for (const Column& column : columns) {
+    for (std::size_t dot = column.name.find('.'); dot != std::string::npos; dot = column.name.find('.', dot + 1)) {
+      const std::size_t end = column.name.find_first_of(".[", dot + 1);
+      if (column.name.substr(dot + 1, end - dot - 1) == part) return column.name.substr(0, end);
+    }
+  }
+  return "";
+}
+
+std::string hint_for_output(const std::string& name, const Described& model) {
+  const Chooser chooser(model);
+  if (const std::string member = member_with(name, chooser.all()); !member.empty())
+    return "did you mean '" + member + "'?";
+  const std::string near = gaussgen::support::did_you_mean(name, output_names(model));
+  if (!near.empty()) return near;
+  return "there are " + gaussgen::support::joined(chooser.groups()) +
+         ", coordinates and speeds, and members such as energy.total";
+}
+
 std::vector<Word> usual() { return {{"state", {}}, {"energy", {}}}; }
 
 }  // namespace
+
+const std::vector<std::string>& sampled_outputs() {
+  static const std::vector<std::string> k_names{"reactions", "reaction_forces", "joint_reactions",
+                                                "energy",    "mobility",        "mass_matrix",
+                                                "jacobian",  "quantities",      "poses"};
+  return k_names;
+}
 
 std::vector<std::string> output_names(const Described& model) {
   const Chooser chooser(model);
@@ -122,17 +143,16 @@ std::vector<std::string> output_names(const Described& model) {
 }
 
 Columns choose_columns(const Described& model, const std::vector<Word>& wanted,
-                       gaussgen::support::Diagnostics& diagnostics) {
+                       gaussgen::support::Diagnostics& diagnostics, const ListEverything& list) {
   const Chooser chooser(model);
+  std::optional<Described> everything;
   std::vector<std::size_t> indices;
   for (const Word& word : wanted.empty() ? usual() : wanted) {
     const std::vector<std::size_t> found = chooser.named(word.text);
     if (found.empty() && !wanted.empty()) {
-      const std::string near = gaussgen::support::did_you_mean(word.text, output_names(model));
+      if (!everything) everything = list ? list() : model;
       diagnostics.error(code::k_wrong_reference, word.span, fmt::format("the model has no output '{}'", word.text),
-                        near.empty() ? "there are " + gaussgen::support::joined(chooser.groups()) +
-                                           ", coordinates and speeds, and members such as energy.total"
-                                     : near);
+                        hint_for_output(word.text, *everything));
     }
     for (const std::size_t i : found) {
       if (std::find(indices.begin(), indices.end(), i) == indices.end()) indices.push_back(i);

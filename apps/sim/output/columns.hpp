@@ -1,6 +1,7 @@
 #pragma once
 // What a run writes: numbers at each sample, by the names that users know.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,12 +30,18 @@ struct Columns {
   std::vector<SampledFunction> functions;
 };
 
+/// Outputs of the generator that depend on the state alone, and so can be sampled.
+const std::vector<std::string>& sampled_outputs();
+
 /// What can be asked for: groups first, then single numbers.
 std::vector<std::string> output_names(const Described& model);
 
+/// The model with all that could be asked for, also what this run leaves out; asked only where a name is unknown.
+using ListEverything = std::function<Described()>;
+
 /// `wanted`, or what everybody wants: coordinates, speeds, and the energy where the model has one. Reports unknown names.
 Columns choose_columns(const Described& model, const std::vector<Word>& wanted,
-                       gaussgen::support::Diagnostics& diagnostics);
+                       gaussgen::support::Diagnostics& diagnostics, const ListEverything& list = nullptr);
 
 /// The outputs of the generator that names of outputs need, known before it runs; what is no output of it is left out.
 std::vector<std::string> generator_outputs(const std::vector<Word>& wanted);

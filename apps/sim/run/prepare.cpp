@@ -12,6 +12,7 @@
 #include "cli/files.hpp"
 #include "cli/overrides.hpp"
 #include "cli/usage_error.hpp"
+#include "ir/graph.hpp"
 #include "mechanics.hpp"
 #include "model/evaluate.hpp"
 #include "model/impossible.hpp"
@@ -244,6 +245,18 @@ gaussgen::Strategy strategy_of(const Scene& scene) {
   return Strategy::automatic;
 }
 
+/// Whoever asks for what is not there is told of all that could be.
+std::optional<gaussgen::PipelineResult> with_all_outputs(Source& source, gaussgen::PipelineOptions options) {
+  options.plain = true;
+  options.where_possible = sampled_outputs();
+  Diagnostics ignored;
+  try {
+    return compile(source, options, ignored, nullptr);
+  } catch (const gaussgen::ir::TooManyNodes&) {
+    return std::nullopt;
+  }
+}
+
 /// Nobody has asked for what is empty, where outputs were chosen for the user.
 Diagnostics without_empty_outputs(const Diagnostics& all) {
   Diagnostics kept;
@@ -328,7 +341,11 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
   }
   result.operations = operations_of_rates(*compiled);
   result.model = {std::move(compiled->tree), std::move(compiled->unit)};
-  result.columns = choose_columns(result.model, result.scene.outputs, in_values);
+  const auto everything = [&] {
+    auto all = with_all_outputs(source, options);
+    return all ? Described{std::move(all->tree), std::move(all->unit)} : result.model;
+  };
+  result.columns = choose_columns(result.model, result.scene.outputs, in_values, everything);
   check_exact(result.scene, result.columns, parameters, in_values);
   take_exact_of_model(closed_forms, result.columns, result.span, parameters, result.scene);
   // Those of the command line have no place in the file.

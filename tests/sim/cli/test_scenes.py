@@ -3,7 +3,7 @@
 import math
 import unittest
 
-from gauss_sim import SPRING, Program
+from gauss_sim import MODELS, SPRING, Program
 
 SCENE = """gauss: 1
 scene: slow_swing
@@ -59,6 +59,17 @@ class Scenes(Program):
         said = self.mistake(SCENE.replace("outputs: [x]", "outputs: [x, x_dott]"))
         self.assertIn("scene.yaml:8:14: error[E024]", said)
         self.assertIn("did you mean 'x_dot'?", said)
+
+    def test_an_unknown_output_is_answered_by_all_that_there_could_be(self):
+        scene = f"gauss: 1\nmodel: {MODELS / 'double_pendulum.yaml'}\noutputs: [{{}}]\n"
+        self.assertIn("did you mean 'quantities.tip'?", self.mistake(scene.format("tip")))
+        self.assertIn("did you mean 'energy.total'?", self.mistake(scene.format("total")))
+        self.assertIn("did you mean 'poses.upper'?", self.mistake(scene.format("upper")))
+        said = self.mistake(scene.format("nothing_like_it"))
+        for group in ("state", "accelerations", "joint_reactions", "energy", "mass_matrix", "jacobian", "quantities", "poses"):
+            self.assertRegex(said, rf"there are .*\b{group}, ")
+        self.assertNotIn(" reactions,", said)
+        self.assertIn("did you mean 'quantities.tip'?", self.refused(2, "run", MODELS / "double_pendulum.yaml", "--outputs", "tip"))
 
     def test_closed_forms_are_of_columns_over_time_and_parameters(self):
         said = self.mistake(SCENE + "exact: {x: cos(w*t), x_dot: 1}\n")
