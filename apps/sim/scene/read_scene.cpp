@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/fields.hpp"
 #include "sim/scene/choices.hpp"
 #include "sim/scene/read_ensemble.hpp"
@@ -40,7 +42,7 @@ class SceneReader {
   Scene read() {
     model::check_keys(root_, k_where, keys(), reading_);
     check_version();
-    scene_.name = model::text_field(root_, "scene", reading_);
+    read_name();
     scene_.about = model::text_field(root_, "about", reading_);
     if (const spec::Node* const file = model::required(root_, "model", root_.span, k_where, reading_)) {
       if (model::expect_scalar(*file, root_.span, "'model'", reading_)) scene_.model = {file->scalar.text, file->span};
@@ -83,6 +85,22 @@ class SceneReader {
     const spec::Node* const version = model::required(root_, "gauss", root_.span, k_where, reading_);
     if (version == nullptr || version->scalar.text == "1") return;
     error(code::k_format_version, version->span, "this program reads version 1 of the format", "write 'gauss: 1'");
+  }
+
+  /// It names files beside each other, so it must not lead elsewhere.
+  void read_name() {
+    const spec::Node* const node = spec::find(root_, "scene");
+    if (node == nullptr || node->kind == spec::NodeKind::empty) return;
+    if (!model::expect_scalar(*node, root_.span, "'scene'", reading_)) return;
+    scene_.name = node->scalar.text;
+    const std::string& name = scene_.name;
+    const bool is_folder = name.empty() || name == "." || name == "..";
+    const bool has_separator =
+        std::any_of(name.begin(), name.end(), [](unsigned char c) { return c == '/' || c == '\\' || c < ' '; });
+    if (is_folder || has_separator)
+      error(code::k_invalid_name, node->span, fmt::format("'{}' cannot name files", name),
+            "a name has no '/', no '\\' and no control characters, and is not '.' or '..'; -o says where a table is "
+            "written");
   }
 
   void read_counts() {

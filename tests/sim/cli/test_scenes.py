@@ -71,6 +71,16 @@ class Scenes(Program):
         self.assertNotIn(" reactions,", said)
         self.assertIn("did you mean 'quantities.tip'?", self.refused(2, "run", MODELS / "double_pendulum.yaml", "--outputs", "tip"))
 
+    def test_names_of_scenes_lead_nowhere_else(self):
+        for name in ("../evil", "/tmp/evil", "a/b", "'a\\b'", "..", ".", "''", '"a\\nb"'):
+            with self.subTest(name):
+                said = self.mistake(SCENE.replace("slow_swing", name))
+                self.assertIn("scene.yaml:2:8: error[E020]", said)
+                self.assertIn("cannot name files", said)
+        self.write("scene.yaml", SCENE.replace("slow_swing", "../ev..il").replace("../", ""))
+        self.ok("run", "scene.yaml", "-q")
+        self.assertIn("ev..il.csv", self.files())
+
     def test_closed_forms_are_of_columns_over_time_and_parameters(self):
         said = self.mistake(SCENE + "exact: {x: cos(w*t), x_dot: 1}\n")
         self.assertIn("scene.yaml:10:12: error[E024]: a closed form is made of t", said)
