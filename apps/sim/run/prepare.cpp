@@ -110,8 +110,7 @@ class SpanReader {
     // Times of samples are to be told from each other.
     const double between = span.duration / static_cast<double>(span.samples - 1);
     if (scene_.start && !diagnostics_.has_errors() && !(span.start + between > span.start))
-      diagnostics_.error(code::k_out_of_range, scene_.start->span,
-                         fmt::format("in double, {:.6g} s later is the same time", between));
+      refuse(*scene_.start, "start", fmt::format("in double, {:.6g} s later is the same time", between));
     return span;
   }
 
@@ -125,8 +124,8 @@ class SpanReader {
       const double end = count * value(scene_.every, "every", span.duration, true);
       if (end < span.duration * (1 - 1e-12)) span.duration = end;
     } else if (!diagnostics_.has_errors()) {
-      diagnostics_.error(code::k_out_of_range, scene_.every->span,
-                         fmt::format("this makes {} samples; there may be from 2 to {}", count + 1, k_most));
+      refuse(*scene_.every, "every",
+             fmt::format("this makes {} samples; there may be from 2 to {}", count + 1, k_most));
     }
   }
 
@@ -134,12 +133,16 @@ class SpanReader {
     if (!ast) return otherwise;
     const auto found = model::value_of(*ast, values_);
     if (found && std::isfinite(*found) && (!is_positive || *found > 0)) return *found;
-    if (!ast->text.empty())
-      throw cli::UsageError(fmt::format("--{} must be a number{}", key, is_positive ? " above 0" : ""));
-    diagnostics_.error(code::k_out_of_range, ast->span,
-                       fmt::format("'{}' must be a number{}", key, is_positive ? " above 0" : ""),
-                       found ? "" : "it may be made of numbers, pi and parameters of the model");
+    refuse(*ast, key, fmt::format("'{}' must be a number{}", key, is_positive ? " above 0" : ""),
+           found ? "" : "it may be made of numbers, pi and parameters of the model");
     return otherwise;
+  }
+
+  /// Options have no place in the file.
+  void refuse(const model::Ast& ast, const char* key, const std::string& message, const std::string& hint = "") {
+    if (!ast.text.empty())
+      throw cli::UsageError(fmt::format("--{} {}: {}{}{}", key, ast.text, message, hint.empty() ? "" : "; ", hint));
+    diagnostics_.error(code::k_out_of_range, ast.span, message, hint);
   }
 
   const Scene& scene_;

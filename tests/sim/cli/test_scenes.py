@@ -114,6 +114,17 @@ class Scenes(Program):
         for words in (("--method", "dopri6"), ("--duration", "-1"), ("--samples", "1"), ("--outputs", "y"), ("--set", "y=1"), ("--duration", "2*")):
             self.assertNotEqual(self.refused(2, "run", "spring.yaml", *words), "", words)
 
+    def test_a_time_that_an_option_says_wrong_is_told_of_the_option(self):
+        self.write("scene.yaml", SCENE)
+        for words, why in ((("--every", "20"), "this makes 1 samples"), (("--every", "0"), "must be a number above 0"), (("--start", "nonsense"), "must be a number; it may be made of"),
+                           (("--start", "1e300"), "is the same time"), (("--duration", "-m"), "must be a number above 0"), (("--duration", "1/0"), "--duration")):
+            for file in ("spring.yaml", "scene.yaml"):
+                with self.subTest((file, words)):
+                    said = self.refused(2, "run", file, *words)
+                    self.assertIn(f"{words[0]}", said)
+                    self.assertIn(why, said)
+                    self.assertNotIn(f"{file}:", said)
+
 
 if __name__ == "__main__":
     unittest.main()
