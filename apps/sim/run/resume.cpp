@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <system_error>
 
 #include "cli/files.hpp"
 #include "cli/usage_error.hpp"
@@ -85,6 +88,30 @@ bool is_number(const std::string& text) {
   return !text.empty() && *end == '\0' && std::isfinite(value);
 }
 
+/// Also nan and inf, which tables have where an output is not to be trusted.
+bool is_row(std::string_view row, std::size_t width) {
+  for (std::size_t cell = 0; cell < width; ++cell) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(row.data(), row.data() + row.size(), value);
+    if (error == std::errc::invalid_argument) return false;
+    row.remove_prefix(static_cast<std::size_t>(end - row.data()));
+    const bool is_last = cell + 1 == width;
+    if (is_last) return row.empty();
+    if (row.empty() || row.front() != ',') return false;
+    row.remove_prefix(1);
+  }
+  return false;
+}
+
+void check_rows(std::string_view rows, const std::string& csv, std::size_t width) {
+  for (long line = 2; !rows.empty(); ++line) {
+    const std::size_t end = rows.find('\n');
+    if (!is_row(rows.substr(0, end), width))
+      cli::fail_on(csv, fmt::format("line {} is no row of {} numbers, so this is no table to go on with", line, width));
+    rows.remove_prefix(end + 1);
+  }
+}
+
 /// The header and a row for each sample, and nothing else.
 void check_table(const std::string& table, const std::string& csv, const PreparedModel& prepared, long samples) {
   const std::string header = csv_header(prepared.columns.columns);
@@ -93,6 +120,7 @@ void check_table(const std::string& table, const std::string& csv, const Prepare
   const auto lines = std::count(table.begin() + static_cast<std::ptrdiff_t>(header.size()), table.end(), '\n');
   if (lines != samples || table.back() != '\n')
     cli::fail_on(csv, fmt::format("it has {} rows where its summary says {}", lines, samples));
+  check_rows(std::string_view(table).substr(header.size()), csv, prepared.columns.columns.size() + 1);
 }
 
 gauss::Status status_of(const std::string& name) {

@@ -134,6 +134,18 @@ class Resuming(Program):
             self.write("spring.json", text)
             self.refused(3, "run", "spring.yaml", "--resume", *BY_STEPS)
 
+    def test_rows_that_are_no_numbers_are_not_gone_on_from(self):
+        self.interrupted(*BY_STEPS)
+        lines = (self.folder / "spring.csv").read_text().splitlines(keepends=True)
+        cells = lines[4].rstrip("\n").split(",")
+        for row in ("rubbish", "", ",".join(cells[:-1]), ",".join([*cells, "1"]), ",".join([*cells[:-1], "1x"]), ",".join([*cells[:-1], ""])):
+            with self.subTest(row):
+                self.write("spring.csv", "".join([*lines[:4], row + "\n", *lines[5:]]))
+                self.assertIn("spring.csv: line 5 is no row of", self.refused(3, "run", "spring.yaml", "-q", "--resume", *BY_STEPS))
+        with self.subTest("what overflows is a number"):
+            self.write("spring.csv", "".join([*lines[:4], ",".join([*cells[:-1], "-nan"]) + "\n", *lines[5:]]))
+            self.ok("run", "spring.yaml", "-q", "--resume", *BY_STEPS)
+
     def test_a_state_that_is_no_number_is_not_gone_on_from(self):
         self.interrupted(*BY_STEPS)
         summary = self.summary("spring.json")
