@@ -70,7 +70,8 @@ class SceneValues {
                          fmt::format("'{}' is no {} of the model", given.name, what));
       return;
     }
-    give(overrides, given);
+    const bool is_known_input = kind == model::SymbolKind::input && symbol != in.symbols.end();
+    give(overrides, given, is_known_input ? k_of_inputs : "");
   }
 
   void set_initial(cli::Overrides& overrides, const model::Model& in, const Given& given) {
@@ -83,13 +84,17 @@ class SceneValues {
                        fmt::format("it belongs under '{}'", is_input ? "inputs" : "parameters"));
   }
 
-  void give(cli::Overrides& overrides, const Given& given) {
+  void give(cli::Overrides& overrides, const Given& given, const char* hint = "") {
     try {
       overrides.set("--set " + given.name, given.name, given.value);
     } catch (const cli::UsageError& error) {
-      diagnostics_.error(code::k_wrong_reference, given.span, without_option(error.what()));
+      diagnostics_.error(code::k_wrong_reference, given.span, without_option(error.what()), hint);
     }
   }
+
+  static constexpr const char* k_of_inputs =
+      "an input has one value during a run; write what changes with t or the motion into the force of the model, in "
+      "place of the input, as F*sin(w*t)";
 
   const Scene& scene_;
   Diagnostics& diagnostics_;

@@ -81,6 +81,26 @@ class Scenes(Program):
         self.ok("run", "scene.yaml", "-q")
         self.assertIn("ev..il.csv", self.files())
 
+    def test_an_input_keeps_its_value_and_the_hint_says_what_to_do_instead(self):
+        pushed = SPRING.replace("  k: {", "  w: {value: 1, unit: rad/s}\n  F: {value: 2, unit: N}\n  k: {").replace("forces:\n", "inputs: {push: {value: 4, unit: N}}\nforces:\n  hand: {generalized: {x: push}}\n")
+        self.write("pushed.yaml", pushed)
+        scene = "gauss: 1\nscene: pushed\nmodel: pushed.yaml\noutputs: [x]\n"
+        said = self.mistake(scene + "inputs: {push: F*sin(w*t)}\n")
+        self.assertIn("scene.yaml:5:10: error[E024]: 't' is not a parameter of the model", said)
+        self.assertIn("write what changes with t or the motion into the force of the model, in place of the input, as F*sin(w*t)", said)
+        self.write("scene.yaml", scene)
+        self.write("pushed.yaml", pushed.replace("{x: push}", "{x: F*sin(w*t)}").replace("inputs: {push: {value: 4, unit: N}}\n", ""))
+        self.ok("run", "scene.yaml", "-q")
+        table = self.table("pushed.csv")
+        for t, x in zip(table["t [s]"], table["x [m]"]):
+            self.assertAlmostEqual(x, math.cos(2 * t) + math.sin(t) / 3 - math.sin(2 * t) / 6, delta=1e-7)
+        with self.subTest("the value of the model counts where the scene says nothing"):
+            self.write("pushed.yaml", pushed)
+            self.ok("run", "scene.yaml", "-q")
+            table = self.table("pushed.csv")
+            for t, x in zip(table["t [s]"], table["x [m]"]):
+                self.assertAlmostEqual(x, (1 + math.cos(2 * t)) / 2, delta=1e-7)
+
     def test_closed_forms_are_of_columns_over_time_and_parameters(self):
         said = self.mistake(SCENE + "exact: {x: cos(w*t), x_dot: 1}\n")
         self.assertIn("scene.yaml:10:12: error[E024]: a closed form is made of t", said)
