@@ -121,7 +121,7 @@ int ensemble(const EnsembleOptions& options) {
     ProgressBar bar(!options.quiet);
     EnsembleListeners listeners;
     listeners.on_rows = [&](const std::string& rows) { file.write(rows); };
-    listeners.on_wait = [&](double share) { bar.show(share, prepared->model.unit.model_name); };
+    listeners.on_wait = [&](double share) { bar.show(share, prepared->name()); };
     outcomes = run_all(*prepared, *engine, setting, {&plan, &places}, listeners);
     was_interrupted = Interruption::is_asked_for() && outcomes.run() < plan.count();
   }

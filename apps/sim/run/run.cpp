@@ -317,7 +317,7 @@ int run(const RunOptions& options, const FindSetting& find) {
     Listeners listeners;
     listeners.on_row = [&](const std::string& row, double share) {
       file.write(row);
-      bar.show(share, prepared->model.unit.model_name);
+      bar.show(share, prepared->name());
       return true;
     };
     listeners.on_numbers = [&](long k, const std::vector<long double>& row) { rows.set(k, row); };

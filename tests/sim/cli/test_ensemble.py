@@ -70,6 +70,11 @@ class Motions(Ensembles):
         v = w * (b * math.cos(w * t) - a * math.sin(w * t))
         return max(abs(n["x [m]"] - x), abs(n["x_dot [m/s]"] - v))
 
+    def test_what_is_said_names_the_scene(self):
+        self.write("spring.yaml", SPRING)
+        self.write("scene.yaml", SCENE)
+        self.assertRegex(self.ok("ensemble", "scene.yaml"), r"^many: 100 trajectories by ")
+
     def test_each_trajectory_is_its_closed_form(self):
         for options in ((), ("--lanes", "1"), ("--method", "fehlberg78"), ("--number", "long-double")):
             self.run_ensemble(SCENE, *options)

@@ -83,6 +83,14 @@ class Writing(Program):
         error = self.summary("spring.json").get("error_estimate")
         self.assertTrue(error is None or error["relative"] > 0.01, error)
 
+    def test_progress_on_a_terminal_names_the_scene(self):
+        self.write("scene.yaml", "gauss: 1\nscene: long_swing\nmodel: spring.yaml\nmethod: rk4\nstep: 1e-7\nduration: 1\n")
+        terminal, stderr = os.openpty()
+        self.addCleanup(os.close, terminal)
+        subprocess.run([PROGRAM, "run", "scene.yaml"], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=stderr, timeout=120, check=True)
+        os.close(stderr)
+        self.assertIn(" %  long_swing  ", os.read(terminal, 4096).decode())
+
     def test_what_is_not_used_is_said(self):
         for options, said in ((["--method", "rk4", "--tolerance", "1e-3"], "the tolerance is not used"), (["--step", "1e-3"], "the step is not used"),
                               (["--tolerance", "1e-20"], "brings nothing")):
