@@ -29,6 +29,7 @@ namespace cli = gaussgen::cli;
 using gauss::simulate::Outcome;
 
 constexpr double k_tighter = 1.0 / 30;  ///< tolerance of the run that tells errors
+constexpr int k_longer = 20;            ///< times what the run took; then a tighter one is given up
 constexpr double k_long_run = 5;        ///< seconds; not made twice unless somebody asks
 
 std::string csv_path(const RunOptions& options, const PreparedModel& prepared) {
@@ -49,6 +50,7 @@ struct Estimate : DeliveredError {
 /// What is known of errors; nothing where it is not.
 struct KnownErrors {
   std::optional<Estimate> estimate;
+  std::string why_none;  ///< of the estimate
   std::optional<DeliveredError> from_closed_forms;
 };
 
@@ -148,7 +150,8 @@ void tell(const RunOptions& options, const PreparedModel& prepared, const Settin
   if (found)
     text += fmt::format("  asked   for {} of the range; found by trying, against {}\n", said(*prepared.scene.error),
                         found->reference_in_words);
-  if (errors.estimate) text += fmt::format("  error   {}\n", in_words(*errors.estimate));
+  text +=
+      fmt::format("  error   {}\n", errors.estimate ? in_words(*errors.estimate) : "not estimated: " + errors.why_none);
   if (errors.from_closed_forms) text += fmt::format("  exact   off by {}\n", in_words(*errors.from_closed_forms));
   if (run.drift.has_energy)
     text += fmt::format("  energy  changes by {} J of {} J\n", said(run.drift.energy), said(run.drift.energy_scale));
@@ -237,21 +240,40 @@ Setting tighter(Setting setting, const Simulated& run, const Span& span) {
   return by_other_terms(setting);
 }
 
-/// What a tighter run makes of errors; nothing where that is no other run, or does not arrive.
+/// Why a run that should be tighter says nothing of errors; empty: it does.
+std::string why_no_yardstick(const Simulated& reference, const Simulated& run) {
+  if (Interruption::is_asked_for()) return "interrupted while a tighter run was made";
+  if (reference.steps == run.steps && reference.calls == run.calls) return "a tighter run takes the same steps";
+  const bool arrives = reference.outcome == Outcome::running || reference.samples >= run.samples;
+  if (arrives) return "";
+  return reference.outcome == Outcome::interrupted
+             ? fmt::format("a tighter run takes {} times as long and more", k_longer)
+             : std::string("a tighter run stops before: ") + gauss::simulate::name(reference.outcome);
+}
+
+/// What a tighter run makes of errors; nothing, and `why`, where that is no other run, or does not arrive.
 std::optional<Yardstick> yardstick_of(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
-                                      const Simulated& run, const Rows& rows) {
+                                      const Simulated& run, const Rows& rows, std::string& why) {
   // Of a motion that a tighter run takes far longer for, nothing is said.
-  constexpr double k_least_limit = 2, k_longer = 20;
+  constexpr double k_least_limit = 2;
   const TimeLimit limit(k_least_limit + k_longer * run.wall_seconds);
   const Setting other = tighter(setting, run, prepared.span);
   RunInRows reference = in_rows(prepared, engine, other, Meter::none);
-  const bool is_other = reference.run.steps != run.steps || reference.run.calls != run.calls;
-  const bool arrives = reference.run.outcome == Outcome::running || reference.run.samples >= run.samples;
-  if (!is_other || !arrives || Interruption::is_asked_for()) return std::nullopt;
+  why = why_no_yardstick(reference.run, run);
+  if (!why.empty()) return std::nullopt;
   constexpr double k_of_steps = 1e-9;  ///< nobody knows their tolerance
   const double tolerance = other.tolerance > 0 ? other.tolerance : k_of_steps;
   return Yardstick(std::move(reference.rows), rows, prepared.columns.columns, least_range(tolerance),
                    least_tolerance(setting.number));
+}
+
+/// Why no tighter run is made; empty: one is.
+std::string why_not_estimated(const Simulated& run, bool goes_on) {
+  if (goes_on) return "the run went on from an earlier one";
+  if (run.was_interrupted) return "the run was interrupted";
+  if (run.samples <= 1) return "the motion stopped before the second row";
+  if (run.wall_seconds >= k_long_run) return fmt::format("runs of more than {} s are not made twice", k_long_run);
+  return "";
 }
 
 DeliveredError from_closed_forms(const ClosedForms& forms, const PreparedModel& prepared, const Setting& setting,
@@ -328,13 +350,15 @@ int run(const RunOptions& options, const FindSetting& find) {
     const bool is_setting = simulated.outcome == Outcome::bad_settings;
     return cli::fail(simulated.why, is_setting ? cli::k_usage_error : cli::k_motion_stopped, options.messages);
   }
+  KnownErrors errors;
   std::optional<Yardstick> yardstick;
   if (found && !earlier) {
     yardstick = std::move(found->reference);
-  } else if (simulated.samples > 1 && simulated.wall_seconds < k_long_run && !simulated.was_interrupted && !earlier) {
-    yardstick = yardstick_of(*prepared, *engine, setting, simulated, rows);
+  } else {
+    errors.why_none = why_not_estimated(simulated, earlier.has_value());
+    if (errors.why_none.empty())
+      yardstick = yardstick_of(*prepared, *engine, setting, simulated, rows, errors.why_none);
   }
-  KnownErrors errors;
   if (yardstick) errors.estimate = Estimate{yardstick->error_of(rows), yardstick->constants()};
   if (const ClosedForms forms(*prepared); forms.are_there() && !earlier)
     errors.from_closed_forms = from_closed_forms(forms, *prepared, setting, rows);

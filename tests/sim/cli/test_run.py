@@ -83,6 +83,15 @@ class Writing(Program):
         error = self.summary("spring.json").get("error_estimate")
         self.assertTrue(error is None or error["relative"] > 0.01, error)
 
+    def test_why_there_is_no_estimate_is_said(self):
+        for options, why in ((["--method", "rk4", "--step", "100", "--samples", "11"], None), (["--method", "rk4", "--step", "1e-7", "--duration", "9", "--engine", "interpreted"], "runs of more than 5 s are not made twice")):
+            with self.subTest(options):
+                said = self.ok("run", "spring.yaml", *options)
+                self.assertRegex(said, rf"\n  error   (not estimated: {why}|.* of the range.*)\n")
+                self.assertEqual("error_estimate" in self.summary("spring.json"), "not estimated" not in said)
+                if why:
+                    self.assertIn(why, said)
+
     def test_progress_on_a_terminal_names_the_scene(self):
         self.write("scene.yaml", "gauss: 1\nscene: long_swing\nmodel: spring.yaml\nmethod: rk4\nstep: 1e-7\nduration: 1\n")
         terminal, stderr = os.openpty()
