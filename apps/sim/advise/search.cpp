@@ -10,6 +10,7 @@
 #include "sim/advise/reference.hpp"
 #include "sim/run/in_rows.hpp"
 #include "sim/run/interruption.hpp"
+#include "sim/run/jumps.hpp"
 #include "sim/run/progress_bar.hpp"
 #include "sim/run/setting.hpp"
 
@@ -116,8 +117,9 @@ class Search {
         error_(wanted.error),
         bar_(wanted.is_told),
         limit_(wanted.budget),
-        too_long_(fmt::format("no setting for an error of {:.1e} was found in {:.3g} s; --budget gives it more",
-                              wanted.error, wanted.budget)),
+        too_long_(fmt::format("no setting for an error of {:.1e} was found in {:.3g} s; {}", wanted.error,
+                              wanted.budget,
+                              prepared.edge.empty() ? "--budget gives it more" : hint_for_edge(prepared.edge))),
         longest_step_(prepared.scene.longest_step.value_or(0)) {}
 
   std::optional<FoundSetting> run(std::string& why) {

@@ -101,6 +101,9 @@ void add_run(CLI::App& app, RunOptions& options) {
   add_setting(run, options);
   add_error(run, options,
             "largest error of all columns, relative to their ranges: finds a method and a tolerance that deliver it");
+  run->add_option("--max-steps", options.max_steps, "no more steps than this, default 100000000; the table ends there")
+      ->type_name("N")
+      ->check(CLI::Range(1L, 1'000'000'000'000L));
   run->add_flag("--resume", options.resume, "go on from the table and the summary that an interrupted run has left");
   add_messages(*run, options.messages);
 }

@@ -18,6 +18,7 @@
 #include "model/impossible.hpp"
 #include "pipeline.hpp"
 #include "sim/model/layout.hpp"
+#include "sim/run/jumps.hpp"
 #include "sim/scene/read_scene.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
@@ -327,6 +328,7 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
     parameters = model::parameter_values(read);
     check_bodies(result.scene, request.sets, read, in_values);
     for (const model::Parameter& one : read.parameters) result.parameters.emplace_back(one.name.text, one.value);
+    result.edge = function_with_edge(read);
     if (set_parameters_alone(request.sets, read)) closed_forms = read.exact;
     result.span = SpanReader(result.scene, parameters, in_values).read();
     if (in_values.has_errors()) throw BadScene{};

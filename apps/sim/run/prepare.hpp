@@ -41,6 +41,7 @@ struct PreparedModel {
   std::string model_file;
   double generate_seconds = 0;
   int operations = 0;        ///< of the rates
+  std::string edge;          ///< a function in what acts that jumps or has a kink; empty: all of it is smooth
   bool wants_gains = false;  ///< the projection `gains` may be asked for
 
   /// Of the scene, else of the model: names files and problems.

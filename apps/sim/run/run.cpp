@@ -16,6 +16,7 @@
 #include "sim/run/error_estimate.hpp"
 #include "sim/run/in_rows.hpp"
 #include "sim/run/interruption.hpp"
+#include "sim/run/jumps.hpp"
 #include "sim/run/progress_bar.hpp"
 #include "sim/run/resume.hpp"
 #include "sim/run/settings.hpp"
@@ -176,10 +177,11 @@ int code_of(const Simulated& run, const PreparedModel& prepared, const cli::Mess
   }
   if (run.outcome == Outcome::running) return cli::k_ok;
   const std::string why = run.why.empty() ? gauss::simulate::name(run.outcome) : run.why;
+  const bool is_at_edge = run.outcome == Outcome::too_many_steps && !prepared.edge.empty();
   return cli::fail(
       fmt::format("the motion of '{}' stops at t = {:.10g}: {}{}", prepared.model.unit.model_name, run.reached, why,
                   run.status == gauss::Status::ok ? "" : std::string(" (status: ") + gauss::name(run.status) + ")"),
-      cli::k_motion_stopped, messages);
+      cli::k_motion_stopped, messages, is_at_edge ? hint_for_edge(prepared.edge) : "");
 }
 
 /// Of motions that nobody can follow, or not with this tolerance.
@@ -228,6 +230,7 @@ void warn_of_tolerance(const Setting& setting, const cli::MessageOptions& messag
 
 /// Closer to the motion, by other terms. Where samples are closer than steps would be, a tolerance alone changes nothing, nor does a step.
 Setting tighter(Setting setting, const Simulated& run, const Span& span) {
+  setting.most_steps = 0;
   constexpr double k_shorter = 0.5;
   const double taken = span.duration / static_cast<double>(std::max(run.steps, 1L));
   if (setting.tolerance > 0) {
@@ -319,6 +322,7 @@ int run(const RunOptions& options, const FindSetting& find) {
     engine = engines.of(setting.number);
   }
   limit.reset();
+  setting.most_steps = options.max_steps.value_or(0);
   const Times times{prepared->generate_seconds, engines.times()};
   warn_of_tolerance(setting, options.messages);
   warn_of_unused(prepared->scene, setting, options.messages);

@@ -18,7 +18,7 @@ struct RunOptions {
   std::string start, duration, every;                              ///< expressions
   std::optional<double> tolerance, step, longest_step, error;
   double budget = Wanted().budget;  ///< of the search for a setting
-  std::optional<long> samples;
+  std::optional<long> samples, max_steps;
   bool quiet = false;
   bool resume = false;  ///< goes on from what an interrupted run has left
   gaussgen::cli::MessageOptions messages;

@@ -18,6 +18,7 @@ struct Setting {
   int order = 0;                   ///< of series; 0: by the tolerance
   double tolerance = 0, step = 0;  ///< one of the two, as the method takes it; 0: the other
   double longest_step = 0;         ///< 0: any
+  long most_steps = 0;             ///< 0: as methods have it
   Projection projection = Projection::full;
   double gain = 10;  ///< 1/s, of projection `gains`
 };
@@ -31,6 +32,7 @@ MethodSettings<S> method_settings(const Setting& setting) {
   settings.projection = setting.projection;
   settings.order = setting.order;
   settings.longest_step = S(setting.longest_step);
+  if (setting.most_steps > 0) settings.most_steps = setting.most_steps;
   settings.ends = ends_steps;
   return settings;
 }

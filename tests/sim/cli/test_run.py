@@ -92,6 +92,23 @@ class Writing(Program):
                 if why:
                     self.assertIn(why, said)
 
+    def test_where_a_force_jumps_steps_are_said_to_become_short(self):
+        """A bob that friction has stopped, and that the spring would pull back and forth over the jump."""
+        rubbed = SPRING.replace("name: spring", "name: rubbed").replace("  k: {", "  F: {value: 3, unit: N}\n  eps: {value: 1e-3, unit: m/s}\n  k: {").replace("forces:\n", "forces:\n  friction: {generalized: {x: -F*LAW}}\n")
+        self.write("rubbed.yaml", rubbed.replace("LAW", "sign(dot(x))"))
+        result = self.run_it("run", "rubbed.yaml", "--max-steps", "20000")
+        self.assertEqual(result.returncode, 5, result.stderr)
+        self.assertIn("too many steps", result.stderr)
+        self.assertIn("steps become short where a force has a jump or a kink, as by sign(...)", result.stderr)
+        self.assertEqual(self.summary("rubbed.json")["steps"], 20000)
+        with self.subTest("the hint helps"):
+            self.write("rubbed.yaml", rubbed.replace("LAW", "tanh(dot(x)/eps)"))
+            self.ok("run", "rubbed.yaml", "--max-steps", "20000", "-q")
+        with self.subTest("nothing jumps"):
+            said = self.run_it("run", "rubbed.yaml", "--max-steps", "20", "-q").stderr
+            self.assertIn("too many steps", said)
+            self.assertNotIn("jump", said)
+
     def test_progress_on_a_terminal_names_the_scene(self):
         self.write("scene.yaml", "gauss: 1\nscene: long_swing\nmodel: spring.yaml\nmethod: rk4\nstep: 1e-7\nduration: 1\n")
         terminal, stderr = os.openpty()

@@ -1,0 +1,75 @@
+#include "sim/run/jumps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "model/expressions.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace model = gaussgen::model;
+
+class Edges {
+ public:
+  explicit Edges(const model::Model& of) : model_(of) {}
+
+  void visit(const model::Ast& ast) {
+    if (ast.kind == model::AstKind::call && changes(ast)) note(ast);
+    for (const model::Ast& child : ast.children) visit(child);
+  }
+
+  std::string hardest() const { return found_.empty() ? "" : found_.begin()->second; }
+
+ private:
+  /// Jumps first, then kinks.
+  void note(const model::Ast& ast) {
+    static const std::map<std::string, int> k_hardness{
+        {"sign", 0}, {"piecewise", 1}, {"abs", 2}, {"min", 2}, {"max", 2}};
+    if (ast.table != nullptr) {
+      if (ast.table->degree() <= 1) found_.insert({3, ast.name});
+    } else if (const auto one = k_hardness.find(ast.name); one != k_hardness.end()) {
+      found_.insert({one->second, ast.name});
+    }
+  }
+
+  bool changes(const model::Ast& ast) const {
+    if (ast.kind == model::AstKind::symbol) {
+      const auto symbol = model_.symbols.find(ast.name);
+      const bool is_fixed = symbol == model_.symbols.end() || symbol->second.kind == model::SymbolKind::pi ||
+                            symbol->second.kind == model::SymbolKind::parameter ||
+                            symbol->second.kind == model::SymbolKind::input;
+      return !is_fixed;
+    }
+    return std::any_of(ast.children.begin(), ast.children.end(), [this](const auto& child) { return changes(child); });
+  }
+
+  const model::Model& model_;
+  std::set<std::pair<int, std::string>> found_;
+};
+
+}  // namespace
+
+std::string function_with_edge(const model::Model& of) {
+  Edges edges(of);
+  model::for_each_slot(of, [&](const model::Ast& ast, const model::Slot& slot) {
+    // Nothing moves by what is only told.
+    const bool is_closed_form =
+        std::any_of(of.exact.begin(), of.exact.end(), [&](const auto& form) { return &form.value == &ast; });
+    if (slot.stated == nullptr && !is_closed_form) edges.visit(ast);
+  });
+  return edges.hardest();
+}
+
+std::string hint_for_edge(const std::string& function) {
+  return fmt::format(
+      "steps become short where a force has a jump or a kink, as by {}(...), above all where a motion sticks there: "
+      "write a smooth law, such as tanh(x/eps) with a small eps for sign(x)",
+      function);
+}
+
+}  // namespace gausssim
