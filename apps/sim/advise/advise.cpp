@@ -42,6 +42,12 @@ std::string in_words(const StudyPoint& point) {
       point.error, 1e3 * point.seconds);
 }
 
+/// Over the lines of in_words.
+std::string head() {
+  return fmt::format("{:<24}{:<12}{:<12}{:<14}{:>10}{:>15}", "method", "number", "projection", "accuracy", "error",
+                     "time");
+}
+
 /// Lines of a scene.
 std::string as_scene(const StudyPoint& point, const std::string& own_form) {
   std::string text = fmt::format("method: {}\n", point.method);
@@ -72,7 +78,7 @@ void write(const AdviseOptions& options, const StudyPoint& best, const std::vect
     cli::write_standard_output(json.dump(2) + "\n");
     return;
   }
-  std::string text;
+  std::string text = others.empty() ? "" : "#  " + head() + "\n";
   for (const StudyPoint& other : others) text += "#  " + in_words(other) + "\n";
   text += fmt::format("# delivers {:.1e} of {:.1e} in {:.3g} ms; {}\n", best.error, *options.error, 1e3 * best.seconds,
                       said);

@@ -217,7 +217,7 @@ class Search {
     if (find_method(method)->takes_step) {
       setting.step = prepared_.span.duration / k_first_steps;
     } else {
-      setting.tolerance = std::max(std::min(k_first * error_, loosest), least_tolerance(number));
+      setting.tolerance = std::max(two_digits(std::min(k_first * error_, loosest)), least_tolerance(number));
       setting.longest_step = longest_step_;
     }
     OneMethod one(prepared_, *engine, found_.reference, error_, limit_);

@@ -162,6 +162,20 @@ class Errors(Program):
         self.assertLess(time.monotonic() - begin, 60)
         self.refused(6, "advise", MODELS / "functions.yaml", "--duration", "3", "--error", "1e-3", "--budget", "5")
 
+    def test_a_smooth_motion_takes_more_time_where_it_gets_more(self):
+        self.write("spring.yaml", SPRING)
+        said = self.refused(6, "run", "spring.yaml", "--duration", "1e6", "--error", "1e-6", "--budget", "0.3")
+        self.assertIn("--budget gives it more", said)
+
+    def test_what_was_tried_has_heads_and_the_digits_that_were_meant(self):
+        self.write("spring.yaml", SPRING)
+        advice = self.ok("advise", "spring.yaml", "--error", "1e-5")
+        self.assertRegex(advice.splitlines()[0], "^#  method +number +projection +accuracy +error +time$")
+        self.assertEqual(len(advice.splitlines()[0]), len(advice.splitlines()[1]))
+        for exponent in range(3, 9):
+            found = json.loads(self.ok("advise", "spring.yaml", "--error", f"1e-{exponent}", "--method", "dopri5", "--format", "json"))
+            self.assertEqual(found["found"]["tolerance"], float(f"{found['found']['tolerance']:.1e}"))
+
     def test_methods_of_the_scene_are_kept(self):
         self.write("spring.yaml", SPRING)
         for method in ("rk4", "dopri5"):
