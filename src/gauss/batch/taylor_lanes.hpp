@@ -161,7 +161,7 @@ class TaylorLanes {
     const Batch reach = xsimd::any(is_first) ? xsimd::select(is_first, first_reach(), reach_) : reach_;
     Values by_allowed;
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Batch size = xsimd::max(sizes_[i], size_within(reach, i));
+      const Batch size = size_within(reach, i);
       allowed_[i] = (settings_.tolerance + Number(4) * std::numeric_limits<Number>::epsilon()) * size + least();
       by_allowed[i] = Batch(Number(1)) / allowed_[i];
     }
@@ -184,11 +184,21 @@ class TaylorLanes {
     return result;
   }
 
-  /// By a rate, or from rest by a rate of that.
+  /// As SeriesControl has it.
   Batch size_within(const Batch& reach, std::size_t i) const {
     const Batch by_rate = reach * size_of(series_.values[1][i]);
-    return xsimd::select(by_rate > Batch(Number(0)), by_rate, reach * reach * size_of(series_.values[2][i]));
+    Batch size = xsimd::max(sizes_[i], by_rate);
+    const Mask is_less = by_rate < sizes_[i];
+    if (xsimd::all(is_less)) return size;
+    Batch power = reach, largest = size;
+    for (int k = 2; k <= last_of_size(); ++k) {
+      power = power * reach;
+      largest = xsimd::max(largest, power * size_of(series_.values[k][i]));
+    }
+    return xsimd::select(is_less, size, largest);
   }
+
+  int last_of_size() const { return std::max(2, order_ / 2); }
 
   /// The largest term of an order for a step of 1, in units of what is allowed.
   Batch part(const Values& by_allowed, int order) const {
@@ -213,10 +223,14 @@ class TaylorLanes {
   Batch first_reach() const {
     Batch reach(Number(1) / std::numeric_limits<Number>::epsilon());
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Batch size = settings_.tolerance * size_of(series_.values[1][i]);
-      for (const int k : {order_, order_ - 1}) {
-        const Batch ratio = size_of(series_.values[k][i]) / xsimd::max(size, least());
-        reach = within(xsimd::select(size > Batch(Number(0)), ratio, Batch(Number(0))), k - 1, reach);
+      for (const int p : {order_, order_ - 1}) {
+        Batch longest(Number(0));
+        for (int k = 1; k <= last_of_size() && k < p; ++k) {
+          const Batch size = settings_.tolerance * size_of(series_.values[k][i]);
+          const Batch by_it = within(size_of(series_.values[p][i]) / xsimd::max(size, least()), p - k, reach);
+          longest = xsimd::select(size > Batch(Number(0)), xsimd::max(longest, by_it), longest);
+        }
+        reach = xsimd::select(longest > Batch(Number(0)), longest, reach);
       }
     }
     return reach;

@@ -87,27 +87,42 @@ class SeriesControl {
     return std::min(most, Math<Scalar>::pow(part, Scalar(-1) / Scalar(order)));
   }
 
-  /// What starts from 0 has the size of its own first terms: nothing is known of others.
+  /// Terms up to this order say how far a component is about to get.
+  static int last_of_size(const Series& series) { return std::max(2, series.order / 2); }
+
+  /// What starts from 0 has the size of its own first terms: nothing is known of others. Which of them is the largest depends on the step: a force that begins with 0 has a rate from
+  /// rounding alone.
   Scalar first_reach(const Series& series, const Scalar& most) const {
     Scalar least = most;
     for (std::size_t i = 0; i < Model::size; ++i) {
       for (const int p : {series.order, series.order - 1}) {
-        const Scalar last = size_of(series.values[p][i]), size = size_of(series.values[1][i]);
-        if (size > Scalar(0) && p > 1) least = within(last / (tolerance_ * size), p - 1, least);
+        const Scalar last = size_of(series.values[p][i]);
+        Scalar reach = 0;
+        for (int k = 1; k <= last_of_size(series) && k < p; ++k) {
+          const Scalar size = size_of(series.values[k][i]);
+          if (size > Scalar(0)) reach = std::max(reach, within(last / (tolerance_ * size), p - k, least));
+        }
+        if (reach > Scalar(0)) least = reach;
       }
     }
     return least;
   }
 
-  /// By a rate, or from rest by a rate of that.
-  static Scalar size_within(const Series& series, const Scalar& reach, std::size_t i) {
+  /// By its rate, as long as that is less than it has been.
+  Scalar size_within(const Series& series, const Scalar& reach, std::size_t i) const {
     const Scalar by_rate = reach * size_of(series.values[1][i]);
-    return by_rate > Scalar(0) || series.order < 2 ? by_rate : reach * reach * size_of(series.values[2][i]);
+    if (by_rate < sizes_[i]) return sizes_[i];
+    Scalar size = std::max(sizes_[i], by_rate), power = reach;
+    for (int k = 2; k <= last_of_size(series); ++k) {
+      power *= reach;
+      size = std::max(size, power * size_of(series.values[k][i]));
+    }
+    return size;
   }
 
   void allow(const Series& series, const Scalar& reach) {
     Array sizes;
-    for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = std::max(sizes_[i], size_within(series, reach, i));
+    for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = size_within(series, reach, i);
     // What others with the same unit get to in this step counts too: at the start all of them may be 0.
     const Array places = groups_.largest(sizes);
     for (std::size_t i = 0; i < Model::size; ++i)

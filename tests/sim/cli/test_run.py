@@ -1,5 +1,6 @@
 """gauss-sim run: motions against closed forms, and what is written."""
 
+import csv
 import math
 import os
 import signal
@@ -8,6 +9,15 @@ import time
 import unittest
 
 from gauss_sim import MODELS, PROGRAM, SPRING, Program
+
+# Nothing moves, and nothing acts at first.
+DRIVEN = """gauss: 1
+name: driven
+parameters: {{m: {{value: 1, unit: kg}}, F: {{value: 2, unit: N}}, w: {{value: 3, unit: rad/s}}}}
+coordinates: {{x: {{unit: m, initial: 0}}}}
+particles: {{bob: {{mass: m, position: [x, 0, 0]}}}}
+forces: {{push: {{generalized: {{x: F*sin(w*t)^{power}}}}}}}
+"""
 
 
 class Motions(Program):
@@ -149,6 +159,32 @@ class Writing(Program):
         self.assertEqual(chaos.returncode, 0)
         self.assertIn("warning: the table is off by", chaos.stderr)
         self.assertEqual(self.run_it("run", "spring.yaml", "-q").stderr, "")
+
+    def test_what_rests_is_moved_by_a_force_that_begins_with_0(self):
+        """All is 0 at the start, and so are the rates of it: for sin^4, up to its sixth derivative."""
+        integral = {1: lambda u: u - math.sin(u),
+                    4: lambda u: 3*u*u/16 + math.cos(2*u)/8 - math.cos(4*u)/128 - 15/128}
+        for power, x in integral.items():
+            self.write("driven.yaml", DRIVEN.format(power=power))
+            for method in ("taylor", "prince87", "dopri5", "bulirsch_stoer"):
+                for start in (0, math.pi / 3):
+                    # There sin^4 begins with (1e-16)^4, and rounding of time changes that by all of it.
+                    if power == 4 and start > 0 and method != "taylor":
+                        continue
+                    with self.subTest((power, method, start)):
+                        self.ok("run", "driven.yaml", "--method", method, "--start", start, "--outputs", "x", "-q")
+                        table, sign = self.table("driven.csv"), 1 if start == 0 or power == 4 else -1
+                        for t, value in zip(table["t [s]"], table["x [m]"]):
+                            self.assertAlmostEqual(value, sign * 2 / 9 * x(3 * (t - start)), delta=1e-7)
+        self.write("driven.yaml", DRIVEN.format(power=4))
+        self.write("many.yaml", "gauss: 1\nmodel: driven.yaml\noutputs: [x]\nensemble: {parameters: {F: {sweep: {from: 1, to: 20, count: 20}}}}\n")
+        self.ok("ensemble", "many.yaml", "-q")
+        summary = self.summary("driven.ensemble.json")
+        self.assertEqual(summary["by_status"], {"finished": 20})
+        self.assertEqual(summary.get("left_lanes", 0), 0)
+        with open(self.folder / "driven.ensemble.csv", encoding="utf-8", newline="") as file:
+            for row in csv.DictReader(file):
+                self.assertAlmostEqual(float(row["x [m]"]) / float(row["parameters.F [N]"]), integral[4](30) / 9, delta=1e-7)
 
     def test_a_model_is_compiled_once_whatever_its_values_are(self):
         self.ok("run", "spring.yaml", "-q")
