@@ -246,6 +246,17 @@ int operations_of_rates(const gaussgen::PipelineResult& compiled) {
   return 0;
 }
 
+std::array<double, 3> gravity_of(const model::Model& read, const Span& span, model::Values values) {
+  std::array<double, 3> sum{};
+  values["t"] = span.start;
+  for (const model::Force& force : read.forces) {
+    const auto* const uniform = std::get_if<model::UniformField>(&force.law);
+    for (std::size_t i = 0; uniform != nullptr && i < 3; ++i)
+      sum[i] += model::value_of(uniform->field[i], values).value_or(0);
+  }
+  return sum;
+}
+
 gaussgen::Strategy strategy_of(const Scene& scene) {
   using gaussgen::Strategy;
   for (const Strategy one : {Strategy::tree, Strategy::metric, Strategy::multipliers}) {
@@ -332,6 +343,7 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
     if (set_parameters_alone(request.sets, read)) closed_forms = read.exact;
     result.span = SpanReader(result.scene, parameters, in_values).read();
     if (in_values.has_errors()) throw BadScene{};
+    result.gravity = gravity_of(read, result.span, parameters);
   };
   Diagnostics found;
   std::optional<gaussgen::PipelineResult> compiled;

@@ -1,6 +1,7 @@
 #pragma once
 // From a file to a model whose functions can be executed.
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -40,9 +41,10 @@ struct PreparedModel {
   Span span;
   std::string model_file;
   double generate_seconds = 0;
-  int operations = 0;        ///< of the rates
-  std::string edge;          ///< a function in what acts that jumps or has a kink; empty: all of it is smooth
-  bool wants_gains = false;  ///< the projection `gains` may be asked for
+  int operations = 0;               ///< of the rates
+  std::string edge;                 ///< a function in what acts that jumps or has a kink; empty: all of it is smooth
+  std::array<double, 3> gravity{};  ///< m/s², space: the sum of uniform fields at the start
+  bool wants_gains = false;         ///< the projection `gains` may be asked for
 
   /// Of the scene, else of the model: names files and problems.
   const std::string& name() const { return scene.name.empty() ? model.unit.model_name : scene.name; }

@@ -3,15 +3,20 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "sim/run/error_estimate.hpp"
+#include "sim/study/round_body.hpp"
 
 namespace gausssim {
 
 namespace {
 
 constexpr long k_most_samples = 301;  ///< eyes see no more
+constexpr double k_rounding = 1e-6;   ///< of a run, and of turns from matrices, beside the room of a motion
 
 /// The numbers of a run by their names.
 class Table {
@@ -38,7 +43,8 @@ class Table {
   std::map<std::string, std::size_t> place_;
 };
 
-struct Joint {
+/// Of a joint, of a closing of a loop, or of a reaction.
+struct Track {
   std::string name;
   std::vector<Place> position;
 };
@@ -54,6 +60,27 @@ std::string between(const std::string& text, const std::string& begin, const std
   return fits ? text.substr(begin.size(), last - begin.size()) : "";
 }
 
+const Track* find(const std::vector<Track>& tracks, const std::string& name) {
+  const auto found = std::find_if(tracks.begin(), tracks.end(), [&](const Track& one) { return one.name == name; });
+  return found == tracks.end() ? nullptr : &*found;
+}
+
+/// Of the constraint that a row is, or is one direction of: pin, or pin_x of pin.
+const Track* find_of_row(const std::vector<Track>& tracks, const std::string& row) {
+  const Track* const whole = find(tracks, row);
+  const bool is_direction = row.size() > 2 && row[row.size() - 2] == '_';
+  return whole != nullptr || !is_direction ? whole : find(tracks, row.substr(0, row.size() - 2));
+}
+
+void turn_to(const Place& axis, Motion::Body& body) {
+  const auto turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), vector_of(axis));
+  for (auto& orientation : body.orientation) {
+    const auto& [w, x, y, z] = orientation;
+    const Eigen::Quaterniond whole = Eigen::Quaterniond(w, x, y, z) * turn;
+    orientation = {whole.w(), whole.x(), whole.y(), whole.z()};
+  }
+}
+
 class Reader {
  public:
   Reader(const Columns& columns, const Rows& rows) : columns_(columns), table_(rows, columns) {}
@@ -62,9 +89,11 @@ class Reader {
     for (const Column& column : columns_.columns) {
       if (const std::string name = between(column.name, "poses.", ".position[0]"); !name.empty()) add_pose(name);
     }
-    measure();
+    room_ = diagonal(0, table_.samples());
+    motion_.edge = edge();
     for (const Motion::Body& body : motion_.bodies) add_lines(body);
     for (const Column& column : columns_.columns) add_force(column);
+    for (Motion::Body& body : motion_.bodies) give_shape(body);
     return std::move(motion_);
   }
 
@@ -77,7 +106,10 @@ class Reader {
 
   void add_pose(const std::string& name) {
     const std::string whole = "poses." + name;
-    if (starts_with(name, "at_")) return joints_.push_back({name.substr(3), track(whole + ".position")});
+    for (const auto& [begin, tracks] : {std::pair{"at_", &joints_}, {"closing_", &closings_}, {"where_", &places_}}) {
+      if (starts_with(name, begin))
+        return tracks->push_back({name.substr(std::strlen(begin)), track(whole + ".position")});
+    }
     Motion::Body body{name, track(whole + ".position"), {}};
     for (long k = 0; table_.has(whole + ".rotation[0][0]") && k < table_.samples(); ++k) {
       const Eigen::Quaterniond turn(table_.matrix(k, whole + ".rotation"));
@@ -86,73 +118,123 @@ class Reader {
     motion_.bodies.push_back(std::move(body));
   }
 
-  void measure() {
-    Eigen::AlignedBox3d room;
+  /// Of the box of all places at samples from `begin` to `end`.
+  double diagonal(long begin, long end) const {
+    Eigen::AlignedBox3d box;
     const auto look = [&](const std::vector<Place>& track) {
-      for (const Place& place : track)
-        if (vector_of(place).allFinite()) room.extend(vector_of(place));
+      for (long k = begin; k < end; ++k)
+        if (const auto place = vector_of(track[static_cast<std::size_t>(k)]); place.allFinite()) box.extend(place);
     };
     for (const Motion::Body& body : motion_.bodies) look(body.position);
-    for (const Joint& joint : joints_) look(joint.position);
-    motion_.size = room.isEmpty() ? 0 : room.diagonal().norm();
+    for (const auto* const tracks : {&joints_, &closings_, &places_})
+      for (const Track& one : *tracks) look(one.position);
+    return box.isEmpty() ? 0 : box.diagonal().norm();
+  }
+
+  /// In proportion to the mechanism, which may be small beside its way. A lone body reaches to where it is held, if that is known.
+  double edge() const {
+    constexpr double k_part_of_mechanism = 0.06, k_part_of_room = 0.04;
+    double mechanism = 0;
+    for (long k = 0; k < table_.samples(); ++k) mechanism = std::max(mechanism, diagonal(k, k + 1));
+    const bool is_alone = motion_.bodies.size() == 1 && joints_.empty();
+    return mechanism > 0 ? (is_alone ? mechanism : k_part_of_mechanism * mechanism) : k_part_of_room * room_;
   }
 
   /// A joint is a point of a body where it does not move against it.
-  bool is_part(const Joint& joint, const Motion::Body& body) const {
+  bool is_part(const Track& joint, const Motion::Body& body) const {
     const auto seen = [&](std::size_t k) -> Eigen::Vector3d {
       const Eigen::Vector3d way = vector_of(joint.position[k]) - vector_of(body.position[k]);
       const auto& [w, x, y, z] = body.orientation[k];
       return Eigen::Quaterniond(w, x, y, z).conjugate() * way;
     };
     if (body.orientation.empty()) return false;
-    constexpr double k_rounding = 1e-6;  ///< of a run, and of turns from matrices
     const Eigen::Vector3d first = seen(0);
     for (std::size_t k = 1; k < body.position.size(); ++k)
-      if (!((seen(k) - first).norm() <= k_rounding * motion_.size)) return false;
+      if (!((seen(k) - first).norm() <= k_rounding * room_)) return false;
     return true;
   }
 
+  /// From the mass centre to the first joint, and to each other one and back.
   void add_lines(const Motion::Body& body) {
-    Motion::Line line{body.name, std::vector<std::vector<Place>>(body.position.size())};
-    for (const Joint& joint : joints_) {
-      if (!is_part(joint, body)) continue;
-      for (std::size_t k = 0; k < body.position.size(); ++k) {
-        if (!line.points[k].empty()) line.points[k].push_back(body.position[k]);
-        line.points[k].push_back(joint.position[k]);
+    std::vector<const Track*> ends;
+    for (const auto* const tracks : {&joints_, &closings_})
+      for (const Track& joint : *tracks)
+        if (is_part(joint, body)) ends.push_back(&joint);
+    if (ends.empty()) return;
+    Motion::Line line{body.name, {}};
+    for (std::size_t k = 0; k < body.position.size(); ++k) {
+      std::vector<Place> points{ends.front()->position[k], body.position[k]};
+      for (std::size_t i = 1; i < ends.size(); ++i) {
+        if (i > 1) points.push_back(body.position[k]);
+        points.push_back(ends[i]->position[k]);
       }
-    }
-    if (line.points.empty() || line.points.front().empty()) return;
-    if (line.points.front().size() == 1) {
-      for (std::size_t k = 0; k < body.position.size(); ++k) line.points[k].push_back(body.position[k]);
+      line.points.push_back(std::move(points));
     }
     motion_.lines.push_back(std::move(line));
   }
 
-  void add_force(const Column& column) {
-    if (const std::string joint = between(column.name, "joint_reactions.", ".force[0]"); !joint.empty()) {
-      const auto found =
-          std::find_if(joints_.begin(), joints_.end(), [&](const Joint& one) { return one.name == joint; });
-      if (found != joints_.end()) add(joint, "", column, found->position);
+  void give_shape(Motion::Body& body) const {
+    for (const Track& place : places_) {
+      const auto found = touched_.count({place.name, body.name}) != 0
+                             ? round_body(body, place.position, k_rounding * room_)
+                             : std::nullopt;
+      if (!found) continue;
+      body.radius = found->radius;
+      body.shape = found->axis ? Motion::Body::Shape::disc : Motion::Body::Shape::ball;
+      if (found->axis) turn_to(*found->axis, body);
       return;
     }
-    const std::string constraint = between(column.name, "reaction_forces.", ".force_on_");
-    if (constraint.empty() || column.name.compare(column.name.size() - 3, 3, "[0]") != 0) return;
-    const std::size_t begin = column.name.rfind(".force_on_") + std::string(".force_on_").size();
-    const std::string name = column.name.substr(begin, column.name.size() - 3 - begin);
-    for (const Motion::Body& body : motion_.bodies)
-      if (body.name == name) return add(constraint, name, column, body.position);
   }
 
+  void add_force(const Column& column) {
+    if (const std::string joint = between(column.name, "joint_reactions.", ".force[0]"); !joint.empty()) {
+      if (const Track* const found = find(joints_, joint)) add(joint, "", column, found->position);
+      return;
+    }
+    const std::string row = between(column.name, "reaction_forces.", ".force_on_");
+    if (row.empty() || column.name.compare(column.name.size() - 3, 3, "[0]") != 0) return;
+    const std::size_t begin = column.name.rfind(".force_on_") + std::string(".force_on_").size();
+    const std::string name = column.name.substr(begin, column.name.size() - 3 - begin);
+    if (const Track* const closing = find_of_row(closings_, row)) {
+      // The other side feels the opposite.
+      if (felt_by_.emplace(closing->name, name).first->second == name)
+        add(closing->name, name, column, closing->position);
+    } else if (const Track* const place = find_of_row(places_, row)) {
+      touched_.emplace(place->name, name);
+      add(place->name, name, column, place->position);
+    } else {
+      for (const Motion::Body& body : motion_.bodies)
+        if (body.name == name) return add(row, name, column, body.position);
+    }
+  }
+
+  /// The directions of one constraint are one force.
   void add(const std::string& name, const std::string& body, const Column& column, const std::vector<Place>& at) {
-    const std::string vector = column.name.substr(0, column.name.size() - 3);
-    motion_.forces.push_back({name, body, column.unit, at, track(vector)});
+    const std::vector<Place> force = track(column.name.substr(0, column.name.size() - 3));
+    for (Motion::Force& known : motion_.forces) {
+      if (known.name != name || known.body != body) continue;
+      for (std::size_t k = 0; k < force.size(); ++k)
+        for (std::size_t i = 0; i < 3; ++i) known.force[k][i] += force[k][i];
+      return;
+    }
+    motion_.forces.push_back({name, body, column.unit, at, force});
   }
 
   const Columns& columns_;
   Table table_;
-  std::vector<Joint> joints_;
+  std::vector<Track> joints_, closings_, places_;
+  std::map<std::string, std::string> felt_by_;             ///< of each closing, the side whose force is shown
+  std::set<std::pair<std::string, std::string>> touched_;  ///< places, and the bodies that feel a force there
+  double room_ = 0;                                        ///< diagonal of the box of the whole motion [m]
   Motion motion_;
 };
+
+std::optional<Place> against(const Place& gravity) {
+  const double size = vector_of(gravity).norm();
+  if (!(size > 0)) return std::nullopt;
+  const auto part = [&](std::size_t i) { return gravity[i] == 0 ? 0 : -gravity[i] / size; };
+  return Place{part(0), part(1), part(2)};
+}
 
 }  // namespace
 
@@ -176,6 +258,7 @@ std::optional<Motion> motion_of(const PreparedModel& model, const Engine& engine
   if (rows.samples() < 2) return std::nullopt;
   Motion motion = Reader(seen.columns, rows).read();
   motion.t = std::move(times);
+  motion.up = against(model.gravity);
   return motion;
 }
 

@@ -15,10 +15,14 @@ using Place = std::array<double, 3>;
 /// All lists have an entry for each time.
 struct Motion {
   struct Body {
+    enum class Shape { unknown, disc, ball };
+
     std::string name;
     std::vector<Place> position;  ///< of the mass centre [m], space axes
     std::vector<std::array<double, 4>>
         orientation;  ///< w, x, y, z: from axes of the body to those of space; empty: a particle
+    Shape shape = Shape::unknown;
+    double radius = 0;  ///< of discs, which lie around z of `orientation`, and of balls [m]
   };
   struct Line {
     std::string name;
@@ -29,7 +33,8 @@ struct Motion {
     std::vector<Place> at, force;  ///< on the body, space axes
   };
 
-  double size = 0;  ///< of the room that it takes [m]
+  std::optional<Place> up;  ///< against gravity, of length 1; nothing where there is none
+  double edge = 0;          ///< of bodies, none of which says how large it is [m]; 0: nothing has a size here
   std::vector<double> t;
   std::vector<Body> bodies;
   std::vector<Line> lines;

@@ -99,15 +99,20 @@ Json places(const List& list) {
   return json;
 }
 
-/// Boxes of one size: a model says how heavy bodies are, and not how large.
-Json body_json(const Motion::Body& body, double size) {
-  constexpr double k_part = 0.04;
+/// Boxes of one size but for what is seen to roll: a model says how heavy bodies are, and not how large.
+Json shape_json(const Motion::Body& body, double edge) {
+  using Shape = Motion::Body::Shape;
+  constexpr double k_thickness = 0.12;  // of the radius
+  if (body.shape == Shape::ball) return {{"kind", "sphere"}, {"radius", for_eyes(body.radius)}};
+  if (body.shape == Shape::disc)
+    return {{"kind", "cylinder"}, {"radius", for_eyes(body.radius)}, {"length", for_eyes(k_thickness * body.radius)}};
+  if (body.orientation.empty() || !(edge > 0)) return {{"kind", "point"}};
+  return {{"kind", "box"}, {"size", {edge, edge, edge}}};
+}
+
+Json body_json(const Motion::Body& body, double edge) {
   Json json{{"name", body.name}, {"position", places(body.position)}};
-  if (body.orientation.empty() || !(size > 0)) {
-    json["shape"] = {{"kind", "point"}};
-  } else {
-    json["shape"] = {{"kind", "box"}, {"size", {k_part * size, k_part * size, k_part * size}}};
-  }
+  json["shape"] = shape_json(body, edge);
   if (!body.orientation.empty()) json["orientation"] = places(body.orientation);
   return json;
 }
@@ -115,7 +120,8 @@ Json body_json(const Motion::Body& body, double size) {
 Json motion_json(const Motion& motion) {
   Json json{
       {"t", numbers(motion.t)}, {"bodies", Json::array()}, {"lines", Json::array()}, {"reactions", Json::array()}};
-  for (const Motion::Body& body : motion.bodies) json["bodies"].push_back(body_json(body, motion.size));
+  if (motion.up) json["up"] = *motion.up;
+  for (const Motion::Body& body : motion.bodies) json["bodies"].push_back(body_json(body, motion.edge));
   for (const Motion::Line& line : motion.lines) {
     Json points = Json::array();
     for (const auto& one : line.points) points.push_back(places(one));

@@ -7,7 +7,7 @@ import signal
 import subprocess
 import unittest
 
-from gauss_sim import PROGRAM, SPRING, Program
+from gauss_sim import MODELS, PROGRAM, SPRING, Program
 
 
 class Study(Program):
@@ -204,6 +204,106 @@ class Formulations(Program):
             self.write("swing.yaml", scene.replace("sqrt(k/m)", "1.9") + "}\n")
             said = self.run_it("study", "swing.yaml", "--budget", "3", "-q").stderr
             self.assertIn("closed form of 'x' differs", said)
+
+
+# A crank, a coupler and a rocker, closed where coupler and rocker meet; and a disc that rolls along a line.
+FOUR_BAR = """gauss: 1
+name: bars
+parameters:
+  m: {value: 1, unit: kg}
+  g: {value: 10, unit: m/s^2}
+joints:
+  O: {type: revolute, child: crank, coordinates: alpha, initial: 0.6, initial_rate: 2}
+  A: {type: revolute, parent: crank, child: coupler, at: [0.2, 0, 0], coordinates: beta, initial_guess: 0.3}
+  C: {type: revolute, child: rocker, at: [0.55, 0, 0], coordinates: gamma, initial_guess: 1.4}
+points:
+  B: {on: coupler, at: [0.6, 0, 0]}
+  D: {on: rocker, at: [0.5, 0, 0]}
+bodies:
+  crank: {mass: m, inertia: 0.01, centre: [0.1, 0, 0]}
+  coupler: {mass: m, inertia: 0.01, centre: [0.3, 0, 0]}
+  rocker: {mass: m, inertia: 0.01, centre: [0.25, 0, 0]}
+constraints:
+  loop: {coincide: [B, D]}
+forces:
+  gravity: {uniform: [0, -g, 0]}
+"""
+WHEEL = """gauss: 1
+name: wheel
+parameters:
+  R: {value: 0.5, unit: m}
+coordinates:
+  x: {unit: m, initial: 0, initial_rate: 3}
+  y: {unit: m, held_at: R}
+  phi: {unit: rad, initial: 0}
+frames:
+  carried: {position: [x, y, 0]}
+  rim: {parent: carried, orientation: {axis: z, angle: phi}}
+points:
+  ground: {on: carried, at: [0, -R, 0]}
+bodies:
+  rim: {mass: 2, inertia: [0.1, 0.1, 0.2]}
+constraints:
+  rolling: {no_slip: rim, at: ground, direction: x}
+forces:
+  gravity: {uniform: [0, -10, 0]}
+"""
+
+
+class Motions(Program):
+    def motion(self, text, duration=1):
+        self.write("model.yaml", text)
+        self.write("scene.yaml", f"gauss: 1\nscene: short\nmodel: model.yaml\nduration: {duration}\nsamples: 201\ncode: optimised\nstrategy: metric\n")
+        self.ok("study", "scene.yaml", "--budget", "1", "--tightest", "1e-4", "-q")
+        return json.loads((self.folder / "study.json").read_text(encoding="utf-8"))["problems"][0]["motion"]
+
+    def test_a_closed_loop_is_drawn_closed(self):
+        motion = self.motion(FOUR_BAR)
+        lines = {line["name"]: line["points"] for line in motion["lines"]}
+        with self.subTest("up is against gravity"):
+            self.assertEqual(motion["up"], [0, 1, 0])
+        with self.subTest("a bar goes from joint to joint, through its mass centre"):
+            for name, length in (("crank", 0.2), ("coupler", 0.6), ("rocker", 0.5)):
+                for first, centre, last in lines[name]:
+                    self.assertAlmostEqual(math.dist(first, last), length, places=4)
+                    self.assertAlmostEqual(math.dist(first, centre), length / 2, places=4)
+        with self.subTest("coupler and rocker meet where the loop is closed"):
+            for coupler, rocker in zip(lines["coupler"], lines["rocker"]):
+                self.assertLess(math.dist(coupler[-1], rocker[-1]), 1e-4)
+        forces = {force["name"]: force for force in motion["reactions"]}
+        with self.subTest("one arrow for each joint, the closing one among them"):
+            self.assertEqual(sorted(forces), ["A", "C", "O", "loop"])
+            self.assertEqual(len(motion["reactions"]), 4)
+            for at, coupler in zip(forces["loop"]["at"], lines["coupler"]):
+                self.assertLess(math.dist(at, coupler[-1]), 1e-4)
+        with self.subTest("what both joints do to the coupler, and its weight, move it: m a by differences of places"):
+            step = motion["t"][1] - motion["t"][0]
+            places = [body["position"] for body in motion["bodies"] if body["name"] == "coupler"][0]
+            for k in range(1, len(places) - 1):
+                for axis, weight in ((0, 0), (1, -10)):
+                    acceleration = (places[k + 1][axis] - 2 * places[k][axis] + places[k - 1][axis]) / step**2
+                    force = forces["A"]["force"][k][axis] + forces["loop"]["force"][k][axis] + weight
+                    self.assertAlmostEqual(force, acceleration, delta=0.2)
+
+    def test_a_contact_has_its_force_where_it_is(self):
+        motion = self.motion(WHEEL)
+        rolling = [force for force in motion["reactions"] if force["name"] == "rolling"][0]
+        for (x, y, z), centre in zip(rolling["at"], motion["bodies"][0]["position"]):
+            self.assertAlmostEqual(x, centre[0], places=4)
+            self.assertAlmostEqual(y, centre[1] - 0.5, places=4)
+        disc = motion["bodies"][0]
+        with self.subTest("a circle of contacts around the mass centre is the rim of a disc, whose axis lies across the way"):
+            self.assertEqual(disc["shape"]["kind"], "cylinder")
+            self.assertAlmostEqual(disc["shape"]["radius"], 0.5, places=5)
+            for w, x, y, z in disc["orientation"]:
+                self.assertAlmostEqual(abs(1 - 2 * (x * x + y * y)), 1, places=5)
+
+    def test_what_rolls_over_all_of_its_surface_is_a_ball(self):
+        motion = self.motion((MODELS / "sphere_in_cylinder.yaml").read_text(encoding="utf-8"), duration=5)
+        [ball], [along] = motion["bodies"], [force for force in motion["reactions"] if force["name"] == "rolling_along"]
+        self.assertEqual(ball["shape"]["kind"], "sphere")
+        for at, centre in zip(along["at"], ball["position"]):
+            self.assertAlmostEqual(math.dist(at, centre), ball["shape"]["radius"], places=4)
 
 
 if __name__ == "__main__":
