@@ -50,16 +50,13 @@ class Solver {
     const Form& first = problem_.forms.front();
     auto reference = find_reference(first.model, *first.engine, problem_.why);
     throw_if_ended();
-    if (!reference) return;
-    problem_.reference = std::move(*reference);
-    problem_.ranges = ranges_of(problem_.reference.yardstick.rows());
-    compare_forms();
-    begin_ = Clock::now();
-    measure_all();
-    mark_front(problem_.points);
-    if (problem_.points.empty()) throw_if_ended();
+    if (reference) {
+      problem_.reference = std::move(*reference);
+      compare_with_reference();
+    }
     try {
-      show_beside();
+      if (problem_.why.empty()) show_beside();
+      show_motion();
     } catch (const Interrupted&) {
       // The points are there.
     }
@@ -67,18 +64,29 @@ class Solver {
   }
 
  private:
+  void compare_with_reference() {
+    problem_.ranges = ranges_of(problem_.reference.yardstick.rows());
+    compare_forms();
+    begin_ = Clock::now();
+    measure_all();
+    mark_front(problem_.points);
+    if (problem_.points.empty()) throw_if_ended();
+  }
+
   /// What a page has beside points; each whole, or not at all.
   void show_beside() {
     trace_drifts();
-    const Form& first = problem_.forms.front();
     LanesEffort effort;
     effort.seconds = 0.3;
     std::string why_no_lanes;
-    if (options_.methods.empty()) {
-      auto lanes = measure_lanes(first.model, effort, why_no_lanes);
-      throw_if_ended();
-      problem_.lanes = std::move(lanes);
-    }
+    if (!options_.methods.empty()) return;
+    auto lanes = measure_lanes(problem_.forms.front().model, effort, why_no_lanes);
+    throw_if_ended();
+    problem_.lanes = std::move(lanes);
+  }
+
+  void show_motion() {
+    const Form& first = problem_.forms.front();
     auto motion = motion_of(first.model, *first.engine, default_setting(first.model, *first.engine));
     throw_if_ended();
     problem_.motion = std::move(motion);
@@ -201,10 +209,12 @@ class Solver {
 
 std::optional<Problem> solve_problem(const std::string& file, const StudyOptions& options, int& code) {
   Problem problem;
-  problem.file = std::filesystem::path(file).filename().string();
   problem.forms = forms_of(file, !options.methods.empty(), options.messages, code);
   if (problem.forms.empty()) return std::nullopt;
-  problem.name = problem.forms.front().model.name();
+  const PreparedModel& model = problem.forms.front().model;
+  problem.name = model.name();
+  problem.file = std::filesystem::path(model.model_file).filename().string();
+  if (!model.scene.model.text.empty()) problem.scene = std::filesystem::path(file).filename().string();
   Solver(problem, options).run();
   return problem;
 }

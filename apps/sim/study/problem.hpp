@@ -19,7 +19,8 @@ struct DriftTrace {
 };
 
 struct Problem {
-  std::string name, file;
+  std::string name;
+  std::string file, scene;  ///< of the model; of the scene, empty where there is none
   std::vector<Form> forms;
   std::vector<double> ranges;  ///< of the outputs, along the reference
   Reference reference;
@@ -27,7 +28,7 @@ struct Problem {
   std::vector<DriftTrace> drifts;
   std::optional<Motion> motion;
   std::vector<LanesRow> lanes;
-  std::string why;  ///< there is none
+  std::string why;  ///< there is no reference
   bool was_interrupted = false;
 };
 

@@ -83,7 +83,7 @@ int study(const StudyOptions& options) {
     if (!problem) return code;
     if (!problem->why.empty())
       cli::warn(fmt::format("{}: there is no reference: {}", problem->name, problem->why), options.messages);
-    if (!options.quiet) tell(*problem);
+    if (!options.quiet && problem->why.empty()) tell(*problem);
     problems.push_back(std::move(*problem));
     if (Interruption::is_asked_for()) break;
   }

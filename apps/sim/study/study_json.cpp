@@ -137,6 +137,10 @@ Json motion_json(const Motion& motion) {
   return json;
 }
 
+Json reference_json(const Reference& reference) {
+  return {{"kind", reference.kind}, {"methods", reference.methods}, {"agreement", number(reference.agreement)}};
+}
+
 Json problem_json(const Problem& problem) {
   const PreparedModel& model = problem.forms.front().model;
   Json json;
@@ -144,19 +148,21 @@ Json problem_json(const Problem& problem) {
   json["about"] = model.scene.about.empty() ? model.model.unit.about : model.scene.about;
   json["file"] = problem.file;
   json["identity"] = identity_of_problem(model);
+  if (!problem.scene.empty()) json["scene"] = problem.scene;
+  if (!problem.why.empty()) json["why"] = problem.why;
   json["duration"] = model.span.duration;
   json["samples"] = model.span.samples;
   json["outputs"] = Json::array();
-  for (std::size_t i = 0; i < problem.ranges.size(); ++i) {
+  for (std::size_t i = 0; i < model.columns.columns.size(); ++i) {
     const Column& column = model.columns.columns[i];
+    const bool is_known = i < problem.ranges.size();
+    const auto known = [&](auto value) { return is_known ? number(static_cast<double>(value())) : Json(nullptr); };
     json["outputs"].push_back({{"name", column.name},
                                {"unit", column.unit},
-                               {"range", number(problem.ranges[i])},
-                               {"scale", number(static_cast<double>(problem.reference.yardstick.scale(i)))}});
+                               {"range", known([&] { return problem.ranges[i]; })},
+                               {"scale", known([&] { return problem.reference.yardstick.scale(i); })}});
   }
-  json["reference"] = {{"kind", problem.reference.kind},
-                       {"methods", problem.reference.methods},
-                       {"agreement", number(problem.reference.agreement)}};
+  json["reference"] = problem.why.empty() ? reference_json(problem.reference) : Json(nullptr);
   json["builds"] = Json::array();
   for (const Form& form : problem.forms) json["builds"].push_back(build_json(form));
   json["points"] = Json::array();

@@ -3,11 +3,17 @@
 import csv
 import json
 import math
+import os
 import signal
 import subprocess
 import unittest
+from pathlib import Path
+
+import jsonschema
 
 from gauss_sim import MODELS, PROGRAM, SPRING, Program
+
+SCHEMA = jsonschema.Draft7Validator(json.loads((Path(os.environ["GAUSS_SOURCE_DIR"]) / "apps/sim/report/study.schema.json").read_text(encoding="utf-8")))
 
 
 class Study(Program):
@@ -44,6 +50,8 @@ class Study(Program):
                 self.assertEqual((row["method"], row["status"]), (point["method"], point["status"]))
             page = (self.folder / "study.html").read_text(encoding="utf-8")
             self.assertTrue('"name":"spring"' in page and "@STUDY@" not in page)
+        with self.subTest("a model alone has no scene"):
+            self.assertEqual((self.problem["file"], "scene" in self.problem), ("spring.yaml", False))
         with self.subTest("drift of the best is there over time"):
             for trace in self.problem["drifts"]:
                 self.assertEqual(len(trace["t"]), self.problem["samples"])
@@ -124,7 +132,12 @@ class Formulations(Program):
     def study(self, scene, *options):
         self.write("swing.yaml", scene)
         self.ok("study", "swing.yaml", "--tightest", "1e-9", "-q", *options)
-        return json.loads((self.folder / "study.json").read_text(encoding="utf-8"))["problems"][0]
+        return self.written()
+
+    def written(self):
+        study = json.loads((self.folder / "study.json").read_text(encoding="utf-8"))
+        SCHEMA.validate(study)
+        return study["problems"][0]
 
     def test_ways_to_describe_one_motion(self):
         problem = self.study(SCENE, "--budget", "20")
@@ -149,6 +162,8 @@ class Formulations(Program):
             self.assertLess(drift["full"], 1e-12)
             self.assertLess(drift["full"], drift["gains"])
             self.assertLess(drift["gains"], drift["off"])
+        with self.subTest("scene and model have their names"):
+            self.assertEqual((problem["scene"], problem["file"]), ("swing.yaml", "by_place.yaml"))
         with self.subTest("one point is the default"):
             self.assertEqual([(p["tolerance"], p["method"]) for p in points if p["is_default"]], [(1e-9, "taylor")])
         with self.subTest("the motion is there: a bob at the end of its bar, and the force that holds it"):
@@ -199,6 +214,10 @@ class Formulations(Program):
             self.write("swing.yaml", plain)
             said = self.run_it("study", "swing.yaml", "--budget", "3", "-q").stderr
             self.assertIn("closed form of 'x' differs", said)
+            problem = self.written()
+            self.assertIn(problem["why"], " ".join(said.split()))
+            self.assertEqual((problem["reference"], problem["points"]), (None, []))
+            self.assertIn("closed form of 'x' differs", (self.folder / "study.html").read_text(encoding="utf-8"))
         self.write("spring.yaml", SPRING)
         with self.subTest("a wrong one is found"):
             self.write("swing.yaml", scene.replace("sqrt(k/m)", "1.9") + "}\n")

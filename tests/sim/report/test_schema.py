@@ -70,6 +70,19 @@ class Schema(unittest.TestCase):
         self.assertEqual(list(self.validator.iter_errors({**self.small, "interrupted": True})), [])
         self.refused(lambda study: study.update(interrupted="yes"))
 
+    def test_without_a_reference_there_is_a_reason_and_no_run(self):
+        def without(study):
+            study["problems"][0].update(why="it stops at 3 s", reference=None, points=[])
+
+        study = copy.deepcopy(self.small)
+        without(study)
+        self.assertEqual(list(self.validator.iter_errors(study)), [])
+        for key, value in (("why", ""), ("reference", {"kind": "float128"}), ("points", self.small["problems"][0]["points"])):
+            def change(study, key=key, value=value):
+                without(study)
+                study["problems"][0][key] = value
+            self.refused(change)
+
     def test_misspelt_keys_are_refused(self):
         self.refused(lambda study: study["problems"][0]["points"][0].update(tolerence=1e-3))
 
