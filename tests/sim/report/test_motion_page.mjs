@@ -19,6 +19,16 @@ const differs = async (stage, act) => {
   return !before.equals(await stage.screenshot());
 };
 
+/** Pixels of the first body. */
+const blueOf = (page) => page.locator('main > :not([hidden]) canvas').evaluate((canvas) => {
+  const pen = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
+  pen.drawImage(canvas, 0, 0);
+  const {data} = pen.getImageData(0, 0, canvas.width, canvas.height);
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 200 && data[i + 2] > data[i] + 40) ++count;
+  return count;
+});
+
 for (const [gl, kind] of [[true, 'solid'], [false, 'flat']]) {
   const open = (name, use) => withPage({url, hash: `#/${name}/motion`, gl, options: {viewport: {width: 1000, height: 800}}}, use);
 
@@ -72,6 +82,28 @@ for (const [gl, kind] of [[true, 'solid'], [false, 'flat']]) {
     assert.ok(await differs(stage, () => here.getByRole('button', {name: 'First view'}).click()));
   }));
 }
+
+for (const [gl, kind] of [[true, 'solid'], [false, 'flat']]) {
+  test(`${kind}: the camera follows what goes far, unless the whole path is asked for`, () => withPage({url, hash: '#/rolling_disc/motion', gl, options: {viewport: {width: 1000, height: 800}}}, async (page) => {
+    const stage = await stageOf(page);
+    const camera = page.locator('main > :not([hidden])').getByLabel('Camera');
+    assert.equal(await camera.inputValue(), 'follow');
+    await page.locator('main > :not([hidden])').getByLabel('Traces of bodies').uncheck();
+    const near = await blueOf(page);
+    assert.ok(await differs(stage, () => camera.selectOption('whole')));
+    assert.ok(await blueOf(page) < near / 4, 'a disc that is followed is larger than one on its way');
+    await stage.focus();
+    await page.keyboard.press('f');
+    assert.equal(await camera.inputValue(), 'follow', 'a key does the same');
+    assert.equal(await blueOf(page), near);
+    assert.match(await stage.getAttribute('aria-label'), /f follows the mechanism or holds its whole path/);
+  }));
+}
+
+test('what stays where it is has no such choice', () => withPage({url, hash: '#/four_bar/motion'}, async (page) => {
+  await stageOf(page);
+  assert.equal(await page.locator('main > :not([hidden])').getByLabel('Camera').count(), 0);
+}));
 
 test('the forces of the study stand beside the picture, also where one is missing', () => withPage({url, hash: '#/slider_crank/motion'}, async (page) => {
   const here = page.locator('main > :not([hidden])');

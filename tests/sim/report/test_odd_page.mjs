@@ -44,6 +44,55 @@ test('parts that are missing or null leave the others as they are', async () => 
   });
 });
 
+test('one problem is what the page opens on, and nothing else can be chosen', () => withPage({url: fileOf({...study, problems: [first]})}, async (page) => {
+  assert.equal(await page.locator('h2:visible').textContent(), first.name);
+  assert.equal(await page.locator('.problems').count(), 0);
+  assert.equal(await page.title(), `${first.name} – what accuracy costs in time`);
+  await page.locator('.sections a', {hasText: 'Formulations'}).click();
+  await page.waitForFunction(() => document.activeElement?.textContent.startsWith('Formulations'));
+  await page.goBack();
+  assert.equal(await page.locator('h2:visible').count(), 1);
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  await page.emulateMedia({media: 'print'});
+  assert.equal(await page.locator('main > :visible').count(), 1);
+}));
+
+test('scene and model are called by their names', async () => {
+  const scened = {...first, scene: 'swing.yaml', file: 'pendulum.yaml'};
+  await withPage({url: fileOf({format: 1, problems: [scened]})}, async (page) => assert.match(await page.locator('.facts').textContent(), /^sceneswing\.yamlmodelpendulum\.yamlmotion/));
+  await withPage({url: fileOf({format: 1, problems: [first]})}, async (page) => assert.match(await page.locator('.facts').textContent(), /^modeldouble_pendulum\.yamlmotion/));
+});
+
+test('why there is no reference is said where somebody looks for errors', async () => {
+  const why = 'the closed form of \'x\' differs from the motion by 0.8 of its range';
+  const wrong = {...first, name: 'wrong', why, reference: null, points: [], drifts: [], lanes: []};
+  await withPage({url: fileOf({format: 1, problems: [wrong]})}, async (page) => {
+    assert.equal(await page.locator('.intro .fault').textContent(), `There is no reference, so no run was measured: ${why}.`);
+    await section(page, 'motion');
+    assert.equal(await page.locator('.stage canvas').count(), 1, 'the motion is there all the same');
+  });
+  await withPage({url: fileOf({format: 1, problems: [first, wrong]})}, async (page) => {
+    assert.equal(await page.locator('.summary .fault').textContent(), `wrong: there is no reference: ${why}.`);
+    assert.deepEqual(await page.locator('.matrix tbody tr').last().locator('td').allTextContents(), Array(4).fill('no reference'));
+  });
+});
+
+test('methods of which no run was begun are in no filter, key or table, and the facts say why', () => {
+  const refused = (method, why, more = {}) => ({id: 0, method, number: 'double', formulation: first.points[0].formulation, projection: first.points[0].projection, tolerance: 1e-6, step: null,
+    status: 'refused', why, error: null, time_s: null, calls: null, pareto: false, ...more});
+  const points = [...first.points.filter(({number}) => number === 'double'), refused('bogus_late', 'beyond the time that the study was given'), refused('bogus_late2', 'beyond the time that the study was given'),
+    refused('bogus_unfit', 'it has constraints'), refused('taylor', 'no compiler', {number: 'float'})].map((point, i) => ({...point, id: i + 1}));
+  return withPage({url: fileOf({...study, problems: [{...first, points, drifts: []}]})}, async (page) => {
+    for (const id of ['error-time', 'error-calls', 'tolerance', 'numbers']) await section(page, id);
+    const content = await page.locator('.filters, .figure').allTextContents();
+    assert.doesNotMatch(content.join(), /bogus/);
+    assert.equal(await page.locator('.filters').getByRole('checkbox', {name: /^taylor/}).count(), 1);
+    const facts = await page.locator('.facts').evaluate((list) => [...list.children].map((one) => one.textContent));
+    assert.equal(facts[facts.indexOf('not run') + 1],
+      'methods bogus_late, bogus_late2: beyond the time that the study was given. method bogus_unfit: it has constraints. number type float: no compiler');
+  });
+});
+
 const k_bad = '</script><img src=x onerror="window.harmed=1"><!--$&';
 
 test('names that are meant badly stay text', () => {

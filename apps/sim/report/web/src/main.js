@@ -6,7 +6,7 @@ import {interruptionOf, machineOf} from './ui/facts.js';
 import {ProblemPage} from './ui/problem_page.js';
 import {SummaryPage} from './ui/summary_page.js';
 import {Theme} from './ui/theme.js';
-import {settingOf} from './maths/points.js';
+import {begun, settingOf} from './maths/points.js';
 
 /** @typedef {import('./types.js').FullProblem} FullProblem */
 /** @typedef {ProblemPage | SummaryPage} Page */
@@ -17,13 +17,15 @@ class Report {
     this.problems = problems;
     // Each link has a name of its own, also where two problems are called alike.
     this.slugs = problems.map(({name}, i) => problems.findIndex((other) => other.name === name) === i ? name : `${name}-${i + 1}`);
-    const runs = problems.flatMap(({points}) => points);
+    const runs = problems.flatMap(({points}) => begun(points));
     const names = (/** @type {string} */ key) => [...new Set(runs.map((point) => settingOf(point, key)))];
     this.theme = new Theme(() => this.refresh(), {methods: names('method'), numbers: names('number')});
     this.pages = /** @type {Map<string, Page>} */ (new Map());
     this.current = /** @type {Page | null} */ (null);
     this.main = el('main', {id: 'main', tabindex: -1});
-    this.links = new Map([['', el('a', {href: '#/'}, 'Summary')], ...this.slugs.map((slug) => /** @type {[string, HTMLElement]} */ ([slug, el('a', {href: linkOf(slug)}, slug)]))]);
+    // One alone needs no summary and no choice.
+    this.start = problems.length === 1 ? this.slugs[0] : '';
+    this.links = problems.length === 1 ? new Map() : new Map([['', el('a', {href: '#/'}, 'Summary')], ...this.slugs.map((slug) => /** @type {[string, HTMLElement]} */ ([slug, el('a', {href: linkOf(slug)}, slug)]))]);
     document.body.append(this.header(study), this.main, footer());
     addEventListener('hashchange', () => this.go());
     addEventListener('beforeprint', () => this.print());
@@ -35,18 +37,23 @@ class Report {
   header(study) {
     const skip = el('a', {class: 'skip', href: '#main', click: (/** @type {Event} */ event) => { event.preventDefault(); this.main.focus(); }}, 'Skip to the content');
     return el('header', {class: 'top'}, skip, el('div', {class: 'title'}, el('div', {}, el('h1', {}, 'What accuracy costs in time'), machineOf(study), interruptionOf(study)), this.theme.element),
-      el('nav', {class: 'problems', 'aria-label': 'Problems'}, ...this.links.values()));
+      this.links.size > 0 ? el('nav', {class: 'problems', 'aria-label': 'Problems'}, ...this.links.values()) : null);
   }
 
-  /** A page is made when it is first asked for. @param {string} slug @returns {Page} */
-  page(slug) {
+  /** @param {string} slug as somebody may have typed it */
+  known(slug) {
+    return this.slugs.includes(slug) ? slug : this.start;
+  }
+
+  /** A page is made when it is first asked for. @param {string} asked @returns {Page} */
+  page(asked) {
+    const slug = this.known(asked);
     const at = this.slugs.indexOf(slug);
-    const known = at < 0 ? '' : slug;
-    let page = this.pages.get(known);
+    let page = this.pages.get(slug);
     if (!page) {
       page = at < 0 ? new SummaryPage(this.problems, this.slugs.map(linkOf), this.theme) : new ProblemPage(this.problems[at], linkOf(slug), this.theme);
       page.element.hidden = true;
-      this.pages.set(known, page);
+      this.pages.set(slug, page);
       this.insert(page, at);
     }
     return page;
@@ -86,8 +93,7 @@ class Report {
     page.element.hidden = false;
     page.open();
     this.current = page;
-    const known = this.slugs.includes(slug) ? slug : '';
-    for (const [name, link] of this.links) mark(link, name === known);
+    for (const [name, link] of this.links) mark(link, name === this.known(slug));
     document.title = `${page.name} – what accuracy costs in time`;
   }
 
@@ -99,7 +105,7 @@ class Report {
   print() {
     document.documentElement.dataset.theme = 'light';
     const look = this.theme.look(false);
-    for (const slug of ['', ...this.slugs]) this.page(slug).print(look);
+    for (const slug of [this.start, ...this.slugs]) this.page(slug).print(look);
   }
 
   afterPrint() {

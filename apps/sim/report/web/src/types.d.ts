@@ -98,6 +98,8 @@ export interface Problem {
   name: string;
   about?: string;
   file?: string;
+  scene?: string;
+  why?: string;
   duration?: number | null;
   samples?: number | null;
   outputs?: {name: string, unit?: string | null, range?: number | null}[];

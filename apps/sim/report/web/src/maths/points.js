@@ -18,6 +18,30 @@ export const calls = (/** @type {Point} */ point) => point.calls ?? null;
 /** Not run at all, for the time that the study had. @param {Point} point */
 export const hadNoTime = (point) => point.status === 'refused' && /time that the study/.test(point.why ?? '');
 
+/** The settings that runs are told apart by, and their words for one and for many. */
+export const k_choices = /** @type {[string, string, string][]} */ ([
+  ['method', 'method', 'methods'], ['number', 'number type', 'number types'], ['formulation', 'formulation', 'formulations'], ['projection', 'projection', 'projections'],
+]);
+
+/** Choices of a setting of which no run was begun. @param {Point[]} points @param {string} key @returns {[string, Point[]][]} */
+const neverBegun = (points, key) => [...grouped(points, [key])].filter(([, group]) => group.every(({status}) => status === 'refused'));
+
+/** What is left to look at: nothing is compared with what was never begun. @param {Point[]} points */
+export function begun(points) {
+  const none = k_choices.map(([key]) => /** @type {[string, Set<string>]} */ ([key, new Set(neverBegun(points, key).map(([name]) => name))]));
+  return points.filter((point) => none.every(([key, names]) => !names.has(settingOf(point, key))));
+}
+
+/** Choices without a run, by their reasons, in words. @param {Point[]} points @returns {string[]} */
+export const notRun = (points) => k_choices.flatMap(([key, one, many]) => {
+  const byReason = /** @type {Map<string, string[]>} */ (new Map());
+  for (const [name, group] of neverBegun(points, key)) {
+    const why = [...new Set(group.map((point) => point.why || 'nobody says why'))].join('; ');
+    byReason.set(why, [...byReason.get(why) ?? [], name]);
+  }
+  return [...byReason].map(([why, names]) => `${names.length === 1 ? one : many} ${names.join(', ')}: ${why}`);
+});
+
 /** Runs that arrived and were compared with the reference. */
 export const arrived = (/** @type {Point[]} */ points) => points.filter((point) => point.status === 'ok' && isNumber(point.error));
 

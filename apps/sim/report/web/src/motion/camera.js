@@ -9,17 +9,27 @@ const k_steepest = 1.55;
 const k_filled = 0.78;      // of the window, in the first view
 
 export class Camera {
-  /** @param {Vector} up @param {{low: Vector, high: Vector, middle: Vector, radius: number}} extent */
+  /** @param {Vector} up @param {import('./frames.js').Extent} extent */
   constructor(up, extent) {
     this.up = up;
     this.extent = extent;
+    this.carried = /** @type {Vector} */ ([0, 0, 0]);  // with a mechanism that is followed, from whose centre places of `extent` are seen
     this.first = across(up);
     this.second = cross(up, this.first);
+    this.floor = /** @type {number | null} */ (null);
     this.aspect = 1.6;
     this.touched = false;
     this.azimuth = this.elevation = 0;
     this.distance = 1;
     this.target = extent.middle;
+    this.reset();
+  }
+
+  /** Looks at another box, in its first view. @param {import('./frames.js').Extent} extent @param {number | null} floor its height; null: below the box */
+  show(extent, floor) {
+    this.extent = extent;
+    this.floor = floor;
+    this.carried = /** @type {Vector} */ ([0, 0, 0]);
     this.reset();
   }
 
@@ -49,7 +59,7 @@ export class Camera {
     const project = this.projection(2 * this.aspect, 2);
     const {low, high} = this.extent;
     const ends = [low, high];
-    const corners = ends.flatMap((a) => ends.flatMap((b) => ends.map((c) => project([a[0], b[1], c[2]]))));
+    const corners = ends.flatMap((a) => ends.flatMap((b) => ends.map((c) => project(plus(this.carried, [a[0], b[1], c[2]])))));
     return Math.max(1e-3, ...corners.map(({x, y}) => Math.max(Math.abs(x / this.aspect - 1), Math.abs(y - 1))));
   }
 
@@ -73,8 +83,12 @@ export class Camera {
     return plus(scaled(level, Math.cos(this.elevation)), scaled(this.up, Math.sin(this.elevation)));
   }
 
+  aim() {
+    return plus(this.target, this.carried);
+  }
+
   eye() {
-    return plus(this.target, scaled(this.direction(), this.distance));
+    return plus(this.aim(), scaled(this.direction(), this.distance));
   }
 
   /** @param {number} width @param {number} height @returns {(place: Vector) => {x: number, y: number, depth: number, scale: number}} pixels; scale: pixels for a unit of length there */

@@ -8,6 +8,9 @@ import {dot, minus, scaled, plus, size, unit} from './vectors.js';
 /** @typedef {{position: Vector, orientation: Quaternion}} Pose */
 /** @typedef {{bodies: (Pose | null)[], lines: (Vector[] | null)[], reactions: ({at: Vector, force: Vector} | null)[]}} Frame */
 
+/** @typedef {{low: Vector, high: Vector, middle: Vector, radius: number}} Extent */
+/** @typedef {{low: Vector, high: Vector}} Box */
+
 export const isVector = (/** @type {any} */ value) => Array.isArray(value) && value.length === 3 && value.every((part) => typeof part === 'number' && Number.isFinite(part));
 
 /** @param {any} motion @returns {motion is Motion} whether there is something to show */
@@ -70,29 +73,71 @@ export function reachOf({shape}) {
   return 0;
 }
 
-/** All places of a motion, with how far something reaches there. @param {Motion} motion @returns {Generator<[Vector, number]>} */
-function* places(motion) {
-  for (const body of motion.bodies ?? []) {
-    const reach = reachOf(body);
-    for (const place of body.position ?? []) if (isVector(place)) yield [/** @type {Vector} */ (place), reach];
+/** @returns {Box} */
+const emptyBox = () => ({low: [Infinity, Infinity, Infinity], high: [-Infinity, -Infinity, -Infinity]});
+
+/** @param {Box} box @param {Vector} place @param {number} reach */
+function grow({low, high}, place, reach) {
+  for (let axis = 0; axis < 3; ++axis) {
+    low[axis] = Math.min(low[axis], place[axis] - reach);
+    high[axis] = Math.max(high[axis], place[axis] + reach);
   }
-  for (const line of motion.lines ?? []) for (const points of line.points ?? []) for (const place of points ?? []) if (isVector(place)) yield [place, 0];
-  for (const reaction of motion.reactions ?? []) for (const place of reaction.at ?? []) if (isVector(place)) yield [/** @type {Vector} */ (place), 0];
 }
 
-/** @param {Motion} motion @returns {{low: Vector, high: Vector, middle: Vector, radius: number}} the box of all places */
+/** @param {Box} box */
+const diagonal = ({low, high}) => isVector(low) ? size(minus(high, low)) : 0;
+
+/** @param {Box} box @returns {Extent} */
+function closed(box) {
+  if (!isVector(box.low)) return {low: [-1, -1, -1], high: [1, 1, 1], middle: [0, 0, 0], radius: 1};
+  return {...box, middle: scaled(plus(box.low, box.high), 0.5), radius: 0.5 * diagonal(box) || 1};
+}
+
+/** All places at a time, with how far something reaches there. @param {Motion} motion @param {Frame} frame @returns {Generator<[Vector, number]>} */
+function* placesIn(motion, frame) {
+  for (const [i, pose] of frame.bodies.entries()) if (pose) yield [pose.position, reachOf(/** @type {import('../types.js').Body[]} */ (motion.bodies)[i])];
+  for (const line of frame.lines) for (const place of line ?? []) yield [place, 0];
+  for (const reaction of frame.reactions) if (reaction) yield [reaction.at, 0];
+}
+
+/** @param {Motion} motion @returns {Extent} the box of all places */
 export function extent(motion) {
-  const low = /** @type {Vector} */ ([Infinity, Infinity, Infinity]);
-  const high = /** @type {Vector} */ ([-Infinity, -Infinity, -Infinity]);
-  for (const [place, reach] of places(motion)) {
-    for (let axis = 0; axis < 3; ++axis) {
-      low[axis] = Math.min(low[axis], place[axis] - reach);
-      high[axis] = Math.max(high[axis], place[axis] + reach);
+  const box = emptyBox();
+  for (const time of motion.t) for (const [place, reach] of placesIn(motion, frameAt(motion, time))) grow(box, place, reach);
+  return closed(box);
+}
+
+/** Where a mechanism is: the mean of its bodies, else of its other places. @param {Motion} motion @param {Frame} frame @returns {Vector} */
+export function centreOf(motion, frame) {
+  const bodies = frame.bodies.flatMap((pose) => pose ? [pose.position] : []);
+  const all = bodies.length > 0 ? bodies : [...placesIn(motion, frame)].map(([place]) => place);
+  return all.reduce((sum, place) => plus(sum, scaled(place, 1 / all.length)), /** @type {Vector} */ ([0, 0, 0]));
+}
+
+/**
+ * A mechanism beside its path. Sizes of bodies do not count: where nothing but a body is known, its size says little, and there is nothing to follow.
+ * @param {Motion} motion @returns {{extent: Extent, times: number} | null} the box that holds it at any time, seen from its centre, and how much larger that of the path is
+ */
+export function travel(motion) {
+  const [path, around] = [emptyBox(), emptyBox()];
+  let own = 0;
+  for (const time of motion.t) {
+    const frame = frameAt(motion, time);
+    const centre = centreOf(motion, frame);
+    const now = emptyBox();
+    for (const [place, reach] of placesIn(motion, frame)) {
+      for (const box of [path, now]) grow(box, place, 0);
+      grow(around, minus(place, centre), reach);
     }
+    own = Math.max(own, diagonal(now));
   }
-  if (!isVector(low)) return {low: [-1, -1, -1], high: [1, 1, 1], middle: [0, 0, 0], radius: 1};
-  const radius = 0.5 * size(minus(high, low));
-  return {low, high, middle: scaled(plus(low, high), 0.5), radius: radius > 0 ? radius : 1};
+  return own > 1e-6 * diagonal(path) ? {extent: closed(around), times: diagonal(path) / own} : null;
+}
+
+/** From where to where along `axis`. @param {Extent} box @param {Vector} axis @returns {[number, number]} */
+export function reachAlong({low, high}, axis) {
+  const ends = axis.map((part, i) => [part * low[i], part * high[i]]);
+  return [ends.reduce((sum, pair) => sum + Math.min(...pair), 0), ends.reduce((sum, pair) => sum + Math.max(...pair), 0)];
 }
 
 /** @param {Motion} motion @returns {{value: number, name: string, unit: string, time: number} | null} the largest reaction */
@@ -105,6 +150,12 @@ export function largestReaction(motion) {
     });
   }
   return best;
+}
+
+/** The largest reaction at a time, at half of the times: some are far beyond all others. @param {Motion} motion */
+export function usualReaction(motion) {
+  const largest = motion.t.map((_, i) => Math.max(0, ...(motion.reactions ?? []).map(({force}) => isVector(force?.[i]) ? size(/** @type {Vector} */ (force[i])) : 0)));
+  return largest.sort((a, b) => a - b)[largest.length >> 1];
 }
 
 /** Which way is up. @param {Motion} motion @returns {Vector} */

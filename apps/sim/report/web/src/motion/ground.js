@@ -1,10 +1,11 @@
 // A grid below the motion, which gives its size and which way is up.
 
-import {dot, minus, plus, scaled} from './vectors.js';
+import {reachAlong} from './frames.js';
+import {dot, plus, scaled} from './vectors.js';
 
 /** @typedef {import('../types.js').Vector} Vector */
 
-const k_cells = 10;
+const k_cells = 12;
 
 /** A round length for the side of a cell: 1, 2 or 5 times a power of ten. @param {number} length */
 export function roundLength(length) {
@@ -13,17 +14,17 @@ export function roundLength(length) {
 }
 
 /**
+ * Below a mechanism that is followed it goes along by whole cells, and so seems to lie still.
  * @param {import('./camera.js').Camera} camera
  * @returns {{lines: [Vector, Vector][], cell: number}}
  */
-export function ground({up, first, second, extent}) {
+export function ground({up, first, second, extent, carried, floor}) {
   const cell = roundLength(extent.radius / 4);
-  const corners = [extent.low, extent.high];
-  const lowest = Math.min(...corners.flatMap((x) => corners.flatMap((y) => corners.map((z) => dot([x[0], y[1], z[2]], up)))));
-  const drop = minus(extent.middle, scaled(up, dot(extent.middle, up) - lowest));
+  const height = floor ?? reachAlong(extent, up)[0] + dot(carried, up);
+  const middle = plus(extent.middle, carried);
   // On multiples of a cell, so that the grid can be counted from the origin.
-  const round = (/** @type {Vector} */ axis) => Math.round(dot(drop, axis) / cell) * cell;
-  const origin = plus(plus(scaled(first, round(first)), scaled(second, round(second))), scaled(up, lowest));
+  const round = (/** @type {Vector} */ axis) => Math.round(dot(middle, axis) / cell) * cell;
+  const origin = plus(plus(scaled(first, round(first)), scaled(second, round(second))), scaled(up, height));
   const half = cell * k_cells / 2;
   const lines = [];
   for (let i = -k_cells / 2; i <= k_cells / 2; ++i) {

@@ -81,6 +81,7 @@ export class FlatStage {
   tube(project, place, radius, length, colour) {
     const ends = [-0.5 * length, 0.5 * length];
     for (const z of ends) this.path(project, circle(radius, z).map(place), colour, 1.5);
+    this.path(project, [0, 16].map((i) => place(circle(radius, 0)[i])), colour, 1.5);  // shows that it turns
     for (let i = 0; i < 8; ++i) this.path(project, ends.map((z) => place(circle(radius, z)[4 * i])), colour, 1, 0.6);
   }
 

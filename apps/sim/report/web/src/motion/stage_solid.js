@@ -26,6 +26,7 @@ export class SolidStage {
     this.eye = new PerspectiveCamera(k_field * 180 / Math.PI, 1, 0.01, 100);
     this.parts = /** @type {ReturnType<typeof partsOf> | null} */ (null);
     this.colours = /** @type {Scene['colours'] | null} */ (null);
+    this.extent = /** @type {import('./frames.js').Extent | null} */ (null);
   }
 
   /** @param {number} width @param {number} height @param {number} density */
@@ -51,12 +52,13 @@ export class SolidStage {
 
   /** @param {Scene} scene */
   draw(scene) {
-    if (!this.parts || this.colours !== scene.colours) this.build(scene);
+    if (!this.parts || this.colours !== scene.colours || this.extent !== scene.camera.extent) this.build(scene);
     const parts = /** @type {ReturnType<typeof partsOf>} */ (this.parts);
     scene.frame.bodies.forEach((pose, i) => putBody(parts.bodies[i], pose));
     scene.frame.lines.forEach((places, i) => putRods(parts.lines[i], places));
     scene.frame.reactions.forEach((reaction, i) => putArrow(parts.reactions[i], reaction, scene.arrow, parts.thickness));
     scene.traces.forEach((trace, i) => putTrace(parts.traces[i], trace));
+    putGrid(parts.grid, scene.camera);
     this.look(scene.camera);
     this.renderer.render(this.world, this.eye);
   }
@@ -65,6 +67,7 @@ export class SolidStage {
   build(scene) {
     this.clear();
     this.colours = scene.colours;
+    this.extent = scene.camera.extent;  // rods are as thick as it is large
     this.parts = partsOf(this.motion, scene);
     const {bodies, lines, reactions, traces, grid} = this.parts;
     this.world.add(...lights(scene.camera.up), grid, ...bodies, ...lines, ...reactions, ...traces);
@@ -76,7 +79,7 @@ export class SolidStage {
     this.eye.far = camera.distance + 20 * camera.extent.radius;
     this.eye.up.set(...camera.up);
     this.eye.position.set(...camera.eye());
-    this.eye.lookAt(...camera.target);
+    this.eye.lookAt(...camera.aim());
     this.eye.updateProjectionMatrix();
   }
 }
@@ -111,7 +114,16 @@ const matt = (/** @type {string} */ colour, seeThrough = false) => new MeshStand
 function gridOf(camera, colour) {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(ground(camera).lines.flat(2)), 3));
-  return new LineSegments(geometry, new LineBasicMaterial({color: new Color(colour)}));
+  const grid = new LineSegments(geometry, new LineBasicMaterial({color: new Color(colour)}));
+  grid.frustumCulled = false;  // it goes along with what is followed
+  return grid;
+}
+
+/** @param {LineSegments} grid @param {import('./camera.js').Camera} camera */
+function putGrid(grid, camera) {
+  const position = grid.geometry.getAttribute('position');
+  ground(camera).lines.flat().forEach(([x, y, z], i) => position.setXYZ(i, x, y, z));
+  position.needsUpdate = true;
 }
 
 /** @param {import('../types.js').Body} body @param {string} colour @param {number} dot radius of a point */
@@ -120,10 +132,14 @@ function bodyOf({shape}, colour, dot) {
   const geometry = shapeOf(shape, dot);
   if (!geometry) return group;
   group.add(new Mesh(geometry, matt(colour, shape?.see_through)));
-  // A sphere alone would not show that it turns.
+  // Alone they would not show that they turn.
   if (shape?.kind === 'sphere' && !shape.see_through) group.add(...stripes(shape.radius ?? 0));
+  if (shape?.kind === 'cylinder' && !shape.see_through) group.add(bar(shape.radius ?? 0, shape.length ?? 0));
   return group;
 }
+
+/** Across a disc, seen from both sides. @param {number} radius @param {number} length */
+const bar = (radius, length) => new Mesh(new BoxGeometry(1.9 * radius, 0.12 * radius, 1.05 * length), matt('#ffffff'));
 
 /** @param {number} radius */
 const stripes = (radius) => [0, Math.PI / 2].map((turn) => {
@@ -151,18 +167,24 @@ function putBody(group, pose) {
   group.quaternion.set(x, y, z, w);
 }
 
-/** @param {number} count @param {number} radius @param {string} colour */
+/** Rods, then their ends. @param {number} count @param {number} radius @param {string} colour */
 function rodsOf(count, radius, colour) {
   const group = new Group();
   for (let i = 0; i < count; ++i) group.add(new Mesh(new CylinderGeometry(radius, radius, 1, 16), matt(colour)));
+  for (let i = 0; i <= count; ++i) group.add(new Mesh(new SphereGeometry(1.5 * radius, 16, 12), matt(colour)));
   return group;
 }
 
 /** @param {Group} group @param {Vector[] | null} places */
 function putRods(group, places) {
-  group.children.forEach((rod, i) => {
+  const count = (group.children.length - 1) / 2;
+  group.children.slice(0, count).forEach((rod, i) => {
     rod.visible = Boolean(places && places[i + 1]);
     if (places && rod.visible) span(rod, places[i], places[i + 1]);
+  });
+  group.children.slice(count).forEach((end, i) => {
+    end.visible = Boolean(places && places[i]);
+    if (places && end.visible) end.position.set(...places[i]);
   });
 }
 

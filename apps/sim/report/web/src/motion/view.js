@@ -5,7 +5,7 @@ import {el} from '../ui/dom.js';
 import {Camera} from './camera.js';
 import {sceneColours} from './colours.js';
 import {controls} from './controls.js';
-import {extent, frameAt, isVector, largestReaction, sampleAt, upOf} from './frames.js';
+import {centreOf, extent, frameAt, isVector, largestReaction, reachAlong, sampleAt, travel, upOf, usualReaction} from './frames.js';
 import {Player} from './player.js';
 import {flatStageIn, stageIn} from './stage.js';
 import {size} from './vectors.js';
@@ -13,7 +13,10 @@ import {size} from './vectors.js';
 /** @typedef {import('../types.js').Vector} Vector */
 
 const k_turn = 0.09;        // radians for a key
-const k_longest_arrow = 0.55;  // of the radius of the motion
+const k_usual_arrow = 0.45;  // of the radius of what is looked at
+const k_longest_arrow = 1.8;
+const k_travels = 3;        // times its own size, and a mechanism may be followed
+const k_gets_lost = 4;      // and it is followed from the beginning
 const k_paper = /** @type {[number, number]} */ ([460, 256]);
 
 export class MotionView {
@@ -22,14 +25,20 @@ export class MotionView {
     this.motion = motion;
     this.dark = dark;
     this.colours = sceneColours(dark());
-    this.camera = new Camera(upOf(motion), extent(motion));
+    this.whole = extent(motion);
+    const way = travel(motion);
+    this.followed = way && way.times >= k_travels ? way.extent : null;
+    this.follows = way !== null && way.times >= k_gets_lost;
+    this.camera = new Camera(upOf(motion), this.whole);
+    this.look();
     this.largest = largestReaction(motion);
+    this.usual = usualReaction(motion);
     this.player = new Player(motion.t[0], motion.t[motion.t.length - 1], () => this.show());
     this.stage = /** @type {ReturnType<typeof stageIn> | null} */ (null);
     this.place = el('div', {class: 'stage', tabindex: 0, role: 'application', 'aria-roledescription': 'moving picture', 'aria-label': this.label(), keydown: (/** @type {KeyboardEvent} */ event) => this.key(event)});
     this.ui = controls({
-      start: this.player.start, end: this.player.end, hasReactions: this.largest !== null, toggle: () => this.toggle(), seek: (time) => this.player.seek(time),
-      speed: (factor) => { this.player.speed = factor; }, show: () => this.show(), first: () => this.firstView(),
+      start: this.player.start, end: this.player.end, hasReactions: this.largest !== null, travels: this.followed !== null, follows: this.follows, toggle: () => this.toggle(), seek: (time) => this.player.seek(time),
+      speed: (factor) => { this.player.speed = factor; }, show: () => this.show(), first: () => this.firstView(), follow: (on) => this.follow(on),
     });
     this.values = el('dl', {class: 'pairs reactions'});
     this.element = el('div', {class: 'motion'}, el('div', {class: 'motion-picture'}, this.place, this.ui.bar), el('div', {class: 'motion-side'}, this.ui.sliders, this.reactionList(), el('p', {class: 'note'}, 'Drag or arrow keys turn the view, the wheel or plus and minus zoom, space plays.')));
@@ -39,11 +48,27 @@ export class MotionView {
 
   label() {
     const names = (this.motion.bodies ?? []).map(({name}) => name).join(', ');
-    return `The motion${names ? ` of ${names}` : ''}. Space plays and stops, arrow keys turn the view, plus and minus zoom, comma and full stop go to the sample before and after, 0 brings the first view back.`;
+    return `The motion${names ? ` of ${names}` : ''}. Space plays and stops, arrow keys turn the view, plus and minus zoom, comma and full stop go to the sample before and after, 0 brings the first view back${this.followed ? ', f follows the mechanism or holds its whole path' : ''}.`;
   }
 
   reactionList() {
     return this.largest ? el('div', {}, el('h4', {}, 'Reactions now'), this.values) : el('p', {class: 'note'}, 'No reactions are recorded.');
+  }
+
+  /** A floor on which something goes along lies still; below what climbs or falls far it goes with it. */
+  look() {
+    if (!this.follows || !this.followed) return this.camera.show(this.whole, null);
+    const [[lowest, highest], [low, high]] = [this.whole, this.followed].map((box) => reachAlong(box, this.camera.up));
+    return this.camera.show(this.followed, highest - lowest < 2 * (high - low) ? lowest : null);
+  }
+
+  /** @param {boolean} on or else the whole path is held */
+  follow(on) {
+    if (!this.followed) return;
+    this.follows = on;
+    this.ui.camera.value = on ? 'follow' : 'whole';
+    this.look();
+    this.show();
   }
 
   firstView() {
@@ -101,11 +126,13 @@ export class MotionView {
     this.ui.scrub.value = String(player.time);
     this.ui.clock.textContent = `${player.time.toFixed(2)} s`;
     this.say(frame);
+    if (this.follows) this.camera.carried = centreOf(this.motion, frame);
     this.stage?.draw({frame, camera: this.camera, colours: this.colours, traces: this.ui.traced.checked ? this.traces() : this.motion.bodies?.map(() => []) ?? [], arrow: this.arrowLength()});
   }
 
   arrowLength() {
-    return this.largest && this.largest.value > 0 ? Number(this.ui.arrows.value) * k_longest_arrow * this.camera.extent.radius / this.largest.value : 0;
+    const perForce = Math.min(k_usual_arrow / this.usual, k_longest_arrow / (this.largest?.value || Infinity));
+    return Number.isFinite(perForce) ? Number(this.ui.arrows.value) * perForce * this.camera.extent.radius : 0;
   }
 
   /** Places of each body that moves, up to now. @returns {Vector[][]} */
@@ -167,7 +194,7 @@ export class MotionView {
   key(event) {
     const action = /** @type {Record<string, () => void>} */ ({
       ' ': () => this.toggle(), ArrowLeft: () => this.turn(-k_turn, 0), ArrowRight: () => this.turn(k_turn, 0), ArrowUp: () => this.turn(0, k_turn), ArrowDown: () => this.turn(0, -k_turn),
-      '+': () => this.zoom(0.9), '=': () => this.zoom(0.9), '-': () => this.zoom(1 / 0.9), ',': () => this.step(-1), '.': () => this.step(1), '0': () => this.firstView(),
+      '+': () => this.zoom(0.9), '=': () => this.zoom(0.9), '-': () => this.zoom(1 / 0.9), ',': () => this.step(-1), '.': () => this.step(1), '0': () => this.firstView(), f: () => this.follow(!this.follows),
     })[event.key];
     if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();

@@ -1,7 +1,7 @@
 // What a problem and a machine are, in a few lines.
 
 import {counted, isNumber, plain, seconds, small} from '../format.js';
-import {arrived} from '../maths/points.js';
+import {arrived, notRun} from '../maths/points.js';
 import {el, pairs} from './dom.js';
 
 /** @typedef {import('../types.js').FullProblem} FullProblem */
@@ -21,11 +21,14 @@ function referenceOf(reference) {
 export function factsOf(problem) {
   const outputs = problem.outputs.map(({name, unit, range}) => `${name}${unit ? ` (${unit}${isNumber(range) ? `, range ${plain(range)}` : ''})` : ''}`).join(', ');
   const found = /** @type {[string, string][]} */ ([]);
+  if (problem.scene) found.push(['scene', problem.scene]);
   if (problem.file) found.push(['model', problem.file]);
   if (isNumber(problem.duration)) found.push(['motion', joined([`${plain(problem.duration)} s`, isNumber(problem.samples) && counted(problem.samples, 'sample')])]);
   if (outputs) found.push(['compared', outputs]);
   found.push(['reference', referenceOf(problem.reference)]);
   found.push(['runs', `${plain(problem.points.length)}, ${plain(arrived(problem.points).length)} of them with a result`]);
+  const missing = notRun(problem.points);
+  if (missing.length > 0) found.push(['not run', missing.join('. ')]);
   return pairs(found, 'pairs facts');
 }
 

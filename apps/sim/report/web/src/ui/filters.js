@@ -1,12 +1,10 @@
 // What the charts of a problem show: any run, unless its method, number type, formulation or projection is switched off.
 
 import {plain} from '../format.js';
-import {grouped, settingOf, values} from '../maths/points.js';
+import {grouped, k_choices, settingOf, values} from '../maths/points.js';
 import {button, el} from './dom.js';
 
 /** @typedef {import('../types.js').Point} Point */
-
-const k_filters = /** @type {[string, string][]} */ ([['method', 'Method'], ['number', 'Number type'], ['formulation', 'Formulation'], ['projection', 'Projection']]);
 
 export class Filters {
   /** @param {Point[]} points @param {() => void} changed */
@@ -16,7 +14,7 @@ export class Filters {
     this.off = new Set();
     this.count = el('p', {role: 'status', class: 'count'});
     this.boxes = /** @type {HTMLInputElement[]} */ ([]);
-    const groups = k_filters.map(([key, label]) => this.group(key, label)).filter((group) => group !== null);
+    const groups = k_choices.map(([key, word]) => this.group(key, `${word[0].toUpperCase()}${word.slice(1)}`)).filter((group) => group !== null);
     this.reset = button('Show all', () => this.showAll(), {class: 'reset'});
     this.element = el('form', {class: 'filters', 'aria-label': 'Which runs are shown', submit: (/** @type {Event} */ event) => event.preventDefault()},
       ...groups, el('div', {class: 'filters-foot'}, this.count, this.reset));
@@ -56,7 +54,7 @@ export class Filters {
 
   /** @returns {Point[]} */
   shown() {
-    return this.off.size === 0 ? this.points : this.points.filter((point) => k_filters.every(([key]) => !this.off.has(`${key}\n${settingOf(point, key)}`)));
+    return this.off.size === 0 ? this.points : this.points.filter((point) => k_choices.every(([key]) => !this.off.has(`${key}\n${settingOf(point, key)}`)));
   }
 
   say() {

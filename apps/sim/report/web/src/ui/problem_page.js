@@ -4,6 +4,7 @@ import {chartsOf} from '../charts/all.js';
 import {canPlay, largestReaction} from '../motion/frames.js';
 import {MotionView} from '../motion/view.js';
 import {plain} from '../format.js';
+import {begun} from '../maths/points.js';
 import {el} from './dom.js';
 import {factsOf} from './facts.js';
 import {Figure} from './figure.js';
@@ -15,16 +16,18 @@ export class ProblemPage {
   /** @param {FullProblem} problem @param {string} link of the problem @param {import('./theme.js').Theme} theme */
   constructor(problem, link, theme) {
     this.name = problem.name;
-    this.filters = new Filters(problem.points, () => this.figures.forEach((figure) => figure.refresh()));
-    const charts = chartsOf(problem);
-    this.figures = charts.map((chart) => new Figure(chart, problem, () => this.filters.shown(), () => theme.look()));
+    const shown = {...problem, points: begun(problem.points)};
+    this.filters = new Filters(shown.points, () => this.figures.forEach((figure) => figure.refresh()));
+    const charts = chartsOf(shown);
+    this.figures = charts.map((chart) => new Figure(chart, shown, () => this.filters.shown(), () => theme.look()));
     this.motion = canPlay(problem.motion) ? new MotionView(/** @type {any} */ (problem.motion), () => theme.dark()) : null;
     this.motionHeading = el('h3', {tabindex: -1}, 'The motion');
     const heading = el('h2', {tabindex: -1}, problem.name);
     this.headings = new Map(/** @type {[string, HTMLElement][]} */ ([['', heading], ['motion', this.motionHeading], ...this.figures.map(({chart, heading: of}) => [chart.id, of])]));
     const links = [['motion', 'The motion'], ...charts.map(({id, short}) => [id, short])];
     this.element = el('div', {class: 'problem'}, el('div', {class: 'side'}, sections(link, links), this.filters.element),
-      el('div', {class: 'charts'}, el('header', {class: 'intro'}, heading, problem.about ? el('p', {class: 'lead'}, problem.about) : null, factsOf(problem)),
+      el('div', {class: 'charts'}, el('header', {class: 'intro'}, heading, problem.about ? el('p', {class: 'lead'}, problem.about) : null,
+        problem.why ? el('p', {class: 'fault'}, `There is no reference, so no run was measured: ${problem.why}.`) : null, factsOf(problem)),
         this.motionSection(problem), ...this.figures.map(({element}) => element)));
   }
 

@@ -42,13 +42,15 @@ function matrix(problems, links) {
   if (problems.length === 0) return el('p', {class: 'empty'}, 'The study has no problems.');
   const head = el('tr', {}, el('th', {scope: 'col'}, 'problem'), ...k_errors.map((target) => el('th', {scope: 'col'}, `error ${small(target)}`)));
   const rows = problems.map((problem, i) => el('tr', {}, el('th', {scope: 'row'}, el('a', {href: links[i]}, problem.name)), ...k_errors.map((target) => choice(problem, target))));
-  return el('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Table: fastest settings in short'},
+  const faults = problems.flatMap(({name, why}) => why ? [el('p', {class: 'fault'}, `${name}: there is no reference: ${why}.`)] : []);
+  const table = el('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Table: fastest settings in short'},
     el('table', {class: 'matrix'}, el('caption', {}, 'Fastest run of each problem for four errors, and its setting.'), el('thead', {}, head), el('tbody', {}, ...rows)));
+  return el('div', {}, table, ...faults);
 }
 
 /** @param {FullProblem} problem @param {number} target */
 function choice(problem, target) {
   const point = cheapest(problem.points, target);
-  if (!point) return el('td', {class: 'none'}, 'nobody gets there');
+  if (!point) return el('td', {class: 'none'}, problem.why ? 'no reference' : 'nobody gets there');
   return el('td', {}, el('strong', {}, seconds(point.time_s)), el('span', {}, ...prose(briefly(point))));
 }
