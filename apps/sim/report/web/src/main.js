@@ -137,7 +137,7 @@ function addressed(hash) {
 
 function footer() {
   const licences = document.getElementById('licences')?.textContent ?? '';
-  return el('footer', {}, el('p', {}, 'Errors are the largest difference from the reference over all samples and outputs, each output divided by its range.'),
+  return el('footer', {}, el('p', {}, 'Errors are the largest difference from the reference over all samples and outputs, each output divided by its range; of one that does not change, by its size or the range of others with its unit.'),
     el('details', {}, el('summary', {}, 'Licences of the libraries in this page'), el('pre', {tabindex: 0}, licences.trim())));
 }
 

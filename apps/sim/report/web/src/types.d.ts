@@ -102,7 +102,7 @@ export interface Problem {
   why?: string;
   duration?: number | null;
   samples?: number | null;
-  outputs?: {name: string, unit?: string | null, range?: number | null}[];
+  outputs?: {name: string, unit?: string | null, range?: number | null, scale?: number | null}[];
   reference?: Reference | null;
   builds?: Build[];
   points?: Point[];

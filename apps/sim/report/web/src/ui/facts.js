@@ -17,9 +17,17 @@ function referenceOf(reference) {
   return `${reference.kind}${methods ? `: ${methods}` : ''}${agreement}`;
 }
 
+/** What does not change has errors relative to something else than its range. @param {FullProblem['outputs'][number]} output */
+function outputOf({name, unit, range, scale}) {
+  const isConstant = isNumber(range) && isNumber(scale) && range < scale / 2;
+  const extent = isConstant ? 'constant' : isNumber(range) && `range ${plain(range)}`;
+  const said = joined([unit, extent]);
+  return said ? `${name} (${said})` : name;
+}
+
 /** @param {FullProblem} problem */
 export function factsOf(problem) {
-  const outputs = problem.outputs.map(({name, unit, range}) => `${name}${unit ? ` (${unit}${isNumber(range) ? `, range ${plain(range)}` : ''})` : ''}`).join(', ');
+  const outputs = problem.outputs.map(outputOf).join(', ');
   const found = /** @type {[string, string][]} */ ([]);
   if (problem.scene) found.push(['scene', problem.scene]);
   if (problem.file) found.push(['model', problem.file]);
