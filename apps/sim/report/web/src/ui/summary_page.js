@@ -20,7 +20,7 @@ export class SummaryPage {
     const heading = el('h2', {tabindex: -1}, 'Summary');
     this.headings = new Map([['', heading], ['summary', this.figures[0].heading]]);
     this.element = el('div', {class: 'summary'}, el('header', {class: 'intro'}, heading,
-      el('p', {class: 'lead'}, 'How long a run takes for the accuracy that you need, and with which setting.')), matrix(problems, links), this.figures[0].element);
+      el('p', {class: 'lead'}, 'How long a run takes for the accuracy that you need, and with which setting.')), ...matrix(problems, links), this.figures[0].element);
   }
 
   open() {}
@@ -39,13 +39,13 @@ export class SummaryPage {
 
 /** @param {FullProblem[]} problems @param {string[]} links */
 function matrix(problems, links) {
-  if (problems.length === 0) return el('p', {class: 'empty'}, 'The study has no problems.');
+  if (problems.length === 0) return [el('p', {class: 'empty'}, 'The study has no problems.')];
   const head = el('tr', {}, el('th', {scope: 'col'}, 'problem'), ...k_errors.map((target) => el('th', {scope: 'col'}, `error ${small(target)}`)));
   const rows = problems.map((problem, i) => el('tr', {}, el('th', {scope: 'row'}, el('a', {href: links[i]}, problem.name)), ...k_errors.map((target) => choice(problem, target))));
   const faults = problems.flatMap(({name, why}) => why ? [el('p', {class: 'fault'}, `${name}: there is no reference: ${why}.`)] : []);
   const table = el('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Table: fastest settings in short'},
     el('table', {class: 'matrix'}, el('caption', {}, 'Fastest run of each problem for four errors, and its setting.'), el('thead', {}, head), el('tbody', {}, ...rows)));
-  return el('div', {}, table, ...faults);
+  return [table, ...faults];
 }
 
 /** @param {FullProblem} problem @param {number} target */
