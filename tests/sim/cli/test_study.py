@@ -318,8 +318,8 @@ class Motions(Program):
                 self.assertAlmostEqual(abs(1 - 2 * (x * x + y * y)), 1, places=5)
 
     def test_what_rolls_over_all_of_its_surface_is_a_ball(self):
-        motion = self.motion((MODELS / "sphere_in_cylinder.yaml").read_text(encoding="utf-8"), duration=5)
-        [ball], [along] = motion["bodies"], [force for force in motion["reactions"] if force["name"] == "rolling_along"]
+        motion = self.motion((MODELS / "chaplygin_sphere.yaml").read_text(encoding="utf-8"), duration=5)
+        [ball], [along] = motion["bodies"], [force for force in motion["reactions"] if force["name"] == "plane"]
         self.assertEqual(ball["shape"]["kind"], "sphere")
         for at, centre in zip(along["at"], ball["position"]):
             self.assertAlmostEqual(math.dist(at, centre), ball["shape"]["radius"], places=4)
