@@ -66,7 +66,7 @@ class BulirschStoer final : public Integrator<S> {
     bool is_taken = false;
     while (!is_taken && is_running()) {
       const S wanted = settings_.longest_step > S(0) ? std::min(step_, settings_.longest_step) : step_;
-      if (shortest_in_a_row_ > k_most_shortest) return stop(Outcome::step_too_small);
+      if (shortest_in_a_row_ > k_most_shortest || shortest_ > k_most_edges) return stop(Outcome::step_too_small);
       const bool arrives = t_ + wanted >= end;
       is_taken = attempt(arrives ? end - t_ : wanted, arrives ? end : t_ + wanted);
       // What comes after a step that was cut off to arrive is not known better than before it.
@@ -79,6 +79,7 @@ class BulirschStoer final : public Integrator<S> {
     const S rounding = std::numeric_limits<S>::epsilon() * std::max(first_, gauss::integrate::magnitude(t_));
     const bool is_shortest = !(dt > 4 * rounding);
     shortest_in_a_row_ = is_shortest ? shortest_in_a_row_ + 1 : 0;
+    if (is_shortest) ++shortest_;
     Array x = x_, rates = rates_, result = x_;
     unit_ = control_.allowed(settings_.tolerance, dt);
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -143,9 +144,10 @@ class BulirschStoer final : public Integrator<S> {
   /// What rests is off by all that a force does to it which begins to act within a step, be it as short as rounding of time: then that is what time tells of the edge. One or
   /// two of these lead over it; more of them are no edge.
   static constexpr int k_most_shortest = 8;
+  static constexpr int k_most_edges = 100;  ///< in all: what sticks where a force jumps would cross one for ever
 
   S t_, step_ = 0, first_ = 0;
-  int shortest_in_a_row_ = 0;
+  int shortest_in_a_row_ = 0, shortest_ = 0;
   Array x_, rates_, unit_;
   gauss::simulate::NotingSystem<Model> system_{model_};
   gauss::simulate::StepControl<Model> control_{model_, settings_.tolerance, system_};

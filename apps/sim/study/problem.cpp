@@ -47,8 +47,7 @@ class Solver {
   Solver(Problem& problem, const StudyOptions& options) : problem_(problem), options_(options) {}
 
   void run() {
-    const Form& first = problem_.forms.front();
-    auto reference = find_reference(first.model, *first.engine, problem_.why);
+    auto reference = reference_in_time();
     throw_if_ended();
     if (reference) {
       problem_.reference = std::move(*reference);
@@ -64,6 +63,17 @@ class Solver {
   }
 
  private:
+  /// Motions that stick where a force jumps would take for ever.
+  std::optional<Reference> reference_in_time() {
+    const Form& first = problem_.forms.front();
+    constexpr double k_least = 30, k_share = 5;
+    const double seconds = k_least + k_share * options_.budget;
+    const TimeLimit limit(seconds);
+    auto reference = find_reference(first.model, *first.engine, problem_.why);
+    if (!reference && limit.is_over()) problem_.why = fmt::format("two tight runs take more than {:.3g} s", seconds);
+    return reference;
+  }
+
   void compare_with_reference() {
     problem_.ranges = ranges_of(problem_.reference.yardstick.rows());
     compare_forms();
