@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import signal
 import subprocess
 import tempfile
 import time
@@ -61,6 +62,16 @@ class Program(unittest.TestCase):
             if (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK") > seconds:
                 return
             time.sleep(0.01)
+
+    def stopped_while_writing(self, pattern, *arguments):
+        """Exit status and standard error of a run that gets Ctrl-C once a file of this pattern has some rows."""
+        process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 60
+        while not [path for path in self.folder.glob(pattern) if path.stat().st_size > 4096] and time.monotonic() < deadline:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        said = process.communicate(timeout=60)[1]
+        return process.returncode, said
 
     def files(self):
         return sorted(path.name for path in self.folder.iterdir())

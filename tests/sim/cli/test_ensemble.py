@@ -7,7 +7,6 @@ import os
 import signal
 import statistics
 import subprocess
-import time
 import unittest
 
 from gauss_sim import MODELS, PROGRAM, SPRING, Program
@@ -207,14 +206,8 @@ class Stopping(Ensembles):
         self.write("scene.yaml", SCENE.replace("trajectories: 50", "trajectories: 1000000"))
         for options in (("--method", "rk4", "--step", "1e-3"), ("--duration", "500"), ("--lanes", "1", "--every-sample", "--samples", "3")):
             with self.subTest(options):
-                process = subprocess.Popen([PROGRAM, "ensemble", "scene.yaml", "--threads", "4", "-q", *options], cwd=self.folder,
-                                           stderr=subprocess.PIPE, text=True)
-                deadline = time.monotonic() + 60
-                while not [path for path in self.folder.glob("many.ensemble.csv.*") if path.stat().st_size > 4096] and time.monotonic() < deadline:
-                    time.sleep(0.05)
-                process.send_signal(signal.SIGINT)
-                said = process.communicate(timeout=60)[1]
-                self.assertEqual(process.returncode, 130, said)
+                code, said = self.stopped_while_writing("many.ensemble.csv.*", "ensemble", "scene.yaml", "--threads", "4", "-q", *options)
+                self.assertEqual(code, 130, said)
                 self.assertIn("interrupted", said)
                 rows, summary = self.rows(), self.summary("many.ensemble.json")
                 self.assertEqual(summary["outcome"], "interrupted")

@@ -3,7 +3,6 @@
 import csv
 import math
 import os
-import signal
 import subprocess
 import time
 import unittest
@@ -263,14 +262,9 @@ class Writing(Program):
         self.assertIn("s.yaml:3:", self.refused(1, "run", "s.yaml"))
 
     def test_ctrl_c_leaves_a_whole_table(self):
-        command = [PROGRAM, "run", "spring.yaml", "--method", "rk4", "--step", "1e-7", "--duration", "1000", "--samples", "1000001", "-q"]
-        process = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True)
-        deadline = time.monotonic() + 60
-        while not [path for path in self.folder.glob("spring.csv*") if path.stat().st_size > 4096] and time.monotonic() < deadline:
-            time.sleep(0.05)
-        process.send_signal(signal.SIGINT)
-        said = process.communicate(timeout=60)[1]
-        self.assertEqual(process.returncode, 130, said)
+        code, said = self.stopped_while_writing("spring.csv*", "run", "spring.yaml", "--method", "rk4", "--step", "1e-7", "--duration", "1000",
+                                                "--samples", "1000001", "-q")
+        self.assertEqual(code, 130, said)
         table = self.table("spring.csv")
         summary = self.summary("spring.json")
         self.assertEqual(summary["outcome"], "interrupted")
