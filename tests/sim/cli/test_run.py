@@ -4,7 +4,6 @@ import csv
 import math
 import os
 import subprocess
-import time
 import unittest
 
 from gauss_sim import MODELS, PROGRAM, SPRING, Program
