@@ -195,6 +195,11 @@ std::map<std::string, support::Rational> parse_accelerations(const std::vector<s
   return wanted;
 }
 
+std::string not_finite(double value) {
+  return fmt::format("with the values of the parameters this is {}",
+                     std::isnan(value) ? "not a real number" : "infinite");
+}
+
 void Overrides::set(const std::string& option, const std::string& name, model::Ast value) {
   refuse_other_symbols(option, value, model_);
   relocate(value, model_.name.span);
@@ -208,8 +213,7 @@ void Overrides::check() const {
   for (const Given& given : all_) {
     const auto value = model::value_of(given.value, values);
     if (!value || std::isfinite(*value)) continue;
-    throw UsageError(fmt::format("{}: with the values of the parameters this is {}", given.option,
-                                 std::isnan(*value) ? "not a real number" : "infinite"));
+    throw UsageError(given.option + ": " + not_finite(*value));
   }
 }
 

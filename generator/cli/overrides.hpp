@@ -13,6 +13,9 @@ namespace gaussgen::cli {
 /// An expression that is given to `option`. Throws UsageError.
 model::Ast parse_value(const std::string& option, const std::string& text);
 
+/// What is wrong with a value that is infinite or no number.
+std::string not_finite(double value);
+
 /// Gives a model other values. `option` is for messages: how the user gave them.
 class Overrides {
  public:

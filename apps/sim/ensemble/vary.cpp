@@ -6,7 +6,7 @@
 
 #include "cli/overrides.hpp"
 #include "sim/ensemble/plan.hpp"
-#include "support/error_codes.hpp"
+#include "sim/run/scene_values.hpp"
 #include "support/suggest.hpp"
 
 namespace gausssim {
@@ -14,37 +14,26 @@ namespace gausssim {
 namespace {
 
 namespace cli = gaussgen::cli;
-namespace code = gaussgen::support::code;
 namespace model = gaussgen::model;
 using model::SymbolKind;
 
 model::Ast number_of(double value) { return cli::parse_value("ensemble", fmt::format("{}", value)); }
 
-/// Without the words for a command line.
-std::string without_option(const std::string& text) {
-  const std::size_t colon = text.rfind("--set", 0) == 0 ? text.find(": ") : std::string::npos;
-  return colon == std::string::npos ? text : text.substr(colon + 2);
-}
-
 class Varying {
  public:
   Varying(model::Model& model, gaussgen::support::Diagnostics& diagnostics)
-      : model_(model), diagnostics_(diagnostics) {}
+      : model_(model), values_(model, diagnostics) {}
 
   Placed apply(const Varied& one) {
     const model::Ast value = number_of(nominal(one.distribution));
     if (one.section == Section::initial) return initial(one, value);
     const bool is_input = one.section == Section::inputs;
     const SymbolKind kind = is_input ? SymbolKind::input : SymbolKind::parameter;
-    if (is_declared(one, kind)) give(one, value);
+    if (is_declared(one, kind)) values_.give({one.name, value, one.span});
     return {is_input, one.name};
   }
 
  private:
-  void error(const Varied& one, const std::string& message, const std::string& hint = "") {
-    diagnostics_.error(code::k_wrong_reference, one.span, message, hint);
-  }
-
   bool is_declared(const Varied& one, SymbolKind kind) {
     const auto symbol = model_.symbols.find(one.name);
     if (symbol != model_.symbols.end() && symbol->second.kind == kind) return true;
@@ -53,25 +42,18 @@ class Varying {
     for (const auto& [name, ref] : model_.symbols) {
       if (ref.kind == kind) names.push_back(name);
     }
-    error(one, fmt::format("'{}' is no {} of the model", one.name, what),
-          gaussgen::support::did_you_mean(one.name, names));
+    values_.error(one.span, fmt::format("'{}' is no {} of the model", one.name, what),
+                  gaussgen::support::did_you_mean(one.name, names));
     return false;
   }
 
   Placed initial(const Varied& one, const model::Ast& value) {
-    const auto symbol = model_.symbols.find(one.name);
-    const bool is_known = symbol != model_.symbols.end();
-    const bool is_input = is_known && symbol->second.kind == SymbolKind::input;
-    if (is_input || (is_known && symbol->second.kind == SymbolKind::parameter)) {
-      error(one, fmt::format("'{}' has no initial value", one.name),
-            fmt::format("it belongs under '{}'", is_input ? "inputs" : "parameters"));
-      return {};
-    }
+    if (!values_.may_have_initial(one.name, one.span)) return {};
     const std::string name = add_parameter(one.name, value);
     model::Ast ast;
     ast.kind = model::AstKind::symbol;
     ast.name = name;
-    give(one, ast);
+    values_.give({one.name, ast, one.span});
     return {false, name};
   }
 
@@ -88,17 +70,8 @@ class Varying {
     return name;
   }
 
-  void give(const Varied& one, const model::Ast& value) {
-    try {
-      overrides_.set("--set " + one.name, one.name, value);
-    } catch (const cli::UsageError& error_of_set) {
-      error(one, without_option(error_of_set.what()));
-    }
-  }
-
   model::Model& model_;
-  gaussgen::support::Diagnostics& diagnostics_;
-  cli::Overrides overrides_{model_};
+  ModelValues values_;
 };
 
 }  // namespace

@@ -18,7 +18,9 @@
 #include "model/impossible.hpp"
 #include "pipeline.hpp"
 #include "sim/model/layout.hpp"
+#include "sim/run/exact_columns.hpp"
 #include "sim/run/jumps.hpp"
+#include "sim/run/scene_values.hpp"
 #include "sim/scene/read_scene.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
@@ -33,128 +35,8 @@ namespace model = gaussgen::model;
 using gaussgen::support::Diagnostics;
 using gaussgen::support::Source;
 
-/// What is wrong with a scene shows when its model is read; there is no use in going on.
+/// What is wrong with a scene shows when its model is read: motions with these values are not asked for.
 struct BadScene {};
-
-/// Where words on the command line stand for those of a scene.
-std::string without_option(const std::string& text) {
-  const bool has_option = text.rfind("--set", 0) == 0;
-  const std::size_t colon = has_option ? text.find(": ") : std::string::npos;
-  return colon == std::string::npos ? text : text.substr(colon + 2);
-}
-
-class SceneValues {
- public:
-  SceneValues(const Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics) {}
-
-  void apply(model::Model& to) {
-    using model::SymbolKind;
-    cli::Overrides overrides(to);
-    for (const Given& given : scene_.parameters) set(overrides, to, given, SymbolKind::parameter, "parameter");
-    for (const Given& given : scene_.inputs) set(overrides, to, given, SymbolKind::input, "input");
-    for (const Given& given : scene_.initial) set_initial(overrides, to, given);
-    if (diagnostics_.has_errors()) throw BadScene{};
-    try {
-      overrides.check();
-    } catch (const cli::UsageError& error) {
-      diagnostics_.error(code::k_undefined_value, scene_.model.span, without_option(error.what()));
-      throw BadScene{};
-    }
-  }
-
- private:
-  void set(cli::Overrides& overrides, const model::Model& in, const Given& given, model::SymbolKind kind,
-           const char* what) {
-    const auto symbol = in.symbols.find(given.name);
-    if (symbol != in.symbols.end() && symbol->second.kind != kind) {
-      diagnostics_.error(code::k_wrong_reference, given.span,
-                         fmt::format("'{}' is no {} of the model", given.name, what));
-      return;
-    }
-    const bool is_known_input = kind == model::SymbolKind::input && symbol != in.symbols.end();
-    give(overrides, given, is_known_input ? k_of_inputs : "");
-  }
-
-  void set_initial(cli::Overrides& overrides, const model::Model& in, const Given& given) {
-    const auto symbol = in.symbols.find(given.name);
-    const bool is_other = symbol != in.symbols.end() && (symbol->second.kind == model::SymbolKind::parameter ||
-                                                         symbol->second.kind == model::SymbolKind::input);
-    if (!is_other) return give(overrides, given);
-    const bool is_input = symbol->second.kind == model::SymbolKind::input;
-    diagnostics_.error(code::k_wrong_reference, given.span, fmt::format("'{}' has no initial value", given.name),
-                       fmt::format("it belongs under '{}'", is_input ? "inputs" : "parameters"));
-  }
-
-  void give(cli::Overrides& overrides, const Given& given, const char* hint = "") {
-    try {
-      overrides.set("--set " + given.name, given.name, given.value);
-    } catch (const cli::UsageError& error) {
-      diagnostics_.error(code::k_wrong_reference, given.span, without_option(error.what()), hint);
-    }
-  }
-
-  static constexpr const char* k_of_inputs =
-      "an input has one value during a run; write what changes with t or the motion into the force of the model, in "
-      "place of the input, as F*sin(w*t)";
-
-  const Scene& scene_;
-  Diagnostics& diagnostics_;
-};
-
-/// The values of durations and times, which may contain parameters.
-class SpanReader {
- public:
-  SpanReader(const Scene& scene, const model::Values& values, Diagnostics& diagnostics)
-      : scene_(scene), values_(values), diagnostics_(diagnostics) {}
-
-  Span read() {
-    Span span;
-    span.start = value(scene_.start, "start", 0, false);
-    span.duration = value(scene_.duration, "duration", span.duration, true);
-    if (scene_.samples) span.samples = *scene_.samples;
-    if (scene_.every) take_every(span);
-    // Times of samples are to be told from each other.
-    const double between = span.duration / static_cast<double>(span.samples - 1);
-    if (scene_.start && !diagnostics_.has_errors() && !(span.start + between > span.start))
-      refuse(*scene_.start, "start", fmt::format("in double, {:.6g} s later is the same time", between));
-    return span;
-  }
-
- private:
-  void take_every(Span& span) {
-    const double count = std::floor(span.duration / value(scene_.every, "every", span.duration, true) * (1 + 1e-12));
-    constexpr double k_most = 1e8;
-    if (count >= 1 && count < k_most) {
-      span.samples = static_cast<long>(count) + 1;
-      // Rows are where they are asked for, and the run ends with the last one.
-      const double end = count * value(scene_.every, "every", span.duration, true);
-      if (end < span.duration * (1 - 1e-12)) span.duration = end;
-    } else if (!diagnostics_.has_errors()) {
-      refuse(*scene_.every, "every",
-             fmt::format("this makes {} samples; there may be from 2 to {}", count + 1, k_most));
-    }
-  }
-
-  double value(const std::optional<model::Ast>& ast, const char* key, double otherwise, bool is_positive) {
-    if (!ast) return otherwise;
-    const auto found = model::value_of(*ast, values_);
-    if (found && std::isfinite(*found) && (!is_positive || *found > 0)) return *found;
-    refuse(*ast, key, fmt::format("'{}' must be a number{}", key, is_positive ? " above 0" : ""),
-           found ? "" : "it may be made of numbers, pi and parameters of the model");
-    return otherwise;
-  }
-
-  /// Options have no place in the file.
-  void refuse(const model::Ast& ast, const char* key, const std::string& message, const std::string& hint = "") {
-    if (!ast.text.empty())
-      throw cli::UsageError(fmt::format("--{} {}: {}{}{}", key, ast.text, message, hint.empty() ? "" : "; ", hint));
-    diagnostics_.error(code::k_out_of_range, ast.span, message, hint);
-  }
-
-  const Scene& scene_;
-  const model::Values& values_;
-  Diagnostics& diagnostics_;
-};
 
 /// A model beside the file that is not there, if its name is near; else where it was looked for.
 std::string hint_for(const std::string& missing) {
@@ -199,21 +81,6 @@ void take_form(const std::string& name, Scene& scene) {
   if (form->strategy) scene.strategy = form->strategy;
 }
 
-/// Closed forms are of columns, over time and parameters.
-void check_exact(const Scene& scene, const Columns& columns, model::Values values, Diagnostics& diagnostics) {
-  values["t"] = scene.exact.empty() ? 0 : 1;
-  for (const Given& form : scene.exact) {
-    const bool is_column = std::any_of(columns.columns.begin(), columns.columns.end(),
-                                       [&](const Column& column) { return column.name == form.name; });
-    if (!is_column)
-      diagnostics.error(code::k_wrong_reference, form.span, fmt::format("'{}' is no column of the table", form.name),
-                        "'outputs' names the columns; a closed form is of one of them");
-    if (!model::is_broken(form.value) && !model::value_of(form.value, values))
-      diagnostics.error(code::k_wrong_reference, form.value.span,
-                        "a closed form is made of t, pi, numbers, parameters and functions of one argument or atan2");
-  }
-}
-
 /// Not the start, nor inputs.
 bool set_parameters_alone(const std::vector<std::string>& sets, const model::Model& read) {
   return std::all_of(sets.begin(), sets.end(), [&](const std::string& set) {
@@ -221,21 +88,6 @@ bool set_parameters_alone(const std::vector<std::string>& sets, const model::Mod
     return std::any_of(read.parameters.begin(), read.parameters.end(),
                        [&](const model::Parameter& one) { return one.name.text == name; });
   });
-}
-
-/// Closed forms of the model's file: of its own initial state, at a time that begins with 0, and what the scene says itself counts more.
-void take_exact_of_model(const std::vector<model::ClosedForm>& of_model, const Columns& columns, const Span& span,
-                         model::Values values, Scene& scene) {
-  if (!scene.initial.empty() || !scene.inputs.empty() || span.start != 0) return;
-  values["t"] = 1;
-  const auto has_name = [](const std::string& name) { return [&](const auto& one) { return one.name == name; }; };
-  for (const model::ClosedForm& form : of_model) {
-    const auto is_it = has_name(form.name.text);
-    const bool is_column = std::any_of(columns.columns.begin(), columns.columns.end(), is_it);
-    const bool is_said = std::any_of(scene.exact.begin(), scene.exact.end(), is_it);
-    if (is_column && !is_said && model::value_of(form.value, values))
-      scene.exact.push_back({form.name.text, form.value, form.name.span});
-  }
 }
 
 /// Of the equations alone: what everything costs that calls them.
@@ -286,98 +138,201 @@ Diagnostics without_empty_outputs(const Diagnostics& all) {
   return kept;
 }
 
+gaussgen::model::GivenCounts counts_of(const Scene& scene) {
+  gaussgen::model::GivenCounts counts;
+  for (const GivenCount& given : scene.counts) counts[given.name.text] = given.count;
+  return counts;
+}
+
+/// For whatever is done with the model.
+gaussgen::PipelineOptions pipeline_options(const Request& request, const Scene& scene) {
+  gaussgen::PipelineOptions options;
+  options.fold = scene.code && scene.code->text == "folded";
+  options.plain = scene.code && scene.code->text == "expanded";
+  options.where_possible = request.where_possible;
+  options.counts = counts_of(scene);
+  options.strategy = strategy_of(scene);
+  options.outputs = generator_outputs(scene.outputs);
+  for (const char* const output : {"initial_state", "project", "energy", "residuals"})
+    options.outputs.push_back(output);
+  options.outputs.insert(options.outputs.end(), request.also.begin(), request.also.end());
+  const bool uses_gains = scene.projection && scene.projection->text == "gains";
+  if (uses_gains) options.where_possible.push_back("mass_matrix");
+  const std::string method = scene.method ? scene.method->text : "auto";
+  if (method == "taylor") options.outputs.push_back("taylor");
+  if (method == "auto") options.where_possible.push_back("taylor");
+  return options;
+}
+
+class Preparation {
+ public:
+  explicit Preparation(const Request& request) : request_(request), scene_text_(cli::read_source(request.file)) {}
+
+  std::optional<PreparedModel> run(const std::function<void(Scene&)>& change) {
+    const auto begin = std::chrono::steady_clock::now();
+    if (!read_scene_and_model(change)) return std::nullopt;
+    options_ = pipeline_options(request_, result_.scene);
+    options_.adjust = [this](model::Model& read) { take_values(read); };
+    const auto& welcome = options_.where_possible;
+    result_.wants_gains = std::find(welcome.begin(), welcome.end(), "mass_matrix") != welcome.end();
+    if (!derive()) return std::nullopt;
+    result_.generate_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return std::move(result_);
+  }
+
+  int exit_code() const { return exit_code_; }
+
+  /// What was found so far; nothing the second time.
+  bool report_mistakes() {
+    if (!in_scene_.has_errors()) return false;
+    exit_code_ = cli::report(in_scene_, scene_text_, request_.messages);
+    in_scene_ = {};
+    return true;
+  }
+
+ private:
+  bool read_scene_and_model(const std::function<void(Scene&)>& change) {
+    is_scene_ = is_scene(scene_text_);
+    if (is_scene_) {
+      std::optional<Scene> scene = read_scene(scene_text_, in_scene_);
+      if (scene) result_.scene = std::move(*scene);
+    }
+    Scene& scene = result_.scene;
+    if (!request_.form.empty()) take_form(request_.form, scene);
+    change(scene);
+    result_.model_file = is_scene_ ? beside(request_.file, scene.model.text) : request_.file;
+    if (is_scene_ && scene.model.text.empty()) return !report_mistakes();
+    if (is_scene_ && !std::filesystem::exists(result_.model_file))
+      in_scene_.error(code::k_submodel_file, scene.model.span, fmt::format("there is no file '{}'", scene.model.text),
+                      hint_for(result_.model_file));
+    else if (is_scene_)
+      model_text_.emplace(cli::read_source(result_.model_file));
+    return !is_scene_ || model_text_ || !report_mistakes();
+  }
+
+  Source& model_text() { return model_text_ ? *model_text_ : scene_text_; }
+
+  /// What scene and options change in the model.
+  void take_values(model::Model& read) {
+    const Scene& scene = result_.scene;
+    give_values(scene, read, in_scene_);
+    cli::apply_overrides(request_.sets, read);
+    if (request_.adjust) request_.adjust(scene, read, in_scene_);
+    parameters_ = model::parameter_values(read);
+    if (!in_scene_.has_errors()) check_bodies(scene, request_.sets, read, in_scene_);
+    for (const model::Parameter& one : read.parameters) result_.parameters.emplace_back(one.name.text, one.value);
+    result_.edge = function_with_edge(read);
+    if (set_parameters_alone(request_.sets, read)) closed_forms_ = read.exact;
+    result_.span = read_times(scene, parameters_, in_scene_);
+    if (in_scene_.has_errors()) throw BadScene{};
+    result_.gravity = gravity_of(read, result_.span, parameters_);
+  }
+
+  std::optional<gaussgen::PipelineResult> compiled(Diagnostics& found) {
+    while (true) {
+      try {
+        return compile(model_text(), options_, found, nullptr);
+      } catch (const model::UnknownCount& unknown) {
+        refuse_count(unknown);
+        found = {};
+      }
+    }
+  }
+
+  void refuse_count(const model::UnknownCount& unknown) {
+    options_.counts.erase(unknown.name());
+    for (const GivenCount& given : result_.scene.counts) {
+      if (given.name.text != unknown.name()) continue;
+      const bool has_none = unknown.known().empty();
+      const std::string near = gaussgen::support::did_you_mean(unknown.name(), unknown.known());
+      in_scene_.error(
+          code::k_wrong_reference, given.name.span,
+          has_none
+              ? fmt::format("the model has no '{}' that could be changed, since it has no 'counts'", unknown.name())
+              : fmt::format("the model has no count '{}'", unknown.name()),
+          has_none || !near.empty() ? near : "its counts are " + gaussgen::support::joined(unknown.known()));
+    }
+  }
+
+  bool derive() {
+    Diagnostics found;
+    std::optional<gaussgen::PipelineResult> result;
+    try {
+      result = compiled(found);
+    } catch (const BadScene&) {
+      check_outputs_of_bad_scene();
+    }
+    const bool is_bad = report_mistakes();
+    if (is_bad && !found.has_errors()) return false;
+    const int code = cli::report(without_empty_outputs(found), model_text(), request_.messages);
+    if (!is_bad) exit_code_ = code;
+    if (is_bad || !result || code != cli::k_ok) return false;
+    return take(std::move(*result));
+  }
+
+  /// Of the model as its own file has it: what else the user has to mend.
+  void check_outputs_of_bad_scene() {
+    options_.adjust = nullptr;
+    Diagnostics of_other_values;
+    const auto result = compiled(of_other_values);
+    if (result) choose_outputs({result->tree, result->unit});
+  }
+
+  void choose_outputs(const Described& model) {
+    const auto everything = [&] {
+      auto all = with_all_outputs(model_text(), options_);
+      return all ? Described{std::move(all->tree), std::move(all->unit)} : model;
+    };
+    result_.columns = choose_columns(model, result_.scene.outputs, in_scene_, everything);
+    check_exact(result_.scene, result_.columns, parameters_, in_scene_);
+  }
+
+  bool take(gaussgen::PipelineResult compiled) {
+    if (find_function(compiled.tree, "rhs") == nullptr) {
+      exit_code_ = cli::fail(
+          fmt::format("nothing moves in '{}' by itself: there is no motion to be found", compiled.unit.model_name),
+          cli::k_motion_stopped, request_.messages);
+      return false;
+    }
+    result_.operations = operations_of_rates(compiled);
+    result_.model = {std::move(compiled.tree), std::move(compiled.unit)};
+    choose_outputs(result_.model);
+    // Those of the command line have no place in the file.
+    const auto& outputs = result_.scene.outputs;
+    const bool are_options = !outputs.empty() && outputs.front().span.end == 0;
+    if (in_scene_.has_errors() && are_options)
+      throw cli::UsageError("--outputs: " + in_scene_.all().front().message + "; " + in_scene_.all().front().hint);
+    if (report_mistakes()) return false;
+    take_exact_of_model(closed_forms_, result_.columns, result_.span, parameters_, result_.scene);
+    return true;
+  }
+
+  const Request& request_;
+  Source scene_text_;                 ///< or that of the model, where no scene names one
+  std::optional<Source> model_text_;  ///< that the scene names
+  bool is_scene_ = false;
+  Diagnostics in_scene_;
+  gaussgen::PipelineOptions options_;
+  model::Values parameters_;
+  std::vector<model::ClosedForm> closed_forms_;
+  PreparedModel result_;
+  int exit_code_ = cli::k_ok;
+};
+
 }  // namespace
 
 std::optional<PreparedModel> prepare(const Request& request, const std::function<void(Scene&)>& change,
                                      int& exit_code) {
-  const auto begin = std::chrono::steady_clock::now();
-  PreparedModel result;
-  Source scene_source = cli::read_source(request.file);
-  Diagnostics in_scene;
-  const bool has_scene = is_scene(scene_source);
-  if (has_scene) {
-    const std::optional<Scene> scene = read_scene(scene_source, in_scene);
-    exit_code = cli::report(in_scene, scene_source, request.messages);
-    if (!scene || exit_code != cli::k_ok) return std::nullopt;
-    result.scene = *scene;
-  }
-  if (!request.form.empty()) take_form(request.form, result.scene);
-  change(result.scene);
-  result.model_file = has_scene ? beside(request.file, result.scene.model.text) : request.file;
-  if (has_scene && !std::filesystem::exists(result.model_file)) {
-    in_scene.error(code::k_submodel_file, result.scene.model.span,
-                   fmt::format("there is no file '{}'", result.scene.model.text), hint_for(result.model_file));
-    exit_code = cli::report(in_scene, scene_source, request.messages);
-    return std::nullopt;
-  }
-  Source source = has_scene ? cli::read_source(result.model_file) : scene_source;
-
-  gaussgen::PipelineOptions options;
-  options.fold = result.scene.code && result.scene.code->text == "folded";
-  options.plain = result.scene.code && result.scene.code->text == "expanded";
-  options.where_possible = request.where_possible;
-  options.counts = result.scene.counts;
-  options.strategy = strategy_of(result.scene);
-  options.outputs = generator_outputs(result.scene.outputs);
-  for (const char* const output : {"initial_state", "project", "energy", "residuals"})
-    options.outputs.push_back(output);
-  options.outputs.insert(options.outputs.end(), request.also.begin(), request.also.end());
-  const bool uses_gains = result.scene.projection && result.scene.projection->text == "gains";
-  if (uses_gains) options.where_possible.push_back("mass_matrix");
-  const auto& welcome = options.where_possible;
-  result.wants_gains = std::find(welcome.begin(), welcome.end(), "mass_matrix") != welcome.end();
-  const std::string method = result.scene.method ? result.scene.method->text : "auto";
-  if (method == "taylor") options.outputs.push_back("taylor");
-  if (method == "auto") options.where_possible.push_back("taylor");
-  Diagnostics in_values;
-  model::Values parameters;
-  std::vector<model::ClosedForm> closed_forms;
-  options.adjust = [&](model::Model& read) {
-    SceneValues(result.scene, in_values).apply(read);
-    cli::apply_overrides(request.sets, read);
-    if (request.adjust) request.adjust(result.scene, read, in_values);
-    parameters = model::parameter_values(read);
-    check_bodies(result.scene, request.sets, read, in_values);
-    for (const model::Parameter& one : read.parameters) result.parameters.emplace_back(one.name.text, one.value);
-    result.edge = function_with_edge(read);
-    if (set_parameters_alone(request.sets, read)) closed_forms = read.exact;
-    result.span = SpanReader(result.scene, parameters, in_values).read();
-    if (in_values.has_errors()) throw BadScene{};
-    result.gravity = gravity_of(read, result.span, parameters);
-  };
-  Diagnostics found;
-  std::optional<gaussgen::PipelineResult> compiled;
+  Preparation preparation(request);
   try {
-    compiled = compile(source, options, found, nullptr);
-  } catch (const BadScene&) {
-    exit_code = cli::report(in_values, scene_source, request.messages);
-    return std::nullopt;
+    auto result = preparation.run(change);
+    exit_code = preparation.exit_code();
+    return result;
+  } catch (const cli::UsageError&) {
+    // The command line is wrong, and the scene may be, too: both are said.
+    preparation.report_mistakes();
+    throw;
   }
-  exit_code = cli::report(without_empty_outputs(found), source, request.messages);
-  if (!compiled || exit_code != cli::k_ok) return std::nullopt;
-  if (find_function(compiled->tree, "rhs") == nullptr) {
-    exit_code = cli::fail(
-        fmt::format("nothing moves in '{}' by itself: there is no motion to be found", compiled->unit.model_name),
-        cli::k_motion_stopped, request.messages);
-    return std::nullopt;
-  }
-  result.operations = operations_of_rates(*compiled);
-  result.model = {std::move(compiled->tree), std::move(compiled->unit)};
-  const auto everything = [&] {
-    auto all = with_all_outputs(source, options);
-    return all ? Described{std::move(all->tree), std::move(all->unit)} : result.model;
-  };
-  result.columns = choose_columns(result.model, result.scene.outputs, in_values, everything);
-  check_exact(result.scene, result.columns, parameters, in_values);
-  take_exact_of_model(closed_forms, result.columns, result.span, parameters, result.scene);
-  // Those of the command line have no place in the file.
-  const bool are_options = !result.scene.outputs.empty() && result.scene.outputs.front().span.end == 0;
-  if (in_values.has_errors() && are_options)
-    throw cli::UsageError("--outputs: " + in_values.all().front().message + "; " + in_values.all().front().hint);
-  exit_code = cli::report(in_values, scene_source, request.messages);
-  if (exit_code != cli::k_ok) return std::nullopt;
-  result.generate_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return result;
 }
 
 }  // namespace gausssim

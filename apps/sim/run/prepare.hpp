@@ -12,6 +12,7 @@
 #include "model/model.hpp"
 #include "sim/engine/binding.hpp"
 #include "sim/output/columns.hpp"
+#include "sim/run/times.hpp"
 #include "sim/scene/scene.hpp"
 
 namespace gausssim {
@@ -26,11 +27,6 @@ struct Request {
   std::string form = {};                         ///< one of the scene's `formulations`; empty: the scene itself
   /// Changes the model when scene and options have had their say; what it finds is in the text of the scene. May be empty.
   std::function<void(const Scene&, gaussgen::model::Model&, gaussgen::support::Diagnostics&)> adjust = nullptr;
-};
-
-struct Span {
-  double start = 0, duration = 10;
-  long samples = 501;
 };
 
 struct PreparedModel {

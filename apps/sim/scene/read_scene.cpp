@@ -106,7 +106,7 @@ class SceneReader {
   void read_counts() {
     model::read_section(root_, "counts", reading_, [&](const spec::Entry& entry) {
       if (const auto number = numbers_.whole(entry.value, entry.key.span, 1, 1'000'000))
-        scene_.counts[entry.key.text] = *number;
+        scene_.counts.push_back({{entry.key.text, entry.key.span}, *number});
     });
   }
 
@@ -192,9 +192,7 @@ std::optional<Scene> read_scene(const Source& source, Diagnostics& diagnostics) 
   if (!root) return std::nullopt;
   model::Reading reading{source, diagnostics, {}};
   if (!model::expect_map(*root, root->span, "a scene", reading)) return std::nullopt;
-  Scene scene = SceneReader(*root, reading).read();
-  if (diagnostics.has_errors()) return std::nullopt;
-  return scene;
+  return SceneReader(*root, reading).read();
 }
 
 }  // namespace gausssim

@@ -1,12 +1,12 @@
 #pragma once
 // What is to be simulated: a model, from where, how long, and what is wanted of it. docs/scenes.md.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "model/ast.hpp"
-#include "model/given_counts.hpp"
 #include "sim/scene/ensemble.hpp"
 #include "support/source.hpp"
 
@@ -25,6 +25,12 @@ struct Word {
   gaussgen::support::Span span;
 };
 
+/// A count that takes the place of one in the model's file.
+struct GivenCount {
+  Word name;
+  std::int64_t count = 1;
+};
+
 /// Another description of the same motion: what is not said is as in the scene.
 struct GivenForm {
   Word name;
@@ -38,7 +44,7 @@ struct Scene {
   Word model;                     ///< file, beside that of the scene
   std::string form = "as given";  ///< what its own description is called beside others
   std::vector<GivenForm> forms;
-  gaussgen::model::GivenCounts counts;
+  std::vector<GivenCount> counts;
   std::vector<Given> parameters, initial, inputs;
   std::vector<Given> exact;  ///< outputs that are known as functions of time and parameters
   std::optional<gaussgen::model::Ast> start, duration, every;  ///< over parameters

@@ -1,0 +1,84 @@
+#include "sim/run/scene_values.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cli/usage_error.hpp"
+#include "model/evaluate.hpp"
+#include "support/error_codes.hpp"
+
+namespace gausssim {
+
+namespace cli = gaussgen::cli;
+namespace code = gaussgen::support::code;
+namespace model = gaussgen::model;
+using model::SymbolKind;
+
+namespace {
+
+const char* const k_hint_for_inputs =
+    "an input has one value during a run; write what changes with t or the motion into the force of the model, in "
+    "place of the input, as F*sin(w*t)";
+
+/// Words for the command line, without their option.
+std::string without_option(const std::string& text) {
+  const std::size_t colon = text.rfind("--set", 0) == 0 ? text.find(": ") : std::string::npos;
+  return colon == std::string::npos ? text : text.substr(colon + 2);
+}
+
+}  // namespace
+
+void ModelValues::error(gaussgen::support::Span span, const std::string& message, const std::string& hint) {
+  diagnostics_.error(code::k_wrong_reference, span, message, hint);
+}
+
+void ModelValues::give(const Given& given, const char* hint) {
+  // Why there is no value has been said; the name may be wrong, too.
+  model::Ast value = given.value;
+  if (model::is_broken(value)) value = cli::parse_value("", "1");
+  try {
+    overrides_.set("--set " + given.name, given.name, std::move(value));
+    given_.push_back(given);
+  } catch (const cli::UsageError& wrong) {
+    error(given.span, without_option(wrong.what()), hint);
+  }
+}
+
+bool ModelValues::may_have_initial(const std::string& name, gaussgen::support::Span span) {
+  const auto symbol = model_.symbols.find(name);
+  if (symbol == model_.symbols.end()) return true;
+  const SymbolKind kind = symbol->second.kind;
+  if (kind != SymbolKind::parameter && kind != SymbolKind::input) return true;
+  error(span, fmt::format("'{}' has no initial value", name),
+        fmt::format("it belongs under '{}'", kind == SymbolKind::input ? "inputs" : "parameters"));
+  return false;
+}
+
+void ModelValues::check() {
+  const model::Values values = model::parameter_values(model_);
+  for (const Given& given : given_) {
+    const auto value = model::is_broken(given.value) ? std::nullopt : model::value_of(given.value, values);
+    if (value && !std::isfinite(*value))
+      diagnostics_.error(code::k_undefined_value, given.value.span, cli::not_finite(*value));
+  }
+}
+
+void give_values(const Scene& scene, model::Model& to, gaussgen::support::Diagnostics& diagnostics) {
+  ModelValues values(to, diagnostics);
+  const auto give = [&](const Given& given, SymbolKind kind, const char* what, const char* hint) {
+    const auto symbol = to.symbols.find(given.name);
+    const bool is_known = symbol != to.symbols.end();
+    if (is_known && symbol->second.kind != kind)
+      return values.error(given.span, fmt::format("'{}' is no {} of the model", given.name, what));
+    values.give(given, is_known ? hint : "");
+  };
+  for (const Given& given : scene.parameters) give(given, SymbolKind::parameter, "parameter", "");
+  for (const Given& given : scene.inputs) give(given, SymbolKind::input, "input", k_hint_for_inputs);
+  for (const Given& given : scene.initial) {
+    if (values.may_have_initial(given.name, given.span)) values.give(given);
+  }
+  values.check();
+}
+
+}  // namespace gausssim

@@ -1,0 +1,38 @@
+#pragma once
+// The values that scenes give to models.
+
+#include "cli/overrides.hpp"
+#include "model/model.hpp"
+#include "sim/scene/scene.hpp"
+#include "support/diagnostics.hpp"
+
+namespace gausssim {
+
+/// Gives a model other values; what is wrong with them is reported at its place in the scene. What is wrong leaves the model as it is.
+class ModelValues {
+ public:
+  ModelValues(gaussgen::model::Model& model, gaussgen::support::Diagnostics& diagnostics)
+      : model_(model), diagnostics_(diagnostics) {}
+
+  /// Names as `--set` has them; the hint is for a value that may not be.
+  void give(const Given& given, const char* hint = "");
+
+  /// False for parameters and inputs, which is reported.
+  bool may_have_initial(const std::string& name, gaussgen::support::Span span);
+
+  /// Every value must be one with the parameters as they are now.
+  void check();
+
+  void error(gaussgen::support::Span span, const std::string& message, const std::string& hint = "");
+
+ private:
+  gaussgen::model::Model& model_;
+  gaussgen::support::Diagnostics& diagnostics_;
+  gaussgen::cli::Overrides overrides_{model_};
+  std::vector<Given> given_;
+};
+
+/// Parameters, inputs and initial values of the scene.
+void give_values(const Scene& scene, gaussgen::model::Model& to, gaussgen::support::Diagnostics& diagnostics);
+
+}  // namespace gausssim

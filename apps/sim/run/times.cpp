@@ -1,0 +1,87 @@
+#include "sim/run/times.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "cli/usage_error.hpp"
+#include "support/error_codes.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace model = gaussgen::model;
+
+class TimesReader {
+ public:
+  TimesReader(const Scene& scene, const model::Values& values, gaussgen::support::Diagnostics& diagnostics)
+      : scene_(scene), values_(values), diagnostics_(diagnostics) {}
+
+  Span read() {
+    Span span;
+    const auto start = value(scene_.start, "start", span.start, false);
+    const auto duration = value(scene_.duration, "duration", span.duration, true);
+    const auto every = value(scene_.every, "every", span.duration, true);
+    if (!start || !duration || !every) return span;
+    span.start = *start;
+    span.duration = *duration;
+    if (scene_.samples) span.samples = *scene_.samples;
+    if (scene_.every && !take_every(*every, span)) return span;
+    // Times of samples are to be told from each other.
+    const double between = span.duration / static_cast<double>(span.samples - 1);
+    if (scene_.start && !(span.start + between > span.start))
+      refuse(*scene_.start, "start", fmt::format("in double, {:.6g} s later is the same time", between));
+    return span;
+  }
+
+ private:
+  /// False where there would be too few or too many samples, which is reported.
+  bool take_every(double every, Span& span) {
+    const double count = std::floor(span.duration / every * (1 + 1e-12));
+    constexpr double k_most = 1e8;
+    if (!(count >= 1 && count < k_most)) {
+      refuse(*scene_.every, "every",
+             fmt::format("this makes {} samples; there may be from 2 to {}", count + 1, k_most));
+      return false;
+    }
+    span.samples = static_cast<long>(count) + 1;
+    // Rows are where they are asked for, and the run ends with the last one.
+    const double end = count * every;
+    if (end < span.duration * (1 - 1e-12)) span.duration = end;
+    return true;
+  }
+
+  /// Nothing where there is no such value, which is reported.
+  std::optional<double> value(const std::optional<model::Ast>& ast, const char* key, double otherwise,
+                              bool is_positive) {
+    if (!ast) return otherwise;
+    if (model::is_broken(*ast)) return std::nullopt;
+    const auto found = model::value_of(*ast, values_);
+    if (found && std::isfinite(*found) && (!is_positive || *found > 0)) return found;
+    refuse(*ast, key, fmt::format("'{}' must be a number{}", key, is_positive ? " above 0" : ""),
+           found ? "" : "it may be made of numbers, pi and parameters of the model");
+    return std::nullopt;
+  }
+
+  /// Options have no place in the file.
+  void refuse(const model::Ast& ast, const char* key, const std::string& message, const std::string& hint = "") {
+    if (!ast.text.empty())
+      throw gaussgen::cli::UsageError(
+          fmt::format("--{} {}: {}{}{}", key, ast.text, message, hint.empty() ? "" : "; ", hint));
+    diagnostics_.error(gaussgen::support::code::k_out_of_range, ast.span, message, hint);
+  }
+
+  const Scene& scene_;
+  const model::Values& values_;
+  gaussgen::support::Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+Span read_times(const Scene& scene, const model::Values& parameters, gaussgen::support::Diagnostics& diagnostics) {
+  return TimesReader(scene, parameters, diagnostics).read();
+}
+
+}  // namespace gausssim

@@ -1,0 +1,19 @@
+#pragma once
+// When a run begins and ends, and when it is looked at.
+
+#include "model/evaluate.hpp"
+#include "sim/scene/scene.hpp"
+#include "support/diagnostics.hpp"
+
+namespace gausssim {
+
+struct Span {
+  double start = 0, duration = 10;
+  long samples = 501;
+};
+
+/// Those of the scene, in which there may be parameters. Throws cli::UsageError where an option says what cannot be.
+Span read_times(const Scene& scene, const gaussgen::model::Values& parameters,
+                gaussgen::support::Diagnostics& diagnostics);
+
+}  // namespace gausssim
