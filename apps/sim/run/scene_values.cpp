@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cli/usage_error.hpp"
 #include "model/evaluate.hpp"
 #include "support/error_codes.hpp"
+#include "support/suggest.hpp"
 
 namespace gausssim {
 
@@ -27,13 +29,42 @@ std::string without_option(const std::string& text) {
   return colon == std::string::npos ? text : text.substr(colon + 2);
 }
 
+std::vector<std::string> names_of(const model::Model& in, SymbolKind kind) {
+  std::vector<std::string> names;
+  for (const auto& [name, symbol] : in.symbols) {
+    if (symbol.kind == kind) names.push_back(name);
+  }
+  return names;
+}
+
+/// Whatever may begin somewhere.
+std::vector<std::string> names_of_motion(const model::Model& in) {
+  std::vector<std::string> names;
+  for (const model::Coordinate& one : in.coordinates) {
+    if (one.held_at) continue;
+    names.push_back(one.name.text);
+    if (!one.speed) names.push_back(one.name.text + "_dot");
+  }
+  for (const SymbolKind kind : {SymbolKind::quaternion_component, SymbolKind::speed, SymbolKind::angular_velocity}) {
+    const auto more = names_of(in, kind);
+    names.insert(names.end(), more.begin(), more.end());
+  }
+  return names;
+}
+
+/// What there is to choose from, where that is read at a glance.
+std::string choice_of(const std::vector<std::string>& names) {
+  constexpr std::size_t k_most = 12;
+  return names.empty() || names.size() > k_most ? "" : "the model has " + gaussgen::support::joined(names);
+}
+
 }  // namespace
 
 void ModelValues::error(gaussgen::support::Span span, const std::string& message, const std::string& hint) {
   diagnostics_.error(code::k_wrong_reference, span, message, hint);
 }
 
-void ModelValues::give(const Given& given, const char* hint) {
+void ModelValues::give(const Given& given, const std::string& hint) {
   // Why there is no value has been said; the name may be wrong, too.
   model::Ast value = given.value;
   if (model::is_broken(value)) value = cli::parse_value("", "1");
@@ -71,12 +102,14 @@ void give_values(const Scene& scene, model::Model& to, gaussgen::support::Diagno
     const bool is_known = symbol != to.symbols.end();
     if (is_known && symbol->second.kind != kind)
       return values.error(given.span, fmt::format("'{}' is no {} of the model", given.name, what));
-    values.give(given, is_known ? hint : "");
+    values.give(given, is_known ? hint : choice_of(names_of(to, kind)));
   };
   for (const Given& given : scene.parameters) give(given, SymbolKind::parameter, "parameter", "");
   for (const Given& given : scene.inputs) give(given, SymbolKind::input, "input", k_hint_for_inputs);
+  const std::string of_motion = choice_of(names_of_motion(to));
   for (const Given& given : scene.initial) {
-    if (values.may_have_initial(given.name, given.span)) values.give(given);
+    const bool is_known = to.symbols.count(given.name) > 0;
+    if (values.may_have_initial(given.name, given.span)) values.give(given, is_known ? "" : of_motion);
   }
   values.check();
 }

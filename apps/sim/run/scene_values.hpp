@@ -14,8 +14,8 @@ class ModelValues {
   ModelValues(gaussgen::model::Model& model, gaussgen::support::Diagnostics& diagnostics)
       : model_(model), diagnostics_(diagnostics) {}
 
-  /// Names as `--set` has them; the hint is for a value that may not be.
-  void give(const Given& given, const char* hint = "");
+  /// Names as `--set` has them; the hint is for one that may not be, if it needs one.
+  void give(const Given& given, const std::string& hint = "");
 
   /// False for parameters and inputs, which is reported.
   bool may_have_initial(const std::string& name, gaussgen::support::Span span);

@@ -49,6 +49,39 @@ class Scenes(Program):
         self.assertIn("scene.yaml:10:9: error[E015]", said)
         self.assertIn("did you mean 'dopri5'?", said)
 
+    def test_no_mistake_hides_another(self):
+        said = self.mistake("""gauss: 1
+scene: ../bad
+model: spring.yaml
+counts: {n: 4}
+parameters: {kk: 1, m: 1/0}
+initial: {x: 2*, v: 1, k: 3}
+start: 1*
+duration: -1
+every: 100
+samples: 0
+outputs: [x, y]
+method: dopri6
+exact: {z: 1}
+""")
+        for line, column, what in ((2, 8, "cannot name files"), (4, 10, "no 'counts'"), (5, 14, "no 'kk'"), (5, 24, "this is infinite"), (6, 16, "stops where an operand"),
+                                   (6, 18, "no 'v'"), (6, 24, "'k' has no initial value"), (7, 10, "stops where an operand"), (8, 11, "must be a number above 0"),
+                                   (10, 10, "exclude each other"), (10, 10, "expected a whole number"), (11, 14, "no output 'y'"), (12, 9, "no method 'dopri6'"), (13, 9, "'z' is no column")):
+            self.assertRegex(said, rf"scene.yaml:{line}:{column}: error\[E\d+\]: .*{what}", (line, column))
+        self.assertEqual(said.count(": error["), 14, said)
+        self.assertIn("the model has x, x_dot", said)
+
+    def test_a_wrong_option_leaves_the_mistakes_of_the_scene_to_be_seen(self):
+        self.write("scene.yaml", SCENE.replace("initial: {x: 0.5}", "initial: {y: 1}"))
+        said = self.refused(2, "run", "scene.yaml", "--set", "zz=1")
+        self.assertIn("scene.yaml:5:11: error[E024]: the model has no 'y'", said)
+        self.assertIn("--set: the model has no 'zz'", said)
+
+    def test_counts_that_the_model_has_not_are_said_with_their_place(self):
+        said = self.mistake(f"gauss: 1\nmodel: {MODELS / 'chain.yaml'}\ncounts: {{N: 3, nn: 2}}\n")
+        self.assertIn("scene.yaml:3:10: error[E024]: the model has no count 'N'", said)
+        self.assertIn("scene.yaml:3:16: error[E024]: the model has no count 'nn'", said)
+
     def test_values_belong_where_they_stand(self):
         said = self.mistake(SCENE.replace("parameters: {k: 2}", "parameters: {x: 2, kk: 1}").replace("initial: {x: 0.5}", "initial: {m: 1}"))
         self.assertIn("scene.yaml:4:14: error[E024]: 'x' is no parameter of the model", said)
