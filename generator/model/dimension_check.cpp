@@ -97,19 +97,22 @@ class DimensionCheck {
     for (Speed& speed : reading_.model.speeds) complete(speed, speed.is);
   }
 
-  /// Likewise a quantity, if its components have one unit.
+  /// Likewise a quantity, if its components have one unit; numbers, such as a 0 among lengths, have that of the others.
   void complete_quantities() {
     for (NamedQuantity& quantity : reading_.model.quantities) {
       if (!quantity.unit.empty()) continue;
       std::vector<Measure> measures;
       for (const Ast& value : quantity.values) measures.push_back(inferred(value));
-      const Measure& first = measures.front();
+      const auto first = std::find_if(measures.begin(), measures.end(),
+                                      [](const Measure& measure) { return measure.kind == Kind::known; });
+      if (first == measures.end()) continue;
       const bool is_one = std::all_of(measures.begin(), measures.end(), [&](const Measure& measure) {
-        return measure.kind == Kind::known && agree(measure.dimension, first.dimension);
+        return measure.kind == Kind::literal ||
+               (measure.kind == Kind::known && agree(measure.dimension, first->dimension));
       });
       if (!is_one) continue;
-      quantity.dimension = first.dimension;
-      quantity.unit = unit_of(first);
+      quantity.dimension = first->dimension;
+      quantity.unit = unit_of(*first);
     }
   }
 

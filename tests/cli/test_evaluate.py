@@ -184,6 +184,14 @@ class Quantities(Evaluate):
         self.assertEqual(len(found), 12)
 
 
+    def test_a_number_in_a_list_has_the_unit_of_the_others(self):
+        text = "gauss: 1\nname: m\nparameters: {m: {value: 1, unit: kg}}\ncoordinates: {x: {unit: m, initial: 2}}\nparticles: {p: {mass: m, position: [x, 0, 0]}}\n" \
+               "quantities: {place: [x, 0, 0], nothing: [0, 0, 0], mixed: [x, dot(x), 0]}\n"
+        units = {name: entry.get("unit", "") for name, entry in self.document("-", stdin=text)["quantities"].items()}
+        self.assertEqual({name[:-2] for name, unit in units.items() if unit == "m"}, {"place"})
+        self.assertEqual({unit for name, unit in units.items() if not name.startswith("place")}, {""})
+
+
 class Json(Evaluate):
     def test_the_keys_are_the_groups_and_values_are_text(self):
         for model in sorted(MODELS.rglob("*.yaml")):

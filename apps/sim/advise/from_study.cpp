@@ -54,8 +54,9 @@ std::string difference(const Json& problem, const PreparedModel& prepared) {
     if (output.is_object()) there.push_back(text_at(output, "name"));
   for (const Column& column : prepared.columns.columns) here.push_back(column.name);
   if (there != here) return "it has other outputs";
-  const bool is_same = text_at(problem, "identity") == identity_of_problem(prepared);
-  return is_same ? "" : "the model, a value in it, or its start is not the same";
+  if (text_at(problem, "identity") == identity_of_problem(prepared)) return "";
+  return prepared.scene.code ? "the model, a value in it, its start, or how the code is written out is not the same"
+                             : "the model, a value in it, or its start is not the same";
 }
 
 /// What the scene says is kept.

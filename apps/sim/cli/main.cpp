@@ -38,6 +38,10 @@ void add_setting(CLI::App* command, RunOptions& options) {
       ->type_name("NAME=VALUE")
       ->expected(1)
       ->take_all();
+  command->add_option("--count", options.counts, "another size than that of the file, such as n=50")
+      ->type_name("NAME=N")
+      ->expected(1)
+      ->take_all();
   command->add_option("--outputs", options.outputs, "columns of the table, with commas between")
       ->delimiter(',')
       ->type_name("LIST");

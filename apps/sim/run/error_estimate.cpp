@@ -17,13 +17,7 @@ void Rows::set(long k, const std::vector<long double>& row) {
   count_ = std::max(count_, k + 1);
 }
 
-namespace {
-
-/// In long double, whose range other number types do not leave. What is no number has none.
-struct Extent {
-  long double range = 0, size = 0;
-};
-
+// In long double, whose range other number types do not leave.
 Extent extent_of(const Rows& rows, std::size_t column) {
   long double least = std::numeric_limits<long double>::infinity(), most = -least;
   for (long k = 0; k < rows.samples(); ++k) {
@@ -35,6 +29,8 @@ Extent extent_of(const Rows& rows, std::size_t column) {
   if (!(least <= most)) return {};
   return {most - least, std::max(std::abs(least), std::abs(most))};
 }
+
+namespace {
 
 /// By how much two runs differ: neither is known better.
 long double doubt_of(const Rows& rows, const Rows& other, std::size_t column) {

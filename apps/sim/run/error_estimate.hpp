@@ -31,6 +31,14 @@ class Rows {
   std::vector<long double> values_;
 };
 
+/// Of a column of a run; what is no number has none.
+struct Extent {
+  long double range = 0;  ///< from the least to the largest
+  long double size = 0;   ///< the largest, whatever its sign
+};
+
+Extent extent_of(const Rows& rows, std::size_t column);
+
 /// Rows that others are compared with, and what an error of each output is relative to: the range of the output along them. What does not change, such as the energy or a
 /// coordinate at rest, has no range, only what rounding and steps leave of it: errors of it are relative to its size or to the largest range of an output with the same unit,
 /// whichever is larger; of what is 0 throughout, as all of its unit, they are in that unit.

@@ -243,6 +243,7 @@ class Preparation {
     options_.counts.erase(unknown.name());
     for (const GivenCount& given : result_.scene.counts) {
       if (given.name.text != unknown.name()) continue;
+      if (given.name.span.end == 0) throw cli::UsageError(cli::unknown_count(unknown));
       const bool has_none = unknown.known().empty();
       const std::string near = gaussgen::support::did_you_mean(unknown.name(), unknown.known());
       in_scene_.error(

@@ -17,8 +17,11 @@ constexpr std::chrono::milliseconds k_first_pause(300);  // what is done by then
 
 ProgressBar::ProgressBar(bool is_wanted) : is_shown_(is_wanted && ::isatty(STDERR_FILENO) == 1) {}
 
-ProgressBar::~ProgressBar() {
+ProgressBar::~ProgressBar() { clear(); }
+
+void ProgressBar::clear() {
   if (is_drawn_) fmt::print(stderr, "\r\x1b[K");
+  is_drawn_ = false;
 }
 
 void ProgressBar::show(double share, const std::string& text) {

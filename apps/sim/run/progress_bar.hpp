@@ -17,6 +17,8 @@ class ProgressBar {
   void show(double share, const std::string& text);
   /// Of a whole that nobody knows.
   void say(const std::string& text);
+  /// For a message in its place, until it is shown again.
+  void clear();
 
  private:
   using Clock = std::chrono::steady_clock;

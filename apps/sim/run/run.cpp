@@ -18,6 +18,7 @@
 #include "sim/run/interruption.hpp"
 #include "sim/run/jumps.hpp"
 #include "sim/run/progress_bar.hpp"
+#include "sim/run/refusals.hpp"
 #include "sim/run/resume.hpp"
 #include "sim/run/settings.hpp"
 #include "version.hpp"
@@ -340,12 +341,14 @@ int run(const RunOptions& options, const FindSetting& find) {
   Simulated simulated;
   {
     ProgressBar bar(!options.quiet);
+    RefusalWatch refusals(*prepared, options.messages, bar);
     Listeners listeners;
     listeners.on_row = [&](const std::string& row, double share) {
       file.write(row);
       bar.show(share, prepared->name());
       return true;
     };
+    listeners.on_steps = [&](double t, long steps, long refused) { refusals.look(t, steps, refused); };
     listeners.on_numbers = [&](long k, const std::vector<long double>& row) { rows.set(k, row); };
     simulated = simulate(*prepared, *engine, setting, listeners, earlier ? &earlier->run : nullptr);
   }

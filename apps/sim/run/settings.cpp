@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "cli/assignments.hpp"
 #include "cli/overrides.hpp"
 #include "cli/usage_error.hpp"
 #include "sim/run/interruption.hpp"
@@ -12,7 +15,17 @@ namespace {
 
 namespace cli = gaussgen::cli;
 
+void override_counts(const RunOptions& options, Scene& scene) {
+  for (const auto& [name, count] : cli::parse_counts(options.counts)) {
+    const auto is_it = [&, wanted = name](const GivenCount& given) { return given.name.text == wanted; };
+    auto& counts = scene.counts;
+    counts.erase(std::remove_if(counts.begin(), counts.end(), is_it), counts.end());
+    counts.push_back({{name, {}}, count});
+  }
+}
+
 void override_by(const RunOptions& options, Scene& scene) {
+  override_counts(options, scene);
   const auto word = [](const std::string& text, std::optional<Word>& to) {
     if (!text.empty()) to = Word{text, {}};
   };

@@ -159,14 +159,7 @@ class Solver {
 
   static std::vector<double> ranges_of(const Rows& rows) {
     std::vector<double> ranges;
-    for (std::size_t i = 0; i < rows.columns(); ++i) {
-      long double least = rows.at(0, i), most = least;
-      for (long k = 1; k < rows.samples(); ++k) {
-        least = std::min(least, rows.at(k, i));
-        most = std::max(most, rows.at(k, i));
-      }
-      ranges.push_back(static_cast<double>(most - least));
-    }
+    for (std::size_t i = 0; i < rows.columns(); ++i) ranges.push_back(static_cast<double>(extent_of(rows, i).range));
     return ranges;
   }
 

@@ -28,7 +28,7 @@ class Defaults(Program):
     def points(self, model, number):
         methods = ",".join(RIVALS + STIFF.get(model.stem, []))
         scene = self.write(f"{model.stem}-{number}.scene.yaml", f"gauss: 1\nscene: {model.stem}\nmodel: {model}\nduration: {ENDS.get(model.stem, 10)}\n")
-        self.ok("study", scene, "--methods", methods, "--budget", "20", "--loosest", "1e-5", "--tightest", "1e-12", "-q",
+        self.ok("study", scene, "--methods", methods, "--budget", "40", "--loosest", "1e-5", "--tightest", "1e-12", "-q",
                 "-o", f"{model.stem}-{number}", timeout=600)
         problem = json.loads((self.folder / f"{model.stem}-{number}.json").read_text(encoding="utf-8"))["problems"][0]
         return [p for p in problem["points"] if p["status"] == "ok" and p["error"] is not None]

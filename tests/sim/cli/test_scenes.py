@@ -82,6 +82,14 @@ exact: {z: 1}
         self.assertIn("scene.yaml:3:10: error[E024]: the model has no count 'N'", said)
         self.assertIn("scene.yaml:3:16: error[E024]: the model has no count 'nn'", said)
 
+    def test_counts_of_the_command_line_go_before_those_of_the_scene(self):
+        self.write("scene.yaml", f"gauss: 1\nscene: links\nmodel: {MODELS / 'chain.yaml'}\ncounts: {{n: 4}}\nduration: 0.1\nsamples: 2\n")
+        for words, links in ((), 4), (("--count", "n=2"), 2):
+            self.ok("run", "scene.yaml", *words, "-q")
+            self.assertEqual(sum(name.startswith("q") and "_dot" not in name for name in self.table("links.csv")), links)
+        self.assertIn("--count: the model has no count 'N'", self.refused(2, "run", "scene.yaml", "--count", "N=2"))
+        self.assertIn("a whole number", self.refused(2, "run", "scene.yaml", "--count", "n=two"))
+
     def test_values_belong_where_they_stand(self):
         said = self.mistake(SCENE.replace("parameters: {k: 2}", "parameters: {x: 2, kk: 1}").replace("initial: {x: 0.5}", "initial: {m: 1}"))
         self.assertIn("scene.yaml:4:14: error[E024]: 'x' is no parameter of the model", said)
