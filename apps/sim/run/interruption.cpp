@@ -19,6 +19,8 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 thread_local TimeLimit::Clock::time_point limit = TimeLimit::Clock::time_point::max();
 
+thread_local AfterManySteps* watch = nullptr;
+
 const char* const k_text = "interrupted; nothing is written\n";
 const char* const k_json = "{\"severity\":\"note\",\"message\":\"interrupted; nothing is written\"}\n";
 
@@ -67,6 +69,10 @@ TimeLimit::~TimeLimit() { limit = before_; }
 
 bool TimeLimit::is_over() const { return Clock::now() >= std::min(before_, own_); }
 
+AfterManySteps::AfterManySteps(std::function<void()> call) : call_(std::move(call)) { watch = this; }
+
+AfterManySteps::~AfterManySteps() { watch = nullptr; }
+
 void throw_if_ended(const TimeLimit& whole) {
   if (Interruption::is_asked_for()) throw Interrupted{};
   if (whole.is_over()) throw OutOfTime{};
@@ -83,6 +89,7 @@ bool ends_steps() {
   constexpr unsigned k_looks_once_in = 64;
   static thread_local unsigned count = 0;
   if (asked.load(std::memory_order_relaxed)) return true;
+  if (watch != nullptr && ++watch->tried_ % AfterManySteps::k_many == 0) watch->call_();
   if (limit == TimeLimit::Clock::time_point::max() || ++count % k_looks_once_in != 0) return false;
   return TimeLimit::Clock::now() >= limit;
 }

@@ -2,6 +2,7 @@
 // What ends a run before its end: Ctrl-C, or a limit of time.
 
 #include <chrono>
+#include <functional>
 
 #include "cli/messages.hpp"
 
@@ -44,6 +45,23 @@ class TimeLimit {
 
  private:
   Clock::time_point before_, own_;
+};
+
+/// While it lives, calls what it is given after every so many steps that runs of its thread try.
+class AfterManySteps {
+ public:
+  static constexpr long k_many = 1'000'000;
+
+  explicit AfterManySteps(std::function<void()> call);
+  AfterManySteps(const AfterManySteps&) = delete;
+  AfterManySteps& operator=(const AfterManySteps&) = delete;
+  ~AfterManySteps();
+
+ private:
+  friend bool ends_steps();
+
+  std::function<void()> call_;
+  long tried_ = 0;
 };
 
 /// Thrown where a limit is over and nothing is to be kept.

@@ -18,9 +18,9 @@
 #include "sim/run/interruption.hpp"
 #include "sim/run/jumps.hpp"
 #include "sim/run/progress_bar.hpp"
-#include "sim/run/refusals.hpp"
 #include "sim/run/resume.hpp"
 #include "sim/run/settings.hpp"
+#include "sim/run/standstill.hpp"
 #include "version.hpp"
 
 namespace gausssim {
@@ -341,15 +341,17 @@ int run(const RunOptions& options, const FindSetting& find) {
   Simulated simulated;
   {
     ProgressBar bar(!options.quiet);
-    RefusalWatch refusals(*prepared, options.messages, bar);
+    StandstillWatch standstill(*prepared, options.messages, bar);
     Listeners listeners;
     listeners.on_row = [&](const std::string& row, double share) {
       file.write(row);
       bar.show(share, prepared->name());
       return true;
     };
-    listeners.on_steps = [&](double t, long steps, long refused) { refusals.look(t, steps, refused); };
-    listeners.on_numbers = [&](long k, const std::vector<long double>& row) { rows.set(k, row); };
+    listeners.on_numbers = [&](long k, const std::vector<long double>& row) {
+      rows.set(k, row);
+      standstill.look(k);
+    };
     simulated = simulate(*prepared, *engine, setting, listeners, earlier ? &earlier->run : nullptr);
   }
   // There was no motion at all, so there is no table of one.

@@ -136,7 +136,6 @@ class Simulator {
       goes_on = listeners_.on_row(text_, static_cast<double>(k + 1) / static_cast<double>(grid_.samples));
       shown_.assign(state, state + shown_.size());
       until_shown_ = integrator.progress();
-      if (listeners_.on_steps) listeners_.on_steps(static_cast<double>(t), until_shown_.steps, until_shown_.rejected);
     }
     result_.was_interrupted = Interruption::is_asked_for() && k + 1 < grid_.samples;
     return goes_on && !result_.was_interrupted;

@@ -64,14 +64,10 @@ using OnNumbers = std::function<void(long k, const std::vector<long double>& row
 /// Of one sample: the change of the energy over the largest kinetic energy so far, and the largest residual of a constraint.
 using OnDrift = std::function<void(double t, double energy, double constraints)>;
 
-/// Of the run so far.
-using OnSteps = std::function<void(double t, long steps, long rejected)>;
-
 struct Listeners {
   OnRow on_row = nullptr;          ///< may be empty
   OnNumbers on_numbers = nullptr;  ///< likewise
   OnDrift on_drift = nullptr;      ///< likewise
-  OnSteps on_steps = nullptr;      ///< at each row, likewise
   bool measures_drift = true;
 };
 

@@ -1,0 +1,26 @@
+#include "sim/run/standstill.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/run/jumps.hpp"
+
+namespace gausssim {
+
+void StandstillWatch::look_after_many_steps() {
+  // Smooth motions may have as many steps from one row to the next, and nothing can be done about it.
+  const bool stands = last_ == last_seen_ && !prepared_.edge.empty();
+  last_seen_ = last_;
+  if (!stands || has_said_) return;
+  has_said_ = true;
+  bar_.clear();
+  const Span& span = prepared_.span;
+  const auto time = [&](long row) {
+    return span.start + span.duration * static_cast<double>(row) / static_cast<double>(span.samples - 1);
+  };
+  gaussgen::cli::warn(
+      fmt::format("the run hardly goes on: {} steps were tried from t = {:.6g} on, and it is not at {:.6g} yet; {}",
+                  AfterManySteps::k_many, time(std::max(last_, 0L)), time(last_ + 1), hint_for_edge(prepared_.edge)),
+      messages_);
+}
+
+}  // namespace gausssim
