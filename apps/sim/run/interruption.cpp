@@ -89,7 +89,7 @@ bool ends_steps() {
   constexpr unsigned k_looks_once_in = 64;
   static thread_local unsigned count = 0;
   if (asked.load(std::memory_order_relaxed)) return true;
-  if (watch != nullptr && ++watch->tried_ % AfterManySteps::k_many == 0) watch->call_();
+  if (watch != nullptr && ++watch->taken_ % AfterManySteps::k_many == 0) watch->call_();
   if (limit == TimeLimit::Clock::time_point::max() || ++count % k_looks_once_in != 0) return false;
   return TimeLimit::Clock::now() >= limit;
 }

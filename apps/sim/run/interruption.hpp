@@ -47,21 +47,23 @@ class TimeLimit {
   Clock::time_point before_, own_;
 };
 
-/// While it lives, calls what it is given after every so many steps that runs of its thread try.
+/// While it lives, calls what it is given after each so many steps of runs of its thread.
 class AfterManySteps {
  public:
-  static constexpr long k_many = 1'000'000;
+  static constexpr long k_many = 200'000;
 
   explicit AfterManySteps(std::function<void()> call);
   AfterManySteps(const AfterManySteps&) = delete;
   AfterManySteps& operator=(const AfterManySteps&) = delete;
   ~AfterManySteps();
 
+  void begin_again() { taken_ = 0; }
+
  private:
   friend bool ends_steps();
 
   std::function<void()> call_;
-  long tried_ = 0;
+  long taken_ = 0;
 };
 
 /// Thrown where a limit is over and nothing is to be kept.

@@ -8,9 +8,7 @@ namespace gausssim {
 
 void StandstillWatch::look_after_many_steps() {
   // Smooth motions may have as many steps from one row to the next, and nothing can be done about it.
-  const bool stands = last_ == last_seen_ && !prepared_.edge.empty();
-  last_seen_ = last_;
-  if (!stands || has_said_) return;
+  if (has_said_ || prepared_.edge.empty()) return;
   has_said_ = true;
   bar_.clear();
   const Span& span = prepared_.span;
@@ -18,7 +16,7 @@ void StandstillWatch::look_after_many_steps() {
     return span.start + span.duration * static_cast<double>(row) / static_cast<double>(span.samples - 1);
   };
   gaussgen::cli::warn(
-      fmt::format("the run hardly goes on: {} steps were tried from t = {:.6g} on, and it is not at {:.6g} yet; {}",
+      fmt::format("the run hardly goes on: {} steps lead on from t = {:.6g}, and it is not at {:.6g} yet; {}",
                   AfterManySteps::k_many, time(std::max(last_, 0L)), time(last_ + 1), hint_for_edge(prepared_.edge)),
       messages_);
 }

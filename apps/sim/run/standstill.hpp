@@ -15,7 +15,10 @@ class StandstillWatch {
       : prepared_(prepared), messages_(messages), bar_(bar) {}
 
   /// Row `k` has been reached.
-  void look(long k) { last_ = k; }
+  void look(long k) {
+    last_ = k;
+    after_many_steps_.begin_again();
+  }
 
  private:
   void look_after_many_steps();
@@ -23,7 +26,7 @@ class StandstillWatch {
   const PreparedModel& prepared_;
   const gaussgen::cli::MessageOptions& messages_;
   ProgressBar& bar_;
-  long last_ = -1, last_seen_ = -1;
+  long last_ = -1;
   bool has_said_ = false;
   AfterManySteps after_many_steps_{[this] { look_after_many_steps(); }};
 };
