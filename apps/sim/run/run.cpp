@@ -178,7 +178,8 @@ int code_of(const Simulated& run, const PreparedModel& prepared, const cli::Mess
   }
   if (run.outcome == Outcome::running) return cli::k_ok;
   const std::string why = run.why.empty() ? gauss::simulate::name(run.outcome) : run.why;
-  const bool is_at_edge = run.outcome == Outcome::too_many_steps && !prepared.edge.empty();
+  const bool is_by_steps = run.outcome == Outcome::too_many_steps || run.outcome == Outcome::step_too_small;
+  const bool is_at_edge = is_by_steps && !prepared.edge.empty();
   return cli::fail(
       fmt::format("the motion of '{}' stops at t = {:.10g}: {}{}", prepared.model.unit.model_name, run.reached, why,
                   run.status == gauss::Status::ok ? "" : std::string(" (status: ") + gauss::name(run.status) + ")"),
