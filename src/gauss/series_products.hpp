@@ -81,26 +81,34 @@ struct FactorColumns {
   int column[columns] = {};
 };
 
+/// Calls visit(factor, column) of each column, in their order.
+template <class Series, class Visit>
+constexpr void for_each_factor_column(Visit&& visit) {
+  using Factors = decltype(Series::factors);
+  constexpr int n = Factors::n_products;
+  if constexpr (n > 0) {
+    for (int m = 0; m < n; ++m) {
+      visit(Series::left[m], m);
+      visit(Series::right[m], n + m);
+    }
+  }
+  if constexpr (Factors::n_squares > 0) {
+    for (int m = 0; m < Factors::n_squares; ++m) visit(Series::squared[m], 2 * n + m);
+  }
+}
+
+/// By counting: compilers bound the steps of what they evaluate, and models have thousands of factors.
 template <class Series>
 constexpr auto factor_columns() {
   using Factors = decltype(Series::factors);
-  constexpr int n = Factors::n_products;
-  FactorColumns<Factors::n_factors, 2 * n + Factors::n_squares> result;
-  int next = 0;
+  FactorColumns<Factors::n_factors, 2 * Factors::n_products + Factors::n_squares> result;
+  for_each_factor_column<Series>([&](int factor, int) { ++result.begin[factor + 1]; });
+  int next[Factors::n_factors + 1] = {};
   for (int factor = 0; factor < Factors::n_factors; ++factor) {
-    result.begin[factor] = next;
-    if constexpr (n > 0) {
-      for (int m = 0; m < n; ++m) {
-        if (Series::left[m] == factor) result.column[next++] = m;
-        if (Series::right[m] == factor) result.column[next++] = n + m;
-      }
-    }
-    if constexpr (Factors::n_squares > 0) {
-      for (int m = 0; m < Factors::n_squares; ++m)
-        if (Series::squared[m] == factor) result.column[next++] = 2 * n + m;
-    }
+    result.begin[factor + 1] += result.begin[factor];
+    next[factor + 1] = result.begin[factor + 1];
   }
-  result.begin[Factors::n_factors] = next;
+  for_each_factor_column<Series>([&](int factor, int column) { result.column[next[factor]++] = column; });
   return result;
 }
 
