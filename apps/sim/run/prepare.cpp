@@ -90,10 +90,9 @@ bool set_parameters_alone(const std::vector<std::string>& sets, const model::Mod
   });
 }
 
-/// Of the equations alone: what everything costs that calls them.
-int operations_of_rates(const gaussgen::PipelineResult& compiled) {
-  for (const auto& output : compiled.outputs) {
-    if (output.output == "rhs") return output.operations;
+int operations_of(const gaussgen::PipelineResult& compiled, const std::string& output) {
+  for (const auto& one : compiled.outputs) {
+    if (one.output == output) return one.operations;
   }
   return 0;
 }
@@ -158,9 +157,8 @@ gaussgen::PipelineOptions pipeline_options(const Request& request, const Scene& 
   options.outputs.insert(options.outputs.end(), request.also.begin(), request.also.end());
   const bool uses_gains = scene.projection && scene.projection->text == "gains";
   if (uses_gains) options.where_possible.push_back("mass_matrix");
-  const std::string method = scene.method ? scene.method->text : "auto";
-  if (method == "taylor") options.outputs.push_back("taylor");
-  if (method == "auto") options.where_possible.push_back("taylor");
+  if (scene.method && scene.method->text == "taylor") options.outputs.push_back("taylor");
+  if (chooses_method(scene)) options.where_possible.push_back("taylor");
   return options;
 }
 
@@ -220,6 +218,7 @@ class Preparation {
     if (request_.adjust) request_.adjust(scene, read, in_scene_);
     parameters_ = model::parameter_values(read);
     if (!in_scene_.has_errors()) check_bodies(scene, request_.sets, read, in_scene_);
+    result_.parameters.clear();
     for (const model::Parameter& one : read.parameters) result_.parameters.emplace_back(one.name.text, one.value);
     result_.edge = function_with_edge(read);
     if (set_parameters_alone(request_.sets, read)) closed_forms_ = read.exact;
@@ -260,6 +259,7 @@ class Preparation {
     std::optional<gaussgen::PipelineResult> result;
     try {
       result = compiled(found);
+      if (result && leaves_series_out(*result)) result = compiled(found = {});
     } catch (const BadScene&) {
       check_outputs_of_bad_scene();
     }
@@ -269,6 +269,15 @@ class Preparation {
     if (!is_bad) exit_code_ = code;
     if (is_bad || !result || code != cli::k_ok) return false;
     return take(std::move(*result));
+  }
+
+  /// Whether the model is to be derived without series.
+  bool leaves_series_out(const gaussgen::PipelineResult& compiled) {
+    const bool may = request_.leaves_large_series_out && !result_.scene.error && chooses_method(result_.scene);
+    if (!may || operations_of(compiled, "taylor") <= k_most_series_operations) return false;
+    auto& welcome = options_.where_possible;
+    welcome.erase(std::remove(welcome.begin(), welcome.end(), "taylor"), welcome.end());
+    return true;
   }
 
   /// Of the model as its own file has it: what else the user has to mend.
@@ -295,7 +304,8 @@ class Preparation {
           cli::k_motion_stopped, request_.messages);
       return false;
     }
-    result_.operations = operations_of_rates(compiled);
+    result_.operations = operations_of(compiled, "rhs");
+    result_.series_operations = operations_of(compiled, "taylor");
     result_.model = {std::move(compiled.tree), std::move(compiled.unit)};
     choose_outputs(result_.model);
     // Those of the command line have no place in the file.

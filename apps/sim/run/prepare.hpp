@@ -24,6 +24,7 @@ struct Request {
   std::vector<std::string> also;  ///< outputs of the generator that the method needs
   gaussgen::cli::MessageOptions messages;
   std::vector<std::string> where_possible = {};  ///< outputs that are left out without a word where the model has none
+  bool leaves_large_series_out = false;          ///< where nobody names a method: see k_most_series_operations
   std::string form = {};                         ///< one of the scene's `formulations`; empty: the scene itself
   /// Changes the model when scene and options have had their say; what it finds is in the text of the scene. May be empty.
   std::function<void(const Scene&, gaussgen::model::Model&, gaussgen::support::Diagnostics&)> adjust = nullptr;
@@ -38,6 +39,7 @@ struct PreparedModel {
   std::string model_file;
   double generate_seconds = 0;
   int operations = 0;               ///< of the rates
+  int series_operations = 0;        ///< of power series, those of each order once; 0: there are none
   std::string edge;                 ///< a function in what acts that jumps or has a kink; empty: all of it is smooth
   std::array<double, 3> gravity{};  ///< m/s², space: the sum of uniform fields at the start
   bool wants_gains = false;         ///< the projection `gains` may be asked for
@@ -45,6 +47,9 @@ struct PreparedModel {
   /// Of the scene, else of the model: names files and problems.
   const std::string& name() const { return scene.name.empty() ? model.unit.model_name : scene.name; }
 };
+
+/// Compilers take more than 4 s for more operations of power series, ten times as long as for everything else, and runs gain a factor of two by them at best: they are no default.
+constexpr int k_most_series_operations = 4000;
 
 /// Reads the file; `change` may alter the scene before the model is read, as options do. Nothing after an error, which is reported: `code` is the exit code. Throws
 /// cli::FileError and cli::UsageError.

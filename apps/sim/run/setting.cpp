@@ -23,8 +23,6 @@ Projection default_projection(const std::string& method) {
   return find_method(method)->projects ? Projection::full : Projection::off;
 }
 
-bool chooses_method(const Scene& scene) { return !scene.method || scene.method->text == "auto"; }
-
 const std::string& number_name(const Scene& scene) {
   static const std::string k_usual = "double";
   return scene.number ? scene.number->text : k_usual;
@@ -52,7 +50,9 @@ Setting setting_of(const PreparedModel& prepared, const Engine& engine) {
 
 Setting default_setting(const PreparedModel& prepared, const Engine& engine) {
   Setting setting;
-  setting.method = default_method(prepared.model, engine, scalar_of(setting.number));
+  setting.method = prepared.series_operations > k_most_series_operations
+                       ? k_method_of_any_model
+                       : default_method(prepared.model, engine, scalar_of(setting.number));
   setting.projection = default_projection(setting.method);
   setting.tolerance = k_default_tolerance;
   return setting;

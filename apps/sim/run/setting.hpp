@@ -18,16 +18,13 @@ std::string default_method(const Described& model, const Engine& engine, const s
 
 Projection default_projection(const std::string& method);
 
-/// Whether the scene leaves it to us.
-bool chooses_method(const Scene& scene);
-
 /// The number type that the scene names, else double.
 const std::string& number_name(const Scene& scene);
 
 /// As the scene says; what it does not say is the default.
 Setting setting_of(const PreparedModel& prepared, const Engine& engine);
 
-/// Of a scene that says nothing.
+/// Of a scene that says nothing. Series that are too large to be a default are none.
 Setting default_setting(const PreparedModel& prepared, const Engine& engine);
 
 /// Of the same accuracy with errors of other terms: another order, or another pair of the same order. The same where there is none.

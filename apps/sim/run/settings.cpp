@@ -81,6 +81,7 @@ void apply(const RunOptions& options, Scene& scene, Request& request) {
 
 std::optional<PreparedModel> prepare_run(const RunOptions& options, int& code) {
   Request request{options.file, options.sets, {}, options.messages};
+  request.leaves_large_series_out = true;
   const auto change = [&](Scene& scene) {
     apply(options, scene, request);
     if (scene.error && chooses_method(scene)) request.where_possible = {"jacobian"};

@@ -55,4 +55,7 @@ struct Scene {
   std::optional<Ensemble> ensemble;
 };
 
+/// Whether the scene leaves it to us.
+inline bool chooses_method(const Scene& scene) { return !scene.method || scene.method->text == "auto"; }
+
 }  // namespace gausssim
