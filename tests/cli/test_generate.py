@@ -1,7 +1,10 @@
 """gauss-gen model.yaml: every option, and what it writes."""
 
 import json
+import os
 import re
+import shutil
+import subprocess
 import unittest
 
 from gauss_gen import MODELS, PARTICLE, SKATER, SKEW, SOURCE, SPHERE, Program, without_poles
@@ -24,6 +27,18 @@ forces:
   gravity: {uniform: [0, 0, -9.81]}
   bend_$i: {count: n, spring: j_$(i)_1, stiffness: 3}
 """
+
+
+class LargeModels(Program):
+    def test_series_of_thousands_of_factors_are_within_what_compilers_evaluate(self):
+        """Instantiated: what is a constant in them is evaluated then, in so many steps at most."""
+        self.ok(MODELS / "families/quadruped.yaml", "--outputs", "rhs,taylor", "-o", ".")
+        name = "gauss::quadruped_4::"
+        source = self.write("all.cpp", f'#include "quadruped_4.hpp"\ntemplate gauss::StatusOf<double> {name}taylor<double>(const double&, const {name}State<double>&, '
+                            f"const {name}Inputs<double>&, const {name}Prepared<double>&, int, {name}TaylorSeries<double>&);\n")
+        for compiler in {os.environ["GAUSS_CXX"], *filter(shutil.which, ("g++", "clang++"))}:
+            result = subprocess.run([compiler, "-std=c++17", "-fsyntax-only", source], capture_output=True, text=True, check=False)
+            self.assertEqual(result.returncode, 0, (compiler, result.stderr[:3000]))
 
 
 class Output(Program):

@@ -100,6 +100,11 @@ class Writing(Program):
                 if why:
                     self.assertIn(why, said)
 
+    def test_series_that_compilers_take_long_for_are_no_default(self):
+        for model, words, method in (("robot_arm", [], "prince87"), ("robot_arm", ["--method", "taylor"], "taylor"), ("double_pendulum", [], "taylor")):
+            self.ok("run", MODELS / f"{model}.yaml", *words, "--duration", "0.01", "--samples", "2", "-q")
+            self.assertEqual(self.summary(f"{model}.json")["method"], method, (model, words))
+
     def test_where_a_force_jumps_steps_are_said_to_become_short(self):
         """A bob that friction has stopped, and that the spring would pull back and forth over the jump."""
         rubbed = SPRING.replace("name: spring", "name: rubbed").replace("  k: {", "  F: {value: 3, unit: N}\n  eps: {value: 1e-3, unit: m/s}\n  k: {").replace("forces:\n", "forces:\n  friction: {generalized: {x: -F*LAW}}\n")
