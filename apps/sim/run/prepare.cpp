@@ -293,7 +293,14 @@ class Preparation {
       auto all = with_all_outputs(model_text(), options_);
       return all ? Described{std::move(all->tree), std::move(all->unit)} : model;
     };
-    result_.columns = choose_columns(model, result_.scene.outputs, in_scene_, everything);
+    const auto& outputs = result_.scene.outputs;
+    Diagnostics found;
+    result_.columns = choose_columns(model, outputs, found, everything);
+    // Those of the command line have no place in the file.
+    const bool are_options = !outputs.empty() && outputs.front().span.end == 0;
+    if (found.has_errors() && are_options)
+      throw cli::UsageError("--outputs: " + found.all().front().message + "; " + found.all().front().hint);
+    for (const auto& one : found.all()) in_scene_.add(one);
     check_exact(result_.scene, result_.columns, parameters_, in_scene_);
   }
 
@@ -308,11 +315,6 @@ class Preparation {
     result_.series_operations = operations_of(compiled, "taylor");
     result_.model = {std::move(compiled.tree), std::move(compiled.unit)};
     choose_outputs(result_.model);
-    // Those of the command line have no place in the file.
-    const auto& outputs = result_.scene.outputs;
-    const bool are_options = !outputs.empty() && outputs.front().span.end == 0;
-    if (in_scene_.has_errors() && are_options)
-      throw cli::UsageError("--outputs: " + in_scene_.all().front().message + "; " + in_scene_.all().front().hint);
     if (report_mistakes()) return false;
     take_exact_of_model(closed_forms_, result_.columns, result_.span, parameters_, result_.scene);
     return true;
@@ -339,8 +341,8 @@ std::optional<PreparedModel> prepare(const Request& request, const std::function
     auto result = preparation.run(change);
     exit_code = preparation.exit_code();
     return result;
-  } catch (const cli::UsageError&) {
-    // The command line is wrong, and the scene may be, too: both are said.
+  } catch (...) {
+    // The command line is wrong, or a file cannot be read, and the scene may be wrong, too: both are said.
     preparation.report_mistakes();
     throw;
   }

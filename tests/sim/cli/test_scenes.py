@@ -76,6 +76,10 @@ exact: {z: 1}
         said = self.refused(2, "run", "scene.yaml", "--set", "zz=1")
         self.assertIn("scene.yaml:5:11: error[E024]: the model has no 'y'", said)
         self.assertIn("--set: the model has no 'zz'", said)
+        said = self.refused(2, "run", "scene.yaml", "--outputs", "x,zz")
+        self.assertIn("scene.yaml:5:11: error[E024]: the model has no 'y'", said)
+        self.assertIn("--outputs: the model has no output 'zz'", said)
+        self.assertEqual(said.count("'zz'"), 1)
 
     def test_counts_that_the_model_has_not_are_said_with_their_place(self):
         said = self.mistake(f"gauss: 1\nmodel: {MODELS / 'chain.yaml'}\ncounts: {{N: 3, nn: 2}}\n")
