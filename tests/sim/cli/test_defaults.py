@@ -16,7 +16,7 @@ STIFF = {"spring_pendulum": ["cvode_bdf", "arkode_kvaerno5"]}
 SOME = ["chaplygin_sleigh", "double_pendulum", "kepler", "lagrange_top", "sphere_in_cylinder", "sphere_in_cylinder_quaternion", "spherical_pendulum",
         "spring_pendulum"]
 
-# Seconds of motions that end: friction that jumps holds the wagon, a blade comes to stand upright, an arm meets its limit.
+# Seconds that motions can be followed for: friction that jumps holds the wagon, a blade comes to stand upright, and an arm without control turns over and over.
 ENDS = {"functions": 2, "skater_quaternion": 0.4, "robot_arm": 1}
 
 # Times move on a busy machine. What is beaten by less than this, in one of some tries, is not beaten.
