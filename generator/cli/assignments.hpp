@@ -20,8 +20,7 @@ struct NameAndText {
 NameAndText at_equals(const char* option, const std::string& assignment);
 
 /// Throws UsageError where `key`, for which the user wrote `name`, is in `seen`: the last would win without a word.
-void refuse_second_of(const char* option, const std::string& name, const std::string& key,
-                      std::set<std::string>& seen);
+void refuse_second_of(const char* option, const std::string& name, const std::string& key, std::set<std::string>& seen);
 
 /// Assignments such as n=50. Throws UsageError.
 model::GivenCounts parse_counts(const std::vector<std::string>& assignments);

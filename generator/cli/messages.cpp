@@ -85,6 +85,17 @@ void say(const Remark& remark, const MessageOptions& options) {
 
 }  // namespace
 
+MessageOptions messages_of(int argc, const char* const* argv, const std::string& program) {
+  MessageOptions options;
+  options.program = program;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool is_next = word == "json" && std::string(argv[i - 1]) == "--diagnostics";
+    if (is_next || word == "--diagnostics=json") options.format = MessageFormat::json;
+  }
+  return options;
+}
+
 int report(const support::Diagnostics& diagnostics, const support::Source& source, const MessageOptions& options) {
   if (options.is_silent) {
     // The exit code is all that is wanted.

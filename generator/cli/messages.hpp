@@ -21,6 +21,9 @@ struct MessageOptions {
   bool is_silent = false;  ///< nothing is said: of what is tried, and may not be possible
 };
 
+/// A word on the command line may be wrong before options are known; how to say so stands in it, too.
+MessageOptions messages_of(int argc, const char* const* argv, const std::string& program = "gauss-gen");
+
 /// Prints what was found and returns the exit code that goes with it.
 int report(const support::Diagnostics& diagnostics, const support::Source& source, const MessageOptions& options);
 

@@ -103,17 +103,6 @@ void check(const CLI::App& app, const Options& options) {
     refuse("--depfile", "there is no file to depend on with -o -");
 }
 
-/// A word on the command line is a mistake of the user before options are known; how to say so stands in it, too.
-MessageOptions messages_of(int argc, const char* const* argv) {
-  MessageOptions options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const bool is_next = word == "json" && std::string(argv[i - 1]) == "--diagnostics";
-    if (is_next || word == "--diagnostics=json") options.format = MessageFormat::json;
-  }
-  return options;
-}
-
 bool has(const std::string& message, const char* part) { return message.find(part) != std::string::npos; }
 
 /// In place of the words of the parser: `--check=no`, `-o a -o b`, and -o at the end.

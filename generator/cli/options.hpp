@@ -21,7 +21,7 @@ struct Options {
   PipelineOptions pipeline;
 
   // generate
-  std::string output;  ///< folder, "-" for standard output; empty: the working folder
+  std::string output;              ///< folder, "-" for standard output; empty: the working folder
   std::vector<std::string> split;  ///< types of a source file of its own
   std::string depfile;
   std::string depfile_target;      ///< empty: the header

@@ -64,13 +64,17 @@ void add_setting(CLI::App* command, RunOptions& options) {
   command->add_option("--samples", options.samples, "rows of the table, default 501")
       ->type_name("N")
       ->check(CLI::Range(2L, 100'000'000L));
-  command->add_option("--every", options.every, "time between rows, instead of their number")->type_name("T");
+  command->add_option("--every", options.every, "time between rows, instead of their number")
+      ->type_name("T")
+      ->excludes("--samples");
   command
       ->add_option("--tolerance", options.tolerance,
                    "error of a step, relative to the size of each component; default 1e-9")
       ->type_name("E")
       ->check(positive());
-  command->add_option("--step", options.step, "length of steps, of methods that take one")
+  command
+      ->add_option("--step", options.step,
+                   "length of steps, of methods that take one; default: a 10000th of the duration")
       ->type_name("T")
       ->check(positive());
   command
@@ -282,9 +286,12 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (!shell.man && app.get_subcommands().size() != 1) throw CLI::RequiredError::Subcommand(1);
+  } catch (const CLI::Success& request) {  // --help, --version
+    return app.exit(request);
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? 0 : gaussgen::cli::k_usage_error;
+    const auto messages = gaussgen::cli::messages_of(argc, argv, "gauss-sim");
+    return gaussgen::cli::fail(error.what(), gaussgen::cli::k_usage_error, messages,
+                               "Run gauss-sim --help for the options.");
   }
   if (shell.man || *shell.command) {
     gaussgen::cli::write_standard_output(shell.man ? gausssim::manual_of(app)

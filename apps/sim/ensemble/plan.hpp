@@ -29,7 +29,7 @@ class Plan {
   long count_ = 1;
 };
 
-/// A value in the middle, for which the model is checked and generated.
+/// A value in the middle.
 double nominal(const Distribution& distribution);
 
 /// At two numbers of the generator, from 0 to below 1.

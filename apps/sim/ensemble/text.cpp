@@ -41,13 +41,16 @@ std::string seconds_in_words(const EnsembleTold& told) {
                      rate_of(told.outcomes.run(), told.outcomes), rate_of(told.outcomes.steps(), told.outcomes), also);
 }
 
+std::string counted(int count, const char* what) { return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s"); }
+
 }  // namespace
 
 std::string ensemble_text(const EnsembleTold& told) {
   const EnsembleSetting& setting = told.setting;
-  std::string text = fmt::format("{}: {} trajectories by {} ({}, {} lanes, {} threads)\n", told.prepared.name(),
-                                 told.outcomes.run(), setting.setting.method, setting.setting.number,
-                                 setting.lanes == nullptr ? 1 : setting.lanes->lanes(), setting.threads);
+  std::string text = fmt::format("{}: {} trajectories by {} ({}, {}, {})\n", told.prepared.name(), told.outcomes.run(),
+                                 setting.setting.method, setting.setting.number,
+                                 counted(setting.lanes == nullptr ? 1 : setting.lanes->lanes(), "lane"),
+                                 counted(setting.threads, "thread"));
   for (const auto& [status, count] : counts_by_status(told.outcomes)) text += fmt::format("  {:8} {}\n", count, status);
   return text + table_of_outputs(told) + seconds_in_words(told);
 }

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/overrides.hpp"
+#include "model/evaluate.hpp"
 #include "sim/ensemble/plan.hpp"
 #include "sim/run/scene_values.hpp"
 #include "support/suggest.hpp"
@@ -25,11 +27,10 @@ class Varying {
       : model_(model), values_(model, diagnostics) {}
 
   Placed apply(const Varied& one) {
-    const model::Ast value = number_of(nominal(one.distribution));
-    if (one.section == Section::initial) return initial(one, value);
+    if (one.section == Section::initial) return initial(one, number_of(nominal(one.distribution)));
     const bool is_input = one.section == Section::inputs;
     const SymbolKind kind = is_input ? SymbolKind::input : SymbolKind::parameter;
-    if (is_declared(one, kind)) values_.give({one.name, value, one.span});
+    if (is_declared(one, kind)) values_.give({one.name, own_value(one), one.span});
     return {is_input, one.name};
   }
 
@@ -45,6 +46,15 @@ class Varying {
     values_.error(one.span, fmt::format("'{}' is no {} of the model", one.name, what),
                   gaussgen::support::did_you_mean(one.name, names));
     return false;
+  }
+
+  /// That of the model's file: of mechanisms that cannot be assembled with each value, it can with this one.
+  model::Ast own_value(const Varied& one) const {
+    const model::Values values = model::parameter_values(model_);
+    const std::size_t index = model_.symbols.at(one.name).index;
+    const bool is_input = one.section == Section::inputs;
+    const auto value = model::value_of(is_input ? model_.inputs[index].value : model_.parameters[index].value, values);
+    return number_of(value && std::isfinite(*value) ? *value : nominal(one.distribution));
   }
 
   Placed initial(const Varied& one, const model::Ast& value) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "description.hpp"
 #include "emit/identifiers.hpp"
 #include "sim/model/layout.hpp"
 #include "support/error_codes.hpp"
@@ -94,8 +95,22 @@ class Chooser {
     const std::vector<ResultNumber> slots = layout_of(model_.tree, gaussgen::emit::pascal_case(output));
     if (slots.empty()) return;
     for (std::size_t i = 0; i < slots.size(); ++i)
-      all_.push_back({output + "." + slots[i].name, slots[i].unit, slots[i].about, false, functions_.size(), i});
+      all_.push_back({output + "." + slots[i].name, unit_of(slots[i]), slots[i].about, false, functions_.size(), i});
     functions_.push_back({output, slots.size()});
+  }
+
+  /// Entries of one array may differ in their units: emitted code has none for them.
+  std::string unit_of(const ResultNumber& slot) const {
+    if (!slot.unit.empty()) return slot.unit;
+    const auto begins_behind = [&](const char* member) {
+      const std::size_t at = slot.name.rfind(member);
+      return at == std::string::npos ? at : at + std::char_traits<char>::length(member);
+    };
+    if (begins_behind(".rotation[") != std::string::npos) return "1";
+    const std::size_t begin = begins_behind(".generalized[");
+    if (begin == std::string::npos) return "";
+    const std::size_t speed = std::stoul(slot.name.substr(begin));
+    return gaussgen::generalized_unit(model_.unit.speeds.at(speed).unit);
   }
 
   const Described& model_;

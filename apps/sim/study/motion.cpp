@@ -94,6 +94,7 @@ class Reader {
     for (const Motion::Body& body : motion_.bodies) add_lines(body);
     for (const Column& column : columns_.columns) add_force(column);
     for (Motion::Body& body : motion_.bodies) give_shape(body);
+    drop_idle_forces();
     return std::move(motion_);
   }
 
@@ -206,6 +207,22 @@ class Reader {
       for (const Motion::Body& body : motion_.bodies)
         if (body.name == name) return add(row, name, column, body.position);
     }
+  }
+
+  /// A joint that lets its child move freely holds nothing.
+  void drop_idle_forces() {
+    const auto largest = [](const Motion::Force& one) {
+      double most = 0;
+      for (const Place& force : one.force) most = std::max(most, vector_of(force).norm());
+      return most;
+    };
+    double most = 0;
+    for (const Motion::Force& one : motion_.forces) most = std::max(most, largest(one));
+    const auto is_idle = [&](const Motion::Force& one) {
+      return find(joints_, one.name) != nullptr && largest(one) < k_rounding * most;
+    };
+    auto& all = motion_.forces;
+    all.erase(std::remove_if(all.begin(), all.end(), is_idle), all.end());
   }
 
   /// The directions of one constraint are one force.

@@ -197,8 +197,11 @@ class Solver {
         trace.energy.push_back(energy);
         trace.constraints.push_back(constraints);
       };
-      simulate(form.model, *form.engine, point.candidate.setting, listeners);
+      const Drift drift = simulate(form.model, *form.engine, point.candidate.setting, listeners).drift;
       throw_if_ended();
+      // Nothing was looked at then.
+      if (!drift.has_energy) trace.energy.clear();
+      if (!drift.has_constraints) trace.constraints.clear();
       problem_.drifts.push_back(std::move(trace));
     }
   }

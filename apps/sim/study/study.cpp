@@ -11,7 +11,9 @@
 #include "cli/replacement.hpp"
 #include "sim/report/report_template.hpp"
 #include "sim/run/interruption.hpp"
+#include "sim/run/prepare.hpp"
 #include "sim/run/setting.hpp"
+#include "sim/study/measure.hpp"
 #include "sim/study/study_json.hpp"
 
 namespace gausssim {
@@ -45,13 +47,18 @@ std::string in_words(const Point& point, const Problem& problem) {
 }
 
 void tell(const Problem& problem) {
+  const auto made = std::count_if(problem.points.begin(), problem.points.end(),
+                                  [](const Point& point) { return point.status != PointStatus::refused; });
+  const bool is_short = std::any_of(problem.points.begin(), problem.points.end(),
+                                    [](const Point& point) { return point.why == k_beyond_time; });
   std::string text =
-      fmt::format("{}: {} runs{}, reference good to {:.1e}\n", problem.name, problem.points.size(),
+      fmt::format("{}: {} runs{}, reference good to {:.1e}\n", problem.name, made,
                   problem.was_interrupted ? " until it was interrupted" : "", problem.reference.agreement);
   for (const double error : {1e-3, 1e-6, 1e-9, 1e-12}) {
     const Point* const best = cheapest(problem.points, error);
     text += best == nullptr
-                ? fmt::format("  {:.0e}  no run delivered it\n", error)
+                ? fmt::format("  {:.0e}  no run delivered it{}\n", error,
+                              is_short ? "; others had no time, and --budget gives it" : "")
                 : fmt::format("  {:.0e}  {:8.3f} ms  {}\n", error, 1e3 * best->time, in_words(*best, problem));
   }
   cli::write_standard_output(text);
@@ -66,10 +73,37 @@ int say_interrupted(const std::vector<Problem>& problems, const StudyOptions& op
   return cli::k_interrupted;
 }
 
+/// Nothing is measured for files of which a later one is wrong. Returns an exit code; what is wrong is reported.
+int check_files(const StudyOptions& options) {
+  int worst = cli::k_ok;
+  for (const std::string& file : options.files) {
+    Request request{file, {}, {}, options.messages};
+    const auto code_of = [&](bool is_silent) {
+      request.messages.is_silent = is_silent;
+      int code = cli::k_ok;
+      const auto prepared = prepare(
+          request, [](Scene&) {}, code);
+      return code;
+    };
+    try {
+      // Warnings come with the study itself.
+      if (code_of(true) != cli::k_ok) worst = code_of(false);
+    } catch (const cli::FileError& error) {
+      worst = cli::fail(error.what(), cli::k_file_error, options.messages);
+    }
+    throw_if_ended();
+  }
+  return worst;
+}
+
 }  // namespace
 
 int study(const StudyOptions& options) {
   const Interruption interruption;
+  if (options.files.size() > 1) {
+    const EndsAtOnce while_it_checks(options.messages);
+    if (const int code = check_files(options); code != cli::k_ok) return code;
+  }
   std::vector<Problem> problems;
   for (const std::string& file : options.files) {
     int code = cli::k_ok;

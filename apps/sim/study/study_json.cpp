@@ -169,10 +169,10 @@ Json problem_json(const Problem& problem) {
   for (const Point& point : problem.points) json["points"].push_back(point_json(point, problem));
   json["drifts"] = Json::array();
   for (const DriftTrace& trace : problem.drifts) {
-    json["drifts"].push_back({{"point", trace.point},
-                              {"t", numbers(trace.t)},
-                              {"energy", numbers(trace.energy)},
-                              {"constraints", numbers(trace.constraints)}});
+    Json one = {{"point", trace.point}, {"t", numbers(trace.t)}};
+    if (!trace.energy.empty()) one["energy"] = numbers(trace.energy);
+    if (!trace.constraints.empty()) one["constraints"] = numbers(trace.constraints);
+    json["drifts"].push_back(std::move(one));
   }
   json["lanes"] = Json::array();
   for (const LanesRow& row : problem.lanes) {

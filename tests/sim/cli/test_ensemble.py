@@ -115,6 +115,12 @@ class Motions(Ensembles):
             for name, values in self.table("one.csv").items():
                 self.assertAlmostEqual(float(row[name]), values[-1], delta=1e-7, msg=(start, name))
 
+    def test_a_mechanism_that_cannot_be_assembled_in_the_middle_of_its_values_runs_elsewhere(self):
+        self.write("scene.yaml", f"gauss: 1\nscene: bars\nmodel: {json.dumps(str(MODELS / 'four_bar.yaml'))}\nduration: 0.1\n"
+                                 "ensemble: {parameters: {L3: {values: [0.5, 9, 0.51]}}}\n")
+        self.ok("ensemble", "scene.yaml", "-q")
+        self.assertEqual([row["status"] for row in self.rows("bars.ensemble.csv")], ["finished", "no initial state", "finished"])
+
     def test_inputs_vary_too(self):
         model = SPRING + "inputs:\n  push: {value: 0, unit: N}\n"
         model = model.replace("forces:\n", "forces:\n  hand: {generalized: {x: push}}\n")

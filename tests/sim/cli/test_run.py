@@ -100,6 +100,15 @@ class Writing(Program):
                 if why:
                     self.assertIn(why, said)
 
+    def test_components_of_reactions_have_the_units_of_their_speeds(self):
+        self.ok("run", MODELS / "rolling_disc.yaml", "--outputs", "reactions,poses", "--duration", "0.01", "--samples", "2", "-q", "-o", "disc.csv")
+        heads = list(self.table("disc.csv"))
+        units = {head[:head.index(" ")]: head[head.index("[") if " [" not in head else head.index(" [") + 1:] for head in heads}
+        along = {name: unit for name, unit in units.items() if ".generalized[" in name}
+        self.assertGreater(len(along), 4)
+        self.assertEqual(set(along.values()), {"[N]", "[N*m]"})
+        self.assertEqual({unit for name, unit in units.items() if ".rotation[" in name}, {"[1]"})
+
     def test_series_that_compilers_take_long_for_are_no_default(self):
         for model, words, method in (("robot_arm", [], "prince87"), ("robot_arm", ["--method", "taylor"], "taylor"), ("double_pendulum", [], "taylor")):
             self.ok("run", MODELS / f"{model}.yaml", *words, "--duration", "0.01", "--samples", "2", "-q")

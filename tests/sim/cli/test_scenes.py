@@ -1,5 +1,6 @@
 """Scenes: what they say, and what is wrong with them."""
 
+import json
 import math
 import unittest
 
@@ -85,6 +86,11 @@ exact: {z: 1}
         said = self.mistake(f"gauss: 1\nmodel: {MODELS / 'chain.yaml'}\ncounts: {{N: 3, nn: 2}}\n")
         self.assertIn("scene.yaml:3:10: error[E024]: the model has no count 'N'", said)
         self.assertIn("scene.yaml:3:16: error[E024]: the model has no count 'nn'", said)
+
+    def test_what_the_parser_of_options_refuses_is_json_too(self):
+        for words in (("--tolerance", "1e-9x"), ("--nonsense",), ("--every", "1", "--samples", "4")):
+            [line] = self.refused(2, "run", "spring.yaml", *words, "--diagnostics", "json").splitlines()
+            self.assertEqual(json.loads(line)["severity"], "error", words)
 
     def test_counts_of_the_command_line_go_before_those_of_the_scene(self):
         self.write("scene.yaml", f"gauss: 1\nscene: links\nmodel: {MODELS / 'chain.yaml'}\ncounts: {{n: 4}}\nduration: 0.1\nsamples: 2\n")

@@ -6,6 +6,7 @@ import math
 import os
 import signal
 import subprocess
+import time
 import unittest
 from pathlib import Path
 
@@ -56,6 +57,26 @@ class Study(Program):
             for trace in self.problem["drifts"]:
                 self.assertEqual(len(trace["t"]), self.problem["samples"])
                 self.assertTrue(all(math.isfinite(value) for value in trace["energy"]))
+
+
+class Files(Program):
+    def test_a_mistake_in_a_later_file_is_told_before_anything_is_measured(self):
+        self.write("spring.yaml", SPRING)
+        self.write("wrong.yaml", SPRING.replace("mass: m", "mass: mq"))
+        begin = time.monotonic()
+        said = self.refused(3, "study", "spring.yaml", "wrong.yaml", "nowhere.yaml", "--budget", "600")
+        self.assertLess(time.monotonic() - begin, 60)
+        self.assertIn("wrong.yaml", said)
+        self.assertIn("'mq'", said)
+        self.assertIn("nowhere.yaml: No such file", said)
+
+    def test_where_the_energy_changes_there_is_no_drift_of_it(self):
+        self.write("damped.yaml", SPRING.replace("forces:\n", "forces:\n  damper: {generalized: {x: -dot(x)*sqrt(k*m)/9}}\n"))
+        self.ok("study", "damped.yaml", "--methods", "prince87", "--budget", "2", "-q")
+        [problem] = json.loads((self.folder / "study.json").read_text(encoding="utf-8"))["problems"]
+        self.assertGreater(len(problem["drifts"]), 0)
+        for trace in problem["drifts"]:
+            self.assertEqual(sorted(trace), ["point", "t"])
 
 
 class Interruption(Program):

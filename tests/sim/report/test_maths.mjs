@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import {digitCost, digitCostBetween} from '../../../apps/sim/report/web/src/maths/digit_cost.js';
 import {paretoFront} from '../../../apps/sim/report/web/src/maths/pareto.js';
-import {cheapest, front, targets} from '../../../apps/sim/report/web/src/maths/points.js';
+import {alikeBut, cheapest, front, targets} from '../../../apps/sim/report/web/src/maths/points.js';
 import {random} from './sample/random.mjs';
 import {markFront} from './sample/runs.mjs';
 import {study} from './sample/study.mjs';
@@ -30,6 +30,14 @@ test('the front comes by error, and falls in time', () => {
 
 test('the front of the page is the front of the study', () => {
   for (const {points} of study().problems) assert.deepEqual(ids(front(points)), ids(points.filter(({pareto}) => pareto)));
+});
+
+test('settings are compared where all others are alike', () => {
+  const run = (formulation, method, projection) => ({...point(1e-6, 1), formulation, method, projection, code: 'optimised', number: 'double'});
+  const points = [run('a', 'taylor', 'full'), run('a', 'taylor', 'off'), run('a', 'rk4', 'full'), run('b', 'taylor', 'full'), run('b', 'prince87', 'full'), run('a', 'prince87', 'full')];
+  assert.deepEqual(alikeBut(points, 'formulation'), [points[0], points[3], points[4], points[5]]);
+  assert.deepEqual(alikeBut(points, 'projection'), [points[0], points[1]]);
+  assert.deepEqual(alikeBut([points[1], points[3]], 'formulation'), []);
 });
 
 test('what failed, or has no error or time, is on no front', () => {

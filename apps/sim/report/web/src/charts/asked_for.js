@@ -2,7 +2,7 @@
 
 import {column, factor, plain, seconds, small} from '../format.js';
 import {nth} from '../look.js';
-import {arrived, cheapest, grouped, targets} from '../maths/points.js';
+import {alikeBut, arrived, cheapest, grouped, targets} from '../maths/points.js';
 import {logAxis, shortSeconds} from './axes.js';
 import {accuracyOf, detailOf} from './detail.js';
 import {frame} from './frame.js';
@@ -15,10 +15,11 @@ import {frame} from './frame.js';
 
 /** @param {Point[]} points @param {Look} look @param {Setting} setting @returns {import('../types.js').Picture | string} */
 export function askedFor(points, look, setting) {
-  const groups = grouped(points, [setting.key]);
+  const alike = alikeBut(points, setting.key);
+  const groups = grouped(alike.length > 0 ? alike : points, [setting.key]);
   if (groups.size === 0) return 'No runs are left: none was made, or the filters leave none.';
   if (groups.size === 1) return `All runs have the same ${setting.word}, ${[...groups.keys()][0]}: there is nothing to compare.`;
-  const lines = linesOf(points, groups);
+  const lines = linesOf([...groups.values()].flat(), groups);
   if (lines.every((line) => line.points.length === 0)) return 'No run reaches an error of 1e-3: there is nothing to compare.';
   const shown = lines.filter((line) => line.points.length > 0);
   const all = shown.flatMap((line) => line.points);
@@ -28,7 +29,7 @@ export function askedFor(points, look, setting) {
   const series = shown.map((line, at) => seriesOf(line, at, look, spots, x.at, y.at));
   return {
     option: frame(look, {title: setting.title, xAxis: x.axis, yAxis: y.axis, series, left: 84}),
-    takeaway: setting.sentence(lines), note: setting.note, spots, height: 360, table: tableOf(lines, setting),
+    takeaway: setting.sentence(lines), note: alike.length > 0 ? setting.note : 'They have no other settings in common: those of each are its own.', spots, height: 360, table: tableOf(lines, setting),
     key: {methods: [], numbers: [], extra: shown.map(({name, at}) => ({label: name, ...nth(look, at)}))},
   };
 }

@@ -41,7 +41,7 @@ function curvesOf(name, problem, points) {
 /** @param {string} name @param {FullProblem} problem @param {Point[]} points @param {Look} look */
 function picture(name, problem, points, look) {
   const curves = curvesOf(name, problem, points);
-  if (curves.length === 0) return `No run that is shown has a record of ${name} over time.`;
+  if (curves.length === 0) return nothing(name, problem);
   const sizes = curves.flatMap((curve) => curve.sizes);
   if (sizes.every((size) => size === 0)) return `${name[0].toUpperCase()}${name.slice(1)}: 0 at all times, in each of ${curves.length} recorded runs.`;
   const y = logAxis(look, `drift of ${name}`, sizes, {gap: 58});
@@ -57,6 +57,18 @@ function picture(name, problem, points, look) {
     key: {methods: [], numbers: [], extra: curves.map((curve) => ({label: curve.name, ...strokeOf(curve, look)}))},
   };
 }
+
+/** @param {string} name @param {FullProblem} problem */
+function nothing(name, problem) {
+  const isRecorded = problem.drifts.length === 0 || problem.drifts.some((drift) => Array.isArray(drift[name]));
+  if (isRecorded || !(name in k_why_none)) return `No run that is shown has a record of ${name} over time.`;
+  return k_why_none[/** @type {keyof typeof k_why_none} */ (name)];
+}
+
+const k_why_none = {
+  energy: 'The energy of this model may change, by forces, inputs or time: there is nothing that it drifts from.',
+  constraints: 'The model has no constraints that could drift.',
+};
 
 /** Runs of one method with other settings have its colour, and other symbols. @param {Curve} curve @param {Look} look */
 function strokeOf(curve, look) {

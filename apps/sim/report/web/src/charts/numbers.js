@@ -17,7 +17,7 @@ const reach = (lines) => lines.map(reachOf).join(', ');
 /** @type {import('../types.js').Chart} */
 export const numbers = {
   id: 'numbers', short: 'Number types', title: 'Number types: how far each reaches, and at what price',
-  about: 'For each error, the fastest run of each number type. A line ends where rounding lets nobody come nearer, or where the time of the study was over.',
+  about: 'For each error, the fastest run of each number type, all else alike. A line ends where rounding lets nobody come nearer, or where the time of the study was over.',
   make: (problem, points, look) => askedFor(points, look, {
     key: 'number', word: 'number type', title: `${problem.name}: number types`, sentence: (lines) => `${compared(lines)} They reach: ${reach(lines)}.`,
   }),

@@ -20,8 +20,8 @@ const k_results = [
 
 /** @param {Point[]} points @param {Point[]} front @param {string} caption @param {Column[]} [more] columns before those of results */
 export function runTable(points, front, caption, more = []) {
-  const differing = k_settings.filter(([key]) => new Set(points.map((point) => settingOf(point, key))).size > 1 || key === 'method');
-  const alike = k_settings.filter((setting) => !differing.includes(setting) && points.some((point) => point[setting[0]]));
+  const [method, ...differing] = k_settings.filter(([key]) => new Set(points.map((point) => settingOf(point, key))).size > 1 || key === 'method');
+  const alike = k_settings.filter((setting) => setting !== method && !differing.includes(setting) && points.some((point) => point[setting[0]]));
   const used = k_results.filter(({key}) => points.some((point) => /** @type {any} */ (point)[key] !== null && /** @type {any} */ (point)[key] !== undefined));
   const onFront = new Set(front.map(({id}) => id));
   const marks = (/** @type {Point} */ point) => [onFront.has(point.id) && 'front', point.is_default && 'default'].filter(Boolean).join(', ');
@@ -29,7 +29,7 @@ export function runTable(points, front, caption, more = []) {
   return {
     caption: alike.length > 0 ? `${caption} All: ${alike.map(([key, label]) => `${label} ${settingOf(points[0], key)}`).join(', ')}.` : caption,
     columns: [
-      ...differing.map(([key, title]) => ({key, title})), ...used, ...more, {key: 'marks', title: 'marks'},
+      {key: method[0], title: method[1]}, ...used, ...more, ...differing.map(([key, title]) => ({key, title})), {key: 'marks', title: 'marks'},
       ...(failures ? [{key: 'status', title: 'status'}, {key: 'why', title: 'why'}] : []),
     ],
     rows: [...points].sort(order(onFront)).map((point) => ({...point, marks: marks(point), status: statusOf(point)})),

@@ -36,7 +36,7 @@ export function begun(points) {
 export const notRun = (points) => k_choices.flatMap(([key, one, many]) => {
   const byReason = /** @type {Map<string, string[]>} */ (new Map());
   for (const [name, group] of neverBegun(points, key)) {
-    const why = [...new Set(group.map((point) => point.why || 'nobody says why'))].join('; ');
+    const why = [...new Set(group.map((point) => point.why || 'nobody says why'))].join(' / ');
     byReason.set(why, [...byReason.get(why) ?? [], name]);
   }
   return [...byReason].map(([why, names]) => `${names.length === 1 ? one : many} ${names.join(', ')}: ${why}`);
@@ -69,6 +69,14 @@ export function grouped(points, keys) {
     groups.get(name).push(point);
   }
   return groups;
+}
+
+/** Those whose other settings were tried with each value of `key`, so that nothing else is compared. Tolerances and steps may differ. @param {Point[]} points @param {string} key */
+export function alikeBut(points, key) {
+  const others = k_settings.map(([other]) => /** @type {string} */ (other)).filter((other) => other !== key && other !== 'library' && other !== 'engine');
+  const of = (/** @type {Point} */ point) => others.map((other) => settingOf(point, other)).join(' · ');
+  const tried = [...grouped(points, [key]).values()].map((group) => new Set(group.map(of)));
+  return points.filter((point) => tried.every((some) => some.has(of(point))));
 }
 
 /** The cheapest run with an error of at most `target`; none if nobody gets there. @param {Point[]} points @param {number} target */

@@ -35,9 +35,9 @@ export class ProblemPage {
   motionSection(problem) {
     if (!this.motion) return el('section', {class: 'figure', 'data-chart': 'motion'}, this.motionHeading, el('p', {class: 'empty'}, 'No motion is recorded.'));
     const largest = largestReaction(/** @type {any} */ (problem.motion));
-    const takeaway = largest ? `Largest reaction: ${largest.name}, ${plain(largest.value)} ${largest.unit} at ${plain(largest.time)} s.` : 'No reactions are recorded.';
+    const takeaway = largest ? `Largest reaction that is drawn: ${largest.name}, ${plain(largest.value)} ${largest.unit} at ${plain(largest.time)} s.` : 'No reactions are recorded.';
     return el('section', {class: 'figure', 'data-chart': 'motion'}, this.motionHeading,
-      el('p', {class: 'about'}, 'The run itself. Arrows are reactions: forces that hold the constraints, on the body that is named.'), el('p', {class: 'takeaway'}, takeaway), this.motion.element);
+      el('p', {class: 'about'}, 'The run itself. Arrows are reactions that have a place: forces of joints and constraints, on the body that is named. Those of held coordinates are none.'), el('p', {class: 'takeaway'}, takeaway), this.motion.element);
   }
 
   open() {

@@ -3,7 +3,7 @@
 import {summaryOf} from '../charts/summary.js';
 import {briefly} from '../charts/detail.js';
 import {seconds, small} from '../format.js';
-import {cheapest} from '../maths/points.js';
+import {cheapest, hadNoTime} from '../maths/points.js';
 import {el, prose} from './dom.js';
 import {Figure} from './figure.js';
 
@@ -51,6 +51,6 @@ function matrix(problems, links) {
 /** @param {FullProblem} problem @param {number} target */
 function choice(problem, target) {
   const point = cheapest(problem.points, target);
-  if (!point) return el('td', {class: 'none'}, problem.why ? 'no reference' : 'nobody gets there');
+  if (!point) return el('td', {class: 'none'}, problem.why ? 'no reference' : problem.points.some(hadNoTime) ? 'nobody gets there in the time of the study' : 'nobody gets there');
   return el('td', {}, el('strong', {}, seconds(point.time_s)), el('span', {}, ...prose(briefly(point))));
 }
