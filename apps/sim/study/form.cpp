@@ -1,9 +1,13 @@
 #include "sim/study/form.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <functional>
 #include <future>
+#include <map>
 #include <set>
 #include <thread>
 
@@ -23,6 +27,23 @@ const std::vector<std::string>& welcome_outputs() {
   static const std::vector<std::string> k_outputs{"jacobian", "mass_matrix", "poses", "reaction_forces",
                                                   "joint_reactions"};
   return k_outputs;
+}
+
+/// What strategies call a sum depends on what else they have formed; code that differs in names alone is the same. (Functions have no '_'.)
+std::string with_numbered_names(const std::string& text) {
+  const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  std::map<std::string, std::size_t> numbers;
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    while (end < text.size() && is_part(text[end])) ++end;
+    const std::string word = text.substr(i, std::max<std::size_t>(end - i, 1));
+    result += word.find('_') == std::string::npos || word.size() == 1
+                  ? word
+                  : fmt::format("_{}", numbers.emplace(word, numbers.size()).first->second);
+    i += word.size();
+  }
+  return result;
 }
 
 class Collector {
@@ -55,7 +76,9 @@ class Collector {
     return request;
   }
 
-  static std::string text_of(const PreparedModel& model) { return plugin_text(model.model.tree, {{}, {}}); }
+  static std::string text_of(const PreparedModel& model) {
+    return with_numbered_names(plugin_text(model.model.tree, {{}, {}}));
+  }
 
   /// False after an error.
   bool add_others(const Scene& scene) {

@@ -160,6 +160,12 @@ class Formulations(Program):
         SCHEMA.validate(study)
         return study["problems"][0]
 
+    def test_strategies_that_make_the_same_code_are_one_formulation(self):
+        """Z of the double pendulum is minimised along the tree where nobody says anything: its code has other names then, nothing else."""
+        self.ok("study", MODELS / "double_pendulum.yaml", "--tightest", "1e-3", "--budget", "1", "-q")
+        forms = {point["formulation"] for point in self.written()["points"]}
+        self.assertEqual(forms, {"as given", "as given, metric"})
+
     def test_ways_to_describe_one_motion(self):
         problem = self.study(SCENE, "--budget", "20")
         points = problem["points"]

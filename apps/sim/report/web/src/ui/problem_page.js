@@ -37,7 +37,7 @@ export class ProblemPage {
     const largest = largestReaction(/** @type {any} */ (problem.motion));
     const takeaway = largest ? `Largest reaction that is drawn: ${largest.name}, ${plain(largest.value)} ${largest.unit} at ${plain(largest.time)} s.` : 'No reactions are recorded.';
     return el('section', {class: 'figure', 'data-chart': 'motion'}, this.motionHeading,
-      el('p', {class: 'about'}, 'The run itself. Arrows are reactions that have a place: forces of joints and constraints, on the body that is named. Those of held coordinates are none.'), el('p', {class: 'takeaway'}, takeaway), this.motion.element);
+      el('p', {class: 'about'}, 'The run itself. Arrows are reactions, on the body that is named: those that are known as forces on a body.'), el('p', {class: 'takeaway'}, takeaway), this.motion.element);
   }
 
   open() {
