@@ -147,12 +147,20 @@ void draw(Svg& svg, const Panel& panel, const Axis& below, const TableColumn& x,
   }
 }
 
+/// Time ends where the picture does; a path and dots would lie on its frame.
+Range range_across(const TableColumn& x, const Bonds& bonds) {
+  const Range range = range_of({&x});
+  const bool is_time = bonds.are_there && (bonds.within != nullptr || std::is_sorted(x.values.begin(), x.values.end()));
+  const double margin = is_time ? 0 : 0.03 * (range.most - range.least);
+  return {range.least - margin, range.most + margin};
+}
+
 }  // namespace
 
 std::string chart(const TableColumn& x, const std::vector<const TableColumn*>& columns, const std::string& title,
                   const Bonds& bonds) {
   constexpr int k_ticks_up = 5, k_ticks_across = 10;
-  const Axis below = axis_of(range_of({&x}), k_ticks_across, true);
+  const Axis below = axis_of(range_across(x, bonds), k_ticks_across, true);
   std::vector<Panel> panels = by_units(columns);
   double top = k_top;
   for (Panel& panel : panels) {
