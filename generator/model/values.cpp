@@ -11,6 +11,7 @@
 #include "model/evaluate.hpp"
 #include "model/expressions.hpp"
 #include "model/impossible.hpp"
+#include "model/quaternion_length.hpp"
 #include "support/error_codes.hpp"
 
 namespace gaussgen::model {
@@ -58,25 +59,18 @@ void check_bodies(const Values& values, Reading& reading) {
   }
 }
 
-/// Components rounded to three digits may make |e|² differ from 1 by 2 Σ|e_i| 0.0005, at most 0.002.
-constexpr double k_rounded_square = 2e-3;
-
 void check_quaternion(const Orientation& orientation, const Values& values, Reading& reading) {
-  double square = 0;
-  for (const Ast& component : orientation.initial) {
-    const auto value = value_of(component, values);
-    if (!value || !std::isfinite(*value)) return;
-    square += *value * *value;
-  }
+  const auto length = initial_length(orientation, values);
+  if (!length) return;
   const support::Span span{orientation.initial[0].span.begin, orientation.initial[3].span.end};
-  if (square == 0) {
+  if (*length == 0) {
     reading.diagnostics.error(code::k_undefined_value, span,
                               fmt::format("the initial quaternion of '{}' has length zero", orientation.name.text),
                               "[1, 0, 0, 0] is no rotation");
-  } else if (std::abs(square - 1) > k_rounded_square) {
+  } else if (!is_length_of_rotation(*length)) {
     reading.diagnostics.warning(code::k_quaternion_length, span,
                                 fmt::format("the initial quaternion of '{}' has length {:.4g} and is divided by it",
-                                            orientation.name.text, std::sqrt(square)),
+                                            orientation.name.text, *length),
                                 "check its components: the squares of a rotation add up to 1");
   }
 }

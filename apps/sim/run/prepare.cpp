@@ -16,6 +16,7 @@
 #include "mechanics.hpp"
 #include "model/evaluate.hpp"
 #include "model/impossible.hpp"
+#include "model/quaternion_length.hpp"
 #include "pipeline.hpp"
 #include "sim/model/layout.hpp"
 #include "sim/run/exact_columns.hpp"
@@ -58,6 +59,19 @@ void check_bodies(const Scene& scene, const std::vector<std::string>& sets, cons
     if (found.severity != gaussgen::support::Severity::error) continue;
     if (scene.parameters.empty()) throw cli::UsageError("--set: " + found.message);
     diagnostics.error(found.code, scene.parameters.front().span, found.message, found.hint);
+  }
+}
+
+/// Initial quaternions that scenes or options give; those of the model's file are looked at with it.
+void check_quaternions(const model::Model& read, const model::Values& values, const cli::MessageOptions& messages) {
+  for (const model::Orientation& one : read.orientations) {
+    const auto is_given = [&](const model::Ast& ast) { return ast.span.begin == read.name.span.begin; };
+    const auto length = model::initial_length(one, values);
+    if (!length || std::none_of(one.initial.begin(), one.initial.end(), is_given)) continue;
+    const std::string text = fmt::format("the initial quaternion of '{}' has length {:.4g}", one.name.text, *length);
+    if (*length == 0) throw cli::UsageError(text + ": [1, 0, 0, 0] is no rotation");
+    if (!model::is_length_of_rotation(*length) && !messages.is_silent)
+      cli::warn(text + ", and is divided by it", messages);
   }
 }
 
@@ -218,6 +232,7 @@ class Preparation {
     if (request_.adjust) request_.adjust(scene, read, in_scene_);
     parameters_ = model::parameter_values(read);
     if (!in_scene_.has_errors()) check_bodies(scene, request_.sets, read, in_scene_);
+    check_quaternions(read, parameters_, request_.messages);
     result_.parameters.clear();
     for (const model::Parameter& one : read.parameters) result_.parameters.emplace_back(one.name.text, one.value);
     result_.edge = function_with_edge(read);

@@ -109,6 +109,14 @@ class Writing(Program):
         self.assertEqual(set(along.values()), {"[N]", "[N*m]"})
         self.assertEqual({unit for name, unit in units.items() if ".rotation[" in name}, {"[1]"})
 
+    def test_a_quaternion_of_another_length_is_divided_by_it_with_a_word(self):
+        said = self.run_it("run", MODELS / "free_top.yaml", "--set", "float_e0=0.5", "--set", "float_e1=0.2", "--duration", "0.01", "-q").stderr
+        self.assertIn("warning: the initial quaternion of 'float' has length 0.5385, and is divided by it", said)
+        said = self.run_it("run", MODELS / "free_top.yaml", "--set", "float_e0=0.8", "--set", "float_e1=0.6", "--duration", "0.01", "-q").stderr
+        self.assertNotIn("quaternion", said)
+        said = self.refused(2, "run", MODELS / "free_top.yaml", "--set", "float_e0=0")
+        self.assertIn("has length 0: [1, 0, 0, 0] is no rotation", said)
+
     def test_series_that_compilers_take_long_for_are_no_default(self):
         for model, words, method in (("robot_arm", [], "prince87"), ("robot_arm", ["--method", "taylor"], "taylor"), ("double_pendulum", [], "taylor")):
             self.ok("run", MODELS / f"{model}.yaml", *words, "--duration", "0.01", "--samples", "2", "-q")
