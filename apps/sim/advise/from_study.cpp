@@ -55,8 +55,9 @@ std::string difference(const Json& problem, const PreparedModel& prepared) {
   for (const Column& column : prepared.columns.columns) here.push_back(column.name);
   if (there != here) return "it has other outputs";
   if (text_at(problem, "identity") == identity_of_problem(prepared)) return "";
-  return prepared.scene.code ? "the model, a value in it, its start, or how the code is written out is not the same"
-                             : "the model, a value in it, or its start is not the same";
+  return prepared.scene.code ? "the model, a value in it, its start, its number of samples, or how the code is written "
+                               "out is not the same"
+                             : "the model, a value in it, its start or its number of samples is not the same";
 }
 
 /// What the scene says is kept.

@@ -1,5 +1,7 @@
 #include "sim/run/identity.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <iterator>
@@ -47,7 +49,10 @@ std::string identity_of_problem(const PreparedModel& prepared) {
                is_of_values);
   remove_words(values);
   const auto file = gaussgen::cli::read_source(prepared.model_file);
-  return gaussgen::support::content_hash(without_last_underscores(cpp::print(values)) + std::string(file.text()));
+  // Forces may depend on the time, and errors are those at the samples.
+  const std::string times = fmt::format("{:a} {}\n", prepared.span.start, prepared.span.samples);
+  return gaussgen::support::content_hash(times + without_last_underscores(cpp::print(values)) +
+                                         std::string(file.text()));
 }
 
 }  // namespace gausssim

@@ -222,6 +222,8 @@ class Errors(Program):
             self.assertIn("lasts 10 s, and here 5 s", self.refused(3, *of_study, "--duration", "5"))
             self.assertIn("other outputs", self.refused(3, *of_study, "--outputs", "x"))
         with self.subTest("another motion"):
+            for more in (("--start", "1"), ("--samples", "11")):
+                self.assertIn("is not the same", self.refused(3, *of_study, *more), more)
             for change in ("m=3", "x=2", "x_dot=1"):
                 self.assertIn("is not the same", self.refused(3, *of_study, "--set", change), change)
             self.write("spring.yaml", SPRING.replace("k*x^2/2", "3*k*x^2/2"))
