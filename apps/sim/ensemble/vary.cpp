@@ -39,12 +39,8 @@ class Varying {
     const auto symbol = model_.symbols.find(one.name);
     if (symbol != model_.symbols.end() && symbol->second.kind == kind) return true;
     const char* const what = kind == SymbolKind::input ? "input" : "parameter";
-    std::vector<std::string> names;
-    for (const auto& [name, ref] : model_.symbols) {
-      if (ref.kind == kind) names.push_back(name);
-    }
     values_.error(one.span, fmt::format("'{}' is no {} of the model", one.name, what),
-                  gaussgen::support::did_you_mean(one.name, names));
+                  gaussgen::support::did_you_mean(one.name, names_of(model_, kind)));
     return false;
   }
 

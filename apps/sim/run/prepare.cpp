@@ -63,16 +63,17 @@ void check_bodies(const Scene& scene, const std::vector<std::string>& sets, cons
 }
 
 /// Initial quaternions that scenes or options give; those of the model's file are looked at with it.
-void check_quaternions(const model::Model& read, const model::Values& values, const cli::MessageOptions& messages) {
+std::vector<std::string> remarks_on_quaternions(const model::Model& read, const model::Values& values) {
+  std::vector<std::string> remarks;
   for (const model::Orientation& one : read.orientations) {
     const auto is_given = [&](const model::Ast& ast) { return ast.span.begin == read.name.span.begin; };
     const auto length = model::initial_length(one, values);
     if (!length || std::none_of(one.initial.begin(), one.initial.end(), is_given)) continue;
     const std::string text = fmt::format("the initial quaternion of '{}' has length {:.4g}", one.name.text, *length);
     if (*length == 0) throw cli::UsageError(text + ": [1, 0, 0, 0] is no rotation");
-    if (!model::is_length_of_rotation(*length) && !messages.is_silent)
-      cli::warn(text + ", and is divided by it", messages);
+    if (!model::is_length_of_rotation(*length)) remarks.push_back(text + ", and is divided by it");
   }
+  return remarks;
 }
 
 std::string beside(const std::string& file, const std::string& named) {
@@ -150,6 +151,9 @@ Diagnostics without_empty_outputs(const Diagnostics& all) {
   }
   return kept;
 }
+
+/// What options say has no place in the file.
+bool is_option(const Word& word) { return word.span.end == 0; }
 
 gaussgen::model::GivenCounts counts_of(const Scene& scene) {
   gaussgen::model::GivenCounts counts;
@@ -232,7 +236,7 @@ class Preparation {
     if (request_.adjust) request_.adjust(scene, read, in_scene_);
     parameters_ = model::parameter_values(read);
     if (!in_scene_.has_errors()) check_bodies(scene, request_.sets, read, in_scene_);
-    check_quaternions(read, parameters_, request_.messages);
+    remarks_ = remarks_on_quaternions(read, parameters_);
     result_.parameters.clear();
     for (const model::Parameter& one : read.parameters) result_.parameters.emplace_back(one.name.text, one.value);
     result_.edge = function_with_edge(read);
@@ -257,7 +261,7 @@ class Preparation {
     options_.counts.erase(unknown.name());
     for (const GivenCount& given : result_.scene.counts) {
       if (given.name.text != unknown.name()) continue;
-      if (given.name.span.end == 0) throw cli::UsageError(cli::unknown_count(unknown));
+      if (is_option(given.name)) throw cli::UsageError(cli::unknown_count(unknown));
       const bool has_none = unknown.known().empty();
       const std::string near = gaussgen::support::did_you_mean(unknown.name(), unknown.known());
       in_scene_.error(
@@ -283,6 +287,9 @@ class Preparation {
     const int code = cli::report(without_empty_outputs(found), model_text(), request_.messages);
     if (!is_bad) exit_code_ = code;
     if (is_bad || !result || code != cli::k_ok) return false;
+    for (const std::string& remark : remarks_) {
+      if (!request_.messages.is_silent) cli::warn(remark, request_.messages);
+    }
     return take(std::move(*result));
   }
 
@@ -311,8 +318,7 @@ class Preparation {
     const auto& outputs = result_.scene.outputs;
     Diagnostics found;
     result_.columns = choose_columns(model, outputs, found, everything);
-    // Those of the command line have no place in the file.
-    const bool are_options = !outputs.empty() && outputs.front().span.end == 0;
+    const bool are_options = !outputs.empty() && is_option(outputs.front());
     if (found.has_errors() && are_options)
       throw cli::UsageError("--outputs: " + found.all().front().message + "; " + found.all().front().hint);
     for (const auto& one : found.all()) in_scene_.add(one);
@@ -342,6 +348,7 @@ class Preparation {
   Diagnostics in_scene_;
   gaussgen::PipelineOptions options_;
   model::Values parameters_;
+  std::vector<std::string> remarks_;  ///< said once, however often the model is derived
   std::vector<model::ClosedForm> closed_forms_;
   PreparedModel result_;
   int exit_code_ = cli::k_ok;

@@ -17,6 +17,14 @@ namespace code = gaussgen::support::code;
 namespace model = gaussgen::model;
 using model::SymbolKind;
 
+std::vector<std::string> names_of(const model::Model& in, SymbolKind kind) {
+  std::vector<std::string> names;
+  for (const auto& [name, symbol] : in.symbols) {
+    if (symbol.kind == kind) names.push_back(name);
+  }
+  return names;
+}
+
 namespace {
 
 const char* const k_hint_for_inputs =
@@ -27,14 +35,6 @@ const char* const k_hint_for_inputs =
 std::string without_option(const std::string& text) {
   const std::size_t colon = text.rfind("--set", 0) == 0 ? text.find(": ") : std::string::npos;
   return colon == std::string::npos ? text : text.substr(colon + 2);
-}
-
-std::vector<std::string> names_of(const model::Model& in, SymbolKind kind) {
-  std::vector<std::string> names;
-  for (const auto& [name, symbol] : in.symbols) {
-    if (symbol.kind == kind) names.push_back(name);
-  }
-  return names;
 }
 
 /// Whatever may begin somewhere.

@@ -8,6 +8,9 @@
 
 namespace gausssim {
 
+/// Of one kind, as the model calls them.
+std::vector<std::string> names_of(const gaussgen::model::Model& in, gaussgen::model::SymbolKind kind);
+
 /// Gives a model other values; what is wrong with them is reported at its place in the scene. What is wrong leaves the model as it is.
 class ModelValues {
  public:
