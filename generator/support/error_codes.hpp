@@ -89,7 +89,7 @@ inline constexpr ErrorCode k_speeds{"E068", "speeds from which the rates do not 
 inline constexpr ErrorCode k_not_smooth{"E065", "a jump or a kink where derivatives are needed"};
 inline constexpr ErrorCode k_comparison{"E066", "a comparison out of place, or a condition that is none"};
 inline constexpr ErrorCode k_table_points{"E067", "points of a table that make no function"};
-inline constexpr ErrorCode k_unused{"W064", "a table, parameter or input that nothing uses"};
+inline constexpr ErrorCode k_unused{"W064", "a table, parameter, input or setting that nothing uses"};
 
 inline constexpr ErrorCode k_idle_force{"W067", "a force that nothing feels"};
 inline constexpr ErrorCode k_idle_held_coordinate{"W050", "a held coordinate that moves no body"};

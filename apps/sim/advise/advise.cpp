@@ -95,7 +95,8 @@ int advise(const AdviseOptions& options) {
   const double error = *prepared->scene.error;
   std::string why;
   if (!options.study.empty()) {
-    const StudyPoint best = cheapest_in_study(options.study, *prepared, error, why);
+    const StudyPoint best = cheapest_in_study(
+        options.study, *prepared, [&](const std::string& form) { return prepare_form(options, form); }, error, why);
     if (!why.empty()) return cli::fail(why, cli::k_not_delivered, options.messages);
     write(options, best, {}, "by " + std::filesystem::path(options.study).filename().string(), prepared->scene.form);
     return cli::k_ok;

@@ -60,6 +60,25 @@ std::string difference(const Json& problem, const PreparedModel& prepared) {
                              : "the model, a value in it, its start or its number of samples is not the same";
 }
 
+/// Other descriptions of the motion, of which runs of the study may be. Returns what is not the same now; empty: nothing.
+std::string difference_of_forms(const Json& problem, const Scene& scene, const FormOfScene& prepared_form) {
+  std::vector<std::pair<std::string, std::string>> there, here;
+  for (const Json& form : problem.value("formulations", Json::array()))
+    if (form.is_object()) there.emplace_back(text_at(form, "name"), text_at(form, "identity"));
+  for (const GivenForm& form : scene.forms) {
+    const auto prepared = prepared_form(form.name.text);
+    if (!prepared) return fmt::format("its formulation '{}' cannot be derived now", form.name.text);
+    here.emplace_back(form.name.text, identity_of_problem(*prepared));
+  }
+  if (there.size() != here.size()) return "it has other formulations";
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    if (here[i].first != there[i].first) return "it has other formulations";
+    if (here[i].second != there[i].second)
+      return fmt::format("its formulation '{}' is not the same", here[i].first);
+  }
+  return "";
+}
+
 /// What the scene says is kept.
 bool is_allowed(const StudyPoint& point, const Scene& scene) {
   const auto fits = [](const std::optional<Word>& wanted, const std::string& has) {
@@ -78,7 +97,8 @@ Json read(const std::string& path) {
 
 }  // namespace
 
-StudyPoint cheapest_in_study(const std::string& path, const PreparedModel& prepared, double error, std::string& why) {
+StudyPoint cheapest_in_study(const std::string& path, const PreparedModel& prepared, const FormOfScene& prepared_form,
+                             double error, std::string& why) {
   const Json study = read(path);
   double least_error = std::numeric_limits<double>::infinity();
   StudyPoint best;
@@ -87,7 +107,9 @@ StudyPoint cheapest_in_study(const std::string& path, const PreparedModel& prepa
   for (const Json& problem : study["problems"]) {
     if (!problem.is_object() || text_at(problem, "name") != prepared.name() || !problem["points"].is_array()) continue;
     is_known = true;
-    if (const std::string other = difference(problem, prepared); !other.empty())
+    std::string other = difference(problem, prepared);
+    if (other.empty()) other = difference_of_forms(problem, prepared.scene, prepared_form);
+    if (!other.empty())
       throw cli::FileError(fmt::format("{}: '{}' is another problem there: {}", path, prepared.name(), other));
     for (const Json& one : problem["points"]) {
       if (!is_timed(one)) continue;

@@ -19,16 +19,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool holds(const fs::path& file, const std::string& text) {
-  std::error_code error;
-  if (fs::file_size(file, error) != text.size() || error) return false;
+std::string content_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(in), {}) == text;
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+/// Of what was compiled, at the end of the text that it was compiled from: what a full disk or a power cut has left of it is not loaded.
+std::string seal(const fs::path& library) {
+  return fmt::format("// {}\n", gaussgen::support::content_hash(content_of(library)));
+}
+
+bool holds(const fs::path& folder, const std::string& text) {
+  std::error_code error;
+  const fs::path source = folder / "model.cpp";
+  if (fs::file_size(source, error) <= text.size() || error) return false;
+  const std::string kept = content_of(source);
+  return kept.compare(0, text.size(), text) == 0 && kept.substr(text.size()) == seal(folder / "model.so");
 }
 
 /// Into a folder under its final name, both files together: another process sees the whole or nothing.
 void keep(const WorkFolder& work, const fs::path& folder) {
   std::error_code error;
+  std::ofstream(work / "model.cpp", std::ios::binary | std::ios::app) << seal(work / "model.so");
   fs::create_directories(folder, error);
   fs::rename(work / "model.so", folder / "model.so", error);
   if (!error) fs::rename(work / "model.cpp", folder / "model.cpp", error);
@@ -91,7 +103,7 @@ Built build_plugin(const std::string& text, const Toolchain& toolchain, const st
   const fs::path cache = cache_folder();
   const std::string whole = text + "\n/*\n" + toolchain.identity() + "*/\n";
   const fs::path folder = cache.empty() ? fs::path() : cache / gaussgen::support::content_hash(whole);
-  if (!folder.empty() && holds(folder / "model.cpp", whole)) {
+  if (!folder.empty() && holds(folder, whole)) {
     Built built;
     built.was_cached = true;
     built.plugin = Plugin::load(folder / "model.so", built.why);

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <variant>
 
-#include "cli/files.hpp"
 #include "emit/cpp_printer.hpp"
 #include "sim/engine/plugin_text.hpp"
 #include "support/content_hash.hpp"
@@ -48,11 +47,10 @@ std::string identity_of_problem(const PreparedModel& prepared) {
   std::copy_if(prepared.model.tree.items.begin(), prepared.model.tree.items.end(), std::back_inserter(values.items),
                is_of_values);
   remove_words(values);
-  const auto file = gaussgen::cli::read_source(prepared.model_file);
   // Forces may depend on the time, and errors are those at the samples.
   const std::string times = fmt::format("{:a} {}\n", prepared.span.start, prepared.span.samples);
   return gaussgen::support::content_hash(times + without_last_underscores(cpp::print(values)) +
-                                         std::string(file.text()));
+                                         prepared.model_text);
 }
 
 }  // namespace gausssim

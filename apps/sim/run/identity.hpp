@@ -10,7 +10,7 @@ namespace gausssim {
 /// The model with the values of its parameters and its start, and all that is made of it. Words about the file, such as a comment in it, are no part of that.
 std::string identity_of(const PreparedModel& prepared);
 
-/// The same motion, whatever is made of the model: its file, the values of parameters and inputs, and the start.
+/// The same motion, whatever is made of the model: its files, the values of parameters and inputs, and the start.
 std::string identity_of_problem(const PreparedModel& prepared);
 
 }  // namespace gausssim

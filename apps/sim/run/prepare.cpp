@@ -19,6 +19,7 @@
 #include "model/quaternion_length.hpp"
 #include "pipeline.hpp"
 #include "sim/model/layout.hpp"
+#include "sim/run/check_choices.hpp"
 #include "sim/run/exact_columns.hpp"
 #include "sim/run/jumps.hpp"
 #include "sim/run/scene_values.hpp"
@@ -216,14 +217,28 @@ class Preparation {
     Scene& scene = result_.scene;
     if (!request_.form.empty()) take_form(request_.form, scene);
     change(scene);
+    unused_ = check_choices(scene, in_scene_);
     result_.model_file = is_scene_ ? beside(request_.file, scene.model.text) : request_.file;
     if (is_scene_ && scene.model.text.empty()) return !report_mistakes();
     if (is_scene_ && !std::filesystem::exists(result_.model_file))
-      in_scene_.error(code::k_submodel_file, scene.model.span, fmt::format("there is no file '{}'", scene.model.text),
-                      hint_for(result_.model_file));
+      refuse_file(scene.model, result_.model_file);
     else if (is_scene_)
       model_text_.emplace(cli::read_source(result_.model_file));
+    check_forms();
     return !is_scene_ || model_text_ || !report_mistakes();
+  }
+
+  /// Each may be chosen, whatever is done now.
+  void check_forms() {
+    for (const GivenForm& form : result_.scene.forms) {
+      if (!form.model) continue;
+      const std::string file = beside(request_.file, form.model->text);
+      if (!std::filesystem::exists(file)) refuse_file(*form.model, file);
+    }
+  }
+
+  void refuse_file(const Word& named, const std::string& file) {
+    in_scene_.error(code::k_submodel_file, named.span, fmt::format("there is no file '{}'", named.text), hint_for(file));
   }
 
   Source& model_text() { return model_text_ ? *model_text_ : scene_text_; }
@@ -287,10 +302,16 @@ class Preparation {
     const int code = cli::report(without_empty_outputs(found), model_text(), request_.messages);
     if (!is_bad) exit_code_ = code;
     if (is_bad || !result || code != cli::k_ok) return false;
+    return take(std::move(*result));
+  }
+
+  /// Of the scene itself, once for all its forms.
+  void warn() {
+    if (request_.form.empty()) remarks_.insert(remarks_.end(), unused_.begin(), unused_.end());
+    if (request_.form.empty() && !in_scene_.all().empty()) cli::report(in_scene_, scene_text_, request_.messages);
     for (const std::string& remark : remarks_) {
       if (!request_.messages.is_silent) cli::warn(remark, request_.messages);
     }
-    return take(std::move(*result));
   }
 
   /// Whether the model is to be derived without series.
@@ -334,9 +355,11 @@ class Preparation {
     }
     result_.operations = operations_of(compiled, "rhs");
     result_.series_operations = operations_of(compiled, "taylor");
+    result_.model_text = model_text().text();
     result_.model = {std::move(compiled.tree), std::move(compiled.unit)};
     choose_outputs(result_.model);
     if (report_mistakes()) return false;
+    warn();
     take_exact_of_model(closed_forms_, result_.columns, result_.span, parameters_, result_.scene);
     return true;
   }
@@ -349,6 +372,7 @@ class Preparation {
   gaussgen::PipelineOptions options_;
   model::Values parameters_;
   std::vector<std::string> remarks_;  ///< said once, however often the model is derived
+  std::vector<std::string> unused_;   ///< of what options say
   std::vector<model::ClosedForm> closed_forms_;
   PreparedModel result_;
   int exit_code_ = cli::k_ok;

@@ -37,6 +37,7 @@ struct PreparedModel {
   std::vector<std::pair<std::string, gaussgen::model::Ast>> parameters;  ///< each over those before it
   Span span;
   std::string model_file;
+  std::string model_text;  ///< of that file, and behind it of those that it includes
   double generate_seconds = 0;
   int operations = 0;               ///< of the rates
   int series_operations = 0;        ///< of power series, those of each order once; 0: there are none

@@ -17,6 +17,7 @@
 #include "sim/output/csv.hpp"
 #include "sim/run/identity.hpp"
 #include "sim/run/setting.hpp"
+#include "support/content_hash.hpp"
 
 namespace gausssim {
 
@@ -191,10 +192,25 @@ Setting setting_of_earlier_run(const std::string& path) {
   return setting;
 }
 
+namespace {
+
+/// A summary belongs to the table that ends like this.
+std::string end_of(std::string_view last_row, const std::vector<std::string>& last_state) {
+  return gaussgen::support::content_hash(fmt::format("{}{}", last_row, fmt::join(last_state, " ")));
+}
+
+std::string_view last_line(std::string_view table) {
+  const std::size_t before = table.rfind('\n', table.size() - 2);
+  return table.substr(before + 1);
+}
+
+}  // namespace
+
 nlohmann::ordered_json resume_json(const PreparedModel& prepared, const Simulated& run) {
   nlohmann::ordered_json result;
   result["model"] = identity_of(prepared);
   result["samples"] = prepared.span.samples;
+  result["end"] = end_of(run.last_row, run.last_state);
   if (!run.start_energy.empty()) result["start_energy"] = run.start_energy;
   if (!run.kept_energy.empty()) result["kept_energy"] = run.kept_energy;
   return result;
@@ -220,6 +236,9 @@ EarlierRun read_earlier_run(const std::string& csv, const std::string& summary, 
   if (!is_state || !has_samples) refuse_summary(summary);
   earlier.table = text_of_file(csv);
   check_table(earlier.table, csv, prepared, earlier.run.samples);
+  earlier.run.last_row = last_line(earlier.table);
+  if (said["resume"].value("end", std::string()) != end_of(earlier.run.last_row, last))
+    cli::fail_on(csv, "its last row is not that of the run in " + summary);
   return earlier;
 }
 

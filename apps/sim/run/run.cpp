@@ -209,19 +209,6 @@ void warn_of_closed_forms(const KnownErrors& errors, const cli::MessageOptions& 
             messages);
 }
 
-/// Nobody should believe that a run was made with what it does not use.
-void warn_of_unused(const Scene& scene, const Setting& setting, const cli::MessageOptions& messages) {
-  const bool takes_step = setting.step > 0;
-  if (takes_step && scene.tolerance)
-    cli::warn(fmt::format("'{}' takes steps of one length: the tolerance is not used", setting.method), messages);
-  if (takes_step && scene.longest_step)
-    cli::warn(fmt::format("'{}' takes steps of one length: 'longest_step' is not used", setting.method), messages);
-  if (!takes_step && scene.step)
-    cli::warn(fmt::format("'{}' chooses its steps by the tolerance: the step is not used", setting.method), messages);
-  if (scene.gain && setting.projection != Projection::gains)
-    cli::warn("a gain is for 'projection: gains', and not used", messages);
-}
-
 void warn_of_tolerance(const Setting& setting, const cli::MessageOptions& messages) {
   const double least = least_tolerance(setting.number);
   if (setting.tolerance > 0 && setting.tolerance < least)
@@ -327,7 +314,6 @@ int run(const RunOptions& options, const FindSetting& find) {
   setting.most_steps = options.max_steps.value_or(0);
   const Times times{prepared->generate_seconds, engines.times()};
   warn_of_tolerance(setting, options.messages);
-  warn_of_unused(prepared->scene, setting, options.messages);
 
   std::optional<EarlierRun> earlier;
   if (options.resume) earlier = earlier_run(csv, *prepared, setting);

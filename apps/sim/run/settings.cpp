@@ -45,25 +45,18 @@ void override_by(const RunOptions& options, Scene& scene) {
   value("--every", options.every, scene.every);
   if (!options.every.empty()) scene.samples.reset();
   if (options.samples) scene.samples = options.samples, scene.every.reset();
-  if (options.tolerance) scene.tolerance = options.tolerance, scene.error.reset();
-  if (options.step) scene.step = options.step, scene.error.reset();
-  if (options.longest_step) scene.longest_step = options.longest_step;
-  if (options.error) scene.error = options.error, scene.tolerance.reset(), scene.step.reset();
+  const auto number = [&](const char* key, const std::optional<double>& given, std::optional<double>& to) {
+    if (!given) return false;
+    to = given;
+    scene.places.erase(key);
+    return true;
+  };
+  if (number("tolerance", options.tolerance, scene.tolerance)) scene.error.reset();
+  if (number("step", options.step, scene.step)) scene.error.reset();
+  number("longest_step", options.longest_step, scene.longest_step);
+  if (number("error", options.error, scene.error)) scene.tolerance.reset(), scene.step.reset();
   if (!options.outputs.empty()) scene.outputs.clear();
   for (const std::string& name : options.outputs) scene.outputs.push_back({name, {}});
-}
-
-void check_method(const Scene& scene) {
-  if (chooses_method(scene)) return;
-  const MethodInfo& method = *find_method(scene.method->text);
-  const auto refuse = [&](const std::string& why) {
-    throw cli::UsageError(fmt::format("method '{}': {}", method.name, why));
-  };
-  if (!method.missing.empty()) refuse(method.missing);
-  const std::string number = number_name(scene);
-  if (!computes_in(method, number)) refuse("it does not compute in " + number);
-  if (!method.projects && scene.projection && scene.projection->text != "off")
-    refuse("it does not project, so states drift off the constraints as its tolerance allows; take 'projection: off'");
 }
 
 }  // namespace
@@ -75,12 +68,12 @@ EngineChoice engine_choice(const Scene& scene) {
 
 void apply(const RunOptions& options, Scene& scene, Request& request) {
   override_by(options, scene);
-  check_method(scene);
   if (!chooses_method(scene)) request.also = find_method(scene.method->text)->takes;
 }
 
-std::optional<PreparedModel> prepare_run(const RunOptions& options, int& code) {
-  Request request{options.file, options.sets, {}, options.messages};
+namespace {
+
+std::optional<PreparedModel> prepare_form_or_scene(const RunOptions& options, Request request, int& code) {
   request.leaves_large_series_out = true;
   const auto change = [&](Scene& scene) {
     apply(options, scene, request);
@@ -88,6 +81,20 @@ std::optional<PreparedModel> prepare_run(const RunOptions& options, int& code) {
   };
   const EndsAtOnce while_it_derives(options.messages);
   return prepare(request, change, code);
+}
+
+}  // namespace
+
+std::optional<PreparedModel> prepare_run(const RunOptions& options, int& code) {
+  return prepare_form_or_scene(options, {options.file, options.sets, {}, options.messages}, code);
+}
+
+std::optional<PreparedModel> prepare_form(const RunOptions& options, const std::string& form) {
+  Request request{options.file, options.sets, {}, options.messages};
+  request.messages.is_silent = true;
+  request.form = form;
+  int ignored = 0;
+  return prepare_form_or_scene(options, std::move(request), ignored);
 }
 
 }  // namespace gausssim

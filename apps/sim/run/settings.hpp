@@ -17,4 +17,7 @@ void apply(const RunOptions& options, Scene& scene, Request& request);
 /// A model with all that its method takes, or those that may be chosen for an error. Nothing: `code`, and why has been said.
 std::optional<PreparedModel> prepare_run(const RunOptions& options, int& code);
 
+/// One of the scene's `formulations`, of which nothing is said. Nothing: it cannot be derived.
+std::optional<PreparedModel> prepare_form(const RunOptions& options, const std::string& form);
+
 }  // namespace gausssim

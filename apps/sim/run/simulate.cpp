@@ -168,6 +168,7 @@ class Simulator {
     if (result_.drift.has_energy) result_.start_energy = text_of(meter_.start_energy());
     const Numbers<S>& last = result_.was_interrupted ? shown_ : integrator.state();
     for (const S& value : last) result_.last_state.push_back(text_of(value));
+    result_.last_row = text_.empty() && earlier_ != nullptr ? earlier_->last_row : text_;
   }
 
   std::string name_of_component(std::size_t i) const {

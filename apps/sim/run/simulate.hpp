@@ -52,6 +52,7 @@ struct Simulated {
   Drift drift;
   double wall_seconds = 0, cpu_seconds = 0;  ///< of the integration, samples included
   std::vector<std::string> last_state;       ///< all digits
+  std::string last_row;                      ///< of the table that somebody writes
   std::string start_energy,
       kept_energy;  ///< likewise; that which drift is counted from, and that which projection keeps
 };

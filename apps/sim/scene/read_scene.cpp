@@ -63,15 +63,16 @@ class SceneReader {
     scene_.strategy = choice(root_, "strategy", strategy_names());
     scene_.code = choice(root_, "code", code_names());
     scene_.engine = choice(root_, "engine", engine_names());
-    scene_.tolerance = numbers_.positive(root_, "tolerance");
-    scene_.error = numbers_.positive(root_, "error");
-    scene_.step = numbers_.positive(root_, "step");
-    scene_.longest_step = numbers_.positive(root_, "longest_step");
-    scene_.gain = numbers_.positive(root_, "gain");
+    scene_.tolerance = positive("tolerance");
+    scene_.error = positive("error");
+    scene_.step = positive("step");
+    scene_.longest_step = positive("longest_step");
+    scene_.gain = positive("gain");
     if (const spec::Node* const ensemble = spec::find(root_, "ensemble"))
       scene_.ensemble = read_ensemble(*ensemble, root_, reading_);
     refuse_pair("every", "samples");
     refuse_pair("tolerance", "error");
+    refuse_pair("step", "error");
     read_forms();
     return std::move(scene_);
   }
@@ -135,6 +136,11 @@ class SceneReader {
     model::read_section(in, section, reading_, [&](const spec::Entry& entry) {
       all.push_back({entry.key.text, model::read_expression(entry.value, entry.key.span, reading_), entry.key.span});
     });
+  }
+
+  std::optional<double> positive(const std::string& key) {
+    if (const spec::Node* const node = spec::find(root_, key)) scene_.places[key] = node->span;
+    return numbers_.positive(root_, key);
   }
 
   void read_samples() {

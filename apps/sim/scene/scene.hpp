@@ -2,6 +2,7 @@
 // What is to be simulated: a model, from where, how long, and what is wanted of it. docs/scenes.md.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,6 +53,7 @@ struct Scene {
   std::vector<Word> outputs;                                   ///< empty: those that everybody wants
   std::optional<Word> method, number, projection, strategy, engine, code;
   std::optional<double> tolerance, error, step, longest_step, gain;
+  std::map<std::string, gaussgen::support::Span> places;  ///< of the values of these numbers; options have none
   std::optional<Ensemble> ensemble;
 };
 

@@ -111,6 +111,7 @@ class Collector {
         request, [](Scene&) {}, code_);
     if (!model) return false;
     push(formulation, std::move(*model));
+    forms_.back().is_of_scene = true;
     return true;
   }
 

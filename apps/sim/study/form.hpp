@@ -38,6 +38,7 @@ struct Form {
   std::unique_ptr<Engine> engine;
   EngineTimes times;
   std::string why = {};  ///< it cannot be compared with the others; empty: it can
+  bool is_of_scene = false;  ///< one of its `formulations`
 };
 
 /// The scene itself first, and `is_alone` nothing else. Forms of one text are there once. Nothing after an error, which is reported: `code` is the exit code. Throws as `prepare`, and Interrupted.

@@ -148,6 +148,11 @@ Json problem_json(const Problem& problem) {
   json["about"] = model.scene.about.empty() ? model.model.unit.about : model.scene.about;
   json["file"] = problem.file;
   json["identity"] = identity_of_problem(model);
+  json["formulations"] = Json::array();
+  for (const Form& form : problem.forms) {
+    if (form.is_of_scene)
+      json["formulations"].push_back({{"name", form.formulation}, {"identity", identity_of_problem(form.model)}});
+  }
   if (!problem.scene.empty()) json["scene"] = problem.scene;
   if (!problem.why.empty()) json["why"] = problem.why;
   json["duration"] = model.span.duration;
