@@ -17,7 +17,7 @@ namespace {
 std::atomic<bool> asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-thread_local TimeLimit::Clock::time_point limit = TimeLimit::Clock::time_point::max();
+thread_local TimeLimit::Clock::time_point deadline = TimeLimit::Clock::time_point::max();
 
 thread_local AfterManySteps* watch = nullptr;
 
@@ -58,14 +58,14 @@ EndsAtOnce::EndsAtOnce(const gaussgen::cli::MessageOptions& messages) {
 
 EndsAtOnce::~EndsAtOnce() { last_words = nullptr; }
 
-TimeLimit::TimeLimit(double seconds) : before_(limit), own_(limit) {
+TimeLimit::TimeLimit(double seconds) : before_(deadline), own_(deadline) {
   constexpr double k_for_ever = 1e9;
   const std::chrono::duration<double> span(std::clamp(seconds, 0.0, k_for_ever));
   own_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(span);
-  limit = std::min(before_, own_);
+  deadline = std::min(before_, own_);
 }
 
-TimeLimit::~TimeLimit() { limit = before_; }
+TimeLimit::~TimeLimit() { deadline = before_; }
 
 bool TimeLimit::is_over() const { return Clock::now() >= std::min(before_, own_); }
 
@@ -83,15 +83,15 @@ void throw_if_ended() {
   if (ends_now()) throw OutOfTime{};
 }
 
-bool ends_now() { return asked || TimeLimit::Clock::now() >= limit; }
+bool ends_now() { return asked || TimeLimit::Clock::now() >= deadline; }
 
 bool ends_steps() {
   constexpr unsigned k_looks_once_in = 64;
   static thread_local unsigned count = 0;
   if (asked.load(std::memory_order_relaxed)) return true;
   if (watch != nullptr && ++watch->taken_ % AfterManySteps::k_many == 0) watch->call_();
-  if (limit == TimeLimit::Clock::time_point::max() || ++count % k_looks_once_in != 0) return false;
-  return TimeLimit::Clock::now() >= limit;
+  if (deadline == TimeLimit::Clock::time_point::max() || ++count % k_looks_once_in != 0) return false;
+  return TimeLimit::Clock::now() >= deadline;
 }
 
 }  // namespace gausssim
