@@ -5,6 +5,7 @@
 #ifndef GAUSS_BATCH_TAYLOR_LANES_HPP
 #define GAUSS_BATCH_TAYLOR_LANES_HPP
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -12,6 +13,7 @@
 #include "gauss/integrate/taylor.hpp"
 #include "gauss/scalar/xsimd.hpp"
 #include "gauss/simulate/report.hpp"
+#include "gauss/simulate/rounding.hpp"
 
 namespace gauss::batch {
 
@@ -138,10 +140,39 @@ class TaylorLanes {
 
   /// Lanes whose last step ended where the model has other rates than its series, or none.
   Mask must_go_back(const Status& status) const {
+    const Mask has_moved = (span_ > Batch(Number(0))) && !lost_;
+    Values rounding = zeros();
+    Mask agrees = agrees_but_for(rounding);
+    if (xsimd::any(has_moved && !agrees && !stops(status)) && find_rounding(rounding)) agrees = agrees_but_for(rounding);
+    return has_moved && (!agrees || stops(status));
+  }
+
+  Mask agrees_but_for(const Values& rounding) const {
     Mask agrees = Mask(true);
-    for (std::size_t i = 0; i < Model::size; ++i)
-      agrees = agrees && span_ * size_of(expected_[i] - series_.values[1][i]) <= Number(k_most_off) * allowed_[i];
-    return (span_ > Batch(Number(0))) && !lost_ && (!agrees || stops(status));
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      const Batch off = size_of(expected_[i] - series_.values[1][i]) - rounding[i];
+      agrees = agrees && span_ * off <= Number(k_most_off) * allowed_[i];
+    }
+    return agrees;
+  }
+
+  /// Of rates, as TaylorSimulation has it. A lane without rates there has none that it could have been taken for.
+  bool find_rounding(Values& rounding) const {
+    Values x, rates;
+    std::copy_n(state_.values, x.size(), x.begin());
+    std::copy_n(series_.values[1], rates.size(), rates.begin());
+    Series near;
+    return simulate::changes_by_rounding(
+        x, rates,
+        [&](const Values& moved, Values& result) {
+          State state;
+          std::copy_n(moved.begin(), moved.size(), state.values);
+          const Mask is_bad = stops(model_.series(t_, state, 4, near));
+          for (std::size_t i = 0; i < Model::size; ++i)
+            result[i] = xsimd::select(is_bad, rates[i], near.values[1][i]);
+          return true;
+        },
+        rounding);
   }
 
   void go_back(const Mask& where) {

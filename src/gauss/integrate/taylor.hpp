@@ -112,8 +112,9 @@ void state_of_series(const Series& series, const S& h, State& state) {
 }
 
 /// Its rate there.
-template <class Series, class S, std::size_t n>
-void rate_of_series(const Series& series, const S& h, S (&rate)[n]) {
+template <class Series, class S, class Rate>
+void rate_of_series(const Series& series, const S& h, Rate& rate) {
+  constexpr std::size_t n = sizeof(Rate) / sizeof(S);
   const S step = h;
   detail::in_lanes<n>([&](auto lanes, std::size_t first) {
     S factor = S(series.order);

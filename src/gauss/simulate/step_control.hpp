@@ -10,6 +10,7 @@
 
 #include "gauss/integrate/odeint.hpp"
 #include "gauss/integrate/unit_groups.hpp"
+#include "gauss/simulate/rounding.hpp"
 
 namespace gauss::simulate {
 
@@ -65,26 +66,6 @@ class NotingSystem {
   Array sizes_;
   bool is_closed_ = false;
 };
-
-/// How far a function of a state changes when the state is rounded otherwise: the smaller of two changes in opposite directions, of eight units in the last place, so that an edge
-/// on one side is none. `apply(state, result)` is false where it has no value.
-template <class Array, class Apply>
-bool changes_by_rounding(const Array& x, const Array& value, const Apply& apply, Array& changes) {
-  using Scalar = typename Array::value_type;
-  std::fill(changes.begin(), changes.end(), std::numeric_limits<Scalar>::infinity());
-  for (const int sign : {1, -1}) {
-    Array moved = x, result = integrate::zeros_like(x);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      // Not the same for all components, which would be a change of units: many models have none of.
-      const Scalar share = (i % 2 == 0 ? 1 : -1) * (Scalar(1) - Scalar(i % 5) / 8);
-      moved[i] += Scalar(sign) * 8 * share * std::numeric_limits<Scalar>::epsilon() * x[i];
-    }
-    if (!apply(moved, result)) return false;
-    for (std::size_t i = 0; i < x.size(); ++i)
-      changes[i] = std::min(changes[i], integrate::magnitude(result[i] - value[i]));
-  }
-  return true;
-}
 
 /// Parts of 1, of either sign, no two alike: what constraints tie together is not taken back by them as if they held it (Weyl's sequences).
 template <class Scalar>

@@ -11,6 +11,7 @@
 #include "gauss/integrate/taylor.hpp"
 #include "gauss/integrate/unit_groups.hpp"
 #include "gauss/simulate/report.hpp"
+#include "gauss/simulate/rounding.hpp"
 
 namespace gauss::simulate {
 
@@ -283,13 +284,37 @@ class TaylorSimulation {
     return true;
   }
 
-  /// The rates that the model has at the end are those that the series has there.
+  using Array = typename SeriesControl<Model, Series>::Array;
+
+  /// The rates that the model has at the end are those that the series has there, but for rounding.
   bool agrees(const Scalar& span) {
-    Scalar rates[Model::size];
+    Array rates, off;
     integrate::rate_of_series(series(), span, rates);
+    bool is_near = true;
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Scalar off = span * control_.size_of(rates[i] - next().values[1][i]);
-      if (!(off <= k_most_off * control_.allowed()[i])) return false;
+      off[i] = control_.size_of(rates[i] - next().values[1][i]);
+      is_near = is_near && span * off[i] <= k_most_off * control_.allowed()[i];
+    }
+    return is_near || is_rounding(span, off);
+  }
+
+  /// Where forces cancel each other, as those on a pendulum that stands upright, nothing is left of them but rounding.
+  bool is_rounding(const Scalar& span, const Array& off) {
+    Array x, rates, changes;
+    std::copy_n(last_.values, x.size(), x.begin());
+    std::copy_n(next().values[1], rates.size(), rates.begin());
+    Series near;
+    const auto rates_at = [&](const Array& moved, Array& result) {
+      State state;
+      std::copy_n(moved.begin(), moved.size(), state.values);
+      ++report_.calls;
+      if (model_.series(begin_ + span, state, 2, near) != Status::ok) return false;
+      std::copy_n(near.values[1], result.size(), result.begin());
+      return true;
+    };
+    if (!changes_by_rounding(x, rates, rates_at, changes)) return false;
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      if (!(span * (off[i] - changes[i]) <= k_most_off * control_.allowed()[i])) return false;
     }
     return true;
   }
