@@ -33,6 +33,7 @@ double number_at(const Json& point, const char* key) {
 bool is_timed(const Json& point) {
   const auto has = [&](const char* key) { return point.contains(key) && point[key].is_number(); };
   if (text_at(point, "status") != "ok" || !has("error") || !has("time_s")) return false;
+  if (!(number_at(point, "tolerance") > 0) && !(number_at(point, "step") > 0)) return false;
   // Whoever has edited the study may have made anything of it.
   const MethodInfo* const method = find_method(text_at(point, "method"));
   return method != nullptr && point["error"].get<double>() >= 0 && point["time_s"].get<double>() > 0;
@@ -73,8 +74,7 @@ std::string difference_of_forms(const Json& problem, const Scene& scene, const F
   if (there.size() != here.size()) return "it has other formulations";
   for (std::size_t i = 0; i < here.size(); ++i) {
     if (here[i].first != there[i].first) return "it has other formulations";
-    if (here[i].second != there[i].second)
-      return fmt::format("its formulation '{}' is not the same", here[i].first);
+    if (here[i].second != there[i].second) return fmt::format("its formulation '{}' is not the same", here[i].first);
   }
   return "";
 }

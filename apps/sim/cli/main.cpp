@@ -44,6 +44,7 @@ void add_setting(CLI::App* command, RunOptions& options) {
       ->take_all();
   command->add_option("--outputs", options.outputs, "columns of the table, with commas between")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("LIST");
   command->add_option("--method", options.method, "how to integrate")->check(one_of(method_names()))->type_name("NAME");
   command->add_option("--number", options.number, "number type")->check(one_of(number_names()))->type_name("TYPE");
@@ -159,6 +160,7 @@ void add_study(CLI::App& app, StudyOptions& options) {
       ->add_option("--methods", options.methods,
                    "these methods alone, of the scene as it is, in double, with commas between")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(one_of({method_names().begin() + 1, method_names().end()}))
       ->type_name("LIST");
   study
@@ -193,6 +195,7 @@ void add_plot(CLI::App& app, PlotOptions& options) {
       ->type_name("SVG");
   plot->add_option("--columns", options.columns, "what to draw, with commas between; default all")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("LIST");
   plot->add_option("--against", options.against, "column along the lower edge; default the first one, which is time")
       ->type_name("NAME");

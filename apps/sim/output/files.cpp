@@ -1,7 +1,10 @@
 #include "sim/output/files.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 #include "cli/files.hpp"
@@ -13,6 +16,15 @@ namespace cli = gaussgen::cli;
 
 std::string summary_path(const std::string& csv) {
   return std::filesystem::path(csv).replace_extension(".json").string();
+}
+
+void check_writable(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code error;
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  if (error) cli::fail_on(folder.string(), error.message());
+  if (std::filesystem::is_directory(path, error)) cli::fail_on(path, "is a directory");
+  if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0) cli::fail_on(path, std::strerror(errno));
 }
 
 void check_outputs(const std::string& csv, const std::vector<std::string>& inputs) {
@@ -28,6 +40,7 @@ void check_outputs(const std::string& csv, const std::vector<std::string>& input
     std::error_code error;
     if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
       throw cli::UsageError(fmt::format("'{}' is no file that a table could take the place of", path));
+    check_writable(path);
   }
 }
 

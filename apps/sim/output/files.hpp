@@ -9,7 +9,10 @@ namespace gausssim {
 /// Beside its table.
 std::string summary_path(const std::string& csv);
 
-/// Throws cli::UsageError where a table or its summary would take the place of something that is no such thing, or of a file in `inputs`. `csv` "-": standard output.
+/// Makes the folder of a file that is to be written at the end, and throws cli::FileError where the file could not be: before anything is computed.
+void check_writable(const std::string& path);
+
+/// Throws cli::UsageError where a table or its summary would take the place of something that is no such thing, or of a file in `inputs`; and as check_writable. `csv` "-": standard output.
 void check_outputs(const std::string& csv, const std::vector<std::string>& inputs);
 
 }  // namespace gausssim

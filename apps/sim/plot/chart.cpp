@@ -70,14 +70,14 @@ void place_legend(Panel& panel, double top) {
   panel.top = y + k_legend_row / 2 + 4;
 }
 
-double across(const Axis& axis, double value) {
-  return k_left + k_inside * (value - axis.range.least) / (axis.range.most - axis.range.least);
+/// Ranges end before the largest numbers do, and their widths have values.
+double share_of(const Range& range, double value) {
+  return (std::clamp(value, range.least, range.most) - range.least) / (range.most - range.least);
 }
 
-double up(const Panel& panel, double value) {
-  const Range& range = panel.axis.range;
-  return panel.top + k_panel * (range.most - value) / (range.most - range.least);
-}
+double across(const Axis& axis, double value) { return k_left + k_inside * share_of(axis.range, value); }
+
+double up(const Panel& panel, double value) { return panel.top + k_panel * (1 - share_of(panel.axis.range, value)); }
 
 void draw_frame(Svg& svg, const Panel& panel, const Axis& below, bool is_last) {
   for (const Tick& tick : panel.axis.ticks) {

@@ -85,6 +85,17 @@ DeliveredError Yardstick::error_of(const Rows& rows) const {
   return result;
 }
 
+DeliveredError Yardstick::change_within(double share) const {
+  DeliveredError result;
+  for (std::size_t i = 0; i < outputs_.size(); ++i) {
+    for (long k = 0; k + 1 < rows_.samples(); ++k) {
+      const double change = share * miss(rows_.at(k + 1, i), rows_.at(k, i), outputs_[i].scale);
+      if (std::isfinite(change) && change > result.value) result = {change, outputs_[i].name};
+    }
+  }
+  return result;
+}
+
 std::vector<std::string> Yardstick::constants() const {
   std::vector<std::string> names;
   for (const Output& output : outputs_) {

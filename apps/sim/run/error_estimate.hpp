@@ -53,6 +53,8 @@ class Yardstick {
   long double scale(std::size_t column) const { return outputs_[column].scale; }
   /// Over the samples that both have.
   DeliveredError error_of(const Rows& rows) const;
+  /// The largest change of an output within a share of the time from one sample to the next, as errors are measured.
+  DeliveredError change_within(double share) const;
   /// Names of the outputs that have no range.
   std::vector<std::string> constants() const;
   /// Closer to the motion.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "support/error_codes.hpp"
 
@@ -10,6 +11,16 @@ namespace gausssim {
 
 namespace code = gaussgen::support::code;
 namespace model = gaussgen::model;
+
+namespace {
+
+/// Some have no value now and then.
+double at_another_time(const model::Ast& form, model::Values values) {
+  values["t"] = 0.7390851332151607;
+  return model::value_of(form, values).value_or(0);
+}
+
+}  // namespace
 
 void check_exact(const Scene& scene, const Columns& columns, model::Values values,
                  gaussgen::support::Diagnostics& diagnostics) {
@@ -20,9 +31,14 @@ void check_exact(const Scene& scene, const Columns& columns, model::Values value
     if (!is_column)
       diagnostics.error(code::k_wrong_reference, form.span, fmt::format("'{}' is no column of the table", form.name),
                         "'outputs' names the columns; a closed form is of one of them");
-    if (!model::is_broken(form.value) && !model::value_of(form.value, values))
+    if (model::is_broken(form.value)) continue;
+    const auto value = model::value_of(form.value, values);
+    if (!value)
       diagnostics.error(code::k_wrong_reference, form.value.span,
                         "a closed form is made of t, pi, numbers, parameters and functions of one argument or atan2");
+    else if (!std::isfinite(*value) && !std::isfinite(at_another_time(form.value, values)))
+      diagnostics.error(code::k_not_finite, form.value.span,
+                        fmt::format("the closed form of '{}' has no value", form.name));
   }
 }
 

@@ -43,11 +43,14 @@ Interruption::Interruption() {
   asked = false;
   std::signal(SIGINT, note);
   std::signal(SIGTERM, note);
+  // Of a terminal that was closed; not for who asked by nohup to go on then.
+  if (std::signal(SIGHUP, note) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 Interruption::~Interruption() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  if (std::signal(SIGHUP, SIG_DFL) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 bool Interruption::is_asked_for() { return asked; }

@@ -22,6 +22,7 @@
 #include "sim/run/check_choices.hpp"
 #include "sim/run/exact_columns.hpp"
 #include "sim/run/jumps.hpp"
+#include "sim/run/number_range.hpp"
 #include "sim/run/scene_values.hpp"
 #include "sim/scene/read_scene.hpp"
 #include "support/error_codes.hpp"
@@ -238,7 +239,8 @@ class Preparation {
   }
 
   void refuse_file(const Word& named, const std::string& file) {
-    in_scene_.error(code::k_submodel_file, named.span, fmt::format("there is no file '{}'", named.text), hint_for(file));
+    in_scene_.error(code::k_submodel_file, named.span, fmt::format("there is no file '{}'", named.text),
+                    hint_for(file));
   }
 
   Source& model_text() { return model_text_ ? *model_text_ : scene_text_; }
@@ -251,6 +253,7 @@ class Preparation {
     if (request_.adjust) request_.adjust(scene, read, in_scene_);
     parameters_ = model::parameter_values(read);
     if (!in_scene_.has_errors()) check_bodies(scene, request_.sets, read, in_scene_);
+    check_range_of_numbers(scene, read, parameters_, in_scene_);
     remarks_ = remarks_on_quaternions(read, parameters_);
     result_.parameters.clear();
     for (const model::Parameter& one : read.parameters) result_.parameters.emplace_back(one.name.text, one.value);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/exit_codes.hpp"
@@ -243,13 +244,22 @@ std::string why_no_yardstick(const Simulated& reference, const Simulated& run) {
              : std::string("a tighter run stops before: ") + gauss::simulate::name(reference.outcome);
 }
 
+/// The same in double, where float has rounded values and times: runs in float do not see what they share.
+const Engine& in_double(const Engine& engine, Engines& engines, Setting& setting) {
+  const Engine* const wide = setting.number == "float" ? engines.of("double") : nullptr;
+  if (wide != nullptr) setting.number = "double";
+  return wide != nullptr ? *wide : engine;
+}
+
 /// What a tighter run makes of errors; nothing, and `why`, where that is no other run, or does not arrive.
-std::optional<Yardstick> yardstick_of(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
-                                      const Simulated& run, const Rows& rows, std::string& why) {
+std::optional<Yardstick> yardstick_of(const PreparedModel& prepared, const Engine& own, Engines& engines,
+                                      const Setting& setting, const Simulated& run, const Rows& rows,
+                                      std::string& why) {
+  Setting other = tighter(setting, run, prepared.span);
+  const Engine& engine = in_double(own, engines, other);
   // Of a motion that a tighter run takes far longer for, nothing is said.
   constexpr double k_least_limit = 2;
   const TimeLimit limit(k_least_limit + k_longer * run.wall_seconds);
-  const Setting other = tighter(setting, run, prepared.span);
   RunInRows reference = in_rows(prepared, engine, other, Meter::none);
   why = why_no_yardstick(reference.run, run);
   if (!why.empty()) return std::nullopt;
@@ -266,6 +276,17 @@ std::string why_not_estimated(const Simulated& run, bool goes_on) {
   if (run.samples <= 1) return "the motion stopped before the second row";
   if (run.wall_seconds >= k_long_run) return fmt::format("runs of more than {} s are not made twice", k_long_run);
   return "";
+}
+
+/// Also that of times, which are rounded, whatever two runs have in common.
+DeliveredError error_of(const Rows& rows, const Yardstick& yardstick, const PreparedModel& prepared,
+                        const Setting& setting) {
+  const Span& span = prepared.span;
+  const double between = span.duration / static_cast<double>(span.samples - 1);
+  const double latest = std::max(std::abs(span.start), std::abs(span.start + span.duration));
+  const DeliveredError by_steps = yardstick.error_of(rows);
+  const DeliveredError by_times = yardstick.change_within(rounding_unit(setting.number) / 2 * latest / between);
+  return by_times.value > by_steps.value ? by_times : by_steps;
 }
 
 DeliveredError from_closed_forms(const ClosedForms& forms, const PreparedModel& prepared, const Setting& setting,
@@ -353,9 +374,9 @@ int run(const RunOptions& options, const FindSetting& find) {
   } else {
     errors.why_none = why_not_estimated(simulated, earlier.has_value());
     if (errors.why_none.empty())
-      yardstick = yardstick_of(*prepared, *engine, setting, simulated, rows, errors.why_none);
+      yardstick = yardstick_of(*prepared, *engine, engines, setting, simulated, rows, errors.why_none);
   }
-  if (yardstick) errors.estimate = Estimate{yardstick->error_of(rows), yardstick->constants()};
+  if (yardstick) errors.estimate = Estimate{error_of(rows, *yardstick, *prepared, setting), yardstick->constants()};
   if (const ClosedForms forms(*prepared); forms.are_there() && !earlier)
     errors.from_closed_forms = from_closed_forms(forms, *prepared, setting, rows);
   const std::string text = summary(*prepared, setting, *engine, simulated, times, errors, found).dump(2) + "\n";

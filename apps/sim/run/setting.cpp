@@ -1,5 +1,7 @@
 #include "sim/run/setting.hpp"
 
+#include <limits>
+
 #include "gauss/integrate/taylor.hpp"
 #include "sim/model/layout.hpp"
 #include "sim/run/build_engine.hpp"
@@ -74,6 +76,12 @@ Setting by_other_terms(const Setting& setting) {
 bool computes_in(const MethodInfo& method, const std::string& number) {
   if (number == "float128") return method.has_float128;
   return number == "double" || (number == "float" ? method.has_float : method.has_long_double);
+}
+
+double rounding_unit(const std::string& number) {
+  if (number == "float") return std::numeric_limits<float>::epsilon();
+  if (number == "double") return std::numeric_limits<double>::epsilon();
+  return number == "long-double" ? static_cast<double>(std::numeric_limits<long double>::epsilon()) : 1.93e-34;
 }
 
 double least_tolerance(const std::string& number) {

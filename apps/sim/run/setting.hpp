@@ -36,4 +36,7 @@ bool computes_in(const MethodInfo& method, const std::string& number);
 /// The smallest tolerance that means anything in a number type.
 double least_tolerance(const std::string& number);
 
+/// From 1 to the next larger number.
+double rounding_unit(const std::string& number);
+
 }  // namespace gausssim

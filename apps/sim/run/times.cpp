@@ -29,14 +29,33 @@ class TimesReader {
     span.duration = *duration;
     if (scene_.samples) span.samples = *scene_.samples;
     if (scene_.every && !take_every(*every, span)) return span;
-    // Times of samples are to be told from each other.
-    const double between = span.duration / static_cast<double>(span.samples - 1);
-    if (scene_.start && !(span.start + between > span.start))
-      refuse(*scene_.start, "start", fmt::format("in double, {:.6g} s later is the same time", between));
+    if (!std::isfinite(span.start + span.duration)) {
+      refuse(*(scene_.duration ? scene_.duration : scene_.start), scene_.duration ? "duration" : "start",
+             "the end is beyond the largest number");
+      return span;
+    }
+    check_samples(span);
     return span;
   }
 
  private:
+  /// Their times are to be told from each other.
+  void check_samples(const Span& span) {
+    const bool is_float = scene_.number && scene_.number->text == "float";
+    const double between = span.duration / static_cast<double>(span.samples - 1), end = span.start + span.duration;
+    const auto is_later = [&](double t) {
+      if (is_float) return static_cast<float>(t + between) > static_cast<float>(t);
+      return t + between > t;
+    };
+    if (is_later(span.start) && is_later(end - between)) return;
+    const std::string why =
+        fmt::format("in {}, {:.6g} s later is the same time", is_float ? "float" : "double", between);
+    if (scene_.start) return refuse(*scene_.start, "start", why);
+    if (scene_.duration) return refuse(*scene_.duration, "duration", why);
+    if (!is_float || scene_.number->span.end == 0) throw gaussgen::cli::UsageError(why);
+    diagnostics_.error(gaussgen::support::code::k_out_of_range, scene_.number->span, why);
+  }
+
   /// False where there would be too few or too many samples, which is reported.
   bool take_every(double every, Span& span) {
     const double count = std::floor(span.duration / every * (1 + 1e-12));

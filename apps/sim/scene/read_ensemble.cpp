@@ -165,13 +165,14 @@ class EnsembleReader {
     const auto ends = two(how, "it is a list of two numbers, the smaller one first");
     if (!ends) return {};
     const auto [a, b] = *ends;
-    if (!(a < b)) {
-      error(code::k_out_of_range, how.value.span, "the first number must be below the second one");
-    } else if (kind == Distribution::Kind::log_uniform && a <= 0) {
-      error(code::k_out_of_range, how.value.items[0].span, "only numbers above 0 have a logarithm");
-    } else if (!std::isfinite(b - a)) {
-      error(code::k_out_of_range, how.value.span, "these are too far from each other");
-    }
+    const auto refuse = [&](const spec::Node& at, const char* why) {
+      error(code::k_out_of_range, at.span, why);
+      return Distribution{};
+    };
+    if (!(a < b)) return refuse(how.value, "the first number must be below the second one");
+    if (kind == Distribution::Kind::log_uniform && a <= 0)
+      return refuse(how.value.items[0], "only numbers above 0 have a logarithm");
+    if (!std::isfinite(b - a)) return refuse(how.value, "these are too far from each other");
     return {kind, a, b, {}};
   }
 

@@ -9,6 +9,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
 #include "cli/replacement.hpp"
+#include "sim/output/files.hpp"
 #include "sim/report/report_template.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/prepare.hpp"
@@ -100,6 +101,7 @@ int check_files(const StudyOptions& options) {
 
 int study(const StudyOptions& options) {
   const Interruption interruption;
+  for (const char* const ending : {".json", ".csv", ".html"}) check_writable(options.output + ending);
   if (options.files.size() > 1) {
     const EndsAtOnce while_it_checks(options.messages);
     if (const int code = check_files(options); code != cli::k_ok) return code;
