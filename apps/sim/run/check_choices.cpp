@@ -26,7 +26,7 @@ class ChoicesCheck {
 
   std::vector<std::string> run() {
     if (method_ != nullptr) check_method();
-    if (is(scene_.number, "float128") && !is_full_or_off())
+    if (is(scene_.number, "float128") && !is_full_or_off() && !is(scene_.method, "taylor"))
       refuse({&scene_.projection, &scene_.number}, "in float128 there is full projection, or none");
     if (is(scene_.projection, "gains") && is(scene_.engine, "interpreted"))
       refuse({&scene_.engine, &scene_.projection}, "gains are for compiled models");

@@ -73,7 +73,7 @@ class Compilers(Program):
 class Ending(Compilers):
     def test_a_signal_ends_compilers_too_and_leaves_nothing(self):
         for arguments in COMMANDS:
-            for how in (signal.SIGINT, signal.SIGTERM):
+            for how in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
                 with self.subTest(arguments, how=how):
                     process, compilers = self.started(*arguments)
                     self.assertTrue(self.builds())
@@ -118,6 +118,23 @@ class Ending(Compilers):
         (self.cache / "build-new").mkdir()
         self.ok("run", "spring.yaml", "-q", env=self.environment("c++"))
         self.assertEqual(sorted(self.builds()), sorted([*at_work, "build-new"]))
+
+
+class Keeping(Compilers):
+    def test_what_a_full_disk_has_left_is_not_loaded(self):
+        """A library that ends too early ends the program that reads what should be there."""
+        run = ("run", "spring.yaml", "-q")
+        self.ok(*run, env=self.environment("c++"))
+        self.ok(*run, env=self.environment("c++"))
+        self.assertTrue(self.summary("spring.json")["seconds"]["cached"])
+        [library] = self.cache.glob("*/model.so")
+        whole = library.read_bytes()
+        for left in (whole[:len(whole) // 2], b"", whole[:-1] + bytes([whole[-1] ^ 1])):
+            library.write_bytes(left)
+            self.ok(*run, env=self.environment("c++"))
+            self.assertFalse(self.summary("spring.json")["seconds"]["cached"])
+            self.ok(*run, env=self.environment("c++"))
+            self.assertTrue(self.summary("spring.json")["seconds"]["cached"])
 
 
 class Choosing(Compilers):

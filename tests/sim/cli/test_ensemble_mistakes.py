@@ -37,6 +37,7 @@ class Mistakes(Program):
         self.one("{normal: [1, 0]}", "error[E017]: a standard deviation is above 0")
         self.one("{normal: [1, -1]}", "error[E017]: a standard deviation is above 0")
         self.one("{log_uniform: [0, 1]}", "error[E017]: only numbers above 0 have a logarithm")
+        self.assertEqual(self.mistake("ensemble: {trajectories: 3, parameters: {m: {log_uniform: [-1, 2]}}}\n").count("error["), 1)
         self.one("{unifrom: [1, 2]}", "error[E010]", "did you mean 'uniform'?")
         self.one("{uniform: [1, 2], normal: [1, 2]}", "error[E016]: 'uniform' and 'normal' exclude each other")
         self.one("{}", "error[E011]: 'm' does not say how it varies")

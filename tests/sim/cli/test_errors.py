@@ -233,9 +233,35 @@ class Errors(Program):
             self.ok(*of_study, "--method", "dopri5", "--number", "double", "--projection", "full")
             for more in (("--method", "prince87"), ("--number", "float"), ("--projection", "off"), ("--code", "expanded")):
                 self.assertIn("no run that arrives", self.refused(6, *of_study, *more), more)
+        with self.subTest("what has neither a tolerance nor a step is no setting"):
+            study["problems"][0]["points"] = [{**point, "tolerance": None}]
+            self.write("other.json", json.dumps(study))
+            self.assertIn("no run that arrives", self.refused(6, *of_study[:-1], "other.json"))
         with self.subTest("no study"):
             self.write("list.json", "[]")
             self.refused(3, "advise", "spring.yaml", "--error", "1e-4", "--study", "list.json")
+
+    def test_advice_from_a_study_is_of_all_files_that_it_saw(self):
+        part = "gauss: 1\nname: part\ncoordinates: {x: {unit: m, initial: 1}}\nparameters: {m: {value: 2, unit: kg}, k: {value: 8, unit: N/m}}\nparticles: {bob: {mass: m, position: [x, 0, 0]}}\nforces: {pull: {potential: k*x^2/2}}\n"
+        other = SPRING.replace("x:", "y:").replace("[x,", "[y,").replace("k*x", "k*y")
+        self.write("part.yaml", part)
+        self.write("whole.yaml", "gauss: 1\nname: whole\nsubmodels: {a: {file: part.yaml}}\n")
+        self.write("other.yaml", other)
+        self.write("scene.yaml", "gauss: 1\nmodel: whole.yaml\noutputs: [energy.kinetic]\nformulations: {other: {model: other.yaml}}\n")
+        self.ok("study", "scene.yaml", "-q", "--budget", "2", "-o", "study")
+        ask = ("advise", "scene.yaml", "--error", "1e-3", "--study", "study.json")
+        self.ok(*ask)
+        with self.subTest("of a submodel"):
+            self.write("part.yaml", part.replace("x^2/2", "x^2"))
+            self.assertIn("is not the same", self.refused(3, *ask))
+            self.write("part.yaml", part)
+        with self.subTest("of another formulation"):
+            self.write("other.yaml", other.replace("y^2/2", "y^2"))
+            self.assertIn("its formulation 'other' is not the same", self.refused(3, *ask))
+            self.write("other.yaml", other)
+        with self.subTest("which are others"):
+            self.write("scene.yaml", "gauss: 1\nmodel: whole.yaml\noutputs: [energy.kinetic]\nformulations: {another: {model: other.yaml}}\n")
+            self.assertIn("it has other formulations", self.refused(3, *ask))
 
 
 if __name__ == "__main__":

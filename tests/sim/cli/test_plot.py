@@ -60,11 +60,14 @@ class Plots(Program):
         self.assertEqual(self.words(picture, "title"), ["table", "energy.total [J]", "chi [rad]"])
         self.assertIn("did you mean 'chi'?", self.refused(2, "plot", "table.csv", "--columns", "ch"))
         self.assertIn("--against: the table has no column 'zeta'", self.refused(2, "plot", "table.csv", "--against", "zeta"))
+        with self.subTest("a list ends at a blank"):
+            self.assertIn("chi", self.ok("plot", "--columns", "chi", "table.csv", "-o", "-"))
         self.assertIn("is the table itself", self.refused(2, "plot", "table.csv", "-o", "table.csv"))
 
     def test_the_largest_numbers_have_axes(self):
         self.write("t.csv", "t,x\n0,1e308\n1,-1e308\n")
         self.ok("plot", "t.csv")
+        self.assertNotRegex((self.folder / "t.svg").read_text(encoding="utf-8"), "inf|nan")
 
     def test_words_are_no_lines_and_in_nobodys_way(self):
         self.write("t.csv", "trajectory,m [kg],status,x [m]\n0,1,finished,2\n1,2,finished,3\n")

@@ -154,6 +154,19 @@ class Resuming(Program):
         (self.folder / "spring.json").write_text(json.dumps(summary), encoding="utf-8")
         self.assertIn("no summary", self.refused(3, "run", "spring.yaml", "-q", "--resume", *BY_STEPS))
 
+    def test_a_table_and_a_summary_of_two_runs_are_not_taken_for_one(self):
+        self.interrupted(*BY_STEPS)
+        table, summary = (self.folder / "spring.csv").read_text(encoding="utf-8"), self.summary("spring.json")
+        lines = table.splitlines(keepends=True)
+        cells = lines[-1].split(",")
+        self.write("spring.csv", "".join([*lines[:-1], ",".join([cells[0], "0.5", *cells[2:]])]))
+        self.assertIn("its last row is not that of the run in spring.json", self.refused(3, "run", "spring.yaml", "-q", "--resume", *BY_STEPS))
+        self.write("spring.csv", table)
+        self.write("spring.json", json.dumps({**summary, "last_state": ["0.5", *summary["last_state"][1:]]}))
+        self.assertIn("its last row is not that", self.refused(3, "run", "spring.yaml", "-q", "--resume", *BY_STEPS))
+        self.write("spring.json", json.dumps(summary))
+        self.ok("run", "spring.yaml", "-q", "--resume", *BY_STEPS)
+
     def test_a_run_with_an_error_goes_on_with_what_was_found(self):
         asked = ["--error", "1e-6", "--duration", "500", "--samples", "300001", "--method", "prince87"]
         first = self.interrupted(*asked)

@@ -17,6 +17,14 @@ particles: {{bob: {{mass: m, position: [x, 0, 0]}}}}
 forces: {{push: {{generalized: {{x: F*sin(w*t)^{power}}}}}}}
 """
 
+UPRIGHT = """gauss: 1
+name: upright
+parameters: {g: {value: 9.81, unit: m/s^2}, l: {value: 1, unit: m}, m: {value: 1, unit: kg}}
+coordinates: {theta: {unit: rad, initial: pi, initial_rate: 0}}
+particles: {bob: {mass: m, position: [l*sin(theta), -l*cos(theta), 0]}}
+forces: {weight: {uniform: [0, -g, 0]}}
+"""
+
 
 class Motions(Program):
     def test_a_spring_swings_as_its_closed_form(self):
@@ -176,6 +184,49 @@ class Writing(Program):
             error = max(abs(x - math.cos(2 * t)) for t, x in zip(table["t [s]"], table["x [m]"])) / 2
             estimate = self.summary("spring.json")["error_estimate"]["relative"]
             self.assertLess(abs(estimate - error), 0.1 * error, method)
+
+    def test_the_estimate_of_float_sees_what_all_its_runs_round(self):
+        """Times and values: two runs in float have these errors in common."""
+        for start in (0, 1000, 10000):
+            self.write("driven.yaml", DRIVEN.format(power=1))
+            self.ok("run", "driven.yaml", "--method", "rk4", "--number", "float", "--start", start, "--duration", "8", "--samples", "51", "--outputs", "x", "-q")
+            off, estimate = self.off_in_driven(start), self.summary("driven.json")["error_estimate"]["relative"]
+            self.assertLess(off, 2 * estimate, start)
+            self.assertLess(estimate, 4 * off, start)
+        with self.subTest("times in double, too"):
+            self.ok("run", "driven.yaml", "--start", "1e9", "--outputs", "x", "-q")
+            self.assertLess(1e-8, self.summary("driven.json")["error_estimate"]["relative"])
+
+    def off_in_driven(self, start):
+        """x'' = 2 sin(3 t) from rest: of the largest x, at the times that were asked for."""
+        table = self.table("driven.csv")
+        exact = []
+        for k in range(len(table["x [m]"])):
+            t = 8 * k / (len(table["x [m]"]) - 1)
+            exact.append(2/3*math.cos(3*start)*t - 2/9*(math.sin(3*(start + t)) - math.sin(3*start)))
+        return max(abs(a - b) for a, b in zip(table["x [m]"], exact)) / (max(exact) - min(exact))
+
+    def test_rest_is_left_at_any_time(self):
+        """What begins as t^2 is all error in a first step of order 1."""
+        for method in ("cvode_bdf", "cvode_adams", "ida", "arkode_esdirk4"):
+            for start in (0, 1, 100, 1e4):
+                with self.subTest((method, start)):
+                    self.write("driven.yaml", DRIVEN.format(power=1).replace("sin", "cos"))
+                    self.ok("run", "driven.yaml", "--method", method, "--projection", "off", "--start", start, "--outputs", "x", "--samples", "51", "-q")
+                    table = self.table("driven.csv")
+                    exact = [2/9*(math.cos(3*start) - math.cos(3*(start + t/5)) - 3*t/5*math.sin(3*start)) for t in range(51)]
+                    self.assertLess(max(abs(a - b) for a, b in zip(table["x [m]"], exact)), 1e-6 * (max(exact) - min(exact)))
+
+    def test_where_forces_cancel_series_take_rounding_for_what_it_is(self):
+        """A pendulum that stands upright: nothing but rounding moves it."""
+        self.write("upright.yaml", UPRIGHT)
+        for number in ("double", "float", "long-double", "float128"):
+            self.ok("run", "upright.yaml", "--method", "taylor", "--number", number, "--tolerance", "1e-15", "--duration", "5", "-q")
+            summary = self.summary("upright.json")
+            self.assertLess(summary["steps"] + summary["rejected"], 100, number)
+            self.assertLess(max(abs(x - math.pi) for x in self.table("upright.csv")["theta [rad]"]), 10 if number == "float" else 1e-8, number)
+        with self.subTest("an error is delivered"):
+            self.ok("run", "upright.yaml", "--error", "1e-3", "--budget", "60", "-q")
 
     def test_a_table_of_another_motion_is_not_left_without_a_word(self):
         """After a minute the tolerance of a double pendulum is all that its angles depend on."""

@@ -168,6 +168,39 @@ exact: {z: 1}
         self.assertIn("scene.yaml:6:11: error[E017]", self.mistake(SCENE.replace("2*pi*sqrt(m/k)", "2*nothing")))
         self.assertIn("error[E016]", self.mistake(SCENE + "every: 0.1\n"))
         self.assertIn("is the same time", self.mistake(SCENE + "start: 1e300\n"))
+        self.assertIn("scene.yaml:6:11: error[E017]: the end is beyond", self.mistake(SCENE.replace("2*pi*sqrt(m/k)", "1e308") + "start: 1e308\n"))
+        self.assertIn("scene.yaml:10:8: error[E017]: in float, ", self.mistake(SCENE + "start: 1e8\nnumber: float\n"))
+
+    def test_what_does_not_go_together_has_its_place_all_at_once(self):
+        said = self.mistake(SCENE + "method: verlet\nnumber: float\nprojection: energy\nstep: 0.1\nerror: 1e-3\nformulations: {b: {model: sprin.yaml}}\nexact: {x: 1/0}\n")
+        for words in ("11:9: error[E016]: method 'verlet': it does not compute in float", "14:8: error[E016]: 'step' and 'error' exclude each other",
+                      "15:27: error[E091]: there is no file 'sprin.yaml'", "did you mean 'spring.yaml'?", "16:12: error[E054]: the closed form of 'x' has no value"):
+            self.assertIn(words, said)
+        for choices, words in (("method: cvode_adams\nprojection: full\n", ["11:13: error[E016]: method 'cvode_adams': it does not project"]),
+                               ("method: taylor\nprojection: energy\nengine: interpreted\n", ["11:13: error[E016]: method 'taylor': series take", "12:9: error[E016]: method 'taylor': it has no series"]),
+                               ("number: float128\nprojection: velocities\n", ["11:13: error[E016]: in float128 there is full projection, or none"]),
+                               ("projection: gains\nengine: interpreted\n", ["11:9: error[E016]: gains are for compiled models"])):
+            said = self.mistake(SCENE + choices)
+            self.assertEqual(said.count("error["), len(words), said)
+            for one in words:
+                self.assertIn(one, said)
+        with self.subTest("beside an option, the scene has the place"):
+            self.write("scene.yaml", SCENE + "number: float\n")
+            self.assertIn("scene.yaml:10:9: error[E016]: method 'verlet'", self.refused(1, "run", "scene.yaml", "--method", "verlet"))
+
+    def test_what_is_not_used_has_its_place(self):
+        self.write("scene.yaml", SCENE + "step: 0.1\ngain: 3\n")
+        said = self.run_it("run", "scene.yaml", "-q")
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.assertIn("scene.yaml:10:7: warning[W064]: a method that is chosen for the model takes its steps by the tolerance: the step is not used", said.stderr)
+        self.assertIn("scene.yaml:11:7: warning[W064]: a gain is for 'projection: gains', and not used", said.stderr)
+
+    def test_what_float_does_not_hold_is_refused(self):
+        """It would be 0, or infinite, and all errors would be 0 as well."""
+        for change in ("k=1e-50", "x=1e-50", "x_dot=1e50", "m=1e39"):
+            self.assertIn(f"--number: float does not hold {change.split('=')[0].replace('x_dot', 'the rate of x')} = 1e", self.refused(2, "run", "spring.yaml", "--number", "float", "--set", change))
+            self.ok("run", "spring.yaml", "-q", "--set", change)
+        self.assertIn("scene.yaml:10:9: error[E017]: float does not hold x = 1e-50", self.mistake(SCENE.replace("initial: {", "initial: {x: 1e-50, ").replace("x: 1e-50, x: 0.5", "x: 1e-50") + "number: float\n"))
 
     def test_a_model_that_is_not_there_has_a_place_and_a_neighbour(self):
         self.write("spring.yaml", SPRING)

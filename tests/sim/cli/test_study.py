@@ -70,6 +70,13 @@ class Files(Program):
         self.assertIn("'mq'", said)
         self.assertIn("nowhere.yaml: No such file", said)
 
+    def test_where_nothing_can_be_written_nothing_is_measured(self):
+        self.write("spring.yaml", SPRING)
+        (self.folder / "study.html").mkdir()
+        begin = time.monotonic()
+        self.assertIn("study.html: is a directory", self.refused(3, "study", "spring.yaml", "--budget", "600"))
+        self.assertLess(time.monotonic() - begin, 60)
+
     def test_where_the_energy_changes_there_is_no_drift_of_it(self):
         self.write("damped.yaml", SPRING.replace("forces:\n", "forces:\n  damper: {generalized: {x: -dot(x)*sqrt(k*m)/9}}\n"))
         self.ok("study", "damped.yaml", "--methods", "prince87", "--budget", "2", "-q")
