@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/methods/methods.hpp"
+#include "sim/run/setting.hpp"
 
 namespace gausssim {
 
@@ -22,21 +23,28 @@ std::string needs_of(const MethodInfo& method) {
   std::vector<std::string> all;
   if (method.is_separable) all.emplace_back("accelerations by coordinates alone");
   if (!method.takes.empty()) all.emplace_back("jacobian, else differences");
-  if (!method.has_long_double) all.emplace_back("double");
   if (!method.projects) all.emplace_back("no projection");
   std::string text;
   for (const std::string& one : all) text += (text.empty() ? "" : "; ") + one;
   return text;
 }
 
+std::vector<std::string> numbers_of(const MethodInfo& method) {
+  std::vector<std::string> all;
+  for (const char* const number : {"float", "double", "long-double", "float128"}) {
+    if (computes_in(method, number)) all.emplace_back(number);
+  }
+  return all;
+}
+
 using Row = std::vector<std::string>;
 
 std::vector<Row> rows() {
-  std::vector<Row> all{{"method", "order", "by", "for", "library", "what it is", "needs"}};
+  std::vector<Row> all{{"method", "order", "by", "for", "numbers", "library", "what it is", "needs"}};
   for (const MethodInfo& method : methods()) {
     all.push_back({method.name, order_of(method), method.takes_step ? "step" : "tolerance",
-                   method.is_stiff ? "stiff" : "", method.library, method.about,
-                   method.missing.empty() ? needs_of(method) : method.missing});
+                   method.is_stiff ? "stiff" : "", fmt::format("{}", fmt::join(numbers_of(method), ", ")),
+                   method.library, method.about, method.missing.empty() ? needs_of(method) : method.missing});
   }
   return all;
 }
@@ -67,7 +75,7 @@ std::string as_json() {
                    {"takes_step", method.takes_step},
                    {"stiff", method.is_stiff},
                    {"projects", method.projects},
-                   {"long_double", method.has_long_double},
+                   {"numbers", numbers_of(method)},
                    {"accelerations_by_coordinates_alone", method.is_separable},
                    {"takes", method.takes},
                    {"about", method.about},

@@ -96,7 +96,7 @@ CLI::Option* add_error(CLI::App* command, RunOptions& options, const char* text)
       ->check(positive());
   return command->add_option("--error", options.error, text)
       ->type_name("E")
-      ->check(positive())
+      ->check(share())
       ->excludes("--tolerance")
       ->excludes("--step");
 }

@@ -131,8 +131,12 @@ std::string member_with(const std::string& part, const std::vector<Column>& colu
 
 std::string hint_for_output(const std::string& name, const Described& model) {
   const Chooser chooser(model);
-  if (const std::string member = member_with(name, chooser.all()); !member.empty())
-    return "did you mean '" + member + "'?";
+  const std::string one =
+      name.substr(0, name.find_last_not_of('s') + 1);  // of what somebody asks for in all, such as multipliers
+  for (const std::string& part : {name, one}) {
+    if (const std::string member = member_with(part, chooser.all()); !member.empty())
+      return "did you mean '" + member + "'?";
+  }
   const std::string near = gaussgen::support::did_you_mean(name, output_names(model));
   if (!near.empty()) return near;
   return "there are " + gaussgen::support::joined(chooser.groups()) +

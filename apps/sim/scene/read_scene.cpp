@@ -64,7 +64,7 @@ class SceneReader {
     scene_.code = choice(root_, "code", code_names());
     scene_.engine = choice(root_, "engine", engine_names());
     scene_.tolerance = positive("tolerance");
-    scene_.error = positive("error");
+    read_error();
     scene_.step = positive("step");
     scene_.longest_step = positive("longest_step");
     scene_.gain = positive("gain");
@@ -136,6 +136,13 @@ class SceneReader {
     model::read_section(in, section, reading_, [&](const spec::Entry& entry) {
       all.push_back({entry.key.text, model::read_expression(entry.value, entry.key.span, reading_), entry.key.span});
     });
+  }
+
+  void read_error() {
+    scene_.error = positive("error");
+    if (scene_.error && *scene_.error >= 1)
+      error(code::k_out_of_range, scene_.places["error"],
+            "an error of 1 is the whole range of an output: it is below 1");
   }
 
   std::optional<double> positive(const std::string& key) {

@@ -16,7 +16,6 @@ export interface Point {
   why?: string | null;
   error: number | null;
   worst_output?: string | null;
-  error_estimate?: number | null;
   time_s: number | null;
   time_min_s?: number | null;
   time_max_s?: number | null;

@@ -41,7 +41,6 @@ export function detailOf(point, more = {}) {
   say('why', point.why);
   say('error', small(point.error));
   say('worst output', point.worst_output);
-  say('estimate of the error', small(point.error_estimate));
   say('time', timeOf(point));
   say('calls', plain(point.calls));
   say('steps', plain(point.steps));
