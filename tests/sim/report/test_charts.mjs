@@ -44,7 +44,7 @@ test('all settings and results of a run are in its hint', () => {
   const usual = problem.points.find((point) => point.is_default);
   assert.equal(detail.method, usual.method);
   assert.equal(detail['number type'], usual.number);
-  for (const key of ['library', 'formulation', 'code', 'projection', 'engine', 'tolerance', 'status', 'error', 'worst output', 'estimate of the error', 'time', 'calls', 'steps', 'rejected steps', 'drift of energy', 'drift of constraints']) assert.ok(key in detail, key);
+  for (const key of ['library', 'formulation', 'code', 'projection', 'engine', 'tolerance', 'status', 'error', 'worst output', 'time', 'calls', 'steps', 'rejected steps', 'drift of energy', 'drift of constraints']) assert.ok(key in detail, key);
 });
 
 test('a front that the study sees otherwise is mentioned', () => {

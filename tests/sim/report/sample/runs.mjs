@@ -46,14 +46,14 @@ function run(cell, digits, problem, rand) {
   return {
     method: method.name, library: method.library, formulation: formulation.name, code: 'shared', number: number.name, projection, engine: 'compiled',
     tolerance: method.fixed ? null : tolerance, step: method.fixed ? step : null, status: 'ok', why: '', error, worst_output: problem.outputs[0].name,
-    error_estimate: method.fixed ? null : rounded(error * near(rand, 1.2)), time_s: rounded(time), time_min_s: rounded(time * 0.96), time_max_s: rounded(time * 1.09),
+    time_s: rounded(time), time_min_s: rounded(time * 0.96), time_max_s: rounded(time * 1.09),
     repeats: 5, calls, steps, rejected: method.fixed ? 0 : Math.round(steps * 0.04 * rand()),
     drift: {energy: rounded(error * 0.3 * near(rand)), constraints: formulation.redundant ? rounded(projection === 'none' ? error : 3 * number.epsilon * near(rand)) : 0},
     pareto: false, is_default: false,
   };
 }
 
-const k_lost = {error: null, worst_output: null, error_estimate: null, drift: null};
+const k_lost = {error: null, worst_output: null, drift: null};
 
 /** Some runs fail, as some do. */
 function withFailure(point, digits, rand) {
