@@ -174,12 +174,14 @@ class Formulations(Program):
         self.assertEqual(forms, {"as given", "as given, metric"})
 
     def test_ways_to_describe_one_motion(self):
-        problem = self.study(SCENE, "--budget", "20")
-        points = problem["points"]
-
         def those(**keys):
             return [p for p in points if all(p[key] == value for key, value in keys.items())]
 
+        for budget in ("20", "80"):  # the second where the machine is slow or busy
+            problem = self.study(SCENE, "--budget", budget)
+            points = problem["points"]
+            if those(number="float128", status="ok") and those(projection="off", tolerance=1e-6, status="ok"):
+                break
         with self.subTest("another formulation is compared with the same reference"):
             self.assertLess(min(p["error"] for p in those(formulation="angle", status="ok")), 1e-8)
         with self.subTest("one that tells another motion is refused"):
