@@ -219,11 +219,17 @@ void Overrides::check() const {
 
 void apply_overrides(const std::vector<std::string>& assignments, model::Model& model) {
   Overrides overrides(model);
+  std::string wrong;
   for (const std::string& text : assignments) {
-    const NameAndText given = at_equals("--set", text);
-    const std::string option = "--set " + given.name;
-    overrides.set(option, given.name, parse_value(option, given.text));
+    try {
+      const NameAndText given = at_equals("--set", text);
+      const std::string option = "--set " + given.name;
+      overrides.set(option, given.name, parse_value(option, given.text));
+    } catch (const UsageError& error) {
+      wrong += (wrong.empty() ? "" : "\n") + std::string(error.what());
+    }
   }
+  if (!wrong.empty()) throw UsageError(wrong);
   overrides.check();
 }
 

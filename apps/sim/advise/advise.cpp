@@ -95,9 +95,10 @@ int advise(const AdviseOptions& options) {
   const double error = *prepared->scene.error;
   std::string why;
   if (!options.study.empty()) {
-    const StudyPoint best = cheapest_in_study(
+    StudyPoint best = cheapest_in_study(
         options.study, *prepared, [&](const std::string& form) { return prepare_form(options, form); }, error, why);
     if (!why.empty()) return cli::fail(why, cli::k_not_delivered, options.messages);
+    if (best.step == 0) best.longest_step = prepared->scene.longest_step.value_or(0);
     write(options, best, {}, "by " + std::filesystem::path(options.study).filename().string(), prepared->scene.form);
     return cli::k_ok;
   }

@@ -19,6 +19,7 @@ namespace cli = gaussgen::cli;
 using Json = nlohmann::json;
 
 constexpr double k_margin = 0.5;
+constexpr double k_agreement = 1.0 / 20;  ///< of the error: what a reference may be off by
 
 std::string text_at(const Json& point, const char* key) {
   const auto found = point.find(key);
@@ -43,6 +44,14 @@ StudyPoint point_of(const Json& point) {
   return {text_at(point, "formulation"), text_at(point, "code"),       text_at(point, "method"),
           text_at(point, "number"),      text_at(point, "projection"), number_at(point, "tolerance"),
           number_at(point, "step"),      number_at(point, "error"),    number_at(point, "time_s")};
+}
+
+/// How good the reference is: infinite where there is none.
+double agreement_of(const Json& problem) {
+  const auto reference = problem.find("reference");
+  const bool is_there = reference != problem.end() && reference->is_object() && reference->contains("agreement") &&
+                        (*reference)["agreement"].is_number();
+  return is_there ? (*reference)["agreement"].get<double>() : std::numeric_limits<double>::infinity();
 }
 
 /// What a study cannot say anything of this problem for; empty: it can.
@@ -100,7 +109,7 @@ Json read(const std::string& path) {
 StudyPoint cheapest_in_study(const std::string& path, const PreparedModel& prepared, const FormOfScene& prepared_form,
                              double error, std::string& why) {
   const Json study = read(path);
-  double least_error = std::numeric_limits<double>::infinity();
+  double least_error = std::numeric_limits<double>::infinity(), agreement = 0;
   StudyPoint best;
   best.seconds = std::numeric_limits<double>::infinity();
   bool is_known = false;
@@ -111,6 +120,7 @@ StudyPoint cheapest_in_study(const std::string& path, const PreparedModel& prepa
     if (other.empty()) other = difference_of_forms(problem, prepared.scene, prepared_form);
     if (!other.empty())
       throw cli::FileError(fmt::format("{}: '{}' is another problem there: {}", path, prepared.name(), other));
+    agreement = agreement_of(problem);
     for (const Json& one : problem["points"]) {
       if (!is_timed(one)) continue;
       const StudyPoint point = point_of(one);
@@ -120,7 +130,10 @@ StudyPoint cheapest_in_study(const std::string& path, const PreparedModel& prepa
     }
   }
   if (!is_known) throw cli::FileError(fmt::format("{} has no problem '{}'", path, prepared.name()));
-  if (std::isinf(least_error))
+  if (!(agreement <= k_agreement * error))
+    why = fmt::format("the reference of the study is good to {:.1e}, and an error of {:.1e} takes {:.1e}", agreement,
+                      error, k_agreement * error);
+  else if (std::isinf(least_error))
     why = "the study has no run that arrives with what is asked for";
   else if (best.method.empty())
     why = fmt::format("no run of the study delivers an error of {:.1e} with a margin of two; the best has {:.1e}",

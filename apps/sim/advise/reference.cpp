@@ -23,9 +23,6 @@ constexpr double k_least = static_cast<double>(std::numeric_limits<long double>:
 /// As of Yardstick. What is as small as this beside its size has no digits in double that could be delivered.
 constexpr double k_least_range = 1e-12;
 
-/// As k_least_parts, of the other run, since a step of one may end where something acts.
-constexpr double k_other_parts = 499;
-
 /// Two runs by the default of the model that have as little in common as can be: in number types that are next to each other, since runs that round the same start, and the same values, agree on
 /// what that makes of an unstable motion; of other orders, or by a pair of methods, since steps that stability limits are the same for all tolerances; and with other longest steps.
 class TightSearch {
@@ -68,7 +65,7 @@ class TightSearch {
       if (!failure_.empty()) return std::nullopt;
       const double finer = std::max(tolerance_ * k_tighter, least);
       const std::string& fine_number = has_wider ? wider : number;
-      const Setting setting = by_other_terms(tight(fine_number, finer, k_least_parts));
+      const Setting setting = by_other_terms(tight(fine_number, finer, k_least_parts), prepared_);
       RunInRows fine = told(setting);
       if (!failure_.empty()) return std::nullopt;
       Yardstick yardstick(std::move(fine.rows), coarse.rows, prepared_.columns.columns, k_least_range,
@@ -88,7 +85,7 @@ class TightSearch {
 
   Setting tight(const std::string& number, double tolerance, double parts) {
     Setting setting;
-    setting.method = default_method(prepared_.model, *engines_.of(number), scalar_of(number));
+    setting.method = default_method(prepared_, *engines_.of(number), number);
     setting.number = number;
     setting.projection = default_projection(setting.method);
     setting.tolerance = tolerance;

@@ -153,7 +153,7 @@ class Search {
   void try_all() {
     const Engine* const engine = engines_.of(number_name(prepared_.scene));
     if (engine == nullptr) return;
-    const std::string usual = default_method(prepared_.model, *engine, scalar_of(number_name(prepared_.scene)));
+    const std::string usual = default_method(prepared_, *engine, number_name(prepared_.scene));
     std::vector<std::string> methods{usual};
     if (usual != k_method_of_any_model) methods.emplace_back(k_method_of_any_model);
     if (error_ >= k_few_digits) methods.emplace_back("dopri5");

@@ -230,6 +230,16 @@ void add_shell(CLI::App& app, ShellOptions& options) {
       ->check(one_of({"bash", "zsh", "fish"}));
 }
 
+struct Printed {
+  std::string text;
+  cli::MessageOptions messages;
+};
+
+int print(const Printed& what) {
+  cli::write_standard_output(what.text);
+  return cli::k_ok;
+}
+
 template <class Options>
 int guarded(int (*command)(const Options&), const Options& options) {
   try {
@@ -296,15 +306,14 @@ int main(int argc, char** argv) {
     return gaussgen::cli::fail(error.what(), gaussgen::cli::k_usage_error, messages,
                                "Run gauss-sim --help for the options.");
   }
-  if (shell.man || *shell.command) {
-    gaussgen::cli::write_standard_output(shell.man ? gausssim::manual_of(app)
-                                                   : gausssim::completion_of(app, shell.shell));
-    return gaussgen::cli::k_ok;
-  }
-  if (*listing.command) {
-    gaussgen::cli::write_standard_output(gausssim::listed_methods(listing.format == "json"));
-    return gaussgen::cli::k_ok;
-  }
+  if (shell.man)
+    return gausssim::guarded<gausssim::Printed>(gausssim::print, {gausssim::manual_of(app), options.messages});
+  if (*shell.command)
+    return gausssim::guarded<gausssim::Printed>(gausssim::print,
+                                                {gausssim::completion_of(app, shell.shell), options.messages});
+  if (*listing.command)
+    return gausssim::guarded<gausssim::Printed>(gausssim::print,
+                                                {gausssim::listed_methods(listing.format == "json"), options.messages});
   if (app.got_subcommand("ensemble")) return gausssim::guarded(gausssim::ensemble, ensemble);
   if (app.got_subcommand("plot")) return gausssim::guarded(gausssim::draw_plot, plot);
   if (app.got_subcommand("study")) return gausssim::guarded(gausssim::study, study);

@@ -19,7 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Nothing of what is no file.
 std::string content_of(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return "";
   std::ifstream in(file, std::ios::binary);
   return std::string(std::istreambuf_iterator<char>(in), {});
 }
@@ -42,6 +45,8 @@ void keep(const WorkFolder& work, const fs::path& folder) {
   std::error_code error;
   std::ofstream(work / "model.cpp", std::ios::binary | std::ios::app) << seal(work / "model.so");
   fs::create_directories(folder, error);
+  for (const char* const name : {"model.so", "model.cpp"})
+    if (fs::is_directory(folder / name, error)) fs::remove_all(folder / name, error);
   fs::rename(work / "model.so", folder / "model.so", error);
   if (!error) fs::rename(work / "model.cpp", folder / "model.cpp", error);
 }

@@ -21,7 +21,7 @@ class LanesMeter {
   LanesMeter(const PreparedModel& prepared, const Engine& engine, const LanesEffort& effort)
       : prepared_(prepared), engine_(engine), effort_(effort) {
     setting_.setting = default_setting(prepared, engine);
-    setting_.setting.method = default_method(prepared.model, engine, scalar_of(setting_.setting.number));
+    setting_.setting.method = default_method(prepared, engine, setting_.setting.number);
     setting_.setting.tolerance = effort.tolerance;
   }
 

@@ -170,6 +170,7 @@ Outcomes run_all(const PreparedModel& prepared, const Engine& engine, const Ense
   blocks.make_work = [&] {
     const auto make = setting.setting.number == "long-double" ? work_of<long double>
                       : setting.setting.number == "float128"  ? work_of<Quad>
+                      : setting.setting.number == "float"     ? work_of<float>
                                                               : work_of<double>;
     return make(prepared, engine, setting, source, shape, outcomes);
   };

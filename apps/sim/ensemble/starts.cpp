@@ -83,6 +83,7 @@ gauss::Status PerturbedStarts<S>::begin(long trajectory, Bound<S>& bound, Number
   template struct Bound<S>;        \
   template class PlannedStarts<S>; \
   template class PerturbedStarts<S>;
+GAUSS_SIM_NUMBER(float)
 GAUSS_SIM_NUMBER(double)
 GAUSS_SIM_NUMBER(long double)
 GAUSS_SIM_NUMBER(Quad)

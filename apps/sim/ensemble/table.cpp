@@ -60,6 +60,7 @@ void append_rows(std::string& text, long trajectory, const std::vector<double>& 
 
 #define GAUSS_SIM_NUMBER(S) \
   template void append_rows(std::string&, long, const std::vector<double>&, const Track<S>&, std::size_t);
+GAUSS_SIM_NUMBER(float)
 GAUSS_SIM_NUMBER(double)
 GAUSS_SIM_NUMBER(long double)
 GAUSS_SIM_NUMBER(Quad)

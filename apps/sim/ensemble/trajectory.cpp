@@ -27,8 +27,8 @@ Trajectories<S>::Trajectories(const PreparedModel& prepared, const Engine& engin
       bound_(engine, prepared.model),
       model_(bound_.functions),
       grid_{S(prepared.span.start), S(prepared.span.start) + S(prepared.span.duration),
-            records_samples ? prepared.span.samples : 1},
-      samples_{grid_.start, grid_.end, prepared.span.samples},
+            records_samples ? prepared.span.samples : 1, S(prepared.span.every)},
+      samples_{grid_.start, grid_.end, prepared.span.samples, S(prepared.span.every)},
       records_samples_(records_samples),
       sampler_(engine, prepared.model, prepared.columns, *bound_.functions),
       settings_(method_settings<S>(setting)) {}
@@ -80,6 +80,7 @@ void Trajectories<S>::integrate(const Numbers<S>& start, const Grid<S>& grid, bo
   if (!keeps_all) add_row(integrator->time(), integrator->values(), track);
 }
 
+template class Trajectories<float>;
 template class Trajectories<double>;
 template class Trajectories<long double>;
 template class Trajectories<Quad>;

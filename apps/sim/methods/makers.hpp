@@ -42,6 +42,8 @@ GAUSS_SIM_MAKER(gauss_legendre6)
 
 template <>
 Made<Quad> make_bulirsch_stoer(const Problem<Quad>& problem);
+template <>
+Made<Quad> make_dopri5(const Problem<Quad>& problem);
 
 // Of SUNDIALS, which computes in double; defined where it is installed.
 Made<double> make_cvode_adams(const Problem<double>& problem);

@@ -26,7 +26,8 @@ const MethodInfo* find_method(const std::string& name) {
 template <class S>
 std::string why_not_projected(const Functions<S>& functions, Projection how) {
   if (how == Projection::positions && !functions.positions) return "the model has no equations of positions";
-  if (how == Projection::velocities && !functions.projection) return "the model has no constraints";
+  if (how == Projection::velocities && !(functions.projection && functions.is_constrained))
+    return "the model has no constraints";
   if (how == Projection::gains && !functions.gains)
     return "gains are for compiled models with constraints, all of positions or all of velocities";
   if (how == Projection::energy && !(functions.energy && functions.energy_layout.is_conserved))
@@ -90,11 +91,13 @@ Made<Quad> make_integrator(const std::string& name, const MotionModel<Quad>& mod
   const bool is_known = settings.projection == Projection::full || settings.projection == Projection::off;
   const MethodInfo* const method = find_method(name);
   if (method == nullptr || !method->has_float128 || !is_known) {
-    why = "in float128 there are taylor and bulirsch_stoer, with full projection or none";
+    why = "in float128 there are taylor, bulirsch_stoer and dopri5, with full projection or none";
     return nullptr;
   }
   const Problem<Quad> problem{model, start, t, settings};
-  Made<Quad> made = name == "taylor" ? make_taylor(problem) : make_bulirsch_stoer(problem);
+  Made<Quad> made = name == "taylor"   ? make_taylor(problem)
+                    : name == "dopri5" ? make_dopri5(problem)
+                                       : make_bulirsch_stoer(problem);
   if (!made) why = k_no_series;
   return made;
 }

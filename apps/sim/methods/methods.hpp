@@ -19,6 +19,7 @@ struct MethodInfo {
   bool takes_step = false;  ///< steps of one length instead of a tolerance
   bool is_stiff = false;    ///< for what decays, or is held, much faster than it moves
   bool projects = true;     ///< onto constraints after each step
+  bool sees_jumps = true;   ///< of forces, within a step: its estimate of the error does not always, where it is false
   bool has_long_double = true, has_float = false, has_float128 = false;
   bool is_separable = false;       ///< takes only models whose accelerations depend on coordinates alone
   std::vector<std::string> takes;  ///< outputs of the generator, where a model has them

@@ -44,6 +44,7 @@ std::vector<Method> of_arkode() {
       stiff(info("arkode_kvaerno5", 5, 5, "diagonally implicit, seven stages, of Kvaerno: stiff models, more digits"))};
   std::vector<Method> methods;
   for (MethodInfo& one : all) {
+    one.sees_jumps = one.name != "arkode_fehlberg78";
     Method method{one, nullptr, nullptr};
 #ifdef GAUSS_SIM_HAS_SUNDIALS
     method.in_double = [name = one.name](const Problem<double>& problem) { return make_arkode(problem, name); };

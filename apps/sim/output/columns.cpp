@@ -7,6 +7,7 @@
 
 #include "description.hpp"
 #include "emit/identifiers.hpp"
+#include "sim/engine/result_layouts.hpp"
 #include "sim/model/layout.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
@@ -26,7 +27,10 @@ bool is_in(const std::string& name, const std::string& group) {
 
 class Chooser {
  public:
-  explicit Chooser(const Described& model) : model_(model) {
+  explicit Chooser(const Described& model)
+      : model_(model),
+        is_energy_conserved_(find_struct(model.tree, "Energy") != nullptr &&
+                             energy_layout_of(model.tree).is_conserved) {
     add_state();
     for (const std::string& output : sampled_outputs()) add_results(output);
   }
@@ -95,7 +99,8 @@ class Chooser {
     const std::vector<ResultNumber> slots = layout_of(model_.tree, gaussgen::emit::pascal_case(output));
     if (slots.empty()) return;
     for (std::size_t i = 0; i < slots.size(); ++i)
-      all_.push_back({output + "." + slots[i].name, unit_of(slots[i]), slots[i].about, false, functions_.size(), i});
+      all_.push_back({output + "." + slots[i].name, unit_of(slots[i]), slots[i].about, false, functions_.size(), i,
+                      output == "energy" && slots[i].name == "total" && is_energy_conserved_});
     functions_.push_back({output, slots.size()});
   }
 
@@ -114,6 +119,7 @@ class Chooser {
   }
 
   const Described& model_;
+  bool is_energy_conserved_;
   std::vector<Column> all_;
   std::vector<SampledFunction> functions_;
 };

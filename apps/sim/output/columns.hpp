@@ -14,9 +14,10 @@ namespace gausssim {
 
 struct Column {
   std::string name, unit, about;
-  bool is_state = false;   ///< else of a function
-  std::size_t source = 0;  ///< component of the state, or which of the functions
-  std::size_t slot = 0;    ///< of what the function fills; of rates, of the derivative
+  bool is_state = false;      ///< else of a function
+  std::size_t source = 0;     ///< component of the state, or which of the functions
+  std::size_t slot = 0;       ///< of what the function fills; of rates, of the derivative
+  bool is_conserved = false;  ///< the same in every motion of the model
 };
 
 /// A function that has to be called at each sample.

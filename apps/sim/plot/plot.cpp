@@ -104,8 +104,9 @@ int draw_plot(const PlotOptions& options) {
   if (is_ensemble) bonds = {has_samples(table), &table.front()};
   const std::filesystem::path path(options.file);
   const std::string text = plot::chart(across, columns, path.stem().string(), bonds);
-  const std::string output =
-      options.output.empty() ? std::filesystem::path(path).replace_extension(".svg").string() : options.output;
+  const std::string output = !options.output.empty() ? options.output
+                             : options.file == "-"   ? std::string("-")
+                                                     : std::filesystem::path(path).replace_extension(".svg").string();
   if (output == "-") {
     cli::write_standard_output(text);
     return cli::k_ok;

@@ -2,6 +2,9 @@
 
 #include <quadmath.h>
 
+#include "model/functions.hpp"
+#include "support/table.hpp"
+
 namespace gausssim {
 
 namespace {
@@ -31,7 +34,41 @@ Quad nothing() { return ::nanq(""); }
 
 Quad evaluate(const model::Ast& ast, const Values& values);
 
+/// Conditions in their order.
+Quad chosen_case(const model::Ast& ast, const Values& values) {
+  const auto& parts = ast.children;
+  for (std::size_t i = 0; i + 1 < parts.size(); i += 2) {
+    const Quad condition = evaluate(parts[i], values);
+    if (!(condition == 0)) return condition == condition ? evaluate(parts[i + 1], values) : condition;
+  }
+  return evaluate(parts.back(), values);
+}
+
+/// Of all arguments; not a number if one of them is none.
+Quad extreme(const model::Ast& ast, const Values& values) {
+  Quad result = evaluate(ast.children[0], values);
+  for (std::size_t i = 1; i < ast.children.size(); ++i) {
+    const Quad next = evaluate(ast.children[i], values);
+    if (!(next == next) || (ast.name == "min" ? next < result : next > result)) result = next;
+  }
+  return result;
+}
+
+Quad sign(Quad x) { return x == 0 ? x : ::copysignq(x == x ? Quad(1) : x, x); }
+
+Quad compared(const model::Ast& ast, const Values& values) {
+  const Quad a = evaluate(ast.children[0], values), b = evaluate(ast.children[1], values);
+  if (!(a == a) || !(b == b)) return nothing();
+  const bool holds = ast.name == "<" ? a < b : ast.name == "<=" ? a <= b : ast.name == ">" ? a > b : a >= b;
+  return holds ? 1 : 0;
+}
+
 Quad call(const model::Ast& ast, const Values& values) {
+  if (ast.table != nullptr)
+    return gaussgen::support::value_at(*ast.table, 0, static_cast<double>(evaluate(ast.children[0], values)));
+  if (ast.name == model::k_piecewise) return chosen_case(ast, values);
+  if (ast.name == "min" || ast.name == "max") return extreme(ast, values);
+  if (ast.name == "sign") return sign(evaluate(ast.children[0], values));
   const Quad first = evaluate(ast.children[0], values);
   if (ast.name == "atan2") return ::atan2q(first, evaluate(ast.children[1], values));
   const auto function = unary_functions().find(ast.name);
@@ -61,6 +98,7 @@ Quad evaluate(const model::Ast& ast, const Values& values) {
     case model::AstKind::sum:
     case model::AstKind::product: return combined(ast, values);
     case model::AstKind::call: return call(ast, values);
+    case model::AstKind::comparison: return compared(ast, values);
     default: return nothing();
   }
 }
@@ -82,7 +120,7 @@ Quad ClosedForms::at(const std::string& column, Quad t) const {
 Rows ClosedForms::instead_of(const Rows& rows, const PreparedModel& model) const {
   const auto& columns = model.columns.columns;
   const Quad start(model.span.start);
-  const Grid<Quad> grid{start, start + Quad(model.span.duration), model.span.samples};
+  const Grid<Quad> grid{start, start + Quad(model.span.duration), model.span.samples, Quad(model.span.every)};
   Rows known = rows;
   for (long k = 0; k < rows.samples(); ++k) {
     std::vector<long double> row;

@@ -22,8 +22,12 @@ template <class S>
 struct Grid {
   S start, end;
   long samples;
+  S every = 0;  ///< what somebody has said is between two; 0: nobody has
 
-  S at(long k) const { return k + 1 == samples ? end : start + (end - start) * S(k) / S(samples - 1); }
+  S at(long k) const {
+    if (k + 1 == samples) return end;
+    return every > S(0) ? start + every * S(k) : start + (end - start) * S(k) / S(samples - 1);
+  }
 };
 
 /// How many samples there are in the end. `first`: before it there are those of an earlier run. `on_sample(k, t, values of the state)`: returning false ends it.

@@ -45,6 +45,18 @@ long double doubt_of(const Rows& rows, const Rows& other, std::size_t column) {
 /// What stays within this, in its unit, is 0 but for rounding, if nothing of that unit is more.
 constexpr long double k_nothing = 1e-12;
 
+/// Then whatever range runs have is an error of theirs: the energy, also as kinetic energy of what has no other.
+bool is_conserved(const std::vector<Column>& columns, const std::vector<Extent>& extents, std::size_t i) {
+  if (columns[i].is_conserved) return true;
+  if (columns[i].name != "energy.kinetic") return false;
+  bool is_whole = false;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (columns[k].name == "energy.potential" && extents[k].range != 0) return false;
+    is_whole = is_whole || columns[k].is_conserved;
+  }
+  return is_whole;
+}
+
 /// In units of `scale`. What is no number in both is not missed; what is none in one of them is off by all.
 double miss(long double value, long double reference, long double scale) {
   if (value == reference || (std::isnan(value) && std::isnan(reference))) return 0;
@@ -67,7 +79,8 @@ Yardstick::Yardstick(Rows rows, const Rows& other, const std::vector<Column>& co
     constexpr long double k_clear = 10;
     const long double range = extents[i].range, size = std::max(extents[i].size, by_unit[columns[i].unit]);
     const bool is_clear = range > k_clear * std::max(doubt_of(rows_, other, i), digits * size);
-    const bool is_constant = !is_clear && (range <= least * size || size <= k_nothing);
+    const bool is_constant =
+        is_conserved(columns, extents, i) || (!is_clear && (range <= least * size || size <= k_nothing));
     const long double scale = !is_constant ? range : size <= k_nothing ? 1 : size;
     outputs_.push_back({columns[i].name, scale, is_constant});
   }

@@ -35,7 +35,7 @@ void check_exact(const Scene& scene, const Columns& columns, model::Values value
     const auto value = model::value_of(form.value, values);
     if (!value)
       diagnostics.error(code::k_wrong_reference, form.value.span,
-                        "a closed form is made of t, pi, numbers, parameters and functions of one argument or atan2");
+                        "a closed form is made of t, pi, numbers, parameters and functions of these");
     else if (!std::isfinite(*value) && !std::isfinite(at_another_time(form.value, values)))
       diagnostics.error(code::k_not_finite, form.value.span,
                         fmt::format("the closed form of '{}' has no value", form.name));

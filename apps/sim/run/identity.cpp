@@ -47,10 +47,10 @@ std::string identity_of_problem(const PreparedModel& prepared) {
   std::copy_if(prepared.model.tree.items.begin(), prepared.model.tree.items.end(), std::back_inserter(values.items),
                is_of_values);
   remove_words(values);
-  // Forces may depend on the time, and errors are those at the samples.
-  const std::string times = fmt::format("{:a} {}\n", prepared.span.start, prepared.span.samples);
-  return gaussgen::support::content_hash(times + without_last_underscores(cpp::print(values)) +
-                                         prepared.model_text);
+  // Forces may depend on the time, errors are those at the samples, and longest steps are those of all runs.
+  const std::string times = fmt::format("{:a} {} {:a}\n", prepared.span.start, prepared.span.samples,
+                                        prepared.scene.longest_step.value_or(0));
+  return gaussgen::support::content_hash(times + without_last_underscores(cpp::print(values)) + prepared.model_text);
 }
 
 }  // namespace gausssim

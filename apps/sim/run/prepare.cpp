@@ -24,6 +24,7 @@
 #include "sim/run/jumps.hpp"
 #include "sim/run/number_range.hpp"
 #include "sim/run/scene_values.hpp"
+#include "sim/run/setting.hpp"
 #include "sim/scene/read_scene.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
@@ -225,6 +226,11 @@ class Preparation {
       refuse_file(scene.model, result_.model_file);
     else if (is_scene_)
       model_text_.emplace(cli::read_source(result_.model_file));
+    if (model_text_ && is_scene(*model_text_)) {
+      in_scene_.error(code::k_submodel_file, scene.model.span, fmt::format("'{}' is a scene itself", scene.model.text),
+                      "name its model");
+      model_text_.reset();
+    }
     check_forms();
     return !is_scene_ || model_text_ || !report_mistakes();
   }
@@ -258,10 +264,18 @@ class Preparation {
     result_.parameters.clear();
     for (const model::Parameter& one : read.parameters) result_.parameters.emplace_back(one.name.text, one.value);
     result_.edge = function_with_edge(read);
+    if (const std::string remark = remark_on_edge(); !remark.empty()) remarks_.push_back(remark);
     if (set_parameters_alone(request_.sets, read)) closed_forms_ = read.exact;
     result_.span = read_times(scene, parameters_, in_scene_);
     if (in_scene_.has_errors()) throw BadScene{};
     result_.gravity = gravity_of(read, result_.span, parameters_);
+  }
+
+  std::string remark_on_edge() const {
+    const Scene& scene = result_.scene;
+    if (result_.edge.empty() || chooses_method(scene) || find_method(scene.method->text)->sees_jumps) return "";
+    return fmt::format("'{}' may step over a place where a force jumps, as by {}, without a word: {} and {} see it",
+                       scene.method->text, result_.edge, k_method_of_any_model, k_method_of_edges);
   }
 
   std::optional<gaussgen::PipelineResult> compiled(Diagnostics& found) {
@@ -343,8 +357,10 @@ class Preparation {
     Diagnostics found;
     result_.columns = choose_columns(model, outputs, found, everything);
     const bool are_options = !outputs.empty() && is_option(outputs.front());
-    if (found.has_errors() && are_options)
-      throw cli::UsageError("--outputs: " + found.all().front().message + "; " + found.all().front().hint);
+    std::string wrong;
+    for (const auto& one : found.all())
+      wrong += fmt::format("{}--outputs: {}; {}", wrong.empty() ? "" : "\n", one.message, one.hint);
+    if (found.has_errors() && are_options) throw cli::UsageError(wrong);
     for (const auto& one : found.all()) in_scene_.add(one);
     check_exact(result_.scene, result_.columns, parameters_, in_scene_);
   }

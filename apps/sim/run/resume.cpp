@@ -216,30 +216,48 @@ nlohmann::ordered_json resume_json(const PreparedModel& prepared, const Simulate
   return result;
 }
 
-EarlierRun read_earlier_run(const std::string& csv, const std::string& summary, const PreparedModel& prepared,
-                            const Setting& setting) {
-  const Json said = parsed(summary);
+namespace {
+
+/// What nobody has edited.
+bool is_sound(const Simulated& run, const Span& span, bool is_finished) {
+  for (const long count : {run.steps, run.rejected, run.calls, run.jacobians, run.with_fewer_constraints, run.crossings,
+                           run.untrusted_samples})
+    if (count < 0) return false;
+  const bool has_samples = run.samples >= 1 && run.samples <= span.samples;
+  return has_samples && (!is_finished || run.samples == span.samples) && run.reached >= span.start &&
+         run.reached <= span.start + span.duration;
+}
+
+EarlierRun earlier_run_of(const Json& said, const std::string& csv, const std::string& summary,
+                          const PreparedModel& prepared, const Setting& setting) {
   compare(said, summary, prepared, setting);
   EarlierRun earlier;
   const std::string outcome = said.value("outcome", std::string());
   earlier.is_finished = outcome == "finished";
   if (!earlier.is_finished && outcome != "interrupted")
     throw cli::UsageError(fmt::format("--resume: the motion in '{}' has stopped by itself: {}", csv, outcome));
-  try {
-    earlier.run = run_of(said);
-  } catch (const Json::exception&) {
-    refuse_summary(summary);
-  }
+  earlier.run = run_of(said);
   const auto& last = earlier.run.last_state;
   const bool is_state = last.size() == prepared.model.size() && std::all_of(last.begin(), last.end(), is_number);
-  const bool has_samples = earlier.run.samples >= 1 && earlier.run.samples <= prepared.span.samples;
-  if (!is_state || !has_samples) refuse_summary(summary);
+  if (!is_state || !is_sound(earlier.run, prepared.span, earlier.is_finished)) refuse_summary(summary);
   earlier.table = text_of_file(csv);
   check_table(earlier.table, csv, prepared, earlier.run.samples);
   earlier.run.last_row = last_line(earlier.table);
   if (said["resume"].value("end", std::string()) != end_of(earlier.run.last_row, last))
     cli::fail_on(csv, "its last row is not that of the run in " + summary);
   return earlier;
+}
+
+}  // namespace
+
+EarlierRun read_earlier_run(const std::string& csv, const std::string& summary, const PreparedModel& prepared,
+                            const Setting& setting) {
+  const Json said = parsed(summary);
+  try {
+    return earlier_run_of(said, csv, summary, prepared, setting);
+  } catch (const Json::exception&) {
+    refuse_summary(summary);
+  }
 }
 
 }  // namespace gausssim

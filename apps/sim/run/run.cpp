@@ -31,9 +31,10 @@ namespace {
 namespace cli = gaussgen::cli;
 using gauss::simulate::Outcome;
 
-constexpr double k_tighter = 1.0 / 30;  ///< tolerance of the run that tells errors
-constexpr int k_longer = 20;            ///< times what the run took; then a tighter one is given up
-constexpr double k_long_run = 5;        ///< seconds; not made twice unless somebody asks
+constexpr double k_tighter = 1.0 / 30;       ///< tolerance of the run that tells errors
+constexpr double k_tighter_at_edges = 1e-3;  ///< where a force jumps, errors fall with tolerances by chance
+constexpr int k_longer = 20;                 ///< times what the run took; then a tighter one is given up
+constexpr double k_long_run = 5;             ///< seconds; not made twice unless somebody asks
 
 std::string csv_path(const RunOptions& options, const PreparedModel& prepared) {
   if (!options.output.empty()) return options.output;
@@ -166,15 +167,16 @@ void tell(const RunOptions& options, const PreparedModel& prepared, const Settin
   cli::write_standard_output(text);
 }
 
-int code_of(const Simulated& run, const PreparedModel& prepared, const cli::MessageOptions& messages) {
+int code_of(const Simulated& run, const PreparedModel& prepared, const std::string& csv,
+            const cli::MessageOptions& messages) {
   if (run.untrusted_samples > 0)
     cli::warn(fmt::format("outputs of {} samples are not to be trusted: {}", run.untrusted_samples,
                           gauss::name(run.sample_status)),
               messages);
   if (run.was_interrupted) {
-    cli::remark(
-        fmt::format("interrupted at t = {:.10g}; the table ends there, and --resume goes on from it", run.reached),
-        messages);
+    cli::remark(fmt::format("interrupted at t = {:.10g}; the table ends there{}", run.reached,
+                            csv == "-" ? "" : ", and --resume goes on from it"),
+                messages);
     return cli::k_interrupted;
   }
   if (run.outcome == Outcome::running) return cli::k_ok;
@@ -219,18 +221,21 @@ void warn_of_tolerance(const Setting& setting, const cli::MessageOptions& messag
 }
 
 /// Closer to the motion, by other terms. Where samples are closer than steps would be, a tolerance alone changes nothing, nor does a step.
-Setting tighter(Setting setting, const Simulated& run, const Span& span) {
+Setting tighter(Setting setting, const Simulated& run, const PreparedModel& prepared) {
+  const Span& span = prepared.span;
   setting.most_steps = 0;
   constexpr double k_shorter = 0.5;
   const double taken = span.duration / static_cast<double>(std::max(run.steps, 1L));
   if (setting.tolerance > 0) {
-    setting.tolerance *= k_tighter;
+    setting.tolerance = prepared.edge.empty()
+                            ? k_tighter * setting.tolerance
+                            : std::max(k_tighter_at_edges * setting.tolerance, least_tolerance(setting.number));
     // What acts for a short time may lie within a step of both.
     const double longest = std::min(k_shorter * taken, span.duration / k_least_parts);
     setting.longest_step = setting.longest_step > 0 ? std::min(k_shorter * setting.longest_step, longest) : longest;
   }
   if (setting.step > 0) setting.step = k_shorter * std::min(setting.step, taken);
-  return by_other_terms(setting);
+  return by_other_terms(setting, prepared);
 }
 
 /// Why a run that should be tighter says nothing of errors; empty: it does.
@@ -255,7 +260,7 @@ const Engine& in_double(const Engine& engine, Engines& engines, Setting& setting
 std::optional<Yardstick> yardstick_of(const PreparedModel& prepared, const Engine& own, Engines& engines,
                                       const Setting& setting, const Simulated& run, const Rows& rows,
                                       std::string& why) {
-  Setting other = tighter(setting, run, prepared.span);
+  Setting other = tighter(setting, run, prepared);
   const Engine& engine = in_double(own, engines, other);
   // Of a motion that a tighter run takes far longer for, nothing is said.
   constexpr double k_least_limit = 2;
@@ -389,7 +394,7 @@ int run(const RunOptions& options, const FindSetting& find) {
   if (found && error && simulated.outcome == Outcome::running && !(error->value <= *prepared->scene.error))
     return cli::fail(fmt::format("the run is off by {:.2e}, in {}", error->value, error->output), cli::k_not_delivered,
                      options.messages);
-  return code_of(simulated, *prepared, options.messages);
+  return code_of(simulated, *prepared, csv, options.messages);
 }
 
 }  // namespace gausssim

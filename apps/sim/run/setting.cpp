@@ -1,5 +1,6 @@
 #include "sim/run/setting.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "gauss/integrate/taylor.hpp"
@@ -15,10 +16,11 @@ constexpr const char* k_relative = "bulirsch_stoer";
 
 }  // namespace
 
-std::string default_method(const Described& model, const Engine& engine, const std::string& scalar) {
-  const bool has_series = static_cast<bool>(engine.find("series_begin", scalar));
-  if (find_function(model.tree, "taylor") != nullptr && has_series) return "taylor";
-  return scalar == scalar_of("float128") ? "bulirsch_stoer" : k_method_of_any_model;
+std::string default_method(const PreparedModel& prepared, const Engine& engine, const std::string& number) {
+  const bool has_series = static_cast<bool>(engine.find("series_begin", scalar_of(number)));
+  if (find_function(prepared.model.tree, "taylor") != nullptr && has_series) return "taylor";
+  if (number != "float128") return k_method_of_any_model;
+  return prepared.edge.empty() ? k_relative : k_method_of_edges;
 }
 
 Projection default_projection(const std::string& method) {
@@ -34,8 +36,7 @@ Setting setting_of(const PreparedModel& prepared, const Engine& engine) {
   const Scene& scene = prepared.scene;
   Setting setting;
   setting.number = number_name(scene);
-  setting.method =
-      chooses_method(scene) ? default_method(prepared.model, engine, scalar_of(setting.number)) : scene.method->text;
+  setting.method = chooses_method(scene) ? default_method(prepared, engine, setting.number) : scene.method->text;
   setting.projection = scene.projection ? projection_of(scene.projection->text) : default_projection(setting.method);
   // Series take full projection, or none.
   const bool is_whole = setting.projection == Projection::full || setting.projection == Projection::off;
@@ -54,16 +55,24 @@ Setting default_setting(const PreparedModel& prepared, const Engine& engine) {
   Setting setting;
   setting.method = prepared.series_operations > k_most_series_operations
                        ? k_method_of_any_model
-                       : default_method(prepared.model, engine, scalar_of(setting.number));
+                       : default_method(prepared, engine, setting.number);
   setting.projection = default_projection(setting.method);
   setting.tolerance = k_default_tolerance;
+  setting.longest_step = prepared.scene.longest_step.value_or(0);
   return setting;
 }
 
-Setting by_other_terms(const Setting& setting) {
+Setting by_other_terms(const Setting& setting, const PreparedModel& prepared) {
   constexpr int k_more = 4;
   Setting other = setting;
-  if (setting.method == "taylor") {
+  if (!prepared.edge.empty() && setting.method != "taylor") {
+    const bool is_same = setting.method == k_method_of_edges;
+    other.method = is_same && computes_in(*find_method(k_method_of_any_model), setting.number) ? k_method_of_any_model
+                                                                                               : k_method_of_edges;
+    constexpr double k_of_steps = 1e-10;  ///< instead of a step
+    if (other.step > 0) other.tolerance = std::max(k_of_steps, least_tolerance(setting.number));
+    other.step = 0;
+  } else if (setting.method == "taylor") {
     const int most = find_method(setting.method)->order;
     const int usual = setting.order > 0 ? setting.order : gauss::integrate::taylor_order(setting.tolerance, most);
     other.order = usual + k_more <= most ? usual + k_more : usual - k_more;

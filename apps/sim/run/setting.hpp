@@ -10,11 +10,14 @@ namespace gausssim {
 constexpr double k_default_tolerance = 1e-9;
 constexpr double k_default_steps = 10'000;  ///< of one length, in a run
 constexpr const char* k_method_of_any_model = "prince87";
+constexpr const char* k_method_of_edges = "dopri5";  ///< beside that: of forces that jump
 constexpr double k_least_parts =
     1009;  ///< steps of a run that others are compared with: more than most samples, and no multiple of their number
 
+constexpr double k_other_parts = 499;  ///< likewise, of the other run, since a step of one may end where something acts
+
 /// Series where the model has them.
-std::string default_method(const Described& model, const Engine& engine, const std::string& scalar);
+std::string default_method(const PreparedModel& prepared, const Engine& engine, const std::string& number);
 
 Projection default_projection(const std::string& method);
 
@@ -27,8 +30,9 @@ Setting setting_of(const PreparedModel& prepared, const Engine& engine);
 /// Of a scene that says nothing. Series that are too large to be a default are none.
 Setting default_setting(const PreparedModel& prepared, const Engine& engine);
 
-/// Of the same accuracy with errors of other terms: another order, or another pair of the same order. The same where there is none.
-Setting by_other_terms(const Setting& setting);
+/// Of the same accuracy with errors of other terms: another order, or another pair. The same where there is none. Where forces jump, pairs whose estimate of the error sees that: extrapolation and Fehlberg's pair of order 8 may step over it without a word, and others
+/// agree with a tighter run of their own for the wrong reason.
+Setting by_other_terms(const Setting& setting, const PreparedModel& prepared);
 
 /// Whether a method is made for a number type, as scenes call it.
 bool computes_in(const MethodInfo& method, const std::string& number);

@@ -54,7 +54,8 @@ class Simulator {
                     ? std::make_unique<PulledRates<S>>(*functions_, S(setting.gain))
                     : nullptr),
         model_(functions_),
-        grid_{S(prepared.span.start), S(prepared.span.start) + S(prepared.span.duration), prepared.span.samples},
+        grid_{S(prepared.span.start), S(prepared.span.start) + S(prepared.span.duration), prepared.span.samples,
+              S(prepared.span.every)},
         sampler_(engine, prepared.model, prepared.columns, *functions_),
         meter_(*functions_, prepared.model),
         row_(sampler_.size()) {}

@@ -66,6 +66,7 @@ class TimesReader {
       return false;
     }
     span.samples = static_cast<long>(count) + 1;
+    span.every = every;
     // Rows are where they are asked for, and the run ends with the last one.
     const double end = count * every;
     if (end < span.duration * (1 - 1e-12)) span.duration = end;

@@ -10,6 +10,7 @@ namespace gausssim {
 struct Span {
   double start = 0, duration = 10;
   long samples = 501;
+  double every = 0;  ///< what somebody has said is between two samples; 0: nobody has
 };
 
 /// Those of the scene, in which there may be parameters. Throws cli::UsageError where an option says what cannot be.

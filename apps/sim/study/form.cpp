@@ -61,8 +61,10 @@ class Collector {
     const Scene scene = first->scene;
     texts_.insert(text_of(*first));
     push(scene.form, std::move(*first));
-    forms_.front().scalars = {"double", "__float128"};
-    if (!is_alone) forms_.front().scalars.insert(forms_.front().scalars.end(), {"float", "long double"});
+    auto& scalars = forms_.front().scalars;
+    scalars = {"double", "__float128"};
+    if (!is_alone || !forms_.front().model.edge.empty()) scalars.emplace_back("long double");
+    if (!is_alone) scalars.emplace_back("float");
     if (!is_alone && !add_others(scene)) return {};
     build_all();
     return std::move(forms_);

@@ -63,7 +63,7 @@ class GridMaker {
 
   /// The default of this model, and that of any model.
   std::vector<std::string> usual_methods() const {
-    std::vector<std::string> usual{default_method(forms_.front().model.model, *forms_.front().engine, "double")};
+    std::vector<std::string> usual{default_method(forms_.front().model, *forms_.front().engine, "double")};
     if (usual.front() != k_method_of_any_model) usual.push_back(k_method_of_any_model);
     return usual;
   }
@@ -75,6 +75,7 @@ class GridMaker {
     candidate.setting.method = method.name;
     candidate.setting.number = number;
     candidate.setting.projection = projection;
+    if (!method.takes_step) candidate.setting.longest_step = forms_[form].model.scene.longest_step.value_or(0);
     if (method.takes_step) {
       const double duration = forms_[form].model.span.duration;
       for (const double step : between(duration / k_fewest_steps, duration / k_most_steps, 2)) {

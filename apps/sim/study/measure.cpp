@@ -66,15 +66,24 @@ void time_it(const PreparedModel& model, const Engine& engine, const Effort& eff
   point.most_time = times.back();
 }
 
-/// The two runs of a reference: another number of terms in other steps, or of columns of extrapolation.
+/// The two runs of a reference, with longest steps that have nothing in common, so that they see what acts for a short time: series of two orders; extrapolation, twice; or where forces jump, which extrapolation may not see, two pairs.
 std::array<Setting, 2> tight_settings(const PreparedModel& model, const Engine& engine) {
   Setting fine, other;
   fine.number = other.number = "float128";
-  fine.method = other.method = default_method(model.model, engine, scalar_of(fine.number));
-  const bool is_series = fine.method == "taylor";
-  fine.tolerance = is_series ? 1e-29 : 1e-26;
-  other.tolerance = is_series ? 1e-27 : 1e-23;
-  if (is_series) fine.order = 36, other.order = 30;
+  fine.method = other.method = default_method(model, engine, fine.number);
+  fine.longest_step = model.span.duration / k_least_parts;
+  other.longest_step = model.span.duration / k_other_parts;
+  for (Setting* const one : {&fine, &other})
+    if (model.scene.longest_step) one->longest_step = std::min(one->longest_step, *model.scene.longest_step);
+  if (fine.method == "taylor") {
+    fine.tolerance = 1e-29, other.tolerance = 1e-27;
+    fine.order = 36, other.order = 30;
+  } else if (fine.method == k_method_of_edges) {
+    fine.tolerance = 1e-19, other.tolerance = 1e-17;
+    other.method = k_method_of_any_model, other.number = "long-double";
+  } else {
+    fine.tolerance = 1e-26, other.tolerance = 1e-23;
+  }
   return {fine, other};
 }
 
@@ -97,9 +106,10 @@ void take_closed_forms(const PreparedModel& model, Reference& reference, std::st
 }
 
 std::string in_words(const Setting& setting) {
-  if (setting.order > 0)
-    return fmt::format("power series of order {}, tolerance {:.0e}", setting.order, setting.tolerance);
-  return fmt::format("extrapolation (Bulirsch and Stoer), tolerance {:.0e}", setting.tolerance);
+  const std::string tolerance = fmt::format("tolerance {:.0e}", setting.tolerance);
+  if (setting.order > 0) return fmt::format("power series of order {}, {}", setting.order, tolerance);
+  if (setting.method == "bulirsch_stoer") return "extrapolation (Bulirsch and Stoer), " + tolerance;
+  return fmt::format("{} in {}, {}", setting.method, setting.number, tolerance);
 }
 
 }  // namespace
@@ -112,6 +122,8 @@ Point measure(const PreparedModel& model, const Engine& engine, const Candidate&
   note(found.run, point);
   if (point.status != PointStatus::ok) return point;
   point.error = reference.yardstick.error_of(found.rows);
+  // So far the reference may be off itself.
+  point.error->value += reference.agreement;
   time_it(model, engine, effort, found.run.cpu_seconds, point);
   return point;
 }
@@ -140,6 +152,13 @@ std::optional<Reference> find_reference(const PreparedModel& model, const Engine
   // They are compared with the digits of long double.
   reference.agreement = std::max(reference.yardstick.error_of(two.rows).value,
                                  static_cast<double>(std::numeric_limits<long double>::epsilon()));
+  constexpr double k_useless = 1e-4;  ///< nothing that a study shows would be known
+  if (!(reference.agreement <= k_useless)) {
+    const DeliveredError apart = reference.yardstick.error_of(two.rows);
+    why = fmt::format("two tight runs ({} and {}) differ by {:.1e}, in {}", in_words(fine), in_words(other),
+                      apart.value, apart.output);
+    return std::nullopt;
+  }
   take_closed_forms(model, reference, why);
   if (!why.empty()) return std::nullopt;
   return reference;

@@ -32,7 +32,8 @@ Point measure(const PreparedModel& model, const Engine& engine, const Candidate&
 DeliveredError error_of(const PreparedModel& model, const Engine& engine, const Setting& setting,
                         const Reference& reference, std::string& why);
 
-/// A reference without a closed form: power series in __float128, of two orders and in other steps, or extrapolation where a model has none. The finer one is it.
+/// A reference without a closed form: power series in __float128, of two orders and in other steps, or extrapolation where a model has none, or pairs where forces jump. The finer one is it. `engine` has long double, too, where
+/// they do.
 std::optional<Reference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why);
 
 }  // namespace gausssim

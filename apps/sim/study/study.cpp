@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <list>
 #include <optional>
 
@@ -101,6 +102,12 @@ int check_files(const StudyOptions& options) {
 
 int study(const StudyOptions& options) {
   const Interruption interruption;
+  if (options.loosest < options.tightest)
+    throw cli::UsageError(
+        fmt::format("--loosest {:g} is tighter than --tightest {:g}", options.loosest, options.tightest));
+  if (std::filesystem::path(options.output).filename().empty())
+    throw cli::UsageError(
+        fmt::format("-o '{}': a name is missing, to which .json, .csv and .html are added", options.output));
   for (const char* const ending : {".json", ".csv", ".html"}) check_writable(options.output + ending);
   if (options.files.size() > 1) {
     const EndsAtOnce while_it_checks(options.messages);

@@ -117,7 +117,8 @@ class Simulation {
       return;
     }
     // What starts at 0 has no size yet that rates could be compared with: the error is, of a guess that is too long for most.
-    if (step_ <= Scalar(0)) step_ = std::pow(settings_.tolerance, Scalar(1) / Method::order_value) * (end - t_);
+    using std::pow;
+    if (step_ <= Scalar(0)) step_ = pow(settings_.tolerance, Scalar(1) / Method::order_value) * (end - t_);
     if (first_ <= Scalar(0)) control_.set_reach(first_ = std::min(step_, end - t_));
     int refused = 0;
     system_.close(is_held_ && approach_.loses_digits());
@@ -160,11 +161,12 @@ class Simulation {
   /// has less than half of the digits that are asked for.
   template <class OnStep>
   bool crosses(const Array& rates, const Scalar& end, OnStep&& on_step) {
-    const Scalar most = 1 / std::sqrt(settings_.tolerance), step = step_;
+    using std::sqrt;
+    const Scalar most = 1 / sqrt(settings_.tolerance), step = step_;
     Scalar best = most, best_dt = 0;
     State before = state(), after = before;
     const Scalar longest = settings_.longest_step > Scalar(0) ? settings_.longest_step : end - t_;
-    for (const Scalar wanted : approach_.longer_steps()) {
+    for (const Scalar& wanted : approach_.longer_steps()) {
       const Scalar dt = std::min({wanted, longest, end - t_});
       attempt(rates, dt, before, after, most);
       const bool is_whole = integrate::is_motion_known(system_.trouble()) && !jumped_;
@@ -219,7 +221,8 @@ class Simulation {
   bool is_near(const Scalar& dt, const State& before, const State& after, const Scalar& tolerance) const {
     const Array& allowed = control_.allowed(std::max(tolerance, std::numeric_limits<Scalar>::epsilon()), dt);
     for (std::size_t i = 0; i < x_.size(); ++i)
-      if (!(std::abs(after.values[i] - before.values[i]) <= settings_.most_projected * allowed[i])) return false;
+      if (!(integrate::magnitude(after.values[i] - before.values[i]) <= settings_.most_projected * allowed[i]))
+        return false;
     return true;
   }
 
@@ -237,7 +240,7 @@ class Simulation {
     for (std::size_t i = 0; i < x_.size(); ++i) {
       if (!(control_.usual_size(i) > Scalar(0))) continue;
       lost = std::max(lost, changes[i] / control_.usual_size(i));
-      all = std::max(all, std::abs(rates[i]) / control_.usual_size(i));
+      all = std::max(all, integrate::magnitude(rates[i]) / control_.usual_size(i));
     }
     return all > Scalar(0) ? lost / all : Scalar(0);
   }
@@ -258,7 +261,7 @@ class Simulation {
   void reject(const Scalar& dt) {
     ++report_.rejected;
     system_.forget();
-    const Scalar rounding = std::numeric_limits<Scalar>::epsilon() * std::max(first_, std::abs(t_));
+    const Scalar rounding = std::numeric_limits<Scalar>::epsilon() * std::max(first_, integrate::magnitude(t_));
     if (dt > 4 * rounding && step_ > 0) return;
     report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::step_too_small;
   }

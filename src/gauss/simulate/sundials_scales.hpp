@@ -22,7 +22,12 @@ class SundialsScales {
   using Array = integrate::StateArray<Model>;
 
   explicit SundialsScales(const Model& model)
-      : groups_(model), n_q_(Arrays::n_q(model)), scales_(Arrays::zeros(model)), seen_(scales_), sizes_(scales_), first_(scales_) {}
+      : groups_(model),
+        n_q_(Arrays::n_q(model)),
+        scales_(Arrays::zeros(model)),
+        seen_(scales_),
+        sizes_(scales_),
+        first_(scales_) {}
 
   /// For a step from `state`, of a length that is not 0.
   void find(const Model& model, double t, double step, const State& state) {
@@ -44,11 +49,12 @@ class SundialsScales {
   Array allowed(const Settings<double>& settings, double tolerance, double places = 1) const {
     constexpr double k_last_places = 64 * std::numeric_limits<double>::epsilon();
     constexpr double k_of_places = 4 * std::numeric_limits<double>::epsilon();
+    constexpr double k_with_all_digits = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
     Array result = sizes_;
     for (std::size_t i = 0; i < result.size(); ++i) {
       const bool is_speed = i >= n_q_;
       const double smallest = is_speed ? settings.least_speed() : settings.smallest_scale;
-      const double size = std::max({sizes_[i] > 0 ? sizes_[i] : scales_[i], first_[i], smallest});
+      const double size = std::max({sizes_[i] > 0 ? sizes_[i] : scales_[i], first_[i], smallest, k_with_all_digits});
       result[i] = tolerance * (is_speed ? 1 : places) * size + k_last_places * scales_[i];
       if (is_speed) result[i] += k_of_places / std::abs(step_) * groups_.places_of(i, scales_);
       // What will not move, as far as can be seen, has no scale.
@@ -87,10 +93,10 @@ class SundialsScales {
 
   integrate::UnitGroups<Model> groups_;
   std::size_t n_q_;
-  Array scales_;     ///< of groups, for a step of length step_
-  Array seen_;       ///< part of the largest scale so far
-  Array sizes_;      ///< largest so far
-  Array first_;      ///< of what begins with 0
+  Array scales_;  ///< of groups, for a step of length step_
+  Array seen_;    ///< part of the largest scale so far
+  Array sizes_;   ///< largest so far
+  Array first_;   ///< of what begins with 0
   bool has_begun_ = false;
   double step_ = 1;  ///< that scales are for
 };

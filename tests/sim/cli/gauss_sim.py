@@ -27,6 +27,24 @@ forces:
   pull: {potential: k*x^2/2}
 """
 
+# A body that friction stops, at v0^2/(2 mu 9.81): the force jumps there.
+SLIDE = """gauss: 1
+name: slide
+parameters: {m: 1, mu: 0.3, v0: 2}
+coordinates: {x: {initial: 0, initial_rate: v0}}
+particles: {p: {mass: m, position: [x, 0, 0]}}
+forces: {friction: {generalized: {x: "piecewise(dot(x) > 0, -mu*m*9.81, 0)"}}}
+"""
+
+# A push that is shorter than steps of a motion at rest: x(10) = 6.7 w sqrt(pi).
+PUSHED = """gauss: 1
+name: pushed
+parameters: {w: 0.02, m: 1}
+coordinates: {x: {initial: 0, initial_rate: 0}}
+particles: {p: {mass: m, position: [x, 0, 0]}}
+forces: {push: {generalized: {x: "exp(-((t - 3.3)/w)^2)"}}}
+"""
+
 
 class Program(unittest.TestCase):
     """Each test has an empty working folder of its own."""

@@ -135,6 +135,11 @@ class Keeping(Compilers):
             self.assertFalse(self.summary("spring.json")["seconds"]["cached"])
             self.ok(*run, env=self.environment("c++"))
             self.assertTrue(self.summary("spring.json")["seconds"]["cached"])
+        library.unlink()
+        library.mkdir()
+        for is_cached in (False, True):
+            self.ok(*run, env=self.environment("c++"))
+            self.assertEqual(self.summary("spring.json")["seconds"]["cached"], is_cached)
 
 
 class Choosing(Compilers):

@@ -39,7 +39,7 @@ class Defaults(Program):
             points = self.points(model, number)
             default = [p for p in points if p["is_default"]]
             if not points:
-                return []  # there is no reference without series
+                return ["no run has arrived: " + json.loads((self.folder / f"{model.stem}-{number}.json").read_text(encoding="utf-8"))["problems"][0].get("why", "")]
             if not default:
                 return ["the default did not arrive"]
             better = [p for p in points if p["error"] <= default[0]["error"] and MARGIN * p["time_s"] < default[0]["time_s"]]

@@ -133,7 +133,7 @@ class Motions(Ensembles):
 
 class Sameness(Ensembles):
     def test_threads_change_nothing(self):
-        for options in ((), ("--lanes", "1"), ("--every-sample", "--samples", "4"), ("--method", "prince87"), ("--number", "long-double"),
+        for options in ((), ("--lanes", "1"), ("--every-sample", "--samples", "4"), ("--method", "prince87"), ("--number", "long-double"), ("--number", "float"),
                         ("--engine", "interpreted"), ("--projection", "off")):
             tables = {self.bytes_with(SCENE, "--threads", threads, *options) for threads in ("1", "2", "3")}
             self.assertEqual(len(tables), 1, options)

@@ -156,11 +156,11 @@ class Errors(Program):
     def test_a_search_ends_with_its_budget(self):
         """Coulomb's friction holds the bob after a second: each step after that is a short one."""
         begin = time.monotonic()
-        said = self.refused(6, "run", MODELS / "functions.yaml", "--duration", "3", "--error", "1e-3", "--budget", "5")
+        said = self.refused(6, "run", MODELS / "functions.yaml", "--duration", "10", "--error", "1e-3", "--budget", "5")
         self.assertIn("steps become short where a force has a jump or a kink, as by sign(...)", said)
         self.assertNotIn("--budget gives it more", said)
         self.assertLess(time.monotonic() - begin, 60)
-        self.refused(6, "advise", MODELS / "functions.yaml", "--duration", "3", "--error", "1e-3", "--budget", "5")
+        self.refused(6, "advise", MODELS / "functions.yaml", "--duration", "10", "--error", "1e-3", "--budget", "5")
 
     def test_a_smooth_motion_takes_more_time_where_it_gets_more(self):
         self.write("spring.yaml", SPRING)

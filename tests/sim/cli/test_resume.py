@@ -167,6 +167,13 @@ class Resuming(Program):
         self.write("spring.json", json.dumps(summary))
         self.ok("run", "spring.yaml", "-q", "--resume", *BY_STEPS)
 
+    def test_a_summary_that_somebody_has_edited_is_none(self):
+        whole = self.interrupted(*BY_STEPS)
+        for change in ({"samples": "a"}, {"outcome": 3}, {"resume": {**whole["resume"], "end": 7}}, {"resume": 1}, {"steps": -5}, {"reached": 1e9}, {"outcome": "finished"}):
+            with self.subTest(change):
+                self.write("spring.json", json.dumps({**whole, **change}))
+                self.refused(3, "run", "spring.yaml", "-q", "--resume", *BY_STEPS)
+
     def test_a_run_with_an_error_goes_on_with_what_was_found(self):
         asked = ["--error", "1e-6", "--duration", "500", "--samples", "300001", "--method", "prince87"]
         first = self.interrupted(*asked)

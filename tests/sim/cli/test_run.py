@@ -6,7 +6,7 @@ import os
 import subprocess
 import unittest
 
-from gauss_sim import MODELS, PROGRAM, SPRING, Program
+from gauss_sim import MODELS, PROGRAM, PUSHED, SLIDE, SPRING, Program
 
 # Nothing moves, and nothing acts at first.
 DRIVEN = """gauss: 1
@@ -227,6 +227,54 @@ class Writing(Program):
             self.assertLess(max(abs(x - math.pi) for x in self.table("upright.csv")["theta [rad]"]), 10 if number == "float" else 1e-8, number)
         with self.subTest("an error is delivered"):
             self.ok("run", "upright.yaml", "--error", "1e-3", "--budget", "60", "-q")
+
+    def test_where_a_force_jumps_the_estimate_is_by_a_method_that_sees_it(self):
+        self.write("slide.yaml", SLIDE)
+        for method, speed in (("prince87", 0.7), ("dopri5", 3.3), ("bulirsch_stoer", 0.5), ("fehlberg78", 0.7), ("cvode_adams", 10), ("arkode_fehlberg78", 0.7),
+                              ("arkode_bogacki_shampine", 3.3), ("arkode_kvaerno5", 5), ("cvode_bdf", 2), ("rk4", 2)):
+            with self.subTest(method):
+                off = ["--projection", "off"] if method == "cvode_adams" else []
+                said = self.run_it("run", "slide.yaml", "--method", method, "--set", f"v0={speed}", "--outputs", "x", "--samples", "11", "-q", *off).stderr
+                end = speed**2 / (2 * 0.3 * 9.81)
+                error = max(abs(x - (end if t >= speed / 2.943 else speed*t - 2.943*t*t/2)) for t, x in zip(*self.table("slide.csv").values())) / end
+                self.assertLess(error, 3 * self.summary("slide.json")["error_estimate"]["relative"])
+                self.assertEqual("may step over a place where a force jumps, as by piecewise" in said, "fehlberg78" in method or method == "bulirsch_stoer")
+
+    def test_an_energy_that_is_conserved_has_no_range(self):
+        """What a method of few digits makes of it is no motion."""
+        for model, options in (("double_pendulum", ["--method", "cvode_bdf", "--tolerance", "1e-10"]), ("chaplygin_sleigh", ["--method", "arkode_trbdf2", "--tolerance", "1e-10"])):
+            said = self.run_it("run", MODELS / f"{model}.yaml", "-q", *options).stderr
+            self.assertNotIn("it is not this motion", said)
+            self.assertIn("energy.total", self.summary(f"{model}.json")["error_estimate"]["constant"])
+            self.assertLess(self.summary(f"{model}.json")["error_estimate"]["relative"], 1e-3)
+
+    def test_what_grows_out_of_the_smallest_numbers_stops_no_method(self):
+        self.write("pushed.yaml", PUSHED)
+        for method in ("cvode_adams", "cvode_bdf", "arkode_kvaerno5", "arkode_fehlberg78", "arkode_zonneveld"):
+            self.ok("run", "pushed.yaml", "--method", method, "--projection", "off", "--longest-step", "0.01", "--outputs", "x", "-q")
+            self.assertAlmostEqual(self.table("pushed.csv")["x"][-1], 6.7 * 0.02 * math.sqrt(math.pi), delta=1e-5, msg=method)
+
+    def test_times_between_rows_are_those_that_were_asked_for(self):
+        self.ok("run", "spring.yaml", "--every", "0.1", "--duration", "0.3", "-q")
+        self.assertEqual(self.table("spring.csv")["t [s]"], [0, 0.1, 0.2, 0.3])
+
+    def test_closed_forms_may_have_corners(self):
+        for law in ("v*min(t, T)", "v*max(t, 0)", "v*t*sign(t + 1)", "piecewise(t < 0, 0, t < T, v*t, 0)", "v*abs(t)"):
+            self.write("straight.yaml", "gauss: 1\nname: straight\nparameters: {m: 1, v: 2, T: 100}\ncoordinates: {x: {initial: 0, initial_rate: v}}\nparticles: {p: {mass: m, position: [x, 0, 0]}}\n" + f'exact: {{x: "{law}"}}\n')
+            self.assertNotIn("another motion", self.run_it("run", "straight.yaml", "-q").stderr, law)
+            self.assertLess(self.summary("straight.json")["from_closed_forms"]["relative"], 1e-14, law)
+
+    def test_lists_on_a_full_disk_are_an_error_like_others(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            self.assertEqual(subprocess.run([PROGRAM, "methods"], stdout=full, stderr=subprocess.DEVNULL, check=False).returncode, 3)
+
+    def test_all_that_is_wrong_with_an_option_is_said(self):
+        said = self.refused(2, "run", "spring.yaml", "--set", "y=3", "--set", "z=4", "--set", "m=abc")
+        for words in ("no 'y'", "no 'z'", "'abc' is not a parameter"):
+            self.assertIn(words, said)
+        said = self.refused(2, "run", "spring.yaml", "--outputs", "qq,rr")
+        self.assertIn("'qq'", said)
+        self.assertIn("'rr'", said)
 
     def test_a_table_of_another_motion_is_not_left_without_a_word(self):
         """After a minute the tolerance of a double pendulum is all that its angles depend on."""

@@ -208,10 +208,13 @@ exact: {z: 1}
         self.assertIn(":2:8: error[E091]: there is no file 'sprin.yaml'", said)
         self.assertIn("did you mean 'spring.yaml'?", said)
         self.assertIn("nowhere.yaml", self.mistake(SCENE.replace("spring.yaml", "nowhere.yaml")))
+        self.write("other.yaml", SCENE)
+        self.assertIn("scene.yaml:2:8: error[E091]: 'other.yaml' is a scene itself", self.mistake("gauss: 1\nmodel: other.yaml\n"))
 
     def test_what_a_method_does_not_do_is_said_and_nothing_is_written(self):
         self.assertIn("series take full projection", self.refused(2, "run", "spring.yaml", "--method", "taylor", "--projection", "energy"))
-        self.assertIn("it does not compute in float128", self.refused(2, "run", "spring.yaml", "--method", "dopri5", "--number", "float128"))
+        self.assertIn("it does not compute in float128", self.refused(2, "run", "spring.yaml", "--method", "fehlberg78", "--number", "float128"))
+        self.assertIn("the model has no constraints", self.refused(2, "run", "spring.yaml", "--projection", "velocities"))
         self.assertIn("interpreted", self.refused(2, "run", "spring.yaml", "--method", "taylor", "--engine", "interpreted"))
 
     def test_wrong_options_are_usage(self):

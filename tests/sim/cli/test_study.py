@@ -12,7 +12,7 @@ from pathlib import Path
 
 import jsonschema
 
-from gauss_sim import MODELS, PROGRAM, SPRING, Program
+from gauss_sim import MODELS, PROGRAM, PUSHED, Program, SLIDE, SPRING
 
 SCHEMA = jsonschema.Draft7Validator(json.loads((Path(os.environ["GAUSS_SOURCE_DIR"]) / "apps/sim/report/study.schema.json").read_text(encoding="utf-8")))
 
@@ -69,6 +69,50 @@ class Files(Program):
         self.assertIn("wrong.yaml", said)
         self.assertIn("'mq'", said)
         self.assertIn("nowhere.yaml: No such file", said)
+
+    def study_of(self, text, *options):
+        """Points by method and tolerance."""
+        self.write("model.yaml", text)
+        self.write("scene.yaml", "gauss: 1\nscene: s\nmodel: model.yaml\noutputs: [x]\n" + "".join(options))
+        self.ok("study", "scene.yaml", "--methods", "taylor,prince87,dopri5,bulirsch_stoer", "--budget", "4", "-q")
+        [problem] = json.loads((self.folder / "study.json").read_text(encoding="utf-8"))["problems"]
+        return problem, {(p["method"], p["tolerance"]): p for p in problem["points"] if p["status"] == "ok"}
+
+    def test_a_reference_sees_what_acts_for_a_short_time(self):
+        problem, points = self.study_of(PUSHED)
+        self.assertLess(problem["reference"]["agreement"], 1e-12)
+        self.assertAlmostEqual(problem["outputs"][0]["range"], 6.7 * 0.02 * math.sqrt(math.pi), delta=1e-6)
+        self.assertAlmostEqual(points["taylor", 1e-3]["error"], 1, delta=1e-3)  # it steps over the push
+        self.assertLess(points["prince87", 1e-9]["error"], 1e-6)
+        with self.subTest("the longest step of the scene is that of all runs"):
+            _, points = self.study_of(PUSHED, "longest_step: 0.01\n")
+            self.assertLess(points["taylor", 1e-3]["error"], 1e-2)
+            self.assertGreaterEqual(min(p["steps"] for p in points.values()), 1000)
+
+    def test_a_reference_sees_where_a_force_jumps(self):
+        """Extrapolation steps over the stop, in any number of digits."""
+        problem, points = self.study_of(SLIDE.replace("v0: 2", "v0: 0.5"))
+        self.assertLess(problem["reference"]["agreement"], 1e-8)
+        self.assertAlmostEqual(problem["outputs"][0]["range"], 0.25 / (2 * 0.3 * 9.81), delta=1e-6)
+        for method in ("prince87", "dopri5"):
+            self.assertLess(points[method, 1e-9]["error"], 1e-5)
+        self.assertGreater(max(p["error"] for (method, _), p in points.items() if method == "bulirsch_stoer"), 1)
+
+    def test_errors_are_no_less_than_what_the_reference_may_be_off_by(self):
+        problem, points = self.study_of(SLIDE.replace("v0: 2", "v0: 0.5"))
+        self.assertLessEqual(problem["reference"]["agreement"], min(p["error"] for p in points.values()))
+        ask = ("advise", "scene.yaml", "--error", "1e-4", "--study", "study.json")
+        self.ok(*ask)
+        study = json.loads((self.folder / "study.json").read_text(encoding="utf-8"))
+        for reference in (None, {**problem["reference"], "agreement": 1e-5}):
+            study["problems"][0]["reference"] = reference
+            self.write("study.json", json.dumps(study))
+            self.assertIn("the reference of the study is good to", self.refused(6, *ask))
+
+    def test_what_nobody_can_mean_is_refused(self):
+        self.write("spring.yaml", SPRING)
+        self.assertIn("is tighter than", self.refused(2, "study", "spring.yaml", "--loosest", "1e-9", "--tightest", "1e-3"))
+        self.assertIn("a name is missing", self.refused(2, "study", "spring.yaml", "-o", "./"))
 
     def test_where_nothing_can_be_written_nothing_is_measured(self):
         self.write("spring.yaml", SPRING)
