@@ -12,9 +12,12 @@ import json
 import math
 import pathlib
 import subprocess
+import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "bench"))
+from harness import simulation  # noqa: E402
 MODELS = ["sphere_in_cylinder", "sphere_in_cylinder_quaternion", "double_pendulum", "lagrange_top_euler", "lagrange_top", "kepler"]
 COMMON = ["-std=gnu++17", "-O3", "-march=native", "-DNDEBUG", "-Wno-maybe-uninitialized"]
 FLAGS = {
@@ -76,8 +79,7 @@ def main():
             problems = measured(arguments.gauss_gen, flags, arguments.order, folder)
             results[title] = {"flags": " ".join([*COMMON, *flags]), "ratios to fehlberg78": report(title, problems), "problems": problems}
     if arguments.write:
-        text = json.dumps(results, indent=1) + "\n"
-        (ROOT / "bench/results/taylor.json").write_text(text)
+        simulation.write(simulation.TAYLOR, results)
 
 
 if __name__ == "__main__":

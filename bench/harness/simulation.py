@@ -1,4 +1,4 @@
-"""What gauss-sim costs, on the page: driver.py, accuracy_time.py, ensemble.py and delivered.py of bench/ measure it, each into a JSON of its own."""
+"""What gauss-sim costs, on the page: driver.py, accuracy_time.py, ensemble.py, delivered.py, start.py and taylor.py of bench/ measure it, each into a JSON of its own."""
 
 import datetime
 import json
@@ -11,6 +11,8 @@ DRIVER = build.ROOT / "bench/results/driver.json"
 ACCURACY = build.ROOT / "bench/results/accuracy_time.json"
 ENSEMBLE = build.ROOT / "bench/results/ensemble.json"
 DELIVERED = build.ROOT / "bench/results/delivered.json"
+START = build.ROOT / "bench/results/start.json"
+TAYLOR = build.ROOT / "bench/results/taylor.json"
 
 # With AVX2, and nothing that valgrind does not know.
 AVX2 = "x86-64-v3"
@@ -78,7 +80,11 @@ def table(head, rows):
     return "\n".join([lines[0], "|" + "---|" * len(head), *lines[1:]]) + "\n"
 
 
-def targets(driver, accuracy, ensemble, delivered):
+def targets(driver, accuracy, ensemble, delivered, start, taylor):
+    for way, limit in (("interpreted", 0.1), ("compiled the first time", 4), ("compiled before", 0.1)):
+        yield at_most(f"from a command to the table of the ball, {way}", start["seconds"][way], limit, " s")
+    for error, limit in (("1e-09", 0.75), ("1e-11", 0.67)):
+        yield at_most(f"power series to fehlberg78 at {error}, geometric mean of six problems", taylor["contract off"]["ratios to fehlberg78"]["taylor"][error], limit)
     for method, row in driver.get("methods", {}).items():
         yield at_most(f"driver, {method}: time of a call to that by hand", row["time_per_call_to_hand"], 1.1)
         if "instructions_per_call_to_hand" in row:
@@ -185,17 +191,19 @@ def machine_line(*documents):
     return "\n".join(lines) + "\n\n"
 
 
-def block(driver, accuracy, ensemble, delivered):
-    scripts = {"`bench/driver.py`": driver, "`bench/accuracy_time.py`": accuracy, "`bench/ensemble.py`": ensemble, "`bench/delivered.py`": delivered}
+def block(*found):
+    driver, accuracy, ensemble, delivered, start, taylor = found
+    scripts = {"`bench/driver.py`": driver, "`bench/accuracy_time.py`": accuracy, "`bench/ensemble.py`": ensemble, "`bench/delivered.py`": delivered,
+               "`bench/start.py`": start, "`bench/taylor.py`": taylor}
     text = "## Simulations\n\n" + machine_line(*scripts.items())
-    rows = [[one.work, one.target, one.reached, "yes" if one.is_met else "**no**"] for one in targets(driver, accuracy, ensemble, delivered)]
+    rows = [[one.work, one.target, one.reached, "yes" if one.is_met else "**no**"] for one in targets(*found)]
     text += table(["work", "target", "reached", "met"], rows) + "\n" + driver_block(driver)
     text += pendulum_block(accuracy["double_pendulum"]) + ball_block(accuracy["ball"], accuracy["sampling_reactions"])
     return text + ensemble_block(ensemble) + delivered_block(delivered) + "\n"
 
 
 def block_of_files():
-    files = [DRIVER, ACCURACY, ENSEMBLE, DELIVERED]
+    files = [DRIVER, ACCURACY, ENSEMBLE, DELIVERED, START, TAYLOR]
     if not all(file.exists() for file in files):
         return ""
     return block(*(json.loads(file.read_text(encoding="utf-8")) for file in files))
