@@ -217,19 +217,30 @@ void Overrides::check() const {
   }
 }
 
+namespace {
+
+std::string all_of(const std::vector<UsageError>& errors) {
+  std::string text;
+  for (const UsageError& error : errors) text += (text.empty() ? "" : "\n") + std::string(error.what());
+  return text;
+}
+
+}  // namespace
+
 void apply_overrides(const std::vector<std::string>& assignments, model::Model& model) {
   Overrides overrides(model);
-  std::string wrong;
+  std::vector<UsageError> wrong;
   for (const std::string& text : assignments) {
     try {
       const NameAndText given = at_equals("--set", text);
       const std::string option = "--set " + given.name;
       overrides.set(option, given.name, parse_value(option, given.text));
     } catch (const UsageError& error) {
-      wrong += (wrong.empty() ? "" : "\n") + std::string(error.what());
+      wrong.push_back(error);
     }
   }
-  if (!wrong.empty()) throw UsageError(wrong);
+  if (wrong.size() == 1) throw wrong.front();
+  if (!wrong.empty()) throw UsageError(all_of(wrong));
   overrides.check();
 }
 
