@@ -67,12 +67,12 @@ void time_it(const PreparedModel& model, const Engine& engine, const Effort& eff
 }
 
 /// The two runs of a reference, with longest steps that have nothing in common, so that they see what acts for a short time: series of two orders; extrapolation, twice; or where forces jump, which extrapolation may not see, two pairs.
-std::array<Setting, 2> tight_settings(const PreparedModel& model, const Engine& engine) {
+std::array<Setting, 2> tight_settings(const PreparedModel& model, const Engine& engine, double lengthened) {
   Setting fine, other;
   fine.number = other.number = "float128";
   fine.method = other.method = default_method(model, engine, fine.number);
-  fine.longest_step = model.span.duration / k_least_parts;
-  other.longest_step = model.span.duration / k_other_parts;
+  fine.longest_step = lengthened * model.span.duration / k_least_parts;
+  other.longest_step = lengthened * model.span.duration / k_other_parts;
   for (Setting* const one : {&fine, &other})
     if (model.scene.longest_step) one->longest_step = std::min(one->longest_step, *model.scene.longest_step);
   if (fine.method == "taylor") {
@@ -136,14 +136,34 @@ DeliveredError error_of(const PreparedModel& model, const Engine& engine, const 
   return why.empty() ? reference.yardstick.error_of(found.rows) : DeliveredError{};
 }
 
-std::optional<Reference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why) {
-  const auto [fine, other] = tight_settings(model, engine);
-  const RunInRows one = in_rows(model, engine, fine, Meter::none), two = in_rows(model, engine, other, Meter::none);
-  for (const RunInRows* const run : {&one, &two}) {
-    if (run->run.outcome == Outcome::running) continue;
-    why = reason(run->run);
-    return std::nullopt;
+namespace {
+
+/// Both arrive.
+struct TwoRuns {
+  Setting fine, other;
+  RunInRows one, two;
+};
+
+/// Over a place where constraints lose their rank, steps have to be as long as the digits that are lost there ask for: then longer ones are allowed.
+std::optional<TwoRuns> tight_runs(const PreparedModel& model, const Engine& engine, std::string& why) {
+  for (const double lengthened : {1.0, 10.0, 100.0, 1000.0}) {
+    const auto [fine, other] = tight_settings(model, engine, lengthened);
+    TwoRuns both{fine, other, in_rows(model, engine, fine, Meter::none), in_rows(model, engine, other, Meter::none)};
+    why.clear();
+    for (const RunInRows* const run : {&both.one, &both.two})
+      if (run->run.outcome != Outcome::running) why = reason(run->run);
+    if (why.empty()) return both;
+    if (ends_now() || both.one.run.status != gauss::Status::dependent_constraints) return std::nullopt;
   }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Reference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why) {
+  const auto runs = tight_runs(model, engine, why);
+  if (!runs) return std::nullopt;
+  const auto& [fine, other, one, two] = *runs;
   constexpr double k_least_range = 1e-15;
   Reference reference{Yardstick(one.rows, two.rows, model.columns.columns, k_least_range, least_tolerance(fine.number)),
                       "float128",
