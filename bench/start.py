@@ -23,7 +23,7 @@ MODEL = ROOT / "models/sphere_in_cylinder.yaml"
 def seconds_of(gauss_sim, folder, cache, *options):
     """Of the clock."""
     begin = time.monotonic()
-    subprocess.run([gauss_sim, "run", MODEL, "-q", *options], cwd=folder, check=True, env={**os.environ, "XDG_CACHE_HOME": str(cache)})
+    subprocess.run([gauss_sim, "run", MODEL, "-q", *options], cwd=folder, check=True, stderr=subprocess.DEVNULL, env={**os.environ, "XDG_CACHE_HOME": str(cache)})
     return time.monotonic() - begin
 
 
