@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -32,7 +33,22 @@ StudyPoint point_of(const Trial& trial) {
           setting.step,
           trial.error.value,
           trial.seconds,
-          setting.longest_step};
+          setting.longest_step,
+          trial.steps};
+}
+
+/// All methods but series end a step at each sample. Where they do little else, an error is delivered by samples as much as by the tolerance, and in a scene with fewer of them it is not,
+/// unless its steps are as short.
+void keep_steps(StudyPoint& point, const Span& span) {
+  constexpr double k_few = 2;  ///< steps from a sample to the next
+  const auto parts = static_cast<double>(span.samples - 1);
+  if (point.method == "taylor" || point.step > 0 || static_cast<double>(point.steps) >= k_few * parts) return;
+  // Written out with three digits, it is no shorter than what it was, which would take another step.
+  const double between = span.duration / parts;
+  const double unit = std::pow(10.0, std::floor(std::log10(between)) - 2);
+  constexpr double k_rounding = 1e-9;
+  const double longest = std::stod(fmt::format("{:.6g}", std::ceil(between / unit * (1 - k_rounding)) * unit));
+  if (point.longest_step == 0 || point.longest_step > longest) point.longest_step = longest;
 }
 
 std::string in_words(const StudyPoint& point) {
@@ -99,6 +115,7 @@ int advise(const AdviseOptions& options) {
         options.study, *prepared, [&](const std::string& form) { return prepare_form(options, form); }, error, why);
     if (!why.empty()) return cli::fail(why, cli::k_not_delivered, options.messages);
     if (best.step == 0) best.longest_step = prepared->scene.longest_step.value_or(0);
+    keep_steps(best, prepared->span);
     write(options, best, {}, "by " + std::filesystem::path(options.study).filename().string(), prepared->scene.form);
     return cli::k_ok;
   }
@@ -111,8 +128,9 @@ int advise(const AdviseOptions& options) {
   if (!found) return cli::fail(why, cli::k_not_delivered, options.messages);
   std::vector<StudyPoint> tried;
   for (const Trial& trial : found->trials) tried.push_back(point_of(trial));
-  write(options, point_of(found->chosen), tried,
-        fmt::format("reference: {}, good to {:.1e}", found->reference_in_words, found->agreement),
+  StudyPoint best = point_of(found->chosen);
+  keep_steps(best, prepared->span);
+  write(options, best, tried, fmt::format("reference: {}, good to {:.1e}", found->reference_in_words, found->agreement),
         prepared->scene.form);
   return cli::k_ok;
 }

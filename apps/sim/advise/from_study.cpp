@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -19,6 +20,7 @@ namespace cli = gaussgen::cli;
 using Json = nlohmann::json;
 
 constexpr double k_margin = 0.5;
+constexpr double k_most_steps = 1e15;     ///< that anybody has counted
 constexpr double k_agreement = 1.0 / 20;  ///< of the error: what a reference may be off by
 
 std::string text_at(const Json& point, const char* key) {
@@ -41,9 +43,11 @@ bool is_timed(const Json& point) {
 }
 
 StudyPoint point_of(const Json& point) {
-  return {text_at(point, "formulation"), text_at(point, "code"),       text_at(point, "method"),
-          text_at(point, "number"),      text_at(point, "projection"), number_at(point, "tolerance"),
-          number_at(point, "step"),      number_at(point, "error"),    number_at(point, "time_s")};
+  StudyPoint result{text_at(point, "formulation"), text_at(point, "code"),       text_at(point, "method"),
+                    text_at(point, "number"),      text_at(point, "projection"), number_at(point, "tolerance"),
+                    number_at(point, "step"),      number_at(point, "error"),    number_at(point, "time_s")};
+  result.steps = static_cast<long>(std::min(number_at(point, "steps"), k_most_steps));
+  return result;
 }
 
 /// How good the reference is: infinite where there is none.

@@ -14,6 +14,7 @@ namespace gausssim {
 struct StudyPoint {
   std::string formulation, code, method, number, projection;
   double tolerance = 0, step = 0, error = 0, seconds = 0, longest_step = 0;
+  long steps = 0;
 };
 
 /// One of the scene's `formulations`, by name; nothing where it cannot be derived.

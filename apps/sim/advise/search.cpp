@@ -45,7 +45,6 @@ class OneMethod {
   std::optional<Trial> run(Setting setting, double best) {
     double& knob = setting.step > 0 ? setting.step : setting.tolerance;
     const double least = setting.step > 0 ? 0 : least_tolerance(setting.number);
-    // Where samples are closer than steps would be, looser settings are the same ones.
     const double most =
         setting.step > 0 ? prepared_.span.duration / static_cast<double>(prepared_.span.samples - 1) : k_loosest;
     knob = std::min(knob, most);
@@ -57,6 +56,8 @@ class OneMethod {
       const bool delivers = trial.why.empty() && trial.error.value <= goal_;
       if (trial.seconds > (delivers ? k_beaten : k_hopeless) * best) break;
       if (!delivers && knob <= least) break;
+      // Where samples, or stability, are what steps are short by, a looser tolerance brings nothing.
+      if (delivers && found && trial.steps == found->steps) break;
       if (delivers && (!found || trial.seconds < found->seconds)) found = trial;
       if (delivers && trial.error.value >= k_close * goal_) break;
       if (!delivers) loosest_failing = std::min(loosest_failing, knob);
@@ -76,7 +77,7 @@ class OneMethod {
     const TimeLimit limit(k_least_limit + k_sure * k_beaten * best);
     const RunInRows told = in_rows(prepared_, engine_, setting, Meter::none);
     throw_if_ended(whole_);
-    Trial trial{setting, {}, told.run.cpu_seconds, why_not(told.run)};
+    Trial trial{setting, {}, told.run.cpu_seconds, why_not(told.run), told.run.steps};
     if (!trial.why.empty()) return trial;
     trial.error = reference_.error_of(told.rows);
     // The least of some: what is short is disturbed most.
@@ -178,9 +179,11 @@ class Search {
     if (found_.trials.empty() && !prepared_.scene.number) try_in_more_digits(method);
   }
 
+  /// The first that comes as close to the least time as times can be measured.
   const Trial& cheapest() const {
-    return *std::min_element(found_.trials.begin(), found_.trials.end(),
-                             [](const Trial& a, const Trial& b) { return a.seconds < b.seconds; });
+    constexpr double k_alike = 1.1;
+    return *std::find_if(found_.trials.begin(), found_.trials.end(),
+                         [this](const Trial& trial) { return trial.seconds <= k_alike * best_; });
   }
 
   /// An error bounds what constraints drift by, where somebody pays for it.
@@ -192,7 +195,9 @@ class Search {
     setting.projection = Projection::off;
     OneMethod one(prepared_, *engines_.of(setting.number), found_.reference, error_, limit_);
     const auto trial = one.run(setting, projected.seconds);
-    if (trial && k_dear * trial->seconds < projected.seconds) found_.trials.push_back(*trial);
+    if (!trial || k_dear * trial->seconds >= projected.seconds) return;
+    found_.trials.push_back(*trial);
+    best_ = std::min(best_, trial->seconds);
   }
 
   void try_in_more_digits(const std::string& method) {

@@ -143,6 +143,9 @@ std::string hint_for_output(const std::string& name, const Described& model) {
     if (const std::string member = member_with(part, chooser.all()); !member.empty())
       return "did you mean '" + member + "'?";
   }
+  for (const auto& held : model.unit.held) {
+    if (held.name == name) return fmt::format("it is held at {}; the model tells it under `quantities`", held.held_at);
+  }
   const std::string near = gaussgen::support::did_you_mean(name, output_names(model));
   if (!near.empty()) return near;
   return "there are " + gaussgen::support::joined(chooser.groups()) +

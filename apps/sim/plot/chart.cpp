@@ -23,7 +23,8 @@ struct Panel {
   std::string unit;
   std::vector<const TableColumn*> columns;
   Axis axis;
-  double top = 0;             ///< of its frame
+  double top = 0;  ///< of its frame
+  double height = k_panel;
   std::vector<Point> legend;  ///< where its entries begin, by columns
 };
 
@@ -77,7 +78,9 @@ double share_of(const Range& range, double value) {
 
 double across(const Axis& axis, double value) { return k_left + k_inside * share_of(axis.range, value); }
 
-double up(const Panel& panel, double value) { return panel.top + k_panel * (1 - share_of(panel.axis.range, value)); }
+double up(const Panel& panel, double value) {
+  return panel.top + panel.height * (1 - share_of(panel.axis.range, value));
+}
 
 void draw_frame(Svg& svg, const Panel& panel, const Axis& below, bool is_last) {
   for (const Tick& tick : panel.axis.ticks) {
@@ -87,14 +90,14 @@ void draw_frame(Svg& svg, const Panel& panel, const Axis& below, bool is_last) {
   }
   for (const Tick& tick : below.ticks) {
     const double x = across(below, tick.value);
-    svg.line({x, panel.top}, {x, panel.top + k_panel}, "grid");
-    if (is_last) svg.text({x, panel.top + k_panel + 18}, tick.label, "middle", "tick");
+    svg.line({x, panel.top}, {x, panel.top + panel.height}, "grid");
+    if (is_last) svg.text({x, panel.top + panel.height + 18}, tick.label, "middle", "tick");
   }
-  svg.rectangle({k_left, panel.top}, k_inside, k_panel, "frame");
+  svg.rectangle({k_left, panel.top}, k_inside, panel.height, "frame");
   const std::string unit = unit_text(panel.axis, panel.unit);
   const std::string name = panel.columns.size() == 1 ? panel.columns.front()->name + " " : "";
   const std::string title = unit.empty() ? name : name + "[" + unit + "]";
-  svg.text({20, panel.top + k_panel / 2}, title, "middle", "title", -90);
+  svg.text({20, panel.top + panel.height / 2}, title, "middle", "title", -90);
 }
 
 /// A number that is none parts a line.
@@ -147,12 +150,23 @@ void draw(Svg& svg, const Panel& panel, const Axis& below, const TableColumn& x,
   }
 }
 
+bool is_time(const TableColumn& x, const Bonds& bonds) {
+  return bonds.are_there && (bonds.within != nullptr || std::is_sorted(x.values.begin(), x.values.end()));
+}
+
 /// Time ends where the picture does; a path and dots would lie on its frame.
 Range range_across(const TableColumn& x, const Bonds& bonds) {
   const Range range = range_of({&x});
-  const bool is_time = bonds.are_there && (bonds.within != nullptr || std::is_sorted(x.values.begin(), x.values.end()));
-  const double margin = is_time ? 0 : 0.03 * (range.most - range.least);
+  const double margin = is_time(x, bonds) ? 0 : 0.03 * (range.most - range.least);
   return {range.least - margin, range.most + margin};
+}
+
+/// Of a path in one unit: so that a circle is round, unless that makes a strip of it.
+double height_of_path(const Panel& panel, const Axis& below) {
+  constexpr double k_least = k_panel / 2, k_most = k_inside;
+  const auto width = [](const Range& range) { return range.most - range.least; };
+  const double height = k_inside * (width(panel.axis.range) / width(below.range));
+  return height >= k_least && height <= k_most ? height : k_panel;
 }
 
 }  // namespace
@@ -165,10 +179,11 @@ std::string chart(const TableColumn& x, const std::vector<const TableColumn*>& c
   double top = k_top;
   for (Panel& panel : panels) {
     panel.axis = axis_of(range_of(panel.columns), k_ticks_up, false);
+    if (!is_time(x, bonds) && panel.unit == x.unit && !x.unit.empty()) panel.height = height_of_path(panel, below);
     place_legend(panel, top);
-    top = panel.top + k_panel + k_gap;
+    top = panel.top + panel.height + k_gap;
   }
-  const double end = panels.back().top + k_panel;
+  const double end = panels.back().top + panels.back().height;
   Svg svg(k_width, end + k_bottom, title);
   svg.text({k_left, k_top - 16}, title, "start", "title");
   for (const Panel& panel : panels) draw(svg, panel, below, x, bonds, &panel == &panels.back());

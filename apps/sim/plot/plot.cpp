@@ -26,18 +26,26 @@ bool is_in(const std::string& name, const std::string& group) {
   return name.size() == group.size() || name[group.size()] == '.' || name[group.size()] == '[';
 }
 
-std::vector<const TableColumn*> named(const std::vector<TableColumn>& table, const std::string& name,
-                                      const char* option) {
+std::vector<const TableColumn*> named(const std::vector<TableColumn>& table, const std::string& name) {
   std::vector<const TableColumn*> found;
-  std::vector<std::string> names;
   for (const TableColumn& column : table) {
-    names.push_back(column.name);
     if (is_in(column.name, name)) found.push_back(&column);
   }
-  if (!found.empty()) return found;
-  const std::string near = gaussgen::support::did_you_mean(name, names);
-  throw cli::UsageError(fmt::format("{}: the table has no column '{}'; {}", option, name,
-                                    near.empty() ? "there are " + gaussgen::support::joined(names) : near));
+  return found;
+}
+
+/// All that the table does not have are named at once.
+void check_names(const std::vector<TableColumn>& table, const std::vector<std::string>& wanted, const char* option) {
+  std::vector<std::string> names, wrong;
+  for (const TableColumn& column : table) names.push_back(column.name);
+  for (const std::string& name : wanted) {
+    if (!named(table, name).empty()) continue;
+    const std::string near = gaussgen::support::did_you_mean(name, names);
+    wrong.push_back(fmt::format("'{}'{}", name, near.empty() ? "" : fmt::format(" ({})", near)));
+  }
+  if (wrong.empty()) return;
+  throw cli::UsageError(fmt::format("{}: the table has no column {}; there are {}", option,
+                                    fmt::join(wrong, ", and none "), gaussgen::support::joined(names)));
 }
 
 /// What a table of `gauss-sim ensemble` begins with.
@@ -72,7 +80,7 @@ std::vector<const TableColumn*> chosen(const std::vector<TableColumn>& table, co
     if (std::find(result.begin(), result.end(), column) == result.end()) result.push_back(column);
   };
   for (const std::string& name : options.columns) {
-    for (const TableColumn* const column : named(table, name, "--columns")) take(column);
+    for (const TableColumn* const column : named(table, name)) take(column);
   }
   if (!options.columns.empty()) return result;
   // Nobody has asked for time as a line.
@@ -92,8 +100,9 @@ void check_numbers(const TableColumn& column, bool may_have_gaps) {
 
 int draw_plot(const PlotOptions& options) {
   const std::vector<TableColumn> table = plot::read_table(options.file);
-  const TableColumn& across =
-      options.against.empty() ? usual_across(table) : *named(table, options.against, "--against").front();
+  check_names(table, options.columns, "--columns");
+  if (!options.against.empty()) check_names(table, {options.against}, "--against");
+  const TableColumn& across = options.against.empty() ? usual_across(table) : *named(table, options.against).front();
   const std::vector<const TableColumn*> columns = chosen(table, options, across);
   if (columns.empty()) throw cli::UsageError("the table has one column, and nothing to show against it");
   // Trajectories that did not arrive have no outputs.

@@ -17,6 +17,7 @@ struct Trial {
   DeliveredError error;
   double seconds = 0;  ///< of the processor, for one run
   std::string why;     ///< there was no motion
+  long steps = 0;
 };
 
 struct FoundSetting {

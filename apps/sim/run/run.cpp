@@ -15,13 +15,13 @@
 #include "sim/run/build_engine.hpp"
 #include "sim/run/closed_form.hpp"
 #include "sim/run/error_estimate.hpp"
-#include "sim/run/in_rows.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/jumps.hpp"
 #include "sim/run/progress_bar.hpp"
 #include "sim/run/resume.hpp"
 #include "sim/run/settings.hpp"
 #include "sim/run/standstill.hpp"
+#include "sim/run/tighter_runs.hpp"
 #include "version.hpp"
 
 namespace gausssim {
@@ -31,10 +31,7 @@ namespace {
 namespace cli = gaussgen::cli;
 using gauss::simulate::Outcome;
 
-constexpr double k_tighter = 1.0 / 30;       ///< tolerance of the run that tells errors
-constexpr double k_tighter_at_edges = 1e-3;  ///< where a force jumps, errors fall with tolerances by chance
-constexpr int k_longer = 20;                 ///< times what the run took; then a tighter one is given up
-constexpr double k_long_run = 5;             ///< seconds; not made twice unless somebody asks
+constexpr double k_long_run = 5;  ///< seconds; not made again unless somebody asks
 
 std::string csv_path(const RunOptions& options, const PreparedModel& prepared) {
   if (!options.output.empty()) return options.output;
@@ -46,9 +43,11 @@ EarlierRun earlier_run(const std::string& csv, const PreparedModel& prepared, co
   return read_earlier_run(csv, summary_path(csv), prepared, setting);
 }
 
-/// How far a run may be off, and which outputs have no range that this is a part of.
+/// How far a run may be off.
 struct Estimate : DeliveredError {
-  std::vector<std::string> constants;
+  std::vector<std::string> constants = {};  ///< outputs that have no range that this is a part of
+  std::optional<DeliveredError> agreement =
+      std::nullopt;  ///< of the tighter runs that say so; nothing where there is one of them
 };
 
 /// What is known of errors; nothing where it is not.
@@ -80,6 +79,13 @@ nlohmann::ordered_json asked_json(const FoundSetting& found, double error) {
           {"seconds", found.chosen.seconds}};
 }
 
+nlohmann::ordered_json estimate_json(const Estimate& estimate) {
+  nlohmann::ordered_json json{
+      {"relative", estimate.value}, {"output", estimate.output}, {"constant", estimate.constants}};
+  if (estimate.agreement) json["agreement"] = estimate.agreement->value;
+  return json;
+}
+
 nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& setting, const Engine& engine,
                                const Simulated& run, const Times& times, const KnownErrors& errors,
                                const std::optional<FoundSetting>& found) {
@@ -107,8 +113,7 @@ nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& set
   json["rejected"] = run.rejected;
   json["calls"] = run.calls;
   json["jacobians"] = run.jacobians;
-  if (const auto& error = errors.estimate)
-    json["error_estimate"] = {{"relative", error->value}, {"output", error->output}, {"constant", error->constants}};
+  if (const auto& error = errors.estimate) json["error_estimate"] = estimate_json(*error);
   if (const auto& error = errors.from_closed_forms)
     json["from_closed_forms"] = {{"relative", error->value}, {"output", error->output}};
   if (found) json["asked_for"] = asked_json(*found, *prepared.scene.error);
@@ -136,6 +141,16 @@ std::string in_words(const DeliveredError& error) {
   return said(error.value) + " of the range" + (error.output.empty() ? "" : ", largest in " + error.output);
 }
 
+/// Whether it is to be relied on is said where it is not.
+std::string in_words(const Estimate& estimate, bool is_found) {
+  const std::string text = in_words(static_cast<const DeliveredError&>(estimate));
+  if (is_found) return text;
+  if (!estimate.agreement) return text + "; by one tighter run, which no other one confirms";
+  return estimate.agreement->value < estimate.value
+             ? text
+             : fmt::format("{}; by two tighter runs, which agree no better than that", text);
+}
+
 void tell(const RunOptions& options, const PreparedModel& prepared, const Setting& setting, const Engine& engine,
           const Simulated& run, const Times& times, const KnownErrors& errors, const std::optional<FoundSetting>& found,
           const std::string& csv) {
@@ -154,8 +169,8 @@ void tell(const RunOptions& options, const PreparedModel& prepared, const Settin
   if (found)
     text += fmt::format("  asked   for {} of the range; found by trying, against {}\n", said(*prepared.scene.error),
                         found->reference_in_words);
-  text +=
-      fmt::format("  error   {}\n", errors.estimate ? in_words(*errors.estimate) : "not estimated: " + errors.why_none);
+  text += fmt::format("  error   {}\n", errors.estimate ? in_words(*errors.estimate, found.has_value())
+                                                        : "not estimated: " + errors.why_none);
   if (errors.from_closed_forms) text += fmt::format("  exact   off by {}\n", in_words(*errors.from_closed_forms));
   if (run.drift.has_energy)
     text += fmt::format("  energy  changes by {} J of {} J\n", said(run.drift.energy), said(run.drift.energy_scale));
@@ -220,66 +235,12 @@ void warn_of_tolerance(const Setting& setting, const cli::MessageOptions& messag
               messages);
 }
 
-/// Closer to the motion, by other terms. Where samples are closer than steps would be, a tolerance alone changes nothing, nor does a step.
-Setting tighter(Setting setting, const Simulated& run, const PreparedModel& prepared) {
-  const Span& span = prepared.span;
-  setting.most_steps = 0;
-  constexpr double k_shorter = 0.5;
-  const double taken = span.duration / static_cast<double>(std::max(run.steps, 1L));
-  if (setting.tolerance > 0) {
-    setting.tolerance = prepared.edge.empty()
-                            ? k_tighter * setting.tolerance
-                            : std::max(k_tighter_at_edges * setting.tolerance, least_tolerance(setting.number));
-    // What acts for a short time may lie within a step of both.
-    const double longest = std::min(k_shorter * taken, span.duration / k_least_parts);
-    setting.longest_step = setting.longest_step > 0 ? std::min(k_shorter * setting.longest_step, longest) : longest;
-  }
-  if (setting.step > 0) setting.step = k_shorter * std::min(setting.step, taken);
-  return by_other_terms(setting, prepared);
-}
-
-/// Why a run that should be tighter says nothing of errors; empty: it does.
-std::string why_no_yardstick(const Simulated& reference, const Simulated& run) {
-  if (Interruption::is_asked_for()) return "interrupted while a tighter run was made";
-  if (reference.steps == run.steps && reference.calls == run.calls) return "a tighter run takes the same steps";
-  const bool arrives = reference.outcome == Outcome::running || reference.samples >= run.samples;
-  if (arrives) return "";
-  return reference.outcome == Outcome::interrupted
-             ? fmt::format("a tighter run takes {} times as long and more", k_longer)
-             : std::string("a tighter run stops before: ") + gauss::simulate::name(reference.outcome);
-}
-
-/// The same in double, where float has rounded values and times: runs in float do not see what they share.
-const Engine& in_double(const Engine& engine, Engines& engines, Setting& setting) {
-  const Engine* const wide = setting.number == "float" ? engines.of("double") : nullptr;
-  if (wide != nullptr) setting.number = "double";
-  return wide != nullptr ? *wide : engine;
-}
-
-/// What a tighter run makes of errors; nothing, and `why`, where that is no other run, or does not arrive.
-std::optional<Yardstick> yardstick_of(const PreparedModel& prepared, const Engine& own, Engines& engines,
-                                      const Setting& setting, const Simulated& run, const Rows& rows,
-                                      std::string& why) {
-  Setting other = tighter(setting, run, prepared);
-  const Engine& engine = in_double(own, engines, other);
-  // Of a motion that a tighter run takes far longer for, nothing is said.
-  constexpr double k_least_limit = 2;
-  const TimeLimit limit(k_least_limit + k_longer * run.wall_seconds);
-  RunInRows reference = in_rows(prepared, engine, other, Meter::none);
-  why = why_no_yardstick(reference.run, run);
-  if (!why.empty()) return std::nullopt;
-  constexpr double k_of_steps = 1e-9;  ///< nobody knows their tolerance
-  const double tolerance = other.tolerance > 0 ? other.tolerance : k_of_steps;
-  return Yardstick(std::move(reference.rows), rows, prepared.columns.columns, least_range(tolerance),
-                   least_tolerance(setting.number));
-}
-
 /// Why no tighter run is made; empty: one is.
 std::string why_not_estimated(const Simulated& run, bool goes_on) {
   if (goes_on) return "the run went on from an earlier one";
   if (run.was_interrupted) return "the run was interrupted";
   if (run.samples <= 1) return "the motion stopped before the second row";
-  if (run.wall_seconds >= k_long_run) return fmt::format("runs of more than {} s are not made twice", k_long_run);
+  if (run.wall_seconds >= k_long_run) return fmt::format("runs of more than {} s are not made again", k_long_run);
   return "";
 }
 
@@ -292,6 +253,23 @@ DeliveredError error_of(const Rows& rows, const Yardstick& yardstick, const Prep
   const DeliveredError by_steps = yardstick.error_of(rows);
   const DeliveredError by_times = yardstick.change_within(rounding_unit(setting.number) / 2 * latest / between);
   return by_times.value > by_steps.value ? by_times : by_steps;
+}
+
+Estimate estimate_by(const Yardstick& yardstick, const Rows& rows, const PreparedModel& prepared,
+                     const Setting& setting) {
+  return {error_of(rows, yardstick, prepared, setting), yardstick.constants()};
+}
+
+/// What tighter runs make of errors, no less than what these differ by. Nothing: `why`.
+std::optional<Estimate> estimated(const PreparedModel& prepared, const Engine& engine, Engines& engines,
+                                  const Setting& setting, const Simulated& run, const Rows& rows, std::string& why) {
+  const auto tight = tighter_runs(prepared, engine, engines, setting, run, rows, why);
+  if (!tight) return std::nullopt;
+  Estimate result = estimate_by(tight->yardstick, rows, prepared, setting);
+  result.agreement = tight->agreement;
+  if (tight->agreement && tight->agreement->value > result.value)
+    static_cast<DeliveredError&>(result) = *tight->agreement;
+  return result;
 }
 
 DeliveredError from_closed_forms(const ClosedForms& forms, const PreparedModel& prepared, const Setting& setting,
@@ -373,15 +351,13 @@ int run(const RunOptions& options, const FindSetting& find) {
     return cli::fail(simulated.why, is_setting ? cli::k_usage_error : cli::k_motion_stopped, options.messages);
   }
   KnownErrors errors;
-  std::optional<Yardstick> yardstick;
   if (found && !earlier) {
-    yardstick = std::move(found->reference);
+    errors.estimate = estimate_by(found->reference, rows, *prepared, setting);
   } else {
     errors.why_none = why_not_estimated(simulated, earlier.has_value());
     if (errors.why_none.empty())
-      yardstick = yardstick_of(*prepared, *engine, engines, setting, simulated, rows, errors.why_none);
+      errors.estimate = estimated(*prepared, *engine, engines, setting, simulated, rows, errors.why_none);
   }
-  if (yardstick) errors.estimate = Estimate{error_of(rows, *yardstick, *prepared, setting), yardstick->constants()};
   if (const ClosedForms forms(*prepared); forms.are_there() && !earlier)
     errors.from_closed_forms = from_closed_forms(forms, *prepared, setting, rows);
   const std::string text = summary(*prepared, setting, *engine, simulated, times, errors, found).dump(2) + "\n";

@@ -1,0 +1,125 @@
+#include "sim/run/tighter_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/run/in_rows.hpp"
+#include "sim/run/interruption.hpp"
+#include "sim/run/setting.hpp"
+
+namespace gausssim {
+
+namespace {
+
+using gauss::simulate::Outcome;
+
+constexpr double k_tighter = 1e-2;           ///< tolerances, from one run to the next
+constexpr double k_tighter_at_edges = 1e-3;  ///< where a force jumps, errors fall with tolerances by chance
+constexpr double k_shorter = 0.5;            ///< steps
+constexpr double k_other =
+    0.9;  ///< likewise, of runs whose tolerances differ: no step of one ends where steps of the other do
+constexpr double k_agree = 0.25;     ///< of the error of the run, by which two tighter ones may differ
+constexpr double k_of_steps = 1e-9;  ///< nobody knows the tolerance of these
+constexpr int k_longer = 20;         ///< times what the run took; then tighter ones are given up
+constexpr double k_least_limit = 2;  ///< s
+
+class Tightening {
+ public:
+  Tightening(const PreparedModel& prepared, const Engine& engine, Engines& engines, const Setting& setting,
+             const Simulated& run, const Rows& rows)
+      : prepared_(prepared),
+        engine_(&engine),
+        setting_(setting),
+        run_(run),
+        rows_(rows),
+        rounding_(least_tolerance(setting.number)) {
+    // Runs in float do not see what they share: the rounding of values and times.
+    const Engine* const wide = setting.number == "float" ? engines.of("double") : nullptr;
+    if (wide != nullptr) setting_.number = "double", engine_ = wide;
+    begin();
+  }
+
+  std::optional<TighterRuns> look(std::string& why) {
+    const TimeLimit limit(k_least_limit + k_longer * run_.wall_seconds);
+    RunInRows tight = in_rows(prepared_, *engine_, setting_, Meter::none);
+    why = why_no_yardstick(tight.run);
+    if (!why.empty()) return std::nullopt;
+    TighterRuns result{yardstick_of(std::move(tight.rows), rows_), std::nullopt};
+    while (tighten()) {
+      RunInRows next = in_rows(prepared_, *engine_, setting_, Meter::none);
+      if (!arrives(next.run)) break;
+      Yardstick yardstick = yardstick_of(std::move(next.rows), result.yardstick.rows());
+      result.agreement = yardstick.error_of(result.yardstick.rows());
+      result.yardstick = std::move(yardstick);
+      if (result.agreement->value <= k_agree * result.yardstick.error_of(rows_).value) break;
+    }
+    return result;
+  }
+
+ private:
+  /// Closer to the motion, by other terms. Where samples are closer than steps would be, a tolerance alone changes nothing, nor does a step.
+  void begin() {
+    const double duration = prepared_.span.duration;
+    const double taken = duration / static_cast<double>(std::max(run_.steps, 1L));
+    setting_.most_steps = 0;
+    if (setting_.tolerance > 0) {
+      setting_.tolerance *= tighter();
+      // What acts for a short time may lie within a step of both.
+      const double longest = std::min(k_shorter * taken, duration / k_least_parts);
+      double& given = setting_.longest_step;
+      given = given > 0 ? std::min(k_shorter * given, longest) : longest;
+    }
+    if (setting_.step > 0) setting_.step = k_shorter * std::min(setting_.step, taken);
+    setting_ = by_other_terms(setting_, prepared_);
+    if (setting_.tolerance > 0) setting_.tolerance = std::max(setting_.tolerance, least_tolerance(setting_.number));
+  }
+
+  /// Nothing more is gained below rounding.
+  bool tighten() {
+    if (setting_.step > 0) return setting_.step *= k_shorter, true;
+    const double least = least_tolerance(setting_.number);
+    if (setting_.tolerance <= least) return false;
+    setting_.tolerance = std::max(tighter() * setting_.tolerance, least);
+    setting_.longest_step *= k_other;
+    return true;
+  }
+
+  double tighter() const { return prepared_.edge.empty() ? k_tighter : k_tighter_at_edges; }
+
+  bool arrives(const Simulated& tight) const {
+    return !Interruption::is_asked_for() && (tight.outcome == Outcome::running || tight.samples >= run_.samples);
+  }
+
+  /// Empty: it says something of errors.
+  std::string why_no_yardstick(const Simulated& tight) const {
+    if (Interruption::is_asked_for()) return "interrupted while a tighter run was made";
+    if (tight.steps == run_.steps && tight.calls == run_.calls) return "a tighter run takes the same steps";
+    if (arrives(tight)) return "";
+    return tight.outcome == Outcome::interrupted
+               ? fmt::format("a tighter run takes {} times as long and more", k_longer)
+               : std::string("a tighter run stops before: ") + gauss::simulate::name(tight.outcome);
+  }
+
+  Yardstick yardstick_of(Rows rows, const Rows& other) const {
+    const double tolerance = setting_.tolerance > 0 ? setting_.tolerance : k_of_steps;
+    return Yardstick(std::move(rows), other, prepared_.columns.columns, least_range(tolerance), rounding_);
+  }
+
+  const PreparedModel& prepared_;
+  const Engine* engine_;
+  Setting setting_;
+  const Simulated& run_;
+  const Rows& rows_;
+  double rounding_;  ///< of the rows
+};
+
+}  // namespace
+
+std::optional<TighterRuns> tighter_runs(const PreparedModel& prepared, const Engine& engine, Engines& engines,
+                                        const Setting& setting, const Simulated& run, const Rows& rows,
+                                        std::string& why) {
+  return Tightening(prepared, engine, engines, setting, run, rows).look(why);
+}
+
+}  // namespace gausssim

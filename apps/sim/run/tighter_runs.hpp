@@ -1,0 +1,22 @@
+#pragma once
+// What tells how far a run may be off that nothing else is compared with: tighter runs, until two of them agree far better than the run with them.
+
+#include <optional>
+#include <string>
+
+#include "sim/run/engines.hpp"
+#include "sim/run/error_estimate.hpp"
+
+namespace gausssim {
+
+struct TighterRuns {
+  Yardstick yardstick;                      ///< of the tightest
+  std::optional<DeliveredError> agreement;  ///< of the two tightest; nothing where only one arrives
+};
+
+/// Of a run with its rows, by the engine of its setting. Nothing, and `why`: no tighter run is another one, or arrives within some times what the run took.
+std::optional<TighterRuns> tighter_runs(const PreparedModel& prepared, const Engine& engine, Engines& engines,
+                                        const Setting& setting, const Simulated& run, const Rows& rows,
+                                        std::string& why);
+
+}  // namespace gausssim
