@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 
+#include "gauss/simulate/rounding.hpp"
 #include "gauss/simulate/step_control.hpp"
 #include "sim/drive/integrator.hpp"
 #include "sim/drive/odeint_numbers.hpp"
@@ -67,7 +68,7 @@ class BulirschStoer final : public Integrator<S> {
     while (!is_taken && is_running()) {
       const S wanted = settings_.longest_step > S(0) ? std::min(step_, settings_.longest_step) : step_;
       if (shortest_in_a_row_ > k_most_shortest || shortest_ > k_most_edges) return stop(Outcome::step_too_small);
-      const bool arrives = t_ + wanted >= end;
+      const bool arrives = gauss::simulate::arrives(t_, wanted, end);
       is_taken = attempt(arrives ? end - t_ : wanted, arrives ? end : t_ + wanted);
       // What comes after a step that was cut off to arrive is not known better than before it.
       if (is_taken && arrives) step_ = std::max(step_, wanted);

@@ -22,7 +22,9 @@ bool is(const Choice& choice, const char* word) { return choice && choice->text 
 class ChoicesCheck {
  public:
   ChoicesCheck(const Scene& scene, gaussgen::support::Diagnostics& diagnostics)
-      : scene_(scene), diagnostics_(diagnostics), method_(chooses_method(scene) ? nullptr : find_method(scene.method->text)) {}
+      : scene_(scene),
+        diagnostics_(diagnostics),
+        method_(chooses_method(scene) ? nullptr : find_method(scene.method->text)) {}
 
   std::vector<std::string> run() {
     if (method_ != nullptr) check_method();

@@ -234,7 +234,8 @@ EarlierRun earlier_run_of(const Json& said, const std::string& csv, const std::s
   EarlierRun earlier;
   const std::string outcome = said.value("outcome", std::string());
   earlier.is_finished = outcome == "finished";
-  if (!earlier.is_finished && outcome != "interrupted")
+  const bool can_go_on = outcome == "interrupted" || outcome == name(gauss::simulate::Outcome::too_many_steps);
+  if (!earlier.is_finished && !can_go_on)
     throw cli::UsageError(fmt::format("--resume: the motion in '{}' has stopped by itself: {}", csv, outcome));
   earlier.run = run_of(said);
   const auto& last = earlier.run.last_state;

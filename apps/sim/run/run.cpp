@@ -197,11 +197,15 @@ int code_of(const Simulated& run, const PreparedModel& prepared, const std::stri
   if (run.outcome == Outcome::running) return cli::k_ok;
   const std::string why = run.why.empty() ? gauss::simulate::name(run.outcome) : run.why;
   const bool is_by_steps = run.outcome == Outcome::too_many_steps || run.outcome == Outcome::step_too_small;
-  const bool is_at_edge = is_by_steps && !prepared.edge.empty();
+  std::string hint;
+  if (is_by_steps && !prepared.edge.empty())
+    hint = hint_for_edge(prepared.edge);
+  else if (run.outcome == Outcome::too_many_steps && csv != "-")
+    hint = "--resume goes on from the last row, for as many steps again";
   return cli::fail(
       fmt::format("the motion of '{}' stops at t = {:.10g}: {}{}", prepared.model.unit.model_name, run.reached, why,
                   run.status == gauss::Status::ok ? "" : std::string(" (status: ") + gauss::name(run.status) + ")"),
-      cli::k_motion_stopped, messages, is_at_edge ? hint_for_edge(prepared.edge) : "");
+      cli::k_motion_stopped, messages, hint);
 }
 
 /// Of motions that nobody can follow, or not with this tolerance.

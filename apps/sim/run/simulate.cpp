@@ -167,7 +167,8 @@ class Simulator {
     result_.start_component = name_of_component(progress.start_component);
     result_.drift = meter_.drift();
     if (result_.drift.has_energy) result_.start_energy = text_of(meter_.start_energy());
-    const Numbers<S>& last = result_.was_interrupted ? shown_ : integrator.state();
+    const bool can_go_on = result_.was_interrupted || result_.outcome == Outcome::too_many_steps;
+    const Numbers<S>& last = can_go_on ? shown_ : integrator.state();
     for (const S& value : last) result_.last_state.push_back(text_of(value));
     result_.last_row = text_.empty() && earlier_ != nullptr ? earlier_->last_row : text_;
   }

@@ -51,7 +51,7 @@ struct Simulated {
   gauss::Status sample_status = gauss::Status::ok;
   Drift drift;
   double wall_seconds = 0, cpu_seconds = 0;  ///< of the integration, samples included
-  std::vector<std::string> last_state;       ///< all digits
+  std::vector<std::string> last_state;       ///< all digits; of the last sample, where a run can go on from it
   std::string last_row;                      ///< of the table that somebody writes
   std::string start_energy,
       kept_energy;  ///< likewise; that which drift is counted from, and that which projection keeps

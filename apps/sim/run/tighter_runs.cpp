@@ -46,7 +46,7 @@ class Tightening {
     why = why_no_yardstick(tight.run);
     if (!why.empty()) return std::nullopt;
     TighterRuns result{yardstick_of(std::move(tight.rows), rows_), std::nullopt};
-    while (tighten()) {
+    while (tighten() || !result.agreement) {
       RunInRows next = in_rows(prepared_, *engine_, setting_, Meter::none);
       if (!arrives(next.run)) break;
       Yardstick yardstick = yardstick_of(std::move(next.rows), result.yardstick.rows());
@@ -75,14 +75,14 @@ class Tightening {
     if (setting_.tolerance > 0) setting_.tolerance = std::max(setting_.tolerance, least_tolerance(setting_.number));
   }
 
-  /// Nothing more is gained below rounding.
+  /// False: by other steps alone, since no tolerance is below rounding.
   bool tighten() {
     if (setting_.step > 0) return setting_.step *= k_shorter, true;
     const double least = least_tolerance(setting_.number);
-    if (setting_.tolerance <= least) return false;
+    const bool is_tighter = setting_.tolerance > least;
     setting_.tolerance = std::max(tighter() * setting_.tolerance, least);
     setting_.longest_step *= k_other;
-    return true;
+    return is_tighter;
   }
 
   double tighter() const { return prepared_.edge.empty() ? k_tighter : k_tighter_at_edges; }

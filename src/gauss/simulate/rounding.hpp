@@ -1,13 +1,22 @@
-// What rounding of a state makes of a function of it.
+// What rounding of a time makes of a step, and of a state of a function of it.
 // SPDX-License-Identifier: MIT
 #ifndef GAUSS_SIMULATE_ROUNDING_HPP
 #define GAUSS_SIMULATE_ROUNDING_HPP
 
+#include <algorithm>
 #include <cstddef>
 
 #include "gauss/math.hpp"
 
 namespace gauss::simulate {
+
+/// Whether a step leads to `end`, or so near that what is left is no more than rounding of times: where steps have a longest length and a whole number of them leads there, that is no step of its own.
+template <class Scalar>
+bool arrives(const Scalar& t, const Scalar& dt, const Scalar& end) {
+  const auto size_of = [](const Scalar& a) { return a < Scalar(0) ? Scalar(-a) : a; };
+  const Scalar rounding = 8 * Math<Scalar>::epsilon() * std::max(size_of(t), size_of(end));
+  return t + dt >= end - rounding;
+}
 
 /// How far a function of a state changes when the state is rounded otherwise: the smaller of two changes in opposite directions, of eight units in the last place, so that an edge
 /// on one side is none. `apply(state, result)` is false where it has no value. Scalars may be lanes.

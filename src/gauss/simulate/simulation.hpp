@@ -13,6 +13,7 @@
 #include "gauss/integrate/model_decorator.hpp"
 #include "gauss/integrate/odeint.hpp"
 #include "gauss/simulate/report.hpp"
+#include "gauss/simulate/rounding.hpp"
 #include "gauss/simulate/step_control.hpp"
 
 namespace gauss::simulate {
@@ -130,7 +131,7 @@ class Simulation {
       // The controller's step is kept for afterwards when this one is cut off to arrive at `end`.
       if (settings_.longest_step > Scalar(0)) step_ = std::min(step_, settings_.longest_step);
       const Scalar wanted = step_;
-      const bool arrives = t_ + wanted >= end;
+      const bool arrives = simulate::arrives(t_, wanted, end);
       const Scalar dt = arrives ? end - t_ : wanted;
       State before = state(), after = before;
       if (!attempt(rates, dt, before, after)) {

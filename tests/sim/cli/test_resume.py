@@ -48,6 +48,19 @@ class Resuming(Program):
             self.assertEqual(whole[key], parts[key], key)
         self.assertEqual(self.files(), ["spring.csv", "spring.json", "spring.yaml", "whole.csv", "whole.json"])
 
+    def test_a_run_that_has_taken_its_steps_goes_on_with_as_many_again(self):
+        how = ["--method", "rk4", "--step", "1e-3", "--duration", "2", "--samples", "21", "--max-steps", "950"]
+        self.ok("run", "spring.yaml", "-q", "-o", "whole.csv", *how[:-2])
+        said = self.refused(5, "run", "spring.yaml", "-q", *how)
+        self.assertIn("= hint: --resume goes on from the last row", said)
+        self.assertEqual(self.summary("spring.json")["samples"], 10)
+        self.refused(5, "run", "spring.yaml", "-q", "--resume", *how)
+        self.ok("run", "spring.yaml", "-q", "--resume", *how)
+        self.assertEqual((self.folder / "whole.csv").read_bytes(), (self.folder / "spring.csv").read_bytes())
+        with self.subTest("there is nothing to go on with in what has stopped for another reason"):
+            self.write("spring.json", json.dumps({**self.summary("spring.json"), "outcome": "step too small"}))
+            self.assertIn("has stopped by itself: step too small", self.refused(2, "run", "spring.yaml", "-q", "--resume", *how))
+
     def test_steps_by_tolerance_agree_within_it_and_the_energy_is_that_of_the_first_start(self):
         self.ok("run", "spring.yaml", "-q", "-o", "whole.csv", *BY_TOLERANCE)
         first = self.interrupted(*BY_TOLERANCE)

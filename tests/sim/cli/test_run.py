@@ -100,7 +100,7 @@ class Writing(Program):
         self.assertTrue(error is None or error["relative"] > 0.01, error)
 
     def test_why_there_is_no_estimate_is_said(self):
-        for options, why in ((["--method", "rk4", "--step", "100", "--samples", "11"], None), (["--method", "rk4", "--step", "1e-7", "--duration", "9", "--engine", "interpreted"], "runs of more than 5 s are not made twice")):
+        for options, why in ((["--method", "rk4", "--step", "100", "--samples", "11"], None), (["--method", "rk4", "--step", "1e-7", "--duration", "9", "--engine", "interpreted"], "runs of more than 5 s are not made again")):
             with self.subTest(options):
                 said = self.ok("run", "spring.yaml", *options)
                 self.assertRegex(said, rf"\n  error   (not estimated: {why}|.* of the range.*)\n")
@@ -184,6 +184,39 @@ class Writing(Program):
             error = max(abs(x - math.cos(2 * t)) for t, x in zip(table["t [s]"], table["x [m]"])) / 2
             estimate = self.summary("spring.json")["error_estimate"]["relative"]
             self.assertLess(abs(estimate - error), 0.1 * error, method)
+
+    def test_the_estimate_holds_where_samples_are_what_steps_are_short_by(self):
+        """A tolerance says nothing of errors there: these are what steps of that length leave."""
+        for model, method, tolerance, least, most in (("kepler", "prince87", "1e-4", 0.9, 1.1), ("double_pendulum", "prince87", "1e-6", 0.9, 1.1), ("kepler", "bulirsch_stoer", "1e-6", 0.9, 1.1),
+                                                      ("rattleback", "prince87", "1e-8", 0.9, 1.1), ("spherical_pendulum", "prince87", "1e-3", 0.9, 1e3)):
+            with self.subTest((model, method)):
+                path = MODELS / f"{model}.yaml"
+                self.ok("run", path, "--number", "long-double", "--method", "prince87", "--tolerance", "1e-16", "-q", "-o", "tight.csv")
+                self.ok("run", path, "--method", method, "--tolerance", tolerance, "-q", "-o", "loose.csv")
+                said = self.summary("loose.json")["error_estimate"]
+                self.assertLessEqual(self.summary("loose.json")["steps"], 520)
+                error = self.off(self.table("loose.csv"), self.table("tight.csv"), said["constant"])
+                self.assertLess(said["relative"], most * error)
+                self.assertLess(least * error, said["relative"])
+                self.assertLess(said["agreement"], 0.25 * said["relative"])
+
+    @staticmethod
+    def off(table, exact, constants):
+        """The largest difference beside ranges, of what has one."""
+        moving = [head for head in exact if head.split(" [")[0] not in ("t", *constants)]
+        return max(max(abs(a - b) for a, b in zip(table[head], exact[head])) / (max(exact[head]) - min(exact[head])) for head in moving)
+
+    def test_errors_that_no_second_run_confirms_are_said_to_be_such(self):
+        self.assertRegex(self.ok("run", MODELS / "kepler.yaml", "--tolerance", "1e-14"), "of the range, largest in [a-z_]+; by two tighter runs, which agree no better than that")
+        summary = self.summary("kepler.json")["error_estimate"]
+        self.assertGreaterEqual(summary["relative"], summary["agreement"])
+
+    def test_steps_as_long_as_the_time_between_rows_leave_nothing_over(self):
+        """0.02 and its multiples are rounded: what is left of the way is no step."""
+        for method in ("prince87", "bulirsch_stoer", "dopri5"):
+            self.ok("run", MODELS / "kepler.yaml", "--method", method, "--tolerance", "1e-4", "-q", "-o", "without.csv")
+            self.ok("run", MODELS / "kepler.yaml", "--method", method, "--tolerance", "1e-4", "--longest-step", "0.02", "-q", "-o", "with.csv")
+            self.assertEqual(self.summary("with.json")["steps"], self.summary("without.json")["steps"], method)
 
     def test_the_estimate_of_float_sees_what_all_its_runs_round(self):
         """Times and values: two runs in float have these errors in common."""
