@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gauss/integrate/nystrom_stepper.hpp"
 #include "sim/drive/quad.hpp"
 #include "sim/methods/makers.hpp"
 #include "sim/methods/table.hpp"
@@ -50,6 +51,19 @@ std::string why_not_taken(const Method& method, bool has_number, Projection how)
   return {};
 }
 
+/// At the start, as far as a state and one that comes soon tell it; the method looks again on its way.
+template <class S>
+std::string why_not_separable(const Problem<S>& problem) {
+  using Model = MotionModel<S>;
+  const typename Model::State start{problem.start};
+  const gauss::integrate::NystromWatch watch;
+  if (watch.suits(problem.model, problem.t, problem.settings.step, start)) return {};
+  const auto refused = gauss::integrate::refused_by_nystrom(problem.model, problem.t, start);
+  if (refused.outcome != gauss::integrate::StepOutcome::unsuitable) return {};
+  return "it takes only models whose accelerations depend on coordinates alone; gauss_legendre4 is symmetric, too, and "
+         "takes any model";
+}
+
 template <class S>
 Method::Make<S> maker_of(const Method& method) {
   if constexpr (std::is_same_v<S, double>) {
@@ -72,13 +86,11 @@ Made<S> make_integrator(const std::string& name, const MotionModel<S>& model, co
   if (method == table.end()) return why = "there is no method '" + name + "'", nullptr;
   const Method::Make<S> make = maker_of<S>(*method);
   why = why_not_taken(*method, static_cast<bool>(make), settings.projection);
-  if (why.empty()) {
-    why = why_not_projected(model.functions(), settings.projection);
-    if (!why.empty()) why = "no projection of this kind: " + why;
-  } else {
-    why = "method '" + name + "': " + why;
-  }
-  if (!why.empty()) return nullptr;
+  const Problem<S> problem{model, start, t, settings};
+  if (why.empty() && method->info.is_separable) why = why_not_separable(problem);
+  if (!why.empty()) return why = "method '" + name + "': " + why, nullptr;
+  why = why_not_projected(model.functions(), settings.projection);
+  if (!why.empty()) return why = "no projection of this kind: " + why, nullptr;
   Made<S> made = make({model.projecting(settings.projection, t, start), start, t, settings});
   if (!made) why = k_no_series;
   return made;

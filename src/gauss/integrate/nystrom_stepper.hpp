@@ -70,10 +70,26 @@ class NystromWatch {
     for (int k = first; k < end; ++k) {
       if (!is_same_elsewhere(model, t + steps_ahead<typename Model::Scalar>(k) * h, state, here)) return false;
     }
-    return true;
+    return looks_ > 0 || suits_ahead(model, t, k_steps_between * h, state, here);
   }
 
  private:
+  /// A start is in no general position where what depends on speeds is 0 there, as between rods in line: where the motion is about to lead, they are not.
+  template <class Model>
+  static bool suits_ahead(const Model& model, const typename Model::Scalar& t, const typename Model::Scalar& span,
+                          const typename Model::State& state, const typename Model::Derivative& rates) {
+    const std::size_t n_q = StateArrays<Model>::n_q(model);
+    const auto* const rate = std::data(rates.values);
+    const auto* const acceleration = rate + n_q;
+    typename Model::State ahead = state;
+    for (std::size_t i = 0; i < n_q; ++i) {
+      ahead.values[i] += span * (rate[i] + span / 2 * acceleration[i]);
+      ahead.values[n_q + i] += span * acceleration[i];
+    }
+    auto there = StateArrays<Model>::rates(model);
+    return !is_motion_known(model.derivative(t, ahead, there)) || is_same_elsewhere(model, t, ahead, there);
+  }
+
   template <class Scalar>
   static Scalar steps_ahead(int k) {
     return Scalar(1.6180339887498949) * static_cast<Scalar>(1L << k);

@@ -164,6 +164,12 @@ class Writing(Program):
                               (["--tolerance", "1e-20"], "brings nothing")):
             self.assertIn(said, self.run_it("run", "spring.yaml", "-q", *options).stderr)
 
+    def test_methods_that_do_not_take_a_model_leave_nothing(self):
+        """Its rods are in line at the start, where nothing depends on speeds yet."""
+        for method in ("verlet", "mclachlan4", "kahan_li8"):
+            said = self.refused(2, "run", MODELS / "double_pendulum.yaml", "--method", method)
+            self.assertIn(f"method '{method}': it takes only models whose accelerations depend on coordinates alone; gauss_legendre4", said)
+
     def test_automatic_methods_suit_the_projection(self):
         self.ok("run", "spring.yaml", "--projection", "energy", "-q")
         self.assertEqual(self.summary("spring.json")["method"], "prince87")
