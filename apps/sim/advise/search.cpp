@@ -23,7 +23,8 @@ constexpr double k_close = 0.1;     ///< of it: looser is not looked for
 constexpr int k_most_trials = 7;    ///< of a method
 constexpr double k_loosest = 1e-2;  ///< tolerance
 constexpr double k_digits_of_float = 1e-4;
-constexpr double k_few_digits = 1e-5;  ///< from here on methods of low order are tried
+constexpr double k_few_digits = 1e-5;  ///< from here on a method of low order is tried
+constexpr const char* k_method_of_few_digits = "dopri5";
 constexpr double k_beaten =
     10;  ///< times the best so far, where it delivers: looser tolerances will not make up for that
 constexpr double k_hopeless = 3;  ///< times the best so far, at a looser tolerance
@@ -157,7 +158,7 @@ class Search {
     const std::string usual = default_method(prepared_, *engine, number_name(prepared_.scene));
     std::vector<std::string> methods{usual};
     if (usual != k_method_of_any_model) methods.emplace_back(k_method_of_any_model);
-    if (error_ >= k_few_digits) methods.emplace_back("dopri5");
+    if (error_ >= k_few_digits) methods.emplace_back(k_method_of_few_digits);
     for (const std::string& method : methods) try_in(method, number_name(prepared_.scene));
     if (error_ >= k_digits_of_float && !prepared_.scene.number) {
       for (const std::string& method : methods) try_in(method, "float");

@@ -8,6 +8,7 @@
 
 #include "sim/methods/methods.hpp"
 #include "sim/run/setting.hpp"
+#include "sim/scene/choices.hpp"
 
 namespace gausssim {
 
@@ -31,8 +32,8 @@ std::string needs_of(const MethodInfo& method) {
 
 std::vector<std::string> numbers_of(const MethodInfo& method) {
   std::vector<std::string> all;
-  for (const char* const number : {"float", "double", "long-double", "float128"}) {
-    if (computes_in(method, number)) all.emplace_back(number);
+  for (const std::string& number : number_names()) {
+    if (computes_in(method, number)) all.push_back(number);
   }
   return all;
 }

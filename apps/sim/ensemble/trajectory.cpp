@@ -26,9 +26,8 @@ Trajectories<S>::Trajectories(const PreparedModel& prepared, const Engine& engin
       starts_(starts),
       bound_(engine, prepared.model),
       model_(bound_.functions),
-      grid_{S(prepared.span.start), S(prepared.span.start) + S(prepared.span.duration),
-            records_samples ? prepared.span.samples : 1, S(prepared.span.every)},
-      samples_{grid_.start, grid_.end, prepared.span.samples, S(prepared.span.every)},
+      samples_(grid_of<S>(prepared.span)),
+      grid_{samples_.start, samples_.end, records_samples ? samples_.samples : 1, samples_.every},
       records_samples_(records_samples),
       sampler_(engine, prepared.model, prepared.columns, *bound_.functions),
       settings_(method_settings<S>(setting)) {}

@@ -59,7 +59,7 @@ class Trajectories {
   const Starts<S>& starts_;
   Bound<S> bound_;
   MotionModel<S> model_;
-  Grid<S> grid_, samples_;
+  Grid<S> samples_, grid_;
   bool records_samples_;
   Sampler<S> sampler_;
   MethodSettings<S> settings_;

@@ -14,7 +14,7 @@ class InQuads final : public Integrator<Quad> {
   InQuads(const Problem<Quad>& problem, Made<Wide> (*make)(const Problem<Wide>&))
       : model_(MotionModel<Wide>(widened(problem.model.functions()))
                    .projecting(problem.settings.projection, Wide(problem.t), widened(problem.start))),
-        steps_(make({model_, widened(problem.start), Wide(problem.t), settings_in(problem.settings)})) {}
+        steps_(make({model_, widened(problem.start), Wide(problem.t), problem.settings.in<Wide>()})) {}
 
   bool advance_to(const Quad& end) override { return steps_->advance_to(Wide(end)); }
   Quad time() const override { return narrow(steps_->time()); }
@@ -31,17 +31,6 @@ class InQuads final : public Integrator<Quad> {
   }
 
  private:
-  static MethodSettings<Wide> settings_in(const MethodSettings<Quad>& settings) {
-    MethodSettings<Wide> result;
-    result.tolerance = Wide(settings.tolerance);
-    result.step = Wide(settings.step);
-    result.longest_step = Wide(settings.longest_step);
-    result.projection = settings.projection;
-    result.most_steps = settings.most_steps;
-    result.ends = settings.ends;
-    return result;
-  }
-
   mutable Numbers<Quad> shown_;
   MotionModel<Wide> model_;
   Made<Wide> steps_;

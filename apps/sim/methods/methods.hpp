@@ -39,6 +39,12 @@ struct MethodSettings {
   long most_steps = 100'000'000;
   bool (*ends)() = nullptr;  ///< asked before each step: whether none is taken any more
   int order = 0;             ///< of series; 0: by the tolerance
+
+  /// In another number type.
+  template <class To>
+  MethodSettings<To> in() const {
+    return {To(tolerance), To(step), To(longest_step), projection, most_steps, ends, order};
+  }
 };
 
 /// Why a model cannot be projected so; empty where it can.

@@ -62,7 +62,7 @@ class ChoicesCheck {
   /// At the first choice that stands in the scene.
   void refuse(std::initializer_list<const Choice*> choices, const std::string& message) {
     for (const Choice* const choice : choices) {
-      if (!*choice || (*choice)->span.end == 0) continue;
+      if (!*choice || is_of_option((*choice)->span)) continue;
       diagnostics_.error(code::k_conflicting_keys, (*choice)->span, message);
       return;
     }

@@ -119,8 +119,7 @@ Quad ClosedForms::at(const std::string& column, Quad t) const {
 
 Rows ClosedForms::instead_of(const Rows& rows, const PreparedModel& model) const {
   const auto& columns = model.columns.columns;
-  const Quad start(model.span.start);
-  const Grid<Quad> grid{start, start + Quad(model.span.duration), model.span.samples, Quad(model.span.every)};
+  const auto grid = grid_of<Quad>(model.span);
   Rows known = rows;
   for (long k = 0; k < rows.samples(); ++k) {
     std::vector<long double> row;

@@ -5,6 +5,7 @@
 
 #include "sim/drive/integrator.hpp"
 #include "sim/output/sampler.hpp"
+#include "sim/run/times.hpp"
 
 namespace gausssim {
 
@@ -29,6 +30,11 @@ struct Grid {
     return every > S(0) ? start + every * S(k) : start + (end - start) * S(k) / S(samples - 1);
   }
 };
+
+template <class S>
+Grid<S> grid_of(const Span& span) {
+  return {S(span.start), S(span.start) + S(span.duration), span.samples, S(span.every)};
+}
 
 /// How many samples there are in the end. `first`: before it there are those of an earlier run. `on_sample(k, t, values of the state)`: returning false ends it.
 template <class S, class OnSample>

@@ -61,7 +61,7 @@ void check_range_of_numbers(const Scene& scene, const model::Model& model, const
   const std::string message = fmt::format("float does not hold {}", gaussgen::support::joined(beyond));
   const std::string hint = fmt::format("it has numbers from {:.2g} to {:.2g}; choose double",
                                        std::numeric_limits<float>::min(), std::numeric_limits<float>::max());
-  if (scene.number->span.end == 0) throw gaussgen::cli::UsageError("--number: " + message + "; " + hint);
+  if (is_of_option(scene.number->span)) throw gaussgen::cli::UsageError("--number: " + message + "; " + hint);
   diagnostics.error(gaussgen::support::code::k_out_of_range, scene.number->span, message, hint);
 }
 

@@ -155,9 +155,6 @@ Diagnostics without_empty_outputs(const Diagnostics& all) {
   return kept;
 }
 
-/// What options say has no place in the file.
-bool is_option(const Word& word) { return word.span.end == 0; }
-
 gaussgen::model::GivenCounts counts_of(const Scene& scene) {
   gaussgen::model::GivenCounts counts;
   for (const GivenCount& given : scene.counts) counts[given.name.text] = given.count;
@@ -293,7 +290,7 @@ class Preparation {
     options_.counts.erase(unknown.name());
     for (const GivenCount& given : result_.scene.counts) {
       if (given.name.text != unknown.name()) continue;
-      if (is_option(given.name)) throw cli::UsageError(cli::unknown_count(unknown));
+      if (is_of_option(given.name.span)) throw cli::UsageError(cli::unknown_count(unknown));
       const bool has_none = unknown.known().empty();
       const std::string near = gaussgen::support::did_you_mean(unknown.name(), unknown.known());
       in_scene_.error(
@@ -356,7 +353,7 @@ class Preparation {
     const auto& outputs = result_.scene.outputs;
     Diagnostics found;
     result_.columns = choose_columns(model, outputs, found, everything);
-    const bool are_options = !outputs.empty() && is_option(outputs.front());
+    const bool are_options = !outputs.empty() && is_of_option(outputs.front().span);
     std::string wrong;
     for (const auto& one : found.all())
       wrong += fmt::format("{}--outputs: {}; {}", wrong.empty() ? "" : "\n", one.message, one.hint);

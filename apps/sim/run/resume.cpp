@@ -172,28 +172,6 @@ Simulated run_of(const Json& summary) {
   return run;
 }
 
-}  // namespace
-
-Setting setting_of_earlier_run(const std::string& path) {
-  const Json summary = parsed(path);
-  Setting setting;
-  try {
-    setting.method = summary.at("method").get<std::string>();
-    setting.number = summary.at("number").get<std::string>();
-    setting.projection = projection_of(summary.at("projection").get<std::string>());
-    setting.tolerance = summary.value("tolerance", 0.0);
-    setting.step = summary.value("step", 0.0);
-    setting.longest_step = summary.value("longest_step", 0.0);
-  } catch (const Json::exception&) {
-    refuse_summary(path);
-  }
-  const MethodInfo* const method = find_method(setting.method);
-  if (method == nullptr || !computes_in(*method, setting.number)) refuse_summary(path);
-  return setting;
-}
-
-namespace {
-
 /// A summary belongs to the table that ends like this.
 std::string end_of(std::string_view last_row, const std::vector<std::string>& last_state) {
   return gaussgen::support::content_hash(fmt::format("{}{}", last_row, fmt::join(last_state, " ")));
@@ -203,20 +181,6 @@ std::string_view last_line(std::string_view table) {
   const std::size_t before = table.rfind('\n', table.size() - 2);
   return table.substr(before + 1);
 }
-
-}  // namespace
-
-nlohmann::ordered_json resume_json(const PreparedModel& prepared, const Simulated& run) {
-  nlohmann::ordered_json result;
-  result["model"] = identity_of(prepared);
-  result["samples"] = prepared.span.samples;
-  result["end"] = end_of(run.last_row, run.last_state);
-  if (!run.start_energy.empty()) result["start_energy"] = run.start_energy;
-  if (!run.kept_energy.empty()) result["kept_energy"] = run.kept_energy;
-  return result;
-}
-
-namespace {
 
 /// What nobody has edited.
 bool is_sound(const Simulated& run, const Span& span, bool is_finished) {
@@ -250,6 +214,34 @@ EarlierRun earlier_run_of(const Json& said, const std::string& csv, const std::s
 }
 
 }  // namespace
+
+Setting setting_of_earlier_run(const std::string& path) {
+  const Json summary = parsed(path);
+  Setting setting;
+  try {
+    setting.method = summary.at("method").get<std::string>();
+    setting.number = summary.at("number").get<std::string>();
+    setting.projection = projection_of(summary.at("projection").get<std::string>());
+    setting.tolerance = summary.value("tolerance", 0.0);
+    setting.step = summary.value("step", 0.0);
+    setting.longest_step = summary.value("longest_step", 0.0);
+  } catch (const Json::exception&) {
+    refuse_summary(path);
+  }
+  const MethodInfo* const method = find_method(setting.method);
+  if (method == nullptr || !computes_in(*method, setting.number)) refuse_summary(path);
+  return setting;
+}
+
+nlohmann::ordered_json resume_json(const PreparedModel& prepared, const Simulated& run) {
+  nlohmann::ordered_json result;
+  result["model"] = identity_of(prepared);
+  result["samples"] = prepared.span.samples;
+  result["end"] = end_of(run.last_row, run.last_state);
+  if (!run.start_energy.empty()) result["start_energy"] = run.start_energy;
+  if (!run.kept_energy.empty()) result["kept_energy"] = run.kept_energy;
+  return result;
+}
 
 EarlierRun read_earlier_run(const std::string& csv, const std::string& summary, const PreparedModel& prepared,
                             const Setting& setting) {

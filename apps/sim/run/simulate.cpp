@@ -54,8 +54,7 @@ class Simulator {
                     ? std::make_unique<PulledRates<S>>(*functions_, S(setting.gain))
                     : nullptr),
         model_(functions_),
-        grid_{S(prepared.span.start), S(prepared.span.start) + S(prepared.span.duration), prepared.span.samples,
-              S(prepared.span.every)},
+        grid_(grid_of<S>(prepared.span)),
         sampler_(engine, prepared.model, prepared.columns, *functions_),
         meter_(*functions_, prepared.model),
         row_(sampler_.size()) {}

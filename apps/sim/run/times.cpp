@@ -52,7 +52,7 @@ class TimesReader {
         fmt::format("in {}, {:.6g} s later is the same time", is_float ? "float" : "double", between);
     if (scene_.start) return refuse(*scene_.start, "start", why);
     if (scene_.duration) return refuse(*scene_.duration, "duration", why);
-    if (!is_float || scene_.number->span.end == 0) throw gaussgen::cli::UsageError(why);
+    if (!is_float || is_of_option(scene_.number->span)) throw gaussgen::cli::UsageError(why);
     diagnostics_.error(gaussgen::support::code::k_out_of_range, scene_.number->span, why);
   }
 

@@ -13,6 +13,9 @@
 
 namespace gausssim {
 
+/// Whether it is of the command line, and has no place in a file.
+inline bool is_of_option(const gaussgen::support::Span& place) { return place.end == 0; }
+
 /// A value that takes the place of one in the model's file.
 struct Given {
   std::string name;
