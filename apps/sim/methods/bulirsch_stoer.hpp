@@ -153,7 +153,7 @@ class BulirschStoer final : public Integrator<S> {
   gauss::simulate::NotingSystem<Model> system_{model_};
   gauss::simulate::StepControl<Model> control_{model_, settings_.tolerance, system_};
   Scaled scaled_{*this};
-  Stepper stepper_{S(1), S(0), S(1), S(0), settings_.longest_step};
+  Stepper stepper_{S(1), S(0), S(1), S(0)};
   Progress<S> progress_;
 };
 

@@ -54,7 +54,7 @@ class Resuming(Program):
         for more in ([], ["--resume"]):
             stopped = self.run_it("run", "spring.yaml", "-q", *more, *how)
             self.assertEqual(stopped.returncode, 5)
-            self.assertIn("= hint: --resume goes on from the last row", stopped.stderr)
+            self.assertIn("--resume goes on from the last row", stopped.stderr)
         self.ok("run", "spring.yaml", "-q", "--resume", *how)
         self.assertEqual((self.folder / "whole.csv").read_bytes(), (self.folder / "spring.csv").read_bytes())
         with self.subTest("there is nothing to go on with in what has stopped for another reason"):

@@ -200,7 +200,6 @@ class Writing(Program):
                 self.ok("run", path, "--number", "long-double", "--method", "prince87", "--tolerance", "1e-16", "-q", "-o", "tight.csv")
                 self.ok("run", path, "--method", method, "--tolerance", tolerance, "-q", "-o", "loose.csv")
                 said = self.summary("loose.json")["error_estimate"]
-                self.assertLessEqual(self.summary("loose.json")["steps"], 520)
                 error = self.off(self.table("loose.csv"), self.table("tight.csv"), said["constant"])
                 self.assertLess(said["relative"], most * error)
                 self.assertLess(least * error, said["relative"])
