@@ -17,6 +17,7 @@ using gauss::simulate::Outcome;
 constexpr double k_tighter = 1e-2;           ///< tolerances, from one run to the next
 constexpr double k_tighter_at_edges = 1e-3;  ///< where a force jumps, errors fall with tolerances by chance
 constexpr double k_shorter = 0.5;            ///< steps
+constexpr double k_shortest = 0.1;           ///< of the step of the first of them
 constexpr double k_other =
     0.9;  ///< likewise, of runs whose tolerances differ: no step of one ends where steps of the other do
 constexpr double k_agree = 0.25;     ///< of the error of the run, by which two tighter ones may differ
@@ -71,13 +72,14 @@ class Tightening {
       given = given > 0 ? std::min(k_shorter * given, longest) : longest;
     }
     if (setting_.step > 0) setting_.step = k_shorter * std::min(setting_.step, taken);
+    shortest_ = k_shortest * setting_.step;
     setting_ = by_other_terms(setting_, prepared_);
     if (setting_.tolerance > 0) setting_.tolerance = std::max(setting_.tolerance, least_tolerance(setting_.number));
   }
 
-  /// False: by other steps alone, since no tolerance is below rounding.
+  /// False: for the last time, since no tolerance is below rounding, and steps that are so much shorter should have agreed.
   bool tighten() {
-    if (setting_.step > 0) return setting_.step *= k_shorter, true;
+    if (setting_.step > 0) return setting_.step *= k_shorter, setting_.step > shortest_;
     const double least = least_tolerance(setting_.number);
     const bool is_tighter = setting_.tolerance > least;
     setting_.tolerance = std::max(tighter() * setting_.tolerance, least);
@@ -111,7 +113,8 @@ class Tightening {
   Setting setting_;
   const Simulated& run_;
   const Rows& rows_;
-  double rounding_;  ///< of the rows
+  double rounding_;      ///< of the rows
+  double shortest_ = 0;  ///< step
 };
 
 }  // namespace
