@@ -53,6 +53,21 @@ class Plots(Program):
             self.assertAlmostEqual(x, frame["x"] + frame["width"] * t / 10, delta=0.01)
             self.assertAlmostEqual(y, frame["y"] + frame["height"] * (1 - value) / 2, delta=0.01)
 
+    def test_a_circle_is_round(self):
+        turn = [[k / 48, round(2 * math.cos(math.tau * k / 48), 9), round(2 * math.sin(math.tau * k / 48), 9)] for k in range(49)]
+        self.table_of(["t [s]", "x [m]", "y [m]"], turn)
+        points = self.lines(self.picture("table.csv", "--columns", "y", "--against", "x"))["y [m]"][0]
+        width, height = (max(point[i] for point in points) - min(point[i] for point in points) for i in (0, 1))
+        self.assertAlmostEqual(width, height, delta=0.5)
+        with self.subTest("a strip would show nothing"):
+            self.table_of(["t [s]", "x [m]", "y [m]"], [[t, x, y / 1000] for t, x, y in turn])
+            self.assertEqual(self.frames(self.picture("table.csv", "--columns", "y", "--against", "x"))[0]["height"], 200)
+
+    def test_all_wrong_columns_are_named_at_once(self):
+        self.table_of(["t [s]", "psi [rad]"], [[0, 1], [1, 2]])
+        said = self.refused(2, "plot", "table.csv", "--columns", "pis,psi,zeta")
+        self.assertIn("--columns: the table has no column 'pis' (did you mean 'psi'?), and none 'zeta'; there are t, psi", said)
+
     def test_columns_are_chosen_by_name_and_by_group(self):
         self.table_of(["t [s]", "chi [rad]", "energy.kinetic [J]", "energy.total [J]"], [[0, 1, 2, 3], [1, 2, 3, 4]])
         self.assertEqual(list(self.lines(self.picture("table.csv", "--columns", "energy"))), ["energy.kinetic [J]", "energy.total [J]"])
