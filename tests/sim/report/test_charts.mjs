@@ -2,11 +2,13 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import {linearAxis, logAxis, shortSeconds} from '../../../apps/sim/report/web/src/charts/axes.js';
 import {chartsOf} from '../../../apps/sim/report/web/src/charts/all.js';
 import {errorTime} from '../../../apps/sim/report/web/src/charts/error_time.js';
 import {summaryOf} from '../../../apps/sim/report/web/src/charts/summary.js';
 import {k_light} from '../../../apps/sim/report/web/src/look.js';
 import {readStudy} from '../../../apps/sim/report/web/src/study.js';
+import {random} from './sample/random.mjs';
 import {study} from './sample/study.mjs';
 
 const {problems} = readStudy(JSON.stringify(study()));
@@ -61,6 +63,56 @@ test('an error of 0 is drawn at the end of the axis, and the note says so', () =
   assert.match(picture.note, /error of 0 is drawn at the end/);
   const low = picture.option.xAxis.min;
   assert.ok(picture.spots.some((spot) => itemOf(picture, spot).value[0] === low && spot.detail().some(([label, value]) => label === 'error' && value === '0')));
+});
+
+const labelsOf = ({axisLabel}) => axisLabel.customValues.map(axisLabel.formatter);
+const isRound = (value) => [1, 2, 5].some((digit) => Math.abs(Math.log10(value / digit) - Math.round(Math.log10(value / digit))) < 1e-9);
+
+test('a logarithmic axis holds its numbers, with three to ten round labels of one notation, however narrow or wide they are', () => {
+  const rand = random(11);
+  for (let round = 0; round < 2000; ++round) {
+    const low = 10 ** (-40 + 50 * rand());
+    const high = low * 10 ** (rand() < 0.5 ? 2.5 * rand() : 45 * rand());
+    const {axis, at} = logAxis(look, '', [low, high]);
+    const labels = labelsOf(axis);
+    assert.ok(labels.length >= 3 && labels.length <= 10, `${low} ${high}: ${labels}`);
+    assert.ok(axis.min <= at(low) + 1e-8 && at(high) <= axis.max + 1e-8, `${low} ${high}: ${labels}`);
+    assert.ok(axis.axisLabel.customValues.every((value) => isRound(10 ** (value - Math.floor(value)))));
+    assert.equal(new Set(labels.map((label) => label.includes('e'))).size, 1, String(labels));
+    for (const [i, label] of labels.entries()) assert.ok(Math.abs(Math.log10(Number(label.replace(/\u202f/g, ''))) - axis.axisLabel.customValues[i]) < 1e-9, label);
+  }
+});
+
+test('numbers within a decade or two have labels at 1, 2 and 5', () => {
+  assert.deepEqual(labelsOf(logAxis(look, '', [0.0031, 0.0083], {label: shortSeconds}).axis), ['2 ms', '5 ms', '10 ms']);
+  assert.deepEqual(labelsOf(logAxis(look, '', [3, 3]).axis), ['1', '2', '5']);
+  assert.deepEqual(labelsOf(logAxis(look, '', [12, 700]).axis), ['10', '20', '50', '100', '200', '500', '1000']);
+  assert.deepEqual(labelsOf(logAxis(look, '', [0, 2e-7, 1e-6]).axis), ['0', '2e-7', '5e-7', '1e-6']);
+});
+
+test('linear axes have round labels', () => {
+  const labels = (...range) => labelsOf(linearAxis(look, '', ...range));
+  assert.deepEqual(labels({low: 0, high: 7.3}), ['0', '1', '2', '3', '4', '5', '6', '7', '8']);
+  assert.deepEqual(labels({low: 0, high: 7.3, ends: true}), ['0', '1', '2', '3', '4', '5', '6', '7']);
+  assert.deepEqual(labels({low: 0, high: 150}), ['0', '20', '40', '60', '80', '100', '120', '140', '160']);
+  assert.deepEqual(labels({low: 1, high: 2.3, digits: [1, 5]}), ['1', '1.5', '2', '2.5']);
+  assert.deepEqual(labels({low: 1, high: 17, digits: [1, 5]}), ['1', '5', '10', '15', '20']);
+  for (const problem of problems) {
+    const {xAxis} = made(problem, 'digit-cost').option;
+    const [first, ...others] = labelsOf(xAxis).map((label) => Number(label.replace('× ', '')));
+    assert.equal(first, 1);
+    assert.ok([0.1, 0.5, 1, 5].some((step) => others.every((value) => Math.abs(value / step - Math.round(value / step)) < 1e-9) && others.length <= 9), String(others));
+  }
+});
+
+test('tiny ratios of error and tolerance keep two digits', () => {
+  const problem = structuredClone(problems[0]);
+  problem.points.find((point) => point.tolerance === 1e-3 && point.status === 'ok').error = 1.23e-9;
+  const {columns, rows} = made(problem, 'tolerance').table;
+  const {format} = columns.find(({key}) => key === 'ratio');
+  const written = rows.map(({ratio}) => format(ratio)).filter((text) => text !== '–');
+  assert.ok(written.includes('1.2e-6'));
+  assert.ok(written.every((text) => /^\d\.\de-?\d+$/.test(text)), String(written));
 });
 
 test('runs with fixed steps are left out of tolerances, and counted', () => {

@@ -46,7 +46,7 @@ function picture(name, problem, points, look) {
   if (sizes.every((size) => size === 0)) return `${name[0].toUpperCase()}${name.slice(1)}: 0 at all times, in each of ${curves.length} recorded runs.`;
   const y = logAxis(look, `drift of ${name}`, sizes, {gap: 58});
   const end = Math.max(...curves.flatMap((curve) => curve.t));
-  const xAxis = linearAxis(look, 'time of the motion, s', {min: 0, max: end, splitLine: {show: false}});
+  const xAxis = linearAxis(look, 'time of the motion, s', {low: 0, high: end, ends: true}, {splitLine: {show: false}});
   const spots = curves.map((curve, series) => spotsOf(curve, series, name));
   const before = curves.map((_, i) => spots.slice(0, i).reduce((sum, some) => sum + some.length, 0));
   const drawn = curves.map((curve, i) => seriesOf(curve, look, y.at, before[i]));

@@ -1,6 +1,6 @@
 // The table of runs that belongs to charts of single runs. What is alike in all of them is left out, and said in the caption.
 
-import {column, plain, seconds, small} from '../format.js';
+import {column, count, seconds, small} from '../format.js';
 import {k_settings, settingOf} from '../maths/points.js';
 import {statusOf} from './detail.js';
 
@@ -13,9 +13,9 @@ const k_results = [
   {key: 'step', title: 'step (s)', format: (v) => small(v), numeric: true},
   {key: 'error', title: 'error', format: column, numeric: true},
   {key: 'time_s', title: 'time', format: seconds, numeric: true},
-  {key: 'calls', title: 'calls', format: (v) => plain(v), numeric: true},
-  {key: 'steps', title: 'steps', format: (v) => plain(v), numeric: true},
-  {key: 'rejected', title: 'rejected', format: (v) => plain(v), numeric: true},
+  {key: 'calls', title: 'calls', format: count, numeric: true},
+  {key: 'steps', title: 'steps', format: count, numeric: true},
+  {key: 'rejected', title: 'rejected', format: count, numeric: true},
 ];
 
 /** @param {Point[]} points @param {Point[]} front @param {string} caption @param {Column[]} [more] columns before those of results */

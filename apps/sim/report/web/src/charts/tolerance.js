@@ -1,6 +1,6 @@
 // Tolerance asked for against error delivered.
 
-import {factor, isNumber, plain} from '../format.js';
+import {factors, isNumber, plain} from '../format.js';
 import {front, lost, values} from '../maths/points.js';
 import {logAxis} from './axes.js';
 import {frame} from './frame.js';
@@ -34,13 +34,16 @@ function picture(problem, points, look) {
   return {
     option: frame(look, {title: `${problem.name}: tolerance and error`, xAxis: x.axis, yAxis: y.axis, series: marks.series, left: 84}),
     takeaway: takeaway(found), note: note(points.length - asked.length, y.hasZero), spots: marks.spots, height: 440,
-    table: runTable(asked.map(withRatio), best, 'Runs with a tolerance.', [{key: 'ratio', title: 'error / tolerance', format: factor, numeric: true}]),
+    table: tableOf(asked.map(withRatio), best),
     key: {methods: values(found, 'method'), numbers: values(found, 'number'), extra: [
       {label: 'error = tolerance', colour: look.muted, dash: [5, 5]}, {label: 'default setting', colour: look.ink, symbol: 'ring'},
       ...(failed.length > 0 ? [{label: 'failed or refused', colour: look.fault, symbol: 'cross'}] : []),
     ]},
   };
 }
+
+/** @param {(Point & {ratio: number | null})[]} asked @param {Point[]} best */
+const tableOf = (asked, best) => runTable(asked, best, 'Runs with a tolerance.', [{key: 'ratio', title: 'error / tolerance', format: factors(asked.map(({ratio}) => ratio)), numeric: true}]);
 
 const ratioOf = (/** @type {Point} */ point) => Number(point.error) / Number(point.tolerance);
 const withRatio = (/** @type {Point} */ point) => ({...point, ratio: isNumber(point.error) && point.tolerance ? ratioOf(point) : null});

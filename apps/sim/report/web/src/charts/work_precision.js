@@ -11,7 +11,7 @@ import {runTable} from './run_table.js';
 /** @typedef {import('../types.js').Point} Point */
 /** @typedef {import('../types.js').Look} Look */
 /** @typedef {import('../types.js').Picture} Picture */
-/** @typedef {{title: string, of: (point: Point) => any, axis: string, label: (value: number) => string, write: (value: any) => string, fewest: string, caption: string, more: string}} Cost */
+/** @typedef {{title: string, of: (point: Point) => any, axis: string, label?: (value: number) => string, write: (value: any) => string, fewest: string, caption: string, more: string}} Cost */
 
 /** @param {Point[]} points @param {Look} look @param {Cost} cost @returns {Picture | string} */
 export function workPrecision(points, look, cost) {
