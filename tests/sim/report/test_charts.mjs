@@ -5,6 +5,7 @@ import test from 'node:test';
 import {linearAxis, logAxis, shortSeconds} from '../../../apps/sim/report/web/src/charts/axes.js';
 import {chartsOf} from '../../../apps/sim/report/web/src/charts/all.js';
 import {errorTime} from '../../../apps/sim/report/web/src/charts/error_time.js';
+import {freePlace} from '../../../apps/sim/report/web/src/charts/free_label.js';
 import {summaryOf} from '../../../apps/sim/report/web/src/charts/summary.js';
 import {k_light} from '../../../apps/sim/report/web/src/look.js';
 import {readStudy} from '../../../apps/sim/report/web/src/study.js';
@@ -113,6 +114,21 @@ test('tiny ratios of error and tolerance keep two digits', () => {
   const written = rows.map(({ratio}) => format(ratio)).filter((text) => text !== '–');
   assert.ok(written.includes('1.2e-6'));
   assert.ok(written.every((text) => /^\d\.\de-?\d+$/.test(text)), String(written));
+});
+
+test('a label finds the nearest place where no point is, and none where points are everywhere', () => {
+  const area = {left: 0, right: 600, top: 0, bottom: 300};
+  assert.deepEqual(freePlace('default', [300, 150], [], area).map(Math.round), [300, 129], 'above, where nothing is');
+  const rand = random(3);
+  for (let round = 0; round < 300; ++round) {
+    const points = Array.from({length: 60}, () => [600 * rand(), 300 * rand()]);
+    const place = freePlace('default', points[0], points, area);
+    if (!place) continue;
+    for (const [x, y] of points) assert.ok(Math.abs(x - place[0]) > 26 || Math.abs(y - place[1]) > 11, `${place} ${x} ${y}`);
+    assert.ok(place[0] > 24 && place[0] < 576 && place[1] >= 8 && place[1] <= 292);
+  }
+  const everywhere = Array.from({length: 3000}, (_, i) => [(i % 60) * 10, Math.floor(i / 60) * 6]);
+  assert.equal(freePlace('default', [300, 150], everywhere, area), null);
 });
 
 test('runs with fixed steps are left out of tolerances, and counted', () => {

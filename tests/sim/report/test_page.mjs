@@ -100,6 +100,36 @@ test('hovering shows a run, in the colour of its method, where its error and tim
   for (const {middle, hint} of seen) assert.ok(Math.abs(middle[0] - low.middle[0] - decade * Math.log10(Number(low.hint.error) / Number(hint.error))) < 3);
 }));
 
+/** Symbols that a label of a chart lies over, by their paths. */
+const hiddenBy = (found, label) => found.locator('.plot svg').evaluate((svg, text) => {
+  const labels = [...svg.querySelectorAll('text')].filter((one) => one.textContent === text).map((one) => one.getBoundingClientRect());
+  if (labels.length !== 1) return [`${labels.length} labels`];
+  const [{left, right, top, bottom}] = labels;
+  const symbols = [...svg.querySelectorAll('path')].filter((path) => { const {width, height} = path.getBoundingClientRect(); return width > 3 && width < 16 && Math.abs(width - height) < 4; });
+  if (symbols.length < 40) return ['no symbols'];
+  // Boxes of text are higher than its letters.
+  return symbols.filter((path) => { const box = path.getBoundingClientRect(); return box.right > left && box.left < right && box.bottom > top + 2 && box.top < bottom - 2; }).map((path) => path.outerHTML);
+}, label);
+
+for (const width of [1440, 800]) {
+  test(`labels hide no run, ${width} pixels wide`, () => withPage({url, hash: at(first.name), options: {viewport: {width, height: 1000}}}, async (page) => {
+    for (const id of ['error-time', 'error-calls', 'tolerance']) {
+      const found = await section(page, id);
+      for (const label of ['default', 'no result']) assert.deepEqual(await hiddenBy(found, label), [], `${id}: ${label}`);
+      const band = await found.locator('.plot svg path[fill="#f3eeee"]').boundingBox();
+      const label = await found.locator('.plot svg text', {hasText: /^no result$/}).boundingBox();
+      assert.ok(label.y + label.height <= band.y + 3, 'what has no result may stand anywhere in its band');
+    }
+  }));
+}
+
+test('a label stays free when the window changes', () => withPage({url, hash: at(first.name, 'error-time')}, async (page) => {
+  const found = await section(page, 'error-time');
+  await page.setViewportSize({width: 700, height: 900});
+  await page.waitForFunction(() => document.querySelector('main > :not([hidden]) [data-chart="error-time"] .plot svg').getBoundingClientRect().width < 700);
+  assert.deepEqual(await hiddenBy(found, 'default'), []);
+}));
+
 test('arrow keys go from run to run, and say all settings aloud', () => withPage({url, hash: at(first.name, 'error-time')}, async (page) => {
   const found = await section(page, 'error-time');
   await found.locator('.plot').focus();

@@ -168,6 +168,8 @@ export interface Picture {
   table: Table;
   spots: Spot[];
   height?: number;
+  /** What can be placed only where the size is known. */
+  arrange?: (chart: import('echarts/core').EChartsType, option: any) => void;
   /** What symbols and dashes mean. */
   key?: {methods: string[], numbers: string[], extra?: KeyEntry[]};
 }

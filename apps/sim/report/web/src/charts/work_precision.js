@@ -34,7 +34,7 @@ export function workPrecision(points, look, cost) {
     option: frame(look, {title: cost.title, xAxis: x.axis, yAxis: y.axis, series: marks.series, left: 84}),
     takeaway: takeaway(found, failed, cost),
     note: noteOf(x.hasZero, failed.length, points.length - found.length - failed.length, cost),
-    table: runTable(points, best, cost.caption), spots: marks.spots, height: 440,
+    table: runTable(points, best, cost.caption), spots: marks.spots, arrange: marks.arrange, height: 440,
     key: {methods: values(found, 'method'), numbers: values(found, 'number'), extra: extraKey(look, failed.length > 0)},
   };
 }
