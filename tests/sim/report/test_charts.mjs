@@ -5,6 +5,7 @@ import test from 'node:test';
 import {linearAxis, logAxis, shortSeconds} from '../../../apps/sim/report/web/src/charts/axes.js';
 import {chartsOf} from '../../../apps/sim/report/web/src/charts/all.js';
 import {errorTime} from '../../../apps/sim/report/web/src/charts/error_time.js';
+import {apartBy, endLabels} from '../../../apps/sim/report/web/src/charts/end_labels.js';
 import {freePlace} from '../../../apps/sim/report/web/src/charts/free_label.js';
 import {summaryOf} from '../../../apps/sim/report/web/src/charts/summary.js';
 import {k_light} from '../../../apps/sim/report/web/src/look.js';
@@ -145,6 +146,75 @@ test('drifts follow the filters, and invariants of any name have a chart', () =>
   assert.equal(made(problem, 'drift-momentum').table.rows[0].most, 1e-9);
   assert.equal(made(problem, 'drift-energy').table.rows.length, 4);
   assert.equal(made(problem, 'drift-energy', problem.points.filter(({method}) => method === 'taylor')).table.rows.length, 1);
+});
+
+/** Twelve runs of one method, whose drift passes through 0 and is nothing at all now and then. */
+function drifting() {
+  const [problem] = problems;
+  const some = problem.points.filter((point) => point.status === 'ok' && point.number === 'double').slice(0, 12).map((point, i) => ({...point, method: 'taylor', is_default: i === 7}));
+  const t = Array.from({length: 121}, (_, i) => i / 12);
+  const drifts = some.map(({id}, run) => ({point: id, t, energy: t.map((time, i) => i % 40 === 0 ? 0 : i % 17 === 0 ? -1e-61 : 10 ** (run / 2 - 12) * time * Math.sin(7 * time + run))}));
+  return {...problem, points: some, drifts};
+}
+const curvesIn = (picture) => picture.option.series.filter(({type}) => type === 'line');
+
+test('an axis of drifts ends at rounding, whatever single samples are, and says so', () => {
+  const picture = made(drifting(), 'drift-energy');
+  const {min, max, axisLabel} = picture.option.yAxis;
+  assert.ok(min >= -18 && min <= -13 && max > -6 && max < -3, `${min} ${max}`);
+  assert.equal(axisLabel.formatter(min), `≤ 1e${min}`);
+  assert.match(picture.note, new RegExp(`below 1e${min} is drawn at the lower end`));
+  for (const {data} of curvesIn(picture)) for (const {value} of data) assert.ok(value[1] >= min && value[1] <= max);
+  const fine = drifting();
+  fine.points.forEach((point) => { point.number = 'float128'; });
+  fine.drifts.forEach((drift) => { drift.energy = drift.energy.map((value) => 1e-22 * value); });
+  assert.ok(made(fine, 'drift-energy').option.yAxis.min < -33, 'float128 has digits that double has not');
+});
+
+test('a curve of drift is the largest one so far', () => {
+  const problem = drifting();
+  const picture = chartsOf(problem).find(({id}) => id === 'drift-energy').make(problem, problem.points, look, true);
+  const {min} = picture.option.yAxis;
+  for (const {data, name} of curvesIn(picture)) {
+    const {no} = {no: picture.table.rows.findIndex((row) => row.name === name)};
+    for (let i = 1; i < data.length; ++i) assert.ok(data[i].value[1] >= data[i - 1].value[1]);
+    assert.equal(data[data.length - 1].value[1], Math.max(min, Math.log10(picture.table.rows[no].most)));
+  }
+});
+
+test('runs of one method drift in colours of their own, few at first and all on demand', () => {
+  const problem = drifting();
+  const chart = chartsOf(problem).find(({id}) => id === 'drift-energy');
+  const [few, all] = [false, true].map((more) => chart.make(problem, problem.points, look, more));
+  assert.deepEqual([few, all].map((picture) => picture.more), [{drawn: 6, all: 12, word: 'curves'}, {drawn: 12, all: 12, word: 'curves'}]);
+  assert.deepEqual([few, all].map((picture) => curvesIn(picture).length), [6, 12]);
+  assert.equal(new Set(curvesIn(all).map(({lineStyle}) => lineStyle.color)).size, 12);
+  assert.equal(few.table.rows.length, 12);
+  assert.match(few.note, /6 of 12 curves are drawn/);
+  const ranks = few.key.extra.map(({label}) => Number(label.split(':')[0]));
+  const usual = 12 - 7;  // of twelve that grow, the eighth
+  assert.ok(ranks.includes(1) && ranks.includes(12) && ranks.includes(usual), String(ranks));
+  const colours = (picture) => Object.fromEntries(picture.key.extra.map(({label, colour}) => [label, colour]));
+  for (const [label, colour] of Object.entries(colours(few))) assert.equal(colours(all)[label], colour, 'the same with more of them');
+  const left = chart.make(problem, problem.points.slice(3), look, true);
+  const byName = (picture) => new Map(curvesIn(picture).map(({lineStyle}) => [lineStyle.color, 1]));
+  for (const colour of byName(left).keys()) assert.ok(byName(all).has(colour), 'the same under filters');
+});
+
+test('numbers at the ends of curves are a line apart, in their order, and those of one place together', () => {
+  const labels = made(drifting(), 'drift-energy').option.series.at(-1).data;
+  assert.ok(labels.length > 3);
+  assert.deepEqual(apartBy([5, 4.9, 4.8, 1], 0.5, [0, 10]), [5, 4.5, 4, 1]);
+  assert.deepEqual(apartBy([0.2, 0.1, 0.05], 0.5, [0, 10]), [1, 0.5, 0]);
+  const together = endLabels(look, [{text: '1', x: 1, y: 3}, {text: '2', x: 1, y: 3}, {text: '3', x: 1, y: 1}], [0, 5], 340).data;
+  assert.deepEqual(together.map(({label, value}) => [label.formatter, value[1]]), [['1, 2', 3], ['3', 1]]);
+});
+
+test('runs are named by what they do not have in common', () => {
+  const {table} = made(drifting(), 'drift-energy');
+  assert.match(table.caption, /All: double/);
+  assert.ok(table.rows.every(({name}) => /^taylor/.test(name) && !/double/.test(name)));
+  assert.equal(new Set(table.rows.map(({rank}) => rank)).size, 12);
 });
 
 test('comparisons name the fastest, and by how much', () => {

@@ -147,6 +147,23 @@ test('arrow keys go from run to run, and say all settings aloud', () => withPage
   await found.locator('.hint-text').waitFor({state: 'hidden'});
 }));
 
+test('curves that are left out at first come by a button, and go again', () => {
+  const some = first.points.filter(({status, error}) => status === 'ok' && error > 0).slice(0, 9);
+  const t = Array.from({length: 50}, (_, i) => i / 5);
+  const drifts = some.map(({id}, run) => ({point: id, t, energy: t.map((time) => time * 10 ** (run - 14))}));
+  return withPage({url: fileOf({...study, problems: [{...first, drifts}]}), hash: at(first.name, 'drift-energy')}, async (page) => {
+    const found = await section(page, 'drift-energy');
+    const curves = () => found.locator('.key li').count();
+    assert.equal(await curves(), 6);
+    await found.getByRole('button', {name: 'Draw all 9 curves'}).click();
+    assert.equal(await curves(), 9);
+    await page.keyboard.press('Enter');  // the button has kept the focus
+    assert.equal(await curves(), 6);
+    assert.equal((await rowsOf(found)).length, 9);
+    for (const [i, number] of ['1', '9'].entries()) assert.equal(await found.locator('.plot svg text', {hasText: new RegExp(`^${number}$`)}).count(), 1, String(i));
+  });
+});
+
 test('filters act on all charts and tables, and can be taken back', () => withPage({url, hash: at(first.name, 'error-time')}, async (page) => {
   const here = page.locator('main > :not([hidden])');
   const found = await section(page, 'error-time');
