@@ -23,7 +23,7 @@ const columnOf = (value) => value === null ? '–' : value.toExponential(1).repl
 
 test('the page is one file that opens with a summary of all problems', () => withPage({url}, async (page) => {
   assert.deepEqual(await page.locator('.problems a').allTextContents(), ['Summary', ...study.problems.map(({name}) => name)]);
-  const matrix = await rowsOf(page.locator('.summary > .scroll'));
+  const matrix = await rowsOf(page.locator('.summary > .short'));
   assert.equal(matrix.length, study.problems.length);
   for (const [i, {points}] of study.problems.entries()) {
     const best = points.filter((p) => p.status === 'ok' && p.error <= 1e-6).sort((a, b) => a.time_s - b.time_s)[0];
@@ -261,6 +261,29 @@ test('a picture of the page is not blank', () => withPage({url, hash: at(first.n
 test('a narrow window needs no scrolling to the side', () => withPage({url, hash: at(first.name), options: {viewport: {width: 390, height: 800}}}, async (page) => {
   for (const id of ['error-time', 'digit-cost', 'builds']) await section(page, id);
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+}));
+
+test('a table that is cut off shows on which side it goes on, and keys scroll it', () => withPage({url, hash: at(first.name, 'error-time'), options: {viewport: {width: 1300, height: 1000}}}, async (page) => {
+  const frame = (await section(page, 'error-time')).locator('.sideways');
+  const shadows = () => frame.evaluate((node) => ['::before', '::after'].map((part) => Number(getComputedStyle(node, part).opacity)));
+  const shown = async (wanted) => {
+    await page.waitForFunction(([node, sides]) => ['::before', '::after'].every((part, i) => Number(getComputedStyle(node, part).opacity) === sides[i]), [await frame.elementHandle(), wanted]);
+    assert.deepEqual(await shadows(), wanted);
+  };
+  const region = frame.getByRole('region');
+  const hint = frame.locator('xpath=..').locator('.sideways-hint');
+  assert.ok(await region.evaluate(({scrollWidth, clientWidth}) => scrollWidth > clientWidth), 'else there is nothing to test');
+  await shown([0, 1]);
+  assert.match(await hint.textContent(), /scroll it sideways/);
+  assert.ok(await hint.isVisible());
+  await region.focus();
+  await page.keyboard.press('ArrowRight');
+  await shown([1, 1]);
+  await region.evaluate((node) => { node.scrollLeft = node.scrollWidth; });
+  await shown([1, 0]);
+  const fits = (await section(page, 'lanes')).locator('.sideways');
+  assert.equal(await fits.evaluate((node) => node.className), 'sideways');
+  assert.equal(await fits.locator('xpath=..').locator('.sideways-hint').isVisible(), false);
 }));
 
 test('paper has all problems, charts and tables, and is light', () => withPage({url: fileOf({...study, problems: study.problems.slice(1, 3)}), options: {colorScheme: 'dark'}}, async (page) => {
