@@ -8,6 +8,7 @@ import {errorTime} from '../../../apps/sim/report/web/src/charts/error_time.js';
 import {apartBy, endLabels} from '../../../apps/sim/report/web/src/charts/end_labels.js';
 import {freePlace} from '../../../apps/sim/report/web/src/charts/free_label.js';
 import {summaryOf} from '../../../apps/sim/report/web/src/charts/summary.js';
+import {tally} from '../../../apps/sim/report/web/src/maths/points.js';
 import {k_light} from '../../../apps/sim/report/web/src/look.js';
 import {readStudy} from '../../../apps/sim/report/web/src/study.js';
 import {random} from './sample/random.mjs';
@@ -135,8 +136,27 @@ test('a label finds the nearest place where no point is, and none where points a
 test('runs with fixed steps are left out of tolerances, and counted', () => {
   const picture = made(problems[0], 'tolerance');
   const fixed = problems[0].points.filter(({tolerance}) => tolerance === null).length;
-  assert.match(picture.note, new RegExp(`^${fixed} runs with steps of one length`));
+  const runs = problems[0].points.filter(({tolerance, status}) => tolerance === null && status !== 'refused').length;
+  assert.match(picture.note, new RegExp(`^${runs} runs with steps of one length`));
   assert.equal(picture.spots.length, problems[0].points.length - fixed);
+});
+
+test('all counts of runs are those of runs that were begun', () => {
+  const [problem] = problems;
+  const of = (status) => problem.points.filter((point) => point.status === status).length;
+  const [arrived, stopped, refused] = ['ok', 'failed', 'refused'].map(of);
+  assert.ok(arrived > 100 && stopped > 3 && refused > 3);
+  const {runs, unmade, ...rest} = tally(problem.points);
+  assert.deepEqual([runs, rest.arrived, rest.stopped, unmade], [arrived + stopped, arrived, stopped, refused]);
+  for (const id of ['error-time', 'error-calls']) {
+    const {takeaway, table} = made(problem, id);
+    assert.match(takeaway, new RegExp(`${stopped} of ${runs} runs have no result: ${stopped} stopped on the way\\. ${refused} settings beside them were not run`));
+    assert.match(table.caption, new RegExp(`The last ${refused} rows are settings that were not run`));
+    assert.ok(table.rows.slice(-refused).every(({status}) => status === 'refused'));
+  }
+  const {takeaway} = summaryOf(problems).make(problem, [], look);
+  const all = problems.flatMap(({points}) => points);
+  assert.match(takeaway.replace(/\u202f/g, ''), new RegExp(`${all.filter(({status}) => status === 'ok').length} of ${all.filter(({status}) => status !== 'refused').length} runs have a result; ${all.filter(({status}) => status === 'refused').length} more settings were not run`));
 });
 
 test('drifts follow the filters, and invariants of any name have a chart', () => {

@@ -170,8 +170,14 @@ test('filters act on all charts and tables, and can be taken back', () => withPa
   const before = await found.locator('.takeaway').textContent();
   assert.match(before, /taylor/);
   await here.getByRole('checkbox', {name: /taylor/}).uncheck();
-  const left = first.points.filter(({method}) => method !== 'taylor').length;
-  assert.equal(await here.getByRole('status').first().textContent(), `${left} of ${first.points.length} runs`);
+  const runs = first.points.filter(({status}) => status !== 'refused');
+  const left = runs.filter(({method}) => method !== 'taylor').length;
+  assert.equal(await here.getByRole('status').first().textContent(), `${left} of ${runs.length} runs`);
+  const facts = await here.locator('.facts').textContent();
+  assert.ok(facts.includes(`runs${runs.length}, ${runs.filter(({status}) => status === 'ok').length} of them with a result; `), facts);
+  assert.ok(facts.includes(`not run${first.points.length - runs.length} settings`), facts);
+  const counts = await here.locator('[data-filter="method"] small').allTextContents();
+  assert.equal(counts.reduce((sum, text) => sum + Number(text), 0), runs.length);
   assert.notEqual(await found.locator('.takeaway').textContent(), before);
   assert.equal((await rowsOf(found)).filter(({method}) => method === 'taylor').length, 0);
   assert.ok((await rowsOf(found))[0].marks.includes('front'), 'the front is that of the runs that are left');
