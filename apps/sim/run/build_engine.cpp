@@ -25,6 +25,10 @@ std::string scalar_of(const std::string& number) {
   return number == "long-double" ? "long double" : number == "float128" ? "__float128" : number;
 }
 
+std::string number_of(const std::string& scalar) {
+  return scalar == "long double" ? "long-double" : scalar == "__float128" ? "float128" : scalar;
+}
+
 std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice choice,
                                      const std::vector<std::string>& scalars, EngineTimes& times, std::string& why) {
   auto interpreted = std::make_unique<InterpretedEngine>(prepared.model.tree);

@@ -27,4 +27,7 @@ void warn_of_interpreting(const EngineTimes& times, const gaussgen::cli::Message
 /// "long-double" of scenes is "long double".
 std::string scalar_of(const std::string& number);
 
+/// And back: what C++ calls a number type has no place in what users read.
+std::string number_of(const std::string& scalar);
+
 }  // namespace gausssim

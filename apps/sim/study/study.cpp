@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <list>
 #include <optional>
@@ -48,13 +49,17 @@ std::string in_words(const Point& point, const Problem& problem) {
   return form.code == "optimised" ? text : text + ", " + form.code;
 }
 
+/// What was refused was never begun: wherever runs are counted, it is none.
+std::ptrdiff_t runs_of(const Problem& problem) {
+  return std::count_if(problem.points.begin(), problem.points.end(),
+                       [](const Point& point) { return point.status != PointStatus::refused; });
+}
+
 void tell(const Problem& problem) {
-  const auto made = std::count_if(problem.points.begin(), problem.points.end(),
-                                  [](const Point& point) { return point.status != PointStatus::refused; });
   const bool is_short = std::any_of(problem.points.begin(), problem.points.end(),
                                     [](const Point& point) { return point.why == k_beyond_time; });
   std::string text =
-      fmt::format("{}: {} runs{}, reference good to {:.1e}\n", problem.name, made,
+      fmt::format("{}: {} runs{}, reference good to {:.1e}\n", problem.name, runs_of(problem),
                   problem.was_interrupted ? " until it was interrupted" : "", problem.reference.agreement);
   for (const double error : {1e-3, 1e-6, 1e-9, 1e-12}) {
     const Point* const best = cheapest(problem.points, error);
@@ -67,8 +72,8 @@ void tell(const Problem& problem) {
 }
 
 int say_interrupted(const std::vector<Problem>& problems, const StudyOptions& options) {
-  std::size_t runs = 0;
-  for (const Problem& problem : problems) runs += problem.points.size();
+  std::ptrdiff_t runs = 0;
+  for (const Problem& problem : problems) runs += runs_of(problem);
   cli::remark(fmt::format("interrupted: the study has {} runs, of {} of {} problems", runs, problems.size(),
                           options.files.size()),
               options.messages);

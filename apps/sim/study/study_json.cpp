@@ -70,10 +70,16 @@ Json point_json(const Point& point, const Problem& problem) {
   return json;
 }
 
+std::string numbers_of(const Form& form) {
+  std::vector<std::string> names;
+  for (const std::string& scalar : form.scalars) names.push_back(number_of(scalar));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 Json build_json(const Form& form) {
   const bool is_usual = form.code == "optimised";
   return {{"formulation", is_usual ? form.formulation : form.formulation + ", " + form.code},
-          {"number", fmt::format("{}", fmt::join(form.scalars, ", "))},
+          {"number", numbers_of(form)},
           {"generate_s", number(form.model.generate_seconds)},
           {"compile_s", form.times.was_cached || !form.engine ? Json(nullptr) : number(form.times.compile)},
           {"operations", form.model.operations > 0 ? Json(form.model.operations) : Json(nullptr)}};

@@ -145,8 +145,9 @@ class Interruption(Program):
         self.assertIs(study["interrupted"], True)
         self.assertEqual([problem["name"] for problem in study["problems"]], ["spring"])
         self.assertTrue(any(point["status"] == "ok" for point in points))
-        self.assertIn(f"interrupted: the study has {len(points)} runs, of 1 of 2 problems", said)
-        self.assertIn(f"spring: {len(points)} runs until it was interrupted", table)
+        runs = sum(point["status"] != "refused" for point in points)
+        self.assertIn(f"interrupted: the study has {runs} runs, of 1 of 2 problems", said)
+        self.assertIn(f"spring: {runs} runs until it was interrupted", table)
         self.assertIn('"interrupted":true', (self.folder / "study.html").read_text(encoding="utf-8"))
         with open(self.folder / "study.csv", encoding="utf-8", newline="") as file:
             self.assertEqual(len(list(csv.DictReader(file))), len(points))
@@ -254,6 +255,9 @@ class Formulations(Program):
                 self.assertAlmostEqual(x * fy - y * fx, 0, places=3)
         with self.subTest("operations of each build"):
             self.assertTrue(all(build["operations"] > 0 for build in problem["builds"]))
+        with self.subTest("builds call number types as points do"):
+            named = {number for build in problem["builds"] for number in build["number"].split(", ")}
+            self.assertEqual(named, {"float", "double", "long-double", "float128"})
 
     def test_however_little_time_is_left_runs_are_measured_whole(self):
         """So that steps of one length take about the same time, in points of many and of few."""

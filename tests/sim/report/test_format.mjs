@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {column, factor, plain, power, seconds, small, times} from '../../../apps/sim/report/web/src/format.js';
+import {alike, column, count, factors, plain, seconds, small, times} from '../../../apps/sim/report/web/src/format.js';
 import {csv, tabbed} from '../../../apps/sim/report/web/src/ui/csv.js';
 
 const all = (write, cases) => { for (const [value, text] of cases) assert.equal(write(value), text, String(value)); };
@@ -12,7 +12,7 @@ test('errors keep their power of ten, and no digits that say nothing', () => {
 });
 
 test('what is no number is a dash', () => {
-  for (const write of [small, plain, seconds, column, factor, times]) for (const value of [null, undefined, NaN, Infinity, '7']) assert.equal(write(value), '–');
+  for (const write of [small, plain, seconds, column, count, factors([1]), factors([1e9]), times]) for (const value of [null, undefined, NaN, Infinity, '7']) assert.equal(write(value), '–');
 });
 
 test('times have the prefix that leaves one to three digits before the point', () => {
@@ -25,11 +25,19 @@ test('counts are whole and grouped, other numbers have three digits', () => {
 
 test('columns keep their digits, so that points stand below each other', () => {
   all(column, [[6e-13, '6.0e-13'], [0, '0'], [1.26e-3, '1.3e-3']]);
-  all(factor, [[1.3, '1.30'], [12.44, '12.4'], [150, '150']]);
+  all(count, [[1234567, '1\u202f234\u202f567'], [12, '12'], [0, '0']]);
 });
 
-test('labels of axes are powers of ten', () => {
-  all(power, [[1e-6, '1e-6'], [1, '1'], [0.1, '0.1'], [1e5, '1e5']]);
+test('factors have two digits at least, and one notation for a column', () => {
+  all(factors([1.3, null, 0.012]), [[1.3, '1.30'], [12.44, '12.4'], [150, '150'], [0.0123, '0.012'], [0.5, '0.50'], [0.9999, '1.00'], [0, '0']]);
+  all(factors([1.3, 2.6e-5]), [[1.3, '1.3e0'], [2.6e-5, '2.6e-5']]);
+  all(factors([1.3, 2.6e7]), [[1.3, '1.3e0'], [2.6e7, '2.6e7']]);
+});
+
+test('labels of an axis are all with a point, or all with a power of ten', () => {
+  all(alike([0.01, 1, 100]), [[0.01, '0.01'], [1, '1'], [100, '100']]);
+  all(alike([1e-4, 0.01, 1]), [[1e-4, '1e-4'], [0.01, '1e-2'], [1, '1e0']]);
+  all(alike([100, 1e6]), [[100, '1e2'], [1e6, '1e6']]);
 });
 
 const table = {caption: '', columns: [{key: 'a', title: 'name'}, {key: 'b', title: 'x, y'}], rows: [{a: 'say "hello", you', b: 1.2345678901234567e-10}, {a: 'two\nlines', b: null}]};

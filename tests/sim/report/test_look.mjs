@@ -64,6 +64,19 @@ for (const [name, look] of [['light', k_light], ['dark', k_dark]]) {
   }
 }
 
+for (const [name, look] of [['light', k_light], ['dark', k_dark]]) {
+  test(`${name}: twenty-six methods have colours of their own, and where colour-blind eyes see two alike their symbols differ`, () => {
+    const methods = Array.from({length: 26}, (_, i) => `m${i}`);
+    const full = {...look, methods, numbers: [], still: false};
+    const pairs = methods.flatMap((a, i) => methods.slice(i + 1).map((b) => [a, b]));
+    for (const [a, b] of pairs) {
+      const apart = (matrix) => distance(seen(colourOf(full, a), matrix), seen(colourOf(full, b), matrix));
+      assert.ok(apart(k_eyes.usual) > 18, `${a} ${b}: ${apart(k_eyes.usual)}`);
+      for (const matrix of [k_eyes.protanopia, k_eyes.deuteranopia]) assert.ok(apart(matrix) > 9 || symbolOf(full, a) !== symbolOf(full, b), `${a} ${b}: ${apart(matrix)}`);
+    }
+  });
+}
+
 test('no two of sixty-four methods have both colour and symbol in common', () => {
   const look = {...k_light, methods: Array.from({length: 64}, (_, i) => `m${i}`), numbers: ['a', 'b', 'c', 'd'], still: false};
   const marks = look.methods.map((name) => `${colourOf(look, name)} ${symbolOf(look, name)}`);

@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import {arrowOf, scaleOf, tipsOf} from '../../../apps/sim/report/web/src/motion/arrows.js';
 import {Camera} from '../../../apps/sim/report/web/src/motion/camera.js';
 import {centreOf, extent, frameAt, travel, upOf, usualReaction} from '../../../apps/sim/report/web/src/motion/frames.js';
 import {ground} from '../../../apps/sim/report/web/src/motion/ground.js';
@@ -75,4 +76,58 @@ test('one peak of a reaction does not make all other arrows short', () => {
   const force = [1, 2, 3, 2, 900].map((x) => [x, 0, 0]);
   assert.equal(usualReaction({t, reactions: [{name: 'r', at: force, force}, {name: 's', at: force, force: [null, [0, 2.5, 0], null, null, null]}]}), 2.5);
   assert.equal(usualReaction({t, bodies: []}), 0);
+});
+
+/** A pendulum's support that is hit once: one force is far beyond all others. */
+const hit = () => {
+  const motion = motions.double_pendulum();
+  motion.reactions.forEach((reaction) => { reaction.force = reaction.force.map((force, i) => i === 40 && force ? force.map((part) => 300 * part) : force); });
+  return motion;
+};
+
+/** As the page looks at a motion first. */
+function firstView(motion, aspect) {
+  const way = travel(motion);
+  const follows = way !== null && way.times > 4;
+  const box = follows ? way.extent : extent(motion);
+  const camera = new Camera(upOf(motion), box);
+  camera.show(box, null, tipsOf(motion, scaleOf(motion), box.radius, follows));
+  camera.shape(aspect);
+  return {camera, follows};
+}
+
+for (const [name, motion] of Object.entries({...motions, hit})) {
+  test(`${name}: arrows end within the first view at any time, and usual ones can be seen`, () => {
+    const shown = motion();
+    const scale = scaleOf(shown);
+    for (const aspect of [0.9, 1.6, 2.4]) {
+      const {camera, follows} = firstView(shown, aspect);
+      const lengths = [];
+      for (const time of shown.t) {
+        const frame = frameAt(shown, time);
+        if (follows) camera.carried = centreOf(shown, frame);
+        const project = camera.projection(400 * aspect, 400);
+        for (const reaction of frame.reactions) {
+          const arrow = reaction && arrowOf(reaction, scale.perForce * camera.extent.radius, scale.longest * camera.extent.radius);
+          if (!arrow) continue;
+          const [from, to] = [0, arrow.length].map((part) => project(reaction.at.map((value, i) => value + part * arrow.along[i])));
+          assert.ok(to.x >= 0 && to.x <= 400 * aspect && to.y >= 0 && to.y <= 400, `${to.x} ${to.y} at ${time}`);
+          lengths.push(Math.hypot(to.x - from.x, to.y - from.y));
+        }
+      }
+      if (lengths.length > 0) assert.ok(Math.max(...lengths.sort((a, b) => a - b).slice(0, Math.ceil(0.6 * lengths.length))) > 12, String(lengths[Math.floor(0.6 * lengths.length)]));
+      assert.ok(camera.filling() > 0.4, `the mechanism takes ${camera.filling()} of the view`);
+    }
+  });
+}
+
+test('arrows are as long as forces are strong, and what is cut says so', () => {
+  const [scale, peaked] = [motions.slider_crank, hit].map((motion) => scaleOf(motion()));
+  assert.equal(scale.isCut, false);
+  assert.equal(peaked.isCut, true);
+  const at = [0, 0, 0];
+  const [one, two, ten] = [[0.2, 0, 0], [0, 0.4, 0], [0, 0, -2]].map((force) => arrowOf({at, force}, 1, 0.6));
+  assert.deepEqual([one.length, two.length, ten.length, ten.along], [0.2, 0.4, 0.6, [0, 0, -1]]);
+  assert.deepEqual([one, two, ten].map(({isCut}) => isCut), [false, false, true]);
+  assert.equal(arrowOf({at, force: at}, 1, 0.6), null);
 });

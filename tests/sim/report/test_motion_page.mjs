@@ -83,7 +83,49 @@ for (const [gl, kind] of [[true, 'solid'], [false, 'flat']]) {
   }));
 }
 
+/** Pixels of arrows: anywhere, and at the edge of the picture. */
+const arrowsOf = (page) => page.locator('main > :not([hidden]) canvas').evaluate((canvas) => {
+  const pen = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
+  pen.drawImage(canvas, 0, 0);
+  const {data} = pen.getImageData(0, 0, canvas.width, canvas.height);
+  const found = {all: 0, edge: 0};
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] < 200 || data[i] < 100 || data[i] < 1.6 * data[i + 1] || data[i] < 3 * data[i + 2]) continue;
+    const [x, y] = [(i / 4) % canvas.width, Math.floor(i / 4 / canvas.width)];
+    ++found.all;
+    if (Math.min(x, y, canvas.width - 1 - x, canvas.height - 1 - y) < 2) ++found.edge;
+  }
+  return found;
+});
+
 for (const [gl, kind] of [[true, 'solid'], [false, 'flat']]) {
+  test(`${kind}: arrows are in the first view at any time, also those that are cut or within a body`, () => {
+    const inside = {...crank, name: 'inside', motion: {...crank.motion, bodies: crank.motion.bodies.slice(1).map((body) => ({...body, shape: {kind: 'box', size: [2.4, 2.4, 2.4]}})),
+      reactions: crank.motion.reactions.map((one) => ({...one, force: one.force.map((_, i) => [0, 0, i === 3 ? 10 : 4])}))}};
+    const pages = [...study.problems.filter(({name}) => ['double_pendulum', 'four_bar'].includes(name)), inside];
+    return withPage({url: fileOf({...study, problems: pages}), hash: '#/double_pendulum/motion', gl, options: {viewport: {width: 1000, height: 800}}}, async (page) => {
+      for (const {name, motion} of pages) {
+        await page.goto(page.url().replace(/#.*/, `#/${name}/motion`));
+        await stageOf(page);
+        const here = page.locator('main > :not([hidden])');
+        const {t, reactions} = motion;
+        const strength = (time) => Math.max(...reactions.map(({force}) => Math.hypot(...force[t.findIndex((one) => one >= time)] ?? [0])));
+        let seen = 0;
+        const strongest = reactions.map(({force}) => force.map((one) => one ? Math.hypot(...one) : 0)).map((sizes) => t[sizes.indexOf(Math.max(...sizes))]);
+        for (const time of [...[0.1, 0.35, 0.5, 0.65].map((part) => part * t[t.length - 1]), ...strongest, 0.5 * strongest[0]]) {
+          await here.getByLabel('time of the motion in seconds').evaluate((bar, value) => { bar.step = 'any'; bar.value = value; bar.dispatchEvent(new Event('input')); }, time);
+          const {all, edge} = await arrowsOf(page);
+          assert.equal(edge, 0, `${name} ${time}`);
+          if (strength(time) < 0.3 * strength(strongest[0])) continue;
+          assert.ok(all > 30, `${name} ${time}: ${all} pixels`);
+          ++seen;
+        }
+        assert.ok(seen >= 1);
+        assert.equal(await here.locator('.cut').count(), name === 'double_pendulum' ? 1 : 0);
+      }
+    });
+  });
+
   test(`${kind}: the camera follows what goes far, unless the whole path is asked for`, () => withPage({url, hash: '#/rolling_disc/motion', gl, options: {viewport: {width: 1000, height: 800}}}, async (page) => {
     const stage = await stageOf(page);
     const camera = page.locator('main > :not([hidden])').getByLabel('Camera');

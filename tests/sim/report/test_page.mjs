@@ -23,7 +23,7 @@ const columnOf = (value) => value === null ? '–' : value.toExponential(1).repl
 
 test('the page is one file that opens with a summary of all problems', () => withPage({url}, async (page) => {
   assert.deepEqual(await page.locator('.problems a').allTextContents(), ['Summary', ...study.problems.map(({name}) => name)]);
-  const matrix = await rowsOf(page.locator('.summary > .scroll'));
+  const matrix = await rowsOf(page.locator('.summary > .short'));
   assert.equal(matrix.length, study.problems.length);
   for (const [i, {points}] of study.problems.entries()) {
     const best = points.filter((p) => p.status === 'ok' && p.error <= 1e-6).sort((a, b) => a.time_s - b.time_s)[0];
@@ -100,6 +100,36 @@ test('hovering shows a run, in the colour of its method, where its error and tim
   for (const {middle, hint} of seen) assert.ok(Math.abs(middle[0] - low.middle[0] - decade * Math.log10(Number(low.hint.error) / Number(hint.error))) < 3);
 }));
 
+/** Symbols that a label of a chart lies over, by their paths. */
+const hiddenBy = (found, label) => found.locator('.plot svg').evaluate((svg, text) => {
+  const labels = [...svg.querySelectorAll('text')].filter((one) => one.textContent === text).map((one) => one.getBoundingClientRect());
+  if (labels.length !== 1) return [`${labels.length} labels`];
+  const [{left, right, top, bottom}] = labels;
+  const symbols = [...svg.querySelectorAll('path')].filter((path) => { const {width, height} = path.getBoundingClientRect(); return width > 3 && width < 16 && Math.abs(width - height) < 4; });
+  if (symbols.length < 40) return ['no symbols'];
+  // Boxes of text are higher than its letters.
+  return symbols.filter((path) => { const box = path.getBoundingClientRect(); return box.right > left && box.left < right && box.bottom > top + 2 && box.top < bottom - 2; }).map((path) => path.outerHTML);
+}, label);
+
+for (const width of [1440, 800]) {
+  test(`labels hide no run, ${width} pixels wide`, () => withPage({url, hash: at(first.name), options: {viewport: {width, height: 1000}}}, async (page) => {
+    for (const id of ['error-time', 'error-calls', 'tolerance']) {
+      const found = await section(page, id);
+      for (const label of ['default', 'no result']) assert.deepEqual(await hiddenBy(found, label), [], `${id}: ${label}`);
+      const band = await found.locator('.plot svg path[fill="#f3eeee"]').boundingBox();
+      const label = await found.locator('.plot svg text', {hasText: /^no result$/}).boundingBox();
+      assert.ok(label.y + label.height <= band.y + 3, 'what has no result may stand anywhere in its band');
+    }
+  }));
+}
+
+test('a label stays free when the window changes', () => withPage({url, hash: at(first.name, 'error-time')}, async (page) => {
+  const found = await section(page, 'error-time');
+  await page.setViewportSize({width: 700, height: 900});
+  await page.waitForFunction(() => document.querySelector('main > :not([hidden]) [data-chart="error-time"] .plot svg').getBoundingClientRect().width < 700);
+  assert.deepEqual(await hiddenBy(found, 'default'), []);
+}));
+
 test('arrow keys go from run to run, and say all settings aloud', () => withPage({url, hash: at(first.name, 'error-time')}, async (page) => {
   const found = await section(page, 'error-time');
   await found.locator('.plot').focus();
@@ -117,14 +147,37 @@ test('arrow keys go from run to run, and say all settings aloud', () => withPage
   await found.locator('.hint-text').waitFor({state: 'hidden'});
 }));
 
+test('curves that are left out at first come by a button, and go again', () => {
+  const some = first.points.filter(({status, error}) => status === 'ok' && error > 0).slice(0, 9);
+  const t = Array.from({length: 50}, (_, i) => i / 5);
+  const drifts = some.map(({id}, run) => ({point: id, t, energy: t.map((time) => time * 10 ** (run - 14))}));
+  return withPage({url: fileOf({...study, problems: [{...first, drifts}]}), hash: at(first.name, 'drift-energy')}, async (page) => {
+    const found = await section(page, 'drift-energy');
+    const curves = () => found.locator('.key li').count();
+    assert.equal(await curves(), 6);
+    await found.getByRole('button', {name: 'Draw all 9 curves'}).click();
+    assert.equal(await curves(), 9);
+    await page.keyboard.press('Enter');  // the button has kept the focus
+    assert.equal(await curves(), 6);
+    assert.equal((await rowsOf(found)).length, 9);
+    for (const [i, number] of ['1', '9'].entries()) assert.equal(await found.locator('.plot svg text', {hasText: new RegExp(`^${number}$`)}).count(), 1, String(i));
+  });
+});
+
 test('filters act on all charts and tables, and can be taken back', () => withPage({url, hash: at(first.name, 'error-time')}, async (page) => {
   const here = page.locator('main > :not([hidden])');
   const found = await section(page, 'error-time');
   const before = await found.locator('.takeaway').textContent();
   assert.match(before, /taylor/);
   await here.getByRole('checkbox', {name: /taylor/}).uncheck();
-  const left = first.points.filter(({method}) => method !== 'taylor').length;
-  assert.equal(await here.getByRole('status').first().textContent(), `${left} of ${first.points.length} runs`);
+  const runs = first.points.filter(({status}) => status !== 'refused');
+  const left = runs.filter(({method}) => method !== 'taylor').length;
+  assert.equal(await here.getByRole('status').first().textContent(), `${left} of ${runs.length} runs`);
+  const facts = await here.locator('.facts').textContent();
+  assert.ok(facts.includes(`runs${runs.length}, ${runs.filter(({status}) => status === 'ok').length} of them with a result; `), facts);
+  assert.ok(facts.includes(`not run${first.points.length - runs.length} settings`), facts);
+  const counts = await here.locator('[data-filter="method"] small').allTextContents();
+  assert.equal(counts.reduce((sum, text) => sum + Number(text), 0), runs.length);
   assert.notEqual(await found.locator('.takeaway').textContent(), before);
   assert.equal((await rowsOf(found)).filter(({method}) => method === 'taylor').length, 0);
   assert.ok((await rowsOf(found))[0].marks.includes('front'), 'the front is that of the runs that are left');
@@ -214,6 +267,29 @@ test('a picture of the page is not blank', () => withPage({url, hash: at(first.n
 test('a narrow window needs no scrolling to the side', () => withPage({url, hash: at(first.name), options: {viewport: {width: 390, height: 800}}}, async (page) => {
   for (const id of ['error-time', 'digit-cost', 'builds']) await section(page, id);
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+}));
+
+test('a table that is cut off shows on which side it goes on, and keys scroll it', () => withPage({url, hash: at(first.name, 'error-time'), options: {viewport: {width: 1300, height: 1000}}}, async (page) => {
+  const frame = (await section(page, 'error-time')).locator('.sideways');
+  const shadows = () => frame.evaluate((node) => ['::before', '::after'].map((part) => Number(getComputedStyle(node, part).opacity)));
+  const shown = async (wanted) => {
+    await page.waitForFunction(([node, sides]) => ['::before', '::after'].every((part, i) => Number(getComputedStyle(node, part).opacity) === sides[i]), [await frame.elementHandle(), wanted]);
+    assert.deepEqual(await shadows(), wanted);
+  };
+  const region = frame.getByRole('region');
+  const hint = frame.locator('xpath=..').locator('.sideways-hint');
+  assert.ok(await region.evaluate(({scrollWidth, clientWidth}) => scrollWidth > clientWidth), 'else there is nothing to test');
+  await shown([0, 1]);
+  assert.match(await hint.textContent(), /scroll it sideways/);
+  assert.ok(await hint.isVisible());
+  await region.focus();
+  await page.keyboard.press('ArrowRight');
+  await shown([1, 1]);
+  await region.evaluate((node) => { node.scrollLeft = node.scrollWidth; });
+  await shown([1, 0]);
+  const fits = (await section(page, 'lanes')).locator('.sideways');
+  assert.equal(await fits.evaluate((node) => node.className), 'sideways');
+  assert.equal(await fits.locator('xpath=..').locator('.sideways-hint').isVisible(), false);
 }));
 
 test('paper has all problems, charts and tables, and is light', () => withPage({url: fileOf({...study, problems: study.problems.slice(1, 3)}), options: {colorScheme: 'dark'}}, async (page) => {

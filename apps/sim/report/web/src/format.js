@@ -24,11 +24,23 @@ export function column(/** @type {any} */ value) {
   return value === 0 ? '0' : value.toExponential(1).replace('e+', 'e');
 }
 
-/** A factor near 1, for columns: 1.30, 12.4. */
-export function factor(/** @type {any} */ value) {
-  if (!isNumber(value)) return k_missing;
-  return value < 10 ? value.toFixed(2) : value < 100 ? value.toFixed(1) : plain(value);
+/**
+ * Factors of a column, with two digits at least: 0.012, 1.30, 12.4, or all with a power of ten where one of them is tiny or huge.
+ * @param {any[]} values @returns {(value: any) => string}
+ */
+export function factors(values) {
+  const arePlain = values.filter(isNumber).every((value) => value === 0 || (value >= 0.01 && value < 1e5));
+  return arePlain ? factor : column;
 }
+
+function factor(/** @type {any} */ value) {
+  if (!isNumber(value)) return k_missing;
+  if (value === 0) return '0';
+  return value < 0.995 ? value.toPrecision(2) : value < 10 ? value.toFixed(2) : value < 100 ? value.toFixed(1) : plain(value);
+}
+
+/** What is counted, with all its digits: those of a column stand below each other. */
+export const count = (/** @type {any} */ value) => isNumber(value) ? grouped(Math.round(value)) : k_missing;
 
 /** Any number: 1.23, 812, 0.031, 4.1e6, with `digits` digits where it is no integer below a million. */
 export function plain(/** @type {any} */ value, digits = 3) {
@@ -65,8 +77,11 @@ export function times(/** @type {any} */ value) {
   return isNumber(value) ? `${plain(value, value < 10 ? 2 : 3)} times` : k_missing;
 }
 
-/** A label of a logarithmic axis: powers of ten as 1e-6, and nothing between them. */
-export const power = (/** @type {number} */ value) => value >= 0.01 && value < 1e4 ? String(Number(value.toPrecision(3))) : small(value, 1);
+/**
+ * How numbers that are read together are written: all with a point, or all with a power of ten. Labels of an axis, which are round.
+ * @param {number[]} values @returns {(value: number) => string}
+ */
+export const alike = (values) => values.every((value) => value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) <= 1e5)) ? (value) => plain(value) : (value) => small(value, 2);
 
 /** @param {number} count @param {string} one @param {string} [many] */
 export const counted = (count, one, many = `${one}s`) => `${plain(count)} ${count === 1 ? one : many}`;

@@ -1,19 +1,26 @@
 // Colours, symbols and dashes. Methods differ by colour and symbol, number types by fill and dashes: nothing is told by a colour
-// alone. Colours are by Okabe and Ito, and by Tol, darker or lighter until they have a contrast of 3 : 1 with the page
-// (tests/sim/report/test_look.mjs measures that, and how far apart they are for colour-blind eyes).
+// alone. The first eight colours are by Okabe and Ito, and by Tol, darker or lighter until they have a contrast of 3 : 1 with the page;
+// each later one is that which is farthest from all before it, for usual and for colour-blind eyes (tests/sim/report/test_look.mjs
+// measures contrasts and distances). They are as many as gauss-sim has methods.
 
 /** @typedef {import('./types.js').Look} Look */
 
 /** @type {Omit<Look, 'methods' | 'numbers' | 'still'>} */
 export const k_light = {
   ink: '#1b2530', muted: '#55616d', grid: '#dfe4e9', surface: '#ffffff', accent: '#0a5aa8', fault: '#a3262a', band: '#f3eeee',
-  colours: ['#0072b2', '#d55e00', '#00875a', '#cc6fa8', '#7a5c00', '#332288', '#5d6872', '#882255'],
+  colours: [
+    '#0072b2', '#d55e00', '#00875a', '#cc6fa8', '#7a5c00', '#332288', '#5d6872', '#882255', '#a878fc', '#cc3048', '#304818', '#30a830', '#a81890',
+    '#0060cc', '#cc7878', '#54306c', '#d83084', '#9c84d8', '#84000c', '#603030', '#6c603c', '#24909c', '#b48454', '#004848', '#485490', '#b45430',
+  ],
 };
 
 /** @type {Omit<Look, 'methods' | 'numbers' | 'still'>} */
 export const k_dark = {
   ink: '#e8edf2', muted: '#a7b3bf', grid: '#313b46', surface: '#171d24', accent: '#7cb8f5', fault: '#ff8f8a', band: '#241f23',
-  colours: ['#56b4e9', '#f0802f', '#2fc797', '#e29ad0', '#e6bd3c', '#9d92f0', '#b4bec8', '#f2728f'],
+  colours: [
+    '#56b4e9', '#f0802f', '#2fc797', '#e29ad0', '#e6bd3c', '#9d92f0', '#b4bec8', '#f2728f', '#c0189c', '#90603c', '#b4d878', '#247860', '#2460e4',
+    '#9048c0', '#cc3018', '#846c84', '#cc1860', '#546ca8', '#e4846c', '#fcb4b4', '#3c780c', '#00e4fc', '#d89c54', '#3ca8b4', '#0084f0', '#9c843c',
+  ],
 };
 
 const k_symbols = [
@@ -34,7 +41,7 @@ const place = (/** @type {string[]} */ names, /** @type {string} */ name) => Mat
 /** @param {Look} look @param {string} method */
 export const colourOf = (look, method) => look.colours[place(look.methods, method) % look.colours.length];
 
-/** The symbol moves on by one with each round of colours, so that sixty-four methods differ. @param {Look} look @param {string} method */
+/** The symbol moves on by one with each round of colours, so that methods of one colour differ. @param {Look} look @param {string} method */
 export function symbolOf(look, method) {
   const at = place(look.methods, method);
   return k_symbols[(at + Math.floor(at / look.colours.length)) % k_symbols.length];

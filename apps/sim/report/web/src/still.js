@@ -40,6 +40,7 @@ function still(picture, title, look) {
   const height = (picture.height ?? 360) + 26;  // the title is inside
   const chart = init(null, undefined, {renderer: 'svg', ssr: true, width: k_width, height});
   chart.setOption({...picture.option, tooltip: {show: false}});
+  picture.arrange?.(chart, picture.option);
   const inner = withoutPointer(chart.renderToSVGString());
   chart.dispose();
   const key = keyText(picture, look, height);

@@ -168,6 +168,10 @@ export interface Picture {
   table: Table;
   spots: Spot[];
   height?: number;
+  /** Where more can be drawn: how many of how many are. */
+  more?: {drawn: number, all: number, word: string};
+  /** What can be placed only where the size is known. */
+  arrange?: (chart: import('echarts/core').EChartsType, option: any) => void;
   /** What symbols and dashes mean. */
   key?: {methods: string[], numbers: string[], extra?: KeyEntry[]};
 }
@@ -185,6 +189,6 @@ export interface Chart {
   title: string;
   short: string;
   about: string;
-  /** A picture, or a sentence that says why there is none. */
-  make: (problem: FullProblem, points: Point[], look: Look) => Picture | string;
+  /** A picture, or a sentence that says why there is none; `all`: with what is left out at first. */
+  make: (problem: FullProblem, points: Point[], look: Look, all?: boolean) => Picture | string;
 }

@@ -1,6 +1,6 @@
 // Error asked for against the cheapest time that reaches it, by one setting: formulation, number type, projection.
 
-import {column, factor, plain, seconds, small} from '../format.js';
+import {column, factors, plain, seconds, small} from '../format.js';
 import {nth} from '../look.js';
 import {alikeBut, arrived, cheapest, grouped, targets} from '../maths/points.js';
 import {logAxis, shortSeconds} from './axes.js';
@@ -67,7 +67,7 @@ const tableOf = (lines, setting) => ({
   caption: `Fastest run of each ${setting.word} for an error asked for.`,
   columns: [
     {key: 'target', title: 'error asked for', format: (/** @type {any} */ v) => small(v), numeric: true}, {key: 'name', title: setting.word},
-    {key: 'time', title: 'time', format: seconds, numeric: true}, {key: 'ratio', title: 'times the fastest', format: factor, numeric: true},
+    {key: 'time', title: 'time', format: seconds, numeric: true}, {key: 'ratio', title: 'times the fastest', format: factors(lines.flatMap((line) => line.points.map(({ratio}) => ratio))), numeric: true},
     {key: 'method', title: 'method'}, {key: 'accuracy', title: 'setting'}, {key: 'error', title: 'error', format: column, numeric: true},
   ],
   rows: lines.flatMap((line) => line.points.map(({target, point, ratio}) => ({

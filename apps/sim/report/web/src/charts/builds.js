@@ -1,6 +1,6 @@
 // What has to be paid before the first run: generation and compilation, apart.
 
-import {isNumber, plain, seconds} from '../format.js';
+import {count, isNumber, plain, seconds} from '../format.js';
 import {mixed} from '../look.js';
 import {categoryAxis, linearAxis} from './axes.js';
 import {frame} from './frame.js';
@@ -25,7 +25,7 @@ function picture(problem, points, look) {
   ];
   return {
     option: frame(look, {
-      title: `${problem.name}: generation and compilation`, left: 206, xAxis: linearAxis(look, 'time, s', {min: 0}),
+      title: `${problem.name}: generation and compilation`, left: 206, xAxis: linearAxis(look, 'time, s', {low: 0, high: Math.max(...rows.map(sum))}),
       yAxis: categoryAxis(look, drawn.map(({formulation, number}) => `${formulation}, ${number}`)), series: parts,
     }),
     takeaway: takeaway(rows), height: 90 + 30 * rows.length, table: tableOf(rows),
@@ -46,9 +46,10 @@ const detail = (row) => [
   ['operations of the right-hand side', plain(row.operations)],
 ];
 
+const sum = (/** @type {Build} */ row) => Number(row.generate_s) + Number(row.compile_s);
+
 /** @param {Build[]} rows */
 function takeaway(rows) {
-  const sum = (/** @type {Build} */ row) => Number(row.generate_s) + Number(row.compile_s);
   const best = rows.reduce((a, b) => sum(b) < sum(a) ? b : a);
   return `Ready soonest: ${best.formulation} in ${best.number}, generated in ${seconds(best.generate_s)} and compiled in ${seconds(best.compile_s)}.`;
 }
@@ -58,6 +59,6 @@ const tableOf = (rows) => ({
   caption: 'Generation and compilation.', rows,
   columns: [
     {key: 'formulation', title: 'formulation'}, {key: 'number', title: 'number type'}, {key: 'generate_s', title: 'generation', format: seconds, numeric: true},
-    {key: 'compile_s', title: 'compilation', format: seconds, numeric: true}, {key: 'operations', title: 'operations', format: (/** @type {any} */ v) => plain(v), numeric: true},
+    {key: 'compile_s', title: 'compilation', format: seconds, numeric: true}, {key: 'operations', title: 'operations', format: count, numeric: true},
   ],
 });

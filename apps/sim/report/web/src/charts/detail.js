@@ -5,10 +5,20 @@ import {k_settings} from '../maths/points.js';
 
 /** @typedef {import('../types.js').Point} Point */
 
+/** @param {Point} point @returns {(string | null | undefined | false)[]} what tells it apart from others, the method first */
+const wordsOf = (point) => [
+  point.method, point.number, point.formulation, point.code && point.code !== 'optimised' && `${point.code} code`, point.projection && point.projection !== 'none' && `projection ${point.projection}`, accuracyOf(point),
+];
+
 /** A run in a few words, for sentences. @param {Point} point */
-export function briefly(point) {
-  const parts = [point.method, point.number, point.formulation, point.code && point.code !== 'optimised' ? `${point.code} code` : null, point.projection && point.projection !== 'none' ? `projection ${point.projection}` : null];
-  return `${parts.filter(Boolean).join(', ')}, ${accuracyOf(point)}`;
+export const briefly = (point) => wordsOf(point).filter(Boolean).join(', ');
+
+/** The same without what all of `points` have in common, which `common` says. @param {Point[]} points */
+export function brieflyBeside(points) {
+  const all = points.map(wordsOf);
+  const isCommon = all.length > 1 ? all[0].map((word, i) => i > 0 && all.every((words) => words[i] === word)) : [];
+  const common = (all[0] ?? []).filter((word, i) => word && isCommon[i]).join(', ');
+  return Object.assign((/** @type {Point} */ point) => wordsOf(point).filter((word, i) => word && !isCommon[i]).join(', '), {common: common && `All: ${common}.`});
 }
 
 /** @param {Point} point */

@@ -1,10 +1,10 @@
 // What one more digit costs, by method and number type.
 
-import {column, factor, isNumber, plain, small} from '../format.js';
+import {column, count, factors, isNumber, plain, small} from '../format.js';
 import {colourOf, fillOf} from '../look.js';
 import {digitCost as costOf, digitCostBetween} from '../maths/digit_cost.js';
 import {arrived, grouped} from '../maths/points.js';
-import {categoryAxis, linearAxis} from './axes.js';
+import {categoryAxis, k_room, linearAxis} from './axes.js';
 import {frame} from './frame.js';
 
 /** @typedef {import('../types.js').Point} Point */
@@ -36,11 +36,12 @@ function picture(problem, points, look) {
   const rows = rowsOf(points);
   if (rows.length === 0) return 'No method has three runs on its front, a digit apart: the cost of a digit cannot be told.';
   const drawn = [...rows].reverse();
+  const all = rows.map((row) => row.factor);
   return {
     option: frame(look, {
       title: `${problem.name}: time for one more digit`, left: 206,
-      xAxis: linearAxis(look, 'factor in time for one more digit (1 would be free)', {min: 1, axisLabel: {color: look.muted, formatter: (/** @type {number} */ value) => `× ${plain(value)}`}}),
-      yAxis: categoryAxis(look, drawn.map(({name}) => name)), series: [bars(look, drawn)],
+      xAxis: linearAxis(look, 'factor in time for one more digit (1 would be free)', {low: Math.min(...all) < 1 ? 0 : 1, high: k_room * Math.max(...all), digits: [1, 5], label: (value) => `× ${plain(value)}`}),
+      yAxis: categoryAxis(look, drawn.map(({name}) => name)), series: [bars(look, drawn, factors(all))],
     }),
     takeaway: takeaway(rows), note: 'Of each method only runs that no other run of it beats count; a line of least squares through log(time) over digits. '
       + 'Between two errors the cost is that of the front, read off at both.',
@@ -49,14 +50,14 @@ function picture(problem, points, look) {
   };
 }
 
-/** @param {import('../types.js').Look} look @param {Row[]} rows */
-const bars = (look, rows) => ({
+/** @param {import('../types.js').Look} look @param {Row[]} rows @param {(value: number) => string} write */
+const bars = (look, rows, write) => ({
   type: 'bar', barMaxWidth: 18, cursor: 'default',
   data: rows.map((row, ref) => {
     const colour = colourOf(look, row.method);
     return {value: row.factor, ref, itemStyle: {color: fillOf(look, row.number, colour), borderColor: colour, borderWidth: 1.4}};
   }),
-  label: {show: true, position: 'right', color: look.ink, formatter: (/** @type {{value: number}} */ {value}) => factor(value)},
+  label: {show: true, position: 'right', color: look.ink, formatter: (/** @type {{value: number}} */ {value}) => write(value)},
 });
 
 /** @param {Row} row @returns {[string, string][]} */
@@ -77,10 +78,10 @@ const tableOf = (rows) => ({
   caption: 'Factor in time for one more digit.', rows,
   columns: [
     {key: 'method', title: 'method'}, {key: 'number', title: 'number type'},
-    {key: 'factor', title: 'over all', format: factor, numeric: true},
-    ...k_ranges.filter(([, , key]) => rows.some((row) => isNumber(row[key]))).map(([from, , key]) => ({key, title: `${small(from)} ${key}`, format: factor, numeric: true})),
+    {key: 'factor', title: 'over all', format: factors(rows.map((row) => row.factor)), numeric: true},
+    ...k_ranges.filter(([, , key]) => rows.some((row) => isNumber(row[key]))).map(([from, , key]) => ({key, title: `${small(from)} ${key}`, format: factors(rows.map((row) => row[key])), numeric: true})),
     {key: 'from', title: 'largest error', format: column, numeric: true},
     {key: 'to', title: 'smallest error', format: column, numeric: true},
-    {key: 'runs', title: 'runs', format: (/** @type {any} */ v) => plain(v), numeric: true},
+    {key: 'runs', title: 'runs', format: count, numeric: true},
   ],
 });

@@ -4,10 +4,15 @@ import {k_font} from './axes.js';
 
 /** @typedef {import('../types.js').Look} Look */
 
-/** @param {Look} look @param {{title: string, left?: number, xAxis: any, yAxis: any, series: any[]}} parts */
-export const frame = (look, {title, xAxis, yAxis, series, left = 74}) => ({
+const k_top = 24, k_bottom = 54;
+
+/** Of the height of a chart, what is not its plot. */
+export const k_plot_edges = k_top + k_bottom;
+
+/** @param {Look} look @param {{title: string, left?: number, right?: number, xAxis: any, yAxis: any, series: any[]}} parts */
+export const frame = (look, {title, xAxis, yAxis, series, left = 74, right = 22}) => ({
   animation: false, backgroundColor: look.still ? look.surface : 'transparent', textStyle: {fontFamily: k_font}, xAxis, yAxis, series,
-  grid: {left, right: 22, top: look.still ? 44 : 18, bottom: 54, outerBoundsMode: 'none'},
+  grid: {left, right, top: look.still ? k_top + 20 : k_top, bottom: k_bottom, outerBoundsMode: 'none'},
   tooltip: {trigger: 'item', confine: true, transitionDuration: 0, className: 'hint', borderWidth: 0, padding: 0, backgroundColor: 'transparent'},
   title: look.still ? {text: title, left: 12, top: 10, textStyle: {color: look.ink, fontSize: 15, fontWeight: 600, fontFamily: k_font}} : {show: false},
 });

@@ -1,8 +1,8 @@
 // Batches: trajectories in lanes of one register, on several threads.
 
-import {factor, isNumber, plain} from '../format.js';
+import {count, factors, isNumber, plain} from '../format.js';
 import {fillOf, nth} from '../look.js';
-import {categoryAxis, linearAxis} from './axes.js';
+import {categoryAxis, k_room, linearAxis} from './axes.js';
 import {frame} from './frame.js';
 
 /** @typedef {import('../types.js').Lanes} Lanes */
@@ -23,7 +23,7 @@ function picture(problem, points, look) {
   const drawn = [...rows].reverse();
   return {
     option: frame(look, {
-      title: `${problem.name}: trajectories at once`, left: 150, xAxis: linearAxis(look, 'times as many trajectories in a second', {min: 0}),
+      title: `${problem.name}: trajectories at once`, left: 150, xAxis: linearAxis(look, 'times as many trajectories in a second', {low: 0, high: k_room * Math.max(0, ...rows.map(({ratio}) => Number(ratio)))}),
       yAxis: categoryAxis(look, drawn.map(nameOf)), series: [bars(look, drawn, [...new Set(rows.map(({number}) => number))])],
     }),
     takeaway: takeaway(rows), note: 'A row is number type, lanes × threads.', height: 90 + 30 * rows.length, table: tableOf(rows),
@@ -60,5 +60,5 @@ function takeaway(rows) {
 const tableOf = (rows) => ({
   caption: 'Batches.', rows,
   columns: [{key: 'number', title: 'number type'}, ...[['lanes', 'lanes'], ['threads', 'threads'], ['trajectories', 'trajectories'], ['trajectories_per_s', 'in a second'], ['ratio', 'ratio']]
-    .map(([key, title]) => ({key, title, format: key === 'ratio' ? factor : (/** @type {any} */ v) => plain(v), numeric: true}))],
+    .map(([key, title]) => ({key, title, format: key === 'ratio' ? factors(rows.map(({ratio}) => ratio)) : count, numeric: true}))],
 });

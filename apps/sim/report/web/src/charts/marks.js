@@ -4,12 +4,14 @@ import {colourOf, dashOf, fillOf, symbolOf} from '../look.js';
 import {paretoFront} from '../maths/pareto.js';
 import {grouped} from '../maths/points.js';
 import {detailOf} from './detail.js';
+import {freeLabel, placeLabel} from './free_label.js';
 
 /** @typedef {import('../types.js').Point} Point */
 /** @typedef {import('../types.js').Look} Look */
 /** @typedef {import('../types.js').Spot} Spot */
 /** @typedef {(point: Point) => [number, number]} Place */
 
+const k_default = 'default';
 const k_cross = 'path://M1,0 L5,4 L9,0 L10,1 L6,5 L10,9 L9,10 L5,6 L1,10 L0,9 L4,5 L0,1 Z';
 
 /** Collects series and spots: a spot knows the number of its series. */
@@ -21,6 +23,7 @@ export class Marks {
     this.front = front;
     this.series = /** @type {any[]} */ ([]);
     this.spots = /** @type {Spot[]} */ ([]);
+    this.arrange = /** @type {import('../types.js').Picture['arrange']} */ (undefined);
   }
 
   /** Runs of each method and number type. With a cost, the best of them are joined: those that no other of the group beats. @param {Point[]} points @param {((point: Point) => any) | null} cost */
@@ -66,10 +69,12 @@ export class Marks {
     const data = points.filter((point) => point.is_default).map(this.place);
     if (data.length === 0) return;
     this.series.push({
-      type: 'scatter', name: 'default', data, silent: true, symbol: 'circle', symbolSize: 20, z: 4, tooltip: {show: false},
+      type: 'scatter', name: k_default, data, silent: true, symbol: 'circle', symbolSize: 20, z: 4, tooltip: {show: false},
       itemStyle: {color: 'transparent', borderColor: this.look.ink, borderWidth: 2},
-      label: {show: true, formatter: 'default', position: 'top', color: this.look.ink, fontSize: 12, fontWeight: 600, textBorderColor: this.look.surface, textBorderWidth: 3},
     });
+    this.series.push(freeLabel(this.look, k_default));
+    const [at] = data;
+    this.arrange = (/** @type {import('echarts/core').EChartsType} */ chart, /** @type {any} */ option) => placeLabel(chart, option, k_default, at);
   }
 
   /**
@@ -84,7 +89,7 @@ export class Marks {
     this.place = usual;
     this.series[this.series.length - 1].markArea = {
       silent: true, itemStyle: {color: this.look.band},
-      label: {show: true, formatter: 'no result', color: this.look.fault, fontSize: 11, position: 'insideTop'}, data: [area],
+      label: {show: true, formatter: 'no result', color: this.look.fault, fontSize: 11, position: 'top'}, data: [area]  // outside, where no point is,
     };
   }
 }

@@ -7,7 +7,7 @@ import {askedFor, compared} from './asked_for.js';
 /** @param {import('./asked_for.js').Line} line */
 function reachOf({name, best, all}) {
   const late = all.filter(hadNoTime).length;
-  const untried = late > 0 ? ` (${plain(late)} of ${plain(all.length)} runs had no time)` : '';
+  const untried = late > 0 ? ` (${plain(late)} of ${plain(all.length)} settings had no time)` : '';
   return `${name} ${Number.isFinite(best) ? `to ${small(best)}` : 'nowhere'}${untried}`;
 }
 

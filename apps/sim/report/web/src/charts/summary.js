@@ -1,8 +1,8 @@
 // All problems beside each other: the fastest time for each error, and the setting that it takes.
 
-import {column, plain, seconds, small} from '../format.js';
+import {column, count, counted, plain, seconds, small} from '../format.js';
 import {nth} from '../look.js';
-import {arrived, cheapest, targets} from '../maths/points.js';
+import {cheapest, tally, targets} from '../maths/points.js';
 import {logAxis, shortSeconds} from './axes.js';
 import {accuracyOf, detailOf} from './detail.js';
 import {frame} from './frame.js';
@@ -80,10 +80,9 @@ function takeaway(problems) {
   }
   if (reached === 0) return `No problem is solved to ${small(k_usual)}.`;
   const order = [...wins].sort((a, b) => b[1] - a[1]);
-  const runs = problems.reduce((sum, problem) => sum + problem.points.length, 0);
-  const ok = problems.reduce((sum, problem) => sum + arrived(problem.points).length, 0);
+  const {runs, arrived, unmade} = tally(problems.flatMap(({points}) => points));
   return `For an error of ${small(k_usual)} the fastest method is ${order.map(([name, count]) => `${name} (${plain(count)} of ${plain(reached)} problems)`).join(', ')}. `
-    + `${plain(ok)} of ${plain(runs)} runs have a result.`;
+    + `${plain(arrived)} of ${counted(runs, 'run')} have a result${unmade > 0 ? `; ${plain(unmade)} more settings were not run` : ''}.`;
 }
 
 /** @param {Choice[]} found */
@@ -93,7 +92,7 @@ const tableOf = (found) => ({
     {key: 'problem', title: 'problem'}, {key: 'target', title: 'error asked for', format: (/** @type {any} */ v) => small(v), numeric: true},
     {key: 'time', title: 'time', format: seconds, numeric: true}, {key: 'error', title: 'error', format: column, numeric: true},
     {key: 'method', title: 'method'}, {key: 'number', title: 'number type'}, {key: 'formulation', title: 'formulation'}, {key: 'code', title: 'code'}, {key: 'projection', title: 'projection'},
-    {key: 'accuracy', title: 'setting'}, {key: 'calls', title: 'calls', format: (/** @type {any} */ v) => plain(v), numeric: true},
+    {key: 'accuracy', title: 'setting'}, {key: 'calls', title: 'calls', format: count, numeric: true},
   ],
   rows: found.map(({problem, target, point}) => ({...point, problem: problem.name, target, time: point.time_s, accuracy: accuracyOf(point)})),
 });

@@ -1,7 +1,7 @@
 // Tolerance asked for against error delivered.
 
-import {factor, isNumber, plain} from '../format.js';
-import {front, lost, values} from '../maths/points.js';
+import {factors, isNumber, plain} from '../format.js';
+import {front, lost, made, values} from '../maths/points.js';
 import {logAxis} from './axes.js';
 import {frame} from './frame.js';
 import {Marks} from './marks.js';
@@ -33,14 +33,17 @@ function picture(problem, points, look) {
   marks.failures(failed, (point) => [x.at(point.tolerance), y.high + 0.5], [{yAxis: y.high}, {yAxis: y.axis.max}]);
   return {
     option: frame(look, {title: `${problem.name}: tolerance and error`, xAxis: x.axis, yAxis: y.axis, series: marks.series, left: 84}),
-    takeaway: takeaway(found), note: note(points.length - asked.length, y.hasZero), spots: marks.spots, height: 440,
-    table: runTable(asked.map(withRatio), best, 'Runs with a tolerance.', [{key: 'ratio', title: 'error / tolerance', format: factor, numeric: true}]),
+    takeaway: takeaway(found), note: note(made(points).length - made(asked).length, y.hasZero), spots: marks.spots, arrange: marks.arrange, height: 440,
+    table: tableOf(asked.map(withRatio), best),
     key: {methods: values(found, 'method'), numbers: values(found, 'number'), extra: [
       {label: 'error = tolerance', colour: look.muted, dash: [5, 5]}, {label: 'default setting', colour: look.ink, symbol: 'ring'},
-      ...(failed.length > 0 ? [{label: 'failed or refused', colour: look.fault, symbol: 'cross'}] : []),
+      ...(failed.length > 0 ? [{label: 'stopped or not run', colour: look.fault, symbol: 'cross'}] : []),
     ]},
   };
 }
+
+/** @param {(Point & {ratio: number | null})[]} asked @param {Point[]} best */
+const tableOf = (asked, best) => runTable(asked, best, 'Runs with a tolerance.', [{key: 'ratio', title: 'error / tolerance', format: factors(asked.map(({ratio}) => ratio)), numeric: true}]);
 
 const ratioOf = (/** @type {Point} */ point) => Number(point.error) / Number(point.tolerance);
 const withRatio = (/** @type {Point} */ point) => ({...point, ratio: isNumber(point.error) && point.tolerance ? ratioOf(point) : null});

@@ -1,7 +1,8 @@
 // Error against cost, the cost being time or calls: what a more exact result is paid for with.
 
+import {lostInWords} from '../counts.js';
 import {isNumber, plain, small} from '../format.js';
-import {arrived, cheapest, front, hadNoTime, lost, values} from '../maths/points.js';
+import {arrived, cheapest, front, lost, made, tally, values} from '../maths/points.js';
 import {logAxis} from './axes.js';
 import {briefly} from './detail.js';
 import {frame} from './frame.js';
@@ -11,14 +12,14 @@ import {runTable} from './run_table.js';
 /** @typedef {import('../types.js').Point} Point */
 /** @typedef {import('../types.js').Look} Look */
 /** @typedef {import('../types.js').Picture} Picture */
-/** @typedef {{title: string, of: (point: Point) => any, axis: string, label: (value: number) => string, write: (value: any) => string, fewest: string, caption: string, more: string}} Cost */
+/** @typedef {{title: string, of: (point: Point) => any, axis: string, label?: (value: number) => string, write: (value: any) => string, fewest: string, caption: string, more: string}} Cost */
 
 /** @param {Point[]} points @param {Look} look @param {Cost} cost @returns {Picture | string} */
 export function workPrecision(points, look, cost) {
   if (points.length === 0) return 'No runs are left: none was made, or the filters leave none.';
   const found = arrived(points).filter((point) => isNumber(cost.of(point)));
   const failed = lost(points);
-  if (found.length === 0) return `None of ${points.length} runs has both an error and ${cost.axis.split(',')[0]}.`;
+  if (found.length === 0) return `None of ${plain(made(points).length)} runs has both an error and ${cost.axis.split(',')[0]}.`;
   const best = front(found, cost.of);
   const x = logAxis(look, 'error, relative to the range of an output (more exact to the right)', found.map((point) => point.error), {inverse: true, above: failed.length > 0 ? margin(found) : 0});
   const y = logAxis(look, cost.axis, points.map(cost.of).filter((value) => value > 0), {label: cost.label, gap: 58});
@@ -34,7 +35,7 @@ export function workPrecision(points, look, cost) {
     option: frame(look, {title: cost.title, xAxis: x.axis, yAxis: y.axis, series: marks.series, left: 84}),
     takeaway: takeaway(found, failed, cost),
     note: noteOf(x.hasZero, failed.length, points.length - found.length - failed.length, cost),
-    table: runTable(points, best, cost.caption), spots: marks.spots, height: 440,
+    table: runTable(points, best, cost.caption), spots: marks.spots, arrange: marks.arrange, height: 440,
     key: {methods: values(found, 'method'), numbers: values(found, 'number'), extra: extraKey(look, failed.length > 0)},
   };
 }
@@ -55,7 +56,7 @@ function spread(points, low, high) {
 export const extraKey = (look, failures) => [
   {label: 'Pareto front: nobody is more exact at less cost', colour: look.accent, dash: 'band'},
   {label: 'default setting', colour: look.ink, symbol: 'ring'},
-  ...(failures ? [{label: 'failed or refused', colour: look.fault, symbol: 'cross'}] : []),
+  ...(failures ? [{label: 'stopped or not run', colour: look.fault, symbol: 'cross'}] : []),
 ];
 
 const k_usual = 1e-6;
@@ -67,16 +68,8 @@ function takeaway(found, failed, cost) {
   const usual = found.find((point) => point.is_default);
   const lines = [best ? `${cost.fewest} for an error of ${small(target)}: ${briefly(best)} (${cost.write(cost.of(best))}).` : ''];
   if (usual) lines.push(besideDefault(usual, found, cost));
-  if (failed.length > 0) lines.push(withoutResult(failed, found.length + failed.length));
+  lines.push(lostInWords(tally([...found, ...failed])));
   return lines.filter(Boolean).join(' ');
-}
-
-/** @param {Point[]} failed @param {number} all */
-function withoutResult(failed, all) {
-  const late = failed.filter(hadNoTime).length, stopped = failed.filter((point) => point.status === 'failed').length;
-  const why = [[late, 'had no time'], [stopped, 'stopped on the way'], [failed.length - late - stopped, 'do not suit the model']]
-    .filter(([count]) => Number(count) > 0).map(([count, word]) => `${plain(Number(count))} ${word}`);
-  return `${plain(failed.length)} of ${plain(all)} runs have no result: ${why.join(', ')}.`;
 }
 
 /** @param {Point} usual @param {Point[]} found @param {Cost} cost */
@@ -90,7 +83,7 @@ function besideDefault(usual, found, cost) {
 function noteOf(hasZero, failed, without, cost) {
   const lines = ['Lines join the runs of a method and number type that no other of them beats.'];
   if (hasZero) lines.push('An error of 0 is drawn at the end of the axis.');
-  if (failed > 0) lines.push('What failed or was refused stands in the band at the left; at its bottom where nobody measured it.');
+  if (failed > 0) lines.push('What stopped on the way or was not run stands in the band at the left; at its bottom where nobody measured it.');
   if (without > 0) lines.push(`${plain(without)} runs do not say their ${cost.more} and are left out.`);
   return lines.join(' ');
 }

@@ -15,6 +15,9 @@ export const error = (/** @type {Point} */ point) => point.error;
 export const time = (/** @type {Point} */ point) => point.time_s;
 export const calls = (/** @type {Point} */ point) => point.calls ?? null;
 
+/** Settings of which a run was begun: what counts as a run wherever runs are counted. @param {Point[]} points */
+export const made = (points) => points.filter(({status}) => status !== 'refused');
+
 /** Not run at all, for the time that the study had. @param {Point} point */
 export const hadNoTime = (point) => point.status === 'refused' && /time that the study/.test(point.why ?? '');
 
@@ -47,6 +50,13 @@ export const arrived = (/** @type {Point[]} */ points) => points.filter((point) 
 
 /** Runs that did not arrive, or whose error nobody knows. */
 export const lost = (/** @type {Point[]} */ points) => points.filter((point) => point.status !== 'ok' || !isNumber(point.error));
+
+/** How runs and other settings ended, so that all say the same of them. @param {Point[]} points */
+export function tally(points) {
+  const runs = made(points);
+  const arrivals = arrived(runs).length, stopped = runs.filter(({status}) => status === 'failed').length, late = points.filter(hadNoTime).length;
+  return {runs: runs.length, arrived: arrivals, stopped, unknown: runs.length - arrivals - stopped, unmade: points.length - runs.length, late, unfit: points.length - runs.length - late};
+}
 
 /** @param {Point[]} points */
 export const front = (points, cost = time) => paretoFront(arrived(points), error, cost);

@@ -6,13 +6,15 @@ import {across, cross, dot, minus, plus, scaled, unit} from './vectors.js';
 
 export const k_field = 32 * Math.PI / 180;  // of view, from top to bottom
 const k_steepest = 1.55;
-const k_filled = 0.78;      // of the window, in the first view
+const k_filled = 0.78;      // of the window, in the first view, by the box of the motion
+const k_filled_by_tips = 0.94;
 
 export class Camera {
   /** @param {Vector} up @param {import('./frames.js').Extent} extent */
   constructor(up, extent) {
     this.up = up;
     this.extent = extent;
+    this.tips = /** @type {Vector[]} */ ([]);  // of arrows, which the first view holds
     this.carried = /** @type {Vector} */ ([0, 0, 0]);  // with a mechanism that is followed, from whose centre places of `extent` are seen
     this.first = across(up);
     this.second = cross(up, this.first);
@@ -25,9 +27,13 @@ export class Camera {
     this.reset();
   }
 
-  /** Looks at another box, in its first view. @param {import('./frames.js').Extent} extent @param {number | null} floor its height; null: below the box */
-  show(extent, floor) {
+  /**
+   * Looks at another box, in its first view. @param {import('./frames.js').Extent} extent @param {number | null} floor its height; null: below the box
+   * @param {Vector[]} [tips] of arrows, which reach beyond the box
+   */
+  show(extent, floor, tips = []) {
     this.extent = extent;
+    this.tips = tips;
     this.floor = floor;
     this.carried = /** @type {Vector} */ ([0, 0, 0]);
     this.reset();
@@ -45,7 +51,10 @@ export class Camera {
     this.target = middle;
     this.distance = radius / Math.sin(k_field / 2);
     this.touched = false;
-    for (let i = 0; i < 4; ++i) this.distance *= this.filling() / k_filled;  // perspective makes it a little less than proportional
+    for (let i = 0; i < 4; ++i) {
+      if (this.tips.length > 0) this.centre();
+      this.distance *= Math.max(this.filling() / k_filled, this.filledBy(this.tips) / k_filled_by_tips);  // perspective makes it a little less than proportional
+    }
   }
 
   /** The first view fits its window; one that somebody has turned stays. @param {number} aspect width over height */
@@ -56,11 +65,32 @@ export class Camera {
 
   /** How much of the window the box of the motion takes, 1 being all of it. */
   filling() {
+    return this.filledBy(this.corners());
+  }
+
+  /** @returns {Vector[]} of the box of the motion */
+  corners() {
+    const ends = [this.extent.low, this.extent.high];
+    return ends.flatMap((a) => ends.flatMap((b) => ends.map((c) => /** @type {Vector} */ ([a[0], b[1], c[2]]))));
+  }
+
+  /** Looks at the middle of the box and the arrows, where they are seen. */
+  centre() {
+    const project = this.projection(2, 2);
+    const seen = [...this.corners(), ...this.tips].map((place) => project(plus(this.carried, place)));
+    const middle = (/** @type {'x' | 'y'} */ axis) => seen.reduce(([low, high], one) => [Math.min(low, one[axis]), Math.max(high, one[axis])], [Infinity, -Infinity]).reduce((a, b) => 0.5 * (a + b));
+    const {right, upright} = this.axes();
+    const pixel = this.distance * Math.tan(k_field / 2);
+    this.target = plus(this.target, plus(scaled(right, pixel * (middle('x') - 1)), scaled(upright, -pixel * (middle('y') - 1))));
+  }
+
+  /** @param {Vector[]} places in the axes of `extent` */
+  filledBy(places) {
     const project = this.projection(2 * this.aspect, 2);
-    const {low, high} = this.extent;
-    const ends = [low, high];
-    const corners = ends.flatMap((a) => ends.flatMap((b) => ends.map((c) => project(plus(this.carried, [a[0], b[1], c[2]])))));
-    return Math.max(1e-3, ...corners.map(({x, y}) => Math.max(Math.abs(x / this.aspect - 1), Math.abs(y - 1))));
+    return places.reduce((most, place) => {
+      const {x, y} = project(plus(this.carried, place));
+      return Math.max(most, Math.abs(x / this.aspect - 1), Math.abs(y - 1));
+    }, 1e-3);
   }
 
   /** @param {number} azimuth @param {number} elevation in radians */
@@ -91,11 +121,16 @@ export class Camera {
     return plus(this.aim(), scaled(this.direction(), this.distance));
   }
 
-  /** @param {number} width @param {number} height @returns {(place: Vector) => {x: number, y: number, depth: number, scale: number}} pixels; scale: pixels for a unit of length there */
-  projection(width, height) {
+  /** @returns {{back: Vector, right: Vector, upright: Vector}} of the window */
+  axes() {
     const back = this.direction();
     const right = unit(cross(this.up, back));
-    const upright = cross(back, right);
+    return {back, right, upright: cross(back, right)};
+  }
+
+  /** @param {number} width @param {number} height @returns {(place: Vector) => {x: number, y: number, depth: number, scale: number}} pixels; scale: pixels for a unit of length there */
+  projection(width, height) {
+    const {back, right, upright} = this.axes();
     const eye = this.eye();
     const focus = 0.5 * height / Math.tan(k_field / 2);
     return (place) => {

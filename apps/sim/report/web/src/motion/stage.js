@@ -10,6 +10,7 @@ import {SolidStage} from './stage_solid.js';
  * @property {import('./colours.js').SceneColours} colours
  * @property {import('../types.js').Vector[][]} traces of bodies, up to now
  * @property {number} arrow length of an arrow for a force of 1
+ * @property {number} longest arrow: longer ones are cut
  */
 
 const k_context = {alpha: true, antialias: true, depth: true, preserveDrawingBuffer: true};

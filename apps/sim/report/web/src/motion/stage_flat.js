@@ -1,5 +1,6 @@
 // The scene drawn on a plane, with perspective but without hidden surfaces: for browsers without WebGL.
 
+import {arrowOf} from './arrows.js';
 import {bodyColour} from './colours.js';
 import {boxEdges, circle, ground} from './ground.js';
 import {isVector} from './frames.js';
@@ -98,8 +99,10 @@ export class FlatStage {
   }
 
   /** @param {Projection} project @param {{at: Vector, force: Vector}} reaction @param {Scene} scene */
-  arrow(project, {at, force}, {arrow, colours}) {
-    const [from, to] = [project(at), project(plus(at, scaled(force, arrow)))];
+  arrow(project, reaction, {arrow: perForce, longest, colours}) {
+    const arrow = arrowOf(reaction, perForce, longest);
+    if (!arrow) return;
+    const [from, to] = [project(reaction.at), project(plus(reaction.at, scaled(arrow.along, arrow.length)))];
     const length = Math.hypot(to.x - from.x, to.y - from.y);
     if (length < 2) return;
     const [x, y] = [(to.x - from.x) / length, (to.y - from.y) / length];
@@ -111,10 +114,13 @@ export class FlatStage {
     pen.moveTo(from.x, from.y);
     pen.lineTo(to.x - x * head, to.y - y * head);
     pen.stroke();
-    pen.beginPath();
-    pen.moveTo(to.x, to.y);
-    pen.lineTo(to.x - head * x - 0.45 * head * y, to.y - head * y + 0.45 * head * x);
-    pen.lineTo(to.x - head * x + 0.45 * head * y, to.y - head * y - 0.45 * head * x);
-    pen.fill();
+    for (const back of arrow.isCut ? [0, head] : [0]) {
+      const tip = {x: to.x - back * x, y: to.y - back * y};
+      pen.beginPath();
+      pen.moveTo(tip.x, tip.y);
+      pen.lineTo(tip.x - head * x - 0.45 * head * y, tip.y - head * y + 0.45 * head * x);
+      pen.lineTo(tip.x - head * x + 0.45 * head * y, tip.y - head * y - 0.45 * head * x);
+      pen.fill();
+    }
   }
 }

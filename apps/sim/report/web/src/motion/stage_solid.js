@@ -4,11 +4,12 @@ import {
   BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, Group, HemisphereLight, Line, LineBasicMaterial,
   LineSegments, Mesh, MeshStandardMaterial, PerspectiveCamera, Quaternion, Scene as World, SphereGeometry, Vector3, WebGLRenderer,
 } from 'three';
+import {arrowOf} from './arrows.js';
 import {bodyColour} from './colours.js';
 import {isVector} from './frames.js';
 import {ground} from './ground.js';
 import {k_field} from './camera.js';
-import {plus, scaled, size} from './vectors.js';
+import {plus, scaled} from './vectors.js';
 
 /** @typedef {import('../types.js').Vector} Vector */
 /** @typedef {import('./stage.js').Scene} Scene */
@@ -56,7 +57,7 @@ export class SolidStage {
     const parts = /** @type {ReturnType<typeof partsOf>} */ (this.parts);
     scene.frame.bodies.forEach((pose, i) => putBody(parts.bodies[i], pose));
     scene.frame.lines.forEach((places, i) => putRods(parts.lines[i], places));
-    scene.frame.reactions.forEach((reaction, i) => putArrow(parts.reactions[i], reaction, scene.arrow, parts.thickness));
+    scene.frame.reactions.forEach((reaction, i) => putArrow(parts.reactions[i], reaction, scene, parts.thickness));
     scene.traces.forEach((trace, i) => putTrace(parts.traces[i], trace));
     putGrid(parts.grid, scene.camera);
     this.look(scene.camera);
@@ -101,7 +102,7 @@ function partsOf(motion, scene) {
     thickness, grid: gridOf(camera, colours.ground),
     bodies: (motion.bodies ?? []).map((body, i) => bodyOf(body, bodyColour(colours, i), 2 * thickness)),
     lines: (motion.lines ?? []).map((line) => rodsOf(Math.max(...(line.points ?? []).map((places) => places?.length ?? 0), 0) - 1, thickness, colours.line)),
-    reactions: (motion.reactions ?? []).map(() => arrowOf(thickness, colours.reaction)),
+    reactions: (motion.reactions ?? []).map(() => arrowParts(thickness, colours.reaction)),
     traces: scene.traces.map((_, i) => traceOf(motion.t.length + 1, bodyColour(colours, i))),
   };
 }
@@ -198,27 +199,34 @@ function span(rod, from, to) {
   rod.scale.set(1, length, 1);
 }
 
-/** @param {number} radius @param {string} colour */
-function arrowOf(radius, colour) {
+/** A shaft, a head, and a second one for arrows that are cut. They are seen through bodies, in which they may be. @param {number} radius @param {string} colour */
+function arrowParts(radius, colour) {
   const group = new Group();
-  group.add(new Mesh(new CylinderGeometry(radius, radius, 1, 16), matt(colour)), new Mesh(new ConeGeometry(2.6 * radius, 7 * radius, 20), matt(colour)));
+  const shapes = [new CylinderGeometry(radius, radius, 1, 16), ...[0, 1].map(() => new ConeGeometry(2.6 * radius, 7 * radius, 20))];
+  for (const shape of shapes) {
+    const part = new Mesh(shape, matt(colour));
+    part.material.depthTest = false;
+    part.renderOrder = 1;
+    group.add(part);
+  }
   return group;
 }
 
-/** @param {Group} group @param {{at: Vector, force: Vector} | null} reaction @param {number} length of a force of 1 @param {number} thickness */
-function putArrow(group, reaction, length, thickness) {
-  const long = reaction ? size(reaction.force) * length : 0;
-  group.visible = long > thickness;
-  if (!reaction || !group.visible) return;
-  const [shaft, head] = group.children;
-  const headLength = Math.min(7 * thickness, 0.6 * long);
-  const along = scaled(reaction.force, 1 / size(reaction.force));
-  const tip = plus(reaction.at, scaled(along, long));
-  const neck = plus(tip, scaled(along, -headLength));
-  span(shaft, reaction.at, neck);
-  head.position.set(...plus(tip, scaled(along, -headLength / 2)));
-  head.quaternion.copy(shaft.quaternion);
-  head.scale.setScalar(headLength / (7 * thickness));
+/** @param {Group} group @param {{at: Vector, force: Vector} | null} reaction @param {Scene} scene @param {number} thickness */
+function putArrow(group, reaction, scene, thickness) {
+  const arrow = reaction && arrowOf(reaction, scene.arrow, scene.longest);
+  group.visible = arrow !== null && arrow.length > thickness;
+  if (!reaction || !arrow || !group.visible) return;
+  const [shaft, ...heads] = group.children;
+  const headLength = Math.min(7 * thickness, 0.6 * arrow.length);
+  const place = (/** @type {number} */ back) => plus(reaction.at, scaled(arrow.along, arrow.length - back));
+  span(shaft, reaction.at, place(headLength));
+  heads.forEach((head, i) => {
+    head.visible = i === 0 || arrow.isCut;
+    head.position.set(...place((i + 0.5) * headLength));
+    head.quaternion.copy(shaft.quaternion);
+    head.scale.setScalar(headLength / (7 * thickness));
+  });
 }
 
 /** @param {number} most @param {string} colour */

@@ -2,10 +2,11 @@
 
 import {isNumber, plain} from '../format.js';
 import {el} from '../ui/dom.js';
+import {scaleOf, tipsOf} from './arrows.js';
 import {Camera} from './camera.js';
 import {sceneColours} from './colours.js';
 import {controls} from './controls.js';
-import {centreOf, extent, frameAt, isVector, largestReaction, reachAlong, sampleAt, travel, upOf, usualReaction} from './frames.js';
+import {centreOf, extent, frameAt, isVector, largestReaction, reachAlong, sampleAt, travel, upOf} from './frames.js';
 import {Player} from './player.js';
 import {flatStageIn, stageIn} from './stage.js';
 import {size} from './vectors.js';
@@ -13,8 +14,6 @@ import {size} from './vectors.js';
 /** @typedef {import('../types.js').Vector} Vector */
 
 const k_turn = 0.09;        // radians for a key
-const k_usual_arrow = 0.45;  // of the radius of what is looked at
-const k_longest_arrow = 1.8;
 const k_travels = 3;        // times its own size, and a mechanism may be followed
 const k_gets_lost = 4;      // and it is followed from the beginning
 const k_paper = /** @type {[number, number]} */ ([460, 256]);
@@ -29,10 +28,10 @@ export class MotionView {
     const way = travel(motion);
     this.followed = way && way.times >= k_travels ? way.extent : null;
     this.follows = way !== null && way.times >= k_gets_lost;
+    this.scale = scaleOf(motion);
     this.camera = new Camera(upOf(motion), this.whole);
     this.look();
     this.largest = largestReaction(motion);
-    this.usual = usualReaction(motion);
     this.player = new Player(motion.t[0], motion.t[motion.t.length - 1], () => this.show());
     this.stage = /** @type {ReturnType<typeof stageIn> | null} */ (null);
     this.place = el('div', {class: 'stage', tabindex: 0, role: 'application', 'aria-roledescription': 'moving picture', 'aria-label': this.label(), keydown: (/** @type {KeyboardEvent} */ event) => this.key(event)});
@@ -52,14 +51,16 @@ export class MotionView {
   }
 
   reactionList() {
-    return this.largest ? el('div', {}, el('h4', {}, 'Reactions now'), this.values) : el('p', {class: 'note'}, 'No reactions are recorded.');
+    const cut = this.scale.isCut ? el('p', {class: 'note cut'}, `Arrows of more than ${plain(this.scale.longest / this.scale.perForce, 2)} ${this.largest?.unit ?? ''} would leave the picture: they are cut, and have two heads.`) : null;
+    return this.largest ? el('div', {}, el('h4', {}, 'Reactions now'), this.values, cut) : el('p', {class: 'note'}, 'No reactions are recorded.');
   }
 
   /** A floor on which something goes along lies still; below what climbs or falls far it goes with it. */
   look() {
-    if (!this.follows || !this.followed) return this.camera.show(this.whole, null);
+    const tips = (/** @type {import('./frames.js').Extent} */ {radius}) => tipsOf(this.motion, this.scale, radius, this.follows);
+    if (!this.follows || !this.followed) return this.camera.show(this.whole, null, tips(this.whole));
     const [[lowest, highest], [low, high]] = [this.whole, this.followed].map((box) => reachAlong(box, this.camera.up));
-    return this.camera.show(this.followed, highest - lowest < 2 * (high - low) ? lowest : null);
+    return this.camera.show(this.followed, highest - lowest < 2 * (high - low) ? lowest : null, tips(this.followed));
   }
 
   /** @param {boolean} on or else the whole path is held */
@@ -127,12 +128,13 @@ export class MotionView {
     this.ui.clock.textContent = `${player.time.toFixed(2)} s`;
     this.say(frame);
     if (this.follows) this.camera.carried = centreOf(this.motion, frame);
-    this.stage?.draw({frame, camera: this.camera, colours: this.colours, traces: this.ui.traced.checked ? this.traces() : this.motion.bodies?.map(() => []) ?? [], arrow: this.arrowLength()});
+    this.stage?.draw({frame, camera: this.camera, colours: this.colours, traces: this.ui.traced.checked ? this.traces() : this.motion.bodies?.map(() => []) ?? [], ...this.arrows()});
   }
 
-  arrowLength() {
-    const perForce = Math.min(k_usual_arrow / this.usual, k_longest_arrow / (this.largest?.value || Infinity));
-    return Number.isFinite(perForce) ? Number(this.ui.arrows.value) * perForce * this.camera.extent.radius : 0;
+  /** As somebody wants them: those of the first view are as long as `scale` says. */
+  arrows() {
+    const unit = Number(this.ui.arrows.value) * this.camera.extent.radius;
+    return {arrow: this.scale.perForce * unit, longest: this.scale.longest * unit};
   }
 
   /** Places of each body that moves, up to now. @returns {Vector[][]} */

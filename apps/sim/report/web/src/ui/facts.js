@@ -1,7 +1,8 @@
 // What a problem and a machine are, in a few lines.
 
+import {runsInWords, whyUnmade} from '../counts.js';
 import {counted, isNumber, plain, seconds, small} from '../format.js';
-import {arrived, notRun} from '../maths/points.js';
+import {begun, notRun, tally} from '../maths/points.js';
 import {el, pairs} from './dom.js';
 
 /** @typedef {import('../types.js').FullProblem} FullProblem */
@@ -25,6 +26,17 @@ function outputOf({name, unit, range, scale}) {
   return said ? `${name} (${said})` : name;
 }
 
+/** Settings without a run: those that charts show as such, and those of which all that is alike was not run, which they leave out. @param {FullProblem['points']} points */
+function notRunOf(points) {
+  const [all, shown] = [tally(points), tally(begun(points))];
+  if (all.unmade === 0) return '';
+  const others = all.unmade - shown.unmade;
+  return [
+    `${counted(all.unmade, 'setting')}.`, shown.unmade > 0 && `${plain(shown.unmade)} beside runs, which charts show without a result: ${whyUnmade(shown)}.`,
+    others > 0 && `${plain(others)} that charts leave out: ${notRun(points).join('. ')}`,
+  ].filter(Boolean).join(' ');
+}
+
 /** @param {FullProblem} problem */
 export function factsOf(problem) {
   const outputs = problem.outputs.map(outputOf).join(', ');
@@ -34,9 +46,9 @@ export function factsOf(problem) {
   if (isNumber(problem.duration)) found.push(['motion', joined([`${plain(problem.duration)} s`, isNumber(problem.samples) && counted(problem.samples, 'sample')])]);
   if (outputs) found.push(['compared', outputs]);
   found.push(['reference', referenceOf(problem.reference)]);
-  found.push(['runs', `${plain(problem.points.length)}, ${plain(arrived(problem.points).length)} of them with a result`]);
-  const missing = notRun(problem.points);
-  if (missing.length > 0) found.push(['not run', missing.join('. ')]);
+  found.push(['runs', runsInWords(tally(problem.points))]);
+  const missing = notRunOf(problem.points);
+  if (missing) found.push(['not run', missing]);
   return pairs(found, 'pairs facts');
 }
 

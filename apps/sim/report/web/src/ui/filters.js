@@ -1,7 +1,7 @@
 // What the charts of a problem show: any run, unless its method, number type, formulation or projection is switched off.
 
 import {plain} from '../format.js';
-import {grouped, k_choices, settingOf, values} from '../maths/points.js';
+import {grouped, k_choices, made, settingOf, values} from '../maths/points.js';
 import {button, el} from './dom.js';
 
 /** @typedef {import('../types.js').Point} Point */
@@ -26,7 +26,7 @@ export class Filters {
   group(key, label) {
     const names = values(this.points, key);
     if (names.length < 2) return null;
-    const counts = grouped(this.points, [key]);
+    const counts = grouped(made(this.points), [key]);
     return el('fieldset', {'data-filter': key}, el('legend', {}, label), ...names.map((name) => this.choice(key, name, counts.get(name)?.length ?? 0)));
   }
 
@@ -58,8 +58,8 @@ export class Filters {
   }
 
   say() {
-    const shown = this.shown().length;
-    this.count.textContent = shown === this.points.length ? `All ${plain(shown)} runs` : `${plain(shown)} of ${plain(this.points.length)} runs`;
+    const [shown, all] = [this.shown(), this.points].map((points) => made(points).length);
+    this.count.textContent = shown === all ? `All ${plain(shown)} runs` : `${plain(shown)} of ${plain(all)} runs`;
     /** @type {HTMLButtonElement} */ (this.reset).disabled = this.off.size === 0;
   }
 }

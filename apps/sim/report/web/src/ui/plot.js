@@ -27,10 +27,13 @@ export class Plot {
     this.chart.resize(size);
     picture.option.tooltip.formatter = (/** @type {any} */ {data}) => hint(picture, data);
     this.chart.setOption(picture.option, {notMerge: true, lazyUpdate: false});
+    picture.arrange?.(this.chart, picture.option);
   }
 
   resize() {
-    if (this.chart && this.picture && this.element.clientWidth > 0) this.chart.resize({width: this.element.clientWidth, height: this.picture.height ?? 360});
+    if (!this.chart || !this.picture || this.element.clientWidth === 0) return;
+    this.chart.resize({width: this.element.clientWidth, height: this.picture.height ?? 360});
+    this.picture.arrange?.(this.chart, this.picture.option);
   }
 
   /** @param {KeyboardEvent} event */

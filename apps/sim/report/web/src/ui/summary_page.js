@@ -6,6 +6,7 @@ import {seconds, small} from '../format.js';
 import {cheapest, hadNoTime} from '../maths/points.js';
 import {el, prose} from './dom.js';
 import {Figure} from './figure.js';
+import {Sideways} from './sideways.js';
 
 /** @typedef {import('../types.js').FullProblem} FullProblem */
 
@@ -43,9 +44,10 @@ function matrix(problems, links) {
   const head = el('tr', {}, el('th', {scope: 'col'}, 'problem'), ...k_errors.map((target) => el('th', {scope: 'col'}, `error ${small(target)}`)));
   const rows = problems.map((problem, i) => el('tr', {}, el('th', {scope: 'row'}, el('a', {href: links[i]}, problem.name)), ...k_errors.map((target) => choice(problem, target))));
   const faults = problems.flatMap(({name, why}) => why ? [el('p', {class: 'fault'}, `${name}: there is no reference: ${why}.`)] : []);
-  const table = el('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Table: fastest settings in short'},
-    el('table', {class: 'matrix'}, el('caption', {}, 'Fastest run of each problem for four errors, and its setting.'), el('thead', {}, head), el('tbody', {}, ...rows)));
-  return [table, ...faults];
+  const sideways = new Sideways(el('table', {class: 'matrix'}, el('caption', {}, 'Fastest run of each problem for four errors, and its setting.'), el('thead', {}, head), el('tbody', {}, ...rows)));
+  sideways.scroll.setAttribute('aria-label', 'Table: fastest settings in short');
+  sideways.element.className = 'short';
+  return [sideways.element, ...faults];
 }
 
 /** @param {FullProblem} problem @param {number} target */

@@ -3,7 +3,8 @@
 
 import {k_missing, plain} from '../format.js';
 import {copy, csv, download, tabbed} from './csv.js';
-import {button, el} from './dom.js';
+import {button, el, prose} from './dom.js';
+import {Sideways} from './sideways.js';
 
 /** @typedef {import('../types.js').Table} Table */
 /** @typedef {import('../types.js').Column} Column */
@@ -23,8 +24,9 @@ export class DataTable {
     this.print = false;
     this.said = el('span', {role: 'status', class: 'said'});
     this.more = button('', () => this.showAll(), {class: 'more'});
-    this.scroll = el('div', {class: 'scroll', tabindex: 0, role: 'region'});
-    this.element = el('div', {class: 'data'}, this.scroll, el('div', {class: 'tools'}, this.more,
+    this.sideways = new Sideways();
+    this.scroll = this.sideways.scroll;
+    this.element = el('div', {class: 'data'}, this.sideways.element, el('div', {class: 'tools'}, this.more,
       button('Copy', () => this.copy()), button('CSV', () => download(`${this.name}.csv`, csv(this.sorted()))), this.said));
   }
 
@@ -75,13 +77,14 @@ export class DataTable {
       el('tbody', {}, ...shown.map((row) => el('tr', {}, ...columns.map((column) => cell(column, row)))))));
     this.more.hidden = shown.length === this.rows.length;
     this.more.textContent = `Show all ${plain(this.rows.length)} rows`;
+    this.sideways.look();
     this.element.dataset.left = this.more.hidden ? '' : `The first ${plain(shown.length)} of ${plain(this.rows.length)} rows.`;
   }
 
   /** @param {Column} column */
   heading({key, title, numeric}) {
     const sort = this.sortedBy !== key ? 'none' : this.falling ? 'descending' : 'ascending';
-    return el('th', {scope: 'col', 'data-column': key, class: numeric ? 'number' : null, 'aria-sort': sort}, button(title, () => this.sortBy(key), {'data-key': key}));
+    return el('th', {scope: 'col', 'data-column': key, class: numeric ? 'number' : null, 'aria-sort': sort}, el('button', {type: 'button', 'data-key': key, click: () => this.sortBy(key)}, ...prose(title)));
   }
 }
 
@@ -89,7 +92,7 @@ export class DataTable {
 function cell({key, format, numeric}, row) {
   const value = row[key];
   const text = format ? format(value) : value === null || value === undefined || value === '' ? k_missing : String(value);
-  return el('td', {'data-column': key, class: numeric ? 'number' : null}, text);
+  return numeric ? el('td', {'data-column': key, class: 'number'}, text) : el('td', {'data-column': key}, ...prose(text));
 }
 
 /** What is missing comes last either way. @param {Column} column @param {boolean} falling */
