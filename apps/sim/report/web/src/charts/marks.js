@@ -89,7 +89,7 @@ export class Marks {
     this.place = usual;
     this.series[this.series.length - 1].markArea = {
       silent: true, itemStyle: {color: this.look.band},
-      label: {show: true, formatter: 'no result', color: this.look.fault, fontSize: 11, position: 'top'}, data: [area]  // outside, where no point is,
+      label: {show: true, formatter: 'no result', color: this.look.fault, fontSize: 11, position: 'top', distance: 8}, data: [area]  // outside, where no point is,
     };
   }
 }

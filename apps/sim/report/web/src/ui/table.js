@@ -73,7 +73,7 @@ export class DataTable {
   draw() {
     const shown = this.all ? this.rows : this.rows.slice(0, this.print ? k_first_rows_on_paper : k_first_rows);
     const {columns, caption} = this.table;
-    this.scroll.replaceChildren(el('table', {}, el('caption', {}, caption), el('thead', {}, el('tr', {}, ...columns.map((column) => this.heading(column)))),
+    this.scroll.replaceChildren(el('table', {}, el('caption', {}, el('span', {}, caption)), el('thead', {}, el('tr', {}, ...columns.map((column) => this.heading(column)))),
       el('tbody', {}, ...shown.map((row) => el('tr', {}, ...columns.map((column) => cell(column, row)))))));
     this.more.hidden = shown.length === this.rows.length;
     this.more.textContent = `Show all ${plain(this.rows.length)} rows`;
