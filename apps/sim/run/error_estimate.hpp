@@ -1,6 +1,7 @@
 #pragma once
 // How far a run may be off: what a tighter one says.
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,8 @@ class Rows {
   Rows(std::size_t columns, long samples);
 
   void set(long k, const std::vector<long double>& row);
+  /// Those of the first `samples`, if there are more.
+  void keep(long samples) { count_ = std::min(count_, samples); }
   std::size_t columns() const { return columns_; }
   long samples() const { return count_; }
   long double at(long k, std::size_t column) const { return values_[static_cast<std::size_t>(k) * columns_ + column]; }

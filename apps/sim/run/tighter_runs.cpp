@@ -43,12 +43,12 @@ class Tightening {
 
   std::optional<TighterRuns> look(std::string& why) {
     const TimeLimit limit(k_least_limit + k_longer * run_.wall_seconds);
-    RunInRows tight = in_rows(prepared_, *engine_, setting_, Meter::none);
+    RunInRows tight = made();
     why = why_no_yardstick(tight.run);
     if (!why.empty()) return std::nullopt;
     TighterRuns result{yardstick_of(std::move(tight.rows), rows_), std::nullopt};
     while (tighten() || !result.agreement) {
-      RunInRows next = in_rows(prepared_, *engine_, setting_, Meter::none);
+      RunInRows next = made();
       if (!arrives(next.run)) break;
       Yardstick yardstick = yardstick_of(std::move(next.rows), result.yardstick.rows());
       result.agreement = yardstick.error_of(result.yardstick.rows());
@@ -59,6 +59,13 @@ class Tightening {
   }
 
  private:
+  /// As far as the run goes.
+  RunInRows made() const {
+    RunInRows result = in_rows(prepared_, *engine_, setting_, Meter::none);
+    result.rows.keep(rows_.samples());
+    return result;
+  }
+
   /// Closer to the motion, by other terms. Where samples are closer than steps would be, a tolerance alone changes nothing, nor does a step.
   void begin() {
     const double duration = prepared_.span.duration;
