@@ -37,10 +37,10 @@ StudyPoint point_of(const Trial& trial) {
           trial.steps};
 }
 
-/// All methods but series end a step at each sample. Where they do little else, an error is delivered by samples as much as by the tolerance, and in a scene with fewer of them it is not,
-/// unless its steps are as short.
+/// All methods but series end a step at each sample. Where these are about as close as steps, if only for a part of the time, an error is delivered by samples as much as by the tolerance, and in a
+/// scene with fewer of them it is not, unless its steps are as short.
 void keep_steps(StudyPoint& point, const Span& span) {
-  constexpr double k_few = 2;  ///< steps from a sample to the next
+  constexpr double k_few = 10;  ///< steps from a sample to the next
   const auto parts = static_cast<double>(span.samples - 1);
   if (point.method == "taylor" || point.step > 0 || static_cast<double>(point.steps) >= k_few * parts) return;
   // Written out with three digits, it is no shorter than what it was, which would take another step.
@@ -64,13 +64,23 @@ std::string head() {
                      "time");
 }
 
+/// What a study calls `as given, metric`: the scene's own form by a strategy. Empty: it is another one.
+std::string strategy_of(const StudyPoint& point, const std::string& own_form) {
+  for (const std::string& strategy : strategy_names()) {
+    if (point.formulation == own_form + ", " + strategy) return strategy;
+  }
+  return "";
+}
+
 /// Lines of a scene.
 std::string as_scene(const StudyPoint& point, const std::string& own_form) {
   std::string text = fmt::format("method: {}\n", point.method);
   text += point.step > 0 ? fmt::format("step: {}\n", point.step) : fmt::format("tolerance: {}\n", point.tolerance);
   if (point.longest_step > 0) text += fmt::format("longest_step: {}\n", point.longest_step);
   text += fmt::format("number: {}\nprojection: {}\n", point.number, point.projection);
-  if (!point.formulation.empty() && point.formulation != own_form)
+  if (const std::string strategy = strategy_of(point, own_form); !strategy.empty())
+    text += fmt::format("strategy: {}\n", strategy);
+  else if (!point.formulation.empty() && point.formulation != own_form)
     text += fmt::format("# formulation: {} (as under 'formulations' of the scene)\n", point.formulation);
   if (!point.code.empty() && point.code != code_names().front()) text += fmt::format("code: {}\n", point.code);
   return text;

@@ -171,7 +171,11 @@ void add_study(CLI::App& app, StudyOptions& options) {
       ->type_name("S")
       ->check(positive());
   study->add_option("--loosest", options.loosest, "first tolerance, default 1e-3")->type_name("E")->check(positive());
-  study->add_option("--tightest", options.tightest, "last tolerance, default 1e-13")->type_name("E")->check(positive());
+  study
+      ->add_option("--tightest", options.tightest,
+                   "last tolerance, default 1e-13, and that of rounding for default methods")
+      ->type_name("E")
+      ->check(positive());
   add_messages(*study, options.messages);
   study->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }

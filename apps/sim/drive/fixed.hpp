@@ -37,7 +37,10 @@ class Fixed final : public Integrator<S> {
     using std::ceil;
     const S way = end - t_;
     if (!(way > S(0)) || !is_running()) return is_running() && way == S(0);
-    const auto count = static_cast<long>(std::max(ceil(way / step_ * S(1 - k_rounding)), S(1)));
+    const S wanted = ceil(way / step_ * S(1 - k_rounding));
+    // No run takes so many, and no integer counts them all.
+    if (!(wanted < S(k_most_steps))) return progress_.outcome = Outcome::too_many_steps, false;
+    const auto count = static_cast<long>(std::max(wanted, S(1)));
     const gauss::integrate::TimeGrid<S> grid(t_, way / S(count));
     for (long k = 0; k < count && is_running(); ++k)
       step(grid.at(k), grid.step(), k + 1 == count ? end : grid.at(k + 1));
@@ -52,6 +55,7 @@ class Fixed final : public Integrator<S> {
   using Outcome = gauss::simulate::Outcome;
   using StepOutcome = gauss::integrate::StepOutcome;
 
+  static constexpr double k_most_steps = 1e15;
   static constexpr double k_rounding = 1e-12;  ///< of a way that is a whole number of steps
 
   bool is_running() const { return progress_.outcome == Outcome::running; }

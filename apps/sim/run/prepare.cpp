@@ -54,13 +54,25 @@ std::string hint_for(const std::string& missing) {
   return near.empty() ? "paths begin at the folder of the scene" : near;
 }
 
-/// Masses and inertias that no body has, by other values than those of the model's file, which are looked at with it.
-void check_bodies(const Scene& scene, const std::vector<std::string>& sets, const model::Model& read,
-                  Diagnostics& diagnostics) {
+using Mistakes = std::vector<gaussgen::support::Diagnostic>;
+
+/// Masses and inertias that no body has.
+Mistakes wrong_bodies(const model::Model& read) {
+  Mistakes found;
+  for (auto& one : model::impossible_bodies(read)) {
+    if (one.severity == gaussgen::support::Severity::error) found.push_back(std::move(one));
+  }
+  return found;
+}
+
+/// By other values than those of the model's file, which are looked at with it. `of_scene`: what it makes wrong by itself.
+void check_bodies(const Scene& scene, const std::vector<std::string>& sets, const Mistakes& of_scene,
+                  const model::Model& read, Diagnostics& diagnostics) {
   if (scene.parameters.empty() && sets.empty()) return;
-  for (const auto& found : model::impossible_bodies(read)) {
-    if (found.severity != gaussgen::support::Severity::error) continue;
-    if (scene.parameters.empty()) throw cli::UsageError("--set: " + found.message);
+  for (const auto& found : wrong_bodies(read)) {
+    const auto is_same = [&](const auto& one) { return one.message == found.message; };
+    if (scene.parameters.empty() || std::none_of(of_scene.begin(), of_scene.end(), is_same))
+      throw cli::UsageError("--set: " + found.message);
     diagnostics.error(found.code, scene.parameters.front().span, found.message, found.hint);
   }
 }
@@ -252,10 +264,11 @@ class Preparation {
   void take_values(model::Model& read) {
     const Scene& scene = result_.scene;
     give_values(scene, read, in_scene_);
+    const Mistakes of_scene = in_scene_.has_errors() ? Mistakes{} : wrong_bodies(read);
     cli::apply_overrides(request_.sets, read);
     if (request_.adjust) request_.adjust(scene, read, in_scene_);
     parameters_ = model::parameter_values(read);
-    if (!in_scene_.has_errors()) check_bodies(scene, request_.sets, read, in_scene_);
+    if (!in_scene_.has_errors()) check_bodies(scene, request_.sets, of_scene, read, in_scene_);
     check_range_of_numbers(scene, read, parameters_, in_scene_);
     remarks_ = remarks_on_quaternions(read, parameters_);
     result_.parameters.clear();

@@ -64,8 +64,19 @@ class Comparison {
   const Json& summary_;
 };
 
+/// A setting that was found for an error delivers no other one.
+void compare_errors(const Json& summary, const Comparison& with, const Scene& scene) {
+  const bool was_asked = summary.contains("asked_for");
+  const double before = was_asked ? summary["asked_for"].at("error").get<double>() : 0;
+  const double now = scene.error.value_or(0);
+  if (before == now) return;
+  if (was_asked) with.refuse(fmt::format("it was asked for an error of {0}, so --error {0} goes on with it", before));
+  with.refuse(fmt::format("it was asked for no error, and for {} now", now));
+}
+
 void compare(const Json& summary, const std::string& file, const PreparedModel& prepared, const Setting& setting) {
   const Comparison with(file, summary);
+  compare_errors(summary, with, prepared.scene);
   with.text("model", prepared.model.unit.model_name);
   with.text("scene", prepared.scene.name);
   with.text("method", setting.method);
@@ -202,6 +213,7 @@ EarlierRun earlier_run_of(const Json& said, const std::string& csv, const std::s
   if (!earlier.is_finished && !can_go_on)
     throw cli::UsageError(fmt::format("--resume: the motion in '{}' has stopped by itself: {}", csv, outcome));
   earlier.run = run_of(said);
+  if (said.contains("asked_for")) earlier.asked_for = said["asked_for"].dump();
   const auto& last = earlier.run.last_state;
   const bool is_state = last.size() == prepared.model.size() && std::all_of(last.begin(), last.end(), is_number);
   if (!is_state || !is_sound(earlier.run, prepared.span, earlier.is_finished)) refuse_summary(summary);

@@ -13,6 +13,7 @@ struct EarlierRun {
   std::string table;  ///< the CSV
   Simulated run;
   bool is_finished = false;
+  std::string asked_for;  ///< JSON, of a run whose setting was looked for; empty: none was
 };
 
 /// How the run of a summary was made. Throws cli::FileError.

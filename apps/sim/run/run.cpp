@@ -88,7 +88,7 @@ nlohmann::ordered_json estimate_json(const Estimate& estimate) {
 
 nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& setting, const Engine& engine,
                                const Simulated& run, const Times& times, const KnownErrors& errors,
-                               const std::optional<FoundSetting>& found) {
+                               const std::optional<FoundSetting>& found, const std::string& asked_before) {
   nlohmann::ordered_json json;
   json["tool"] = std::string("gauss-sim ") + gaussgen::k_version;
   json["model"] = prepared.model.unit.model_name;
@@ -117,6 +117,7 @@ nlohmann::ordered_json summary(const PreparedModel& prepared, const Setting& set
   if (const auto& error = errors.from_closed_forms)
     json["from_closed_forms"] = {{"relative", error->value}, {"output", error->output}};
   if (found) json["asked_for"] = asked_json(*found, *prepared.scene.error);
+  if (!asked_before.empty()) json["asked_for"] = nlohmann::ordered_json::parse(asked_before);
   json["drift"] = drift_json(run.drift);
   if (run.start_moved > 0) json["start_moved"] = {{"by", run.start_moved}, {"component", run.start_component}};
   if (run.with_fewer_constraints > 0) json["steps_with_fewer_constraints"] = run.with_fewer_constraints;
@@ -146,9 +147,9 @@ std::string in_words(const Estimate& estimate, bool is_found) {
   const std::string text = in_words(static_cast<const DeliveredError&>(estimate));
   if (is_found) return text;
   if (!estimate.agreement) return text + "; by one tighter run, which no other one confirms";
-  return estimate.agreement->value < estimate.value
+  return estimate.agreement->value <= k_agree * estimate.value
              ? text
-             : fmt::format("{}; by two tighter runs, which agree no better than that", text);
+             : fmt::format("{} at most; two tighter runs agree to {} only", text, said(estimate.agreement->value));
 }
 
 void tell(const RunOptions& options, const PreparedModel& prepared, const Setting& setting, const Engine& engine,
@@ -182,7 +183,7 @@ void tell(const RunOptions& options, const PreparedModel& prepared, const Settin
   cli::write_standard_output(text);
 }
 
-int code_of(const Simulated& run, const PreparedModel& prepared, const std::string& csv,
+int code_of(const Simulated& run, const PreparedModel& prepared, const std::string& csv, bool is_further,
             const cli::MessageOptions& messages) {
   if (run.untrusted_samples > 0)
     cli::warn(fmt::format("outputs of {} samples are not to be trusted: {}", run.untrusted_samples,
@@ -200,7 +201,7 @@ int code_of(const Simulated& run, const PreparedModel& prepared, const std::stri
   std::string hint;
   if (is_by_steps && !prepared.edge.empty())
     hint = hint_for_edge(prepared.edge);
-  else if (run.outcome == Outcome::too_many_steps && csv != "-")
+  else if (run.outcome == Outcome::too_many_steps && csv != "-" && is_further)
     hint = "--resume goes on from the last row, for as many steps again";
   return cli::fail(
       fmt::format("the motion of '{}' stops at t = {:.10g}: {}{}", prepared.model.unit.model_name, run.reached, why,
@@ -364,7 +365,9 @@ int run(const RunOptions& options, const FindSetting& find) {
   }
   if (const ClosedForms forms(*prepared); forms.are_there() && !earlier)
     errors.from_closed_forms = from_closed_forms(forms, *prepared, setting, rows);
-  const std::string text = summary(*prepared, setting, *engine, simulated, times, errors, found).dump(2) + "\n";
+  const std::string asked_before = earlier ? earlier->asked_for : "";
+  const std::string text =
+      summary(*prepared, setting, *engine, simulated, times, errors, found, asked_before).dump(2) + "\n";
   file.finish();
   if (csv != "-") cli::Replacement(summary_path(csv), text).commit();
   tell(options, *prepared, setting, *engine, simulated, times, errors, found, csv);
@@ -374,7 +377,8 @@ int run(const RunOptions& options, const FindSetting& find) {
   if (found && error && simulated.outcome == Outcome::running && !(error->value <= *prepared->scene.error))
     return cli::fail(fmt::format("the run is off by {:.2e}, in {}", error->value, error->output), cli::k_not_delivered,
                      options.messages);
-  return code_of(simulated, *prepared, csv, options.messages);
+  const bool is_further = simulated.samples > (earlier ? earlier->run.samples : 1);
+  return code_of(simulated, *prepared, csv, is_further, options.messages);
 }
 
 }  // namespace gausssim

@@ -20,7 +20,6 @@ constexpr double k_shorter = 0.5;            ///< steps
 constexpr double k_shortest = 0.1;           ///< of the step of the first of them
 constexpr double k_other =
     0.9;  ///< likewise, of runs whose tolerances differ: no step of one ends where steps of the other do
-constexpr double k_agree = 0.25;     ///< of the error of the run, by which two tighter ones may differ
 constexpr double k_of_steps = 1e-9;  ///< nobody knows the tolerance of these
 constexpr int k_longer = 20;         ///< times what the run took; then tighter ones are given up
 constexpr double k_least_limit = 2;  ///< s

@@ -9,6 +9,8 @@
 
 namespace gausssim {
 
+constexpr double k_agree = 0.25;  ///< of the error of a run, by which two tighter ones may differ
+
 struct TighterRuns {
   Yardstick yardstick;                      ///< of the tightest
   std::optional<DeliveredError> agreement;  ///< of the two tightest; nothing where only one arrives

@@ -37,7 +37,7 @@ struct Form {
   std::vector<std::string> scalars;  ///< number types that it is compiled for
   std::unique_ptr<Engine> engine;
   EngineTimes times;
-  std::string why = {};  ///< it cannot be compared with the others; empty: it can
+  std::string why = {};      ///< it cannot be compared with the others; empty: it can
   bool is_of_scene = false;  ///< one of its `formulations`
 };
 

@@ -15,6 +15,8 @@ namespace {
 
 /// Steps of one length that are as many in the motion as this, from few to many.
 constexpr double k_fewest_steps = 1e2, k_most_steps = 1e7;
+constexpr double k_tightest = 1e-13;  ///< tolerance
+constexpr double k_rounding = 1e-6;   ///< of tolerances that are powers
 
 std::vector<double> between(double from, double to, int per_decade) {
   std::vector<double> values;
@@ -84,12 +86,20 @@ class GridMaker {
       }
       return;
     }
-    for (const double tolerance : between(options_.loosest, options_.tightest, options_.per_decade)) {
-      if (tolerance < least_tolerance(number)) return;
+    for (const double tolerance : between(options_.loosest, tightest(method.name, number), options_.per_decade)) {
+      if (tolerance < least_tolerance(number) * (1 - k_rounding)) return;
       candidate.setting.tolerance = tolerance;
       all_.push_back(candidate);
       all_.back().is_default = is_default(all_.back());
     }
+  }
+
+  /// Methods that nobody has to choose go as far as the digits do: else a front would end where something else is cheapest by default.
+  double tightest(const std::string& method, const std::string& number) const {
+    if (options_.tightest > 0) return options_.tightest;
+    const std::vector<std::string> usual = usual_methods();
+    const bool goes_on = number != "float128" && std::count(usual.begin(), usual.end(), method) > 0;
+    return goes_on ? least_tolerance(number) : k_tightest;
   }
 
   bool is_default(const Candidate& candidate) const {

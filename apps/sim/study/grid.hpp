@@ -9,7 +9,7 @@
 namespace gausssim {
 
 struct GridOptions {
-  double loosest = 1e-3, tightest = 1e-13;
+  double loosest = 1e-3, tightest = 0;  ///< 0: as far as the digits go, by methods that are defaults
   int per_decade = 1;
   std::vector<std::string> only = {};  ///< methods: these, of the scene as it is, in double; empty: all, and all else
 };

@@ -9,11 +9,11 @@
 namespace gausssim {
 
 struct StudyOptions {
-  std::vector<std::string> files;    ///< scenes or models, a problem each
-  std::string output = "study";      ///< path without its ending: .json, .csv, .html
-  std::vector<std::string> methods;  ///< these alone; empty: all, and all else that there is to vary
-  double budget = 60;                ///< s for each problem
-  double loosest = 1e-3, tightest = 1e-13;
+  std::vector<std::string> files;       ///< scenes or models, a problem each
+  std::string output = "study";         ///< path without its ending: .json, .csv, .html
+  std::vector<std::string> methods;     ///< these alone; empty: all, and all else that there is to vary
+  double budget = 60;                   ///< s for each problem
+  double loosest = 1e-3, tightest = 0;  ///< 0: as far as the digits go, by methods that are defaults
   bool quiet = false;
   gaussgen::cli::MessageOptions messages;
 };

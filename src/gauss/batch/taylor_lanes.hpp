@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "gauss/integrate/taylor.hpp"
+#include "gauss/integrate/unit_groups.hpp"
 #include "gauss/scalar/xsimd.hpp"
 #include "gauss/simulate/report.hpp"
 #include "gauss/simulate/rounding.hpp"
@@ -190,10 +191,11 @@ class TaylorLanes {
   Batch longest() {
     const Mask is_first = !(reach_ > Batch(Number(0)));
     const Batch reach = xsimd::any(is_first) ? xsimd::select(is_first, first_reach(), reach_) : reach_;
-    Values by_allowed;
+    Values sizes, places, by_allowed;
+    for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = size_within(reach, i);
+    groups_.find_largest(sizes.data(), places.data());
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Batch size = size_within(reach, i);
-      allowed_[i] = (settings_.tolerance + Number(4) * std::numeric_limits<Number>::epsilon()) * size + least();
+      allowed_[i] = settings_.tolerance * sizes[i] + last_places() * places[i] + least();
       by_allowed[i] = Batch(Number(1)) / allowed_[i];
     }
     const int q = order_ - 3;
@@ -267,6 +269,7 @@ class TaylorLanes {
     return reach;
   }
 
+  static Batch last_places() { return Number(4) * Math<Batch>::epsilon(); }
   static Batch least() { return Batch(std::numeric_limits<Number>::min() / std::numeric_limits<Number>::epsilon()); }
 
   static constexpr double k_most_off = 10'000;  ///< as TaylorSimulation has it
@@ -274,6 +277,7 @@ class TaylorLanes {
 
   Model model_;
   simulate::Settings<Number> settings_;
+  integrate::UnitGroups<Model> groups_{model_};
   int order_;
   State state_, before_{};
   Batch t_, t_before_ = Batch(Number(0)), span_ = Batch(Number(0));

@@ -10,6 +10,7 @@
 
 #include "gauss/integrate/state_arrays.hpp"
 #include "gauss/integrate/step_result.hpp"
+#include "gauss/math.hpp"
 
 namespace gauss::integrate {
 
@@ -47,15 +48,15 @@ class UnitGroups {
     return result;
   }
 
-  /// The same, into `result`.
+  /// The same, into `result`. Scalars may be lanes.
   void find_largest(const Scalar* sizes, Scalar* result) const {
     const std::size_t n = first_.size();
     const std::size_t* const first = first_.data();
     const bool* const is_angle = is_angle_.data();
     // The first of a group comes before all others.
     for (std::size_t i = 0; i < n; ++i) {
-      const Scalar size = is_angle[i] ? std::max(sizes[i], Scalar(1)) : sizes[i];
-      result[first[i]] = first[i] == i ? size : std::max(result[first[i]], size);
+      const Scalar size = is_angle[i] ? larger(sizes[i], Scalar(1)) : sizes[i];
+      result[first[i]] = first[i] == i ? size : larger(result[first[i]], size);
     }
     for (std::size_t i = 0; i < n; ++i) result[i] = result[first[i]];
   }
@@ -114,6 +115,10 @@ class UnitGroups {
  private:
   using Arrays = StateArrays<Model>;
   static constexpr std::size_t k_none = static_cast<std::size_t>(-1);
+
+  static Scalar larger(const Scalar& a, const Scalar& b) {
+    return Math<Scalar>::select(Math<Scalar>::less(a, b), b, a);
+  }
 
   static std::string_view unit(const Model& model, std::size_t i) {
     const char* const text = model.unit(i);
