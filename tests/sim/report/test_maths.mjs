@@ -38,6 +38,9 @@ test('settings are compared where all others are alike', () => {
   assert.deepEqual(alikeBut(points, 'formulation'), [points[0], points[3], points[4], points[5]]);
   assert.deepEqual(alikeBut(points, 'projection'), [points[0], points[1]]);
   assert.deepEqual(alikeBut([points[1], points[3]], 'formulation'), []);
+  // What a method does not take was not tried with it.
+  const both = [run('a', 'taylor', 'full'), {...run('a', 'taylor', 'velocities'), status: 'refused'}, run('a', 'prince87', 'full'), run('a', 'prince87', 'velocities')];
+  assert.deepEqual(alikeBut(both, 'projection'), [both[2], both[3]]);
 });
 
 test('what failed, or has no error or time, is on no front', () => {
@@ -57,6 +60,7 @@ test('the cheapest setting may be more exact than asked for, and is a run that w
 test('errors asked for go on as far as somebody gets', () => {
   assert.deepEqual(targets([]).slice(-1), [1e-12]);
   assert.deepEqual(targets([point(3e-22, 1)]).slice(-2), [1e-18, 1e-21]);
+  assert.deepEqual(targets([point(1e-14, 1)]).slice(-3), [1e-12, 1e-13, 1e-14]);
 });
 
 test('a digit costs what the law of a method says: order 5 costs 10^(1/5)', () => {

@@ -1,6 +1,6 @@
 // Batches: trajectories in lanes of one register, on several threads.
 
-import {count, factors, isNumber, plain} from '../format.js';
+import {count, counted, factors, isNumber, plain} from '../format.js';
 import {fillOf, nth} from '../look.js';
 import {categoryAxis, k_room, linearAxis} from './axes.js';
 import {frame} from './frame.js';
@@ -52,7 +52,7 @@ const detail = (row) => [
 /** @param {Lanes[]} rows */
 function takeaway(rows) {
   const best = rows.reduce((a, b) => Number(b.trajectories_per_s) > Number(a.trajectories_per_s) ? b : a);
-  return `Most in a second: ${plain(best.trajectories_per_s)} trajectories, with ${best.number} in ${plain(best.lanes)} lanes on ${plain(best.threads)} threads`
+  return `Most in a second: ${plain(best.trajectories_per_s)} trajectories, with ${best.number} in ${counted(best.lanes, 'lane')} on ${counted(best.threads, 'thread')}`
     + (isNumber(best.ratio) ? `, ${plain(best.ratio)} times as many as one at a time.` : '.');
 }
 

@@ -21,6 +21,7 @@ const k_results = [
 /** @param {Point[]} points @param {Point[]} front @param {string} caption @param {Column[]} [more] columns before those of results */
 export function runTable(points, front, caption, more = []) {
   const [method, ...differing] = k_settings.filter(([key]) => new Set(points.map((point) => settingOf(point, key))).size > 1 || key === 'method');
+  const named = differing.map(([key, title]) => ({key, title}));  // the number type first: it says what an error can be
   const alike = k_settings.filter((setting) => setting !== method && !differing.includes(setting) && points.some((point) => point[setting[0]]));
   const used = k_results.filter(({key}) => points.some((point) => /** @type {any} */ (point)[key] !== null && /** @type {any} */ (point)[key] !== undefined));
   const onFront = new Set(front.map(({id}) => id));
@@ -34,7 +35,7 @@ export function runTable(points, front, caption, more = []) {
   return {
     caption: words.filter(Boolean).join(' '),
     columns: [
-      {key: method[0], title: method[1]}, ...used, ...more, ...differing.map(([key, title]) => ({key, title})), {key: 'marks', title: 'marks'},
+      {key: method[0], title: method[1]}, ...named.filter(({key}) => key === 'number'), ...used, ...more, ...named.filter(({key}) => key !== 'number'), {key: 'marks', title: 'marks'},
       ...(failures ? [{key: 'status', title: 'status'}, {key: 'why', title: 'why'}] : []),
     ],
     rows: [...points].sort(order(onFront)).map((point) => ({...point, marks: marks(point), status: statusOf(point)})),

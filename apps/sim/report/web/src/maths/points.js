@@ -39,7 +39,7 @@ export function begun(points) {
 export const notRun = (points) => k_choices.flatMap(([key, one, many]) => {
   const byReason = /** @type {Map<string, string[]>} */ (new Map());
   for (const [name, group] of neverBegun(points, key)) {
-    const why = [...new Set(group.map((point) => point.why || 'nobody says why'))].join(' / ');
+    const why = [...new Set(group.map((point) => (point.why || 'nobody says why').replace(/^method '[^']*': /, '')))].join(' / ');
     byReason.set(why, [...byReason.get(why) ?? [], name]);
   }
   return [...byReason].map(([why, names]) => `${names.length === 1 ? one : many} ${names.join(', ')}: ${why}`);
@@ -81,11 +81,11 @@ export function grouped(points, keys) {
   return groups;
 }
 
-/** Those whose other settings were tried with each value of `key`, so that nothing else is compared. Tolerances and steps may differ. @param {Point[]} points @param {string} key */
+/** Those whose other settings were tried with each value of `key`, by a run that was begun, so that nothing else is compared. Tolerances and steps may differ. @param {Point[]} points @param {string} key */
 export function alikeBut(points, key) {
   const others = k_settings.map(([other]) => /** @type {string} */ (other)).filter((other) => other !== key && other !== 'library' && other !== 'engine');
   const of = (/** @type {Point} */ point) => others.map((other) => settingOf(point, other)).join(' · ');
-  const tried = [...grouped(points, [key]).values()].map((group) => new Set(group.map(of)));
+  const tried = [...grouped(made(points), [key]).values()].map((group) => new Set(group.map(of)));
   return points.filter((point) => tried.every((some) => some.has(of(point))));
 }
 
@@ -99,11 +99,11 @@ export function cheapest(points, target, cost = time) {
   return best;
 }
 
-/** 1e-3, 1e-4, ... 1e-12, and on in steps of three decades as far as somebody gets. @param {Point[]} points */
+/** 1e-3, 1e-4, ... 1e-12, and on as far as somebody gets, from 1e-15 in steps of three decades. @param {Point[]} points */
 export function targets(points) {
   const best = Math.min(...arrived(points).map((point) => Number(point.error)), 1);
   const found = [];
   for (let digits = 3; digits <= 12; ++digits) found.push(Number(`1e-${digits}`));
-  for (let digits = 15; digits <= 30 && Number(`1e-${digits}`) >= best; digits += 3) found.push(Number(`1e-${digits}`));
+  for (let digits = 13; digits <= 30 && Number(`1e-${digits}`) >= best; digits += digits < 15 ? 1 : 3) found.push(Number(`1e-${digits}`));
   return found;
 }
