@@ -15,8 +15,8 @@ namespace {
 
 /// Steps of one length that are as many in the motion as this, from few to many.
 constexpr double k_fewest_steps = 1e2, k_most_steps = 1e7;
-constexpr double k_tightest = 1e-13;  ///< tolerance
-constexpr double k_rounding = 1e-6;   ///< of tolerances that are powers
+constexpr double k_tightest = 1e-13;           ///< tolerance
+constexpr double k_rounding_of_powers = 1e-6;  ///< of tolerances that are powers
 
 std::vector<double> between(double from, double to, int per_decade) {
   std::vector<double> values;
@@ -87,7 +87,7 @@ class GridMaker {
       return;
     }
     for (const double tolerance : between(options_.loosest, tightest(method.name, number), options_.per_decade)) {
-      if (tolerance < least_tolerance(number) * (1 - k_rounding)) return;
+      if (tolerance < least_tolerance(number) * (1 - k_rounding_of_powers)) return;
       candidate.setting.tolerance = tolerance;
       all_.push_back(candidate);
       all_.back().is_default = is_default(all_.back());

@@ -221,6 +221,12 @@ class Errors(Program):
         study["problems"][0]["points"] = points
         self.write("study.json", json.dumps(study))
         self.assertIn("tolerance: 1e-05\n", self.ok("advise", "spring.yaml", "--error", "1e-4", "--study", "study.json"))
+        with self.subTest("a strategy is a line of a scene"):
+            study["problems"][0]["points"] = [{**point, "formulation": "as given, metric"}]
+            self.write("metric.json", json.dumps(study))
+            said = self.ok("advise", "spring.yaml", "--error", "1e-4", "--study", "metric.json")
+            self.assertIn("\nstrategy: metric\n", said)
+            self.assertNotIn("formulation", said)
         with self.subTest("a margin of two"):
             self.assertIn("tolerance: 1e-08\n", self.ok("advise", "spring.yaml", "--error", "1.5e-5", "--study", "study.json"))
         with self.subTest("nothing delivers it"):

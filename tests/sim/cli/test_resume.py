@@ -194,6 +194,23 @@ class Resuming(Program):
         self.assertEqual(self.summary("spring.json")["tolerance"], first["tolerance"])
         self.assertEqual(self.summary("spring.json")["outcome"], "finished")
 
+    def test_another_error_is_another_run(self):
+        """What was found for one of 1e-3 delivers no 1e-10."""
+        part = ["--duration", "60", "--max-steps", "10"]
+        self.assertEqual(self.run_it("run", "spring.yaml", "-q", "--error", "1e-3", *part).returncode, 5)
+        said = self.refused(2, "run", "spring.yaml", "-q", "--error", "1e-10", "--duration", "60", "--resume")
+        self.assertIn("it was asked for an error of 0.001, so --error 0.001 goes on with it", said)
+        self.assertIn("--error 0.001 goes on with it", self.refused(2, "run", "spring.yaml", "-q", "--duration", "60", "--resume"))
+        self.ok("run", "spring.yaml", "-q", "--error", "1e-3", "--duration", "60", "--resume")
+        self.assertEqual(self.summary("spring.json")["asked_for"]["error"], 1e-3)
+        self.ok("run", "spring.yaml", "-q", "-o", "plain.csv")
+        self.assertIn("it was asked for no error", self.refused(2, "run", "spring.yaml", "-q", "--error", "1e-3", "--resume", "-o", "plain.csv"))
+
+    def test_a_run_that_does_not_get_to_the_next_row_has_no_hint(self):
+        how = ["--method", "rk4", "--step", "0.001", "--max-steps", "1"]
+        self.assertNotIn("--resume", self.run_it("run", "spring.yaml", "-q", *how).stderr)
+        self.assertNotIn("--resume", self.run_it("run", "spring.yaml", "-q", *how, "--resume").stderr)
+
     def test_a_finished_run_is_left_alone(self):
         self.ok("run", "spring.yaml", "-q")
         before = (self.folder / "spring.csv").read_bytes()
