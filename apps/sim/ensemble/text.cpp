@@ -41,6 +41,15 @@ std::string seconds_in_words(const EnsembleTold& told) {
                      rate_of(told.outcomes.run(), told.outcomes), rate_of(told.outcomes.steps(), told.outcomes), also);
 }
 
+/// What gives lanes up takes the time of both.
+std::string left_in_words(const EnsembleTold& told) {
+  const long left = told.setting.lanes == nullptr ? 0 : told.outcomes.left_lane();
+  constexpr long k_few = 10;  ///< one of so many
+  if (left == 0) return "";
+  return fmt::format("  {:8} left their lanes and ran alone{}\n", left,
+                     k_few * left > told.outcomes.run() ? ": --lanes 1 may take less time" : "");
+}
+
 std::string counted(int count, const char* what) { return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s"); }
 
 }  // namespace
@@ -52,7 +61,7 @@ std::string ensemble_text(const EnsembleTold& told) {
                                  counted(setting.lanes == nullptr ? 1 : setting.lanes->lanes(), "lane"),
                                  counted(setting.threads, "thread"));
   for (const auto& [status, count] : counts_by_status(told.outcomes)) text += fmt::format("  {:8} {}\n", count, status);
-  return text + table_of_outputs(told) + seconds_in_words(told);
+  return text + left_in_words(told) + table_of_outputs(told) + seconds_in_words(told);
 }
 
 }  // namespace gausssim

@@ -228,6 +228,8 @@ test('numbers at the ends of curves are a line apart, in their order, and those 
   assert.deepEqual(apartBy([0.2, 0.1, 0.05], 0.5, [0, 10]), [1, 0.5, 0]);
   const together = endLabels(look, [{text: '1', x: 1, y: 3}, {text: '2', x: 1, y: 3}, {text: '3', x: 1, y: 1}], [0, 5], 340).data;
   assert.deepEqual(together.map(({label, value}) => [label.formatter, value[1]]), [['1, 2', 3], ['3', 1]]);
+  const many = endLabels(look, ['4', '5', '6', '7'].map((text) => ({text, x: 1, y: 3})), [0, 5], 340).data;
+  assert.deepEqual(many.map(({label}) => label.formatter), ['4 … 7']);
 });
 
 test('runs are named by what they do not have in common', () => {

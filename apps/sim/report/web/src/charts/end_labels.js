@@ -7,15 +7,18 @@ import {k_plot_edges} from './frame.js';
 const k_line = 14;   // pixels
 const k_alike = 2;
 
+/** More than two are the first and the last, since the margin holds no more. @param {string[]} texts */
+const together = (texts) => texts.length > 2 ? `${texts[0]} … ${texts[texts.length - 1]}` : texts.join(', ');
+
 /** @param {End[]} ends the highest first @param {number} near in the units of the axis @returns {End[]} */
 function merged(ends, near) {
-  const result = /** @type {End[]} */ ([]);
+  const groups = /** @type {End[][]} */ ([]);
   for (const end of ends) {
-    const above = result[result.length - 1];
-    if (above && above.y - end.y < near) above.text += `, ${end.text}`;
-    else result.push({...end});
+    const above = groups[groups.length - 1];
+    if (above && above[0].y - end.y < near) above.push(end);
+    else groups.push([end]);
   }
-  return result;
+  return groups.map((group) => ({...group[0], text: together(group.map(({text}) => text))}));
 }
 
 /**

@@ -67,5 +67,6 @@ function takeaway(found) {
 /** @param {number} fixed @param {boolean} hasZero */
 const note = (fixed, hasZero) => [
   fixed > 0 ? `${plain(fixed)} runs with steps of one length have no tolerance, and are not shown here.` : '',
+  'All methods but taylor end a step at each sample: where samples are closer than steps would be, a looser tolerance changes nothing.',
   hasZero ? 'An error of 0 is drawn at the end of the axis.' : '',
 ].filter(Boolean).join(' ');
