@@ -10,12 +10,14 @@
 
 namespace gauss::simulate {
 
-/// Whether a step leads to `end`, or so near that what is left is no more than rounding of times: where steps have a longest length and a whole number of them leads there, that is no step of its own.
+/// Whether a step leads to `end`, or so near that what is left is no more than rounding of times, and little beside the step: where steps have a longest length and a whole number of them leads
+/// there, that is no step of its own.
 template <class Scalar>
 bool arrives(const Scalar& t, const Scalar& dt, const Scalar& end) {
   const auto size_of = [](const Scalar& a) { return a < Scalar(0) ? Scalar(-a) : a; };
   const Scalar rounding = 8 * Math<Scalar>::epsilon() * std::max(size_of(t), size_of(end));
-  return t + dt >= end - rounding;
+  // A shorter step than one that was refused is another one.
+  return t + dt >= end - std::min(rounding, Scalar(dt / 8));
 }
 
 /// How far a function of a state changes when the state is rounded otherwise: the smaller of two changes in opposite directions, of eight units in the last place, so that an edge
