@@ -33,7 +33,9 @@ void refuse_other_symbols(const std::string& option, const model::Ast& ast, cons
     const auto symbol = model.symbols.find(ast.name);
     const bool is_known = symbol != model.symbols.end() && (symbol->second.kind == model::SymbolKind::parameter ||
                                                             symbol->second.kind == model::SymbolKind::pi);
-    if (!is_known) throw UsageError(fmt::format("{}: '{}' is not a parameter of the model", option, ast.name));
+    if (!is_known)
+      throw UsageError(fmt::format("{}: '{}' is not a parameter of the model{}", option, ast.name,
+                                   ast.name == "t" ? "; what changes in time stands in the model itself" : ""));
   }
   if (ast.kind == model::AstKind::call && ast.name == "dot")
     throw UsageError(option + ": dot(...) has no meaning in a value");

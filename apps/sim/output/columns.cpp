@@ -139,7 +139,9 @@ std::string hint_for_output(const std::string& name, const Described& model) {
   const Chooser chooser(model);
   const std::string one =
       name.substr(0, name.find_last_not_of('s') + 1);  // of what somebody asks for in all, such as multipliers
-  for (const std::string& part : {name, one}) {
+  // Texts of `gauss-gen evaluate` name parts otherwise: multipliers.road, tip.z.
+  const std::string last = name.substr(name.rfind('.') + 1), first = name.substr(0, name.find('.'));
+  for (const std::string& part : {name, one, last, first}) {
     if (const std::string member = member_with(part, chooser.all()); !member.empty())
       return "did you mean '" + member + "'?";
   }

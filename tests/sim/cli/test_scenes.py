@@ -115,6 +115,8 @@ exact: {z: 1}
         scene = f"gauss: 1\nmodel: {MODELS / 'double_pendulum.yaml'}\noutputs: [{{}}]\n"
         self.assertIn("did you mean 'quantities.tip'?", self.mistake(scene.format("tip")))
         self.assertIn("did you mean 'energy.total'?", self.mistake(scene.format("total")))
+        for other in ("tip.z", "points.tip"):
+            self.assertIn("did you mean 'quantities.tip'?", self.mistake(scene.format(other)))
         self.assertIn("did you mean 'poses.upper'?", self.mistake(scene.format("upper")))
         said = self.mistake(scene.format("nothing_like_it"))
         for group in ("state", "accelerations", "joint_reactions", "energy", "mass_matrix", "jacobian", "quantities", "poses"):
