@@ -119,7 +119,9 @@ class Simulation {
     }
     // What starts at 0 has no size yet that rates could be compared with: the error is, of a guess that is too long for most.
     using std::pow;
-    if (step_ <= Scalar(0)) step_ = pow(settings_.tolerance, Scalar(1) / Method::order_value) * (end - t_);
+    // As a number: Odeint defines no object that number types of libraries could refer to.
+    constexpr int order = Method::order_value;
+    if (step_ <= Scalar(0)) step_ = pow(settings_.tolerance, Scalar(1) / order) * (end - t_);
     if (first_ <= Scalar(0)) control_.set_reach(first_ = std::min(step_, end - t_));
     int refused = 0;
     system_.close(is_held_ && approach_.loses_digits());
