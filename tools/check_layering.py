@@ -262,9 +262,36 @@ def check_apps(root):
                 yield Violation(path, include.line, "apps", f'nothing includes "{include.path}" of a program')
 
 
+TYPE = re.compile(r"^(?:struct|class|enum class) (\w+)(?![\w<:])(?!.*;$)")
+NAMESPACE = re.compile(r"^(?:inline )?namespace(?: ([\w:]+))? \{$")
+
+
+def types(text):
+    """Names of the types that a file defines outside of unnamed namespaces, with their namespace and line."""
+    spaces = []
+    for number, line in enumerate(text.splitlines(), 1):
+        opened = NAMESPACE.match(line)
+        if opened:
+            spaces.append(opened[1])
+        elif line.startswith("}  // namespace") and spaces:
+            spaces.pop()
+        elif None not in spaces and TYPE.match(line):
+            yield "::".join([*spaces, TYPE.match(line)[1]]), number
+
+
+def check_types(root):
+    """Two types of one name are one to a linker, which takes the functions of either for both."""
+    first = {}
+    for path in [path for folder in ("generator", "src", "apps") for path in sources(root / folder)]:
+        for name, line in types(read(path)):
+            other = first.setdefault(name, path)
+            if other != path:
+                yield Violation(path, line, "types", f"{name} is a type of {other.relative_to(root).as_posix()}, too")
+
+
 def check(root):
     root = Path(root)
-    for part in (check_generator, check_cmake, check_runtime, check_emitted, check_apps):
+    for part in (check_generator, check_cmake, check_runtime, check_emitted, check_apps, check_types):
         for violation in part(root):
             yield violation._replace(file=violation.file.relative_to(root).as_posix())
 

@@ -140,6 +140,16 @@ class Programs(Checkout):
         self.assert_only(("src/gauss/b.hpp", 1, "apps"), ("generator/emit/b.hpp", 2, "apps"), ("generator/emit/b.hpp", 2, "arrow"))
 
 
+class Types(Checkout):
+    def test_two_types_of_one_name_are_a_finding(self):
+        text = "namespace gauss {\n\nclass Later;\n\nnamespace {\nstruct Own {\n};\n}  // namespace\n\nstruct Reference {\n};\n\n}  // namespace gauss\n"
+        self.write("apps/sim/a/a.hpp", text)
+        self.write("apps/sim/b/b.hpp", text.replace("gauss {", "other {").replace("namespace gauss", "namespace other"))
+        self.assert_only()
+        self.write("apps/sim/b/c.hpp", "// One line more.\n" + text)
+        self.assert_only(("apps/sim/b/c.hpp", 11, "types"))
+
+
 class CMake(Checkout):
     def test_a_forbidden_dependency_is_a_finding(self):
         self.write("generator/ir/CMakeLists.txt",

@@ -27,8 +27,8 @@ std::string value_in(const char* file, const std::string& key, char separator) {
 
 }  // namespace
 
-Machine this_machine() {
-  Machine machine;
+Computer this_machine() {
+  Computer machine;
   machine.processor = value_in("/proc/cpuinfo", "model name", ':');
   machine.system = value_in("/etc/os-release", "PRETTY_NAME", '=');
   machine.cores = static_cast<int>(std::thread::hardware_concurrency());

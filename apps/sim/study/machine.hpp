@@ -5,11 +5,11 @@
 namespace gausssim {
 
 /// What figures of time belong to.
-struct Machine {
+struct Computer {
   std::string processor, system, compiler, flags;
   int cores = 0;
 };
 
-Machine this_machine();
+Computer this_machine();
 
 }  // namespace gausssim

@@ -88,7 +88,7 @@ std::array<Setting, 2> tight_settings(const PreparedModel& model, const Engine& 
 }
 
 /// Where outputs are known as functions of time, both have to say the same.
-void take_closed_forms(const PreparedModel& model, Reference& reference, std::string& why) {
+void take_closed_forms(const PreparedModel& model, StudyReference& reference, std::string& why) {
   const ClosedForms forms(model);
   if (!forms.are_there()) return;
   constexpr double k_alike = 1e-12;
@@ -114,8 +114,8 @@ std::string in_words(const Setting& setting) {
 
 }  // namespace
 
-Point measure(const PreparedModel& model, const Engine& engine, const Candidate& candidate, const Reference& reference,
-              const Effort& effort) {
+Point measure(const PreparedModel& model, const Engine& engine, const Candidate& candidate,
+              const StudyReference& reference, const Effort& effort) {
   Point point;
   point.candidate = candidate;
   const RunInRows found = first_run(model, engine, candidate.setting, effort);
@@ -129,7 +129,7 @@ Point measure(const PreparedModel& model, const Engine& engine, const Candidate&
 }
 
 DeliveredError error_of(const PreparedModel& model, const Engine& engine, const Setting& setting,
-                        const Reference& reference, std::string& why) {
+                        const StudyReference& reference, std::string& why) {
   const RunInRows found = in_rows(model, engine, setting, Meter::none);
   if (found.run.outcome != Outcome::running) why = reason(found.run);
   if (model.columns.columns.size() != reference.yardstick.rows().columns()) why = "it has other outputs";
@@ -160,15 +160,16 @@ std::optional<TwoRuns> tight_runs(const PreparedModel& model, const Engine& engi
 
 }  // namespace
 
-std::optional<Reference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why) {
+std::optional<StudyReference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why) {
   const auto runs = tight_runs(model, engine, why);
   if (!runs) return std::nullopt;
   const auto& [fine, other, one, two] = *runs;
   constexpr double k_least_range = 1e-15;
-  Reference reference{Yardstick(one.rows, two.rows, model.columns.columns, k_least_range, least_tolerance(fine.number)),
-                      "float128",
-                      {in_words(fine), in_words(other)},
-                      0};
+  StudyReference reference{
+      Yardstick(one.rows, two.rows, model.columns.columns, k_least_range, least_tolerance(fine.number)),
+      "float128",
+      {in_words(fine), in_words(other)},
+      0};
   // They are compared with the digits of long double.
   reference.agreement = std::max(reference.yardstick.error_of(two.rows).value,
                                  static_cast<double>(std::numeric_limits<long double>::epsilon()));

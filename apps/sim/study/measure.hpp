@@ -8,7 +8,7 @@
 namespace gausssim {
 
 /// What points are compared with.
-struct Reference {
+struct StudyReference {
   Yardstick yardstick;
   std::string kind;                  ///< "float128" or "closed form"
   std::vector<std::string> methods;  ///< how it was found, twice
@@ -25,15 +25,15 @@ struct Effort {
 };
 
 /// Runs a candidate, compares it, and times it.
-Point measure(const PreparedModel& model, const Engine& engine, const Candidate& candidate, const Reference& reference,
-              const Effort& effort);
+Point measure(const PreparedModel& model, const Engine& engine, const Candidate& candidate,
+              const StudyReference& reference, const Effort& effort);
 
 /// How far a setting is off; `why` it is not known.
 DeliveredError error_of(const PreparedModel& model, const Engine& engine, const Setting& setting,
-                        const Reference& reference, std::string& why);
+                        const StudyReference& reference, std::string& why);
 
 /// A reference without a closed form: power series in __float128, of two orders and in other steps, or extrapolation where a model has none, or pairs where forces jump. The finer one is it. `engine` has long double, too, where
 /// they do.
-std::optional<Reference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why);
+std::optional<StudyReference> find_reference(const PreparedModel& model, const Engine& engine, std::string& why);
 
 }  // namespace gausssim

@@ -44,7 +44,7 @@ constexpr double k_least_runs = 40;  ///< no run takes more of the time than thi
 
 class Solver {
  public:
-  Solver(Problem& problem, const StudyOptions& options) : problem_(problem), options_(options) {}
+  Solver(StudyProblem& problem, const StudyOptions& options) : problem_(problem), options_(options) {}
 
   void run() {
     auto reference = reference_in_time();
@@ -64,7 +64,7 @@ class Solver {
 
  private:
   /// Motions that stick where a force jumps would take for ever.
-  std::optional<Reference> reference_in_time() {
+  std::optional<StudyReference> reference_in_time() {
     const Form& first = problem_.forms.front();
     constexpr double k_least = 30, k_share = 5;
     const double seconds = k_least + k_share * options_.budget;
@@ -206,15 +206,15 @@ class Solver {
     }
   }
 
-  Problem& problem_;
+  StudyProblem& problem_;
   const StudyOptions& options_;
   Clock::time_point begin_ = Clock::now();
 };
 
 }  // namespace
 
-std::optional<Problem> solve_problem(const std::string& file, const StudyOptions& options, int& code) {
-  Problem problem;
+std::optional<StudyProblem> solve_problem(const std::string& file, const StudyOptions& options, int& code) {
+  StudyProblem problem;
   problem.forms = forms_of(file, !options.methods.empty(), options.messages, code);
   if (problem.forms.empty()) return std::nullopt;
   const PreparedModel& model = problem.forms.front().model;

@@ -18,12 +18,12 @@ struct DriftTrace {
   std::vector<double> t, energy, constraints;
 };
 
-struct Problem {
+struct StudyProblem {
   std::string name;
   std::string file, scene;  ///< of the model; of the scene, empty where there is none
   std::vector<Form> forms;
   std::vector<double> ranges;  ///< of the outputs, along the reference
-  Reference reference;
+  StudyReference reference;
   std::vector<Point> points;
   std::vector<DriftTrace> drifts;
   std::optional<Motion> motion;
@@ -33,6 +33,6 @@ struct Problem {
 };
 
 /// Nothing after an error in the file, which is reported: `code`. Throws Interrupted where nothing has been measured yet.
-std::optional<Problem> solve_problem(const std::string& file, const StudyOptions& options, int& code);
+std::optional<StudyProblem> solve_problem(const std::string& file, const StudyOptions& options, int& code);
 
 }  // namespace gausssim

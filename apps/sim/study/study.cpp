@@ -38,7 +38,7 @@ std::string page(const std::string& json) {
   return text;
 }
 
-std::string in_words(const Point& point, const Problem& problem) {
+std::string in_words(const Point& point, const StudyProblem& problem) {
   const Setting& setting = point.candidate.setting;
   const Form& form = problem.forms[point.candidate.form];
   std::string text = setting.step > 0 ? fmt::format("{}, step {:.3g} s", setting.method, setting.step)
@@ -50,12 +50,12 @@ std::string in_words(const Point& point, const Problem& problem) {
 }
 
 /// What was refused was never begun: wherever runs are counted, it is none.
-std::ptrdiff_t runs_of(const Problem& problem) {
+std::ptrdiff_t runs_of(const StudyProblem& problem) {
   return std::count_if(problem.points.begin(), problem.points.end(),
                        [](const Point& point) { return point.status != PointStatus::refused; });
 }
 
-void tell(const Problem& problem) {
+void tell(const StudyProblem& problem) {
   const bool is_short = std::any_of(problem.points.begin(), problem.points.end(),
                                     [](const Point& point) { return point.why == k_beyond_time; });
   std::string text =
@@ -71,9 +71,9 @@ void tell(const Problem& problem) {
   cli::write_standard_output(text);
 }
 
-int say_interrupted(const std::vector<Problem>& problems, const StudyOptions& options) {
+int say_interrupted(const std::vector<StudyProblem>& problems, const StudyOptions& options) {
   std::ptrdiff_t runs = 0;
-  for (const Problem& problem : problems) runs += runs_of(problem);
+  for (const StudyProblem& problem : problems) runs += runs_of(problem);
   cli::remark(fmt::format("interrupted: the study has {} runs, of {} of {} problems", runs, problems.size(),
                           options.files.size()),
               options.messages);
@@ -118,10 +118,10 @@ int study(const StudyOptions& options) {
     const EndsAtOnce while_it_checks(options.messages);
     if (const int code = check_files(options); code != cli::k_ok) return code;
   }
-  std::vector<Problem> problems;
+  std::vector<StudyProblem> problems;
   for (const std::string& file : options.files) {
     int code = cli::k_ok;
-    std::optional<Problem> problem;
+    std::optional<StudyProblem> problem;
     try {
       problem = solve_problem(file, options, code);
     } catch (const Interrupted&) {
@@ -144,7 +144,7 @@ int study(const StudyOptions& options) {
   if (!options.quiet) cli::write_standard_output(fmt::format("wrote {0}.json, {0}.csv and {0}.html\n", options.output));
   if (was_interrupted(problems, options)) return say_interrupted(problems, options);
   const bool tells_anything =
-      std::any_of(problems.begin(), problems.end(), [](const Problem& one) { return one.why.empty(); });
+      std::any_of(problems.begin(), problems.end(), [](const StudyProblem& one) { return one.why.empty(); });
   return tells_anything ? cli::k_ok : cli::k_not_delivered;
 }
 

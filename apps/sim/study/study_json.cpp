@@ -37,7 +37,7 @@ Json drift_json(const Drift& drift) {
   return json;
 }
 
-Json point_json(const Point& point, const Problem& problem) {
+Json point_json(const Point& point, const StudyProblem& problem) {
   const Setting& setting = point.candidate.setting;
   const MethodInfo* const method = find_method(setting.method);
   const Form& form = problem.forms[point.candidate.form];
@@ -143,11 +143,11 @@ Json motion_json(const Motion& motion) {
   return json;
 }
 
-Json reference_json(const Reference& reference) {
+Json reference_json(const StudyReference& reference) {
   return {{"kind", reference.kind}, {"methods", reference.methods}, {"agreement", number(reference.agreement)}};
 }
 
-Json problem_json(const Problem& problem) {
+Json problem_json(const StudyProblem& problem) {
   const PreparedModel& model = problem.forms.front().model;
   Json json;
   json["name"] = problem.name;
@@ -200,12 +200,12 @@ Json problem_json(const Problem& problem) {
 
 }  // namespace
 
-bool was_interrupted(const std::vector<Problem>& problems, const StudyOptions& options) {
+bool was_interrupted(const std::vector<StudyProblem>& problems, const StudyOptions& options) {
   return problems.size() < options.files.size() || (!problems.empty() && problems.back().was_interrupted);
 }
 
-nlohmann::ordered_json study_json(const std::vector<Problem>& problems, const StudyOptions& options) {
-  const Machine machine = this_machine();
+nlohmann::ordered_json study_json(const std::vector<StudyProblem>& problems, const StudyOptions& options) {
+  const Computer machine = this_machine();
   Json json;
   json["format"] = 1;
   json["tool"] = std::string("gauss-sim ") + gaussgen::k_version;
@@ -217,15 +217,15 @@ nlohmann::ordered_json study_json(const std::vector<Problem>& problems, const St
   json["budget_s"] = options.budget;
   json["interrupted"] = was_interrupted(problems, options);
   json["problems"] = Json::array();
-  for (const Problem& problem : problems) json["problems"].push_back(problem_json(problem));
+  for (const StudyProblem& problem : problems) json["problems"].push_back(problem_json(problem));
   return json;
 }
 
-std::string study_csv(const std::vector<Problem>& problems) {
+std::string study_csv(const std::vector<StudyProblem>& problems) {
   std::string text =
       "problem,formulation,code,number,method,projection,tolerance,step [s],status,error,worst_output,time "
       "[s],calls,steps,rejected,on_front,why\n";
-  for (const Problem& problem : problems) {
+  for (const StudyProblem& problem : problems) {
     for (const Point& point : problem.points) {
       const Setting& setting = point.candidate.setting;
       const Form& form = problem.forms[point.candidate.form];

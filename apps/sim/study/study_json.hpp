@@ -9,12 +9,12 @@
 namespace gausssim {
 
 /// Points or problems are missing.
-bool was_interrupted(const std::vector<Problem>& problems, const StudyOptions& options);
+bool was_interrupted(const std::vector<StudyProblem>& problems, const StudyOptions& options);
 
 /// docs/study-format.md.
-nlohmann::ordered_json study_json(const std::vector<Problem>& problems, const StudyOptions& options);
+nlohmann::ordered_json study_json(const std::vector<StudyProblem>& problems, const StudyOptions& options);
 
 /// A row for each point.
-std::string study_csv(const std::vector<Problem>& problems);
+std::string study_csv(const std::vector<StudyProblem>& problems);
 
 }  // namespace gausssim
