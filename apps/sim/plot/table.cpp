@@ -76,7 +76,7 @@ TableColumn column_of(const std::string& header) {
 
 std::vector<TableColumn> parse_table(std::string_view text, const std::string& path) {
   Reader reader(text, path);
-  if (reader.is_at_end()) reader.fail("the table is empty");
+  if (reader.is_at_end()) throw gaussgen::cli::FileError(path + ":1: the table is empty");
   std::vector<TableColumn> columns;
   for (const std::string& header : reader.line()) {
     if (header.empty()) reader.fail("a column has no name");
