@@ -156,7 +156,7 @@ class Plots(Program):
 
     def test_what_is_no_table_is_refused_with_its_line(self):
         for text, line, said in (("t,x\n0,1\n1,a\n", 3, "'a' in column 'x' is no number"), ("t,x\n0,1\n1\n", 3, "1 fields where the header has 2"),
-                                 ("t,x\n", 1, "no rows"), ("", 1, "no name"), ('t,"x\n0,1\n', 1, "not closed"), ("t,,x\n0,1,2\n", 1, "no name"),
+                                 ("t,x\n", 1, "no rows"), ("", 1, "the table is empty"), ('t,"x\n0,1\n', 1, "not closed"), ("t,,x\n0,1,2\n", 1, "no name"),
                                  ("t,x\n0,1 \n", 2, "is no number"), ("t,x\n0,\n", 2, "'' in column 'x'")):
             self.write("bad.csv", text)
             self.assertIn(f"bad.csv:{line}: ", said_now := self.refused(3, "plot", "bad.csv"), text)
