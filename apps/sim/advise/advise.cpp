@@ -37,12 +37,14 @@ StudyPoint point_of(const Trial& trial) {
           trial.steps};
 }
 
-/// All methods but series end a step at each sample. Where these are about as close as steps, if only for a part of the time, an error is delivered by samples as much as by the tolerance, and in a
+/// Most methods end a step at each sample. Where these are about as close as steps, if only for a part of the time, an error is delivered by samples as much as by the tolerance, and in a
 /// scene with fewer of them it is not, unless its steps are as short.
 void keep_steps(StudyPoint& point, const Span& span) {
   constexpr double k_few = 10;  ///< steps from a sample to the next
   const auto parts = static_cast<double>(span.samples - 1);
-  if (point.method == "taylor" || point.step > 0 || static_cast<double>(point.steps) >= k_few * parts) return;
+  if (!find_method(point.method)->ends_at_samples || point.step > 0 ||
+      static_cast<double>(point.steps) >= k_few * parts)
+    return;
   // Written out with three digits, it is no shorter than what it was, which would take another step.
   const double between = span.duration / parts;
   const double unit = std::pow(10.0, std::floor(std::log10(between)) - 2);
@@ -64,10 +66,10 @@ std::string head() {
                      "time");
 }
 
-/// What a study calls `as given, metric`: the scene's own form by a strategy. Empty: it is another one.
+/// By which a study has formed the scene's own form. Empty: it is another one.
 std::string strategy_of(const StudyPoint& point, const std::string& own_form) {
   for (const std::string& strategy : strategy_names()) {
-    if (point.formulation == own_form + ", " + strategy) return strategy;
+    if (point.formulation == form_by_strategy(own_form, strategy)) return strategy;
   }
   return "";
 }
@@ -96,8 +98,9 @@ Json as_json(const StudyPoint& point) {
   return json;
 }
 
-void write(const AdviseOptions& options, const StudyPoint& best, const std::vector<StudyPoint>& others,
-           const std::string& said, const std::string& own_form) {
+void write(const AdviseOptions& options, const PreparedModel& prepared, StudyPoint best,
+           const std::vector<StudyPoint>& others, const std::string& said) {
+  keep_steps(best, prepared.span);
   if (options.format == "json") {
     Json json{{"asked", *options.error}, {"found", as_json(best)}, {"reference", said}, {"tried", Json::array()}};
     for (const StudyPoint& other : others) json["tried"].push_back(as_json(other));
@@ -108,7 +111,7 @@ void write(const AdviseOptions& options, const StudyPoint& best, const std::vect
   for (const StudyPoint& other : others) text += "#  " + in_words(other) + "\n";
   text += fmt::format("# delivers {:.1e} of {:.1e} in {:.3g} ms; {}\n", best.error, *options.error, 1e3 * best.seconds,
                       said);
-  cli::write_standard_output(text + as_scene(best, own_form));
+  cli::write_standard_output(text + as_scene(best, prepared.scene.form));
 }
 
 }  // namespace
@@ -125,8 +128,7 @@ int advise(const AdviseOptions& options) {
         options.study, *prepared, [&](const std::string& form) { return prepare_form(options, form); }, error, why);
     if (!why.empty()) return cli::fail(why, cli::k_not_delivered, options.messages);
     if (best.step == 0) best.longest_step = prepared->scene.longest_step.value_or(0);
-    keep_steps(best, prepared->span);
-    write(options, best, {}, "by " + std::filesystem::path(options.study).filename().string(), prepared->scene.form);
+    write(options, *prepared, best, {}, "by " + std::filesystem::path(options.study).filename().string());
     return cli::k_ok;
   }
   const TimeLimit limit(options.budget);
@@ -138,10 +140,8 @@ int advise(const AdviseOptions& options) {
   if (!found) return cli::fail(why, cli::k_not_delivered, options.messages);
   std::vector<StudyPoint> tried;
   for (const Trial& trial : found->trials) tried.push_back(point_of(trial));
-  StudyPoint best = point_of(found->chosen);
-  keep_steps(best, prepared->span);
-  write(options, best, tried, fmt::format("reference: {}, good to {:.1e}", found->reference_in_words, found->agreement),
-        prepared->scene.form);
+  write(options, *prepared, point_of(found->chosen), tried,
+        fmt::format("reference: {}, good to {:.1e}", found->reference_in_words, found->agreement));
   return cli::k_ok;
 }
 

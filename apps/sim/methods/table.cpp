@@ -52,12 +52,18 @@ MethodInfo of_orders(int least, MethodInfo result) {
 #define GAUSS_SIM_METHOD_IN_FLOAT(said, make) \
   { in_float(said), make<double>, make<long double>, make<float> }
 
+MethodInfo within_steps(MethodInfo result) {
+  result.ends_at_samples = false;
+  return result;
+}
+
 std::vector<Method> of_everywhere() {
   return {
       GAUSS_SIM_METHOD_IN_FLOAT(
-          in_float128(of_orders(2, info("taylor", "gauss", 40,
-                                        "power series of the motion, of an order that suits the tolerance; knows the "
-                                        "motion within its steps: the default"))),
+          within_steps(in_float128(
+              of_orders(2, info("taylor", "gauss", 40,
+                                "power series of the motion, of an order that suits the tolerance; knows the "
+                                "motion within its steps: the default")))),
           make_taylor),
       GAUSS_SIM_METHOD_IN_FLOAT(info("prince87", "Odeint", 8,
                                      "pair of order 8 (7) of Prince and Dormand: the default where there is no series"),

@@ -17,7 +17,7 @@ struct Trial {
   DeliveredError error;
   double seconds = 0;  ///< of the processor, for one run
   std::string why;     ///< there was no motion
-  long steps = 0;
+  long steps = 0;      ///< of that run
 };
 
 struct FoundSetting {

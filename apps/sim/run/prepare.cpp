@@ -65,14 +65,14 @@ Mistakes wrong_bodies(const model::Model& read) {
   return found;
 }
 
-/// By other values than those of the model's file, which are looked at with it. `of_scene`: what it makes wrong by itself.
+/// By other values than those of the model's file, which are looked at with it. `of_scene`: what it makes wrong by itself, where there are both.
 void check_bodies(const Scene& scene, const std::vector<std::string>& sets, const Mistakes& of_scene,
                   const model::Model& read, Diagnostics& diagnostics) {
   if (scene.parameters.empty() && sets.empty()) return;
   for (const auto& found : wrong_bodies(read)) {
     const auto is_same = [&](const auto& one) { return one.message == found.message; };
-    if (scene.parameters.empty() || std::none_of(of_scene.begin(), of_scene.end(), is_same))
-      throw cli::UsageError("--set: " + found.message);
+    const bool is_of_scene = sets.empty() || std::any_of(of_scene.begin(), of_scene.end(), is_same);
+    if (scene.parameters.empty() || !is_of_scene) throw cli::UsageError("--set: " + found.message);
     diagnostics.error(found.code, scene.parameters.front().span, found.message, found.hint);
   }
 }
@@ -264,7 +264,8 @@ class Preparation {
   void take_values(model::Model& read) {
     const Scene& scene = result_.scene;
     give_values(scene, read, in_scene_);
-    const Mistakes of_scene = in_scene_.has_errors() ? Mistakes{} : wrong_bodies(read);
+    const bool by_both = !scene.parameters.empty() && !request_.sets.empty() && !in_scene_.has_errors();
+    const Mistakes of_scene = by_both ? wrong_bodies(read) : Mistakes{};
     cli::apply_overrides(request_.sets, read);
     if (request_.adjust) request_.adjust(scene, read, in_scene_);
     parameters_ = model::parameter_values(read);

@@ -45,14 +45,16 @@ class Tightening {
     RunInRows tight = made();
     why = why_no_yardstick(tight.run);
     if (!why.empty()) return std::nullopt;
-    TighterRuns result{yardstick_of(std::move(tight.rows), rows_), std::nullopt};
+    TighterRuns result{yardstick_of(std::move(tight.rows), rows_), {}, std::nullopt};
+    result.error = result.yardstick.error_of(rows_);
     while (tighten() || !result.agreement) {
       RunInRows next = made();
       if (!arrives(next.run)) break;
       Yardstick yardstick = yardstick_of(std::move(next.rows), result.yardstick.rows());
       result.agreement = yardstick.error_of(result.yardstick.rows());
       result.yardstick = std::move(yardstick);
-      if (result.agreement->value <= k_agree * result.yardstick.error_of(rows_).value) break;
+      result.error = result.yardstick.error_of(rows_);
+      if (result.agreement->value <= k_agree * result.error.value) break;
     }
     return result;
   }

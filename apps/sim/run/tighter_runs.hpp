@@ -13,6 +13,7 @@ constexpr double k_agree = 0.25;  ///< of the error of a run, by which two tight
 
 struct TighterRuns {
   Yardstick yardstick;                      ///< of the tightest
+  DeliveredError error;                     ///< of the run, against it
   std::optional<DeliveredError> agreement;  ///< of the two tightest; nothing where only one arrives
 };
 

@@ -41,6 +41,8 @@ const std::vector<std::string>& code_names() {
   return k_names;
 }
 
+std::string form_by_strategy(const std::string& form, const std::string& strategy) { return form + ", " + strategy; }
+
 const std::vector<std::string>& engine_names() {
   static const std::vector<std::string> k_names{"auto", "compiled", "interpreted"};
   return k_names;

@@ -13,4 +13,7 @@ const std::vector<std::string>& strategy_names();
 const std::vector<std::string>& engine_names();
 const std::vector<std::string>& code_names();
 
+/// What studies call a form of a scene by a strategy that the scene does not name.
+std::string form_by_strategy(const std::string& form, const std::string& strategy);
+
 }  // namespace gausssim

@@ -92,7 +92,7 @@ class Collector {
     // What a strategy does not suit is told as it would be to a user; here it is no error.
     if (!scene.strategy) {
       for (const std::string& strategy : strategy_names())
-        add_quietly(scene.form + ", " + strategy, [&](Scene& same) { same.strategy = Word{strategy, {}}; });
+        add_quietly(form_by_strategy(scene.form, strategy), [&](Scene& same) { same.strategy = Word{strategy, {}}; });
     }
     if (!scene.code) {
       for (const std::string& code : code_names())

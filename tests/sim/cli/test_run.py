@@ -105,6 +105,7 @@ class Writing(Program):
                 said = self.ok("run", "spring.yaml", *options)
                 self.assertRegex(said, rf"\n  error   (not estimated: {why}|.* of the range.*)\n")
                 self.assertEqual("error_estimate" in self.summary("spring.json"), "not estimated" not in said)
+                self.assertEqual("not estimated: " + self.summary("spring.json").get("not_estimated", "") in said, "not estimated" in said)
                 if why:
                     self.assertIn(why, said)
 

@@ -1,0 +1,125 @@
+#include "sim/run/finished_run.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/exit_codes.hpp"
+#include "cli/files.hpp"
+#include "sim/output/files.hpp"
+#include "sim/run/jumps.hpp"
+
+namespace gausssim {
+
+namespace {
+
+namespace cli = gaussgen::cli;
+using gauss::simulate::Outcome;
+
+/// Numbers of a state for people.
+std::string said(double value) { return fmt::format("{:.3g}", value); }
+
+/// In parts of ranges.
+std::string in_words(const DeliveredError& error) {
+  return said(error.value) + " of the range" + (error.output.empty() ? "" : ", largest in " + error.output);
+}
+
+/// Whether it is to be relied on is said where it is not.
+std::string in_words(const Estimate& estimate, bool is_found) {
+  const std::string text = in_words(static_cast<const DeliveredError&>(estimate));
+  if (is_found) return text;
+  if (!estimate.agreement) return text + "; by one tighter run, which no other one confirms";
+  return estimate.is_confirmed()
+             ? text
+             : fmt::format("{} at most; two tighter runs agree to {} only", text, said(estimate.agreement->value));
+}
+
+/// Of motions that nobody can follow, or not with this tolerance.
+void warn_of_error(const DeliveredError& error, const cli::MessageOptions& messages) {
+  constexpr double k_useless = 0.1;
+  if (error.value < k_useless) return;
+  cli::warn(
+      fmt::format("the table is off by {:.2g} of the range of '{}': it is not this motion; --error 1e-3 looks for a "
+                  "setting that is, or says that there is none",
+                  error.value, error.output),
+      messages);
+}
+
+/// Who wrote the closed form had another motion in mind.
+void warn_of_closed_forms(const KnownErrors& errors, const cli::MessageOptions& messages) {
+  constexpr double k_apart = 1e-3, k_clear = 100;
+  if (!errors.estimate || !errors.from_closed_forms) return;
+  const auto& [apart, output] = *errors.from_closed_forms;
+  if (apart < k_apart || apart < k_clear * errors.estimate->value) return;
+  cli::warn(fmt::format("the closed form of '{}' is another motion: it is {:.2g} of its range off, where the error is "
+                        "about {:.2g}",
+                        output, apart, errors.estimate->value),
+            messages);
+}
+
+/// With the exit code of motions that end before their time.
+int say_why_it_stops(const FinishedRun& finished, bool has_new_rows, const cli::MessageOptions& messages) {
+  const Simulated& run = finished.run;
+  const PreparedModel& prepared = finished.prepared;
+  const std::string why = run.why.empty() ? gauss::simulate::name(run.outcome) : run.why;
+  const bool is_by_steps = run.outcome == Outcome::too_many_steps || run.outcome == Outcome::step_too_small;
+  std::string hint;
+  if (is_by_steps && !prepared.edge.empty())
+    hint = hint_for_edge(prepared.edge);
+  else if (run.outcome == Outcome::too_many_steps && finished.csv != "-" && has_new_rows)
+    hint = "--resume goes on from the last row, for as many steps again";
+  return cli::fail(
+      fmt::format("the motion of '{}' stops at t = {:.10g}: {}{}", prepared.model.unit.model_name, run.reached, why,
+                  run.status == gauss::Status::ok ? "" : std::string(" (status: ") + gauss::name(run.status) + ")"),
+      cli::k_motion_stopped, messages, hint);
+}
+
+}  // namespace
+
+void tell(const FinishedRun& finished) {
+  const auto& [prepared, setting, engine, run, times, errors, found, asked_before, csv] = finished;
+  const std::string how = setting.step > 0 ? "step " + said(setting.step) : "tolerance " + said(setting.tolerance);
+  const char* const projection =
+      run.drift.has_constraints && setting.projection == Projection::off ? ", no projection" : "";
+  std::string text =
+      fmt::format("{}: {:.6g} s by {} ({}, {}, {}{})\n", prepared.name(), run.reached - prepared.span.start,
+                  setting.method, how, setting.number, engine, projection);
+  text += fmt::format("  steps   {} ({} refused), {} calls, {} s", run.steps, run.rejected, run.calls,
+                      said(run.wall_seconds));
+  text += times.was_cached || times.compile == 0 ? "\n" : fmt::format("; compiled in {} s\n", said(times.compile));
+  if (found)
+    text += fmt::format("  asked   for {} of the range; found by trying, against {}\n", said(*prepared.scene.error),
+                        found->reference_in_words);
+  text += fmt::format("  error   {}\n", errors.estimate ? in_words(*errors.estimate, found.has_value())
+                                                        : "not estimated: " + errors.why_none);
+  if (errors.from_closed_forms) text += fmt::format("  exact   off by {}\n", in_words(*errors.from_closed_forms));
+  if (run.drift.has_energy)
+    text += fmt::format("  energy  changes by {} J of {} J\n", said(run.drift.energy), said(run.drift.energy_scale));
+  if (run.drift.has_constraints)
+    text += fmt::format("  drift   {} in positions, {} in velocities\n", said(run.drift.positions),
+                        said(run.drift.velocities));
+  text += fmt::format("  wrote   {} ({} rows of {} columns) and {}\n", csv, run.samples,
+                      prepared.columns.columns.size() + 1, summary_path(csv));
+  cli::write_standard_output(text);
+}
+
+int report_end(const FinishedRun& finished, bool has_new_rows, const cli::MessageOptions& messages) {
+  const Simulated& run = finished.run;
+  const auto& error = finished.errors.estimate;
+  if (error && !finished.found) warn_of_error(*error, messages);
+  warn_of_closed_forms(finished.errors, messages);
+  if (finished.found && error && run.outcome == Outcome::running && !(error->value <= *finished.prepared.scene.error))
+    return cli::fail(fmt::format("the run is off by {:.2e}, in {}", error->value, error->output), cli::k_not_delivered,
+                     messages);
+  if (run.untrusted_samples > 0)
+    cli::warn(fmt::format("outputs of {} samples are not to be trusted: {}", run.untrusted_samples,
+                          gauss::name(run.sample_status)),
+              messages);
+  if (run.was_interrupted) {
+    cli::remark(fmt::format("interrupted at t = {:.10g}; the table ends there{}", run.reached,
+                            finished.csv == "-" ? "" : ", and --resume goes on from it"),
+                messages);
+    return cli::k_interrupted;
+  }
+  return run.outcome == Outcome::running ? cli::k_ok : say_why_it_stops(finished, has_new_rows, messages);
+}
+
+}  // namespace gausssim

@@ -1,0 +1,63 @@
+#include "sim/run/known_errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/run/setting.hpp"
+#include "sim/run/tighter_runs.hpp"
+
+namespace gausssim {
+
+namespace {
+
+constexpr double k_long_run = 5;  ///< seconds; not made again unless somebody asks
+
+/// Why no tighter run is made; empty: one is.
+std::string why_not_estimated(const Simulated& run) {
+  if (run.was_interrupted) return "the run was interrupted";
+  if (run.samples <= 1) return "the motion stopped before the second row";
+  if (run.wall_seconds >= k_long_run) return fmt::format("runs of more than {} s are not made again", k_long_run);
+  return "";
+}
+
+/// Times are rounded, whatever two runs have in common.
+DeliveredError of_times(const Yardstick& yardstick, const PreparedModel& prepared, const Setting& setting) {
+  const Span& span = prepared.span;
+  const double between = span.duration / static_cast<double>(span.samples - 1);
+  const double latest = std::max(std::abs(span.start), std::abs(span.start + span.duration));
+  return yardstick.change_within(rounding_unit(setting.number) / 2 * latest / between);
+}
+
+DeliveredError larger(DeliveredError one, DeliveredError other) { return other.value > one.value ? other : one; }
+
+}  // namespace
+
+bool Estimate::is_confirmed() const { return agreement && agreement->value <= k_agree * value; }
+
+Estimate estimate_by(const Yardstick& yardstick, const Rows& rows, const PreparedModel& prepared,
+                     const Setting& setting) {
+  return {larger(yardstick.error_of(rows), of_times(yardstick, prepared, setting)), yardstick.constants()};
+}
+
+std::optional<Estimate> estimated(const PreparedModel& prepared, const Engine& engine, Engines& engines,
+                                  const Setting& setting, const Simulated& run, const Rows& rows, std::string& why) {
+  why = why_not_estimated(run);
+  if (!why.empty()) return std::nullopt;
+  const auto tight = tighter_runs(prepared, engine, engines, setting, run, rows, why);
+  if (!tight) return std::nullopt;
+  DeliveredError largest = larger(tight->error, of_times(tight->yardstick, prepared, setting));
+  if (tight->agreement) largest = larger(std::move(largest), *tight->agreement);
+  return Estimate{std::move(largest), tight->yardstick.constants(), tight->agreement};
+}
+
+DeliveredError from_closed_forms(const ClosedForms& forms, const PreparedModel& prepared, const Setting& setting,
+                                 const Rows& rows) {
+  const Rows exact = forms.instead_of(rows, prepared);
+  const double rounding = least_tolerance(setting.number);
+  return Yardstick(exact, exact, prepared.columns.columns, rounding, rounding).error_of(rows);
+}
+
+}  // namespace gausssim

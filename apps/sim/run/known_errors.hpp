@@ -1,0 +1,41 @@
+#pragma once
+// What a run knows of its errors: by tighter runs, by the reference of a search, by closed forms.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/run/closed_form.hpp"
+#include "sim/run/engines.hpp"
+#include "sim/run/error_estimate.hpp"
+
+namespace gausssim {
+
+/// How far a run may be off.
+struct Estimate : DeliveredError {
+  std::vector<std::string> constants = {};  ///< outputs that have no range that this is a part of
+  std::optional<DeliveredError> agreement =
+      std::nullopt;  ///< of the tighter runs that say so; nothing where there is one of them
+
+  /// Whether tighter runs agree far better than this.
+  bool is_confirmed() const;
+};
+
+struct KnownErrors {
+  std::optional<Estimate> estimate;
+  std::string why_none;  ///< of the estimate
+  std::optional<DeliveredError> from_closed_forms;
+};
+
+/// By rows that are known to be far closer to the motion.
+Estimate estimate_by(const Yardstick& yardstick, const Rows& rows, const PreparedModel& prepared,
+                     const Setting& setting);
+
+/// By tighter runs, and no less than what these differ by. Nothing, and `why`: they say nothing, or take too long.
+std::optional<Estimate> estimated(const PreparedModel& prepared, const Engine& engine, Engines& engines,
+                                  const Setting& setting, const Simulated& run, const Rows& rows, std::string& why);
+
+DeliveredError from_closed_forms(const ClosedForms& forms, const PreparedModel& prepared, const Setting& setting,
+                                 const Rows& rows);
+
+}  // namespace gausssim
