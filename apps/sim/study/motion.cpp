@@ -93,6 +93,7 @@ class Reader {
     motion_.edge = edge();
     for (const Motion::Body& body : motion_.bodies) add_lines(body);
     for (const Column& column : columns_.columns) add_force(column);
+    for (const auto& [row, bodies] : held_) add_rod(row, bodies);
     for (Motion::Body& body : motion_.bodies) give_shape(body);
     drop_idle_forces();
     return std::move(motion_);
@@ -205,21 +206,50 @@ class Reader {
       add(place->name, name, column, place->position);
     } else {
       for (const Motion::Body& body : motion_.bodies)
-        if (body.name == name) return add(row, name, column, body.position);
+        if (body.name == name) {
+          held_[row].push_back(&body);
+          return add(row, name, column, body.position);
+        }
     }
+  }
+
+  /// What pulls or pushes particles towards each other, or one of them towards the origin, at all times.
+  void add_rod(const std::string& row, const std::vector<const Motion::Body*>& bodies) {
+    const auto is_particle = [](const Motion::Body* one) { return one->orientation.empty(); };
+    if (bodies.size() > 2 || !std::all_of(bodies.begin(), bodies.end(), is_particle)) return;
+    Motion::Line line{row, {}};
+    for (std::size_t k = 0; k < bodies.front()->position.size(); ++k)
+      line.points.push_back({bodies.size() == 2 ? bodies.back()->position[k] : Place{}, bodies.front()->position[k]});
+    const auto is_of_rod = [&](const Motion::Force& one) {
+      return one.name == row && one.body == bodies.front()->name;
+    };
+    const auto force = std::find_if(motion_.forces.begin(), motion_.forces.end(), is_of_rod);
+    if (is_along(force->force, line)) motion_.lines.push_back(std::move(line));
+  }
+
+  bool is_along(const std::vector<Place>& force, const Motion::Line& line) const {
+    const double most = largest(force);
+    for (std::size_t k = 0; k < force.size(); ++k) {
+      const Eigen::Vector3d pull = vector_of(force[k]);
+      const Eigen::Vector3d way = vector_of(line.points[k].back()) - vector_of(line.points[k].front());
+      if (!(pull.norm() <= k_rounding * most || way.cross(pull).norm() <= k_rounding * way.norm() * pull.norm()))
+        return false;
+    }
+    return most > 0;
+  }
+
+  static double largest(const std::vector<Place>& forces) {
+    double most = 0;
+    for (const Place& force : forces) most = std::max(most, vector_of(force).norm());
+    return most;
   }
 
   /// A joint that lets its child move freely holds nothing.
   void drop_idle_forces() {
-    const auto largest = [](const Motion::Force& one) {
-      double most = 0;
-      for (const Place& force : one.force) most = std::max(most, vector_of(force).norm());
-      return most;
-    };
     double most = 0;
-    for (const Motion::Force& one : motion_.forces) most = std::max(most, largest(one));
+    for (const Motion::Force& one : motion_.forces) most = std::max(most, largest(one.force));
     const auto is_idle = [&](const Motion::Force& one) {
-      return find(joints_, one.name) != nullptr && largest(one) < k_rounding * most;
+      return find(joints_, one.name) != nullptr && largest(one.force) < k_rounding * most;
     };
     auto& all = motion_.forces;
     all.erase(std::remove_if(all.begin(), all.end(), is_idle), all.end());
@@ -240,9 +270,10 @@ class Reader {
   const Columns& columns_;
   Table table_;
   std::vector<Track> joints_, closings_, places_;
-  std::map<std::string, std::string> felt_by_;             ///< of each closing, the side whose force is shown
-  std::set<std::pair<std::string, std::string>> touched_;  ///< places, and the bodies that feel a force there
-  double room_ = 0;                                        ///< diagonal of the box of the whole motion [m]
+  std::map<std::string, std::string> felt_by_;                    ///< of each closing, the side whose force is shown
+  std::set<std::pair<std::string, std::string>> touched_;         ///< places, and the bodies that feel a force there
+  std::map<std::string, std::vector<const Motion::Body*>> held_;  ///< of each row that has no place of its own
+  double room_ = 0;                                               ///< diagonal of the box of the whole motion [m]
   Motion motion_;
 };
 

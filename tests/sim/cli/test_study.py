@@ -357,6 +357,28 @@ forces:
 """
 
 
+BEADS = """gauss: 1
+name: beads
+coordinates:
+  a: {initial: 0.6}
+  b: {initial_guess: -0.8}
+  c: {initial: 0.9}
+  d: {initial_guess: -1.2}
+  e: {initial: 1}
+  f: {initial_guess: 1}
+particles:
+  one: {mass: 1, position: [a, b, 0]}
+  two: {mass: 2, position: [c, d, 0]}
+  three: {mass: 1, position: [e, f, 0]}
+constraints:
+  upper: {equation: a^2 + b^2 - 1}
+  lower: {equation: (a-c)^2 + (b-d)^2 - 0.25}
+  track: {equation: f - e^2}
+forces:
+  gravity: {uniform: [0, -10, 0]}
+"""
+
+
 class Motions(Program):
     def motion(self, text, duration=1):
         self.write("model.yaml", text)
@@ -391,6 +413,17 @@ class Motions(Program):
                     acceleration = (places[k + 1][axis] - 2 * places[k][axis] + places[k - 1][axis]) / step**2
                     force = forces["A"]["force"][k][axis] + forces["loop"]["force"][k][axis] + weight
                     self.assertAlmostEqual(force, acceleration, delta=0.2)
+
+    def test_what_holds_particles_is_drawn(self):
+        """Two of them in a row on rods, beside one on a track that bends about no point."""
+        motion = self.motion(BEADS)
+        places = {body["name"]: body["position"] for body in motion["bodies"]}
+        lines = {line["name"]: line["points"] for line in motion["lines"]}
+        self.assertEqual(sorted(lines), ["lower", "upper"])
+        for k, (upper, lower) in enumerate(zip(lines["upper"], lines["lower"])):
+            self.assertEqual(upper, [[0, 0, 0], places["one"][k]])
+            self.assertEqual(sorted(lower), sorted([places["one"][k], places["two"][k]]))
+            self.assertAlmostEqual(math.dist(*lower), 0.5, places=4)
 
     def test_a_contact_has_its_force_where_it_is(self):
         motion = self.motion(WHEEL)
