@@ -89,8 +89,8 @@ test('methods of which no run was begun are in no filter, key or table, and the 
     assert.equal(await page.locator('.filters').getByRole('checkbox', {name: /^taylor/}).count(), 1);
     const facts = await page.locator('.facts').evaluate((list) => [...list.children].map((one) => one.textContent));
     const unmade = points.filter(({status}) => status === 'refused').length;
-    assert.equal(facts[facts.indexOf('not run') + 1].replace(/ \d+ beside runs, .*?: [^.]*\./, ''),
-      `${unmade} settings. 4 that charts leave out: methods bogus_late, bogus_late2: beyond the time that the study was given. method bogus_unfit: it has constraints. number type float: no compiler`);
+    assert.equal(facts[facts.indexOf('not run') + 1].replace(/\n\d+ beside runs, .*?: [^.]*\./, ''),
+      [`${unmade} settings.`, '4 that charts leave out:', '– methods bogus_late, bogus_late2: beyond the time that the study was given', '– method bogus_unfit: it has constraints', '– number type float: no compiler'].join('\n'));
   });
 });
 

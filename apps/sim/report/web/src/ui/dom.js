@@ -29,6 +29,9 @@ export function svg(tag, attributes, ...children) {
 /** @param {string} label @param {(event: Event) => void} click @param {Record<string, any>} [more] */
 export const button = (label, click, more = {}) => el('button', {type: 'button', click, ...more}, label);
 
+/** A name that goes on in the next line behind an underscore, where there is no room for it. @param {string} name @returns {(Node | string)[]} */
+export const breakable = (name) => name.split(/(?<=_)/).flatMap((part, i) => (i === 0 ? [part] : [el('wbr'), part]));
+
 /** Label and value in two columns. @param {[string, string][]} pairs @param {string} [name] its class */
 export const pairs = (pairs, name = 'pairs') => el('dl', {class: name}, ...pairs.flatMap(([label, value]) => [el('dt', {}, label), el('dd', {}, value)]));
 

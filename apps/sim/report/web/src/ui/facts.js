@@ -26,15 +26,15 @@ function outputOf({name, unit, range, scale}) {
   return said ? `${name} (${said})` : name;
 }
 
-/** Settings without a run: those that charts show as such, and those of which all that is alike was not run, which they leave out. @param {FullProblem['points']} points */
+/** Settings without a run, in lines: those that charts show as such, and those of which all that is alike was not run, which they leave out. @param {FullProblem['points']} points */
 function notRunOf(points) {
   const [all, shown] = [tally(points), tally(begun(points))];
   if (all.unmade === 0) return '';
   const others = all.unmade - shown.unmade;
   return [
     `${counted(all.unmade, 'setting')}.`, shown.unmade > 0 && `${plain(shown.unmade)} beside runs, which charts show without a result: ${whyUnmade(shown)}.`,
-    others > 0 && `${plain(others)} that charts leave out: ${notRun(points).join('. ')}`,
-  ].filter(Boolean).join(' ');
+    others > 0 && [`${plain(others)} that charts leave out:`, ...notRun(points)].join('\n– '),
+  ].filter(Boolean).join('\n');
 }
 
 /** @param {FullProblem} problem */

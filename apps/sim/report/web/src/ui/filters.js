@@ -2,7 +2,7 @@
 
 import {plain} from '../format.js';
 import {grouped, k_choices, made, settingOf, values} from '../maths/points.js';
-import {button, el} from './dom.js';
+import {breakable, button, el} from './dom.js';
 
 /** @typedef {import('../types.js').Point} Point */
 
@@ -34,7 +34,7 @@ export class Filters {
   choice(key, name, count) {
     const box = /** @type {HTMLInputElement} */ (el('input', {type: 'checkbox', checked: true, value: name, change: () => this.set(key, name, box.checked)}));
     this.boxes.push(box);
-    return el('label', {}, box, el('span', {}, name), el('small', {}, plain(count)));
+    return el('label', {}, box, el('span', {}, ...breakable(name)), el('small', {}, plain(count)));
   }
 
   /** @param {string} key @param {string} name @param {boolean} on */
