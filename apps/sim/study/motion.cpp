@@ -93,7 +93,10 @@ class Reader {
     motion_.edge = edge();
     for (const Motion::Body& body : motion_.bodies) add_lines(body);
     for (const Column& column : columns_.columns) add_force(column);
-    for (const auto& [row, bodies] : held_) add_rod(row, bodies);
+    std::set<std::string> constraints;
+    for (const Motion::Force& one : motion_.forces)
+      if (find(closings_, one.name) == nullptr) constraints.insert(one.name);
+    for (const std::string& constraint : constraints) add_rod(constraint);
     for (Motion::Body& body : motion_.bodies) give_shape(body);
     drop_idle_forces();
     return std::move(motion_);
@@ -206,25 +209,33 @@ class Reader {
       add(place->name, name, column, place->position);
     } else {
       for (const Motion::Body& body : motion_.bodies)
-        if (body.name == name) {
-          held_[row].push_back(&body);
-          return add(row, name, column, body.position);
-        }
+        if (body.name == name) return add(row, name, column, body.position);
     }
   }
 
   /// What pulls or pushes particles towards each other, or one of them towards the origin, at all times.
-  void add_rod(const std::string& row, const std::vector<const Motion::Body*>& bodies) {
-    const auto is_particle = [](const Motion::Body* one) { return one->orientation.empty(); };
-    if (bodies.size() > 2 || !std::all_of(bodies.begin(), bodies.end(), is_particle)) return;
-    Motion::Line line{row, {}};
-    for (std::size_t k = 0; k < bodies.front()->position.size(); ++k)
-      line.points.push_back({bodies.size() == 2 ? bodies.back()->position[k] : Place{}, bodies.front()->position[k]});
-    const auto is_of_rod = [&](const Motion::Force& one) {
-      return one.name == row && one.body == bodies.front()->name;
-    };
-    const auto force = std::find_if(motion_.forces.begin(), motion_.forces.end(), is_of_rod);
-    if (is_along(force->force, line)) motion_.lines.push_back(std::move(line));
+  void add_rod(const std::string& constraint) {
+    double most = 0;
+    for (const Motion::Force& one : motion_.forces)
+      if (one.name == constraint) most = std::max(most, largest(one.force));
+    std::vector<const Motion::Force*> sides;
+    for (const Motion::Force& one : motion_.forces)
+      if (one.name == constraint && largest(one.force) > k_rounding * most) sides.push_back(&one);
+    Motion::Line line{constraint, std::vector<std::vector<Place>>(motion_.forces.front().at.size())};
+    if (sides.size() == 1) line.points.assign(line.points.size(), {Place{}});
+    for (const Motion::Force* side : sides) {
+      const Motion::Body* const body = particle(side->body);
+      if (body == nullptr) return;
+      for (std::size_t k = 0; k < line.points.size(); ++k) line.points[k].push_back(body->position[k]);
+    }
+    const bool is_rod = !sides.empty() && line.points.front().size() == 2 && is_along(sides.back()->force, line);
+    if (is_rod) motion_.lines.push_back(std::move(line));
+  }
+
+  const Motion::Body* particle(const std::string& name) const {
+    for (const Motion::Body& body : motion_.bodies)
+      if (body.name == name && body.orientation.empty()) return &body;
+    return nullptr;
   }
 
   bool is_along(const std::vector<Place>& force, const Motion::Line& line) const {
@@ -235,7 +246,7 @@ class Reader {
       if (!(pull.norm() <= k_rounding * most || way.cross(pull).norm() <= k_rounding * way.norm() * pull.norm()))
         return false;
     }
-    return most > 0;
+    return true;
   }
 
   static double largest(const std::vector<Place>& forces) {
@@ -270,10 +281,9 @@ class Reader {
   const Columns& columns_;
   Table table_;
   std::vector<Track> joints_, closings_, places_;
-  std::map<std::string, std::string> felt_by_;                    ///< of each closing, the side whose force is shown
-  std::set<std::pair<std::string, std::string>> touched_;         ///< places, and the bodies that feel a force there
-  std::map<std::string, std::vector<const Motion::Body*>> held_;  ///< of each row that has no place of its own
-  double room_ = 0;                                               ///< diagonal of the box of the whole motion [m]
+  std::map<std::string, std::string> felt_by_;             ///< of each closing, the side whose force is shown
+  std::set<std::pair<std::string, std::string>> touched_;  ///< places, and the bodies that feel a force there
+  double room_ = 0;                                        ///< diagonal of the box of the whole motion [m]
   Motion motion_;
 };
 

@@ -378,6 +378,20 @@ forces:
   gravity: {uniform: [0, -10, 0]}
 """
 
+HELD_BEADS = """gauss: 1
+name: held_beads
+coordinates:
+  a: {initial: 0.6}
+  b: {initial: 1.1}
+  upper: {held_at: 1}
+  lower: {held_at: 0.5}
+particles:
+  one: {mass: 1, position: [upper*sin(a), -upper*cos(a), 0]}
+  two: {mass: 2, position: [upper*sin(a) + lower*sin(b), -upper*cos(a) - lower*cos(b), 0]}
+forces:
+  gravity: {uniform: [0, -10, 0]}
+"""
+
 
 class Motions(Program):
     def motion(self, text, duration=1):
@@ -416,14 +430,16 @@ class Motions(Program):
 
     def test_what_holds_particles_is_drawn(self):
         """Two of them in a row on rods, beside one on a track that bends about no point."""
-        motion = self.motion(BEADS)
-        places = {body["name"]: body["position"] for body in motion["bodies"]}
-        lines = {line["name"]: line["points"] for line in motion["lines"]}
-        self.assertEqual(sorted(lines), ["lower", "upper"])
-        for k, (upper, lower) in enumerate(zip(lines["upper"], lines["lower"])):
-            self.assertEqual(upper, [[0, 0, 0], places["one"][k]])
-            self.assertEqual(sorted(lower), sorted([places["one"][k], places["two"][k]]))
-            self.assertAlmostEqual(math.dist(*lower), 0.5, places=4)
+        for text in (BEADS, BEADS.replace("{equation: (a-c)^2 + (b-d)^2 - 0.25}", "{distance: [one, two], is: 0.5}"), HELD_BEADS):
+            motion = self.motion(text)
+            places = {body["name"]: body["position"] for body in motion["bodies"]}
+            lines = {line["name"]: line["points"] for line in motion["lines"]}
+            with self.subTest(text):
+                self.assertEqual(sorted(lines), ["lower", "upper"])
+                for k, (upper, lower) in enumerate(zip(lines["upper"], lines["lower"])):
+                    self.assertEqual(upper, [[0, 0, 0], places["one"][k]])
+                    self.assertEqual(sorted(lower), sorted([places["one"][k], places["two"][k]]))
+                    self.assertAlmostEqual(math.dist(*lower), 0.5, places=4)
 
     def test_a_contact_has_its_force_where_it_is(self):
         motion = self.motion(WHEEL)
