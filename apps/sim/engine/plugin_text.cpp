@@ -158,7 +158,7 @@ std::string plugin_header(cpp::File tree) {
   return cpp::print(tree) + "\n#define GAUSS_SIM_VISIBLE __attribute__((visibility(\"default\")))\n\n";
 }
 
-std::string plugin_text(cpp::File tree, const PluginRequest& request) {
+std::string plugin_text(const cpp::File& tree, const PluginRequest& request) {
   std::string text = plugin_header(tree);
   if (uses_quad(request)) text += quad_runtime();
   const bool has_series = find_function(tree, "taylor") != nullptr;

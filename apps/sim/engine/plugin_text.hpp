@@ -40,6 +40,6 @@ void remove_words(gaussgen::emit::cpp::File& tree);
 std::string plugin_header(gaussgen::emit::cpp::File tree);
 
 /// The same text for all values of parameters and of the start: they are given when it runs.
-std::string plugin_text(gaussgen::emit::cpp::File tree, const PluginRequest& request);
+std::string plugin_text(const gaussgen::emit::cpp::File& tree, const PluginRequest& request);
 
 }  // namespace gausssim

@@ -22,8 +22,10 @@ class Pool {
 
   void run() {
     std::vector<BlockWork> works;
+    works.reserve(static_cast<std::size_t>(blocks_.threads));
     for (int i = 0; i < blocks_.threads; ++i) works.push_back(blocks_.make_work());
     std::vector<std::thread> threads;
+    threads.reserve(works.size());
     for (const BlockWork& work : works) threads.emplace_back([this, &work] { take_blocks(work); });
     watch();
     for (std::thread& thread : threads) thread.join();

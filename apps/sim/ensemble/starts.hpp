@@ -13,7 +13,7 @@ namespace gausssim {
 /// One thread's hold on a model, whose values change from one trajectory to the next.
 template <class S>
 struct Bound {
-  Bound(const Engine& engine, const Described& model);
+  Bound(const Engine& with, const Described& of);
 
   const Engine& engine;
   const Described& model;
