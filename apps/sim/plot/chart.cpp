@@ -100,12 +100,13 @@ void draw_frame(Svg& svg, const Panel& panel, const Axis& below, bool is_last) {
   svg.text({20, panel.top + panel.height / 2}, title, "middle", "title", -90);
 }
 
-/// A number that is none parts a line.
+/// A number that is none parts a line; what stands alone is a dot.
 void draw_line(Svg& svg, const Panel& panel, const Axis& below, const TableColumn& x, const TableColumn& y,
-               const TableColumn* within, const std::string& look) {
+               const TableColumn* within, std::size_t colour) {
   std::vector<Point> points;
   const auto draw = [&] {
-    if (!points.empty()) svg.polyline(decimated(points, 1), look);
+    if (points.size() == 1) svg.dots(points, look_of_dots(colour));
+    if (points.size() > 1) svg.polyline(decimated(points, 1), look_of_line(colour));
     points.clear();
   };
   for (std::size_t i = 0; i < x.values.size(); ++i) {
@@ -139,7 +140,7 @@ void draw(Svg& svg, const Panel& panel, const Axis& below, const TableColumn& x,
     svg.begin_group(y.unit.empty() ? y.name : y.name + " [" + y.unit + "]");
     const Point at = panel.legend[i];
     if (bonds.are_there) {
-      draw_line(svg, panel, below, x, y, bonds.within, look_of_line(i));
+      draw_line(svg, panel, below, x, y, bonds.within, i);
       svg.polyline({at, {at.x + k_sample, at.y}}, look_of_line(i));
     } else {
       draw_dots(svg, panel, below, x, y, look_of_dots(i));

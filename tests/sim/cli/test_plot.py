@@ -133,8 +133,12 @@ class Plots(Program):
 
     def test_what_is_no_number_parts_a_line_and_what_is_constant_is_a_line(self):
         self.table_of(["t [s]", "x", "y"], [[0, 1, 2], [1, "nan", 2], [2, 1, 2], [3, "inf", 2], [4, 2, 2]])
-        lines = self.lines(self.picture("table.csv"))
-        self.assertEqual([len(line) for line in lines["x"]], [1, 1, 1])
+        picture = self.picture("table.csv")
+        lines = self.lines(picture)
+        self.assertEqual(lines["x"], [])
+        dots = [path.get("d") for group in picture.iter(SVG + "g") if group.find(SVG + "title").text == "x" for path in group.iter(SVG + "path")]
+        self.assertEqual(len(dots), 3)
+        self.assertEqual(len(set(dots)), 3)
         self.assertEqual(len({y for _, y in lines["y"][0]}), 1)
 
     def test_names_are_text(self):
