@@ -18,9 +18,7 @@ static_assert(sizeof(Wide) == sizeof(Quad) && alignof(Wide) == alignof(Quad));
 inline Quad narrow(const Wide& value) { return value.backend().value(); }
 
 inline std::vector<Wide> widened(const std::vector<Quad>& values) {
-  std::vector<Wide> result;
-  for (const Quad& value : values) result.emplace_back(value);
-  return result;
+  return std::vector<Wide>(values.begin(), values.end());
 }
 
 inline Numbers<Wide> widened(const Numbers<Quad>& values) {

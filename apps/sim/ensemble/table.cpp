@@ -34,6 +34,7 @@ std::string unit_of(const gaussgen::emit::Unit& unit, const Varied& one) {
 
 std::string ensemble_header(const PreparedModel& prepared, const std::vector<Varied>& varied) {
   std::vector<Column> columns;
+  columns.reserve(varied.size());
   for (const Varied& one : varied)
     columns.push_back({std::string(name_of(one.section)) + "." + as_symbol(one.name), unit_of(prepared.model.unit, one),
                        "", false, 0, 0});

@@ -18,7 +18,6 @@ struct Placed {
 
 /// Makes each varied quantity one that is given at run time: formulas are no more, and initial values follow parameters of their own. Parameters and inputs keep the values
 /// of the model's file for what is checked with it, and initial values are nominal. One place for each varied quantity of the scene, unless `diagnostics` has errors.
-std::vector<Placed> vary(const Scene& scene, gaussgen::model::Model& model,
-                         gaussgen::support::Diagnostics& diagnostics);
+std::vector<Placed> vary(const Scene& scene, gaussgen::model::Model& to, gaussgen::support::Diagnostics& diagnostics);
 
 }  // namespace gausssim

@@ -54,7 +54,7 @@ std::string why_not_projected(const Functions<S>& functions, Projection how);
 
 /// Null where the method does not take the model, or the model not the projection; `why` says it then.
 template <class S>
-std::unique_ptr<Integrator<S>> make_integrator(const std::string& method, const MotionModel<S>& model,
+std::unique_ptr<Integrator<S>> make_integrator(const std::string& name, const MotionModel<S>& model,
                                                const Numbers<S>& start, const S& t, const MethodSettings<S>& settings,
                                                std::string& why);
 

@@ -148,7 +148,7 @@ std::string hint_for_output(const std::string& name, const Described& model) {
   for (const auto& held : model.unit.held) {
     if (held.name == name) return fmt::format("it is held at {}; the model tells it under `quantities`", held.held_at);
   }
-  const std::string near = gaussgen::support::did_you_mean(name, output_names(model));
+  std::string near = gaussgen::support::did_you_mean(name, output_names(model));
   if (!near.empty()) return near;
   return "there are " + gaussgen::support::joined(chooser.groups()) +
          ", coordinates and speeds, and members such as energy.total";

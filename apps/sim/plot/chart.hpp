@@ -14,8 +14,8 @@ struct Bonds {
   const TableColumn* within = nullptr;  ///< a line ends where this one's value changes; null: nowhere
 };
 
-/// SVG. Lines of `columns` against `across`, as long as all of these; `title` is that of the document.
-std::string chart(const TableColumn& across, const std::vector<const TableColumn*>& columns, const std::string& title,
+/// SVG. Lines of `columns` against `x`, as long as all of these; `title` is that of the document.
+std::string chart(const TableColumn& x, const std::vector<const TableColumn*>& columns, const std::string& title,
                   const Bonds& bonds = {});
 
 }  // namespace gausssim::plot

@@ -24,7 +24,7 @@ std::string in_words(const DeliveredError& error) {
 
 /// Whether it is to be relied on is said where it is not.
 std::string in_words(const Estimate& estimate, bool is_found) {
-  const std::string text = in_words(static_cast<const DeliveredError&>(estimate));
+  std::string text = in_words(static_cast<const DeliveredError&>(estimate));
   if (is_found) return text;
   if (!estimate.agreement) return text + "; by one tighter run, which no other one confirms";
   return estimate.is_confirmed()

@@ -8,7 +8,7 @@
 namespace gausssim {
 
 /// The function of the forces and constraints with the hardest edge that time or motion leads over, as the model calls it; empty: there is none.
-std::string function_with_edge(const gaussgen::model::Model& model);
+std::string function_with_edge(const gaussgen::model::Model& of);
 
 /// What to do about it.
 std::string hint_for_edge(const std::string& function);

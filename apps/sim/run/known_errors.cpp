@@ -31,7 +31,9 @@ DeliveredError of_times(const Yardstick& yardstick, const PreparedModel& prepare
   return yardstick.change_within(rounding_unit(setting.number) / 2 * latest / between);
 }
 
-DeliveredError larger(DeliveredError one, DeliveredError other) { return other.value > one.value ? other : one; }
+const DeliveredError& larger(const DeliveredError& one, const DeliveredError& other) {
+  return other.value > one.value ? other : one;
+}
 
 }  // namespace
 
@@ -49,7 +51,7 @@ std::optional<Estimate> estimated(const PreparedModel& prepared, const Engine& e
   const auto tight = tighter_runs(prepared, engine, engines, setting, run, rows, why);
   if (!tight) return std::nullopt;
   DeliveredError largest = larger(tight->error, of_times(tight->yardstick, prepared, setting));
-  if (tight->agreement) largest = larger(std::move(largest), *tight->agreement);
+  if (tight->agreement) largest = larger(largest, *tight->agreement);
   return Estimate{std::move(largest), tight->yardstick.constants(), tight->agreement};
 }
 

@@ -37,7 +37,7 @@ std::string text_of_file(const std::string& path) {
 }
 
 Json parsed(const std::string& path) {
-  const Json result = Json::parse(text_of_file(path), nullptr, false);
+  Json result = Json::parse(text_of_file(path), nullptr, false);
   if (result.is_discarded() || !result.is_object() || !result.contains("resume")) refuse_summary(path);
   return result;
 }

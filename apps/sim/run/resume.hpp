@@ -16,8 +16,8 @@ struct EarlierRun {
   std::string asked_for;  ///< JSON, of a run whose setting was looked for; empty: none was
 };
 
-/// How the run of a summary was made. Throws cli::FileError.
-Setting setting_of_earlier_run(const std::string& summary);
+/// How the run of the summary at `path` was made. Throws cli::FileError.
+Setting setting_of_earlier_run(const std::string& path);
 
 /// What the summary of a run says for one that goes on from it.
 nlohmann::ordered_json resume_json(const PreparedModel& prepared, const Simulated& run);

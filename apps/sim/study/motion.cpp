@@ -238,7 +238,7 @@ class Reader {
     return nullptr;
   }
 
-  bool is_along(const std::vector<Place>& force, const Motion::Line& line) const {
+  static bool is_along(const std::vector<Place>& force, const Motion::Line& line) {
     const double most = largest(force);
     for (std::size_t k = 0; k < force.size(); ++k) {
       const Eigen::Vector3d pull = vector_of(force[k]);
