@@ -49,7 +49,7 @@ Callable<S> callable(const Engine& engine, const Described& model, const std::st
 }
 
 template <class S>
-std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model) {
+std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model, const Change<S>& change) {
   auto functions = std::make_shared<Functions<S>>();
   functions->n_q = model.n_q();
   functions->n_v = model.n_v();
@@ -64,6 +64,7 @@ std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model)
   };
   fill("parameters", {parameters.data()});
   fill("inputs", {functions->inputs.data()});
+  if (change) change(parameters), change(functions->inputs);
   fill("prepare", {parameters.data(), functions->prepared.data()});
   const auto bound = [&](const char* function) {
     Callable<S> found = callable<S>(engine, model, function);
@@ -96,9 +97,9 @@ gauss::Status initial_state(const Engine& engine, const Described& model, const 
   return start(S(0), nullptr, state.data());
 }
 
-#define GAUSS_SIM_NUMBER(S)                                                           \
-  template Callable<S> callable(const Engine&, const Described&, const std::string&); \
-  template std::shared_ptr<Functions<S>> bind(const Engine&, const Described&);       \
+#define GAUSS_SIM_NUMBER(S)                                                                       \
+  template Callable<S> callable(const Engine&, const Described&, const std::string&);             \
+  template std::shared_ptr<Functions<S>> bind(const Engine&, const Described&, const Change<S>&); \
   template gauss::Status initial_state(const Engine&, const Described&, const Functions<S>&, Numbers<S>&);
 GAUSS_SIM_NUMBER(float)
 GAUSS_SIM_NUMBER(double)

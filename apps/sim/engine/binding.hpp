@@ -1,6 +1,7 @@
 #pragma once
 // An engine's functions with the parameters and inputs of a run.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,9 +27,13 @@ struct Described {
 template <class S>
 Callable<S> callable(const Engine& engine, const Described& model, const std::string& function);
 
-/// With the values of the model's file.
+/// Of values of parameters or inputs.
 template <class S>
-std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model);
+using Change = std::function<void(std::vector<S>&)>;
+
+/// With the values of the model's file, as `change` leaves them.
+template <class S>
+std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model, const Change<S>& change = nullptr);
 
 /// That of the model's file, on the constraints.
 template <class S>

@@ -26,6 +26,7 @@ std::string in_words(const DeliveredError& error) {
 std::string in_words(const Estimate& estimate, bool is_found) {
   std::string text = in_words(static_cast<const DeliveredError&>(estimate));
   if (is_found) return text;
+  if (estimate.is_by_rounding()) return text + " at most; it is what values are rounded by";
   if (!estimate.agreement) return text + "; by one tighter run, which no other one confirms";
   return estimate.is_confirmed()
              ? text

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <atomic>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
+#include <ctime>
 
 #include "cli/exit_codes.hpp"
 
@@ -27,6 +29,19 @@ const char* const k_json = "{\"severity\":\"note\",\"message\":\"interrupted; no
 std::atomic<const char*> last_words{nullptr};  ///< null: an interruption is only asked for
 static_assert(std::atomic<const char*>::is_always_lock_free);
 
+/// When an interruption was asked for; 0: it was not.
+std::atomic<std::int64_t> asked_at{0};
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+
+std::int64_t milliseconds_now() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<std::int64_t>(now.tv_sec) * 1000 + now.tv_nsec / 1'000'000 + 1;
+}
+
+/// Who asks for an end twice wants it at once; but one wish may come as two signals, to the process and to its group.
+constexpr std::int64_t k_same_wish = 500;  ///< ms
+
 /// Inside a signal only such calls are allowed.
 void note(int signal) {
   if (const char* const words = last_words) {
@@ -34,13 +49,18 @@ void note(int signal) {
     ::_exit(written < 0 ? gaussgen::cli::k_file_error : gaussgen::cli::k_interrupted);
   }
   asked = true;
+  const std::int64_t now = milliseconds_now();
+  std::int64_t first = 0;
+  if (asked_at.compare_exchange_strong(first, now) || now - first < k_same_wish) return;
   std::signal(signal, SIG_DFL);
+  std::raise(signal);
 }
 
 }  // namespace
 
 Interruption::Interruption() {
   asked = false;
+  asked_at = 0;
   std::signal(SIGINT, note);
   std::signal(SIGTERM, note);
   // Of a terminal that was closed; not for who asked by nohup to go on then.

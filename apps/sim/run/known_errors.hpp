@@ -17,8 +17,12 @@ struct Estimate : DeliveredError {
   std::optional<DeliveredError> agreement =
       std::nullopt;  ///< of the tighter runs that say so; nothing where there is one of them
 
+  double rounding = 0;  ///< what of it comes from rounding parameters, inputs and the start, at most
+
   /// Whether tighter runs agree far better than this.
   bool is_confirmed() const;
+  /// Then it is a bound.
+  bool is_by_rounding() const { return rounding > 0 && rounding >= value; }
 };
 
 struct KnownErrors {

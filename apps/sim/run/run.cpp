@@ -27,7 +27,6 @@ std::string csv_path(const RunOptions& options, const PreparedModel& prepared) {
 }
 
 EarlierRun earlier_run(const std::string& csv, const PreparedModel& prepared, const Setting& setting) {
-  if (csv == "-") throw cli::UsageError("--resume: standard output cannot be gone on with");
   return read_earlier_run(csv, summary_path(csv), prepared, setting);
 }
 
@@ -91,6 +90,7 @@ class Run {
     warn_of_interpreting(engines_.times(), options_.messages);
     choice_.setting = setting_of(prepared_, *choice_.engine);
     check_outputs(csv_, {options_.file, prepared_.model_file});
+    if (options_.resume && csv_ == "-") throw cli::UsageError("--resume: standard output cannot be gone on with");
     if (!prepared_.scene.error) return cli::k_ok;
     if (!options_.resume) return search(find);
     // What was found then goes on; what would be found now may be another setting.

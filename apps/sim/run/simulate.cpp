@@ -12,6 +12,8 @@
 #include "sim/drive/quad.hpp"
 #include "sim/output/csv.hpp"
 #include "sim/run/interruption.hpp"
+#include "sim/run/nudge.hpp"
+#include "sim/run/setting.hpp"
 
 namespace gausssim {
 
@@ -49,7 +51,7 @@ class Simulator {
         engine_(engine),
         setting_(setting),
         listeners_(listeners),
-        functions_(bind<S>(engine, prepared.model)),
+        functions_(gausssim::bind<S>(engine, prepared.model, change())),
         pulled_(setting.projection == Projection::gains && functions_->gains
                     ? std::make_unique<PulledRates<S>>(*functions_, S(setting.gain))
                     : nullptr),
@@ -62,6 +64,7 @@ class Simulator {
   Simulated run() {
     Numbers<S> start;
     result_.status = initial_state(engine_, prepared_.model, *functions_, start);
+    if (setting_.is_nudged) nudge_state(start, unit());
     if (earlier_ != nullptr) go_on(start);
     if (!gauss::integrate::is_motion_known(result_.status)) {
       result_.outcome = Outcome::model_failed;
@@ -92,6 +95,13 @@ class Simulator {
   }
 
  private:
+  S unit() const { return S(rounding_unit(setting_.number)); }
+
+  Change<S> change() const {
+    if (!setting_.is_nudged) return nullptr;
+    return [unit = unit()](std::vector<S>& values) { nudge_given(values, unit); };
+  }
+
   void go_on(Numbers<S>& start) {
     for (std::size_t i = 0; i < start.size(); ++i) start[i] = number_of<S>(earlier_->last_state[i]);
     meter_.go_on_from(earlier_->drift, earlier_->start_energy.empty() ? S(0) : number_of<S>(earlier_->start_energy));

@@ -20,7 +20,8 @@ struct Setting {
   double longest_step = 0;         ///< 0: any
   long most_steps = 0;             ///< 0: as methods have it
   Projection projection = Projection::full;
-  double gain = 10;  ///< 1/s, of projection `gains`
+  double gain = 10;        ///< 1/s, of projection `gains`
+  bool is_nudged = false;  ///< parameters, inputs and start differ by their rounding
 };
 
 /// What a setting leaves open is as methods have it.

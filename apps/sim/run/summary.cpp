@@ -32,6 +32,7 @@ Json asked_json(const FoundSetting& found, double error) {
 Json estimate_json(const Estimate& estimate) {
   Json json{{"relative", estimate.value}, {"output", estimate.output}, {"constant", estimate.constants}};
   if (estimate.agreement) json["agreement"] = estimate.agreement->value;
+  if (estimate.rounding > 0) json["rounding"] = estimate.rounding;
   return json;
 }
 

@@ -30,6 +30,7 @@ class Tightening {
              const Simulated& run, const Rows& rows)
       : prepared_(prepared),
         engine_(&engine),
+        given_(setting),
         setting_(setting),
         run_(run),
         rows_(rows),
@@ -45,7 +46,7 @@ class Tightening {
     RunInRows tight = made();
     why = why_no_yardstick(tight.run);
     if (!why.empty()) return std::nullopt;
-    TighterRuns result{yardstick_of(std::move(tight.rows), rows_), {}, std::nullopt};
+    TighterRuns result{yardstick_of(std::move(tight.rows), rows_), {}, std::nullopt, {}};
     result.error = result.yardstick.error_of(rows_);
     while (tighten() || !result.agreement) {
       RunInRows next = made();
@@ -56,6 +57,7 @@ class Tightening {
       result.error = result.yardstick.error_of(rows_);
       if (result.agreement->value <= k_agree * result.error.value) break;
     }
+    result.rounding = by_rounding(result.yardstick);
     return result;
   }
 
@@ -65,6 +67,17 @@ class Tightening {
     RunInRows result = in_rows(prepared_, *engine_, setting_, Meter::none);
     result.rows.keep(rows_.samples());
     return result;
+  }
+
+  /// That of parameters, inputs and the start, which all runs in one number type share; in a wider one, none does. Nothing where such a run does not arrive.
+  DeliveredError by_rounding(Yardstick yardstick) const {
+    if (setting_.number != given_.number) return {};
+    Setting nudged = given_;
+    nudged.is_nudged = true;
+    RunInRows other = in_rows(prepared_, *engine_, nudged, Meter::none);
+    if (!arrives(other.run)) return {};
+    yardstick.take(std::move(other.rows));
+    return yardstick.error_of(rows_);
   }
 
   /// Closer to the motion, by other terms. Where samples are closer than steps would be, a tolerance alone changes nothing, nor does a step.
@@ -83,6 +96,7 @@ class Tightening {
     shortest_ = k_shortest * setting_.step;
     setting_ = by_other_terms(setting_, prepared_);
     if (setting_.tolerance > 0) setting_.tolerance = std::max(setting_.tolerance, least_tolerance(setting_.number));
+    least_range_ = least_range(setting_.tolerance > 0 ? setting_.tolerance : k_of_steps);
   }
 
   /// False: for the last time, since no tolerance is below rounding, and steps that are so much shorter should have agreed.
@@ -112,17 +126,19 @@ class Tightening {
   }
 
   Yardstick yardstick_of(Rows rows, const Rows& other) const {
-    const double tolerance = setting_.tolerance > 0 ? setting_.tolerance : k_of_steps;
-    return Yardstick(std::move(rows), other, prepared_.columns.columns, least_range(tolerance), rounding_);
+    return Yardstick(std::move(rows), other, prepared_.columns.columns, least_range_, rounding_);
   }
 
   const PreparedModel& prepared_;
   const Engine* engine_;
+  const Setting& given_;
   Setting setting_;
   const Simulated& run_;
   const Rows& rows_;
   double rounding_;      ///< of the rows
   double shortest_ = 0;  ///< step
+  double least_range_ =
+      0;  ///< as the first of them has it: what rounding makes of a constant is not less for tighter ones
 };
 
 }  // namespace

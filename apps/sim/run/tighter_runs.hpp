@@ -15,6 +15,7 @@ struct TighterRuns {
   Yardstick yardstick;                      ///< of the tightest
   DeliveredError error;                     ///< of the run, against it
   std::optional<DeliveredError> agreement;  ///< of the two tightest; nothing where only one arrives
+  DeliveredError rounding;                  ///< of the run: what it differs by from one whose values differ by theirs
 };
 
 /// Of a run with its rows, by the engine of its setting. Nothing, and `why`: no tighter run is another one, or arrives within some times what the run took.

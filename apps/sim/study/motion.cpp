@@ -213,7 +213,7 @@ class Reader {
     }
   }
 
-  /// What pulls or pushes particles towards each other, or one of them towards the origin, at all times.
+  /// What pulls or pushes particles towards each other, or one of them towards the origin that it goes about, at all times.
   void add_rod(const std::string& constraint) {
     double most = 0;
     for (const Motion::Force& one : motion_.forces)
@@ -228,7 +228,8 @@ class Reader {
       if (body == nullptr) return;
       for (std::size_t k = 0; k < line.points.size(); ++k) line.points[k].push_back(body->position[k]);
     }
-    const bool is_rod = !sides.empty() && line.points.front().size() == 2 && is_along(sides.back()->force, line);
+    if (sides.empty() || line.points.front().size() != 2 || !is_along(sides.back()->force, line)) return;
+    const bool is_rod = sides.size() == 1 ? turns(line) : are_opposite(sides[0]->force, sides[1]->force, most);
     if (is_rod) motion_.lines.push_back(std::move(line));
   }
 
@@ -238,15 +239,34 @@ class Reader {
     return nullptr;
   }
 
+  static Eigen::Vector3d along(const std::vector<Place>& points) {
+    return vector_of(points.back()) - vector_of(points.front());
+  }
+
   static bool is_along(const std::vector<Place>& force, const Motion::Line& line) {
     const double most = largest(force);
     for (std::size_t k = 0; k < force.size(); ++k) {
-      const Eigen::Vector3d pull = vector_of(force[k]);
-      const Eigen::Vector3d way = vector_of(line.points[k].back()) - vector_of(line.points[k].front());
+      const Eigen::Vector3d pull = vector_of(force[k]), way = along(line.points[k]);
       if (!(pull.norm() <= k_rounding * most || way.cross(pull).norm() <= k_rounding * way.norm() * pull.norm()))
         return false;
     }
     return true;
+  }
+
+  static bool are_opposite(const std::vector<Place>& one, const std::vector<Place>& other, double most) {
+    for (std::size_t k = 0; k < one.size(); ++k)
+      if (!((vector_of(one[k]) + vector_of(other[k])).norm() <= k_rounding * most)) return false;
+    return true;
+  }
+
+  /// What a floor or a drive holds may lie in line with the origin, too.
+  static bool turns(const Motion::Line& line) {
+    constexpr double k_seen = 1e-3;  ///< rad
+    const Eigen::Vector3d first = along(line.points.front());
+    return std::any_of(line.points.begin(), line.points.end(), [&](const std::vector<Place>& points) {
+      const Eigen::Vector3d way = along(points);
+      return first.cross(way).norm() > k_seen * first.norm() * way.norm();
+    });
   }
 
   static double largest(const std::vector<Place>& forces) {

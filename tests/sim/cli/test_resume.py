@@ -20,7 +20,7 @@ class Resuming(Program):
         self.write("spring.yaml", SPRING)
 
     def interrupted(self, *arguments, rows=100):
-        """Ctrl-C after some rows more than there are now."""
+        """Ctrl-C after some rows more than there are now: to the process and to its group, as `timeout` has it."""
         table = self.folder / "spring.csv"
         before = table.stat().st_size if table.exists() else 0
         process = subprocess.Popen([PROGRAM, "run", "spring.yaml", "-q", *arguments], cwd=self.folder, stderr=subprocess.PIPE, text=True)
@@ -29,6 +29,7 @@ class Resuming(Program):
             if any(path.stat().st_size > before + 60 * rows for path in self.folder.glob("spring.csv.*")):
                 break
             time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
         process.send_signal(signal.SIGINT)
         said = process.communicate(timeout=60)[1]
         self.assertEqual(process.returncode, 130, said)
@@ -139,7 +140,8 @@ class Resuming(Program):
 
     def test_what_is_not_there_or_not_whole_is_said(self):
         self.assertIn("no such file", self.refused(3, "run", "spring.yaml", "--resume"))
-        self.assertIn("standard output", self.refused(2, "run", "spring.yaml", "--resume", "-o", "-"))
+        for more in ((), ("--error", "1e-6")):
+            self.assertIn("standard output", self.refused(2, "run", "spring.yaml", "--resume", "-o", "-", *more))
         self.interrupted(*BY_STEPS)
         table = (self.folder / "spring.csv").read_text()
         self.write("spring.csv", table[:table.rindex("\n", 0, -1) + 1])

@@ -8,6 +8,24 @@ import unittest
 
 from gauss_sim import MODELS, PROGRAM, PUSHED, SLIDE, SPRING, Program
 
+# A spring and a field that takes nearly all of it away.
+CANCEL = """gauss: 1
+name: cancel
+parameters: {k: STIFF, h: 200000000}
+coordinates: {x: {unit: m, initial: 1}}
+particles: {bob: {mass: 2, position: [x, 0, 0]}}
+forces: {pull: {generalized: {x: h*x - k*x}}}
+"""
+
+# Its carriage glides with 2 m/s, exactly; steps follow the wheel, which turns fifty times a second.
+FLYWHEEL = """gauss: 1
+name: flywheel
+coordinates: {x: {initial_rate: 2}}
+orientations:
+  att: {quaternion: [e0, e1, e2, e3], angular_velocity: [wx, wy, wz], initial_angular_velocity: [1, 0, 314]}
+bodies: {wheel: {mass: 1, inertia: [0.02, 0.02, 0.03], position: [x, 0, 0], orientation: att}}
+"""
+
 # Nothing moves, and nothing acts at first.
 DRIVEN = """gauss: 1
 name: driven
@@ -211,6 +229,35 @@ class Writing(Program):
         """The largest difference beside ranges, of what has one."""
         moving = [head for head in exact if head.split(" [")[0] not in ("t", *constants)]
         return max(max(abs(a - b) for a, b in zip(table[head], exact[head])) / (max(exact[head]) - min(exact[head])) for head in moving)
+
+    def test_estimates_see_rounding_that_all_runs_share(self):
+        """Of two springs that nearly cancel each other, one is rounded to 1.5e-8: x = cos(sqrt(0.1) t)."""
+        self.write("cancel.yaml", CANCEL.replace("STIFF", "200000000.2"))
+        for method in ("taylor", "prince87", "bulirsch_stoer", "gauss_legendre6", "kahan_li8"):
+            with self.subTest(method):
+                accuracy = ("--step", "0.01") if method in ("gauss_legendre6", "kahan_li8") else ("--tolerance", "1e-13")
+                said = self.ok("run", "cancel.yaml", "--duration", "100", "--outputs", "x", "--method", method, *accuracy)
+                table, said_json = self.table("cancel.csv"), self.summary("cancel.json")["error_estimate"]
+                true = max(abs(x - math.cos(math.sqrt(0.1) * t)) for t, x in zip(table["t [s]"], table["x [m]"])) / 2
+                self.assertGreater(true, 1e-8)
+                self.assertGreater(said_json["relative"], 0.9 * true)
+                self.assertLess(said_json["relative"], 20 * true)
+                self.assertEqual(said_json["relative"], said_json["rounding"])
+                self.assertIn(" at most; it is what values are rounded by", said)
+
+    def test_values_that_are_as_they_were_written_are_not_rounded(self):
+        self.write("cancel.yaml", CANCEL.replace("STIFF", "200000000.25"))
+        self.ok("run", "cancel.yaml", "--duration", "100", "--outputs", "x", "--tolerance", "1e-13", "-q")
+        self.assertLess(self.summary("cancel.json")["error_estimate"]["relative"], 1e-11)
+
+    def test_what_rounding_makes_of_a_constant_is_no_range(self):
+        self.write("wheel.yaml", FLYWHEEL)
+        for duration in ("10", "30"):
+            said = self.run_it("run", "wheel.yaml", "--method", "prince87", "--duration", duration, "-q")
+            self.assertEqual((said.returncode, said.stderr), (0, ""))
+            summary = self.summary("flywheel.json")["error_estimate"]
+            self.assertLess(summary["relative"], 1e-5)
+            self.assertIn("x_dot", summary["constant"])
 
     def test_errors_that_no_second_run_confirms_are_said_to_be_such(self):
         self.assertRegex(self.ok("run", MODELS / "kepler.yaml", "--tolerance", "1e-14"), "of the range, largest in [a-z_]+ at most; two tighter runs agree to [0-9.e-]+ only")

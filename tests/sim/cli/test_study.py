@@ -392,6 +392,28 @@ forces:
   gravity: {uniform: [0, -10, 0]}
 """
 
+NO_RODS = """gauss: 1
+name: no_rods
+coordinates: {z1: {initial: 0.5}, z2: {initial: 1}, x1: {initial: 1}, x2: {initial: 2}, s: {initial: 1}, h: {initial: -1}, w: {initial_rate: 0.1}}
+particles:
+  one: {mass: 1, position: [0, 0, z1]}
+  two: {mass: 2, position: [0, 0, z2]}
+  left: {mass: 1, position: [x1, 0, 0]}
+  right: {mass: 1, position: [x2, 0, 0]}
+  cart: {mass: 1, position: [s, 0, 0]}
+  book: {mass: 1, position: [0, 0, h]}
+  puck: {mass: 1, position: [w, 0, 1e7*(h + 2)]}
+constraints:
+  tackle: {velocity: dot(z1) + 2*dot(z2)}
+  gear: {equation: x1 + x2 - 3}
+  motor: {velocity: dot(s) - 0.3}
+  floor: {equation: h + 1}
+forces:
+  gravity: {uniform: [0, 0, -10]}
+  push: {on: left, force: [1, 0, 0]}
+  drag: {on: cart, force: ["-2*dot(s)", 0, 0]}
+"""
+
 
 class Motions(Program):
     def motion(self, text, duration=1):
@@ -440,6 +462,10 @@ class Motions(Program):
                     self.assertEqual(upper, [[0, 0, 0], places["one"][k]])
                     self.assertEqual(sorted(lower), sorted([places["one"][k], places["two"][k]]))
                     self.assertAlmostEqual(math.dist(*lower), 0.5, places=4)
+
+    def test_what_is_no_rod_is_not_drawn(self):
+        """A tackle whose ends go up and down, a gear, a drive, and a floor below the origin."""
+        self.assertEqual(self.motion(NO_RODS)["lines"], [])
 
     def test_a_contact_has_its_force_where_it_is(self):
         motion = self.motion(WHEEL)
