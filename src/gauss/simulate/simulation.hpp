@@ -144,6 +144,7 @@ class Simulation {
       }
       approach_.note_taken(dt, refused);
       if (arrives) step_ = std::max(step_, wanted);
+      step_ = std::max(step_, control_.take_step_before_edge());
       take(arrives ? end : t_ + dt, before, after, on_step);
       return;
     }

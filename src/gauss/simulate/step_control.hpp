@@ -170,8 +170,17 @@ class StepControl {
     const Scalar length = integrate::magnitude(dt);
     if (found > Scalar(1) && !is_edge(found, length)) return found;
     accepted(dt);
+    if (found > Scalar(1)) before_edge_ = edge_.dt;
     if (!is_resting_ || found > Scalar(1)) edge_ = Edge{};
     return std::min(found, Scalar(1));
+  }
+
+  /// Of a step that was taken over an edge, once: the longest one that was refused before it, which motion behind the edge may bear. What has moved by now is too little for short steps: it is
+  /// rounding of times for the most part. 0: there was none.
+  Scalar take_step_before_edge() {
+    const Scalar step = before_edge_;
+    before_edge_ = 0;
+    return step;
   }
 
   /// Of the step that was looked at last, as it was.
@@ -238,6 +247,7 @@ class StepControl {
   Scalar reach_ = 0;  ///< the longest step so far
   Scalar last_ = 0;   ///< error
   Edge edge_;
+  Scalar before_edge_ = 0;  ///< step
   bool is_resting_ = true;  ///< no error beyond rounding in the step that was looked at last
 };
 

@@ -8,6 +8,16 @@ import unittest
 
 from gauss_sim import MODELS, PROGRAM, PUSHED, SLIDE, SPRING, Program
 
+# Both rest until something begins to push the first.
+KICK = """gauss: 1
+name: kick
+parameters: {k: {value: 7, unit: N/m}, m: {value: 2, unit: kg}}
+tables: {push: {of: [0, 3.5, 5], values: [0, 0, 225], of_unit: s, unit: N}}
+coordinates: {x: {unit: m}, y: {unit: m}}
+particles: {p: {mass: m, position: [x, y, 0]}}
+forces: {f: {generalized: {x: push(t), y: k*x}}}
+"""
+
 # A spring and a field that takes nearly all of it away.
 CANCEL = """gauss: 1
 name: cancel
@@ -263,6 +273,20 @@ class Writing(Program):
         self.assertRegex(self.ok("run", MODELS / "kepler.yaml", "--tolerance", "1e-14"), "of the range, largest in [a-z_]+ at most; two tighter runs agree to [0-9.e-]+ only")
         summary = self.summary("kepler.json")["error_estimate"]
         self.assertGreaterEqual(summary["relative"], summary["agreement"])
+
+    def test_a_force_that_begins_to_act_on_what_rests_is_passed(self):
+        """At a row, 3.5; what it pushes pulls something else along: x = 150 t^3/12, y = 7 * 150 t^5/(2 * 240), of the time since then."""
+        self.write("kick.yaml", KICK)
+        for method in ("dopri5", "prince87", "cash_karp54"):
+            for tolerance in ("1e-9", "1e-12", "1e-13", "1e-15"):
+                with self.subTest(method, tolerance=tolerance):
+                    self.ok("run", "kick.yaml", "--method", method, "--tolerance", tolerance, "--duration", "4", "--samples", "201", "-q")
+                    table = self.table("kick.csv")
+                    for t, x, y in zip(table["t [s]"], table["x [m]"], table["y [m]"]):
+                        since = max(t - 3.5, 0)
+                        self.assertAlmostEqual(x, 12.5 * since**3, delta=1e-6)
+                        self.assertAlmostEqual(y, 7 * 150 / 480 * since**5, delta=1e-6)
+                    self.assertIn("agreement", self.summary("kick.json")["error_estimate"])
 
     def test_steps_as_long_as_the_time_between_rows_leave_nothing_over(self):
         """0.02 and its multiples are rounded: what is left of the way is no step."""
