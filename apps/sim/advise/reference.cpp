@@ -32,7 +32,7 @@ class TightSearch {
 
   std::optional<TightRun> run(std::string& why) {
     if (error_ < k_least) {
-      why = fmt::format("an error of {:.1e} cannot be shown: that takes {:.1e} and more", error_, k_least);
+      why = fmt::format("an error of {:.1e} cannot be shown: the least that can is {:.1e}", error_, k_least);
       return std::nullopt;
     }
     const std::string first = number_name(prepared_.scene);
@@ -77,7 +77,7 @@ class TightSearch {
         return TightRun{std::move(yardstick),
                         fmt::format("{} in {}, tolerance {:.0e}", setting.method, setting.number, setting.tolerance),
                         apart.value};
-      if (finer <= least) return std::nullopt;
+      if (tolerance_ <= least) return std::nullopt;
       const double tighter = std::clamp(k_agreement * error_ / apart.value, k_much_tighter, k_tighter);
       tolerance_ = std::max(tolerance_ * tighter, least);
     }

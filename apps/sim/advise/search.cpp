@@ -18,9 +18,10 @@ namespace gausssim {
 
 namespace {
 
-constexpr double k_margin = 0.5;    ///< of what is asked for
-constexpr double k_close = 0.1;     ///< of it: looser is not looked for
-constexpr int k_most_trials = 7;    ///< of a method
+constexpr double k_margin = 0.5;  ///< of what is asked for
+constexpr double k_close = 0.1;   ///< of it: looser is not looked for
+constexpr int k_most_trials = 7;  ///< of a method, from the first that delivers on
+constexpr int k_most_failures = 20;
 constexpr double k_loosest = 1e-2;  ///< tolerance
 constexpr double k_digits_of_float = 1e-4;
 constexpr double k_few_digits = 1e-5;  ///< from here on a method of low order is tried
@@ -51,12 +52,13 @@ class OneMethod {
     knob = std::min(knob, most);
     std::optional<Trial> found;
     double loosest_failing = k_unlimited;
-    for (int count = 0; count < k_most_trials; ++count) {
+    for (int count = 0, failures = 0; count < k_most_trials && failures < k_most_failures;
+         ++(found ? count : failures)) {
       Trial trial = tried(setting, best);
       last_ = trial;
       const bool delivers = trial.why.empty() && trial.error.value <= goal_;
       if (trial.seconds > (delivers ? k_beaten : k_hopeless) * best) break;
-      if (!delivers && knob <= least) break;
+      if (trial.is_unsuitable || (!delivers && knob <= least)) break;
       // Where samples, or stability, are what steps are short by, a looser tolerance brings nothing.
       if (delivers && found && trial.steps == found->steps) break;
       if (delivers && (!found || trial.seconds < found->seconds)) found = trial;
@@ -78,7 +80,12 @@ class OneMethod {
     const TimeLimit limit(k_least_limit + k_sure * k_beaten * best);
     const RunInRows told = in_rows(prepared_, engine_, setting, Meter::none);
     throw_if_ended(whole_);
-    Trial trial{setting, {}, told.run.cpu_seconds, why_not(told.run), told.run.steps};
+    Trial trial{setting,
+                {},
+                told.run.cpu_seconds,
+                why_not(told.run),
+                told.run.steps,
+                told.run.outcome == gauss::simulate::Outcome::bad_settings};
     if (!trial.why.empty()) return trial;
     trial.error = reference_.error_of(told.rows);
     // The least of some: what is short is disturbed most.
@@ -98,6 +105,10 @@ class OneMethod {
   double factor(const Trial& trial, const Setting& setting) const {
     constexpr double k_unknown = 0.1, k_safe = 0.6, k_most = 1e3, k_least = 1e-6;
     if (!trial.why.empty() || !std::isfinite(trial.error.value)) return k_unknown;
+    // What is off by all tells nothing of how far.
+    constexpr double k_lost = 0.1, k_far = 1e-3;
+    if (trial.error.value >= k_lost && setting.tolerance > 0)
+      return std::min(k_far, k_safe * goal_ / trial.error.value);
     const double ratio = k_safe * goal_ / std::max(trial.error.value, goal_ / k_most);
     const double order = setting.step > 0 ? find_method(setting.method)->order : 1;
     return std::pow(std::clamp(ratio, k_least, k_most), 1 / order);

@@ -75,8 +75,10 @@ class Fixed final : public Integrator<S> {
 
   void stop(StepOutcome outcome) {
     progress_.outcome = Outcome::model_failed;
-    if (outcome == StepOutcome::unsuitable)
+    if (outcome == StepOutcome::unsuitable) {
+      progress_.outcome = Outcome::bad_settings;
       progress_.why = "the method takes only models whose accelerations depend on coordinates alone";
+    }
     if (outcome == StepOutcome::not_converged)
       progress_.why = "the equations of the implicit method were not solved: the step is too long";
   }

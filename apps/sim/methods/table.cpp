@@ -39,7 +39,7 @@ MethodInfo fixed(MethodInfo result) {
 
 MethodInfo symplectic(MethodInfo result) {
   result.takes_step = result.is_separable = true;
-  return result;
+  return blind(result);
 }
 
 MethodInfo of_orders(int least, MethodInfo result) {

@@ -15,9 +15,10 @@ namespace gausssim {
 struct Trial {
   Setting setting;
   DeliveredError error;
-  double seconds = 0;  ///< of the processor, for one run
-  std::string why;     ///< there was no motion
-  long steps = 0;      ///< of that run
+  double seconds = 0;          ///< of the processor, for one run
+  std::string why;             ///< there was no motion
+  long steps = 0;              ///< of that run
+  bool is_unsuitable = false;  ///< the method does not take the model, whatever its steps
 };
 
 struct FoundSetting {

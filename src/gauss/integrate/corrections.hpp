@@ -119,6 +119,19 @@ class Projected {
 
 namespace detail {
 
+/// What the energy changes by when positions are rounded otherwise; infinite where it is not known there.
+template <class Energy, class Model>
+typename Model::Scalar rounding_of_energy(const Model& model, const typename Model::Scalar& t,
+                                          const typename Model::Scalar& total, typename Model::State state) {
+  using Scalar = typename Model::Scalar;
+  // All the same way, since parts of the energy are not to cancel; not all by as much, which would be a change of units.
+  for (std::size_t i = 0; i < StateArrays<Model>::n_q(model); ++i)
+    state.values[i] += Scalar(static_cast<int>(4 + i % 5)) * Math<Scalar>::epsilon() * state.values[i];
+  Energy energy;
+  if (!is_motion_known(model.energy(t, state, energy))) return std::numeric_limits<Scalar>::infinity();
+  return magnitude(energy.total - total);
+}
+
 /// Scales the speeds so that the energy is `level`. Returns the part of them that is added, or -1 where no factor is an improvement.
 template <class Energy, class Model>
 typename Model::Scalar to_energy(const Model& model, const typename Model::Scalar& t,
@@ -129,6 +142,10 @@ typename Model::Scalar to_energy(const Model& model, const typename Model::Scala
   const Scalar miss = level - energy.total;
   // Near rest no factor helps: the energy is missed by the positions, and speeds would have to make up for it.
   if (!(magnitude(miss) <= energy.kinetic / 4)) return -1;
+  // Nor is rounding of them a miss: soon after rest, it is more of the kinetic energy than a step may be off by.
+  const Scalar rounding = rounding_of_energy<Energy>(model, t, energy.total, state);
+  const bool is_near_rest = rounding > 512 * Math<Scalar>::epsilon() * energy.kinetic;
+  if (is_near_rest && magnitude(miss) <= 8 * rounding) return -1;
   typename Model::State scaled = state;
   const Scalar factor = Math<Scalar>::sqrt(1 + miss / energy.kinetic);
   using Arrays = StateArrays<Model>;

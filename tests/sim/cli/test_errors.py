@@ -2,6 +2,7 @@
 
 import json
 import math
+import os
 import time
 import unittest
 
@@ -152,6 +153,24 @@ class Errors(Program):
             self.assertIn("cannot be shown", self.refused(6, "run", "s.yaml", "-q"))
         with self.subTest("not beside a tolerance"):
             self.refused(2, "run", "spring.yaml", "--error", "1e-6", "--tolerance", "1e-6")
+
+    def test_a_method_that_does_not_take_the_model_is_not_tried_on(self):
+        """A damper that acts for a time: it shows on the way, and no step is short enough for it."""
+        self.write("spring.yaml", SPRING.replace("parameters:", "parameters:\n  c: {value: 3, unit: kg/s}\n  one: {value: 1, unit: s}").replace("{potential: k*x^2/2}", "{potential: k*x^2/2}\n  hit: {generalized: {x: 'piecewise(t < 3.3*one, 0, t < 3.45*one, -c*dot(x), 0)'}}"))
+        begin = time.monotonic()
+        said = self.refused(6, "run", "spring.yaml", "--method", "kahan_li8", "--error", "1e-8", "-q")
+        self.assertIn("the method takes only models whose accelerations depend on coordinates alone", said)
+        self.assertIn("'kahan_li8' may step over a place where a force jumps", said)
+        self.assertLess(time.monotonic() - begin, 60)
+
+    @unittest.skipUnless(os.environ.get("GAUSS_ALL_MODELS") == "1", "half a minute")
+    def test_all_digits_of_float128_are_tried(self):
+        """A motion without order for a minute: what is off by all tells nothing of how far."""
+        for error in ("1e-2", "1e-3"):
+            self.ok("run", MODELS / "double_pendulum.yaml", "--duration", "60", "--samples", "61", "--outputs", "state", "--error", error, "-q")
+            found = self.summary("double_pendulum.json")
+            self.assertEqual(found["number"], "float128")
+            self.assertLess(found["error_estimate"]["relative"], float(error))
 
     def test_a_search_ends_with_its_budget(self):
         """Coulomb's friction holds the bob after a second: each step after that is a short one."""
