@@ -26,10 +26,6 @@ std::string csv_path(const RunOptions& options, const PreparedModel& prepared) {
   return prepared.name() + ".csv";
 }
 
-EarlierRun earlier_run(const std::string& csv, const PreparedModel& prepared, const Setting& setting) {
-  return read_earlier_run(csv, summary_path(csv), prepared, setting);
-}
-
 void warn_of_tolerance(const Setting& setting, const cli::MessageOptions& messages) {
   const double least = least_tolerance(setting.number);
   if (setting.tolerance > 0 && setting.tolerance < least)
@@ -58,7 +54,7 @@ class Run {
     choice_.setting.most_steps = options_.max_steps.value_or(0);
     const EngineTimes times = engines_.times();
     warn_of_tolerance(choice_.setting, options_.messages);
-    if (options_.resume) earlier_ = earlier_run(csv_, prepared_, choice_.setting);
+    if (options_.resume) earlier_ = read_earlier_run(csv_, summary_path(csv_), prepared_, choice_.setting);
     if (earlier_ && earlier_->is_finished) {
       if (!options_.quiet) cli::remark(fmt::format("the run in '{}' has finished already", csv_), options_.messages);
       return cli::k_ok;

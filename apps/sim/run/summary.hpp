@@ -7,7 +7,7 @@
 
 namespace gausssim {
 
-/// JSON, as docs/gauss-sim.md describes it.
+/// JSON, as docs/scenes.md describes it.
 std::string summary_of(const FinishedRun& finished);
 
 }  // namespace gausssim
