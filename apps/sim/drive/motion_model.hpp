@@ -96,10 +96,11 @@ class MotionModel {
     result.has_level_ = true;
     return result;
   }
-  /// The same model, which projects otherwise. `start`: its energy is the one to be kept, where no other is.
-  MotionModel projecting(Projection how, const S& t, const Array& start) const {
+  /// The same model, which projects otherwise. `start`: its energy is the one to be kept, where no other is. `unquestioned`: see WithEnergyKept.
+  MotionModel projecting(Projection how, const S& t, const Array& start, const S& unquestioned = S(0)) const {
     MotionModel result = *this;
     result.how_ = how;
+    result.unquestioned_ = unquestioned;
     if (how != Projection::energy || has_level_) return result;
     State state{start};
     Energy found;
@@ -145,7 +146,7 @@ class MotionModel {
   Status to_all(const S& t, State& state) const {
     const Status status = onto(functions_->projection, t, state);
     if (how_ == Projection::energy && gauss::integrate::is_motion_known(status))
-      gauss::integrate::detail::to_energy<Energy>(*this, t, level_, state);
+      gauss::integrate::detail::to_energy<Energy>(*this, t, level_, unquestioned_, state);
     return status;
   }
 
@@ -157,7 +158,8 @@ class MotionModel {
 
   std::shared_ptr<const Functions<S>> functions_;
   Projection how_ = Projection::full;
-  S level_ = 0;  ///< of the energy
+  S level_ = 0;         ///< of the energy
+  S unquestioned_ = 0;  ///< part of the speeds that is added for it
   bool has_level_ = false;
 };
 

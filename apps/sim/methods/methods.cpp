@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gauss/integrate/nystrom_stepper.hpp"
+#include "gauss/simulate/report.hpp"
 #include "sim/drive/quad.hpp"
 #include "sim/methods/makers.hpp"
 #include "sim/methods/table.hpp"
@@ -91,7 +92,8 @@ Made<S> make_integrator(const std::string& name, const MotionModel<S>& model, co
   if (!why.empty()) return why = "method '" + name + "': " + why, nullptr;
   why = why_not_projected(model.functions(), settings.projection);
   if (!why.empty()) return why = "no projection of this kind: " + why, nullptr;
-  Made<S> made = make({model.projecting(settings.projection, t, start), start, t, settings});
+  const S unquestioned = gauss::simulate::Settings<S>().most_projected * settings.tolerance;
+  Made<S> made = make({model.projecting(settings.projection, t, start, unquestioned), start, t, settings});
   if (!made) why = k_no_series;
   return made;
 }

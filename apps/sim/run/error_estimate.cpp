@@ -86,12 +86,12 @@ Yardstick::Yardstick(Rows rows, const Rows& other, const std::vector<Column>& co
   }
 }
 
-DeliveredError Yardstick::error_of(const Rows& rows) const {
+DeliveredError Yardstick::difference(const Rows& rows, const Rows& reference) const {
   DeliveredError result;
-  const long samples = std::min(rows.samples(), rows_.samples());
+  const long samples = std::min(rows.samples(), reference.samples());
   for (std::size_t i = 0; i < outputs_.size(); ++i) {
     for (long k = 0; k < samples; ++k) {
-      const double error = miss(rows.at(k, i), rows_.at(k, i), outputs_[i].scale);
+      const double error = miss(rows.at(k, i), reference.at(k, i), outputs_[i].scale);
       if (error > result.value) result = {error, outputs_[i].name};
     }
   }

@@ -55,7 +55,9 @@ class Yardstick {
   const Rows& rows() const { return rows_; }
   long double scale(std::size_t column) const { return outputs_[column].scale; }
   /// Over the samples that both have.
-  DeliveredError error_of(const Rows& rows) const;
+  DeliveredError error_of(const Rows& rows) const { return difference(rows, rows_); }
+  /// Of two others, as errors are measured.
+  DeliveredError difference(const Rows& rows, const Rows& reference) const;
   /// The largest change of an output within a share of the time from one sample to the next, as errors are measured.
   DeliveredError change_within(double share) const;
   /// Names of the outputs that have no range.

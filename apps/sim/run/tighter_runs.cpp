@@ -70,14 +70,12 @@ class Tightening {
   }
 
   /// That of parameters, inputs and the start, which all runs in one number type share; in a wider one, none does. Nothing where such a run does not arrive.
-  DeliveredError by_rounding(Yardstick yardstick) const {
+  DeliveredError by_rounding(const Yardstick& yardstick) const {
     if (setting_.number != given_.number) return {};
     Setting nudged = given_;
     nudged.is_nudged = true;
-    RunInRows other = in_rows(prepared_, *engine_, nudged, Meter::none);
-    if (!arrives(other.run)) return {};
-    yardstick.take(std::move(other.rows));
-    return yardstick.error_of(rows_);
+    const RunInRows other = in_rows(prepared_, *engine_, nudged, Meter::none);
+    return arrives(other.run) ? yardstick.difference(rows_, other.rows) : DeliveredError{};
   }
 
   /// Closer to the motion, by other terms. Where samples are closer than steps would be, a tolerance alone changes nothing, nor does a step.

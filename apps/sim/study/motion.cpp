@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "sim/run/error_estimate.hpp"
+#include "sim/study/places.hpp"
+#include "sim/study/rods.hpp"
 #include "sim/study/round_body.hpp"
 
 namespace gausssim {
@@ -48,8 +50,6 @@ struct Track {
   std::string name;
   std::vector<Place> position;
 };
-
-Eigen::Vector3d vector_of(const Place& place) { return {place[0], place[1], place[2]}; }
 
 bool starts_with(const std::string& text, const std::string& begin) { return text.rfind(begin, 0) == 0; }
 
@@ -96,7 +96,7 @@ class Reader {
     std::set<std::string> constraints;
     for (const Motion::Force& one : motion_.forces)
       if (find(closings_, one.name) == nullptr) constraints.insert(one.name);
-    for (const std::string& constraint : constraints) add_rod(constraint);
+    add_rods(constraints, k_rounding, motion_);
     for (Motion::Body& body : motion_.bodies) give_shape(body);
     drop_idle_forces();
     return std::move(motion_);
@@ -213,74 +213,12 @@ class Reader {
     }
   }
 
-  /// What pulls or pushes particles towards each other, or one of them towards the origin that it goes about, at all times.
-  void add_rod(const std::string& constraint) {
-    double most = 0;
-    for (const Motion::Force& one : motion_.forces)
-      if (one.name == constraint) most = std::max(most, largest(one.force));
-    std::vector<const Motion::Force*> sides;
-    for (const Motion::Force& one : motion_.forces)
-      if (one.name == constraint && largest(one.force) > k_rounding * most) sides.push_back(&one);
-    Motion::Line line{constraint, std::vector<std::vector<Place>>(motion_.forces.front().at.size())};
-    if (sides.size() == 1) line.points.assign(line.points.size(), {Place{}});
-    for (const Motion::Force* side : sides) {
-      const Motion::Body* const body = particle(side->body);
-      if (body == nullptr) return;
-      for (std::size_t k = 0; k < line.points.size(); ++k) line.points[k].push_back(body->position[k]);
-    }
-    if (sides.empty() || line.points.front().size() != 2 || !is_along(sides.back()->force, line)) return;
-    const bool is_rod = sides.size() == 1 ? turns(line) : are_opposite(sides[0]->force, sides[1]->force, most);
-    if (is_rod) motion_.lines.push_back(std::move(line));
-  }
-
-  const Motion::Body* particle(const std::string& name) const {
-    for (const Motion::Body& body : motion_.bodies)
-      if (body.name == name && body.orientation.empty()) return &body;
-    return nullptr;
-  }
-
-  static Eigen::Vector3d along(const std::vector<Place>& points) {
-    return vector_of(points.back()) - vector_of(points.front());
-  }
-
-  static bool is_along(const std::vector<Place>& force, const Motion::Line& line) {
-    const double most = largest(force);
-    for (std::size_t k = 0; k < force.size(); ++k) {
-      const Eigen::Vector3d pull = vector_of(force[k]), way = along(line.points[k]);
-      if (!(pull.norm() <= k_rounding * most || way.cross(pull).norm() <= k_rounding * way.norm() * pull.norm()))
-        return false;
-    }
-    return true;
-  }
-
-  static bool are_opposite(const std::vector<Place>& one, const std::vector<Place>& other, double most) {
-    for (std::size_t k = 0; k < one.size(); ++k)
-      if (!((vector_of(one[k]) + vector_of(other[k])).norm() <= k_rounding * most)) return false;
-    return true;
-  }
-
-  /// What a floor or a drive holds may lie in line with the origin, too.
-  static bool turns(const Motion::Line& line) {
-    constexpr double k_seen = 1e-3;  ///< rad
-    const Eigen::Vector3d first = along(line.points.front());
-    return std::any_of(line.points.begin(), line.points.end(), [&](const std::vector<Place>& points) {
-      const Eigen::Vector3d way = along(points);
-      return first.cross(way).norm() > k_seen * first.norm() * way.norm();
-    });
-  }
-
-  static double largest(const std::vector<Place>& forces) {
-    double most = 0;
-    for (const Place& force : forces) most = std::max(most, vector_of(force).norm());
-    return most;
-  }
-
   /// A joint that lets its child move freely holds nothing.
   void drop_idle_forces() {
     double most = 0;
-    for (const Motion::Force& one : motion_.forces) most = std::max(most, largest(one.force));
+    for (const Motion::Force& one : motion_.forces) most = std::max(most, largest_of(one.force));
     const auto is_idle = [&](const Motion::Force& one) {
-      return find(joints_, one.name) != nullptr && largest(one.force) < k_rounding * most;
+      return find(joints_, one.name) != nullptr && largest_of(one.force) < k_rounding * most;
     };
     auto& all = motion_.forces;
     all.erase(std::remove_if(all.begin(), all.end(), is_idle), all.end());

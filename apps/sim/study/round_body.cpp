@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "sim/study/places.hpp"
+
 namespace gausssim {
 
 namespace {
@@ -15,8 +17,7 @@ Ways ways_of(const Motion::Body& body, const std::vector<Place>& contact) {
   Ways ways(3, static_cast<Eigen::Index>(contact.size()));
   for (std::size_t k = 0; k < contact.size(); ++k) {
     const auto& [w, x, y, z] = body.orientation[k];
-    const Eigen::Vector3d way = Eigen::Map<const Eigen::Vector3d>(contact[k].data()) -
-                                Eigen::Map<const Eigen::Vector3d>(body.position[k].data());
+    const Eigen::Vector3d way = vector_of(contact[k]) - vector_of(body.position[k]);
     ways.col(static_cast<Eigen::Index>(k)) = Eigen::Quaterniond(w, x, y, z).conjugate() * way;
   }
   return ways;

@@ -12,6 +12,7 @@
 
 #include "gauss/integrate/model_decorator.hpp"
 #include "gauss/integrate/odeint.hpp"
+#include "gauss/integrate/rounding.hpp"
 #include "gauss/simulate/report.hpp"
 #include "gauss/simulate/rounding.hpp"
 #include "gauss/simulate/step_control.hpp"
@@ -238,7 +239,7 @@ class Simulation {
       system_(x, result, t_);
       return integrate::is_motion_known(system_.trouble());
     };
-    if (!changes_by_rounding(x_, rates, derivative, changes)) changes = integrate::zeros_like(x_);
+    if (!integrate::changes_by_rounding(x_, rates, derivative, changes)) changes = integrate::zeros_like(x_);
     control_.set_rounding(changes);
     Scalar lost = 0, all = 0;
     for (std::size_t i = 0; i < x_.size(); ++i) {

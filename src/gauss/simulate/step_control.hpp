@@ -10,7 +10,6 @@
 
 #include "gauss/integrate/odeint.hpp"
 #include "gauss/integrate/unit_groups.hpp"
-#include "gauss/simulate/rounding.hpp"
 
 namespace gauss::simulate {
 

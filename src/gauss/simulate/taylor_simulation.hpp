@@ -8,10 +8,10 @@
 #include <cmath>
 #include <limits>
 
+#include "gauss/integrate/rounding.hpp"
 #include "gauss/integrate/taylor.hpp"
 #include "gauss/integrate/unit_groups.hpp"
 #include "gauss/simulate/report.hpp"
-#include "gauss/simulate/rounding.hpp"
 
 namespace gauss::simulate {
 
@@ -312,7 +312,7 @@ class TaylorSimulation {
       std::copy_n(near.values[1], result.size(), result.begin());
       return true;
     };
-    if (!changes_by_rounding(x, rates, rates_at, changes)) return false;
+    if (!integrate::changes_by_rounding(x, rates, rates_at, changes)) return false;
     for (std::size_t i = 0; i < Model::size; ++i) {
       if (!(span * (off[i] - changes[i]) <= k_most_off * control_.allowed()[i])) return false;
     }
