@@ -96,11 +96,10 @@ class MotionModel {
     result.has_level_ = true;
     return result;
   }
-  /// The same model, which projects otherwise. `start`: its energy is the one to be kept, where no other is. `unquestioned`: see WithEnergyKept.
-  MotionModel projecting(Projection how, const S& t, const Array& start, const S& unquestioned = S(0)) const {
+  /// The same model, which projects otherwise. `start`: its energy is the one to be kept, where no other is.
+  MotionModel projecting(Projection how, const S& t, const Array& start) const {
     MotionModel result = *this;
     result.how_ = how;
-    result.unquestioned_ = unquestioned;
     if (how != Projection::energy || has_level_) return result;
     State state{start};
     Energy found;
@@ -117,7 +116,10 @@ class MotionModel {
     return how_ == Projection::energy || (functions_->projection && functions_->is_constrained);
   }
 
-  /// As it was chosen; a model without any constraints stays where it is.
+  bool keeps_energy() const { return how_ == Projection::energy; }
+  /// All constraints; a model without any stays where it is.
+  Status constraint_projection(const S& t, State& state) const { return onto(functions_->projection, t, state); }
+  /// As it was chosen.
   Status projection(const S& t, State& state) const {
     using namespace gauss::integrate;
     const Whole whole{*this};
@@ -144,9 +146,9 @@ class MotionModel {
   };
 
   Status to_all(const S& t, State& state) const {
-    const Status status = onto(functions_->projection, t, state);
-    if (how_ == Projection::energy && gauss::integrate::is_motion_known(status))
-      gauss::integrate::detail::to_energy<Energy>(*this, t, level_, unquestioned_, state);
+    const Status status = constraint_projection(t, state);
+    if (keeps_energy() && gauss::integrate::is_motion_known(status))
+      gauss::integrate::detail::to_energy<Energy>(*this, t, level_, state);
     return status;
   }
 
@@ -158,8 +160,7 @@ class MotionModel {
 
   std::shared_ptr<const Functions<S>> functions_;
   Projection how_ = Projection::full;
-  S level_ = 0;         ///< of the energy
-  S unquestioned_ = 0;  ///< part of the speeds that is added for it
+  S level_ = 0;  ///< of the energy
   bool has_level_ = false;
 };
 

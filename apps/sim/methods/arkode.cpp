@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "gauss/integrate/projection_near.hpp"
 #include "sim/drive/project_start.hpp"
 
 namespace gausssim {
@@ -89,8 +90,9 @@ bool Arkode::arrives_at(double reached) {
   if (!settings_.project) return true;
   const State before = Base::state_of(work_.state.get());
   State after = before;
-  const gauss::Status status = model_.projection(t_, after);
-  if (!gauss::integrate::is_motion_known(status) || !scales_.is_near(settings_, before, after)) {
+  const auto is_near = [&] { return scales_.is_near(settings_, before, after); };
+  const gauss::Status status = gauss::integrate::projection_near(model_, t_, before, after, is_near);
+  if (!gauss::integrate::is_motion_known(status) || !is_near()) {
     progress_.status = status;
     progress_.outcome = Outcome::constraints_lost;
     return false;

@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 
+#include "gauss/integrate/projection_near.hpp"
 #include "gauss/simulate/rounding.hpp"
 #include "gauss/simulate/step_control.hpp"
 #include "sim/drive/integrator.hpp"
@@ -106,11 +107,16 @@ class BulirschStoer final : public Integrator<S> {
   bool arrives_at(const S& next, const Array& result) {
     typename Model::State state{result};
     if (settings_.project) {
-      const gauss::Status status = model_.projection(next, state);
+      const auto is_near = [&] {
+        for (std::size_t i = 0; i < result.size(); ++i)
+          if (!(gauss::integrate::magnitude(state.values[i] - result[i]) <= settings_.most_projected * unit_[i]))
+            return false;
+        return true;
+      };
+      const gauss::Status status =
+          gauss::integrate::projection_near(model_, next, typename Model::State{result}, state, is_near);
       if (!gauss::integrate::is_motion_known(status)) return progress_.status = status, false;
-      for (std::size_t i = 0; i < result.size(); ++i)
-        if (!(gauss::integrate::magnitude(state.values[i] - result[i]) <= settings_.most_projected * unit_[i]))
-          return false;
+      if (!is_near()) return false;
     }
     t_ = next;
     x_ = state.values;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "gauss/integrate/nystrom_stepper.hpp"
-#include "gauss/simulate/report.hpp"
 #include "sim/drive/quad.hpp"
 #include "sim/methods/makers.hpp"
 #include "sim/methods/table.hpp"
@@ -92,8 +91,7 @@ Made<S> make_integrator(const std::string& name, const MotionModel<S>& model, co
   if (!why.empty()) return why = "method '" + name + "': " + why, nullptr;
   why = why_not_projected(model.functions(), settings.projection);
   if (!why.empty()) return why = "no projection of this kind: " + why, nullptr;
-  const S unquestioned = gauss::simulate::Settings<S>().most_projected * settings.tolerance;
-  Made<S> made = make({model.projecting(settings.projection, t, start, unquestioned), start, t, settings});
+  Made<S> made = make({model.projecting(settings.projection, t, start), start, t, settings});
   if (!made) why = k_no_series;
   return made;
 }

@@ -10,11 +10,11 @@
 #include <cstddef>
 #include <limits>
 
-#include "gauss/integrate/rounding.hpp"
 #include "gauss/integrate/taylor.hpp"
 #include "gauss/integrate/unit_groups.hpp"
 #include "gauss/scalar/xsimd.hpp"
 #include "gauss/simulate/report.hpp"
+#include "gauss/simulate/rounding.hpp"
 
 namespace gauss::batch {
 
@@ -144,8 +144,7 @@ class TaylorLanes {
     const Mask has_moved = (span_ > Batch(Number(0))) && !lost_;
     Values rounding = zeros();
     Mask agrees = agrees_but_for(rounding);
-    if (xsimd::any(has_moved && !agrees && !stops(status)) && find_rounding(rounding))
-      agrees = agrees_but_for(rounding);
+    if (xsimd::any(has_moved && !agrees && !stops(status)) && find_rounding(rounding)) agrees = agrees_but_for(rounding);
     return has_moved && (!agrees || stops(status));
   }
 
@@ -164,13 +163,14 @@ class TaylorLanes {
     std::copy_n(state_.values, x.size(), x.begin());
     std::copy_n(series_.values[1], rates.size(), rates.begin());
     Series near;
-    return integrate::changes_by_rounding(
+    return simulate::changes_by_rounding(
         x, rates,
         [&](const Values& moved, Values& result) {
           State state;
           std::copy_n(moved.begin(), moved.size(), state.values);
           const Mask is_bad = stops(model_.series(t_, state, 4, near));
-          for (std::size_t i = 0; i < Model::size; ++i) result[i] = xsimd::select(is_bad, rates[i], near.values[1][i]);
+          for (std::size_t i = 0; i < Model::size; ++i)
+            result[i] = xsimd::select(is_bad, rates[i], near.values[1][i]);
           return true;
         },
         rounding);

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "gauss/integrate/bound_model.hpp"
-#include "gauss/integrate/rounding.hpp"
 #include "gauss/integrate/state_arrays.hpp"
 #include "gauss/integrate/step_result.hpp"
 #include "gauss/math.hpp"
@@ -120,47 +119,25 @@ class Projected {
 
 namespace detail {
 
-/// What the energy changes by when the state is rounded otherwise; infinite where it is not known there.
-template <class Energy, class Model>
-typename Model::Scalar rounding_of_energy(const Model& model, const typename Model::Scalar& t,
-                                          const typename Model::Scalar& total, const typename Model::State& state) {
-  using Scalar = typename Model::Scalar;
-  using Array = typename StateArrays<Model>::Array;
-  const Array x = StateArrays<Model>::array_of(state);
-  Array level = x, changes = x;
-  level[0] = total;
-  const auto total_at = [&](const Array& moved, Array& result) {
-    Energy energy;
-    const bool is_known = is_motion_known(model.energy(t, StateArrays<Model>::state_of(moved), energy));
-    result[0] = energy.total;
-    return is_known;
-  };
-  return changes_by_rounding(x, level, total_at, changes) ? changes[0] : std::numeric_limits<Scalar>::infinity();
-}
-
-/// Scales the speeds so that the energy is `level`. Returns the part of them that is added, or -1 where no factor is an improvement. By more than the part `unquestioned`,
-/// speeds do not make up for rounding.
+/// Scales the speeds so that the energy is `level`. Returns the part of them that is added, or -1 where no factor is an improvement.
 template <class Energy, class Model>
 typename Model::Scalar to_energy(const Model& model, const typename Model::Scalar& t,
-                                 const typename Model::Scalar& level, const typename Model::Scalar& unquestioned,
-                                 typename Model::State& state) {
+                                 const typename Model::Scalar& level, typename Model::State& state) {
   using Scalar = typename Model::Scalar;
   Energy energy;
   if (!is_motion_known(model.energy(t, state, energy))) return -1;
   const Scalar miss = level - energy.total;
   // Near rest no factor helps: the energy is missed by the positions, and speeds would have to make up for it.
   if (!(magnitude(miss) <= energy.kinetic / 4)) return -1;
-  const Scalar factor = Math<Scalar>::sqrt(1 + miss / energy.kinetic), change = magnitude(factor - 1);
-  if (change > unquestioned && magnitude(miss) <= 8 * rounding_of_energy<Energy>(model, t, energy.total, state))
-    return -1;
   typename Model::State scaled = state;
+  const Scalar factor = Math<Scalar>::sqrt(1 + miss / energy.kinetic);
   using Arrays = StateArrays<Model>;
   for (std::size_t i = Arrays::n_q(model); i < Arrays::size(model); ++i) scaled.values[i] *= factor;
   Energy after;
   if (!is_motion_known(model.energy(t, scaled, after)) || !(magnitude(level - after.total) < magnitude(miss)))
     return -1;
   state = scaled;
-  return change;
+  return magnitude(factor - 1);
 }
 
 }  // namespace detail
@@ -202,7 +179,7 @@ class EnergyKept {
  private:
   template <class Model>
   void correct(const Model& model, const Scalar& t, State& state) {
-    const Scalar change = detail::to_energy<Energy>(model, t, level_, std::numeric_limits<Scalar>::infinity(), state);
+    const Scalar change = detail::to_energy<Energy>(model, t, level_, state);
     if (!(change >= 0)) {
       ++correction_.left_alone;
       return;
@@ -228,25 +205,24 @@ class WithEnergyKept : public Base {
   using Scalar = typename Base::Scalar;
   using State = typename Base::State;
 
-  /// Where the model does not know the energy of the start, nothing is corrected, and the first step says why. Near rest, speeds should not make up for
-  /// rounding of positions: a correction by more than the part `unquestioned` of them costs two more energies, which tell what is rounding. A simulation takes up to a thousand
-  /// tolerances (Settings::most_projected), so those need no question.
-  WithEnergyKept(const Base& base, const Scalar& t, const State& start,
-                 const Scalar& unquestioned = 512 * Math<Scalar>::epsilon())
-      : Base(base), level_(std::numeric_limits<Scalar>::quiet_NaN()), unquestioned_(unquestioned) {
+  /// Where the model does not know the energy of the start, nothing is corrected, and the first step says why.
+  WithEnergyKept(const Base& base, const Scalar& t, const State& start)
+      : Base(base), level_(std::numeric_limits<Scalar>::quiet_NaN()) {
     Energy energy;
     if (is_motion_known(Base::energy(t, start, energy))) level_ = energy.total;
   }
 
+  /// Simulations leave the energy alone where that is what keeps a state near, see projection_near().
+  static constexpr bool keeps_energy() { return true; }
+  Status constraint_projection(const Scalar& t, State& state) const { return Base::projection(t, state); }
   Status projection(const Scalar& t, State& state) const {
-    const Status status = Base::projection(t, state);
-    if (is_motion_known(status))
-      detail::to_energy<Energy>(static_cast<const Base&>(*this), t, level_, unquestioned_, state);
+    const Status status = constraint_projection(t, state);
+    if (is_motion_known(status)) detail::to_energy<Energy>(static_cast<const Base&>(*this), t, level_, state);
     return status;
   }
 
  private:
-  Scalar level_, unquestioned_;
+  Scalar level_;
 };
 
 }  // namespace gauss::integrate

@@ -15,6 +15,7 @@
 #include <memory>
 
 #include "gauss/integrate/model_decorator.hpp"
+#include "gauss/integrate/projection_near.hpp"
 #include "gauss/integrate/sundials.hpp"
 #include "gauss/simulate/report.hpp"
 #include "gauss/simulate/sundials_scales.hpp"
@@ -240,12 +241,15 @@ class CvodeSimulation {
     CvodeSimulation& simulation = self(user_data);
     const State before = Base::state_of(y);
     State after = before;
-    const int failure =
-        simulation.problem_.guarded([&](Base& problem) { return problem.model().projection(t, after); });
+    const auto is_near = [&] {
+      return simulation.scales_.is_near(simulation.settings_, before, after, simulation.places_.share());
+    };
+    const int failure = simulation.problem_.guarded(
+        [&](Base& problem) { return integrate::projection_near(problem.model(), t, before, after, is_near); });
     if (failure != 0) return failure;
     for (std::size_t i = 0; i < std::size(before.values); ++i)
       N_VGetArrayPointer(correction)[i] = after.values[i] - before.values[i];
-    simulation.jumped_ = !simulation.scales_.is_near(simulation.settings_, before, after, simulation.places_.share());
+    simulation.jumped_ = !is_near();
     return simulation.jumped_ ? 1 : 0;
   }
 

@@ -12,7 +12,7 @@
 
 #include "gauss/integrate/model_decorator.hpp"
 #include "gauss/integrate/odeint.hpp"
-#include "gauss/integrate/rounding.hpp"
+#include "gauss/integrate/projection_near.hpp"
 #include "gauss/simulate/report.hpp"
 #include "gauss/simulate/rounding.hpp"
 #include "gauss/simulate/step_control.hpp"
@@ -201,12 +201,14 @@ class Simulation {
     after = before;
     Status status = system_.trouble();
     const bool is_candidate = is_accurate || control_.last_error() < most;
+    const auto is_near_enough = [&] {
+      return is_near(dt, before, after, std::max(most * settings_.tolerance, settings_.tolerance));
+    };
     if (is_candidate && integrate::is_motion_known(status) && settings_.project)
-      status = model_.projection(t_ + dt, after);
+      status = integrate::projection_near(model_, t_ + dt, before, after, is_near_enough);
     const bool is_known = integrate::is_motion_known(status);
     if (is_known && Arrays::array_of(before) != Arrays::array_of(after)) is_held_ = true;
-    jumped_ = is_known && is_candidate &&
-              !is_near(dt, before, after, std::max(most * settings_.tolerance, settings_.tolerance));
+    jumped_ = is_known && is_candidate && !is_near_enough();
     if (is_known && !jumped_) return is_accurate;
     // A shorter step may stay on this side of the trouble.
     report_.status = status;
@@ -239,7 +241,7 @@ class Simulation {
       system_(x, result, t_);
       return integrate::is_motion_known(system_.trouble());
     };
-    if (!integrate::changes_by_rounding(x_, rates, derivative, changes)) changes = integrate::zeros_like(x_);
+    if (!changes_by_rounding(x_, rates, derivative, changes)) changes = integrate::zeros_like(x_);
     control_.set_rounding(changes);
     Scalar lost = 0, all = 0;
     for (std::size_t i = 0; i < x_.size(); ++i) {

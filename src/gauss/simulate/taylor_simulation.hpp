@@ -8,10 +8,11 @@
 #include <cmath>
 #include <limits>
 
-#include "gauss/integrate/rounding.hpp"
+#include "gauss/integrate/projection_near.hpp"
 #include "gauss/integrate/taylor.hpp"
 #include "gauss/integrate/unit_groups.hpp"
 #include "gauss/simulate/report.hpp"
+#include "gauss/simulate/rounding.hpp"
 
 namespace gauss::simulate {
 
@@ -143,15 +144,15 @@ class SeriesControl {
 namespace detail {
 
 /// Of models that write elsewhere, and of others.
-template <class Model, class Scalar, class State>
-auto project_into(int, const Model& model, const Scalar& t, const State& from, State& to)
+template <class Model, class Scalar, class State, class IsNear>
+auto project_into(int, const Model& model, const Scalar& t, const State& from, State& to, const IsNear&)
     -> decltype(model.projection(t, from, to)) {
   return model.projection(t, from, to);
 }
-template <class Model, class Scalar, class State>
-auto project_into(long, const Model& model, const Scalar& t, const State& from, State& to) {
+template <class Model, class Scalar, class State, class IsNear>
+auto project_into(long, const Model& model, const Scalar& t, const State& from, State& to, const IsNear& is_near) {
   to = from;
-  return model.projection(t, to);
+  return integrate::projection_near(model, t, from, to, is_near);
 }
 
 }  // namespace detail
@@ -263,9 +264,12 @@ class TaylorSimulation {
     integrate::state_of_series(series(), span, arrived);
     last_ = arrived;
     jumped_ = false;
-    Status status = settings_.project ? model_.projection(begin_ + span, last_) : Status::ok;
+    const auto is_near_enough = [&] { return is_near(arrived, last_); };
+    Status status = settings_.project
+                        ? integrate::projection_near(model_, begin_ + span, arrived, last_, is_near_enough)
+                        : Status::ok;
     if (integrate::is_motion_known(status)) {
-      jumped_ = settings_.project && !is_near(arrived, last_);
+      jumped_ = settings_.project && !is_near_enough();
       if (jumped_) return false;
       status = fill(begin_ + span, last_, next());
     }
@@ -312,7 +316,7 @@ class TaylorSimulation {
       std::copy_n(near.values[1], result.size(), result.begin());
       return true;
     };
-    if (!integrate::changes_by_rounding(x, rates, rates_at, changes)) return false;
+    if (!changes_by_rounding(x, rates, rates_at, changes)) return false;
     for (std::size_t i = 0; i < Model::size; ++i) {
       if (!(span * (off[i] - changes[i]) <= k_most_off * control_.allowed()[i])) return false;
     }
@@ -326,8 +330,9 @@ class TaylorSimulation {
       integrate::state_of_series(series(), end - begin_, there);
     } else {
       integrate::state_of_series(series(), end - begin_, found);
-      const Status status = detail::project_into(0, model_, end, found, there);
-      jumped_ = integrate::is_motion_known(status) && !is_near(found, there);
+      const auto is_near_enough = [&] { return is_near(found, there); };
+      const Status status = detail::project_into(0, model_, end, found, there, is_near_enough);
+      jumped_ = integrate::is_motion_known(status) && !is_near_enough();
       if (!integrate::is_motion_known(status) || jumped_) {
         report_.status = status;
         report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::model_failed;

@@ -3,6 +3,8 @@
 import json
 import math
 import os
+import signal
+import subprocess
 import time
 import unittest
 
@@ -180,6 +182,19 @@ class Errors(Program):
         self.assertNotIn("--budget gives it more", said)
         self.assertLess(time.monotonic() - begin, 60)
         self.refused(6, "advise", MODELS / "functions.yaml", "--duration", "10", "--error", "1e-3", "--budget", "5")
+
+    def test_ctrl_c_ends_a_search(self):
+        for command, said in (("run", "interrupted while a setting was looked for; nothing is written"), ("advise", "interrupted; nothing is written")):
+            with self.subTest(command):
+                process = subprocess.Popen([PROGRAM, command, MODELS / "functions.yaml", "--error", "1e-3", "--budget", "600"], cwd=self.folder,
+                                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+                self.wait_for_processor(process, 2)
+                process.send_signal(signal.SIGINT)
+                begin = time.monotonic()
+                self.assertIn(said, process.communicate(timeout=60)[1])
+                self.assertLess(time.monotonic() - begin, 5)
+                self.assertEqual(process.returncode, 130)
+                self.assertEqual(self.files(), [])
 
     def test_a_smooth_motion_takes_more_time_where_it_gets_more(self):
         self.write("spring.yaml", SPRING)
