@@ -8,7 +8,7 @@ import subprocess
 import time
 import unittest
 
-from gauss_sim import MODELS, SPRING, Program
+from gauss_sim import MODELS, PROGRAM, SPRING, Program
 
 # Unstable, and started on the way that decays: x = e^(-t/10), where rounding the start of -1/10 alone is 4e-5 in the end.
 UNSTABLE = """gauss: 1
