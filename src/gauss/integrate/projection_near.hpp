@@ -4,7 +4,6 @@
 #define GAUSS_INTEGRATE_PROJECTION_NEAR_HPP
 
 #include <type_traits>
-#include <utility>
 
 #include "gauss/integrate/step_result.hpp"
 
