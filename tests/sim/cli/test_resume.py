@@ -69,13 +69,14 @@ class Resuming(Program):
         self.assertIn("error   not estimated: the run went on from an earlier one\n", said)
         whole, parts = self.table("whole.csv"), self.table("spring.csv")
         self.assertEqual(whole["t [s]"], parts["t [s]"])
-        self.assertLess(max(abs(a - b) for a, b in zip(whole["x [m]"], parts["x [m]"])), 1e-8)
+        for column in ("x [m]", "x_dot [m/s]", "energy.total [J]"):
+            self.assertLess(max(abs(a - b) for a, b in zip(whole[column], parts[column])), 1e-8, column)
         summary = self.summary("spring.json")
         self.assertEqual(summary["outcome"], "finished")
         self.assertGreater(summary["steps"], first["steps"])
-        # Steps after another start are other ones, so states agree within the tolerance only.
-        for key in ("model", "samples", "start_energy", "kept_energy"):
-            self.assertEqual(summary["resume"][key], self.summary("whole.json")["resume"][key], key)
+        # Steps after another start are other ones: the bits of the last state, which `end` tells, are the same by chance only, after rounding has led to the same orbit.
+        expected = {**self.summary("whole.json")["resume"], "end": summary["resume"]["end"]}
+        self.assertEqual(summary["resume"], expected)
         self.assertEqual(summary["resume"]["kept_energy"], "5")
         self.assertLess(summary["drift"]["energy"]["largest_change"], 1e-14)
 
