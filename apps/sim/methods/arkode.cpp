@@ -91,7 +91,8 @@ bool Arkode::arrives_at(double reached) {
   const State before = Base::state_of(work_.state.get());
   State after = before;
   const auto is_near = [&] { return scales_.is_near(settings_, before, after); };
-  const gauss::Status status = gauss::integrate::projection_near(model_, t_, before, after, is_near);
+  const auto is_energy_near = [&] { return scales_.is_energy_near(settings_, before, after); };
+  const gauss::Status status = gauss::integrate::projection_near(model_, t_, before, after, is_energy_near);
   if (!gauss::integrate::is_motion_known(status) || !is_near()) {
     progress_.status = status;
     progress_.outcome = Outcome::constraints_lost;

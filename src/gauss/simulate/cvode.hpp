@@ -244,8 +244,11 @@ class CvodeSimulation {
     const auto is_near = [&] {
       return simulation.scales_.is_near(simulation.settings_, before, after, simulation.places_.share());
     };
+    const auto is_energy_near = [&] {
+      return simulation.scales_.is_energy_near(simulation.settings_, before, after, simulation.places_.share());
+    };
     const int failure = simulation.problem_.guarded(
-        [&](Base& problem) { return integrate::projection_near(problem.model(), t, before, after, is_near); });
+        [&](Base& problem) { return integrate::projection_near(problem.model(), t, before, after, is_energy_near); });
     if (failure != 0) return failure;
     for (std::size_t i = 0; i < std::size(before.values); ++i)
       N_VGetArrayPointer(correction)[i] = after.values[i] - before.values[i];

@@ -47,8 +47,36 @@ class SundialsScales {
   /// What an error may be, by components: `tolerance` of the largest size so far, and rounding of the largest with the same unit. A speed is not told from places better than these are
   /// rounded, within a step. What rests at 0 has nothing but this. `places`: share of the tolerance that coordinates are allowed.
   Array allowed(const Settings<double>& settings, double tolerance, double places = 1) const {
-    constexpr double k_last_places = 64 * std::numeric_limits<double>::epsilon();
     constexpr double k_of_places = 4 * std::numeric_limits<double>::epsilon();
+    return bounds(settings, tolerance, places, k_of_places / std::abs(step_));
+  }
+
+  /// Where constraints lose their rank, projection may take any part of the motion away.
+  bool is_near(const Settings<double>& settings, const State& before, const State& after, double places = 1) const {
+    return is_within(settings, allowed(settings, least(settings), places), before, after);
+  }
+
+  /// As is_near, of a state that keeps its energy: that moves speeds by no more in a shorter step. What places are rounded by, in the time of one, is far more than motions have near rest.
+  bool is_energy_near(const Settings<double>& settings, const State& before, const State& after,
+                      double places = 1) const {
+    return is_within(settings, bounds(settings, least(settings), places, 0), before, after);
+  }
+
+ private:
+  static double least(const Settings<double>& settings) {
+    return std::max(settings.tolerance, std::numeric_limits<double>::epsilon());
+  }
+
+  static bool is_within(const Settings<double>& settings, const Array& bounds, const State& before,
+                        const State& after) {
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+      if (!(std::abs(after.values[i] - before.values[i]) <= settings.most_projected * bounds[i])) return false;
+    return true;
+  }
+
+  /// `of_places`: what speeds are allowed of the largest place, per time.
+  Array bounds(const Settings<double>& settings, double tolerance, double places, double of_places) const {
+    constexpr double k_last_places = 64 * std::numeric_limits<double>::epsilon();
     constexpr double k_with_all_digits = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
     Array result = sizes_;
     for (std::size_t i = 0; i < result.size(); ++i) {
@@ -56,23 +84,13 @@ class SundialsScales {
       const double smallest = is_speed ? settings.least_speed() : settings.smallest_scale;
       const double size = std::max({sizes_[i] > 0 ? sizes_[i] : scales_[i], first_[i], smallest, k_with_all_digits});
       result[i] = tolerance * (is_speed ? 1 : places) * size + k_last_places * scales_[i];
-      if (is_speed) result[i] += k_of_places / std::abs(step_) * groups_.places_of(i, scales_);
+      if (is_speed) result[i] += of_places * groups_.places_of(i, scales_);
       // What will not move, as far as can be seen, has no scale.
       if (!(result[i] > 0)) result[i] = tolerance;
     }
     return result;
   }
 
-  /// Where constraints lose their rank, projection may take any part of the motion away.
-  bool is_near(const Settings<double>& settings, const State& before, const State& after, double places = 1) const {
-    const Array bounds =
-        allowed(settings, std::max(settings.tolerance, std::numeric_limits<double>::epsilon()), places);
-    for (std::size_t i = 0; i < bounds.size(); ++i)
-      if (!(std::abs(after.values[i] - before.values[i]) <= settings.most_projected * bounds[i])) return false;
-    return true;
-  }
-
- private:
   static constexpr double k_part_of_earlier = 1e-3;
 
   /// A place that begins as t^2 is missed by all of itself in a first step of order 1, and by parts of it in others, however short they are: away from t = 0 they come down to rounding of the
