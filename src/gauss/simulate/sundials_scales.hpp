@@ -53,13 +53,15 @@ class SundialsScales {
 
   /// Where constraints lose their rank, projection may take any part of the motion away.
   bool is_near(const Settings<double>& settings, const State& before, const State& after, double places = 1) const {
-    return is_within(settings, allowed(settings, least(settings), places), before, after);
+    return is_within(settings.most_projected, allowed(settings, least(settings), places), before, after);
   }
 
-  /// As is_near, of a state that keeps its energy: that moves speeds by no more in a shorter step. What places are rounded by, in the time of one, is far more than motions have near rest.
+  /// As is_near, of a state that keeps its energy: that moves speeds by less, and by no more in a shorter step. What places are rounded by, in the time of one, is far more than motions have near
+  /// rest, and the history of a multistep method takes what is a thousand tolerances for a motion that no step is short enough for.
   bool is_energy_near(const Settings<double>& settings, const State& before, const State& after,
                       double places = 1) const {
-    return is_within(settings, bounds(settings, least(settings), places, 0), before, after);
+    return is_within(k_of_energy * settings.most_projected, bounds(settings, least(settings), places, 0), before,
+                     after);
   }
 
  private:
@@ -67,10 +69,9 @@ class SundialsScales {
     return std::max(settings.tolerance, std::numeric_limits<double>::epsilon());
   }
 
-  static bool is_within(const Settings<double>& settings, const Array& bounds, const State& before,
-                        const State& after) {
+  static bool is_within(double most, const Array& bounds, const State& before, const State& after) {
     for (std::size_t i = 0; i < bounds.size(); ++i)
-      if (!(std::abs(after.values[i] - before.values[i]) <= settings.most_projected * bounds[i])) return false;
+      if (!(std::abs(after.values[i] - before.values[i]) <= most * bounds[i])) return false;
     return true;
   }
 
@@ -92,6 +93,7 @@ class SundialsScales {
   }
 
   static constexpr double k_part_of_earlier = 1e-3;
+  static constexpr double k_of_energy = 0.1;
 
   /// A place that begins as t^2 is missed by all of itself in a first step of order 1, and by parts of it in others, however short they are: away from t = 0 they come down to rounding of the
   /// time. So what begins with 0 is allowed a part of the way that it is seen to go in the first step thought of: by its rate, and by the rate after that.

@@ -9,6 +9,24 @@ import unittest
 from gauss_sim import MODELS, PROGRAM, PUSHED, SLIDE, SPRING, Program
 
 # Both rest until something begins to push the first.
+# A pendulum of two rods in coordinates of its masses, and a body that hangs from a spring by a point beside its centre: from rest.
+SWING = """gauss: 1
+name: swing
+parameters: {m_1: {value: 1, unit: kg}, m_2: {value: 0.5, unit: kg}, L_1: {value: 1, unit: m}, L_2: {value: 0.8, unit: m}, k: {value: 30, unit: N/m}, g: {value: 9.81, unit: m/s^2}}
+coordinates: {x_1: {unit: m, initial: 0.8}, y_1: {unit: m, initial: -0.6}, x_2: {unit: m, initial: 0.8}, y_2: {unit: m, initial: -1.4}}
+particles: {a: {mass: m_1, position: [x_1, y_1, 0]}, b: {mass: m_2, position: [x_2, y_2, 0]}}
+constraints: {upper: {equation: x_1^2 + y_1^2 - L_1^2}, lower: {equation: (x_2-x_1)^2 + (y_2-y_1)^2 - L_2^2}}
+forces: {gravity: {uniform: [0, -g, 0]}, spring: {potential: k*x_2^2/2}}
+"""
+HUNG = """gauss: 1
+name: hung
+parameters: {m: {value: 2, unit: kg}, A: {value: 0.02, unit: kg*m^2}, B: {value: 0.05, unit: kg*m^2}, C: {value: 0.06, unit: kg*m^2}, k: {value: 60, unit: N/m}, l: {value: 0.3, unit: m}, g: {value: 9.81, unit: m/s^2}}
+coordinates: {x: {unit: m, initial: 0.1}, y: {unit: m}, z: {unit: m, initial: -0.8}}
+orientations: {attitude: {quaternion: [e_0, e_1, e_2, e_3], angular_velocity: [p, q, s], frame: body}}
+bodies: {body: {mass: m, inertia: [A, B, C], position: [x, y, z], orientation: attitude}}
+points: {top: {at: [0, 0, 0]}, hook: {on: body, at: [0.1, 0.05, 0.02]}}
+forces: {gravity: {uniform: [0, 0, -g]}, spring: {spring: [top, hook], stiffness: k, length: l}}
+"""
 KICK = """gauss: 1
 name: kick
 parameters: {k: {value: 7, unit: N/m}, m: {value: 2, unit: kg}}
@@ -284,6 +302,22 @@ class Writing(Program):
                         found = self.summary(f"{name}.json")
                         self.assertLess(found["drift"]["energy"]["largest_change"], 3e-14 * kinetic)
                         self.assertLess(found["error_estimate"]["relative"], 1e-8)
+
+    def test_so_it_is_by_methods_of_sundials(self):
+        """Speeds that rounding of places would be, in the time of a short step, are not given to what rests; nor do they keep steps short for good."""
+        self.write("swing.yaml", SWING)
+        for method in ("arkode_verner", "arkode_fehlberg78", "arkode_esdirk4", "cvode_bdf"):
+            with self.subTest(method):
+                rows = {}
+                for projection in ("energy", "full"):
+                    self.ok("run", "swing.yaml", "--projection", projection, "--method", method, "--tolerance", "1e-12", "--duration", "0.05", "--samples", "2", "-q")
+                    rows[projection] = {name: values[-1] for name, values in self.table("swing.csv").items()}
+                for name, value in rows["full"].items():
+                    self.assertAlmostEqual(rows["energy"][name], value, delta=1e-9, msg=name)
+        self.write("hung.yaml", HUNG)
+        for tolerance in ("1e-6", "1e-9", "1e-12"):
+            self.ok("run", "hung.yaml", "--projection", "energy", "--method", "cvode_bdf", "--tolerance", tolerance, "--duration", "3", "--max-steps", "20000", "-q")
+            self.assertLess(self.summary("hung.json")["drift"]["energy"]["largest_change"], 1e-10)
 
     def test_a_force_that_begins_to_act_on_what_rests_is_passed(self):
         """At a row, 3.5; what it pushes pulls something else along: x = 150 t^3/12, y = 7 * 150 t^5/(2 * 240), of the time since then."""
