@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
 #include "sim/output/files.hpp"
@@ -26,7 +28,8 @@ std::string in_words(const DeliveredError& error) {
 std::string in_words(const Estimate& estimate, bool is_found) {
   std::string text = in_words(static_cast<const DeliveredError&>(estimate));
   if (is_found) return text;
-  if (estimate.is_by_rounding()) return text + " at most; it is what values are rounded by";
+  if (estimate.is_by_rounding())
+    return text + " at most; from values that are rounded otherwise, runs differ by as much";
   if (!estimate.agreement) return text + "; by one tighter run, which no other one confirms";
   return estimate.is_confirmed()
              ? text
@@ -34,22 +37,27 @@ std::string in_words(const Estimate& estimate, bool is_found) {
 }
 
 /// Of motions that nobody can follow, or not with this tolerance.
-void warn_of_error(const DeliveredError& error, const cli::MessageOptions& messages) {
+void warn_of_error(const Estimate& error, const cli::MessageOptions& messages) {
   constexpr double k_useless = 0.1;
   if (error.value < k_useless) return;
-  cli::warn(
-      fmt::format("the table is off by {:.2g} of the range of '{}': it is not this motion; --error 1e-3 looks for a "
-                  "setting that is, or says that there is none",
-                  error.value, error.output),
-      messages);
+  const std::string what =
+      error.is_by_rounding()
+          ? fmt::format(
+                "a run from values that are rounded otherwise differs by {:.2g} of the range of '{}': one of "
+                "the two is not this motion, as where steps miss what acts for a short time; a shorter "
+                "longest_step shows it, and",
+                error.value, error.output)
+          : fmt::format("the table is off by {:.2g} of the range of '{}': it is not this motion;", error.value,
+                        error.output);
+  cli::warn(what + " --error 1e-3 looks for a setting that is, or says that there is none", messages);
 }
 
-/// Who wrote the closed form had another motion in mind.
-void warn_of_closed_forms(const KnownErrors& errors, const cli::MessageOptions& messages) {
+/// Who wrote the closed form had another motion in mind. `asked`: for an error, or 0.
+void warn_of_closed_forms(const KnownErrors& errors, double asked, const cli::MessageOptions& messages) {
   constexpr double k_apart = 1e-3, k_clear = 100;
   if (!errors.estimate || !errors.from_closed_forms) return;
   const auto& [apart, output] = *errors.from_closed_forms;
-  if (apart < k_apart || apart < k_clear * errors.estimate->value) return;
+  if (apart < (asked > 0 ? std::min(asked, k_apart) : k_apart) || apart < k_clear * errors.estimate->value) return;
   cli::warn(fmt::format("the closed form of '{}' is another motion: it is {:.2g} of its range off, where the error is "
                         "about {:.2g}",
                         output, apart, errors.estimate->value),
@@ -106,7 +114,7 @@ int report_end(const FinishedRun& finished, bool has_new_rows, const cli::Messag
   const Simulated& run = finished.run;
   const auto& error = finished.errors.estimate;
   if (error && !finished.found) warn_of_error(*error, messages);
-  warn_of_closed_forms(finished.errors, messages);
+  warn_of_closed_forms(finished.errors, finished.found ? *finished.prepared.scene.error : 0, messages);
   if (finished.found && error && run.outcome == Outcome::running && !(error->value <= *finished.prepared.scene.error))
     return cli::fail(fmt::format("the run is off by {:.2e}, in {}", error->value, error->output), cli::k_not_delivered,
                      messages);

@@ -140,6 +140,9 @@ class Errors(Program):
         self.assertAlmostEqual(found["relative"], self.off("spring"), delta=1e-3 * found["relative"])
         wrong = self.run_it("run", "spring.yaml", "--set", "w=2.1", "-q").stderr
         self.assertIn("the closed form of 'x' is another motion", wrong)
+        nearly = ("run", "spring.yaml", "--set", "w=2.00001", "-q")
+        self.assertEqual(self.run_it(*nearly).stderr, "")
+        self.assertIn("the closed form of 'x' is another motion", self.run_it(*nearly, "--error", "1e-8").stderr)
         self.assertEqual(self.run_it("run", "spring.yaml", "--set", "x=2", "-q").stderr, "")
         self.assertNotIn("from_closed_forms", self.summary("spring.json"))
 
