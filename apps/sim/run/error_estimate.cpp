@@ -76,9 +76,11 @@ Yardstick::Yardstick(Rows rows, const Rows& other, const std::vector<Column>& co
   }
   const long double digits = std::max(static_cast<long double>(rounding), std::numeric_limits<long double>::epsilon());
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    constexpr long double k_clear = 10;
+    // Two runs in double may drift alike, by what rounding makes from step to step: so small a range has to be clearer.
+    constexpr long double k_clear = 10, k_clearer = 100, k_drift = 1e5 * std::numeric_limits<double>::epsilon();
     const long double range = extents[i].range, size = std::max(extents[i].size, by_unit[columns[i].unit]);
-    const bool is_clear = range > k_clear * std::max(doubt_of(rows_, other, i), digits * size);
+    const long double times = range > k_drift * extents[i].size ? k_clear : k_clearer;
+    const bool is_clear = range > std::max(times * doubt_of(rows_, other, i), k_clear * digits * size);
     const bool is_constant =
         is_conserved(columns, extents, i) || (!is_clear && (range <= least * size || size <= k_nothing));
     const long double scale = !is_constant ? range : size <= k_nothing ? 1 : size;
@@ -118,7 +120,7 @@ std::vector<std::string> Yardstick::constants() const {
 }
 
 double least_range(double tolerance) {
-  constexpr double k_drift = 1e3, k_least = 1e-12, k_most = 1e-3;
+  constexpr double k_drift = 1e3, k_least = 1e-10, k_most = 1e-3;
   return std::clamp(k_drift * tolerance, k_least, k_most);
 }
 

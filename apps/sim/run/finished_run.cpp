@@ -41,7 +41,7 @@ void warn_of_error(const Estimate& error, const cli::MessageOptions& messages) {
   constexpr double k_useless = 0.1;
   if (error.value < k_useless) return;
   const std::string what =
-      error.is_by_rounding()
+      error.is_by_rounding() && error.by_tighter_runs < k_useless
           ? fmt::format(
                 "a run from values that are rounded otherwise differs by {:.2g} of the range of '{}': one of "
                 "the two is not this motion, as where steps miss what acts for a short time; a shorter "

@@ -51,9 +51,11 @@ std::optional<Estimate> estimated(const PreparedModel& prepared, const Engine& e
   const auto tight = tighter_runs(prepared, engine, engines, setting, run, rows, why);
   if (!tight) return std::nullopt;
   DeliveredError largest = larger(tight->error, of_times(tight->yardstick, prepared, setting));
-  largest = larger(largest, tight->rounding);
   if (tight->agreement) largest = larger(largest, *tight->agreement);
-  return Estimate{std::move(largest), tight->yardstick.constants(), tight->agreement, tight->rounding.value};
+  const double by_tighter_runs = largest.value;
+  largest = larger(largest, tight->rounding);
+  return Estimate{std::move(largest), tight->yardstick.constants(), tight->agreement, tight->rounding.value,
+                  by_tighter_runs};
 }
 
 DeliveredError from_closed_forms(const ClosedForms& forms, const PreparedModel& prepared, const Setting& setting,

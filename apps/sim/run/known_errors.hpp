@@ -17,7 +17,8 @@ struct Estimate : DeliveredError {
   std::optional<DeliveredError> agreement =
       std::nullopt;  ///< of the tighter runs that say so; nothing where there is one of them
 
-  double rounding = 0;  ///< what of it comes from rounding parameters, inputs and the start, at most
+  double rounding = 0;         ///< what of it comes from rounding parameters, inputs and the start, at most
+  double by_tighter_runs = 0;  ///< what of it they tell
 
   /// Whether tighter runs agree far better than this.
   bool is_confirmed() const;

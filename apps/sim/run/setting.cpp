@@ -62,6 +62,16 @@ Setting default_setting(const PreparedModel& prepared, const Engine& engine) {
   return setting;
 }
 
+namespace {
+
+/// Tighter runs by the same method are no other ones then: they share what rounding makes of its steps. Stiff models take too many steps by others.
+bool is_at_rounding(const Setting& setting) {
+  return setting.tolerance > 0 && setting.tolerance <= least_tolerance(setting.number) &&
+         !find_method(setting.method)->is_stiff;
+}
+
+}  // namespace
+
 Setting by_other_terms(const Setting& setting, const PreparedModel& prepared) {
   constexpr int k_more = 4;
   Setting other = setting;
@@ -78,6 +88,8 @@ Setting by_other_terms(const Setting& setting, const PreparedModel& prepared) {
     other.order = usual + k_more <= most ? usual + k_more : usual - k_more;
   } else if (setting.method == k_method_of_any_model && computes_in(*find_method(k_relative), setting.number)) {
     other.method = k_relative;
+  } else if (is_at_rounding(setting) && computes_in(*find_method(k_method_of_any_model), setting.number)) {
+    other.method = k_method_of_any_model;
   }
   return other;
 }

@@ -429,6 +429,14 @@ class Writing(Program):
             self.assertIn("energy.total", self.summary(f"{model}.json")["error_estimate"]["constant"])
             self.assertLess(self.summary(f"{model}.json")["error_estimate"]["relative"], 1e-3)
 
+    def test_nor_has_one_that_rounding_alone_changes(self):
+        """Of a damper of 0 nobody knows before the run."""
+        self.write("swing.yaml", SWING.replace("k: {", "c: {value: 0, unit: N*s/m}, k: {").replace("spring:", "damper: {generalized: {x_2: -c*dot(x_2)}}, spring:"))
+        for tolerance in ("1e-12", "1e-13"):
+            said = self.run_it("run", "swing.yaml", "--method", "prince87", "--tolerance", tolerance, "-q").stderr
+            self.assertNotIn("it is not this motion", said)
+            self.assertIn("energy.total", self.summary("swing.json")["error_estimate"]["constant"])
+
     def test_what_grows_out_of_the_smallest_numbers_stops_no_method(self):
         self.write("pushed.yaml", PUSHED)
         for method in ("cvode_adams", "cvode_bdf", "arkode_kvaerno5", "arkode_fehlberg78", "arkode_zonneveld"):
