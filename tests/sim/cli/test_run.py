@@ -27,6 +27,13 @@ bodies: {body: {mass: m, inertia: [A, B, C], position: [x, y, z], orientation: a
 points: {top: {at: [0, 0, 0]}, hook: {on: body, at: [0.1, 0.05, 0.02]}}
 forces: {gravity: {uniform: [0, 0, -g]}, spring: {spring: [top, hook], stiffness: k, length: l}}
 """
+COMET = """gauss: 1
+name: comet
+parameters: {GM: {value: 1.327e20, unit: m^3/s^2}, m: {value: 1e13, unit: kg}}
+coordinates: {x: {unit: m, initial: 5e12}, y: {unit: m, initial: 0, initial_rate: 1000}}
+particles: {p: {mass: m, position: [x, y, 0]}}
+forces: {sun: {potential: -GM*m/sqrt(x^2+y^2)}}
+"""
 PULSE = """gauss: 1
 name: pulse
 parameters: {m: {value: 1, unit: kg}, F: {value: 5, unit: N}, a: {value: 3.3, unit: s}, d: {value: 0.001, unit: s}}
@@ -279,6 +286,18 @@ class Writing(Program):
                 self.assertLess(said_json["relative"], 20 * true)
                 self.assertEqual(said_json["relative"], said_json["rounding"])
                 self.assertIn(" at most; from values that are rounded otherwise, runs differ by as much", said)
+
+    def test_estimates_near_rounding_see_what_a_method_makes_of_it(self):
+        """Tighter runs by the same method are no tighter there, and agree with each other in the wrong place."""
+        self.write("comet.yaml", COMET)
+        often = ("--duration", "4.6e9", "--samples", "201", "--outputs", "state", "-q")
+        self.ok("run", "comet.yaml", "--method", "taylor", "--number", "float128", "--tolerance", "1e-24", "-o", "exact.csv", *often)
+        exact = self.table("exact.csv")
+        for method in ("arkode_verner", "arkode_bogacki_shampine", "dopri5", "cash_karp54"):
+            with self.subTest(method):
+                self.ok("run", "comet.yaml", "--method", method, "--tolerance", "1e-14", *often)
+                true = self.off(self.table("comet.csv"), exact, [])
+                self.assertGreater(self.summary("comet.json")["error_estimate"]["relative"], 0.5 * true)
 
     def test_a_table_is_not_called_wrong_for_what_another_run_misses(self):
         """A push of 1 ms: v = F d/m."""
