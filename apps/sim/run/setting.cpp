@@ -14,6 +14,12 @@ namespace {
 /// Beside the method of any model. (Not Fehlberg's pair of order 8: its estimate of errors takes forces at both ends of a step alone, so it does not see one that jumps between.)
 constexpr const char* k_relative = "bulirsch_stoer";
 
+/// Tighter runs by the same method are no other ones then: they share what rounding makes of its steps. Stiff models take too many steps by others.
+bool is_at_rounding(const Setting& setting) {
+  return setting.tolerance > 0 && setting.tolerance <= least_tolerance(setting.number) &&
+         !find_method(setting.method)->is_stiff;
+}
+
 }  // namespace
 
 std::string default_method(const PreparedModel& prepared, const Engine& engine, const std::string& number) {
@@ -61,16 +67,6 @@ Setting default_setting(const PreparedModel& prepared, const Engine& engine) {
   setting.longest_step = prepared.scene.longest_step.value_or(0);
   return setting;
 }
-
-namespace {
-
-/// Tighter runs by the same method are no other ones then: they share what rounding makes of its steps. Stiff models take too many steps by others.
-bool is_at_rounding(const Setting& setting) {
-  return setting.tolerance > 0 && setting.tolerance <= least_tolerance(setting.number) &&
-         !find_method(setting.method)->is_stiff;
-}
-
-}  // namespace
 
 Setting by_other_terms(const Setting& setting, const PreparedModel& prepared) {
   constexpr int k_more = 4;

@@ -8,7 +8,6 @@ import unittest
 
 from gauss_sim import MODELS, PROGRAM, PUSHED, SLIDE, SPRING, Program
 
-# Both rest until something begins to push the first.
 # A pendulum of two rods in coordinates of its masses, and a body that hangs from a spring by a point beside its centre: from rest.
 SWING = """gauss: 1
 name: swing
@@ -27,6 +26,7 @@ bodies: {body: {mass: m, inertia: [A, B, C], position: [x, y, z], orientation: a
 points: {top: {at: [0, 0, 0]}, hook: {on: body, at: [0.1, 0.05, 0.02]}}
 forces: {gravity: {uniform: [0, 0, -g]}, spring: {spring: [top, hook], stiffness: k, length: l}}
 """
+# From aphelion, in metres.
 COMET = """gauss: 1
 name: comet
 parameters: {GM: {value: 1.327e20, unit: m^3/s^2}, m: {value: 1e13, unit: kg}}
@@ -34,6 +34,7 @@ coordinates: {x: {unit: m, initial: 5e12}, y: {unit: m, initial: 0, initial_rate
 particles: {p: {mass: m, position: [x, y, 0]}}
 forces: {sun: {potential: -GM*m/sqrt(x^2+y^2)}}
 """
+# 1 ms of force.
 PULSE = """gauss: 1
 name: pulse
 parameters: {m: {value: 1, unit: kg}, F: {value: 5, unit: N}, a: {value: 3.3, unit: s}, d: {value: 0.001, unit: s}}
@@ -41,6 +42,7 @@ coordinates: {x: {unit: m}}
 particles: {p: {mass: m, position: [x, 0, 0]}}
 forces: {f: {generalized: {x: "piecewise(t < a, 0, t < a + d, F, 0)"}}}
 """
+# Both rest until something begins to push the first.
 KICK = """gauss: 1
 name: kick
 parameters: {k: {value: 7, unit: N/m}, m: {value: 2, unit: kg}}
