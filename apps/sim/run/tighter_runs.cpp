@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <future>
 
 #include "sim/run/in_rows.hpp"
 #include "sim/run/interruption.hpp"
@@ -42,40 +43,60 @@ class Tightening {
   }
 
   std::optional<TighterRuns> look(std::string& why) {
-    const TimeLimit limit(k_least_limit + k_longer * run_.wall_seconds);
-    RunInRows tight = made();
+    const TimeLimit limit(most_seconds());
+    const Setting first = setting_;
+    (void)tighten();  // beside the first, another one in any case
+    std::future<RunInRows> next = begun(setting_), nudged = begun_nudged();
+    RunInRows tight = made(*engine_, first);
     why = why_no_yardstick(tight.run);
     if (!why.empty()) return std::nullopt;
     TighterRuns result{yardstick_of(std::move(tight.rows), rows_), {}, std::nullopt, {}};
     result.error = result.yardstick.error_of(rows_);
-    while (tighten() || !result.agreement) {
-      RunInRows next = made();
-      if (!arrives(next.run)) break;
-      Yardstick yardstick = yardstick_of(std::move(next.rows), result.yardstick.rows());
+    for (;;) {
+      RunInRows tighter = next.get();
+      if (!arrives(tighter.run)) break;
+      Yardstick yardstick = yardstick_of(std::move(tighter.rows), result.yardstick.rows());
       result.agreement = yardstick.error_of(result.yardstick.rows());
       result.yardstick = std::move(yardstick);
       result.error = result.yardstick.error_of(rows_);
-      if (result.agreement->value <= k_agree * result.error.value) break;
+      if (result.agreement->value <= k_agree * result.error.value || !tighten()) break;
+      next = begun(setting_);
     }
-    result.rounding = by_rounding(result.yardstick);
+    if (nudged.valid()) result.rounding = by_rounding(result.yardstick, nudged.get());
     return result;
   }
 
  private:
+  double most_seconds() const { return k_least_limit + k_longer * run_.wall_seconds; }
+
   /// As far as the run goes.
-  RunInRows made() const {
-    RunInRows result = in_rows(prepared_, *engine_, setting_, Meter::none);
+  RunInRows made(const Engine& engine, const Setting& setting) const {
+    RunInRows result = in_rows(prepared_, engine, setting, Meter::none);
     result.rows.keep(rows_.samples());
     return result;
   }
 
-  /// That of parameters, inputs and the start, which all runs in one number type share; in a wider one, none does. Nothing where such a run does not arrive.
-  DeliveredError by_rounding(const Yardstick& yardstick) const {
+  /// Beside other runs, if there is the memory for all of them; else when it is asked for. It takes no longer than all may.
+  std::future<RunInRows> begun(const Setting& setting) const {
+    constexpr std::size_t k_many = 10'000'000;  ///< numbers of a table
+    const bool is_large = static_cast<std::size_t>(rows_.samples()) * prepared_.columns.columns.size() > k_many;
+    return std::async(is_large ? std::launch::deferred : std::launch::async, [this, setting] {
+      const TimeLimit limit(most_seconds());
+      return made(*engine_->another(), setting);
+    });
+  }
+
+  /// That of parameters, inputs and the start, which all runs in one number type share; in a wider one, none does, and there is nothing to begin.
+  std::future<RunInRows> begun_nudged() const {
     if (setting_.number != given_.number) return {};
     Setting nudged = given_;
     nudged.is_nudged = true;
-    const RunInRows other = in_rows(prepared_, *engine_, nudged, Meter::none);
-    return arrives(other.run) ? yardstick.difference(rows_, other.rows) : DeliveredError{};
+    return begun(nudged);
+  }
+
+  /// Nothing where the nudged run does not arrive.
+  DeliveredError by_rounding(const Yardstick& yardstick, const RunInRows& nudged) const {
+    return arrives(nudged.run) ? yardstick.difference(rows_, nudged.rows) : DeliveredError{};
   }
 
   /// Closer to the motion, by other terms. Where samples are closer than steps would be, a tolerance alone changes nothing, nor does a step.
