@@ -113,9 +113,15 @@ class Tightening {
     }
     if (setting_.step > 0) setting_.step = k_shorter * std::min(setting_.step, taken);
     shortest_ = k_shortest * setting_.step;
-    setting_ = by_other_terms(setting_, prepared_);
+    if (!is_its_own_measure()) setting_ = by_other_terms(setting_, prepared_);
     if (setting_.tolerance > 0) setting_.tolerance = std::max(setting_.tolerance, least_tolerance(setting_.number));
     least_range_ = least_range(setting_.tolerance > 0 ? setting_.tolerance : k_of_steps);
+  }
+
+  /// Short steps of the method of any model see all of smooth forces that motion alone changes, at half the calls of extrapolation and with less rounding. What acts at some time may
+  /// lie between its stages in all of them.
+  bool is_its_own_measure() const {
+    return setting_.method == k_method_of_any_model && prepared_.edge.empty() && !prepared_.acts_by_time;
   }
 
   /// False: for the last time, since no tolerance is below rounding, and steps that are so much shorter should have agreed.
