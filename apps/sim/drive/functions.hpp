@@ -45,17 +45,7 @@ class Callable {
   gauss::Status operator()(const S& t, const S* state, S* first, S* second = nullptr,
                            const S* accelerations = nullptr) const {
     // That of rates, which are called more often than all others together.
-    if (is_usual_) return usual(t, state, first);
-    void* arguments[k_most];
-    for (std::size_t i = 0; i < k_most; ++i) arguments[i] = bound_[i];
-    // What has no place goes behind all that the function reads.
-    arguments[time_] = const_cast<S*>(&t);
-    arguments[state_] = const_cast<S*>(state);
-    arguments[start_] = const_cast<S*>(state);
-    arguments[accelerations_] = const_cast<S*>(accelerations);
-    arguments[first_] = first;
-    arguments[second_] = second;
-    return static_cast<gauss::Status>(entry_(arguments));
+    return is_usual_ ? usual(t, state, first) : general(t, state, first, second, accelerations);
   }
 
  private:
@@ -66,6 +56,21 @@ class Callable {
 
   gauss::Status usual(const S& t, const S* state, S* result) const {
     void* const arguments[] = {const_cast<S*>(&t), const_cast<S*>(state), bound_[2], bound_[3], result};
+    return static_cast<gauss::Status>(entry_(arguments));
+  }
+
+  /// Apart, so that the usual one is written out where it is called.
+  [[gnu::noinline]] gauss::Status general(const S& t, const S* state, S* first, S* second,
+                                          const S* accelerations) const {
+    void* arguments[k_most];
+    for (std::size_t i = 0; i < k_most; ++i) arguments[i] = bound_[i];
+    // What has no place goes behind all that the function reads.
+    arguments[time_] = const_cast<S*>(&t);
+    arguments[state_] = const_cast<S*>(state);
+    arguments[start_] = const_cast<S*>(state);
+    arguments[accelerations_] = const_cast<S*>(accelerations);
+    arguments[first_] = first;
+    arguments[second_] = second;
     return static_cast<gauss::Status>(entry_(arguments));
   }
 

@@ -207,8 +207,9 @@ class Simulation {
     if (is_candidate && integrate::is_motion_known(status) && settings_.project)
       status = integrate::projection_near(model_, t_ + dt, before, after, is_near_enough);
     const bool is_known = integrate::is_motion_known(status);
-    if (is_known && Arrays::array_of(before) != Arrays::array_of(after)) is_held_ = true;
-    jumped_ = is_known && is_candidate && !is_near_enough();
+    const bool has_moved = Arrays::array_of(before) != Arrays::array_of(after);
+    if (is_known && has_moved) is_held_ = true;
+    jumped_ = is_known && is_candidate && has_moved && !is_near_enough();
     if (is_known && !jumped_) return is_accurate;
     // A shorter step may stay on this side of the trouble.
     report_.status = status;
