@@ -188,7 +188,7 @@ gaussgen::PipelineOptions pipeline_options(const Request& request, const Scene& 
   const bool uses_gains = scene.projection && scene.projection->text == "gains";
   if (uses_gains) options.where_possible.push_back("mass_matrix");
   if (scene.method && scene.method->text == "taylor") options.outputs.push_back("taylor");
-  if (chooses_method(scene)) options.where_possible.push_back("taylor");
+  if (chooses_method(scene) && !request.leaves_series_out) options.where_possible.push_back("taylor");
   return options;
 }
 

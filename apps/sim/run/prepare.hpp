@@ -25,6 +25,7 @@ struct Request {
   gaussgen::cli::MessageOptions messages;
   std::vector<std::string> where_possible = {};  ///< outputs that are left out without a word where the model has none
   bool leaves_large_series_out = false;          ///< where nobody names a method: see k_most_series_operations
+  bool leaves_series_out = false;                ///< where nobody names a method: no engine would run them
   std::string form = {};                         ///< one of the scene's `formulations`; empty: the scene itself
   /// Changes the model when scene and options have had their say; what it finds is in the text of the scene. May be empty.
   std::function<void(const Scene&, gaussgen::model::Model&, gaussgen::support::Diagnostics&)> adjust = nullptr;

@@ -77,6 +77,7 @@ std::optional<PreparedModel> prepare_form_or_scene(const RunOptions& options, Re
   request.leaves_large_series_out = true;
   const auto change = [&](Scene& scene) {
     apply(options, scene, request);
+    request.leaves_series_out = engine_choice(scene) == EngineChoice::interpreted;
     if (scene.error && chooses_method(scene)) request.where_possible = {"jacobian"};
   };
   const EndsAtOnce while_it_derives(options.messages);
