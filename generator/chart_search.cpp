@@ -104,14 +104,12 @@ class Search {
   std::optional<Configuration> on_positions(const Configuration& q, const std::vector<SingularPlace::Pin>& pins) {
     std::vector<bool> movable(mechanics_.dynamics.n(), true);
     for (const auto& pin : pins) movable[pin.coordinate] = false;
-    PositionEquations equations(mechanics_, std::move(movable), 0);
-    if (!equations.start()) return std::nullopt;
-    equations.set(q);
-    const auto here = equations.linearised();
+    equations_.set(q, std::move(movable));
+    const auto here = equations_.linearised();
     if (!here) return std::nullopt;
-    if (here->f.empty()) return equations.position();
-    if (!spend(k_steps_to_positions) || !nearest_solution(equations, spans_)) return std::nullopt;
-    const Configuration& solved = equations.position();
+    if (here->f.empty()) return equations_.position();
+    if (!spend(k_steps_to_positions) || !nearest_solution(equations_, spans_)) return std::nullopt;
+    const Configuration& solved = equations_.position();
     for (const auto& pin : pins) {
       if (std::abs(solved[pin.coordinate] - q[pin.coordinate]) > k_singular * size(pin.coordinate)) return std::nullopt;
     }

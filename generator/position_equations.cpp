@@ -94,6 +94,12 @@ void PositionEquations::set(Vector q) {
   q_ = std::move(q);
 }
 
+void PositionEquations::set(Vector q, std::vector<bool> movable) {
+  movable_ = std::move(movable);
+  weights_.assign(rows_.size(), 1);
+  set(std::move(q));
+}
+
 void PositionEquations::move(const Vector& along_speeds) {
   for (const auto i : mechanics_.symbols.speeds.indices()) {
     const auto at_rest = values_(mechanics_.kinematics.speeds_at_rest[i].id());

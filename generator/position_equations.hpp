@@ -43,6 +43,8 @@ class PositionEquations {
 
   /// Quaternions become of unit length.
   void set(Vector q);
+  /// As if they were made for these, and had started.
+  void set(Vector q, std::vector<bool> movable);
   void move(const Vector& along_speeds);
 
   /// By a little of these spans: where a derivative vanishes by symmetry, as that of x² - 1 at 0, a search does not find its way.

@@ -47,7 +47,8 @@ void Evaluator<T>::bind(ir::SymbolId symbol, T value) {
 
 template <class T>
 std::optional<T> Evaluator<T>::operator()(NodeId node) {
-  return evaluate({node}).front();
+  if (!entries_.contains(node)) compute({node});
+  return handed_out(node);
 }
 
 template <class T>
@@ -55,11 +56,14 @@ std::vector<std::optional<T>> Evaluator<T>::evaluate(const std::vector<NodeId>& 
   compute(nodes);
   std::vector<std::optional<T>> values;
   values.reserve(nodes.size());
-  for (const NodeId node : nodes) {
-    const std::optional<T>& value = known(node).value;
-    values.push_back(value && is_known(arithmetic_, *value) ? value : std::nullopt);
-  }
+  for (const NodeId node : nodes) values.push_back(handed_out(node));
   return values;
+}
+
+template <class T>
+std::optional<T> Evaluator<T>::handed_out(NodeId node) const {
+  const std::optional<T>& value = known(node).value;
+  return value && is_known(arithmetic_, *value) ? value : std::nullopt;
 }
 
 template <class T>

@@ -49,6 +49,8 @@ class Evaluator {
   };
 
   void compute(const std::vector<ir::NodeId>& nodes);
+  /// Of one that is computed.
+  std::optional<T> handed_out(ir::NodeId node) const;
   Entry entry_of(ir::NodeId id) const;
   Entry of_symbol(ir::NodeId id) const;
   Entry of_condition(ir::NodeId id) const;
