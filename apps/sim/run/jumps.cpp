@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <set>
 
@@ -53,35 +52,17 @@ class Edges {
   std::set<std::pair<int, std::string>> found_;
 };
 
-/// Of forces, constraints and whatever else moves something: not of what is only told.
-void for_each_acting(const model::Model& of, const std::function<void(const model::Ast&)>& visit) {
-  model::for_each_slot(of, [&](const model::Ast& ast, const model::Slot& slot) {
-    const bool is_closed_form =
-        std::any_of(of.exact.begin(), of.exact.end(), [&](const auto& form) { return &form.value == &ast; });
-    if (slot.stated == nullptr && !is_closed_form) visit(ast);
-  });
-}
-
-bool has_time(const model::Ast& ast, const model::Model& of) {
-  if (ast.kind == model::AstKind::symbol) {
-    const auto symbol = of.symbols.find(ast.name);
-    return symbol != of.symbols.end() && symbol->second.kind == model::SymbolKind::time;
-  }
-  return std::any_of(ast.children.begin(), ast.children.end(), [&](const auto& child) { return has_time(child, of); });
-}
-
 }  // namespace
 
 std::string function_with_edge(const model::Model& of) {
   Edges edges(of);
-  for_each_acting(of, [&](const model::Ast& ast) { edges.visit(ast); });
+  model::for_each_slot(of, [&](const model::Ast& ast, const model::Slot& slot) {
+    // Nothing moves by what is only told.
+    const bool is_closed_form =
+        std::any_of(of.exact.begin(), of.exact.end(), [&](const auto& form) { return &form.value == &ast; });
+    if (slot.stated == nullptr && !is_closed_form) edges.visit(ast);
+  });
   return edges.hardest();
-}
-
-bool acts_by_time(const model::Model& of) {
-  bool result = false;
-  for_each_acting(of, [&](const model::Ast& ast) { result = result || has_time(ast, of); });
-  return result;
 }
 
 std::string hint_for_edge(const std::string& function) {

@@ -43,7 +43,6 @@ struct PreparedModel {
   int operations = 0;               ///< of the rates
   int series_operations = 0;        ///< of power series, those of each order once; 0: there are none
   std::string edge;                 ///< a function in what acts that jumps or has a kink; empty: all of it is smooth
-  bool acts_by_time = false;        ///< see run/jumps.hpp
   std::array<double, 3> gravity{};  ///< m/s², space: the sum of uniform fields at the start
   bool wants_gains = false;         ///< the projection `gains` may be asked for
 

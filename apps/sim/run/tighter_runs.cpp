@@ -118,11 +118,8 @@ class Tightening {
     least_range_ = least_range(setting_.tolerance > 0 ? setting_.tolerance : k_of_steps);
   }
 
-  /// Short steps of the method of any model see all of smooth forces that motion alone changes, at half the calls of extrapolation and with less rounding. What acts at some time may
-  /// lie between its stages in all of them.
-  bool is_its_own_measure() const {
-    return setting_.method == k_method_of_any_model && prepared_.edge.empty() && !prepared_.acts_by_time;
-  }
+  /// Short steps of the method of any model see all that extrapolation does of smooth forces, at half the calls and with less rounding.
+  bool is_its_own_measure() const { return setting_.method == k_method_of_any_model && prepared_.edge.empty(); }
 
   /// False: for the last time, since no tolerance is below rounding, and steps that are so much shorter should have agreed.
   bool tighten() {
