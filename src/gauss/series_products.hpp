@@ -19,45 +19,54 @@ namespace detail {
 
 constexpr int order_within(int order, int most) noexcept { return order < 1 ? 1 : order < most ? order : most; }
 
-/// Of `count` columns from `first` on. What was stored last is read last.
+/// Columns that are summed at the same time, at most: six registers of four doubles hide the time of an addition, and leave some for what is read. Numbers that are
+/// registers themselves leave fewer.
+template <class S>
+inline constexpr int k_columns_at_once = std::is_arithmetic_v<S> ? 24 : 12;
+
+constexpr int whole_registers(int columns) noexcept { return columns < 1 ? 4 : (columns + 3) / 4 * 4; }
+
+/// Of all columns in as few blocks as there can be, each but the last as wide as the others.
+template <class S>
+constexpr int columns_of_a_block(int columns) noexcept {
+  const int blocks = (columns + k_columns_at_once<S> - 1) / k_columns_at_once<S>;
+  return whole_registers((columns + blocks - 1) / blocks);
+}
+
+/// Columns from `first` on, of an order of 3 or more. What was stored last is read last. Sums begin with a product: compilers would keep those that begin with 0 in memory.
 template <int count, class S, int rows, int columns>
 GAUSS_INLINED void add_crosswise(const S (&left)[rows][columns], const S (&right)[rows][columns], int k, int first,
                                  S (&sums)[columns]) {
   S sum[count];
-  for (int m = 0; m < count; ++m) sum[m] = S(0);
-  for (int j = 2; j < k - 1; ++j) {
+  for (int m = 0; m < count; ++m) sum[m] = left[2][first + m] * right[k - 2][first + m];
+  for (int j = 3; j < k; ++j) {
     for (int m = 0; m < count; ++m) sum[m] = sum[m] + left[j][first + m] * right[k - j][first + m];
   }
-  if (k > 2) {
-    for (int m = 0; m < count; ++m) sum[m] = sum[m] + left[1][first + m] * right[k - 1][first + m];
-  }
-  if (k > 1) {
-    for (int m = 0; m < count; ++m) sum[m] = sum[m] + left[k - 1][first + m] * right[1][first + m];
-  }
-  for (int m = 0; m < count; ++m) sums[first + m] = sum[m];
+  for (int m = 0; m < count; ++m) sums[first + m] = sum[m] + left[1][first + m] * right[k - 1][first + m];
 }
 
 /// Likewise of squares, whose terms come in pairs.
 template <int count, class S, int rows, int columns>
 GAUSS_INLINED void add_squares(const S (&roots)[rows][columns], int k, int first, S (&sums)[columns]) {
   S sum[count];
-  for (int m = 0; m < count; ++m) sum[m] = S(0);
-  for (int j = (k - 1) / 2; j > 0; --j) {
+  const int last = (k - 1) / 2;
+  for (int m = 0; m < count; ++m) sum[m] = roots[last][first + m] * roots[k - last][first + m];
+  for (int j = last - 1; j > 0; --j) {
     for (int m = 0; m < count; ++m) sum[m] = sum[m] + roots[j][first + m] * roots[k - j][first + m];
   }
-  for (int m = 0; m < count; ++m) sum[m] = sum[m] + sum[m];
+  for (int m = 0; m < count; ++m) sums[first + m] = sum[m] + sum[m];
   if (k % 2 == 0) {
-    for (int m = 0; m < count; ++m) sum[m] = sum[m] + roots[k / 2][first + m] * roots[k / 2][first + m];
+    for (int m = 0; m < count; ++m)
+      sums[first + m] = sums[first + m] + roots[k / 2][first + m] * roots[k / 2][first + m];
   }
-  for (int m = 0; m < count; ++m) sums[first + m] = sum[m];
 }
 
-/// Columns that are summed at the same time: four registers of four doubles hide the time of an addition. Of numbers that are registers themselves, as many
-/// as leave some for what is read.
-template <class S>
-inline constexpr int k_columns_at_once = std::is_arithmetic_v<S> ? 16 : 12;
-
-constexpr int whole_registers(int columns) noexcept { return columns < 1 ? 4 : (columns + 3) / 4 * 4; }
+/// Of orders 1 and 2, which have no product and one.
+template <class S, int rows, int columns>
+GAUSS_INLINED void add_first(const S (&left)[rows][columns], const S (&right)[rows][columns], int k,
+                             S (&sums)[columns]) {
+  for (int m = 0; m < columns; ++m) sums[m] = k < 2 ? S(0) : left[1][m] * right[1][m];
+}
 
 /// Coefficients of `factors` values, for `products` of two of them and for `squares`.
 template <class S, int rows, int factors, int products, int squares, bool is_number = std::is_arithmetic_v<S>>
@@ -190,13 +199,16 @@ GAUSS_INLINED void add_all_squared(const S (&all)[rows][width], int k, S* sums) 
 template <class Series, class S, int columns>
 GAUSS_INLINED void crosswise(const Series& series, int k, S (&sums)[columns]) {
   if constexpr (std::is_arithmetic_v<S>) {
-    // Rows are padded to whole registers.
-    constexpr int rest = columns % k_columns_at_once<S>;
-    if constexpr (columns > rest) {
-      for (int first = 0; first < columns - rest; first += k_columns_at_once<S>)
-        add_crosswise<k_columns_at_once<S>>(series.factors.left, series.factors.right, k, first, sums);
+    const auto& left = series.factors.left;
+    const auto& right = series.factors.right;
+    if (k < 3) {
+      add_first(left, right, k, sums);
+      return;
     }
-    if constexpr (rest > 0) add_crosswise<rest>(series.factors.left, series.factors.right, k, columns - rest, sums);
+    // Rows are padded to whole registers.
+    constexpr int block = columns_of_a_block<S>(columns), rest = columns % block;
+    for (int first = 0; first < columns - rest; first += block) add_crosswise<block>(left, right, k, first, sums);
+    if constexpr (rest > 0) add_crosswise<rest>(left, right, k, columns - rest, sums);
   } else {
     add_all_factors<Series, 0, decltype(Series::factors)::n_products>(series.factors.all, k, sums);
   }
@@ -206,12 +218,14 @@ GAUSS_INLINED void crosswise(const Series& series, int k, S (&sums)[columns]) {
 template <class Series, class S, int columns>
 GAUSS_INLINED void squares(const Series& series, int k, S (&sums)[columns]) {
   if constexpr (std::is_arithmetic_v<S>) {
-    constexpr int rest = columns % k_columns_at_once<S>;
-    if constexpr (columns > rest) {
-      for (int first = 0; first < columns - rest; first += k_columns_at_once<S>)
-        add_squares<k_columns_at_once<S>>(series.factors.roots, k, first, sums);
+    const auto& roots = series.factors.roots;
+    if (k < 3) {
+      add_first(roots, roots, k, sums);
+      return;
     }
-    if constexpr (rest > 0) add_squares<rest>(series.factors.roots, k, columns - rest, sums);
+    constexpr int block = columns_of_a_block<S>(columns), rest = columns % block;
+    for (int first = 0; first < columns - rest; first += block) add_squares<block>(roots, k, first, sums);
+    if constexpr (rest > 0) add_squares<rest>(roots, k, columns - rest, sums);
   } else {
     add_all_squared<Series, 0, decltype(Series::factors)::n_squares>(series.factors.all, k, sums);
   }

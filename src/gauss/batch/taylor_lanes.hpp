@@ -202,19 +202,13 @@ class TaylorLanes {
     const Batch by_two =
         xsimd::min(logarithm_within(part(by_allowed, q + 3), q + 3), logarithm_within(part(by_allowed, q + 2), q + 2));
     Batch span = Math<Batch>::exp(by_two);
-    const Batch third = part(by_allowed, q + 1), fourth = part(by_allowed, q), factor = power(span, q);
+    const Batch third = part(by_allowed, q + 1), fourth = part(by_allowed, q), factor = integrate::power(span, q);
     const Mask is_usual = third * factor * span <= Number(k_usual) && fourth * factor <= Number(k_usual);
     if (!xsimd::all(is_usual)) {
       const Batch by_others = xsimd::min(logarithm_within(third, q + 1), logarithm_within(fourth, q));
       span = xsimd::select(is_usual, span, Math<Batch>::exp(xsimd::min(by_two, by_others)));
     }
     return settings_.longest_step > Number(0) ? xsimd::min(span, Batch(settings_.longest_step)) : span;
-  }
-
-  static Batch power(Batch x, int exponent) {
-    Batch result(Number(1));
-    for (; exponent > 0; exponent /= 2, x = x * x) result = exponent % 2 == 1 ? result * x : result;
-    return result;
   }
 
   /// As SeriesControl has it.

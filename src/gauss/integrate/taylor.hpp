@@ -136,6 +136,14 @@ inline int taylor_order(double tolerance, int most) {
   return order < 2 ? 2 : order < most ? static_cast<int>(std::ceil(order)) : most;
 }
 
+/// A whole power, by squaring.
+template <class S>
+S power(S x, int exponent) {
+  S result(1);
+  for (; exponent > 0; exponent /= 2, x = x * x) result = exponent % 2 == 1 ? S(result * x) : result;
+  return result;
+}
+
 /// A stepper of one order for steps of any length; see gauss/integrate/explicit_stepper.hpp. `Series` is the model's TaylorSeries<Scalar>. Inputs are those at the
 /// beginning of a step.
 template <class Model, class Series>

@@ -68,7 +68,7 @@ class SeriesControl {
   Scalar part(const Series& series, int order) const {
     Scalar result = 0;
     for (std::size_t i = 0; i < Model::size; ++i)
-      result = std::max(result, size_of(series.values[order][i]) / allowed_[i]);
+      result = std::max(result, size_of(series.values[order][i]) * by_allowed_[i]);
     return result;
   }
 
@@ -77,15 +77,17 @@ class SeriesControl {
   Scalar by_those_before(const Series& series, const Scalar& span) const {
     constexpr Scalar k_usual = Scalar(10'000);
     const int q = series.order - 3;
-    const Scalar power = Math<Scalar>::pow(span, Scalar(q));
+    const Scalar power = integrate::power(span, q);
     const Scalar third = part(series, q + 1), fourth = part(series, q);
     if (third * power * span <= k_usual && fourth * power <= k_usual) return span;
     return within(fourth, q, within(third, q + 1, span));
   }
 
-  /// part^(-1/order), or `most`.
-  static Scalar within(const Scalar& part, int order, const Scalar& most) {
+  /// part^(-1/order), or `most`. Whether it is `most` takes a few products to tell, where these are numbers with all of their digits.
+  Scalar within(const Scalar& part, int order, const Scalar& most) const {
     if (!(part > Scalar(0))) return most;
+    const Scalar power = integrate::power(most, order);
+    if (power > least_ && part * power <= Scalar(1)) return most;
     return std::min(most, Math<Scalar>::pow(part, Scalar(-1) / Scalar(order)));
   }
 
@@ -127,13 +129,15 @@ class SeriesControl {
     for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = size_within(series, reach, i);
     // What others with the same unit get to in this step counts too: at the start all of them may be 0.
     const Array places = groups_.largest(sizes);
-    for (std::size_t i = 0; i < Model::size; ++i)
+    for (std::size_t i = 0; i < Model::size; ++i) {
       allowed_[i] = least_ + tolerance_ * sizes[i] + last_places() * places[i];
+      by_allowed_[i] = Scalar(1) / allowed_[i];
+    }
   }
 
   Scalar tolerance_;
   integrate::UnitGroups<Model> groups_;
-  Array sizes_{}, allowed_{};
+  Array sizes_{}, allowed_{}, by_allowed_{};
   /// Below it, numbers have not all of their digits.
   Scalar least_ = std::numeric_limits<Scalar>::is_specialized
                       ? Scalar(std::numeric_limits<Scalar>::min() / Math<Scalar>::epsilon())
