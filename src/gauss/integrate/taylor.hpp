@@ -129,10 +129,10 @@ void rate_of_series(const Series& series, const S& h, Rate& rate) {
 }
 
 /// Order at which a step of a given relative error takes the least work for the time that it spans, between 2 and `most`. A term of order p is e^-2p where a step is the e^2-th part of the radius
-/// of convergence: -ln(tolerance)/2 is best where work grows with the square of the order. Here most of it grows with the order alone, and longer
-/// steps of more orders take less.
+/// of convergence: -ln(tolerance)/2 is best where work grows with the square of the order, -ln(tolerance) where it grows with the order. Sums over
+/// lower orders are the lesser part here.
 inline int taylor_order(double tolerance, int most) {
-  const double order = 1 - 0.65 * std::log(tolerance);
+  const double order = 1 - 0.8 * std::log(tolerance);
   return order < 2 ? 2 : order < most ? static_cast<int>(std::ceil(order)) : most;
 }
 
