@@ -33,6 +33,8 @@ void refuse_other_symbols(const std::string& option, const model::Ast& ast, cons
     const auto symbol = model.symbols.find(ast.name);
     const bool is_known = symbol != model.symbols.end() && (symbol->second.kind == model::SymbolKind::parameter ||
                                                             symbol->second.kind == model::SymbolKind::pi);
+    if (ast.name == "nan" || ast.name == "inf")
+      throw UsageError(fmt::format("{}: '{}' is no finite number", option, ast.name));
     if (!is_known)
       throw UsageError(fmt::format("{}: '{}' is not a parameter of the model{}", option, ast.name,
                                    ast.name == "t" ? "; what changes in time stands in the model itself" : ""));

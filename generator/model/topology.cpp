@@ -84,6 +84,43 @@ bool is_constrained(const Model& model, std::size_t coordinate) {
   return uses.unsure || uses.coordinates.count(coordinate) > 0;
 }
 
+/// What a force reads, and where it acts.
+struct UsesOfForce {
+  const Model& model;
+  Uses& uses;
+
+  void frame(std::size_t of) { collect_placement(of, model, uses); }
+  template <class Asts>
+  void all(const Asts& asts) {
+    for (const Ast& ast : asts) collect(ast, model, uses);
+  }
+
+  void operator()(const UniformField&) {}
+  void operator()(const Potential& law) { collect(law.energy, model, uses); }
+  void operator()(const GeneralizedForce& law) {
+    for (const auto& [name, value] : law.components) collect(value, model, uses);
+  }
+  void operator()(const PointForce& law) {
+    for (const std::size_t one : {law.frame, law.from, law.axes}) frame(one);
+    all(law.components);
+  }
+  void operator()(const Torque& law) {
+    for (const std::size_t one : {law.frame, law.from, law.axes}) frame(one);
+    all(law.components);
+  }
+  void operator()(const Spring& law) {
+    for (const std::size_t one : {law.first, law.second}) frame(one);
+  }
+  void operator()(const CoordinateSpring&) {}  // of the coordinate itself: it moves nothing else
+};
+
+/// Of the force of a spring whose end a held coordinate shakes, say.
+bool has_force_by(const Model& model, std::size_t coordinate) {
+  Uses uses;
+  for (const Force& force : model.forces) std::visit(UsesOfForce{model, uses}, force.law);
+  return uses.unsure || uses.coordinates.count(coordinate) > 0;
+}
+
 /// False for a name that was refused because it clashes: its uses mean the other owner of the name.
 bool owns_name(const Model& model, std::size_t coordinate) {
   const auto symbol = model.symbols.find(model.coordinates[coordinate].name.text);
@@ -112,10 +149,10 @@ void check_used(Reading& reading) {
     const Coordinate& coordinate = model.coordinates[i];
     if (uses.coordinates.count(i) > 0 || !owns_name(model, i) || is_constrained(model, i)) continue;
     if (coordinate.held_at) {
+      if (has_force_by(model, i)) continue;
       reading.diagnostics.warning(code::k_idle_held_coordinate, coordinate.name.span,
                                   fmt::format("no body depends on the held coordinate '{}'", coordinate.name.text),
-                                  "write positions or constraints with it, or remove it: as it is, its reaction does "
-                                  "no more than balance forces");
+                                  "write positions, constraints or forces with it, or remove it");
     } else {
       reading.diagnostics.error(
           code::k_no_inertia, coordinate.name.span,

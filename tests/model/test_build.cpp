@@ -228,6 +228,13 @@ TEST_CASE("a warning does not stop the model") {
   CHECK(built.model);
 }
 
+TEST_CASE("a held coordinate may move nothing but the end of a spring") {
+  const std::string held = test::k_header + "coordinates: {x: {}, h: {held_at: 1}}\n" + test::k_particle;
+  CHECK(Built(held + "forces: {s: {potential: (x - h)^2/2}}\n").codes().empty());
+  CHECK(Built(held + "frames: {base: {position: [h, 0, 0]}}\nforces: {s: {spring: [base, p], stiffness: 2}}\n").codes().empty());
+  CHECK(Built(held + "forces: {s: {generalized: {x: -x}}}\n").codes() == "W050");
+}
+
 TEST_CASE("an undeclared symbol is an internal error for later stages") {
   CHECK_THROWS_AS(Built(with("")).model->resolve("nope"), support::InternalError);
 }

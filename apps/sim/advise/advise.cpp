@@ -109,8 +109,8 @@ void write(const AdviseOptions& options, const PreparedModel& prepared, StudyPoi
   }
   std::string text = others.empty() ? "" : "#  " + head() + "\n";
   for (const StudyPoint& other : others) text += "#  " + in_words(other) + "\n";
-  text += fmt::format("# delivers {:.1e} of {:.1e} in {:.3g} ms; {}\n", best.error, *options.error, 1e3 * best.seconds,
-                      said);
+  text += fmt::format("# delivers {:.1e} of {:.1e} in {:.3g} ms; reference: {}\n", best.error, *options.error,
+                      1e3 * best.seconds, said);
   cli::write_standard_output(text + as_scene(best, prepared.scene.form));
 }
 
@@ -128,7 +128,7 @@ int advise(const AdviseOptions& options) {
         options.study, *prepared, [&](const std::string& form) { return prepare_form(options, form); }, error, why);
     if (!why.empty()) return cli::fail(why, cli::k_not_delivered, options.messages);
     if (best.step == 0) best.longest_step = prepared->scene.longest_step.value_or(0);
-    write(options, *prepared, best, {}, "by " + std::filesystem::path(options.study).filename().string());
+    write(options, *prepared, best, {}, "that of " + std::filesystem::path(options.study).filename().string());
     return cli::k_ok;
   }
   const TimeLimit limit(options.budget);
@@ -141,7 +141,7 @@ int advise(const AdviseOptions& options) {
   std::vector<StudyPoint> tried;
   for (const Trial& trial : found->trials) tried.push_back(point_of(trial));
   write(options, *prepared, point_of(found->chosen), tried,
-        fmt::format("reference: {}, good to {:.1e}", found->reference_in_words, found->agreement));
+        fmt::format("{}, good to {:.1e}", found->reference_in_words, found->agreement));
   return cli::k_ok;
 }
 

@@ -61,11 +61,11 @@ class TightSearch {
     const bool has_wider = engines_.of(wider) != nullptr;
     const double least = least_tolerance(number);
     for (tolerance_ = std::max(tolerance_, least);;) {
-      const RunInRows coarse = told(tight(number, tolerance_, k_other_parts));
+      const RunInRows coarse = told(tight(number, tolerance_, least_parts(prepared_).other));
       if (!failure_.empty()) return std::nullopt;
       const double finer = std::max(tolerance_ * k_tighter, least);
       const std::string& fine_number = has_wider ? wider : number;
-      const Setting setting = by_other_terms(tight(fine_number, finer, k_least_parts), prepared_);
+      const Setting setting = by_other_terms(tight(fine_number, finer, least_parts(prepared_).fine), prepared_);
       RunInRows fine = told(setting);
       if (!failure_.empty()) return std::nullopt;
       Yardstick yardstick(std::move(fine.rows), coarse.rows, prepared_.columns.columns, k_least_range,

@@ -60,7 +60,7 @@ std::string why_not_separable(const Problem<S>& problem) {
   if (watch.suits(problem.model, problem.t, problem.settings.step, start)) return {};
   const auto refused = gauss::integrate::refused_by_nystrom(problem.model, problem.t, start);
   if (refused.outcome != gauss::integrate::StepOutcome::unsuitable) return {};
-  return "it takes only models whose accelerations depend on coordinates alone; gauss_legendre4 is symmetric, too, and "
+  return "only models whose accelerations depend on coordinates alone suit it; gauss_legendre4 is symmetric, too, and "
          "takes any model";
 }
 

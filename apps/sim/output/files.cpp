@@ -27,8 +27,23 @@ void check_writable(const std::string& path) {
   if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0) cli::fail_on(path, std::strerror(errno));
 }
 
+namespace {
+
+/// By its ending, another kind of file is wanted.
+void refuse_other_formats(const std::string& csv) {
+  const std::filesystem::path path(csv);
+  for (const char* const ending : {".h5", ".hdf5", ".html", ".svg", ".xlsx", ".parquet", ".yaml"}) {
+    if (path.extension() == ending)
+      throw cli::UsageError(fmt::format("'{}' would be no {} file: tables are CSV, such as {}", csv, ending,
+                                        std::filesystem::path(csv).replace_extension(".csv").string()));
+  }
+}
+
+}  // namespace
+
 void check_outputs(const std::string& csv, const std::vector<std::string>& inputs) {
   if (csv == "-") return;
+  refuse_other_formats(csv);
   const std::string summary = summary_path(csv);
   if (summary == csv)
     throw cli::UsageError(fmt::format("'{}' is where the summary goes; the table is a CSV file", csv));

@@ -8,6 +8,7 @@
 #include "cli/files.hpp"
 #include "sim/output/files.hpp"
 #include "sim/run/jumps.hpp"
+#include "sim/run/setting.hpp"
 
 namespace gausssim {
 
@@ -36,6 +37,14 @@ std::string in_words(const Estimate& estimate, bool is_found) {
              : fmt::format("{} at most; two tighter runs agree to {} only", text, said(estimate.agreement->value));
 }
 
+/// Of forces that jump: nobody knows of those that act for less than a step of what the run is compared with.
+std::string what_is_seen(const PreparedModel& prepared) {
+  if (prepared.edge.empty()) return "";
+  double seen = prepared.span.duration / least_parts(prepared).fine;
+  if (prepared.scene.longest_step) seen = std::min(seen, *prepared.scene.longest_step);
+  return fmt::format("; of what acts for {} s or longer", said(seen));
+}
+
 /// Of motions that nobody can follow, or not with this tolerance.
 void warn_of_error(const Estimate& error, const cli::MessageOptions& messages) {
   constexpr double k_useless = 0.1;
@@ -50,6 +59,12 @@ void warn_of_error(const Estimate& error, const cli::MessageOptions& messages) {
           : fmt::format("the table is off by {:.2g} of the range of '{}': it is not this motion;", error.value,
                         error.output);
   cli::warn(what + " --error 1e-3 looks for a setting that is, or says that there is none", messages);
+}
+
+/// Of motions that end where steps of one length go on.
+void warn_of_no_error(const WhyNone& why, const cli::MessageOptions& messages) {
+  if (why.is_doubtful)
+    cli::warn(why.text + ", so that the table may be no motion of this model from there on", messages);
 }
 
 /// Who wrote the closed form had another motion in mind. `asked`: for an error, or 0.
@@ -97,8 +112,10 @@ void tell(const FinishedRun& finished) {
   if (found)
     text += fmt::format("  asked   for {} of the range; found by trying, against {}\n", said(*prepared.scene.error),
                         found->reference_in_words);
-  text += fmt::format("  error   {}\n", errors.estimate ? in_words(*errors.estimate, found.has_value())
-                                                        : "not estimated: " + errors.why_none);
+  text += fmt::format(
+      "  error   {}{}\n",
+      errors.estimate ? in_words(*errors.estimate, found.has_value()) : "not estimated: " + errors.why_none.text,
+      errors.estimate ? what_is_seen(prepared) : "");
   if (errors.from_closed_forms) text += fmt::format("  exact   off by {}\n", in_words(*errors.from_closed_forms));
   if (run.drift.has_energy)
     text += fmt::format("  energy  changes by {} J of {} J\n", said(run.drift.energy), said(run.drift.energy_scale));
@@ -114,6 +131,7 @@ int report_end(const FinishedRun& finished, bool has_new_rows, const cli::Messag
   const Simulated& run = finished.run;
   const auto& error = finished.errors.estimate;
   if (error && !finished.found) warn_of_error(*error, messages);
+  if (!error) warn_of_no_error(finished.errors.why_none, messages);
   warn_of_closed_forms(finished.errors, finished.found ? *finished.prepared.scene.error : 0, messages);
   if (finished.found && error && run.outcome == Outcome::running && !(error->value <= *finished.prepared.scene.error))
     return cli::fail(fmt::format("the run is off by {:.2e}, in {}", error->value, error->output), cli::k_not_delivered,

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "sim/run/setting.hpp"
-#include "sim/run/tighter_runs.hpp"
 
 namespace gausssim {
 
@@ -45,9 +44,9 @@ Estimate estimate_by(const Yardstick& yardstick, const Rows& rows, const Prepare
 }
 
 std::optional<Estimate> estimated(const PreparedModel& prepared, const Engine& engine, Engines& engines,
-                                  const Setting& setting, const Simulated& run, const Rows& rows, std::string& why) {
-  why = why_not_estimated(run);
-  if (!why.empty()) return std::nullopt;
+                                  const Setting& setting, const Simulated& run, const Rows& rows, WhyNone& why) {
+  why = {why_not_estimated(run)};
+  if (!why.text.empty()) return std::nullopt;
   const auto tight = tighter_runs(prepared, engine, engines, setting, run, rows, why);
   if (!tight) return std::nullopt;
   DeliveredError largest = larger(tight->error, of_times(tight->yardstick, prepared, setting));

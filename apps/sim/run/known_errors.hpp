@@ -8,6 +8,7 @@
 #include "sim/run/closed_form.hpp"
 #include "sim/run/engines.hpp"
 #include "sim/run/error_estimate.hpp"
+#include "sim/run/tighter_runs.hpp"
 
 namespace gausssim {
 
@@ -28,7 +29,7 @@ struct Estimate : DeliveredError {
 
 struct KnownErrors {
   std::optional<Estimate> estimate;
-  std::string why_none;  ///< of the estimate
+  WhyNone why_none;  ///< of the estimate
   std::optional<DeliveredError> from_closed_forms;
 };
 
@@ -38,7 +39,7 @@ Estimate estimate_by(const Yardstick& yardstick, const Rows& rows, const Prepare
 
 /// By tighter runs, and no less than what these differ by. Nothing, and `why`: they say nothing, or take too long.
 std::optional<Estimate> estimated(const PreparedModel& prepared, const Engine& engine, Engines& engines,
-                                  const Setting& setting, const Simulated& run, const Rows& rows, std::string& why);
+                                  const Setting& setting, const Simulated& run, const Rows& rows, WhyNone& why);
 
 DeliveredError from_closed_forms(const ClosedForms& forms, const PreparedModel& prepared, const Setting& setting,
                                  const Rows& rows);

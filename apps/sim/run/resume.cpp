@@ -88,10 +88,13 @@ void compare(const Json& summary, const std::string& file, const PreparedModel& 
   with.number("gain", setting.projection == Projection::gains ? setting.gain : 0);
   with.number("start", prepared.span.start);
   with.number("duration", prepared.span.duration);
-  const Json& resume = summary["resume"];
-  Comparison(file, resume).number("samples", static_cast<double>(prepared.span.samples));
-  if (resume.value("model", std::string()) != identity_of(prepared))
-    with.refuse("the model, or a value in it or in its start, has changed");
+  Comparison(file, summary["resume"]).number("samples", static_cast<double>(prepared.span.samples));
+}
+
+/// After columns: other ones may ask for other functions.
+void compare_models(const Json& summary, const std::string& file, const PreparedModel& prepared) {
+  if (summary["resume"].value("model", std::string()) != identity_of(prepared))
+    Comparison(file, summary).refuse("the model, or a value in it or in its start, has changed");
 }
 
 bool is_number(const std::string& text) {
@@ -124,11 +127,14 @@ void check_rows(std::string_view rows, const std::string& csv, std::size_t width
   }
 }
 
+void check_header(const std::string& table, const std::string& csv, const std::string& header) {
+  if (table.compare(0, header.size(), header) != 0)
+    throw cli::UsageError(fmt::format("--resume: '{}' has other columns than are asked for", csv));
+}
+
 /// The header and a row for each sample, and nothing else.
 void check_table(const std::string& table, const std::string& csv, const PreparedModel& prepared, long samples) {
   const std::string header = csv_header(prepared.columns.columns);
-  if (table.compare(0, header.size(), header) != 0)
-    throw cli::UsageError(fmt::format("--resume: '{}' has other columns than are asked for", csv));
   const auto lines = std::count(table.begin() + static_cast<std::ptrdiff_t>(header.size()), table.end(), '\n');
   if (lines != samples || table.back() != '\n')
     cli::fail_on(csv, fmt::format("it has {} rows where its summary says {}", lines, samples));
@@ -207,6 +213,9 @@ EarlierRun earlier_run_of(const Json& said, const std::string& csv, const std::s
                           const PreparedModel& prepared, const Setting& setting) {
   compare(said, summary, prepared, setting);
   EarlierRun earlier;
+  earlier.table = text_of_file(csv);
+  check_header(earlier.table, csv, csv_header(prepared.columns.columns));
+  compare_models(said, summary, prepared);
   const std::string outcome = said.value("outcome", std::string());
   earlier.is_finished = outcome == "finished";
   const bool can_go_on = outcome == "interrupted" || outcome == name(gauss::simulate::Outcome::too_many_steps);
@@ -217,7 +226,6 @@ EarlierRun earlier_run_of(const Json& said, const std::string& csv, const std::s
   const auto& last = earlier.run.last_state;
   const bool is_state = last.size() == prepared.model.size() && std::all_of(last.begin(), last.end(), is_number);
   if (!is_state || !is_sound(earlier.run, prepared.span, earlier.is_finished)) refuse_summary(summary);
-  earlier.table = text_of_file(csv);
   check_table(earlier.table, csv, prepared, earlier.run.samples);
   earlier.run.last_row = last_line(earlier.table);
   if (said["resume"].value("end", std::string()) != end_of(earlier.run.last_row, last))

@@ -125,7 +125,7 @@ class Run {
     };
     listeners.on_numbers = [&](long k, const std::vector<long double>& row) {
       rows_.set(k, row);
-      standstill.look(k);
+      if (choice_.setting.step <= 0) standstill.look(k);
     };
     return simulate(prepared_, *choice_.engine, choice_.setting, listeners, earlier_ ? &earlier_->run : nullptr);
   }
@@ -134,7 +134,7 @@ class Run {
   KnownErrors errors_of(const Simulated& run) {
     KnownErrors errors;
     if (earlier_) {
-      errors.why_none = "the run went on from an earlier one";
+      errors.why_none.text = "the run went on from an earlier one";
       return errors;
     }
     const auto& [setting, engine, found] = choice_;

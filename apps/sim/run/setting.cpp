@@ -1,6 +1,7 @@
 #include "sim/run/setting.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "gauss/integrate/taylor.hpp"
@@ -21,6 +22,15 @@ bool is_at_rounding(const Setting& setting) {
 }
 
 }  // namespace
+
+LeastParts least_parts(const PreparedModel& prepared) {
+  LeastParts parts;
+  if (prepared.edge.empty()) return parts;
+  constexpr double k_most = 20, k_operations = 2e6;  ///< of rates, in calls of a step
+  const double operations = std::max(prepared.operations, 1);
+  const double times = std::clamp(std::floor(k_operations / operations / parts.fine), 1.0, k_most);
+  return {times * parts.fine, times * parts.other};
+}
 
 std::string default_method(const PreparedModel& prepared, const Engine& engine, const std::string& number) {
   const bool has_series = static_cast<bool>(engine.find("series_begin", scalar_of(number)));

@@ -11,10 +11,15 @@ constexpr double k_default_tolerance = 1e-9;
 constexpr double k_default_steps = 10'000;  ///< of one length, in a run
 constexpr const char* k_method_of_any_model = "prince87";
 constexpr const char* k_method_of_edges = "dopri5";  ///< beside that: of forces that jump
-constexpr double k_least_parts =
-    1009;  ///< steps of a run that others are compared with: more than most samples, and no multiple of their number
 
-constexpr double k_other_parts = 499;  ///< likewise, of the other run, since a step of one may end where something acts
+/// Steps that a motion is divided into at least by runs that others are compared with.
+struct LeastParts {
+  double fine = 1009;  ///< more than most samples, and no multiple of their number
+  double other = 499;  ///< likewise, of the other run, since a step of one may end where something acts
+};
+
+/// More where a force jumps, since what acts for a short time has edges: as many as cost no more than some hundredths of a second.
+LeastParts least_parts(const PreparedModel& prepared);
 
 /// Series where the model has them.
 std::string default_method(const PreparedModel& prepared, const Engine& engine, const std::string& number);

@@ -67,7 +67,7 @@ std::string summary_of(const FinishedRun& finished) {
   if (errors.estimate)
     json["error_estimate"] = estimate_json(*errors.estimate);
   else
-    json["not_estimated"] = errors.why_none;
+    json["not_estimated"] = errors.why_none.text;
   if (const auto& error = errors.from_closed_forms)
     json["from_closed_forms"] = {{"relative", error->value}, {"output", error->output}};
   if (found) json["asked_for"] = asked_json(*found, *prepared.scene.error);

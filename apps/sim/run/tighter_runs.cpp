@@ -42,14 +42,14 @@ class Tightening {
     begin();
   }
 
-  std::optional<TighterRuns> look(std::string& why) {
+  std::optional<TighterRuns> look(WhyNone& why) {
     const TimeLimit limit(most_seconds());
     const Setting first = setting_;
     (void)tighten();  // beside the first, another one in any case
     std::future<RunInRows> next = begun(setting_), nudged = begun_nudged();
     RunInRows tight = made(*engine_, first);
     why = why_no_yardstick(tight.run);
-    if (!why.empty()) return std::nullopt;
+    if (!why.text.empty()) return std::nullopt;
     TighterRuns result{yardstick_of(std::move(tight.rows), rows_), {}, std::nullopt, {}};
     result.error = result.yardstick.error_of(rows_);
     for (;;) {
@@ -107,7 +107,7 @@ class Tightening {
     if (setting_.tolerance > 0) {
       setting_.tolerance *= tighter();
       // What acts for a short time may lie within a step of both.
-      const double longest = std::min(k_shorter * taken, duration / k_least_parts);
+      const double longest = std::min(k_shorter * taken, duration / least_parts(prepared_).fine);
       double& given = setting_.longest_step;
       given = given > 0 ? std::min(k_shorter * given, longest) : longest;
     }
@@ -138,13 +138,14 @@ class Tightening {
   }
 
   /// Empty: it says something of errors.
-  std::string why_no_yardstick(const Simulated& tight) const {
-    if (Interruption::is_asked_for()) return "interrupted while a tighter run was made";
-    if (tight.steps == run_.steps && tight.calls == run_.calls) return "a tighter run takes the same steps";
-    if (arrives(tight)) return "";
-    return tight.outcome == Outcome::interrupted
-               ? fmt::format("a tighter run takes {} times as long and more", k_longer)
-               : std::string("a tighter run stops before: ") + gauss::simulate::name(tight.outcome);
+  WhyNone why_no_yardstick(const Simulated& tight) const {
+    if (Interruption::is_asked_for()) return {"interrupted while a tighter run was made"};
+    if (tight.steps == run_.steps && tight.calls == run_.calls) return {"a tighter run takes the same steps"};
+    if (arrives(tight)) return {};
+    if (tight.outcome == Outcome::interrupted)
+      return {fmt::format("a tighter run takes {} times as long and more", k_longer)};
+    return {fmt::format("a tighter run stops at t = {:.6g}: {}", tight.reached, gauss::simulate::name(tight.outcome)),
+            true};
   }
 
   Yardstick yardstick_of(Rows rows, const Rows& other) const {
@@ -166,8 +167,7 @@ class Tightening {
 }  // namespace
 
 std::optional<TighterRuns> tighter_runs(const PreparedModel& prepared, const Engine& engine, Engines& engines,
-                                        const Setting& setting, const Simulated& run, const Rows& rows,
-                                        std::string& why) {
+                                        const Setting& setting, const Simulated& run, const Rows& rows, WhyNone& why) {
   return Tightening(prepared, engine, engines, setting, run, rows).look(why);
 }
 

@@ -18,9 +18,14 @@ struct TighterRuns {
   DeliveredError rounding;                  ///< of the run: what it differs by from one whose values differ by theirs
 };
 
+/// Of an estimate.
+struct WhyNone {
+  std::string text;
+  bool is_doubtful = false;  ///< whether the run is one of the model at all, as where a tighter one stops before
+};
+
 /// Of a run with its rows, by the engine of its setting. Nothing, and `why`: no tighter run is another one, or arrives within some times what the run took.
 std::optional<TighterRuns> tighter_runs(const PreparedModel& prepared, const Engine& engine, Engines& engines,
-                                        const Setting& setting, const Simulated& run, const Rows& rows,
-                                        std::string& why);
+                                        const Setting& setting, const Simulated& run, const Rows& rows, WhyNone& why);
 
 }  // namespace gausssim

@@ -36,7 +36,10 @@ class GridMaker {
 
   std::vector<Candidate> all() {
     for (const std::string& method : options_.only) add(0, *find_method(method), "double", default_projection(method));
-    if (!options_.only.empty()) return std::move(all_);
+    if (!options_.only.empty()) {
+      give_until(1);
+      return std::move(all_);
+    }
     const std::vector<std::string> usual = usual_methods();
     for (std::size_t form = 0; form < forms_.size(); ++form)
       for (const std::string& method : usual) add(form, *find_method(method), "double", default_projection(method));
@@ -54,13 +57,23 @@ class GridMaker {
     for (const auto& [word, how] : k_projections)
       for (const std::string& method : usual)
         if (how != default_projection(method)) add(0, *find_method(method), "double", how);
+    give_until(1);
     return std::move(all_);
   }
 
  private:
-  /// Of what has no share yet.
+  /// What has been added since the last time may run until then: the loosest setting of each first, so that none goes without for what tight ones of others take.
   void give_until(double share) {
-    for (; given_ < all_.size(); ++given_) all_[given_].share_of_time = share;
+    std::size_t most = 0;
+    for (const auto& row : rows_) most = std::max(most, row.size());
+    for (std::size_t i = 0; i < most; ++i) {
+      for (const auto& row : rows_) {
+        if (i >= row.size()) continue;
+        all_.push_back(row[i]);
+        all_.back().share_of_time = share;
+      }
+    }
+    rows_.clear();
   }
 
   /// The default of this model, and that of any model.
@@ -77,20 +90,21 @@ class GridMaker {
     candidate.setting.method = method.name;
     candidate.setting.number = number;
     candidate.setting.projection = projection;
+    std::vector<Candidate>& row = rows_.emplace_back();
     if (!method.takes_step) candidate.setting.longest_step = forms_[form].model.scene.longest_step.value_or(0);
     if (method.takes_step) {
       const double duration = forms_[form].model.span.duration;
       for (const double step : between(duration / k_fewest_steps, duration / k_most_steps, 2)) {
         candidate.setting.step = step;
-        all_.push_back(candidate);
+        row.push_back(candidate);
       }
       return;
     }
     for (const double tolerance : between(options_.loosest, tightest(method.name, number), options_.per_decade)) {
       if (tolerance < least_tolerance(number) * (1 - k_rounding_of_powers)) return;
       candidate.setting.tolerance = tolerance;
-      all_.push_back(candidate);
-      all_.back().is_default = is_default(all_.back());
+      row.push_back(candidate);
+      row.back().is_default = is_default(candidate);
     }
   }
 
@@ -111,8 +125,8 @@ class GridMaker {
 
   const std::vector<Form>& forms_;
   const GridOptions& options_;
+  std::vector<std::vector<Candidate>> rows_;  ///< of one method each, from loose to tight
   std::vector<Candidate> all_;
-  std::size_t given_ = 0;
 };
 
 }  // namespace

@@ -71,8 +71,9 @@ std::array<Setting, 2> tight_settings(const PreparedModel& model, const Engine& 
   Setting fine, other;
   fine.number = other.number = "float128";
   fine.method = other.method = default_method(model, engine, fine.number);
-  fine.longest_step = lengthened * model.span.duration / k_least_parts;
-  other.longest_step = lengthened * model.span.duration / k_other_parts;
+  const LeastParts parts = least_parts(model);
+  fine.longest_step = lengthened * model.span.duration / parts.fine;
+  other.longest_step = lengthened * model.span.duration / parts.other;
   for (Setting* const one : {&fine, &other})
     if (model.scene.longest_step) one->longest_step = std::min(one->longest_step, *model.scene.longest_step);
   if (fine.method == "taylor") {

@@ -22,25 +22,39 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
+/// All that differs in tolerances or steps alone.
+std::string row_of(const Candidate& candidate) {
+  return fmt::format("{} {} {} {}", candidate.form, candidate.setting.method, candidate.setting.number,
+                     static_cast<int>(candidate.setting.projection));
+}
+
 /// What a run of a method may take, from that of the one before it, which was looser: an estimate on the safe side.
 class Forecast {
  public:
   double of(const Candidate& candidate) const {
-    const auto found = last_.find(key(candidate));
+    const auto found = last_.find(row_of(candidate));
     return found == last_.end() ? 0 : 4 * found->second;
   }
-  void note(const Point& point) { last_[key(point.candidate)] = point.time; }
+  void note(const Candidate& candidate, double seconds) { last_[row_of(candidate)] = seconds; }
 
  private:
-  static std::string key(const Candidate& candidate) {
-    return fmt::format("{} {} {} {}", candidate.form, candidate.setting.method, candidate.setting.number,
-                       static_cast<int>(candidate.setting.projection));
-  }
-
   std::map<std::string, double> last_;
 };
 
-constexpr double k_least_runs = 40;  ///< no run takes more of the time than this part
+/// As a table has them: row by row, each from loose to tight.
+void number_in_rows(std::vector<Point>& points) {
+  std::map<std::string, std::size_t> rows;
+  for (const Point& point : points) rows.emplace(row_of(point.candidate), rows.size());
+  std::stable_sort(points.begin(), points.end(), [&](const Point& a, const Point& b) {
+    return rows.at(row_of(a.candidate)) < rows.at(row_of(b.candidate));
+  });
+  int id = 0;
+  for (Point& point : points) point.id = ++id;
+}
+
+/// No run takes more of the time than this part, and none is made again once its repeats have.
+constexpr double k_least_runs = 40;
+constexpr double k_least_first_runs = 10;  ///< of which nothing is known before
 
 class Solver {
  public:
@@ -79,6 +93,7 @@ class Solver {
     compare_forms();
     begin_ = Clock::now();
     measure_all();
+    number_in_rows(problem_.points);
     mark_front(problem_.points);
     if (problem_.points.empty()) throw_if_ended();
   }
@@ -135,8 +150,20 @@ class Solver {
       bar.show(static_cast<double>(problem_.points.size()) / static_cast<double>(all.size()), problem_.name);
       Point point = measured(candidate, forecast);
       if (Interruption::is_asked_for()) return;
-      point.id = static_cast<int>(problem_.points.size()) + 1;
       problem_.points.push_back(std::move(point));
+    }
+    measure_in_time_left(forecast);
+  }
+
+  /// Those whose share was over, in what others have left of theirs.
+  void measure_in_time_left(Forecast& forecast) {
+    for (Point& point : problem_.points) {
+      if (point.why != k_beyond_time || point.candidate.share_of_time >= 1) continue;
+      Candidate candidate = point.candidate;
+      candidate.share_of_time = 1;
+      Point again = measured(candidate, forecast);
+      if (Interruption::is_asked_for()) return;
+      point = std::move(again);
     }
   }
 
@@ -151,9 +178,11 @@ class Solver {
       point.why = k_beyond_time;
     if (!point.why.empty()) return point;
     Effort effort;
-    effort.limit = left;
+    effort.limit = std::min(left, options_.budget / k_least_first_runs);
+    effort.longest = options_.budget / k_least_runs;
     point = measure(form.model, *form.engine, candidate, problem_.reference, effort);
-    if (point.status == PointStatus::ok) forecast.note(point);
+    if (point.status == PointStatus::ok) forecast.note(candidate, point.time);
+    if (point.why == k_beyond_time) forecast.note(candidate, effort.limit);
     return point;
   }
 

@@ -11,7 +11,11 @@ const listed = (parts) => parts.filter(([count]) => count > 0).map(([count, word
 const withoutResult = ({stopped, unknown}) => listed([[stopped, 'stopped on the way'], [unknown, 'have an error that nobody knows']]);
 
 /** @param {Tally} tally */
-export const whyUnmade = ({late, unfit}) => listed([[late, 'had no time'], [unfit, 'do not suit the model']]);
+export function whyUnmade({late, unfit}) {
+  const reasons = /** @type {[number, string][]} */ ([[late, 'for want of time'], [unfit, 'as they do not suit the model']]);
+  const given = reasons.filter(([count]) => count > 0);
+  return given.length === 1 ? given[0][1] : listed(given);
+}
 
 /** @param {Tally} tally */
 export function runsInWords(tally) {

@@ -52,7 +52,7 @@ export class MotionView {
 
   reactionList() {
     const cut = this.scale.isCut ? el('p', {class: 'note cut'}, `Arrows of more than ${plain(this.scale.longest / this.scale.perForce, 2)} ${this.largest?.unit ?? ''} would leave the picture: they are cut, and have two heads.`) : null;
-    return this.largest ? el('div', {}, el('h4', {}, 'Reactions now'), this.values, cut) : el('p', {class: 'note'}, 'No reactions are recorded.');
+    return this.largest ? el('div', {}, el('h4', {}, 'Reactions now'), this.values, cut) : el('p', {class: 'note'}, 'No reaction is known as a force on a body, so that none is drawn.');
   }
 
   /** A floor on which something goes along lies still; below what climbs or falls far it goes with it. */

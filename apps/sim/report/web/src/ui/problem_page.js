@@ -35,7 +35,7 @@ export class ProblemPage {
   motionSection(problem) {
     if (!this.motion) return el('section', {class: 'figure', 'data-chart': 'motion'}, this.motionHeading, el('p', {class: 'empty'}, 'No motion is recorded.'));
     const largest = largestReaction(/** @type {any} */ (problem.motion));
-    const takeaway = largest ? `Largest reaction that is drawn: ${largest.name}, ${plain(largest.value)} ${largest.unit} at ${plain(largest.time)} s.` : 'No reactions are recorded.';
+    const takeaway = largest ? `Largest reaction that is drawn: ${largest.name}, ${plain(largest.value)} ${largest.unit} at ${plain(largest.time)} s.` : 'No reaction is known as a force on a body, so that none is drawn.';
     return el('section', {class: 'figure', 'data-chart': 'motion'}, this.motionHeading,
       el('p', {class: 'about'}, 'The run itself. Arrows are reactions, on the body that is named: those that are known as forces on a body.'), el('p', {class: 'takeaway'}, takeaway), this.motion.element);
   }
