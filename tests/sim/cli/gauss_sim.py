@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import os
 import signal
 import subprocess
@@ -44,6 +45,27 @@ coordinates: {x: {initial: 0, initial_rate: 0}}
 particles: {p: {mass: m, position: [x, 0, 0]}}
 forces: {push: {generalized: {x: "exp(-((t - 3.3)/w)^2)"}}}
 """
+
+# A weight on a spring that is hit for 1.4 ms each second, at its quarter.
+HAMMER = """gauss: 1
+name: hammer
+parameters: {m: 2, k: 30, c: 0.3, F: 500, th: 0.99999, x0: 0.01}
+coordinates: {x: {initial: x0}}
+particles: {p: {mass: m, position: [x, 0, 0]}}
+forces: {s: {generalized: {x: "-k*x - c*dot(x) + piecewise(sin(2*pi*t) > th, F, 0)"}}}
+"""
+
+
+def hammered(t, blows=10):
+    """Where it is: what is left of the start, and the answers to steps of the force, up and down again."""
+    d, stiffness, force, half = 0.3 / 4, 30, 500, math.acos(0.99999) / (2 * math.pi)
+    w = math.sqrt(stiffness / 2 - d * d)
+
+    def left(t):
+        return math.exp(-d * t) * (math.cos(w * t) + d / w * math.sin(w * t)) if t > 0 else 1
+
+    edges = [(sign, n + 0.25 + sign * half) for n in range(blows) for sign in (-1, 1)]
+    return 0.01 * left(t) - sum(sign * force / stiffness * (1 - left(t - edge)) for sign, edge in edges)
 
 
 class Program(unittest.TestCase):

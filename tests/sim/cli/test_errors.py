@@ -8,7 +8,7 @@ import subprocess
 import time
 import unittest
 
-from gauss_sim import MODELS, PROGRAM, SPRING, Program
+from gauss_sim import HAMMER, MODELS, PROGRAM, SPRING, Program, hammered
 
 # Unstable, and started on the way that decays: x = e^(-t/10), where rounding the start of -1/10 alone is 4e-5 in the end.
 UNSTABLE = """gauss: 1
@@ -90,6 +90,21 @@ class Errors(Program):
         self.write("pulse.yaml", PULSE)
         self.ok("run", "pulse.yaml", "--error", "1e-6", "--outputs", "x", "--samples", "2", "-q")
         self.assertAlmostEqual(self.table("pulse.csv")["x [m]"][-1], 2 * 0.2 * 3.7, delta=1.5e-6)
+
+    def test_what_acts_for_a_ten_thousandth_of_the_time_is_seen_where_forces_jump(self):
+        self.write("hammer.yaml", HAMMER)
+
+        def off(name):
+            table = self.table(f"{name}.csv")
+            return max(abs(x - hammered(t)) for t, x in zip(table["t [s]"], table["x [m]"])) / (max(table["x [m]"]) - min(table["x [m]"]))
+
+        for asked in (1e-3, 1e-6):
+            self.ok("run", "hammer.yaml", "--error", asked, "--outputs", "x", "--samples", "11", "-q")
+            self.assertLess(off("hammer"), asked)
+        said = self.ok("run", "hammer.yaml", "--outputs", "x", "--samples", "11", "-o", "plain.csv")
+        self.assertGreater(off("plain"), 0.5)
+        self.assertGreater(self.summary("plain.json")["error_estimate"]["relative"], off("plain") / 2)
+        self.assertRegex(said, r"(?m)^  error   .*; of what acts for 0\.000\d+ s or longer$")
 
     def test_what_rests_is_set_moving_wherever_samples_and_steps_fall(self):
         self.write("pulse.yaml", PULSE)

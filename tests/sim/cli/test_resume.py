@@ -133,6 +133,9 @@ class Resuming(Program):
             words = [word for pair in {**usual, option: value}.items() for word in pair]
             self.assertIn(said, self.refused(2, "run", "spring.yaml", "--resume", *words), option)
         self.assertEqual((self.folder / "spring.csv").read_bytes(), before)
+        with self.subTest("columns of other functions are other columns, and no other model"):
+            said = self.refused(2, "run", "spring.yaml", "--resume", *BY_STEPS, "--outputs", "x,accelerations")
+            self.assertIn("other columns", said)
         self.write("spring.yaml", SPRING.replace("value: 8", "value: 9"))
         self.assertIn("has changed", self.refused(2, "run", "spring.yaml", "--resume", *BY_STEPS))
 

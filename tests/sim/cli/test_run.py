@@ -171,6 +171,16 @@ class Writing(Program):
                 if why:
                     self.assertIn(why, said)
 
+    def test_motions_that_end_where_steps_of_one_length_go_on_have_a_warning(self):
+        """A fall into the centre ends after pi / (2 sqrt(2)) s."""
+        self.write("fall.yaml", "gauss: 1\nname: fall\nparameters: {m: 1, k: 1}\ncoordinates: {x: {initial: 1}}\n"
+                   "particles: {p: {mass: m, position: [x, 0, 0]}}\nforces: {pull: {generalized: {x: -k*x/abs(x)^3}}}\n")
+        result = self.run_it("run", "fall.yaml", "--method", "rk4", "--duration", "4", "-q")
+        self.assertEqual(result.returncode, 0)
+        end = re.search(r"warning: a tighter run stops at t = (\S+): .*, so that the table may be no motion of this model", result.stderr)
+        self.assertAlmostEqual(float(end[1]), math.pi / math.sqrt(8), delta=1e-3)
+        self.assertNotIn("tighter run", self.run_it("run", "fall.yaml", "--method", "rk4", "--duration", "1", "-q").stderr)
+
     def test_components_of_reactions_have_the_units_of_their_speeds(self):
         self.ok("run", MODELS / "rolling_disc.yaml", "--outputs", "reactions,poses", "--duration", "0.01", "--samples", "2", "-q", "-o", "disc.csv")
         heads = list(self.table("disc.csv"))
@@ -578,6 +588,12 @@ class Writing(Program):
         lines = self.ok("run", "spring.yaml", "-o", "-", "--samples", "3").splitlines()
         self.assertEqual(len(lines), 4)
         self.assertEqual(self.files(), ["spring.yaml"])
+
+    def test_tables_are_no_files_of_other_formats(self):
+        self.write("spring.yaml", SPRING)
+        for ending in ("h5", "hdf5", "svg"):
+            said = self.refused(2, "run", "spring.yaml", "-o", f"table.{ending}")
+            self.assertIn(f"'table.{ending}' would be no .{ending} file: tables are CSV, such as table.csv", said)
 
     def test_outputs_take_the_place_of_tables_alone(self):
         before = (self.folder / "spring.yaml").read_bytes()

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import jsonschema
 
-from gauss_sim import MODELS, PROGRAM, PUSHED, Program, SLIDE, SPRING
+from gauss_sim import HAMMER, MODELS, PROGRAM, PUSHED, Program, SLIDE, SPRING, hammered
 
 SCHEMA = jsonschema.Draft7Validator(json.loads((Path(os.environ["GAUSS_SOURCE_DIR"]) / "apps/sim/report/study.schema.json").read_text(encoding="utf-8")))
 
@@ -88,6 +88,13 @@ class Files(Program):
             _, points = self.study_of(PUSHED, "longest_step: 0.01\n")
             self.assertLess(points["taylor", 1e-3]["error"], 1e-2)
             self.assertGreaterEqual(min(p["steps"] for p in points.values()), 1000)
+
+    def test_a_reference_sees_what_jumps_for_a_ten_thousandth_of_the_time(self):
+        problem, points = self.study_of(HAMMER)
+        self.assertLess(problem["reference"]["agreement"], 1e-8)
+        motion = [hammered(10 * i / 1000) for i in range(1001)]
+        self.assertAlmostEqual(problem["outputs"][0]["range"], max(motion) - min(motion), delta=1e-6)
+        self.assertGreater(points["prince87", 1e-3]["error"], 0.1)  # it steps over blows
 
     def test_a_reference_sees_where_a_force_jumps(self):
         """Extrapolation steps over the stop, in any number of digits."""
@@ -277,6 +284,20 @@ class Formulations(Program):
             with self.subTest("what is left out says why", budget=budget):
                 self.assertIn("beyond the time that the study was given", {p["why"] for p in problem["points"] if p["status"] == "refused"})
         self.assertGreater(most, 3)
+
+    def test_no_method_goes_without_for_what_tight_settings_of_others_take(self):
+        self.write("spring.yaml", SPRING)
+        problem = self.study("gauss: 1\nscene: swing\nmodel: spring.yaml\noutputs: [x]\nduration: 10\n", "--budget", 12)
+        without = {}
+        for point in problem["points"]:
+            is_late = point["why"] == "beyond the time that the study was given"
+            without.setdefault(point["method"], []).append(is_late)
+        self.assertGreater(len(without), 20)
+        self.assertEqual([method for method, are_late in without.items() if all(are_late)], [])
+        with self.subTest("rows stand together, from loose to tight"):
+            rows = [(p["method"], p["number"], p["projection"]) for p in problem["points"]]
+            self.assertEqual(len(set(rows)), 1 + sum(a != b for a, b in zip(rows, rows[1:])))
+            self.assertEqual([p["id"] for p in problem["points"]], list(range(1, len(rows) + 1)))
 
     def test_closed_forms(self):
         self.write("spring.yaml", SPRING)
