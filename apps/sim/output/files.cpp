@@ -32,7 +32,7 @@ namespace {
 /// By its ending, another kind of file is wanted.
 void refuse_other_formats(const std::string& csv) {
   const std::filesystem::path path(csv);
-  for (const char* const ending : {".h5", ".hdf5", ".html", ".svg", ".xlsx", ".parquet", ".yaml"}) {
+  for (const char* const ending : {".h5", ".hdf5", ".html", ".svg", ".xlsx", ".parquet"}) {
     if (path.extension() == ending)
       throw cli::UsageError(fmt::format("'{}' would be no {} file: tables are CSV, such as {}", csv, ending,
                                         std::filesystem::path(csv).replace_extension(".csv").string()));

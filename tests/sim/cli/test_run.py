@@ -3,6 +3,7 @@
 import csv
 import math
 import os
+import re
 import subprocess
 import unittest
 
