@@ -16,6 +16,7 @@ import {size} from './vectors.js';
 const k_turn = 0.09;        // radians for a key
 const k_travels = 3;        // times its own size, and a mechanism may be followed
 const k_gets_lost = 4;      // and it is followed from the beginning
+const k_rounding = 1e-12;    // of the largest reaction
 const k_paper = /** @type {[number, number]} */ ([460, 256]);
 
 export class MotionView {
@@ -143,11 +144,16 @@ export class MotionView {
     return (this.motion.bodies ?? []).map(({position}) => /** @type {Vector[]} */ ((position ?? []).slice(0, last + 1).filter(isVector)));
   }
 
+  /** What rounding leaves of a force is none. @param {number} force */
+  strength(force) {
+    return force < k_rounding * (this.largest?.value ?? 0) ? '0' : fixed(force);
+  }
+
   /** @param {import('./frames.js').Frame} frame */
   say(frame) {
     const rows = (this.motion.reactions ?? []).map(({name, body, unit}, i) => {
       const reaction = frame.reactions[i];
-      return [body ? `${name} on ${body}` : name, reaction ? `${fixed(size(reaction.force))} ${unit ?? ''}` : 'not known'];
+      return [body ? `${name} on ${body}` : name, reaction ? `${this.strength(size(reaction.force))} ${unit ?? ''}` : 'not known'];
     });
     this.values.replaceChildren(...rows.flatMap(([name, value]) => [el('dt', {}, name), el('dd', {}, value)]));
   }
