@@ -65,6 +65,8 @@ std::string function_with_edge(const model::Model& of) {
   return edges.hardest();
 }
 
+bool is_jump(const std::string& function) { return function == "sign" || function == "piecewise"; }
+
 std::string hint_for_edge(const std::string& function) {
   return fmt::format(
       "steps become short where a force has a jump or a kink, as by {}(...), above all where a motion sticks there: "

@@ -7,6 +7,7 @@
 #include "gauss/integrate/taylor.hpp"
 #include "sim/model/layout.hpp"
 #include "sim/run/build_engine.hpp"
+#include "sim/run/jumps.hpp"
 
 namespace gausssim {
 
@@ -25,7 +26,7 @@ bool is_at_rounding(const Setting& setting) {
 
 LeastParts least_parts(const PreparedModel& prepared) {
   LeastParts parts;
-  if (prepared.edge.empty()) return parts;
+  if (!is_jump(prepared.edge)) return parts;
   constexpr double k_most = 20, k_operations = 2e6;  ///< of rates, in calls of a step
   const double operations = std::max(prepared.operations, 1);
   const double times = std::clamp(std::floor(k_operations / operations / parts.fine), 1.0, k_most);

@@ -96,7 +96,8 @@ class Errors(Program):
 
         def off(name):
             table = self.table(f"{name}.csv")
-            return max(abs(x - hammered(t)) for t, x in zip(table["t [s]"], table["x [m]"])) / (max(table["x [m]"]) - min(table["x [m]"]))
+            times, places = table.values()
+            return max(abs(x - hammered(t)) for t, x in zip(times, places)) / (max(places) - min(places))
 
         for asked in (1e-3, 1e-6):
             self.ok("run", "hammer.yaml", "--error", asked, "--outputs", "x", "--samples", "11", "-q")

@@ -90,7 +90,7 @@ class Files(Program):
             self.assertGreaterEqual(min(p["steps"] for p in points.values()), 1000)
 
     def test_a_reference_sees_what_jumps_for_a_ten_thousandth_of_the_time(self):
-        problem, points = self.study_of(HAMMER)
+        problem, points = self.study_of(HAMMER, "samples: 1001\n")
         self.assertLess(problem["reference"]["agreement"], 1e-8)
         motion = [hammered(10 * i / 1000) for i in range(1001)]
         self.assertAlmostEqual(problem["outputs"][0]["range"], max(motion) - min(motion), delta=1e-6)
@@ -295,7 +295,7 @@ class Formulations(Program):
         self.assertGreater(len(without), 20)
         self.assertEqual([method for method, are_late in without.items() if all(are_late)], [])
         with self.subTest("rows stand together, from loose to tight"):
-            rows = [(p["method"], p["number"], p["projection"]) for p in problem["points"]]
+            rows = [tuple(p[key] for key in ("formulation", "code", "method", "number", "projection")) for p in problem["points"]]
             self.assertEqual(len(set(rows)), 1 + sum(a != b for a, b in zip(rows, rows[1:])))
             self.assertEqual([p["id"] for p in problem["points"]], list(range(1, len(rows) + 1)))
 
