@@ -18,7 +18,7 @@ struct LeastParts {
   double other = 499;  ///< likewise, of the other run, since a step of one may end where something acts
 };
 
-/// More where a force jumps, since what acts for a short time has edges: as many as cost no more than some hundredths of a second.
+/// More where a force jumps, since what acts for a short time has edges: as many as compiled rates are called for in some hundredths of a second.
 LeastParts least_parts(const PreparedModel& prepared);
 
 /// Series where the model has them.

@@ -18,10 +18,10 @@ struct TighterRuns {
   DeliveredError rounding;                  ///< of the run: what it differs by from one whose values differ by theirs
 };
 
-/// Of an estimate.
+/// Why there is no estimate.
 struct WhyNone {
   std::string text;
-  bool is_doubtful = false;  ///< whether the run is one of the model at all, as where a tighter one stops before
+  bool is_doubtful = false;  ///< the run may be none of the model at all, as where a tighter one stops before
 };
 
 /// Of a run with its rows, by the engine of its setting. Nothing, and `why`: no tighter run is another one, or arrives within some times what the run took.
