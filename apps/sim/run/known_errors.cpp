@@ -12,8 +12,6 @@ namespace gausssim {
 
 namespace {
 
-constexpr double k_long_run = 5;  ///< seconds; not made again unless somebody asks
-
 /// Why no tighter run is made; empty: one is.
 std::string why_not_estimated(const Simulated& run) {
   if (run.was_interrupted) return "the run was interrupted";
@@ -44,10 +42,11 @@ Estimate estimate_by(const Yardstick& yardstick, const Rows& rows, const Prepare
 }
 
 std::optional<Estimate> estimated(const PreparedModel& prepared, const Engine& engine, Engines& engines,
-                                  const Setting& setting, const Simulated& run, const Rows& rows, WhyNone& why) {
+                                  const Setting& setting, const Simulated& run, const Rows& rows,
+                                  std::future<RunInRows> nudged, WhyNone& why) {
   why = {why_not_estimated(run)};
   if (!why.text.empty()) return std::nullopt;
-  const auto tight = tighter_runs(prepared, engine, engines, setting, run, rows, why);
+  const auto tight = tighter_runs(prepared, engine, engines, setting, run, rows, std::move(nudged), why);
   if (!tight) return std::nullopt;
   DeliveredError largest = larger(tight->error, of_times(tight->yardstick, prepared, setting));
   if (tight->agreement) largest = larger(largest, *tight->agreement);

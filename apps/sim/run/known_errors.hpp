@@ -37,9 +37,12 @@ struct KnownErrors {
 Estimate estimate_by(const Yardstick& yardstick, const Rows& rows, const PreparedModel& prepared,
                      const Setting& setting);
 
-/// By tighter runs, and no less than what these differ by. Nothing, and `why`: they say nothing, or take too long.
+constexpr double k_long_run = 5;  ///< seconds; not made again unless somebody asks
+
+/// By tighter runs, and no less than what these differ by. `nudged`: of begin_nudged(), or none. Nothing, and `why`: they say nothing, or take too long.
 std::optional<Estimate> estimated(const PreparedModel& prepared, const Engine& engine, Engines& engines,
-                                  const Setting& setting, const Simulated& run, const Rows& rows, WhyNone& why);
+                                  const Setting& setting, const Simulated& run, const Rows& rows,
+                                  std::future<RunInRows> nudged, WhyNone& why);
 
 DeliveredError from_closed_forms(const ClosedForms& forms, const PreparedModel& prepared, const Setting& setting,
                                  const Rows& rows);

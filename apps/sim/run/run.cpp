@@ -60,6 +60,8 @@ class Run {
       return cli::k_ok;
     }
     CsvFile file(csv_);
+    if (!earlier_ && !choice_.found)
+      nudged_ = begin_nudged(prepared_, *choice_.engine, choice_.setting, 1.5 * k_long_run);
     const Simulated run = write_rows(file);
     // There was no motion at all, so there is no table of one.
     if (!run.why.empty() && run.samples == 0) {
@@ -138,8 +140,9 @@ class Run {
       return errors;
     }
     const auto& [setting, engine, found] = choice_;
-    errors.estimate = found ? estimate_by(found->reference, rows_, prepared_, setting)
-                            : estimated(prepared_, *engine, engines_, setting, run, rows_, errors.why_none);
+    errors.estimate =
+        found ? estimate_by(found->reference, rows_, prepared_, setting)
+              : estimated(prepared_, *engine, engines_, setting, run, rows_, std::move(nudged_), errors.why_none);
     if (const ClosedForms forms(prepared_); forms.are_there())
       errors.from_closed_forms = from_closed_forms(forms, prepared_, setting, rows_);
     return errors;
@@ -152,6 +155,7 @@ class Run {
   Choice choice_;
   std::optional<EarlierRun> earlier_;
   Rows rows_{0, 0};
+  std::future<RunInRows> nudged_;  ///< beside the run
 };
 
 }  // namespace

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <future>
 
-#include "sim/run/in_rows.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/setting.hpp"
 
@@ -25,13 +23,23 @@ constexpr double k_of_steps = 1e-9;  ///< nobody knows the tolerance of these
 constexpr int k_longer = 20;         ///< times what the run took; then tighter ones are given up
 constexpr double k_least_limit = 2;  ///< s
 
+/// Beside other runs, if there is the memory for all of them; else when it is asked for.
+std::future<RunInRows> begun(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
+                             double seconds) {
+  constexpr std::size_t k_many = 10'000'000;  ///< numbers of a table
+  const bool is_large = static_cast<std::size_t>(prepared.span.samples) * prepared.columns.columns.size() > k_many;
+  return std::async(is_large ? std::launch::deferred : std::launch::async, [&prepared, &engine, setting, seconds] {
+    const TimeLimit limit(seconds);
+    return in_rows(prepared, *engine.another(), setting, Meter::none);
+  });
+}
+
 class Tightening {
  public:
   Tightening(const PreparedModel& prepared, const Engine& engine, Engines& engines, const Setting& setting,
              const Simulated& run, const Rows& rows)
       : prepared_(prepared),
         engine_(&engine),
-        given_(setting),
         setting_(setting),
         run_(run),
         rows_(rows),
@@ -42,56 +50,42 @@ class Tightening {
     begin();
   }
 
-  std::optional<TighterRuns> look(WhyNone& why) {
+  std::optional<TighterRuns> look(std::future<RunInRows> nudged, WhyNone& why) {
     const TimeLimit limit(most_seconds());
     const Setting first = setting_;
     (void)tighten();  // beside the first, another one in any case
-    std::future<RunInRows> next = begun(setting_), nudged = begun_nudged();
-    RunInRows tight = made(*engine_, first);
+    std::future<RunInRows> next = begun();
+    RunInRows tight = in_rows(prepared_, *engine_, first, Meter::none);
+    tight.rows.keep(rows_.samples());
     why = why_no_yardstick(tight.run);
     if (!why.text.empty()) return std::nullopt;
     TighterRuns result{yardstick_of(std::move(tight.rows), rows_), {}, std::nullopt, {}};
     result.error = result.yardstick.error_of(rows_);
     for (;;) {
-      RunInRows tighter = next.get();
+      RunInRows tighter = arrived(next);
       if (!arrives(tighter.run)) break;
       Yardstick yardstick = yardstick_of(std::move(tighter.rows), result.yardstick.rows());
       result.agreement = yardstick.error_of(result.yardstick.rows());
       result.yardstick = std::move(yardstick);
       result.error = result.yardstick.error_of(rows_);
       if (result.agreement->value <= k_agree * result.error.value || !tighten()) break;
-      next = begun(setting_);
+      next = begun();
     }
-    if (nudged.valid()) result.rounding = by_rounding(result.yardstick, nudged.get());
+    if (nudged.valid()) result.rounding = by_rounding(result.yardstick, arrived(nudged));
     return result;
   }
 
  private:
   double most_seconds() const { return k_least_limit + k_longer * run_.wall_seconds; }
 
+  /// It takes no longer than all may.
+  std::future<RunInRows> begun() const { return gausssim::begun(prepared_, *engine_, setting_, most_seconds()); }
+
   /// As far as the run goes.
-  RunInRows made(const Engine& engine, const Setting& setting) const {
-    RunInRows result = in_rows(prepared_, engine, setting, Meter::none);
+  RunInRows arrived(std::future<RunInRows>& other) const {
+    RunInRows result = other.get();
     result.rows.keep(rows_.samples());
     return result;
-  }
-
-  /// Beside other runs, if there is the memory for all of them; else when it is asked for. It takes no longer than all may.
-  std::future<RunInRows> begun(const Setting& setting) const {
-    constexpr std::size_t k_many = 10'000'000;  ///< numbers of a table
-    const bool is_large = static_cast<std::size_t>(rows_.samples()) * prepared_.columns.columns.size() > k_many;
-    return std::async(is_large ? std::launch::deferred : std::launch::async, [this, setting] {
-      const TimeLimit limit(most_seconds());
-      return made(*engine_->another(), setting);
-    });
-  }
-
-  /// That of parameters, inputs and the start, which all runs in one number type share; in a wider one, none does, and there is nothing to begin.
-  std::future<RunInRows> begun_nudged() const {
-    if (setting_.number != given_.number) return {};
-    Setting nudged = given_;
-    nudged.is_nudged = true;
-    return begun(nudged);
   }
 
   /// Nothing where the nudged run does not arrive.
@@ -154,7 +148,6 @@ class Tightening {
 
   const PreparedModel& prepared_;
   const Engine* engine_;
-  const Setting& given_;
   Setting setting_;
   const Simulated& run_;
   const Rows& rows_;
@@ -166,9 +159,18 @@ class Tightening {
 
 }  // namespace
 
+std::future<RunInRows> begin_nudged(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
+                                    double seconds) {
+  if (setting.number == "float") return {};
+  Setting nudged = setting;
+  nudged.is_nudged = true;
+  return begun(prepared, engine, nudged, seconds);
+}
+
 std::optional<TighterRuns> tighter_runs(const PreparedModel& prepared, const Engine& engine, Engines& engines,
-                                        const Setting& setting, const Simulated& run, const Rows& rows, WhyNone& why) {
-  return Tightening(prepared, engine, engines, setting, run, rows).look(why);
+                                        const Setting& setting, const Simulated& run, const Rows& rows,
+                                        std::future<RunInRows> nudged, WhyNone& why) {
+  return Tightening(prepared, engine, engines, setting, run, rows).look(std::move(nudged), why);
 }
 
 }  // namespace gausssim

@@ -1,11 +1,13 @@
 #pragma once
 // What tells how far a run may be off that nothing else is compared with: tighter runs, until two of them agree far better than the run with them.
 
+#include <future>
 #include <optional>
 #include <string>
 
 #include "sim/run/engines.hpp"
 #include "sim/run/error_estimate.hpp"
+#include "sim/run/in_rows.hpp"
 
 namespace gausssim {
 
@@ -24,8 +26,14 @@ struct WhyNone {
   bool is_doubtful = false;  ///< the run may be none of the model at all, as where a tighter one stops before
 };
 
+/// Beside a run that begins now: the one whose parameters, inputs and start differ by their rounding, which all runs in one number type share. In `float` there is none to begin: its errors are told in
+/// `double`. It ends after `seconds`.
+std::future<RunInRows> begin_nudged(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
+                                    double seconds);
+
 /// Of a run with its rows, by the engine of its setting. Nothing, and `why`: no tighter run is another one, or arrives within some times what the run took.
 std::optional<TighterRuns> tighter_runs(const PreparedModel& prepared, const Engine& engine, Engines& engines,
-                                        const Setting& setting, const Simulated& run, const Rows& rows, WhyNone& why);
+                                        const Setting& setting, const Simulated& run, const Rows& rows,
+                                        std::future<RunInRows> nudged, WhyNone& why);
 
 }  // namespace gausssim
