@@ -163,7 +163,7 @@ test('the forces of the study stand beside the picture, also where one is missin
 
 test('a motion without reactions says so, and speed can be chosen', () => withPage({url, hash: '#/lagrange_top/motion'}, async (page) => {
   const here = page.locator('main > :not([hidden])');
-  assert.equal(await here.locator('[data-chart="motion"] .takeaway').textContent(), 'No reactions are recorded.');
+  assert.equal(await here.locator('[data-chart="motion"] .takeaway').textContent(), 'No reaction is known as a force on a body, so that none is drawn.');
   await here.getByLabel('speed').selectOption('10');
   await here.locator('.play').click();
   await page.waitForFunction(() => parseFloat(document.querySelector('main > :not([hidden]) .clock').textContent) > 2, null, {timeout: 3000});
