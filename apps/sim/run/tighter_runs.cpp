@@ -108,6 +108,9 @@ class Tightening {
     if (setting_.step > 0) setting_.step = k_shorter * std::min(setting_.step, taken);
     shortest_ = k_shortest * setting_.step;
     if (!is_its_own_measure()) setting_ = by_other_terms(setting_, prepared_);
+    // In place of steps of one length, too.
+    if (setting_.tolerance > 0 && setting_.longest_step == 0)
+      setting_.longest_step = duration / least_parts(prepared_).fine;
     if (setting_.tolerance > 0) setting_.tolerance = std::max(setting_.tolerance, least_tolerance(setting_.number));
     least_range_ = least_range(setting_.tolerance > 0 ? setting_.tolerance : k_of_steps);
   }

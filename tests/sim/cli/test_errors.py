@@ -91,6 +91,14 @@ class Errors(Program):
         self.ok("run", "pulse.yaml", "--error", "1e-6", "--outputs", "x", "--samples", "2", "-q")
         self.assertAlmostEqual(self.table("pulse.csv")["x [m]"][-1], 2 * 0.2 * 3.7, delta=1.5e-6)
 
+    def test_a_push_that_steps_of_one_length_see_is_seen_by_what_tells_their_error(self):
+        self.write("pulse.yaml", PULSE)
+        said = self.run_it("run", "pulse.yaml", "--set", "w=0.05", "--method", "rk4", "--outputs", "x", "--samples", "2", "-q").stderr
+        self.assertNotIn("is not this motion", said)
+        off = abs(self.table("pulse.csv")["x [m]"][-1] / (2 * 0.1 * 3.7) - 1)
+        self.assertLess(off / 2, self.summary("pulse.json")["error_estimate"]["relative"])
+        self.assertLess(self.summary("pulse.json")["error_estimate"]["relative"], 0.01)
+
     def test_what_acts_for_a_ten_thousandth_of_the_time_is_seen_where_forces_jump(self):
         self.write("hammer.yaml", HAMMER)
 
