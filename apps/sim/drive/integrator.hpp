@@ -39,6 +39,15 @@ Progress<S> progress_of(const Report& report) {
   return progress;
 }
 
+/// Times that will be asked for one after another, with functions of the states there.
+template <class S>
+struct Samples {
+  long first = 0, count = 0;  ///< of all of them, those from `first` on
+  std::function<S(long)> at;
+  std::size_t results = 0;  ///< numbers that the functions fill
+  Entry together;           ///< of a plugin that finds several at once (engine/taylor_glue.hpp); empty: there is none
+};
+
 template <class S>
 class Integrator {
  public:
@@ -53,6 +62,10 @@ class Integrator {
   virtual const Array& state() const = 0;
   /// The same numbers, where the method has them.
   virtual const S* values() const { return state().data(); }
+  /// What comes next, for methods that know the motion within a step.
+  virtual void expect(const Samples<S>&) {}
+  /// Of the functions that were expected, at this state; null: they are still to be called.
+  virtual const S* results() const { return nullptr; }
   virtual Progress<S> progress() const = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <vector>
 
 #include "sim/drive/integrator.hpp"
 
@@ -45,9 +46,20 @@ class Series final : public Integrator<S> {
     entries_.end(arguments);
   }
 
+  void expect(const Samples<S>& samples) override {
+    samples_ = samples;
+    found_ = next_ = 0;
+    taken_ = samples.first;
+    if (!samples_.together) return;
+    states_.resize(k_together * state_.size());
+    numbers_.resize(k_together * samples_.results);
+  }
+
   bool advance_to(const S& end) override {
-    void* const arguments[] = {run_, const_cast<S*>(&end), &values_};
-    const bool arrives = entries_.advance(arguments) == 1;
+    ++next_;
+    const bool is_found = next_ < found_ && times_[next_] == end;
+    if (is_found) values_ += state_.size();
+    const bool arrives = is_found || step_to(end);
     t_ = arrives ? end : tell().t;
     return arrives;
   }
@@ -59,6 +71,7 @@ class Series final : public Integrator<S> {
   }
   /// Not copied: numbers that were written one by one are not yet where wide loads find them.
   const S* values() const override { return values_ != nullptr ? values_ : state_.data(); }
+  const S* results() const override { return found_ > 1 ? numbers_.data() + next_ * samples_.results : nullptr; }
   Progress<S> progress() const override {
     const Report report = tell();
     Progress<S> progress;
@@ -82,6 +95,29 @@ class Series final : public Integrator<S> {
     S t = 0, moved = 0;
   };
 
+  static constexpr std::size_t k_together = 4;  ///< as engine/samples_glue.hpp has it
+
+  /// There, and to as many of the expected times after it as its step has.
+  bool step_to(const S& end) {
+    next_ = 0;
+    found_ = 1;
+    if (!samples_.together) {
+      void* const arguments[] = {run_, const_cast<S*>(&end), &values_};
+      return entries_.advance(arguments) == 1;
+    }
+    times_[0] = end;
+    long count = 1;
+    while (count < static_cast<long>(k_together) && taken_ + count < samples_.count) {
+      times_[static_cast<std::size_t>(count)] = samples_.at(taken_ + count);
+      ++count;
+    }
+    void* const arguments[] = {run_, times_.data(), &count, &values_, states_.data(), numbers_.data()};
+    const bool arrives = samples_.together(arguments) == 1;
+    found_ = static_cast<std::size_t>(count);
+    taken_ += count;
+    return arrives;
+  }
+
   Report tell() const {
     Report report;
     void* const arguments[] = {run_, &report.told, &report.t, &report.moved};
@@ -95,6 +131,12 @@ class Series final : public Integrator<S> {
   const S* values_ = nullptr;  ///< inside the run; null before it has advanced
   S t_;
   void* run_ = nullptr;
+
+  Samples<S> samples_;
+  long taken_ = 0;                     ///< of these, up to here
+  std::array<S, k_together> times_{};  ///< of what was found together last
+  std::size_t found_ = 0, next_ = 0;
+  std::vector<S> states_, numbers_;
 };
 
 }  // namespace gausssim

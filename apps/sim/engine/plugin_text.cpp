@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "emit/cpp_printer.hpp"
+#include "sim/engine/samples_text.hpp"
 #include "sim/model/layout.hpp"
 
 namespace gausssim {
@@ -73,15 +74,17 @@ std::string entry(const cpp::Function& function, const std::string& name_space, 
                             plain_type(function.type, name_space, scalar), i, call);
 }
 
-/// A run by power series, where the header has them.
-std::string series_entries(const std::string& name_space, const std::string& scalar) {
+/// A run by power series, where the header has them. `sampled`: what it finds at several samples at once; empty: nothing.
+std::string series_entries(const std::string& name_space, const std::string& scalar, const std::string& sampled) {
   std::string text;
-  const char* const names[] = {"series_begin", "series_advance", "series_tell", "series_end"};
-  for (int what = 0; what < 4; ++what) {
+  std::vector<std::string> names = {"series_begin", "series_advance", "series_tell", "series_end"};
+  if (!sampled.empty()) names.push_back(sampled);
+  const char* const samples = sampled.empty() ? "" : ", gauss_sim_glue::Samples<GaussSimSampled>";
+  for (std::size_t what = 0; what < names.size(); ++what) {
     text += fmt::format(
         "extern \"C\" GAUSS_SIM_VISIBLE int {}(const void*, void* const* a) {{\n"
-        "  return gauss_sim_glue::call<GaussSimModel, {}, ::{}::TaylorSeries<{}>>({}, a);\n}}\n",
-        entry_symbol(names[what], scalar), scalar, name_space, scalar, what);
+        "  return gauss_sim_glue::call<GaussSimModel, {}, ::{}::TaylorSeries<{}>{}>({}, a);\n}}\n",
+        entry_symbol(names[what], scalar), scalar, name_space, scalar, samples, what);
   }
   return text;
 }
@@ -166,12 +169,16 @@ std::string plugin_text(const cpp::File& tree, const PluginRequest& request) {
   if (has_series) text += series_runtime();
   if (!metric.empty()) text += gains_runtime();
   if (has_series || !metric.empty()) text += "\nGAUSS_MODEL(GaussSimModel, ::" + tree.name_space + ");\n";
+  const std::string sampled = has_series ? sampled_text(tree, request.sampled) : "";
+  if (!sampled.empty()) text += std::string(samples_runtime()) + sampled;
   std::vector<std::string> names;
   for (const std::string& name : request.functions) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   for (const std::string& scalar : request.scalars) {
-    if (has_series) text += series_entries(tree.name_space, scalar);
+    const bool takes_several = !sampled.empty() && scalar == "double";
+    if (has_series)
+      text += series_entries(tree.name_space, scalar, takes_several ? samples_name(request.sampled) : "");
     if (!metric.empty()) text += gains_entries(tree.name_space, scalar, metric, *request.usual_rank);
     for (const std::string& name : names) {
       if (scalar != "double" && is_for_double(name)) continue;

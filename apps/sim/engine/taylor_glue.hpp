@@ -1,5 +1,8 @@
 // Steps by power series behind plain functions: a part of plugins, compiled with the model, whose sizes are known there.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstddef>
+
 #include "gauss/integrate/bound_model.hpp"
 #include "gauss/simulate/taylor_simulation.hpp"
 
@@ -10,8 +13,14 @@ struct Told {
   long outcome, status, steps, rejected, calls, fewer, order, moved_component;
 };
 
-/// `Type` is made by GAUSS_MODEL.
-template <class Type, class S, class Series>
+/// Where samples are found one by one.
+struct NoSamples {
+  NoSamples(const void*, const void*) {}
+  static constexpr std::size_t most = 1;
+};
+
+/// `Type` is made by GAUSS_MODEL. `Samples`: as samples_glue.hpp has it, or none.
+template <class Type, class S, class Series, class Samples = NoSamples>
 class Run {
   using Model =
       decltype(gauss::integrate::bind_model<Type, S>(*static_cast<const typename Type::template Prepared<S>*>(nullptr),
@@ -25,13 +34,29 @@ class Run {
       : simulation_(
             gauss::integrate::bind_model<Type, S>(*static_cast<const typename Type::template Prepared<S>*>(prepared),
                                                   *static_cast<const typename Type::template Inputs<S>*>(inputs)),
-            *static_cast<const State*>(start), t, settings_of(numbers, ends), static_cast<int>(numbers[3])) {}
+            *static_cast<const State*>(start), t, settings_of(numbers, ends), static_cast<int>(numbers[3])),
+        samples_(prepared, inputs) {}
 
   /// `state`: where it is until the next call.
   int advance_to(const S& end, const S*& state) {
     const bool arrives = simulation_.advance_to(end);
     state = simulation_.state().values;
     return arrives ? 1 : 0;
+  }
+
+  /// To the first of `count` times, and to those after it that its step has, too: `count` is how many these are then. One is found as advance_to has it, with no results;
+  /// several are in `states` and `results`, one after another.
+  int advance_to_several(const S* times, long& count, const S*& state, S* states, S* results) {
+    long found = 1;
+    if (are_found_together_ && simulation_.time() < times[0]) {
+      if (!simulation_.step_to(times[0])) return 0;
+      const S end = simulation_.begin_of_step() + simulation_.span();
+      while (found < count && times[found] <= end) ++found;
+    }
+    count = found > 1 && look(times, found, states, results) ? found : 1;
+    if (count == 1) return advance_to(times[0], state);
+    state = states;
+    return 1;
   }
 
   void tell(Told& told, S& t, S& moved) const {
@@ -59,12 +84,28 @@ class Run {
     return settings;
   }
 
+  /// Lanes without a time of their own have the last one.
+  bool look(const S* times, long count, S* states, S* results) {
+    if constexpr (Samples::most > 1) {
+      S all[Samples::most];
+      for (long i = 0; i < static_cast<long>(Samples::most); ++i) all[i] = times[std::min(i, count - 1)];
+      are_found_together_ = samples_.look(simulation_, all, states, results);
+      if (!are_found_together_) return false;
+      State last;
+      std::copy_n(states + (count - 1) * static_cast<long>(Model::size), Model::size, last.values);
+      simulation_.take(all[count - 1], last);
+    }
+    return true;
+  }
+
   gauss::simulate::TaylorSimulation<Model, Series> simulation_;
+  Samples samples_;
+  bool are_found_together_ = Samples::most > 1;  ///< until one of them was not ok
 };
 
-template <class Type, class S, class Series>
+template <class Type, class S, class Series, class Samples = NoSamples>
 int call(int what, void* const* a) {
-  using This = Run<Type, S, Series>;
+  using This = Run<Type, S, Series, Samples>;
   switch (what) {
     case 0:
       *static_cast<void**>(a[0]) = new This(a[1], a[2], a[3], *static_cast<const S*>(a[4]), static_cast<const S*>(a[5]),
@@ -74,6 +115,10 @@ int call(int what, void* const* a) {
     case 2:
       static_cast<const This*>(a[0])->tell(*static_cast<Told*>(a[1]), *static_cast<S*>(a[2]), *static_cast<S*>(a[3]));
       return 0;
+    case 4:
+      return static_cast<This*>(a[0])->advance_to_several(static_cast<const S*>(a[1]), *static_cast<long*>(a[2]),
+                                                          *static_cast<const S**>(a[3]), static_cast<S*>(a[4]),
+                                                          static_cast<S*>(a[5]));
     default: delete static_cast<This*>(a[0]); return 0;
   }
 }

@@ -33,11 +33,11 @@ Trajectories<S>::Trajectories(const PreparedModel& prepared, const Engine& engin
       settings_(method_settings<S>(setting)) {}
 
 template <class S>
-void Trajectories<S>::add_row(const S& t, const S* state, Track<S>& track) {
+void Trajectories<S>::add_row(const S& t, const S* state, Track<S>& track, const S* found) {
   const std::size_t begin = track.rows.size();
   track.rows.resize(begin + sampler_.size());
   track.times.push_back(t);
-  if (sampler_(t, state, track.rows.data() + begin) != gauss::Status::ok) ++track.ended.untrusted;
+  if (sampler_(t, state, track.rows.data() + begin, found) != gauss::Status::ok) ++track.ended.untrusted;
 }
 
 template <class S>
@@ -64,8 +64,9 @@ void Trajectories<S>::integrate(const Numbers<S>& start, const Grid<S>& grid, bo
   std::string why;
   const auto integrator = make_integrator(setting_.method, model_, start, grid.start, settings_, why);
   if (!integrator) throw gaussgen::cli::UsageError(why);
+  if (keeps_all) integrator->expect(sampler_.expected(0, grid.samples, [&](long k) { return grid.at(k); }));
   drive<S>(*integrator, grid, [&](long, const S& t, const S* state) {
-    if (keeps_all) add_row(t, state, track);
+    if (keeps_all) add_row(t, state, track, integrator->results());
     return true;
   });
   const Progress<S> progress = integrator->progress();

@@ -48,7 +48,8 @@ class Trajectories {
 
   /// Parts of a run, for those who integrate elsewhere.
   gauss::Status begin(long trajectory, Numbers<S>& state) { return starts_.begin(trajectory, bound_, state); }
-  void add_row(const S& t, const S* state, Track<S>& track);
+  /// `found`: of the functions of the columns, where that is known.
+  void add_row(const S& t, const S* state, Track<S>& track, const S* found = nullptr);
   Functions<S>& functions() { return *bound_.functions; }
   const Grid<S>& grid() const { return grid_; }
 

@@ -158,6 +158,12 @@ std::vector<Word> usual() { return {{"state", {}}, {"energy", {}}}; }
 
 }  // namespace
 
+std::vector<std::string> names_of(const std::vector<SampledFunction>& functions) {
+  std::vector<std::string> names;
+  for (const SampledFunction& one : functions) names.push_back(one.function);
+  return names;
+}
+
 const std::vector<std::string>& sampled_outputs() {
   static const std::vector<std::string> k_names{"reactions", "reaction_forces", "joint_reactions",
                                                 "energy",    "mobility",        "mass_matrix",

@@ -31,6 +31,8 @@ struct Columns {
   std::vector<SampledFunction> functions;
 };
 
+std::vector<std::string> names_of(const std::vector<SampledFunction>& functions);
+
 /// Outputs of the generator that depend on the state alone, and so can be sampled.
 const std::vector<std::string>& sampled_outputs();
 

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
+#include "sim/drive/integrator.hpp"
 #include "sim/engine/binding.hpp"
+#include "sim/engine/samples_text.hpp"
 #include "sim/output/columns.hpp"
 
 namespace gausssim {
@@ -17,6 +20,7 @@ class Sampler {
   /// Columns, functions and the model's description are those of one model. `functions` outlives the sampler.
   Sampler(const Engine& engine, const Described& model, Columns columns, const Functions<S>& functions)
       : columns_(std::move(columns)) {
+    together_ = engine.find(samples_name(names_of(columns_.functions)), scalar_name<S>());
     for (const SampledFunction& one : columns_.functions) {
       calls_.push_back(callable<S>(engine, model, one.function));
       calls_.back().bind(const_cast<S*>(functions.prepared.data()), const_cast<S*>(functions.inputs.data()));
@@ -40,11 +44,24 @@ class Sampler {
   std::size_t size() const { return columns_.columns.size(); }
   const std::vector<Column>& columns() const { return columns_.columns; }
 
-  /// Fills as many numbers as there are columns. Not ok: the first status of a function that is not, and its numbers are as they came.
-  gauss::Status operator()(const S& t, const S* state, S* row) {
+  /// What an integrator may find at once, of `count` times from `first` on.
+  Samples<S> expected(long first, long count, std::function<S(long)> at) const {
+    std::size_t size = 0;
+    for (const auto& result : results_) size += result.size();
+    return {first, count, std::move(at), size, together_};
+  }
+
+  /// Fills as many numbers as there are columns. `found`: those of the functions, one after another, where they are known. Not ok: the first status of a function
+  /// that is not, and its numbers are as they came.
+  gauss::Status operator()(const S& t, const S* state, S* row, const S* found = nullptr) {
     gauss::Status status = gauss::Status::ok;
     for (std::size_t i = 0; i < calls_.size(); ++i) {
       S* const result = rows_of_all_[i] ? row + *rows_of_all_[i] : results_[i].data();
+      if (found != nullptr) {
+        std::copy_n(found, results_[i].size(), result);
+        found += results_[i].size();
+        continue;
+      }
       const gauss::Status now = calls_[i](t, state, result);
       if (status == gauss::Status::ok) status = now;
     }
@@ -85,6 +102,7 @@ class Sampler {
   }
 
   Columns columns_;
+  Entry together_;
   std::vector<Callable<S>> calls_;
   std::vector<std::vector<S>> results_;
   std::vector<std::optional<std::size_t>> rows_of_all_;

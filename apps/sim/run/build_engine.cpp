@@ -43,7 +43,8 @@ std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice
   PluginRequest request;
   request.functions = {"prepare",        "rhs",    "project",   "project_positions",
                        "project_speeds", "energy", "residuals", "jacobian"};
-  for (const SampledFunction& function : prepared.columns.functions) request.functions.push_back(function.function);
+  request.sampled = names_of(prepared.columns.functions);
+  request.functions.insert(request.functions.end(), request.sampled.begin(), request.sampled.end());
   request.scalars = scalars;
   if (prepared.wants_gains) request.usual_rank = usual_rank_of(prepared.model.unit);
   if (uses_quad(request)) toolchain->libraries.push_back("-lquadmath");

@@ -85,6 +85,8 @@ class Simulator {
       return result_;
     }
     shown_ = start;
+    integrator->expect(sampler_.expected(earlier_ == nullptr ? 0 : earlier_->samples, grid_.samples,
+                                         [this](long k) { return grid_.at(k); }));
     result_.samples = drive<S>(
         *integrator, grid_, [&](long k, const S& t, const S* state) { return take(k, t, state, *integrator); },
         earlier_ == nullptr ? 0 : earlier_->samples);
@@ -132,7 +134,7 @@ class Simulator {
   }
 
   bool take(long k, const S& t, const S* state, const Integrator<S>& integrator) {
-    const gauss::Status status = sampler_(t, state, row_.data());
+    const gauss::Status status = sampler_(t, state, row_.data(), integrator.results());
     if (status != gauss::Status::ok) {
       ++result_.untrusted_samples;
       result_.sample_status = status;

@@ -111,6 +111,52 @@ void state_of_series(const Series& series, const S& h, State& state) {
   state_of_series(series, series.order, h, state);
 }
 
+namespace detail {
+
+/// Of `count` components from `first` on, as sum_in_fours has one: those of each number of `h` are the same to the bit.
+template <std::size_t count, class Series, class Lanes>
+void sum_at_several(const Series& series, const Lanes& h, std::size_t first, Lanes* result) {
+  const Lanes square = h * h;
+  const auto at = [&](int k, std::size_t i) { return Lanes(series.values[k][first + i]); };
+  Lanes last[count], other[count];
+  int k = series.order;
+  for (std::size_t i = 0; i < count; ++i) last[i] = at(k, i), other[i] = at(k - 1, i);
+  for (k -= 2; k > 1; k -= 2) {
+    for (std::size_t i = 0; i < count; ++i) last[i] = last[i] * square + at(k, i);
+    for (std::size_t i = 0; i < count; ++i) other[i] = other[i] * square + at(k - 1, i);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    last[i] = k == 1 ? (last[i] * square + at(1, i)) + h * other[i] : other[i] + h * last[i];
+    result[first + i] = at(0, i) + h * last[i];
+  }
+}
+
+/// As many together as there are registers for.
+template <std::size_t n, std::size_t first = 0, class Series, class Lanes>
+void sum_all_at_several(const Series& series, const Lanes& h, Lanes* result) {
+  constexpr std::size_t count = n - first < 4 ? n - first : 4;
+  sum_at_several<count>(series, h, first, result);
+  if constexpr (first + count < n) sum_all_at_several<n, first + count>(series, h, result);
+}
+
+}  // namespace detail
+
+/// The states at several times, of which each number of `h` has one: what state_of_series finds for each of them, to the bit.
+template <class Series, class Lanes, class State>
+void states_of_series(const Series& series, const Lanes& h, State& state) {
+  using S = std::remove_cv_t<std::remove_reference_t<decltype(series.values[0][0])>>;
+  constexpr std::size_t n = sizeof(state.values) / sizeof(state.values[0]);
+  if constexpr (detail::has_four<S> && n >= 4) {
+    detail::sum_all_at_several<n>(series, h, state.values);
+  } else {
+    for (std::size_t i = 0; i < n; ++i) {
+      Lanes x(series.values[series.order][i]);
+      for (int k = series.order - 1; k >= 0; --k) x = x * h + Lanes(series.values[k][i]);
+      state.values[i] = x;
+    }
+  }
+}
+
 /// Its rate there.
 template <class Series, class S, class Rate>
 void rate_of_series(const Series& series, const S& h, Rate& rate) {

@@ -187,12 +187,28 @@ class TaylorSimulation {
 
   /// To `end`, which may lie within the step that was taken last. False: it did not get there, see report(); or `end` is no time from here on.
   bool advance_to(const Scalar& end) {
-    if (!(t_ < end) || report_.outcome != Outcome::running) return t_ == end && report_.outcome == Outcome::running;
+    if (!(t_ < end)) return t_ == end && report_.outcome == Outcome::running;
+    return step_to(end) && look_at(end);
+  }
+
+  /// Steps until `end` lies within the last one, where nothing is looked at yet. False: it did not get there.
+  bool step_to(const Scalar& end) {
+    if (report_.outcome != Outcome::running) return false;
     if (!has_series_) begin();
     while (report_.outcome == Outcome::running && begin_ + span_ < end) step(end);
-    if (report_.outcome != Outcome::running) return false;
-    return look_at(end);
+    return report_.outcome == Outcome::running;
   }
+
+  /// As if it had advanced to `t`, within the last step, and found this state there.
+  void take(const Scalar& t, const State& found) {
+    t_ = t;
+    here_ = 1 - here_;
+    states_[here_] = found;
+  }
+
+  bool projects() const { return settings_.project; }
+  /// By how much projection may move a component of a state within the last step.
+  Scalar most_moved(std::size_t component) const { return settings_.most_projected * control_.allowed()[component]; }
 
   /// The next step begins at the state that was asked for last, with the inputs that there are now.
   void restart() { has_series_ = false; }
@@ -287,7 +303,7 @@ class TaylorSimulation {
 
   bool is_near(const State& a, const State& b) const {
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Scalar off = a.values[i] - b.values[i], most = settings_.most_projected * control_.allowed()[i];
+      const Scalar off = a.values[i] - b.values[i], most = most_moved(i);
       if (!(off <= most && -most <= off)) return false;
     }
     return true;
