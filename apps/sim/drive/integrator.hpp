@@ -6,6 +6,7 @@
 #include <string>
 
 #include "gauss/simulate/report.hpp"
+#include "sim/drive/grid.hpp"
 #include "sim/drive/motion_model.hpp"
 
 namespace gausssim {
@@ -42,8 +43,8 @@ Progress<S> progress_of(const Report& report) {
 /// Times that will be asked for one after another, with functions of the states there.
 template <class S>
 struct Samples {
-  long first = 0, count = 0;  ///< of all of them, those from `first` on
-  std::function<S(long)> at;
+  Grid<S> grid{};
+  long first = 0;           ///< which time is the next one
   std::size_t results = 0;  ///< numbers that the functions fill
   Entry together;           ///< of a plugin that finds several at once (engine/taylor_glue.hpp); empty: there is none
 };

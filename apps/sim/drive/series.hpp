@@ -107,8 +107,8 @@ class Series final : public Integrator<S> {
     }
     times_[0] = end;
     long count = 1;
-    while (count < static_cast<long>(k_together) && taken_ + count < samples_.count) {
-      times_[static_cast<std::size_t>(count)] = samples_.at(taken_ + count);
+    while (count < static_cast<long>(k_together) && taken_ + count < samples_.grid.samples) {
+      times_[static_cast<std::size_t>(count)] = samples_.grid.at(taken_ + count);
       ++count;
     }
     void* const arguments[] = {run_, times_.data(), &count, &values_, states_.data(), numbers_.data()};

@@ -159,24 +159,19 @@ class Samples {
     put_into_all(inputs, inputs_);
   }
 
-  /// At times within the step that was taken last. False: at one of them, something is not ok, and nothing is filled.
-  /// Everything is written out here: what a function has found is known to those after it.
+  /// At times within the step that was taken last, of a simulation that projects. False: at one of them, something is not ok, and nothing is filled.
+  /// All that is called is written out here, without a branch: what a function has found of an angle is known to those after it.
   template <class Simulation>
   [[gnu::flatten, gnu::noinline]] bool look(const Simulation& simulation, const double (&times)[k_lanes],
                                             double* states, double* results) const {
     const Lanes t = Lanes::Numbers{times[0], times[1], times[2], times[3]};
     State found, there;
     gauss::integrate::states_of_series(simulation.series(), t - Lanes(simulation.begin_of_step()), found);
-    LanesMask bad(false);
-    if (simulation.projects()) {
-      bad = Sampled::project(t, found, prepared_, there).bad;
-      for (std::size_t i = 0; i < k_numbers_of<State>; ++i) {
-        const Lanes::Numbers off = found.values[i].numbers - there.values[i].numbers;
-        const Lanes::Numbers most = Lanes(simulation.most_moved(i)).numbers;
-        bad = bad | LanesMask(~((off <= most) & (-most <= off)));
-      }
-    } else {
-      there = found;
+    LanesMask bad = Sampled::project(t, found, prepared_, there).bad;
+    for (std::size_t i = 0; i < k_numbers_of<State>; ++i) {
+      const Lanes::Numbers off = found.values[i].numbers - there.values[i].numbers;
+      const Lanes::Numbers most = Lanes(simulation.most_moved(i)).numbers;
+      bad = bad | LanesMask(~((off <= most) & (-most <= off)));
     }
     Results all;
     bad = bad | Sampled::functions(t, there, inputs_, prepared_, all).bad;

@@ -35,7 +35,8 @@ class Run {
             gauss::integrate::bind_model<Type, S>(*static_cast<const typename Type::template Prepared<S>*>(prepared),
                                                   *static_cast<const typename Type::template Inputs<S>*>(inputs)),
             *static_cast<const State*>(start), t, settings_of(numbers, ends), static_cast<int>(numbers[3])),
-        samples_(prepared, inputs) {}
+        samples_(prepared, inputs),
+        are_found_together_(Samples::most > 1 && numbers[1] > S(0)) {}
 
   /// `state`: where it is until the next call.
   int advance_to(const S& end, const S*& state) {
@@ -100,7 +101,7 @@ class Run {
 
   gauss::simulate::TaylorSimulation<Model, Series> simulation_;
   Samples samples_;
-  bool are_found_together_ = Samples::most > 1;  ///< until one of them was not ok
+  bool are_found_together_;  ///< where there is projection, and until one of them was not ok
 };
 
 template <class Type, class S, class Series, class Samples = NoSamples>

@@ -64,7 +64,7 @@ void Trajectories<S>::integrate(const Numbers<S>& start, const Grid<S>& grid, bo
   std::string why;
   const auto integrator = make_integrator(setting_.method, model_, start, grid.start, settings_, why);
   if (!integrator) throw gaussgen::cli::UsageError(why);
-  if (keeps_all) integrator->expect(sampler_.expected(0, grid.samples, [&](long k) { return grid.at(k); }));
+  if (keeps_all) integrator->expect(sampler_.expected(grid, 0));
   drive<S>(*integrator, grid, [&](long, const S& t, const S* state) {
     if (keeps_all) add_row(t, state, track, integrator->results());
     return true;

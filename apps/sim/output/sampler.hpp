@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,24 +18,16 @@ class Sampler {
  public:
   /// Columns, functions and the model's description are those of one model. `functions` outlives the sampler.
   Sampler(const Engine& engine, const Described& model, Columns columns, const Functions<S>& functions)
-      : columns_(std::move(columns)) {
-    together_ = engine.find(samples_name(names_of(columns_.functions)), scalar_name<S>());
+      : columns_(std::move(columns)),
+        together_(engine.find(samples_name(names_of(columns_.functions)), scalar_name<S>())) {
+    std::size_t first = 0;
     for (const SampledFunction& one : columns_.functions) {
-      calls_.push_back(callable<S>(engine, model, one.function));
-      calls_.back().bind(const_cast<S*>(functions.prepared.data()), const_cast<S*>(functions.inputs.data()));
-      results_.emplace_back(one.size);
-      rows_of_all_.push_back(row_of_all(results_.size() - 1));
+      calls_.push_back({callable<S>(engine, model, one.function), first, row_of_all(calls_.size())});
+      calls_.back().function.bind(const_cast<S*>(functions.prepared.data()), const_cast<S*>(functions.inputs.data()));
+      first += one.size;
     }
-    for (const Column& column : columns_.columns) {
-      if (column.is_state) state_.resize(std::max(state_.size(), column.source + 1));
-    }
-    std::size_t place = 0;
-    for (const Column& column : columns_.columns) {
-      const std::vector<S>& all = column.is_state ? state_ : results_[column.source];
-      if (column.is_state || !rows_of_all_[column.source])
-        add(all, column.is_state ? column.source : column.slot, place);
-      ++place;
-    }
+    results_.resize(first);
+    for (std::size_t place = 0; place < columns_.columns.size(); ++place) add(columns_.columns[place], place);
   }
   Sampler(const Sampler&) = delete;
   Sampler& operator=(const Sampler&) = delete;
@@ -44,46 +35,61 @@ class Sampler {
   std::size_t size() const { return columns_.columns.size(); }
   const std::vector<Column>& columns() const { return columns_.columns; }
 
-  /// What an integrator may find at once, of `count` times from `first` on.
-  Samples<S> expected(long first, long count, std::function<S(long)> at) const {
-    std::size_t size = 0;
-    for (const auto& result : results_) size += result.size();
-    return {first, count, std::move(at), size, together_};
-  }
+  /// What an integrator may find at once, of the times from `first` on.
+  Samples<S> expected(const Grid<S>& grid, long first) const { return {grid, first, results_.size(), together_}; }
 
-  /// Fills as many numbers as there are columns. `found`: those of the functions, one after another, where they are known. Not ok: the first status of a function
+  /// Fills as many numbers as there are columns. `found`: what the functions fill, one after another, where it is known. Not ok: the first status of a function
   /// that is not, and its numbers are as they came.
   gauss::Status operator()(const S& t, const S* state, S* row, const S* found = nullptr) {
-    gauss::Status status = gauss::Status::ok;
-    for (std::size_t i = 0; i < calls_.size(); ++i) {
-      S* const result = rows_of_all_[i] ? row + *rows_of_all_[i] : results_[i].data();
-      if (found != nullptr) {
-        std::copy_n(found, results_[i].size(), result);
-        found += results_[i].size();
-        continue;
-      }
-      const gauss::Status now = calls_[i](t, state, result);
-      if (status == gauss::Status::ok) status = now;
+    const gauss::Status status = found == nullptr ? call_all(t, state, row) : gauss::Status::ok;
+    copy(of_state_, state, row);
+    if (found != nullptr) {
+      copy(of_functions_, found, row);
+    } else {
+      copy(of_others_, results_.data(), row);
     }
-    if (!state_.empty()) std::copy_n(state, state_.size(), state_.begin());
-    for (const Piece& piece : pieces_) std::copy_n(piece.all + piece.first, piece.size, row + piece.place);
     return status;
   }
 
  private:
-  /// Numbers beside each other here as in a row.
+  struct Call {
+    Callable<S> function;
+    std::size_t first;                  ///< of its results among those of all
+    std::optional<std::size_t> in_row;  ///< it fills a row from here on
+  };
+  /// Numbers beside each other there as in a row.
   struct Piece {
-    const S* all;
     std::size_t first, size, place;
   };
+  using Pieces = std::vector<Piece>;
 
-  void add(const std::vector<S>& all, std::size_t first, std::size_t place) {
-    Piece* const last = pieces_.empty() ? nullptr : &pieces_.back();
-    if (last != nullptr && last->all == all.data() && last->first + last->size == first &&
-        last->place + last->size == place) {
+  gauss::Status call_all(const S& t, const S* state, S* row) {
+    gauss::Status status = gauss::Status::ok;
+    for (const Call& call : calls_) {
+      S* const result = call.in_row ? row + *call.in_row : results_.data() + call.first;
+      const gauss::Status now = call.function(t, state, result);
+      if (status == gauss::Status::ok) status = now;
+    }
+    return status;
+  }
+
+  static void copy(const Pieces& pieces, const S* from, S* row) {
+    for (const Piece& piece : pieces) std::copy_n(from + piece.first, piece.size, row + piece.place);
+  }
+
+  void add(const Column& column, std::size_t place) {
+    if (column.is_state) return add(column.source, place, of_state_);
+    const Call& call = calls_[column.source];
+    add(call.first + column.slot, place, of_functions_);
+    if (!call.in_row) add(call.first + column.slot, place, of_others_);
+  }
+
+  static void add(std::size_t first, std::size_t place, Pieces& pieces) {
+    Piece* const last = pieces.empty() ? nullptr : &pieces.back();
+    if (last != nullptr && last->first + last->size == first && last->place + last->size == place) {
       ++last->size;
     } else {
-      pieces_.push_back({all.data(), first, 1, place});
+      pieces.push_back({first, 1, place});
     }
   }
 
@@ -98,16 +104,14 @@ class Sampler {
       if (column.slot != found || place != *begin + found) return std::nullopt;
       ++found;
     }
-    return found == results_[function].size() ? begin : std::nullopt;
+    return found == columns_.functions[function].size ? begin : std::nullopt;
   }
 
   Columns columns_;
   Entry together_;
-  std::vector<Callable<S>> calls_;
-  std::vector<std::vector<S>> results_;
-  std::vector<std::optional<std::size_t>> rows_of_all_;
-  std::vector<S> state_;       ///< as far as there are columns of it
-  std::vector<Piece> pieces_;  ///< of these, column by column
+  std::vector<Call> calls_;
+  std::vector<S> results_;                    ///< of all functions
+  Pieces of_state_, of_functions_, of_others_;  ///< of_others_: of functions that do not fill a row themselves
 };
 
 }  // namespace gausssim

@@ -20,18 +20,6 @@ struct Drift {
 };
 
 template <class S>
-struct Grid {
-  S start, end;
-  long samples;
-  S every = 0;  ///< what somebody has said is between two; 0: nobody has
-
-  S at(long k) const {
-    if (k + 1 == samples) return end;
-    return every > S(0) ? start + every * S(k) : start + (end - start) * S(k) / S(samples - 1);
-  }
-};
-
-template <class S>
 Grid<S> grid_of(const Span& span) {
   return {S(span.start), S(span.start) + S(span.duration), span.samples, S(span.every)};
 }

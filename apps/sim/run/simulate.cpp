@@ -85,8 +85,7 @@ class Simulator {
       return result_;
     }
     shown_ = start;
-    integrator->expect(sampler_.expected(earlier_ == nullptr ? 0 : earlier_->samples, grid_.samples,
-                                         [this](long k) { return grid_.at(k); }));
+    integrator->expect(sampler_.expected(grid_, earlier_ == nullptr ? 0 : earlier_->samples));
     result_.samples = drive<S>(
         *integrator, grid_, [&](long k, const S& t, const S* state) { return take(k, t, state, *integrator); },
         earlier_ == nullptr ? 0 : earlier_->samples);
