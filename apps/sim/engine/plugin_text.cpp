@@ -177,8 +177,7 @@ std::string plugin_text(const cpp::File& tree, const PluginRequest& request) {
   }
   for (const std::string& scalar : request.scalars) {
     const bool takes_several = !sampled.empty() && scalar == "double";
-    if (has_series)
-      text += series_entries(tree.name_space, scalar, takes_several ? samples_name(request.sampled) : "");
+    if (has_series) text += series_entries(tree.name_space, scalar, takes_several ? samples_name(request.sampled) : "");
     if (!metric.empty()) text += gains_entries(tree.name_space, scalar, metric, *request.usual_rank);
     for (const std::string& name : names) {
       if (scalar != "double" && is_for_double(name)) continue;

@@ -54,8 +54,10 @@ struct Math<gauss_sim_glue::Lanes> {
   using Status = gauss_sim_glue::LanesStatus;
   using One = Math<double>;
 
-#define GAUSS_SIM_EACH(f) \
-  static S f(const S& x) { return S::Numbers{One::f(x.numbers[0]), One::f(x.numbers[1]), One::f(x.numbers[2]), One::f(x.numbers[3])}; }
+#define GAUSS_SIM_EACH(f)                                                                                      \
+  static S f(const S& x) {                                                                                     \
+    return S::Numbers{One::f(x.numbers[0]), One::f(x.numbers[1]), One::f(x.numbers[2]), One::f(x.numbers[3])}; \
+  }
   GAUSS_SIM_EACH(sin)
   GAUSS_SIM_EACH(cos)
   GAUSS_SIM_EACH(tan)
@@ -69,10 +71,10 @@ struct Math<gauss_sim_glue::Lanes> {
   GAUSS_SIM_EACH(tanh)
   GAUSS_SIM_EACH(sqrt)
 #undef GAUSS_SIM_EACH
-#define GAUSS_SIM_EACH(f)                                                                            \
-  static S f(const S& x, const S& y) {                                                               \
-    return S::Numbers{One::f(x.numbers[0], y.numbers[0]), One::f(x.numbers[1], y.numbers[1]),       \
-                      One::f(x.numbers[2], y.numbers[2]), One::f(x.numbers[3], y.numbers[3])};      \
+#define GAUSS_SIM_EACH(f)                                                                      \
+  static S f(const S& x, const S& y) {                                                         \
+    return S::Numbers{One::f(x.numbers[0], y.numbers[0]), One::f(x.numbers[1], y.numbers[1]),  \
+                      One::f(x.numbers[2], y.numbers[2]), One::f(x.numbers[3], y.numbers[3])}; \
   }
   GAUSS_SIM_EACH(atan2)
   GAUSS_SIM_EACH(pow)
@@ -81,8 +83,7 @@ struct Math<gauss_sim_glue::Lanes> {
   /// By a function that g++ knows to depend on its argument alone, for which it calls sincos of the C library: an angle of several functions is asked for once.
   static void sincos(const S& x, S& sine, S& cosine) {
 #if defined(__GNUC__) && !defined(__clang__)
-    const _Complex double pairs[] = {pair(x.numbers[0]), pair(x.numbers[1]),
-                                     pair(x.numbers[2]), pair(x.numbers[3])};
+    const _Complex double pairs[] = {pair(x.numbers[0]), pair(x.numbers[1]), pair(x.numbers[2]), pair(x.numbers[3])};
     sine = S::Numbers{__imag__ pairs[0], __imag__ pairs[1], __imag__ pairs[2], __imag__ pairs[3]};
     cosine = S::Numbers{__real__ pairs[0], __real__ pairs[1], __real__ pairs[2], __real__ pairs[3]};
 #else
@@ -141,8 +142,7 @@ template <class Struct>
 void take_apart(const Struct& all, double* numbers) {
   constexpr std::size_t n = k_numbers_of<Struct>;
   for (std::size_t lane = 0; lane < k_lanes; ++lane)
-    for (std::size_t i = 0; i < n; ++i)
-      numbers[lane * n + i] = reinterpret_cast<const Lanes*>(&all)[i].numbers[lane];
+    for (std::size_t i = 0; i < n; ++i) numbers[lane * n + i] = reinterpret_cast<const Lanes*>(&all)[i].numbers[lane];
 }
 
 /// `Sampled` has the projection of the model, and the functions that are asked for.

@@ -100,8 +100,7 @@ std::string sampled_text(const cpp::File& tree, const std::vector<std::string>& 
   std::string members, calls = "gauss_sim_glue::LanesStatus{}";
   for (std::size_t i = 0; i < functions.size(); ++i) {
     const cpp::Function* const function = straight_function(tree, functions[i]);
-    const std::string call =
-        function == nullptr ? "" : call_of(*function, name_space, fmt::format("results.of_{}", i));
+    const std::string call = function == nullptr ? "" : call_of(*function, name_space, fmt::format("results.of_{}", i));
     if (call.empty()) return "";
     members += fmt::format("    ::{}::{}<Lanes> of_{};\n", name_space, result_type(*function), i);
     calls += " |\n           " + call;

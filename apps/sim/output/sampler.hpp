@@ -110,7 +110,7 @@ class Sampler {
   Columns columns_;
   Entry together_;
   std::vector<Call> calls_;
-  std::vector<S> results_;                    ///< of all functions
+  std::vector<S> results_;                      ///< of all functions
   Pieces of_state_, of_functions_, of_others_;  ///< of_others_: of functions that do not fill a row themselves
 };
 

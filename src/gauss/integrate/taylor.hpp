@@ -29,6 +29,44 @@ void in_lanes(const Each& each) {
   }
 }
 
+/// Sums of a series at `h`, of which `at(order, i)` gives the terms: even orders and odd ones are sums of their own, which wait for each other in one place only. The order 0 is
+/// added last, so that the result is rounded once at its own size. Written as packs, sums stay in registers; `put(i, sum)`.
+template <class V, std::size_t... places, class H, class At, class Put>
+void sum_terms(int order, const H& h, const At& at, const Put& put) {
+  const H square = h * h;
+  const auto each = [](const auto& what) {
+    std::size_t group = 0;
+    (what(group++, places), ...);
+  };
+  V last[] = {at(order, places)...}, other[] = {at(order - 1, places)...};
+  int k = order - 2;
+  for (; k > 1; k -= 2) {
+    each([&](std::size_t g, std::size_t i) { last[g] = last[g] * square + at(k, i); });
+    each([&](std::size_t g, std::size_t i) { other[g] = other[g] * square + at(k - 1, i); });
+  }
+  if (k == 1) {
+    each([&](std::size_t g, std::size_t i) { last[g] = (last[g] * square + at(1, i)) + h * other[g]; });
+  } else {
+    each([&](std::size_t g, std::size_t) { last[g] = other[g] + h * last[g]; });
+  }
+  each([&](std::size_t g, std::size_t i) { put(i, at(0, i) + h * last[g]); });
+}
+
+/// Of these components, at all times that `Lanes` has a number for.
+template <std::size_t... components, class Series, class Lanes>
+void sum_in_lanes(const Series& series, const Lanes& h, Lanes* result) {
+  const auto at = [&](int k, std::size_t i) { return Lanes(series.values[k][i]); };
+  sum_terms<Lanes, components...>(series.order, h, at, [&](std::size_t i, const Lanes& sum) { result[i] = sum; });
+}
+
+/// As many together as there are registers for, of at least four; the last four may begin within those before.
+template <std::size_t n, std::size_t first = 0, class Series, class Lanes>
+void sum_all_in_lanes(const Series& series, const Lanes& h, Lanes* result) {
+  constexpr std::size_t at = first + 4 <= n ? first : n - 4;
+  sum_in_lanes<at, at + 1, at + 2, at + 3>(series, h, result);
+  if constexpr (first + 4 < n) sum_all_in_lanes<n, first + 4>(series, h, result);
+}
+
 #if defined(__GNUC__)
 /// Sums of four components at a time stay in registers as vectors only: compilers keep arrays of numbers in memory, and in parts of other sizes.
 template <class S>
@@ -39,29 +77,12 @@ struct Four {
 template <class S>
 inline constexpr bool has_four = std::is_same_v<S, double> || std::is_same_v<S, float>;
 
-/// Of the components from each of `begin` on: even orders and odd ones are sums of their own, which wait for each other in one place only. The order 0 is added last, so
-/// that the result is rounded once at its own size.
+/// Of the components from each of `begin` on.
 template <std::size_t... begin, class Series, class S>
 void sum_in_fours(const Series& series, int order, S h, S* result) {
   using V = typename Four<S>::type;
-  const S square = h * h;
-  const auto at = [&](int k, std::size_t i) { return reinterpret_cast<const V*>(&series.values[k][i]); };
-  const auto each = [](const auto& what) {
-    std::size_t group = 0;
-    (what(group++, begin), ...);
-  };
-  V last[] = {*at(order, begin)...}, other[] = {*at(order - 1, begin)...};
-  int k = order - 2;
-  for (; k > 1; k -= 2) {
-    each([&](std::size_t g, std::size_t i) { last[g] = last[g] * square + *at(k, i); });
-    each([&](std::size_t g, std::size_t i) { other[g] = other[g] * square + *at(k - 1, i); });
-  }
-  if (k == 1) {
-    each([&](std::size_t g, std::size_t i) { last[g] = (last[g] * square + *at(1, i)) + h * other[g]; });
-  } else {
-    each([&](std::size_t g, std::size_t) { last[g] = other[g] + h * last[g]; });
-  }
-  each([&](std::size_t g, std::size_t i) { *reinterpret_cast<V*>(result + i) = *at(0, i) + h * last[g]; });
+  const auto at = [&](int k, std::size_t i) -> V { return *reinterpret_cast<const V*>(&series.values[k][i]); };
+  sum_terms<V, begin...>(order, h, at, [&](std::size_t i, V sum) { *reinterpret_cast<V*>(result + i) = sum; });
 }
 
 /// As many together as there are registers for; the last four may begin within those before.
@@ -111,43 +132,13 @@ void state_of_series(const Series& series, const S& h, State& state) {
   state_of_series(series, series.order, h, state);
 }
 
-namespace detail {
-
-/// Of `count` components from `first` on, as sum_in_fours has one: those of each number of `h` are the same to the bit.
-template <std::size_t count, class Series, class Lanes>
-void sum_at_several(const Series& series, const Lanes& h, std::size_t first, Lanes* result) {
-  const Lanes square = h * h;
-  const auto at = [&](int k, std::size_t i) { return Lanes(series.values[k][first + i]); };
-  Lanes last[count], other[count];
-  int k = series.order;
-  for (std::size_t i = 0; i < count; ++i) last[i] = at(k, i), other[i] = at(k - 1, i);
-  for (k -= 2; k > 1; k -= 2) {
-    for (std::size_t i = 0; i < count; ++i) last[i] = last[i] * square + at(k, i);
-    for (std::size_t i = 0; i < count; ++i) other[i] = other[i] * square + at(k - 1, i);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    last[i] = k == 1 ? (last[i] * square + at(1, i)) + h * other[i] : other[i] + h * last[i];
-    result[first + i] = at(0, i) + h * last[i];
-  }
-}
-
-/// As many together as there are registers for.
-template <std::size_t n, std::size_t first = 0, class Series, class Lanes>
-void sum_all_at_several(const Series& series, const Lanes& h, Lanes* result) {
-  constexpr std::size_t count = n - first < 4 ? n - first : 4;
-  sum_at_several<count>(series, h, first, result);
-  if constexpr (first + count < n) sum_all_at_several<n, first + count>(series, h, result);
-}
-
-}  // namespace detail
-
 /// The states at several times, of which each number of `h` has one: what state_of_series finds for each of them, to the bit.
 template <class Series, class Lanes, class State>
 void states_of_series(const Series& series, const Lanes& h, State& state) {
   using S = std::remove_cv_t<std::remove_reference_t<decltype(series.values[0][0])>>;
   constexpr std::size_t n = sizeof(state.values) / sizeof(state.values[0]);
   if constexpr (detail::has_four<S> && n >= 4) {
-    detail::sum_all_at_several<n>(series, h, state.values);
+    detail::sum_all_in_lanes<n>(series, h, state.values);
   } else {
     for (std::size_t i = 0; i < n; ++i) {
       Lanes x(series.values[series.order][i]);
