@@ -44,9 +44,19 @@ Progress<S> progress_of(const Report& report) {
 template <class S>
 struct Samples {
   Grid<S> grid{};
-  long first = 0;           ///< which time is the next one
+  long next = 0;            ///< the one that will be asked for first
   std::size_t results = 0;  ///< numbers that the functions fill
   Entry together;           ///< of a plugin that finds several at once (engine/taylor_glue.hpp); empty: there is none
+};
+
+/// Rows of numbers one after another, each as long as its struct says: states, and what the functions fill there. No results: they are still to be called.
+template <class S>
+struct Found {
+  long count;
+  const S* states;
+  std::size_t size = 0;
+  const S* results = nullptr;
+  std::size_t result_size = 0;
 };
 
 template <class S>
@@ -61,12 +71,10 @@ class Integrator {
   virtual S time() const = 0;
   /// Until it advances.
   virtual const Array& state() const = 0;
-  /// The same numbers, where the method has them.
-  virtual const S* values() const { return state().data(); }
-  /// What comes next, for methods that know the motion within a step.
+  /// What comes next, for methods that know the motion within a step: advance_to may go on to times after the one that it was asked for.
   virtual void expect(const Samples<S>&) {}
-  /// Of the functions that were expected, at this state; null: they are still to be called.
-  virtual const S* results() const { return nullptr; }
+  /// At that time and those after it, until it advances: where the method has these numbers.
+  virtual Found<S> found() const { return {1, state().data()}; }
   virtual Progress<S> progress() const = 0;
 };
 

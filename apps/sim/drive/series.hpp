@@ -48,30 +48,30 @@ class Series final : public Integrator<S> {
 
   void expect(const Samples<S>& samples) override {
     samples_ = samples;
-    found_ = next_ = 0;
-    taken_ = samples.first;
     if (!samples_.together) return;
     states_.resize(k_together * state_.size());
-    numbers_.resize(k_together * samples_.results);
+    results_.resize(k_together * samples_.results);
   }
 
   bool advance_to(const S& end) override {
-    ++next_;
-    const bool is_found = next_ < found_ && times_[next_] == end;
-    if (is_found) values_ += state_.size();
-    const bool arrives = is_found || step_to(end);
-    t_ = arrives ? end : tell().t;
+    const bool arrives = samples_.together ? advance_to_several(end) : advance_to_one(end);
+    t_ = arrives ? times_[static_cast<std::size_t>(found_ - 1)] : tell().t;
     return arrives;
   }
 
   S time() const override { return t_; }
   const Array& state() const override {
-    if (values_ != nullptr) std::copy_n(values_, state_.size(), state_.begin());
+    if (values_ != nullptr) {
+      const std::size_t before = static_cast<std::size_t>(found_ - 1) * state_.size();
+      std::copy_n(values_ + before, state_.size(), state_.begin());
+    }
     return state_;
   }
   /// Not copied: numbers that were written one by one are not yet where wide loads find them.
-  const S* values() const override { return values_ != nullptr ? values_ : state_.data(); }
-  const S* results() const override { return found_ > 1 ? numbers_.data() + next_ * samples_.results : nullptr; }
+  Found<S> found() const override {
+    if (found_ == 1) return {1, values_ != nullptr ? values_ : state_.data()};
+    return {found_, values_, state_.size(), results_.data(), samples_.results};
+  }
   Progress<S> progress() const override {
     const Report report = tell();
     Progress<S> progress;
@@ -97,24 +97,21 @@ class Series final : public Integrator<S> {
 
   static constexpr std::size_t k_together = 4;  ///< as engine/samples_glue.hpp has it
 
-  /// There, and to as many of the expected times after it as its step has.
-  bool step_to(const S& end) {
-    next_ = 0;
-    found_ = 1;
-    if (!samples_.together) {
-      void* const arguments[] = {run_, const_cast<S*>(&end), &values_};
-      return entries_.advance(arguments) == 1;
-    }
+  bool advance_to_one(const S& end) {
     times_[0] = end;
-    long count = 1;
-    while (count < static_cast<long>(k_together) && taken_ + count < samples_.grid.samples) {
-      times_[static_cast<std::size_t>(count)] = samples_.grid.at(taken_ + count);
-      ++count;
-    }
-    void* const arguments[] = {run_, times_.data(), &count, &values_, states_.data(), numbers_.data()};
+    void* const arguments[] = {run_, const_cast<S*>(&end), &values_};
+    return entries_.advance(arguments) == 1;
+  }
+
+  /// And to as many of the expected times after it as its step has.
+  bool advance_to_several(const S& end) {
+    const long k = samples_.next, most = std::min<long>(k_together, samples_.grid.samples - k);
+    times_[0] = end;
+    for (long i = 1; i < most; ++i) times_[static_cast<std::size_t>(i)] = samples_.grid.at(k + i);
+    found_ = most;
+    void* const arguments[] = {run_, times_.data(), &found_, &values_, states_.data(), results_.data()};
     const bool arrives = samples_.together(arguments) == 1;
-    found_ = static_cast<std::size_t>(count);
-    taken_ += count;
+    samples_.next += found_;
     return arrives;
   }
 
@@ -133,10 +130,9 @@ class Series final : public Integrator<S> {
   void* run_ = nullptr;
 
   Samples<S> samples_;
-  long taken_ = 0;                     ///< of these, up to here
-  std::array<S, k_together> times_{};  ///< of what was found together last
-  std::size_t found_ = 0, next_ = 0;
-  std::vector<S> states_, numbers_;
+  std::array<S, k_together> times_{};  ///< of what was found last
+  long found_ = 1;
+  std::vector<S> states_, results_;
 };
 
 }  // namespace gausssim

@@ -4,7 +4,6 @@
 // Each lane rounds as one sample alone does, and functions are those of the C library, so that results are the same to the bit.
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <type_traits>
 
 namespace gauss_sim_glue {
@@ -138,37 +137,12 @@ void put_into_all(const void* numbers, Struct& all) {
     reinterpret_cast<Lanes*>(&all)[i] = Lanes(static_cast<const double*>(numbers)[i]);
 }
 
-/// Four numbers of each lane at a time, where compilers can: what was written number by number cannot be read several at a time right after that.
-inline void take_four_apart(const Lanes* all, double* numbers, std::size_t stride) {
-  const Lanes::Numbers a = all[0].numbers, b = all[1].numbers, c = all[2].numbers, d = all[3].numbers;
-#if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
-  const Lanes::Numbers even_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6),
-                       odd_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7),
-                       even_cd = __builtin_shufflevector(c, d, 0, 4, 2, 6),
-                       odd_cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  const Lanes::Numbers lanes[] = {
-      __builtin_shufflevector(even_ab, even_cd, 0, 1, 4, 5), __builtin_shufflevector(odd_ab, odd_cd, 0, 1, 4, 5),
-      __builtin_shufflevector(even_ab, even_cd, 2, 3, 6, 7), __builtin_shufflevector(odd_ab, odd_cd, 2, 3, 6, 7)};
-#else
-  const Lanes::Numbers lanes[] = {
-      {a[0], b[0], c[0], d[0]}, {a[1], b[1], c[1], d[1]}, {a[2], b[2], c[2], d[2]}, {a[3], b[3], c[3], d[3]}};
-#endif
-  for (std::size_t lane = 0; lane < k_lanes; ++lane)
-    std::memcpy(numbers + lane * stride, &lanes[lane], sizeof lanes[lane]);
-}
-
-/// One lane after the other; the last four numbers may begin within those before.
+/// One lane after the other, number by number.
 template <class Struct>
 void take_apart(const Struct& all, double* numbers) {
   constexpr std::size_t n = k_numbers_of<Struct>;
-  const auto* const from = reinterpret_cast<const Lanes*>(&all);
-  if constexpr (n >= 4) {
-    for (std::size_t i = 0; i + 4 <= n; i += 4) take_four_apart(from + i, numbers + i, n);
-    if (n % 4 != 0) take_four_apart(from + n - 4, numbers + n - 4, n);
-  } else {
-    for (std::size_t lane = 0; lane < k_lanes; ++lane)
-      for (std::size_t i = 0; i < n; ++i) numbers[lane * n + i] = from[i].numbers[lane];
-  }
+  for (std::size_t lane = 0; lane < k_lanes; ++lane)
+    for (std::size_t i = 0; i < n; ++i) numbers[lane * n + i] = reinterpret_cast<const Lanes*>(&all)[i].numbers[lane];
 }
 
 /// `Sampled` has the projection of the model, and the functions that are asked for.

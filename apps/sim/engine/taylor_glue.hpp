@@ -50,7 +50,10 @@ class Run {
   int advance_to_several(const S* times, long& count, const S*& state, S* states, S* results) {
     long found = 1;
     if (are_found_together_ && simulation_.time() < times[0]) {
-      if (!simulation_.step_to(times[0])) return 0;
+      if (!simulation_.step_to(times[0])) {
+        count = 1;
+        return advance_to(times[0], state);
+      }
       const S end = simulation_.begin_of_step() + simulation_.span();
       while (found < count && times[found] <= end) ++found;
     }

@@ -64,9 +64,9 @@ void Trajectories<S>::integrate(const Numbers<S>& start, const Grid<S>& grid, bo
   std::string why;
   const auto integrator = make_integrator(setting_.method, model_, start, grid.start, settings_, why);
   if (!integrator) throw gaussgen::cli::UsageError(why);
-  if (keeps_all) integrator->expect(sampler_.expected(grid, 0));
-  drive<S>(*integrator, grid, [&](long, const S& t, const S* state) {
-    if (keeps_all) add_row(t, state, track, integrator->results());
+  const Samples<S> expected = keeps_all ? sampler_.expected(grid, 0) : Samples<S>{grid, 0, 0, {}};
+  drive<S>(*integrator, expected, [&](const Sample<S>& sample) {
+    if (keeps_all) add_row(sample.t, sample.state, track, sample.results);
     return true;
   });
   const Progress<S> progress = integrator->progress();
@@ -77,7 +77,7 @@ void Trajectories<S>::integrate(const Numbers<S>& start, const Grid<S>& grid, bo
   ended.reached = static_cast<double>(integrator->time());
   ended.steps = progress.steps;
   ended.rejected = progress.rejected;
-  if (!keeps_all) add_row(integrator->time(), integrator->values(), track);
+  if (!keeps_all) add_row(integrator->time(), integrator->found().states, track);
 }
 
 template class Trajectories<float>;

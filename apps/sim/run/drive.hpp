@@ -24,12 +24,25 @@ Grid<S> grid_of(const Span& span) {
   return {S(span.start), S(span.start) + S(span.duration), span.samples, S(span.every)};
 }
 
-/// How many samples there are in the end. `first`: before it there are those of an earlier run. `on_sample(k, t, values of the state)`: returning false ends it.
+/// A state at a time that was asked for, the k-th. `results`: of the functions that were expected; null: they are still to be called.
+template <class S>
+struct Sample {
+  long k;
+  S t;
+  const S *state, *results;
+};
+
+/// How many samples there are in the end, those of an earlier run before `expected` too. `on_sample(sample)`: returning false ends it.
 template <class S, class OnSample>
-long drive(Integrator<S>& integrator, const Grid<S>& grid, const OnSample& on_sample, long first = 0) {
-  for (long k = first; k < grid.samples; ++k) {
+long drive(Integrator<S>& integrator, const Samples<S>& expected, const OnSample& on_sample) {
+  const Grid<S>& grid = expected.grid;
+  integrator.expect(expected);
+  for (long k = expected.next; k < grid.samples;) {
     if (!integrator.advance_to(grid.at(k))) return k;
-    if (!on_sample(k, integrator.time(), integrator.values())) return k + 1;
+    const Found<S> found = integrator.found();
+    const S *state = found.states, *results = found.results;
+    for (long i = 0; i < found.count; ++i, ++k, state += found.size, results += found.result_size)
+      if (!on_sample(Sample<S>{k, grid.at(k), state, results})) return k + 1;
   }
   return grid.samples;
 }

@@ -85,10 +85,8 @@ class Simulator {
       return result_;
     }
     shown_ = start;
-    integrator->expect(sampler_.expected(grid_, earlier_ == nullptr ? 0 : earlier_->samples));
-    result_.samples = drive<S>(
-        *integrator, grid_, [&](long k, const S& t, const S* state) { return take(k, t, state, *integrator); },
-        earlier_ == nullptr ? 0 : earlier_->samples);
+    result_.samples = drive<S>(*integrator, sampler_.expected(grid_, earlier_ == nullptr ? 0 : earlier_->samples),
+                               [&](const Sample<S>& sample) { return take(sample, *integrator); });
     result_.cpu_seconds = processor_seconds() - cpu;
     result_.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     note(*integrator);
@@ -132,8 +130,9 @@ class Simulator {
     result_.cpu_seconds += earlier_->cpu_seconds;
   }
 
-  bool take(long k, const S& t, const S* state, const Integrator<S>& integrator) {
-    const gauss::Status status = sampler_(t, state, row_.data(), integrator.results());
+  bool take(const Sample<S>& sample, const Integrator<S>& integrator) {
+    const auto& [k, t, state, results] = sample;
+    const gauss::Status status = sampler_(t, state, row_.data(), results);
     if (status != gauss::Status::ok) {
       ++result_.untrusted_samples;
       result_.sample_status = status;
