@@ -159,11 +159,11 @@ class Samples {
     put_into_all(inputs, inputs_);
   }
 
-  /// At times within the step that was taken last, of a simulation that projects. False: at one of them, something is not ok, and nothing is filled.
+  /// At times within the step that was taken last, of a simulation that projects. False: at one of them, something is not ok, and nothing is filled. The simulation is at the last of them then.
   /// All that is called is written out here, without a branch: what a function has found of an angle is known to those after it.
   template <class Simulation>
-  [[gnu::flatten, gnu::noinline]] bool look(const Simulation& simulation, const double (&times)[k_lanes],
-                                            double* states, double* results) const {
+  [[gnu::flatten, gnu::noinline]] bool look(Simulation& simulation, const double (&times)[k_lanes], double* states,
+                                            double* results) const {
     const Lanes t = Lanes::Numbers{times[0], times[1], times[2], times[3]};
     State found, there;
     gauss::integrate::states_of_series(simulation.series(), t - Lanes(simulation.begin_of_step()), found);
@@ -178,6 +178,7 @@ class Samples {
     if (bad.any()) return false;
     take_apart(there, states);
     take_apart(all, results);
+    simulation.take(times[k_lanes - 1], [&](std::size_t i) { return there.values[i].numbers[k_lanes - 1]; });
     return true;
   }
 

@@ -94,12 +94,8 @@ class Run {
       S all[Samples::most];
       for (long i = 0; i < static_cast<long>(Samples::most); ++i) all[i] = times[std::min(i, count - 1)];
       are_found_together_ = samples_.look(simulation_, all, states, results);
-      if (!are_found_together_) return false;
-      State last;
-      std::copy_n(states + (count - 1) * static_cast<long>(Model::size), Model::size, last.values);
-      simulation_.take(all[count - 1], last);
     }
-    return true;
+    return are_found_together_;
   }
 
   gauss::simulate::TaylorSimulation<Model, Series> simulation_;

@@ -73,8 +73,10 @@ class Sampler {
     return status;
   }
 
+  /// Number by number: what was just written so cannot be read several at a time yet.
   static void copy(const Pieces& pieces, const S* from, S* row) {
-    for (const Piece& piece : pieces) std::copy_n(from + piece.first, piece.size, row + piece.place);
+    for (const Piece& piece : pieces)
+      for (std::size_t i = 0; i < piece.size; ++i) row[piece.place + i] = from[piece.first + i];
   }
 
   void add(const Column& column, std::size_t place) {

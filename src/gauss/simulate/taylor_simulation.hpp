@@ -199,11 +199,12 @@ class TaylorSimulation {
     return report_.outcome == Outcome::running;
   }
 
-  /// As if it had advanced to `t`, within the last step, and found this state there.
-  void take(const Scalar& t, const State& found) {
+  /// As if it had advanced to `t`, within the last step, and found `value(component)` there.
+  template <class Value>
+  void take(const Scalar& t, const Value& value) {
     t_ = t;
     here_ = 1 - here_;
-    states_[here_] = found;
+    for (std::size_t i = 0; i < Model::size; ++i) states_[here_].values[i] = value(i);
   }
 
   bool projects() const { return settings_.project; }
