@@ -49,13 +49,13 @@ struct Samples {
   Entry together;           ///< of a plugin that finds several at once (engine/taylor_glue.hpp); empty: there is none
 };
 
-/// Rows of numbers one after another, each as long as its struct says: states, and what the functions fill there. No results: they are still to be called.
+/// States one after another, and what the functions fill there. Of one, neither its time nor results: the functions are still to be called.
 template <class S>
 struct Found {
   long count;
   const S* states;
   std::size_t size = 0;
-  const S* results = nullptr;
+  const S *times = nullptr, *results = nullptr;
   std::size_t result_size = 0;
 };
 

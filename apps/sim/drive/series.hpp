@@ -70,7 +70,7 @@ class Series final : public Integrator<S> {
   /// Not copied: numbers that were written one by one are not yet where wide loads find them.
   Found<S> found() const override {
     if (found_ == 1) return {1, values_ != nullptr ? values_ : state_.data()};
-    return {found_, values_, state_.size(), results_.data(), samples_.results};
+    return {found_, values_, state_.size(), times_.data(), results_.data(), samples_.results};
   }
   Progress<S> progress() const override {
     const Report report = tell();

@@ -38,11 +38,14 @@ long drive(Integrator<S>& integrator, const Samples<S>& expected, const OnSample
   const Grid<S>& grid = expected.grid;
   integrator.expect(expected);
   for (long k = expected.next; k < grid.samples;) {
-    if (!integrator.advance_to(grid.at(k))) return k;
+    const S end = grid.at(k);
+    if (!integrator.advance_to(end)) return k;
     const Found<S> found = integrator.found();
     const S *state = found.states, *results = found.results;
-    for (long i = 0; i < found.count; ++i, ++k, state += found.size, results += found.result_size)
-      if (!on_sample(Sample<S>{k, grid.at(k), state, results})) return k + 1;
+    for (long i = 0; i < found.count; ++i, ++k, state += found.size, results += found.result_size) {
+      const S t = found.times == nullptr ? end : found.times[i];
+      if (!on_sample(Sample<S>{k, t, state, results})) return k + 1;
+    }
   }
   return grid.samples;
 }
