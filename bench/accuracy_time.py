@@ -179,9 +179,9 @@ def sampling(bench):
     for form, model in BALLS.items():
         found = bench.seconds(model, "reactions", "taylor", 1e-9, numbers)
         rows[form] = {"columns": found["columns"], "ns_per_sample": 1e9 * (found["seconds"][1] - found["seconds"][0]) / (numbers[1] - numbers[0])}
-        counts = [bench.instructions(model, "reactions", 1e-9, count) for count in (2, 2002)]
+        counts = [bench.instructions(model, "reactions", 1e-9, count) for count in numbers]
         if counts[0]:
-            rows[form]["instructions_per_sample"] = (counts[1] - counts[0]) / 2000
+            rows[form]["instructions_per_sample"] = (counts[1] - counts[0]) / (numbers[1] - numbers[0])
     return rows
 
 

@@ -27,7 +27,9 @@ std::vector<Word> words_of(const std::string& list) {
 
 class Run {
  public:
-  Run(const std::string& file, const std::string& outputs, const std::string& method, double setting, double end) {
+  /// Compiled for `samples`, as a run with so many would be.
+  Run(const std::string& file, const std::string& outputs, const std::string& method, double setting, double end,
+      long samples) {
     int code = 0;
     Request request;
     request.file = file;
@@ -36,6 +38,7 @@ class Run {
     if (!prepared) throw std::runtime_error("the model cannot be read");
     prepared_ = *prepared;
     prepared_.span.duration = end;
+    prepared_.span.samples = samples;
     EngineTimes times;
     std::string why;
     engine_ = build_engine(prepared_, EngineChoice::compiled, {"double"}, times, why);
@@ -68,8 +71,9 @@ std::vector<long> numbers_of(const std::string& list) {
 }
 
 int run(const std::vector<std::string>& words) {
-  Run one(words.at(0), words.at(1), words.at(2), std::stod(words.at(3)), std::stod(words.at(4)));
   const std::vector<long> samples = numbers_of(words.at(5));
+  Run one(words.at(0), words.at(1), words.at(2), std::stod(words.at(3)), std::stod(words.at(4)),
+          *std::max_element(samples.begin(), samples.end()));
   if (words.at(6) == "once") return static_cast<int>(one.counted(samples.front()).samples < 0);
   std::vector<double> least(samples.size(), 1e9);
   Simulated last;

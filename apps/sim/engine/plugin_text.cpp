@@ -169,7 +169,7 @@ std::string plugin_text(const cpp::File& tree, const PluginRequest& request) {
   if (has_series) text += series_runtime();
   if (!metric.empty()) text += gains_runtime();
   if (has_series || !metric.empty()) text += "\nGAUSS_MODEL(GaussSimModel, ::" + tree.name_space + ");\n";
-  const std::string sampled = has_series ? sampled_text(tree, request.sampled) : "";
+  const std::string sampled = has_series && request.sampled ? sampled_text(tree, *request.sampled) : "";
   if (!sampled.empty()) text += std::string(samples_runtime()) + sampled;
   std::vector<std::string> names;
   for (const std::string& name : request.functions) {
@@ -177,7 +177,8 @@ std::string plugin_text(const cpp::File& tree, const PluginRequest& request) {
   }
   for (const std::string& scalar : request.scalars) {
     const bool takes_several = !sampled.empty() && scalar == "double";
-    if (has_series) text += series_entries(tree.name_space, scalar, takes_several ? samples_name(request.sampled) : "");
+    if (has_series)
+      text += series_entries(tree.name_space, scalar, takes_several ? samples_name(*request.sampled) : "");
     if (!metric.empty()) text += gains_entries(tree.name_space, scalar, metric, *request.usual_rank);
     for (const std::string& name : names) {
       if (scalar != "double" && is_for_double(name)) continue;

@@ -11,9 +11,10 @@
 namespace gausssim {
 
 struct PluginRequest {
-  std::vector<std::string> functions;     ///< of the header; those that it lacks are left out
-  std::vector<std::string> scalars;       ///< float, double, long double
-  std::vector<std::string> sampled = {};  ///< of the functions, what is found at each sample
+  std::vector<std::string> functions;  ///< of the header; those that it lacks are left out
+  std::vector<std::string> scalars;    ///< float, double, long double
+  /// Of the functions, what is found at each sample; given: by power series several at once are found, where all of them can be.
+  std::optional<std::vector<std::string>> sampled = {};
   std::optional<int> usual_rank =
       {};  ///< of the constraints; given: gains are wanted, where the header has what they need
 };

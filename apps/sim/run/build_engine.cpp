@@ -8,6 +8,9 @@ namespace gausssim {
 
 namespace {
 
+/// From so many on, several at once are worth the time that a compiler takes for it: half a second, for half of a sample's time.
+constexpr long k_many_samples = 10'000;
+
 /// Of the constraints: all of them where the equations have no second way.
 int usual_rank_of(const gaussgen::emit::Unit& unit) {
   for (const gaussgen::emit::Artefact& artefact : unit.artefacts)
@@ -43,8 +46,9 @@ std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice
   PluginRequest request;
   request.functions = {"prepare",        "rhs",    "project",   "project_positions",
                        "project_speeds", "energy", "residuals", "jacobian"};
-  request.sampled = names_of(prepared.columns.functions);
-  request.functions.insert(request.functions.end(), request.sampled.begin(), request.sampled.end());
+  const std::vector<std::string> sampled = names_of(prepared.columns.functions);
+  request.functions.insert(request.functions.end(), sampled.begin(), sampled.end());
+  if (prepared.span.samples >= k_many_samples) request.sampled = sampled;
   request.scalars = scalars;
   if (prepared.wants_gains) request.usual_rank = usual_rank_of(prepared.model.unit);
   if (uses_quad(request)) toolchain->libraries.push_back("-lquadmath");
