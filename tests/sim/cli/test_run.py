@@ -107,6 +107,19 @@ class Motions(Program):
         self.assertGreater(errors[0] / errors[1], 13)
         self.assertLess(errors[0] / errors[1], 19)
 
+    def test_samples_that_are_found_several_at_once_are_those_that_are_found_one_by_one(self):
+        """To the bit: with the functions of one way, of two ways, and with angles of which project and what follows it share the sine."""
+        for model, outputs in (("sphere_in_cylinder_quaternion", "reactions,state"), ("sphere_in_cylinder", "energy,reactions"),
+                               ("double_pendulum", "joint_reactions,energy")):
+            rows = {}
+            for duration, samples in (("0.8", 8001), ("1.2", 12001)):
+                self.ok("run", MODELS / f"{model}.yaml", "--method", "taylor", "--every", "1e-4", "--duration", duration, "--outputs", outputs,
+                        "-o", "table.csv", "-q", env=dict(os.environ, XDG_CACHE_HOME=str(self.folder / duration)))
+                rows[samples] = (self.folder / "table.csv").read_text().splitlines()
+                together = any("GaussSimSampled" in text.read_text() for text in self.folder.glob(f"{duration}/gauss/*/model.cpp"))
+                self.assertEqual(together, samples > 10000)
+            self.assertEqual(rows[8001][:8000], rows[12001][:8000], model)
+
     def test_the_ball_climbs_as_its_closed_form_and_the_wall_pushes_so(self):
         """Neimark and Fufaev: the height of a ball that rolls in a cylinder is harmonic, with nu = chi' sqrt(2/7)."""
         start = {"m": 0.5, "R": 0.6, "r": 0.1, "g": 9.81, "zeta_dot_0": 0.7, "omega_r_0": 2}
