@@ -61,11 +61,11 @@ class TightSearch {
     const bool has_wider = engines_.of(wider) != nullptr;
     const double least = least_tolerance(number);
     for (tolerance_ = std::max(tolerance_, least);;) {
-      const RunInRows coarse = told(tight(number, tolerance_, least_parts(prepared_).other));
+      const RunInRows coarse = told(tight(number, tolerance_, longest_steps(prepared_).other));
       if (!failure_.empty()) return std::nullopt;
       const double finer = std::max(tolerance_ * k_tighter, least);
       const std::string& fine_number = has_wider ? wider : number;
-      const Setting setting = by_other_terms(tight(fine_number, finer, least_parts(prepared_).fine), prepared_);
+      const Setting setting = by_other_terms(tight(fine_number, finer, longest_steps(prepared_).fine), prepared_);
       RunInRows fine = told(setting);
       if (!failure_.empty()) return std::nullopt;
       Yardstick yardstick(std::move(fine.rows), coarse.rows, prepared_.columns.columns, k_least_range,
@@ -83,15 +83,13 @@ class TightSearch {
     }
   }
 
-  Setting tight(const std::string& number, double tolerance, double parts) {
+  Setting tight(const std::string& number, double tolerance, double longest_step) {
     Setting setting;
     setting.method = default_method(prepared_, *engines_.of(number), number);
     setting.number = number;
     setting.projection = default_projection(setting.method);
     setting.tolerance = tolerance;
-    setting.longest_step = prepared_.span.duration / parts;
-    if (prepared_.scene.longest_step)
-      setting.longest_step = std::min(setting.longest_step, *prepared_.scene.longest_step);
+    setting.longest_step = longest_step;
     return setting;
   }
 

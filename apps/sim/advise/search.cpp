@@ -184,7 +184,7 @@ class Search {
   /// Where nothing has delivered: shorter steps, for what acts for a time that others pass over; then more digits.
   void try_harder(const std::string& method) {
     if (!prepared_.scene.longest_step && found_.trials.empty()) {
-      longest_step_ = prepared_.span.duration / least_parts(prepared_).fine;
+      longest_step_ = longest_steps(prepared_).fine;
       if (try_in(method, number_name(prepared_.scene))) return;
       longest_step_ = 0;
     }

@@ -40,9 +40,7 @@ std::string in_words(const Estimate& estimate, bool is_found) {
 /// Of forces that jump: nobody knows of those that act for less than a step of what the run is compared with.
 std::string what_is_seen(const PreparedModel& prepared) {
   if (!is_jump(prepared.edge)) return "";
-  double seen = prepared.span.duration / least_parts(prepared).fine;
-  if (prepared.scene.longest_step) seen = std::min(seen, *prepared.scene.longest_step);
-  return fmt::format("; of what acts for {} s or longer", said(seen));
+  return fmt::format("; of what acts for {} s or longer", said(longest_steps(prepared).fine));
 }
 
 /// Of motions that nobody can follow, or not with this tolerance.

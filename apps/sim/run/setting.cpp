@@ -24,13 +24,18 @@ bool is_at_rounding(const Setting& setting) {
 
 }  // namespace
 
-LeastParts least_parts(const PreparedModel& prepared) {
-  LeastParts parts;
-  if (!is_jump(prepared.edge)) return parts;
+LongestSteps longest_steps(const PreparedModel& prepared, double lengthened) {
+  constexpr double k_fine = 1009,
+                   k_other = 499;  ///< parts of a motion: about as many as most have samples, and no multiples of these
   constexpr double k_most = 20, k_operations = 2e6;  ///< of rates, in calls of a step
   const double operations = std::max(prepared.operations, 1);
-  const double times = std::clamp(std::floor(k_operations / operations / parts.fine), 1.0, k_most);
-  return {times * parts.fine, times * parts.other};
+  const double times =
+      is_jump(prepared.edge) ? std::clamp(std::floor(k_operations / operations / k_fine), 1.0, k_most) : 1;
+  const auto longest = [&](double parts) {
+    const double step = lengthened * prepared.span.duration / (times * parts);
+    return std::min(step, prepared.scene.longest_step.value_or(step));
+  };
+  return {longest(k_fine), longest(k_other)};
 }
 
 std::string default_method(const PreparedModel& prepared, const Engine& engine, const std::string& number) {

@@ -12,14 +12,15 @@ constexpr double k_default_steps = 10'000;  ///< of one length, in a run
 constexpr const char* k_method_of_any_model = "prince87";
 constexpr const char* k_method_of_edges = "dopri5";  ///< beside that: of forces that jump
 
-/// Steps that a motion is divided into at least by runs that others are compared with.
-struct LeastParts {
-  double fine = 1009;  ///< more than most samples, and no multiple of their number
-  double other = 499;  ///< likewise, of the other run, since a step of one may end where something acts
+/// Of runs that others are compared with [s].
+struct LongestSteps {
+  double fine;
+  double other;  ///< of another run, since a step of one may end where something acts
 };
 
-/// More where a force jumps, since what acts for a short time has edges: as many as compiled rates are called for in some hundredths of a second.
-LeastParts least_parts(const PreparedModel& prepared);
+/// No longer than the scene has them. Shorter where a force jumps, since what acts for a short time has edges: as many steps as compiled rates are called for in some hundredths of a second.
+/// `lengthened`: times as long, where the scene allows it.
+LongestSteps longest_steps(const PreparedModel& prepared, double lengthened = 1);
 
 /// Series where the model has them.
 std::string default_method(const PreparedModel& prepared, const Engine& engine, const std::string& number);

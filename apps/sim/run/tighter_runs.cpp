@@ -55,14 +55,13 @@ class Tightening {
     const Setting first = setting_;
     (void)tighten();  // beside the first, another one in any case
     std::future<RunInRows> next = begun();
-    RunInRows tight = in_rows(prepared_, *engine_, first, Meter::none);
-    tight.rows.keep(rows_.samples());
+    RunInRows tight = as_far(in_rows(prepared_, *engine_, first, Meter::none));
     why = why_no_yardstick(tight.run);
     if (!why.text.empty()) return std::nullopt;
     TighterRuns result{yardstick_of(std::move(tight.rows), rows_), {}, std::nullopt, {}};
     result.error = result.yardstick.error_of(rows_);
     for (;;) {
-      RunInRows tighter = arrived(next);
+      RunInRows tighter = as_far(next.get());
       if (!arrives(tighter.run)) break;
       Yardstick yardstick = yardstick_of(std::move(tighter.rows), result.yardstick.rows());
       result.agreement = yardstick.error_of(result.yardstick.rows());
@@ -71,7 +70,7 @@ class Tightening {
       if (result.agreement->value <= k_agree * result.error.value || !tighten()) break;
       next = begun();
     }
-    if (nudged.valid()) result.rounding = by_rounding(result.yardstick, arrived(nudged));
+    if (nudged.valid()) result.rounding = by_rounding(result.yardstick, as_far(nudged.get()));
     return result;
   }
 
@@ -81,11 +80,10 @@ class Tightening {
   /// It takes no longer than all may.
   std::future<RunInRows> begun() const { return gausssim::begun(prepared_, *engine_, setting_, most_seconds()); }
 
-  /// As far as the run goes.
-  RunInRows arrived(std::future<RunInRows>& other) const {
-    RunInRows result = other.get();
-    result.rows.keep(rows_.samples());
-    return result;
+  /// As the run goes.
+  RunInRows as_far(RunInRows other) const {
+    other.rows.keep(rows_.samples());
+    return other;
   }
 
   /// Nothing where the nudged run does not arrive.
@@ -95,13 +93,13 @@ class Tightening {
 
   /// Closer to the motion, by other terms. Where samples are closer than steps would be, a tolerance alone changes nothing, nor does a step.
   void begin() {
-    const double duration = prepared_.span.duration;
-    const double taken = duration / static_cast<double>(std::max(run_.steps, 1L));
+    const double taken = prepared_.span.duration / static_cast<double>(std::max(run_.steps, 1L));
+    const double of_others = longest_steps(prepared_).fine;
     setting_.most_steps = 0;
     if (setting_.tolerance > 0) {
       setting_.tolerance *= tighter();
       // What acts for a short time may lie within a step of both.
-      const double longest = std::min(k_shorter * taken, duration / least_parts(prepared_).fine);
+      const double longest = std::min(k_shorter * taken, of_others);
       double& given = setting_.longest_step;
       given = given > 0 ? std::min(k_shorter * given, longest) : longest;
     }
@@ -109,8 +107,7 @@ class Tightening {
     shortest_ = k_shortest * setting_.step;
     if (!is_its_own_measure()) setting_ = by_other_terms(setting_, prepared_);
     // In place of steps of one length, too.
-    if (setting_.tolerance > 0 && setting_.longest_step == 0)
-      setting_.longest_step = duration / least_parts(prepared_).fine;
+    if (setting_.tolerance > 0 && setting_.longest_step == 0) setting_.longest_step = of_others;
     if (setting_.tolerance > 0) setting_.tolerance = std::max(setting_.tolerance, least_tolerance(setting_.number));
     least_range_ = least_range(setting_.tolerance > 0 ? setting_.tolerance : k_of_steps);
   }

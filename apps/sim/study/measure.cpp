@@ -71,11 +71,8 @@ std::array<Setting, 2> tight_settings(const PreparedModel& model, const Engine& 
   Setting fine, other;
   fine.number = other.number = "float128";
   fine.method = other.method = default_method(model, engine, fine.number);
-  const LeastParts parts = least_parts(model);
-  fine.longest_step = lengthened * model.span.duration / parts.fine;
-  other.longest_step = lengthened * model.span.duration / parts.other;
-  for (Setting* const one : {&fine, &other})
-    if (model.scene.longest_step) one->longest_step = std::min(one->longest_step, *model.scene.longest_step);
+  const LongestSteps longest = longest_steps(model, lengthened);
+  fine.longest_step = longest.fine, other.longest_step = longest.other;
   if (fine.method == "taylor") {
     fine.tolerance = 1e-29, other.tolerance = 1e-27;
     fine.order = 36, other.order = 30;

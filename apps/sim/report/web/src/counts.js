@@ -12,9 +12,8 @@ const withoutResult = ({stopped, unknown}) => listed([[stopped, 'stopped on the 
 
 /** @param {Tally} tally */
 export function whyUnmade({late, unfit}) {
-  const reasons = /** @type {[number, string][]} */ ([[late, 'for want of time'], [unfit, 'as they do not suit the model']]);
-  const given = reasons.filter(([count]) => count > 0);
-  return given.length === 1 ? given[0][1] : listed(given);
+  const [want, suit] = ['for want of time', 'as they do not suit the model'];
+  return late > 0 && unfit > 0 ? listed([[late, want], [unfit, suit]]) : late > 0 ? want : suit;
 }
 
 /** @param {Tally} tally */
