@@ -81,8 +81,8 @@ inline constexpr bool has_four = std::is_same_v<S, double> || std::is_same_v<S, 
 template <std::size_t... begin, class Series, class S>
 void sum_in_fours(const Series& series, int order, S h, S* result) {
   using V = typename Four<S>::type;
-  const auto at = [&](int k, std::size_t i) -> V { return *reinterpret_cast<const V*>(&series.values[k][i]); };
-  sum_terms<V, begin...>(order, h, at, [&](std::size_t i, V sum) { *reinterpret_cast<V*>(result + i) = sum; });
+  const auto at = [&](int k, std::size_t i) -> const V& { return *reinterpret_cast<const V*>(&series.values[k][i]); };
+  sum_terms<V, begin...>(order, h, at, [&](std::size_t i, const V& sum) { *reinterpret_cast<V*>(result + i) = sum; });
 }
 
 /// As many together as there are registers for; the last four may begin within those before.
