@@ -32,7 +32,7 @@ void in_lanes(const Each& each) {
 /// Sums of a series at `h`, of which `at(order, i)` gives the terms: even orders and odd ones are sums of their own, which wait for each other in one place only. The order 0 is
 /// added last, so that the result is rounded once at its own size. Written as packs, sums stay in registers; `put(i, sum)`.
 template <class V, std::size_t... places, class H, class At, class Put>
-void sum_terms(int order, const H& h, const At& at, const Put& put) {
+GAUSS_INLINED void sum_terms(int order, const H& h, const At& at, const Put& put) {
   const H square = h * h;
   const auto each = [](const auto& what) {
     std::size_t group = 0;
