@@ -161,12 +161,28 @@ inline constexpr int k_right = Series::right[m];
 template <class Series, int m>
 inline constexpr int k_squared = Series::squared[m];
 
-/// Of factors that are there once. These are stored and read as whole registers, so that nothing waits for what was stored last.
+/// Of orders 1 to 3.
+template <class S, int rows, int width>
+GAUSS_INLINED S sum_of_few(const S (&all)[rows][width], int k, int left, int right) {
+  if (k < 2) return S(0);
+  const S first = all[1][left] * all[k - 1][right];
+  return k < 3 ? first : first + all[2][left] * all[1][right];
+}
+
+/// Of factors that are there once. These are stored and read as whole registers, so that nothing waits for what was stored last; that is
+/// read last all the same, since it is still being found while sums of the others can begin.
 template <class Series, int first, class S, int rows, int width, int... m>
 GAUSS_INLINED void add_factors(const S (&all)[rows][width], int k, S* sums, std::integer_sequence<int, m...>) {
-  S sum[] = {(static_cast<void>(m), S(0))...};
-  for (int j = 1; j < k; ++j)
-    ((sum[m] = sum[m] + all[j][k_left<Series, first + m>] * all[k - j][k_right<Series, first + m>]), ...);
+  if (k < 4) {
+    ((sums[first + m] = sum_of_few(all, k, k_left<Series, first + m>, k_right<Series, first + m>)), ...);
+    return;
+  }
+  S sum[] = {all[2][k_left<Series, first + m>] * all[k - 2][k_right<Series, first + m>]...};
+  const auto add = [&](int place, const S& left, const S& right) { sum[place] = sum[place] + left * right; };
+  for (int j = 3; j < k - 1; ++j)
+    (add(m, all[j][k_left<Series, first + m>], all[k - j][k_right<Series, first + m>]), ...);
+  (add(m, all[1][k_left<Series, first + m>], all[k - 1][k_right<Series, first + m>]), ...);
+  (add(m, all[k - 1][k_left<Series, first + m>], all[1][k_right<Series, first + m>]), ...);
   ((sums[first + m] = sum[m]), ...);
 }
 

@@ -198,16 +198,26 @@ class Search {
                          [this](const Trial& trial) { return trial.seconds <= k_alike * best_; });
   }
 
-  /// An error bounds what constraints drift by, where somebody pays for it.
+  /// An error bounds what constraints drift by, where somebody pays for it: in the usual number type and in that which is cheapest with projection, since projection may cost
+  /// more than the others' digits.
   void try_without_projection() {
     if (prepared_.scene.projection || found_.trials.empty()) return;
-    const Trial projected = cheapest();
-    Setting setting = projected.setting;
-    if (setting.projection == Projection::off) return;
+    const double projected = best_;
+    const std::string usual = number_name(prepared_.scene), other = cheapest().setting.number;
+    try_without_projection(usual, projected);
+    if (other != usual) try_without_projection(other, projected);
+  }
+
+  void try_without_projection(const std::string& number, double projected) {
+    const Trial* least = nullptr;
+    for (const Trial& trial : found_.trials)
+      if (trial.setting.number == number && (least == nullptr || trial.seconds < least->seconds)) least = &trial;
+    if (least == nullptr || least->setting.projection == Projection::off) return;
+    Setting setting = least->setting;
     setting.projection = Projection::off;
-    OneMethod one(prepared_, *engines_.of(setting.number), found_.reference, error_, limit_);
-    const auto trial = one.run(setting, projected.seconds);
-    if (!trial || k_dear * trial->seconds >= projected.seconds) return;
+    OneMethod one(prepared_, *engines_.of(number), found_.reference, error_, limit_);
+    const auto trial = one.run(setting, best_);
+    if (!trial || k_dear * trial->seconds >= projected) return;
     found_.trials.push_back(*trial);
     best_ = std::min(best_, trial->seconds);
   }

@@ -13,14 +13,17 @@ namespace gausssim {
 namespace {
 
 /// What lanes do may differ from one trajectory alone by rounding, so products and sums need not be rounded one by one. Loops over columns of a product have to be
-/// straight code, or sums go through memory.
+/// straight code, or sums go through memory; loops over orders, which are around several of them, are no faster when they are unrolled.
 Toolchain for_lanes(Toolchain toolchain) {
   auto& flags = toolchain.flags;
   for (std::string& flag : flags) {
     if (flag == "-ffp-contract=off") flag = "-ffp-contract=fast";
     if (flag == "-O2") flag = "-O3";
   }
-  flags.erase(std::remove(flags.begin(), flags.end(), "-fno-tree-slp-vectorize"), flags.end());
+  const auto is_dropped = [](const std::string& flag) {
+    return flag == "-fno-tree-slp-vectorize" || flag == "-funroll-loops";
+  };
+  flags.erase(std::remove_if(flags.begin(), flags.end(), is_dropped), flags.end());
   return toolchain;
 }
 

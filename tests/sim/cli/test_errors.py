@@ -256,6 +256,11 @@ class Errors(Program):
         self.assertLessEqual(found["found"]["error"], 1e-7)
         self.assertLessEqual(found["found"]["time_s"], 1.1 * min(one["time_s"] for one in found["tried"]))
 
+    def test_projection_is_left_out_in_double_too_where_float_is_cheaper_with_it(self):
+        """Of the bicycle, projection takes two thirds of a run: double without it takes half of the time of float with it."""
+        found = json.loads(self.ok("advise", MODELS / "bicycle.yaml", "--error", "1e-3", "--format", "json"))
+        self.assertIn(("double", "off"), [(one["number"], one["projection"]) for one in found["tried"]])
+
     def test_advice_does_not_rest_on_samples(self):
         """Steps end at each of them: with fewer, they would be longer, and the error another one."""
         advice = self.ok("advise", MODELS / "spherical_pendulum.yaml", "--error", "1e-8", "--method", "prince87")
