@@ -71,6 +71,7 @@ class Holder {
   void operator()(ConstraintRow& row) {
     if (row.f) (*this)(*row.f);
     (*this)(row.phi);
+    (*this)(row.phi_beside);
     (*this)(row.beta);
     (*this)(row.beside);
     (*this)(row.carried);

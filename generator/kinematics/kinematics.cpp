@@ -184,7 +184,18 @@ class Builder {
   Expr partial(Expr function, FullIndex i) { return partials_(function, i); }
 
   ConstraintRow empty_row(const model::Constraint& constraint) const {
-    return {constraint.name.text, constraint.multiplier_unit, {}, number(0), {}, number(0), {}, true, {}, {}, {}};
+    return {constraint.name.text,
+            constraint.multiplier_unit,
+            {},
+            number(0),
+            {},
+            number(0),
+            {},
+            true,
+            {},
+            {},
+            {},
+            number(0)};
   }
 
   ConstraintRow constraint_row(const model::Constraint& constraint) {
@@ -233,14 +244,16 @@ class Builder {
     const Expr watched = phi();
     expressions_.watch(nullptr);
     if (places.all().empty()) return;
-    ir::Substitution put_in(graph_);
+    ir::Substitution put_in(graph_), put_in_at_rest(graph_);
     for (const auto& [frame, symbols] : places.all()) {
       const Vector3 origin = expressions_.frames().origin(frame);
       for (std::size_t i = 0; i < 3; ++i) {
-        put_in.replace(symbols[i].place, origin[i]);
+        for (ir::Substitution* const put : {&put_in, &put_in_at_rest}) put->replace(symbols[i].place, origin[i]);
         put_in.replace(symbols[i].rate, expressions_.rate(origin[i]));
+        put_in_at_rest.replace(symbols[i].rate, number(0));
       }
     }
+    row.phi_beside = put_in_at_rest(watched);
     for (const auto& [frame, symbols] : places.all()) {
       Vector3 direction = ir::zero3(graph_);
       for (std::size_t i = 0; i < 3; ++i) direction[i] = put_in(ir::partial(watched, symbols[i].rate));

@@ -62,6 +62,8 @@ struct ConstraintRow {
   support::Indexed<FullIndex, ir::Expr>
       beside;  ///< the part of beta that is of no place, or of the way of places over what carries them
   support::Indexed<FullIndex, ir::Expr> carried;  ///< the part of beta that is of places on which no body feels it
+  ir::Expr
+      phi_beside;  ///< the part of phi that is of no rate of a place, where there are actions: of what time alone says
 };
 
 /// A frame as it is cut off from its parent, with all that it carries.

@@ -178,12 +178,20 @@ std::size_t LinkRowBuilder::axes_of(const Group& group) const {
   return axes;
 }
 
-LinkRow LinkRowBuilder::empty_row(std::size_t index) const {
+const ConstraintRow& LinkRowBuilder::row_of(std::size_t index) const {
   const kinematics::Kinematics& kinematics = problem_.kinematics;
   const bool is_idle = index >= problem_.b.size();
-  const ConstraintRow& row = is_idle ? kinematics.idle_slips[index - problem_.b.size()]
-                                     : kinematics.constraints[kinematics::ConstraintIndex{index}];
-  return {row.name, {}, {}, number(0), number(0)};
+  return is_idle ? kinematics.idle_slips[index - problem_.b.size()]
+                 : kinematics.constraints[kinematics::ConstraintIndex{index}];
+}
+
+LinkRow LinkRowBuilder::empty_row(std::size_t index) const {
+  return {row_of(index).name, {}, {}, number(0), number(0)};
+}
+
+Expr LinkRowBuilder::rest_beside(std::size_t index) const {
+  const Expr by_time = problem_.rate_of(row_of(index).phi_beside);
+  return problem_.residuals.empty() ? by_time : by_time + problem_.residuals[index];
 }
 
 // A wheel rolls along the plane, and nothing falls along it, but its axes do not show this.
@@ -223,12 +231,13 @@ void LinkRowBuilder::add(const Group& group, LinkMotion& motion, LinkAxes& in_sp
       if (share.is_zero()) continue;
       result.multipliers[as.constraint].push_back({first_row + i, share});
       // The axes of the rows are as orthogonal as those of space: what turns multipliers turns residuals back.
-      result.rows[first_row + i].rest += share * residual(as.constraint);
+      result.rows[first_row + i].rest += share * rest_beside(as.constraint);
     }
   }
 }
 
-// Directions in the axes of a frame turn with them: (ω_axes × direction)·v beside the others.
+// Directions in the axes of a frame turn with them: (ω_axes × direction)·v beside the others. So do those of a body within axes of its link that do not turn with it, those of
+// a spin: d(direction)/dt there.
 void LinkRowBuilder::add(const PlacedRow& placed, LinkMotion& motion, Steps& steps, LinkRows& result) const {
   LinkRow row = empty_row(placed.constraint);
   Vector3 falling = ir::zero3(graph_);
@@ -243,12 +252,14 @@ void LinkRowBuilder::add(const PlacedRow& placed, LinkMotion& motion, Steps& ste
     const Vector3 direction = resolved(linkage_.links, axes, spot.link, along);
     add_term(spot, direction, motion, row);
     falling = falling + along;
-    if (axes == k_ground) continue;
-    const Vector3 turning = resolved(linkage_.links, axes, spot.link, cross(motion.omega_of_axes(axes), along));
+    Vector3 change{problem_.rate_of(along[0]), problem_.rate_of(along[1]), problem_.rate_of(along[2])};
+    if (axes != k_ground) change = change + cross(motion.omega_of_axes(axes), along);
+    if (is_zero(change)) continue;
+    const Vector3 turning = resolved(linkage_.links, axes, spot.link, change);
     row.rest += dot(turning, motion.velocity(spot.link, steps) + cross(motion.omega(spot.link), position(spot)));
   }
   if (!is_zero(falling)) set_fall(dot(falling, motion.fall_at(axes)), row);
-  row.rest += residual(placed.constraint);
+  row.rest += rest_beside(placed.constraint);
   result.multipliers[placed.constraint].push_back({result.rows.size(), number(1)});
   result.rows.push_back(std::move(row));
 }

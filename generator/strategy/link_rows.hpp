@@ -106,9 +106,9 @@ class LinkRowBuilder {
   LinkRow empty_row(std::size_t index) const;
   void set_fall(ir::Expr fall, LinkRow& row) const;
   bool is_idle(std::size_t index) const { return placed_[index]->constraint >= problem_.b.size(); }
-  ir::Expr residual(std::size_t constraint) const {
-    return problem_.residuals.empty() ? number(0) : problem_.residuals[constraint];
-  }
+  const kinematics::ConstraintRow& row_of(std::size_t index) const;
+  /// What a row says beside the motion of its places.
+  ir::Expr rest_beside(std::size_t index) const;
   ir::Expr number(int value) const { return {graph_, graph_.constant(value)}; }
 
   const ConstraintProblem& problem_;

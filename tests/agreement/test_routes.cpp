@@ -347,10 +347,10 @@ TEST_CASE("emitted route, all strategies and paper's route agree to 100 kappa ep
 }
 
 TEST_CASE(
-    "the three agree on speeds of the model's own over rates of held coordinates, on points that wander, on springs "
-    "that wind") {
-  for (const char* file :
-       {"agreement/models/speeds_over_held", "physics/forces/sliding_wheel", "physics/forces/winch"}) {
+    "the three agree on speeds of the model's own over rates of held coordinates, on directions that turn in axes that "
+    "do not, on places that follow a law of time, on points that wander, on springs that wind") {
+  for (const char* file : {"agreement/models/speeds_over_held", "agreement/models/driven_racer",
+                           "agreement/models/led_by_time", "physics/forces/sliding_wheel", "physics/forces/winch"}) {
     INFO(file);
     const Tally tally = Comparison(std::string("../tests/") + file).run();
     CHECK(tally.compared == k_states);

@@ -173,9 +173,16 @@ class Mechanism {
   void add_bodies(const std::string& frame) {
     if (has_one_turn_at_most(frame) && chance(0.25)) return add_load(frame);
     const double mass = any_mass();
+    if (chance(0.15)) return add_ball(frame, mass);
     bodies_ += entry(frame, "mass: " + number(mass * uniform(0.5, 3)) + ", centre: " + place_in(0.3) +
                                 ", inertia: " + inertia(mass));
     if (chance(0.2)) add_load(frame);
+  }
+
+  /// The same in all directions: its link has axes that need not turn with it.
+  void add_ball(const std::string& frame, double mass) {
+    bodies_ += entry(frame, "mass: " + number(mass * uniform(0.5, 3)) +
+                                ", inertia: " + number(mass * length_ * length_ * uniform(0.01, 0.5)));
   }
 
   void add_load(const std::string& frame) {
@@ -273,8 +280,8 @@ class Mechanism {
                      "equation: 0.6*p1.x*p2.y + 0.4*sin(t) - 2*p1.z");
       case 3: return given("contact" + number, "rolls: " + a + on + ", at: [p1.x, p1.y + 0.1, 0]");
       case 4:
-        return given("blade" + number,
-                     "no_slip: " + a + on + ", at: p2, direction: " + axis() + ", in: " + pick(links_));
+        return given("blade" + number, "no_slip: " + a + on + ", at: p2, direction: " + axis() +
+                                           ", in: " + (chance(0.5) ? a : pick(links_)));
       case 5: {
         const std::string law = "dot(p1.x)*cos(t) - dot(p2.y)*p1.z + 0.3";
         return given("chase" + number, "velocity: " + law, "velocity: (" + law + ")*(2 + sin(t))");
