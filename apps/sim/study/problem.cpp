@@ -110,11 +110,13 @@ class Solver {
     problem_.lanes = std::move(lanes);
   }
 
+  /// None where it does not come to its end.
   void show_motion() {
     const Form& first = problem_.forms.front();
+    const TimeLimit limit(options_.budget);
     auto motion = motion_of(first.model, *first.engine, default_setting(first.model, *first.engine));
-    throw_if_ended();
-    problem_.motion = std::move(motion);
+    if (Interruption::is_asked_for()) throw Interrupted{};
+    if (!limit.is_over()) problem_.motion = std::move(motion);
   }
 
   /// Another description has to tell the same motion, as far as tight runs tell it at all.
@@ -122,10 +124,8 @@ class Solver {
     double own = 0;
     for (Form& form : problem_.forms) {
       if (!form.engine) continue;
-      constexpr double k_tight = 1e-11, k_alike = 1e-3, k_far = 100;
-      Setting setting = default_setting(form.model, *form.engine);
-      setting.tolerance = k_tight;
-      const DeliveredError error = error_of(form.model, *form.engine, setting, problem_.reference, form.why);
+      constexpr double k_alike = 1e-3, k_far = 100;
+      const DeliveredError error = tight_error_of(form);
       throw_if_ended();
       if (&form == &problem_.forms.front()) {
         own = error.value;
@@ -135,6 +135,16 @@ class Solver {
             fmt::format("it tells another motion: '{}' is off by {:.2g} of its range", error.output, error.value);
       }
     }
+  }
+
+  DeliveredError tight_error_of(Form& form) const {
+    constexpr double k_tight = 1e-11;
+    const TimeLimit limit(options_.budget);
+    Setting setting = default_setting(form.model, *form.engine);
+    setting.tolerance = k_tight;
+    const DeliveredError error = error_of(form.model, *form.engine, setting, problem_.reference, form.why);
+    if (limit.is_over()) form.why = fmt::format("a tight run takes more than {:.3g} s", options_.budget);
+    return error;
   }
 
   void measure_all() {

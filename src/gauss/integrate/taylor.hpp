@@ -29,7 +29,7 @@ void in_lanes(const Each& each) {
   }
 }
 
-/// Sums of a series at `h`, of which `at(order, i)` gives the terms: even orders and odd ones are sums of their own, which wait for each other in one place only. The order 0 is
+/// Sums of a series at `h`, of which `at(order, i).numbers` are the terms: even orders and odd ones are sums of their own, which wait for each other in one place only. The order 0 is
 /// added last, so that the result is rounded once at its own size. Written as packs, sums stay in registers; `put(i, sum)`.
 template <class V, std::size_t... places, class H, class At, class Put>
 GAUSS_INLINED void sum_terms(int order, const H& h, const At& at, const Put& put) {
@@ -38,18 +38,18 @@ GAUSS_INLINED void sum_terms(int order, const H& h, const At& at, const Put& put
     std::size_t group = 0;
     (what(group++, places), ...);
   };
-  V last[] = {at(order, places)...}, other[] = {at(order - 1, places)...};
+  V last[] = {at(order, places).numbers...}, other[] = {at(order - 1, places).numbers...};
   int k = order - 2;
   for (; k > 1; k -= 2) {
-    each([&](std::size_t g, std::size_t i) { last[g] = last[g] * square + at(k, i); });
-    each([&](std::size_t g, std::size_t i) { other[g] = other[g] * square + at(k - 1, i); });
+    each([&](std::size_t g, std::size_t i) { last[g] = last[g] * square + at(k, i).numbers; });
+    each([&](std::size_t g, std::size_t i) { other[g] = other[g] * square + at(k - 1, i).numbers; });
   }
   if (k == 1) {
-    each([&](std::size_t g, std::size_t i) { last[g] = (last[g] * square + at(1, i)) + h * other[g]; });
+    each([&](std::size_t g, std::size_t i) { last[g] = (last[g] * square + at(1, i).numbers) + h * other[g]; });
   } else {
     each([&](std::size_t g, std::size_t) { last[g] = other[g] + h * last[g]; });
   }
-  each([&](std::size_t g, std::size_t i) { put(i, at(0, i) + h * last[g]); });
+  each([&](std::size_t g, std::size_t i) { put(i, at(0, i).numbers + h * last[g]); });
 }
 
 /// Of these components, at all times that `Lanes` has a number for.
@@ -71,7 +71,11 @@ void sum_all_in_lanes(const Series& series, const Lanes& h, Lanes* result) {
 /// Sums of four components at a time stay in registers as vectors only: compilers keep arrays of numbers in memory, and in parts of other sizes.
 template <class S>
 struct Four {
-  typedef S type __attribute__((vector_size(4 * sizeof(S)), aligned(alignof(S)), may_alias));
+  typedef S type __attribute__((vector_size(4 * sizeof(S))));
+  /// Of numbers wherever they are. A type of its own: clang++ forgets the alignment of a typedef where it is a template argument.
+  struct __attribute__((packed, may_alias, aligned(alignof(S)))) Placed {
+    type numbers;
+  };
 };
 
 template <class S>
@@ -81,8 +85,12 @@ inline constexpr bool has_four = std::is_same_v<S, double> || std::is_same_v<S, 
 template <std::size_t... begin, class Series, class S>
 void sum_in_fours(const Series& series, int order, S h, S* result) {
   using V = typename Four<S>::type;
-  const auto at = [&](int k, std::size_t i) -> const V& { return *reinterpret_cast<const V*>(&series.values[k][i]); };
-  sum_terms<V, begin...>(order, h, at, [&](std::size_t i, const V& sum) { *reinterpret_cast<V*>(result + i) = sum; });
+  using Placed = typename Four<S>::Placed;
+  const auto at = [&](int k, std::size_t i) -> const Placed& {
+    return *reinterpret_cast<const Placed*>(&series.values[k][i]);
+  };
+  sum_terms<V, begin...>(order, h, at,
+                         [&](std::size_t i, const V& sum) { reinterpret_cast<Placed*>(result + i)->numbers = sum; });
 }
 
 /// As many together as there are registers for; the last four may begin within those before.
@@ -132,7 +140,8 @@ void state_of_series(const Series& series, const S& h, State& state) {
   state_of_series(series, series.order, h, state);
 }
 
-/// The states at several times, of which each number of `h` has one: what state_of_series finds for each of them, to the bit.
+/// The states at several times, of which each number of `h` has one: what state_of_series finds for each of them, to the bit. `Lanes` has arithmetic, and is made of its
+/// `numbers`, a vector.
 template <class Series, class Lanes, class State>
 void states_of_series(const Series& series, const Lanes& h, State& state) {
   using S = std::remove_cv_t<std::remove_reference_t<decltype(series.values[0][0])>>;

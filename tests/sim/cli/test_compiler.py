@@ -8,7 +8,7 @@ import time
 import unittest
 from pathlib import Path
 
-from gauss_sim import PROGRAM, SPRING, Program
+from gauss_sim import MODELS, PROGRAM, SPRING, Program
 
 SCENE = """gauss: 1
 scene: many
@@ -158,6 +158,18 @@ class Choosing(Compilers):
         with self.subTest("the compiler gets them"):
             self.write("own.hpp", "#error this is own.hpp\n")
             self.assertIn("this is own.hpp", self.engine_with(f"c++ -include '{self.folder}/own.hpp'")[1])
+
+    @unittest.skipUnless(shutil.which("clang++"), "there is no clang++")
+    def test_what_clang_compiles_runs_with_the_same_bits(self):
+        """By power series of numbers that are anywhere in memory, in double and float, one sample at a time and several."""
+        for number, every in (("double", "0.05"), ("double", "1e-4"), ("float", "0.05")):
+            tables = []
+            for compiler in ("clang++", "g++"):
+                self.ok("run", MODELS / "sphere_in_cylinder_quaternion.yaml", "--engine", "compiled", "--method", "taylor", "--number", number,
+                        "--tolerance", "1e-5", "--duration", "1.1", "--every", every, "--outputs", "state,reactions", "-o", "table.csv", "-q",
+                        env=self.environment(compiler))
+                tables.append((self.folder / "table.csv").read_text())
+            self.assertEqual(*tables, (number, every))
 
     def test_a_path_may_have_blanks(self):
         link = self.folder / "my c++"

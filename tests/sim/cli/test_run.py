@@ -114,9 +114,9 @@ class Motions(Program):
             rows = {}
             for duration, samples in (("0.8", 8001), ("1.2", 12001)):
                 self.ok("run", MODELS / f"{model}.yaml", "--method", "taylor", "--every", "1e-4", "--duration", duration, "--outputs", outputs,
-                        "-o", "table.csv", "-q", env=dict(os.environ, XDG_CACHE_HOME=str(self.folder / duration)))
+                        "-o", "table.csv", "-q", env=dict(os.environ, XDG_CACHE_HOME=str(self.folder / f"{model}_{duration}")))
                 rows[samples] = (self.folder / "table.csv").read_text().splitlines()
-                together = any("GaussSimSampled" in text.read_text() for text in self.folder.glob(f"{duration}/gauss/*/model.cpp"))
+                together = any("GaussSimSampled" in text.read_text() for text in self.folder.glob(f"{model}_{duration}/gauss/*/model.cpp"))
                 self.assertEqual(together, samples > 10000)
             self.assertEqual(rows[8001][:8000], rows[12001][:8000], model)
 
