@@ -265,7 +265,7 @@ class Mechanism {
     const std::string b = chance(0.5) ? "ground" : pick(links_);
     const std::string p = place();
     const std::string on = a == b ? "" : ", on: " + b;
-    switch (random_() % 7) {
+    switch (random_() % 8) {
       case 0: {
         const std::string q = other(p);
         return given("loop" + number, "coincide: [" + p + ", " + q + "]", "coincide: [" + q + ", " + p + "]");
@@ -285,6 +285,12 @@ class Mechanism {
       case 5: {
         const std::string law = "dot(p1.x)*cos(t) - dot(p2.y)*p1.z + 0.3";
         return given("chase" + number, "velocity: " + law, "velocity: (" + law + ")*(2 + sin(t))");
+      }
+      case 6: {
+        const std::string of =
+            pick<std::string>({"p1", "p2", "p3", "p4"}) + "." + pick<std::string>({"x", "y", "z"});
+        return given("lead" + number, "equation: " + of + " - 0.2*sin(2*t) - 0.1*t^2",
+                     "equation: 0.4*sin(2*t) + 0.2*t^2 - 2*" + of);
       }
       default:
         if (names_.size() < 2) return {};
