@@ -287,8 +287,7 @@ class Mechanism {
         return given("chase" + number, "velocity: " + law, "velocity: (" + law + ")*(2 + sin(t))");
       }
       case 6: {
-        const std::string of =
-            pick<std::string>({"p1", "p2", "p3", "p4"}) + "." + pick<std::string>({"x", "y", "z"});
+        const std::string of = pick<std::string>({"p1", "p2", "p3", "p4"}) + "." + pick<std::string>({"x", "y", "z"});
         return given("lead" + number, "equation: " + of + " - 0.2*sin(2*t) - 0.1*t^2",
                      "equation: 0.4*sin(2*t) + 0.2*t^2 - 2*" + of);
       }
