@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -62,7 +64,14 @@ Built compiled(const std::string& text, const Toolchain& toolchain, const fs::pa
   Built built;
   const WorkFolder work(cache);
   if (!work.is_there()) return built.why = "no folder can be made to compile in", built;
-  std::ofstream(work / "model.cpp", std::ios::binary) << text;
+  errno = 0;
+  std::ofstream source(work / "model.cpp", std::ios::binary);
+  source << text;
+  source.close();
+  if (!source) {
+    built.why = fmt::format("its text cannot be written into {}: {}", cache.string(), std::strerror(errno));
+    return built;
+  }
   const auto begin = std::chrono::steady_clock::now();
   const auto [failure, was_ended] = compile(toolchain, work / "model.cpp", work / "model.so", ends);
   built.compile_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
