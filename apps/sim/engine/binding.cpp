@@ -1,6 +1,5 @@
 #include "sim/engine/binding.hpp"
 
-#include <algorithm>
 #include <initializer_list>
 
 #include "sim/engine/result_layouts.hpp"
@@ -49,19 +48,6 @@ Callable<S> callable(const Engine& engine, const Described& model, const std::st
   return Callable<S>(entry, std::move(places));
 }
 
-namespace {
-
-/// Of those that are no parameters, and so have been changed: a third, or a product, that is computed once is rounded as what somebody writes is.
-template <class S>
-void change_what_follows(const Change<S>& change, const std::vector<S>& parameters, std::vector<S>& prepared) {
-  std::vector<S> changed = prepared;
-  change(changed);
-  for (std::size_t i = 0; i < prepared.size(); ++i)
-    if (std::find(parameters.begin(), parameters.end(), prepared[i]) == parameters.end()) prepared[i] = changed[i];
-}
-
-}  // namespace
-
 template <class S>
 std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model, const Change<S>& change) {
   auto functions = std::make_shared<Functions<S>>();
@@ -80,7 +66,6 @@ std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model,
   fill("inputs", {functions->inputs.data()});
   if (change) change(parameters), change(functions->inputs);
   fill("prepare", {parameters.data(), functions->prepared.data()});
-  if (change) change_what_follows(change, parameters, functions->prepared);
   const auto bound = [&](const char* function) {
     Callable<S> found = callable<S>(engine, model, function);
     if (found) found.bind(functions->prepared.data(), functions->inputs.data());
