@@ -265,7 +265,7 @@ class Mechanism {
     const std::string b = chance(0.5) ? "ground" : pick(links_);
     const std::string p = place();
     const std::string on = a == b ? "" : ", on: " + b;
-    switch (random_() % 8) {
+    switch (random_() % 7) {
       case 0: {
         const std::string q = other(p);
         return given("loop" + number, "coincide: [" + p + ", " + q + "]", "coincide: [" + q + ", " + p + "]");
@@ -276,6 +276,11 @@ class Mechanism {
                      "distance: [" + q + ", " + p + "], is: L + 0.1*sin(t)");
       }
       case 2:
+        if (p != "ground" && chance(0.3)) {
+          const std::string of = p + "." + pick<std::string>({"x", "y", "z"});
+          return given("lead" + number, "equation: " + of + " - 0.2*sin(2*t) - 0.1*t^2",
+                       "equation: 0.4*sin(2*t) + 0.2*t^2 - 2*" + of);
+        }
         return given("track" + number, "equation: p1.z - 0.3*p1.x*p2.y - 0.2*sin(t)",
                      "equation: 0.6*p1.x*p2.y + 0.4*sin(t) - 2*p1.z");
       case 3: return given("contact" + number, "rolls: " + a + on + ", at: [p1.x, p1.y + 0.1, 0]");
@@ -285,11 +290,6 @@ class Mechanism {
       case 5: {
         const std::string law = "dot(p1.x)*cos(t) - dot(p2.y)*p1.z + 0.3";
         return given("chase" + number, "velocity: " + law, "velocity: (" + law + ")*(2 + sin(t))");
-      }
-      case 6: {
-        const std::string of = pick<std::string>({"p1", "p2", "p3", "p4"}) + "." + pick<std::string>({"x", "y", "z"});
-        return given("lead" + number, "equation: " + of + " - 0.2*sin(2*t) - 0.1*t^2",
-                     "equation: 0.4*sin(2*t) + 0.2*t^2 - 2*" + of);
       }
       default:
         if (names_.size() < 2) return {};
