@@ -64,16 +64,14 @@ Built compiled(const std::string& text, const Toolchain& toolchain, const fs::pa
   Built built;
   const WorkFolder work(cache);
   if (!work.is_there()) return built.why = "no folder can be made to compile in", built;
+  const fs::path file = work / "model.cpp";
   errno = 0;
-  std::ofstream source(work / "model.cpp", std::ios::binary);
+  std::ofstream source(file, std::ios::binary);
   source << text;
   source.close();
-  if (!source) {
-    built.why = fmt::format("its text cannot be written into {}: {}", cache.string(), std::strerror(errno));
-    return built;
-  }
+  if (!source) return built.why = fmt::format("{} cannot be written: {}", file.string(), std::strerror(errno)), built;
   const auto begin = std::chrono::steady_clock::now();
-  const auto [failure, was_ended] = compile(toolchain, work / "model.cpp", work / "model.so", ends);
+  const auto [failure, was_ended] = compile(toolchain, file, work / "model.so", ends);
   built.compile_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   built.was_ended = was_ended;
   if (was_ended) return built.why = "it was ended", built;
