@@ -21,6 +21,10 @@ struct Described {
   std::size_t n_q() const { return unit.configuration.size(); }
   std::size_t n_v() const { return unit.speeds.size(); }
   std::size_t size() const { return n_q() + n_v(); }
+  /// Of a state.
+  const std::string& component(std::size_t i) const {
+    return i < n_q() ? unit.configuration[i].name : unit.speeds[i - n_q()].name;
+  }
 };
 
 /// A function of the tree in an engine; an empty one where either lacks it.

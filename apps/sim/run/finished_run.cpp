@@ -29,8 +29,12 @@ std::string in_words(const DeliveredError& error) {
 std::string in_words(const Estimate& estimate, bool is_found) {
   std::string text = in_words(static_cast<const DeliveredError&>(estimate));
   if (is_found) return text;
+  if (estimate.is_in_doubt()) return text + "; more may come of digits that are lost";
   if (estimate.is_by_rounding())
-    return text + " at most; from values that are rounded otherwise, runs differ by as much";
+    return text +
+           (estimate.rounding.is_told_in_wider
+                ? fmt::format("; told by a run in {}, since tighter runs lose the same digits", estimate.rounding.wider)
+                : " at most; from values that are rounded otherwise, runs differ by as much");
   if (!estimate.agreement) return text + "; by one tighter run, which no other one confirms";
   return estimate.is_confirmed()
              ? text
@@ -43,26 +47,48 @@ std::string what_is_seen(const PreparedModel& prepared) {
   return fmt::format("; of what acts for {} s or longer", said(longest_steps(prepared).fine));
 }
 
+/// What a run is off by where tighter ones agree with it.
+std::string beside_tighter_runs(const Estimate& error, const std::string& number) {
+  const RoundingError& rounding = error.rounding;
+  if (rounding.is_told_in_wider)
+    return fmt::format(
+        "a run in {} differs by {:.2g} of the range of '{}': in {}, formulas and equations lose too many digits for "
+        "this "
+        "motion;",
+        rounding.wider, error.value, error.output, number);
+  return fmt::format(
+      "a run from values that are rounded otherwise differs by {:.2g} of the range of '{}': one of the two is not "
+      "this motion, as where steps miss what acts for a short time; a shorter longest_step shows it, and",
+      error.value, error.output);
+}
+
 /// Of motions that nobody can follow, or not with this tolerance.
-void warn_of_error(const Estimate& error, const cli::MessageOptions& messages) {
+void warn_of_error(const Estimate& error, const std::string& number, const cli::MessageOptions& messages) {
   constexpr double k_useless = 0.1;
+  if (error.is_in_doubt())
+    return cli::warn(
+        fmt::format("in {}, formulas and equations lose digits: {:.1g} of '{}' is rounding, and a run in {} "
+                    "takes too long to tell what comes of it; --error 1e-3 does",
+                    number, error.rounding.lost.value, error.rounding.lost.output, error.rounding.wider),
+        messages);
   if (error.value < k_useless) return;
-  const std::string what =
-      error.is_by_rounding() && error.by_tighter_runs < k_useless
-          ? fmt::format(
-                "a run from values that are rounded otherwise differs by {:.2g} of the range of '{}': one of "
-                "the two is not this motion, as where steps miss what acts for a short time; a shorter "
-                "longest_step shows it, and",
-                error.value, error.output)
-          : fmt::format("the table is off by {:.2g} of the range of '{}': it is not this motion;", error.value,
-                        error.output);
+  const std::string what = error.is_by_rounding() && error.by_tighter_runs < k_useless
+                               ? beside_tighter_runs(error, number)
+                               : fmt::format("the table is off by {:.2g} of the range of '{}': it is not this motion;",
+                                             error.value, error.output);
   cli::warn(what + " --error 1e-3 looks for a setting that is, or says that there is none", messages);
 }
 
-/// Of motions that end where steps of one length go on.
-void warn_of_no_error(const WhyNone& why, const cli::MessageOptions& messages) {
-  if (why.is_doubtful)
-    cli::warn(why.text + ", so that the table may be no motion of this model from there on", messages);
+/// Of motions that end where steps of one length go on, or that nothing is compared with.
+void warn_of_no_error(const KnownErrors& errors, const std::string& number, const cli::MessageOptions& messages) {
+  const auto& [value, output] = errors.lost;
+  if (errors.why_none.is_doubtful)
+    cli::warn(errors.why_none.text + ", so that the table may be no motion of this model from there on", messages);
+  if (value > 0)
+    cli::warn(fmt::format("in {}, formulas and equations lose digits: {:.1g} of '{}' is rounding; --error 1e-3 tells "
+                          "what comes of it",
+                          number, value, output),
+              messages);
 }
 
 /// Who wrote the closed form had another motion in mind. `asked`: for an error, or 0.
@@ -128,8 +154,8 @@ void tell(const FinishedRun& finished) {
 int report_end(const FinishedRun& finished, bool has_new_rows, const cli::MessageOptions& messages) {
   const Simulated& run = finished.run;
   const auto& error = finished.errors.estimate;
-  if (error && !finished.found) warn_of_error(*error, messages);
-  if (!error) warn_of_no_error(finished.errors.why_none, messages);
+  if (error && !finished.found) warn_of_error(*error, finished.setting.number, messages);
+  if (!error) warn_of_no_error(finished.errors, finished.setting.number, messages);
   warn_of_closed_forms(finished.errors, finished.found ? *finished.prepared.scene.error : 0, messages);
   if (finished.found && error && run.outcome == Outcome::running && !(error->value <= *finished.prepared.scene.error))
     return cli::fail(fmt::format("the run is off by {:.2e}, in {}", error->value, error->output), cli::k_not_delivered,

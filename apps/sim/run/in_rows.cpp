@@ -1,5 +1,7 @@
 #include "sim/run/in_rows.hpp"
 
+#include "sim/run/interruption.hpp"
+
 namespace gausssim {
 
 RunInRows in_rows(const PreparedModel& prepared, const Engine& engine, const Setting& setting, Meter meter) {
@@ -9,6 +11,21 @@ RunInRows in_rows(const PreparedModel& prepared, const Engine& engine, const Set
   listeners.measures_drift = meter == Meter::drift;
   result.run = simulate(prepared, engine, setting, listeners);
   return result;
+}
+
+std::future<RunInRows> begin_in_rows(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
+                                     double seconds) {
+  constexpr std::size_t k_many = 10'000'000;  ///< numbers of a table
+  const bool is_large = static_cast<std::size_t>(prepared.span.samples) * prepared.columns.columns.size() > k_many;
+  return std::async(is_large ? std::launch::deferred : std::launch::async, [&prepared, &engine, setting, seconds] {
+    const TimeLimit limit(seconds);
+    return in_rows(prepared, *engine.another(), setting, Meter::none);
+  });
+}
+
+bool gets_as_far(const Simulated& other, const Simulated& run) {
+  return !Interruption::is_asked_for() &&
+         (other.outcome == gauss::simulate::Outcome::running || other.samples >= run.samples);
 }
 
 Simulated unheard(const PreparedModel& prepared, const Engine& engine, const Setting& setting) {

@@ -1,6 +1,8 @@
 #pragma once
 // Whole runs: with all that they say, or for what they take.
 
+#include <future>
+
 #include "sim/run/error_estimate.hpp"
 
 namespace gausssim {
@@ -13,6 +15,13 @@ struct RunInRows {
 enum class Meter { drift, none };
 
 RunInRows in_rows(const PreparedModel& prepared, const Engine& engine, const Setting& setting, Meter meter);
+
+/// Beside other runs, if there is the memory for all of them; else when it is asked for. It ends after `seconds`. `prepared` and `engine` outlive it.
+std::future<RunInRows> begin_in_rows(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
+                                     double seconds);
+
+/// Whether rows of another run are there for all of the first one.
+bool gets_as_far(const Simulated& other, const Simulated& run);
 
 /// Nobody listens: for its time, steps and calls.
 Simulated unheard(const PreparedModel& prepared, const Engine& engine, const Setting& setting);

@@ -36,6 +36,13 @@ const DeliveredError& larger(const DeliveredError& one, const DeliveredError& ot
 
 bool Estimate::is_confirmed() const { return agreement && agreement->value <= k_agree * value; }
 
+bool Estimate::is_by_rounding() const {
+  // What is rounded otherwise is another bound; what is rounded less comes to the same, where it is not most of it.
+  constexpr double k_most = 2;
+  return rounding.value > 0 && rounding.value >= value &&
+         (!rounding.is_told_in_wider || rounding.value > k_most * by_tighter_runs);
+}
+
 Estimate estimate_by(const Yardstick& yardstick, const Rows& rows, const PreparedModel& prepared,
                      const Setting& setting) {
   return {larger(yardstick.error_of(rows), of_times(yardstick, prepared, setting)), yardstick.constants()};
@@ -43,17 +50,19 @@ Estimate estimate_by(const Yardstick& yardstick, const Rows& rows, const Prepare
 
 std::optional<Estimate> estimated(const PreparedModel& prepared, const Engine& engine, Engines& engines,
                                   const Setting& setting, const Simulated& run, const Rows& rows,
-                                  std::future<RunInRows> nudged, WhyNone& why) {
+                                  RoundingCheck* rounding, WhyNone& why) {
   why = {why_not_estimated(run)};
   if (!why.text.empty()) return std::nullopt;
-  const auto tight = tighter_runs(prepared, engine, engines, setting, run, rows, std::move(nudged), why);
+  const auto tight = tighter_runs(prepared, engine, engines, setting, run, rows, why);
   if (!tight) return std::nullopt;
   DeliveredError largest = larger(tight->error, of_times(tight->yardstick, prepared, setting));
   if (tight->agreement) largest = larger(largest, *tight->agreement);
   const double by_tighter_runs = largest.value;
-  largest = larger(largest, tight->rounding);
-  return Estimate{std::move(largest), tight->yardstick.constants(), tight->agreement, tight->rounding.value,
-                  by_tighter_runs};
+  RoundingError rounded;
+  if (rounding != nullptr)
+    rounded = rounding->error_of(run, rows, tight->yardstick, largest.value, most_seconds_beside(run));
+  largest = larger(largest, rounded);
+  return Estimate{std::move(largest), tight->yardstick.constants(), tight->agreement, rounded, by_tighter_runs};
 }
 
 DeliveredError from_closed_forms(const ClosedForms& forms, const PreparedModel& prepared, const Setting& setting,

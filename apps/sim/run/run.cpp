@@ -60,8 +60,7 @@ class Run {
       return cli::k_ok;
     }
     CsvFile file(csv_);
-    if (!earlier_ && !choice_.found)
-      nudged_ = begin_nudged(prepared_, *choice_.engine, choice_.setting, 1.5 * k_long_run);
+    if (!earlier_ && !choice_.found) rounding_.emplace(prepared_, *choice_.engine, choice_.setting);
     const Simulated run = write_rows(file);
     // There was no motion at all, so there is no table of one.
     if (!run.why.empty() && run.samples == 0) {
@@ -129,6 +128,11 @@ class Run {
       rows_.set(k, row);
       if (choice_.setting.step <= 0) standstill.look(k);
     };
+    if (rounding_) {
+      listeners.on_state = [&](long k, long double t, const std::vector<long double>& state) {
+        rounding_->note(k, t, state);
+      };
+    }
     return simulate(prepared_, *choice_.engine, choice_.setting, listeners, earlier_ ? &earlier_->run : nullptr);
   }
 
@@ -140,9 +144,10 @@ class Run {
       return errors;
     }
     const auto& [setting, engine, found] = choice_;
-    errors.estimate =
-        found ? estimate_by(found->reference, rows_, prepared_, setting)
-              : estimated(prepared_, *engine, engines_, setting, run, rows_, std::move(nudged_), errors.why_none);
+    errors.estimate = found ? estimate_by(found->reference, rows_, prepared_, setting)
+                            : estimated(prepared_, *engine, engines_, setting, run, rows_,
+                                        rounding_ ? &*rounding_ : nullptr, errors.why_none);
+    if (!errors.estimate && rounding_ && rows_.samples() > 1) errors.lost = rounding_->lost_in(rows_);
     if (const ClosedForms forms(prepared_); forms.are_there())
       errors.from_closed_forms = from_closed_forms(forms, prepared_, setting, rows_);
     return errors;
@@ -155,7 +160,7 @@ class Run {
   Choice choice_;
   std::optional<EarlierRun> earlier_;
   Rows rows_{0, 0};
-  std::future<RunInRows> nudged_;  ///< beside the run
+  std::optional<RoundingCheck> rounding_;  ///< of a run that begins now, and whose setting nobody has looked for
 };
 
 }  // namespace

@@ -13,9 +13,6 @@ namespace gausssim {
 
 namespace {
 
-/// Beside the method of any model. (Not Fehlberg's pair of order 8: its estimate of errors takes forces at both ends of a step alone, so it does not see one that jumps between.)
-constexpr const char* k_relative = "bulirsch_stoer";
-
 /// Tighter runs by the same method are no other ones then: they share what rounding makes of its steps. Stiff models take too many steps by others.
 bool is_at_rounding(const Setting& setting) {
   return setting.tolerance > 0 && setting.tolerance <= least_tolerance(setting.number) &&

@@ -10,6 +10,8 @@ namespace gausssim {
 constexpr double k_default_tolerance = 1e-9;
 constexpr double k_default_steps = 10'000;  ///< of one length, in a run
 constexpr const char* k_method_of_any_model = "prince87";
+constexpr const char* k_relative =
+    "bulirsch_stoer";  ///< beside that. (Not Fehlberg's pair of order 8: its estimate of errors takes forces at both ends of a step alone, so it does not see one that jumps between.)
 constexpr const char* k_method_of_edges = "dopri5";  ///< beside that: of forces that jump
 
 /// Of runs that others are compared with [s].

@@ -139,7 +139,8 @@ class Simulator {
     }
     if (listeners_.measures_drift) meter_.look(t, state);
     if (listeners_.on_drift) listeners_.on_drift(static_cast<double>(t), meter_.energy(), meter_.constraints());
-    if (listeners_.on_numbers) listeners_.on_numbers(k, numbers());
+    if (listeners_.on_numbers) listeners_.on_numbers(k, in_long_double(row_.data(), row_.size()));
+    if (listeners_.on_state) listeners_.on_state(k, static_cast<long double>(t), in_long_double(state, shown_.size()));
     bool goes_on = true;
     if (listeners_.on_row) {
       text_.clear();
@@ -152,9 +153,9 @@ class Simulator {
     return goes_on && !result_.was_interrupted;
   }
 
-  std::vector<long double> numbers() const {
+  static std::vector<long double> in_long_double(const S* values, std::size_t count) {
     std::vector<long double> result;
-    for (const S& value : row_) result.push_back(static_cast<long double>(value));
+    for (std::size_t i = 0; i < count; ++i) result.push_back(static_cast<long double>(values[i]));
     return result;
   }
 
@@ -174,18 +175,13 @@ class Simulator {
     result_.with_fewer_constraints = progress.with_fewer_constraints;
     result_.crossings = progress.crossings;
     result_.start_moved = static_cast<double>(progress.start_moved);
-    result_.start_component = name_of_component(progress.start_component);
+    result_.start_component = prepared_.model.component(progress.start_component);
     result_.drift = meter_.drift();
     if (result_.drift.has_energy) result_.start_energy = text_of(meter_.start_energy());
     const bool can_go_on = result_.was_interrupted || result_.outcome == Outcome::too_many_steps;
     const Numbers<S>& last = can_go_on ? shown_ : integrator.state();
     for (const S& value : last) result_.last_state.push_back(text_of(value));
     result_.last_row = text_.empty() && earlier_ != nullptr ? earlier_->last_row : text_;
-  }
-
-  std::string name_of_component(std::size_t i) const {
-    const auto& unit = prepared_.model.unit;
-    return i < unit.configuration.size() ? unit.configuration[i].name : unit.speeds[i - unit.configuration.size()].name;
   }
 
   const Simulated* earlier_;  ///< null: there is none

@@ -63,12 +63,16 @@ using OnRow = std::function<bool(const std::string& row, double share)>;
 /// The same as numbers.
 using OnNumbers = std::function<void(long k, const std::vector<long double>& row)>;
 
+/// Of a sample.
+using OnState = std::function<void(long k, long double t, const std::vector<long double>& state)>;
+
 /// Of one sample: the change of the energy over the largest kinetic energy so far, and the largest residual of a constraint.
 using OnDrift = std::function<void(double t, double energy, double constraints)>;
 
 struct Listeners {
   OnRow on_row = nullptr;          ///< may be empty
   OnNumbers on_numbers = nullptr;  ///< likewise
+  OnState on_state = nullptr;      ///< likewise
   OnDrift on_drift = nullptr;      ///< likewise
   bool measures_drift = true;
 };

@@ -29,10 +29,18 @@ Json asked_json(const FoundSetting& found, double error) {
           {"seconds", found.chosen.seconds}};
 }
 
+Json lost_json(const RoundingError& rounding) {
+  Json json{{"relative", rounding.lost.value}, {"output", rounding.lost.output}, {"wider_number", rounding.wider}};
+  if (rounding.is_told_in_wider) json["makes"] = rounding.value;
+  return json;
+}
+
 Json estimate_json(const Estimate& estimate) {
   Json json{{"relative", estimate.value}, {"output", estimate.output}, {"constant", estimate.constants}};
   if (estimate.agreement) json["agreement"] = estimate.agreement->value;
-  if (estimate.rounding > 0) json["rounding"] = estimate.rounding;
+  const RoundingError& rounding = estimate.rounding;
+  if (rounding.value > 0 && !rounding.is_told_in_wider) json["rounding"] = rounding.value;
+  if (rounding.lost.value > 0) json["digits_lost"] = lost_json(rounding);
   return json;
 }
 

@@ -23,17 +23,6 @@ constexpr double k_of_steps = 1e-9;  ///< nobody knows the tolerance of these
 constexpr int k_longer = 20;         ///< times what the run took; then tighter ones are given up
 constexpr double k_least_limit = 2;  ///< s
 
-/// Beside other runs, if there is the memory for all of them; else when it is asked for.
-std::future<RunInRows> begun(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
-                             double seconds) {
-  constexpr std::size_t k_many = 10'000'000;  ///< numbers of a table
-  const bool is_large = static_cast<std::size_t>(prepared.span.samples) * prepared.columns.columns.size() > k_many;
-  return std::async(is_large ? std::launch::deferred : std::launch::async, [&prepared, &engine, setting, seconds] {
-    const TimeLimit limit(seconds);
-    return in_rows(prepared, *engine.another(), setting, Meter::none);
-  });
-}
-
 class Tightening {
  public:
   Tightening(const PreparedModel& prepared, const Engine& engine, Engines& engines, const Setting& setting,
@@ -50,7 +39,7 @@ class Tightening {
     begin();
   }
 
-  std::optional<TighterRuns> look(std::future<RunInRows> nudged, WhyNone& why) {
+  std::optional<TighterRuns> look(WhyNone& why) {
     const TimeLimit limit(most_seconds());
     const Setting first = setting_;
     (void)tighten();  // beside the first, another one in any case
@@ -58,11 +47,11 @@ class Tightening {
     RunInRows tight = as_far(in_rows(prepared_, *engine_, first, Meter::none));
     why = why_no_yardstick(tight.run);
     if (!why.text.empty()) return std::nullopt;
-    TighterRuns result{yardstick_of(std::move(tight.rows), rows_), {}, std::nullopt, {}};
+    TighterRuns result{yardstick_of(std::move(tight.rows), rows_), {}, std::nullopt};
     result.error = result.yardstick.error_of(rows_);
     for (;;) {
       RunInRows tighter = as_far(next.get());
-      if (!arrives(tighter.run)) break;
+      if (!gets_as_far(tighter.run, run_)) break;
       Yardstick yardstick = yardstick_of(std::move(tighter.rows), result.yardstick.rows());
       result.agreement = yardstick.error_of(result.yardstick.rows());
       result.yardstick = std::move(yardstick);
@@ -70,25 +59,19 @@ class Tightening {
       if (result.agreement->value <= k_agree * result.error.value || !tighten()) break;
       next = begun();
     }
-    if (nudged.valid()) result.rounding = by_rounding(result.yardstick, as_far(nudged.get()));
     return result;
   }
 
  private:
-  double most_seconds() const { return k_least_limit + k_longer * run_.wall_seconds; }
+  double most_seconds() const { return most_seconds_beside(run_); }
 
   /// It takes no longer than all may.
-  std::future<RunInRows> begun() const { return gausssim::begun(prepared_, *engine_, setting_, most_seconds()); }
+  std::future<RunInRows> begun() const { return begin_in_rows(prepared_, *engine_, setting_, most_seconds()); }
 
   /// As the run goes.
   RunInRows as_far(RunInRows other) const {
     other.rows.keep(rows_.samples());
     return other;
-  }
-
-  /// Nothing where the nudged run does not arrive.
-  DeliveredError by_rounding(const Yardstick& yardstick, const RunInRows& nudged) const {
-    return arrives(nudged.run) ? yardstick.difference(rows_, nudged.rows) : DeliveredError{};
   }
 
   /// Closer to the motion, by other terms. Where samples are closer than steps would be, a tolerance alone changes nothing, nor does a step.
@@ -127,15 +110,11 @@ class Tightening {
 
   double tighter() const { return prepared_.edge.empty() ? k_tighter : k_tighter_at_edges; }
 
-  bool arrives(const Simulated& tight) const {
-    return !Interruption::is_asked_for() && (tight.outcome == Outcome::running || tight.samples >= run_.samples);
-  }
-
   /// Empty: it says something of errors.
   WhyNone why_no_yardstick(const Simulated& tight) const {
     if (Interruption::is_asked_for()) return {"interrupted while a tighter run was made"};
     if (tight.steps == run_.steps && tight.calls == run_.calls) return {"a tighter run takes the same steps"};
-    if (arrives(tight)) return {};
+    if (gets_as_far(tight, run_)) return {};
     if (tight.outcome == Outcome::interrupted)
       return {fmt::format("a tighter run takes {} times as long and more", k_longer)};
     return {fmt::format("a tighter run stops at t = {:.6g}: {}", tight.reached, gauss::simulate::name(tight.outcome)),
@@ -159,18 +138,11 @@ class Tightening {
 
 }  // namespace
 
-std::future<RunInRows> begin_nudged(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
-                                    double seconds) {
-  if (setting.number == "float") return {};
-  Setting nudged = setting;
-  nudged.is_nudged = true;
-  return begun(prepared, engine, nudged, seconds);
-}
+double most_seconds_beside(const Simulated& run) { return k_least_limit + k_longer * run.wall_seconds; }
 
 std::optional<TighterRuns> tighter_runs(const PreparedModel& prepared, const Engine& engine, Engines& engines,
-                                        const Setting& setting, const Simulated& run, const Rows& rows,
-                                        std::future<RunInRows> nudged, WhyNone& why) {
-  return Tightening(prepared, engine, engines, setting, run, rows).look(std::move(nudged), why);
+                                        const Setting& setting, const Simulated& run, const Rows& rows, WhyNone& why) {
+  return Tightening(prepared, engine, engines, setting, run, rows).look(why);
 }
 
 }  // namespace gausssim

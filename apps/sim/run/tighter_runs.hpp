@@ -1,7 +1,6 @@
 #pragma once
 // What tells how far a run may be off that nothing else is compared with: tighter runs, until two of them agree far better than the run with them.
 
-#include <future>
 #include <optional>
 #include <string>
 
@@ -17,7 +16,6 @@ struct TighterRuns {
   Yardstick yardstick;                      ///< of the tightest
   DeliveredError error;                     ///< of the run, against it
   std::optional<DeliveredError> agreement;  ///< of the two tightest; nothing where only one arrives
-  DeliveredError rounding;                  ///< of the run: what it differs by from one whose values differ by theirs
 };
 
 /// Why there is no estimate.
@@ -26,14 +24,11 @@ struct WhyNone {
   bool is_doubtful = false;  ///< the run may be none of the model at all, as where a tighter one stops before
 };
 
-/// Beside a run that begins now: the one whose parameters, inputs and start differ by their rounding, which all runs in one number type share. In `float` there is none to begin: its errors are told in
-/// `double`. It ends after `seconds`.
-std::future<RunInRows> begin_nudged(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
-                                    double seconds);
+/// What runs may take that tell something of one that has ended.
+double most_seconds_beside(const Simulated& run);
 
 /// Of a run with its rows, by the engine of its setting. Nothing, and `why`: no tighter run is another one, or arrives within some times what the run took.
 std::optional<TighterRuns> tighter_runs(const PreparedModel& prepared, const Engine& engine, Engines& engines,
-                                        const Setting& setting, const Simulated& run, const Rows& rows,
-                                        std::future<RunInRows> nudged, WhyNone& why);
+                                        const Setting& setting, const Simulated& run, const Rows& rows, WhyNone& why);
 
 }  // namespace gausssim

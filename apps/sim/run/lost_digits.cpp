@@ -1,0 +1,201 @@
+#include "sim/run/lost_digits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "sim/output/sampler.hpp"
+
+namespace gausssim {
+
+namespace {
+
+using Values = std::vector<long double>;
+
+/// Of components of states: what rests has no size of its own.
+class Sizes {
+ public:
+  /// `resolved`: of sizes; what moves by less is at rest, for all that the run knows.
+  Sizes(const std::vector<std::string>& units, const std::vector<PassedStates::One>& states, double resolved)
+      : units_(units), rests_(units.size()) {
+    const std::size_t n = units.size();
+    range_.assign(n, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+      long double least = std::numeric_limits<long double>::infinity(), most = -least;
+      for (const auto& [t, state] : states) {
+        least = std::min(least, state[i]);
+        most = std::max(most, state[i]);
+      }
+      range_[i] = most - least;
+      long double& size = by_unit_[units[i]];
+      size = std::max({size, std::abs(least), std::abs(most)});
+    }
+    for (std::size_t i = 0; i < n; ++i) rests_[i] = !(range_[i] > resolved * size(i));
+  }
+
+  std::size_t count() const { return units_.size(); }
+  const std::string& unit(std::size_t i) const { return units_[i]; }
+  bool rests(std::size_t i) const { return rests_[i]; }
+  long double size(std::size_t i) const { return by_unit_.at(units_[i]); }
+  long double scale(std::size_t i) const { return rests_[i] ? size(i) : range_[i]; }
+
+ private:
+  std::vector<std::string> units_;
+  std::vector<bool> rests_;
+  Values range_;
+  std::map<std::string, long double> by_unit_;
+};
+
+/// What is 0 is so in both.
+double share(long double difference, long double whole) {
+  if (difference == 0 || std::isnan(difference)) return 0;
+  return static_cast<double>(difference / whole);
+}
+
+/// The model in one number type.
+template <class S>
+class InOne {
+ public:
+  InOne(const PreparedModel& prepared, const Engine& engine)
+      : engine_(engine.another()),
+        model_(prepared.model),
+        functions_(gausssim::bind<S>(*engine_, model_)),
+        sampler_(*engine_, model_, prepared.columns, *functions_) {}
+
+  const std::vector<std::string>& units() const { return functions_->units; }
+
+  /// Empty: none is known.
+  Values start() const {
+    Numbers<S> start;
+    const gauss::Status status = initial_state(*engine_, model_, *functions_, start);
+    return gauss::integrate::is_motion_known(status) ? widened(start) : Values{};
+  }
+  Values rates(const PassedStates::One& one) const {
+    const Numbers<S> state = narrowed(one);
+    Numbers<S> rates(state.size(), S(0));
+    return functions_->rates(S(one.t), state.data(), rates.data()) == gauss::Status::ok ? widened(rates) : Values{};
+  }
+  Values outputs(const PassedStates::One& one) {
+    const Numbers<S> state = narrowed(one);
+    Numbers<S> row(sampler_.size(), S(0));
+    return sampler_(S(one.t), state.data(), row.data()) == gauss::Status::ok ? widened(row) : Values{};
+  }
+
+ private:
+  static Numbers<S> narrowed(const PassedStates::One& one) {
+    Numbers<S> result;
+    for (const long double value : one.state) result.push_back(static_cast<S>(value));
+    return result;
+  }
+  static Values widened(const Numbers<S>& values) {
+    Values result;
+    for (const S& value : values) result.push_back(static_cast<long double>(value));
+    return result;
+  }
+
+  std::unique_ptr<const Engine> engine_;
+  const Described& model_;
+  std::shared_ptr<Functions<S>> functions_;
+  Sampler<S> sampler_;
+};
+
+/// The largest of what the model differs by, in parts of what matters.
+template <class S, class W>
+class Comparison {
+ public:
+  Comparison(const PreparedModel& prepared, const Engine& engine, const PassedStates& states,
+             const Yardstick& yardstick, double resolved)
+      : model_(prepared.model),
+        columns_(prepared.columns),
+        yardstick_(yardstick),
+        states_(states.all()),
+        duration_(prepared.span.duration),
+        narrow_(prepared, engine),
+        wide_(prepared, engine),
+        sizes_(narrow_.units(), states_, resolved) {}
+
+  DeliveredError lost() {
+    if (states_.empty()) return {};
+    const Values start = narrow_.start(), start_in_wide = wide_.start();
+    const bool is_start_known = !start.empty() && !start_in_wide.empty();
+    for (std::size_t i = 0; is_start_known && i < start.size(); ++i)
+      add(share(std::abs(start[i] - start_in_wide[i]), sizes_.scale(i)), model_.component(i));
+    look_at_rates();
+    look_at_outputs();
+    return lost_;
+  }
+
+ private:
+  void add(double share, const std::string& name) {
+    if (share > lost_.value) lost_ = {share, name};
+  }
+
+  void look_at_rates() {
+    const std::size_t n = sizes_.count();
+    Values differ(n, 0), largest(n, 0);
+    std::map<std::string, long double> by_unit;
+    for (const PassedStates::One& one : states_) {
+      const Values rates = narrow_.rates(one), in_wide = wide_.rates(one);
+      if (rates.empty() || in_wide.empty()) continue;
+      for (std::size_t i = 0; i < n; ++i) {
+        differ[i] = std::max(differ[i], std::abs(rates[i] - in_wide[i]));
+        largest[i] = std::max(largest[i], std::abs(in_wide[i]));
+        long double& size = by_unit[sizes_.unit(i)];
+        size = std::max(size, largest[i]);
+      }
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const double of_rates = share(differ[i], sizes_.rests(i) ? by_unit.at(sizes_.unit(i)) : largest[i]);
+      // Rates of what rests are rounding, all of them; as little comes of it.
+      add(sizes_.rests(i) ? std::min(of_rates, share(differ[i] * duration_, sizes_.size(i))) : of_rates,
+          model_.component(i));
+    }
+  }
+
+  void look_at_outputs() {
+    for (const PassedStates::One& one : states_) {
+      const Values row = narrow_.outputs(one), in_wide = wide_.outputs(one);
+      if (row.empty() || in_wide.empty()) continue;
+      for (std::size_t i = 0; i < row.size(); ++i)
+        add(share(std::abs(row[i] - in_wide[i]), yardstick_.scale(i)), columns_.columns[i].name);
+    }
+  }
+
+  const Described& model_;
+  const Columns& columns_;
+  const Yardstick& yardstick_;
+  const std::vector<PassedStates::One>& states_;
+  long double duration_;
+  InOne<S> narrow_;
+  InOne<W> wide_;
+  Sizes sizes_;
+  DeliveredError lost_;
+};
+
+}  // namespace
+
+PassedStates::PassedStates(long samples) {
+  constexpr long k_many = 512;
+  every_ = std::max(1L, (samples + k_many - 1) / k_many);
+}
+
+void PassedStates::note(long sample, long double t, const std::vector<long double>& state) {
+  if (sample % every_ == 0) states_.push_back({t, state});
+}
+
+std::string wider_than(const std::string& number) {
+  if (number == "double") return "long-double";
+  return number == "long-double" ? "float128" : "";
+}
+
+DeliveredError lost_digits(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
+                           const PassedStates& states, const Yardstick& yardstick) {
+  constexpr double k_least = 1e-12, k_clear = 10;
+  const double resolved = std::max(k_least, k_clear * setting.tolerance);
+  if (setting.number == "double")
+    return Comparison<double, long double>(prepared, engine, states, yardstick, resolved).lost();
+  return Comparison<long double, Quad>(prepared, engine, states, yardstick, resolved).lost();
+}
+
+}  // namespace gausssim

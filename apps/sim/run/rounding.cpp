@@ -1,0 +1,94 @@
+#include "sim/run/rounding.hpp"
+
+#include <algorithm>
+
+#include "sim/run/interruption.hpp"
+#include "sim/run/setting.hpp"
+
+namespace gausssim {
+
+namespace {
+
+constexpr double k_nudged_seconds = 7.5;  ///< half as long again as runs that are made again
+
+/// So much closer to the motion that what it differs by from a run is the error of that.
+Setting in_wider(const Setting& setting, const std::string& number, const PreparedModel& prepared) {
+  constexpr double k_tighter = 1e-2, k_of_steps = 1e-12, k_shorter = 0.5;
+  Setting wide;
+  wide.method = computes_in(*find_method(k_method_of_any_model), number) ? k_method_of_any_model : k_relative;
+  wide.number = number;
+  wide.tolerance =
+      std::max(setting.tolerance > 0 ? k_tighter * setting.tolerance : k_of_steps, least_tolerance(number));
+  wide.longest_step = longest_steps(prepared).other;
+  if (setting.longest_step > 0) wide.longest_step = std::min(wide.longest_step, k_shorter * setting.longest_step);
+  // Gains are compiled, and another way to the same motion.
+  wide.projection = setting.projection == Projection::gains ? Projection::full : setting.projection;
+  return wide;
+}
+
+/// A small part of what is lost: what a wider type rounds may be more than its first tolerance, so that steps make no progress.
+double looser(double tolerance, double lost) {
+  constexpr double k_of_lost = 1e-2, k_loosest = 1e-4;
+  return std::max(tolerance, std::min(k_of_lost * lost, k_loosest));
+}
+
+/// What is lost acts like a tolerance, and errors of a run, which may be far less than that, are what comes of it in the end, more or less.
+bool is_much(double lost, double known, const Setting& setting) {
+  constexpr double k_of_known = 1e-2, k_of_tolerance = 0.1;
+  return lost > k_of_known * known || (setting.tolerance > 0 && lost > k_of_tolerance * setting.tolerance);
+}
+
+}  // namespace
+
+RoundingCheck::RoundingCheck(const PreparedModel& prepared, const Engine& engine, const Setting& setting)
+    : prepared_(prepared), engine_(engine), setting_(setting), states_(prepared.span.samples) {
+  if (setting.number == "float") return;
+  Setting nudged = setting;
+  nudged.is_nudged = true;
+  nudged_ = begin_in_rows(prepared, engine, nudged, k_nudged_seconds);
+}
+
+RunInRows RoundingCheck::within(double seconds, const Setting& setting) const {
+  const TimeLimit limit(seconds);
+  return in_rows(prepared_, *engine_.another(), setting, Meter::none);
+}
+
+DeliveredError RoundingCheck::lost_in(const Rows& rows) const {
+  constexpr double k_known = 1e-7;  ///< of runs by steps of one length: nobody knows
+  if (wider_than(setting_.number).empty()) return {};
+  const double least = least_tolerance(setting_.number);
+  const Yardstick own(rows, rows, prepared_.columns.columns, least, least);
+  DeliveredError lost = lost_digits(prepared_, engine_, setting_, states_, own);
+  return lost.value > (setting_.tolerance > 0 ? setting_.tolerance : k_known) ? lost : DeliveredError{};
+}
+
+RoundingError RoundingCheck::error_of(const Simulated& run, const Rows& rows, const Yardstick& yardstick, double known,
+                                      double most_seconds) {
+  RoundingError result;
+  if (nudged_.valid()) {
+    const RunInRows nudged = nudged_.get();
+    if (gets_as_far(nudged.run, run)) result = {yardstick.difference(rows, nudged.rows)};
+  }
+  const std::string wider = wider_than(setting_.number);
+  if (wider.empty()) return result;
+  const DeliveredError lost = lost_digits(prepared_, engine_, setting_, states_, yardstick);
+  if (!is_much(lost.value, std::max(known, result.value), setting_)) return result;
+  result.lost = lost;
+  result.wider = wider;
+  Setting wide = in_wider(setting_, wider, prepared_);
+  const double loose = looser(wide.tolerance, lost.value);
+  RunInRows told = within(most_seconds, wide);
+  if (!gets_as_far(told.run, run) && wide.tolerance < loose) {
+    wide.tolerance = loose;
+    told = within(most_seconds, wide);
+  }
+  result.is_told_in_wider = gets_as_far(told.run, run);
+  DeliveredError& error = result;
+  if (result.is_told_in_wider)
+    error = yardstick.difference(rows, told.rows);
+  else if (lost.value > error.value)
+    error = lost;
+  return result;
+}
+
+}  // namespace gausssim

@@ -1,0 +1,46 @@
+#pragma once
+// What rounding makes of a run: all runs in one number type share that, so tighter ones do not see it.
+
+#include <future>
+#include <string>
+
+#include "sim/run/error_estimate.hpp"
+#include "sim/run/in_rows.hpp"
+#include "sim/run/lost_digits.hpp"
+
+namespace gausssim {
+
+struct RoundingError : DeliveredError {
+  DeliveredError lost = {};       ///< by rates, outputs or the start, where it is too much beside the errors of the run
+  std::string wider = {};         ///< number type in which that was found
+  bool is_told_in_wider = false;  ///< by a tighter run there; else of values that differ by their rounding
+};
+
+/// Is made beside the run that it looks at. In `float` there is nothing to do: its errors are told in `double`.
+class RoundingCheck {
+ public:
+  /// All of these outlive it.
+  RoundingCheck(const PreparedModel& prepared, const Engine& engine, const Setting& setting);
+
+  /// Of the run.
+  void note(long sample, long double t, const std::vector<long double>& state) { states_.note(sample, t, state); }
+
+  /// When the run has ended, with an error of `known`: what it differs by from a run whose parameters, inputs and start differ by their rounding, unless that does not arrive. Where formulas and equations lose so many digits that more may come of it: what it differs by from a tighter run
+  /// in the next wider number type, which is interpreted; if that takes more than `most_seconds`, what is lost at least.
+  RoundingError error_of(const Simulated& run, const Rows& rows, const Yardstick& yardstick, double known,
+                         double most_seconds);
+
+  /// Of a run that nothing is compared with: what its rates, outputs or start lose, if that is more than its tolerance.
+  DeliveredError lost_in(const Rows& rows) const;
+
+ private:
+  RunInRows within(double seconds, const Setting& setting) const;
+
+  const PreparedModel& prepared_;
+  const Engine& engine_;
+  const Setting& setting_;
+  std::future<RunInRows> nudged_;
+  PassedStates states_;
+};
+
+}  // namespace gausssim
