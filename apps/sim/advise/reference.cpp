@@ -27,8 +27,13 @@ constexpr double k_least_range = 1e-12;
 /// what that makes of an unstable motion; of other orders, or by a pair of methods, since steps that stability limits are the same for all tolerances; and with other longest steps.
 class TightSearch {
  public:
-  TightSearch(const PreparedModel& prepared, Engines& engines, double error, const TimeLimit& limit)
-      : prepared_(prepared), engines_(engines), error_(error), tolerance_(error * k_first), limit_(limit) {}
+  TightSearch(const PreparedModel& prepared, Engines& engines, double error, const Loss& loss, const TimeLimit& limit)
+      : prepared_(prepared),
+        engines_(engines),
+        error_(error),
+        loss_(loss),
+        tolerance_(error * k_first),
+        limit_(limit) {}
 
   std::optional<TightRun> run(std::string& why) {
     if (error_ < k_least) {
@@ -37,7 +42,7 @@ class TightSearch {
     }
     const std::string first = number_name(prepared_.scene);
     for (const char* const number : {"double", "long-double", "float128"}) {
-      if (is_before(number, first)) continue;
+      if (is_before(number, first) || loss_.is_above(k_agreement * error_, number)) continue;
       if (auto found = in(number)) return found;
     }
     why = fmt::format("an error of {:.1e} cannot be shown: the two tightest runs that were tried {}", error_,
@@ -103,6 +108,7 @@ class TightSearch {
   const PreparedModel& prepared_;
   Engines& engines_;
   double error_;
+  const Loss& loss_;
   double tolerance_;  ///< of the coarse run: what one number type has found not to do, others need not try
   const TimeLimit& limit_;
   DeliveredError closest_{std::numeric_limits<double>::infinity(), ""};
@@ -116,9 +122,9 @@ std::string why_not(const Simulated& run) {
   return run.why.empty() ? fmt::format("{} at t = {:.6g}", gauss::simulate::name(run.outcome), run.reached) : run.why;
 }
 
-std::optional<TightRun> tight_run(const PreparedModel& prepared, Engines& engines, double error, const TimeLimit& limit,
-                                  std::string& why) {
-  return TightSearch(prepared, engines, error, limit).run(why);
+std::optional<TightRun> tight_run(const PreparedModel& prepared, Engines& engines, double error, const Loss& loss,
+                                  const TimeLimit& limit, std::string& why) {
+  return TightSearch(prepared, engines, error, loss, limit).run(why);
 }
 
 std::vector<std::string> numbers_from(const std::string& first, const std::string& method) {

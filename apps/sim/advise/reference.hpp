@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/advise/loss.hpp"
 #include "sim/run/found_setting.hpp"
 #include "sim/run/interruption.hpp"
 
@@ -18,10 +19,10 @@ struct TightRun {
   double agreement = 0;
 };
 
-/// In double, else in number types of more digits, until two tolerances agree to a twentieth of `error`. Nothing: `why`. Throws Interrupted and
+/// In double, else in number types of more digits, until two tolerances agree to a twentieth of `error`; not in those that lose more. Nothing: `why`. Throws Interrupted and
 /// OutOfTime.
-std::optional<TightRun> tight_run(const PreparedModel& prepared, Engines& engines, double error, const TimeLimit& limit,
-                                  std::string& why);
+std::optional<TightRun> tight_run(const PreparedModel& prepared, Engines& engines, double error, const Loss& loss,
+                                  const TimeLimit& limit, std::string& why);
 
 /// The number types that a method may be run in, those of fewest digits first.
 std::vector<std::string> numbers_from(const std::string& first, const std::string& method);

@@ -23,6 +23,7 @@ constexpr double k_close = 0.1;   ///< of it: looser is not looked for
 constexpr int k_most_trials = 7;  ///< of a method, from the first that delivers on
 constexpr int k_most_failures = 20;
 constexpr double k_loosest = 1e-2;  ///< tolerance
+constexpr double k_first = 0.1;     ///< of the error: errors of steps add up
 constexpr double k_digits_of_float = 1e-4;
 constexpr double k_few_digits = 1e-5;  ///< from here on a method of low order is tried
 constexpr const char* k_method_of_few_digits = "dopri5";
@@ -138,7 +139,9 @@ class Search {
   std::optional<FoundSetting> run(std::string& why) {
     try {
       bar_.say("looking for a setting: a tight run");
-      auto reference = tight_run(prepared_, engines_, error_, limit_, why);
+      const Loss loss(prepared_, engines_, error_);
+      throw_if_ended(limit_);
+      auto reference = tight_run(prepared_, engines_, error_, loss, limit_, why);
       if (!reference) return std::nullopt;
       found_.reference = std::move(reference->yardstick);
       found_.reference_in_words = reference->in_words;
@@ -148,7 +151,7 @@ class Search {
         try_in(method, number_name(prepared_.scene));
         try_harder(method);
       } else {
-        try_all();
+        try_all(loss);
       }
       try_without_projection();
     } catch (const OutOfTime&) {
@@ -163,10 +166,13 @@ class Search {
   }
 
  private:
-  void try_all() {
+  void try_all(const Loss& loss) {
     const Engine* const engine = engines_.of(number_name(prepared_.scene));
     if (engine == nullptr) return;
     const std::string usual = default_method(prepared_, *engine, number_name(prepared_.scene));
+    // Where nothing but rounding moves a model, a run has no end, unless something tells when it is of no use.
+    if (loss.is_above(k_first * error_, number_name(prepared_.scene)) && !prepared_.scene.number)
+      try_in_more_digits(usual, loss);
     std::vector<std::string> methods{usual};
     if (usual != k_method_of_any_model) methods.emplace_back(k_method_of_any_model);
     if (error_ >= k_few_digits) methods.emplace_back(k_method_of_few_digits);
@@ -222,9 +228,11 @@ class Search {
     best_ = std::min(best_, trial->seconds);
   }
 
-  void try_in_more_digits(const std::string& method) {
-    for (const std::string& number : numbers_from(number_name(prepared_.scene), method))
-      if (number != number_name(prepared_.scene) && try_in(method, number, given_up(method))) return;
+  void try_in_more_digits(const std::string& method, const std::optional<Loss>& loss = std::nullopt) {
+    for (const std::string& number : numbers_from(number_name(prepared_.scene), method)) {
+      if (number == number_name(prepared_.scene) || (loss && loss->is_above(k_first * error_, number))) continue;
+      if (try_in(method, number, given_up(method))) return;
+    }
   }
 
   double& given_up(const std::string& method) { return given_up_.try_emplace(method, k_unlimited).first->second; }
@@ -239,7 +247,6 @@ class Search {
     setting.number = number;
     setting.projection =
         prepared_.scene.projection ? projection_of(prepared_.scene.projection->text) : default_projection(method);
-    constexpr double k_first = 0.1;  ///< of the error: errors of steps add up
     constexpr double k_first_steps = 1000;
     if (find_method(method)->takes_step) {
       setting.step = prepared_.span.duration / k_first_steps;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "sim/output/sampler.hpp"
+#include "sim/run/setting.hpp"
 
 namespace gausssim {
 
@@ -115,14 +116,15 @@ class Comparison {
         wide_(prepared, engine),
         sizes_(narrow_.units(), states_, resolved) {}
 
-  DeliveredError lost() {
+  /// Of one state out of `stride`.
+  DeliveredError lost(std::size_t stride) {
     if (states_.empty()) return {};
     const Values start = narrow_.start(), start_in_wide = wide_.start();
     const bool is_start_known = !start.empty() && !start_in_wide.empty();
     for (std::size_t i = 0; is_start_known && i < start.size(); ++i)
       add(share(std::abs(start[i] - start_in_wide[i]), sizes_.scale(i)), model_.component(i));
-    look_at_rates();
-    look_at_outputs();
+    look_at_rates(stride);
+    look_at_outputs(stride);
     return lost_;
   }
 
@@ -131,12 +133,12 @@ class Comparison {
     if (share > lost_.value) lost_ = {share, name};
   }
 
-  void look_at_rates() {
+  void look_at_rates(std::size_t stride) {
     const std::size_t n = sizes_.count();
     Values differ(n, 0), largest(n, 0);
     std::map<std::string, long double> by_unit;
-    for (const PassedStates::One& one : states_) {
-      const Values rates = narrow_.rates(one), in_wide = wide_.rates(one);
+    for (std::size_t k = 0; k < states_.size(); k += stride) {
+      const Values rates = narrow_.rates(states_[k]), in_wide = wide_.rates(states_[k]);
       if (rates.empty() || in_wide.empty()) continue;
       for (std::size_t i = 0; i < n; ++i) {
         differ[i] = std::max(differ[i], std::abs(rates[i] - in_wide[i]));
@@ -146,16 +148,16 @@ class Comparison {
       }
     }
     for (std::size_t i = 0; i < n; ++i) {
-      const double of_rates = share(differ[i], sizes_.rests(i) ? by_unit.at(sizes_.unit(i)) : largest[i]);
+      const double of_rates = share(differ[i], sizes_.rests(i) ? by_unit[sizes_.unit(i)] : largest[i]);
       // Rates of what rests are rounding, all of them; as little comes of it.
       add(sizes_.rests(i) ? std::min(of_rates, share(differ[i] * duration_, sizes_.size(i))) : of_rates,
           model_.component(i));
     }
   }
 
-  void look_at_outputs() {
-    for (const PassedStates::One& one : states_) {
-      const Values row = narrow_.outputs(one), in_wide = wide_.outputs(one);
+  void look_at_outputs(std::size_t stride) {
+    for (std::size_t k = 0; k < states_.size(); k += stride) {
+      const Values row = narrow_.outputs(states_[k]), in_wide = wide_.outputs(states_[k]);
       if (row.empty() || in_wide.empty()) continue;
       for (std::size_t i = 0; i < row.size(); ++i)
         add(share(std::abs(row[i] - in_wide[i]), yardstick_.scale(i)), columns_.columns[i].name);
@@ -184,18 +186,28 @@ void PassedStates::note(long sample, long double t, const std::vector<long doubl
   if (sample % every_ == 0) states_.push_back({t, state});
 }
 
-std::string wider_than(const std::string& number) {
-  if (number == "double") return "long-double";
-  return number == "long-double" ? "float128" : "";
+LostDigits::LostDigits(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
+                       const PassedStates& states, const Yardstick& yardstick)
+    : prepared_(prepared), engine_(engine), states_(states), yardstick_(yardstick) {
+  constexpr double k_least = 1e-12, k_clear = 10;
+  resolved_ = std::max(k_least, k_clear * setting.tolerance);
 }
 
-DeliveredError lost_digits(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
-                           const PassedStates& states, const Yardstick& yardstick) {
-  constexpr double k_least = 1e-12, k_clear = 10;
-  const double resolved = std::max(k_least, k_clear * setting.tolerance);
-  if (setting.number == "double")
-    return Comparison<double, long double>(prepared, engine, states, yardstick, resolved).lost();
-  return Comparison<long double, Quad>(prepared, engine, states, yardstick, resolved).lost();
+DeliveredError LostDigits::in(const std::string& number) const {
+  constexpr std::size_t k_operations = 20'000, k_fewest = 24;  ///< of rates, in float128
+  const auto operations = static_cast<std::size_t>(std::max(prepared_.operations, 1));
+  const std::size_t some = std::max(k_operations / operations, k_fewest);
+  const std::size_t stride = states_.all().size() / some + 1;
+  if (number == "long-double")
+    return Comparison<long double, Quad>(prepared_, engine_, states_, yardstick_, resolved_).lost(stride);
+  DeliveredError first = Comparison<double, long double>(prepared_, engine_, states_, yardstick_, resolved_).lost(1);
+  DeliveredError second = Comparison<double, Quad>(prepared_, engine_, states_, yardstick_, resolved_).lost(stride);
+  return first.value < second.value ? second : first;
+}
+
+Yardstick of_themselves(const Rows& rows, const PreparedModel& prepared, const Setting& setting) {
+  const double least = least_tolerance(setting.number);
+  return Yardstick(rows, rows, prepared.columns.columns, least, least);
 }
 
 }  // namespace gausssim

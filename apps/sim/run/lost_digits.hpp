@@ -26,12 +26,26 @@ class PassedStates {
   std::vector<One> states_;
 };
 
-/// Empty: there is none that the functions of a model are run in by interpreters.
-std::string wider_than(const std::string& number);
+/// By how much rates, outputs and the start in a number type differ from those in wider ones: the largest difference of any of them, relative to the largest rate of that component, the scale of the output, or the range of the
+/// component. Of a component that rests, relative to what has its unit. Its `output` is a component of the state, too.
+class LostDigits {
+ public:
+  /// Of states of a run. All of these outlive it.
+  LostDigits(const PreparedModel& prepared, const Engine& engine, const Setting& setting, const PassedStates& states,
+             const Yardstick& yardstick);
 
-/// By how much rates, outputs and the start in a number type differ from those in the next wider one, which there is: the largest difference of any of them, relative to the largest rate of that component, the scale of the
-/// output, or the range of the component. Of a component that rests, relative to what has its unit. Its `output` is a component of the state, too.
-DeliveredError lost_digits(const PreparedModel& prepared, const Engine& engine, const Setting& setting,
-                           const PassedStates& states, const Yardstick& yardstick);
+  /// `double` or `long-double`. Both may lose all of what is less than either can tell, so some states are looked at in `float128`, which takes as long as some thousand operations.
+  DeliveredError in(const std::string& number) const;
+
+ private:
+  const PreparedModel& prepared_;
+  const Engine& engine_;
+  const PassedStates& states_;
+  const Yardstick& yardstick_;
+  double resolved_;  ///< of sizes
+};
+
+/// Of rows that nothing is compared with, beside their own ranges.
+Yardstick of_themselves(const Rows& rows, const PreparedModel& prepared, const Setting& setting);
 
 }  // namespace gausssim

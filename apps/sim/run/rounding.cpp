@@ -32,6 +32,8 @@ double looser(double tolerance, double lost) {
   return std::max(tolerance, std::min(k_of_lost * lost, k_loosest));
 }
 
+bool has_wider(const std::string& number) { return number == "double" || number == "long-double"; }
+
 /// What is lost acts like a tolerance, and errors of a run, which may be far less than that, are what comes of it in the end, more or less.
 bool is_much(double lost, double known, const Setting& setting) {
   constexpr double k_of_known = 1e-2, k_of_tolerance = 0.1;
@@ -53,12 +55,17 @@ RunInRows RoundingCheck::within(double seconds, const Setting& setting) const {
   return in_rows(prepared_, *engine_.another(), setting, Meter::none);
 }
 
+std::string RoundingCheck::wider_than(const LostDigits& digits, double lost) const {
+  constexpr double k_clear = 1e-2;
+  const bool is_next_enough = setting_.number == "double" && digits.in("long-double").value <= k_clear * lost;
+  return is_next_enough ? "long-double" : "float128";
+}
+
 DeliveredError RoundingCheck::lost_in(const Rows& rows) const {
   constexpr double k_known = 1e-7;  ///< of runs by steps of one length: nobody knows
-  if (wider_than(setting_.number).empty()) return {};
-  const double least = least_tolerance(setting_.number);
-  const Yardstick own(rows, rows, prepared_.columns.columns, least, least);
-  DeliveredError lost = lost_digits(prepared_, engine_, setting_, states_, own);
+  if (!has_wider(setting_.number)) return {};
+  const Yardstick own = of_themselves(rows, prepared_, setting_);
+  DeliveredError lost = LostDigits(prepared_, engine_, setting_, states_, own).in(setting_.number);
   return lost.value > (setting_.tolerance > 0 ? setting_.tolerance : k_known) ? lost : DeliveredError{};
 }
 
@@ -69,13 +76,13 @@ RoundingError RoundingCheck::error_of(const Simulated& run, const Rows& rows, co
     const RunInRows nudged = nudged_.get();
     if (gets_as_far(nudged.run, run)) result = {yardstick.difference(rows, nudged.rows)};
   }
-  const std::string wider = wider_than(setting_.number);
-  if (wider.empty()) return result;
-  const DeliveredError lost = lost_digits(prepared_, engine_, setting_, states_, yardstick);
+  if (!has_wider(setting_.number)) return result;
+  const LostDigits digits(prepared_, engine_, setting_, states_, yardstick);
+  const DeliveredError lost = digits.in(setting_.number);
   if (!is_much(lost.value, std::max(known, result.value), setting_)) return result;
   result.lost = lost;
-  result.wider = wider;
-  Setting wide = in_wider(setting_, wider, prepared_);
+  result.wider = wider_than(digits, lost.value);
+  Setting wide = in_wider(setting_, result.wider, prepared_);
   const double loose = looser(wide.tolerance, lost.value);
   RunInRows told = within(most_seconds, wide);
   if (!gets_as_far(told.run, run) && wide.tolerance < loose) {

@@ -12,7 +12,7 @@ namespace gausssim {
 
 struct RoundingError : DeliveredError {
   DeliveredError lost = {};       ///< by rates, outputs or the start, where it is too much beside the errors of the run
-  std::string wider = {};         ///< number type in which that was found
+  std::string wider = {};         ///< number type that loses far less
   bool is_told_in_wider = false;  ///< by a tighter run there; else of values that differ by their rounding
 };
 
@@ -26,7 +26,7 @@ class RoundingCheck {
   void note(long sample, long double t, const std::vector<long double>& state) { states_.note(sample, t, state); }
 
   /// When the run has ended, with an error of `known`: what it differs by from a run whose parameters, inputs and start differ by their rounding, unless that does not arrive. Where formulas and equations lose so many digits that more may come of it: what it differs by from a tighter run
-  /// in the next wider number type, which is interpreted; if that takes more than `most_seconds`, what is lost at least.
+  /// in a wider number type that does not, which is interpreted; if that takes more than `most_seconds`, what is lost at least.
   RoundingError error_of(const Simulated& run, const Rows& rows, const Yardstick& yardstick, double known,
                          double most_seconds);
 
@@ -34,6 +34,7 @@ class RoundingCheck {
   DeliveredError lost_in(const Rows& rows) const;
 
  private:
+  std::string wider_than(const LostDigits& digits, double lost) const;
   RunInRows within(double seconds, const Setting& setting) const;
 
   const PreparedModel& prepared_;

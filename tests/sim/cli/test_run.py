@@ -79,9 +79,9 @@ forces: {tide: {generalized: {x: m*GM/R^2 - m*GM/(R+x)^2}}}
 NOISE = """gauss: 1
 name: noise
 parameters: {A: {value: 1e9, unit: N}, L: {value: 1, unit: m}, k: {value: 1, unit: N/m}}
-coordinates: {x: {unit: m, initial: 1e-9}}
+coordinates: {x: {unit: m, initial: 1e-10}}
 particles: {p: {mass: 1, position: [x, 0, 0]}}
-forces: {pull: {generalized: {x: A*(cos(2*x/L) - cos(x/L)) - k*x}}}
+forces: {pull: {generalized: {x: A*(cos(x/L) - cos(2*x/L)) - k*x}}}
 """
 # On the way that decays.
 DECAYS = """gauss: 1
@@ -364,15 +364,36 @@ class Writing(Program):
                     self.assertLess(estimate["relative"], 5 * true + 1e-10)
 
     def test_where_nothing_but_rounding_moves_a_model_a_warning_says_so(self):
-        """In double and long double, cos(2x) - cos(x) of 1e-9 is noise."""
+        """In double and long double, cos(x) - cos(2x) of 1e-10 is noise."""
         self.write("noise.yaml", NOISE)
         for how in ((), ("--engine", "interpreted"), ("--tolerance", "1e-6", "--method", "dopri5")):
             with self.subTest(how):
                 ended = self.run_it("run", "noise.yaml", "--duration", "30", *how)
                 self.assertEqual(ended.returncode, 0, ended.stderr)
-                self.assertRegex(ended.stderr, r"warning: in double, formulas and equations lose digits: 0\.\d of 'x_dot' is rounding")
-                self.assertIn("; more may come of digits that are lost", ended.stdout)
+                self.assertRegex(ended.stderr, "warning: a run in float128 differs by 0.* in double, formulas and equations lose too many digits")
+                self.assertIn("; told by a run in float128", ended.stdout)
                 self.assertGreater(self.summary("noise.json")["error_estimate"]["relative"], 0.1)
+
+    def test_where_double_and_long_double_lose_the_same_float128_is_found(self):
+        """x = y 1e-10: y'' = 0.15 y^2 - y."""
+        self.write("noise.yaml", NOISE)
+        self.ok("run", "noise.yaml", "--duration", "30", "--error", "1e-6", "--budget", "60", "--outputs", "x", "-q")
+        self.assertEqual(self.summary("noise.json")["number"], "float128")
+        table = self.table("noise.csv")
+        exact, (y, v), parts = [], (1.0, 0.0), 20
+        step = 30 / 500 / parts
+        rates = lambda y, v: (v, 0.15 * y * y - y)  # noqa: E731
+        for k in range(501):
+            exact.append(1e-10 * y)
+            for _ in range(parts):
+                a = rates(y, v)
+                b = rates(y + step / 2 * a[0], v + step / 2 * a[1])
+                c = rates(y + step / 2 * b[0], v + step / 2 * b[1])
+                d = rates(y + step * c[0], v + step * c[1])
+                y += step / 6 * (a[0] + 2 * b[0] + 2 * c[0] + d[0])
+                v += step / 6 * (a[1] + 2 * b[1] + 2 * c[1] + d[1])
+        off = max(abs(x - right) for x, right in zip(table["x [m]"], exact)) / (max(exact) - min(exact))
+        self.assertLess(off, 1.1e-6)
 
     def test_what_values_alone_make_of_an_unstable_motion_is_a_bound(self):
         """x = e^(-t/10), which ends in what the start of its speed is rounded by."""
