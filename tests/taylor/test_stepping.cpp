@@ -1,6 +1,8 @@
 // Steps of one order: closed forms, orders of convergence, digits of other types, lanes.
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "catch_shim.hpp"
@@ -200,6 +202,34 @@ TEST_CASE("a lane that is lost stops and the others arrive") {
   CHECK(std::abs(lanes->states().values[0].get(0) - known.values[0]) < 1e-9);
 }
 
+/// Five digits, in every lane; what is no number stays none.
+template <class T>
+void check_rough_powers() {
+  using Batch = xsimd::batch<T>;
+  const auto lanes_of = [](const Batch& x) {
+    std::array<T, Batch::size> lanes;
+    x.store_unaligned(lanes.data());
+    return lanes;
+  };
+  const double largest = sizeof(T) == 8 ? 990 : 118;
+  for (double y = -largest; y < largest; y += 0.0173 * largest / 100) {
+    const T x = static_cast<T>(std::exp2(y));
+    for (const T log2 : lanes_of(gauss::batch::rough_log2(Batch(x)))) CHECK(std::abs(log2 - std::log2(x)) < 5e-5);
+    const T exact = std::exp2(static_cast<T>(y));
+    for (const T power : lanes_of(gauss::batch::rough_exp2(Batch(static_cast<T>(y)))))
+      CHECK(std::abs(power - exact) < T(5e-6) * exact);
+  }
+  const Batch none(std::numeric_limits<T>::quiet_NaN());
+  CHECK(xsimd::all(xsimd::isnan(gauss::batch::rough_log2(none))));
+  CHECK(xsimd::all(xsimd::isnan(gauss::batch::rough_exp2(none))));
+  CHECK(lanes_of(gauss::batch::rough_exp2(Batch(T(-2000))))[0] > T(0));
+}
+
+TEST_CASE("rough logarithms and powers of lanes have five digits") {
+  check_rough_powers<double>();
+  check_rough_powers<float>();
+}
+
 TEST_CASE("lanes that start at rest have a first step, and samples see the motion within steps") {
   using Batch = xsimd::batch<double>;
   namespace pendulum = gauss::double_pendulum;
@@ -222,6 +252,11 @@ TEST_CASE("lanes that start at rest have a first step, and samples see the motio
   initial_state(alone.prepared(), begin);
   using Single = gauss::simulate::TaylorSimulation<std::decay_t<decltype(alone)>, pendulum::TaylorSeries<double>>;
   const auto single = std::make_unique<Single>(alone, begin);
+  const auto stepping = std::make_unique<Single>(alone, begin);
+  REQUIRE(stepping->advance_to(first * (1 - 1e-4)));
+  CHECK(stepping->report().steps == 1);
+  REQUIRE(stepping->advance_to(first * (1 + 1e-4)));
+  CHECK(stepping->report().steps == 2);
   REQUIRE(single->advance_to(first / 2));
   for (int i = 0; i < 4; ++i) CHECK(std::abs(middle.values[i].get(0) - single->state().values[i]) < 1e-11);
   REQUIRE(single->advance_to(2.0));

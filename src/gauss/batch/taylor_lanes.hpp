@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "gauss/batch/rough_powers.hpp"
 #include "gauss/integrate/taylor.hpp"
 #include "gauss/integrate/unit_groups.hpp"
 #include "gauss/scalar/xsimd.hpp"
@@ -201,12 +202,12 @@ class TaylorLanes {
     const int q = order_ - 3;
     const Batch by_two =
         xsimd::min(logarithm_within(part(by_allowed, q + 3), q + 3), logarithm_within(part(by_allowed, q + 2), q + 2));
-    Batch span = Math<Batch>::exp(by_two);
+    Batch span = rough_exp2(by_two);
     const Batch third = part(by_allowed, q + 1), fourth = part(by_allowed, q), factor = integrate::power(span, q);
     const Mask is_usual = third * factor * span <= Number(k_usual) && fourth * factor <= Number(k_usual);
     if (!xsimd::all(is_usual)) {
       const Batch by_others = xsimd::min(logarithm_within(third, q + 1), logarithm_within(fourth, q));
-      span = xsimd::select(is_usual, span, Math<Batch>::exp(xsimd::min(by_two, by_others)));
+      span = xsimd::select(is_usual, span, rough_exp2(xsimd::min(by_two, by_others)));
     }
     return settings_.longest_step > Number(0) ? xsimd::min(span, Batch(settings_.longest_step)) : span;
   }
@@ -235,32 +236,34 @@ class TaylorLanes {
     return result;
   }
 
-  /// Of the longest step whose term of an order is allowed.
+  /// To the base 2, of the longest step whose term of an order is allowed.
   static Batch logarithm_within(const Batch& part, int order) {
-    return Math<Batch>::log(xsimd::max(part, least())) * (Number(-1) / static_cast<Number>(order));
+    return rough_log2(xsimd::max(part, least())) * (Number(-1) / static_cast<Number>(order));
   }
 
-  /// part^(-1/order), or `most`.
-  static Batch within(const Batch& part, int order, const Batch& most) {
-    const Batch by_part = Math<Batch>::pow(xsimd::max(part, least()), Batch(Number(-1) / static_cast<Number>(order)));
-    return xsimd::select(part > Batch(Number(0)), xsimd::min(most, by_part), most);
-  }
-
-  /// What starts from 0 has the size of its own first terms.
+  /// What starts from 0 has the size of its own first terms. In logarithms: powers of all pairs of terms would take as long as some steps do.
   Batch first_reach() const {
-    Batch reach(Number(1) / std::numeric_limits<Number>::epsilon());
+    const Batch none(-std::numeric_limits<Number>::infinity());
+    Batch reach(Number(std::numeric_limits<Number>::digits - 1));
     for (std::size_t i = 0; i < Model::size; ++i) {
+      Batch sizes[Series::most / 2 + 1];
+      for (int k = 1; k <= last_of_size(); ++k) {
+        const Batch size = settings_.tolerance * size_of(series_.values[k][i]);
+        sizes[k] = xsimd::select(size > Batch(Number(0)), rough_log2(xsimd::max(size, least())), none);
+      }
       for (const int p : {order_, order_ - 1}) {
-        Batch longest(Number(0));
+        const Batch last = size_of(series_.values[p][i]), log_last = rough_log2(xsimd::max(last, least()));
+        const Mask is_there = last > Batch(Number(0));
+        Batch longest = none;
         for (int k = 1; k <= last_of_size() && k < p; ++k) {
-          const Batch size = settings_.tolerance * size_of(series_.values[k][i]);
-          const Batch by_it = within(size_of(series_.values[p][i]) / xsimd::max(size, least()), p - k, reach);
-          longest = xsimd::select(size > Batch(Number(0)), xsimd::max(longest, by_it), longest);
+          const Batch by_it = (sizes[k] - log_last) * (Number(1) / static_cast<Number>(p - k));
+          const Batch shorter = xsimd::select(is_there, xsimd::min(reach, by_it), reach);
+          longest = xsimd::select(sizes[k] > none, xsimd::max(longest, shorter), longest);
         }
-        reach = xsimd::select(longest > Batch(Number(0)), longest, reach);
+        reach = xsimd::select(longest > none, longest, reach);
       }
     }
-    return reach;
+    return rough_exp2(reach);
   }
 
   static Batch last_places() { return Number(4) * Math<Batch>::epsilon(); }
