@@ -131,12 +131,13 @@ int advise(const AdviseOptions& options) {
     write(options, *prepared, best, {}, "that of " + std::filesystem::path(options.study).filename().string());
     return cli::k_ok;
   }
-  const TimeLimit limit(options.budget);
+  const double budget = options.budget.value_or(Wanted().budget);
+  const TimeLimit limit(budget);
   Engines engines(*prepared, engine_choice(prepared->scene));
   if (engines.of(number_name(prepared->scene)) == nullptr)
     return cli::fail(engines.why(), cli::k_file_error, options.messages);
   warn_of_interpreting(engines.times(), options.messages);
-  const auto found = find_setting(*prepared, engines, {error, options.budget, !options.quiet}, why);
+  const auto found = find_setting(*prepared, engines, {error, budget, !options.quiet}, why);
   if (!found) return cli::fail(why, cli::k_not_delivered, options.messages);
   std::vector<StudyPoint> tried;
   for (const Trial& trial : found->trials) tried.push_back(point_of(trial));

@@ -27,6 +27,7 @@
 #include "sim/run/setting.hpp"
 #include "sim/scene/read_scene.hpp"
 #include "support/error_codes.hpp"
+#include "support/files.hpp"
 #include "support/suggest.hpp"
 
 namespace gausssim {
@@ -234,7 +235,7 @@ class Preparation {
     if (is_scene_ && !std::filesystem::exists(result_.model_file))
       refuse_file(scene.model, result_.model_file);
     else if (is_scene_)
-      model_text_.emplace(cli::read_source(result_.model_file));
+      read_model(scene.model);
     if (model_text_ && is_scene(*model_text_)) {
       in_scene_.error(code::k_submodel_file, scene.model.span, fmt::format("'{}' is a scene itself", scene.model.text),
                       "name its model");
@@ -251,6 +252,15 @@ class Preparation {
       const std::string file = beside(request_.file, form.model->text);
       if (!std::filesystem::exists(file)) refuse_file(*form.model, file);
     }
+  }
+
+  void read_model(const Word& named) {
+    std::string why;
+    auto text = gaussgen::support::read_file(result_.model_file, why);
+    if (!text)
+      in_scene_.error(code::k_submodel_file, named.span, fmt::format("'{}' {}", named.text, why), "name its model");
+    else
+      model_text_.emplace(Source{result_.model_file, std::move(*text), gaussgen::support::read_regular_file});
   }
 
   void refuse_file(const Word& named, const std::string& file) {

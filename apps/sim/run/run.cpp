@@ -82,7 +82,10 @@ class Run {
   int choose(const FindSetting& find) {
     // What a search compiles first is a part of it.
     std::optional<TimeLimit> limit;
-    if (prepared_.scene.error && !options_.resume) limit.emplace(options_.budget);
+    if (prepared_.scene.error && !options_.resume) limit.emplace(budget());
+    if (options_.budget && !prepared_.scene.error)
+      cli::warn("--budget is time of a search for a setting: without an error to look for there is none",
+                options_.messages);
     if (const int code = take_engine(number_name(prepared_.scene)); code != cli::k_ok) return code;
     warn_of_interpreting(engines_.times(), options_.messages);
     choice_.setting = setting_of(prepared_, *choice_.engine);
@@ -95,6 +98,8 @@ class Run {
     return take_engine(choice_.setting.number);
   }
 
+  double budget() const { return options_.budget.value_or(Wanted().budget); }
+
   int take_engine(const std::string& number) {
     choice_.engine = engines_.of(number);
     return choice_.engine != nullptr ? cli::k_ok : cli::fail(engines_.why(), cli::k_file_error, options_.messages);
@@ -103,7 +108,7 @@ class Run {
   int search(const FindSetting& find) {
     std::string why;
     try {
-      choice_.found = find(prepared_, engines_, {*prepared_.scene.error, options_.budget, !options_.quiet}, why);
+      choice_.found = find(prepared_, engines_, {*prepared_.scene.error, budget(), !options_.quiet}, why);
     } catch (const Interrupted&) {
       cli::remark("interrupted while a setting was looked for; nothing is written", options_.messages);
       return cli::k_interrupted;

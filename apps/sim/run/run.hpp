@@ -17,7 +17,7 @@ struct RunOptions {
   std::string method, number, projection, strategy, engine, code;  ///< empty: those of the scene
   std::string start, duration, every;                              ///< expressions
   std::optional<double> tolerance, step, longest_step, error;
-  double budget = Wanted().budget;  ///< of the search for a setting
+  std::optional<double> budget = std::nullopt;  ///< s, of the search for a setting
   std::optional<long> samples, max_steps;
   bool quiet = false;
   bool resume = false;  ///< goes on from what an interrupted run has left

@@ -159,6 +159,9 @@ class SceneReader {
   void read_outputs() {
     const spec::Node* const list = spec::find(root_, "outputs");
     if (list == nullptr || !model::expect_list(*list, root_.span, "'outputs'", reading_)) return;
+    if (list->items.empty())
+      error(code::k_wrong_count, list->span, "there is no output in the list",
+            "name some, or leave 'outputs' out: the table has the state and the energy then");
     for (const spec::Node& item : list->items) {
       if (!model::expect_scalar(item, list->span, "an output", reading_)) continue;
       scene_.outputs.push_back({item.scalar.text, item.span});

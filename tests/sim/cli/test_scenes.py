@@ -213,6 +213,19 @@ exact: {z: 1}
         self.write("other.yaml", SCENE)
         self.assertIn("scene.yaml:2:8: error[E091]: 'other.yaml' is a scene itself", self.mistake("gauss: 1\nmodel: other.yaml\n"))
 
+    def test_a_folder_is_no_model_and_no_outputs_are_no_table(self):
+        self.write("scene.yaml", "gauss: 1\nscene: nothing\nmodel: .\noutputs: []\n")
+        ended = self.run_it("run", "scene.yaml")
+        self.assertEqual(ended.returncode, 1)
+        for words in ("scene.yaml:3:8: error[E091]: '.' is a directory", "scene.yaml:4:10: error[E013]: there is no output in the list"):
+            self.assertIn(words, ended.stderr)
+
+    def test_time_for_no_search_is_said(self):
+        self.write("spring.yaml", SPRING)
+        said = self.run_it("run", "spring.yaml", "--budget", "5", "-q").stderr
+        self.assertIn("warning: --budget is time of a search for a setting", said)
+        self.assertNotIn("--budget", self.run_it("run", "spring.yaml", "--error", "1e-3", "--budget", "50", "-q").stderr)
+
     def test_what_a_method_does_not_do_is_said_and_nothing_is_written(self):
         self.assertIn("series take full projection", self.refused(2, "run", "spring.yaml", "--method", "taylor", "--projection", "energy"))
         self.assertIn("it does not compute in float128", self.refused(2, "run", "spring.yaml", "--method", "fehlberg78", "--number", "float128"))
