@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/run/interruption.hpp"
 #include "sim/run/setting.hpp"
 
 namespace gausssim {
@@ -60,7 +61,8 @@ std::optional<Estimate> estimated(const PreparedModel& prepared, const Engine& e
   const double by_tighter_runs = largest.value;
   RoundingError rounded;
   if (rounding != nullptr)
-    rounded = rounding->error_of(run, rows, tight->yardstick, largest.value, most_seconds_beside(run));
+    rounded = rounding->error_of(run, rows, tight->yardstick, largest.value, engines, most_seconds_beside(run));
+  if (Interruption::is_asked_for()) return why = {"interrupted while a tighter run was made"}, std::nullopt;
   largest = larger(largest, rounded);
   return Estimate{std::move(largest), tight->yardstick.constants(), tight->agreement, rounded, by_tighter_runs};
 }

@@ -194,15 +194,20 @@ LostDigits::LostDigits(const PreparedModel& prepared, const Engine& engine, cons
 }
 
 DeliveredError LostDigits::in(const std::string& number) const {
-  constexpr std::size_t k_operations = 20'000, k_fewest = 24;  ///< of rates, in float128
-  const auto operations = static_cast<std::size_t>(std::max(prepared_.operations, 1));
-  const std::size_t some = std::max(k_operations / operations, k_fewest);
-  const std::size_t stride = states_.all().size() / some + 1;
+  constexpr double k_operations = 5e6, k_operations_in_quads = 2e4;  ///< of rates: some hundredths of a second
+  const std::size_t stride = stride_for(k_operations_in_quads);
   if (number == "long-double")
     return Comparison<long double, Quad>(prepared_, engine_, states_, yardstick_, resolved_).lost(stride);
-  DeliveredError first = Comparison<double, long double>(prepared_, engine_, states_, yardstick_, resolved_).lost(1);
+  DeliveredError first = Comparison<double, long double>(prepared_, engine_, states_, yardstick_, resolved_)
+                             .lost(stride_for(k_operations));
   DeliveredError second = Comparison<double, Quad>(prepared_, engine_, states_, yardstick_, resolved_).lost(stride);
   return first.value < second.value ? second : first;
+}
+
+std::size_t LostDigits::stride_for(double operations) const {
+  constexpr double k_fewest = 8;
+  const double states = std::max(operations / std::max(prepared_.operations, 1), k_fewest);
+  return 1 + static_cast<std::size_t>(static_cast<double>(states_.all().size()) / states);
 }
 
 Yardstick of_themselves(const Rows& rows, const PreparedModel& prepared, const Setting& setting) {

@@ -38,6 +38,9 @@ class LostDigits {
   DeliveredError in(const std::string& number) const;
 
  private:
+  /// Of the states, one out of so many: rates of all of them take about as many operations.
+  std::size_t stride_for(double operations) const;
+
   const PreparedModel& prepared_;
   const Engine& engine_;
   const PassedStates& states_;

@@ -10,6 +10,7 @@ namespace gausssim {
 namespace {
 
 constexpr double k_nudged_seconds = 7.5;  ///< half as long again as runs that are made again
+constexpr double k_most_interpreted = 2;  ///< s
 
 /// So much closer to the motion that what it differs by from a run is the error of that.
 Setting in_wider(const Setting& setting, const std::string& number, const PreparedModel& prepared) {
@@ -50,9 +51,22 @@ RoundingCheck::RoundingCheck(const PreparedModel& prepared, const Engine& engine
   nudged_ = begin_in_rows(prepared, engine, nudged, k_nudged_seconds);
 }
 
-RunInRows RoundingCheck::within(double seconds, const Setting& setting) const {
-  const TimeLimit limit(seconds);
-  return in_rows(prepared_, *engine_.another(), setting, Meter::none);
+std::optional<Rows> RoundingCheck::rows_in(const std::string& wider, double lost, Engines& engines,
+                                           const Simulated& run, double most_seconds) const {
+  const auto within = [&](double seconds, const Engine& engine, const Setting& setting) -> std::optional<Rows> {
+    const TimeLimit limit(seconds);
+    RunInRows told = in_rows(prepared_, engine, setting, Meter::none);
+    if (!gets_as_far(told.run, run)) return std::nullopt;
+    return std::move(told.rows);
+  };
+  const auto interpreted = engine_.another();
+  Setting wide = in_wider(setting_, wider, prepared_);
+  if (auto rows = within(k_most_interpreted, *interpreted, wide)) return rows;
+  wide.tolerance = looser(wide.tolerance, lost);
+  if (auto rows = within(k_most_interpreted, *interpreted, wide)) return rows;
+  // A run that takes so long is worth a compiler's time.
+  const Engine* const compiled = Interruption::is_asked_for() ? nullptr : engines.of(wider);
+  return compiled == nullptr ? std::nullopt : within(most_seconds, *compiled, wide);
 }
 
 std::string RoundingCheck::wider_than(const LostDigits& digits, double lost) const {
@@ -70,7 +84,7 @@ DeliveredError RoundingCheck::lost_in(const Rows& rows) const {
 }
 
 RoundingError RoundingCheck::error_of(const Simulated& run, const Rows& rows, const Yardstick& yardstick, double known,
-                                      double most_seconds) {
+                                      Engines& engines, double most_seconds) {
   RoundingError result;
   if (nudged_.valid()) {
     const RunInRows nudged = nudged_.get();
@@ -82,17 +96,11 @@ RoundingError RoundingCheck::error_of(const Simulated& run, const Rows& rows, co
   if (!is_much(lost.value, std::max(known, result.value), setting_)) return result;
   result.lost = lost;
   result.wider = wider_than(digits, lost.value);
-  Setting wide = in_wider(setting_, result.wider, prepared_);
-  const double loose = looser(wide.tolerance, lost.value);
-  RunInRows told = within(most_seconds, wide);
-  if (!gets_as_far(told.run, run) && wide.tolerance < loose) {
-    wide.tolerance = loose;
-    told = within(most_seconds, wide);
-  }
-  result.is_told_in_wider = gets_as_far(told.run, run);
+  const auto told = rows_in(result.wider, lost.value, engines, run, most_seconds);
+  result.is_told_in_wider = told.has_value();
   DeliveredError& error = result;
-  if (result.is_told_in_wider)
-    error = yardstick.difference(rows, told.rows);
+  if (told)
+    error = yardstick.difference(rows, *told);
   else if (lost.value > error.value)
     error = lost;
   return result;

@@ -2,8 +2,10 @@
 // What rounding makes of a run: all runs in one number type share that, so tighter ones do not see it.
 
 #include <future>
+#include <optional>
 #include <string>
 
+#include "sim/run/engines.hpp"
 #include "sim/run/error_estimate.hpp"
 #include "sim/run/in_rows.hpp"
 #include "sim/run/lost_digits.hpp"
@@ -26,16 +28,18 @@ class RoundingCheck {
   void note(long sample, long double t, const std::vector<long double>& state) { states_.note(sample, t, state); }
 
   /// When the run has ended, with an error of `known`: what it differs by from a run whose parameters, inputs and start differ by their rounding, unless that does not arrive. Where formulas and equations lose so many digits that more may come of it: what it differs by from a tighter run
-  /// in a wider number type that does not, which is interpreted; if that takes more than `most_seconds`, what is lost at least.
+  /// in a wider number type that does not, interpreted for a short time and then compiled for `most_seconds`; if it does not arrive, what is lost at least.
   RoundingError error_of(const Simulated& run, const Rows& rows, const Yardstick& yardstick, double known,
-                         double most_seconds);
+                         Engines& engines, double most_seconds);
 
   /// Of a run that nothing is compared with: what its rates, outputs or start lose, if that is more than its tolerance.
   DeliveredError lost_in(const Rows& rows) const;
 
  private:
   std::string wider_than(const LostDigits& digits, double lost) const;
-  RunInRows within(double seconds, const Setting& setting) const;
+  /// Of a tighter run there. Nothing: it does not get as far as the run.
+  std::optional<Rows> rows_in(const std::string& wider, double lost, Engines& engines, const Simulated& run,
+                              double most_seconds) const;
 
   const PreparedModel& prepared_;
   const Engine& engine_;

@@ -80,6 +80,22 @@ class Resuming(Program):
         self.assertEqual(summary["resume"]["kept_energy"], "5")
         self.assertLess(summary["drift"]["energy"]["largest_change"], 1e-14)
 
+    def test_series_with_many_samples_go_on_too(self):
+        """Four samples at a time, from another first one: rows before are the same, and those behind it are the motion x = cos(2 t)."""
+        how = ["--method", "taylor", "--duration", "100", "--samples", "20001", "--tolerance", "1e-12", "--outputs", "x,energy.total"]
+        self.ok("run", "spring.yaml", "-q", "-o", "whole.csv", *how)
+        stopped = self.run_it("run", "spring.yaml", "-q", "--max-steps", "13", *how)
+        self.assertEqual(stopped.returncode, 5, stopped.stderr)
+        first = self.summary("spring.json")["samples"]
+        self.assertGreater(first, 1000)
+        self.assertLess(first, 20001)
+        self.ok("run", "spring.yaml", "-q", "--resume", *how)
+        whole, parts = (self.folder / name for name in ("whole.csv", "spring.csv"))
+        self.assertEqual(whole.read_text().splitlines()[:first + 1], parts.read_text().splitlines()[:first + 1])
+        table = self.table("spring.csv")
+        self.assertEqual(len(table["x [m]"]), 20001)
+        self.assertLess(max(abs(x - math.cos(2 * t)) for t, x in zip(table["t [s]"], table["x [m]"])), 1e-10)
+
     def test_ctrl_c_need_not_wait_for_a_sample(self):
         table = self.folder / "spring.csv"
         asked = ["run", "spring.yaml", "-q", "--method", "rk4", "--step", "1e-7", "--duration", "2"]
