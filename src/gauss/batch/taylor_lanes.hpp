@@ -115,7 +115,9 @@ class TaylorLanes {
     status_ = Math<Batch>::worse(status_, status.within(is_lost));
     lost_ = lost_ || is_lost;
     go_back(is_refused);
-    Batch span = xsimd::min(longest(), most_);
+    // Where a step led that did not hold says nothing of sizes.
+    grow();
+    Batch span = xsimd::min(longest(goal), most_);
     lost_ = lost_ || (!(span > least_span(goal)) && !is_refused && (t_ < goal));
     const Mask arrives = t_ + span >= goal;
     span = xsimd::select(arrives, goal - t_, span);
@@ -136,7 +138,6 @@ class TaylorLanes {
     taken_ = taken_ + xsimd::select(moves, Batch(Number(1)), Batch(Number(0)));
     span_ = span;
     reach_ = xsimd::select(moves, span, reach_);
-    grow();
     ++steps_;
   }
 
@@ -150,10 +151,12 @@ class TaylorLanes {
   }
 
   Mask agrees_but_for(const Values& rounding) const {
+    const Number by_terms = std::min(Number(k_stiff), Number(k_of_rates) / settings_.tolerance);
+    const Batch most_off = xsimd::select(is_told_, Batch(by_terms), Batch(Number(1)));
     Mask agrees = Mask(true);
     for (std::size_t i = 0; i < Model::size; ++i) {
       const Batch off = size_of(expected_[i] - series_.values[1][i]) - rounding[i];
-      agrees = agrees && span_ * off <= Number(k_most_off) * allowed_[i];
+      agrees = agrees && span_ * off <= most_off * allowed_[i];
     }
     return agrees;
   }
@@ -188,10 +191,27 @@ class TaylorLanes {
 
   static Batch least_span(const Batch& goal) { return Number(4) * Math<Batch>::epsilon() * size_of(goal); }
 
-  /// As SeriesControl has it: by the last two terms, and by the two before them where these are larger than they usually are.
-  Batch longest() {
+  /// As SeriesControl has it. What is allowed is that of a step which is no longer than one that was refused.
+  Batch longest(const Batch& goal) {
+    constexpr double k_alike = 0.125;
+    constexpr int k_most_times = 30;
     const Mask is_first = !(reach_ > Batch(Number(0)));
-    const Batch reach = xsimd::any(is_first) ? xsimd::select(is_first, first_reach(), reach_) : reach_;
+    Batch reach = reach_, most = goal - t_;
+    if (settings_.longest_step > Number(0)) most = xsimd::min(most, Batch(settings_.longest_step));
+    if (xsimd::any(is_first)) reach = xsimd::select(is_first, first_reach(xsimd::max(most, least())), reach_);
+    reach = xsimd::min(reach, most_);
+    Batch span = longest_within(reach);
+    for (int k = 0; k < k_most_times; ++k) {
+      const Mask is_shorter = is_first && span < Number(k_alike) * reach;
+      if (xsimd::none(is_shorter)) break;
+      reach = xsimd::select(is_shorter, span, reach);
+      span = xsimd::select(is_shorter, longest_within(reach), span);
+    }
+    return settings_.longest_step > Number(0) ? xsimd::min(span, Batch(settings_.longest_step)) : span;
+  }
+
+  /// By the last two terms, and by the two before them where these are larger than they usually are; by the last that there is where these are 0.
+  Batch longest_within(const Batch& reach) {
     Values sizes, places, by_allowed;
     for (std::size_t i = 0; i < Model::size; ++i) sizes[i] = size_within(reach, i);
     groups_.find_largest(sizes.data(), places.data());
@@ -200,8 +220,8 @@ class TaylorLanes {
       by_allowed[i] = Batch(Number(1)) / allowed_[i];
     }
     const int q = order_ - 3;
-    const Batch by_two =
-        xsimd::min(logarithm_within(part(by_allowed, q + 3), q + 3), logarithm_within(part(by_allowed, q + 2), q + 2));
+    const Batch first = part(by_allowed, q + 3), second = part(by_allowed, q + 2);
+    const Batch by_two = xsimd::min(logarithm_within(first, q + 3), logarithm_within(second, q + 2));
     Batch span = rough_exp2(by_two);
     const Batch third = part(by_allowed, q + 1), fourth = part(by_allowed, q), factor = integrate::power(span, q);
     const Mask is_usual = third * factor * span <= Number(k_usual) && fourth * factor <= Number(k_usual);
@@ -209,7 +229,15 @@ class TaylorLanes {
       const Batch by_others = xsimd::min(logarithm_within(third, q + 1), logarithm_within(fourth, q));
       span = xsimd::select(is_usual, span, rough_exp2(xsimd::min(by_two, by_others)));
     }
-    return settings_.longest_step > Number(0) ? xsimd::min(span, Batch(settings_.longest_step)) : span;
+    const Batch none(Number(0));
+    is_told_ = first > none || second > none || third > none || fourth > none;
+    for (int k = q - 1; k > order_ / 2 && !xsimd::all(is_told_); --k) {
+      const Batch last = part(by_allowed, k);
+      const Mask is_last = !is_told_ && last > none;
+      span = xsimd::select(is_last, rough_exp2(logarithm_within(last, k)), span);
+      is_told_ = is_told_ || is_last;
+    }
+    return span;
   }
 
   /// As SeriesControl has it.
@@ -242,9 +270,9 @@ class TaylorLanes {
   }
 
   /// What starts from 0 has the size of its own first terms. In logarithms: powers of all pairs of terms would take as long as some steps do.
-  Batch first_reach() const {
+  Batch first_reach(const Batch& most) const {
     const Batch none(-std::numeric_limits<Number>::infinity());
-    Batch reach(Number(std::numeric_limits<Number>::digits - 1));
+    Batch reach = rough_log2(most);
     for (std::size_t i = 0; i < Model::size; ++i) {
       Batch sizes[Series::most / 2 + 1];
       for (int k = 1; k <= last_of_size(); ++k) {
@@ -269,7 +297,7 @@ class TaylorLanes {
   static Batch last_places() { return Number(4) * Math<Batch>::epsilon(); }
   static Batch least() { return Batch(std::numeric_limits<Number>::min() / std::numeric_limits<Number>::epsilon()); }
 
-  static constexpr double k_most_off = 10'000;  ///< as TaylorSimulation has it
+  static constexpr double k_stiff = 10'000, k_of_rates = 0.1;  ///< as TaylorSimulation has them
   static constexpr double k_usual = 10'000;     ///< as SeriesControl has it
 
   Model model_;
@@ -283,6 +311,7 @@ class TaylorLanes {
   Batch taken_ = Batch(Number(0));
   Values sizes_ = zeros(), allowed_ = zeros(), expected_ = zeros();
   Mask lost_ = Mask(false);
+  Mask is_told_ = Mask(true);  ///< as SeriesControl has it
   Status status_{};
   Series series_{};
   long steps_ = 0;

@@ -38,16 +38,25 @@ class SeriesControl {
 
   /// The longest step whose last terms are allowed, and no longer than `most`; 0 where they have no value.
   Scalar span(const Series& series, const Scalar& most) {
-    const Scalar reach = reach_ > Scalar(0) ? reach_ : first_reach(series, most);
-    allow(series, reach);
-    const int p = series.order;
-    if (!is_number(series)) return Scalar(0);
-    const Scalar by_last = within(part(series, p), p, most);
-    const Scalar by_two = within(part(series, p - 1), p - 1, by_last);
-    return p > 4 ? by_those_before(series, by_two) : by_two;
+    if (reach_ > Scalar(0)) return span_within(series, reach_, most);
+    // How far a first step is to get is known when its length is.
+    constexpr Scalar k_alike = Scalar(0.125);
+    constexpr int k_most_times = 30;
+    Scalar reach = first_reach(series, most), span = span_within(series, reach, most);
+    for (int k = 0; k < k_most_times && span < k_alike * reach; ++k) {
+      reach = span;
+      span = span_within(series, reach, most);
+    }
+    return span;
   }
 
+  /// A step that is shorter than it was to be gets less far.
+  void shorten(const Series& series, const Scalar& span) { allow(series, span); }
+
   void took(const Scalar& span) { reach_ = span; }
+
+  /// Whether terms of the series say how far it holds: a motion from rest may have none in its upper half, and be a polynomial or not.
+  bool is_told() const { return is_told_; }
 
   const Array& allowed() const { return allowed_; }
 
@@ -55,6 +64,16 @@ class SeriesControl {
 
  private:
   static Scalar last_places() { return 4 * Math<Scalar>::epsilon(); }
+
+  Scalar span_within(const Series& series, const Scalar& reach, const Scalar& most) {
+    allow(series, reach);
+    const int p = series.order;
+    if (!is_number(series)) return Scalar(0);
+    const Scalar by_last = within(part(series, p), p, most);
+    const Scalar by_two = within(part(series, p - 1), p - 1, by_last);
+    is_told_ = true;
+    return p > 4 ? by_those_before(series, by_two) : by_two;
+  }
 
   /// std::max forgets a NaN.
   static bool is_number(const Series& series) {
@@ -73,14 +92,24 @@ class SeriesControl {
   }
 
   /// From rest, motions are even in time, and may have a term in each fourth order only: the last two are 0 then. Terms of one order after another are
-  /// e^2 apart where a step is as long as it should be.
-  Scalar by_those_before(const Series& series, const Scalar& span) const {
+  /// e^2 apart where a step is as long as it should be. Where forces are powers, even fewer orders have one: then it is the last of them that is allowed.
+  Scalar by_those_before(const Series& series, const Scalar& span) {
     constexpr Scalar k_usual = Scalar(10'000);
     const int q = series.order - 3;
     const Scalar power = integrate::power(span, q);
     const Scalar third = part(series, q + 1), fourth = part(series, q);
+    if (!(third > Scalar(0) || fourth > Scalar(0) || part(series, q + 2) > Scalar(0) ||
+          part(series, q + 3) > Scalar(0)))
+      return by_last_there(series, q - 1, span);
     if (third * power * span <= k_usual && fourth * power <= k_usual) return span;
     return within(fourth, q, within(third, q + 1, span));
+  }
+
+  Scalar by_last_there(const Series& series, int order, const Scalar& span) {
+    const int half = series.order / 2;
+    while (order > half && !(part(series, order) > Scalar(0))) --order;
+    is_told_ = order > half;
+    return is_told_ ? within(part(series, order), order, span) : span;
   }
 
   /// part^(-1/order), or `most`. Whether it is `most` takes a few products to tell, where these are numbers with all of their digits.
@@ -143,6 +172,7 @@ class SeriesControl {
                       ? Scalar(std::numeric_limits<Scalar>::min() / Math<Scalar>::epsilon())
                       : Scalar(1e-290);
   Scalar reach_ = 0;  ///< the step before
+  bool is_told_ = true;
 };
 
 namespace detail {
@@ -262,7 +292,10 @@ class TaylorSimulation {
     begin_ = begin_ + span_;
     Scalar span = control_.span(series(), longest(end));
     const Scalar least = 4 * Math<Scalar>::epsilon() * std::max({begin_, -begin_, end - begin_});
-    for (jumped_ = false; span > least && !holds(span); span = span / 2) ++report_.rejected;
+    for (jumped_ = false; span > least && !holds(span); ++report_.rejected) {
+      span = span / 2;
+      control_.shorten(series(), span);
+    }
     if (!(span > least)) {
       report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::step_too_small;
       span_ = 0;
@@ -319,7 +352,7 @@ class TaylorSimulation {
     bool is_near = true;
     for (std::size_t i = 0; i < Model::size; ++i) {
       off[i] = control_.size_of(rates[i] - next().values[1][i]);
-      is_near = is_near && span * off[i] <= k_most_off * control_.allowed()[i];
+      is_near = is_near && span * off[i] <= most_off() * control_.allowed()[i];
     }
     return is_near || is_rounding(span, off);
   }
@@ -340,7 +373,7 @@ class TaylorSimulation {
     };
     if (!changes_by_rounding(x, rates, rates_at, changes)) return false;
     for (std::size_t i = 0; i < Model::size; ++i) {
-      if (!(span * (off[i] - changes[i]) <= k_most_off * control_.allowed()[i])) return false;
+      if (!(span * (off[i] - changes[i]) <= most_off() * control_.allowed()[i])) return false;
     }
     return true;
   }
@@ -366,8 +399,12 @@ class TaylorSimulation {
     return true;
   }
 
-  /// Errors of rates are those of the step, times its order and more where forces are stiff. What a series did not see is far beyond.
-  static constexpr Scalar k_most_off = 10'000;
+  /// In parts of what is allowed. Errors of rates are those of the step, times its order and more where forces are stiff, but no large part of the rates. What a series did not see is far beyond; where none of its
+  /// terms say how far it holds, rates alone do.
+  Scalar most_off() const {
+    constexpr Scalar k_stiff = Scalar(10'000), k_of_rates = Scalar(0.1);
+    return control_.is_told() ? std::min(k_stiff, Scalar(k_of_rates / settings_.tolerance)) : Scalar(1);
+  }
 
   Model model_;
   Settings<Scalar> settings_;

@@ -183,6 +183,28 @@ class Sameness(Ensembles):
             for (name, a), b in zip(self.numbers(one).items(), self.numbers(lanes).values()):
                 self.assertAlmostEqual(a, b, delta=1e-7, msg=name)
 
+    def test_motions_from_rest_whose_series_have_few_terms_keep_their_energy(self):
+        """x'' = F - x^n from rest at 0 has terms t^2, t^(2n+2), and so on: v^2/2 - F x + x^(n+1)/(n+1) stays 0, and x between 0 and ((n+1) F)^(1/n)."""
+        for n, tolerance, most in ((3, "1e-6", 1e-4), (3, "1e-9", 1e-6), (5, "1e-6", 1e-3), (5, "1e-8", 1e-4), (7, "1e-6", 2e-3), (7, "1e-9", 1e-5), (7, "1e-12", 1e-8)):
+            for lanes in ("1", "auto"):
+                with self.subTest((n, tolerance, lanes)):
+                    model = f"""gauss: 1
+name: spring
+parameters: {{k: {{value: 1, unit: N/m^{n}}}, F: {{value: 10, unit: N}}, m: {{value: 1, unit: kg}}}}
+coordinates: {{x: {{unit: m}}}}
+particles: {{p: {{mass: m, position: [x, 0, 0]}}}}
+forces: {{f: {{generalized: {{x: F - k*x^{n}}}}}}}
+"""
+                    forces = [5, 6, 7, 8, 9, 10, 11, 12, 20]
+                    self.run_ensemble(f"gauss: 1\nscene: many\nmodel: spring.yaml\nduration: 20\ntolerance: {tolerance}\nensemble:\n  parameters:\n    F: {{values: {forces}}}\n",
+                                      "--lanes", lanes, "--outputs", "state", model=model)
+                    rows = [self.numbers(row) for row in self.rows()]
+                    self.assertEqual(len(rows), len(forces))
+                    for force, row in zip(forces, rows):
+                        x, v = row["x [m]"], row["x_dot [m/s]"]
+                        self.assertLess(abs(v * v / 2 - force * x + x ** (n + 1) / (n + 1)), most * force)
+                        self.assertTrue(-1e-3 < x < 1.001 * ((n + 1) * force) ** (1 / n))
+
     def test_speeds_that_constraints_hold_at_0_keep_no_lane_back(self):
         """What rounding leaves of them is no size that a tolerance could be a part of."""
         self.write("car.yaml", CAR)
