@@ -36,6 +36,9 @@ DriftMeter<S>::DriftMeter(const Functions<S>& functions, const Described& model)
   kinetic_ = energy.kinetic;
   total_ = energy.total;
   positions_ = slots_of(residuals, "position");
+  // Its unit length is a constraint of positions, which steps leave as they do others.
+  const std::vector<std::size_t> lengths = slots_of(residuals, "quaternion");
+  positions_.insert(positions_.end(), lengths.begin(), lengths.end());
   velocities_ = slots_of(residuals, "velocity");
   drift_.has_constraints = functions.residuals && !residuals.empty();
 }

@@ -54,6 +54,7 @@ class Yardstick {
 
   const Rows& rows() const { return rows_; }
   long double scale(std::size_t column) const { return outputs_[column].scale; }
+  bool is_constant(std::size_t column) const { return outputs_[column].is_constant; }
   /// Over the samples that both have.
   DeliveredError error_of(const Rows& rows) const { return difference(rows, rows_); }
   /// Of two others, as errors are measured.

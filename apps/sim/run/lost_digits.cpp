@@ -6,6 +6,7 @@
 #include <map>
 
 #include "sim/output/sampler.hpp"
+#include "sim/run/interruption.hpp"
 #include "sim/run/setting.hpp"
 
 namespace gausssim {
@@ -17,8 +18,9 @@ using Values = std::vector<long double>;
 /// Of components of states: what rests has no size of its own.
 class Sizes {
  public:
-  /// `resolved`: of sizes; what moves by less is at rest, for all that the run knows.
-  Sizes(const std::vector<std::string>& units, const std::vector<PassedStates::One>& states, double resolved)
+  /// `resolved`: of sizes; what moves by less is at rest, for all that the run knows. Of outputs, the yardstick knows it.
+  Sizes(const std::vector<std::string>& units, const std::vector<PassedStates::One>& states, double resolved,
+        const std::vector<Column>& columns, const Yardstick& yardstick)
       : units_(units), rests_(units.size()) {
     const std::size_t n = units.size();
     range_.assign(n, 0);
@@ -33,6 +35,8 @@ class Sizes {
       size = std::max({size, std::abs(least), std::abs(most)});
     }
     for (std::size_t i = 0; i < n; ++i) rests_[i] = !(range_[i] > resolved * size(i));
+    for (std::size_t place = 0; place < columns.size(); ++place)
+      if (columns[place].is_state) rests_[columns[place].source] = yardstick.is_constant(place);
   }
 
   std::size_t count() const { return units_.size(); }
@@ -114,10 +118,10 @@ class Comparison {
         duration_(prepared.span.duration),
         narrow_(prepared, engine),
         wide_(prepared, engine),
-        sizes_(narrow_.units(), states_, resolved) {}
+        sizes_(narrow_.units(), states_, resolved, prepared.columns.columns, yardstick) {}
 
   /// Of one state out of `stride`.
-  DeliveredError lost(std::size_t stride) {
+  Lost lost(std::size_t stride) {
     if (states_.empty()) return {};
     const Values start = narrow_.start(), start_in_wide = wide_.start();
     const bool is_start_known = !start.empty() && !start_in_wide.empty();
@@ -130,7 +134,7 @@ class Comparison {
 
  private:
   void add(double share, const std::string& name) {
-    if (share > lost_.value) lost_ = {share, name};
+    if (share > lost_.value) lost_.value = share, lost_.output = name;
   }
 
   void look_at_rates(std::size_t stride) {
@@ -148,10 +152,18 @@ class Comparison {
       }
     }
     for (std::size_t i = 0; i < n; ++i) {
-      const double of_rates = share(differ[i], sizes_.rests(i) ? by_unit[sizes_.unit(i)] : largest[i]);
-      // Rates of what rests are rounding, all of them; as little comes of it.
-      add(sizes_.rests(i) ? std::min(of_rates, share(differ[i] * duration_, sizes_.size(i))) : of_rates,
-          model_.component(i));
+      const long double others = by_unit[sizes_.unit(i)];
+      const double in_time = share(differ[i] * duration_, sizes_.scale(i));
+      if (!sizes_.rests(i)) {
+        add(share(differ[i], largest[i]), model_.component(i));
+        lost_.in_time = std::max(lost_.in_time, in_time);
+      } else if (differ[i] > k_rounded * std::numeric_limits<S>::epsilon() * others) {
+        // It would not rest.
+        add(share(differ[i], largest[i]), model_.component(i));
+      } else {
+        // Rates of what rests are rounding, all of them; as little comes of it.
+        add(std::min(share(differ[i], others), in_time), model_.component(i));
+      }
     }
   }
 
@@ -164,6 +176,8 @@ class Comparison {
     }
   }
 
+  static constexpr long double k_rounded = 1e4L;  ///< units in the last place, of what is only that
+
   const Described& model_;
   const Columns& columns_;
   const Yardstick& yardstick_;
@@ -172,7 +186,7 @@ class Comparison {
   InOne<S> narrow_;
   InOne<W> wide_;
   Sizes sizes_;
-  DeliveredError lost_;
+  Lost lost_;
 };
 
 }  // namespace
@@ -193,21 +207,39 @@ LostDigits::LostDigits(const PreparedModel& prepared, const Engine& engine, cons
   resolved_ = std::max(k_least, k_clear * setting.tolerance);
 }
 
-DeliveredError LostDigits::in(const std::string& number) const {
+Lost LostDigits::in(const std::string& number) const {
   constexpr double k_operations = 5e6, k_operations_in_quads = 2e4;  ///< of rates: some hundredths of a second
   const std::size_t stride = stride_for(k_operations_in_quads);
   if (number == "long-double")
     return Comparison<long double, Quad>(prepared_, engine_, states_, yardstick_, resolved_).lost(stride);
-  DeliveredError first = Comparison<double, long double>(prepared_, engine_, states_, yardstick_, resolved_)
-                             .lost(stride_for(k_operations));
-  DeliveredError second = Comparison<double, Quad>(prepared_, engine_, states_, yardstick_, resolved_).lost(stride);
-  return first.value < second.value ? second : first;
+  Lost first = Comparison<double, long double>(prepared_, engine_, states_, yardstick_, resolved_)
+                   .lost(stride_for(k_operations));
+  Lost second = Comparison<double, Quad>(prepared_, engine_, states_, yardstick_, resolved_).lost(stride);
+  const double in_time = std::max(first.in_time, second.in_time);
+  if (first.value < second.value) first = second;
+  first.in_time = in_time;
+  return first;
 }
 
 std::size_t LostDigits::stride_for(double operations) const {
   constexpr double k_fewest = 8;
   const double states = std::max(operations / std::max(prepared_.operations, 1), k_fewest);
   return 1 + static_cast<std::size_t>(static_cast<double>(states_.all().size()) / states);
+}
+
+Passage passage(const PreparedModel& prepared, const Engine& engine, const Setting& setting, double seconds) {
+  const TimeLimit limit(seconds);
+  PreparedModel close = prepared;
+  close.span.samples = std::max(prepared.span.samples, k_close_samples);
+  Passage result{PassedStates(close.span.samples), Rows(close.columns.columns.size(), close.span.samples)};
+  Listeners listeners;
+  listeners.measures_drift = false;
+  listeners.on_state = [&](long k, long double t, const std::vector<long double>& state) {
+    result.states.note(k, t, state);
+  };
+  listeners.on_numbers = [&](long k, const std::vector<long double>& row) { result.rows.set(k, row); };
+  (void)simulate(close, engine, setting, listeners);
+  return result;
 }
 
 Yardstick of_themselves(const Rows& rows, const PreparedModel& prepared, const Setting& setting) {

@@ -26,8 +26,12 @@ class PassedStates {
   std::vector<One> states_;
 };
 
-/// By how much rates, outputs and the start in a number type differ from those in wider ones: the largest difference of any of them, relative to the largest rate of that component, the scale of the output, or the range of the
-/// component. Of a component that rests, relative to what has its unit. Its `output` is a component of the state, too.
+/// What a number type loses: the largest difference from a wider one of any rate, relative to the largest one of that component, of an output, relative to its scale, or of the start, relative to the range of the component. Of
+/// a component that rests, relative to what has its unit. `output` may be a component of the state.
+struct Lost : DeliveredError {
+  double in_time = 0;  ///< what differences of rates that have one sign make of a component, in parts of its range
+};
+
 class LostDigits {
  public:
   /// Of states of a run. All of these outlive it.
@@ -35,7 +39,7 @@ class LostDigits {
              const Yardstick& yardstick);
 
   /// `double` or `long-double`. Both may lose all of what is less than either can tell, so some states are looked at in `float128`, which takes as long as some thousand operations.
-  DeliveredError in(const std::string& number) const;
+  Lost in(const std::string& number) const;
 
  private:
   /// Of the states, one out of so many: rates of all of them take about as many operations.
@@ -47,6 +51,14 @@ class LostDigits {
   const Yardstick& yardstick_;
   double resolved_;  ///< of sizes
 };
+
+/// A run whose samples are close enough to tell what happens between those of the table; it takes some seconds at most, however far it gets then.
+struct Passage {
+  PassedStates states;
+  Rows rows;
+};
+constexpr long k_close_samples = 129;
+Passage passage(const PreparedModel& prepared, const Engine& engine, const Setting& setting, double seconds);
 
 /// Of rows that nothing is compared with, beside their own ranges.
 Yardstick of_themselves(const Rows& rows, const PreparedModel& prepared, const Setting& setting);

@@ -33,12 +33,18 @@ double looser(double tolerance, double lost) {
   return std::max(tolerance, std::min(k_of_lost * lost, k_loosest));
 }
 
-bool has_wider(const std::string& number) { return number == "double" || number == "long-double"; }
+/// Of `float`, errors are told in `double`; empty: nothing is wider.
+std::string told_in(const std::string& number) {
+  if (number == "float") return "double";
+  return number == "double" || number == "long-double" ? number : "";
+}
 
-/// What is lost acts like a tolerance, and errors of a run, which may be far less than that, are what comes of it in the end, more or less.
-bool is_much(double lost, double known, const Setting& setting) {
-  constexpr double k_of_known = 1e-2, k_of_tolerance = 0.1;
-  return lost > k_of_known * known || (setting.tolerance > 0 && lost > k_of_tolerance * setting.tolerance);
+/// What is lost acts like a tolerance; errors of a run, which may be far less than that, are what comes of it in the end, more or less.
+bool is_much(const Lost& lost, double known, const Setting& setting) {
+  constexpr double k_of_known = 1e-2, k_of_tolerance = 0.1, k_in_time = 0.25, k_useless = 0.1;
+  if (known >= k_useless) return false;  // what more may be wrong with it matters to nobody
+  return lost.value > k_of_known * known || lost.in_time > k_in_time * known ||
+         (setting.tolerance > 0 && lost.value > k_of_tolerance * setting.tolerance);
 }
 
 }  // namespace
@@ -51,13 +57,13 @@ RoundingCheck::RoundingCheck(const PreparedModel& prepared, const Engine& engine
   nudged_ = begin_in_rows(prepared, engine, nudged, k_nudged_seconds);
 }
 
-std::optional<Rows> RoundingCheck::rows_in(const std::string& wider, double lost, Engines& engines,
-                                           const Simulated& run, double most_seconds) const {
-  const auto within = [&](double seconds, const Engine& engine, const Setting& setting) -> std::optional<Rows> {
+std::optional<RoundingCheck::WideRows> RoundingCheck::rows_in(const std::string& wider, double lost, Engines& engines,
+                                                              const Simulated& run, double most_seconds) const {
+  const auto within = [&](double seconds, const Engine& engine, const Setting& setting) -> std::optional<WideRows> {
     const TimeLimit limit(seconds);
     RunInRows told = in_rows(prepared_, engine, setting, Meter::none);
     if (!gets_as_far(told.run, run)) return std::nullopt;
-    return std::move(told.rows);
+    return WideRows{std::move(told.rows), setting.tolerance};
   };
   const auto interpreted = engine_.another();
   Setting wide = in_wider(setting_, wider, prepared_);
@@ -71,15 +77,16 @@ std::optional<Rows> RoundingCheck::rows_in(const std::string& wider, double lost
 
 std::string RoundingCheck::wider_than(const LostDigits& digits, double lost) const {
   constexpr double k_clear = 1e-2;
-  const bool is_next_enough = setting_.number == "double" && digits.in("long-double").value <= k_clear * lost;
+  const bool is_next_enough = setting_.number != "long-double" && digits.in("long-double").value <= k_clear * lost;
   return is_next_enough ? "long-double" : "float128";
 }
 
 DeliveredError RoundingCheck::lost_in(const Rows& rows) const {
   constexpr double k_known = 1e-7;  ///< of runs by steps of one length: nobody knows
-  if (!has_wider(setting_.number)) return {};
+  const std::string number = told_in(setting_.number);
+  if (number.empty()) return {};
   const Yardstick own = of_themselves(rows, prepared_, setting_);
-  DeliveredError lost = LostDigits(prepared_, engine_, setting_, states_, own).in(setting_.number);
+  DeliveredError lost = LostDigits(prepared_, engine_, setting_, states_, own).in(number);
   return lost.value > (setting_.tolerance > 0 ? setting_.tolerance : k_known) ? lost : DeliveredError{};
 }
 
@@ -90,20 +97,29 @@ RoundingError RoundingCheck::error_of(const Simulated& run, const Rows& rows, co
     const RunInRows nudged = nudged_.get();
     if (gets_as_far(nudged.run, run)) result = {yardstick.difference(rows, nudged.rows)};
   }
-  if (!has_wider(setting_.number)) return result;
+  const std::string number = told_in(setting_.number);
+  if (number.empty()) return result;
+  if (states_.all().size() < k_close_samples)
+    states_ = passage(prepared_, *engine_.another(), setting_, most_seconds).states;
   const LostDigits digits(prepared_, engine_, setting_, states_, yardstick);
-  const DeliveredError lost = digits.in(setting_.number);
-  if (!is_much(lost.value, std::max(known, result.value), setting_)) return result;
+  const Lost lost = digits.in(number);
+  if (!is_much(lost, std::max(known, result.value), setting_)) return result;
   result.lost = lost;
   result.wider = wider_than(digits, lost.value);
   const auto told = rows_in(result.wider, lost.value, engines, run, most_seconds);
   result.is_told_in_wider = told.has_value();
   DeliveredError& error = result;
   if (told)
-    error = yardstick.difference(rows, *told);
+    error = by_wider(rows, *told, yardstick);
   else if (lost.value > error.value)
     error = lost;
   return result;
+}
+
+DeliveredError RoundingCheck::by_wider(const Rows& rows, const WideRows& wide, const Yardstick& yardstick) const {
+  const Yardstick own(wide.rows, wide.rows, prepared_.columns.columns, least_range(wide.tolerance), wide.tolerance);
+  const DeliveredError by_own = own.error_of(rows), by_other = yardstick.difference(rows, wide.rows);
+  return by_own.value > by_other.value ? by_own : by_other;
 }
 
 }  // namespace gausssim

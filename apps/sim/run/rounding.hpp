@@ -37,9 +37,16 @@ class RoundingCheck {
 
  private:
   std::string wider_than(const LostDigits& digits, double lost) const;
+  struct WideRows {
+    Rows rows;
+    double tolerance;
+  };
+
   /// Of a tighter run there. Nothing: it does not get as far as the run.
-  std::optional<Rows> rows_in(const std::string& wider, double lost, Engines& engines, const Simulated& run,
-                              double most_seconds) const;
+  std::optional<WideRows> rows_in(const std::string& wider, double lost, Engines& engines, const Simulated& run,
+                                  double most_seconds) const;
+  /// What the run takes for constant may move there.
+  DeliveredError by_wider(const Rows& rows, const WideRows& wide, const Yardstick& yardstick) const;
 
   const PreparedModel& prepared_;
   const Engine& engine_;

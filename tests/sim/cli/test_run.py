@@ -363,6 +363,32 @@ class Writing(Program):
                     self.assertGreater(estimate["relative"], 0.9 * true - 1e-10)
                     self.assertLess(estimate["relative"], 5 * true + 1e-10)
 
+    def test_losses_are_seen_wherever_they_are(self):
+        """K - A is b/(2A), of which double keeps little: between two samples only, of runs in float, of what moves little beside others, and over thousands of periods. b = 1 but for the last."""
+        bump = ("bump", "{A: {value: 1e10}, b: {value: 1}, K: {value: sqrt(A^2+b)}}", "{x: {initial: 0, initial_rate: 0.1}}", "{p: {mass: 1, position: [x, 0, 0]}}", '{x: "-x + exp(-4*(t-5)^2)*A*(K-A)"}')
+        push = ("push", "{A: {value: 1e8}, b: {value: 1}, K: {value: sqrt(A^2+b)}}", "{x: {initial: 0}}", "{p: {mass: 1, position: [x, 0, 0]}}", '{x: "A*(K-A)"}')
+        beside = ("beside", "{A: {value: 5e7}, b: {value: 1}, K: {value: sqrt(A^2+b)}}", "{x: {initial: 1e7}, y: {initial: 0}}", "{p: {mass: 1, position: [x, 0, 0]}, q: {mass: 1, position: [0, y, 0]}}",
+                  '{x: "-9*x*(1+x^2/1e14)", y: "0.02*A*(K-A)"}')
+        swing = ("swing", "{A: {value: 1e5}, b: {value: 170000}, K: {value: sqrt(A^2+b)}}", "{x: {initial: 1}}", "{p: {mass: 1, position: [x, 0, 0]}}", '{x: "-(K-A)*x"}')
+        # From the stiffness: (sqrt(1e10 + 170000) - 1e5), as b/(K + A).
+        stiff = 170000 / (math.sqrt(1e10 + 170000) + 1e5)
+        for (name, parameters, coordinates, particles, forces), how, last in (
+                (bump, ("--duration", "10", "--samples", "2"), None),
+                (push, ("--duration", "10", "--number", "float"), 25),
+                (beside, ("--duration", "100", "--samples", "101", "--tolerance", "1e-6", "--outputs", "y"), 50),
+                (swing, ("--duration", "20000", "--tolerance", "1e-10", "--outputs", "x"), math.cos(math.sqrt(stiff) * 20000))):
+            with self.subTest(name):
+                self.write(f"{name}.yaml", f"gauss: 1\nname: {name}\nparameters: {parameters}\ncoordinates: {coordinates}\nparticles: {particles}\nforces: {{f: {{generalized: {forces}}}}}\n")
+                self.ok("run", f"{name}.yaml", "-q", *how)
+                estimate = self.summary(f"{name}.json")["error_estimate"]
+                self.assertIn("makes", estimate["digits_lost"])
+                column = "y" if name == "beside" else "x"
+                table = next(values for head, values in self.table(f"{name}.csv").items() if head.split(" ")[0] == column)
+                if last is None:
+                    self.ok("run", f"{name}.yaml", "-q", *how, "--number", "float128", "--tolerance", "1e-20", "-o", "exact.csv")
+                    last = next(values for head, values in self.table("exact.csv").items() if head.split(" ")[0] == column)[-1]
+                self.assertGreater(estimate["relative"], 0.3 * abs(table[-1] - last) / (2 if name == "swing" else max(abs(last), abs(table[-1]))))
+
     def test_where_nothing_but_rounding_moves_a_model_a_warning_says_so(self):
         """In double and long double, cos(x) - cos(2x) of 1e-10 is noise."""
         self.write("noise.yaml", NOISE)
