@@ -45,9 +45,11 @@ class TightSearch {
       if (is_before(number, first) || loss_.is_above(k_agreement * error_, number)) continue;
       if (auto found = in(number)) return found;
     }
-    why = fmt::format("an error of {:.1e} cannot be shown: the two tightest runs that were tried {}", error_,
-                      failure_.empty() ? fmt::format("differ by {:.1e}, in {}", closest_.value, closest_.output)
-                                       : "end early (" + failure_ + ")");
+    why =
+        fmt::format("an error of {:.1e} cannot be shown: the two tightest runs that were tried {}", error_,
+                    failure_.empty() ? fmt::format("differ by {:.1e}, in {}, where a twentieth of the error is needed",
+                                                   closest_.value, closest_.output)
+                                     : "end early (" + failure_ + ")");
     return std::nullopt;
   }
 
