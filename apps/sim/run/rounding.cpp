@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "sim/run/interruption.hpp"
+#include "sim/run/known_errors.hpp"
 #include "sim/run/setting.hpp"
 
 namespace gausssim {
 
 namespace {
 
-constexpr double k_nudged_seconds = 7.5;  ///< half as long again as runs that are made again
+constexpr double k_nudged_seconds = 1.5 * k_long_run;
 constexpr double k_most_interpreted = 2;  ///< s
 
 /// So much closer to the motion that what it differs by from a run is the error of that.
@@ -68,8 +69,10 @@ std::optional<RoundingCheck::WideRows> RoundingCheck::rows_in(const std::string&
   const auto interpreted = engine_.another();
   Setting wide = in_wider(setting_, wider, prepared_);
   if (auto rows = within(k_most_interpreted, *interpreted, wide)) return rows;
-  wide.tolerance = looser(wide.tolerance, lost);
-  if (auto rows = within(k_most_interpreted, *interpreted, wide)) return rows;
+  if (const double loose = looser(wide.tolerance, lost); loose > wide.tolerance) {
+    wide.tolerance = loose;
+    if (auto rows = within(k_most_interpreted, *interpreted, wide)) return rows;
+  }
   // A run that takes so long is worth a compiler's time.
   const Engine* const compiled = Interruption::is_asked_for() ? nullptr : engines.of(wider);
   return compiled == nullptr ? std::nullopt : within(most_seconds, *compiled, wide);
